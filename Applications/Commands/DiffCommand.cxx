@@ -84,6 +84,10 @@ Image ReadPicture(const std::string& path)
     tool::TakeErrorText(); // the same
     throw tool::InputError(reader->GetErrorMessage());
   }
+  if (!reader->GetNotes().empty())
+  {
+    tool::PrintNote(path + ": " + reader->GetNotes());
+  }
   return reader->GetPicture();
 }
 

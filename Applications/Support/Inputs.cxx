@@ -36,6 +36,7 @@ const std::map<std::string, int> Projections = { { "auto", vtkEnvironmentReader:
   { "vertical-strip", vtkEnvironmentProjection::CUBE_VERTICAL_STRIP } };
 
 std::string Projection = "auto"; // set by --projection
+std::string Layer;               // set by --layer
 
 //------------------------------------------------------------------------------
 // What to add to a reader's complaint about a file whose ending is of no format that is read.
@@ -73,8 +74,8 @@ std::string GetMaterialHelp()
 const char* const EnvironmentHelp =
   "Light from all around: "
 #if MEASUREDBRDF_WITH_OPENIMAGEIO
-  "a lat-long image, cube cross or other probe (--projection) of any format "
-  "OpenImageIO reads (.exr, .hdr, ...); six cube faces, named with %s for px, nx, py, ny, pz, nz; "
+  "a lat-long image, cube cross or other probe (--projection) in a file of OpenEXR, Radiance HDR, "
+  "PNG, JPEG, TIFF, BMP, PNM or PFM; six cube faces, named with %s for px, nx, py, ny, pz, nz; "
   "or "
 #endif
 #if MEASUREDBRDF_WITH_OPENEXR
@@ -157,6 +158,9 @@ void AddProjectionOption(CLI::App* command)
       "lat-long, angular (Debevec's angular map), mirror-ball, horizontal-cross, vertical-cross, "
       "horizontal-strip or vertical-strip of cube faces")
     ->check(CLI::IsMember(names));
+  command->add_option("--layer", Layer,
+    "Layer or part of an OpenEXR environment file (default: the one named Combined, else the "
+    "channels R, G and B without a name, else the first)");
 }
 
 //------------------------------------------------------------------------------
@@ -174,6 +178,7 @@ vtkSmartPointer<vtkEnvironment> LoadEnvironment(const std::string& file)
   vtkNew<vtkEnvironmentReader> reader;
   const std::string path = ResolveFetched(file, "environment");
   reader->SetProjection(Projections.at(Projection));
+  reader->SetLayer(Layer);
   reader->SetFileName(path);
   if (!reader->Read() || !reader->GetEnvironment())
   {

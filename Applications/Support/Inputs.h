@@ -48,7 +48,7 @@ struct Material
  */
 Material LoadMaterial(const std::string& file);
 
-/// Add --projection, which holds for every environment file that the program loads.
+/// Add --projection and --layer, which hold for every environment file that the program loads.
 void AddProjectionOption(CLI::App* command);
 
 /// ENV -> environment: a built-in name ("room", "sky", "hall") or a path. Throws Error; prints the

@@ -37,6 +37,10 @@ vtkSmartPointer<vtkImageData> ReadWeights(const std::string& path)
     tool::TakeErrorText();
     throw tool::Error(reader->GetErrorMessage());
   }
+  if (!reader->GetNotes().empty())
+  {
+    tool::PrintNote(path + ": " + reader->GetNotes());
+  }
   return reader->GetPicture();
 }
 

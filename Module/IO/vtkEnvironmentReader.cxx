@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEnvironmentReader.h"
 
-#include "ExrHeader.h"
 #include "FileBytes.h"
 #include "ImageFile.h"
 #include "SRGB.h"
@@ -15,6 +14,8 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
 vtkStandardNewMacro(vtkEnvironmentReader);
 
@@ -28,6 +29,7 @@ struct Image
   int Width = 0;
   int Height = 0;
   std::vector<float> Pixels; // RGB, row 0 at the bottom
+  measuredbrdf::ImageEnvmap Envmap = measuredbrdf::ImageEnvmap::None;
   std::string Notes;
   // Values that were set to 0, of probes that had to be converted.
   vtkIdType NumberOfNegativeValues = 0;
@@ -37,11 +39,10 @@ struct Image
 };
 
 //------------------------------------------------------------------------------
-Image ReadImage(const std::string& path)
+Image ReadImage(const std::string& path, const std::string& layer)
 {
-  const std::uintmax_t fileSize = measuredbrdf::CheckFile(path);
-  measuredbrdf::CheckExrImage(path);
-  measuredbrdf::ImageFile file = measuredbrdf::ReadImageFile(path, fileSize);
+  measuredbrdf::ImageFile file =
+    measuredbrdf::ReadImageFile(path, measuredbrdf::ImageValues::Color, layer);
 
   Image image;
   image.Width = file.Width;
@@ -69,10 +70,11 @@ Image ReadImage(const std::string& path)
     std::swap_ranges(pixels.begin() + y * row, pixels.begin() + (y + 1) * row,
       pixels.begin() + (image.Height - 1 - y) * row);
   }
-  if (file.IsWindowed)
+  for (const std::string& note : file.Notes)
   {
-    image.AddNote("The data window differs from the display window; the data are taken as whole.");
+    image.AddNote(note);
   }
+  image.Envmap = file.Envmap;
   return image;
 }
 
@@ -86,6 +88,14 @@ std::string FormatSize(const Image& image)
 // What an image without a given projection is by its shape.
 int DetectProjection(Image& image)
 {
+  if (image.Envmap == measuredbrdf::ImageEnvmap::Cube)
+  {
+    return vtkEnvironmentProjection::CUBE_VERTICAL_STRIP;
+  }
+  if (image.Envmap == measuredbrdf::ImageEnvmap::LatLong)
+  {
+    return vtkEnvironmentProjection::LAT_LONG;
+  }
   constexpr int smallestFace = 8;
   for (const int projection : { vtkEnvironmentProjection::CUBE_HORIZONTAL_CROSS,
          vtkEnvironmentProjection::CUBE_VERTICAL_CROSS,
@@ -103,6 +113,35 @@ int DetectProjection(Image& image)
     }
   }
   return vtkEnvironmentProjection::LAT_LONG;
+}
+
+//------------------------------------------------------------------------------
+// OpenEXR's envmap attribute says where the axes are (ImfEnvmap.h); elsewhere images follow VTK.
+void AlignWithAxes(int projection, Image& image)
+{
+  const auto row = 3 * static_cast<std::ptrdiff_t>(image.Width);
+  if (image.Envmap == measuredbrdf::ImageEnvmap::Cube &&
+      projection == vtkEnvironmentProjection::CUBE_VERTICAL_STRIP)
+  {
+    // The last two faces are +z and -z as they are seen there; in OpenGL's cubes, what is seen
+    // towards -z comes first.
+    const auto face = row * image.Width;
+    if (std::int64_t(image.Height) == 6 * std::int64_t(image.Width))
+    {
+      std::swap_ranges(
+        image.Pixels.begin(), image.Pixels.begin() + face, image.Pixels.begin() + face);
+    }
+  }
+  else if (image.Envmap == measuredbrdf::ImageEnvmap::LatLong &&
+           projection == vtkEnvironmentProjection::LAT_LONG)
+  {
+    // The center is +z and the right edge of the left half +x; here, the center is +x.
+    const std::ptrdiff_t quarter = 3 * ((static_cast<std::ptrdiff_t>(image.Width) + 2) / 4);
+    for (auto at = image.Pixels.begin(); at != image.Pixels.end(); at += row)
+    {
+      std::rotate(at, at + (row - quarter), at + row);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -185,13 +224,14 @@ std::vector<std::string> FindFaces(const std::string& pattern)
 }
 
 //------------------------------------------------------------------------------
-void FillFromFaces(const std::string& pattern, Image& first, vtkEnvironment* environment)
+void FillFromFaces(
+  const std::string& pattern, const std::string& layer, Image& first, vtkEnvironment* environment)
 {
   const std::vector<std::string> paths = FindFaces(pattern);
   std::vector<std::vector<float>> faces;
   for (const std::string& path : paths)
   {
-    Image image = ReadImage(path);
+    Image image = ReadImage(path, layer);
     if (image.Width != image.Height)
     {
       throw FileError(path + ": cube face: found " + FormatSize(image) + ", expected a square");
@@ -222,15 +262,17 @@ bool vtkEnvironmentReader::Read()
   {
     Image image;
     const auto environment = vtkSmartPointer<vtkEnvironment>::New();
-    if (this->FileName.find("%s") != std::string::npos)
+    if (this->FileName.find("%s") != std::string::npos &&
+        !vtksys::SystemTools::FileExists(this->FileName)) // "80%sky.hdr" is a name, too
     {
-      FillFromFaces(this->FileName, image, environment);
+      FillFromFaces(this->FileName, this->Layer, image, environment);
     }
     else
     {
-      image = ReadImage(this->FileName);
+      image = ReadImage(this->FileName, this->Layer);
       const bool given = this->Projection != AUTOMATIC;
       const int projection = given ? this->Projection : DetectProjection(image);
+      AlignWithAxes(projection, image);
       FillFromImage(this->FileName, projection, given, image, environment);
     }
     environment->SetName(measuredbrdf::GetFileStem(this->FileName));
@@ -269,6 +311,7 @@ void vtkEnvironmentReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << measuredbrdf::ToPrintable(this->FileName) << "\n";
   os << indent << "Projection: " << this->Projection << "\n";
+  os << indent << "Layer: " << measuredbrdf::ToPrintable(this->Layer) << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
   os << indent << "Notes: " << this->Notes << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPhotographSetReader.h"
 
-#include "ExrHeader.h"
 #include "FileBytes.h"
 #include "ImageFile.h"
 #include "PhotographList.h"
@@ -89,9 +88,7 @@ public:
 private:
   vtkImageData* ReadPicture(const std::string& path)
   {
-    const std::uintmax_t fileSize = CheckFile(path);
-    CheckExrImage(path);
-    const ImageFile file = ReadImageFile(path, fileSize);
+    const ImageFile file = ReadImageFile(path);
     if (file.IsInteger && !file.IsEncoded && this->Transfer == AUTOMATIC)
     {
       throw FileError(path +

@@ -17,7 +17,7 @@
  *   pl030 tv045 pv060.jpg" or "tl015_pl030_tv045_pv060.exr": polar angle and azimuth of light and
  *   view. Its folders are looked into, too. Other files are ignored and counted.
  *
- * Files of a list are relative to its folder. Images are of any format OpenImageIO reads. They are
+ * Files of a list are relative to its folder. Images are of vtkPictureReader's formats. They are
  * read when a picture is asked for, one at a time, and again each time.
  */
 

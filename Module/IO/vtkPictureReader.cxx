@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPictureReader.h"
 
-#include "ExrHeader.h"
 #include "FileBytes.h"
 #include "ImageFile.h"
 
@@ -95,13 +94,16 @@ vtkImageData* vtkPictureReader::GetPicture() { return this->Picture; }
 bool vtkPictureReader::Read()
 {
   this->ErrorMessage.clear();
+  this->Notes.clear();
   try
   {
-    const std::uintmax_t fileSize = measuredbrdf::CheckFile(this->FileName);
-    measuredbrdf::CheckExrImage(this->FileName);
-    const ImageFile file = measuredbrdf::ReadImageFile(
-      this->FileName, fileSize, measuredbrdf::ImageValues::ColorAndAlpha);
+    const ImageFile file =
+      measuredbrdf::ReadImageFile(this->FileName, measuredbrdf::ImageValues::ColorAndAlpha);
     CheckValues(this->FileName, file);
+    for (const std::string& note : file.Notes)
+    {
+      this->Notes += (this->Notes.empty() ? "" : "\n") + note;
+    }
     this->Picture = MakePicture(file, this->KeepsGray);
     return true;
   }
@@ -124,5 +126,6 @@ void vtkPictureReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << measuredbrdf::ToPrintable(this->FileName) << "\n";
   os << indent << "KeepsGray: " << (this->KeepsGray ? "On" : "Off") << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
+  os << indent << "Notes: " << this->Notes << "\n";
   os << indent << "Picture: " << this->Picture.Get() << "\n";
 }

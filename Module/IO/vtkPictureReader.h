@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPictureReader
- * @brief   a picture of any format OpenImageIO reads -> vtkImageData, for comparing
+ * @brief   a picture in an image file -> vtkImageData, for comparing
  *
- * PNG, JPEG, TIFF, BMP, OpenEXR, Radiance and others. The picture is as vtkPictureDifference takes
- * it: integers become unsigned char (8 bits) or unsigned short, RGB or RGBA, sRGB-encoded; integers
- * that the file says are linear, and floats, become linear floats. Gray becomes RGB. Row 0 is at
- * the bottom. Colors of integers are not multiplied by alpha; those of OpenEXR are, as stored.
+ * Formats are OpenEXR, Radiance HDR, PNG, JPEG, TIFF, BMP, PNM and PFM, found by the file's
+ * content. What the file's header says holds, as in vtkEnvironmentReader. The picture is as
+ * vtkPictureDifference takes it: integers become unsigned char (8 bits) or unsigned short, RGB or
+ * RGBA, sRGB-encoded; integers that the file says are linear, and floats, become linear floats.
+ * Gray becomes RGB. Row 0 is at the bottom. Colors of integers are not multiplied by alpha; those
+ * of OpenEXR are, as stored.
  *
  * vtkEnvironmentReader reads light probes.
  */
@@ -59,10 +61,13 @@ public:
    */
   vtkImageData* GetPicture();
 
+  ///@{
   /**
-   * What was wrong in the last Read; empty if nothing.
+   * About the last Read: what was wrong; what was chosen or lost. Empty if nothing.
    */
   vtkGetMacro(ErrorMessage, std::string);
+  vtkGetMacro(Notes, std::string);
+  ///@}
 
 protected:
   vtkPictureReader();
@@ -71,6 +76,7 @@ protected:
   std::string FileName;
   bool KeepsGray = false;
   std::string ErrorMessage;
+  std::string Notes;
   vtkSmartPointer<vtkImageData> Picture;
 
 private:

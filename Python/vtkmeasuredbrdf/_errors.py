@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Error events of C++ objects as texts for Python's exceptions."""
+"""Error events of C++ objects as texts for Python's exceptions, and their notes as its warnings."""
 
 from __future__ import annotations
 
 import re
+import warnings
 from typing import Any
 
 # "ERROR: In FILE, line N\nCLASS (ADDRESS): TEXT"
@@ -33,3 +34,10 @@ class TakenErrors:
         self.text = _PREFIX.sub("", text or "", count=1).strip()
 
     _take.CallDataType = "string0"  # type: ignore[attr-defined]
+
+
+def warn_of_notes(path: str, reader: Any, stacklevel: int = 4) -> None:
+    """One warning with what a reader of files has to say of the last one, if anything."""
+    notes = reader.GetNotes()
+    if notes:
+        warnings.warn(f"{path}: " + " ".join(notes.splitlines()), stacklevel=stacklevel)

@@ -21,7 +21,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from . import vtkEmbeddedEnvironments, vtkEnvironment, vtkEnvironmentReader
 from ._arrays import to_floats, to_numpy
-from ._errors import TakenErrors
+from ._errors import TakenErrors, warn_of_notes
 from ._names import fail_to_find, is_path
 
 Source = Union[str, "os.PathLike[str]", ArrayLike, vtkEnvironment, "Environment"]
@@ -34,7 +34,8 @@ class Environment:
     ----------
     source
         * the name of an embedded environment (`Environment.names()`),
-        * an image file: lat-long, angular map, mirror ball or cube map, in any format that OpenImageIO reads,
+        * an image file: lat-long, angular map, mirror ball or cube map, in any format that `vtkEnvironmentReader` reads. What
+          its header says holds. A warning tells what was chosen or lost,
         * an array of shape (height, width, 3), (height, width) or (height, width, 4): a lat-long image, top row
           first. The center of the picture shows +x, and columns to the right of it turn towards +z; y is up.
           Floats are linear radiance. Integers are display values, scaled by their type's maximum.
@@ -45,6 +46,9 @@ class Environment:
         None: as the source has it.
     srgb
         Whether the values of an array are sRGB-encoded. None: integers are, floats are not.
+    layer
+        The layer or part of an OpenEXR file. "": the one named Combined, else the channels R, G and B without a
+        name, else the first.
 
     Raises
     ------
@@ -56,7 +60,9 @@ class Environment:
 
     __slots__ = ("__weakref__", "_embedded", "_environment", "_time")
 
-    def __init__(self, source: Source, rotation: float | None = None, *, srgb: bool | None = None) -> None:
+    def __init__(
+        self, source: Source, rotation: float | None = None, *, srgb: bool | None = None, layer: str = ""
+    ) -> None:
         self._embedded = ""
         self._environment: Any
         if isinstance(source, Environment):
@@ -65,14 +71,14 @@ class Environment:
         elif isinstance(source, vtkEnvironment):
             self._environment = source
         elif isinstance(source, (str, os.PathLike)):
-            self._read(os.fspath(source))
+            self._read(os.fspath(source), layer)
         else:
             self._environment = _from_array(source, srgb)
         self._time = self._environment.GetPixelsMTime()
         if rotation is not None:
             self.rotation = rotation
 
-    def _read(self, source: str) -> None:
+    def _read(self, source: str, layer: str) -> None:
         if source in self.names():
             self._environment = vtkEmbeddedEnvironments.NewEnvironment(source)
             self._embedded = source
@@ -81,11 +87,13 @@ class Environment:
             fail_to_find(source, self.names(), "embedded environment")
         reader = vtkEnvironmentReader()
         reader.SetFileName(source)
+        reader.SetLayer(layer)
         with TakenErrors(reader):
             done = reader.Read()
         if not done:
             found = os.path.exists(source) or "%s" in source
             raise (ValueError if found else FileNotFoundError)(reader.GetErrorMessage())
+        warn_of_notes(source, reader)
         self._environment = reader.GetEnvironment()
         if not self._environment.GetName():
             self._environment.SetName(os.path.splitext(os.path.basename(source))[0])

@@ -22,7 +22,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from . import vtkMaterialMap, vtkPictureReader
-from ._errors import TakenErrors
+from ._errors import TakenErrors, warn_of_notes
 from .materials import Material, Source
 
 __all__ = ["MaterialMap"]
@@ -161,6 +161,7 @@ def _read_weights(path: str) -> Any:
     with TakenErrors(reader) as errors:
         if not reader.Read():
             raise ValueError(errors.text)
+    warn_of_notes(path, reader)
     picture = reader.GetPicture()
     width, height, _ = picture.GetDimensions()
     return vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(height, width, -1)[::-1]

@@ -12,6 +12,7 @@ import os
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
+from ._errors import warn_of_notes
 from .vtkMeasuredBRDF import vtkPictureDifference, vtkPictureReader
 
 __all__ = ["Comparison", "assert_images_close", "compare_images"]
@@ -142,6 +143,7 @@ def _to_image(image, name):
         reader.SetFileName(os.fspath(image))
         if not reader.Read():
             raise ValueError(f"{name}: {reader.GetErrorMessage()}")
+        warn_of_notes(os.fspath(image), reader)
         return reader.GetPicture()
     if not hasattr(image, "__array_interface__") and not hasattr(image, "__array__"):
         raise TypeError(f"{name}: found {type(image).__name__}, expected a file's name, vtkImageData or a NumPy array")

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkEnvironmentReader's own code, with images that OpenImageIO reads: the first byte picks the
-// projection, the second whether the file's size is a lie, a cut or the truth; then width, height,
-// and texels.
+// projection, the second whether the file's size is a lie, a cut or the truth, or lines of the
+// header are among what follows; then width, height, and texels.
 #include "FuzzTarget.h"
 
 #include "vtkEnvironment.h"
@@ -14,9 +14,10 @@
 namespace
 {
 // Radiance's format, without runs.
-std::string MakeImage(int width, int height, std::size_t texels, std::string_view values)
+std::string MakeImage(
+  int width, int height, std::size_t texels, std::string_view values, std::string_view lines)
 {
-  std::string bytes = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) +
+  std::string bytes = "#?RADIANCE\n" + std::string(lines) + "\n\n-Y " + std::to_string(height) +
                       " +X " + std::to_string(width) + "\n";
   for (std::size_t k = 0; k < 4 * texels; ++k)
   {
@@ -42,7 +43,8 @@ MEASUREDBRDF_FUZZ_TARGET(Environment)(const std::uint8_t* data, std::size_t size
   const std::string_view values = fuzz::ToView(data + 6, size - 6);
   const std::size_t texels =
     lies ? 64 : static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  std::string image = MakeImage(width, height, texels, values);
+  std::string image = MakeImage(width, height, texels, values,
+    kind == 2 ? values.substr(0, 80) : std::string_view("FORMAT=32-bit_rle_rgbe"));
   if (kind == 1)
   {
     image.resize(image.size() / 2 + 1);

@@ -132,11 +132,16 @@ Seeds MakeEnvironments()
   {
     for (std::size_t k = 0; k < 5; ++k)
     {
-      const char kind = k == 4 ? 0 : k == 3 ? 3 : 2;
+      const char kind = k == 4 ? 0 : 3;
       seeds.push_back(std::string{ projection, kind } + sizes[k] + texels);
     }
   }
   seeds.push_back(Bytes("\0\1") + sizes[1] + texels);
+  for (const char* lines : { "EXPOSURE=2\nCOLORCORR=1 2 3\n",
+         "FORMAT=32-bit_rle_xyze\n\n+X 2 -Y 4\n", "PRIMARIES=.7 .3 .2 .8 .1 .04 .32 .34\n" })
+  {
+    seeds.push_back(Bytes("\0\2") + sizes[0] + lines + texels);
+  }
   return seeds;
 }
 

@@ -587,13 +587,24 @@ add("IO.exr-any-version", "Private/ExrMaterialFile.cxx", "format != JsonFormat |
     "format != JsonFormat", "IOExr.RefusesBadFiles")
 add("IO.exr-terms-under-the-first", "Private/ExrMaterialFile.cxx", "parts, depth + 1));\n    ++index;",
     "parts, depth + 1));", "IOExrRoundTrip.SumOfSums")
-add("IO.image-alpha-darkens", "Private/ImageFile.cxx", '"oiio:UnassociatedAlpha", 1)', '"oiio:UnassociatedAlpha", 0)',
+add("IO.image-alpha-darkens", "Private/ImageDecoder.cxx", '"oiio:UnassociatedAlpha", 1)', '"oiio:UnassociatedAlpha", 0)',
     "IOEnvironment.AlphaOfPngDoesNotDarken")
-add("IO.image-floats-are-encoded", "Private/ImageFile.cxx", "image.IsInteger && !SaysLinear(spec);",
+add("IO.image-floats-are-encoded", "Private/ImageDecoder.cxx", "image.IsInteger && !SaysLinear(spec);",
     "!SaysLinear(spec);",
     "IOEnvironment.DecodesIntegerFormats|IOEnvironment.ReadsRadianceFiles")
 add("IO.image-upside-down", "vtkEnvironmentReader.cxx", "for (int y = 0; y < image.Height / 2; ++y)",
     "for (int y = 0; y < image.Height / 4; ++y)", "IOEnvironment.PutsTheTopRowLast")
+add("IO.image-exposure-multiplies", "Private/ImageFile.cxx", "glm::dmat3(1.0 / exposure[0]", "glm::dmat3(exposure[0]",
+    "IOImageHeaders.RadianceIsDividedByAllExposures")
+add("IO.image-orders-of-columns", "Private/ImageFile.cxx", "turn % 4 == 1 || turn % 4 == 2", "turn % 4 == 1 || turn % 4 == 3",
+    "IOImageHeaders.RadianceHasEightOrders|IOImageHeaders.OrientationTurns")
+add("IO.image-white-is-not-adapted", "Private/Chromaticities.cxx",
+    "GetAdaptation(GetWhite(from), GetWhite(Rec709)) *", "", "IOImageHeaders.ChromaticitiesBecomeRec709")
+add("IO.image-tile-of-any-channels", "Private/ImageFormats.cxx",
+    "static_cast<std::uint64_t>(std::max<std::int64_t>(channels, 1) + 3) / 4", "channels > 0 ? 1 : 1",
+    "IOImageHeaders.MemoryFollowsChannelsAndTiles")
+add("IO.image-layer-without-a-name-last", "Private/ImageDecoder.cxx", "layer.ChannelPrefix.empty() ? 1 : 2",
+    "layer.ChannelPrefix.empty() ? 2 : 1", "IOImageHeaders.LayersAreChosenByName")
 add("IO.offset-beyond-the-end", "Private/FileBytes.cxx", "offset > size || count > size - offset",
     "count > size - offset", "IOTensor.RefusesBadFields|IOTensor.RefusesBadFiles|IOTensor.NamesTheFieldAndItsByte")
 add("IO.padding-of-any-length", "Private/FileBytes.cxx", "this->GetRemaining() <= most &&", "",
@@ -753,6 +764,8 @@ add("Planning.file-with-a-choice-too-many", "Private/PlanFile.cxx", "read.Choice
 
 # Rendering
 
+add("Rendering.texture-of-bytes-is-linear", "Private/TextureEnvironment.cxx",
+    "(texture->GetUseSRGBColorSpace() || hasHarmonics)", "texture->GetUseSRGBColorSpace()", "TextureEncoding.IsAsVtkTakesIt")
 add("Rendering.stand-in-of-the-other-kind", "Private/SharedIntegrators.cxx",
     "IsMirrorLike(brdf) ?", "!IsMirrorLike(brdf) ?", "Background.MoreRowsForMirrorLikeMaterialsUnderPanels")
 add("Rendering.stand-in-is-the-material", "Private/StandInBRDF.cxx",

@@ -52,6 +52,20 @@ def scalar_values(brdf, i, o):
     return np.array(values)
 
 
+def reads_images():
+    """Whether this build has OpenImageIO."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "one.hdr")
+        with open(path, "wb") as file:
+            file.write(b"#?RADIANCE\n\n-Y 1 +X 2\n" + bytes(8))
+        try:
+            return Environment(path).shape == (1, 2)
+        except ValueError as error:
+            if "no OpenImageIO" not in str(error):
+                raise
+            return False
+
+
 def lambert(*albedo):
     brdf = vtkmeasuredbrdf.vtkLambertBRDF()
     brdf.SetAlbedo(albedo)
@@ -243,6 +257,42 @@ class TestEnvironment(unittest.TestCase):
             warnings.simplefilter("always")
             Environment(np.array([[[-1.0, 0.0, np.nan]]]))
         self.assertIn("1 values of the environment are negative and 1", str(caught[0].message))
+
+    def test_a_file_is_as_its_header_says(self):
+        """As VTK's own reader has it, which makes the renderer's texture of it."""
+        if not reads_images():
+            self.skipTest("this build reads no image files")
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        from vtkmodules.vtkIOImage import vtkHDRReader
+
+        texels = bytes(k % 251 if k % 4 != 3 else 128 + k % 7 for k in range(4 * 6 * 3))
+        with tempfile.TemporaryDirectory() as folder:
+            for name, size in (("cloudy 80%sky.hdr", "-Y 3 +X 6"), ("up.hdr", "+Y 3 +X 6"), ("left.hdr", "-Y 3 -X 6")):
+                path = os.path.join(folder, name)
+                with open(path, "wb") as file:
+                    file.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=10\n\n%s\n" % size.encode() + texels)
+                reader = vtkHDRReader()
+                reader.SetFileName(path)
+                reader.Update()
+                expected = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(3, 6, 3)[::-1]
+                np.testing.assert_allclose(Environment(path).pixels, expected, rtol=1e-6, err_msg=size)
+
+    def test_a_file_s_notes_are_warnings(self):
+        if not reads_images():
+            self.skipTest("this build reads no image files")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "square.hdr")
+            with open(path, "wb") as file:
+                file.write(b"#?RADIANCE\n\n-Y 2 +X 2\n" + bytes(range(1, 17)))
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("default")
+                for _ in range(3):
+                    Environment(path)
+            self.assertEqual(len(caught), 1)
+            self.assertIn("square.hdr: The size 2 x 2 is not 2:1", str(caught[0].message))
+            self.assertEqual(caught[0].filename, __file__)
+            with self.assertRaisesRegex(ValueError, "layer: found none, expected 'Combined'"):
+                Environment(path, layer="Combined")
 
     def test_radiance_follows_the_rotation(self):
         environment = Environment("sky", rotation=30.0)

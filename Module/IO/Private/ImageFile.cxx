@@ -2,191 +2,246 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageFile.h"
 
+#include "Chromaticities.h"
+#include "ExrHeader.h"
 #include "FileBytes.h"
+#include "ImageDecoder.h"
+#include "ImageFormats.h"
+#include "RadianceHeader.h"
 
-#include <OpenImageIO/imageio.h>
-#include <vtksys/SystemTools.hxx>
+#include <glm/glm.hpp>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace measuredbrdf
 {
 namespace
 {
-constexpr std::uint64_t MaximumTexels = std::uint64_t(1) << 28;
-constexpr int MaximumSide = 1 << 16;
+constexpr float LargestHalf = 65504.0f;
 
-// Pixels are read in blocks of about this many texels, so that memory follows what the file holds
-// and not what its header promises.
-constexpr std::uint64_t BlockTexels = std::uint64_t(1) << 20;
+// A display window without data costs no bytes of a file: it may have this many texels anyway.
+constexpr std::int64_t FreeTexels = std::int64_t(1) << 24;
 
-// A header that promises more texels than this per byte of its file (beyond a first block) lies.
-// Deflate shrinks by 1032 at most; Radiance's runs hold 127 values of a channel in 2 bytes; a
-// portable bitmap has 8 texels in a byte.
-std::uint64_t GetMaximumTexelsPerByte(const std::string& format)
+//------------------------------------------------------------------------------
+std::size_t GetValuesPerTexel(ImageValues values)
 {
-  return format == "pnm" ? 8 : format == "hdr" ? 16 : 1032;
+  return values == ImageValues::ColorAndAlpha ? 4 : 3;
 }
 
 //------------------------------------------------------------------------------
-// OpenImageIO reports errors by the line.
-std::string ToLine(std::string text)
+// The texels of the data window, in a display window that is black elsewhere.
+void ShowWindow(const ImageSource& source, DecodedImage& image)
 {
-  text.erase(text.find_last_not_of("\r\n ") + 1);
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
+  if (image.Left == 0 && image.Top == 0 && image.Width == image.DisplayWidth &&
+      image.Height == image.DisplayHeight)
+  {
+    return;
+  }
+  const ImageSize size = { image.DisplayWidth, image.DisplayHeight };
+  if (size.Width > FreeTexels || size.Height > FreeTexels || size.Width * size.Height > FreeTexels)
+  {
+    CheckImageSize(source.Path + ": display window", *source.Format, size, source.FileSize);
+  }
+  const int left = std::max(image.Left, 0);
+  const int top = std::max(image.Top, 0);
+  const auto right = static_cast<int>(
+    std::min<std::int64_t>(std::int64_t(image.Left) + image.Width, image.DisplayWidth));
+  const auto bottom = static_cast<int>(
+    std::min<std::int64_t>(std::int64_t(image.Top) + image.Height, image.DisplayHeight));
+  const std::size_t values = GetValuesPerTexel(source.Values);
+  const std::size_t row = values * static_cast<std::size_t>(image.DisplayWidth);
+  std::vector<float> shown(row * static_cast<std::size_t>(image.DisplayHeight), 0.0f);
+  for (int y = top; y < bottom && left < right; ++y)
+  {
+    const auto from =
+      static_cast<std::size_t>(y - image.Top) * static_cast<std::size_t>(image.Width) +
+      static_cast<std::size_t>(left - image.Left);
+    std::copy_n(image.Pixels.begin() + static_cast<std::ptrdiff_t>(values * from),
+      values * static_cast<std::size_t>(right - left),
+      shown.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y) +
+                                                  values * static_cast<std::size_t>(left)));
+  }
+  const std::int64_t inside =
+    left < right && top < bottom ? std::int64_t(right - left) * (bottom - top) : 0;
+  const std::int64_t black = std::int64_t(image.DisplayWidth) * image.DisplayHeight - inside;
+  const std::int64_t lost = std::int64_t(image.Width) * image.Height - inside;
+  if (black > 0)
+  {
+    image.Notes.push_back("The data window leaves " + std::to_string(black) +
+                          " texels of the display window free: they are black.");
+  }
+  if (lost > 0)
+  {
+    image.Notes.push_back(
+      std::to_string(lost) + " texels outside the display window were left out.");
+  }
+  image.Pixels.swap(shown);
+  image.Width = image.DisplayWidth;
+  image.Height = image.DisplayHeight;
 }
 
 //------------------------------------------------------------------------------
-bool IsFloatingPoint(const OIIO::TypeDesc& type)
+// A half float that is too large is stored as infinity: the sun, as a rule. It is taken as the
+// largest half float. Files of floats have it from files of half floats; what else they hold may be
+// larger, and then the largest of that is taken: sums of the largest float would be infinite.
+void LimitValues(std::size_t values, DecodedImage& image)
 {
-  return type.basetype == OIIO::TypeDesc::HALF || type.basetype == OIIO::TypeDesc::FLOAT ||
-         type.basetype == OIIO::TypeDesc::DOUBLE;
-}
-
-//------------------------------------------------------------------------------
-bool SaysLinear(const OIIO::ImageSpec& spec)
-{
-  const std::string space =
-    vtksys::SystemTools::LowerCase(std::string(spec.get_string_attribute("oiio:ColorSpace")));
-  return space == "linear" || space == "scene_linear" || space.compare(0, 4, "lin_") == 0;
-}
-
-//------------------------------------------------------------------------------
-void CheckSize(const std::string& path, const OIIO::ImageSpec& spec, const std::string& format,
-  std::uintmax_t fileSize)
-{
-  const std::string size = std::to_string(spec.width) + " x " + std::to_string(spec.height);
-  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1)
+  const auto visit = [&](const auto& take)
   {
-    throw FileError(path + ": image size: found " + size + " x " + std::to_string(spec.depth) +
-                    ", " + std::to_string(spec.nchannels) +
-                    " channels, expected one slice of at least 1 x 1");
-  }
-  if (spec.deep)
-  {
-    throw FileError(path + ": image type: found deep samples, expected one value per texel");
-  }
-  if (spec.tile_width > 0 &&
-      std::uint64_t(spec.tile_width) * std::uint64_t(std::max(spec.tile_height, 1)) > BlockTexels)
-  {
-    throw FileError(path + ": tile size: found " + std::to_string(spec.tile_width) + " x " +
-                    std::to_string(spec.tile_height) + ", expected at most " +
-                    std::to_string(BlockTexels) + " texels");
-  }
-  const std::uint64_t texels = std::uint64_t(spec.width) * std::uint64_t(spec.height);
-  if (texels > MaximumTexels)
-  {
-    throw FileError(path + ": image size: found " + size + ", expected at most " +
-                    std::to_string(MaximumTexels) + " texels");
-  }
-  if (spec.width > MaximumSide || spec.height > MaximumSide)
-  {
-    throw FileError(path + ": image size: found " + size + ", expected sides of at most " +
-                    std::to_string(MaximumSide));
-  }
-  if (texels > BlockTexels && (texels - BlockTexels) / GetMaximumTexelsPerByte(format) > fileSize)
-  {
-    throw FileError(path + ": image size: found " + size + ", more than a file of " +
-                    std::to_string(fileSize) + " bytes can hold");
-  }
-}
-
-//------------------------------------------------------------------------------
-// Channels 0 to channels - 1 as the first of a texel's values, top row first.
-std::vector<float> ReadPixels(const std::string& path, OIIO::ImageInput& input,
-  const OIIO::ImageSpec& spec, int channels, std::size_t values)
-{
-  const bool tiled = spec.tile_width > 0;
-  const std::size_t row = std::size_t(spec.width) * values;
-  const std::size_t total = row * spec.height;
-  int rows = static_cast<int>(std::max<std::uint64_t>(16, BlockTexels / spec.width));
-  if (tiled)
-  {
-    rows = (rows + spec.tile_height - 1) / spec.tile_height * spec.tile_height;
-  }
-  std::vector<float> pixels;
-  for (int y = 0; y < spec.height; y += rows)
-  {
-    const int end = std::min(y + rows, spec.height);
-    pixels.reserve(std::min(total, std::max(2 * pixels.size(), row * end)));
-    pixels.resize(row * end);
-    float* block = &pixels[row * y];
-    const OIIO::stride_t texel = values * sizeof(float);
-    const bool read =
-      tiled ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + end, spec.z,
-                spec.z + 1, 0, channels, OIIO::TypeDesc::FLOAT, block, texel, row * sizeof(float))
-            : input.read_scanlines(0, 0, spec.y + y, spec.y + end, spec.z, 0, channels,
-                OIIO::TypeDesc::FLOAT, block, texel, row * sizeof(float));
-    if (!read)
+    for (std::size_t k = 0; k < image.Pixels.size(); ++k)
     {
-      const std::string reason = ToLine(input.geterror());
-      throw FileError(
-        path + ": image pixels: " +
-        (reason.empty() ? "rows " + std::to_string(y) + " to " + std::to_string(end - 1) +
-                            " could not be read; the file may be cut short"
-                        : reason));
+      if (k % values < static_cast<std::size_t>(image.Channels))
+      {
+        take(image.Pixels[k]);
+      }
+    }
+  };
+  std::size_t count = 0;
+  float largest = LargestHalf;
+  visit(
+    [&](float value)
+    {
+      count += std::isinf(value) && value > 0.0f ? 1 : 0;
+      largest = std::isfinite(value) ? std::max(largest, value) : largest;
+    });
+  if (count == 0)
+  {
+    return;
+  }
+  visit([largest](float& value) { value = std::isinf(value) && value > 0.0f ? largest : value; });
+  image.Notes.push_back(std::to_string(count) +
+                        (count == 1 ? " value of +infinity was" : " values of +infinity were") +
+                        " taken as " + std::to_string(std::lround(largest)) + ", the largest " +
+                        (largest > LargestHalf ? "value of the file." : "half float."));
+}
+
+//------------------------------------------------------------------------------
+void Transform(std::size_t values, const glm::dmat3& matrix, DecodedImage& image)
+{
+  for (std::size_t k = 0; k + 2 < image.Pixels.size(); k += values)
+  {
+    float* texel = &image.Pixels[k];
+    const glm::dvec3 rgb = matrix * glm::dvec3(texel[0], texel[1], texel[2]);
+    for (int c = 0; c < 3; ++c)
+    {
+      texel[c] = static_cast<float>(rgb[c]);
     }
   }
-  return pixels;
+}
+
+//------------------------------------------------------------------------------
+void ConvertColors(const ImageSource& source, const Chromaticities& from, DecodedImage& image)
+{
+  if (!SpanColors(from))
+  {
+    std::string found;
+    for (const double value : from)
+    {
+      char text[32];
+      const auto end = std::to_chars(text, text + sizeof(text), value); // in any locale
+      found += (found.empty() ? "" : " ") + std::string(text, end.ptr);
+    }
+    throw FileError(source.Path + ": image header, chromaticities: found " + found +
+                    ", expected x and y of red, green, blue and of a white between them");
+  }
+  // Encoded integers are display values by another name: their readers take them as sRGB.
+  if (image.Channels == 3 && !image.IsEncoded && !IsRec709(from))
+  {
+    Transform(GetValuesPerTexel(source.Values), GetToRec709(from), image);
+  }
+}
+
+//------------------------------------------------------------------------------
+// EXIF 2.32, tag 274 (TIFF 6.0, Orientation): which side of the picture the stored row 0 and column
+// 0 are.
+void Turn(std::size_t values, DecodedImage& image)
+{
+  const int turn = image.Orientation - 1;
+  if (turn < 1 || turn > 7)
+  {
+    return;
+  }
+  const bool columns = turn >= 4; // stored rows are columns of the picture
+  const bool right = turn % 4 == 1 || turn % 4 == 2;
+  const bool bottom = turn % 4 >= 2;
+  const int width = columns ? image.Height : image.Width;
+  const int height = columns ? image.Width : image.Height;
+  std::vector<float> turned;
+  turned.reserve(image.Pixels.size());
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      const int across = right ? width - 1 - x : x;
+      const int down = bottom ? height - 1 - y : y;
+      const auto stored =
+        static_cast<std::size_t>(columns ? across : down) * static_cast<std::size_t>(image.Width) +
+        static_cast<std::size_t>(columns ? down : across);
+      const auto texel = image.Pixels.begin() + static_cast<std::ptrdiff_t>(values * stored);
+      turned.insert(turned.end(), texel, texel + static_cast<std::ptrdiff_t>(values));
+    }
+  }
+  image.Pixels.swap(turned);
+  image.Width = width;
+  image.Height = height;
+}
+
+//------------------------------------------------------------------------------
+// OpenImageIO gets the pixels behind a header that says their size alone.
+DecodedImage ReadRadiancePicture(ImageSource& source)
+{
+  const FileBytes file(source.Path);
+  const RadianceHeader header = ParseRadianceHeader(file);
+  const ImageSize size = { header.ScanlineLength, header.NumberOfScanlines, 3 };
+  CheckImageSize(source.Path, *source.Format, size, source.FileSize);
+  std::string bytes = MakePlainHeader(header);
+  bytes += file.GetView().substr(header.Size);
+  source.Bytes = bytes;
+  DecodedImage image = DecodeImage(source);
+  image.Orientation = header.Orientation;
+  const std::array<double, 3>& exposure = header.Exposure;
+  if (exposure != std::array<double, 3>{ 1.0, 1.0, 1.0 })
+  {
+    Transform(GetValuesPerTexel(source.Values),
+      glm::dmat3(1.0 / exposure[0], 0, 0, 0, 1.0 / exposure[1], 0, 0, 0, 1.0 / exposure[2]), image);
+  }
+  image.Chromaticities.clear();
+  if (header.Primaries)
+  {
+    image.Chromaticities.assign(header.Primaries->begin(), header.Primaries->end());
+  }
+  return image;
 }
 }
 
 //------------------------------------------------------------------------------
-ImageFile ReadImageFile(const std::string& path, std::uintmax_t fileSize, ImageValues values)
+ImageFile ReadImageFile(const std::string& path, ImageValues values, const std::string& layer)
 {
-  OIIO::ImageSpec config;
-  config.attribute("oiio:UnassociatedAlpha", 1); // where alpha is dropped, it must not darken
-  auto input = OIIO::ImageInput::open(path, &config);
-  if (!input)
-  {
-    throw FileError(path + ": image header: " + ToLine(OIIO::geterror()));
-  }
-  const OIIO::ImageSpec spec = input->spec(); // sub-image 0
-  CheckSize(path, spec, input->format_name(), fileSize);
+  ImageSource source;
+  source.Path = path;
+  source.FileSize = CheckFile(path);
+  source.Format = &RecognizeImage(path);
+  source.Values = values;
+  source.Layer = layer;
+  CheckExrImage(path);
+  CheckStoredSize(path, *source.Format, source.FileSize);
 
-  ImageFile image;
-  image.Width = spec.width;
-  image.Height = spec.height;
-  image.Channels = spec.nchannels >= 3 ? 3 : 1;
-  const bool alpha = values == ImageValues::ColorAndAlpha;
-  image.HasAlpha = alpha && spec.alpha_channel == image.Channels;
-  image.IsInteger = !IsFloatingPoint(spec.format);
-  image.IsEncoded = image.IsInteger && !SaysLinear(spec);
-  image.HasBytes = spec.format.basetype == OIIO::TypeDesc::UINT8;
-  image.IsWindowed = spec.full_width != spec.width || spec.full_height != spec.height;
-  image.Pixels =
-    ReadPixels(path, *input, spec, image.Channels + (image.HasAlpha ? 1 : 0), alpha ? 4 : 3);
+  DecodedImage image =
+    IsImageFormat(*source.Format, "hdr") ? ReadRadiancePicture(source) : DecodeImage(source);
+  ShowWindow(source, image);
+  LimitValues(GetValuesPerTexel(values), image);
+  if (image.Chromaticities.size() == Rec709.size())
+  {
+    Chromaticities from = {};
+    std::copy(image.Chromaticities.begin(), image.Chromaticities.end(), from.begin());
+    ConvertColors(source, from, image);
+  }
+  Turn(GetValuesPerTexel(values), image);
   return image;
 }
 } // namespace measuredbrdf
-
-#ifdef vtkMeasuredBRDFImages_EXPORTS // CMake's, where this is the plugin
-#if defined(_WIN32)
-#define IMAGE_PLUGIN_EXPORT __declspec(dllexport)
-#else
-#define IMAGE_PLUGIN_EXPORT __attribute__((visibility("default")))
-#endif
-extern "C" IMAGE_PLUGIN_EXPORT measuredbrdf::ReadImageFileInPlugin vtkMeasuredBRDFReadImageFile;
-
-//------------------------------------------------------------------------------
-// Exceptions stay on their side of the border.
-bool vtkMeasuredBRDFReadImageFile(const std::string& path, std::uintmax_t fileSize,
-  measuredbrdf::ImageValues values, measuredbrdf::ImageFile& image, std::string& error)
-{
-  try
-  {
-    image = measuredbrdf::ReadImageFile(path, fileSize, values);
-    return true;
-  }
-  catch (const measuredbrdf::FileError& e)
-  {
-    error = e.what();
-  }
-  catch (const std::exception& e) // out of memory, say
-  {
-    error = path + ": " + e.what();
-  }
-  return false;
-}
-#endif

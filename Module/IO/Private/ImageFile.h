@@ -2,13 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Pixels of an image file, by OpenImageIO.
- *
- * OpenImageIO brings many libraries along: on Debian some 200, for films and scanners. A program
- * that reads no image should not load them. ReadImageFile is therefore defined twice:
- *
- * - ImageFile.cxx calls OpenImageIO. A shared build makes a plugin of it, a static one takes it in.
- * - ImagePlugin.cxx, in a shared build, loads the plugin when the first image is read.
+ * The one way to read an image file: environments, pictures, photographs and weights. Its pixels
+ * are as its header says that they are to be seen: turned, cut to the display window, divided by
+ * the exposure, in Rec. 709.
  */
 
 #ifndef ImageFile_h
@@ -20,17 +16,26 @@
 
 namespace measuredbrdf
 {
+/// What OpenEXR's envmap attribute says that an image is.
+enum class ImageEnvmap
+{
+  None,
+  LatLong,
+  Cube
+};
+
 struct ImageFile
 {
   int Width = 0;
   int Height = 0;
-  int Channels = 0;          // 3, or 1: of each texel's color only the first value is set
-  bool HasAlpha = false;     // the value after the color's, where it was asked for
-  bool IsEncoded = false;    // integers that are not said to be linear
-  bool IsInteger = false;    // else floats
-  bool HasBytes = false;     // integers of 8 bits
-  bool IsWindowed = false;   // the data window differs from the display window
-  std::vector<float> Pixels; // 3 values a texel, 4 where alpha was asked for; top row first
+  int Channels = 0;       // 3, or 1: of each texel's color only the first value is set
+  bool HasAlpha = false;  // the value after the color's, where it was asked for
+  bool IsEncoded = false; // integers that are not said to be linear
+  bool IsInteger = false; // else floats
+  bool HasBytes = false;  // integers of 8 bits
+  ImageEnvmap Envmap = ImageEnvmap::None;
+  std::vector<std::string> Notes; // for people: what was chosen or lost
+  std::vector<float> Pixels;      // 3 values a texel, 4 where alpha was asked for; top row first
 };
 
 /// What to read of each texel.
@@ -41,16 +46,12 @@ enum class ImageValues
 };
 
 /**
- * Read the first image of the file, which has fileSize bytes. Memory follows what the file holds,
- * not what its header promises. Throws FileError.
+ * Read an image of the file. Memory follows what the file holds, not what its header promises.
+ * layer: the layer or part of an OpenEXR file; empty: the one named Combined, else the channels R,
+ * G and B without a name, else the first layer. Throws FileError.
  */
 ImageFile ReadImageFile(
-  const std::string& path, std::uintmax_t fileSize, ImageValues values = ImageValues::Color);
-
-/// What the plugin exports: the same; returns false, with the error, in place of throwing.
-using ReadImageFileInPlugin = bool(const std::string& path, std::uintmax_t fileSize,
-  ImageValues values, ImageFile& image, std::string& error);
-constexpr const char ReadImageFileSymbol[] = "vtkMeasuredBRDFReadImageFile";
+  const std::string& path, ImageValues values = ImageValues::Color, const std::string& layer = "");
 } // namespace measuredbrdf
 
 #endif

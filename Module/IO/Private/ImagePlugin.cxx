@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ImageFile.h"
+#include "ImageDecoder.h"
 
 #include "AbsentLibraries.h"
 #include "FileBytes.h"
@@ -22,7 +22,7 @@ namespace
 {
 struct Plugin
 {
-  ReadImageFileInPlugin* Read = nullptr;
+  DecodeImageInPlugin* Read = nullptr;
   std::string Error; // why Read is null
 };
 
@@ -32,7 +32,7 @@ std::string GetOwnFolder()
 {
 #if !defined(_WIN32)
   Dl_info info;
-  if (::dladdr(reinterpret_cast<void*>(&ReadImageFile), &info) != 0 && info.dli_fname)
+  if (::dladdr(reinterpret_cast<void*>(&DecodeImage), &info) != 0 && info.dli_fname)
   {
     const std::string path = info.dli_fname;
     return path.substr(0, path.rfind('/') + 1);
@@ -51,8 +51,8 @@ Plugin LoadPlugin()
   const DynamicLoader::LibraryHandle library = DynamicLoader::OpenLibrary(path);
   if (library)
   {
-    plugin.Read = reinterpret_cast<ReadImageFileInPlugin*>(
-      DynamicLoader::GetSymbolAddress(library, ReadImageFileSymbol));
+    plugin.Read = reinterpret_cast<DecodeImageInPlugin*>(
+      DynamicLoader::GetSymbolAddress(library, DecodeImageSymbol));
   }
   if (!plugin.Read)
   {
@@ -66,25 +66,23 @@ Plugin LoadPlugin()
 #endif
 
 //------------------------------------------------------------------------------
-ImageFile ReadImageFile(const std::string& path, std::uintmax_t fileSize, ImageValues values)
+DecodedImage DecodeImage(const ImageSource& source)
 {
 #if MEASUREDBRDF_WITH_OPENIMAGEIO
   static const Plugin plugin = LoadPlugin(); // it stays loaded
   if (!plugin.Read)
   {
-    throw FileError(path + ": " + plugin.Error);
+    throw FileError(source.Path + ": " + plugin.Error);
   }
-  ImageFile image;
+  DecodedImage image;
   std::string error;
-  if (!plugin.Read(path, fileSize, values, image, error))
+  if (!plugin.Read(source, image, error))
   {
     throw FileError(error);
   }
   return image;
 #else
-  static_cast<void>(fileSize);
-  static_cast<void>(values);
-  throw FileError(path + ": " + NoOpenImageIO + "image files cannot be read");
+  throw FileError(source.Path + ": " + NoOpenImageIO + "image files cannot be read");
 #endif
 }
 } // namespace measuredbrdf

@@ -116,7 +116,7 @@ vtkSmartPointer<vtkEnvironment> MaterialDrawing::ResolveEnvironment(vtkRenderer*
   if (!environment && renderer->GetEnvironmentTexture())
   {
     std::string problem;
-    environment = FindEnvironment(renderer->GetEnvironmentTexture(), problem);
+    environment = FindEnvironment(renderer, problem);
     if (!environment && this->WarnOnce("environment: " + problem))
     {
       vtkWarningWithObjectMacro(

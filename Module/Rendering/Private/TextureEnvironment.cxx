@@ -12,6 +12,8 @@
 #include "vtkEnvironmentProjection.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPBRPrefilterTexture.h"
 #include "vtkTexture.h"
 #include "vtkVersionMacros.h"
 
@@ -46,6 +48,24 @@ vtkImageData* UpdateInput(vtkTexture* texture, int port)
   }
   auto* image = vtkImageData::SafeDownCast(texture->GetInputDataObject(port, 0));
   return image && image->GetNumberOfPoints() > 0 ? image : nullptr;
+}
+
+// Whether VTK's physically based rendering decodes the texture's values, on every version:
+// - SetEnvironmentTexture(texture, true) says so of any values (vtkPBRPrefilterTexture);
+// - UseSRGBColorSpace makes OpenGL decode textures of bytes, no others;
+// - vtkSphericalHarmonics, which takes lat-long images alone, decodes all bytes.
+// VTK's curve is a power of 2.2 but for OpenGL's; here it is always sRGB's.
+bool TakesAsSRGB(vtkRenderer* renderer, vtkTexture* texture, vtkImageData* image)
+{
+  auto* openGL = vtkOpenGLRenderer::SafeDownCast(renderer);
+  if (openGL && openGL->GetEnvMapPrefiltered()->GetConvertToLinear())
+  {
+    return true;
+  }
+  const bool hasHarmonics =
+    !texture->GetCubeMap() && (!openGL || openGL->GetUseSphericalHarmonics());
+  return image->GetScalarType() == VTK_UNSIGNED_CHAR &&
+         (texture->GetUseSRGBColorSpace() || hasHarmonics);
 }
 
 // A cube map's face as RGB with row 0 at the bottom: VTK's cube maps begin with the top row. Empty
@@ -177,8 +197,9 @@ vtkSmartPointer<vtkEnvironment> MakeFromCube(const std::vector<vtkImageData*>& i
 }
 }
 
-vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture, std::string& problem)
+vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkRenderer* renderer, std::string& problem)
 {
+  vtkTexture* texture = renderer->GetEnvironmentTexture();
   std::vector<vtkImageData*> images;
   std::vector<vtkMTimeType> times;
   for (int port = 0; port < (texture->GetCubeMap() ? 6 : 1); ++port)
@@ -195,7 +216,7 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture, std::string
   }
   static std::mutex mutex;
   static std::map<EnvironmentKey, std::string> refused;
-  const bool sRGB = texture->GetUseSRGBColorSpace();
+  const bool sRGB = TakesAsSRGB(renderer, texture, images.front());
   const EnvironmentKey key(images, times, sRGB);
   {
     const std::lock_guard<std::mutex> lock(mutex);

@@ -14,14 +14,15 @@
 #include <string>
 
 class vtkEnvironment;
-class vtkTexture;
+class vtkRenderer;
 
 namespace measuredbrdf
 {
-/// The texture's lat-long image or six cube faces as an environment; null where it has none (no
-/// input, faces that are missing, not square or of different sizes), and why. What was refused once
-/// is not tried again until it changes.
-vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture, std::string& problem);
+/// The lat-long image or the six cube faces of the renderer's environment texture as an
+/// environment; null where it has none (no input, faces that are missing, not square or of
+/// different sizes), and why. Values are sRGB-encoded where VTK's physically based rendering takes
+/// them so. What was refused once is not tried again until it changes.
+vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkRenderer* renderer, std::string& problem);
 
 /// Release what no mapper holds any more.
 void SweepEnvironments();

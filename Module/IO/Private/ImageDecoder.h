@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Pixels of an image file as they are stored, by OpenImageIO.
+ *
+ * OpenImageIO brings many libraries along: on Debian some 200, for films and scanners. A program
+ * that reads no image should not load them. DecodeImage is therefore defined twice:
+ *
+ * - ImageDecoder.cxx calls OpenImageIO. A shared build makes a plugin of it, a static one takes it
+ *   in.
+ * - ImagePlugin.cxx, in a shared build, loads the plugin when the first image is read.
+ */
+
+#ifndef ImageDecoder_h
+#define ImageDecoder_h
+
+#include "ImageFile.h"
+#include "ImageFormats.h"
+
+#include <string_view>
+
+namespace measuredbrdf
+{
+/// What to decode.
+struct ImageSource
+{
+  std::string Path;
+  std::uintmax_t FileSize = 0;
+  const ImageFormat* Format = nullptr;
+  std::string_view Bytes; // in place of the file's; empty: the file's
+  ImageValues Values = ImageValues::Color;
+  std::string Layer;
+};
+
+/// An image as it is stored, and what OpenImageIO tells of its header.
+struct DecodedImage : ImageFile
+{
+  int Left = 0; // the first texel's place in the display window; may be outside
+  int Top = 0;
+  int DisplayWidth = 0;
+  int DisplayHeight = 0;
+  int Orientation = 1;                // as EXIF numbers it
+  std::vector<double> Chromaticities; // empty, or as in Chromaticities.h
+};
+
+/// Throws FileError.
+DecodedImage DecodeImage(const ImageSource& source);
+
+/// What the plugin exports: the same; returns false, with the error, in place of throwing.
+using DecodeImageInPlugin = bool(
+  const ImageSource& source, DecodedImage& image, std::string& error);
+constexpr const char DecodeImageSymbol[] = "vtkMeasuredBRDFDecodeImage";
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,528 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What an image's header says: each file says in its own way how its pixels are to be read.
+#include "ErrorCatcher.h"
+#include "TestIOHelpers.h"
+
+#include "vtkEnvironment.h"
+#include "vtkEnvironmentReader.h"
+#include "vtkImageData.h"
+#include "vtkPictureReader.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+using namespace testio;
+
+namespace
+{
+using Spec = OIIO::ImageSpec;
+
+/// One image of RGB in OpenImageIO's words; values: top row first.
+void WriteWithSpec(const std::string& path, const Spec& spec, const std::vector<float>& values)
+{
+  auto out = OIIO::ImageOutput::create(path);
+  ASSERT_TRUE(out) << OIIO::geterror();
+  ASSERT_TRUE(out->open(path, spec)) << out->geterror();
+  ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, values.data())) << out->geterror();
+  out->close();
+}
+
+/// 1, 2, 3, ... as gray texels: every texel is another.
+std::vector<float> CountTexels(int texels)
+{
+  std::vector<float> values;
+  for (int k = 0; k < texels; ++k)
+  {
+    values.insert(values.end(), 3, static_cast<float>(k + 1));
+  }
+  return values;
+}
+
+/// RGBE without runs: one byte a channel, of a value from 0 to 255.
+std::string MakeRadiance(
+  const std::string& lines, const std::string& size, const std::vector<float>& values)
+{
+  std::string bytes = "#?RADIANCE\n" + lines + "\n" + size + "\n";
+  for (std::size_t k = 0; k < values.size(); ++k)
+  {
+    bytes += static_cast<char>(static_cast<int>(values[k]));
+    if (k % 3 == 2)
+    {
+      bytes += static_cast<char>(136);
+    }
+  }
+  return bytes;
+}
+
+struct Found
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<double> Values; // RGB, top row first
+  std::string Notes;
+};
+
+Found ReadTopFirst(const std::string& path, const std::string& layer = "")
+{
+  vtkNew<vtkEnvironmentReader> reader;
+  reader->SetFileName(path);
+  reader->SetLayer(layer);
+  Found found;
+  EXPECT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  if (vtkEnvironment* environment = reader->GetEnvironment())
+  {
+    found.Width = environment->GetWidth();
+    found.Height = environment->GetHeight();
+    for (int y = found.Height - 1; y >= 0; --y)
+    {
+      for (int x = 0; x < found.Width; ++x)
+      {
+        double rgb[3];
+        environment->GetPixel(x, y, rgb);
+        found.Values.insert(found.Values.end(), rgb, rgb + 3);
+      }
+    }
+  }
+  found.Notes = reader->GetNotes();
+  return found;
+}
+
+void ExpectValues(
+  const std::vector<double>& found, const std::vector<double>& expected, double tolerance)
+{
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t k = 0; k < found.size(); ++k)
+  {
+    EXPECT_NEAR(found[k], expected[k], tolerance) << k;
+  }
+}
+
+std::vector<double> ToDoubles(const std::vector<float>& values)
+{
+  return std::vector<double>(values.begin(), values.end());
+}
+
+std::string RefuseImage(const std::string& path, const std::string& layer = "")
+{
+  vtkNew<vtkEnvironmentReader> reader;
+  ErrorCatcher errors(reader);
+  reader->SetFileName(path);
+  reader->SetLayer(layer);
+  EXPECT_FALSE(reader->Read()) << path;
+  EXPECT_EQ(errors.Take(), 1);
+  vtkNew<vtkPictureReader> pictures;
+  ErrorCatcher more(pictures);
+  pictures->SetFileName(path);
+  if (layer.empty())
+  {
+    EXPECT_FALSE(pictures->Read()) << path;
+    EXPECT_EQ(more.Take(), 1);
+  }
+  return reader->GetErrorMessage();
+}
+
+bool Contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(IOImageHeaders, RadianceIsDividedByAllExposures)
+{
+  const Folder folder;
+  WriteBytes(folder("a.hdr"),
+    MakeRadiance("# a comment\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=4\npfilt -1\n\tEXPOSURE=7\n"
+                 "EXPOSURE= 0.5\nCOLORCORR= 1 2 4\n",
+      "-Y 1 +X 2", { 8, 8, 8, 40, 40, 40 }));
+  ExpectValues(ReadTopFirst(folder("a.hdr")).Values, { 4, 2, 1, 20, 10, 5 }, 1e-6);
+  vtkNew<vtkPictureReader> picture; // one way to read images
+  picture->SetFileName(folder("a.hdr"));
+  ASSERT_TRUE(picture->Read()) << picture->GetErrorMessage();
+  EXPECT_EQ(picture->GetPicture()->GetScalarComponentAsDouble(1, 0, 0, 2), 5.0);
+  for (const std::string lie : { "EXPOSURE=0", "EXPOSURE=-1", "EXPOSURE=nan", "EXPOSURE=1,5",
+         "EXPOSURE=", "EXPOSURE=1e40", "COLORCORR=1 2", "PRIMARIES= 1 2 3", "FORMAT=text" })
+  {
+    WriteBytes(folder("b.hdr"), MakeRadiance(lie + "\n", "-Y 1 +X 1", { 8, 8, 8 }));
+    const std::string message = RefuseImage(folder("b.hdr"));
+    EXPECT_TRUE(Contains(message, lie.substr(0, lie.find('='))) && Contains(message, "at byte 11"))
+      << message;
+  }
+}
+
+//------------------------------------------------------------------------------
+// All eight resolution lines of Radiance's format, of a picture of 3 x 2.
+TEST(IOImageHeaders, RadianceHasEightOrders)
+{
+  const Folder folder;
+  const std::vector<float> picture = CountTexels(6);
+  for (const bool rows : { true, false })
+  {
+    for (const bool down : { true, false })
+    {
+      for (const bool right : { true, false })
+      {
+        const std::string y = std::string(down ? "-" : "+") + "Y 2";
+        const std::string x = std::string(right ? "+" : "-") + "X 3";
+        const std::string size = rows ? y + " " + x : x + " " + y;
+        SCOPED_TRACE(size);
+        std::vector<float> stored;
+        for (int k = 0; k < 6; ++k)
+        {
+          const int across = rows ? k % 3 : k / 2;
+          const int along = rows ? k / 3 : k % 2;
+          const int column = right ? across : 2 - across;
+          const int row = down ? along : 1 - along;
+          stored.insert(stored.end(), 3, picture[static_cast<std::size_t>(3 * (3 * row + column))]);
+        }
+        WriteBytes(folder("a.hdr"), MakeRadiance("FORMAT=32-bit_rle_rgbe\n", size, stored));
+        const Found found = ReadTopFirst(folder("a.hdr"));
+        EXPECT_EQ(found.Width, 3);
+        EXPECT_EQ(found.Height, 2);
+        ExpectValues(found.Values, ToDoubles(picture), 1e-6);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// EXIF's and TIFF's tag 274, which OpenEXR files may have, too. A picture of 3 x 2 as each stores
+// it.
+TEST(IOImageHeaders, OrientationTurns)
+{
+  const Folder folder;
+  // Texels 1 2 3 / 4 5 6, by the tag's definition: the sides of the picture that row 0 and column 0
+  // are.
+  const std::vector<std::vector<int>> stored = { { 1, 2, 3, 4, 5, 6 }, { 3, 2, 1, 6, 5, 4 },
+    { 6, 5, 4, 3, 2, 1 }, { 4, 5, 6, 1, 2, 3 }, { 1, 4, 2, 5, 3, 6 }, { 3, 6, 2, 5, 1, 4 },
+    { 6, 3, 5, 2, 4, 1 }, { 4, 1, 5, 2, 6, 3 } };
+  for (int orientation = 1; orientation <= 8; ++orientation)
+  {
+    for (const char* name : { "a.tif", "a.exr" })
+    {
+      SCOPED_TRACE(name + std::to_string(orientation));
+      std::vector<float> values;
+      for (const int value : stored[static_cast<std::size_t>(orientation - 1)])
+      {
+        values.insert(values.end(), 3, static_cast<float>(value));
+      }
+      Spec spec(orientation > 4 ? 2 : 3, orientation > 4 ? 3 : 2, 3, OIIO::TypeDesc::FLOAT);
+      spec.attribute("Orientation", orientation);
+      WriteWithSpec(folder(name), spec, values);
+      const Found found = ReadTopFirst(folder(name));
+      EXPECT_EQ(found.Width, 3);
+      EXPECT_EQ(found.Height, 2);
+      ExpectValues(found.Values, ToDoubles(CountTexels(6)), 1e-6);
+    }
+  }
+  // EXIF of a JPEG file, by both readers: dark above as stored, turned by 180 degrees.
+  Spec spec(16, 16, 3, OIIO::TypeDesc::UINT8);
+  spec.attribute("Orientation", 3);
+  std::vector<float> halves(3 * 16 * 16, 0.0f);
+  std::fill(halves.begin() + 3 * 16 * 8, halves.end(), 1.0f);
+  WriteWithSpec(folder("a.jpg"), spec, halves);
+  EXPECT_NEAR(ReadTopFirst(folder("a.jpg")).Values.front(), 1.0, 0.02);
+  vtkNew<vtkPictureReader> picture;
+  picture->SetFileName(folder("a.jpg"));
+  ASSERT_TRUE(picture->Read());
+  EXPECT_GT(picture->GetPicture()->GetScalarComponentAsDouble(0, 15, 0, 0), 250.0); // the top
+}
+
+//------------------------------------------------------------------------------
+// ACEScg to linear sRGB with Bradford's adaptation, as published (colour-science's and ACES's own
+// figures: 1.70505, -0.62179, ...); XYZ by the matrix of IEC 61966-2-1 behind the same adaptation.
+TEST(IOImageHeaders, ChromaticitiesBecomeRec709)
+{
+  const Folder folder;
+  const std::vector<float> colors = { 100, 50, 50, 50, 100, 50, 50, 50, 100, 60, 60, 60 };
+  const auto expect = [&colors](const std::array<double, 9>& matrix)
+  {
+    std::vector<double> expected;
+    for (std::size_t k = 0; k < colors.size(); k += 3)
+    {
+      for (std::size_t c = 0; c < 9; c += 3)
+      {
+        expected.push_back(std::max(0.0, // negative radiance is set to 0
+          matrix[c] * colors[k] + matrix[c + 1] * colors[k + 1] + matrix[c + 2] * colors[k + 2]));
+      }
+    }
+    return expected;
+  };
+  const std::vector<double> ap1 = expect(
+    { 1.70505, -0.62179, -0.08326, -0.13026, 1.14080, -0.01055, -0.02400, -0.12897, 1.15297 });
+  const std::string size = "-Y 2 +X 2";
+  WriteBytes(folder("ap1.hdr"),
+    MakeRadiance("PRIMARIES= 0.713 0.293 0.165 0.830 0.128 0.044 0.32168 0.33767\n", size, colors));
+  ExpectValues(ReadTopFirst(folder("ap1.hdr")).Values, ap1, 0.02);
+
+  WriteBytes(folder("xyz.hdr"), MakeRadiance("FORMAT=32-bit_rle_xyze\n", size, colors));
+  ExpectValues(ReadTopFirst(folder("xyz.hdr")).Values,
+    expect({ 3.1462519, -1.6661246, -0.4801273, -0.9955355, 1.9557639, 0.0397716, 0.0635979,
+      -0.2145965, 1.1509987 }),
+    0.05);
+
+  const float chromaticities[8] = { 0.713f, 0.293f, 0.165f, 0.830f, 0.128f, 0.044f, 0.32168f,
+    0.33767f };
+  Spec spec(2, 2, 3, OIIO::TypeDesc::FLOAT);
+  spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), chromaticities);
+  WriteWithSpec(folder("ap1.exr"), spec, colors);
+  ExpectValues(ReadTopFirst(folder("ap1.exr")).Values, ap1, 0.02);
+
+  // Rec. 709's own, rounded: not a bit changes.
+  const float own[8] = { 0.64f, 0.33f, 0.3f, 0.6f, 0.15f, 0.06f, 0.31271f, 0.32902f };
+  spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), own);
+  WriteWithSpec(folder("own.exr"), spec, colors);
+  EXPECT_EQ(ReadTopFirst(folder("own.exr")).Values, ToDoubles(colors));
+
+  // All zero, as some programs write: the header says nothing.
+  WriteBytes(folder("zero.hdr"), MakeRadiance("PRIMARIES=0 0 0 0 0 0 0 0\n", size, colors));
+  EXPECT_EQ(ReadTopFirst(folder("zero.hdr")).Values, ToDoubles(colors));
+
+  for (const char* bad : { "0.6 0.3 0.6 0.3 0.1 0.06 0.3 0.3", "0.64 0.33 0.3 0.6 0.15 0.06 0.9 0",
+         "0.64 0.33 0.3 0.6 0.15 0.06 0.8 0.1" })
+  {
+    WriteBytes(
+      folder("bad.hdr"), MakeRadiance(std::string("PRIMARIES=") + bad + "\n", size, colors));
+    EXPECT_TRUE(Contains(RefuseImage(folder("bad.hdr")), "chromaticities: found 0.6"));
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOImageHeaders, DataWindowsAreBlackOutside)
+{
+  const Folder folder;
+  Spec spec(2, 2, 3, OIIO::TypeDesc::HALF);
+  spec.x = 11;
+  spec.y = -4;
+  spec.full_x = 10;
+  spec.full_y = -5;
+  spec.full_width = 4;
+  spec.full_height = 3;
+  WriteWithSpec(folder("inside.exr"), spec, CountTexels(4));
+  Found found = ReadTopFirst(folder("inside.exr"));
+  EXPECT_EQ(found.Width, 4);
+  EXPECT_EQ(found.Height, 3);
+  std::vector<double> red;
+  for (std::size_t k = 0; k < found.Values.size(); k += 3)
+  {
+    red.push_back(found.Values[k]);
+  }
+  EXPECT_EQ(red, (std::vector<double>{ 0, 0, 0, 0, 0, 1, 2, 0, 0, 3, 4, 0 }));
+  EXPECT_TRUE(Contains(found.Notes, "8 texels of the display window")) << found.Notes;
+
+  spec.x = 13; // half of it outside
+  WriteWithSpec(folder("moved.exr"), spec, CountTexels(4));
+  found = ReadTopFirst(folder("moved.exr"));
+  EXPECT_EQ(found.Width, 4);
+  EXPECT_EQ(found.Values[3 * 7], 1.0);
+  EXPECT_EQ(found.Values[3 * 11], 3.0);
+  EXPECT_TRUE(Contains(found.Notes, "2 texels outside")) << found.Notes;
+
+  spec.x = 20; // all of it
+  WriteWithSpec(folder("away.exr"), spec, CountTexels(4));
+  EXPECT_EQ(ReadTopFirst(folder("away.exr")).Values, std::vector<double>(36, 0.0));
+
+  spec.full_width = spec.full_height = 60000; // no memory for nothing
+  WriteWithSpec(folder("huge.exr"), spec, CountTexels(4));
+  const double before = GetPeakMemory();
+  EXPECT_TRUE(Contains(RefuseImage(folder("huge.exr")), "display window"));
+  EXPECT_LT(GetPeakMemory() - before, 1e8);
+}
+
+//------------------------------------------------------------------------------
+TEST(IOImageHeaders, LayersAreChosenByName)
+{
+  const Folder folder;
+  Spec spec(1, 1, 7, OIIO::TypeDesc::FLOAT);
+  spec.channelnames = { "View.AO.R", "View.AO.G", "View.AO.B", "View.Combined.R", "View.Combined.G",
+    "View.Combined.B", "View.Depth.Z" };
+  WriteWithSpec(folder("blender.exr"), spec, { 1, 2, 3, 4, 5, 6, 7 });
+  Found found = ReadTopFirst(folder("blender.exr"));
+  EXPECT_EQ(found.Values, (std::vector<double>{ 4, 5, 6 }));
+  EXPECT_TRUE(Contains(found.Notes, "'View.AO', 'View.Combined': 'View.Combined' was taken"))
+    << found.Notes;
+  EXPECT_EQ(
+    ReadTopFirst(folder("blender.exr"), "View.AO").Values, (std::vector<double>{ 1, 2, 3 }));
+  EXPECT_TRUE(Contains(RefuseImage(folder("blender.exr"), "View.Mist"), "'View.Combined'"));
+
+  spec.channelnames = { "AO.R", "AO.G", "AO.B", "R", "G", "B", "Z" };
+  WriteWithSpec(folder("unnamed.exr"), spec, { 1, 2, 3, 4, 5, 6, 7 });
+  EXPECT_EQ(ReadTopFirst(folder("unnamed.exr")).Values, (std::vector<double>{ 4, 5, 6 }));
+
+  // Two parts: the first has a layer's name, the second none.
+  std::vector<Spec> parts(2, Spec(1, 1, 3, OIIO::TypeDesc::FLOAT));
+  parts[0].channelnames = { "A.R", "A.G", "A.B" };
+  parts[0].attribute("oiio:subimagename", "first");
+  parts[1].attribute("oiio:subimagename", "second");
+  auto out = OIIO::ImageOutput::create(folder("parts.exr"));
+  ASSERT_TRUE(out->open(folder("parts.exr"), 2, parts.data())) << out->geterror();
+  const float values[2][3] = { { 1, 2, 3 }, { 4, 5, 6 } };
+  ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, values[0]));
+  ASSERT_TRUE(out->open(folder("parts.exr"), parts[1], OIIO::ImageOutput::AppendSubimage));
+  ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, values[1]));
+  out->close();
+  found = ReadTopFirst(folder("parts.exr"));
+  EXPECT_EQ(found.Values, (std::vector<double>{ 4, 5, 6 }));
+  EXPECT_TRUE(Contains(found.Notes, "'second' was taken")) << found.Notes;
+  for (const char* name : { "first", "first.A", "A" })
+  {
+    EXPECT_EQ(ReadTopFirst(folder("parts.exr"), name).Values, (std::vector<double>{ 1, 2, 3 }));
+  }
+}
+
+//------------------------------------------------------------------------------
+// ImfEnvmap.h: +x -x +y -y +z -z below each other, each as it is seen from inside, +y up; lat-long
+// images have +z in the center and +x to the left of it.
+TEST(IOImageHeaders, EnvmapAttributeNamesTheAxes)
+{
+  const Folder folder;
+  const double directions[6][3] = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 },
+    { 0, 0, 1 }, { 0, 0, -1 } };
+  Spec spec(8, 48, 3, OIIO::TypeDesc::FLOAT);
+  spec.attribute("textureformat", "CubeFace Environment");
+  std::vector<float> cube;
+  for (int face = 0; face < 6; ++face)
+  {
+    cube.insert(cube.end(), 3 * 64, static_cast<float>(face + 1));
+  }
+  WriteWithSpec(folder("cube.exr"), spec, cube);
+  Spec around(64, 32, 3, OIIO::TypeDesc::FLOAT);
+  around.attribute("textureformat", "LatLong Environment");
+  std::vector<float> map;
+  for (int y = 0; y < 32; ++y)
+  {
+    for (int x = 0; x < 64; ++x)
+    {
+      const int face = y < 6 ? 2 : y >= 26 ? 3 : x < 8 || x >= 56 ? 5 : x < 24 ? 0 : x < 40 ? 4 : 1;
+      map.insert(map.end(), 3, static_cast<float>(face + 1));
+    }
+  }
+  WriteWithSpec(folder("around.exr"), around, map);
+  for (const char* name : { "cube.exr", "around.exr" })
+  {
+    vtkNew<vtkEnvironmentReader> reader;
+    reader->SetFileName(folder(name));
+    ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+    for (int face = 0; face < 6; ++face)
+    {
+      double rgb[3];
+      reader->GetEnvironment()->GetRadiance(directions[face], rgb);
+      EXPECT_NEAR(rgb[0], face + 1.0, 1e-5) << name;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOImageHeaders, InfinityIsALargeValue)
+{
+  const Folder folder;
+  const float infinity = std::numeric_limits<float>::infinity();
+  WriteWithSpec(folder("sun.exr"), Spec(2, 1, 3, OIIO::TypeDesc::HALF),
+    { 300000.0f, infinity, 1.0f, 2.0f, -infinity, std::nanf("") });
+  Found found = ReadTopFirst(folder("sun.exr"));
+  EXPECT_EQ(found.Values, (std::vector<double>{ 65504, 65504, 1, 2, 0, 0 }));
+  EXPECT_TRUE(Contains(found.Notes, "2 values of +infinity were taken as 65504")) << found.Notes;
+  // In a file of floats, no value is above it.
+  WriteWithSpec(
+    folder("float.exr"), Spec(1, 1, 3, OIIO::TypeDesc::FLOAT), { infinity, 1.0f, 3e6f });
+  found = ReadTopFirst(folder("float.exr"));
+  EXPECT_EQ(found.Values, (std::vector<double>{ 3e6, 1, 3e6 }));
+}
+
+//------------------------------------------------------------------------------
+TEST(IOImageHeaders, NamesMayHoldAnyCharacter)
+{
+  const Folder folder;
+  for (const char* name : { "cloudy 80%sky.hdr", "100%.hdr", "%d %s %n.hdr", "what?a=b.hdr",
+         "#1 a.0001.hdr", "no ending", "wrong.jpg" })
+  {
+    WriteBytes(folder(name), MakeRadiance("", "-Y 1 +X 2", { 1, 1, 1, 2, 2, 2 }));
+    EXPECT_EQ(ReadTopFirst(folder(name)).Values, (std::vector<double>{ 1, 1, 1, 2, 2, 2 })) << name;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Only formats of the list reach a library, by their content.
+TEST(IOImageHeaders, OtherFormatsAreRefused)
+{
+  const Folder folder;
+  const std::string others[] = { std::string("FOR4\0\0\0\x70"
+                                             "CIMGTBHD",
+                                   16),
+    "SDPX" + std::string(60, '\0'), "8BPS" + std::string(60, '\0'),
+    "GIF89a" + std::string(60, '\0'), "RIFF1234WEBPVP8 ", "qoif" + std::string(20, '\0'),
+    "\x01\xda" + std::string(60, '\0'), "version https://git-lfs.github.com/spec/v1\n", "P7\n", "#",
+    "\xff" };
+  for (const std::string& bytes : others)
+  {
+    for (const char* name : { "a.iff", "a.exr", "a.png" })
+    {
+      WriteBytes(folder(name), bytes);
+      const std::string message = RefuseImage(folder(name));
+      EXPECT_TRUE(Contains(message, "OpenEXR, Radiance HDR, PNG, JPEG, TIFF, BMP, PNM or PFM"))
+        << message;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Sizes are checked before anything of that size is allocated.
+TEST(IOImageHeaders, MemoryFollowsChannelsAndTiles)
+{
+  const Folder folder;
+  const double before = GetPeakMemory();
+  // A tile of 1024 x 1024 texels is fine; of 64 channels of floats, it would take 268 MB.
+  Spec spec(16, 16, 64, OIIO::TypeDesc::FLOAT);
+  spec.tile_width = spec.tile_height = 64;
+  WriteWithSpec(folder("fine.tif"), spec, std::vector<float>(64 * 16 * 16, 0.5f));
+  EXPECT_EQ(ReadTopFirst(folder("fine.tif")).Width, 16);
+  std::string tiff = ReadBytes(folder("fine.tif"));
+  const auto put = [&tiff](int tag, int value) // little-endian, SHORT or LONG
+  {
+    const std::uint32_t at = *reinterpret_cast<const std::uint32_t*>(tiff.data() + 4);
+    const int count = *reinterpret_cast<const std::uint16_t*>(tiff.data() + at);
+    for (int k = 0; k < count; ++k)
+    {
+      const std::size_t entry = at + 2 + 12 * static_cast<std::size_t>(k);
+      if (*reinterpret_cast<const std::uint16_t*>(tiff.data() + entry) == tag)
+      {
+        Overwrite(tiff, entry + 8, static_cast<std::uint16_t>(value));
+      }
+    }
+  };
+  put(322, 1024); // TileWidth
+  put(323, 1024); // TileLength
+  WriteBytes(folder("lie.tif"), tiff);
+  const std::string message = RefuseImage(folder("lie.tif"));
+  EXPECT_TRUE(Contains(message, "tile size: found 1024 x 1024 with 64 channels")) << message;
+
+  // A JPEG file of 65500 x 65500, progressive: its reader would allocate 25 GB as it opens it.
+  WriteWithSpec(
+    folder("a.jpg"), Spec(16, 16, 3, OIIO::TypeDesc::UINT8), std::vector<float>(3 * 256, 0.5f));
+  std::string jpeg = ReadBytes(folder("a.jpg"));
+  const std::size_t frame = jpeg.find("\xff\xc0");
+  ASSERT_NE(frame, std::string::npos);
+  jpeg.replace(frame, 2, "\xff\xc2");
+  jpeg.replace(frame + 5, 4, "\xff\xdc\xff\xdc");
+  WriteBytes(folder("lie.jpg"), jpeg);
+  EXPECT_TRUE(Contains(RefuseImage(folder("lie.jpg")), "65500 x 65500"));
+
+  // A bitmap of runs, which is decoded as it is opened.
+  std::string bitmap =
+    "BM" + std::string(52, '\0') + std::string(1024, '\0') + std::string(2, '\0');
+  Overwrite(bitmap, 10, std::uint32_t(1078));
+  Overwrite(bitmap, 14, std::uint32_t(40));
+  Overwrite(bitmap, 18, std::int32_t(60000));
+  Overwrite(bitmap, 22, std::int32_t(-60000));
+  Overwrite(bitmap, 26, std::uint16_t(1));
+  Overwrite(bitmap, 28, std::uint16_t(8));
+  Overwrite(bitmap, 30, std::uint32_t(1));
+  WriteBytes(folder("lie.bmp"), bitmap);
+  EXPECT_TRUE(Contains(RefuseImage(folder("lie.bmp")), "60000 x 60000"));
+  EXPECT_LT(GetPeakMemory() - before, 1e8);
+}
