@@ -59,7 +59,6 @@ private:
     : OffscreenScene(mapper)
     , Mapper(mapper)
   {
-    this->Mapper->SetOcclusionModeToOff();
     this->Renderer->AddLight(lamp);
   }
 

@@ -45,7 +45,6 @@ int main(int argc, char* argv[])
   mapper->SetBRDF(gold);
   mapper->SetEnvironment(room);
   mapper->SetErrorTolerance(0.02);
-  mapper->UseSceneLightsOff();
 
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);

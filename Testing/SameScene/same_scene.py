@@ -27,7 +27,6 @@ def draw_with_vtk(path):
     mapper.SetBRDF(vtkEmbeddedMaterials.NewBRDF("gold-paint"))
     mapper.SetEnvironment(vtkEmbeddedEnvironments.NewEnvironment("room"))
     mapper.SetErrorTolerance(0.02)
-    mapper.UseSceneLightsOff()
     actor = vtkActor()
     actor.SetMapper(mapper)
     renderer = vtkRenderer()
@@ -64,7 +63,6 @@ def draw_with_pyvista(path):
     pv.global_theme.multi_samples = 0
     plotter = pv.Plotter(off_screen=True, window_size=(300, 300))
     actor = plotter.measured.add_mesh(new_sphere(), "gold-paint", tolerance=0.02)
-    actor.mapper.UseSceneLightsOff()
     plotter.measured.set_environment("room", up=(0.0, 1.0, 0.0))
     plotter.set_background((0.2, 0.2, 0.2))
     plotter.camera_position = [(0.0, 0.0, 2.4), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)]
