@@ -245,11 +245,15 @@ void Side::StartFit()
     [this, material](JobThread& thread)
     {
       auto fitted = vtkSmartPointer<vtkProperty>::New();
-      const double error = vtkPBRPropertyFitter::Fit(material.BRDF, fitted);
-      if (error < 0.0)
+      vtkNew<vtkPBRPropertyFitter> fitter;
+      fitter->SetBRDF(material.BRDF);
+      fitter->UsualValuesOff(); // how close VTK's shading comes
+      if (!fitter->Update())
       {
         throw tool::Error("fitting VTK's shading: " + tool::TakeErrorText());
       }
+      fitter->Apply(fitted);
+      const double error = fitter->GetRelativeError();
       thread.Post([this, fitted, error]() { this->DrawFitted(fitted, error); });
     },
     [this](const QString& text)
