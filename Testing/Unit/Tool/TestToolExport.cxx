@@ -357,12 +357,15 @@ TEST(ExportFit, UsualValues)
 {
   tool::LitSphere sphere(Front, true);
   sphere.AddLight(MakeHall());
-  for (const char* name : { "pink-felt", "gold-paint" })
+  const std::pair<const char*, std::vector<const char*>> cases[] = {
+    { "pink-felt", { "gltf", "preview_surface", "vtk_pbr" } },
+    { "gold-paint", { "gltf", "vtk_pbr" } }
+  }; // some of all, for speed
+  for (const auto& [name, titles] : cases)
   {
     const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
     brdf->Prepare();
-    for (const char* title :
-      { "gltf", "standard_surface", "open_pbr", "preview_surface", "vtk_pbr" })
+    for (const char* title : titles)
     {
       SCOPED_TRACE(std::string(name) + ", " + title);
       const tool::ModelFit closest = tool::FitModel(title, brdf, sphere, false, [](double) {});
