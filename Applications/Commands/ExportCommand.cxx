@@ -415,8 +415,7 @@ void AddExportCommand(CLI::App& app)
     "Where to look at the sphere from, AZIMUTH,ELEVATION in degrees (default 30,20)");
   command->add_flag("--closest", options->IsClosest,
     "Take every value that the target allows. By default the values are such as people set by "
-    "hand, a metallic part of 0 or 1 and reflectances and indices of real materials, and what that "
-    "costs is printed");
+    "hand, for example no felt that is a part metal, and what that costs is printed");
   command->add_option("--sheet", options->Sheet,
     "Picture to write, .png: the exact sphere, the export's and the signed error, under each "
     "light");

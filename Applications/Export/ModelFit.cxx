@@ -198,7 +198,7 @@ struct Limits
 };
 constexpr Limits Free = { 0.0, 1.0, 1.0, false };
 constexpr Limits Dielectric = { 0.0, 0.0, 1.0, true };
-constexpr Limits Metal = { 1.0, 1.0, 0.7, true };
+constexpr Limits Metal = { 0.3, 1.0, 0.6, true };
 
 class Search
 {
@@ -501,7 +501,7 @@ ModelFit FitModel(const std::string& model, vtkBRDF* brdf, const LitSphere& sphe
   if (fit.Error > (1.0 + WorthIt) * closest.Error)
   {
     ModelFit metal = fitPart(Metal, 2);
-    fit = metal.Error < fit.Error ? metal : fit;
+    fit = metal.Error < (1.0 - WorthIt) * fit.Error ? metal : fit;
   }
   proceed(1.0);
   fit.ClosestError = std::min(closest.Error, fit.Error);

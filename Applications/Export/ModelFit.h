@@ -33,11 +33,12 @@ std::string GetModelFitAbsence();
 /**
  * The model's core parameters, then one part after the other as long as it takes away at least
  * WorthIt of the error; the part that takes away most comes first. Anisotropy is tried for
- * anisotropic materials only. usual: with values such as people set by hand, a dielectric or a
- * metal (metallic part 0 or 1, a metal no rougher than 0.7, up to ModelParameter::MostUsual); else
- * all that are valid. Deterministic. The BRDF must be prepared. proceed: called after every
- * iteration with the share that is done; what it throws ends the fit. Throws std::runtime_error
- * without Ceres, for a material that reflects no light, or where no start can be fitted.
+ * anisotropic materials only. usual: with values such as people set by hand, a dielectric or
+ * a metal (a metallic part of 0, or of 0.3 to 1 with a roughness of at most 0.6; others up to
+ * ModelParameter::MostUsual); else all that are valid. Deterministic. The BRDF must be prepared.
+ * proceed: called after every iteration with the share that is done; what it throws ends the fit.
+ * Throws std::runtime_error without Ceres, for a material that reflects no light, or where no start
+ * can be fitted.
  */
 ModelFit FitModel(const std::string& model, vtkBRDF* brdf, const LitSphere& sphere, bool usual,
   const std::function<void(double)>& proceed);

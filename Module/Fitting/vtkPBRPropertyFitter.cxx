@@ -53,7 +53,8 @@ struct Limits
 };
 const Limits Free = { 0.0, 1.0, 1.0, 3.0 };
 const Limits Dielectric = { 0.0, 0.0, 1.0, 2.0 };
-const Limits Metal = { 1.0, 1.0, 0.7, 2.0 };
+const Limits Metal = { 0.3, 1.0, 0.6, 2.0 };
+constexpr double WorthMetal = 0.95; // what a metal has to leave of a dielectric's error
 
 //------------------------------------------------------------------------------
 struct Candidate
@@ -253,8 +254,10 @@ bool vtkPBRPropertyFitter::Update()
   this->BRDF->Prepare();
   PBRPicture picture(this->BRDF, [](const glm::dvec3& d) { return GetNeutralRadiance(&d.x); });
   Candidate best = SearchWithin(picture, Dielectric);
-  Keep(best, SearchWithin(picture, Metal));
+  const Candidate metal = SearchWithin(picture, Metal);
+  best = metal.Error < WorthMetal * best.Error ? metal : best;
   Candidate closest = best;
+  Keep(closest, metal);
   Keep(closest, SearchWithin(picture, Free));
   this->ClosestError = closest.Error;
   best = this->UsualValues ? best : closest;
