@@ -501,7 +501,10 @@ ModelFit FitModel(const std::string& model, vtkBRDF* brdf, const LitSphere& sphe
   if (fit.Error > (1.0 + WorthIt) * closest.Error)
   {
     ModelFit metal = fitPart(Metal, 2);
-    fit = metal.Error < (1.0 - WorthIt) * fit.Error ? metal : fit;
+    // One at the least metallic part wants to be none.
+    const bool isMetal = metal.Model->GetValues()[3] > Metal.LeastMetallic + 1e-3 &&
+                         metal.Error < (1.0 - WorthIt) * fit.Error;
+    fit = isMetal ? metal : fit;
   }
   proceed(1.0);
   fit.ClosestError = std::min(closest.Error, fit.Error);

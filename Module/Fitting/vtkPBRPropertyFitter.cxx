@@ -255,7 +255,10 @@ bool vtkPBRPropertyFitter::Update()
   PBRPicture picture(this->BRDF, [](const glm::dvec3& d) { return GetNeutralRadiance(&d.x); });
   Candidate best = SearchWithin(picture, Dielectric);
   const Candidate metal = SearchWithin(picture, Metal);
-  best = metal.Error < WorthMetal * best.Error ? metal : best;
+  // One at the least metallic part wants to be none.
+  const bool isMetal =
+    metal.Parameters.Metallic > Metal.LeastMetallic && metal.Error < WorthMetal * best.Error;
+  best = isMetal ? metal : best;
   Candidate closest = best;
   Keep(closest, metal);
   Keep(closest, SearchWithin(picture, Free));
