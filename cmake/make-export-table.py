@@ -26,7 +26,7 @@ def measure(program, material, size):
     models = []
     with tempfile.TemporaryDirectory() as folder:
         for target, name in TARGETS.items():
-            command = [program, "export", material, "--to", target, "-o", os.path.join(folder, name), "--json"]
+            command = [program, "export", material, "--to", target, "-o", os.path.join(folder, name), "--closest", "--json"]
             made = subprocess.run([*command, "--size", str(size)], stdout=subprocess.PIPE, text=True, check=True)
             models += json.loads(made.stdout)["models"]
     return models

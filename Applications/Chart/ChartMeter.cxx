@@ -309,6 +309,7 @@ ChartMeter::Timed ChartMeter::Begin(const ChartSize& size, const Material& mater
 {
   Timed timed;
   auto scene = std::make_unique<tool::Scene>();
+  scene->ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_OFF, false); // as the reference
   this->Place(*scene);
   Method method = this->Make(size, material, environment, timed.Point.SetUp);
   const auto begin = std::chrono::steady_clock::now();

@@ -301,7 +301,8 @@ void PrintPlan(
   const CompareOptions& options, vtkOcclusionPredictor& predictor, vtkRadiancePlanner* planner)
 {
   tool::PrintOut(
-    predictor.GetText() + (options.Occlusion ? "; the reference has occlusion\n" : "\n"));
+    predictor.GetText() + (options.Occlusion ? "; the reference has occlusion\n"
+                                             : "; method and reference are without occlusion\n"));
   if (planner)
   {
     tool::PrintOut("plan: " + planner->GetPlan() + "\n");
@@ -361,10 +362,9 @@ void Run(CompareOptions& options, const CLI::App* command)
   tool::StockScene stock;
   Open(scene, mesh, view, size);
   Open(stock, mesh, view, size);
-  if (options.Occlusion)
-  {
-    scene.ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_ON, options.Trace.Bounces > 0);
-  }
+  scene.ModelOcclusion( // as the reference
+    options.Occlusion ? vtkMeasuredBRDFMapper::OCCLUSION_ON : vtkMeasuredBRDFMapper::OCCLUSION_OFF,
+    options.Trace.Bounces > 0);
   Comparison found;
   const tool::Method method = SetUp(options, shaded, environment, scene, stock, found);
 

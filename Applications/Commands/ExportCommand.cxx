@@ -45,6 +45,7 @@ struct ExportOptions
   std::string Report;
   int Size = 32;
   bool Json = false;
+  bool IsClosest = false;
 };
 
 /// A light, and whether a fit saw it.
@@ -183,8 +184,8 @@ tool::LitSphere MakeSphere(
 }
 
 //------------------------------------------------------------------------------
-tool::ModelFit Fit(
-  const std::string& model, const tool::Material& material, const tool::LitSphere& sphere)
+tool::ModelFit Fit(const std::string& model, const tool::Material& material,
+  const tool::LitSphere& sphere, bool usual)
 {
   tool::ProgressBar bar("fitting");
   const auto proceed = [&bar](double share)
@@ -194,7 +195,7 @@ tool::ModelFit Fit(
   };
   try
   {
-    tool::ModelFit fit = tool::FitModel(model, material.BRDF, sphere, proceed);
+    tool::ModelFit fit = tool::FitModel(model, material.BRDF, sphere, usual, proceed);
     tool::RoundValues(fit.Model);
     return fit;
   }
@@ -240,7 +241,8 @@ ordered_json MakeReport(const ExportOptions& options, const tool::Material& mate
         { "relative_l1", made.Lights[k].RelativeL1 }, { "flip", made.Lights[k].Flip } });
     }
     report["models"].push_back({ { "model", made.Fit.Model->GetTitle() }, { "parts", features },
-      { "values", values }, { "errors", errors } });
+      { "values", values }, { "fit_error", made.Fit.Error },
+      { "closest_fit_error", made.Fit.ClosestError }, { "errors", errors } });
   }
   return report;
 }
@@ -257,6 +259,12 @@ std::string MakeText(const std::vector<Light>& lights, const std::vector<Export>
       text += std::string(" + ") + tool::GetFeatureName(feature);
     }
     text += "\n";
+    if (made.Fit.Error > made.Fit.ClosestError)
+    {
+      text += "  values such as people set by hand: the fit is " +
+              tool::FormatPercent(made.Fit.Error) + " off, the closest one (--closest) " +
+              tool::FormatPercent(made.Fit.ClosestError) + "\n";
+    }
     for (std::size_t k = 0; k < made.Lights.size(); ++k)
     {
       char flip[32];
@@ -328,7 +336,7 @@ void Run(const ExportOptions& options)
   {
     if (options.Model.empty() || options.Model == "both" || options.Model == model)
     {
-      exports.push_back({ Fit(model, material, sphere), {} });
+      exports.push_back({ Fit(model, material, sphere, !options.IsClosest), {} });
     }
   }
   const tool::Surface surface = tool::MakeSphereSurface(options.Size, view);
@@ -405,6 +413,9 @@ void AddExportCommand(CLI::App& app)
     ->check(CLI::Range(8, 512));
   command->add_option("--view", options->View,
     "Where to look at the sphere from, AZIMUTH,ELEVATION in degrees (default 30,20)");
+  command->add_flag("--closest", options->IsClosest,
+    "Take every value that the target allows. By default the values are such as people set by "
+    "hand, for example no felt that is a part metal, and what that costs is printed");
   command->add_option("--sheet", options->Sheet,
     "Picture to write, .png: the exact sphere, the export's and the signed error, under each "
     "light");

@@ -328,7 +328,8 @@ void RunPBR(
   if (options.Json)
   {
     PrintJson({ { "input", options.File }, { "model", options.Model }, { "vtkProperty", figures },
-      { "relative_l1_error", fitter->GetRelativeError() }, { "seconds", seconds() } });
+      { "relative_l1_error", fitter->GetRelativeError() },
+      { "closest_error", fitter->GetClosestError() }, { "seconds", seconds() } });
     return;
   }
   std::ostringstream text;
@@ -347,7 +348,7 @@ void RunPBR(
     text << "\n";
   }
   text << "relative L1 error of a sphere under neutral light: " << fitter->GetRelativeError()
-       << "\n"
+       << " with values such as people set by hand, " << fitter->GetClosestError() << " with any\n"
        << seconds() << " s\n";
   tool::PrintOut(text.str());
 }

@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <set>
 
 namespace
 {
@@ -37,30 +36,20 @@ constexpr int LargestSheet = 8192;
 constexpr int TileSmooth = 2; // tiles are rendered at this multiple and averaged
 
 //------------------------------------------------------------------------------
-// One embedded material of each of the kinds the thesis shows, then others of new kinds.
+// Embedded materials of many kinds.
 std::vector<std::string> ChooseEmbedded()
 {
-  static const char* const kinds[] = { "fabric", "silk", "foil", "gold paint", "teal paint",
-    "magenta plastic", "velvet", "car paint" };
-  constexpr std::size_t wanted = 8;
-  const int n = vtkEmbeddedMaterials::GetNumberOfMaterials();
+  static const char* const chosen[] = { "blue-fabric", "pink-felt", "gold-paint",
+    "green-metallic-paint", "violet-rubber", "nickel", "cherry-235", "blue-car-paint" };
   std::vector<std::string> names;
-  std::set<std::string> seen;
-  for (const char* kind : kinds)
+  for (const char* name : chosen)
   {
-    for (int k = 0; k < n; ++k)
+    for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
     {
-      if (vtkEmbeddedMaterials::GetKind(k) == kind && seen.insert(kind).second)
+      if (vtkEmbeddedMaterials::GetName(k) == name) // some builds have no car paint
       {
-        names.push_back(vtkEmbeddedMaterials::GetName(k));
+        names.emplace_back(name);
       }
-    }
-  }
-  for (int k = 0; k < n && names.size() < wanted; ++k)
-  {
-    if (seen.insert(vtkEmbeddedMaterials::GetKind(k)).second)
-    {
-      names.push_back(vtkEmbeddedMaterials::GetName(k));
     }
   }
   return names;
@@ -160,7 +149,7 @@ void Run(const GalleryOptions& options)
 
   tool::Picture sheet = tool::MakePaper(size.Width, size.Height);
   tool::DrawText(sheet, gap + unit / 2, size.Height - header + unit,
-    tool::Fit("Measured materials under \"" + environment->GetName() + "\"", (5 * unit) / 4, false,
+    tool::Fit("Materials under \"" + environment->GetName() + "\"", (5 * unit) / 4, false,
       size.Width - 2 * unit),
     (5 * unit) / 4, false, tool::White);
 

@@ -39,6 +39,7 @@ struct RenderOptions
   std::string Report;
   tool::MethodOptions Method;
   tool::TraceOptions Trace;
+  std::string Occlusion = "auto";
   bool NoCache = false;
 };
 
@@ -140,7 +141,46 @@ struct Figures
   double Setup; // ms
   std::vector<double> Frames;
   tool::Size Size;
+  std::string Plan;
 };
+
+//------------------------------------------------------------------------------
+vtkMeasuredBRDFMapper::OcclusionModeType GetOcclusionMode(const std::string& name)
+{
+  return name == "on"    ? vtkMeasuredBRDFMapper::OCCLUSION_ON
+         : name == "off" ? vtkMeasuredBRDFMapper::OCCLUSION_OFF
+                         : vtkMeasuredBRDFMapper::OCCLUSION_AUTO;
+}
+
+//------------------------------------------------------------------------------
+// A surface with too many points to be traced unasked.
+void NoteUnmodeled(const std::string& plan)
+{
+  const std::size_t begin = plan.find("unoccluded light: ");
+  if (begin != std::string::npos && plan.find(", not modeled", begin) != std::string::npos)
+  {
+    tool::PrintNote(plan.substr(begin) + "; --occlusion on models it");
+  }
+}
+
+//------------------------------------------------------------------------------
+// Says which options do not matter.
+void CheckTracing(const RenderOptions& options, const CLI::App* command)
+{
+  const bool traced = options.Method.Method == "traced";
+  const auto note = [&](const char* name, bool matters, const char* where)
+  {
+    if (command->count(name) > 0 && !matters)
+    {
+      tool::PrintNote(std::string(name) + " has no effect " + where);
+    }
+  };
+  const bool drawn = !tool::IsOnCpuOnly(options.Method.Method);
+  note("--samples", traced, "without --method traced");
+  note("--occlusion", drawn, "with a method on the CPU: only 'traced' knows what the mesh hides");
+  note("--bounces", traced || (drawn && options.Occlusion != "off"),
+    "where what the mesh hides is left out");
+}
 
 void WriteReport(const RenderOptions& options, const Figures& found, const tool::Material& material,
   vtkEnvironment* environment, const tool::Method& method, tool::Scene& scene)
@@ -164,7 +204,7 @@ void WriteReport(const RenderOptions& options, const Figures& found, const tool:
   }
   if (method.Planner)
   {
-    report["plan"] = method.Planner->GetPlan();
+    report["plan"] = found.Plan;
     report["plan_from_cache"] = method.Planner->GetFromCache();
     report["costs"] = method.Planner->GetCostModel()->GetName();
     report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
@@ -187,13 +227,7 @@ void Run(RenderOptions& options, const CLI::App* command)
   }
   options.Method.Check(command);
   options.Method.Plan.UseCache = !options.NoCache;
-  for (const char* name : { "--samples", "--bounces" })
-  {
-    if (command->count(name) > 0 && options.Method.Method != "traced")
-    {
-      tool::PrintNote(std::string(name) + " has no effect without --method traced");
-    }
-  }
+  CheckTracing(options, command);
 
   const tool::Interruptible interruptible;
   const tool::Material material = tool::LoadMaterial(options.File);
@@ -218,13 +252,18 @@ void Run(RenderOptions& options, const CLI::App* command)
   scene.SetView(view.Azimuth, view.Elevation, RenderedFill, view.Angle);
   const int factor = GetFactor(options, size);
   std::vector<double> frames;
+  std::string plan;
   if (!onCpu)
   {
+    scene.ModelOcclusion(GetOcclusionMode(options.Occlusion), options.Trace.Bounces > 0);
     scene.Open(size.Width, size.Height);
     scene.Begin(method, environment, options.Method.Plan);
-    scene.ModelOcclusion( // what the mesh's arrays say
-      vtkMeasuredBRDFMapper::OCCLUSION_AUTO, options.Trace.Bounces > 0);
-    scene.SetLight(environment, method.Integrator); // this plan for the larger picture, too
+    plan = scene.GetPlan();
+    NoteUnmodeled(plan);
+    if (options.Method.Plan.ForView)
+    {
+      scene.HoldPlan(method, environment); // for the larger picture, too
+    }
   }
   const double setup = elapsed();
   for (int k = 0; !onCpu && !options.Report.empty() && k < NumberOfTimedFrames; ++k)
@@ -240,7 +279,7 @@ void Run(RenderOptions& options, const CLI::App* command)
   }
   if (!options.Report.empty())
   {
-    WriteReport(options, { setup, frames, size }, material, environment, method, scene);
+    WriteReport(options, { setup, frames, size, plan }, material, environment, method, scene);
   }
   scene.PlaceCamera(picture.Width, picture.Height);
   WritePicture(options, scene, std::move(picture), environment, factor);
@@ -265,6 +304,13 @@ void AddRenderCommand(CLI::App& app)
   options->Method.Method = "auto";
   options->Method.AddTo(command, true, true);
   options->Trace.AddTo(command);
+  command
+    ->add_option("--occlusion", options->Occlusion,
+      "What the mesh hides of the environment from itself: auto models it as the mapper does in a "
+      "program, where its predicted error exceeds what the tolerance leaves, for up to 20,000 "
+      "points; on: whatever the method and the mesh; off: never, as --method reference (default: "
+      "auto)")
+    ->check(CLI::IsMember({ "auto", "on", "off" }));
   options->Method.Plan.AddForViewTo(command);
   options->Method.Plan.AddCalibrateTo(command);
   command->add_flag("--no-cache", options->NoCache,

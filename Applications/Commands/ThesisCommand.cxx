@@ -43,16 +43,18 @@ constexpr int Lights = 64;      // the thesis's and Debevec's number
 constexpr double Noise = 0.001; // of the simulated camera, relative to full scale
 constexpr int Bits = 14;
 
-// The thesis's gallery (3.3) and the kinds of the embedded materials that stand for it: not the
-// same samples, and named for what they are.
+// The thesis's gallery (3.3) and the embedded materials that stand for it: MERL's closest samples
+// (it has no foil, silk or velvet, and no magenta plastic that is not mirror-like), named for what
+// they are.
 struct Figure
 {
   const char* Thesis;
-  const char* Kind;
+  const char* Name;
 };
-constexpr Figure Figures[] = { { "blue synthetic fabric", "fabric" }, { "blue silk", "silk" },
-  { "chocolate foil", "foil" }, { "gold dust paint", "gold paint" }, { "teal paint", "teal paint" },
-  { "magenta plastic", "magenta plastic" }, { "red velvet", "velvet" } };
+constexpr Figure Figures[] = { { "blue synthetic fabric", "blue-fabric" },
+  { "blue silk", "pink-fabric2" }, { "chocolate foil", "gold-metallic-paint3" },
+  { "gold dust paint", "gold-paint" }, { "teal paint", "green-metallic-paint" },
+  { "magenta plastic", "violet-rubber" }, { "red velvet", "red-fabric2" } };
 
 //------------------------------------------------------------------------------
 // A material as the thesis shows it, and what to call it.
@@ -196,15 +198,9 @@ public:
     }
     for (const Figure& figure : Figures)
     {
-      const int n = vtkEmbeddedMaterials::GetNumberOfMaterials();
-      int k = 0;
-      while (k < n && vtkEmbeddedMaterials::GetKind(k) != figure.Kind)
+      if (this->Settings.Files.empty())
       {
-        ++k;
-      }
-      if (this->Settings.Files.empty() && k < n)
-      {
-        add(vtkEmbeddedMaterials::GetName(k), figure.Thesis);
+        add(figure.Name, figure.Thesis);
       }
     }
     const int columns = static_cast<int>(exhibits.size());

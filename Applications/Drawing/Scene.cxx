@@ -31,7 +31,6 @@ Scene::Scene(vtkMeasuredBRDFMapper* mapper)
   , Mapper(mapper)
 {
   this->Mapper->AddObserver(vtkCommand::ProgressEvent, this, &Scene::OnProgress);
-  this->Mapper->SetOcclusionModeToOff(); // as the references
 }
 
 //------------------------------------------------------------------------------
@@ -131,6 +130,20 @@ void Scene::Look(int width, int height, VisiblePairs& seen)
   this->PlaceCamera(width, height);
   seen.NumberOfPixels =
     this->Mapper->GetVisiblePairs(this->Renderer, this->Actor, seen.Normals, seen.Views);
+}
+
+//------------------------------------------------------------------------------
+std::string Scene::GetPlan() { return this->Mapper->GetPlan(); }
+
+//------------------------------------------------------------------------------
+void Scene::HoldPlan(const Method& method, vtkEnvironment* environment)
+{
+  if (this->Mapper->GetOcclusionMode() == vtkMeasuredBRDFMapper::OCCLUSION_AUTO &&
+      this->GetPlan().find(", modeled") != std::string::npos)
+  {
+    this->Mapper->SetOcclusionModeToOn(); // which a method that is not planned does not find
+  }
+  this->SetLight(environment, method.Integrator);
 }
 
 //------------------------------------------------------------------------------

@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 
 class vtkMeasuredBRDFMapper;
 class vtkRadianceIntegrator;
@@ -39,8 +40,9 @@ public:
   /// These lights instead of what SetLight has set, until null is set.
   void SetLightSet(vtkLightSet* lights);
 
-  /// Draw what the mesh hides of the environment, black or with a bounce; its visibility is traced
-  /// in the next frame.
+  /// How what the mesh hides of the environment is drawn, where another way than the mapper's
+  /// default is wanted; black, or with a bounce. References have nothing hidden: what is compared
+  /// with them is drawn with OCCLUSION_OFF.
   void ModelOcclusion(vtkMeasuredBRDFMapper::OcclusionModeType mode, bool bounce);
 
   /// How the mapper plans.
@@ -49,6 +51,13 @@ public:
   /// Draw a first frame of the size that is open. Of a planned method, its integrator and its
   /// planner are those that were drawn. Throws Error.
   void Begin(Method& method, vtkEnvironment* environment, const PlanOptions& options);
+
+  /// What the mapper says that it has planned for the last frame, and of what the mesh hides.
+  std::string GetPlan();
+
+  /// Draw with the method that Begin has found, and with what the mesh hides as in that frame, also
+  /// where the picture's size would be planned for anew.
+  void HoldPlan(const Method& method, vtkEnvironment* environment);
 
   /// What a picture of that size shows, as the mapper plans for it.
   void Look(int width, int height, VisiblePairs& seen);

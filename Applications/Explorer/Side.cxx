@@ -20,6 +20,7 @@
 #include "vtkRenderer.h"
 #include "vtkTexture.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace
@@ -48,7 +49,6 @@ Side::Side(int index, Session* session, Jobs* jobs, QObject* parent)
 {
   this->Mapper->ScalarVisibilityOff();
   this->Mapper->SetPlanningModeToBackgroundFromStart();
-  this->Mapper->SetOcclusionModeToOff(); // as the exact picture
   this->Mapper->SetCostModel(
     tool::PlanOptions().GetCosts()); // as Capture's scene: one plan for both
   this->Actor->SetMapper(this->Mapper);
@@ -134,6 +134,13 @@ void Side::UpdateMethod()
   }
   this->Background->Stop(this->GetJobKey());
   this->IsMade = true;
+  // What the mesh hides, as every mapper draws it; but not beside the exact picture, which is
+  // without.
+  const auto& methods = this->Model->GetState().Methods;
+  const bool isCompared =
+    std::find(methods.begin(), methods.end(), method::Reference) != methods.end();
+  this->Mapper->SetOcclusionMode(
+    isCompared ? vtkMeasuredBRDFMapper::OCCLUSION_OFF : vtkMeasuredBRDFMapper::OCCLUSION_AUTO);
   const std::string& key = this->GetKey();
   if (key == method::PBR)
   {
@@ -238,11 +245,15 @@ void Side::StartFit()
     [this, material](JobThread& thread)
     {
       auto fitted = vtkSmartPointer<vtkProperty>::New();
-      const double error = vtkPBRPropertyFitter::Fit(material.BRDF, fitted);
-      if (error < 0.0)
+      vtkNew<vtkPBRPropertyFitter> fitter;
+      fitter->SetBRDF(material.BRDF);
+      fitter->UsualValuesOff(); // how close VTK's shading comes
+      if (!fitter->Update())
       {
         throw tool::Error("fitting VTK's shading: " + tool::TakeErrorText());
       }
+      fitter->Apply(fitted);
+      const double error = fitter->GetRelativeError();
       thread.Post([this, fitted, error]() { this->DrawFitted(fitted, error); });
     },
     [this](const QString& text)
@@ -404,6 +415,7 @@ void Side::OpenScene()
 }
 
 //------------------------------------------------------------------------------
+// To be measured against the exact picture, and so without what the mesh hides.
 // Scenes of their own: radiance above 1 and alpha, which a widget's window does not keep. A planned
 // method finds the mapper's plan, which mappers of one material and environment share.
 tool::Picture Side::Capture(vtkCamera* camera, const tool::Size& size, double& frame)
@@ -429,6 +441,7 @@ tool::Picture Side::Capture(vtkCamera* camera, const tool::Size& size, double& f
       options.UseCache = true; // as the mapper: the same plan
       scene->SetPlan(options);
     }
+    scene->ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_OFF, false);
     scene->SetMaterial(this->Mapper->GetBRDF());
     scene->SetLight(this->Light, this->Mapper->GetIntegrator());
   }

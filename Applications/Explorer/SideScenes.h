@@ -60,7 +60,6 @@ private:
     : OffscreenScene(mapper)
     , Mapper(mapper)
   {
-    this->Mapper->SetOcclusionModeToOff();
     this->Renderer->AddLight(lamp);
   }
 

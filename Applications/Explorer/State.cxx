@@ -204,14 +204,16 @@ const std::vector<MethodName>& GetMethodNames()
 {
   static const std::vector<MethodName> names = []()
   {
-    std::vector<MethodName> list = { { method::Planned, "Planned",
-                                       "the cheapest method that meets the tolerance" },
+    std::vector<MethodName> list = {
+      { method::Planned, "Planned",
+        "what the planner finds for the tolerance, from cheap to costly" },
       { method::Reference, "Reference", "exact, on the CPU, progressively" },
       { method::Thesis, "Thesis (basis or fit)",
         "a basis or, where that rings, a fit, summed over lights (O'Toole 2007)" },
       { method::LightSet, "Light set", "the measured BRDF, summed over median-cut lights" },
       { method::SoftLights, "Soft lights", "the same with lights as wide as their regions" },
-      { method::PBR, "Nearest PBR", "VTK's physically based shading with fitted properties" } };
+      { method::PBR, "Nearest PBR", "VTK's physically based shading with fitted properties" }
+    };
     for (const auto& integrator : vtkRadianceMethods::GetMethods())
     {
       const std::string key = integrator->GetMethodName();

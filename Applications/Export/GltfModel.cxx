@@ -130,13 +130,15 @@ double GetCharlieAlbedo(double ndv, double roughness)
 const std::vector<ModelParameter>& GltfModel::GetParameters() const
 {
   // specularColorFactor may exceed 1: "the product of specular color factor [...] and f0
-  // reflectance from IOR is clamped to 1" (KHR_materials_specular).
+  // reflectance from IOR is clamped to 1" (KHR_materials_specular). By hand, dielectrics get
+  // reflectances of up to 0.08 (Burley 2012, "Physically Based Shading at Disney").
   static const std::vector<ModelParameter> parameters = { { "baseColorFactor", 3, 0.0, 1.0, 1.0,
                                                             Feature::Core, {} },
     { "metallicFactor", 1, 0.0, 1.0, 1.0, Feature::Core, Metals },
     { "roughnessFactor", 1, 0.05, 1.0, 1.0, Feature::Core, Roughnesses },
     { "specularFactor", 1, 0.0, 1.0, 1.0, Feature::Specular, { 0.9 } },
-    { "specularColorFactor", 3, 0.0, 1.0 / DielectricF0, 1.0, Feature::Specular, { 1.0, 4.0 } },
+    { "specularColorFactor", 3, 0.0, 1.0 / DielectricF0, 1.0, Feature::Specular, { 1.0, 4.0 },
+      2.0 },
     { "clearcoatFactor", 1, 0.0, 1.0, 0.0, Feature::Coat, { 0.5 } },
     { "clearcoatRoughnessFactor", 1, 0.05, 1.0, 0.0, Feature::Coat, { 0.12, 0.35 } },
     { "sheenColorFactor", 3, 0.0, 1.0, 0.0, Feature::Sheen, { 0.1 } },

@@ -188,13 +188,26 @@ struct Candidate
   double Error = std::numeric_limits<double>::infinity();
 };
 
+/// What a search takes of the models' ranges.
+struct Limits
+{
+  double LeastMetallic;
+  double MostMetallic;
+  double MostRoughness;
+  bool AreUsual;
+};
+constexpr Limits Free = { 0.0, 1.0, 1.0, false };
+constexpr Limits Dielectric = { 0.0, 0.0, 1.0, true };
+constexpr Limits Metal = { 0.3, 1.0, 0.6, true };
+
 class Search
 {
 public:
-  Search(SurfaceModel* model, vtkBRDF* brdf, const LitSphere& sphere,
+  Search(SurfaceModel* model, vtkBRDF* brdf, const LitSphere& sphere, const Limits& limits,
     const std::function<void()>& proceed)
     : Model(model)
     , Sphere(sphere)
+    , Allowed(limits)
     , Proceed(proceed)
     , Reference(sphere.Sum(brdf))
     , Neutral(model->GetValues())
@@ -215,7 +228,7 @@ public:
   {
     const Feature part = features.back();
     std::vector<std::vector<double>> bases = { before.Values };
-    if (part == Feature::Specular || part == Feature::Sheen)
+    if ((part == Feature::Specular || part == Feature::Sheen) && this->Allowed.LeastMetallic == 0.0)
     {
       // A metal hides what these parts change: without them it was the best, with them it may not.
       bases.push_back(this->MakeDielectric(before.Values));
@@ -268,12 +281,11 @@ private:
   // The same without a metallic part, of the material's color.
   std::vector<double> MakeDielectric(std::vector<double> values) const
   {
-    constexpr std::size_t metallic = 3;
     for (std::size_t c = 0; c < 3; ++c)
     {
       values[c] = std::clamp(this->Albedo[c], 0.0, 1.0);
     }
-    values[metallic] = 0.0;
+    values[MetallicPlace] = 0.0;
     return values;
   }
 
@@ -299,11 +311,29 @@ private:
           values[at] = parameter.Starts.empty()
                          ? this->Albedo[c]
                          : parameter.Starts[std::min(start, parameter.Starts.size() - 1)];
-          values[at] = std::clamp(values[at], parameter.Least, parameter.Most);
+          const FreeValue range = this->GetRange(parameter, at);
+          values[at] = std::clamp(values[at], range.Least, range.Most);
         }
       }
     }
     return values;
+  }
+
+  FreeValue GetRange(const ModelParameter& parameter, std::size_t at) const
+  {
+    double least = parameter.Least;
+    double most =
+      this->Allowed.AreUsual ? std::min(parameter.Most, parameter.MostUsual) : parameter.Most;
+    if (at == MetallicPlace)
+    {
+      least = this->Allowed.LeastMetallic;
+      most = this->Allowed.MostMetallic;
+    }
+    else if (at == RoughnessPlace)
+    {
+      most = std::min(most, this->Allowed.MostRoughness);
+    }
+    return { at, least, most };
   }
 
   std::vector<FreeValue> GetFree(const std::vector<Feature>& features) const
@@ -316,9 +346,10 @@ private:
         std::find(features.begin(), features.end(), parameter.Part) != features.end();
       for (std::size_t c = 0; c < parameter.Size; ++c, ++at)
       {
-        if (isFree)
+        const FreeValue range = this->GetRange(parameter, at);
+        if (isFree && range.Least < range.Most)
         {
-          free.push_back({ at, parameter.Least, parameter.Most });
+          free.push_back(range);
         }
       }
     }
@@ -364,8 +395,13 @@ private:
     return found.Error < start.Error ? found : start;
   }
 
+  // All models begin with a color.
+  static constexpr std::size_t MetallicPlace = 3;
+  static constexpr std::size_t RoughnessPlace = 4;
+
   SurfaceModel* Model;
   const LitSphere& Sphere;
+  Limits Allowed;
   const std::function<void()>& Proceed;
   std::vector<double> Reference;
   std::vector<double> Neutral;
@@ -390,19 +426,15 @@ std::vector<Feature> GetChoices(SurfaceModel* model, vtkBRDF* brdf)
   }
   return choices;
 }
-}
 
 //------------------------------------------------------------------------------
-std::string GetModelFitAbsence() { return ""; }
-
-//------------------------------------------------------------------------------
-ModelFit FitModel(const std::string& model, vtkBRDF* brdf, const LitSphere& sphere,
-  const std::function<void(double)>& proceed)
+ModelFit FitWithin(const std::string& model, vtkBRDF* brdf, const LitSphere& sphere,
+  const Limits& limits, const std::function<void(double)>& proceed)
 {
   ModelFit fit{ SurfaceModel::Make(model), {}, 0.0 };
   double share = 0.0;
   const std::function<void()> goOn = [&]() { proceed(share); };
-  const Search search(fit.Model, brdf, sphere, goOn);
+  const Search search(fit.Model, brdf, sphere, limits, goOn);
   std::vector<Feature> features = { Feature::Core };
   Candidate best = search.Finish(search.Try({ search.GetNeutral() }, features), features);
   std::vector<Feature> choices = GetChoices(fit.Model, brdf);
@@ -443,6 +475,39 @@ ModelFit FitModel(const std::string& model, vtkBRDF* brdf, const LitSphere& sphe
   fit.Model->SetValues(best.Values);
   fit.Features.assign(features.begin() + 1, features.end());
   fit.Error = best.Error;
+  fit.ClosestError = best.Error;
+  return fit;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string GetModelFitAbsence() { return ""; }
+
+//------------------------------------------------------------------------------
+ModelFit FitModel(const std::string& model, vtkBRDF* brdf, const LitSphere& sphere, bool usual,
+  const std::function<void(double)>& proceed)
+{
+  if (!usual)
+  {
+    return FitWithin(model, brdf, sphere, Free, proceed);
+  }
+  const auto fitPart = [&](const Limits& limits, int part)
+  {
+    return FitWithin(
+      model, brdf, sphere, limits, [&](double share) { proceed((part + share) / 3.0); });
+  };
+  const ModelFit closest = fitPart(Free, 0);
+  ModelFit fit = fitPart(Dielectric, 1);
+  if (fit.Error > (1.0 + WorthIt) * closest.Error)
+  {
+    ModelFit metal = fitPart(Metal, 2);
+    // One at the least metallic part wants to be none.
+    const bool isMetal = metal.Model->GetValues()[3] > Metal.LeastMetallic + 1e-3 &&
+                         metal.Error < (1.0 - WorthIt) * fit.Error;
+    fit = isMetal ? metal : fit;
+  }
+  proceed(1.0);
+  fit.ClosestError = std::min(closest.Error, fit.Error);
   return fit;
 }
 #else
@@ -454,7 +519,7 @@ std::string GetModelFitAbsence()
 
 //------------------------------------------------------------------------------
 ModelFit FitModel(
-  const std::string&, vtkBRDF*, const LitSphere&, const std::function<void(double)>&)
+  const std::string&, vtkBRDF*, const LitSphere&, bool, const std::function<void(double)>&)
 {
   throw std::runtime_error(GetModelFitAbsence());
 }

@@ -24,6 +24,7 @@ struct ModelFit
   vtkSmartPointer<SurfaceModel> Model;
   std::vector<Feature> Features; // beside Core, in the order in which they were taken
   double Error = 0.0;            // mean over the lights of relative L1 on the lit sphere
+  double ClosestError = 0.0;     // of the fit that takes every valid value
 };
 
 /// Empty, or why this build cannot fit.
@@ -32,11 +33,14 @@ std::string GetModelFitAbsence();
 /**
  * The model's core parameters, then one part after the other as long as it takes away at least
  * WorthIt of the error; the part that takes away most comes first. Anisotropy is tried for
- * anisotropic materials only. Deterministic. The BRDF must be prepared. proceed: called after every
- * iteration with the share that is done; what it throws ends the fit. Throws std::runtime_error
- * without Ceres, for a material that reflects no light, or where no start can be fitted.
+ * anisotropic materials only. usual: with values such as people set by hand, a dielectric or
+ * a metal (a metallic part of 0, or of 0.3 to 1 with a roughness of at most 0.6; others up to
+ * ModelParameter::MostUsual); else all that are valid. Deterministic. The BRDF must be prepared.
+ * proceed: called after every iteration with the share that is done; what it throws ends the fit.
+ * Throws std::runtime_error without Ceres, for a material that reflects no light, or where no start
+ * can be fitted.
  */
-ModelFit FitModel(const std::string& model, vtkBRDF* brdf, const LitSphere& sphere,
+ModelFit FitModel(const std::string& model, vtkBRDF* brdf, const LitSphere& sphere, bool usual,
   const std::function<void(double)>& proceed);
 
 /// The share of the error that a part has to take away to be written, and the least part of the

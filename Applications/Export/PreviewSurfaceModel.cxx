@@ -41,7 +41,7 @@ const std::vector<ModelParameter>& PreviewSurfaceModel::GetParameters() const
                                                             Feature::Core, {} },
     { "metallic", 1, 0.0, 1.0, 0.0, Feature::Core, Metals },
     { "roughness", 1, 0.05, 1.0, 0.5, Feature::Core, Roughnesses },
-    { "ior", 1, 1.0, 3.0, 1.5, Feature::Specular, { 1.3, 2.0 } },
+    { "ior", 1, 1.0, 3.0, 1.5, Feature::Specular, { 1.3, 2.0 }, 2.0 },
     { "clearcoat", 1, 0.0, 1.0, 0.0, Feature::Coat, { 0.5 } },
     { "clearcoatRoughness", 1, 0.05, 1.0, 0.01, Feature::Coat, { 0.12, 0.35 } } };
   return parameters;

@@ -15,6 +15,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,7 @@ struct ModelParameter
   /// Where the search begins: the k-th start takes the k-th value of every parameter of the part,
   /// or its last one. None: the material's albedo.
   std::vector<double> Starts;
+  double MostUsual = std::numeric_limits<double>::infinity(); // that people set by hand
 };
 
 ///@{

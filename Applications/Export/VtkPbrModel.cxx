@@ -49,11 +49,11 @@ const std::vector<ModelParameter>& VtkPbrModel::GetParameters() const
                                                             Feature::Core, {} },
     { "Metallic", 1, 0.0, 1.0, 0.0, Feature::Core, Metals },
     { "Roughness", 1, 0.05, 1.0, 0.5, Feature::Core, Roughnesses },
-    { "BaseIOR", 1, 1.0, 3.0, 1.5, Feature::Specular, { 1.4, 2.0 } },
+    { "BaseIOR", 1, 1.0, 3.0, 1.5, Feature::Specular, { 1.4, 2.0 }, 2.0 },
     { "EdgeTint", 3, 0.0, 1.0, 1.0, Feature::Specular, { 0.8, 0.3 } },
     { "CoatStrength", 1, 0.0, 1.0, 0.0, Feature::Coat, { 0.5 } },
     { "CoatRoughness", 1, 0.05, 1.0, 0.0, Feature::Coat, { 0.12, 0.35 } },
-    { "CoatIOR", 1, 1.0, 3.0, 2.0, Feature::Coat, { 1.5 } },
+    { "CoatIOR", 1, 1.0, 3.0, 2.0, Feature::Coat, { 1.5 }, 2.0 },
     { "Anisotropy", 1, 0.0, 1.0, 0.0, Feature::Anisotropy, { 0.4 } },
     { "AnisotropyRotation", 1, 0.0, 0.5, 0.0, Feature::Anisotropy, { 0.03, 0.27 } } };
   return parameters;

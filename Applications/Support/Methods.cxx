@@ -101,7 +101,7 @@ std::vector<std::pair<std::string, std::string>> ListMethods(bool onCpu, bool tr
     methods.emplace_back(
       Traced, "the reference with what the mesh hides of the environment, by rays, slow");
   }
-  methods.emplace_back(Auto, "the cheapest that meets --tolerance");
+  methods.emplace_back(Auto, "what the planner finds for --tolerance, from cheap to costly");
   return methods;
 }
 

@@ -180,7 +180,6 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(actor);
-  renderer->AutomaticLightCreationOff();
   renderer->GetActiveCamera()->ParallelProjectionOn();
   renderer->ResetCamera();
   vtkNew<vtkRenderWindow> window;

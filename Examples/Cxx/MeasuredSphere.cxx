@@ -73,7 +73,6 @@ int main(int argc, char* argv[])
   renderer->AddActor(actor);
   renderer->ResetCamera();
   renderer->GetActiveCamera()->Zoom(1.5);
-  renderer->AutomaticLightCreationOff(); // the environment is all the light there is
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0); // the same edges on every driver

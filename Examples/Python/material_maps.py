@@ -144,7 +144,6 @@ def draw(surface, material_map, title, path, camera, tolerance):
     legend.SetPosition(0.72, 0.1 if material_map.GetNumberOfMaterials() > 2 else 0.55)
     legend.SetPosition2(0.26, 0.8 if material_map.GetNumberOfMaterials() > 2 else 0.35)
     renderer = vtkRenderer()
-    renderer.AutomaticLightCreationOff()  # the environment is all the light there is
     renderer.SetBackground(0.16, 0.17, 0.2)
     renderer.AddActor(actor)
     renderer.AddActor2D(legend)

@@ -66,7 +66,6 @@ renderer = vtkRenderer()
 renderer.AddActor(actor)
 renderer.ResetCamera()
 renderer.GetActiveCamera().Zoom(1.5)
-renderer.AutomaticLightCreationOff()  # the environment is all the light there is
 window = vtkRenderWindow()
 window.SetOffScreenRendering(1)
 window.SetSize(400, 400)

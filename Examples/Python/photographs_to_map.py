@@ -96,7 +96,6 @@ def draw(material_map, title, size):
     actor = vtkActor()
     actor.SetMapper(mapper)
     renderer = vtkRenderer()
-    renderer.AutomaticLightCreationOff()
     renderer.AddActor(actor)
     renderer.SetBackground(0.16, 0.17, 0.2)
     renderer.GetActiveCamera().SetPosition(0.0, -0.6, 1.9)

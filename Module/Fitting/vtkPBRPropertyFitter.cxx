@@ -34,6 +34,29 @@ enum Extent
 };
 
 //------------------------------------------------------------------------------
+// What values a search may take beside the ranges of the axes.
+struct Limits
+{
+  double LeastMetallic;
+  double MostMetallic;
+  double MostRoughness;
+  double MostIndex;
+
+  PBRParameters Clamp(PBRParameters parameters) const
+  {
+    parameters.Metallic = std::clamp(parameters.Metallic, this->LeastMetallic, this->MostMetallic);
+    parameters.Roughness = std::min(parameters.Roughness, this->MostRoughness);
+    parameters.BaseIOR = std::min(parameters.BaseIOR, this->MostIndex);
+    parameters.CoatIOR = std::min(parameters.CoatIOR, this->MostIndex);
+    return parameters;
+  }
+};
+const Limits Free = { 0.0, 1.0, 1.0, 3.0 };
+const Limits Dielectric = { 0.0, 0.0, 1.0, 2.0 };
+const Limits Metal = { 0.3, 1.0, 0.6, 2.0 };
+constexpr double WorthMetal = 0.95; // what a metal has to leave of a dielectric's error
+
+//------------------------------------------------------------------------------
 struct Candidate
 {
   PBRParameters Parameters;
@@ -80,7 +103,7 @@ Candidate Try(PBRPicture& picture, const PBRParameters& parameters)
 
 //------------------------------------------------------------------------------
 // One parameter at a time, up and down, with steps halved until they are a hundredth.
-Candidate Refine(PBRPicture& picture, const Candidate& start, Extent extent)
+Candidate Refine(PBRPicture& picture, const Candidate& start, Extent extent, const Limits& limits)
 {
   Candidate best = start;
   for (double share = 1.0; share > 0.05; share *= 0.5)
@@ -96,6 +119,7 @@ Candidate Refine(PBRPicture& picture, const Candidate& start, Extent extent)
           double& value = next.Parameters.*axis.Value;
           value = std::clamp(value + sign * share * axis.Step, axis.Least, axis.Most);
           value = std::round(100.0 * value) / 100.0;
+          next.Parameters = limits.Clamp(next.Parameters);
           if (axis.From <= extent && value != best.Parameters.*axis.Value)
           {
             Keep(best, Try(picture, next.Parameters));
@@ -113,20 +137,21 @@ Candidate Refine(PBRPicture& picture, const Candidate& start, Extent extent)
 
 //------------------------------------------------------------------------------
 // The best of what the few best starts lead to.
-Candidate Search(PBRPicture& picture, const std::vector<PBRParameters>& starts, Extent extent)
+Candidate Search(PBRPicture& picture, const std::vector<PBRParameters>& starts, Extent extent,
+  const Limits& limits)
 {
   constexpr std::size_t refined = 3;
   std::vector<Candidate> candidates;
   for (const PBRParameters& start : starts)
   {
-    candidates.push_back(Try(picture, start));
+    candidates.push_back(Try(picture, limits.Clamp(start)));
   }
   std::stable_sort(candidates.begin(), candidates.end(),
     [](const Candidate& a, const Candidate& b) { return a.Error < b.Error; });
   Candidate best;
   for (std::size_t k = 0; k < std::min(refined, candidates.size()); ++k)
   {
-    Keep(best, Refine(picture, candidates[k], extent));
+    Keep(best, Refine(picture, candidates[k], extent, limits));
   }
   return best;
 }
@@ -172,6 +197,22 @@ std::vector<PBRParameters> GetStarts(Extent extent, const PBRParameters& before)
   }
   return starts;
 }
+
+//------------------------------------------------------------------------------
+// More parameters only where they are worth it.
+Candidate SearchWithin(PBRPicture& picture, const Limits& limits)
+{
+  Candidate best;
+  for (const Extent extent : { METALLIC_ROUGHNESS, WITH_FRESNEL, WITH_COAT })
+  {
+    const Candidate next = Search(picture, GetStarts(extent, best.Parameters), extent, limits);
+    if (!(next.Error >= WorthIt * best.Error))
+    {
+      best = next;
+    }
+  }
+  return best;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -212,15 +253,17 @@ bool vtkPBRPropertyFitter::Update()
   }
   this->BRDF->Prepare();
   PBRPicture picture(this->BRDF, [](const glm::dvec3& d) { return GetNeutralRadiance(&d.x); });
-  Candidate best;
-  for (const Extent extent : { METALLIC_ROUGHNESS, WITH_FRESNEL, WITH_COAT })
-  {
-    const Candidate next = Search(picture, GetStarts(extent, best.Parameters), extent);
-    if (!(next.Error >= WorthIt * best.Error))
-    {
-      best = next;
-    }
-  }
+  Candidate best = SearchWithin(picture, Dielectric);
+  const Candidate metal = SearchWithin(picture, Metal);
+  // One at the least metallic part wants to be none.
+  const bool isMetal =
+    metal.Parameters.Metallic > Metal.LeastMetallic && metal.Error < WorthMetal * best.Error;
+  best = isMetal ? metal : best;
+  Candidate closest = best;
+  Keep(closest, metal);
+  Keep(closest, SearchWithin(picture, Free));
+  this->ClosestError = closest.Error;
+  best = this->UsualValues ? best : closest;
   std::copy(best.Color.begin(), best.Color.end(), this->BaseColor);
   this->Roughness = best.Parameters.Roughness;
   this->Metallic = best.Parameters.Metallic;
@@ -303,4 +346,6 @@ void vtkPBRPropertyFitter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoatRoughness: " << this->CoatRoughness << "\n";
   os << indent << "CoatIOR: " << this->CoatIOR << "\n";
   os << indent << "RelativeError: " << this->RelativeError << "\n";
+  os << indent << "UsualValues: " << (this->UsualValues ? "On" : "Off") << "\n";
+  os << indent << "ClosestError: " << this->ClosestError << "\n";
 }

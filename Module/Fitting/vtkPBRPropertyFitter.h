@@ -43,6 +43,18 @@ public:
   vtkBRDF* GetBRDF() { return this->BRDF; }
   ///@}
 
+  ///@{
+  /**
+   * Whether the values are such as people set by hand (default on): a metallic part of 0, or of 0.3
+   * to 1 (metals, and paint with flakes) with a roughness of at most 0.6; indices of refraction up
+   * to 2. Off: all that vtkProperty takes, such
+   * as a felt with a metallic part of 0.46, which is closer to the material.
+   */
+  vtkSetMacro(UsualValues, bool);
+  vtkGetMacro(UsualValues, bool);
+  vtkBooleanMacro(UsualValues, bool);
+  ///@}
+
   /**
    * Fit. Returns false with an error event and keeps the results if there is no material.
    */
@@ -66,6 +78,11 @@ public:
    * Relative L1 distance of the two pictures.
    */
   vtkGetMacro(RelativeError, double);
+
+  /**
+   * The same without UsualValues: what is more in RelativeError is the price of usual values.
+   */
+  vtkGetMacro(ClosestError, double);
 
   /**
    * Set the results: interpolation PBR, colors, roughness, metallic part, indices of refraction,
@@ -100,6 +117,8 @@ protected:
   double CoatRoughness = 0.0;
   double CoatIOR = 2.0;
   double RelativeError = 0.0;
+  bool UsualValues = true;
+  double ClosestError = 0.0;
 
 private:
   vtkPBRPropertyFitter(const vtkPBRPropertyFitter&) = delete;

@@ -35,16 +35,14 @@ struct Material
 // The measurement, whose file names its source.
 const char* const CarPaint = "blue-car-paint";
 
-// The first seven stand for the kinds that O'Toole's thesis shows: MERL's closest samples, not its
-// own (MERL has no foil, silk or velvet, and no magenta plastic that is not mirror-like).
 const std::vector<Material> Materials = {
   { "blue-fabric", "fabric" },
-  { "pink-fabric2", "silk" },
-  { "gold-metallic-paint3", "foil" },
-  { "gold-paint", "gold paint" },
-  { "green-metallic-paint", "teal paint" },
-  { "violet-rubber", "magenta plastic" },
-  { "red-fabric2", "velvet" },
+  { "pink-fabric2", "fabric" },
+  { "gold-metallic-paint3", "metallic paint" },
+  { "gold-paint", "paint" },
+  { "green-metallic-paint", "metallic paint" },
+  { "violet-rubber", "rubber" },
+  { "red-fabric2", "fabric" },
   { "nickel", "metal" },
   { "chrome", "metal" },
   { "brass", "metal" },

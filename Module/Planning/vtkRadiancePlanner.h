@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkRadiancePlanner
- * @brief   how to integrate an environment's light for a material: the least cost that is accurate
+ * @brief   how to integrate an environment's light for a material: at a small cost, and accurately
  *          enough
  *
  * Given a BRDF, an environment and a tolerance, it looks at candidates (a method of
- * vtkRadianceMethods and its sizes) from the cheapest on and chooses the first that meets the
- * tolerance: no more than the scene needs. Errors are relative L1 over a sphere, mean |x - r| /
+ * vtkRadianceMethods and its sizes) from cheap to costly and chooses the first of those tried that
+ * meets the tolerance. Errors are relative L1 over a sphere, mean |x - r| /
  * mean r, and are predicted by trying: each candidate is prepared and compared on some hundred
  * (normal, view) pairs with a nearly exact sum (for broad lobes a sum over thousands of lights, for
  * sharp ones an adaptive integral). The pairs are a sample of thousands, as a

@@ -7,9 +7,9 @@
  * Use it where vtkPolyDataMapper stood: give it a vtkBRDF, and the surface reflects the renderer's
  * environment texture (vtkRenderer::SetEnvironmentTexture, the one that VTK's own physically based
  * rendering uses, lat-long or cube map; UseImageBasedLighting need not be on) or an environment of
- * its own, plus the renderer's vtkLights. The environment's light is integrated as planned for an
- * error tolerance (vtkRadiancePlanner), or over a set of directional lights made from it (O'Toole
- * 2007).
+ * its own, plus the renderer's vtkLights, but not the headlight that VTK creates where there are
+ * none. The environment's light is integrated as planned for an error tolerance
+ * (vtkRadiancePlanner), or over a set of directional lights made from it (O'Toole 2007).
  *
  * - A vtkLight of color c and intensity k gives irradiance k c on a surface that faces it, as in
  *   VTK's PBR: a white Lambert surface then shows k c / pi.
@@ -276,7 +276,8 @@ public:
   /**
    * Whether the renderer's vtkLights light the material beside the environment (default on). Off is
    * for hosts whose own lights stand for an environment, such as ParaView's and PyVista's light
-   * kits.
+   * kits. The headlight that VTK creates in a renderer without lights
+   * (vtkRenderer::AutomaticLightCreation) lights the material only where there is no environment.
    */
   void SetUseSceneLights(bool use);
   bool GetUseSceneLights();

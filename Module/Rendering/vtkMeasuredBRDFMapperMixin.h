@@ -80,6 +80,9 @@ protected:
   /// Same key, same text of the materials in the shaders; "" where there are none.
   std::string GetShaderKey(const vtkOpenGLHelper* cellBO);
 
+  /// The light of the scene that the selected materials leave out, by its number; -1: none.
+  int FindSuperfluousLight(vtkRenderer* ren);
+
   /// Whether the material's tangents come with the data.
   bool HasTangents();
 

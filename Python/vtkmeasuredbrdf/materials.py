@@ -287,7 +287,7 @@ def integrate(
     sizes
         The method's sizes (`vtkRadianceIntegrator.GetSizesText`), the most important one first.
     tolerance
-        Relative L1 error over a sphere, 0.001 to 1: a planner chooses the cheapest method that stays below it.
+        Relative L1 error over a sphere, 0.001 to 1: a planner tries methods from cheap to costly until one stays below it.
         Then `method` and `sizes` must not be given.
 
     Returns

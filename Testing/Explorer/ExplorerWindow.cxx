@@ -19,12 +19,16 @@
 #include "Tool.h"
 #include "Window.h"
 
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkBRDFLobeSource.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkMath.h"
 #include "vtkMeasuredBRDFConfigure.h"
+#include "vtkMeasuredBRDFMapper.h"
 #include "vtkPolyData.h"
 #include "vtkRadiancePlanner.h"
+#include "vtkRenderer.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -107,6 +111,7 @@ private slots:
   void screenShowsRadiance_data();
   void screenShowsRadiance();
   void sameMethodsDoNotDiffer();
+  void likeIsComparedWithLike();
   void badFilesChangeNothing();
   void filesAreOpened();
   void stateComesBack();
@@ -345,6 +350,25 @@ void ExplorerWindow::screenShowsRadiance()
     brightest = std::max(brightest, pixel.red());
   }
   QVERIFY(brightest > 100);
+}
+
+//------------------------------------------------------------------------------
+// What a mesh hides is drawn as by every mapper, but not beside the exact picture.
+void ExplorerWindow::likeIsComparedWithLike()
+{
+  Window* window = this->Show(MakeState());
+  const auto getMode = [window]()
+  {
+    vtkActorCollection* actors = window->GetSide(0)->GetRenderer()->GetActors();
+    actors->InitTraversal();
+    auto* mapper = vtkMeasuredBRDFMapper::SafeDownCast(actors->GetNextActor()->GetMapper());
+    return mapper ? mapper->GetOcclusionMode() : -1;
+  };
+  QCOMPARE(getMode(), int(vtkMeasuredBRDFMapper::OCCLUSION_OFF));
+  window->GetSession()->SetMethod(1, method::LightSet);
+  QCOMPARE(getMode(), int(vtkMeasuredBRDFMapper::OCCLUSION_AUTO));
+  window->GetSession()->SetMethod(1, method::Reference);
+  QCOMPARE(getMode(), int(vtkMeasuredBRDFMapper::OCCLUSION_OFF));
 }
 
 //------------------------------------------------------------------------------

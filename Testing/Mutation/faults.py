@@ -954,6 +954,13 @@ add("Rendering.environment-does-not-turn", "Private/EnvironmentRotation.cxx", "t
     "Mapper.RotatingEverythingChangesNothing")
 add("Shaders.directional-light-without-cosine", "vtkBRDFDirectionalLight.glsl", "* radiance * brdfLight.z;",
     "* radiance;", "Mapper.SceneLights")
+add("Rendering.created-light-shines", "Private/DrawsColor.cxx",
+    "environment ? CreatedLightOf::Get(renderer) : nullptr", "nullptr", "MapperShading.LightThatVTKCreated")
+add("Rendering.created-light-is-never-on", "Private/DrawsColor.cxx",
+    "environment ? CreatedLightOf::Get(renderer) : nullptr", "CreatedLightOf::Get(renderer)",
+    "MapperShading.LightThatVTKCreated")
+add("Rendering.left-out-light-is-no-part-of-the-key", "Private/vtkMeasuredBRDFMapperMixin.txx",
+    "std::to_string(this->FindSuperfluousLight(ren))", 'std::string("x")', "MapperShading.LightThatVTKCreated")
 add("Shaders.headlight-without-cosine", "vtkBRDFHeadlight.glsl", "* radiance * brdfLight.z;", "* radiance;",
     "MapperShading.HeadlightOnATiltedPlane")
 add("Shaders.spot-exponent-ignored", "vtkBRDFPositionalLight.glsl", "pow(brdfConeLIGHT, lightExponentLIGHT)", "1.0",

@@ -9,16 +9,19 @@
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBasisBRDF.h"
 #include "vtkCellArray.h"
+#include "vtkCompositeMeasuredBRDFMapper.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkFloatArray.h"
 #include "vtkLambertBRDF.h"
 #include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMaterialMap.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkMedianCutLightSetGenerator.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -203,6 +206,55 @@ TEST_F(MapperShading, SceneLightsCanBeLeftOut)
       EXPECT_NEAR(this->RenderLinear().At(32, 32)[0], expected, 0.01) << lights;
     }
   }
+}
+
+// Where an environment lights the material, the headlight that VTK creates for a scene without
+// lights adds nothing, whatever its place among other lights; the program's own lights do. Without
+// an environment it is all the light there is.
+TEST_F(MapperShading, LightThatVTKCreated)
+{
+  const auto expect = [this](double light, int line)
+  { EXPECT_NEAR(this->RenderLinear().At(32, 32)[0], 0.9 * light, 0.01) << "line " << line; };
+  vtkNew<vtkLight> own; // a headlight like VTK's, of another intensity
+  own->SetLightTypeToHeadlight();
+  own->SetIntensity(2.0);
+  vtkLightCollection* lights = this->Renderer->GetLights();
+  this->Mapper->SetIntegrator(nullptr); // planned methods evaluate the BRDF for lights only
+  this->Mapper->SetEnvironment(MakeConstant(0.25f));
+  this->Renderer->SetAutomaticLightCreation(true);
+  expect(0.25, __LINE__);
+  ASSERT_EQ(lights->GetNumberOfItems(), 1);
+  auto* created = vtkLight::SafeDownCast(lights->GetItemAsObject(0));
+
+  this->Renderer->AddLight(own); // after VTK's
+  expect(0.25 + 2.0 / pi, __LINE__);
+  this->Renderer->RemoveLight(created);
+  this->Renderer->AddLight(created); // no other number and kind of lights; but the order
+  expect(0.25 + 2.0 / pi, __LINE__);
+  created->SwitchOff();
+  expect(0.25 + 2.0 / pi, __LINE__);
+  own->SwitchOff();
+  created->SwitchOn();
+  expect(0.25, __LINE__);
+  this->Mapper->SetEnvironment(nullptr);
+  expect(1.0 / pi, __LINE__);
+  this->Mapper->SetEnvironment(MakeConstant(0.25f));
+  expect(0.25, __LINE__);
+
+  // In a composite mapper, and by a method that evaluates the BRDF.
+  this->Plane->Update();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, this->Plane->GetOutput());
+  vtkNew<vtkCompositeMeasuredBRDFMapper> composite;
+  composite->SetInputDataObject(blocks);
+  composite->SetBRDF(this->Lambert);
+  composite->SetEnvironment(MakeConstant(0.25f));
+  this->Actor->SetMapper(composite);
+  expect(0.25, __LINE__);
+  composite->SetIntegrator(this->Lights);
+  expect(0.25, __LINE__);
+  own->SwitchOn();
+  expect(0.25 + 2.0 / pi, __LINE__);
 }
 
 // Off a spot's axis: exponent, and each term of the attenuation, at a distance that is not 1.

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks that every relative link, anchor and picture leads somewhere.
 
-Without arguments: in the repository's Markdown pages. With a folder: in all HTML files of a site. Addresses of other sites
+Without arguments: in the repository's Markdown pages, and that the files are there that NOTICE names. With a folder: in all HTML files of a site. Addresses of other sites
 are not asked for.
 """
 
@@ -43,6 +43,11 @@ def check_markdown():
                     problems.append(f"{here}: no such file: {target}")
                 elif anchor and anchor not in anchors.get(path, ()):
                     problems.append(f"{here}: no such heading: {target}")
+    with open(os.path.join(ROOT, "NOTICE"), encoding="utf-8") as file:
+        for path in re.findall(r"\b(?:Module|Applications)/[\w./-]*\w", file.read()):
+            count += 1
+            if not os.path.exists(os.path.join(ROOT, path)):
+                problems.append(f"NOTICE: no such file: {path}")
     return count, problems
 
 

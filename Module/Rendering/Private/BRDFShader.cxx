@@ -163,6 +163,10 @@ std::string GetShaderBody(const ShaderBody& body)
   }
   for (int k = 0; body.Complexity > 1 && k < body.LightCount; ++k)
   {
+    if (k == body.SuperfluousLight)
+    {
+      continue;
+    }
     text += Numbered(body.Complexity == 2 ? vtkBRDFDirectionalLight : vtkBRDFPositionalLight,
       "LIGHT", static_cast<std::size_t>(k));
   }

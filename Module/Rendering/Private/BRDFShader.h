@@ -50,6 +50,7 @@ struct ShaderBody
 {
   int Complexity = 0; // VTK's for the scene's lights: 0 none, 1 headlight, 2 directional, 3 any
   int LightCount = 0;
+  int SuperfluousLight = -1; // one of several that is left out, by its number
   TangentSource Tangents = TangentSource::None;
   bool HasEdges = false;       // VTK's edgeColor and emix are there
   bool HasEdgeOpacity = false; // and edgeOpacity (VTK 9.3)

@@ -33,6 +33,12 @@ namespace
 {
 constexpr unsigned int ColorWriteMask = 0x0C23; // GL_COLOR_WRITEMASK, from the OpenGL registry
 
+// VTK tells its own light from a program's only in a member that its subclasses see.
+struct CreatedLightOf : vtkRenderer
+{
+  static vtkLight* Get(vtkRenderer* renderer) { return renderer->*(&CreatedLightOf::CreatedLight); }
+};
+
 bool IsCameraOf(vtkShadowMapBakerPass* baker, vtkCamera* camera)
 {
   const std::vector<vtkSmartPointer<vtkCamera>>* lights = baker->GetLightCameras();
@@ -127,18 +133,34 @@ bool IsShaded(vtkActor* actor)
          actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
 }
 
-bool HasLight(vtkRenderer* renderer)
+int FindSuperfluousLight(vtkRenderer* renderer, vtkEnvironment* environment)
 {
+  vtkLight* created = environment ? CreatedLightOf::Get(renderer) : nullptr;
+  int number = 0;
   vtkLightCollection* lights = renderer->GetLights();
   vtkCollectionSimpleIterator it;
   lights->InitTraversal(it);
   while (vtkLight* light = lights->GetNextLight(it))
   {
-    if (light->GetSwitch())
+    if (light->GetSwitch() && light == created)
     {
-      return true;
+      return number;
     }
+    number += light->GetSwitch() ? 1 : 0;
   }
-  return false;
+  return -1;
+}
+
+bool HasLight(vtkRenderer* renderer, vtkEnvironment* environment)
+{
+  int on = FindSuperfluousLight(renderer, environment) >= 0 ? -1 : 0;
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator it;
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    on += light->GetSwitch() ? 1 : 0;
+  }
+  return on > 0;
 }
 } // namespace measuredbrdf

@@ -9,6 +9,7 @@
 #define DrawsColor_h
 
 class vtkActor;
+class vtkEnvironment;
 class vtkRenderer;
 
 namespace measuredbrdf
@@ -23,8 +24,14 @@ bool DrawsColor(vtkRenderer* renderer, vtkActor* actor);
 /// Whether an actor is one that materials shade: a lit surface. Else the superclass draws it.
 bool IsShaded(vtkActor* actor);
 
-/// Whether any light of the scene is on.
-bool HasLight(vtkRenderer* renderer);
+/// The light that VTK created because the scene had none (vtkRenderer::AutomaticLightCreation), by
+/// its number among the lights that are on: the one by which shaders know it. It stands for the
+/// light that a scene lacks, and an environment lights the scene, so that surfaces under one leave
+/// it out. -1: it is off, it was removed, or there is no environment.
+int FindSuperfluousLight(vtkRenderer* renderer, vtkEnvironment* environment);
+
+/// Whether any light of the scene is on that shines on a surface under this environment (or null).
+bool HasLight(vtkRenderer* renderer, vtkEnvironment* environment);
 } // namespace measuredbrdf
 
 #endif

@@ -142,7 +142,7 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   request.Renderer = state.Renderer;
   request.Actor = state.Actor;
   request.Surfaces = use.second;
-  request.WithForm = this->Settings->UseSceneLights && HasLight(state.Renderer);
+  request.WithForm = this->Settings->UseSceneLights && HasLight(state.Renderer, state.Environment);
   return request;
 }
 
@@ -259,7 +259,7 @@ std::string MaterialDrawing::UploadForms(DrawnMaterial& drawn, vtkRenderer* rend
     samplers += drawn.Radiance->GetNumberOfSamplers();
   }
   if ((drawn.Integrator && drawn.Integrator->UsesBRDFOnGPU()) ||
-      (this->Settings->UseSceneLights && HasLight(renderer)))
+      (this->Settings->UseSceneLights && HasLight(renderer, drawn.Environment)))
   {
     const bool soft = drawn.Integrator && drawn.Integrator->UsesSoftLights();
     drawn.Material = FormTextures::Find(drawn.BRDF, soft, window);

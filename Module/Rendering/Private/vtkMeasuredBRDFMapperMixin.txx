@@ -8,6 +8,7 @@
 #include "vtkMeasuredBRDFMapperMixin.h"
 
 #include "BRDFShader.h"
+#include "DrawsColor.h"
 #include "EnvironmentRotation.h"
 #include "MaterialDrawing.h"
 #include "OcclusionPoints.h"
@@ -234,11 +235,23 @@ std::string vtkMeasuredBRDFMapperMixin<Base>::GetShaderKey(const vtkOpenGLHelper
 
 //------------------------------------------------------------------------------
 template <class Base>
+int vtkMeasuredBRDFMapperMixin<Base>::FindSuperfluousLight(vtkRenderer* ren)
+{
+  return measuredbrdf::FindSuperfluousLight(
+    ren, this->Drawing->GetSelected().Get().front()->Environment); // one for all of a mapper
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
 bool vtkMeasuredBRDFMapperMixin<Base>::GetNeedToRebuildShaders(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
 {
   const bool rebuild = this->Base::GetNeedToRebuildShaders(cellBO, ren, actor);
   std::string key = this->GetShaderKey(&cellBO);
+  if (!key.empty())
+  {
+    key += "/without light " + std::to_string(this->FindSuperfluousLight(ren));
+  }
   std::string& last = this->ShaderKeys[&cellBO];
   const bool changed = key != last;
   last = std::move(key);
@@ -368,8 +381,10 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
     }
   }
   const auto& info = this->PrimitiveInfo[this->LastBoundBO];
+  body.SuperfluousLight = this->FindSuperfluousLight(ren);
   // Image-based lighting counts as a light in VTK 9.6; here it is none.
-  const bool lit = measuredbrdf::AreAllEvaluated(members) && info.LastLightCount > 0 &&
+  const bool lit = measuredbrdf::AreAllEvaluated(members) &&
+                   info.LastLightCount > (body.SuperfluousLight >= 0 ? 1 : 0) &&
                    this->Drawing->GetSettings().UseSceneLights;
   body.Complexity = lit ? static_cast<int>(info.LastLightComplexity) : 0;
   body.LightCount = info.LastLightCount;

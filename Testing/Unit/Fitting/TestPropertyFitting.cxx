@@ -128,10 +128,11 @@ double GetPictureError(vtkBRDF* model, vtkBRDF* exact)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPBRPropertyFitter> Fit(vtkBRDF* brdf)
+vtkSmartPointer<vtkPBRPropertyFitter> Fit(vtkBRDF* brdf, bool usual = true)
 {
   auto fitter = vtkSmartPointer<vtkPBRPropertyFitter>::New();
   fitter->SetBRDF(brdf);
+  fitter->SetUsualValues(usual);
   EXPECT_TRUE(fitter->Update());
   std::ostringstream text;
   fitter->Print(text);
@@ -204,7 +205,7 @@ TEST(PropertyFitter, FindsVTKsOwn)
   stock->Property->SetCoatStrength(1.0);
   stock->Property->SetCoatRoughness(0.1);
   stock->Property->SetCoatIOR(1.6);
-  fitter = Fit(stock);
+  fitter = Fit(stock, false);
   EXPECT_GT(fitter->GetCoatStrength(), 0.5);
   EXPECT_LT(fitter->GetRelativeError(), 0.02);
 }
@@ -225,6 +226,31 @@ TEST(PropertyFitter, ErrorIsTheSetPropertys)
     EXPECT_NEAR(error, summed, 0.1 * summed + 2e-3) << name;
     EXPECT_LT(error, 0.06) << name;
     EXPECT_LT(error, 0.1 * plain) << name;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Nobody sets the metallic part of a felt to a half. What usual values cost is told.
+TEST(PropertyFitter, UsualValues)
+{
+  for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
+  {
+    const std::string name = vtkEmbeddedMaterials::GetName(k);
+    const std::string kind = vtkEmbeddedMaterials::GetKind(k);
+    const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
+    const auto usual = Fit(brdf);
+    const auto closest = Fit(brdf, false);
+    SCOPED_TRACE(name);
+    EXPECT_TRUE(usual->GetMetallic() == 0.0 || usual->GetMetallic() >= 0.3);
+    EXPECT_LE(usual->GetRoughness(), usual->GetMetallic() > 0.0 ? 0.6 : 1.0);
+    EXPECT_LE(std::max(usual->GetBaseIOR(), usual->GetCoatIOR()), 2.0);
+    for (const char* plain : { "fabric", "felt", "rubber", "plastic", "wood" })
+    {
+      EXPECT_FALSE(kind == plain && usual->GetMetallic() > 0.0);
+    }
+    EXPECT_EQ(usual->GetClosestError(), closest->GetRelativeError());
+    EXPECT_GE(usual->GetRelativeError(), usual->GetClosestError());
+    EXPECT_LT(usual->GetRelativeError(), usual->GetClosestError() + 0.08);
   }
 }
 

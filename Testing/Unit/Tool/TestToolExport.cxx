@@ -11,6 +11,7 @@
 #include "vtkActorCollection.h"
 #include "vtkCell.h"
 #include "vtkDoubleArray.h"
+#include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkExactRadianceIntegrator.h"
 #include "vtkGLTFImporter.h"
@@ -28,6 +29,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -314,7 +316,7 @@ TEST(ExportFit, FindsWhatIsThere)
     EXPECT_TRUE(share >= 0.0 && share <= 1.0);
     ++calls;
   };
-  const tool::ModelFit fit = tool::FitModel("gltf", coated.Fit.Model, sphere, proceed);
+  const tool::ModelFit fit = tool::FitModel("gltf", coated.Fit.Model, sphere, false, proceed);
   EXPECT_GT(calls, 3);
   EXPECT_LT(fit.Error, 0.005);
   ASSERT_EQ(fit.Features.size(), 1u);
@@ -332,8 +334,8 @@ TEST(ExportFit, TakesNoPartThatIsOfNoUse)
   sphere.AddLight(MakeSky());
   for (const char* name : { "preview_surface", "vtk_pbr" })
   {
-    const tool::ModelFit fit =
-      tool::FitModel(name, FindCase("preview-surface-core").Fit.Model, sphere, [](double) {});
+    const tool::ModelFit fit = tool::FitModel(
+      name, FindCase("preview-surface-core").Fit.Model, sphere, false, [](double) {});
     EXPECT_EQ(fit.Error, tool::GetMeanError(sphere.Sum(fit.Model),
                            sphere.Sum(FindCase("preview-surface-core").Fit.Model), 1));
     if (std::string(name) == "preview_surface")
@@ -343,9 +345,45 @@ TEST(ExportFit, TakesNoPartThatIsOfNoUse)
     }
     EXPECT_LT(fit.Error, 0.03) << name;
   }
-  EXPECT_THROW(tool::FitModel("phong", lambert, sphere, [](double) {}), std::invalid_argument);
+  EXPECT_THROW(
+    tool::FitModel("phong", lambert, sphere, false, [](double) {}), std::invalid_argument);
   lambert->SetAlbedo(0.0, 0.0, 0.0);
-  EXPECT_THROW(tool::FitModel("gltf", lambert, sphere, [](double) {}), std::runtime_error);
+  EXPECT_THROW(tool::FitModel("gltf", lambert, sphere, false, [](double) {}), std::runtime_error);
+}
+
+//------------------------------------------------------------------------------
+// A felt is no metal, and paint has no specular color of 24. What that costs is known.
+TEST(ExportFit, UsualValues)
+{
+  tool::LitSphere sphere(Front, true);
+  sphere.AddLight(MakeHall());
+  const std::pair<const char*, std::vector<const char*>> cases[] = {
+    { "pink-felt", { "gltf", "vtk_pbr" } }, { "gold-paint", { "gltf", "vtk_pbr" } }
+  }; // some of all, for speed
+  for (const auto& [name, titles] : cases)
+  {
+    const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
+    brdf->Prepare();
+    for (const char* title : titles)
+    {
+      SCOPED_TRACE(std::string(name) + ", " + title);
+      const tool::ModelFit closest = tool::FitModel(title, brdf, sphere, false, [](double) {});
+      const tool::ModelFit usual = tool::FitModel(title, brdf, sphere, true, [](double) {});
+      std::printf(
+        "%s, %s: %.4f, of the closest fit %.4f\n", name, title, usual.Error, usual.ClosestError);
+      EXPECT_EQ(usual.ClosestError, std::min(closest.Error, usual.Error));
+      EXPECT_LT(usual.Error, closest.Error + 0.1);
+      const double metallic = usual.Model->GetValues()[3];
+      const double roughness = usual.Model->GetValues()[4];
+      EXPECT_TRUE(metallic == 0.0 || (metallic >= 0.3 && roughness <= 0.6));
+      EXPECT_TRUE(metallic == 0.0 || std::string(name) != "pink-felt");
+      if (std::string(title) == "gltf")
+      {
+        const std::array<double, 3> color = usual.Model->GetColor("specularColorFactor");
+        EXPECT_LE(*std::max_element(color.begin(), color.end()), 2.0);
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -362,7 +400,7 @@ TEST(ExportFit, EndsWhereItIsTold)
       throw std::range_error("enough");
     }
   };
-  EXPECT_THROW(tool::FitModel("gltf", lambert, sphere, proceed), std::range_error);
+  EXPECT_THROW(tool::FitModel("gltf", lambert, sphere, false, proceed), std::range_error);
   EXPECT_EQ(calls, 3);
 }
 
@@ -384,8 +422,8 @@ TEST(ExportFit, EveryLightCountsTheSame)
     tool::LitSphere sphere(Front, true);
     sphere.AddLight(MakeSky());
     sphere.AddLight(hall);
-    values[bright] =
-      tool::FitModel("preview_surface", coated.Fit.Model, sphere, [](double) {}).Model->GetValues();
+    values[bright] = tool::FitModel("preview_surface", coated.Fit.Model, sphere, false,
+      [](double) {}).Model->GetValues();
   }
   for (std::size_t k = 0; k < values[0].size(); ++k)
   {
@@ -401,7 +439,7 @@ TEST(ExportFit, FindsTheDirectionOfGrooves)
     { 0.7, 0.6, 0.5, 1.0, 0.4, 1.5, 1.0, 1.0, 1.0, 0.0, 0.0, 2.0, 0.8, 0.25 }); // across
   tool::LitSphere sphere(Front, false);
   sphere.AddLight(MakeHall());
-  const tool::ModelFit fit = tool::FitModel("vtk_pbr", grooved, sphere, [](double) {});
+  const tool::ModelFit fit = tool::FitModel("vtk_pbr", grooved, sphere, false, [](double) {});
   ASSERT_EQ(fit.Features.size(), 1u);
   EXPECT_EQ(fit.Features[0], tool::Feature::Anisotropy);
   EXPECT_NEAR(fit.Model->GetNumber("AnisotropyRotation"), 0.25, 0.01);
