@@ -714,8 +714,10 @@ add("Planning.sample-is-uniform", "Private/PlanSample.cxx", "constexpr double Sh
     "constexpr double ShareByDifference = 0.0;", "PlanSample.LooksWhereMethodsDiffer")
 add("Planning.sample-leaves-the-dark-out", "Private/PlanSample.cxx", "(1.0 - ShareByDifference - ShareByRadiance - ShareByWeight)",
     "0.0", "PlanSample.LeavesNothingOut")
-add("Planning.lights-for-mirrors", "Private/PlanReference.cxx", "std::min(SharpShare * tolerance, LargestSharpShare)",
-    "1.0", "PlanReference.IsNearlyExact")
+add("Planning.lights-for-mirrors", "Private/PlanReference.cxx", "return task.BRDF->IsIsotropic() &&",
+    "return task.BRDF->IsIsotropic() ||", "PlanReference.KnowsItsErrorUnder*")
+add("Planning.lights-without-error", "Private/PlanReference.cxx", "comparison.ReferenceError = own + fewer;",
+    "comparison.ReferenceError = 0.0;", "PlanReference.IsNearlyExact")
 add("Planning.tolerance-twice", "Private/PlanSearch.cxx", "candidate.Error <= this->Task.Tolerance)",
     "candidate.Error <= 2.0 * this->Task.Tolerance)", "PlannerPromise.IsKept")
 add("Planning.stops-where-all-are-asked-for", "Private/PlanSearch.cxx", "(!this->Task.All || this->TryOthers(candidates))",
