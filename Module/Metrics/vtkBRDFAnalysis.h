@@ -131,7 +131,6 @@ private:
   vtkBRDFAnalysis(const vtkBRDFAnalysis&) = delete;
   void operator=(const vtkBRDFAnalysis&) = delete;
 
-  void EstimateReflectance(const double i[3], double reflectance[3]);
   void UpdateAlbedos();
   void UpdatePairs();
   void UpdateNegativeMass();

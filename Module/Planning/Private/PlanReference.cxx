@@ -19,7 +19,7 @@ constexpr vtkIdType ProbePairs = 32; // pairs that tell how far off a reference 
 
 // Of the tolerance: what lights may be off and fewer of them differ from all; but at most so much.
 constexpr double LightsShare = 0.25;
-constexpr double FewerShare = 0.1;
+constexpr double FewerShare = 0.05;
 constexpr double LargestError = 0.01;
 // Of the tolerance, and of the albedo: what may be sharper than one of all lights is wide. Lights
 // miss it, and so may what tells their error.
