@@ -4,9 +4,9 @@
 
 #include "ContentHash.h"
 #include "HalfVector.h"
+#include "HemisphereIntegral.h"
 #include "LocalFrame.h"
 #include "Printable.h"
-#include "ReflectionIntegral.h"
 #include "Setters.h"
 #include "TupleMap.h"
 
@@ -245,6 +245,6 @@ void vtkBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])
     return;
   }
   this->Prepare();
-  const glm::dvec3 sum = IntegrateReflection(this, glm::make_vec3(oUnit), IntegralOver::Lights);
+  const glm::dvec3 sum = IntegrateBRDF(this, glm::make_vec3(oUnit), false);
   std::copy_n(&sum.x, 3, albedo);
 }
