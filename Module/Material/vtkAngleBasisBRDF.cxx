@@ -214,6 +214,37 @@ std::string vtkAngleBasisBRDF::SetMatrix(Basis light, Basis view, std::vector<fl
 }
 
 //------------------------------------------------------------------------------
+void vtkAngleBasisBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])
+{
+  this->SumPatches(o, false, albedo);
+}
+
+//------------------------------------------------------------------------------
+// By the middles of patches. Those of the view are where it is continued through the surface.
+void vtkAngleBasisBRDF::SumPatches(const double given[3], bool views, double rgb[3])
+{
+  std::fill_n(rgb, 3, 0.0);
+  const Basis& basis = views ? this->View : this->Light;
+  for (std::size_t ring = 0; ring < basis.Patches.size(); ++ring)
+  {
+    const double theta = ToRadians(0.5 * (GetLowerTheta(basis, ring) + basis.UpperTheta[ring]));
+    const double weight = GetProjectedSolidAngle(basis, ring);
+    for (int k = 0; k < basis.Patches[ring]; ++k)
+    {
+      const double phi = 2.0 * Pi * k / basis.Patches[ring] + (views ? Pi : 0.0);
+      const double d[3] = { std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+        std::cos(theta) };
+      double f[3];
+      this->Evaluate(views ? given : d, views ? d : given, f);
+      for (int c = 0; c < 3; ++c)
+      {
+        rgb[c] += f[c] * weight;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 const float* vtkAngleBasisBRDF::FindValue(const double i[3], const double o[3]) const
 {
   const int row = FindPatch(this->Light, i[0], i[1], i[2]);

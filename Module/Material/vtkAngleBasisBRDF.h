@@ -60,6 +60,17 @@ public:
   const Basis& GetViewBasis() const { return this->View; }
   const std::vector<float>& GetMatrix() const { return this->Matrix; }
 
+  /**
+   * Exact: the sum over all patches.
+   */
+  void GetDirectionalAlbedo(const double o[3], double albedo[3]) override;
+
+  /**
+   * The integral of f cos(theta) over the light, or over the view, as the sum over all patches.
+   * given: the other direction, above the horizon.
+   */
+  VTK_WRAPEXCLUDE void SumPatches(const double given[3], bool views, double rgb[3]);
+
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return false; }
   bool IsReciprocal() override { return false; }

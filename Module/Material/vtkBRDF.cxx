@@ -4,10 +4,9 @@
 
 #include "ContentHash.h"
 #include "HalfVector.h"
+#include "HemisphereIntegral.h"
 #include "LocalFrame.h"
-#include "LowDiscrepancy.h"
 #include "Printable.h"
-#include "RetroLobe.h"
 #include "Setters.h"
 #include "TupleMap.h"
 
@@ -15,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 
 using namespace measuredbrdf;
@@ -247,49 +245,6 @@ void vtkBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])
     return;
   }
   this->Prepare();
-  // Balance heuristic (Veach, Guibas 1995) over two strategies of equal share; and a third where a
-  // lobe about o is too much for them.
-  const RetroLobe retro(glm::make_vec3(oUnit));
-  const auto getDensity = [this, &oUnit](const glm::dvec3& i)
-  { return 0.5 * (this->Pdf(&i.x, oUnit) + i.z / Pi); };
-  const auto getValue = [this, &oUnit](const glm::dvec3& i)
-  {
-    glm::dvec3 f;
-    this->Evaluate(&i.x, oUnit, &f.x);
-    return (f.x + f.y + f.z) * i.z;
-  };
-  const bool hasRetro = retro.IsMissed(getValue, getDensity);
-  const std::uint32_t strategies = hasRetro ? 3 : 2;
-  constexpr std::uint32_t count = 1 << 14;
-  for (std::uint32_t k = 0; k < count; ++k)
-  {
-    const double u1 = RadicalInverse(k / strategies + 1, 2);
-    const double u2 = RadicalInverse(k / strategies + 1, 3);
-    glm::dvec3 i;
-    bool drawn = true;
-    switch (k % strategies)
-    {
-      case 0:
-        drawn = this->SampleAbove(oUnit, u1, u2, &i.x);
-        break;
-      case 1:
-        drawn = this->vtkBRDF::SampleAbove(oUnit, u1, u2, &i.x);
-        break;
-      default:
-        i = retro.Sample({ u1, u2 });
-        drawn = i.z > 0.0;
-    }
-    if (!drawn)
-    {
-      continue;
-    }
-    double f[3];
-    this->Evaluate(&i.x, oUnit, f);
-    double pdf = getDensity(i);
-    pdf = hasRetro ? (2.0 * pdf + retro.GetDensity(i)) / 3.0 : pdf;
-    for (int c = 0; c < 3; ++c)
-    {
-      albedo[c] += f[c] * i.z / (pdf * count);
-    }
-  }
+  const glm::dvec3 sum = IntegrateBRDF(this, glm::make_vec3(oUnit), false);
+  std::copy_n(&sum.x, 3, albedo);
 }

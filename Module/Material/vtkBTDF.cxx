@@ -5,16 +5,13 @@
 #include "HalfVector.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
-#include "vtkAngleBasisBRDF.h"
+#include "ReflectionIntegral.h"
 #include "vtkObjectFactory.h"
-#include "vtkTensorTreeBRDF.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <vector>
 
 using namespace measuredbrdf;
 
@@ -22,10 +19,6 @@ vtkStandardNewMacro(vtkBTDF);
 
 namespace
 {
-constexpr int Rings = 256; // of the projected hemisphere, and parts of each
-constexpr int Parts = 2048;
-constexpr int Cells = 256; // along a side of a square: trees of genBSDF have 64 or 128
-constexpr double Golden = 0.6180339887498949;
 constexpr std::uint32_t Pairs = 1 << 16;
 
 // The folded values for light on a side. Exchanged: light and view are, by reciprocity.
@@ -38,96 +31,6 @@ struct Values
 Values Find(vtkBRDF* same, vtkBRDF* other)
 {
   return same ? Values{ same, false } : Values{ other, true };
-}
-
-// A direction with the projected solid angle that it stands for.
-struct Node
-{
-  glm::dvec3 Direction;
-  double Weight;
-};
-
-Node MakeNode(double sine, double phi, double weight)
-{
-  return { glm::dvec3(sine * std::cos(phi), sine * std::sin(phi),
-             std::sqrt(std::max(1.0 - sine * sine, 0.0))),
-    weight };
-}
-
-// The middle of each patch. Those of the view are where it is continued through the surface.
-std::vector<Node> MakeNodes(const vtkAngleBasisBRDF::Basis& basis, bool isView)
-{
-  std::vector<Node> nodes;
-  double lower = 0.0;
-  for (std::size_t ring = 0; ring < basis.Patches.size(); ++ring)
-  {
-    const double upper = basis.UpperTheta[ring] * Pi / 180.0;
-    const double inner = std::sin(lower);
-    const double outer = std::sin(upper);
-    const int count = basis.Patches[ring];
-    for (int k = 0; k < count; ++k)
-    {
-      nodes.push_back(MakeNode(std::sin(0.5 * (lower + upper)),
-        2.0 * Pi * k / count + (isView ? Pi : 0.0), Pi * (outer * outer - inner * inner) / count));
-    }
-    lower = upper;
-  }
-  return nodes;
-}
-
-std::vector<Node> MakeRingNodes()
-{
-  std::vector<Node> nodes;
-  for (int ring = 0; ring < Rings; ++ring)
-  {
-    const double sine = (ring + 0.5) / Rings;
-    for (int part = 0; part < Parts; ++part)
-    {
-      // Turned from ring to ring, so that narrow cells are met evenly.
-      const double phi = 2.0 * Pi * (part + Golden * ring) / Parts;
-      nodes.push_back(MakeNode(sine, phi, 2.0 * Pi * sine / (Rings * Parts)));
-    }
-  }
-  return nodes;
-}
-
-// The cells of a tree over the disk (Shirley, Chiu 1997): each has the same area. Its values are
-// constant in them.
-std::vector<Node> MakeSquareNodes()
-{
-  std::vector<Node> nodes;
-  for (int row = 0; row < Cells; ++row)
-  {
-    for (int column = 0; column < Cells; ++column)
-    {
-      const double a = 2.0 * (column + 0.5) / Cells - 1.0;
-      const double b = 2.0 * (row + 0.5) / Cells - 1.0;
-      const bool flat = std::abs(a) > std::abs(b);
-      const double radius = flat ? a : b;
-      const double phi = 0.25 * Pi * (flat ? b / a : 2.0 - a / b);
-      nodes.push_back(MakeNode(radius, phi, Pi / (Cells * Cells)));
-    }
-  }
-  return nodes;
-}
-
-// What the sum goes over: the view, or the light, of the folded values. bases: room for the nodes
-// of a matrix; the others are made once.
-const std::vector<Node>& GetNodes(vtkBRDF* folded, bool isView, std::vector<Node>& bases)
-{
-  if (auto* matrix = vtkAngleBasisBRDF::SafeDownCast(folded))
-  {
-    bases = MakeNodes(isView ? matrix->GetViewBasis() : matrix->GetLightBasis(), isView);
-    return bases;
-  }
-  auto* tree = vtkTensorTreeBRDF::SafeDownCast(folded);
-  if (tree && (tree->GetTree().Dimensions == 4 || !isView))
-  {
-    static const std::vector<Node> square = MakeSquareNodes();
-    return square;
-  }
-  static const std::vector<Node> rings = MakeRingNodes();
-  return rings;
 }
 
 // Mirrored to the upper hemisphere; false at the horizon and for what is no direction.
@@ -207,23 +110,11 @@ void vtkBTDF::Integrate(const double direction[3], bool isLight, double rgb[3])
     return;
   }
   const bool overView = isLight != values.IsExchanged; // of the folded values
-  if (values.Folded
-        ->IsIsotropic()) // any azimuth will do: the one where a tree's cells are straight
-  {
-    fixed[0] = -std::hypot(fixed[0], fixed[1]);
-    fixed[1] = 0.0;
-  }
-  std::vector<Node> bases;
-  for (const Node& node : GetNodes(values.Folded, overView, bases))
-  {
-    const double* moved = &node.Direction.x;
-    double f[3];
-    values.Folded->Evaluate(overView ? fixed : moved, overView ? moved : fixed, f);
-    for (int c = 0; c < 3; ++c)
-    {
-      rgb[c] += f[c] * node.Weight;
-    }
-  }
+  values.Folded->Prepare();
+  const glm::dvec3 sum =
+    IntegrateReflection(values.Folded, glm::dvec3(fixed[0], fixed[1], fixed[2]),
+      overView ? IntegralOver::Views : IntegralOver::Lights);
+  std::copy_n(&sum.x, 3, rgb);
 }
 
 //------------------------------------------------------------------------------

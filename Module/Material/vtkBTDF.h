@@ -69,9 +69,8 @@ public:
    * Directional-hemispherical transmittance, RGB: the share of light from i that leaves the other
    * side, the integral of f(i,o) |cos(theta_o)| do; in [0,1] unless the data break energy
    * conservation. And the same with the roles exchanged: the radiance towards o under a white sky
-   * on the other side. Both are equal where data are reciprocal. Exact for vtkAngleBasisBRDF; a
-   * tree's values are summed over 256 x 256 cells of its square (Radiance's trees have 64 or 128
-   * along a side), other ones over 256 x 2048 parts of the projected hemisphere.
+   * on the other side. Both are equal where data are reciprocal. Exact for vtkAngleBasisBRDF; for
+   * others as nearly as vtkBRDF::GetDirectionalAlbedo.
    */
   void GetTransmittance(const double i[3], double rgb[3]);
   void GetSkyTransmittance(const double o[3], double rgb[3]);

@@ -3,16 +3,16 @@
 #include "vtkBRDFAnalysis.h"
 
 #include "HalfVector.h"
-#include "LowDiscrepancy.h"
-#include "RetroLobe.h"
+#include "ReflectionIntegral.h"
 #include "Setters.h"
 #include "vtkBasisBRDF.h"
 #include "vtkObjectFactory.h"
 #include "vtkTabulatedBRDF.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <random>
 
@@ -93,57 +93,6 @@ bool vtkBRDFAnalysis::Update()
 }
 
 //------------------------------------------------------------------------------
-void vtkBRDFAnalysis::EstimateReflectance(const double i[3], double reflectance[3])
-{
-  // As vtkBRDF::GetDirectionalAlbedo, the roles of i and o swapped: half the directions from the
-  // material's sampling (made for the other role, which the weights account for), half by cosine;
-  // and as many again about i where a retro-reflective lobe is too much for them.
-  const measuredbrdf::RetroLobe retro(glm::dvec3(i[0], i[1], i[2]));
-  const auto getDensity = [this, i](const glm::dvec3& o)
-  { return 0.5 * (this->BRDF->Pdf(&o.x, i) + o.z / Pi); };
-  const auto getValue = [this, i](const glm::dvec3& o)
-  {
-    glm::dvec3 f;
-    this->BRDF->Evaluate(i, &o.x, &f.x);
-    return (f.x + f.y + f.z) * o.z;
-  };
-  const bool hasRetro = retro.IsMissed(getValue, getDensity);
-  const std::uint32_t strategies = hasRetro ? 3 : 2;
-  constexpr std::uint32_t count = 1 << 14;
-  std::fill_n(reflectance, 3, 0.0);
-  for (std::uint32_t k = 0; k < count; ++k)
-  {
-    const double u1 = RadicalInverse(k / strategies + 1, 2);
-    const double u2 = RadicalInverse(k / strategies + 1, 3);
-    glm::dvec3 o;
-    if (k % strategies == 1)
-    {
-      SampleCosine(u1, u2, &o.x);
-    }
-    else if (k % strategies == 2)
-    {
-      o = retro.Sample({ u1, u2 });
-    }
-    else if (!this->BRDF->Sample(i, u1, u2, &o.x))
-    {
-      continue;
-    }
-    if (!(o.z > 0.0))
-    {
-      continue;
-    }
-    double f[3];
-    this->BRDF->Evaluate(i, &o.x, f);
-    double pdf = getDensity(o);
-    pdf = hasRetro ? (2.0 * pdf + retro.GetDensity(o)) / 3.0 : pdf;
-    for (int c = 0; c < 3; ++c)
-    {
-      reflectance[c] += f[c] * o.z / (pdf * count);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkBRDFAnalysis::UpdateAlbedos()
 {
   const int azimuths = this->BRDF->IsIsotropic() ? 1 : 8;
@@ -162,7 +111,9 @@ void vtkBRDFAnalysis::UpdateAlbedos()
       double albedo[3];
       double reflectance[3];
       this->BRDF->GetDirectionalAlbedo(d, albedo);
-      this->EstimateReflectance(d, reflectance);
+      const glm::dvec3 sum =
+        IntegrateReflection(this->BRDF, glm::make_vec3(d), IntegralOver::Views);
+      std::copy_n(&sum.x, 3, reflectance);
       for (std::size_t c = 0; c < 3; ++c)
       {
         this->Albedos[j][c] += albedo[c] / azimuths;

@@ -78,7 +78,8 @@ public:
   ///@{
   /**
    * Largest channel of any computed albedo or reflectance; and whether a reflectance is above 1 by
-   * more than its estimate's error (0.5 %): the material then reflects more light than it receives.
+   * more than 0.5 %, several times the integral's error: the material then reflects more light than
+   * it receives.
    */
   vtkGetMacro(LargestAlbedo, double);
   vtkGetMacro(GainsEnergy, bool);
@@ -131,7 +132,6 @@ private:
   vtkBRDFAnalysis(const vtkBRDFAnalysis&) = delete;
   void operator=(const vtkBRDFAnalysis&) = delete;
 
-  void EstimateReflectance(const double i[3], double reflectance[3]);
   void UpdateAlbedos();
   void UpdatePairs();
   void UpdateNegativeMass();

@@ -318,6 +318,7 @@ bool vtkRadiancePlanner::Search()
   search.GetSecond = [&]()
   {
     second.Integrator = first.Integrator;
+    second.ReferenceError = first.ReferenceError;
     return measuredbrdf::MakeReference(impl.Task, isAborted, this->Abort, second, impl.Problem)
              ? &second
              : nullptr;

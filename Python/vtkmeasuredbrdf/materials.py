@@ -178,8 +178,8 @@ class Material:
         Returns
         -------
         ndarray
-            Shape (..., 3): linear RGB. Estimated with 2^14 directions each, relative error about 1e-3 for
-            smooth data.
+            Shape (..., 3): linear RGB, within 1e-3 of the integral (vtkBRDF::GetDirectionalAlbedo says where
+            not).
         """
         return self._call(self._brdf.GetDirectionalAlbedoArray, {"o": to_floats(o, "o", 3)}, 3)
 

@@ -174,9 +174,8 @@ add("Material.sum-of-the-last-term", "vtkSumBRDF.cxx",
     "Evaluate.KeepsItsPromises|Parity.ClosedForms|Snapshots.SumsCopyTheirTerms|IOFits.ReadsLow")
 add("Material.snapshot-without-source", "vtkBRDF.cxx", "copy->Source = this->Source;", "",
     "Snapshots.ClosedForms|Snapshots.Tables|Snapshots.SumsCopyTheirTerms")
-add("Material.albedo-of-cosines-alone", "vtkBRDF.cxx", "{ return 0.5 * (this->Pdf(&i.x, oUnit) + i.z / Pi); };",
-    "{ return i.z / Pi; };",
-    "ExactIntegrator.WhiteFurnaceIsTheDirectionalAlbedo|BRDFAnalysis.Lambert|RetroReflection.AlbedoCountsIt")
+add("Material.albedo-of-first-squares", "Private/HemisphereIntegral.cxx", "while (!isEnough() &&", "while (false &&",
+    "ReflectionIntegral.IsWithinItsToleranceForModels|ReflectionIntegral.IsWithinItsToleranceForMeasuredMaterials")
 
 add("Material.photographs-without-cosine", "vtkPhotographSet.cxx",
     "photograph->Exposure * this->Irradiance * photograph->Light[2]", "photograph->Exposure * this->Irradiance",
@@ -728,8 +727,10 @@ add("Planning.sample-is-uniform", "Private/PlanSample.cxx", "constexpr double Sh
     "constexpr double ShareByDifference = 0.0;", "PlanSample.LooksWhereMethodsDiffer")
 add("Planning.sample-leaves-the-dark-out", "Private/PlanSample.cxx", "(1.0 - ShareByDifference - ShareByRadiance - ShareByWeight)",
     "0.0", "PlanSample.LeavesNothingOut")
-add("Planning.lights-for-mirrors", "Private/PlanReference.cxx", "std::min(SharpShare * tolerance, LargestSharpShare)",
-    "1.0", "PlanReference.IsNearlyExact")
+add("Planning.lights-for-mirrors", "Private/PlanReference.cxx", "return task.BRDF->IsIsotropic() &&",
+    "return task.BRDF->IsIsotropic() ||", "PlanReference.KnowsItsErrorUnder*")
+add("Planning.lights-without-error", "Private/PlanReference.cxx", "comparison.ReferenceError = own + fewer;",
+    "comparison.ReferenceError = 0.0;", "PlanReference.IsNearlyExact")
 add("Planning.tolerance-twice", "Private/PlanSearch.cxx", "candidate.Error <= this->Task.Tolerance)",
     "candidate.Error <= 2.0 * this->Task.Tolerance)", "PlannerPromise.IsKept")
 add("Planning.stops-where-all-are-asked-for", "Private/PlanSearch.cxx", "(!this->Task.All || this->TryOthers(candidates))",
@@ -1042,9 +1043,9 @@ add("Material.btdf-light-on-the-other-side", "vtkBTDF.cxx", "const int side = i[
     "const int side = o[2] > 0.0 ? FRONT : BACK;", "Transmission.IsBetweenTheSides")
 add("Material.btdf-other-side-not-exchanged", "vtkBTDF.cxx", "Values{ other, true }", "Values{ other, false }",
     "Transmission.SumsMatricesExactly|IOTransmission.UsesReciprocityForTheMissingSide")
-add("Material.btdf-sum-not-through-the-surface", "vtkBTDF.cxx", "(isView ? Pi : 0.0)", "(isView ? 0.0 : 0.0)",
+add("Material.btdf-sum-not-through-the-surface", "vtkAngleBasisBRDF.cxx", "(views ? Pi : 0.0)", "(views ? 0.0 : 0.0)",
     "Transmission.SumsMatricesExactly|IOTransmission.TransmittanceIsTheMatrixSum")
-add("Material.btdf-patches-alike", "vtkBTDF.cxx", "outer * outer - inner * inner", "outer - inner",
+add("Material.btdf-patches-alike", "vtkAngleBasisBRDF.cxx", "Pi * (outer * outer - inner * inner)", "Pi * (outer - inner)",
     "IOTransmission.TransmittanceIsTheMatrixSum")
 add("IO.bsdf-xml-sides-of-transmission", "Private/BsdfXmlFile.cxx", "&lit == &side ? vtkBTDF::FRONT : vtkBTDF::BACK",
     "&lit != &side ? vtkBTDF::FRONT : vtkBTDF::BACK", "IOTransmission.ReadsMatrices|IOTransmission.AgreesWithRadiance")

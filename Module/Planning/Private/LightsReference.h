@@ -2,19 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   LightsReference
- * @brief   a nearly exact sum for lobes that are broad
+ * @brief   a sum over many lights, for lobes that are broad
  *
- * Suns and lamps are lights of their own. The rest is a variance light set of thousands of lights
- * or, where some pairs show that the material does not tell them from all, of hundreds. Isotropic
- * or not. Private to the module.
+ * Suns and lamps are lights of their own. The rest is a variance light set of hundreds or thousands
+ * of lights. How far that is from the integral depends on the material: MakeReference measures it.
+ * Isotropic or not. Private to the module.
  */
 
 #ifndef LightsReference_h
 #define LightsReference_h
 
-#include "EnvironmentPrecomputation.h"
 #include "LightLanes.h"
-#include "LocalFrame.h"
 #include "vtkRadianceIntegrator.h"
 
 #include <glm/glm.hpp>
@@ -32,11 +30,9 @@ public:
   static LightsReference* New();
   vtkTypeMacro(LightsReference, vtkRadianceIntegrator);
 
-  /// What plans are made for: the sum is far more accurate than that. Default 1e-3.
-  void SetErrorTolerance(double tolerance) { this->ErrorTolerance = tolerance; }
-
-  /// Relative, by what the pairs told when the lights were chosen; after Prepare.
-  double GetError() const { return this->Error; }
+  /// Of the variance light set, descending: all that it can have, the default, and fewer.
+  static const std::vector<int>& GetCounts();
+  vtkSetMacro(NumberOfLights, int);
 
 protected:
   LightsReference();
@@ -50,21 +46,11 @@ private:
   LightsReference(const LightsReference&) = delete;
   void operator=(const LightsReference&) = delete;
 
-  /// By index: Sum evaluates the material for many at a time.
-  struct Lights
-  {
-    std::vector<glm::dvec3> Directions;
-    std::vector<glm::dvec3> Irradiances;
-  };
-  void ChooseLights(const std::vector<vtkSmartPointer<vtkLightSet>>& sets);
-  static Lights GetLights(vtkLightSet* set);
-  glm::dvec3 Sum(const Lights& lights, const Frame& frame, const glm::dvec3& view) const;
-
-  double ErrorTolerance = 1e-3;
-  double Error = 0.0;
+  int NumberOfLights;
   LightLanes Lanes; // of the material
-  Lights Suns;
-  Lights Others;
+  // By index: the material is evaluated for many at a time.
+  std::vector<glm::dvec3> Directions;
+  std::vector<glm::dvec3> Irradiances;
 };
 } // namespace measuredbrdf
 

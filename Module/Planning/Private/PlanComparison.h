@@ -22,9 +22,9 @@ struct PlanComparison
 {
   PlanPairs Pairs;
   vtkSmartPointer<vtkDoubleArray> Reference; // 3 components a pair
-  double ReferenceError = 0.0;               // relative
-  /// What computed Reference, null before. Another comparison may use it, too: what it prepared
-  /// does not depend on the pairs.
+  double ReferenceError = 0.0;               // relative, with two standard errors
+  /// What computed Reference, null before. Another comparison may use it, too, with its error: what
+  /// it prepared does not depend on the pairs.
   vtkSmartPointer<vtkRadianceIntegrator> Integrator;
 };
 

@@ -10,7 +10,6 @@
 #include "LobeQuadrature.h"
 #include "LobeSampler.h"
 #include "MaterialPrecomputation.h"
-#include "PlanReference.h"
 #include "SharedData.h"
 #include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
@@ -335,30 +334,6 @@ TEST(LobeSampler, DrawsByTheKernel)
   vtkNew<vtkLambertBRDF> black;
   black->SetAlbedo(0.0, 0.0, 0.0);
   EXPECT_TRUE(LobeSampler(black, glm::dvec3(0.0, 0.0, 1.0)).IsBlack());
-}
-
-//------------------------------------------------------------------------------
-TEST(PlanReference, IsNearlyExact)
-{
-  SpherePairs pairs;
-  pairs.AddRandom(40);
-  for (const char* name : { "blue-fabric", "violet-rubber", "nickel", "chrome" })
-  {
-    const auto brdf = NewEmbedded(name);
-    for (const float sun : { 1.0f, 2e5f })
-    {
-      const auto environment = NewSunny(sun, 2);
-      const std::atomic<bool> never{ false };
-      const auto reference = NewPlanReference(
-        brdf, environment, 0.02, std::make_shared<vtkRadianceIntegrator::Precomputation>(), never);
-      vtkNew<vtkAdaptiveRadianceIntegrator> adaptive;
-      adaptive->SetBRDF(brdf);
-      adaptive->SetEnvironment(environment);
-      const double error = GetRelativeError(pairs.Integrate(reference), pairs.Integrate(adaptive));
-      std::printf("%s, sun %g: relative L1 %.5f\n", name, sun, error);
-      EXPECT_LT(error, 4e-3);
-    }
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -199,9 +199,20 @@ TEST(RetroReflection, PlansCountIt)
         }));
     }
     const std::atomic<bool> never{ false };
-    const auto reference = NewPlanReference(
-      brdf, environment, 0.03, std::make_shared<vtkRadianceIntegrator::Precomputation>(), never);
-    const double off = GetRelativeError(pairs.Integrate(reference), expected);
+    PlanTask task;
+    task.BRDF = brdf;
+    task.Environment = environment;
+    task.Tolerance = 0.03;
+    task.Shared = std::make_shared<vtkRadianceIntegrator::Precomputation>();
+    PlanComparison comparison;
+    comparison.Pairs = MakeEmptyPairs();
+    comparison.Pairs.Normals = pairs.Normals;
+    comparison.Pairs.Views = pairs.Views;
+    std::string problem;
+    ASSERT_TRUE(MakeReference(
+      task, []() { return false; }, never, comparison, problem))
+      << problem;
+    const double off = GetRelativeError(pairs.Integrate(comparison.Integrator), expected);
     vtkNew<vtkRadiancePlanner> planner;
     planner->SetBRDF(brdf);
     planner->SetEnvironment(environment);
