@@ -19,11 +19,11 @@ mat3 brdfFrameAbout(vec3 n, vec3 t)
 {
   vec3 p = t - n * dot(n, t);
   float l = length(p);
-  if (!(l > 1e-6))
+  if (l > 1e-6 && l < 1e30) // not so where it is NaN
   {
-    return brdfFrameAbout(n);
+    return mat3(p / l, cross(n, p / l), n);
   }
-  return mat3(p / l, cross(n, p / l), n);
+  return brdfFrameAbout(n);
 }
 
 // Interpolated normals can turn away from the viewer: shade those as if just above the horizon.

@@ -3,6 +3,8 @@
 #include "Meshes.h"
 
 #include "Files.h"
+#include "MeshNormals.h"
+#include "ReadApart.h"
 #include "Tool.h"
 
 #include "vtkAlgorithm.h"
@@ -21,19 +23,21 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
-#include "vtkPolyDataNormals.h"
 #include "vtkSTLReader.h"
 #include "vtkSphereSource.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLPolyDataReader.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <initializer_list>
+#include <iomanip>
+#include <locale>
 #include <set>
 #include <sstream>
 #include <vector>
@@ -76,15 +80,23 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
   {
     return Read<vtkGenericDataObjectReader>(path);
   }
-  if (extension == ".gltf" || extension == ".glb")
-  {
-    return Read<vtkGLTFReader>(path);
-  }
-  throw tool::Error(path + ": is no mesh this tool reads (ply, stl, obj, vtp, vtk, gltf, glb)");
+  return Read<vtkGLTFReader>(path);
 }
 
 //------------------------------------------------------------------------------
-// VTK's PLY reader trusts its header: what it would crash on is refused first.
+// Of a number in a binary PLY file.
+double CountPLYBytes(const std::string& type)
+{
+  const auto isOne = [&type](std::initializer_list<const char*> names)
+  { return std::find(names.begin(), names.end(), type) != names.end(); };
+  return isOne({ "double", "float64" })                    ? 8.0
+         : isOne({ "char", "uchar", "int8", "uint8" })     ? 1.0
+         : isOne({ "short", "ushort", "int16", "uint16" }) ? 2.0
+                                                           : 4.0;
+}
+
+//------------------------------------------------------------------------------
+// VTK's PLY reader trusts its header: what it would make up is refused first.
 void CheckPLYHeader(const std::string& path)
 {
   std::error_code ignored;
@@ -93,6 +105,9 @@ void CheckPLYHeader(const std::string& path)
   std::string line;
   std::string element;
   std::set<std::string> coordinates;
+  bool isText = false;
+  double count = 0.0;    // of the element
+  double expected = 0.0; // bytes after the header, at least
   const auto fail = [&path](const std::string& what)
   { throw tool::Error(path + ": PLY header: " + what); };
   const auto next = [&]()
@@ -113,9 +128,14 @@ void CheckPLYHeader(const std::string& path)
     std::istringstream words(line);
     std::string word;
     words >> word;
-    if (word == "element")
+    if (word == "format")
     {
-      double count = -1.0;
+      words >> word;
+      isText = word == "ascii";
+    }
+    else if (word == "element")
+    {
+      count = -1.0;
       words >> element >> count;
       if (!(count >= 0.0) || count > static_cast<double>(size))
       {
@@ -123,16 +143,29 @@ void CheckPLYHeader(const std::string& path)
              " bytes cannot hold");
       }
     }
-    else if (word == "property" && element == "vertex")
+    else if (word == "property")
     {
       std::string type;
-      words >> type >> word;
-      coordinates.insert(word);
+      words >> type >> word; // of a list: the type of its length
+      expected += count * (isText ? 2.0 : CountPLYBytes(type == "list" ? word : type));
+      if (element == "vertex")
+      {
+        coordinates.insert(word);
+      }
     }
   }
   if (line.compare(0, 10, "end_header") != 0)
   {
     fail("'end_header' is missing");
+  }
+  const double left = static_cast<double>(size) - static_cast<double>(file.tellg());
+  if (expected > left + 1.0)
+  {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::setprecision(15) << "the elements take at least " << expected
+         << " bytes, but the file ends after " << left << " of them";
+    fail(text.str());
   }
   for (const char* name : { "x", "y", "z" })
   {
@@ -258,6 +291,91 @@ vtkSmartPointer<vtkPolyData> GetSurface(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
+// What can't be drawn is repaired, and said.
+void RepairData(const std::string& path, vtkPolyData* mesh)
+{
+  const vtkIdType normals = tool::RepairNormals(mesh);
+  if (normals > 0)
+  {
+    tool::PrintNote(path + ": " + std::to_string(normals) + " of " +
+                    std::to_string(mesh->GetNumberOfPoints()) +
+                    " normals are not finite or have no length; the polygons around give theirs");
+  }
+  for (vtkDataArray* array :
+    { mesh->GetPointData()->GetTCoords(), mesh->GetPointData()->GetTangents() })
+  {
+    vtkIdType bad = 0;
+    for (vtkIdType k = 0; array && k < array->GetNumberOfTuples(); ++k)
+    {
+      const int components = std::min(array->GetNumberOfComponents(), 4);
+      double tuple[4];
+      bool isFinite = true;
+      for (int c = 0; c < components; ++c)
+      {
+        tuple[c] = array->GetComponent(k, c);
+        isFinite = isFinite && std::isfinite(tuple[c]);
+      }
+      for (int c = 0; !isFinite && c < components; ++c)
+      {
+        array->SetComponent(k, c, 0.0);
+      }
+      bad += isFinite ? 0 : 1;
+    }
+    if (bad > 0)
+    {
+      tool::PrintNote(
+        path + ": " + std::to_string(bad) + " of " + std::to_string(mesh->GetNumberOfPoints()) +
+        (array == mesh->GetPointData()->GetTangents() ? " tangents" : " texture coordinates") +
+        " are not finite; they are taken as 0");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The whole way from a file to a surface with normals, which trusts the file.
+vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path)
+{
+  const vtkSmartPointer<vtkAlgorithm> reader = MakeReader(path);
+  if (tool::Extension(path) == ".ply")
+  {
+    CheckPLYHeader(path);
+  }
+  else if (tool::Extension(path) == ".obj")
+  {
+    CheckOBJIndices(path);
+  }
+  reader->Update();
+  std::string errors = tool::TakeErrorText();
+  vtkDataObject* data = reader->GetOutputDataObject(0);
+  if (!errors.empty() || !data)
+  {
+    throw tool::Error(path + ": can't be read: " + (errors.empty() ? "no data in it" : errors));
+  }
+
+  CheckCells(path, data);
+  vtkSmartPointer<vtkPolyData> surface = GetSurface(data);
+  CheckCells(path, surface);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(surface);
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  surface = triangles->GetOutput();
+  if (!surface->GetPointData()->GetNormals())
+  {
+    surface = tool::AddNormals(surface, FeatureAngle);
+  }
+  RepairData(path, surface);
+  errors = tool::TakeErrorText();
+  const double size = surface->GetLength();
+  if (!errors.empty() || surface->GetNumberOfPolys() == 0 || !std::isfinite(size) || !(size > 0.0))
+  {
+    throw tool::Error(path + ": has no surface to show" + (errors.empty() ? "" : ": " + errors));
+  }
+  return surface;
+}
+
+//------------------------------------------------------------------------------
 struct Point
 {
   double X;
@@ -320,17 +438,19 @@ vtkSmartPointer<vtkPolyData> MakeParametric(
 namespace tool
 {
 //------------------------------------------------------------------------------
+const std::vector<std::string>& GetMeshExtensions()
+{
+  static const std::vector<std::string> endings = { ".ply", ".stl", ".obj", ".vtp", ".vtk", ".gltf",
+    ".glb" };
+  return endings;
+}
+
+//------------------------------------------------------------------------------
 bool IsMeshFile(const std::string& path)
 {
-  const std::string extension = Extension(path);
-  for (const char* known : { ".ply", ".stl", ".obj", ".vtp", ".vtk", ".gltf", ".glb" })
-  {
-    if (extension == known)
-    {
-      return true;
-    }
-  }
-  return path == "ball-on-foot";
+  const std::vector<std::string>& known = GetMeshExtensions();
+  return path == "ball-on-foot" ||
+         std::find(known.begin(), known.end(), Extension(path)) != known.end();
 }
 
 //------------------------------------------------------------------------------
@@ -340,51 +460,16 @@ vtkSmartPointer<vtkPolyData> LoadMesh(const std::string& path)
   {
     return MakeBallOnFoot();
   }
-  const vtkSmartPointer<vtkAlgorithm> reader = MakeReader(path);
+  if (!IsMeshFile(path))
+  {
+    throw Error(path + ": is no mesh this tool reads (ply, stl, obj, vtp, vtk, gltf, glb)");
+  }
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored))
   {
     throw Error(path + ": there is no such file");
   }
-  if (Extension(path) == ".ply")
-  {
-    CheckPLYHeader(path);
-  }
-  else if (Extension(path) == ".obj")
-  {
-    CheckOBJIndices(path);
-  }
-  reader->Update();
-  std::string errors = TakeErrorText();
-  vtkDataObject* data = reader->GetOutputDataObject(0);
-  if (!errors.empty() || !data)
-  {
-    throw Error(path + ": can't be read: " + (errors.empty() ? "no data in it" : errors));
-  }
-
-  CheckCells(path, data);
-  vtkSmartPointer<vtkPolyData> surface = GetSurface(data);
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(surface);
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
-  triangles->Update();
-  surface = triangles->GetOutput();
-  if (!surface->GetPointData()->GetNormals())
-  {
-    vtkNew<vtkPolyDataNormals> normals;
-    normals->SetInputData(surface);
-    normals->SetFeatureAngle(FeatureAngle);
-    normals->Update();
-    surface = normals->GetOutput();
-  }
-  errors = TakeErrorText();
-  const double size = surface->GetLength();
-  if (!errors.empty() || surface->GetNumberOfPolys() == 0 || !std::isfinite(size) || !(size > 0.0))
-  {
-    throw Error(path + ": has no surface to show" + (errors.empty() ? "" : ": " + errors));
-  }
-  return surface;
+  return ReadApart(path, [&path]() { return ReadMesh(path); });
 }
 
 //------------------------------------------------------------------------------

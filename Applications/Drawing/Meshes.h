@@ -12,12 +12,16 @@
 #include "vtkSmartPointer.h"
 
 #include <string>
+#include <vector>
 
 namespace tool
 {
-/// Read ply, stl, obj, vtp, vtk, gltf or glb by its ending; a file without normals gets smooth
-/// ones. "ball-on-foot" gives MakeBallOnFoot(). Throws Error.
+/// Read ply, stl, obj, vtp, vtk, gltf or glb by its ending, in a process of its own (ReadApart); a
+/// file without normals gets smooth ones. "ball-on-foot" gives MakeBallOnFoot(). Throws Error.
 vtkSmartPointer<vtkPolyData> LoadMesh(const std::string& path);
+
+/// The endings of files that LoadMesh takes, with the dot.
+const std::vector<std::string>& GetMeshExtensions();
 
 /// Whether LoadMesh takes it, by its ending or name.
 bool IsMeshFile(const std::string& path);

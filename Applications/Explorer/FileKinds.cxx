@@ -3,6 +3,7 @@
 #include "FileKinds.h"
 
 #include "Files.h"
+#include "Meshes.h"
 
 #include "vtkBRDFFormats.h"
 
@@ -45,14 +46,6 @@ const std::vector<std::string>& GetEnvironmentExtensions()
 }
 
 //------------------------------------------------------------------------------
-const std::vector<std::string>& GetMeshExtensions()
-{
-  static const std::vector<std::string> endings = { ".ply", ".stl", ".obj", ".vtp", ".vtk", ".gltf",
-    ".glb" };
-  return endings;
-}
-
-//------------------------------------------------------------------------------
 FileKind FindFileKind(const std::string& file)
 {
   const std::string ending = tool::Extension(file.substr(0, file.find('#')));
@@ -64,8 +57,8 @@ FileKind FindFileKind(const std::string& file)
            : isMaterial   ? FileKind::MaterialOrEnvironment
                           : FileKind::Environment;
   }
-  return Has(GetMeshExtensions(), ending) ? FileKind::Mesh
-         : ending == ".json"              ? FileKind::State
-                                          : FileKind::Material;
+  return Has(tool::GetMeshExtensions(), ending) ? FileKind::Mesh
+         : ending == ".json"                    ? FileKind::State
+                                                : FileKind::Material;
 }
 } // namespace explorer

@@ -30,7 +30,6 @@ FileKind FindFileKind(const std::string& file);
 /// Endings with their dots.
 std::vector<std::string> GetMaterialExtensions();
 const std::vector<std::string>& GetEnvironmentExtensions();
-const std::vector<std::string>& GetMeshExtensions();
 ///@}
 } // namespace explorer
 

@@ -12,6 +12,7 @@
 #include "ListPanel.h"
 #include "LobePanel.h"
 #include "LobeView.h"
+#include "Meshes.h"
 #include "MessageBar.h"
 #include "ModelPanel.h"
 #include "PictureBar.h"
@@ -210,7 +211,7 @@ void Window::OpenFiles(const QString& kind)
   std::vector<std::string> endings = GetMaterialExtensions();
   const QString materials = MakeFilter(tr("Materials"), endings);
   const QString environments = MakeFilter(tr("Environments"), GetEnvironmentExtensions());
-  const QString meshes = MakeFilter(tr("Meshes"), GetMeshExtensions());
+  const QString meshes = MakeFilter(tr("Meshes"), tool::GetMeshExtensions());
   const QString states = tr("States (*.json)");
   const QString all = tr("All files (*)");
   const QStringList filters = kind == "materials"      ? QStringList{ materials, all }

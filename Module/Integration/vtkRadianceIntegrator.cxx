@@ -4,6 +4,7 @@
 
 #include "DirectionPairs.h"
 #include "Neighbors.h" // for MostFilterBits
+#include "TakenError.h"
 #include "vtkBRDF.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -272,8 +273,13 @@ bool vtkRadianceIntegrator::PrepareLayer(vtkRadianceIntegrator* layer, const std
       static_cast<vtkRadianceIntegrator*>(caller)->SetAbort(whole->Abort);
     });
   const unsigned long tag = layer->AddObserver(vtkCommand::ProgressEvent, follow);
+  const measuredbrdf::TakenError reason(layer); // an abort is the whole's to tell
   const bool prepared = bytes ? layer->TakePrepared(*bytes) : layer->Prepare();
   layer->RemoveObserver(tag);
+  if (!prepared && !this->Abort && !reason.GetText().empty())
+  {
+    vtkErrorMacro("Prepare: " << reason.GetText());
+  }
   return prepared;
 }
 

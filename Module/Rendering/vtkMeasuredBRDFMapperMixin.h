@@ -92,6 +92,9 @@ protected:
   /// Hand what the surface hides from itself to the buffers that are being built.
   virtual void AddOcclusion(vtkRenderer* ren);
 
+  /// Warn of what can't be drawn of a surface whose buffers are being built.
+  void CheckVertices(vtkPolyData* surface);
+
   /// Whether what is drawn is a part of a surface that a material map divides.
   virtual bool IsPart() { return false; }
 
@@ -126,6 +129,7 @@ private:
   void KeepOcclusion(vtkRenderer* ren, vtkActor* actor);
   void SetOcclusionParameters(vtkShaderProgram* program, vtkRenderer* ren, vtkActor* actor);
 
+  bool HasBadNormals = false;  // of the buffers
   int BuiltOcclusionMode = -1; // of the buffers
   bool BuiltOcclusionBounce = false;
   const void* BuiltTracedOcclusion = nullptr;

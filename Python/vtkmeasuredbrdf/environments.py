@@ -17,14 +17,16 @@ from typing import Any, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkTexture
 
 from . import vtkEmbeddedEnvironments, vtkEnvironment, vtkEnvironmentReader
 from ._arrays import to_floats, to_numpy
 from ._errors import TakenErrors, warn_of_notes
 from ._names import fail_to_find, is_path
 
-Source = Union[str, "os.PathLike[str]", ArrayLike, vtkEnvironment, "Environment"]
+Source = Union[str, "os.PathLike[str]", ArrayLike, vtkImageData, vtkTexture, vtkEnvironment, "Environment"]
 
 
 class Environment:
@@ -40,12 +42,14 @@ class Environment:
           first. The center of the picture shows +x, and columns to the right of it turn towards +z; y is up.
           Floats are linear radiance. Integers are display values, scaled by their type's maximum.
           Alpha is dropped.
+        * a `vtkImageData` of such values, bottom row first, or a `vtkTexture` of one,
         * a `vtkEnvironment`, which is then shared, or another `Environment`.
     rotation
         Angle in degrees by which the environment is turned about +y, counterclockwise seen from above.
         None: as the source has it.
     srgb
-        Whether the values of an array are sRGB-encoded. None: integers are, floats are not.
+        Whether the values of an array, an image or a texture are sRGB-encoded. None: integers are, floats are not,
+        and a texture's are where it says so (`GetUseSRGBColorSpace`).
     layer
         The layer or part of an OpenEXR file. "": the one named Combined, else the channels R, G and B without a
         name, else the first.
@@ -72,6 +76,9 @@ class Environment:
             self._environment = source
         elif isinstance(source, (str, os.PathLike)):
             self._read(os.fspath(source), layer)
+        elif isinstance(source, (vtkImageData, vtkTexture)):
+            encoded = True if isinstance(source, vtkTexture) and source.GetUseSRGBColorSpace() else None
+            self._environment = _from_image(get_image(source), encoded if srgb is None else srgb)
         else:
             self._environment = _from_array(source, srgb)
         self._time = self._environment.GetPixelsMTime()
@@ -234,14 +241,34 @@ def _from_array(source: ArrayLike, srgb: bool | None) -> Any:
     image = vtkImageData()
     image.SetDimensions(pixels.shape[1], pixels.shape[0], 1)
     image.GetPointData().SetScalars(scalars)
+    return _from_image(image, srgb)
+
+
+def get_image(source: Any) -> Any:
+    """The image itself, or a texture's, brought up to date."""
+    if not isinstance(source, vtkTexture):
+        return source
+    if source.GetCubeMap():
+        raise ValueError("source: found a texture of a cube map, expected one of a lat-long image. A renderer's "
+                         "SetEnvironmentTexture takes cube maps")
+    if source.GetNumberOfInputConnections(0) == 0:
+        raise ValueError("source: found a texture without an image")
+    source.GetInputAlgorithm(0, 0).Update()
+    return source.GetInput()
+
+
+def _from_image(image: Any, srgb: bool | None) -> Any:
+    """A new vtkEnvironment."""
+    scalars = image.GetPointData().GetScalars()
     environment = vtkEnvironment()
     with TakenErrors(environment) as errors:
-        if not environment.SetImage(image, pixels.dtype.kind == "u" if srgb is None else srgb):
+        is_integer = scalars is not None and scalars.GetDataType() not in (VTK_FLOAT, VTK_DOUBLE)
+        if not environment.SetImage(image, is_integer if srgb is None else srgb):
             raise ValueError(errors.text)
     bad = environment.GetNumberOfNegativeValues(), environment.GetNumberOfNonFiniteValues()
     if any(bad):
         warnings.warn(f"{bad[0]} values of the environment are negative and {bad[1]} are not finite; 0 is taken",
-                      stacklevel=3)
+                      stacklevel=4)
     return environment
 
 

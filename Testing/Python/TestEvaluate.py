@@ -8,7 +8,16 @@ import tempfile
 
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 
-from vtkmeasuredbrdf import vtkBRDF, vtkBRDFReader, vtkBTDF, vtkEmbeddedMaterials, vtkEnvironment, vtkLambertBRDF
+from vtkmeasuredbrdf import (
+    vtkBRDF,
+    vtkBRDFReader,
+    vtkBTDF,
+    vtkEmbeddedMaterials,
+    vtkEnvironment,
+    vtkFactoredRadianceIntegrator,
+    vtkHybridRadianceIntegrator,
+    vtkLambertBRDF,
+)
 
 normal = (0.0, 0.0, 1.0)
 value = [0.0, 0.0, 0.0]
@@ -67,3 +76,24 @@ with tempfile.TemporaryDirectory() as folder:
     reader.SetFileName(path + "#nothing")
     assert not reader.Read() and reader.GetTransmission() is transmission
 print(", ".join(names))
+
+# Who aborts an integrator made of layers hears of it once, from the whole: a layer prints nothing.
+sky = vtkEnvironment()
+sky.SetToProceduralSky()
+printed = said.GetOutput()
+for kind in (vtkHybridRadianceIntegrator, vtkFactoredRadianceIntegrator):
+    for first in (1, 3):
+        integrator = kind()
+        integrator.SetBRDF(vtkEmbeddedMaterials.NewBRDF("gold-paint"))
+        integrator.SetEnvironment(sky)
+        steps, errors = [], []
+
+        def stop(source, _event):
+            steps.append(None)
+            source.SetAbort(len(steps) >= first)
+
+        integrator.AddObserver("ProgressEvent", stop)
+        integrator.AddObserver("ErrorEvent", lambda *_: errors.append(None))
+        assert not integrator.Prepare(), kind
+        assert len(errors) == 1, (kind, errors)
+assert said.GetOutput() == printed, said.GetOutput()[len(printed):]

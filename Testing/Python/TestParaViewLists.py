@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The lists in the ParaView plugin's panels are the module's: built-in materials and environments."""
+"""The lists in the ParaView plugin's panels are the module's: built-in materials and environments, endings of files."""
 import os
+import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
-from vtkmeasuredbrdf import vtkEmbeddedEnvironments, vtkEmbeddedMaterials
+from vtkmeasuredbrdf import vtkBRDFFormats, vtkEmbeddedEnvironments, vtkEmbeddedMaterials
 
 FOLDER = os.path.join(os.path.dirname(__file__), "..", "..", "Hosts", "ParaView", "Plugin", "Module")
 MATERIALS = [vtkEmbeddedMaterials.GetName(k) for k in range(vtkEmbeddedMaterials.GetNumberOfMaterials())]
@@ -19,10 +20,18 @@ if "room" not in ENVIRONMENTS:
     print("Skipped: a build without OpenEXR has fewer built-in materials and environments than the plugin")
     sys.exit(125)
 
+ENDINGS = sorted(re.findall(r"\.(\w+)", vtkBRDFFormats.GetExtensions()))
+assert {"bsdf", "xompt", "astm"} <= set(ENDINGS), ENDINGS
+
 seen = 0
+choosers = 0
 for name in ("MeasuredMaterials.xml", "MeasuredMaterialSources.xml"):
     for proxy in ElementTree.parse(os.path.join(FOLDER, name)).iter():
         for prop in proxy.findall("StringVectorProperty"):
+            chooser = prop.find("Hints/FileChooser")
+            if chooser is not None and chooser.get("file_description") == "Measured materials":
+                assert sorted(chooser.get("extensions").split()) == ENDINGS, (name, chooser.get("extensions"), ENDINGS)
+                choosers += 1
             domain = prop.find("StringListDomain")
             if domain is None:
                 continue
@@ -31,3 +40,4 @@ for name in ("MeasuredMaterials.xml", "MeasuredMaterialSources.xml"):
             assert prop.get("default_values") in values, prop.get("name")
             seen += 1
 assert seen == 5, seen
+assert choosers == 4, choosers

@@ -24,6 +24,7 @@ except ImportError as error:
     sys.exit(77)
 
 import vtkmeasuredbrdf
+from vtkmodules.vtkRenderingCore import vtkTexture
 
 if tuple(map(int, pv.__version__.split(".")[:2])) < (0, 44):
     try:
@@ -45,6 +46,12 @@ def lambert(*albedo):
     brdf = vtkmeasuredbrdf.vtkLambertBRDF()
     brdf.SetAlbedo(albedo)
     return Material(brdf)
+
+
+def vtk_texture(image):
+    texture = vtkTexture()
+    texture.SetInputData(image)
+    return texture
 
 
 def encode(radiance):
@@ -145,6 +152,63 @@ class TestPixels(PlotterTest):
         self.plotter.measured.set_environment(turned)
         self.plotter.view_vector((0, 1, 0))
         self.assertAlmostEqual(center(self.plotter)[0], encode(0.5), delta=3.0)
+
+    def test_turning_keeps_the_texture(self):
+        """What is made of an environment's pixels is made once, whatever names the environment."""
+        pixels = np.linspace(0.1, 1.0, 64 * 128 * 3).reshape(-1, 3)
+        image = pv.ImageData(dimensions=(128, 64, 1))
+        image.point_data["light"] = pixels
+        image.point_data.active_scalars_name = "light"
+        environment = vtkmeasuredbrdf.vtkEnvironment()
+        environment.SetToProceduralSky()
+        self.plotter.measured.add_mesh(pv.Sphere(), "gold-paint")
+        for source in ("room", image, vtk_texture(image), environment, WHITE):
+            addresses, pictures = [], []
+            for rotate in (0.0, 40.0, 80.0):
+                self.plotter.measured.set_environment(source, rotate=rotate)
+                addresses.append(self.plotter.renderer.GetEnvironmentTexture().GetAddressAsString(""))
+                pictures.append(center(self.plotter))
+            self.assertEqual(addresses, addresses[:1] * 3, source)
+        image.point_data["light"] = pixels[::-1]
+        image.point_data.active_scalars_name = "light"
+        self.plotter.measured.set_environment(image)
+        changed = self.plotter.renderer.GetEnvironmentTexture()
+        self.plotter.measured.set_environment(image)
+        self.assertIs(changed, self.plotter.renderer.GetEnvironmentTexture())
+
+    def test_environments_of_images_and_textures(self):
+        values = np.zeros((64, 128, 3), np.uint8)
+        values[:32] = (188, 188, 188)  # sRGB of 0.503 above, nothing below
+        image = pv.ImageData(dimensions=(128, 64, 1))
+        image.point_data["colors"] = values[::-1].reshape(-1, 3)
+        image.point_data.active_scalars_name = "colors"
+        expected = Environment(values).pixels
+        self.assertAlmostEqual(float(expected[0, 0, 0]), 0.503, delta=0.002)
+        self.plotter.measured.add_mesh(pv.Sphere(), lambert(0.5, 0.5, 0.5))
+        for source in (image, vtk_texture(image), pv.Texture(image), pv.Texture(values)):
+            np.testing.assert_allclose(Environment(source).pixels, expected, atol=1e-6)
+            self.plotter.measured.set_environment(source, up=(0, 0, 1))
+            self.plotter.view_vector((0, 0, 1), viewup=(0, 1, 0))
+            self.expect_pixel(self.plotter, np.full(3, 0.5 * 0.503))
+        linear = pv.ImageData(dimensions=(128, 64, 1))
+        linear.point_data["light"] = np.full((64 * 128, 3), 3.0)
+        linear.point_data.active_scalars_name = "light"
+        np.testing.assert_allclose(Environment(linear).pixels, 3.0)
+        for source, text in ((pv.ImageData(dimensions=(4, 4, 4)), "point scalars"), (vtkTexture(), "without an image")):
+            self.expect_error(ValueError, text, self.plotter.measured.set_environment, source)
+        cube = vtkTexture()
+        cube.CubeMapOn()
+        self.expect_error(ValueError, "cube map", self.plotter.measured.set_environment, cube)
+
+    def test_lines_and_points_have_their_color(self):
+        for style in ("wireframe", "points"):
+            plotter = new_plotter()
+            plotter.measured.add_mesh(pv.Sphere(), "gold-paint", style=style, color="red", lighting=False,
+                                      line_width=3, point_size=5)
+            plotter.measured.set_environment("room")
+            picture = plotter.screenshot(return_img=True).reshape(-1, 3).astype(int)
+            red = (picture[:, 0] > 200) & (picture[:, 1] < 50) & (picture[:, 2] < 50)
+            self.assertGreater(red.sum(), 500, style)
 
     def test_backgrounds(self):
         rng = np.random.default_rng(2)

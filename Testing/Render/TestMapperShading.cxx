@@ -3,6 +3,7 @@
 // Shading against closed forms at values where no factor is 1: lights, scalars, grazing views,
 // tangents; and a copy that forgets nothing.
 
+#include "EventCounter.h"
 #include "RenderFixture.h"
 
 #include "vtkAnisotropicTableRadianceIntegrator.h"
@@ -33,6 +34,8 @@
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <array>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <string>
@@ -128,6 +131,43 @@ std::map<std::string, std::string> GetProperties(vtkMeasuredBRDFMapper* mapper)
   }
   return properties;
 }
+}
+
+// A surface whose data hold what is no direction is drawn without black places, and one warning
+// says how many there are.
+TEST_F(MapperShading, NormalsThatAreNoneAreTheFacets)
+{
+  const double towards[3] = { 0.0, 0.0, 1.0 };
+  const double tangent[3] = { 1.0, 0.0, 0.0 };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto GetRed = [this]() { return 255.0 * this->RenderEncoded().At(32, 32)[0]; };
+  const double infinite = std::numeric_limits<double>::infinity();
+  vtkNew<vtkAshikhminShirleyBRDF> brushed;
+  this->Mapper->SetEnvironment(MakeConstant(0.5f));
+  for (const bool anisotropic : { false, true })
+  {
+    this->Mapper->SetBRDF(anisotropic ? static_cast<vtkBRDF*>(brushed) : this->Lambert.Get());
+    this->SetQuad(towards, tangent);
+    const double expected = GetRed();
+    ASSERT_GT(expected, 20.0);
+    for (const auto& bad :
+      { std::array<double, 3>{ nan, 0.0, 1.0 }, std::array<double, 3>{ 0.0, 0.0, 0.0 },
+        std::array<double, 3>{ infinite, 0.0, 0.0 }, std::array<double, 3>{ nan, nan, nan } })
+    {
+      vtkNew<vtkMeasuredBRDFMapper> mapper;
+      mapper->ShallowCopy(this->Mapper);
+      EventCounter warnings(mapper, vtkCommand::WarningEvent);
+      this->SetQuad(bad.data(), anisotropic ? bad.data() : tangent);
+      mapper->SetInputDataObject(this->Mapper->GetInputDataObject(0, 0));
+      this->Actor->SetMapper(mapper);
+      EXPECT_NEAR(GetRed(), expected, 1.0) << bad[0] << " " << bad[1];
+      EXPECT_NEAR(GetRed(), expected, 1.0);
+      EXPECT_EQ(warnings.Count, 1);
+      EXPECT_NE(warnings.Text.find("4 of the surface's normals"), std::string::npos)
+        << warnings.Text;
+      this->Actor->SetMapper(this->Mapper);
+    }
+  }
 }
 
 // Every property that is printed is set off its default: a new one must be set here, too, or fails.

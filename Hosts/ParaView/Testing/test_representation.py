@@ -76,6 +76,44 @@ def test_properties_change_the_picture():
     assert get_plan(display) != coarse
 
 
+def test_rotation_keeps_the_environment():
+    """Plans and textures belong to the environment, which turns: one copy for all angles."""
+    view = make_view()
+    look(view)
+    display = show(make_sphere(), view, MeasuredEnvironment="hall")
+
+    def get_environment():
+        actors = view.GetRenderer().GetActors()
+        mappers = {str(actors.GetItemAsObject(k).GetMapper()) for k in range(actors.GetNumberOfItems())}
+        lines = {line.strip() for text in mappers if "MeasuredBRDFMapper" in text for line in text.splitlines()}
+        return [line for line in lines if line.startswith("Environment: ")]
+
+    pictures, environments = [], []
+    for angle in (30.0, 60.0, 120.0, 0.0):
+        display.MeasuredEnvironmentRotation = angle
+        pictures.append(draw(view, "rotation"))
+        environments.append(get_environment())
+    assert len(environments[0]) == 1, environments
+    assert environments == environments[:1] * 4, environments
+    assert get_difference(pictures[0], pictures[2])[0] > 20
+
+
+def test_lights_of_the_view():
+    """The light kit lights nothing; lights of the user's do, where the kit is off."""
+    view = make_view()
+    look(view)
+    display = show(make_sphere(), view, MeasuredMaterial="pink-felt")
+    with_kit = draw(view, "lights-kit")
+    view.UseLight = 0
+    assert get_difference(draw(view, "lights-none"), with_kit)[0] <= 1
+    light = simple.AddLight(view)
+    with_light = draw(view, "lights-own")
+    assert (with_light - with_kit).max() > 20
+    view.UseLight = 1
+    assert get_difference(draw(view, "lights-kit-again"), with_kit)[0] <= 1
+    simple.RemoveLight(light)
+
+
 def test_material_maps():
     """Above the middle one material, below it another; between two values a blend."""
     view = make_view()
@@ -364,7 +402,8 @@ def test_occlusion_in_animations():
     frames = {}
     for mode in ("Auto", "On"):
         display.OcclusionMode = mode
-        simple.SaveAnimation(os.path.join(OUTPUT, f"animation-{mode}.png"), view, ImageResolution=[300, 300])
+        path = os.path.join(OUTPUT, f"animation-{mode}.png")
+        simple.SaveAnimation(path, view, ImageResolution=[300, 300], FrameWindow=[0, 5])
         frames[mode] = [read(os.path.join(OUTPUT, f"animation-{mode}.{k:04}.png")) for k in range(6)]
     for k, (auto, on) in enumerate(zip(*frames.values())):
         assert get_difference(auto, on)[0] <= 1, k

@@ -12,6 +12,7 @@
 #include "vtkBRDFDirectionalLight.h"
 #include "vtkBRDFEnd.h"
 #include "vtkBRDFEnvironmentPyramid.h"
+#include "vtkBRDFFacetNormal.h"
 #include "vtkBRDFHeadlight.h"
 #include "vtkBRDFPositionalLight.h"
 #include "vtkBRDFTangent.h"
@@ -151,7 +152,8 @@ std::string GetShaderDeclarations(const std::vector<ShaderMember>& members)
 
 std::string GetShaderBody(const ShaderBody& body)
 {
-  std::string text = vtkBRDFBegin;
+  std::string text = body.HasBadNormals ? vtkBRDFFacetNormal : "";
+  text += vtkBRDFBegin;
   vtkShaderProgram::Substitute(text, "//VTK::MeasuredBRDF::Weights", body.Weights);
   vtkShaderProgram::Substitute(text, "//VTK::MeasuredBRDF::Tangent",
     body.Tangents == TangentSource::Data

@@ -57,6 +57,7 @@ struct ShaderBody
   bool EdgesAreTubes = false;  // lit as such
   bool HasBlockColors = false; // VTK's OverridesColor is there (composite data)
   bool HasColors = true;       // scalars may color the surface
+  bool HasBadNormals = false;  // some are no directions
   std::string Weights;         // fills brdfWeights, where materials are mixed
 };
 

@@ -109,8 +109,12 @@ bool BlockBatch::IgnoresScalars()
 void BlockBatch::AddOcclusion(vtkRenderer*)
 {
   this->Occlusion.Clear();
-  this->ForEachBlock([this](vtkPolyData* surface, bool*, const auto&)
-    { this->Occlusion.Announce(this->Drawing->FindOcclusion(surface, this, false)); });
+  this->ForEachBlock(
+    [this](vtkPolyData* surface, bool*, const auto&)
+    {
+      this->CheckVertices(surface);
+      this->Occlusion.Announce(this->Drawing->FindOcclusion(surface, this, false));
+    });
   this->LeastOcclusionCosine = this->Occlusion.GetSides().LeastCosine;
   this->IsOtherSideClosed = this->Occlusion.GetSides().IsOtherClosed;
 }

@@ -8,6 +8,7 @@
 #include "vtkMeasuredBRDFMapperMixin.h"
 
 #include "BRDFShader.h"
+#include "BadVertices.h"
 #include "DrawsColor.h"
 #include "EnvironmentRotation.h"
 #include "MaterialDrawing.h"
@@ -228,7 +229,7 @@ std::string vtkMeasuredBRDFMapperMixin<Base>::GetShaderKey(const vtkOpenGLHelper
     return "";
   }
   return this->Drawing->GetSelected().GetKey() + (this->HasTangents() ? "/tangents" : "") +
-         (this->HasScalarColors() ? "/colors" : "") +
+         (this->HasScalarColors() ? "/colors" : "") + (this->HasBadNormals ? "/bad normals" : "") +
          measuredbrdf::GetOcclusionKey(this->Drawing->GetSelectedOcclusion(this->HasOcclusion()),
            { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce(), this->KeepsOcclusion() });
 }
@@ -388,6 +389,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
                    this->Drawing->GetSettings().UseSceneLights;
   body.Complexity = lit ? static_cast<int>(info.LastLightComplexity) : 0;
   body.LightCount = info.LastLightCount;
+  body.HasBadNormals = this->HasBadNormals;
   body.HasEdges = this->DrawingEdges(ren, actor);
   body.HasEdgeOpacity = measuredbrdf::Contains(fs, "uniform float edgeOpacity");
   body.EdgesAreTubes = measuredbrdf::Contains(fs, "vec3 tnorm"); // as the superclass bent normals
@@ -395,6 +397,23 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
   body.HasColors = this->HasScalarColors() || this->IsPart(); // which serves all blocks
   vtkShaderProgram::Substitute(fs, "//VTK::Light::Impl", measuredbrdf::GetShaderBody(body), false);
   shaders[vtkShader::Fragment]->SetSource(fs);
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::CheckVertices(vtkPolyData* surface)
+{
+  if (!surface || this->Drawing->GetMaterials().empty())
+  {
+    return;
+  }
+  const measuredbrdf::BadVertices bad(surface);
+  this->HasBadNormals = this->HasBadNormals || bad.Normals > 0;
+  const std::string text = bad.GetText();
+  if (!text.empty() && this->Drawing->WarnOnce("vertices"))
+  {
+    vtkWarningWithObjectMacro(this->Drawing->GetOwner(), << text << ".");
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -43,6 +43,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::BuildBufferObjects(vtkRenderer* ren, vtkA
   this->BuiltTracedOcclusion = this->Drawing->GetTracedOcclusion(this);
   this->OcclusionTime.Modified();
   this->Drawing->BeginOcclusion(this);
+  this->HasBadNormals = false;
   this->AddOcclusion(ren);
   this->Base::BuildBufferObjects(ren, actor);
 }
@@ -51,6 +52,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::BuildBufferObjects(vtkRenderer* ren, vtkA
 template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::AddOcclusion(vtkRenderer* ren)
 {
+  this->CheckVertices(this->CurrentInput);
   const auto arrays = this->Drawing->FindOcclusion(this->CurrentInput, this, this->IsPart());
   this->LeastOcclusionCosine = arrays ? arrays->LeastCosine : 1.0;
   this->IsOtherSideClosed = arrays && arrays->IsOtherClosed;

@@ -11,9 +11,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import pyvista as pv
+from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkRenderingCore import vtkTexture
 
 from .. import vtkPBRPropertyFitter
-from ..environments import Environment
+from ..environments import Environment, get_image
 from ..maps import MaterialMap
 from ..materials import Material
 from ._backgrounds import BACKGROUNDS, blur, get_axes, new_skybox, new_texture
@@ -62,6 +64,7 @@ class Measured:
 
     def __init__(self, plotter: Any) -> None:
         self._plotter: Any = weakref.proxy(plotter)
+        self._environments: weakref.WeakKeyDictionary[Any, Environment] = weakref.WeakKeyDictionary()
         self._removed_lights: weakref.WeakKeyDictionary[Any, list[Any]] = weakref.WeakKeyDictionary()
         self._plans: list[Plan] = []
         add_hooks(plotter)
@@ -125,7 +128,7 @@ class Measured:
         material = find_material(material)
         smooth = True if smooth_shading is None else smooth_shading
         mesh, scalars, shading = self._prepare(mesh, scalars, smooth, split_sharp_edges, kwargs)
-        if scalars is None and not kwargs.get("rgb"):
+        if scalars is None and not kwargs.get("rgb") and kwargs.get("color") is None:
             kwargs["color"] = "white"  # else PyVista colors by active scalars
         actor = self._plotter.add_mesh(mesh, scalars=scalars, render=False, **shading, **kwargs)
         old = actor.mapper
@@ -210,10 +213,12 @@ class Measured:
         Parameters
         ----------
         environment
-            An `Environment`, or what makes one: an embedded environment's name, an image file, an array.
+            An `Environment`, or what makes one: an embedded environment's name, an image file, an array, an image
+            (`pv.ImageData`), a lat-long texture (`pv.Texture`, `vtkTexture`).
         rotate
             Angle in degrees by which the environment is turned about `up`, counterclockwise seen from above.
-            To turn it further costs nothing: call this again.
+            To turn it further costs nothing: call this again with the same object, name or file. Of an array make an
+            `Environment` first: an array may have changed, and is read again.
         up
             The direction in the world that is up. PyVista's views have z up; (0, 1, 0) is VTK's habit.
         background
@@ -226,9 +231,10 @@ class Measured:
             raise ValueError(f"background: found {background!r}, expected 'map', 'blurred' or None")
         if lights not in _LIGHTS:
             raise ValueError(f"lights: found {lights!r}, expected 'auto', 'keep' or 'remove'")
+        renderer = self._plotter.renderer
         found = find_environment(environment)
         right, vertical = get_axes(found, up, rotate)
-        renderer = self._plotter.renderer
+        self._environments[renderer] = found  # the same name finds it again, and its texture, while it is in use
         texture = _get_texture(found, "map")
         renderer.UseImageBasedLightingOff()
         renderer.SetEnvironmentTexture(texture)
@@ -255,6 +261,7 @@ class Measured:
     def remove_environment(self, *, render: bool = True) -> None:
         """Removes the active renderer's environment and its background; lights that it removed come back."""
         renderer = self._plotter.renderer
+        self._environments.pop(renderer, None)
         renderer.UseImageBasedLightingOff()
         renderer.SetEnvironmentTexture(None)
         renderer.SetEnvironmentRight(1.0, 0.0, 0.0)
@@ -298,17 +305,22 @@ _found: weakref.WeakValueDictionary[Any, Any] = weakref.WeakValueDictionary()
 
 
 def _find(source: Any, kind: type) -> Any:
-    """The same object for the same name, and for the same file while that does not change."""
+    """The same object for the same name, and for the same file or VTK object while that does not change."""
     if isinstance(source, kind):
         return source
-    if not isinstance(source, (str, os.PathLike)):
+    key: tuple[Any, ...]
+    if isinstance(source, vtkObject):
+        # No two changes in the program have the same time.
+        key = (kind, source.GetMTime(), get_image(source).GetMTime() if isinstance(source, vtkTexture) else 0)
+    elif isinstance(source, (str, os.PathLike)):
+        text = os.fspath(source)
+        key = (kind, text)
+        path = text if os.path.exists(text) else text.rpartition("#")[0]
+        if os.path.exists(path):
+            status = os.stat(path)
+            key = (kind, os.path.abspath(text), status.st_mtime_ns, status.st_size)
+    else:
         return kind(source)
-    text = os.fspath(source)
-    key: tuple[Any, ...] = (kind, text)
-    path = text if os.path.exists(text) else text.rpartition("#")[0]
-    if os.path.exists(path):
-        status = os.stat(path)
-        key = (kind, os.path.abspath(text), status.st_mtime_ns, status.st_size)
     found = _found.get(key)
     if found is None:
         found = _found[key] = kind(source)

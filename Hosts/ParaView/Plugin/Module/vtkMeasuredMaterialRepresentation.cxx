@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeasuredMaterialRepresentation.h"
+#include "vtkMath.h"
 
 #include "MaterialFiles.h"
 #include "NamedMap.h"
@@ -27,6 +28,7 @@
 #include "vtkSurfaceVisibilityFilter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <sstream>
@@ -63,32 +65,21 @@ std::vector<std::vector<unsigned int>> GetIndices(
 std::string ToText(const char* text) { return text ? text : ""; }
 
 //------------------------------------------------------------------------------
-// The environment turned by an angle about one of the world's axes, which points up. A copy, since
-// others may use the environment as it is.
-vtkSmartPointer<vtkEnvironment> Turn(vtkEnvironment* environment, double degrees, int upAxis)
+// Turns an environment by an angle about one of the world's axes, which points up, on top of the
+// rotation that the original has of its own.
+void Turn(vtkEnvironment* turned, vtkEnvironment* original, double degrees, int upAxis)
 {
   // Rows: the environment's axes in world coordinates; its y points up.
-  const double axes[3][9] = { { 0, 1, 0, 1, 0, 0, 0, 0, -1 }, { 1, 0, 0, 0, 1, 0, 0, 0, 1 },
-    { 1, 0, 0, 0, 0, 1, 0, -1, 0 } };
-  auto turned = vtkSmartPointer<vtkEnvironment>::New();
-  turned->SetName(environment->GetName());
-  turned->SetPixels(environment->GetWidth(), environment->GetHeight(), environment->GetPixels());
-  turned->SetRotationY(degrees);
-  double rotation[9], matrix[9];
-  turned->GetWorldToEnvironment(rotation);
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      matrix[3 * row + column] = 0.0;
-      for (int k = 0; k < 3; ++k)
-      {
-        matrix[3 * row + column] += rotation[3 * row + k] * axes[upAxis][3 * k + column];
-      }
-    }
-  }
-  turned->SetWorldToEnvironment(matrix);
-  return turned;
+  const double axes[3][3][3] = { { { 0, 1, 0 }, { 1, 0, 0 }, { 0, 0, -1 } },
+    { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { 1, 0, 0 }, { 0, 0, 1 }, { 0, -1, 0 } } };
+  const double angle = vtkMath::RadiansFromDegrees(degrees); // as vtkEnvironment::SetRotationY
+  const double turn[3][3] = { { std::cos(angle), 0.0, -std::sin(angle) }, { 0.0, 1.0, 0.0 },
+    { std::sin(angle), 0.0, std::cos(angle) } };
+  double matrix[3][3];
+  original->GetWorldToEnvironment(&matrix[0][0]);
+  vtkMath::Multiply3x3(matrix, turn, matrix);
+  vtkMath::Multiply3x3(matrix, axes[upAxis], matrix);
+  turned->SetWorldToEnvironment(&matrix[0][0]);
 }
 }
 
@@ -121,7 +112,7 @@ struct vtkMeasuredMaterialRepresentation::Internals
   vtkSmartPointer<vtkBRDF> BRDF;
   std::vector<vtkSmartPointer<vtkBRDF>> Blocks; // of BlockNames
   vtkSmartPointer<vtkEnvironment> Light;        // of the environment's name; null: the view's own
-  vtkSmartPointer<vtkEnvironment> Turned;       // the same in its orientation
+  vtkSmartPointer<vtkEnvironment> Turned;       // its copy in another orientation, if any
   std::set<std::string> Said;                   // errors, each once
   vtkMTimeType BlocksTime = 0;                  // of the data whose blocks have their materials
   bool BlocksChanged = true;
@@ -239,15 +230,18 @@ struct vtkMeasuredMaterialRepresentation::Internals
            this->TracedParts < this->Parts;
   }
 
+  // One copy, which shares the pixels with what others use: plans and textures outlast its turns.
   vtkEnvironment* GetTurned()
   {
-    if (this->Light && !this->Turned)
+    if (this->Light && !this->Turned && (this->Rotation != 0.0 || this->UpAxis != 1))
     {
-      this->Turned = this->Rotation == 0.0 && this->UpAxis == 1
-                       ? this->Light
-                       : Turn(this->Light, this->Rotation, this->UpAxis);
+      this->Turned.TakeReference(this->Light->NewSnapshot());
     }
-    return this->Turned;
+    if (this->Turned)
+    {
+      Turn(this->Turned, this->Light, this->Rotation, this->UpAxis);
+    }
+    return this->Turned ? this->Turned : this->Light;
   }
 };
 
@@ -402,14 +396,12 @@ void vtkMeasuredMaterialRepresentation::UpdateMap(vtkDataObject* levelOfDetail)
 void vtkMeasuredMaterialRepresentation::SetMeasuredEnvironmentRotation(double degrees)
 {
   this->Impl->Rotation = degrees;
-  this->Impl->Turned = nullptr;
 }
 
 //------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::SetMeasuredEnvironmentUpAxis(int axis)
 {
   this->Impl->UpAxis = std::clamp(axis, 0, 2);
-  this->Impl->Turned = nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -539,6 +531,8 @@ void vtkMeasuredMaterialRepresentation::UpdateMappers(
   {
     environment = nullptr;
   }
+  // The light kit stands for the light that a scene lacks, as VTK's automatic headlight does.
+  const bool ownLights = view && !view->GetUseLightKit();
   // vtkPVRenderView asks its window for 5 frames a second while the user interacts.
   const bool interactive = view && view->GetRenderWindow()->GetDesiredUpdateRate() > 1.0;
   const int mode = impl.Background && interactive && !parallel ? vtkMeasuredBRDFMapper::BACKGROUND
@@ -556,7 +550,7 @@ void vtkMeasuredMaterialRepresentation::UpdateMappers(
     mapper->SetEnvironment(environment);
     mapper->SetErrorTolerance(impl.Tolerance);
     mapper->SetPlanningMode(mode);
-    mapper->SetUseSceneLights(impl.ViewLights);
+    mapper->SetUseSceneLights(impl.ViewLights || ownLights);
     mapper->SetScalarColoringMode(
       impl.Modulate ? vtkMeasuredBRDFMapper::MODULATE : vtkMeasuredBRDFMapper::IGNORE_SCALARS);
   }

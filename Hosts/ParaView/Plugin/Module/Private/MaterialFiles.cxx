@@ -21,8 +21,10 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <cstring>
+#include <exception>
 #include <iterator>
 #include <map>
+#include <new>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -128,7 +130,10 @@ struct Environments
   {
     const int size[2] = { environment->GetWidth(), environment->GetHeight() };
     const std::vector<float>& pixels = environment->GetPixels();
+    double rotation[9];
+    environment->GetWorldToEnvironment(rotation);
     std::string bytes(reinterpret_cast<const char*>(size), sizeof(size));
+    bytes.append(reinterpret_cast<const char*>(rotation), sizeof(rotation));
     bytes.append(reinterpret_cast<const char*>(pixels.data()), pixels.size() * sizeof(float));
     return bytes;
   }
@@ -136,10 +141,14 @@ struct Environments
   static vtkSmartPointer<vtkEnvironment> Unpack(const std::string& bytes, const std::string& path)
   {
     int size[2] = { 0, 0 };
+    double rotation[9];
+    constexpr std::size_t header = sizeof(size) + sizeof(rotation);
     std::memcpy(size, bytes.data(), sizeof(size));
-    std::vector<float> pixels((bytes.size() - sizeof(size)) / sizeof(float));
-    std::memcpy(pixels.data(), bytes.data() + sizeof(size), pixels.size() * sizeof(float));
+    std::memcpy(rotation, bytes.data() + sizeof(size), sizeof(rotation));
+    std::vector<float> pixels((bytes.size() - header) / sizeof(float));
+    std::memcpy(pixels.data(), bytes.data() + header, pixels.size() * sizeof(float));
     auto environment = vtkSmartPointer<vtkEnvironment>::New();
+    environment->SetWorldToEnvironment(rotation);
     environment->SetName(vtksys::SystemTools::GetFilenameWithoutExtension(path));
     return environment->SetPixels(size[0], size[1], std::move(pixels)) ? environment : nullptr;
   }
@@ -229,18 +238,53 @@ void Share(const std::string& key, const vtkSmartPointer<Object>& object)
 }
 
 //------------------------------------------------------------------------------
+// Whether all processes say so.
+bool IsTrueForAll(vtkMultiProcessController* controller, bool own)
+{
+  int have = own ? 1 : 0;
+  int allHave = 0;
+  controller->AllReduce(&have, &allHave, 1, vtkCommunicator::MIN_OP);
+  return allHave != 0;
+}
+
+// What an exception says; "" where there is none. A process that left by one would leave the others
+// waiting for its next call to the controller.
+template <typename Work>
+std::string Try(const Work& work)
+{
+  try
+  {
+    work();
+    return "";
+  }
+  catch (const std::bad_alloc&)
+  {
+    return "out of memory";
+  }
+  catch (const std::exception& error)
+  {
+    return error.what();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Nothing, where a process lacks the memory.
 void Broadcast(vtkMultiProcessController* controller, std::string& bytes)
 {
   vtkIdType size = static_cast<vtkIdType>(bytes.size());
   controller->Broadcast(&size, 1, 0);
-  bytes.resize(static_cast<std::size_t>(size));
-  if (size > 0)
+  const std::string error = Try([&]() { bytes.resize(static_cast<std::size_t>(size)); });
+  if (!IsTrueForAll(controller, error.empty()))
+  {
+    bytes.clear();
+  }
+  else if (size > 0)
   {
     controller->Broadcast(&bytes[0], size, 0);
   }
 }
 
-// Every process makes the same calls to the controller, whatever it finds.
+// Every process makes the same calls to the controller, whatever it finds and whatever throws.
 template <typename Kind>
 Found<typename Kind::Object> FindTogether(
   const std::string& name, vtkMultiProcessController* controller)
@@ -249,17 +293,14 @@ Found<typename Kind::Object> FindTogether(
   std::string key = first ? GetKey(name) : "";
   Broadcast(controller, key);
   const auto shared = FindShared<typename Kind::Object>(key);
-  int have = shared ? 1 : 0;
-  int allHave = 0;
-  controller->AllReduce(&have, &allHave, 1, vtkCommunicator::MIN_OP);
-  if (allHave)
+  if (IsTrueForAll(controller, shared != nullptr))
   {
     return { shared, "" };
   }
 
   Found<typename Kind::Object> found;
   std::string bytes;
-  if (first)
+  const auto read = [&]()
   {
     found = Kind::Read(name);
     bytes = found.Object ? Kind::Pack(found.Object, name) : "";
@@ -268,18 +309,22 @@ Found<typename Kind::Object> FindTogether(
       found = { nullptr, name + ": more than 1 GiB cannot be sent to the other processes." };
       bytes.clear();
     }
+  };
+  std::string thrown = first ? Try(read) : "";
+  if (!thrown.empty())
+  {
+    bytes.clear();
   }
   Broadcast(controller, bytes);
   if (!first && !bytes.empty())
   {
-    found.Object = Kind::Unpack(bytes, name);
+    Try([&]() { found.Object = Kind::Unpack(bytes, name); });
   }
-  have = found.Object ? 1 : 0;
-  controller->AllReduce(&have, &allHave, 1, vtkCommunicator::MIN_OP);
-  if (!allHave)
+  if (!IsTrueForAll(controller, found.Object && thrown.empty()))
   {
-    const bool failed = first && found.Error.empty();
-    return { nullptr, failed ? name + ": another process could not read it." : found.Error };
+    const bool failed = first && thrown.empty() && found.Error.empty();
+    return { nullptr, failed ? name + ": another process could not read it."
+                             : (thrown.empty() ? found.Error : name + ": " + thrown) };
   }
   Share(key, found.Object);
   return found;
