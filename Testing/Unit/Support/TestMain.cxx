@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// GoogleTest's main, in the locale that MEASUREDBRDF_TEST_LOCALE names, as a program of Qt's or
+// GTK's is in its user's: C's and C++'s. Messages stay in English.
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <cstdlib>
+#include <iostream>
+#include <locale>
+#include <stdexcept>
+
+int main(int argc, char** argv)
+{
+  const char* const name = std::getenv("MEASUREDBRDF_TEST_LOCALE");
+  if (name && *name)
+  {
+    try
+    {
+      std::locale::global(std::locale(name));
+    }
+    catch (const std::runtime_error&)
+    {
+      std::cerr << "MEASUREDBRDF_TEST_LOCALE: there is no locale '" << name << "' here\n";
+      return 1;
+    }
+#if !defined(_WIN32)
+    std::setlocale(LC_MESSAGES, "C");
+#endif
+  }
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
