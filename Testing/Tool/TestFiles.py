@@ -24,8 +24,8 @@ class Outputs(unittest.TestCase):
     COMMANDS = {
         "convert.exr": ["convert", "blue-fabric", "OUT"],
         "lights.csv": ["lights", "hall", "-o", "OUT"],
-        "picture.png": ["render", "blue-fabric", "-o", "OUT", "--size", "48x48", "--method", "lights"],
-        "picture.exr": ["render", "blue-fabric", "-o", "OUT", "--size", "48x48", "--method", "lights"],
+        "picture.png": ["render", "blue-fabric", "--environment", "sky", "-o", "OUT", "--size", "48x48", "--method", "light-set"],
+        "picture.exr": ["render", "blue-fabric", "--environment", "sky", "-o", "OUT", "--size", "48x48", "--method", "light-set"],
     }
 
     def setUp(self):

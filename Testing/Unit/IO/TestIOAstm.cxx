@@ -106,7 +106,7 @@ TEST(IOAstm, NegativePolarAnglesAreOnTheOtherSide)
     for (const double o : { -90.0, -25.0, 0.0, 25.0, 90.0 })
     {
       const double phi = o < 0.0 ? 0.0 : 180.0; // from the light's
-      rows += std::to_string(i) + ",0," + std::to_string(o) + ",180," +
+      rows += measuredbrdf::FixedText(i, 6) + ",0," + measuredbrdf::FixedText(o, 6) + ",180," +
               measuredbrdf::FixedText(Shape(i, std::abs(o), o == 0.0 ? 0.0 : phi), 6) + "\n";
     }
   }
