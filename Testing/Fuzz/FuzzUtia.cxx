@@ -12,7 +12,8 @@ MEASUREDBRDF_FUZZ_TARGET(Utia)(const std::uint8_t* data, std::size_t size)
   {
     return 0;
   }
-  const bool whole = data[0] % 8 == 1; // these take long, and are alike
+  // These take long, and are alike.
+  const bool whole = std::accumulate(data, data + size, 0u) % 8 == 0;
   std::string bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   while (whole && bytes.size() < measuredbrdf::UtiaBytes)
   {
