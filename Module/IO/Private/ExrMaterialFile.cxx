@@ -317,10 +317,8 @@ void CheckSize(const std::string& model, const vtkBRDFData::Array& array)
   const double most = vtkBRDFModels::GetMaximumArraySize(model);
   if (values > most)
   {
-    TextStream text;
-    text << model << ": an array has " << values << " values, expected at most "
-         << std::llround(most);
-    throw std::runtime_error(text.str());
+    throw std::runtime_error(model + ": an array has " + NumberText(values) +
+                             " values, expected at most " + std::to_string(std::llround(most)));
   }
 }
 
