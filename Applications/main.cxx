@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -128,6 +129,7 @@ int Run(int argc, char* argv[])
 
 int main(int argc, char* argv[])
 {
+  std::signal(SIGXFSZ, SIG_IGN); // a limit of file sizes is an error with a message, no end
   try
   {
     return Run(argc, argv);

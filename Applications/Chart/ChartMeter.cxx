@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChartMeter.h"
 
+#include "BoundedJson.h"
 #include "Files.h"
 #include "ParetoFront.h"
 #include "Progress.h"
@@ -234,7 +235,15 @@ std::vector<double> ChartMeter::GetExactSums(
 {
   const std::string path = this->Folder + "/" + fingerprint + ".json";
   std::ifstream file(path);
-  const auto kept = nlohmann::json::parse(file, nullptr, false);
+  nlohmann::json kept;
+  try
+  {
+    kept = measuredbrdf::ParseJson<nlohmann::json>(file);
+  }
+  catch (const std::exception&)
+  {
+    // There is none, or one that was cut off: worked out below.
+  }
   if (kept.is_array() && kept.size() == this->Visible.Normals.size() &&
       std::all_of(kept.begin(), kept.end(), [](const auto& value) { return value.is_number(); }))
   {
@@ -242,7 +251,7 @@ std::vector<double> ChartMeter::GetExactSums(
   }
   const std::vector<double> rgb =
     DrawReference(material.BRDF, environment, this->Visible, this->Scene.Picture).Radiance;
-  WriteText(path, nlohmann::json(rgb).dump() + "\n");
+  WriteWhole(path, nlohmann::json(rgb).dump() + "\n");
   return rgb;
 }
 

@@ -30,11 +30,16 @@
 #include "vtkTextProperty.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <stdlib.h> // mkdtemp
+
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iterator>
+
+namespace fs = std::filesystem;
 
 namespace
 {
@@ -93,12 +98,9 @@ unsigned char ToByte(double value)
 }
 
 //------------------------------------------------------------------------------
-// The size that it is meant for, and a box that lets viewers scale it.
-void MakeScalable(const std::string& path)
+// With the size that it is meant for, and a box that lets viewers scale it.
+std::string MakeScalable(std::string text)
 {
-  std::ifstream in(path);
-  std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  in.close();
   const std::string drawn = "width=\"" + std::to_string(Smooth * Width) + "\" height=\"" +
                             std::to_string(Smooth * Height) + "\"";
   const std::size_t at = text.find(drawn);
@@ -108,8 +110,34 @@ void MakeScalable(const std::string& path)
       "width=\"" + std::to_string(Width) + "\" height=\"" + std::to_string(Height) +
         "\" viewBox=\"0 0 " + std::to_string(Smooth * Width) + " " +
         std::to_string(Smooth * Height) + "\"");
-    tool::WriteText(path, text);
   }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+// The window's charts as SVG. VTK writes it to files only, and does not say when it cannot.
+std::string MakeSVG(vtkRenderWindow* window, const std::string& title)
+{
+  std::string folder = (fs::temp_directory_path() / "measured-brdf-XXXXXX").string();
+  if (!mkdtemp(folder.data()))
+  {
+    throw tool::Error(folder + ": no folder for a temporary file can be made");
+  }
+  const fs::path path = fs::path(folder) / "chart.svg";
+  vtkNew<vtkSVGExporter> exporter;
+  exporter->SetRenderWindow(window);
+  exporter->SetTitle(title.c_str());
+  exporter->SetFileName(path.c_str());
+  exporter->Write();
+  std::ifstream in(path);
+  const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  std::error_code ignored;
+  fs::remove_all(folder, ignored);
+  if (text.find("</svg>") == std::string::npos)
+  {
+    throw tool::Error(path.string() + ": the chart could not be written there whole");
+  }
+  return text;
 }
 
 //------------------------------------------------------------------------------
@@ -436,16 +464,7 @@ void Painter::Write(const std::string& stem)
   }
   tool::WritePNG(
     stem + ".png", tool::Downsample(picture, Smooth), [](double shown) { return shown; });
-  tool::WriteWhole(stem + ".svg",
-    [&](const std::string& temporary)
-    {
-      vtkNew<vtkSVGExporter> exporter;
-      exporter->SetRenderWindow(window);
-      exporter->SetTitle(this->Page.Title.c_str());
-      exporter->SetFileName(temporary.c_str());
-      exporter->Write();
-      MakeScalable(temporary);
-    });
+  tool::WriteWhole(stem + ".svg", MakeScalable(MakeSVG(window, this->Page.Title)));
 }
 }
 

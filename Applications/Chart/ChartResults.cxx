@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChartResults.h"
 
+#include "BoundedJson.h"
 #include "ChartMethods.h"
 #include "Files.h"
 #include "MeasuredBRDFToolVersion.h"
@@ -334,8 +335,8 @@ void SaveResults(const std::string& folder, const ChartResults& results)
   {
     json["pairs"].push_back(WritePair(pair));
   }
-  WriteText(folder + "/results.csv", MakeCSV(results));
-  WriteText(
+  WriteWhole(folder + "/results.csv", MakeCSV(results));
+  WriteWhole(
     folder + "/results.json", json.dump(1, ' ', false, JSON::error_handler_t::replace) + "\n");
 }
 
@@ -353,13 +354,21 @@ ChartResults LoadResults(const std::string& folder, const JSON& settings, const 
   }
   errno = 0;
   std::ifstream file(path);
-  const JSON json = JSON::parse(file, nullptr, false);
-  const auto get = [&json](const char* name)
-  { return json.is_object() && json.contains(name) ? json.at(name) : JSON(); };
   if (!file.is_open())
   {
     throw Error(path + ": can't be opened: " + std::strerror(errno));
   }
+  JSON json;
+  try
+  {
+    json = measuredbrdf::ParseJson<JSON>(file);
+  }
+  catch (const std::exception&)
+  {
+    // It has no format then; below.
+  }
+  const auto get = [&json](const char* name)
+  { return json.is_object() && json.contains(name) ? json.at(name) : JSON(); };
   if (get("format") != ChartResults::Format)
   {
     throw Error(path + ": was not written by 'measured-brdf chart', and is left as it is. Write to "

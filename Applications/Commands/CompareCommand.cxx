@@ -407,7 +407,7 @@ void Run(CompareOptions& options, const CLI::App* command)
   }
   if (!options.Report.empty())
   {
-    tool::WriteText(options.Report,
+    tool::WriteWhole(options.Report,
       report.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   }
   if (!options.Strip.empty())

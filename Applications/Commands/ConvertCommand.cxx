@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <memory>
 
 namespace
@@ -44,6 +45,13 @@ void Run(const ConvertOptions& options)
   }
   tool::WriteMaterial(output, options.Output, options.HalfFloats);
 
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(options.Output, ignored))
+  {
+    tool::PrintNote(options.Output + ": written; what goes into a pipe cannot be read back, so its "
+                                     "error is not known");
+    return;
+  }
   // The error of what is in the file, not of what should be.
   vtkNew<vtkBRDFReader> reader;
   reader->SetFileName(options.Output);

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DartMeasurements.h"
 #include "Files.h"
+#include "Picture.h"
 #include "Tool.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPNGWriter.h"
 #include "vtkPictureDifference.h"
 #include "vtkPictureReader.h"
 #include "vtkSmartPointer.h"
@@ -190,24 +190,6 @@ std::string FormatFindings(const PictureComparison& comparison, const std::vecto
 }
 
 //------------------------------------------------------------------------------
-void WriteImage(const std::string& path, vtkImageData* image)
-{
-  tool::WriteWhole(path,
-    [&](const std::string& temporary)
-    {
-      vtkNew<vtkPNGWriter> writer;
-      writer->SetFileName(temporary.c_str());
-      writer->SetInputData(image);
-      writer->Write();
-      const std::string errors = tool::TakeErrorText();
-      if (writer->GetErrorCode() != 0 || !errors.empty())
-      {
-        throw tool::Error(path + ": can't be written: " + (errors.empty() ? "disk full?" : errors));
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
 // For CDash: numbers always, pictures where the test failed, under the names that vtkTesting uses.
 void PrintMeasurements(const DiffOptions& options, const std::vector<Test>& tests,
   const PictureComparison& comparison, const std::string& heatMap)
@@ -295,7 +277,7 @@ void Run(const DiffOptions& options)
     }
     if (!heatMap.empty())
     {
-      WriteImage(heatMap, comparison.Findings[comparison.FindWorst()].HeatMap);
+      tool::WritePNG(heatMap, comparison.Findings[comparison.FindWorst()].HeatMap);
     }
   }
   catch (const tool::InputError&)

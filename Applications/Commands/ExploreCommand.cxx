@@ -61,7 +61,9 @@ void AddExploreCommand(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand("explore",
     "Open a window: materials under environments, method against method, lobes and slices");
+#if MEASUREDBRDF_HAS_EXPLORER
   command->set_help_flag(); // the explorer's own
+#endif
   command->prefix_command();
   command->footer("Example:\n  measured-brdf explore gold-paint --environment hall");
   command->callback([command]() { Run(command->remaining()); });

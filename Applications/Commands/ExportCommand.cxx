@@ -357,7 +357,7 @@ void Run(const ExportOptions& options)
     }
   }
   const std::string file = MakeFile(options, exports, material.Name);
-  tool::WriteText(options.Output, file);
+  tool::WriteWhole(options.Output, file);
   if (!options.Sheet.empty())
   {
     WriteSheet(options, material.Name, grid, exports);
@@ -368,7 +368,7 @@ void Run(const ExportOptions& options)
     "\n";
   if (!options.Report.empty())
   {
-    tool::WriteText(options.Report, report);
+    tool::WriteWhole(options.Report, report);
   }
   tool::PrintOut(options.Json ? report : MakeText(lights, exports));
 }

@@ -126,8 +126,7 @@ void FetchAll(const FetchCommandOptions& options)
   {
     entries.push_back(&Find(name));
   }
-  // A limit of file sizes and a closed connection are errors with a message, not ends.
-  std::signal(SIGXFSZ, SIG_IGN);
+  // A closed connection is an error with a message, no end.
   std::signal(SIGPIPE, SIG_IGN);
   const tool::Interruptible interruptible;
   const tool::FetchFolder folder = options.Folder.empty()

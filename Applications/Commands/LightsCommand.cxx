@@ -56,7 +56,7 @@ void Run(const LightsOptions& options)
     tool::PrintNote(std::to_string(lights->GetNumberOfLights()) + " lights instead of " +
                     std::to_string(options.Lights.Count) + ": the environment has no more to give");
   }
-  tool::WriteText(options.Output, FormatLights(lights));
+  tool::WriteWhole(options.Output, FormatLights(lights));
   if (!options.Preview.empty())
   {
     tool::WritePNG(options.Preview,

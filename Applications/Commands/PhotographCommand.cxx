@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files.h"
+
 #include "Inputs.h"
 #include "MaterialMapFiles.h"
+#include "NumberText.h"
 #include "Picture.h"
 #include "Progress.h"
 #include "Tool.h"
@@ -73,16 +75,8 @@ double Check(const PhotographOptions& options, const CLI::App* command)
   {
     return 0.0;
   }
-  std::size_t end = 0;
   double exposure = 0.0;
-  try
-  {
-    exposure = std::stod(options.Exposure, &end);
-  }
-  catch (const std::exception&)
-  {
-  }
-  if (end != options.Exposure.size() || !(exposure > 0.0) || !std::isfinite(exposure))
+  if (!measuredbrdf::ParseNumber(options.Exposure, exposure) || !(exposure > 0.0))
   {
     throw tool::UsageError(
       "--exposure: found '" + options.Exposure + "', expected auto or a number > 0");
@@ -142,7 +136,7 @@ void WritePhotograph(vtkImageData* image, const std::string& path, bool encode)
   vtkDataArray* values = image->GetPointData()->GetScalars();
   if (values->GetDataType() == VTK_UNSIGNED_SHORT && !encode)
   {
-    tool::WriteImage(image, path);
+    tool::WritePNG(path, image);
     return;
   }
   const double divisor = values->GetDataType() == VTK_FLOAT ? 1.0 : values->GetDataTypeMax();
@@ -202,7 +196,7 @@ void Run(const PhotographOptions& options, const CLI::App* command)
       { "exposure", set->GetExposure(k) } });
   }
   const std::string path = (fs::path(options.Output) / "photographs.json").string();
-  tool::WriteText(path, list.dump(1) + "\n");
+  tool::WriteWhole(path, list.dump(1) + "\n");
   tool::PrintOut("simulated " + tool::FormatCount(static_cast<std::size_t>(count), "photograph") +
                  " -> " + path + "\n");
 }
@@ -218,7 +212,7 @@ void AddPhotographCommand(CLI::App& app)
     "Simulate photographs of a flat sample of several materials, under known lights and views");
   command
     ->add_option("FILE", options->Files,
-      "The materials, or a map.json that 'svbrdf' wrote. A material: " + GetMaterialHelp())
+      "The materials, or a map.json that 'svbrdf' wrote. " + GetMaterialHelp())
     ->required();
   command
     ->add_option("--weights", options->Weights,

@@ -211,7 +211,7 @@ void WriteReport(const RenderOptions& options, const Figures& found, const tool:
     report["predicted_picture_error"] =
       method.Planner->GetPredictedPictureError(method.Planner->GetChoice());
   }
-  tool::WriteText(options.Report,
+  tool::WriteWhole(options.Report,
     report.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RepresentationRows.h"
 
+#include "NumberText.h"
+
 #include <cstdio>
 
 namespace tool
@@ -34,18 +36,16 @@ std::string FormatCSV(
   text += ",texture_bytes,seconds,recommended\n";
   for (const RepresentationRow& row : rows)
   {
-    char figures[160];
-    std::snprintf(figures, sizeof(figures), "%d,%.4f,%.4f,%.5f", row.Functions, row.Zone,
-      row.Hemisphere, row.NegativeMass);
-    text += Quote(row.Material) + "," + Quote(row.Representation) + "," + figures;
+    text += Quote(row.Material) + "," + Quote(row.Representation) + "," +
+            std::to_string(row.Functions) + "," + measuredbrdf::FixedText(row.Zone, 4) + "," +
+            measuredbrdf::FixedText(row.Hemisphere, 4) + "," +
+            measuredbrdf::FixedText(row.NegativeMass, 5);
     for (const double image : row.Images)
     {
-      std::snprintf(figures, sizeof(figures), ",%.4f", image);
-      text += figures;
+      text += "," + measuredbrdf::FixedText(image, 4);
     }
-    std::snprintf(
-      figures, sizeof(figures), ",%zu,%.2f,%d\n", row.Bytes, row.Seconds, row.Recommended ? 1 : 0);
-    text += figures;
+    text += "," + std::to_string(row.Bytes) + "," + measuredbrdf::FixedText(row.Seconds, 2) + "," +
+            (row.Recommended ? "1" : "0") + "\n";
   }
   return text;
 }

@@ -368,7 +368,7 @@ void Run(const RepresentationsOptions& options)
     }
     if (!options.Output.empty()) // what is done is kept
     {
-      tool::WriteText(options.Output, tool::FormatCSV(rows, GetNames(environments)));
+      tool::WriteWhole(options.Output, tool::FormatCSV(rows, GetNames(environments)));
     }
   }
   if (options.Output.empty() && !rows.empty())

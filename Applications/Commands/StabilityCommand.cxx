@@ -235,7 +235,7 @@ void Run(const StabilityOptions& options)
   {
     tool::WritePNG((folder / name).string(), picture, tool::EncodeSRGB);
   }
-  tool::WriteText((folder / ReportName).string(),
+  tool::WriteWhole((folder / ReportName).string(),
     MakeReport(options, inputs, outcomes)
         .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
       "\n");

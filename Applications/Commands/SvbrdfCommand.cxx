@@ -324,7 +324,7 @@ void AddSvbrdfCommand(CLI::App& app)
     ->required();
   command
     ->add_option("--library", options->Library,
-      "The materials to choose from (default: all built-in ones). A material: " + GetMaterialHelp())
+      "The materials to choose from (default: all built-in ones). " + GetMaterialHelp())
     ->delimiter(',');
   command->add_flag("--tables", options->Tables,
     "Find the materials, too: tables over half and difference angles, instead of a library");

@@ -11,12 +11,14 @@
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
+#include "vtkUnsignedCharArray.h"
 
 #if MEASUREDBRDF_WITH_OPENEXR
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfOutputFile.h>
+#include <ImfStdIO.h>
 #endif
 
 #include <algorithm>
@@ -140,19 +142,24 @@ void WritePNG(const std::string& path, const Picture& picture, double (*encode)(
       bytes[3 * k + c] = static_cast<unsigned char>(std::lround(255.0 * encode(value)));
     }
   }
-  WriteWhole(path,
-    [&](const std::string& temporary)
-    {
-      vtkNew<vtkPNGWriter> writer;
-      writer->SetFileName(temporary.c_str());
-      writer->SetInputData(image);
-      writer->Write();
-      const std::string errors = TakeErrorText();
-      if (writer->GetErrorCode() != 0 || !errors.empty())
-      {
-        throw Error(path + ": can't be written: " + (errors.empty() ? "disk full?" : errors));
-      }
-    });
+  WritePNG(path, image);
+}
+
+//------------------------------------------------------------------------------
+void WritePNG(const std::string& path, vtkImageData* image)
+{
+  vtkNew<vtkPNGWriter> writer;
+  writer->WriteToMemoryOn();
+  writer->SetInputData(image);
+  writer->Write();
+  const std::string errors = TakeErrorText();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  if (writer->GetErrorCode() != 0 || !errors.empty() || !bytes)
+  {
+    throw Error(path + ": cannot be written: " + (errors.empty() ? "no PNG was made" : errors));
+  }
+  WriteWhole(path, { reinterpret_cast<const char*>(bytes->GetPointer(0)),
+                     static_cast<std::size_t>(bytes->GetNumberOfValues()) });
 }
 
 //------------------------------------------------------------------------------
@@ -167,30 +174,32 @@ void WriteEXR(const std::string& path, const Picture& picture)
   {
     pixels.insert(pixels.end(), picture.At(0, y), picture.At(0, y) + row);
   }
-  WriteWhole(path,
-    [&](const std::string& temporary)
+  std::string bytes;
+  try
+  {
+    Imf::Header header(picture.Width, picture.Height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    Imf::FrameBuffer buffer;
+    const char* const names[] = { "R", "G", "B", "A" };
+    for (std::size_t c = 0; c < 4; ++c)
     {
-      try
-      {
-        Imf::Header header(picture.Width, picture.Height);
-        header.compression() = Imf::ZIP_COMPRESSION;
-        Imf::FrameBuffer buffer;
-        const char* const names[] = { "R", "G", "B", "A" };
-        for (std::size_t c = 0; c < 4; ++c)
-        {
-          header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
-          buffer.insert(names[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&pixels[c]),
-                                    4 * sizeof(float), row * sizeof(float)));
-        }
-        Imf::OutputFile output(temporary.c_str(), header);
-        output.setFrameBuffer(buffer);
-        output.writePixels(picture.Height);
-      }
-      catch (const std::exception& e)
-      {
-        throw Error(path + ": can't be written: " + e.what());
-      }
-    });
+      header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
+      buffer.insert(names[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&pixels[c]),
+                                4 * sizeof(float), row * sizeof(float)));
+    }
+    Imf::StdOSStream stream; // in memory: files are written in one way, which reports all errors
+    {
+      Imf::OutputFile output(stream, header);
+      output.setFrameBuffer(buffer);
+      output.writePixels(picture.Height);
+    }
+    bytes = stream.str();
+  }
+  catch (const std::exception& e)
+  {
+    throw Error(path + ": cannot be written: " + e.what());
+  }
+  WriteWhole(path, bytes);
 #else
   CheckWritable(path); // says why not
   static_cast<void>(picture);

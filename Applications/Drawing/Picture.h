@@ -13,6 +13,7 @@
 #include <vector>
 
 class vtkEnvironment;
+class vtkImageData;
 
 namespace tool
 {
@@ -68,6 +69,7 @@ Picture Downsample(const Picture& picture, int factor);
  * OpenEXR. Whole or not at all; throws Error.
  */
 void WritePNG(const std::string& path, const Picture& picture, double (*encode)(double));
+void WritePNG(const std::string& path, vtkImageData* image); // as it is
 void WriteEXR(const std::string& path, const Picture& picture);
 ///@}
 

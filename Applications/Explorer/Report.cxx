@@ -178,7 +178,7 @@ void WriteReport(const ReportData& data, const std::string& path)
   }
   tool::CheckWritable(path);
   const ordered_json report = MakeReport(data);
-  tool::WriteText(path,
+  tool::WriteWhole(path,
     ending == ".html" ? MakePage(data, report).toStdString()
                       : report.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "State.h"
 
+#include "BoundedJson.h"
 #include "Files.h"
 #include "Methods.h"
 #include "ModelMaterials.h"
@@ -268,8 +269,16 @@ std::string WriteState(const State& state)
 //------------------------------------------------------------------------------
 State ReadState(const std::string& text, const std::string& name)
 {
-  const ordered_json json = ordered_json::parse(text, nullptr, false);
-  if (json.is_discarded() || !json.is_object())
+  ordered_json json;
+  try
+  {
+    json = measuredbrdf::ParseJson<ordered_json>(text);
+  }
+  catch (const std::exception& e)
+  {
+    throw tool::Error(name + ": is no JSON object, as the explorer's states are: " + e.what());
+  }
+  if (!json.is_object())
   {
     throw tool::Error(name + ": is no JSON object, as the explorer's states are");
   }
@@ -337,7 +346,7 @@ State ReadState(const std::string& text, const std::string& name)
 //------------------------------------------------------------------------------
 void SaveState(const State& state, const std::string& path)
 {
-  tool::WriteText(path, WriteState(state));
+  tool::WriteWhole(path, WriteState(state));
 }
 
 //------------------------------------------------------------------------------

@@ -27,6 +27,7 @@
 #include "vtkRadiancePlanner.h"
 
 #include <QApplication>
+#include <QBuffer>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -290,14 +291,14 @@ bool Window::SavePicture(const QString& path)
     {
       throw tool::Error(path.toStdString() + ": a picture's name ends in .png");
     }
-    tool::WriteWhole(path.toStdString(),
-      [&](const std::string& temporary)
-      {
-        if (!image.save(QString::fromStdString(temporary), "PNG"))
-        {
-          throw tool::Error(path.toStdString() + ": could not be written");
-        }
-      });
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (!image.save(&buffer, "PNG"))
+    {
+      throw tool::Error(path.toStdString() + ": no PNG was made");
+    }
+    tool::WriteWhole(path.toStdString(), { bytes.constData(), std::size_t(bytes.size()) });
     this->Model->Say(tr("Saved: %1").arg(path), false);
     return true;
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ExportFiles.h"
 
+#include "NumberText.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -43,9 +45,7 @@ std::string MakeIdentifier(const std::string& name)
 //------------------------------------------------------------------------------
 std::string FormatValue(double value)
 {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4f", value);
-  std::string result = text;
+  std::string result = measuredbrdf::FixedText(value, 4);
   result.erase(result.find_last_not_of('0') + 1);
   if (result.back() == '.')
   {

@@ -242,7 +242,8 @@ void FetchFolder::RecordSum(const std::string& file, const std::string& sum) con
   }
   const std::string line = sum + "  " + file + "\n";
   if (opened.Descriptor < 0 ||
-      write(opened.Descriptor, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
+      write(opened.Descriptor, line.data(), line.size()) != static_cast<ssize_t>(line.size()) ||
+      fsync(opened.Descriptor) != 0)
   {
     const std::string reason = GetFolderReason();
     if (opened.Descriptor >= 0)

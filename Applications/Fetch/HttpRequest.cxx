@@ -115,6 +115,10 @@ extern "C" std::size_t MeasuredBRDFToolHeader(
     const long status = exchange->Answer.Status;
     exchange->IsRedirect =
       status == 301 || status == 302 || status == 303 || status == 307 || status == 308;
+    if (exchange->IsRedirect)
+    {
+      return 0; // its text is not wanted, and may have no end
+    }
   }
   return count;
 }
@@ -123,10 +127,6 @@ extern "C" std::size_t MeasuredBRDFToolHeader(
 extern "C" std::size_t MeasuredBRDFToolBytes(char* data, std::size_t, std::size_t count, void* user)
 {
   auto* exchange = static_cast<Exchange*>(user);
-  if (exchange->IsRedirect)
-  {
-    return count;
-  }
   if (!exchange->TellAnswer())
   {
     return 0;
@@ -218,6 +218,25 @@ std::string DescribeFailure(CURLcode code, const char* details, int timeout)
 }
 
 //------------------------------------------------------------------------------
+// An address as a redirect to it from another one is meant (RFC 3986); "" for none.
+std::string Resolve(const std::string& url, const std::string& location)
+{
+  const std::unique_ptr<CURLU, void (*)(CURLU*)> address(curl_url(), curl_url_cleanup);
+  char* text = nullptr;
+  if (!address || location.empty() ||
+      curl_url_set(address.get(), CURLUPART_URL, url.c_str(), 0) != CURLUE_OK ||
+      curl_url_set(address.get(), CURLUPART_URL, location.c_str(), CURLU_NON_SUPPORT_SCHEME) !=
+        CURLUE_OK ||
+      curl_url_get(address.get(), CURLUPART_URL, &text, 0) != CURLUE_OK)
+  {
+    return "";
+  }
+  const std::string result = text;
+  curl_free(text);
+  return result;
+}
+
+//------------------------------------------------------------------------------
 // One exchange; the address that it redirects to, or "".
 std::string RunOnce(const tool::HttpRequest& request, const std::string& url)
 {
@@ -254,6 +273,17 @@ std::string RunOnce(const tool::HttpRequest& request, const std::string& url)
   {
     throw tool::Error("interrupted");
   }
+  if (exchange.IsRedirect)
+  {
+    const std::string next = Resolve(url, exchange.Answer.Location);
+    if (next.empty())
+    {
+      throw tool::DownloadError(
+        url + " redirects (HTTP status " + std::to_string(exchange.Answer.Status) + ") to nowhere",
+        false);
+    }
+    return next;
+  }
   if (exchange.Thrown || (code == CURLE_OK && !exchange.TellAnswer())) // it had no bytes
   {
     std::rethrow_exception(exchange.Thrown);
@@ -262,17 +292,7 @@ std::string RunOnce(const tool::HttpRequest& request, const std::string& url)
   {
     throw tool::DownloadError(DescribeFailure(code, details, request.Timeout), IsTransient(code));
   }
-  const char* next = nullptr;
-  curl_easy_getinfo(curl, CURLINFO_REDIRECT_URL, &next);
-  if (exchange.IsRedirect && !next)
-  {
-    throw tool::DownloadError(
-      url + " redirects (HTTP status " + std::to_string(exchange.Answer.Status) + ") to nowhere",
-      false);
-  }
-  // Newer versions of libcurl (8.23) leave a user's name out of that address. Run refuses names.
-  const std::string& location = exchange.Answer.Location;
-  return !exchange.IsRedirect ? "" : tool::HasUserName(location) ? location : next;
+  return "";
 }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PartFile.h"
 
+#include "BoundedJson.h"
 #include "FetchFolder.h"
 #include "Progress.h"
 #include "Tool.h"
@@ -45,7 +46,7 @@ tool::PartNotes Parse(const std::string& text)
   tool::PartNotes notes;
   try
   {
-    const Json data = Json::parse(text);
+    const Json data = measuredbrdf::ParseJson<Json>(text);
     notes.Url = data.at("url");
     notes.Tag = data.at("tag");
     notes.Modified = data.at("modified");
@@ -53,7 +54,7 @@ tool::PartNotes Parse(const std::string& text)
     notes.Size = data.at("size");
     notes.Total = data.at("total");
   }
-  catch (const Json::exception&)
+  catch (const std::exception&)
   {
     return {};
   }
@@ -204,12 +205,13 @@ void PartFile::Begin(const PartNotes& notes)
   const std::string text = Format(notes);
   const int file = openat(this->Folder.GetDescriptor(), this->NotesName.c_str(),
     O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0644);
-  const bool done =
+  bool done =
     file >= 0 && write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  const std::string reason = GetPartReason();
-  if (file >= 0)
+  std::string reason = GetPartReason();
+  if (file >= 0 && close(file) != 0 && done)
   {
-    close(file);
+    done = false;
+    reason = GetPartReason();
   }
   if (!done)
   {
@@ -253,8 +255,26 @@ std::string PartFile::ReadBeginning(std::size_t count) const
 void PartFile::Publish()
 {
   const int folder = this->Folder.GetDescriptor();
-  if (fsync(this->Descriptor) != 0 ||
-      renameat(folder, this->Name.c_str(), folder, this->File.c_str()) != 0)
+  const char* const name = this->Name.c_str();
+  const char* const file = this->File.c_str();
+  bool done = fsync(this->Descriptor) == 0;
+  if (done && !this->Folder.IsCache() && linkat(folder, name, folder, file, 0) == 0)
+  {
+    unlinkat(folder, name, 0);
+  }
+  else if (done)
+  {
+    // The cache's own file is replaced where it was damaged. In a folder of the user's nothing is,
+    // also not what appeared meanwhile; some file systems have no links to tell that with.
+    if (!this->Folder.IsCache() && (errno == EEXIST || this->Folder.Has(this->File)))
+    {
+      throw Error(this->Folder.GetPath(this->File) +
+                  " appeared meanwhile. It was left alone; what was downloaded is " +
+                  this->GetPath());
+    }
+    done = renameat(folder, name, folder, file) == 0;
+  }
+  if (!done)
   {
     throw Error(this->Folder.GetPath(this->File) + ": can't be written: " + GetPartReason());
   }

@@ -2,18 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files.h"
 
+#include "NumberText.h"
 #include "Tool.h"
+#include "WholeFile.h"
 
 #include "vtkBRDFWriter.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -63,19 +62,6 @@ std::vector<std::string> Split(const std::string& line)
 }
 
 //------------------------------------------------------------------------------
-bool ParseNumber(const std::string& cell, double& value)
-{
-  const char* begin = cell.data();
-  const char* end = begin + cell.size();
-  if (begin != end && *begin == '+')
-  {
-    ++begin;
-  }
-  const auto result = std::from_chars(begin, end, value);
-  return result.ec == std::errc() && result.ptr == end;
-}
-
-//------------------------------------------------------------------------------
 // Where each column stands in the header line.
 std::array<std::size_t, 6> FindColumns(
   const std::string& line, const tool::PairColumns& columns, const std::string& where)
@@ -117,14 +103,10 @@ tool::Pair ParsePair(const std::string& line, const tool::PairColumns& columns,
       throw tool::Error(where + ": no value for column '" + columns[c] + "'");
     }
     const std::string& cell = cells[places[c]];
-    if (!ParseNumber(cell, pair[c]))
+    if (!measuredbrdf::ParseNumber(cell, pair[c]))
     {
       throw tool::Error(
-        where + ": column '" + columns[c] + "': '" + cell.substr(0, 40) + "' is not a number");
-    }
-    if (!std::isfinite(pair[c]))
-    {
-      throw tool::Error(where + ": column '" + columns[c] + "': '" + cell + "' is not finite");
+        where + ": column '" + columns[c] + "': '" + cell.substr(0, 40) + "' is no finite number");
     }
   }
   for (std::size_t first = 0; first < 6; first += 3)
@@ -141,40 +123,6 @@ tool::Pair ParsePair(const std::string& line, const tool::PairColumns& columns,
 
 //------------------------------------------------------------------------------
 std::string Reason() { return errno ? std::strerror(errno) : "unknown reason"; }
-
-//------------------------------------------------------------------------------
-fs::path GetFolder(const fs::path& place)
-{
-  return place.has_parent_path() ? place.parent_path() : fs::path(".");
-}
-
-//------------------------------------------------------------------------------
-// Where a file to be written lies, links followed; "" for what is no regular file (a pipe, a
-// device). Throws Error for a folder, or in none.
-fs::path FindPlace(const std::string& path)
-{
-  std::error_code ignored;
-  const fs::path target = path;
-  if (fs::is_directory(target, ignored) || !target.has_filename())
-  {
-    throw tool::Error(path + ": can't be written: it is a directory");
-  }
-  const fs::file_status status = fs::status(target, ignored);
-  if (fs::exists(status) && !fs::is_regular_file(status))
-  {
-    return {};
-  }
-  fs::path place = target;
-  if (fs::is_symlink(target, ignored) && fs::exists(target, ignored))
-  {
-    place = fs::canonical(target, ignored);
-  }
-  if (!fs::is_directory(GetFolder(place), ignored))
-  {
-    throw tool::Error(path + ": can't be written: there is no folder " + GetFolder(place).string());
-  }
-  return place;
-}
 }
 
 namespace tool
@@ -262,45 +210,20 @@ void WriteResults(const std::string& path, const PairColumns& columns,
   }
   else
   {
-    WriteText(path, text);
+    WriteWhole(path, text);
   }
 }
 
 //------------------------------------------------------------------------------
-void WriteWhole(
-  const std::string& path, const std::function<void(const std::string& temporary)>& write)
+void WriteWhole(const std::string& path, std::string_view bytes)
 {
-  std::error_code ignored;
-  const fs::path place = FindPlace(path);
-  if (place.empty())
-  {
-    write(path); // a pipe or a device can't be renamed over
-    return;
-  }
-  const fs::path folder = GetFolder(place);
-  const fs::path temporary = folder / ("." + place.stem().string() + ".part" +
-                                        std::to_string(getpid()) + place.extension().string());
   try
   {
-    write(temporary.string());
-    std::error_code error;
-    fs::rename(temporary, place, error);
-    if (error)
-    {
-      throw Error(path + ": can't be written: " + error.message());
-    }
+    measuredbrdf::WriteWholeFile(path, bytes);
   }
-  catch (const std::exception& e)
+  catch (const std::runtime_error& e)
   {
-    fs::remove(temporary, ignored);
-    // The message should name the file that was asked for.
-    std::string message = e.what();
-    const std::size_t at = message.find(temporary.string());
-    if (at != std::string::npos)
-    {
-      message.replace(at, temporary.string().size(), path);
-    }
-    throw Error(message);
+    throw Error(e.what());
   }
 }
 
@@ -309,30 +232,17 @@ void CheckWritable(const std::string& path)
 {
   if (!MEASUREDBRDF_WITH_OPENEXR && Extension(path) == ".exr")
   {
-    throw Error(path + ": can't be written: this build has no OpenEXR (MEASUREDBRDF_WITH_OPENEXR)");
+    throw Error(
+      path + ": cannot be written: this build has no OpenEXR (MEASUREDBRDF_WITH_OPENEXR)");
   }
-  const fs::path place = FindPlace(path);
-  errno = 0;
-  if (!place.empty() && access(GetFolder(place).c_str(), W_OK) != 0)
+  try
   {
-    throw Error(path + ": can't be written: its folder: " + Reason());
+    measuredbrdf::CheckWritePlace(path);
   }
-}
-
-//------------------------------------------------------------------------------
-void WriteText(const std::string& path, const std::string& text)
-{
-  WriteWhole(path,
-    [&text](const std::string& temporary)
-    {
-      errno = 0;
-      std::ofstream file(temporary, std::ios::binary);
-      file << text << std::flush;
-      if (!file)
-      {
-        throw Error(temporary + ": can't be written: " + Reason());
-      }
-    });
+  catch (const std::runtime_error& e)
+  {
+    throw Error(e.what());
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -9,8 +9,8 @@
 #define Files_h
 
 #include <array>
-#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 class vtkBRDF;
@@ -33,18 +33,11 @@ std::vector<Pair> ReadPairs(const std::string& path, const PairColumns& columns)
 void WriteResults(const std::string& path, const PairColumns& columns,
   const std::vector<Pair>& pairs, const std::vector<double>& rgb);
 
-/**
- * Let write() make the file under a temporary name beside its place (same ending), then rename it:
- * a failure leaves what was there. Throws Error.
- */
-void WriteWhole(
-  const std::string& path, const std::function<void(const std::string& temporary)>& write);
+/// A file, whole or not at all: as WriteWholeFile (WholeFile.h). Throws Error.
+void WriteWhole(const std::string& path, std::string_view bytes);
 
 /// Throws Error where a file could not be written there: to be asked before long work.
 void CheckWritable(const std::string& path);
-
-/// Text to a file, whole or not at all.
-void WriteText(const std::string& path, const std::string& text);
 
 /// A material in the format that the path's ending names, whole or not at all; halfFloats: tables
 /// of .exr as 16-bit floats. Throws Error.

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialMapFiles.h"
 
+#include "BoundedJson.h"
 #include "Files.h"
 #include "Inputs.h"
+#include "Picture.h"
 #include "Tool.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPNGWriter.h"
 #include "vtkPictureReader.h"
 
 #include <nlohmann/json.hpp>
@@ -86,24 +87,6 @@ void MakeFolder(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-void WriteImage(vtkImageData* image, const std::string& path)
-{
-  WriteWhole(path,
-    [&](const std::string& temporary)
-    {
-      vtkNew<vtkPNGWriter> writer;
-      writer->SetFileName(temporary.c_str());
-      writer->SetInputData(image);
-      writer->Write();
-      const std::string errors = TakeErrorText();
-      if (writer->GetErrorCode() != 0 || !errors.empty())
-      {
-        throw Error(path + ": can't be written: " + (errors.empty() ? "disk full?" : errors));
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkMaterialMap> MakeMaterialMap(
   const std::vector<std::string>& materials, const std::vector<std::string>& images)
 {
@@ -135,7 +118,7 @@ vtkSmartPointer<vtkMaterialMap> ReadMaterialMap(const std::string& path)
   const fs::path folder = fs::path(path).parent_path();
   try
   {
-    const ordered_json description = ordered_json::parse(file);
+    const ordered_json description = measuredbrdf::ParseJson<ordered_json>(file);
     for (const ordered_json& material : description.at("materials"))
     {
       const std::string name = material.at("material").get<std::string>();
@@ -147,7 +130,7 @@ vtkSmartPointer<vtkMaterialMap> ReadMaterialMap(const std::string& path)
       images.push_back((folder / image.get<std::string>()).string());
     }
   }
-  catch (const ordered_json::exception& e)
+  catch (const std::exception& e)
   {
     throw Error(path + ": no material map: " + e.what());
   }
@@ -163,10 +146,10 @@ void WriteMaterialMap(vtkMaterialMap* map, const std::string& folder, const orde
   for (int first = 0; first < map->GetNumberOfMaterials(); first += MaterialsPerImage)
   {
     const std::string name = "weights-" + std::to_string(first / MaterialsPerImage + 1) + ".png";
-    WriteImage(MakeWeightImage(map, first), (fs::path(folder) / name).string());
+    WritePNG((fs::path(folder) / name).string(), MakeWeightImage(map, first));
     description["weights"].push_back(name);
   }
-  WriteText((fs::path(folder) / "map.json").string(),
+  WriteWhole((fs::path(folder) / "map.json").string(),
     description.dump(2, ' ', true, ordered_json::error_handler_t::replace) + "\n");
 }
 } // namespace tool

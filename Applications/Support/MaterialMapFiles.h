@@ -38,9 +38,6 @@ vtkSmartPointer<vtkMaterialMap> ReadMaterialMap(const std::string& path);
 void WriteMaterialMap(vtkMaterialMap* map, const std::string& folder,
   const nlohmann::ordered_json& materials, const nlohmann::ordered_json& facts);
 
-/// An image as PNG, whole or not at all. Throws Error.
-void WriteImage(vtkImageData* image, const std::string& path);
-
 /// Make a folder where there is none. Throws Error.
 void MakeFolder(const std::string& path);
 } // namespace tool

@@ -3,6 +3,7 @@
 #include "Tool.h"
 
 #include "BackgroundWork.h"
+#include "NumberText.h"
 
 #include "vtkBRDFReader.h"
 #include "vtkLogger.h"
@@ -162,12 +163,7 @@ std::string TakeErrorText()
 }
 
 //------------------------------------------------------------------------------
-std::string FormatNumber(double value)
-{
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.9g", value);
-  return text;
-}
+std::string FormatNumber(double value) { return measuredbrdf::NumberText(value, 9); }
 
 //------------------------------------------------------------------------------
 std::string FormatCount(std::size_t count, const std::string& noun)

@@ -32,16 +32,21 @@ int main(int argc, char* argv[])
   const std::string image = argc > 1 ? argv[1] : "MeasuredSphere.png";
   const std::string material = argc > 2 ? argv[2] : "gold-paint";
 
-  auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(material));
+  vtkSmartPointer<vtkBRDF> brdf;
   vtkNew<vtkBRDFReader> materialReader;
-  if (!brdf)
+  if (material.find_first_of("./#") != std::string::npos) // no built-in name has these
   {
     materialReader->SetFileName(material);
-    if (!materialReader->Read())
-    {
-      return EXIT_FAILURE; // the reader has said why
-    }
+    materialReader->Read();
     brdf = materialReader->GetBRDF();
+  }
+  else
+  {
+    brdf.TakeReference(vtkEmbeddedMaterials::NewBRDF(material));
+  }
+  if (!brdf)
+  {
+    return EXIT_FAILURE; // they have said why
   }
 
   vtkNew<vtkEnvironment> sky;

@@ -16,13 +16,15 @@ parser.add_argument("--light", type=float, default=45.0, metavar="DEGREES",
                     help="angle between light and normal (default: %(default)s)")
 options = parser.parse_args()
 
-brdf = vtkEmbeddedMaterials.NewBRDF(options.material)
-if not brdf:
+if set(options.material) & set("./#"):  # no built-in name has these
     reader = vtkBRDFReader()
     reader.SetFileName(options.material)
-    if not reader.Read():
-        sys.exit(1)  # the reader has said why
+    reader.Read()
     brdf = reader.GetBRDF()
+else:
+    brdf = vtkEmbeddedMaterials.NewBRDF(options.material)
+if not brdf:
+    sys.exit(1)  # they have said why
 
 
 def direction(degrees):

@@ -33,13 +33,15 @@ parser.add_argument("--tolerance", type=float, default=0.02,
 parser.add_argument("-o", "--output", default="measured_sphere.png", help="default: %(default)s")
 options = parser.parse_args()
 
-brdf = vtkEmbeddedMaterials.NewBRDF(options.material)
-if not brdf:
+if set(options.material) & set("./#"):  # no built-in name has these
     reader = vtkBRDFReader()
     reader.SetFileName(options.material)
-    if not reader.Read():
-        sys.exit(1)  # the reader has said why
+    reader.Read()
     brdf = reader.GetBRDF()
+else:
+    brdf = vtkEmbeddedMaterials.NewBRDF(options.material)
+if not brdf:
+    sys.exit(1)  # they have said why
 
 environment = vtkEnvironment()
 environment.SetToProceduralSky()

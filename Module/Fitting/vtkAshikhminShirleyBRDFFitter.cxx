@@ -4,14 +4,13 @@
 
 #include "FitterSamples.h"
 #include "LobeFit.h"
+#include "NumberText.h"
 #include "Setters.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSumBRDF.h"
-
-#include <sstream>
 
 using namespace measuredbrdf;
 
@@ -42,7 +41,7 @@ vtkBRDFFitter::Result vtkAshikhminShirleyBRDFFitter::FitTo(const std::vector<Sam
   {
     return { nullptr, {}, false, fit.Failure };
   }
-  std::ostringstream report;
+  TextStream report;
   report << "diffuse albedo: " << fit.Albedo[0] << " " << fit.Albedo[1] << " " << fit.Albedo[2]
          << "\n";
   vtkNew<vtkLambertBRDF> lambert;

@@ -4,14 +4,13 @@
 
 #include "FitterSamples.h"
 #include "LobeFit.h"
+#include "NumberText.h"
 #include "Setters.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSumBRDF.h"
-
-#include <sstream>
 
 using namespace measuredbrdf;
 
@@ -38,7 +37,7 @@ vtkBRDFFitter::Result vtkBlinnPhongBRDFFitter::FitTo(const std::vector<Sample>& 
   {
     return { nullptr, {}, false, fit.Failure };
   }
-  std::ostringstream report;
+  TextStream report;
   report << "diffuse albedo: " << fit.Albedo[0] << " " << fit.Albedo[1] << " " << fit.Albedo[2]
          << "\n";
   vtkNew<vtkLambertBRDF> lambert;

@@ -4,6 +4,7 @@
 
 #include "DistributionFit.h"
 #include "FitterSamples.h"
+#include "NumberText.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkDistributionBRDF.h"
@@ -11,8 +12,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSumBRDF.h"
-
-#include <sstream>
 
 using namespace measuredbrdf;
 
@@ -96,7 +95,7 @@ vtkBRDFFitter::Result vtkDistributionBRDFFitter::FitTo(const std::vector<Sample>
   sum->AddTerm(lambert);
   sum->AddTerm(distribution);
 
-  std::ostringstream report;
+  TextStream report;
   report << "diffuse albedo: " << fit.Albedo[0] << " " << fit.Albedo[1] << " " << fit.Albedo[2]
          << "\n";
   report << "p: " << nTheta << " x " << nPhi << " samples, at the normal " << fit.Distribution[0]

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRepresentationAdvisor.h"
 
+#include "NumberText.h"
 #include "Setters.h"
 #include "ZonePairs.h"
 #include "vtkBRDFResampler.h"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 using namespace measuredbrdf;
 
@@ -116,13 +116,12 @@ bool vtkRepresentationAdvisor::Update()
     projector->GetOutput()->GetNegativeMass(this->Zone, this->Zone, NumberOfPairs);
   this->Overshoot = MeasureOvershoot(this->Input, projector->GetOutput(), this->Zone);
   this->Recommendation = this->InZoneResidual <= this->MaximumResidual ? BASIS : FIT;
-  char reason[200];
-  std::snprintf(reason, sizeof(reason),
-    "%s: at order %d over %g to %g degrees the residual is %.1f %% (limit %g %%), the negative "
-    "mass %.2f %%",
-    this->Recommendation == BASIS ? "basis" : "fit", this->Order, this->Zone[0], this->Zone[1],
-    100.0 * this->InZoneResidual, 100.0 * this->MaximumResidual, 100.0 * this->NegativeMass);
-  this->Reason = reason;
+  this->Reason = std::string(this->Recommendation == BASIS ? "basis" : "fit") + ": at order " +
+                 std::to_string(this->Order) + " over " + NumberText(this->Zone[0]) + " to " +
+                 NumberText(this->Zone[1]) + " degrees the residual is " +
+                 FixedText(100.0 * this->InZoneResidual, 1) + " % (limit " +
+                 NumberText(100.0 * this->MaximumResidual) + " %), the negative mass " +
+                 FixedText(100.0 * this->NegativeMass, 2) + " %";
   return true;
 }
 

@@ -114,7 +114,11 @@ int vtkSimulatedPhotographSet::AddBonnDirections(int count, double exposure)
     GetDirection(angles[0], angles[1], light);
     GetBonnDirection(pair % NumberOfBonnDirections, angles);
     GetDirection(angles[0], angles[1], view);
-    added += this->AddDirections(light, view, exposure) >= 0 ? 1 : 0;
+    if (this->AddDirections(light, view, exposure) < 0)
+    {
+      break; // the next fails alike, and it has been said
+    }
+    ++added;
   }
   return added;
 }
@@ -142,7 +146,11 @@ int vtkSimulatedPhotographSet::AddHalfVectorDirections(int count, double exposur
       std::cos(turn), std::sin(turn), 0.0, -std::sin(turn), std::cos(turn), 0.0, 0.0, 0.0, 1.0);
     light = rotation * light;
     view = rotation * view;
-    added += this->AddDirections(&light.x, &view.x, exposure) >= 0 ? 1 : 0;
+    if (this->AddDirections(&light.x, &view.x, exposure) < 0)
+    {
+      break;
+    }
+    ++added;
   }
   return added;
 }

@@ -10,7 +10,9 @@
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdint>
 #include <filesystem>
 
@@ -40,6 +42,84 @@ Path SplitPath(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+bool IsText(std::string_view bytes)
+{
+  return std::all_of(bytes.begin(), bytes.end(),
+    [](char c)
+    {
+      const auto byte = static_cast<unsigned char>(c);
+      return byte >= 0x20 ? byte != 0x7f && byte < 0xf5 : (c == '\n' || c == '\r' || c == '\t');
+    });
+}
+
+//------------------------------------------------------------------------------
+// What a file that is no material may be: what often lies where one is looked for.
+std::string DescribeContent(std::string_view bytes)
+{
+  struct Kind
+  {
+    std::string_view Start;
+    const char* Description;
+  };
+  static constexpr Kind kinds[] = {
+    { "version https://git-lfs", "it is a pointer of Git LFS, not the file itself: 'git lfs pull' "
+                                 "downloads that" },
+    { "\xff\xfe", "it may be text in UTF-16: save it as UTF-8" },
+    { "\xfe\xff", "it may be text in UTF-16: save it as UTF-8" },
+    { "PK\x03\x04", "it is a ZIP archive: unpack it" },
+    { "\x1f\x8b", "it is compressed by gzip: unpack it" },
+    { "\x89PNG", "it is a PNG picture" },
+    { "\xff\xd8\xff", "it is a JPEG picture" },
+    { "#?RADIANCE", "it is a Radiance picture, an environment perhaps" },
+    { "#?RGBE", "it is a Radiance picture, an environment perhaps" },
+    { "\x89HDF", "it is an HDF5 file" },
+    { "%PDF", "it is a PDF document" },
+  };
+  for (const Kind& kind : kinds)
+  {
+    if (bytes.substr(0, kind.Start.size()) == kind.Start)
+    {
+      return kind.Description;
+    }
+  }
+  const std::string_view start = bytes.substr(0, 4096);
+  if (start.find_first_not_of('\0') == std::string_view::npos)
+  {
+    return "its bytes are 0: its download or copy may be unfinished";
+  }
+  if (IsText(start))
+  {
+    std::string lower(start);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+      [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::size_t first = std::min(lower.find_first_not_of(" \t\r\n"), lower.size());
+    if (lower.find("<html") != std::string::npos || lower.find("<!doctype html") == first)
+    {
+      return "it is a web page, saved in the file's place";
+    }
+    if (lower.find("scattertype") != std::string::npos &&
+        lower.find("samplerotation") != std::string::npos)
+    {
+      return "it looks like a table of Zemax's (\"ScatterType\"), which is not read";
+    }
+    const std::string line = lower.substr(0, lower.find_first_of("\r\n", first)).substr(first);
+    return std::string(
+             first < lower.size() && lower[first] == '<'
+               ? "it is XML without the element 'WindowElement' of BSDF files, and begins "
+               : "it is text that begins ") +
+           Quote(std::string(start.substr(first, std::min<std::size_t>(line.size(), 60))));
+  }
+  if (bytes.size() < 12)
+  {
+    return "it has " + std::to_string(bytes.size()) + " bytes only";
+  }
+  std::array<std::int32_t, 3> sizes;
+  ByteReader::Copy(sizes.data(), bytes.data(), sizes.size());
+  return "as MERL's three sizes they read " + std::to_string(sizes[0]) + ", " +
+         std::to_string(sizes[1]) + ", " + std::to_string(sizes[2]) + ", expected 1 to 2048 each";
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkBRDFFormat> FindFormat(const vtkBRDFFormat::File& file)
 {
   auto format = vtkBRDFFormats::FindForReading(file);
@@ -51,22 +131,8 @@ vtkSmartPointer<vtkBRDFFormat> FindFormat(const vtkBRDFFormat::File& file)
   {
     throw FileError(file.Path + ": " + NoOpenEXR + ".exr materials cannot be read");
   }
-  std::string found;
-  const std::string_view start = file.Bytes.substr(0, 2);
-  if (start == "\xff\xfe" || start == "\xfe\xff")
-  {
-    found = "; it may be text in UTF-16: save it as UTF-8";
-  }
-  else if (file.Bytes.size() >= 12)
-  {
-    std::array<std::int32_t, 3> sizes;
-    ByteReader::Copy(sizes.data(), file.Bytes.data(), sizes.size());
-    found = "; as MERL's three sizes they read " + std::to_string(sizes[0]) + ", " +
-            std::to_string(sizes[1]) + ", " + std::to_string(sizes[2]) +
-            ", expected 1 to 2048 each";
-  }
   throw FileError(file.Path + ": magic at byte 0: the first bytes are of no known format (" +
-                  vtkBRDFFormats::GetNames() + ")" + found);
+                  vtkBRDFFormats::GetNames() + "); " + DescribeContent(file.Bytes));
 }
 }
 

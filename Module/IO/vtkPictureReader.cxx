@@ -4,6 +4,7 @@
 
 #include "FileBytes.h"
 #include "ImageFile.h"
+#include "NumberText.h"
 
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
@@ -30,7 +31,7 @@ void CheckValues(const std::string& path, const ImageFile& file)
     const auto width = static_cast<std::size_t>(file.Width);
     throw FileError(path + ": pixel (" + std::to_string(at / 4 % width) + ", " +
                     std::to_string(at / 4 / width) + ") from the top left, channel " +
-                    std::to_string(at % 4) + ": found " + std::to_string(*bad) +
+                    std::to_string(at % 4) + ": found " + measuredbrdf::NumberText(*bad) +
                     ", expected a finite value");
   }
 }

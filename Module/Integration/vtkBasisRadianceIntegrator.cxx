@@ -8,6 +8,7 @@
 #include "LocalFrame.h"
 #include "ModuleShader.h"
 #include "Neighbors.h"
+#include "NumberText.h"
 #include "RadialFunctions.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
@@ -29,7 +30,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -336,7 +336,7 @@ bool vtkBasisRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   views.Name = "brdfViews";
   views.Dimensions = { ViewColumns, tables.Rows, 1 };
   views.Data = tables.Views;
-  std::ostringstream text;
+  TextStream text;
   text << tables.NumberOfFunctions << " pre-integrated functions, " << tables.Side << " x "
        << tables.Side << " normals a half, truncation " << 100.0 * tables.TruncationError << " %";
   vtkBRDFShaderInputs::Term term;

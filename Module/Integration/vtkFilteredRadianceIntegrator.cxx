@@ -303,7 +303,7 @@ double vtkFilteredRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
 //------------------------------------------------------------------------------
 vtkIdType vtkFilteredRadianceIntegrator::EstimateTextureBytes()
 {
-  return EnvironmentPyramid::EstimateBytes(this->Environment);
+  return this->Environment ? EnvironmentPyramid::EstimateBytes(this->Environment) : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "vtkRadianceCostModel.h"
 
 #include "Neighbors.h" // for MostFilterBits
+#include "NumberText.h"
 #include "Printable.h"
 #include "vtkObjectFactory.h"
 
@@ -81,8 +82,7 @@ double vtkRadianceCostModel::GetCost(const std::string& name, double unknown)
 //------------------------------------------------------------------------------
 std::string vtkRadianceCostModel::GetText()
 {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
+  measuredbrdf::TextStream text;
   text.precision(17);
   text << Title << "\n" << this->Name << "\n" << this->FilterWeightBits << "\n";
   for (const auto& [name, cost] : this->Costs)

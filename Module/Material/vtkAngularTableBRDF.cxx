@@ -134,7 +134,8 @@ void vtkAngularTableBRDF::PrintSelf(ostream& os, vtkIndent indent)
 std::vector<float> vtkAngularTableBRDF::GetEvenAzimuths(int count)
 {
   std::vector<float> azimuths;
-  for (int k = 0; k < count; ++k)
+  const int most = MaximumNodes;
+  for (int k = 0; k < count && count <= most; ++k)
   {
     azimuths.push_back(static_cast<float>(FullTurn * k / count));
   }

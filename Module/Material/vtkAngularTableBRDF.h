@@ -49,7 +49,7 @@ public:
     LIGHT = 1
   };
 
-  /// 0, 360 / count, ... degrees.
+  /// 0, 360 / count, ... degrees; none where count is not 1 to MaximumNodes.
   static std::vector<float> GetEvenAzimuths(int count);
 
   /// Of either direction.

@@ -7,6 +7,7 @@
 #include "HalfVectorSampler.h"
 #include "ModuleShader.h"
 #include "Neighbors.h"
+#include "NumberText.h"
 #include "Setters.h"
 #include "vtkBRDFAnisotropicTable.h"
 #include "vtkBRDFExchange.h"
@@ -19,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 using namespace measuredbrdf;
 
@@ -317,7 +317,7 @@ void vtkAnisotropicTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     { "brdfTurns", { this->AzimuthRange == HALF_TURN ? 2.0f : 1.0f } },
     { "brdfAzimuths", { static_cast<float>(std::max(this->Dimensions[2], 1)) } },
     { "brdfCosineWeighted", { this->CosineWeighted ? 1.0f : 0.0f } } };
-  std::ostringstream text;
+  TextStream text;
   text << "half/difference volume with the half vector's azimuth " << this->Dimensions[0] << " x "
        << this->Dimensions[1] << " x " << this->Dimensions[2] << " x " << this->Dimensions[3]
        << ", " << (texture.HalfFloat ? "16" : "32") << "-bit float, " << texture.GetBytes()

@@ -2,20 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBRDFExchange.h"
 
+#include "NumberText.h"
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
-
-namespace
-{
-std::string ToText(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-}
 
 //------------------------------------------------------------------------------
 vtkBRDFExchange::vtkBRDFExchange(vtkBRDFData& data, bool loading)
@@ -92,7 +83,7 @@ void vtkBRDFExchange::Number(
     set(values[0]);
     if (member != values[0]) // it was clamped or refused
     {
-      this->Fail("number '" + name + "' is out of range: " + ToText(values[0]));
+      this->Fail("number '" + name + "' is out of range: " + measuredbrdf::NumberText(values[0]));
     }
   }
 }

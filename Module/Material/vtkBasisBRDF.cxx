@@ -9,6 +9,7 @@
 #include "HalfVectorSampler.h"
 #include "LocalFrame.h"
 #include "ModuleShader.h"
+#include "NumberText.h"
 #include "Setters.h"
 #include "ZonePairs.h"
 #include "vtkBRDFBasis.h"
@@ -23,7 +24,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <sstream>
 
 using namespace measuredbrdf;
 
@@ -98,7 +98,7 @@ std::string vtkBasisBRDF::FindZoneProblem(const double zone[2])
   {
     return "";
   }
-  std::ostringstream text;
+  TextStream text;
   text << "zone " << zone[0] << " to " << zone[1]
        << " degrees, expected 0 <= begin <= " << static_cast<double>(MaximumZoneBegin)
        << ", end <= 90 and at least " << static_cast<double>(MinimumZoneWidth) << " between";
@@ -404,7 +404,7 @@ void vtkBasisBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   term.Uniforms.push_back(
     { "brdfOutgoingCosine", limits(this->OutgoingCosine, std::cos(end), std::cos(begin)) });
 
-  std::ostringstream text;
+  TextStream text;
   text << GetBasisName(this->Basis) << " basis of order " << this->Order << " (" << n
        << " functions), coefficients " << this->NumberOfPhi << " x " << this->NumberOfTheta
        << ", basis values " << tables.NumberOfPhi << " x " << tables.NumberOfGamma << ", "
@@ -454,7 +454,7 @@ void vtkBasisBRDF::ExchangeData(vtkBRDFExchange& exchange)
   const int functions = coefficients.Shape[0];
   if (order < 0.0 || std::pow(order + 1.0, 2.0) != functions)
   {
-    std::ostringstream text;
+    TextStream text;
     text << "number 'order' is " << order << ", expected that of " << functions << " functions";
     exchange.Fail(text.str());
   }

@@ -3,6 +3,7 @@
 #include "vtkPhotographSet.h"
 
 #include "HalfVector.h"
+#include "NumberText.h"
 #include "Printable.h"
 #include "Setters.h"
 #include "vtkImageData.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 vtkStandardNewMacro(vtkPhotographSet);
@@ -37,7 +37,7 @@ std::string vtkPhotographSet::FindDirectionProblem(
   const double direction[3], const std::string& what)
 {
   const double length = std::hypot(direction[0], direction[1], direction[2]);
-  std::ostringstream found;
+  measuredbrdf::TextStream found;
   found << what << ": found (" << direction[0] << ", " << direction[1] << ", " << direction[2]
         << "), expected ";
   if (!std::isfinite(length) || !(length > 0.0))
@@ -55,7 +55,7 @@ std::string vtkPhotographSet::FindExposureProblem(double exposure)
   {
     return std::string();
   }
-  std::ostringstream found;
+  measuredbrdf::TextStream found;
   found << "exposure: found " << exposure << ", expected a finite number > 0";
   return found.str();
 }

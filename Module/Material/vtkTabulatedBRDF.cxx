@@ -7,6 +7,7 @@
 #include "HalfVectorSampler.h"
 #include "ModuleShader.h"
 #include "Neighbors.h"
+#include "NumberText.h"
 #include "OneByOne.h"
 #include "Setters.h"
 #include "SharedExponent.h"
@@ -33,7 +34,6 @@
 #include <limits>
 #include <mutex>
 #include <optional>
-#include <sstream>
 
 using namespace measuredbrdf;
 
@@ -400,7 +400,7 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   term.Uniforms.push_back({ "brdfScale", { 1.0f / storage.Scale } });
   term.Uniforms.push_back({ "brdfTurns", { half ? 2.0f : 1.0f } });
   term.Uniforms.push_back({ "brdfCosineWeighted", { this->CosineWeighted ? 1.0f : 0.0f } });
-  std::ostringstream text;
+  TextStream text;
   text << (this->Parameterization == HALF_DIFFERENCE ? "half/difference" : "incident/outgoing")
        << " volume " << this->Dimensions[0] << " x " << this->Dimensions[1] << " x "
        << this->Dimensions[2] << ", " << storage.GetText() << ", " << texture.GetBytes()

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOcclusionPredictor.h"
 
+#include "NumberText.h"
 #include "Setters.h"
 #include "TakenError.h"
 #include "vtkBRDF.h"
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <vector>
 
 namespace
@@ -185,10 +185,9 @@ std::string vtkOcclusionPredictor::FormatText(double error, double uncertainty)
   }
   const auto toPercent = [](double share)
   {
-    std::ostringstream text;
-    text.precision(share < 0.1 ? 2 : 3);
-    text << (share < 0.1 ? 100.0 * share : std::round(100.0 * share)) << " %";
-    return text.str();
+    return (share < 0.1 ? measuredbrdf::NumberText(100.0 * share, 2)
+                        : measuredbrdf::NumberText(std::round(100.0 * share), 3)) +
+           " %";
   };
   return "unoccluded light: " + toPercent(error) + " on this surface (+- " +
          toPercent(uncertainty) + ")";

@@ -297,6 +297,10 @@ bool vtkRadiancePlanner::Search()
   {
     impl.Task.Shared->GetViews(impl.BRDF, this->Abort); // which all that follows asks for
   }
+  if (this->Abort)
+  {
+    return this->Fail(); // candidates would want the views whole
+  }
   std::vector<PlanCandidate> candidates = measuredbrdf::ListCandidates(impl.Task);
   if (candidates.empty() && !this->Abort)
   {

@@ -247,6 +247,10 @@ vtkIdType vtkCompositeMeasuredBRDFMapper::GetTextureBytes()
 //------------------------------------------------------------------------------
 void vtkCompositeMeasuredBRDFMapper::ShallowCopy(vtkAbstractMapper* mapper)
 {
+  if (!mapper)
+  {
+    return; // the superclass wants one
+  }
   if (auto* other = vtkCompositeMeasuredBRDFMapper::SafeDownCast(mapper))
   {
     this->Impl->Settings->Copy(*other->Impl->Settings);
@@ -257,6 +261,10 @@ void vtkCompositeMeasuredBRDFMapper::ShallowCopy(vtkAbstractMapper* mapper)
 //------------------------------------------------------------------------------
 void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
+  if (!renderer || !actor)
+  {
+    return; // the superclass wants both
+  }
   const Depth inside(this->RenderDepth);
   this->Impl->Parts->Begin();
   vtkDataObject* input = this->GetInputDataObject(0, 0);

@@ -4,6 +4,7 @@
 
 #include "LegendShapes.h"
 #include "MaterialPicture.h"
+#include "NumberText.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
@@ -19,7 +20,6 @@
 #include "vtkWindow.h"
 
 #include <algorithm>
-#include <sstream>
 #include <vector>
 
 using namespace measuredbrdf;
@@ -31,13 +31,6 @@ constexpr double LargestText = 0.33; // of a sphere's diameter, for a name besid
 constexpr double TitleShare = 0.1;   // of the legend's height, at most
 constexpr int SmallestText = 9;      // pixels
 constexpr double TitleTimes = 1.2;   // as large as the names, at most
-
-std::string ToText(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
 }
 
 struct vtkMaterialLegendActor::Internals
@@ -227,7 +220,7 @@ void vtkMaterialLegendActor::UpdateEntries()
       }
       entry.Square->Texture->SetInputDataObject(entry.Picture);
     }
-    entry.Label = map->GetName(k).empty() ? ToText(map->GetValue(k)) : map->GetName(k);
+    entry.Label = map->GetName(k).empty() ? NumberText(map->GetValue(k)) : map->GetName(k);
     entries.push_back(entry);
   }
   this->Impl->Entries = std::move(entries);
@@ -380,6 +373,10 @@ vtkImageData* vtkMaterialLegendActor::GetSphere(int entry)
 int vtkMaterialLegendActor::RenderOverlay(vtkViewport* viewport)
 {
   int drawn = 0;
+  if (!viewport)
+  {
+    return drawn;
+  }
   this->Impl->ForEachActor(
     [&drawn, viewport](vtkActor2D* actor) { drawn += actor->RenderOverlay(viewport); });
   return drawn;
@@ -388,8 +385,12 @@ int vtkMaterialLegendActor::RenderOverlay(vtkViewport* viewport)
 //------------------------------------------------------------------------------
 int vtkMaterialLegendActor::RenderOpaqueGeometry(vtkViewport* viewport)
 {
-  this->UpdateLayout(viewport);
   int drawn = 0;
+  if (!viewport)
+  {
+    return drawn;
+  }
+  this->UpdateLayout(viewport);
   this->Impl->ForEachActor(
     [&drawn, viewport](vtkActor2D* actor) { drawn += actor->RenderOpaqueGeometry(viewport); });
   return drawn;

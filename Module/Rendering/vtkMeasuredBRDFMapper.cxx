@@ -145,6 +145,10 @@ bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
 //------------------------------------------------------------------------------
 void vtkMeasuredBRDFMapper::RenderPiece(vtkRenderer* ren, vtkActor* actor)
 {
+  if (!ren || !actor)
+  {
+    return; // the superclass wants both
+  }
   const Depth inside(this->RenderDepth);
   if (!this->RenderParts(ren, actor))
   {
@@ -255,6 +259,10 @@ double* vtkMeasuredBRDFMapper::GetBounds()
 //------------------------------------------------------------------------------
 void vtkMeasuredBRDFMapper::ShallowCopy(vtkAbstractMapper* m)
 {
+  if (!m)
+  {
+    return; // the superclass wants one
+  }
   if (vtkMeasuredBRDFMapper* other = vtkMeasuredBRDFMapper::SafeDownCast(m))
   {
     this->Drawing->GetSettings().Copy(other->Drawing->GetSettings());

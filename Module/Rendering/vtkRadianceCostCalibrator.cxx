@@ -3,6 +3,7 @@
 #include "vtkRadianceCostCalibrator.h"
 
 #include "FilterPrecision.h"
+#include "NumberText.h"
 #include "PlanCache.h"
 #include "SquareLayers.h"
 
@@ -309,8 +310,8 @@ std::string vtkRadianceCostCalibrator::Measure(vtkRenderWindow* window, const st
       const double base = std::max(pixel[0] - units[0] * each, LeastBase * pixel[0]);
       if (!(base > 0.0))
       {
-        return "frame times on " + name + " tell nothing: " + std::to_string(pixel[0]) + " and " +
-               std::to_string(pixel[1]) + " ns per pixel with 1 and 64 lights.";
+        return "frame times on " + name + " tell nothing: " + measuredbrdf::NumberText(pixel[0]) +
+               " and " + measuredbrdf::NumberText(pixel[1]) + " ns per pixel with 1 and 64 lights.";
       }
       if (!model->SetCost("base", base))
       {

@@ -3,6 +3,7 @@
 #include "vtkBRDFSliceSource.h"
 
 #include "MaterialSource.h"
+#include "NumberText.h"
 #include "Setters.h"
 
 #include "vtkDoubleArray.h"
@@ -14,7 +15,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 
 using namespace measuredbrdf;
@@ -31,7 +31,7 @@ std::string FindProblem(const double range[2], double low, double high)
   {
     return "";
   }
-  std::ostringstream text;
+  TextStream text;
   text << "found " << range[0] << ", " << range[1] << ", expected angles from " << low << " to "
        << high << " degrees";
   return text.str();

@@ -139,6 +139,8 @@ void ExplorerParts::badStates_data()
     << "at most 8";
   QTest::newRow("one to compare twice") << R"("compared": ["a", "a"])"
                                         << "different";
+  QTest::newRow("nested deeply") << R"("split": )" + QString(200000, '[') + QString(200000, ']')
+                                 << "nested deeper";
   QTest::newRow("polar") << R"("slice_polar": 1)"
                          << "slice_polar";
   QTest::newRow("light from below the world") << R"("light_theta": 181)"

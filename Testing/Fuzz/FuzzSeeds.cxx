@@ -213,7 +213,7 @@ Seeds MakeSeeds(const std::string& target)
   if (target == "Utia") // FuzzUtia.cxx repeats them
   {
     const std::string numbers = Bytes("\x9a\x99\x99\x99\x99\x99\xb9\x3f\0\0\0\0\0\0\xf0\x3f");
-    return { "\1" + numbers, "\3" + numbers + numbers, Bytes("\0") + numbers };
+    return { "\1" + numbers, "\x09" + numbers + numbers, Bytes("\0") + numbers };
   }
   if (target == "Astm")
   {

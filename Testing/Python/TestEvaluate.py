@@ -4,6 +4,8 @@
 
 import math
 import os
+import subprocess
+import sys
 import tempfile
 
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
@@ -73,6 +75,13 @@ with tempfile.TemporaryDirectory() as folder:
     assert all(abs(v - 0.05 * math.pi) < 1e-6 for v in value), value
     assert isinstance(transmission.GetFolded(vtkBTDF.FRONT), vtkBRDF)
     assert transmission.GetFolded(vtkBTDF.BACK) is None
+    # The examples take a file by its name, without an error of the built-in materials first.
+    examples = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Python")
+    for name in ("evaluate_material.py", "measured_sphere.py"):
+        output = ["-o", os.path.join(folder, "x.png")] if name == "measured_sphere.py" else []
+        said = subprocess.run([sys.executable, "-B", os.path.join(examples, name), path, *output], check=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True).stdout
+        assert "embedded material" not in said, said
     reader.SetFileName(path + "#nothing")
     assert not reader.Read() and reader.GetTransmission() is transmission
 print(", ".join(names))

@@ -22,6 +22,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 
+#include <charconv>
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -161,7 +162,10 @@ protected:
     const std::string before = "together: predicted error ";
     const std::size_t at = plan.find(before);
     EXPECT_NE(at, std::string::npos) << plan;
-    return at == std::string::npos ? 0.0 : std::stod(plan.substr(at + before.size())) / 100.0;
+    double percent = 0.0; // not by stod, which follows the locale
+    std::from_chars(plan.data() + std::min(at, plan.size() - before.size()) + before.size(),
+      plan.data() + plan.size(), percent);
+    return percent / 100.0;
   }
 
   vtkNew<vtkPolyData> Sphere;

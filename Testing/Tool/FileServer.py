@@ -15,7 +15,7 @@ class Resource:
     cut: the connection ends after so many bytes of an answer's body, in the first `cuts` answers that are longer.
     pause: seconds of silence after those bytes, instead of an end.
     status: answers with this status, in the first `failures` answers (all: None).
-    redirect: where to. date: Last-Modified. encoding: Content-Encoding. ignores_range, ignores_if_range, without_length, without_tag: as they say.
+    redirect: where to; endless: with a text that never ends. date: Last-Modified. encoding: Content-Encoding. ignores_range, ignores_if_range, without_length, without_tag: as they say.
     extra: bytes that are sent beyond what was announced (no length is announced then).
     range_shift: serves another range than the one asked for.
     """
@@ -28,6 +28,7 @@ class Resource:
         self.cuts = 1
         self.extra = b""
         self.delay = 0.0
+        self.endless = False
         self.ignores_range = self.ignores_if_range = self.without_length = self.without_tag = False
         for name, value in faults.items():
             assert hasattr(self, name), name
@@ -47,12 +48,26 @@ class Handler(http.server.BaseHTTPRequestHandler):
             resource = server.resources.get(self.path)
         if resource is None:
             return self.answer(404, b"<html>no such page</html>")
+        if resource.redirect and resource.endless:
+            return self.move_endlessly(resource)
         if resource.redirect:
             return self.answer(302, b"moved", [("Location", resource.redirect)])
         if resource.status and (resource.failures is None or resource.failures > 0):
             resource.failures = resource.failures and resource.failures - 1
             return self.answer(resource.status, b"<html>an error</html>")
         return self.serve(resource)
+
+    def move_endlessly(self, resource):
+        self.close_connection = True
+        self.send_response(302)
+        self.send_header("Location", resource.redirect)
+        self.send_header("Connection", "close")
+        self.end_headers()
+        try:
+            while not self.server.owner.stop.wait(0.001):
+                self.wfile.write(b"moved " * 1000)
+        except OSError:
+            pass
 
     def answer(self, status, body, headers=()):
         self.send_response(status)

@@ -18,6 +18,7 @@ import stat
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 import zipfile
@@ -221,6 +222,22 @@ class Download(FetchTest):
         self.assertEqual(self.read(path), b"the user's")
         self.assertEqual(len(self.server.requests), 1)
 
+    def test_file_that_appears_meanwhile(self):
+        path = os.path.join(self.folder, f"{FREE}_rgb.bsdf")
+        self.serve(delay=1.0)
+
+        def appear():
+            while not self.server.requests:
+                time.sleep(0.01)
+            self.write(path, b"another program's")
+
+        thread = threading.Thread(target=appear)
+        thread.start()
+        result = self.fetch_free("--to", self.folder)
+        thread.join()
+        self.check(result, 1, path, "appeared meanwhile", "left alone")
+        self.assertEqual(self.read(path), b"another program's")
+
     def test_copy_from_the_cache(self):
         self.serve()
         self.check_fetched(self.fetch_free())
@@ -297,8 +314,14 @@ class Faults(FetchTest):
         for bad in ("http://example.org/x", "ftp://127.0.0.1/x", "file:///etc/passwd", "http://user@127.0.0.1/x",
                     "//user@127.0.0.1/x"):
             self.serve(redirect=bad)
-            self.check(self.fetch_free(), 1, f"redirects to {bad}", "expected https")
+            named = "http:" + bad if bad.startswith("//") else bad
+            self.check(self.fetch_free(), 1, f"redirects to {named}", "expected https")
         self.check_nothing_kept()
+
+    def test_redirect_whose_text_never_ends(self):
+        self.serve(redirect="/there", endless=True)  # relative, too
+        self.serve(path="/there")
+        self.check_fetched(self.fetch_free("--timeout", "1"))
 
     def test_slow(self):
         self.serve(cut=1000, pause=30)

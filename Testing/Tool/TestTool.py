@@ -8,6 +8,7 @@ import itertools
 import json
 import math
 import os
+import re
 import shutil
 import signal
 import struct
@@ -132,10 +133,13 @@ class Help(ToolTest):
         self.check(run("--help"), 0, "SUBCOMMAND", "gallery", "Exit status")
         commands = (
             "list fetch info evaluate integrate lights render plan compare diff chart gallery convert fit export acquire "
-            "project representations thesis stability photograph svbrdf"
+            "project representations thesis stability photograph svbrdf explore"
         ).split()
         for command in commands:
-            self.check(run(command, "--help"), 0, "measured-brdf", "--help")
+            result = run(command, "--help")
+            self.check(result, 0, "measured-brdf")
+            text = " ".join(result.stdout.split())
+            self.assertIsNone(re.search(r"\b(\w[\w ]{2,40}): \1:", text), text)  # "A material: A material:"
         self.check(run("--version"), 0, "measured-brdf 0.")
 
 

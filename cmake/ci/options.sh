@@ -53,6 +53,7 @@ for name in "${names[@]}"; do
       echo "options.sh: measured-brdf explore should say that it has no explorer and exit with 1" >&2
       exit 1
     fi
+    "$build/bin/measured-brdf" explore --help
     continue
   fi
   cmake --build "$build" --target unit-tests

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapFindings.h"
 
+#include "NumberText.h"
 #include "SimplexLeastSquares.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace measuredbrdf
 {
@@ -19,13 +19,7 @@ constexpr double PureWeight = 0.9;         // a found material should have it so
 constexpr double UsualBrightness = 0.05;   // deviation from 1 that needs no word
 constexpr std::size_t MostLookalikes = 10; // that are listed
 
-std::string FormatPercent(double share)
-{
-  std::ostringstream text;
-  text.precision(2);
-  text << 100.0 * share << " %";
-  return text.str();
-}
+std::string FormatPercent(double share) { return NumberText(100.0 * share, 2) + " %"; }
 
 //------------------------------------------------------------------------------
 double GetDifference(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
@@ -101,7 +95,7 @@ std::vector<std::string> FindIdentityProblems(
   FindLookalikes(facts, result, findings);
   for (const MapMaterial& material : result.Materials)
   {
-    std::ostringstream text;
+    TextStream text;
     text.precision(2);
     if (std::isinf(material.Uncertainty))
     {
@@ -119,7 +113,7 @@ std::vector<std::string> FindIdentityProblems(
     }
     if (!facts.Library && material.LargestWeight < PureWeight)
     {
-      std::ostringstream pure;
+      TextStream pure;
       pure.precision(2);
       pure << "no place is of '" << material.Material.Name << "' alone (at most "
            << material.LargestWeight << "): what it looks like alone is extrapolated";
@@ -128,7 +122,7 @@ std::vector<std::string> FindIdentityProblems(
   }
   if (std::abs(result.Brightness - 1.0) > UsualBrightness)
   {
-    std::ostringstream text;
+    TextStream text;
     text.precision(3);
     text << "with all materials times " << result.Brightness
          << " the photographs would fit better: check irradiance and exposures, or the library "

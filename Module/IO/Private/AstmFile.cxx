@@ -4,6 +4,7 @@
 
 #include "AstmParser.h"
 #include "GonioTable.h"
+#include "NumberText.h"
 #include "SpectralChannels.h"
 #include "XYZColor.h"
 #include "vtkObjectFactory.h"
@@ -13,7 +14,6 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <utility>
 
@@ -32,13 +32,6 @@ const char* const AngleNames[4] = { "theta_i", "phi_i", "theta_s", "phi_s" };
 [[noreturn]] void Fail(const FileBytes& file, const std::string& field, const std::string& what)
 {
   throw FileError(file.GetPath() + ": " + AstmFormatName + ", " + field + ": " + what);
-}
-
-std::string Print(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.6g", value);
-  return text;
 }
 
 // Where things stand in a row.
@@ -205,8 +198,8 @@ GonioAngles ToAngles(const FileBytes& file, std::size_t line, std::array<double,
     if (!(std::abs(angles[k]) <= most + Rounding))
     {
       Fail(file, "line " + std::to_string(line),
-        std::string(AngleNames[k]) + " is " + Print(angles[k]) + " degrees, expected " +
-          Print(-most) + " to " + Print(most));
+        std::string(AngleNames[k]) + " is " + NumberText(angles[k]) + " degrees, expected " +
+          NumberText(-most) + " to " + NumberText(most));
     }
   }
   for (const std::size_t k : { 0, 2 })
@@ -246,7 +239,7 @@ GonioReadings Arrange(
       if (!std::isfinite(value))
       {
         Fail(file, "line " + std::to_string(line),
-          "found " + Print(numbers[k]) + ", expected a number that 32 bits can hold");
+          "found " + NumberText(numbers[k]) + ", expected a number that 32 bits can hold");
       }
       result.NumberOfNegativeValues += value < 0.0f;
       readings.Values.push_back(value);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AstmParser.h"
 
+#include "NumberText.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace measuredbrdf
 {
@@ -50,16 +50,6 @@ void SkipMark(std::string_view& text) // of byte order
   {
     text.remove_prefix(3);
   }
-}
-
-bool ToNumber(std::string_view word, double& number)
-{
-  if (!word.empty() && word.front() == '+')
-  {
-    word.remove_prefix(1);
-  }
-  const auto end = std::from_chars(word.data(), word.data() + word.size(), number);
-  return end.ec == std::errc() && end.ptr == word.data() + word.size() && std::isfinite(number);
 }
 
 class TextParser
@@ -111,7 +101,7 @@ private:
       if (HasKey(line, "NUM_POINTS", value))
       {
         double points = 0.0;
-        if (!ToNumber(value, points) || points < 1.0 || points != std::floor(points))
+        if (!ParseNumber(value, points) || points < 1.0 || points != std::floor(points))
         {
           this->Fail("NUM_POINTS", "found " + Quote(value) + ", expected a whole number from 1");
         }
@@ -160,7 +150,7 @@ private:
       {
         const std::string_view word = Trim(Take(line, ','));
         double number = 0.0;
-        if (!ToNumber(word, number))
+        if (!ParseNumber(word, number))
         {
           this->Fail("number " + std::to_string(count + 1),
             "found " + Quote(word) + ", expected a finite number");
@@ -180,11 +170,7 @@ private:
     const std::size_t rows = this->Texts.GetNumberOfRows();
     if (rows == 0 || (this->Points > 0.0 && this->Points != static_cast<double>(rows)))
     {
-      char points[32] = "at least 1";
-      if (this->Points > 0.0)
-      {
-        std::snprintf(points, sizeof(points), "%.15g", this->Points);
-      }
+      const std::string points = this->Points > 0.0 ? NumberText(this->Points, 15) : "at least 1";
       this->Fail("end", "found " + std::to_string(rows) + " rows, expected " + points +
                           (this->Points > 0.0 ? " (NUM_POINTS)" : ""));
     }

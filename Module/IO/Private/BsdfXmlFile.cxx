@@ -44,6 +44,18 @@ struct Source
   {
     this->Reader.FailAt(0, field, what);
   }
+
+  /// Of a block's values; commas separate these, but some programs write them into numbers.
+  [[noreturn]] void FailIn(
+    const BsdfXmlBlock& block, const std::string& field, const std::string& what) const
+  {
+    const std::string comma = FindDecimalComma(block.Values);
+    this->Reader.FailAt(block.Offset,
+      field + ", " + DescribeLine(this->Reader.GetFile().GetView(), block.Offset),
+      what + (comma.empty() ? ""
+                            : "; are decimal commas written, as in " + Quote(comma) +
+                                "? Numbers have a decimal point"));
+  }
 };
 
 double ToNumber(const Source& source, const std::string& field, const std::string& text)
@@ -103,20 +115,20 @@ std::vector<float> ReadValues(const Source& source, const BsdfXmlBlock& block, s
     double number = 0.0;
     if (!ToBsdfNumber(word, number))
     {
-      source.Reader.FailAt(block.Offset, field,
+      source.FailIn(block, field,
         "value " + std::to_string(values.size()) + ": found " + Quote(std::string(word)) +
           ", expected a number");
     }
     if (values.size() == expected)
     {
-      source.Reader.FailAt(block.Offset, field,
-        "found more than the " + std::to_string(expected) + " values expected");
+      source.FailIn(
+        block, field, "found more than the " + std::to_string(expected) + " values expected");
     }
     values.push_back(static_cast<float>(number));
   }
   if (values.size() != expected)
   {
-    source.Reader.FailAt(block.Offset, field,
+    source.FailIn(block, field,
       "found " + std::to_string(values.size()) + " values, expected " + std::to_string(expected));
   }
   return values;
@@ -263,7 +275,7 @@ Scattering ReadTree(const Source& source, const BsdfXmlBlock& visible)
   }
   if (!problem.empty())
   {
-    source.Reader.FailAt(visible.Offset, field, problem);
+    source.FailIn(visible, field, problem);
   }
   result.BRDF = brdf;
   return result;
@@ -342,6 +354,10 @@ MaterialFile ReadBsdfXml(const FileBytes& file, const std::string& material)
   MaterialFile result;
   ReadReflection(source, side, result);
   ReadTransmission(source, side, result);
+  if (!texts.Note.empty())
+  {
+    result.AddNote(texts.Note);
+  }
   if (texts.Layers > 1)
   {
     result.AddNote("The first of " + std::to_string(texts.Layers) + " layers.");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BsdfXmlParser.h"
 
+#include "TakenError.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkXMLParser.h"
@@ -38,6 +39,17 @@ bool IsWanted(const BsdfXmlBlock& block, const std::string& wavelength)
          isOneOf(wavelength, { "Visible", "CIE-X", "CIE-Z" });
 }
 
+// Where the XML begins: programs such as Radiance's genBSDF may leave lines of their own before it.
+std::size_t FindXmlStart(std::string_view text)
+{
+  const std::size_t start = std::min(text.find("<?xml"), text.find("<WindowElement"));
+  const std::string_view before = text.substr(0, std::min(start, text.size()));
+  const std::size_t first = before.find_first_not_of(" \t\r\n");
+  const bool isXml = start == std::string_view::npos || before == "\xef\xbb\xbf" ||
+                     (first != std::string_view::npos && before[first] == '<');
+  return isXml ? 0 : start;
+}
+
 // Puts texts where they belong as their elements end. The first problem counts; after it nothing is
 // kept.
 class XmlParser : public vtkXMLParser
@@ -49,6 +61,7 @@ public:
   BsdfXmlTexts Texts;
   std::string Problem;
   std::uint64_t ProblemOffset = 0;
+  std::uint64_t Start = 0; // of the XML in the file
 
 protected:
   void StartElement(const char* name, const char**) override
@@ -90,7 +103,7 @@ protected:
     }
     else if (element == "ScatteringData")
     {
-      this->Block.Offset = static_cast<std::uint64_t>(this->GetXMLByteIndex());
+      this->Block.Offset = this->GetPlace();
     }
   }
 
@@ -117,9 +130,21 @@ protected:
     this->Text.clear();
   }
 
-  void ReportXmlParseError() override { this->Fail("no well-formed XML"); }
+  void ReportXmlParseError() override
+  {
+    const TakenError error(this);
+    this->Superclass::ReportXmlParseError(); // "...byte index N: REASON"
+    const std::string text = error.GetText();
+    this->Fail("no well-formed XML: " +
+               text.substr(text.rfind(": ") == std::string::npos ? 0 : text.rfind(": ") + 2));
+  }
 
 private:
+  std::uint64_t GetPlace()
+  {
+    return this->Start + static_cast<std::uint64_t>(this->GetXMLByteIndex());
+  }
+
   bool IsKept() const { return this->Texts.Layers <= 1; }
   bool IsIn(const std::string& element) const
   {
@@ -131,7 +156,7 @@ private:
     if (this->Problem.empty())
     {
       this->Problem = problem;
-      this->ProblemOffset = static_cast<std::uint64_t>(this->GetXMLByteIndex());
+      this->ProblemOffset = this->GetPlace();
     }
   }
 
@@ -232,6 +257,16 @@ bool IsSameWord(const std::string& a, const std::string& b)
     [lower](char x, char y) { return lower(x) == lower(y); });
 }
 
+std::string DescribeLine(std::string_view text, std::uint64_t offset)
+{
+  const std::string_view before =
+    text.substr(0, static_cast<std::size_t>(std::min<std::uint64_t>(offset, text.size())));
+  const std::size_t line = before.rfind('\n');
+  return "line " + std::to_string(1 + std::count(before.begin(), before.end(), '\n')) +
+         ", column " +
+         std::to_string(line == std::string_view::npos ? before.size() + 1 : before.size() - line);
+}
+
 BsdfXmlTexts ParseBsdfXml(const FileBytes& file)
 {
   const ByteReader reader(file, BsdfXmlFormatName);
@@ -252,11 +287,31 @@ BsdfXmlTexts ParseBsdfXml(const FileBytes& file)
       0, "file", "found " + std::to_string(file.GetSize()) + " bytes, expected 2 GB at most");
   }
   vtkNew<XmlParser> parser;
-  const int parsed = parser->Parse(file.GetData(), static_cast<unsigned int>(file.GetSize()));
+  const std::size_t start = FindXmlStart(file.GetView());
+  parser->Start = start;
+  const int parsed =
+    parser->Parse(file.GetData() + start, static_cast<unsigned int>(file.GetSize() - start));
   if (!parser->Problem.empty() || !parsed)
   {
-    reader.FailAt(parser->ProblemOffset, "text",
-      parser->Problem.empty() ? "no well-formed XML" : parser->Problem);
+    const std::string problem = parser->Problem.empty() ? "no well-formed XML" : parser->Problem;
+    // The parser names the place behind an ampersand that begins no entity.
+    const auto end = static_cast<std::size_t>(parser->ProblemOffset);
+    const std::size_t at = end > 0 && file.GetView().substr(end - 1, 1) == "&" ? end - 1 : end;
+    const std::string_view there = file.GetView().substr(std::min(at, file.GetSize()), 24);
+    reader.FailAt(at, "text, " + DescribeLine(file.GetView(), at),
+      problem +
+        (there.empty() ? ", at the end"
+                       : ", found " + Quote(std::string(there.substr(0, there.find('\n'))))) +
+        (there.substr(0, 1) == "&" ? ", expected '&amp;' for an ampersand" : ""));
+  }
+  if (start > 0)
+  {
+    const std::string_view chatter = file.GetView().substr(0, std::min<std::size_t>(start, 60));
+    parser->Texts.Note = "The " + std::to_string(start) +
+                         " bytes before the XML begins are left out" +
+                         (chatter.find_first_not_of(" \t\r\n") == std::string_view::npos
+                             ? "."
+                             : ": " + Quote(Trim(std::string(chatter))) + ".");
   }
   return std::move(parser->Texts);
 }

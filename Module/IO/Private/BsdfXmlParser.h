@@ -51,10 +51,14 @@ struct BsdfXmlTexts
   std::vector<BsdfXmlBasis> Bases;
   std::vector<BsdfXmlBlock> Blocks; // of visible light
   int NumberOfBlocks = 0;           // of all
+  std::string Note;                 // of what was left out before the XML
 };
 
 /// Whether two words are the same but for upper and lower case, as Radiance compares them.
 bool IsSameWord(const std::string& a, const std::string& b);
+
+/// "line 3, column 14", counted from 1 in bytes.
+std::string DescribeLine(std::string_view text, std::uint64_t offset);
 
 /// Throws FileError where it is no well-formed XML, has a document type of its own, or is not a
 /// WindowElement.

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BsdfXmlTree.h"
 
+#include "NumberText.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -78,13 +79,30 @@ std::string_view TakeBsdfWord(std::string_view& text)
 
 bool ToBsdfNumber(std::string_view word, double& number)
 {
-  if (!word.empty() && word.front() == '+')
+  return ParseNumber(word, number) && std::abs(number) < 1e30;
+}
+
+std::string FindDecimalComma(std::string_view text)
+{
+  constexpr std::string_view digits = "0123456789";
+  const auto isDigit = [&](std::size_t at)
+  { return at < text.size() && digits.find(text[at]) != std::string_view::npos; };
+  for (std::size_t at = text.find(','); at != std::string_view::npos; at = text.find(',', at + 1))
   {
-    word.remove_prefix(1);
+    if (at > 0 && isDigit(at - 1) && isDigit(at + 1))
+    {
+      const std::size_t before = text.find_last_not_of(digits, at - 1);
+      const std::size_t first = before == std::string_view::npos ? 0 : before + 1;
+      const std::size_t last = std::min(text.find_first_not_of(digits, at + 1), text.size());
+      const bool hasPoint = (first > 0 && text[first - 1] == '.') ||
+                            (last < text.size() && (text[last] == '.' || text[last] == ','));
+      if (!hasPoint)
+      {
+        return std::string(text.substr(first, std::min<std::size_t>(last - first, 40)));
+      }
+    }
   }
-  const auto end = std::from_chars(word.data(), word.data() + word.size(), number);
-  return end.ec == std::errc() && end.ptr == word.data() + word.size() && std::isfinite(number) &&
-         std::abs(number) < 1e30;
+  return "";
 }
 
 Tree ParseBsdfTree(std::string_view text, int dimensions)

@@ -21,6 +21,9 @@ std::string_view TakeBsdfWord(std::string_view& text);
 /// A whole word as a finite number, whatever the locale; false for any other.
 bool ToBsdfNumber(std::string_view word, double& number);
 
+/// The first two whole numbers with nothing but a comma between; "" if there are none.
+std::string FindDecimalComma(std::string_view text);
+
 /// A tree from nested braces. Throws std::runtime_error that says what is wrong with it.
 vtkTensorTreeBRDF::Tree ParseBsdfTree(std::string_view text, int dimensions);
 } // namespace measuredbrdf

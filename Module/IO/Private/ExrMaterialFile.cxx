@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ExrMaterialFile.h"
 
+#include "BoundedJson.h"
 #include "ExrHeader.h"
 #include "ExrStream.h"
 #include "FileBytes.h"
+#include "NumberText.h"
 #include "vtkBRDFData.h"
 #include "vtkBRDFModels.h"
 #include "vtkObjectFactory.h"
@@ -28,7 +30,6 @@
 #include <functional>
 #include <limits>
 #include <numeric>
-#include <sstream>
 
 namespace measuredbrdf
 {
@@ -316,10 +317,8 @@ void CheckSize(const std::string& model, const vtkBRDFData::Array& array)
   const double most = vtkBRDFModels::GetMaximumArraySize(model);
   if (values > most)
   {
-    std::ostringstream text;
-    text << model << ": an array has " << values << " values, expected at most "
-         << std::llround(most);
-    throw std::runtime_error(text.str());
+    throw std::runtime_error(model + ": an array has " + NumberText(values) +
+                             " values, expected at most " + std::to_string(std::llround(most)));
   }
 }
 
@@ -395,7 +394,7 @@ MaterialFile ReadExrMaterial(const FileBytes& file)
       throw std::runtime_error(std::string("string attribute '") + AttributeName +
                                "' is missing: an OpenEXR image, but no material of this project");
     }
-    const json header = json::parse(attribute->value());
+    const json header = ParseJson<json>(attribute->value());
     const std::string format = header.at("format").get<std::string>();
     const int version = header.at("version").get<int>();
     if (format != JsonFormat || version != JsonVersion)

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileBytes.h"
 
+#include "WholeFile.h"
+
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
-#include <random>
 #include <system_error>
 
 namespace measuredbrdf
@@ -75,35 +76,13 @@ std::string GetFileTitle(const std::string& path)
 //------------------------------------------------------------------------------
 void WriteFile(const std::string& path, std::string_view bytes)
 {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error))
+  try
   {
-    throw FileError(path + ": is a directory, a file was expected");
+    WriteWholeFile(path, bytes);
   }
-  // A random name: two writers of one path do not meet in one half-written file.
-  const std::string partial = path + "." + std::to_string(std::random_device()()) + ".partial";
-  FilePointer file(std::fopen(partial.c_str(), "wb"));
-  if (!file)
+  catch (const std::runtime_error& e)
   {
-    throw FileError(path + ": cannot be written: " + LastError());
-  }
-  bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
-  std::string reason = written ? "" : LastError();
-  if (std::fclose(file.release()) != 0 && written)
-  {
-    written = false;
-    reason = LastError();
-  }
-  if (written)
-  {
-    std::filesystem::rename(partial, path, error);
-    written = !error;
-    reason = error.message();
-  }
-  if (!written)
-  {
-    std::filesystem::remove(partial, error);
-    throw FileError(path + ": cannot be written: " + reason);
+    throw FileError(e.what());
   }
 }
 

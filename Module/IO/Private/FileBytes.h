@@ -46,9 +46,7 @@ std::string GetFileStem(const std::string& path);
 /// A file's name without folders.
 std::string GetFileTitle(const std::string& path);
 
-/**
- * Put the bytes into a file beside path, then rename: path is the old file or the whole new one.
- */
+/// As WriteWholeFile (WholeFile.h); throws FileError.
 void WriteFile(const std::string& path, std::string_view bytes);
 
 /**

@@ -3,6 +3,7 @@
 #include "FitFile.h"
 
 #include "FileBytes.h"
+#include "NumberText.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkLambertBRDF.h"
@@ -11,8 +12,8 @@
 #include "vtkSumBRDF.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <sstream>
 
 namespace measuredbrdf
 {
@@ -170,7 +171,7 @@ private:
     const double repaired = std::clamp(value, lowest, highest);
     if (std::abs(value - repaired) > Noise * std::max(std::abs(repaired), 1.0))
     {
-      std::ostringstream text;
+      TextStream text;
       text << "attribute '" << name << (value < 0.0 ? "' is negative: " : "' is ") << value
            << ", expected " << lowest;
       text << (highest < HUGE_VAL ? " to " : " or more");
@@ -182,7 +183,7 @@ private:
     }
     if (value != repaired)
     {
-      std::ostringstream text;
+      TextStream text;
       text << call.Model << ": attribute '" << name << "' is " << value << ", beyond " << repaired
            << " by rounding: taken as that.";
       this->Result.AddNote(text.str());
@@ -314,12 +315,27 @@ vtkStandardNewMacro(FitFormat);
 bool FitFormat::CanRead(const File& file)
 {
   const std::string_view start = file.Bytes.substr(0, 4096);
-  return std::all_of(start.begin(), start.end(),
-    [](char c)
-    {
-      const auto byte = static_cast<unsigned char>(c);
-      return byte >= 0x20 ? byte != 0x7f && byte < 0xf5 : (c == '\n' || c == '\r' || c == '\t');
-    });
+  const std::size_t first = start.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos || start[first] == '<' || start[first] == '{')
+  {
+    return false; // a web page, XML, JSON
+  }
+  // "name = Model(albedo = ...)" somewhere, and text around it.
+  bool isAssigned = file.Bytes.find("albedo") != std::string_view::npos;
+  for (std::size_t at = file.Bytes.find('='); at != std::string_view::npos && !isAssigned;
+       at = file.Bytes.find('=', at + 1))
+  {
+    const std::size_t next = file.Bytes.find_first_not_of(" \t\r\n", at + 1);
+    isAssigned = next == std::string_view::npos ||
+                 std::isalpha(static_cast<unsigned char>(file.Bytes[next])) != 0;
+  }
+  return isAssigned && std::all_of(start.begin(), start.end(),
+                         [](char c)
+                         {
+                           const auto byte = static_cast<unsigned char>(c);
+                           return byte >= 0x20 ? byte != 0x7f && byte < 0xf5
+                                               : (c == '\n' || c == '\r' || c == '\t');
+                         });
 }
 
 //------------------------------------------------------------------------------

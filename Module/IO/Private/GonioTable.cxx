@@ -4,11 +4,11 @@
 
 #include "GonioGrid.h"
 #include "GonioScatter.h"
+#include "NumberText.h"
 #include "vtkNew.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace measuredbrdf
@@ -80,15 +80,6 @@ bool Mirror(GonioReadings& readings)
   return readings.Angles.size() > angles.size();
 }
 
-//------------------------------------------------------------------------------
-std::string Print(double value)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
-}
-
 // Where the readings are.
 std::string DescribeAngles(const GonioReadings& readings)
 {
@@ -96,7 +87,7 @@ std::string DescribeAngles(const GonioReadings& readings)
   {
     const auto [low, high] = std::minmax_element(readings.Angles.begin(), readings.Angles.end(),
       [member](const GonioAngles& a, const GonioAngles& b) { return a.*member < b.*member; });
-    return Print((*low).*member) + " to " + Print((*high).*member);
+    return NumberText((*low).*member, 3) + " to " + NumberText((*high).*member, 3);
   };
   return "Measured with light at " + range(&GonioAngles::ThetaI) + " and views at " +
          range(&GonioAngles::ThetaO) + " degrees from the normal; constant outside these angles.";
@@ -114,7 +105,7 @@ std::string DescribeAlbedo(vtkBRDF* brdf)
   {
     return "";
   }
-  return "The material reflects " + Print(largest) +
+  return "The material reflects " + NumberText(largest, 3) +
          " times the light toward a view at 30 degrees: its values may be in another unit than "
          "1/sr.";
 }
@@ -207,7 +198,7 @@ std::string GonioTable::Make(GonioReadings readings)
                           std::to_string(grid.View.Theta.size()) + " x " +
                           std::to_string(grid.View.Phi.size()) +
                           " even nodes, whose relative RMS difference from the readings is " +
-                          Print(GetError(table, readings)) + ".");
+                          NumberText(GetError(table, readings), 3) + ".");
   }
   const std::string albedo = DescribeAlbedo(table);
   if (!albedo.empty())

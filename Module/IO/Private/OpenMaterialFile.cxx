@@ -3,6 +3,7 @@
 #include "OpenMaterialFile.h"
 
 #include "GonioTable.h"
+#include "NumberText.h"
 #include "SpectralChannels.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numeric>
 #include <string_view>
@@ -37,13 +37,6 @@ constexpr std::size_t SmallTable = 4096;
   throw FileError(file.GetPath() + ": " + OpenMaterialFormatName + ", " + field + ": " + what);
 }
 
-std::string Print(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.6g", value);
-  return text;
-}
-
 //------------------------------------------------------------------------------
 void CheckRow(const FileBytes& file, const Row& row, std::size_t number)
 {
@@ -65,8 +58,8 @@ void CheckRow(const FileBytes& file, const Row& row, std::size_t number)
         !std::isfinite(static_cast<float>(row[k])))
     {
       Fail(file, "lookupTable, row " + std::to_string(number),
-        std::string(ranges[k].Name) + " is " + Print(row[k]) + ", expected " +
-          Print(ranges[k].Least) + " to " + Print(ranges[k].Most));
+        std::string(ranges[k].Name) + " is " + NumberText(row[k]) + ", expected " +
+          NumberText(ranges[k].Least) + " to " + NumberText(ranges[k].Most));
     }
   }
 }

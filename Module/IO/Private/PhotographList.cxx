@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotographList.h"
 
+#include "BoundedJson.h"
+#include "NumberText.h"
 #include "vtkPhotographSet.h"
 
 #include <nlohmann/json.hpp>
@@ -56,7 +58,7 @@ void SetAngles(const std::string& where, double theta, double phi, double direct
 {
   if (!(theta >= 0.0 && theta < 90.0) || !std::isfinite(phi))
   {
-    std::ostringstream found;
+    TextStream found;
     found << where << ": found a polar angle of " << theta << " and an azimuth of " << phi
           << " degrees, expected a direction above the horizon, 0 to less than 90";
     throw FileError(found.str());
@@ -74,9 +76,9 @@ public:
   {
     try
     {
-      this->Root = json::parse(file.GetView());
+      this->Root = ParseJson<json>(file.GetView());
     }
-    catch (const json::exception& e)
+    catch (const std::exception& e)
     {
       throw FileError(this->Path + ": JSON: " + e.what());
     }
@@ -300,9 +302,8 @@ private:
   double GetNumber(const std::string& column) const
   {
     const std::string& text = this->Fields[this->Columns.at(column)];
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !std::isfinite(value))
+    double value = 0.0;
+    if (!ParseNumber(text, value))
     {
       throw FileError(
         this->Where + ": " + column + ": found " + Quote(text) + ", expected a finite number");
@@ -366,8 +367,7 @@ int FindAngle(const std::string& name, const char* key, double& angle)
     if (last > first && std::isdigit(static_cast<unsigned char>(name[last - 1])) != 0 &&
         last - first < 10)
     {
-      angle = std::atof(name.substr(first, last - first).c_str());
-      ++count;
+      count += ParseNumber(std::string_view(name).substr(first, last - first), angle);
     }
   }
   return count;

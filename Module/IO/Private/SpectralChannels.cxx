@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SpectralChannels.h"
 
+#include "NumberText.h"
 #include "Printable.h"
 #include "SpectralColor.h"
-
-#include <cstdio>
 
 namespace measuredbrdf
 {
@@ -30,12 +29,7 @@ std::string List(const std::vector<double>& wavelengths)
 }
 
 //------------------------------------------------------------------------------
-std::string GetWavelengthName(double nanometers)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.6gnm", nanometers);
-  return text;
-}
+std::string GetWavelengthName(double nanometers) { return NumberText(nanometers) + "nm"; }
 
 //------------------------------------------------------------------------------
 std::string SpectralChannels::Choose(

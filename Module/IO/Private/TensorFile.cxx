@@ -3,6 +3,7 @@
 #include "TensorFile.h"
 
 #include "FileBytes.h"
+#include "NumberText.h"
 #include "RoundingNoise.h"
 #include "SpectralColor.h"
 #include "vtkAdaptiveWarpBRDF.h"
@@ -15,7 +16,6 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <sstream>
 #include <vector>
 
 namespace measuredbrdf
@@ -155,7 +155,7 @@ void CountNoise(const std::vector<float>& values, const std::string& name, Mater
   const auto count = std::count_if(values.begin(), values.end(), isNoise);
   if (count > 0)
   {
-    std::ostringstream note;
+    TextStream note;
     note << count << " of " << values.size() << " values of " << name
          << " are negative by rounding (the least "
          << *std::min_element(values.begin(), values.end()) << ", the largest value "
@@ -367,7 +367,7 @@ MaterialFile ReadTensor(const FileBytes& file)
   if (IsSpectral(fields))
   {
     const std::vector<double> wavelengths = GetWavelengths(reader, fields);
-    std::ostringstream note;
+    TextStream note;
     note << "Spectra at " << wavelengths.size() << " wavelengths, " << wavelengths.front() << " to "
          << wavelengths.back()
          << " nm: summed over the CIE 1931 color-matching functions under D65.";

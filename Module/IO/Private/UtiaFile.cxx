@@ -3,6 +3,7 @@
 #include "UtiaFile.h"
 
 #include "MerlFile.h"
+#include "NumberText.h"
 #include "SRGB.h"
 #include "vtkAngularTableBRDF.h"
 #include "vtkNew.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace measuredbrdf
@@ -46,13 +46,6 @@ double DecodeDisplay(double value)
   return DisplayScale * DecodeSRGB(std::max(value, 0.0) / DisplayUnit);
 }
 
-std::string Print(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.3g", value);
-  return text;
-}
-
 // What the material reflects of light at 30 degrees; more than all of it cannot be.
 std::string DescribeAlbedo(vtkBRDF* brdf)
 {
@@ -64,7 +57,7 @@ std::string DescribeAlbedo(vtkBRDF* brdf)
   {
     return "";
   }
-  return "The material reflects " + Print(largest) +
+  return "The material reflects " + NumberText(largest, 3) +
          " times the light at 30 degrees: its values are scaled in some way, or display colors "
          "(FILE.bin#display).";
 }
@@ -103,7 +96,7 @@ MaterialFile ReadUtia(const FileBytes& file, const std::string& material)
       if (!std::isfinite(value) || !std::isfinite(stored))
       {
         reader.FailAt(place, "values",
-          std::string("found ") + Print(value) +
+          std::string("found ") + NumberText(value, 3) +
             ", expected a finite number that 32 bits can hold");
       }
       result.NumberOfNegativeValues += value < 0.0;

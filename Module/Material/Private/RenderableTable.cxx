@@ -4,11 +4,10 @@
 
 #include "AnisotropicResampler.h"
 #include "HalfDifferenceFill.h"
+#include "NumberText.h"
 #include "Printable.h"
 #include "vtkBRDFResampler.h"
 #include "vtkNew.h"
-
-#include <sstream>
 
 namespace measuredbrdf
 {
@@ -53,7 +52,7 @@ vtkBRDF* RenderableTable::Get(vtkBRDF* material, std::string& problem)
   }
   if (error > tolerance)
   {
-    std::ostringstream text;
+    TextStream text;
     text << Quote(material->GetName()) << ": resampling for shaders keeps an error of " << error
          << ", asked for " << tolerance << ".";
     problem = text.str();

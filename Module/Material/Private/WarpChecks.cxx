@@ -4,6 +4,7 @@
 
 #include "BilinearWarp.h"
 #include "HalfVector.h" // for Pi
+#include "NumberText.h"
 #include "RoundingNoise.h"
 
 #include <algorithm>
@@ -66,14 +67,14 @@ std::string CheckSpan(const std::vector<float>& phi)
   const double whole = std::round(parts);
   if ((whole != 1.0 && whole != 2.0 && whole != 4.0) || std::abs(parts - whole) > 0.05)
   {
-    return "phi_i: found a span of " + std::to_string(span * 180.0 / Pi) +
+    return "phi_i: found a span of " + NumberText(span * 180.0 / Pi) +
            " degrees, expected 360, 180 or 90";
   }
   // Mirrors are the planes of x and y.
   const double start = phi.front() / (0.5 * Pi);
   if (whole == 4.0 && std::abs(start - std::round(start)) > 0.05)
   {
-    return "phi_i: found a quarter turn from " + std::to_string(phi.front() * 180.0 / Pi) +
+    return "phi_i: found a quarter turn from " + NumberText(phi.front() * 180.0 / Pi) +
            " degrees, expected one from a multiple of 90";
   }
   return "";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PicturePair.h"
 
+#include "NumberText.h"
 #include "SRGB.h"
 
 #include "vtkDataArray.h"
@@ -101,7 +102,7 @@ PictureValues ReadValues(const std::string& name, vtkImageData* image, bool igno
       {
         Refuse(name, "pixel (" + std::to_string(k % width) + ", " + std::to_string(k / width) +
                        ") from the bottom left, channel " + std::to_string(c) + ": found " +
-                       std::to_string(tuple[c]) + ", expected a finite value of at least 0");
+                       NumberText(tuple[c]) + ", expected a finite value of at least 0");
       }
     }
     for (int c = 0; c < 3; ++c)

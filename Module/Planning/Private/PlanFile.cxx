@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlanFile.h"
 
+#include "NumberText.h"
 #include "vtkRadianceMethods.h"
 
 #include <algorithm>
@@ -52,8 +53,7 @@ bool ReadCandidate(std::istream& text, PlanCandidate& candidate)
 
 std::string WritePlan(const Plan& plan)
 {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
+  TextStream text;
   text.precision(17);
   text << plan.Candidates.size() << " " << plan.Choice << " " << plan.Meets << "\n";
   for (const PlanCandidate& candidate : plan.Candidates)

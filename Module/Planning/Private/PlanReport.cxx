@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlanReport.h"
 
+#include "NumberText.h"
+
 #include <cstddef>
-#include <cstdio>
 
 namespace measuredbrdf
 {
@@ -12,12 +13,7 @@ namespace
 constexpr vtkIdType SmallTexture = 4000000; // bytes; the reason says why a plan takes more
 const char* const Table = "table";          // the method that it is compared with
 
-std::string Percent(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.2g %%", 100.0 * value);
-  return text;
-}
+std::string Percent(double value) { return NumberText(100.0 * value, 2) + " %"; }
 
 // What the best of the small tables that were tried had.
 std::string ExplainMemory(const Plan& plan)
@@ -80,11 +76,11 @@ std::string DescribePlan(const Plan& plan)
     return "no plan yet";
   }
   const PlanCandidate& chosen = plan.Candidates[static_cast<std::size_t>(plan.Choice)];
-  char error[64], costs[64];
-  std::snprintf(error, sizeof(error), ", error %.2g %% (%.2g + %.2g for chance)",
-    100.0 * chosen.Error, 100.0 * (chosen.Error - chosen.Uncertainty), 100.0 * chosen.Uncertainty);
-  std::snprintf(costs, sizeof(costs),
-    ", %.1f MB, set up in %.0f ms: ", 1e-6 * static_cast<double>(chosen.Bytes), chosen.SetUp);
+  const std::string error = ", error " + Percent(chosen.Error) + " (" +
+                            NumberText(100.0 * (chosen.Error - chosen.Uncertainty), 2) + " + " +
+                            NumberText(100.0 * chosen.Uncertainty, 2) + " for chance)";
+  const std::string costs = ", " + FixedText(1e-6 * static_cast<double>(chosen.Bytes), 1) +
+                            " MB, set up in " + FixedText(chosen.SetUp, 0) + " ms: ";
   const std::string pictures = chosen.Picture > chosen.Error
                                  ? ", up to " + Percent(chosen.Picture) + " in a single picture"
                                  : "";

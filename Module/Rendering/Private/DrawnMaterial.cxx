@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DrawnMaterial.h"
 
+#include "NumberText.h"
+
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
 #include <set>
 #include <string>
 #include <vector>
@@ -38,9 +39,7 @@ std::string DescribeMixture(double error)
   {
     return "";
   }
-  char percent[16];
-  std::snprintf(percent, sizeof(percent), "%.2g", 100.0 * error);
-  return std::string("\nmaterials of the map together: predicted error ") + percent + " %";
+  return "\nmaterials of the map together: predicted error " + NumberText(100.0 * error, 2) + " %";
 }
 
 vtkIdType CountTextureBytes(

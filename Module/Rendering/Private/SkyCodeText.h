@@ -10,18 +10,14 @@
 
 #include "HiddenSky.h"
 
+#include "NumberText.h"
+
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 namespace measuredbrdf
 {
-inline std::string Number(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.9f", value);
-  return text;
-}
+inline std::string Number(double value) { return FixedText(value, 9); }
 
 inline std::string Along(int sector)
 {

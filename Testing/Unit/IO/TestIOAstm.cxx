@@ -4,6 +4,7 @@
 
 #include "AngleFormula.h"
 #include "HalfVector.h"
+#include "NumberText.h"
 #include "SpectraForTests.h"
 #include "TestIOHelpers.h"
 
@@ -20,7 +21,7 @@ std::string MakeRows(const std::vector<double>& phiI, const std::vector<double>&
   const std::function<void(std::ostream&, double, double, double, double)>& write,
   const char* end = "\n")
 {
-  std::ostringstream rows;
+  measuredbrdf::TextStream rows;
   rows.precision(9);
   for (const double thetaI : { 0.0, 40.0, 90.0 })
   {
@@ -105,8 +106,8 @@ TEST(IOAstm, NegativePolarAnglesAreOnTheOtherSide)
     for (const double o : { -90.0, -25.0, 0.0, 25.0, 90.0 })
     {
       const double phi = o < 0.0 ? 0.0 : 180.0; // from the light's
-      rows += std::to_string(i) + ",0," + std::to_string(o) + ",180," +
-              std::to_string(Shape(i, std::abs(o), o == 0.0 ? 0.0 : phi)) + "\n";
+      rows += measuredbrdf::FixedText(i, 6) + ",0," + measuredbrdf::FixedText(o, 6) + ",180," +
+              measuredbrdf::FixedText(Shape(i, std::abs(o), o == 0.0 ? 0.0 : phi), 6) + "\n";
     }
   }
   WriteBytes(folder("a.astm"), "VARS theta_i,phi_i,theta_s,phi_s,BRDF\n" + rows);
@@ -213,10 +214,10 @@ TEST(IOAstm, ScatteredViewsAreInterpolated)
     {
       const double o = measuredbrdf::ToDegrees(std::acos(number(random)));
       const double phi = 360.0 * number(random) - 180.0;
-      rows += std::to_string(measuredbrdf::ToRadians(i)) + ",0," +
-              std::to_string(measuredbrdf::ToRadians(o)) + "," +
-              std::to_string(measuredbrdf::ToRadians(phi)) + "," +
-              std::to_string(Shape(i, o, phi)) + "\n";
+      rows += measuredbrdf::FixedText(measuredbrdf::ToRadians(i), 6) + ",0," +
+              measuredbrdf::FixedText(measuredbrdf::ToRadians(o), 6) + "," +
+              measuredbrdf::FixedText(measuredbrdf::ToRadians(phi), 6) + "," +
+              measuredbrdf::FixedText(Shape(i, o, phi), 6) + "\n";
     }
   }
   WriteBytes(folder("a.astm"), "VARS theta_i,phi_i,theta_s,phi_s,Integrated\n" + rows);
@@ -273,9 +274,10 @@ TEST(IOAstm, RefusesBadFiles)
   std::string sparse = vars;
   for (int k = 0; k < 10000; ++k)
   {
-    sparse += std::to_string(0.00015 * k) + "," + std::to_string(0.0006 * (k * 7 % 10000)) + "," +
-              std::to_string(0.00015 * (k * 3 % 10000)) + "," + std::to_string(0.0006 * k) +
-              ",1,1,1\n";
+    sparse += measuredbrdf::FixedText(0.00015 * k, 6) + "," +
+              measuredbrdf::FixedText(0.0006 * (k * 7 % 10000), 6) + "," +
+              measuredbrdf::FixedText(0.00015 * (k * 3 % 10000), 6) + "," +
+              measuredbrdf::FixedText(0.0006 * k, 6) + ",1,1,1\n";
   }
   expect(sparse, { "expected a grid" });
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // BSDF XML files of Radiance and WINDOW.
 
+#include "NumberText.h"
 #include "SmallBsdfXml.h"
 #include "TestDirections.h"
 #include "TestIOHelpers.h"
@@ -115,6 +116,32 @@ TEST(IOBsdfXml, ReadsColor)
 }
 
 //------------------------------------------------------------------------------
+// Radiance's genBSDF may leave a line of its own there; its readers skip it.
+TEST(IOBsdfXml, SkipsChatterBeforeTheDeclaration)
+{
+  const Folder folder;
+  for (const std::string& chatter :
+    { std::string("Recover using: genBSDF -recover /tmp/a\n"), std::string("\n") })
+  {
+    WriteBytes(folder("a.xml"), chatter + MakeBsdfXml());
+    vtkNew<vtkBRDFReader> reader;
+    reader->SetFileName(folder("a.xml"));
+    ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+    EXPECT_NE(reader->GetNotes().find(std::to_string(chatter.size()) + " bytes before the XML"),
+      std::string::npos)
+      << reader->GetNotes();
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOBsdfXml, AsksForDecimalCommas)
+{
+  const Folder folder;
+  ExpectBytesRefused(folder, MakeBsdfXmlTree(3, "{ 0,3183 }"),
+    { BsdfXmlFormat, "a leaf has 2 values", "decimal commas", "'0,3183'", "line 1, column " });
+}
+
+//------------------------------------------------------------------------------
 TEST(IOBsdfXml, RefusesBadFiles)
 {
   const Folder folder;
@@ -123,6 +150,11 @@ TEST(IOBsdfXml, RefusesBadFiles)
   ExpectTruncationsRefused(folder, good.substr(0, good.size() - 1), root, 97, BsdfXmlFormat);
   ExpectBytesRefused(
     folder, Replace(good, "<Optical>", "<Optical"), { BsdfXmlFormat, "well-formed" });
+  ExpectBytesRefused(folder, Replace(good, "<Optical>", "<Optical>\n <Name>Smith & Sons</Name>"),
+    { BsdfXmlFormat, "line 4, column 14", "well-formed (invalid token)", "'& Sons</Name>",
+      "&amp;" });
+  ExpectBytesRefused(folder, Replace(good, "0.110000,", "0,11, "),
+    { BsdfXmlFormat, "more than the 25" }); // other numbers have points: no decimal commas
   ExpectBytesRefused(folder, Replace(good, "0.110000", "0.11x"),
     { BsdfXmlFormat, "Reflection Back", "value 1", "0.11x", "expected a number" });
   ExpectBytesRefused(folder, Replace(good, "0.110000", "nan"), { BsdfXmlFormat, "value 1", "nan" });
@@ -147,8 +179,9 @@ TEST(IOBsdfXml, RefusesBadFiles)
   for (int k = 0; k < 5000; ++k)
   {
     rings += "<AngleBasisBlock><nPhis>4096</nPhis><ThetaBounds><LowerTheta>" +
-             std::to_string(0.001 * k) + "</LowerTheta><UpperTheta>" +
-             std::to_string(0.001 * (k + 1)) + "</UpperTheta></ThetaBounds></AngleBasisBlock>";
+             measuredbrdf::FixedText(0.001 * k, 6) + "</LowerTheta><UpperTheta>" +
+             measuredbrdf::FixedText(0.001 * (k + 1), 6) +
+             "</UpperTheta></ThetaBounds></AngleBasisBlock>";
   }
   ExpectBytesRefused(folder,
     Replace(good, "<AngleBasisBlock><Theta>0", rings + "<AngleBasisBlock><Theta>0"),

@@ -222,7 +222,7 @@ TEST(IOFits, RefusesBadText)
     ExpectBytesRefused(
       folder, "x = " + empty, { Fits, "line 1", "'x'", "Aggregate: holds no model" });
   }
-  ExpectBytesRefused(folder, "# nothing but a comment\n", { Fits, "no material" });
+  ExpectBytesRefused(folder, "# nothing but a comment\n", { Fits, "no known format" });
   ExpectBytesRefused(
     folder, good + good, { Fits, "line 5", "'plain' was already given in line 2" });
   std::string nested = "a = ";

@@ -34,8 +34,22 @@ TEST(IOReader, RefusesWhatIsNoMaterialFile)
   ExpectBytesRefused(folder, "", { "empty" });
   ExpectBytesRefused(folder, std::string("\x01\x02", 2), { "no known format" });
   ExpectBytesRefused(folder, std::string(64, '\xff'), { "no known format", "-1, -1, -1" });
-  ExpectBytesRefused(folder, std::string(64, '\0'), { "no known format", "0, 0, 0" });
-  ExpectBytesRefused(folder, "just some words\n", { "published fits", "line 1", "'='" });
+  ExpectBytesRefused(folder, std::string(64, '\0'), { "no known format", "bytes are 0" });
+  ExpectBytesRefused(folder,
+    "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 13132812\n",
+    { "no known format", "pointer of Git LFS" });
+  ExpectBytesRefused(folder,
+    "<!DOCTYPE html>\n<html lang=en>\n<head><title>a.xml</title></head><body>404</body></html>\n",
+    { "no known format", "web page" });
+  ExpectBytesRefused(folder,
+    "# BRDF of a sample\nSource  Measured\nSymmetry  PlaneSymmetrical\nScatterType  BRDF\n"
+    "SampleRotation  1\n0\n",
+    { "no known format", "Zemax", "ScatterType" });
+  ExpectBytesRefused(folder, "<?xml version=\"1.0\"?>\n<other/>\n",
+    { "no known format", "XML without", "WindowElement", "<?xml" });
+  ExpectBytesRefused(folder, std::string("PK\x03\x04\0\0", 6), { "ZIP archive" });
+  ExpectBytesRefused(folder, "just some words\n",
+    { "no known format", "published fits", "text that begins 'just some words'" });
 
   vtkNew<vtkBRDFReader> reader;
   vtkNew<ErrorCounter> errors;

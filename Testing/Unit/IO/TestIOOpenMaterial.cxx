@@ -11,6 +11,7 @@
 
 #include "vtkAngularTableBRDF.h"
 
+#include <charconv>
 #include <numeric>
 
 namespace
@@ -204,7 +205,8 @@ TEST(IOOpenMaterial, ScatteredViewsAreInterpolated)
   EXPECT_NE(notes.find("The views are scattered"), std::string::npos) << notes;
   const std::size_t at = notes.find("readings is ");
   ASSERT_NE(at, std::string::npos) << notes;
-  const double error = std::stod(notes.substr(at + 12));
+  double error = 0.0;
+  std::from_chars(notes.data() + at + 12, notes.data() + notes.size(), error);
   EXPECT_GT(error, 0.0);
   EXPECT_LT(error, 0.05);
   const double gray[3] = { 1.0, 1.0, 1.0 };

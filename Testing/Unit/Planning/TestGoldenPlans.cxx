@@ -5,6 +5,7 @@
 // Every third row is tried; all of them, which takes two minutes, where MEASUREDBRDF_ALL_PLANS is
 // set.
 
+#include "NumberText.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFReader.h"
 #include "vtkEmbeddedEnvironments.h"
@@ -57,8 +58,8 @@ std::vector<Row> ReadRows()
     std::getline(fields, row.Method, ';');
     std::getline(fields, row.Sizes, ';');
     std::getline(fields, error, ';');
-    row.Tolerance = std::stod(tolerance);
-    row.Error = std::stod(error);
+    EXPECT_TRUE(measuredbrdf::ParseNumber(tolerance, row.Tolerance));
+    EXPECT_TRUE(measuredbrdf::ParseNumber(error, row.Error));
     rows.push_back(row);
   }
   return rows;

@@ -5,6 +5,7 @@
 #include "AnisotropicWarp.h"
 #include "BrushedMetal.h"
 #include "ErrorCatcher.h"
+#include "NumberText.h"
 #include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
@@ -669,8 +670,8 @@ TEST(Planner, SaysWhyItTakesMemory)
     small = fits && isBetter ? k : small;
   }
   ASSERT_GE(small, 0);
-  char error[32];
-  std::snprintf(error, sizeof(error), "has %.2g %%", 100.0 * planner->GetPredictedError(small));
+  const std::string error =
+    "has " + measuredbrdf::NumberText(100.0 * planner->GetPredictedError(small), 2) + " %";
   const std::string rows = planner->GetDescription(choice);
   const std::string needs = planner->GetMethodName(choice) == "table"
                               ? "gloss needs " + rows.substr(0, rows.find(" x"))

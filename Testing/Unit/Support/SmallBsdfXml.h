@@ -8,6 +8,8 @@
 #ifndef SmallBsdfXml_h
 #define SmallBsdfXml_h
 
+#include "NumberText.h"
+
 #include <string>
 
 /// What the reader calls the format.
@@ -24,7 +26,7 @@ inline std::string MakeBsdfXmlBlock(
     "<ScatteringData>\n";
   for (int k = 0; k < 25; ++k)
   {
-    text += std::to_string(first + step * k) + (k % 5 == 4 ? ",\n" : ", ");
+    text += measuredbrdf::FixedText(first + step * k, 6) + (k % 5 == 4 ? ",\n" : ", ");
   }
   return text + "</ScatteringData></WavelengthDataBlock></WavelengthData>\n";
 }

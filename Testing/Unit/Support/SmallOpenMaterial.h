@@ -8,7 +8,8 @@
 #ifndef SmallOpenMaterial_h
 #define SmallOpenMaterial_h
 
-#include <cstdio>
+#include "NumberText.h"
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -30,10 +31,12 @@ inline std::string MakeOpenMaterialRow(
   double nanometers, double thetaI, double thetaO, double phi, double value)
 {
   constexpr double degree = 3.14159265358979323846 / 180.0;
-  char text[160];
-  std::snprintf(text, sizeof(text), "[%.10g, %.9g, %.9g, %.9g, %.9g]", nanometers * 1e-9,
-    thetaI * degree, thetaO * degree, phi * degree, value);
-  return text;
+  std::string text = "[" + measuredbrdf::NumberText(nanometers * 1e-9, 10);
+  for (const double number : { thetaI * degree, thetaO * degree, phi * degree, value })
+  {
+    text += ", " + measuredbrdf::NumberText(number, 9);
+  }
+  return text + "]";
 }
 
 /// Degrees and nanometers; value: (nanometers, thetaI, thetaO, phi).
@@ -46,9 +49,7 @@ inline std::string MakeOpenMaterial(const std::vector<double>& nanometers,
   std::string rows;
   for (const double l : nanometers)
   {
-    char text[32];
-    std::snprintf(text, sizeof(text), "%.10g", l * 1e-9);
-    wavelengths += (wavelengths.empty() ? "" : ", ") + std::string(text);
+    wavelengths += (wavelengths.empty() ? "" : ", ") + measuredbrdf::NumberText(l * 1e-9, 10);
     for (const double i : thetaI)
     {
       for (const double o : thetaO)

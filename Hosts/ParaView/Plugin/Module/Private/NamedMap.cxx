@@ -11,8 +11,8 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <ostream>
 
@@ -118,9 +118,11 @@ vtkMaterialMap* NamedMap::Get(const Say& say)
   for (std::size_t k = 0; k < std::min(this->Materials.size(), this->FoundMaterials.size()); ++k)
   {
     const auto& [value, name] = this->Materials[k];
-    char* end = nullptr;
-    const double number = std::strtod(value.c_str(), &end);
-    if (*end != '\0' || !std::isfinite(number))
+    double number = 0.0; // not by strtod, which follows the host's locale
+    const char* const end = value.data() + value.size();
+    const auto read = std::from_chars(value.data(), end, number);
+    const bool isNumber = read.ec == std::errc() && read.ptr == end && std::isfinite(number);
+    if (!isNumber && !value.empty())
     {
       say("Map Materials: found \"" + value + "\", expected a number.");
       isWhole = false;

@@ -10,8 +10,8 @@
 #include "vtkPoints.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstddef>
-#include <cstdio>
 
 namespace measuredmaterials
 {
@@ -43,9 +43,10 @@ vtkIdType CountBytes(const std::vector<vtkPolyData*>& surfaces)
 
 std::string ToMebibytes(vtkIdType bytes)
 {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g MiB", static_cast<double>(bytes) / 1048576.0);
-  return text;
+  char text[32]; // not by snprintf, which follows the host's locale
+  const auto end = std::to_chars(text, text + sizeof(text), static_cast<double>(bytes) / 1048576.0,
+    std::chars_format::general, 4);
+  return std::string(text, end.ptr) + " MiB";
 }
 }
 
