@@ -123,10 +123,10 @@ const std::vector<Node>& GetNodes(vtkBRDF* folded, bool isView, std::vector<Node
   auto* tree = vtkTensorTreeBRDF::SafeDownCast(folded);
   if (tree && (tree->GetTree().Dimensions == 4 || !isView))
   {
-    static const std::vector<Node> square = MakeSquareNodes();
+    static const auto& square = *new std::vector<Node>(MakeSquareNodes()); // for threads, too
     return square;
   }
-  static const std::vector<Node> rings = MakeRingNodes();
+  static const auto& rings = *new std::vector<Node>(MakeRingNodes());
   return rings;
 }
 
