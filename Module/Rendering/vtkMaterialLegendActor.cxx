@@ -4,6 +4,7 @@
 
 #include "LegendShapes.h"
 #include "MaterialPicture.h"
+#include "RunGuarded.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
@@ -388,7 +389,11 @@ int vtkMaterialLegendActor::RenderOverlay(vtkViewport* viewport)
 //------------------------------------------------------------------------------
 int vtkMaterialLegendActor::RenderOpaqueGeometry(vtkViewport* viewport)
 {
-  this->UpdateLayout(viewport);
+  if (!measuredbrdf::RunGuarded(
+        this, "RenderOpaqueGeometry", [&]() { this->UpdateLayout(viewport); }))
+  {
+    return 0;
+  }
   int drawn = 0;
   this->Impl->ForEachActor(
     [&drawn, viewport](vtkActor2D* actor) { drawn += actor->RenderOpaqueGeometry(viewport); });

@@ -146,14 +146,20 @@ bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
 void vtkMeasuredBRDFMapper::RenderPiece(vtkRenderer* ren, vtkActor* actor)
 {
   const Depth inside(this->RenderDepth);
-  if (!this->RenderParts(ren, actor))
-  {
-    this->Superclass::RenderPiece(ren, actor);
-  }
-  if (DrawsColor(ren, actor))
-  {
-    this->Drawing->KeepPlansInUse();
-  }
+  this->Drawing->BeginRender();
+  this->RenderGuarded(
+    [&]()
+    {
+      if (!this->RenderParts(ren, actor))
+      {
+        this->Superclass::RenderPiece(ren, actor);
+      }
+      if (DrawsColor(ren, actor))
+      {
+        this->Drawing->KeepPlansInUse();
+      }
+    },
+    [this]() { this->Map->Timer.Stop(); });
 }
 
 //------------------------------------------------------------------------------
