@@ -99,7 +99,15 @@ void Jobs::Start(const QString& key, const QString& label, Work work, Jobs::Fail
   job->Function = std::move(work);
   job->Failed = std::move(failed);
   this->All.push_back(job);
-  job->Runner = std::thread([this, job]() { this->Run(job); });
+  try
+  {
+    job->Runner = std::thread([this, job]() { this->Run(job); });
+  }
+  catch (const std::exception& error) // no thread is to be had
+  {
+    this->All.remove(job);
+    job->Failed(QString::fromUtf8(error.what()));
+  }
   this->Report();
 }
 

@@ -6,10 +6,10 @@
 #include "GaussLegendre.h"
 #include "HalfVector.h" // for angles
 #include "LocalFrame.h"
+#include "ParallelFor.h"
 #include "Setters.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
-#include "vtkSMPTools.h"
 
 #include <Eigen/Dense>
 
@@ -339,7 +339,7 @@ bool vtkBRDFAcquisition::Acquire()
   for (int first = 0; first < views; first += batch)
   {
     const int last = std::min(first + batch, views);
-    vtkSMPTools::For(first, last,
+    measuredbrdf::ParallelFor(first, last,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType view = begin; view < end; ++view)

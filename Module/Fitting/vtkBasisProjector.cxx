@@ -5,11 +5,11 @@
 #include "GaussLegendre.h"
 #include "HalfVector.h" // for angles
 #include "LocalFrame.h"
+#include "ParallelFor.h"
 #include "Setters.h"
 #include "ZonalOperators.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <array>
@@ -228,7 +228,7 @@ bool vtkBasisProjector::Project()
   constexpr int batch = 16;
   for (int first = 0; first < views; first += batch)
   {
-    vtkSMPTools::For(first, std::min(first + batch, views),
+    measuredbrdf::ParallelFor(first, std::min(first + batch, views),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType view = begin; view < end; ++view)

@@ -40,11 +40,10 @@ Formats::Items MakeOwnFormats()
 #endif
 }
 
-// Never destroyed: programs may read files until their very end.
 Formats& GetRegistry()
 {
-  static auto* registry = new Formats(MakeOwnFormats());
-  return *registry;
+  static auto& registry = Formats::MakeShared(MakeOwnFormats());
+  return registry;
 }
 
 std::string List(bool writable, const std::function<std::vector<std::string>(vtkBRDFFormat*)>& get)

@@ -7,13 +7,13 @@
 #include "DirectionPairs.h"
 #include "LightLanes.h"
 #include "LocalFrame.h"
+#include "ParallelFor.h"
 #include "ReflectionGuide.h"
 #include "TexelTree.h"
 #include "vtkBRDF.h"
 #include "vtkDataArray.h"
 #include "vtkEnvironment.h"
 #include "vtkObjectFactory.h"
-#include "vtkSMPTools.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -200,7 +200,7 @@ bool vtkAdaptiveRadianceIntegrator::IntegrateNeighbors(
   std::vector<double> sums(3 * pairs.size(), 0.0);
   const auto sumBatch = [&](vtkIdType first, vtkIdType size)
   {
-    vtkSMPTools::For(first, first + size,
+    measuredbrdf::ParallelFor(first, first + size,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType four = begin; four < end && !this->Abort; ++four)

@@ -9,6 +9,7 @@
 #include "ModuleShader.h"
 #include "Neighbors.h"
 #include "NumberText.h"
+#include "ParallelFor.h"
 #include "RadialFunctions.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
@@ -21,7 +22,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRadianceCostModel.h"
-#include "vtkSMPTools.h"
 #include "vtkVarianceLightSetGenerator.h"
 
 #include <Eigen/Core>
@@ -251,7 +251,7 @@ bool vtkBasisRadianceIntegrator::MakeMaps(Tables& tables)
   for (int first = 0; first < side; first += stride)
   {
     const int last = std::min(first + stride, side);
-    vtkSMPTools::For(first, last, 1,
+    measuredbrdf::ParallelFor(first, last, 1,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType y = begin; y < end; ++y)

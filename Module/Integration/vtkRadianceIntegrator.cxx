@@ -4,6 +4,7 @@
 
 #include "DirectionPairs.h"
 #include "Neighbors.h" // for MostFilterBits
+#include "ParallelFor.h"
 #include "TakenError.h"
 #include "vtkBRDF.h"
 #include "vtkCallbackCommand.h"
@@ -12,7 +13,6 @@
 #include "vtkEnvironment.h"
 #include "vtkNew.h"
 #include "vtkRadianceCostModel.h"
-#include "vtkSMPTools.h"
 
 #include <glm/glm.hpp>
 
@@ -233,7 +233,7 @@ bool vtkRadianceIntegrator::SumPairs(const std::vector<Pair>& pairs, std::vector
   const auto sumBatch = [&](vtkIdType first, vtkIdType size)
   {
     sums.assign(3 * static_cast<std::size_t>(size * parts), 0.0);
-    vtkSMPTools::For(0, size * parts,
+    measuredbrdf::ParallelFor(0, size * parts,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType item = begin; item < end && !this->Abort; ++item)

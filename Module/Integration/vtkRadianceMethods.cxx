@@ -41,11 +41,10 @@ Methods MakeOwnMethods()
   return methods;
 }
 
-// Never destroyed: programs may plan until their very end.
 Registry<vtkRadianceIntegrator>& GetRegistry()
 {
-  static auto* registry = new Registry<vtkRadianceIntegrator>(MakeOwnMethods());
-  return *registry;
+  static auto& registry = Registry<vtkRadianceIntegrator>::MakeShared(MakeOwnMethods());
+  return registry;
 }
 
 bool IsMethodName(const std::string& name)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTracedRadianceIntegrator.h"
 
+#include "ParallelFor.h"
 #include "Setters.h"
 #include "TakenError.h"
 #include "TracedRadiance.h"
@@ -16,7 +17,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkTracedScene.h"
 
 #include <algorithm>
@@ -336,7 +336,7 @@ bool vtkTracedRadianceIntegrator::Trace(Run& run)
   {
     const std::size_t size = std::min(batch, count - first);
     const auto start = std::chrono::steady_clock::now();
-    vtkSMPTools::For(static_cast<vtkIdType>(first), static_cast<vtkIdType>(first + size),
+    measuredbrdf::ParallelFor(static_cast<vtkIdType>(first), static_cast<vtkIdType>(first + size),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType k = begin; k < end && !this->Abort; ++k)

@@ -3,6 +3,7 @@
 #include "vtkEnvironmentProjection.h"
 
 #include "ConservativeRemap.h"
+#include "ParallelFor.h"
 #include "ProjectionMaps.h"
 #include "Projections.h"
 #include "Setters.h"
@@ -12,7 +13,6 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <atomic>
@@ -279,7 +279,7 @@ void vtkEnvironmentProjection::Repair(
   };
   std::atomic<vtkIdType> negative(0);
   std::atomic<vtkIdType> notFinite(0);
-  vtkSMPTools::For(0, height,
+  measuredbrdf::ParallelFor(0, height,
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkIdType found[2] = { 0, 0 };
@@ -330,7 +330,8 @@ bool vtkEnvironmentProjection::Resample(int sourceProjection, int sourceWidth, i
   for (int first = 0; first < height; first += batch)
   {
     const int last = std::min(first + batch, height);
-    vtkSMPTools::For(static_cast<vtkIdType>(first) * width, static_cast<vtkIdType>(last) * width,
+    measuredbrdf::ParallelFor(static_cast<vtkIdType>(first) * width,
+      static_cast<vtkIdType>(last) * width,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType k = begin; k < end && !this->Abort; ++k)

@@ -3,12 +3,12 @@
 #include "vtkMedianCutLightSetGenerator.h"
 
 #include "HalfVector.h" // for Pi
+#include "ParallelFor.h"
 #include "SummedAreaTable.h"
 #include "TexelDirections.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
 #include "vtkObjectFactory.h"
-#include "vtkSMPTools.h"
 
 #include <glm/glm.hpp>
 
@@ -190,7 +190,7 @@ bool vtkMedianCutLightSetGenerator::Generate(
 
   const measuredbrdf::TexelDirections directions(width, height);
   std::vector<Energy> energies(regions.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(regions.size()),
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(regions.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end; ++k)

@@ -409,8 +409,8 @@ vtkBRDF* vtkAdaptiveWarpBRDF::NewCopy()
 {
   vtkAdaptiveWarpBRDF* copy = vtkAdaptiveWarpBRDF::New();
   copy->Data = this->Data;
-  copy->Warp = this->Warp; // never changes once it is made
-  copy->Resampled = this->Resampled;
+  copy->Warp = this->Warp;                                          // never changes once it is made
+  copy->Resampled = std::make_shared<Renderable>(*this->Resampled); // which shares its table
   return copy;
 }
 

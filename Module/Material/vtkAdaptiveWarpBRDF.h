@@ -106,7 +106,7 @@ private:
   struct Warps;
   std::shared_ptr<const Warps> Warp;
   struct Renderable;
-  std::shared_ptr<Renderable> Resampled; // copies share it until either changes
+  std::shared_ptr<Renderable> Resampled;
 };
 
 #endif

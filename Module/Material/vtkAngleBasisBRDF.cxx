@@ -397,7 +397,7 @@ vtkBRDF* vtkAngleBasisBRDF::NewCopy()
   copy->View = this->View;
   copy->Matrix = this->Matrix;
   copy->Draws = this->Draws;
-  copy->Resampled = this->Resampled;
+  copy->Resampled = std::make_shared<Renderable>(*this->Resampled); // which shares its table
   return copy;
 }
 

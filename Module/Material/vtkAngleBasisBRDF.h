@@ -105,7 +105,7 @@ private:
   struct Sampler;
   std::shared_ptr<const Sampler> Draws; // of this matrix
   struct Renderable;
-  std::shared_ptr<Renderable> Resampled; // copies share it until either changes
+  std::shared_ptr<Renderable> Resampled;
 };
 
 #endif

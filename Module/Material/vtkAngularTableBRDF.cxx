@@ -312,7 +312,7 @@ vtkBRDF* vtkAngularTableBRDF::NewCopy()
   copy->View = this->View;
   copy->Values = this->Values;
   copy->Origin = this->Origin;
-  copy->Resampled = this->Resampled;
+  copy->Resampled = std::make_shared<Renderable>(*this->Resampled); // which shares its table
   return copy;
 }
 

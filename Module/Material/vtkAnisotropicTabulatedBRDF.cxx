@@ -8,12 +8,12 @@
 #include "ModuleShader.h"
 #include "Neighbors.h"
 #include "NumberText.h"
+#include "ParallelFor.h"
 #include "Setters.h"
 #include "vtkBRDFAnisotropicTable.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
-#include "vtkSMPTools.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -171,7 +171,7 @@ bool vtkAnisotropicTabulatedBRDF::Resample(
   const vtkIdType rows = static_cast<vtkIdType>(dimensions[2]) * dimensions[3];
   const std::size_t row = 3u * static_cast<std::size_t>(dimensions[0] * dimensions[1]);
   std::vector<float> rgb(row * static_cast<std::size_t>(rows));
-  vtkSMPTools::For(0, rows,
+  measuredbrdf::ParallelFor(0, rows,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end; ++k)

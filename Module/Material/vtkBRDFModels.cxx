@@ -36,14 +36,13 @@ using Models = Registry<vtkBRDF>::Items;
 
 constexpr int MaximumDepth = 16; // of terms in terms
 
-// Never destroyed: programs may read files until their very end.
 Registry<vtkBRDF>& GetRegistry()
 {
-  static auto* registry = new Registry<vtkBRDF>(
+  static auto& registry = Registry<vtkBRDF>::MakeShared(
     Registry<vtkBRDF>::Make<vtkLambertBRDF, vtkBlinnPhongBRDF, vtkAshikhminShirleyBRDF,
       vtkDistributionBRDF, vtkTabulatedBRDF, vtkAnisotropicTabulatedBRDF, vtkAngleBasisBRDF,
       vtkAngularTableBRDF, vtkTensorTreeBRDF, vtkBasisBRDF, vtkAdaptiveWarpBRDF, vtkSumBRDF>());
-  return *registry;
+  return registry;
 }
 
 //------------------------------------------------------------------------------

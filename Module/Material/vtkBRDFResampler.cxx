@@ -6,12 +6,12 @@
 #include "HalfVector.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
+#include "ParallelFor.h"
 #include "Setters.h"
 #include "VolumeInterpolation.h"
 #include "vtkBasisBRDF.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
-#include "vtkSMPTools.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -100,7 +100,7 @@ std::vector<Probe> MakeProbes(vtkBRDF* reference, int first, int count,
     probe.Weight = probe.I[2] * z / density;
     reference->Evaluate(probe.I, probe.O, probe.F);
   };
-  vtkSMPTools::For(0, count, ProbeBlock,
+  measuredbrdf::ParallelFor(0, count, ProbeBlock,
     [&draw](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end; ++k)
@@ -118,7 +118,7 @@ std::vector<Probe> MakeProbes(vtkBRDF* reference, int first, int count,
 double Compare(const std::vector<Probe>& probes, vtkBRDF* other, double* maximum = nullptr)
 {
   std::vector<glm::dvec3> values(probes.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(probes.size()), ProbeBlock,
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(probes.size()), ProbeBlock,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (std::size_t k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)

@@ -327,7 +327,7 @@ vtkBRDF* vtkTensorTreeBRDF::NewCopy()
 {
   vtkTensorTreeBRDF* copy = vtkTensorTreeBRDF::New();
   copy->Data = this->Data;
-  copy->Resampled = this->Resampled;
+  copy->Resampled = std::make_shared<Renderable>(*this->Resampled); // which shares its table
   return copy;
 }
 

@@ -85,7 +85,7 @@ private:
   void operator=(const vtkTensorTreeBRDF&) = delete;
 
   struct Renderable;
-  std::shared_ptr<Renderable> Resampled; // copies share it until either changes
+  std::shared_ptr<Renderable> Resampled;
 };
 
 #endif

@@ -3,6 +3,7 @@
 #include "vtkBRDFFailureMap.h"
 
 #include "HalfVector.h"
+#include "ParallelFor.h"
 #include "Setters.h"
 
 #include "vtkCommand.h"
@@ -10,7 +11,6 @@
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -233,7 +233,7 @@ bool vtkBRDFFailureMap::Update()
   constexpr int group = 4;
   for (int first = 0; first < count; first += group)
   {
-    vtkSMPTools::For(static_cast<vtkIdType>(first) * count,
+    measuredbrdf::ParallelFor(static_cast<vtkIdType>(first) * count,
       static_cast<vtkIdType>(std::min(first + group, count)) * count,
       [&](vtkIdType begin, vtkIdType end)
       {

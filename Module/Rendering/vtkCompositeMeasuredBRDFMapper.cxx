@@ -18,6 +18,7 @@
 #include "vtkOpenGLCompositePolyDataMapperDelegator.h"
 #endif
 
+#include <exception>
 #include <set>
 #include <utility>
 
@@ -266,17 +267,25 @@ void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* act
     return; // the superclass wants both
   }
   const Depth inside(this->RenderDepth);
+  this->Impl->Drawing->BeginRender();
   this->Impl->Parts->Begin();
   vtkDataObject* input = this->GetInputDataObject(0, 0);
   this->Impl->Timer.Start(input ? input->GetNumberOfElements(vtkDataObject::CELL) : 0);
-  this->Superclass::Render(renderer, actor);
-  this->Impl->Parts->Render(renderer, actor);
+  try // blocks of one material catch what is thrown themselves (RenderGuarded)
+  {
+    this->Superclass::Render(renderer, actor);
+    this->Impl->Parts->Render(renderer, actor);
+    if (DrawsColor(renderer, actor))
+    {
+      this->Impl->Drawing->KeepPlansInUse();
+    }
+  }
+  catch (const std::exception& e) // no memory, say
+  {
+    this->Impl->Drawing->ReportFailure(e.what());
+  }
   this->Impl->Timer.Stop();
   this->TimeToDraw = this->Impl->Timer.GetSeconds();
-  if (DrawsColor(renderer, actor))
-  {
-    this->Impl->Drawing->KeepPlansInUse();
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #include "LegendShapes.h"
 #include "MaterialPicture.h"
 #include "NumberText.h"
+#include "RunGuarded.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
@@ -385,12 +386,13 @@ int vtkMaterialLegendActor::RenderOverlay(vtkViewport* viewport)
 //------------------------------------------------------------------------------
 int vtkMaterialLegendActor::RenderOpaqueGeometry(vtkViewport* viewport)
 {
-  int drawn = 0;
-  if (!viewport)
+  if (!viewport ||
+      !measuredbrdf::RunGuarded(
+        this, "RenderOpaqueGeometry", [&]() { this->UpdateLayout(viewport); }))
   {
-    return drawn;
+    return 0;
   }
-  this->UpdateLayout(viewport);
+  int drawn = 0;
   this->Impl->ForEachActor(
     [&drawn, viewport](vtkActor2D* actor) { drawn += actor->RenderOpaqueGeometry(viewport); });
   return drawn;

@@ -150,14 +150,20 @@ void vtkMeasuredBRDFMapper::RenderPiece(vtkRenderer* ren, vtkActor* actor)
     return; // the superclass wants both
   }
   const Depth inside(this->RenderDepth);
-  if (!this->RenderParts(ren, actor))
-  {
-    this->Superclass::RenderPiece(ren, actor);
-  }
-  if (DrawsColor(ren, actor))
-  {
-    this->Drawing->KeepPlansInUse();
-  }
+  this->Drawing->BeginRender();
+  this->RenderGuarded(
+    [&]()
+    {
+      if (!this->RenderParts(ren, actor))
+      {
+        this->Superclass::RenderPiece(ren, actor);
+      }
+      if (DrawsColor(ren, actor))
+      {
+        this->Drawing->KeepPlansInUse();
+      }
+    },
+    [this]() { this->Map->Timer.Stop(); });
 }
 
 //------------------------------------------------------------------------------

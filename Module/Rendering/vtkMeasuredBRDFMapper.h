@@ -219,9 +219,10 @@ public:
 
   ///@{
   /**
-   * A Render that plans for this mapper alone raises ProgressEvent meanwhile. Set AbortPlanning
-   * from its observer to stop it: what stands in for plans in BACKGROUND_FROM_START is drawn then,
-   * with an error event, until something changes. Each planning begins with it cleared.
+   * A Render that plans for this mapper raises ProgressEvent meanwhile. Set AbortPlanning from its
+   * observer to stop the planning of all of its materials: what stands in for plans in
+   * BACKGROUND_FROM_START is drawn then, with an error event for each, until something changes.
+   * Each Render begins with it cleared.
    */
   void SetAbortPlanning(bool abort);
   bool GetAbortPlanning();

@@ -16,16 +16,18 @@
 #include "vtkMeasuredBRDFModule.h"   // for export macro
 #include "vtkOpenGLPolyDataMapper.h" // for the types of its methods
 
-#include <map>     // for shaders
-#include <memory>  // for Drawing
-#include <string>  // for shader keys
-#include <utility> // for MaterialUse
-#include <vector>  // for MaterialUse
+#include <functional> // for RenderGuarded
+#include <map>        // for shaders
+#include <memory>     // for Drawing
+#include <string>     // for shader keys
+#include <utility>    // for MaterialUse
+#include <vector>     // for MaterialUse
 
 class vtkBRDF;
 class vtkEnvironment;
-class vtkMeasuredBRDFMapperInternals; // how materials are drawn
-class vtkMeasuredBRDFMapperPoints;    // what is kept of points
+class vtkMeasuredBRDFMapperInternals;  // how materials are drawn
+class vtkMeasuredBRDFMapperPoints;     // what is kept of points
+struct vtkMeasuredBRDFMapperOcclusion; // what shaders have of what surfaces hide
 class vtkPolyData;
 class vtkShaderProgram;
 
@@ -52,6 +54,10 @@ protected:
 
   /// Whether scalars do not color the surfaces that are drawn now, whatever the mapper says.
   virtual bool IgnoresScalars() { return false; }
+
+  /// Draw, and report what is thrown meanwhile: nothing of VTK's catches it. finish: what is to be
+  /// done then.
+  void RenderGuarded(const std::function<void()>& draw, const std::function<void()>& finish);
 
   void RenderPieceStart(vtkRenderer* ren, vtkActor* actor) override;
   void RenderPieceDraw(vtkRenderer* ren, vtkActor* actor) override;
@@ -124,15 +130,21 @@ private:
 
   void WarnOfTextures(vtkActor* actor);
   void ReplaceShaderOcclusion(Shaders shaders);
-  bool KeepsOcclusion();
+  vtkMeasuredBRDFMapperOcclusion GetOcclusion();
+  bool MayKeepOcclusion();
+  bool FitsOcclusion(const vtkMeasuredBRDFMapperOcclusion& occlusion);
   std::vector<vtkEnvironment*> GetEnvironments();
-  void KeepOcclusion(vtkRenderer* ren, vtkActor* actor);
+  void KeepOcclusion(
+    const vtkMeasuredBRDFMapperOcclusion& occlusion, vtkRenderer* ren, vtkActor* actor);
   void SetOcclusionParameters(vtkShaderProgram* program, vtkRenderer* ren, vtkActor* actor);
 
   bool HasBadNormals = false;  // of the buffers
+  bool HasStarted = false;     // RenderPieceStart, whole
   int BuiltOcclusionMode = -1; // of the buffers
   bool BuiltOcclusionBounce = false;
   const void* BuiltTracedOcclusion = nullptr;
+  std::size_t MostAttributes = 0; // of the graphics card that has the buffers
+  std::size_t MostVaryings = 0;
   vtkTimeStamp OcclusionTime;                          // when the buffers were built
   std::unique_ptr<vtkMeasuredBRDFMapperPoints> Points; // of the buffers
 };

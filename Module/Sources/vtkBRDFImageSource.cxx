@@ -3,6 +3,8 @@
 #include "vtkBRDFImageSource.h"
 
 #include "MaterialSource.h"
+#include "ParallelFor.h"
+#include "RunGuarded.h"
 #include "Setters.h"
 
 #include "vtkFloatArray.h"
@@ -11,7 +13,6 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 using namespace measuredbrdf;
@@ -66,20 +67,24 @@ void vtkBRDFImageSource::ExecuteDataWithInformation(vtkDataObject* output, vtkIn
   const int* extent = image->GetExtent();
   const vtkIdType width = extent[1] - extent[0] + 1;
   const double pixel = 90.0 / this->Resolution;
-  this->BRDF->Prepare();
-  vtkSMPTools::For(0, values->GetNumberOfTuples(),
-    [&](vtkIdType first, vtkIdType last)
+  measuredbrdf::RunGuarded(this, "RequestData",
+    [&]()
     {
-      for (vtkIdType k = first; k < last; ++k)
-      {
-        const vtkIdType row = extent[2] + k / width;
-        const double x = pixel * (static_cast<double>(extent[0] + k % width) + 0.5);
-        const double thetaD = pixel * (static_cast<double>(row) + 0.5);
-        const double thetaH = this->UseThetaHSquared ? x * x / 90.0 : x;
-        double f[3];
-        EvaluateHalfDifference(this->BRDF, thetaH, thetaD, this->PhiD, this->PhiH, f);
-        values->SetTypedTuple(k, glm::value_ptr(glm::vec3(f[0], f[1], f[2])));
-      }
+      this->BRDF->Prepare();
+      measuredbrdf::ParallelFor(0, values->GetNumberOfTuples(),
+        [&](vtkIdType first, vtkIdType last)
+        {
+          for (vtkIdType k = first; k < last; ++k)
+          {
+            const vtkIdType row = extent[2] + k / width;
+            const double x = pixel * (static_cast<double>(extent[0] + k % width) + 0.5);
+            const double thetaD = pixel * (static_cast<double>(row) + 0.5);
+            const double thetaH = this->UseThetaHSquared ? x * x / 90.0 : x;
+            double f[3];
+            EvaluateHalfDifference(this->BRDF, thetaH, thetaD, this->PhiD, this->PhiH, f);
+            values->SetTypedTuple(k, glm::value_ptr(glm::vec3(f[0], f[1], f[2])));
+          }
+        });
     });
 }
 

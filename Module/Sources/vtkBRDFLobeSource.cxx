@@ -5,6 +5,8 @@
 #include "HalfVector.h"
 #include "LocalFrame.h"
 #include "MaterialSource.h"
+#include "ParallelFor.h"
+#include "RunGuarded.h"
 #include "Setters.h"
 
 #include "vtkCellArray.h"
@@ -16,7 +18,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -167,6 +168,15 @@ vtkMTimeType vtkBRDFLobeSource::GetMTime()
 int vtkBRDFLobeSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  int made = 0;
+  measuredbrdf::RunGuarded(
+    this, "RequestData", [&]() { made = this->Make(outputVector); }); // no memory, say
+  return made;
+}
+
+//------------------------------------------------------------------------------
+int vtkBRDFLobeSource::Make(vtkInformationVector* outputVector)
+{
   if (!this->BRDF)
   {
     vtkErrorMacro("There is no BRDF; call SetBRDF first.");
@@ -189,7 +199,7 @@ int vtkBRDFLobeSource::RequestData(
   }
   vtkBRDF* brdf = this->BRDF;
   vtkBTDF* btdf = this->Transmission;
-  vtkSMPTools::For(0, count,
+  measuredbrdf::ParallelFor(0, count,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType k = first; k < last; ++k)

@@ -139,6 +139,8 @@ protected:
   bool Normalize = false;
 
 private:
+  int Make(vtkInformationVector* outputVector);
+
   vtkBRDFLobeSource(const vtkBRDFLobeSource&) = delete;
   void operator=(const vtkBRDFLobeSource&) = delete;
 };

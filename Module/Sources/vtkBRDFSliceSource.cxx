@@ -4,13 +4,14 @@
 
 #include "MaterialSource.h"
 #include "NumberText.h"
+#include "ParallelFor.h"
+#include "RunGuarded.h"
 #include "Setters.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkSMPTools.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -72,6 +73,15 @@ vtkMTimeType vtkBRDFSliceSource::GetMTime()
 int vtkBRDFSliceSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  int made = 0;
+  measuredbrdf::RunGuarded(
+    this, "RequestData", [&]() { made = this->Make(outputVector); }); // no memory, say
+  return made;
+}
+
+//------------------------------------------------------------------------------
+int vtkBRDFSliceSource::Make(vtkInformationVector* outputVector)
+{
   const double rows =
     static_cast<double>(this->NumberOfThetaH) * this->NumberOfThetaD * this->NumberOfPhiD;
   if (!this->BRDF)
@@ -97,7 +107,7 @@ int vtkBRDFSliceSource::RequestData(
   const auto mask = NewArray<vtkUnsignedCharArray>("vtkValidPointMask", 1, count);
 
   this->BRDF->Prepare();
-  vtkSMPTools::For(0, count,
+  measuredbrdf::ParallelFor(0, count,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType row = first; row < last; ++row)

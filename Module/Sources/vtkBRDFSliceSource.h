@@ -112,6 +112,8 @@ protected:
   double PhiH = 0.0;
 
 private:
+  int Make(vtkInformationVector* outputVector);
+
   vtkBRDFSliceSource(const vtkBRDFSliceSource&) = delete;
   void operator=(const vtkBRDFSliceSource&) = delete;
 };

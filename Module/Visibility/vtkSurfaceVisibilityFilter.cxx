@@ -4,6 +4,7 @@
 
 #include "ContentHash.h"
 #include "HiddenSky.h"
+#include "RunGuarded.h"
 #include "Setters.h"
 #include "SurfacePoints.h"
 #include "SurfaceTracer.h"
@@ -285,8 +286,11 @@ int vtkSurfaceVisibilityFilter::RequestData(vtkInformation* vtkNotUsed(request),
   bool whole = isKnown && (!this->Bounce || this->Impl->HasBounce);
   if (!whole)
   {
-    whole = this->Impl->Trace(this, surfaces, !isKnown);
-    this->Impl->Key = whole || isKnown ? key : "";
+    // Where memory runs out, say, the surface is passed on without arrays.
+    const bool ran = measuredbrdf::RunGuarded(
+      this, "RequestData", [&]() { whole = this->Impl->Trace(this, surfaces, !isKnown); });
+    whole = ran && whole;
+    this->Impl->Key = whole || (isKnown && ran) ? key : "";
     this->NumberOfTraces += whole ? 1 : 0;
   }
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);

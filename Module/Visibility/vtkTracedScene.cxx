@@ -5,6 +5,7 @@
 #include "HalfVector.h" // for Pi
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
+#include "ParallelFor.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
@@ -15,7 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkTracedSurfaces.h"
 
 #include <algorithm>
@@ -235,7 +235,7 @@ bool vtkTracedScene::CastRays(vtkDataArray* origins, vtkDataArray* directions, v
   const vtkTracedSurfaces& scene = this->GetSurfaces();
   const vtkIdType count = origins->GetNumberOfTuples();
   std::vector<SurfacePoint> found(static_cast<std::size_t>(count), GetMiss());
-  vtkSMPTools::For(0, count,
+  measuredbrdf::ParallelFor(0, count,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end; ++k)

@@ -647,8 +647,8 @@ add("Planning.reading-is-no-use", "Private/PlanCache.cxx", "::futimens(file.Get(
 add("Planning.folder-of-everybody", "Private/PlanCache.cxx", "(S_IWGRP | S_IWOTH)) == 0;", "0) == 0;",
     "PlanCache.FolderIsForThisUserOnly")
 add("Planning.unfinished-files-stay", "Private/PlanCache.cxx",
-    "status.st_mtim.tv_sec + StaleSeconds < std::time(nullptr)",
-    "status.st_mtim.tv_sec + 1000000 * StaleSeconds < std::time(nullptr)", "PlanCache.HalfWrittenFilesOfTheDeadGo")
+    "GetTime(status).first + StaleSeconds < std::time(nullptr)",
+    "GetTime(status).first + 1000000 * StaleSeconds < std::time(nullptr)", "PlanCache.HalfWrittenFilesOfTheDeadGo")
 add("Planning.unfinished-files-of-others-go", "Private/PlanCache.cxx", "StaleSeconds = 3600;",
     "StaleSeconds = -3600;", "PlanCache.HalfWrittenFilesOfTheDeadGo")
 add("Planning.off-is-a-folder", "Private/PlanCache.cxx", 'std::string(own) == "off" ? "" : own;', "own;",
@@ -776,14 +776,14 @@ add("Rendering.stand-in-form-for-nobody", "Private/StandInBRDF.cxx", "made->Mate
     "made->Material = material;\n  made->GetRenderable();", "StandIns.NoFormWhereNoLightNeedsIt")
 add("Rendering.plan-learns-of-no-light", "Private/CurrentPlan.cxx", "this->Job->WantForm();", "",
     "StandIns.LightsThatComeWhileAPlanIsMade")
-add("Rendering.failed-plan-begun-again", "Private/CurrentPlan.cxx", "this->Take(wanted, true, this->Job->GetPlan());",
+add("Rendering.failed-plan-begun-again", "Private/CurrentPlan.cxx", "this->Take(wanted, true, done ? this->Job->GetPlan() : nullptr);",
     "this->Take(this->Job->GetPlan() ? wanted : PlanInputs(), true, this->Job->GetPlan());",
     "StandIns.PlansThatFail")
 add("Rendering.failed-stand-in-tried-again", "Private/BRDFTextures.cxx", "if (time <= this->FailureTime)",
     "if (time < 0 * this->FailureTime)", "StandIns.ThoseThatFailAreTriedOnce")
-add("Rendering.plans-beside-stand-ins", "Private/PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->Planning > 0; }",
+add("Rendering.plans-beside-stand-ins", "Private/PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->Planning > 0 || this->IsStopped; }",
     "{ return this->Holds < 9; }", "SideBySide.HeldUntilSomebodyWaits")
-add("Rendering.wait-for-what-is-held", "Private/PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->Planning > 0; }",
+add("Rendering.wait-for-what-is-held", "Private/PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->Planning > 0 || this->IsStopped; }",
     "{ return this->Holds == 0 || this->Planning > 0; }", "SideBySide.HeldUntilSomebodyWaits")
 add("Rendering.held-jobs-wait-for-plans", "Private/CurrentPlan.cxx", "  const PlanJob::Beside beside;\n", "",
     "SideBySide.HeldJobsRunBesideAThreadThatPlans")
@@ -1315,8 +1315,8 @@ add("Visibility.key-without-normals", "Private/SurfacePoints.cxx", "HashArray(ha
     "OcclusionTest.BadArraysAreSaidOnceAndNotUsed")
 add("Visibility.rays-begin-below-twisted-quads", "Private/SurfacePoints.cxx", "ForEachFace(surface, Faces::Triangles,",
     "ForEachFace(surface, Faces::Polygons,", "SurfaceVisibility.TwistedQuadsAreLeftFromTheirTriangles")
-add("Rendering.occlusion-whatever-it-costs", "Private/OcclusionForecast.cxx", "if (!worth || this->IsStopped || this->Points > this->Most)",
-    "if (this->IsStopped || this->Points > this->Most)", "OcclusionTest.AutoModelsWhatIsWorthIt")
+add("Rendering.occlusion-whatever-it-costs", "Private/OcclusionForecast.cxx", "if (!worth || this->IsStopped ||",
+    "if (this->IsStopped ||", "OcclusionTest.AutoModelsWhatIsWorthIt")
 add("Rendering.mappers-trace-apart", "Private/SharedTrace.cxx", "found = traces[content].lock();", "found;",
     "SharedTraceTest.MappersOfOneSurfaceTraceOnce|SharedTraceTest.OccludersAreNotShared")
 add("Rendering.shared-without-the-bounce", "Private/SharedTrace.h", "(!withBounce || this->HasBounce)", "true",
@@ -1342,15 +1342,26 @@ add("Rendering.levels-are-looked-for-once", "Private/MaterialDrawing.cxx",
     "OcclusionStability.ActorsWithLevelsKeepTheSurfacesArrays")
 add("Rendering.moving-surfaces-are-traced", "Private/OcclusionForecast.cxx", "return this->Changes <= MostChanges;", "return true;",
     "OcclusionTest.ForecastsFollowTheSurface")
-add("Rendering.views-forget-each-other", "Private/OcclusionForecast.cxx", "this->Known.count(key) == 0 && follows",
-    "(this->Answer == nullptr || this->Asked != key) && follows", "OcclusionTest.ForecastsFollowTheSurface")
+add("Rendering.views-forget-each-other", "Private/OcclusionForecast.cxx", "!this->Known.Find(key) && follows",
+    "(!this->Answer || this->Asked != key) && follows", "OcclusionTest.ForecastsFollowTheSurface")
+add("Rendering.views-for-ever", "Private/OcclusionForecast.cxx", "MostAnswers = 1024;", "MostAnswers = 4;",
+    "Forecast.ViewsThatTakeTurnsComeToAnEnd")
+add("Rendering.throws-end-the-thread-unsaid", "Private/OcclusionForecast.cxx", "this->Fail(e.what());", "",
+    "Forecast.TellsWhatIsThrown")
+add("Core.threads-outlive-the-process", "Private/BackgroundThreads.cxx", "    for (const std::function<void()>& stop : stops)",
+    "    for (const std::function<void()>& stop : std::vector<std::function<void()>>())",
+    "EndOfProcess.StopsPlans|EndOfProcess.StopsForecasts")
+add("Core.objects-outlive-the-process", "Private/BackgroundThreads.cxx", "      (*release)();", "",
+    "EndOfProcess.LeavesNoObjects")
+add("Rendering.attributes-without-end", "Private/vtkMeasuredBRDFMapperMixinOcclusion.txx",
+    "own + needs.Attributes <= this->MostAttributes &&", "", "LimitsTest.DrawsWhatThereIsRoomFor")
 add("Rendering.kept-light-does-not-turn", "Private/OcclusionKept.cxx", "add(turn[column]);", "add(0.0 * turn[column]);",
     "OcclusionPointsTest.LightMayTurnAndRestAgain")
 add("Rendering.views-take-each-others-light", "Private/OcclusionPoints.cxx", "state->Of.View == question.View &&", "true &&",
     "OcclusionPointsTest.ViewsKeepTheirOwn")
 add("Rendering.kept-light-in-programs-of-depths", "Private/OcclusionPoints.cxx", "if (drawn.Program->IsAttributeUsed(names[k].c_str()))",
     "if (true)", "OcclusionPointsTest.PeelingReportsNothing")
-add("Rendering.kept-light-of-several-materials", "Private/vtkMeasuredBRDFMapperMixinOcclusion.txx", "this->Drawing->GetMaterials().size() > 1 ||",
+add("Rendering.kept-light-of-several-materials", "Private/vtkMeasuredBRDFMapperMixinOcclusion.txx", "this->Drawing->GetMaterials().size() <= 1 &&",
     "", "OcclusionPointsTest.BlocksAreTheSame")
 add("Rendering.kept-light-of-other-codes", "Private/OcclusionPoints.cxx", "state->Of.Time == question.Time &&", "true &&",
     "OcclusionPointsTest.WhatChangesIsSeen")

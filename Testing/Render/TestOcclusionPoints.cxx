@@ -7,6 +7,7 @@
 #include "OcclusionLight.h"
 #include "OcclusionPoints.h"
 #include "RenderFixture.h"
+#include "ShaderLimits.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCompositeMeasuredBRDFMapper.h"
 #include "vtkEmbeddedEnvironments.h"
@@ -430,5 +431,5 @@ TEST_F(OcclusionPointsTest, AttributesAreCounted)
   layout.TwoSided = true;
   EXPECT_EQ(count({ &hall }), 2 * expected(hall));
   EXPECT_LE(count({ &sky }), 14u);
-  EXPECT_GT(count({ &hall, &hall, &hall }), OcclusionPoints::MostAttributes);
+  EXPECT_GT(count({ &hall, &hall, &hall }), measuredbrdf::ShaderLimits().Attributes);
 }

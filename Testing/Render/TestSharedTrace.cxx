@@ -262,6 +262,7 @@ TEST_F(SharedTraceTest, ForecastsStopWhenTheyGo)
   for (const double work : { 0.0, 0.1, 0.3, 2.0 }) // seconds of processor time: the last one traces
   {
     auto forecast = std::make_unique<OcclusionForecast>();
+    const int holders = this->BRDF->GetReferenceCount();
     const double start = GetProcessorTime();
     forecast->Update(question);
     ASSERT_TRUE(forecast->IsPending());
@@ -271,7 +272,11 @@ TEST_F(SharedTraceTest, ForecastsStopWhenTheyGo)
     }
     ASSERT_FALSE(forecast->IsReady()) << work;
     const double before = GetProcessorTime();
-    forecast.reset();
+    forecast.reset(); // which does not wait for its thread
+    while (this->BRDF->GetReferenceCount() > holders)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
     const double stopped = GetProcessorTime() - before;
     std::printf("after %.1f s: stopped within %.3f s of processor time\n", work, stopped);
     EXPECT_LT(stopped, 0.4 + 0.1 * std::thread::hardware_concurrency()) << work;

@@ -9,6 +9,7 @@
 #ifndef Registry_h
 #define Registry_h
 
+#include "BackgroundThreads.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -26,9 +27,12 @@ class Registry
 public:
   using Items = std::vector<vtkSmartPointer<T>>;
 
-  explicit Registry(Items own)
-    : Own(std::move(own))
+  /// One for the process's life. At its end the objects go, and the registry stays, empty.
+  static Registry& MakeShared(Items own)
   {
+    auto* registry = new Registry(std::move(own));
+    ReleaseAtExit([registry]() { registry->Clear(); });
+    return *registry;
   }
 
   /// A new object of each type.
@@ -87,8 +91,21 @@ public:
   }
 
 private:
+  explicit Registry(Items own)
+    : Own(std::move(own))
+  {
+  }
+
+  void Clear()
+  {
+    Items released[2]; // after the lock
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    released[0].swap(this->Own);
+    released[1].swap(this->Added);
+  }
+
   std::mutex Mutex;
-  const Items Own;
+  Items Own;
   Items Added;
 };
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ConvexFactorization.h"
 
+#include "ParallelFor.h"
 #include "SimplexLeastSquares.h"
 #include "SymmetricEigen.h"
-#include "vtkSMPTools.h"
 
 #include <Eigen/QR>
 
@@ -25,7 +25,7 @@ constexpr Eigen::Index Block = 64;  // rows or texels that a thread takes at onc
 template <typename Function>
 void ForBlocks(Eigen::Index n, const Function& function)
 {
-  vtkSMPTools::For(0, static_cast<vtkIdType>((n + Block - 1) / Block), 1,
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>((n + Block - 1) / Block), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType b = begin; b < end; ++b)

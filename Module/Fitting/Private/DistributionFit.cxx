@@ -4,8 +4,8 @@
 
 #include "DistributionChannel.h"
 #include "HalfVector.h"
+#include "ParallelFor.h"
 #include "vtkBRDF.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <array>
@@ -144,7 +144,7 @@ Attempt Try(DistributionChannel channel, const Vector& fresnel)
 template <typename Use>
 void ForChannels(const Use& use)
 {
-  vtkSMPTools::For(0, 3, 1,
+  measuredbrdf::ParallelFor(0, 3, 1,
     [&use](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType c = begin; c < end; ++c)

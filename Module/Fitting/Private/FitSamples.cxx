@@ -5,7 +5,7 @@
 #include "HalfVector.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
-#include "vtkSMPTools.h"
+#include "ParallelFor.h"
 #include "vtkSumBRDF.h"
 #include "vtkTabulatedBRDF.h"
 
@@ -155,7 +155,7 @@ FitSamples::FitSamples(vtkBRDF* input, const FitLoss& loss, unsigned int seed, i
   std::vector<vtkSmartPointer<vtkTabulatedBRDF>> masks;
   CollectMasks(input, masks);
   input->Prepare();
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Samples.size()),
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(this->Samples.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end; ++k)

@@ -3,12 +3,12 @@
 #include "MaterialMapFit.h"
 
 #include "MapFindings.h"
+#include "ParallelFor.h"
 #include "PhotographPasses.h"
 #include "TableMaterials.h"
 #include "TexelSums.h"
 #include "TexelWeights.h"
 #include "vtkPhotographSet.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -198,7 +198,7 @@ private:
       double Residual, Cross, Model;
     };
     std::vector<Sums> found(sums.GetNumberOfTexels(), Sums{ 0.0, 0.0, 0.0 });
-    vtkSMPTools::For(0, static_cast<vtkIdType>(found.size()),
+    measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(found.size()),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)

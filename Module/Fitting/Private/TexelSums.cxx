@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TexelSums.h"
 
-#include "vtkSMPTools.h"
+#include "ParallelFor.h"
 
 #include <algorithm>
 #include <utility>
@@ -54,7 +54,7 @@ void TexelSums::Add(int photograph, const PhotographPixels& pixels)
   }
   const Eigen::MatrixXd rows = this->Materials.Values.middleRows<3>(3 * photograph).transpose();
   const double inverse = 1.0 / this->Materials.Scales[bit];
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Texels.size()),
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(this->Texels.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)

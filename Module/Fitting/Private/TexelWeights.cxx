@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TexelWeights.h"
 
-#include "vtkSMPTools.h"
+#include "ParallelFor.h"
 
 #include <algorithm>
 #include <limits>
@@ -80,7 +80,7 @@ private:
     constexpr std::size_t batch = 32; // so that Proceed is asked now and then
     for (std::size_t first = 0; first < sets.size() && !this->IsStopped; first += batch)
     {
-      vtkSMPTools::For(static_cast<vtkIdType>(first),
+      measuredbrdf::ParallelFor(static_cast<vtkIdType>(first),
         static_cast<vtkIdType>(std::min(first + batch, sets.size())), 1,
         [&](vtkIdType begin, vtkIdType end)
         {

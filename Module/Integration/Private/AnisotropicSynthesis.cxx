@@ -5,9 +5,9 @@
 #include "FieldSynthesis.h"
 #include "HalfVector.h" // for Pi
 #include "LinearSpline.h"
+#include "ParallelFor.h"
 #include "RingLimiter.h"
 #include "TableSynthesis.h"
-#include "vtkSMPTools.h"
 
 #include <glm/glm.hpp>
 
@@ -28,7 +28,7 @@ using Expanded = std::vector<std::vector<std::complex<float>>>;
 Expanded ExpandKernels(const Kernels& knots, int degree, int orders)
 {
   Expanded kernels(knots.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(knots.size()), 1,
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(knots.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end; ++k)
@@ -71,7 +71,7 @@ void AddOrder(int order, int angle, const std::array<FieldSynthesis::Field, 3>& 
   const AnisotropicTable& table, std::vector<float>& radiance)
 {
   const std::size_t texels = table.GetNumberOfTexels();
-  vtkSMPTools::For(0, table.Azimuths + 1, 1,
+  measuredbrdf::ParallelFor(0, table.Azimuths + 1, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (int azimuth = static_cast<int>(begin); azimuth < static_cast<int>(end); ++azimuth)

@@ -6,8 +6,8 @@
 #include "HalfVector.h" // for Pi
 #include "LobeQuadrature.h"
 #include "LobeViews.h"
+#include "ParallelFor.h"
 #include "vtkBRDF.h"
-#include "vtkSMPTools.h"
 
 #include <cmath>
 #include <cstddef>
@@ -41,7 +41,7 @@ AnisotropicViews::AnisotropicViews(vtkBRDF* brdf, const std::atomic<bool>& abort
   : Periods(IsSameAfterHalfATurn(brdf) ? 2 : 1)
   , Means(static_cast<std::size_t>(Angles * Azimuths))
 {
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Means.size()), 1,
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(this->Means.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end && !abort; ++k)

@@ -5,7 +5,7 @@
 #include "HalfVector.h" // for Pi
 #include "LinearSpline.h"
 #include "MatrixProduct.h"
-#include "vtkSMPTools.h"
+#include "ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ AzimuthSeries::AzimuthSeries(int angles, int azimuths, std::size_t texels)
 void AzimuthSeries::Set(int order, const std::array<FieldSynthesis::Field, 3>& fields)
 {
   const std::size_t texels = this->Size / 3;
-  vtkSMPTools::For(0, this->Angles, 1,
+  measuredbrdf::ParallelFor(0, this->Angles, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (std::size_t angle = static_cast<std::size_t>(begin);
@@ -84,7 +84,7 @@ std::vector<float> AzimuthSeries::TakeRadiance()
   const std::size_t slices = this->GetSlices();
   const std::vector<float> turns = this->GetTurns();
   const std::size_t blocks = (this->Size + Together - 1) / Together;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(blocks) * this->Angles, 16,
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(blocks) * this->Angles, 16,
     [&](vtkIdType begin, vtkIdType end)
     {
       std::vector<float> series(slices * Together, 0.0f);

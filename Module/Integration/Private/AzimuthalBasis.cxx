@@ -4,9 +4,9 @@
 
 #include "CosinePowerWarp.h"
 #include "LocalFrame.h"
+#include "ParallelFor.h"
 #include "SymmetricEigen.h"
 #include "vtkBRDF.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -187,7 +187,7 @@ bool AzimuthalBasis::Compute(
   constexpr int stride = 8;
   for (int first = 0; first < Nodes; first += stride)
   {
-    vtkSMPTools::For(first, first + stride, 1,
+    measuredbrdf::ParallelFor(first, first + stride, 1,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType out = begin; out < end; ++out)
@@ -214,7 +214,7 @@ bool AzimuthalBasis::Compute(
   rest += sine ? 0.0 : sineEnergy;
 
   std::vector<std::vector<Term>> byOrder(Orders);
-  vtkSMPTools::For(0, Orders, 1,
+  measuredbrdf::ParallelFor(0, Orders, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType m = begin; m < end; ++m)

@@ -5,10 +5,10 @@
 #include "ClampedCosine.h"
 #include "LobeHarmonics.h"
 #include "LobePlacement.h"
+#include "ParallelFor.h"
 #include "SymmetricEigen.h"
 #include "TableSynthesis.h"
 #include "WignerD.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <array>
@@ -129,7 +129,7 @@ Matrices ExpandKernels(const CoreKernels& kernels)
     kernels.Known.GetExpanded(kernels.Knots, kernels.Degree, LargestOrder);
   Matrices result(LargestOrder + 1,
     Eigen::MatrixXd::Zero(kernels.Degree + 1, 3 * static_cast<Eigen::Index>(kernels.Knots.size())));
-  vtkSMPTools::For(0, static_cast<vtkIdType>(kernels.Knots.size()), 1,
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(kernels.Knots.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType knot = begin; knot < end; ++knot)
@@ -213,7 +213,7 @@ std::vector<CoreMode> ChooseModes(
     [&kernels]() { return ExpandKernels(kernels); });
   const double least = LeastEnergy * std::pow(power[0], PowerExponent) * total;
   std::array<std::vector<CoreMode>, LargestOrder + 1> byOrder;
-  vtkSMPTools::For(0, LargestOrder + 1, 1,
+  measuredbrdf::ParallelFor(0, LargestOrder + 1, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (int order = static_cast<int>(begin); order < static_cast<int>(end); ++order)

@@ -3,8 +3,8 @@
 #include "DegreeSum.h"
 
 #include "MatrixProduct.h"
+#include "ParallelFor.h"
 #include "WignerD.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,7 +127,7 @@ void DegreeSum::Run(int order, const std::vector<Part>& parts)
   {
     packed.push_back(Pack(part.Of));
   }
-  vtkSMPTools::For(0, this->Degree + 1, 1,
+  measuredbrdf::ParallelFor(0, this->Degree + 1, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType m = begin; m < end; ++m)

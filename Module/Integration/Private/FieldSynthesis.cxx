@@ -4,8 +4,8 @@
 
 #include "HalfVector.h" // for Pi
 #include "LinearSpline.h"
+#include "ParallelFor.h"
 #include "RowTransform.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -184,7 +184,7 @@ void FieldSynthesis::FitRows(int order, std::array<Field, 3>& result) const
   const std::size_t nodes = this->Part.GetNumberOfNodes();
   const float sign = order % 2 != 0 ? -1.0f : 1.0f;
   const std::size_t maps = nodes > 0 ? result[0].size() / nodes : 0;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(3 * maps), 1,
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(3 * maps), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       Field known(nodes);
@@ -217,7 +217,7 @@ void FieldSynthesis::SumOrders(int order, std::array<Field, 3>& result) const
   const std::size_t each = kinds / 3;
   const RowTransform transform(columns);
   const RowTerms terms(this->Degrees.GetDegree(), transform, this->Nodes);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Part.GetRows().size()), 1,
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(this->Part.GetRows().size()), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       std::vector<float> lines(columns * RowTransform::Item);

@@ -6,10 +6,10 @@
 #include "LightLanes.h"
 #include "LobeQuadrature.h"
 #include "MatrixProduct.h"
+#include "ParallelFor.h"
 #include "WignerD.h"
 #include "WignerLanes.h"
 #include "vtkBRDF.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <array>
@@ -294,7 +294,7 @@ std::vector<std::vector<float>> LobeHarmonics::ExpandLanes(
   const std::size_t kinds = 3 * static_cast<std::size_t>(orders + 1);
   std::vector<std::vector<Lanes::Values>> about(
     blocks.size(), std::vector<Lanes::Values>(3 * size * size));
-  vtkSMPTools::For(0, degree + 1, 1,
+  measuredbrdf::ParallelFor(0, degree + 1, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (int k = static_cast<int>(begin); k < static_cast<int>(end); ++k)
@@ -310,7 +310,7 @@ std::vector<std::vector<float>> LobeHarmonics::ExpandLanes(
   // do not depend on the threads.
   std::vector<std::vector<Lanes::Values>> turned(
     TurnedParts * blocks.size(), std::vector<Lanes::Values>(kinds * size));
-  vtkSMPTools::For(0, TurnedParts, 1,
+  measuredbrdf::ParallelFor(0, TurnedParts, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (int part = static_cast<int>(begin); part < static_cast<int>(end); ++part)
@@ -356,7 +356,7 @@ std::vector<std::vector<float>> LobeHarmonics::Expand(
 {
   const std::size_t size = static_cast<std::size_t>(degree) + 1;
   std::vector<std::vector<float>> series(lobes.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(lobes.size()), 1,
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(lobes.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (std::size_t k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)

@@ -99,7 +99,8 @@ std::vector<Points> MakeKnownPoints()
 // Of a cell; room is for those that are not known.
 const Points& GetPoints(double a, double b, double side, int level, Points& room)
 {
-  static const std::vector<Points> known = MakeKnownPoints();
+  // Threads may use it until the very end.
+  static const auto& known = *new std::vector<Points>(MakeKnownPoints());
   if (level >= KnownLevels)
   {
     return room = MakePoints(a, b, side);

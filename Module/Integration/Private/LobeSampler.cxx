@@ -4,8 +4,8 @@
 
 #include "HalfVector.h"
 #include "LowDiscrepancy.h"
+#include "ParallelFor.h"
 #include "vtkBRDF.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +53,7 @@ struct Grid
 
 const Grid& GetGrid()
 {
-  static const Grid grid;
+  static const Grid& grid = *new Grid; // threads may use it until the very end
   return grid;
 }
 
@@ -82,7 +82,7 @@ double GetTableTheta(int view)
 LobeTable::LobeTable(vtkBRDF* brdf)
   : Values(static_cast<std::size_t>(TableViews * NumberOfCells), 0.0f)
 {
-  vtkSMPTools::For(0, TableViews, 1,
+  measuredbrdf::ParallelFor(0, TableViews, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType view = begin; view < end; ++view)

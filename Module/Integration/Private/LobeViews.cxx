@@ -4,7 +4,7 @@
 
 #include "LobeQuadrature.h"
 #include "LocalFrame.h"
-#include "vtkSMPTools.h"
+#include "ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -151,7 +151,7 @@ double LobeViews::GetAxis(double theta) const
 void LobeViews::Evaluate(
   vtkBRDF* brdf, const std::vector<int>& indices, int cells, const std::atomic<bool>& abort)
 {
-  vtkSMPTools::For(0, static_cast<vtkIdType>(indices.size()), 1,
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(indices.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end && !abort; ++k)

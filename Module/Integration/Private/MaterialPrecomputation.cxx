@@ -4,8 +4,8 @@
 
 #include "LampBRDF.h"
 #include "LocalFrame.h"
+#include "ParallelFor.h"
 #include "vtkBRDF.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cassert>
@@ -41,7 +41,7 @@ const MaterialPrecomputation::Kernels& MaterialPrecomputation::GetKernels(
   {
     kernels.clear();
     kernels.resize(static_cast<std::size_t>(angles));
-    vtkSMPTools::For(0, angles, 1,
+    measuredbrdf::ParallelFor(0, angles, 1,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType k = begin; k < end && !abort; ++k)
@@ -207,7 +207,7 @@ const MaterialPrecomputation::AnisotropicKernels& MaterialPrecomputation::GetAni
   {
     kernels.clear();
     kernels.resize(static_cast<std::size_t>(angles * azimuths));
-    vtkSMPTools::For(0, static_cast<vtkIdType>(kernels.size()), 1,
+    measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(kernels.size()), 1,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType k = begin; k < end && !abort; ++k)

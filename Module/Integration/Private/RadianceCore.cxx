@@ -4,8 +4,8 @@
 
 #include "FieldSynthesis.h"
 #include "LobePlacement.h"
+#include "ParallelFor.h"
 #include "TableBytes.h"
-#include "vtkSMPTools.h"
 
 #include <glm/gtc/packing.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -59,7 +59,7 @@ double RadianceCore::AddFields(
   float* const real = &this->Fields[first];
   const auto pack = [scale, share](float value)
   { return glm::unpackHalf1x16(glm::packHalf1x16(scale * (share * value))); };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(texels), PackedTexels,
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(texels), PackedTexels,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (std::size_t texel = static_cast<std::size_t>(begin);

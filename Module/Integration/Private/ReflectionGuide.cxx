@@ -5,8 +5,8 @@
 #include "HalfVector.h" // for Pi
 #include "LobeSampler.h"
 #include "LowDiscrepancy.h"
+#include "ParallelFor.h"
 #include "vtkBRDF.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,7 +84,7 @@ ReflectionGuide::ReflectionGuide(vtkBRDF* brdf)
   }
   const LobeTable table(brdf);
   std::vector<std::vector<Draw>> views(NumberOfViews);
-  vtkSMPTools::For(0, NumberOfViews,
+  measuredbrdf::ParallelFor(0, NumberOfViews,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType view = first; view < last; ++view)
@@ -110,7 +110,7 @@ void ReflectionGuide::TabulatePeaks()
 {
   constexpr int views = NumberOfViews / ViewsPerPeaks;
   this->PeakCells.resize(static_cast<std::size_t>(views) * PeakCellsOfView);
-  vtkSMPTools::For(0, views,
+  measuredbrdf::ParallelFor(0, views,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType view = first; view < last; ++view)

@@ -6,8 +6,8 @@
 #include "LobeSampler.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
+#include "ParallelFor.h"
 #include "vtkBRDF.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ ReflectionSamples::ReflectionSamples(vtkBRDF* brdf, int count, const std::atomic
   , Samples(static_cast<std::size_t>(count) * NumberOfViews,
       Sample{ glm::vec3(0.0f, 0.0f, 1.0f), 0.0f, glm::vec3(0.0f) })
 {
-  vtkSMPTools::For(0, NumberOfViews, 1,
+  measuredbrdf::ParallelFor(0, NumberOfViews, 1,
     [this, brdf, &abort](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType view = begin; view < end && !abort; ++view)

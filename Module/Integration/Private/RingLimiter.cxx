@@ -3,7 +3,7 @@
 #include "RingLimiter.h"
 
 #include "LaneVectors.h"
-#include "vtkSMPTools.h"
+#include "ParallelFor.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -169,7 +169,7 @@ void LiftDarkRingsOfMap(
 void LiftDarkRings(std::vector<float>& radiance, std::size_t rows, std::size_t columns)
 {
   const std::size_t size = 3 * rows * columns;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(radiance.size() / size), 1,
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(radiance.size() / size), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end; ++k)

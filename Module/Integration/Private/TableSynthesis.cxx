@@ -8,10 +8,10 @@
 #include "HalfVector.h" // for Pi
 #include "LobeHarmonics.h"
 #include "LobePlacement.h"
+#include "ParallelFor.h"
 #include "RingLimiter.h"
 #include "SharedExponent.h"
 #include "TableTiles.h"
-#include "vtkSMPTools.h"
 
 #include <Eigen/Core>
 #include <glm/glm.hpp>
@@ -159,7 +159,7 @@ double PackRadiance(const std::vector<float>& radiance, RadianceTable::Texels& t
   }
   const float scale = LargestSharedExponent / largest;
   texels.resize(radiance.size() / 3);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(texels.size()),
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(texels.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (std::size_t k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)

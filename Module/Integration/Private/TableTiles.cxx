@@ -3,8 +3,8 @@
 #include "TableTiles.h"
 
 #include "HalfVector.h" // for Pi
+#include "ParallelFor.h"
 #include "RingLimiter.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,7 +121,7 @@ void TableTiles::Choose(const std::vector<float>& radiance, const std::vector<do
   const int columns = 2 * (rows - 1);
   const std::size_t texels = static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
   std::vector<double> bends(texels, 0.0);
-  vtkSMPTools::For(1, rows - 1, 1,
+  measuredbrdf::ParallelFor(1, rows - 1, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
@@ -236,7 +236,7 @@ std::vector<float> TableTiles::Join(
   const std::size_t slices = coarse.size() / texels;
   std::vector<float> all(slices * joined, 0.0f);
   const std::vector<Tile> tiles = this->MakeTiles(nodes);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(slices), 1,
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(slices), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end; ++k)

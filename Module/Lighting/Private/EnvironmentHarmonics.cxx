@@ -3,12 +3,12 @@
 #include "EnvironmentHarmonics.h"
 
 #include "GaussLegendre.h"
+#include "ParallelFor.h"
 #include "TexelChanges.h"
 #include "TexelInterpolation.h"
 #include "WideVectors.h"
 #include "WignerD.h"
 #include "vtkEnvironment.h"
-#include "vtkSMPTools.h"
 
 #include <unsupported/Eigen/FFT>
 
@@ -148,7 +148,7 @@ Series TransformRows(vtkEnvironment* environment, const TexelChanges& texels, st
   }
   Series rows(3 * height * orders);
   const RowTransform transform(width, orders);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(height),
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(height),
     [&](vtkIdType begin, vtkIdType end)
     {
       RowTransform::Workspace work;
@@ -366,12 +366,12 @@ EnvironmentHarmonics::EnvironmentHarmonics(
   environment = environment->GetSubdivided();
   const std::size_t orders = static_cast<std::size_t>(maximumDegree) + 1;
   this->Coefficients.assign(3 * orders * orders, 0.0);
-  static const TexelChanges none;
+  static const TexelChanges& none = *new TexelChanges; // never destroyed: threads use it
   const Series rows = TransformRows(environment, changes ? *changes : none, orders);
   const std::size_t height = static_cast<std::size_t>(environment->GetHeight());
   const std::vector<Ring> rings = MakeRings(height, maximumDegree);
 
-  vtkSMPTools::For(0, static_cast<vtkIdType>(orders), 1,
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(orders), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       std::vector<RingValues> sums;

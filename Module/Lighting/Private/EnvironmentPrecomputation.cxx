@@ -52,12 +52,15 @@ std::shared_ptr<const EnvironmentPrecomputation::Lamps> EnvironmentPrecomputatio
   lamps->Spread /= sum;
   lamps->SpreadOfParts /= sum;
   const std::lock_guard<std::mutex> lock(this->Access);
-  const auto same = std::find_if(this->Rests.begin(), this->Rests.end(),
-    [&bright](const Rest& rest) { return rest->Texels == bright.Rest.Texels; });
-  if (same != this->Rests.end())
+  for (auto known = this->Rests.begin(); known != this->Rests.end();)
   {
-    lamps->Rest = *same;
-    return lamps;
+    const Rest rest = known->lock();
+    if (rest && rest->Texels == bright.Rest.Texels)
+    {
+      lamps->Rest = rest;
+      return lamps;
+    }
+    known = rest ? std::next(known) : this->Rests.erase(known);
   }
   lamps->Rest = std::make_shared<TexelChanges>(std::move(bright.Rest));
   this->Rests.push_back(lamps->Rest);
@@ -84,21 +87,21 @@ std::shared_ptr<const EnvironmentHarmonics> EnvironmentPrecomputation::GetHarmon
 {
   const int* enough = std::lower_bound(std::begin(Degrees), std::end(Degrees), degree);
   const int made = enough != std::end(Degrees) ? *enough : degree;
-  return this->Harmonics.Get({ rest.get(), made }, goOn,
+  return this->Harmonics.Get({ rest, made }, goOn,
     [&]() { return std::make_shared<EnvironmentHarmonics>(environment, made, rest.get()); });
 }
 
 std::shared_ptr<const EnvironmentPyramid> EnvironmentPrecomputation::GetPyramid(
   vtkEnvironment* environment, const Rest& rest, const GoOn& goOn)
 {
-  return this->Pyramids.Get(rest.get(), goOn,
-    [&]() { return std::make_shared<EnvironmentPyramid>(environment, rest.get()); });
+  return this->Pyramids.Get(
+    rest, goOn, [&]() { return std::make_shared<EnvironmentPyramid>(environment, rest.get()); });
 }
 
 std::shared_ptr<const EnvironmentPanels> EnvironmentPrecomputation::GetPanels(
   vtkEnvironment* environment, const Rest& rest, const GoOn& goOn)
 {
-  return this->Panels.Get(rest.get(), goOn,
+  return this->Panels.Get(rest, goOn,
     [&]() -> std::shared_ptr<EnvironmentPanels>
     {
       const auto lights = this->GetLightSet(environment, rest, EnvironmentPanels::Lights, goOn);
@@ -138,7 +141,7 @@ std::vector<vtkSmartPointer<vtkLightSet>> EnvironmentPrecomputation::GetLightSet
     }
     return sets;
   };
-  const auto sets = this->SetsOf.Get({ rest.get(), counts }, goOn, make);
+  const auto sets = this->SetsOf.Get({ rest, counts }, goOn, make);
   return sets ? *sets : LightSets();
 }
 
@@ -159,7 +162,7 @@ vtkSmartPointer<vtkLightSet> EnvironmentPrecomputation::GetGeneratedSet(
 std::shared_ptr<const ScaledTexels> EnvironmentPrecomputation::GetIrradiance(const Rest& rest,
   const GoOn& goOn, const std::function<std::shared_ptr<const ScaledTexels>()>& make)
 {
-  return this->Irradiances.Get(rest.get(), goOn, make);
+  return this->Irradiances.Get(rest, goOn, make);
 }
 
 std::string EnvironmentPrecomputation::GetContentKey(const std::function<std::string()>& make)

@@ -103,17 +103,18 @@ private:
 
   using LightSet = vtkSmartPointer<vtkLightSet>;
   std::mutex Access;
-  std::vector<Rest> Rests;
+  std::vector<std::weak_ptr<const TexelChanges>> Rests;
   MadeOnce<std::pair<double, int>, Lamps> Bright;
   MadeOnce<std::pair<double, int>, Lamps> LampsOf;
-  MadeOnce<std::pair<const TexelChanges*, int>, EnvironmentHarmonics> Harmonics; // rest, degree
-  MadeOnce<const TexelChanges*, EnvironmentPanels> Panels;
-  MadeOnce<const TexelChanges*, EnvironmentPyramid> Pyramids;
+  // Keys hold the rest: its address is not used again while something is known of it.
+  MadeOnce<std::pair<Rest, int>, EnvironmentHarmonics> Harmonics; // rest, degree
+  MadeOnce<Rest, EnvironmentPanels> Panels;
+  MadeOnce<Rest, EnvironmentPyramid> Pyramids;
   using LightSets = std::vector<LightSet>;
-  MadeOnce<std::pair<const TexelChanges*, std::vector<int>>, LightSets> SetsOf; // rest, counts
+  MadeOnce<std::pair<Rest, std::vector<int>>, LightSets> SetsOf; // rest, counts
   // Generator, its modification time (never used twice: a recycled address does no harm), count.
   MadeOnce<std::tuple<vtkLightSetGenerator*, vtkMTimeType, int>, LightSet> GeneratedSets;
-  MadeOnce<const TexelChanges*, ScaledTexels> Irradiances;
+  MadeOnce<Rest, ScaledTexels> Irradiances;
   MadeOnce<int, std::string> ContentKey;
 };
 } // namespace measuredbrdf

@@ -100,7 +100,7 @@ EnvironmentPyramid::EnvironmentPyramid(
   }
   this->Atlas.assign(
     static_cast<std::size_t>(rows) * static_cast<std::size_t>(this->Size + 2), glm::vec4(0.0f));
-  static const TexelChanges none;
+  static const TexelChanges& none = *new TexelChanges; // never destroyed: threads use it
   this->Fill(environment, changes ? *changes : none);
   for (int level = 0; level < this->GetNumberOfLevels(); ++level)
   {

@@ -3,11 +3,11 @@
 #include "LightTree.h"
 
 #include "HalfVector.h" // for Pi
+#include "ParallelFor.h"
 #include "SRGB.h"
 #include "TexelDirections.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -168,7 +168,7 @@ private:
     };
     if (parts > 1)
     {
-      vtkSMPTools::For(0, parts, 1,
+      measuredbrdf::ParallelFor(0, parts, 1,
         [&](vtkIdType begin, vtkIdType end)
         {
           for (vtkIdType part = begin; part < end; ++part)
@@ -246,7 +246,7 @@ LightTree::LightTree(vtkEnvironment* environment, Rule rule, bool brightTexels,
 const float* LightTree::GetRow(
   vtkEnvironment* environment, int y, int x0, int x1, std::vector<float>& room) const
 {
-  static const TexelChanges none;
+  static const TexelChanges& none = *new TexelChanges; // never destroyed: threads use it
   return (this->Changes ? *this->Changes : none).GetRow(environment, y, x0, x1, room);
 }
 
@@ -391,7 +391,8 @@ void LightTree::FillLightSet(int count, vtkLightSet* output) const
 void LightTree::Gather(vtkEnvironment* environment, std::size_t firstNode)
 {
   const TexelDirections directions(this->Width, this->Height);
-  vtkSMPTools::For(static_cast<vtkIdType>(firstNode), static_cast<vtkIdType>(this->Nodes.size()),
+  measuredbrdf::ParallelFor(static_cast<vtkIdType>(firstNode),
+    static_cast<vtkIdType>(this->Nodes.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end; ++k)

@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Values that threads share. The first thread that asks for a value makes it. Private to the
- * module.
+ * Values that threads share, those asked for last. The first thread that asks for a value makes it.
+ * Private to the module.
  */
 
 #ifndef MadeOnce_h
 #define MadeOnce_h
 
+#include "RecentlyUsed.h"
+
 #include <chrono>
-#include <map>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 
@@ -23,6 +25,9 @@ class MadeOnce
 {
 public:
   using Pointer = std::shared_ptr<const Value>;
+
+  /// More values are not kept; whoever has one keeps it.
+  static constexpr std::size_t Most = 32;
 
   /// The value, made by make() if there is none. Other threads that ask for the same value wait.
   /// They call goOn() regularly and get null once it returns false. If make returns null or throws,
@@ -65,7 +70,7 @@ private:
   }
 
   std::mutex Access;
-  std::map<Key, std::shared_ptr<Entry>> Entries;
+  RecentlyUsed<Key, std::shared_ptr<Entry>> Entries{ Most };
 };
 } // namespace measuredbrdf
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RadianceValues.h"
 
+#include "ParallelFor.h"
 #include "SRGB.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayAccessor.h"
-#include "vtkSMPTools.h"
 
 #include <atomic>
 #include <cmath>
@@ -34,7 +34,7 @@ void ForValues(std::size_t count, BadValues& bad, Part&& part)
 {
   std::atomic<vtkIdType> negative(0);
   std::atomic<vtkIdType> notFinite(0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1 << 16,
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(count), 1 << 16,
     [&](vtkIdType begin, vtkIdType end)
     {
       BadValues found;

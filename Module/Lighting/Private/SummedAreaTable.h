@@ -9,7 +9,7 @@
 #ifndef SummedAreaTable_h
 #define SummedAreaTable_h
 
-#include "vtkSMPTools.h"
+#include "ParallelFor.h"
 
 #include <cstddef>
 #include <vector>
@@ -31,7 +31,7 @@ public:
     , Sums(Stride * (static_cast<std::size_t>(height) + 1), T(0.0))
   {
     // Along the rows, then down the columns (in blocks that stay in the cache).
-    vtkSMPTools::For(0, height,
+    measuredbrdf::ParallelFor(0, height,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType y = begin; y < end; ++y)
@@ -44,7 +44,7 @@ public:
           }
         }
       });
-    vtkSMPTools::For(1, static_cast<vtkIdType>(this->Stride), 128,
+    measuredbrdf::ParallelFor(1, static_cast<vtkIdType>(this->Stride), 128,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (int y = 1; y < height; ++y)

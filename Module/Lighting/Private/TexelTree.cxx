@@ -3,8 +3,8 @@
 #include "TexelTree.h"
 
 #include "HalfVector.h" // for Pi
+#include "ParallelFor.h"
 #include "SRGB.h"
-#include "vtkSMPTools.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -100,7 +100,7 @@ void TexelTree::AverageTexels()
   const auto get = [&](int x, int y)
   { return glm::make_vec3(&pixels[3 * (static_cast<std::size_t>(y) * width + x)]); };
   this->Texels.resize(pixels.size() / 3);
-  vtkSMPTools::For(0, height,
+  measuredbrdf::ParallelFor(0, height,
     [&](vtkIdType first, vtkIdType last)
     {
       std::vector<glm::vec3> row(static_cast<std::size_t>(width));
@@ -172,7 +172,7 @@ void TexelTree::AddLevel(std::vector<glm::dvec4>& moments)
       coarse[static_cast<std::size_t>(k)] = moment;
     }
   };
-  vtkSMPTools::For(0, level.Height, sumRows);
+  measuredbrdf::ParallelFor(0, level.Height, sumRows);
   this->Levels.push_back(std::move(level));
   moments = std::move(coarse);
 }

@@ -25,14 +25,35 @@ void NameAfter(vtkBRDF* material, vtkBRDF* table)
 }
 }
 
+RenderableTable::RenderableTable()
+  : Common(std::make_shared<Shared>())
+{
+}
+
+RenderableTable::RenderableTable(const RenderableTable& other)
+  : Common(other.Common)
+{
+}
+
+// Whether Own is what is asked for: its own, or what a copy has made.
+bool RenderableTable::TakeUp(double tolerance)
+{
+  if (!this->Own.Fits(tolerance) && this->Common->Last.Fits(tolerance))
+  {
+    this->Own = this->Common->Last;
+  }
+  return this->Own.Fits(tolerance);
+}
+
 vtkBRDF* RenderableTable::Get(vtkBRDF* material, std::string& problem)
 {
-  const std::lock_guard<std::mutex> lock(this->Mutex);
+  const std::lock_guard<std::mutex> lock(this->Common->Mutex);
   const double tolerance = material->GetResamplingTolerance();
-  if (this->IsMade(tolerance))
+  if (this->TakeUp(tolerance))
   {
-    return this->Table;
+    return this->Own.Table;
   }
+  vtkSmartPointer<vtkBRDF> made;
   double error = 0.0;
   if (material->IsIsotropic())
   {
@@ -42,13 +63,13 @@ vtkBRDF* RenderableTable::Get(vtkBRDF* material, std::string& problem)
     resampler->Resample();
     error = resampler->GetOutput()->GetResamplingError();
     resampler->GetOutput()->SetPrecision(vtkTabulatedBRDF::SHARED_EXPONENT);
-    this->Table = resampler->GetOutput();
+    made = resampler->GetOutput();
   }
   else
   {
     const auto table = ResampleAnisotropic(material, tolerance);
     error = table->GetResamplingError();
-    this->Table = table;
+    made = table;
   }
   if (error > tolerance)
   {
@@ -57,18 +78,18 @@ vtkBRDF* RenderableTable::Get(vtkBRDF* material, std::string& problem)
          << ", asked for " << tolerance << ".";
     problem = text.str();
   }
-  NameAfter(material, this->Table);
-  this->Tolerance = tolerance;
-  return this->Table;
+  NameAfter(material, made);
+  this->Own = this->Common->Last = { made, tolerance };
+  return made;
 }
 
 vtkBRDF* RenderableTable::NewQuick(vtkBRDF* material)
 {
-  const std::unique_lock<std::mutex> lock(this->Mutex, std::try_to_lock);
-  if (lock && this->IsMade(material->GetResamplingTolerance()))
+  const std::unique_lock<std::mutex> lock(this->Common->Mutex, std::try_to_lock);
+  if (lock && this->TakeUp(material->GetResamplingTolerance()))
   {
-    this->Table->Register(nullptr);
-    return this->Table;
+    this->Own.Table->Register(nullptr);
+    return this->Own.Table;
   }
   vtkSmartPointer<vtkBRDF> table;
   if (material->IsIsotropic())

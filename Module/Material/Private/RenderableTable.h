@@ -12,16 +12,23 @@
 #include "vtkBRDF.h"
 #include "vtkSmartPointer.h"
 
+#include <memory>
 #include <mutex>
 #include <string>
 
 namespace measuredbrdf
 {
 /// A material resampled within its ResamplingTolerance, made again where that has changed. Copies
-/// of the material, in other threads, may share one.
+/// of the material, in other threads, share what was made last; each has what it handed out last,
+/// which is never changed, for as long as its own tolerance stays.
 class RenderableTable
 {
 public:
+  RenderableTable();
+  /// For a copy of the material.
+  RenderableTable(const RenderableTable& other);
+  void operator=(const RenderableTable&) = delete;
+
   /// A vtkTabulatedBRDF or, where it is anisotropic, a vtkAnisotropicTabulatedBRDF, with the
   /// material's name and source, prepared. problem: what to warn of where a new one misses the
   /// tolerance.
@@ -32,11 +39,21 @@ public:
   vtkBRDF* NewQuick(vtkBRDF* material);
 
 private:
-  bool IsMade(double tolerance) const { return this->Table && this->Tolerance == tolerance; }
+  struct Made
+  {
+    vtkSmartPointer<vtkBRDF> Table;
+    double Tolerance = 0.0;
+    bool Fits(double tolerance) const { return this->Table && this->Tolerance == tolerance; }
+  };
+  struct Shared
+  {
+    std::mutex Mutex; // guards both
+    Made Last;
+  };
+  bool TakeUp(double tolerance);
 
-  std::mutex Mutex;
-  vtkSmartPointer<vtkBRDF> Table;
-  double Tolerance = 0.0;
+  std::shared_ptr<Shared> Common;
+  Made Own;
 };
 } // namespace measuredbrdf
 

@@ -9,8 +9,8 @@
 #ifndef TupleMap_h
 #define TupleMap_h
 
+#include "ParallelFor.h"
 #include "vtkDataArray.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -98,7 +98,7 @@ public:
       readers.emplace_back(input.Array, input.Components);
     }
     const TupleWriter writer(this->Result.Array, this->Result.Components);
-    vtkSMPTools::For(0, this->Count, grain,
+    measuredbrdf::ParallelFor(0, this->Count, grain,
       [&](vtkIdType begin, vtkIdType end)
       {
         double buffers[3][3 * TupleBlock];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeparableFilter.h"
 
-#include "vtkSMPTools.h"
+#include "ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ Plane FilterAlong(const Plane& plane, const Kernel& kernel, int dx, int dy)
 {
   Plane result{ plane.Width, plane.Height, std::vector<double>(plane.Values.size()) };
   const int radius = static_cast<int>(kernel.size() / 2);
-  vtkSMPTools::For(0, plane.Height,
+  measuredbrdf::ParallelFor(0, plane.Height,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)

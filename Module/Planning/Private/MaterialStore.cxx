@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialStore.h"
 
+#include "BackgroundThreads.h"
+
 #include <algorithm>
 #include <iterator>
 #include <numeric>
@@ -17,7 +19,12 @@ constexpr int MostNodes = 64;  // but those of large tables
 
 MaterialStore& MaterialStore::Get()
 {
-  static MaterialStore store(MostBytes);
+  static MaterialStore& store = []() -> MaterialStore&
+  {
+    auto* kept = new MaterialStore(MostBytes); // threads may still plan when statics go
+    ReleaseAtExit([kept]() { kept->Clear(); });
+    return *kept;
+  }();
   return store;
 }
 
@@ -53,6 +60,12 @@ void MaterialStore::PutBack(const std::string& key, Parts parts)
     sum += it->Bytes;
     it = sum > this->Most ? this->Entries.erase(it) : std::next(it);
   }
+}
+
+void MaterialStore::Clear()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Entries.clear();
 }
 
 // Before any material is forgotten: only the last ones, as many as fit into half of the bytes, keep

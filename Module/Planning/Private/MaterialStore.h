@@ -44,6 +44,8 @@ public:
 
   std::size_t GetBytes();
 
+  void Clear();
+
 private:
   struct Entry
   {

@@ -217,7 +217,17 @@ std::vector<std::string> ListFolder(const Descriptor& folder)
   return names;
 }
 
-// What was used longest ago goes first.
+std::pair<std::time_t, long> GetTime(const struct stat& status)
+{
+#if defined(__APPLE__)
+  return { status.st_mtimespec.tv_sec, status.st_mtimespec.tv_nsec };
+#else
+  return { status.st_mtim.tv_sec, status.st_mtim.tv_nsec };
+#endif
+}
+
+// What was used longest ago goes first. Only what is to go is opened, to see whether it is ours:
+// hundreds of programs may share a folder on a server.
 void Evict(const Descriptor& folder, std::uint64_t maximumBytes)
 {
   struct Entry
@@ -232,17 +242,20 @@ void Evict(const Descriptor& folder, std::uint64_t maximumBytes)
   {
     struct stat status;
     const bool part = IsPart(name);
-    if ((!part && !IsKey(name)) || !OpenOurs(folder, name, status))
+    if ((!part && !IsKey(name)) ||
+        ::fstatat(folder.Get(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0 ||
+        !S_ISREG(status.st_mode))
     {
       continue;
     }
     if (!part)
     {
       const std::uint64_t size = static_cast<std::uint64_t>(status.st_size);
-      entries.push_back({ { status.st_mtim.tv_sec, status.st_mtim.tv_nsec }, size, name });
+      entries.push_back({ GetTime(status), size, name });
       total += size;
     }
-    else if (status.st_mtim.tv_sec + StaleSeconds < std::time(nullptr))
+    else if (GetTime(status).first + StaleSeconds < std::time(nullptr) &&
+             OpenOurs(folder, name, status))
     {
       ::unlinkat(folder.Get(), name.c_str(), 0);
     }
@@ -255,8 +268,12 @@ void Evict(const Descriptor& folder, std::uint64_t maximumBytes)
     {
       break;
     }
-    ::unlinkat(folder.Get(), entry.Name.c_str(), 0);
-    total -= entry.Size;
+    struct stat status;
+    if (OpenOurs(folder, entry.Name, status))
+    {
+      ::unlinkat(folder.Get(), entry.Name.c_str(), 0);
+    }
+    total -= entry.Size; // what is not ours does not count
   }
 }
 }

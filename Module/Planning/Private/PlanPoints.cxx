@@ -3,7 +3,7 @@
 #include "PlanPoints.h"
 
 #include "LocalFrame.h" // for MinimumViewCosine
-#include "vtkSMPTools.h"
+#include "ParallelFor.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -70,7 +70,7 @@ PlanPoints::PlanPoints(const PlanPairs& given)
   }
   const std::size_t number = this->Points.size();
   this->Neighbors.resize(number);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(number),
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(number),
     [this](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end; ++k)

@@ -134,7 +134,7 @@ void ClassesMapper::SetParts(
     {
       surfaces.push_back(this->Borders);
     }
-    this->StacksOf.clear();
+    this->StacksOf.Clear();
     this->Stacks = nullptr;
     this->StackIndices.clear();
   }
@@ -253,7 +253,7 @@ std::shared_ptr<ClassStacks>& ClassesMapper::FindStacks(
       return own;
     }
   }
-  if (!own || own.use_count() > 1)
+  if (!own || own.use_count() > (own == this->Stacks ? 2 : 1)) // another view has it, too
   {
     own = std::make_shared<ClassStacks>();
   }
@@ -279,7 +279,7 @@ void ClassesMapper::UpdateStacks(vtkRenderer* ren)
   const Place place(vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow()), ren);
   if (borders.empty())
   {
-    this->StacksOf.erase(place);
+    this->StacksOf.RemoveIf([&place](const Place& key, const auto&) { return key == place; });
     if (this->Stacks)
     {
       this->Stacks = nullptr;
@@ -290,11 +290,11 @@ void ClassesMapper::UpdateStacks(vtkRenderer* ren)
   }
   const std::shared_ptr<ClassStacks>& stacks = this->FindStacks(place, materials);
   if (!stacks->Update(borders, materials, this->HasClassWithoutMaterial, place.first) &&
-      this->Stacks == stacks.get() && this->AreNumbered == this->NeedsNumbers())
+      this->Stacks == stacks && this->AreNumbered == this->NeedsNumbers())
   {
     return;
   }
-  this->Stacks = stacks.get();
+  this->Stacks = stacks;
   this->AreNumbered = this->NeedsNumbers();
   // What stands in for plans does not decide.
   this->AreBordersLoose = this->Stacks->AreMostLoose() && !this->Drawing->IsPending();
@@ -330,6 +330,7 @@ void ClassesMapper::ShowOnly(int material)
 void ClassesMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* actor)
 {
   this->Last = nullptr;
+  this->InStack = false;
   const std::vector<DrawnMaterial>& materials = this->Drawing->GetMaterials();
   // Those of one shader after the other, borders last.
   std::vector<std::size_t> order(materials.size());
@@ -490,10 +491,8 @@ void ClassesMapper::ReleaseGraphicsResources(vtkWindow* window)
   if (this->RenderDepth == 0)
   {
     this->Stacks = nullptr;
-    for (auto it = this->StacksOf.begin(); it != this->StacksOf.end();)
-    {
-      it = it->first.first == window ? this->StacksOf.erase(it) : std::next(it);
-    }
+    this->StacksOf.RemoveIf(
+      [window](const Place& place, const auto&) { return place.first == window; });
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }

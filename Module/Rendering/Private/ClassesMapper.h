@@ -111,13 +111,15 @@ private:
     return this->HaveCellScalars || this->HaveCellNormals || this->HasEdges;
   }
 
+  static constexpr std::size_t MostPlaces = 64; // windows and renderers whose stacks stay
+
   std::vector<Class> Classes;
   int Slot = -1;        // of the class that is shown
   bool InStack = false; // whether a stack is shown
   bool AreBordersLoose = false;
   bool HasClassWithoutMaterial = false; // in polygons that meet others
-  std::map<Place, std::shared_ptr<ClassStacks>> StacksOf;
-  ClassStacks* Stacks = nullptr; // of the window that is drawn, while polygons are stacked
+  RecentlyUsed<Place, std::shared_ptr<ClassStacks>> StacksOf{ MostPlaces };
+  std::shared_ptr<ClassStacks> Stacks; // of the window that is drawn, while polygons are stacked
   std::vector<vtkSmartPointer<vtkOpenGLIndexBufferObject>> StackIndices;
   vtkSmartPointer<vtkPolyData> Borders;  // each polygon of several classes once, after the classes
   std::vector<vtkIdType> BorderPolygons; // their numbers

@@ -211,10 +211,10 @@ bool CurrentPlan::Bring(
   }
   if (this->Job)
   {
-    this->Job->Wait();
-    problem = this->Job->GetProblem();
-    this->Take(wanted, true, this->Job->GetPlan());
-    this->LeaveJob();
+    const bool done = this->Job->Wait(progress);
+    problem = done ? this->Job->GetProblem() : "aborted";
+    this->Take(wanted, true, done ? this->Job->GetPlan() : nullptr);
+    this->Retire();
     return true;
   }
   vtkSmartPointer<vtkRadiancePlanner> planner = NewPlanner(wanted, background);

@@ -40,6 +40,7 @@ struct MapperPlans::View
   vtkWeakPointer<vtkActor> Actor; // null but for plans for the view
   CurrentPlan Plan;
   bool Bridged = false; // drawn by another plan than was wanted
+  bool Drawn = false;   // in some frame
 
   // What the camera saw, and the plans for it, which are taken up again when it comes back.
   struct Seen
@@ -74,28 +75,38 @@ void MapperPlans::End(std::unique_ptr<View> view)
   this->Ended.push_back(std::move(view));
 }
 
+template <typename Condition>
+void MapperPlans::EndIf(AllViews& views, const Condition& condition)
+{
+  for (auto it = views.begin(); it != views.end();)
+  {
+    const bool ends = condition(it->first);
+    if (ends)
+    {
+      this->End(std::move(it->second));
+    }
+    it = ends ? views.erase(it) : std::next(it);
+  }
+}
+
+void MapperPlans::EndAll(AllViews& views)
+{
+  this->EndIf(views, [](const Key&) { return true; });
+}
+
 void MapperPlans::Clear()
 {
-  for (auto& [key, view] : this->Views)
-  {
-    this->End(std::move(view));
-  }
-  this->Views.clear();
+  this->EndAll(this->Views);
+  this->EndAll(this->Before);
   this->Last = nullptr;
   this->Sweep();
 }
 
 void MapperPlans::Clear(vtkRenderer* renderer)
 {
-  for (auto it = this->Views.begin(); it != this->Views.end();)
-  {
-    const bool its = std::get<0>(it->first) == renderer;
-    if (its)
-    {
-      this->End(std::move(it->second));
-    }
-    it = its ? this->Views.erase(it) : std::next(it);
-  }
+  const auto isIts = [renderer](const Key& key) { return std::get<0>(key) == renderer; };
+  this->EndIf(this->Views, isIts);
+  this->EndIf(this->Before, isIts);
   this->Last = nullptr;
   this->Sweep();
 }
@@ -174,11 +185,19 @@ void MapperPlans::Sweep()
 MapperPlans::View& MapperPlans::FindView(const PlanRequest& request)
 {
   this->Sweep();
-  std::map<Key, std::unique_ptr<View>> before;
   if (request.ForView != this->ForView)
   {
     this->ForView = request.ForView;
-    before.swap(this->Views);
+    this->EndAll(this->Before);
+    for (auto& [old, drawn] : this->Views)
+    {
+      auto& kept = this->Before[old];
+      kept = std::make_unique<View>();
+      kept->Renderer = drawn->Renderer;
+      kept->Actor = drawn->Actor;
+      kept->Plan.TakeOver(drawn->Plan); // without what it has in the making
+    }
+    this->EndAll(this->Views);
   }
   const Key key(request.Renderer, request.ForView ? request.Actor : nullptr, request.Slot);
   std::unique_ptr<View>& view = this->Views[key];
@@ -191,19 +210,34 @@ MapperPlans::View& MapperPlans::FindView(const PlanRequest& request)
     view = std::make_unique<View>();
     view->Renderer = request.Renderer;
     view->Actor = request.ForView ? request.Actor : nullptr;
-  }
-  // What it was drawn by before ForView was switched stands in.
-  for (auto& [other, old] : before)
-  {
-    vtkActor* actor = std::get<1>(other);
-    if (std::get<0>(other) == request.Renderer && std::get<2>(other) == request.Slot &&
-        (!actor || actor == request.Actor))
-    {
-      view->Plan.TakeOver(old->Plan);
-    }
-    this->End(std::move(old));
+    this->TakeOver(*view, request);
   }
   return *view;
+}
+
+// What a view was drawn by before ForView was switched stands in. Each renderer comes to it when it
+// is drawn next, and each actor when it is drawn there.
+void MapperPlans::TakeOver(View& view, const PlanRequest& request)
+{
+  for (auto it = this->Before.begin(); it != this->Before.end();)
+  {
+    const auto& [renderer, actor, slot] = it->first;
+    const bool fits = renderer == request.Renderer && slot == request.Slot &&
+                      (!actor || actor == request.Actor) && !it->second->IsGone(it->first);
+    if (fits)
+    {
+      view.Plan.TakeOver(it->second->Plan);
+    }
+    if (it->second->IsGone(it->first) || (fits && actor)) // nobody else's
+    {
+      this->End(std::move(it->second));
+      it = this->Before.erase(it);
+    }
+    else
+    {
+      ++it;
+    }
+  }
 }
 
 void MapperPlans::Look(View& view, const PlanRequest& request)
@@ -332,6 +366,13 @@ CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std:
 {
   View& view = this->FindView(request);
   this->Last = &view;
+  if (view
+        .Drawn) // so the renderer's next frame has begun: all in it that were drawn before have one
+  {
+    this->EndIf(this->Before, [&request](const Key& key)
+      { return std::get<0>(key) == request.Renderer && std::get<2>(key) == request.Slot; });
+  }
+  view.Drawn = true;
   const PlanInputs wanted = GetInputs(view, request);
   if (request.Others && !view.Plan.IsPending() && view.Plan.NeedsTime(wanted, request.Timing))
   {

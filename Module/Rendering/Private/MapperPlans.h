@@ -108,13 +108,19 @@ private:
   using Key = std::tuple<vtkRenderer*, vtkActor*, int>;
 
   View& FindView(const PlanRequest& request);
+  void TakeOver(View& view, const PlanRequest& request);
   void Sweep();
   void End(std::unique_ptr<View> view);
+  using AllViews = std::map<Key, std::unique_ptr<View>>;
+  template <typename Condition>
+  void EndIf(AllViews& views, const Condition& condition);
+  void EndAll(AllViews& views);
   static void Look(View& view, const PlanRequest& request);
   static PlanInputs GetInputs(View& view, const PlanRequest& request);
   void BeginSideBySide(View& view, const PlanInputs& wanted, const PlanRequest& request);
 
-  std::map<Key, std::unique_ptr<View>> Views;
+  AllViews Views;
+  AllViews Before;                          // ForView was switched: these stand in for new ones
   std::vector<std::unique_ptr<View>> Ended; // about to stop
   View* Last = nullptr;
   bool ForView = false;    // in the last request

@@ -183,7 +183,6 @@ bool MaterialDrawing::ResolvePlan(
   PlanRequest request = this->GetRequest(use, state);
   request.Others = [&state](const PlanRequest::Visit& visit)
   { VisitRequests(state.Renderer, visit); };
-  this->AbortPlanning = false;
   request.Progress = [this](double progress)
   {
     if (auto* algorithm = vtkAlgorithm::SafeDownCast(this->Owner))
@@ -379,6 +378,16 @@ const std::vector<DrawnMaterial>& MaterialDrawing::GetMaterials() const
 {
   static const std::vector<DrawnMaterial> none;
   return this->Frame ? this->Frame->Materials : none;
+}
+
+void MaterialDrawing::ReportFailure(const std::string& what)
+{
+  this->EndFrame();
+  if (this->WarnOnce("render: " + what))
+  {
+    vtkErrorWithObjectMacro(
+      this->Owner, << "Render: " << what << ". The next one draws the surface again.");
+  }
 }
 
 void MaterialDrawing::Select(std::size_t material) { this->SelectMixture({ material }, {}); }

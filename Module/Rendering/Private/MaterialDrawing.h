@@ -63,6 +63,8 @@ public:
   /// Get ready to draw a part of a frame: bring plans and textures up to date. In passes that take
   /// no color from the material (picking, shadow maps) the superclass draws, and nothing is
   /// planned. part: who draws, of the mappers that share this object.
+  /// A mapper's Render is BeginRender and a frame for each part.
+  void BeginRender() { this->AbortPlanning = false; }
   void BeginFrame(
     vtkRenderer* renderer, vtkActor* actor, const void* part, const std::vector<MaterialUse>& uses);
   void EndFrame();
@@ -136,7 +138,8 @@ public:
     vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views);
 
   ///@{
-  /// Stop the planning that a Render has begun; a Render that has to plan begins with it cleared.
+  /// Stop the planning that a Render has begun, of all materials; each Render begins with it
+  /// cleared.
   void SetAbortPlanning(bool abort) { this->AbortPlanning = abort; }
   bool GetAbortPlanning() const { return this->AbortPlanning; }
   ///@}
@@ -157,6 +160,10 @@ public:
   /// One warning for each cause.
   bool WarnOnce(const std::string& cause) { return this->Warned.insert(cause).second; }
   vtkObject* GetOwner() const { return this->Owner; }
+
+  /// What a Render's exception says: what the actor shows in this frame is not the whole, the next
+  /// one tries again.
+  void ReportFailure(const std::string& what);
 
 private:
   struct MaterialSlot

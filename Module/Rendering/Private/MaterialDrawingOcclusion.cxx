@@ -98,7 +98,12 @@ void MaterialDrawing::ForecastOcclusion(
   {
     forecast = std::make_unique<OcclusionForecast>();
   }
-  forecast->Update(question);
+  const std::string problem = forecast->Update(question);
+  if (!problem.empty() && this->WarnOnce("forecast: " + problem))
+  {
+    vtkErrorWithObjectMacro(
+      this->Owner, << "The surface is drawn as if it hid nothing from itself: " << problem << ".");
+  }
 }
 
 vtkDataObject* MaterialDrawing::GetTracedOcclusion(const void* part) const

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <set>
 #include <utility>
 
@@ -132,7 +133,19 @@ std::string MaterialParts::Update(
     this->BRDFs.clear();
     this->Uses.clear();
     this->Warning.clear();
-    this->Problem = this->Divide(input, map, others);
+    try
+    {
+      this->Problem = this->Divide(input, map, others);
+    }
+    catch (const std::exception& e) // no memory, say: the next frame tries again
+    {
+      this->Parts.clear();
+      this->BRDFs.clear();
+      this->Uses.clear();
+      this->Input = nullptr;
+      this->InputTime = 0;
+      this->Problem = e.what();
+    }
   }
   warning = this->Warning;
   return this->Problem;

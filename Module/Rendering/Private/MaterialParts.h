@@ -87,6 +87,9 @@ public:
 
   void Clear();
 
+  /// Whether the last Update ran out of memory, say: the next one tries again.
+  bool HasFailed() const { return !this->Input; }
+
   const std::vector<MaterialPart>& Get() const { return this->Parts; }
 
   /// Rises with each division.

@@ -24,8 +24,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr std::size_t Largest = 1024; // surfaces that are remembered
-
 OcclusionArrays::Side MakeSide(vtkIdType points)
 {
   OcclusionArrays::Side side;
@@ -337,13 +335,23 @@ vtkDataObject* OcclusionCache::Trace(vtkPolyData* surface, vtkDataObject* input,
   return this->Traced;
 }
 
+// All blocks of an input take turns, each frame: none is to drive out another.
+void OcclusionCache::Expect(vtkDataObject* input)
+{
+  if (input && (input != this->Expected || input->GetMTime() != this->ExpectedTime))
+  {
+    this->Expected = input;
+    this->ExpectedTime = input->GetMTime();
+    this->Most = std::max({ this->Most, Least, 2 * GetBlocks(input).size() });
+    this->Entries.SetMost(this->Most);
+    this->Wholes.SetMost(this->Most);
+  }
+}
+
 vtkSmartPointer<vtkPolyData> OcclusionCache::FindWhole(
   vtkPolyData* surface, vtkDataObject* input, bool withBounce)
 {
-  if (this->Wholes.size() > Largest)
-  {
-    this->Wholes.clear();
-  }
+  this->Expect(input);
   const vtkMTimeType time = std::max(surface->GetMTime(), input->GetMTime());
   Whole& whole = this->Wholes[surface];
   vtkDataObject* all = this->Trace(surface, input, withBounce);
@@ -362,11 +370,8 @@ vtkSmartPointer<vtkPolyData> OcclusionCache::FindWhole(
 std::shared_ptr<OcclusionArrays> OcclusionCache::Find(
   const Question& question, std::string& problem)
 {
-  if (this->Entries.size() > Largest)
-  {
-    this->Entries.clear();
-  }
   const auto& [surface, input, traced, make, isPart, withBounce] = question;
+  this->Expect(input);
   const bool isBare = input && !OcclusionArrays::HasAny(surface);
   vtkDataObject* stands = isBare && make ? this->Trace(surface, input, withBounce) : traced;
   const vtkMTimeType time = surface->GetMTime();

@@ -8,6 +8,7 @@
 #ifndef OcclusionArrays_h
 #define OcclusionArrays_h
 
+#include "RecentlyUsed.h"
 #include "SurfaceBlocks.h"
 #include "vtkDataObject.h"
 #include "vtkFloatArray.h"
@@ -16,7 +17,6 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -103,10 +103,13 @@ private:
     std::string Problem;
   };
 
+  static constexpr std::size_t Least = 1024; // surfaces are remembered, and all blocks of an input
+
+  void Expect(vtkDataObject* input);
   vtkDataObject* Trace(vtkPolyData* surface, vtkDataObject* input, bool withBounce);
 
-  std::map<vtkPolyData*, Entry> Entries;
-  std::map<vtkPolyData*, Whole> Wholes;
+  RecentlyUsed<vtkPolyData*, Entry> Entries{ Least };
+  RecentlyUsed<vtkPolyData*, Whole> Wholes{ Least };
   ///@{
   /// The input, traced as it was last asked for.
   using Times = std::unordered_map<vtkDataObject*, vtkMTimeType>; // only compared
@@ -118,6 +121,9 @@ private:
   bool IsTracedChecked = false; // whether all times were compared
   std::uint64_t Traces = 0;
   ///@}
+  vtkDataObject* Expected = nullptr; // only compared
+  vtkMTimeType ExpectedTime = 0;
+  std::size_t Most = Least;
   BlockPairs Pairs; // of what is drawn
   BlockPairs WholePairs;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OcclusionForecast.h"
 
+#include "BackgroundThreads.h"
 #include "ContentHash.h"
 #include "LocalFrame.h"
 #include "SharedTrace.h"
@@ -25,7 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <thread>
+#include <exception>
 #include <utility>
 
 namespace measuredbrdf
@@ -35,8 +36,8 @@ namespace
 constexpr int MostChanges = 3; // of a surface, in frames one after the other
 constexpr int ProbePoints = 64;
 constexpr int ProbeRays = 16;
-constexpr double LeastError = 0.002;   // to be spoken of
-constexpr std::size_t MostAnswers = 4; // about a surface
+constexpr double LeastError = 0.002;      // to be spoken of
+constexpr std::size_t MostAnswers = 1024; // about a surface: views and materials that take turns
 
 template <typename Visit>
 void ForEachArray(vtkPolyData* surface, const Visit& visit)
@@ -125,51 +126,96 @@ public:
     : Materials(TakeSnapshots(question.Materials))
     , ToEnvironment(question.FindToEnvironment ? question.FindToEnvironment() : nullptr)
     , Tolerance(question.Tolerance)
-    , Most(apart ? MostPointsInBackground : MostPoints)
     , Input(CopyBlocks(
         question.Input, [apart](vtkPolyData* surface) { return CopySurface(surface, apart); }))
   {
+    this->Found.Most = apart ? MostPointsInBackground : MostPoints;
     for (vtkPolyData* surface : GetBlocks(this->Input))
     {
-      this->Points += surface->GetNumberOfPoints();
+      this->Found.Points += surface->GetNumberOfPoints();
     }
   }
 
-  ~Job()
-  {
-    this->IsStopped = true;
-    this->Predictor->SetAbort(true);
-    if (this->Thread.joinable())
-    {
-      this->Thread.join();
-    }
-  }
+  ~Job() = default;
   Job(const Job&) = delete;
   void operator=(const Job&) = delete;
 
   // Whether the answer takes no time, because a look at few points finds nothing hidden.
-  bool IsEasy() { return this->Points <= MostPoints && !HidesAnything(this->GetScene()); }
+  bool IsEasy() { return this->Found.Points <= MostPoints && !HidesAnything(this->GetScene()); }
 
-  void Start()
+  // Whether there is a thread for it, which holds it until it is done.
+  static bool Start(const std::shared_ptr<Job>& job)
   {
-    this->Done = false;
-    this->Thread = std::thread(
-      [this]()
+    job->Done = false;
+    const bool starts = RunInBackground(
+      [job]()
       {
-        this->Run();
-        this->Done = true;
+        job->Run();
+        job->Done = true;
+      },
+      [running = std::weak_ptr<Job>(job)]()
+      {
+        if (const std::shared_ptr<Job> last = running.lock())
+        {
+          last->Stop();
+        }
       });
+    if (!starts)
+    {
+      job->Done = true;
+    }
+    return starts;
+  }
+
+  void Stop()
+  {
+    this->IsStopped = true;
+    this->Predictor->SetAbort(true);
   }
 
   void Run()
   {
-    if (this->Points > MostPointsInBackground)
+    try
+    {
+      this->Forecast();
+    }
+    catch (const std::exception& e) // no memory, say: nobody catches it above a thread
+    {
+      this->Fail(e.what());
+    }
+    catch (...) // of a program's own material
+    {
+      this->Fail("an unknown exception");
+    }
+  }
+
+  std::vector<OcclusionQuestion::Material> Materials;
+  vtkSmartPointer<vtkMatrix4x4> ToEnvironment;
+  double Tolerance;
+  bool WithBounce = false;
+  vtkSmartPointer<vtkDataObject> Input;
+  std::atomic<bool> Done{ true };
+  Prediction Found;
+  vtkSmartPointer<vtkDataObject> Traced;
+  std::shared_ptr<SharedTrace> Trace;
+
+private:
+  void Fail(const char* why)
+  {
+    this->Found = { -1.0, 0.0, false, this->Found.Points, this->Found.Most, why };
+    this->Traced = nullptr;
+    this->Trace = nullptr;
+  }
+
+  void Forecast()
+  {
+    if (this->Found.Points > MostPointsInBackground)
     {
       return;
     }
     if (!HidesAnything(this->GetScene()))
     {
-      this->Error = 0.0;
+      this->Found.Error = 0.0;
       return;
     }
     bool worth = false;
@@ -177,9 +223,9 @@ public:
     {
       worth = !this->IsStopped && (this->Predict(material) || worth);
     }
-    if (!worth || this->IsStopped || this->Points > this->Most)
+    if (!worth || this->IsStopped || this->Found.Points > this->Found.Most)
     {
-      this->IsLeftOut = worth;
+      this->Found.IsLeftOut = worth;
       return;
     }
     if (this->Traced) // for other materials, or another map
@@ -191,29 +237,6 @@ public:
       this->Trace->Attach(this->Input, this->WithBounce, [this]() { return !this->IsStopped; });
   }
 
-  // Once it is done: answers are kept, and the tree of half a million triangles takes 45 MB.
-  void DropScene()
-  {
-    this->Scene = nullptr;
-    this->Input = nullptr;
-  }
-
-  std::vector<OcclusionQuestion::Material> Materials;
-  vtkSmartPointer<vtkMatrix4x4> ToEnvironment;
-  double Tolerance;
-  bool WithBounce = false;
-  vtkIdType Most;
-  vtkSmartPointer<vtkDataObject> Input;
-  vtkIdType Points = 0;
-  std::atomic<bool> Done{ true };
-
-  double Error = -1.0; // of the material with the largest one
-  double Uncertainty = 0.0;
-  bool IsLeftOut = false; // worth modeling, but too large
-  vtkSmartPointer<vtkDataObject> Traced;
-  std::shared_ptr<SharedTrace> Trace;
-
-private:
   vtkTracedScene* GetScene()
   {
     if (!this->Scene)
@@ -236,10 +259,10 @@ private:
     predictor->SetEnvironment(material.Environment);
     const TakenError stopped(predictor); // nobody waits for it any more
     const bool done = predictor->Update();
-    if (done && predictor->GetError() > this->Error)
+    if (done && predictor->GetError() > this->Found.Error)
     {
-      this->Error = predictor->GetError();
-      this->Uncertainty = predictor->GetUncertainty();
+      this->Found.Error = predictor->GetError();
+      this->Found.Uncertainty = predictor->GetUncertainty();
     }
     return done && vtkOcclusionPredictor::IsWorthModeling(
                      predictor->GetError(), material.PlanError, this->Tolerance);
@@ -248,13 +271,25 @@ private:
   vtkSmartPointer<vtkTracedScene> Scene;
   vtkNew<vtkOcclusionPredictor> Predictor;
   std::atomic<bool> IsStopped{ false };
-  std::thread Thread;
 };
 
 //------------------------------------------------------------------------------
-OcclusionForecast::OcclusionForecast() = default;
+OcclusionForecast::OcclusionForecast()
+  : Known(MostAnswers)
+{
+}
 
-OcclusionForecast::~OcclusionForecast() = default;
+OcclusionForecast::~OcclusionForecast() { this->Leave(); }
+
+// Its thread, if it has one, holds it until it has stopped: a trace may take a while to do so.
+void OcclusionForecast::Leave()
+{
+  if (this->Work)
+  {
+    this->Work->Stop();
+    this->Work.reset();
+  }
+}
 
 // Whether it is the same surface as in the frame before, or one that is worth an answer yet.
 bool OcclusionForecast::FollowsSurface(vtkDataObject* input)
@@ -284,20 +319,32 @@ bool OcclusionForecast::FollowsSurface(vtkDataObject* input)
 
 bool OcclusionForecast::IsReady() const { return this->Work && this->Work->Done; }
 
-void OcclusionForecast::Take()
+// Numbers are kept: the tree of half a million triangles takes 45 MB.
+std::string OcclusionForecast::Take()
 {
-  this->Work->DropScene();
-  std::shared_ptr<const Job> answer(this->Work.release());
-  if (answer->Traced)
+  const std::shared_ptr<Job> done = std::move(this->Work);
+  if (done->Traced)
   {
-    this->Traced = answer->Traced;
-    this->Trace = answer->Trace;
+    this->Traced = done->Traced;
+    this->Trace = done->Trace;
   }
-  if (this->Known.size() >= MostAnswers)
+  this->Known[this->Asked] = done->Found;
+  return done->Found.Problem;
+}
+
+// On a thread, or else at once.
+void OcclusionForecast::Begin(const OcclusionQuestion& question)
+{
+  this->Work = std::make_shared<Job>(question, question.InBackground);
+  this->Work->WithBounce = this->WithBounce;
+  this->Work->Traced = this->Traced;
+  this->Work->Trace = this->Trace;
+  if (question.InBackground && !this->Work->IsEasy() && Job::Start(this->Work))
   {
-    this->Known.clear();
+    return;
   }
-  this->Known[this->Asked] = std::move(answer);
+  this->Work->Found.Most = MostPoints;
+  this->Work->Run();
 }
 
 // What an answer depends on beside the surface.
@@ -315,43 +362,39 @@ OcclusionForecast::Key OcclusionForecast::GetKey(const OcclusionQuestion& questi
 }
 
 // Views with different lights ask in turns: each has its answer, and what was traced serves all.
-void OcclusionForecast::Update(const OcclusionQuestion& question)
+std::string OcclusionForecast::Update(const OcclusionQuestion& question)
 {
   const std::string before = this->Content;
   const bool follows = this->FollowsSurface(question.Input);
   if (this->Content != before || (question.WithBounce && !this->WithBounce))
   {
     this->WithBounce = question.WithBounce;
-    this->Work.reset();
-    this->Known.clear();
+    this->Leave();
+    this->Known.Clear();
     this->Answer.reset();
     this->Traced = nullptr;
     this->Trace = this->Content != before ? nullptr : this->Trace; // which knows the sky
   }
   const Key key = GetKey(question);
-  if (this->IsReady())
-  {
-    this->Take();
-  }
-  if (!this->Work && this->Known.count(key) == 0 && follows && !question.Materials.empty())
+  std::string problem = this->IsReady() ? this->Take() : "";
+  if (!this->Work && !this->Known.Find(key) && follows && !question.Materials.empty())
   {
     this->Asked = key;
-    this->Work = std::make_unique<Job>(question, question.InBackground);
-    this->Work->WithBounce = this->WithBounce;
-    this->Work->Traced = this->Traced;
-    this->Work->Trace = this->Trace;
-    if (question.InBackground && !this->Work->IsEasy())
+    try
     {
-      this->Work->Start();
+      this->Begin(question);
+      problem = this->IsReady() ? this->Take() : problem;
     }
-    else
+    catch (const std::exception& e) // no memory for copies of the surface, say
     {
-      this->Work->Run();
-      this->Take();
+      this->Leave();
+      problem = e.what();
+      this->Known[key].Problem = problem;
     }
   }
-  const auto known = this->Known.find(key);
-  this->Answer = known == this->Known.end() ? nullptr : known->second;
+  const Prediction* known = this->Known.Find(key);
+  this->Answer = known ? std::optional<Prediction>(*known) : std::nullopt;
+  return problem;
 }
 
 double OcclusionForecast::GetError() const { return this->Answer ? this->Answer->Error : -1.0; }

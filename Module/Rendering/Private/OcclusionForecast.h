@@ -10,6 +10,7 @@
 #ifndef OcclusionForecast_h
 #define OcclusionForecast_h
 
+#include "RecentlyUsed.h"
 #include "vtkBRDF.h"
 #include "vtkDataObject.h"
 #include "vtkEnvironment.h"
@@ -19,8 +20,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,15 +54,16 @@ class OcclusionForecast
 public:
   OcclusionForecast();
 
-  /// Stops what is in the making and waits for that.
+  /// Stops what is in the making, but does not wait for that.
   ~OcclusionForecast();
   OcclusionForecast(const OcclusionForecast&) = delete;
   void operator=(const OcclusionForecast&) = delete;
 
   /// Once a frame: answer, or begin to. What was answered holds until the surface, a material or
   /// the environment's pixels change; a rotation does not change it. A surface that changes in
-  /// every frame is left alone after the third, until it rests.
-  void Update(const OcclusionQuestion& question);
+  /// every frame is left alone after the third, until it rests. Returns why an answer that came
+  /// now could not be found, for lack of memory say, or "": it is not tried again until it changes.
+  std::string Update(const OcclusionQuestion& question);
 
   /// The input as it was last, with arrays; null: not worth it, or not known yet.
   vtkDataObject* GetTraced() const { return this->Traced; }
@@ -83,17 +85,30 @@ private:
   class Job;
   using Key = std::vector<std::uint64_t>;
 
+  /// What is known once a job is done.
+  struct Prediction
+  {
+    double Error = -1.0; // of the material with the largest one; negative: not known
+    double Uncertainty = 0.0;
+    bool IsLeftOut = false; // worth modeling, but too large
+    vtkIdType Points = 0;
+    vtkIdType Most = 0;
+    std::string Problem;
+  };
+
   static Key GetKey(const OcclusionQuestion& question);
   bool FollowsSurface(vtkDataObject* input);
-  void Take();
+  void Begin(const OcclusionQuestion& question);
+  void Leave();
+  std::string Take();
 
   std::vector<std::pair<void*, vtkMTimeType>> Stamp; // of the surfaces' arrays in the last frame
   std::string Content;                               // hash of what they hold
   int Changes = 0;                                   // frames in a row with another content
   Key Asked;
-  std::unique_ptr<Job> Work;                       // on its thread
-  std::map<Key, std::shared_ptr<const Job>> Known; // of this content
-  std::shared_ptr<const Job> Answer;               // to the last question; null: none
+  std::shared_ptr<Job> Work;           // which its thread holds, too
+  RecentlyUsed<Key, Prediction> Known; // of this content
+  std::optional<Prediction> Answer;    // to the last question
   vtkSmartPointer<vtkDataObject> Traced;
   std::shared_ptr<SharedTrace> Trace; // of which Traced has its arrays
   bool WithBounce = false;            // whether it has the bounce

@@ -27,11 +27,6 @@ std::atomic<std::size_t> AddedCount{ 0 };
 
 // Mappers share programs, and a program knows one such object: it would be linked anew for another.
 using Captures = SharedObjects<std::string, vtkTransformFeedback>;
-Captures& GetCaptures()
-{
-  static auto* captures = new Captures;
-  return *captures;
-}
 
 vtkSmartPointer<vtkTransformFeedback> FindCapture(const std::vector<std::string>& names)
 {
@@ -40,7 +35,7 @@ vtkSmartPointer<vtkTransformFeedback> FindCapture(const std::vector<std::string>
   {
     all += name + " ";
   }
-  return GetCaptures().Find(all,
+  return Captures::Get().Find(all,
     [&names]()
     {
       auto capture = vtkSmartPointer<vtkTransformFeedback>::New();
@@ -225,5 +220,5 @@ void OcclusionPoints::Release(vtkWindow* window)
   this->Capture = nullptr;
 }
 
-void SweepCaptures() { GetCaptures().Sweep(); }
+void SweepCaptures() { Captures::Get().Sweep(); }
 } // namespace measuredbrdf

@@ -44,8 +44,6 @@ public:
   static std::size_t GetLeastPoints();
   static void SetLeastPoints(std::size_t points);
   ///@}
-  /// Of a vertex shader: OpenGL guarantees no more.
-  static constexpr std::size_t MostAttributes = 16;
   /// States of the light that are kept at a time, as of several views; each has 16 bytes a point
   /// for each vector of four floats, 176 at most.
   static constexpr std::size_t MostStates = 4;

@@ -142,6 +142,14 @@ std::string GetOcclusionKey(const OcclusionLights& lights, const OcclusionLayout
          (layout.Kept ? "/kept" : "");
 }
 
+OcclusionNeeds CountOcclusionNeeds(const OcclusionLights& lights, const OcclusionLayout& layout)
+{
+  const std::size_t sides = layout.TwoSided ? 2 : 1;
+  return { layout.Kept ? CountKeptAttributes(lights, layout)
+                       : sides * (OcclusionArrays::Attributes + (layout.Bounced ? 1 : 0)),
+    4 * GetVaryings(lights, layout).size() };
+}
+
 OcclusionText MakeOcclusionText(const OcclusionLights& lights, const OcclusionLayout& layout)
 {
   const bool twoSided = layout.TwoSided;

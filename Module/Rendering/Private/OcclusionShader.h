@@ -36,6 +36,15 @@ struct OcclusionText
   std::string FragmentDeclarations;
   std::string FragmentCode; // before anything is integrated
 };
+/// Vertex attributes that this text reads, and components of what its stages hand on, in whole
+/// vectors of four: not every driver packs them.
+struct OcclusionNeeds
+{
+  std::size_t Attributes = 0;
+  std::size_t Varyings = 0;
+};
+OcclusionNeeds CountOcclusionNeeds(const OcclusionLights& lights, const OcclusionLayout& layout);
+
 OcclusionText MakeOcclusionText(const OcclusionLights& lights, const OcclusionLayout& layout);
 
 /// The macros that the environment's terms of a member use; light null: for no occlusion.

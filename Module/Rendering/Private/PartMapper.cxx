@@ -23,7 +23,7 @@ void PartMapper::SetPart(const MaterialParts* parts, MaterialPart part, vtkMater
   if (this->Part.Kind != MixtureKind::Images || this->Map != map)
   {
     this->Images = nullptr;
-    this->ImagesOf.clear();
+    this->ImagesOf.Clear();
   }
   this->Map = map;
   this->ImageComponents.clear();

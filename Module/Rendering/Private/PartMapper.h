@@ -11,6 +11,7 @@
 #include "BlockStyle.h"
 #include "MaterialParts.h"
 #include "MixtureShader.h"
+#include "RecentlyUsed.h"
 #include "WeightImages.h"
 #include "vtkMaterialMap.h"
 #include "vtkMeasuredBRDFMapperMixin.h"
@@ -101,6 +102,8 @@ private:
   void DrawMixture(vtkRenderer* ren, vtkActor* actor);
   std::vector<std::size_t> ChooseMembers(vtkRenderer* ren);
 
+  static constexpr std::size_t MostWindows = 16; // whose images stay while others are drawn
+
   const MaterialParts* Parts = nullptr;
   MaterialPart Part;
   std::vector<MaterialUse> Uses;
@@ -109,7 +112,7 @@ private:
   std::vector<std::pair<std::size_t, std::array<float, 4>>> Hats; // of the members drawn now
   std::unique_ptr<MixtureShader> Text;
   std::shared_ptr<WeightTextures> Images; // of the window drawn last
-  std::map<vtkOpenGLRenderWindow*, std::shared_ptr<WeightTextures>> ImagesOf;
+  RecentlyUsed<vtkOpenGLRenderWindow*, std::shared_ptr<WeightTextures>> ImagesOf{ MostWindows };
   const BlockStyle* Style = nullptr;
 };
 } // namespace measuredbrdf

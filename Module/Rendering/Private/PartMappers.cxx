@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <exception>
 #include <type_traits>
 
 namespace measuredbrdf
@@ -122,7 +123,12 @@ bool PartMappers::Divide(vtkPolyData* input)
     this->Parts.Update(whole, settings.MaterialMap, settings.BRDF, warning);
   for (const std::string& text : { problem, warning })
   {
-    if (!text.empty() && this->Drawing->WarnOnce(GetCause(text)))
+    if (!text.empty() && this->Parts.HasFailed() && this->Drawing->WarnOnce(GetCause(text)))
+    {
+      vtkErrorWithObjectMacro(this->Drawing->GetOwner(),
+        << "The material map is not used in this frame: " << text << ".");
+    }
+    else if (!text.empty() && this->Drawing->WarnOnce(GetCause(text)))
     {
       vtkWarningWithObjectMacro(this->Drawing->GetOwner(),
         << (problem.empty() ? "The material map: " : "The material map is not used: ") << text
@@ -310,7 +316,14 @@ double PartMappers::PredictError(const DrawnMaterials& materials) const
     {
       const double o[3] = { std::sqrt(0.5), 0.0, std::sqrt(0.5) };
       double albedo[3];
-      brdf->GetDirectionalAlbedo(o, albedo);
+      try
+      {
+        brdf->GetDirectionalAlbedo(o, albedo);
+      }
+      catch (const std::exception&) // no memory, say: VTK prints mappers, too
+      {
+        return -1.0;
+      }
       const double weight = this->Parts.GetShare(brdf) * (albedo[0] + albedo[1] + albedo[2]);
       vtkRadiancePlanner* plan = (*drawn)->Plan;
       sum += weight * plan->GetPredictedError(plan->GetChoice());

@@ -2,26 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlanJob.h"
 
+#include "BackgroundThreads.h"
 #include "vtkBRDF.h"
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
 #include "vtkRadiancePlanner.h"
 
 #include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <exception>
+#include <functional>
 #include <iterator>
+#include <list>
 #include <map>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <utility>
 
 namespace measuredbrdf
 {
-// Its threads end when nothing is left to do. They are detached, and the queue is never destroyed:
-// what they work for waits for them instead.
+namespace
+{
+constexpr std::chrono::milliseconds ProgressInterval(50); // of a job that is waited for
+}
+
+// Its threads end when nothing is left to do, or the process ends. The queue is never destroyed.
 class PlanJob::Queue
 {
 public:
@@ -50,7 +57,8 @@ public:
     return found;
   }
 
-  void Wait(PlanJob* job, Lock& lock)
+  /// goesOn is asked now and then, without the lock. Whether the job is done; false: it said no.
+  bool Wait(PlanJob* job, Lock& lock, const std::function<bool()>& goesOn)
   {
     if (this->Remove(job, lock))
     {
@@ -59,8 +67,19 @@ public:
     ++this->Waiters;
     this->Released.notify_all();
     this->AddThread(lock);
-    this->Finished.wait(lock, [job]() { return job->IsDone(); });
+    while (!job->IsDone())
+    {
+      lock.unlock();
+      const bool goes = goesOn();
+      lock.lock();
+      if (!goes)
+      {
+        break;
+      }
+      this->Finished.wait_for(lock, ProgressInterval, [job]() { return job->IsDone(); });
+    }
     --this->Waiters;
+    return job->IsDone();
   }
 
   void Change(int Queue::*count, int change)
@@ -83,21 +102,34 @@ private:
     {
       return;
     }
-    try
+    // It waits for the lock. Where there is none, those that there are have to do.
+    this->Running +=
+      RunInBackground([this]() { this->Work(); }, [this]() { this->Stop(); }) ? 1 : 0;
+  }
+
+  // The process ends.
+  void Stop()
+  {
+    const Lock lock(this->Mutex);
+    this->IsStopped = true;
+    for (PlanJob* job : this->Jobs)
     {
-      std::thread([this]() { this->Work(); }).detach();
-      ++this->Running; // it waits for the lock
+      job->Done = true;
     }
-    catch (const std::system_error&) // the ones that there are have to do
+    this->Jobs.clear();
+    for (PlanJob* job : this->Current)
     {
+      job->Planner->SetAbort(true);
     }
+    this->Released.notify_all();
+    this->Finished.notify_all();
   }
 
   void Work()
   {
     Lock lock(this->Mutex);
     const auto mayBegin = [this]()
-    { return this->Holds == 0 || this->Waiters > 0 || this->Planning > 0; };
+    { return this->Holds == 0 || this->Waiters > 0 || this->Planning > 0 || this->IsStopped; };
     for (this->Released.wait(lock, mayBegin);
          !this->Jobs.empty() && this->Running <= this->GetLimit();
          this->Released.wait(lock, mayBegin))
@@ -105,9 +137,11 @@ private:
       PlanJob* job = this->Jobs.front();
       this->Jobs.pop_front();
       this->Largest = std::max(this->Largest, this->Running);
+      const auto current = this->Current.insert(this->Current.end(), job);
       lock.unlock();
       job->Run();
       lock.lock();
+      this->Current.erase(current);
       job->Done = true; // and it may be gone when the lock is
       this->Finished.notify_all();
     }
@@ -116,10 +150,12 @@ private:
 
   const int Cores = std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
   std::deque<PlanJob*> Jobs;
+  std::list<PlanJob*> Current; // those that run
   std::condition_variable Finished;
   std::condition_variable Released;
   int Running = 0; // threads
   int Waiters = 0;
+  bool IsStopped = false;
 };
 
 PlanJob::Queue& PlanJob::GetQueue()
@@ -204,20 +240,20 @@ PlanJob::~PlanJob()
   if (!this->Done && !queue.Remove(this, lock))
   {
     this->Planner->SetAbort(true);
-    queue.Wait(this, lock);
+    queue.Wait(this, lock, []() { return true; });
   }
 }
 
 void PlanJob::Run()
 {
-  // Nobody's output window has to cope with other threads.
   const vtkSmartPointer<vtkBRDF> brdf = this->Planner->GetBRDF();
-  const unsigned long error =
-    this->Planner->AddObserver(vtkCommand::ErrorEvent, this, &PlanJob::TakeMessage);
-  const unsigned long warning =
-    brdf->AddObserver(vtkCommand::WarningEvent, this, &PlanJob::TakeMessage);
+  unsigned long tags[3] = { 0, 0, 0 };
   try
   {
+    // Nobody's output window has to cope with other threads.
+    tags[0] = this->Planner->AddObserver(vtkCommand::ErrorEvent, this, &PlanJob::TakeMessage);
+    tags[1] = brdf->AddObserver(vtkCommand::WarningEvent, this, &PlanJob::TakeMessage);
+    tags[2] = this->Planner->AddObserver(vtkCommand::ProgressEvent, this, &PlanJob::TakeProgress);
     this->Succeeded = this->Planner->Update();
     if (this->Succeeded && this->WithForm && !this->Planner->GetAbort())
     {
@@ -226,10 +262,22 @@ void PlanJob::Run()
   }
   catch (const std::exception& e) // no memory, say: nobody catches it above a thread
   {
+    this->Succeeded = false;
     this->Problem = e.what();
   }
-  this->Planner->RemoveObserver(error);
-  brdf->RemoveObserver(warning);
+  catch (...) // of a program's own material
+  {
+    this->Succeeded = false;
+    this->Problem = "an unknown exception";
+  }
+  this->Planner->RemoveObserver(tags[0]);
+  brdf->RemoveObserver(tags[1]);
+  this->Planner->RemoveObserver(tags[2]);
+}
+
+void PlanJob::TakeProgress(vtkObject*, unsigned long, void* share)
+{
+  this->Share = share ? *static_cast<double*>(share) : 0.0;
 }
 
 void PlanJob::TakeMessage(vtkObject*, unsigned long, void* text)
@@ -255,11 +303,11 @@ void PlanJob::Leave()
   }
 }
 
-void PlanJob::Wait()
+bool PlanJob::Wait(const std::function<bool(double)>& progress)
 {
   Queue& queue = GetQueue();
   Queue::Lock lock(queue.Mutex);
-  queue.Wait(this, lock);
+  return queue.Wait(this, lock, [&]() { return !progress || progress(this->Share); });
 }
 
 vtkSmartPointer<vtkRadiancePlanner> PlanJob::GetPlan() const

@@ -21,6 +21,7 @@
 #include "SharedPlans.h"
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -47,8 +48,9 @@ public:
 
   bool IsDone() const { return this->Done; }
 
-  /// Its turn is next.
-  void Wait();
+  /// Its turn is next. progress is called now and then, with the share that is done; where it says
+  /// false, this returns false before the job is done. It may be empty.
+  bool Wait(const std::function<bool(double)>& progress);
 
   ///@{
   /// Once it is done: the plan, null where it failed, and the error, or the plan's last warning, or
@@ -93,6 +95,7 @@ private:
 
   void Run();
   void TakeMessage(vtkObject* caller, unsigned long event, void* text);
+  void TakeProgress(vtkObject* caller, unsigned long event, void* share);
 
   vtkSmartPointer<vtkRadiancePlanner> Planner;
   int Users = 0; // the queue's lock guards it
@@ -100,6 +103,7 @@ private:
   bool Succeeded = false;
   std::atomic<bool> WithForm{ false };
   std::atomic<bool> Done{ true }; // until it is queued
+  std::atomic<double> Share{ 0.0 };
 };
 } // namespace measuredbrdf
 

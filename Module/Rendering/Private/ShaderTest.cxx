@@ -3,13 +3,14 @@
 #include "ShaderTest.h"
 
 #include "Printable.h"
+#include "RecentlyUsed.h"
 #include "vtkBRDFCommon.h"
 #include "vtkBRDFEnvironmentPyramid.h"
 #include "vtkNew.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 
-#include <map>
+#include <cstddef>
 #include <mutex>
 
 namespace measuredbrdf
@@ -52,14 +53,23 @@ std::string Compile(const std::string& program)
   return works ? "" : error.empty() ? "no reason is known" : error;
 }
 
+constexpr std::size_t MostPrograms = 64;
+
 // Known texts are not compiled again.
 std::string CompileOnce(const std::string& program)
 {
-  static std::mutex mutex;
-  static std::map<std::string, std::string> results;
-  const std::lock_guard<std::mutex> lock(mutex);
-  const auto found = results.find(program);
-  return found != results.end() ? found->second : results[program] = Compile(program);
+  struct Known
+  {
+    std::mutex Mutex;
+    RecentlyUsed<std::string, std::string> Results{ MostPrograms };
+  };
+  static Known& known = *new Known; // windows may be drawn by threads that outlive statics
+  const std::lock_guard<std::mutex> lock(known.Mutex);
+  if (const std::string* result = known.Results.Find(program))
+  {
+    return *result;
+  }
+  return known.Results[program] = Compile(program);
 }
 }
 

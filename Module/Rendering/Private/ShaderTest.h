@@ -22,8 +22,8 @@ enum class TermKind
   Integrator, // brdfEnvironmentINSTANCE
 };
 
-/// What is wrong with the terms' text, or "". Each text is compiled once in a program's life, in
-/// the current OpenGL context.
+/// What is wrong with the terms' text, or "". The texts that were tested last are not
+/// compiled again.
 std::string TestShaders(const vtkBRDFShaderInputs& inputs, TermKind kind);
 } // namespace measuredbrdf
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SharedIntegrators.h"
 
+#include "BackgroundThreads.h"
 #include "SharedObjects.h"
 #include "StandInBRDF.h"
 #include "vtkBRDF.h"
@@ -11,6 +12,7 @@
 
 #include <cmath>
 #include <exception>
+#include <memory>
 #include <tuple>
 
 namespace measuredbrdf
@@ -20,12 +22,6 @@ namespace
 // The program's integrator as it was at that time: a changed one needs another copy.
 using Key = std::tuple<vtkRadianceIntegrator*, vtkMTimeType, vtkBRDF*, vtkEnvironment*>;
 using Copies = SharedObjects<Key, vtkRadianceIntegrator>;
-
-Copies& GetCopies()
-{
-  static Copies& copies = *new Copies;
-  return copies;
-}
 
 vtkSmartPointer<vtkRadianceIntegrator> NewCopyFor(
   vtkRadianceIntegrator* wanted, vtkBRDF* brdf, vtkEnvironment* environment)
@@ -77,14 +73,35 @@ bool IsMirrorLike(vtkBRDF* brdf)
 }
 
 // Mirror-like materials need more rows.
-vtkHybridRadianceIntegrator* NewTable(int rows, bool quick)
+vtkSmartPointer<vtkRadianceIntegrator> NewTable(int rows, bool quick)
 {
-  vtkHybridRadianceIntegrator* table = vtkHybridRadianceIntegrator::New();
+  auto table = vtkSmartPointer<vtkHybridRadianceIntegrator>::New();
   table->SetNumberOfRows(rows);
   table->SetNumberOfViewAngles(8);
   table->SetNumberOfAzimuths(8);
   table->SetQuick(quick);
   return table;
+}
+
+// Of a material that is not isotropic, else by rows and whether it is quick.
+struct Models
+{
+  vtkSmartPointer<vtkRadianceIntegrator> Lights =
+    vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
+  vtkSmartPointer<vtkRadianceIntegrator> Tables[2] = { NewTable(33, false), NewTable(33, true) };
+  vtkSmartPointer<vtkRadianceIntegrator> Finer[2] = { NewTable(65, false), NewTable(65, true) };
+};
+
+// Others once the process ends.
+std::shared_ptr<const Models> GetModels()
+{
+  static std::shared_ptr<const Models>& models = []() -> std::shared_ptr<const Models>&
+  {
+    auto* made = new std::shared_ptr<const Models>(std::make_shared<Models>());
+    ReleaseAtExit([made]() { made->reset(); });
+    return *made;
+  }();
+  return models ? models : std::make_shared<Models>();
 }
 }
 
@@ -95,27 +112,25 @@ vtkSmartPointer<vtkRadianceIntegrator> FindIntegrator(
   {
     return wanted;
   }
-  return GetCopies().Find({ wanted, wanted->GetMTime(), brdf, environment },
+  return Copies::Get().Find({ wanted, wanted->GetMTime(), brdf, environment },
     [&]() { return NewCopyFor(wanted, brdf, environment); });
 }
 
 vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(
   vtkBRDF* brdf, vtkEnvironment* environment, bool quick)
 {
-  static vtkLightSetRadianceIntegrator& lights = *vtkLightSetRadianceIntegrator::New();
-  static vtkHybridRadianceIntegrator* const tables[] = { NewTable(33, false), NewTable(33, true) };
-  static vtkHybridRadianceIntegrator* const finer[] = { NewTable(65, false), NewTable(65, true) };
-  vtkHybridRadianceIntegrator* table = tables[quick ? 1 : 0];
-  return GetCopies().Find({ table, brdf->GetMTime(), brdf, environment },
+  const std::shared_ptr<const Models> models = GetModels();
+  vtkRadianceIntegrator* table = models->Tables[quick ? 1 : 0];
+  return Copies::Get().Find({ table, brdf->GetMTime(), brdf, environment },
     [&]()
     {
       const bool isotropic = IsIsotropic(brdf);
-      return NewCopyFor(!isotropic           ? static_cast<vtkRadianceIntegrator*>(&lights)
-                        : IsMirrorLike(brdf) ? finer[quick ? 1 : 0]
+      return NewCopyFor(!isotropic           ? models->Lights.Get()
+                        : IsMirrorLike(brdf) ? models->Finer[quick ? 1 : 0].Get()
                                              : table,
         quick ? StandInBRDF::Make(brdf) : vtkSmartPointer<vtkBRDF>(brdf), environment);
     });
 }
 
-void SweepIntegrators() { GetCopies().Sweep(); }
+void SweepIntegrators() { Copies::Get().Sweep(); }
 } // namespace measuredbrdf

@@ -8,6 +8,7 @@
 #ifndef SharedObjects_h
 #define SharedObjects_h
 
+#include "BackgroundThreads.h"
 #include "vtkSmartPointer.h"
 
 #include <map>
@@ -24,7 +25,8 @@ namespace measuredbrdf
  * VTK's weak pointers can't be read while another thread deletes the object. What only the map
  * still holds goes when the next one is made, or at the next Sweep.
  *
- * For static use, never destroyed: VTK may be gone when statics are.
+ * They are released when the process ends, once no thread uses them any more; the map stays, for
+ * statics of the program that go later.
  */
 template <typename Key, typename T>
 class SharedObjects
@@ -70,6 +72,26 @@ public:
         ++it;
       }
     }
+  }
+
+  /// Release all of them: for the end of the process.
+  void Clear()
+  {
+    std::map<Key, vtkSmartPointer<T>> released; // after the lock
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    released.swap(this->Objects);
+  }
+
+  /// The only one of this type, which is released when the process ends.
+  static SharedObjects& Get()
+  {
+    static SharedObjects& objects = []() -> SharedObjects&
+    {
+      auto* made = new SharedObjects;
+      ReleaseAtExit([made]() { made->Clear(); });
+      return *made;
+    }();
+    return objects;
   }
 
 private:

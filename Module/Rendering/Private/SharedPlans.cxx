@@ -22,12 +22,6 @@ namespace
 {
 using SharedPlans = SharedObjects<std::pair<PlanInputs::Key, bool>, vtkRadiancePlanner>;
 
-SharedPlans& GetSharedPlans()
-{
-  static SharedPlans& plans = *new SharedPlans;
-  return plans;
-}
-
 // From the environment's frame.
 vtkSmartPointer<vtkDoubleArray> ToWorld(
   const std::vector<glm::dvec3>& directions, vtkEnvironment* environment)
@@ -102,18 +96,19 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool ap
 vtkSmartPointer<vtkRadiancePlanner> FindPlan(const PlanInputs& inputs, bool apart)
 {
   const auto none = []() { return vtkSmartPointer<vtkRadiancePlanner>(); };
-  vtkSmartPointer<vtkRadiancePlanner> plan = GetSharedPlans().Find({ inputs.GetKey(), true }, none);
-  return plan || apart ? plan : GetSharedPlans().Find({ inputs.GetKey(), false }, none);
+  vtkSmartPointer<vtkRadiancePlanner> plan =
+    SharedPlans::Get().Find({ inputs.GetKey(), true }, none);
+  return plan || apart ? plan : SharedPlans::Get().Find({ inputs.GetKey(), false }, none);
 }
 
 void SharePlan(const PlanInputs& inputs, bool apart, vtkRadiancePlanner* plan)
 {
   if (!FindPlan(inputs, apart)) // not under two keys: nobody else would be left to hold it
   {
-    GetSharedPlans().Find(
+    SharedPlans::Get().Find(
       { inputs.GetKey(), apart }, [plan]() { return vtkSmartPointer<vtkRadiancePlanner>(plan); });
   }
 }
 
-void SweepPlans() { GetSharedPlans().Sweep(); }
+void SweepPlans() { SharedPlans::Get().Sweep(); }
 } // namespace measuredbrdf

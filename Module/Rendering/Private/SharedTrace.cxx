@@ -5,6 +5,7 @@
 #include "ContentHash.h"
 #include "SurfaceBlocks.h"
 #include "SurfacePoints.h"
+#include "TakenError.h"
 #include "vtkCommand.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -15,6 +16,7 @@
 #include <chrono>
 #include <cstddef>
 #include <map>
+#include <stdexcept>
 #include <string>
 
 namespace measuredbrdf
@@ -151,7 +153,7 @@ SharedTrace::~SharedTrace() = default;
 std::shared_ptr<SharedTrace> SharedTrace::Find(vtkDataObject* input)
 {
   const std::string content = GetContent(input);
-  static std::mutex mutex;
+  static std::mutex& mutex = *new std::mutex;
   const std::lock_guard<std::mutex> lock(mutex);
   Traces& traces = GetTraces();
   for (auto it = traces.begin(); it != traces.end();)
@@ -218,7 +220,12 @@ void SharedTrace::Trace(vtkDataObject* input, bool withBounce, const std::functi
   const Run run(filter, CopyBlocks(input, CopyGeometry), goesOn);
   filter->SetBounce(withBounce);
   const int before = filter->GetNumberOfTraces();
+  const TakenError error(filter);
   filter->Update();
+  if (!error.GetText().empty()) // no memory, say
+  {
+    throw std::runtime_error(error.GetText());
+  }
   if (filter->GetNumberOfTraces() > before)
   {
     ++this->NumberOfTraces;

@@ -4,6 +4,7 @@
 
 #include "ContentHash.h"
 #include "PlanCache.h"
+#include "RecentlyUsed.h"
 #include "SharedObjects.h"
 #include "TakenError.h"
 
@@ -106,11 +107,6 @@ void MirrorInZ(vtkEnvironment* environment)
 
 using EnvironmentKey = std::tuple<std::vector<vtkImageData*>, std::vector<vtkMTimeType>, bool>;
 using Environments = SharedObjects<EnvironmentKey, vtkEnvironment>;
-Environments& GetEnvironments()
-{
-  static Environments& environments = *new Environments;
-  return environments;
-}
 
 // Converting large cube maps takes seconds: the lat-long pixels are kept on disk beside the plans.
 constexpr int SmallestKeptFace = 256;
@@ -215,19 +211,18 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkRenderer* renderer, std::stri
     times.push_back(images.back()->GetMTime());
   }
   static std::mutex mutex;
-  static std::map<EnvironmentKey, std::string> refused;
+  static RecentlyUsed<EnvironmentKey, std::string> refused(MostRefused);
   const bool sRGB = TakesAsSRGB(renderer, texture, images.front());
   const EnvironmentKey key(images, times, sRGB);
   {
     const std::lock_guard<std::mutex> lock(mutex);
-    const auto found = refused.find(key);
-    if (found != refused.end())
+    if (const std::string* known = refused.Find(key))
     {
-      problem = found->second;
+      problem = *known;
       return nullptr;
     }
   }
-  auto environment = GetEnvironments().Find(key,
+  auto environment = Environments::Get().Find(key,
     [&images, sRGB, &problem]() -> vtkSmartPointer<vtkEnvironment>
     {
       if (images.size() == 6)
@@ -244,14 +239,10 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkRenderer* renderer, std::stri
   if (!environment)
   {
     const std::lock_guard<std::mutex> lock(mutex);
-    if (refused.size() >= MostRefused)
-    {
-      refused.clear();
-    }
     refused[key] = problem;
   }
   return environment;
 }
 
-void SweepEnvironments() { GetEnvironments().Sweep(); }
+void SweepEnvironments() { Environments::Get().Sweep(); }
 } // namespace measuredbrdf

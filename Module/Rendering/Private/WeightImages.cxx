@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WeightImages.h"
 
+#include "ParallelFor.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMaterialMap.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -220,7 +220,7 @@ void WeightImages::Measure(vtkMaterialMap* map)
   }
   // Of each row: the materials' means, then the share without any.
   std::vector<double> sums(rows.At.size() * (materials + 1), 0.0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(rows.At.size()),
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(rows.At.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       std::vector<double> weights(materials);

@@ -14,6 +14,7 @@
 #include "MaterialDrawing.h"
 #include "OcclusionPoints.h"
 #include "OcclusionShader.h"
+#include "RenderScopes.h"
 
 #include "vtkActor.h"
 #include "vtkBRDF.h"
@@ -30,51 +31,11 @@
 #include "vtkTexture.h"
 
 #include <algorithm>
+#include <exception>
 #include <numeric>
 
 namespace measuredbrdf
 {
-// The superclass declares normals and positions for lit primitives only; an environment lights
-// scenes without a single vtkLight. Works on int (VTK < 9.4) and on the enum that followed.
-template <typename Complexity>
-class ForceLit
-{
-public:
-  ForceLit(Complexity& complexity, bool force)
-    : Target(complexity)
-    , Saved(complexity)
-  {
-    if (force && static_cast<int>(complexity) == 0)
-    {
-      complexity = static_cast<Complexity>(1);
-    }
-  }
-  ~ForceLit() { this->Target = this->Saved; }
-  ForceLit(const ForceLit&) = delete;
-  void operator=(const ForceLit&) = delete;
-
-private:
-  Complexity& Target;
-  Complexity Saved;
-};
-
-// Counts calls that are not over yet, whatever way they end.
-class Depth
-{
-public:
-  explicit Depth(int& depth)
-    : Count(depth)
-  {
-    ++this->Count;
-  }
-  ~Depth() { --this->Count; }
-  Depth(const Depth&) = delete;
-  void operator=(const Depth&) = delete;
-
-private:
-  int& Count;
-};
-
 // slots: none where there is one material.
 inline std::vector<ShaderMember> GetShaderMembers(
   const DrawnMaterials& materials, const std::vector<int>& slots, const OcclusionLights& lights)
@@ -108,6 +69,8 @@ class vtkMeasuredBRDFMapperInternals : public measuredbrdf::MaterialDrawing
   using measuredbrdf::MaterialDrawing::MaterialDrawing;
 };
 
+#include "vtkMeasuredBRDFMapperMixinOcclusion.txx"
+
 //------------------------------------------------------------------------------
 template <class Base>
 vtkMeasuredBRDFMapperMixin<Base>::vtkMeasuredBRDFMapperMixin()
@@ -130,7 +93,40 @@ template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::RenderPiece(vtkRenderer* ren, vtkActor* actor)
 {
   const measuredbrdf::Depth inside(this->RenderDepth);
-  this->Base::RenderPiece(ren, actor);
+  this->HasStarted = false;
+  this->RenderGuarded([&]() { this->Base::RenderPiece(ren, actor); },
+    [&]()
+    {
+      this->BuiltOcclusionMode = -1; // buffers may be half built
+      if (this->HasStarted)
+      {
+        this->ShowOnly(-1);
+        this->Base::RenderPieceFinish(ren, actor);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::RenderGuarded(
+  const std::function<void()>& draw, const std::function<void()>& finish)
+{
+  std::string problem;
+  try
+  {
+    draw();
+    return;
+  }
+  catch (const std::exception& e) // no memory, say
+  {
+    problem = e.what();
+  }
+  catch (...)
+  {
+    problem = "an unknown exception";
+  }
+  finish();
+  this->Drawing->ReportFailure(problem);
 }
 
 //------------------------------------------------------------------------------
@@ -153,6 +149,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::RenderPieceStart(vtkRenderer* ren, vtkAct
 {
   this->Drawing->BeginFrame(ren, actor, this, this->GetMaterialUses());
   this->Base::RenderPieceStart(ren, actor);
+  this->HasStarted = true;
 }
 
 //------------------------------------------------------------------------------
@@ -228,10 +225,10 @@ std::string vtkMeasuredBRDFMapperMixin<Base>::GetShaderKey(const vtkOpenGLHelper
   {
     return "";
   }
+  const vtkMeasuredBRDFMapperOcclusion occlusion = this->GetOcclusion();
   return this->Drawing->GetSelected().GetKey() + (this->HasTangents() ? "/tangents" : "") +
          (this->HasScalarColors() ? "/colors" : "") + (this->HasBadNormals ? "/bad normals" : "") +
-         measuredbrdf::GetOcclusionKey(this->Drawing->GetSelectedOcclusion(this->HasOcclusion()),
-           { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce(), this->KeepsOcclusion() });
+         measuredbrdf::GetOcclusionKey(occlusion.Lights, occlusion.Layout);
 }
 
 //------------------------------------------------------------------------------
@@ -345,17 +342,14 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
     return;
   }
   this->WarnOfTextures(actor);
-  const measuredbrdf::OcclusionLights lights =
-    this->Drawing->GetSelectedOcclusion(this->HasOcclusion());
+  const auto& [lights, layout] = this->GetOcclusion();
   const measuredbrdf::MixtureText& mixture = this->Drawing->GetSelected().GetMixture();
   const std::vector<measuredbrdf::ShaderMember> members =
     measuredbrdf::GetShaderMembers(this->Drawing->GetSelected().Get(), mixture.Slots, lights);
   std::string fs = shaders[vtkShader::Fragment]->GetSource();
-  const measuredbrdf::OcclusionText occlusion =
-    lights.empty()
-      ? measuredbrdf::OcclusionText()
-      : measuredbrdf::MakeOcclusionText(lights,
-          { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce(), this->KeepsOcclusion() });
+  const measuredbrdf::OcclusionText occlusion = lights.empty()
+                                                  ? measuredbrdf::OcclusionText()
+                                                  : measuredbrdf::MakeOcclusionText(lights, layout);
   std::string declarations = occlusion.FragmentDeclarations + mixture.Declarations +
                              measuredbrdf::GetShaderDeclarations(members);
   if (measuredbrdf::Contains(fs, "anisotropyUniform"))
@@ -499,7 +493,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetMapperShaderParameters(
     program->SetUniformMatrix("brdfTangentMatrix", matrix);
   }
   this->SetOcclusionParameters(program, ren, actor);
-  if (this->KeepsOcclusion())
+  if (this->GetOcclusion().Layout.Kept)
   {
     this->Points->AddTo(cellBO);
   }
@@ -527,7 +521,5 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetPropertyShaderParameters(
     cellBO.Program->SetUniformf("diffuseIntensityBF", 1.0f);
   }
 }
-
-#include "vtkMeasuredBRDFMapperMixinOcclusion.txx"
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of vtkMeasuredBRDFMapperMixin that shades with what surfaces hide from themselves.
-// vtkMeasuredBRDFMapperMixin.txx includes it after the class.
+// vtkMeasuredBRDFMapperMixin.txx includes it before the methods that use it.
 
 #ifndef vtkMeasuredBRDFMapperMixinOcclusion_txx
 #define vtkMeasuredBRDFMapperMixinOcclusion_txx
@@ -11,9 +11,11 @@
 #include "OcclusionKept.h"
 #include "OcclusionPoints.h"
 #include "OcclusionShader.h"
+#include "ShaderLimits.h"
 
 #include "vtkCamera.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkRenderer.h"
@@ -22,6 +24,13 @@
 
 #include <string>
 #include <vector>
+
+//------------------------------------------------------------------------------
+struct vtkMeasuredBRDFMapperOcclusion
+{
+  measuredbrdf::OcclusionLights Lights; // none: nothing is hidden
+  measuredbrdf::OcclusionLayout Layout;
+};
 
 //------------------------------------------------------------------------------
 template <class Base>
@@ -41,6 +50,10 @@ void vtkMeasuredBRDFMapperMixin<Base>::BuildBufferObjects(vtkRenderer* ren, vtkA
   this->BuiltOcclusionMode = this->Drawing->GetSettings().OcclusionMode;
   this->BuiltOcclusionBounce = this->Drawing->GetSettings().OcclusionBounce;
   this->BuiltTracedOcclusion = this->Drawing->GetTracedOcclusion(this);
+  const measuredbrdf::ShaderLimits limits =
+    measuredbrdf::ShaderLimits::Read(static_cast<vtkOpenGLRenderer*>(ren)->GetState());
+  this->MostAttributes = limits.Attributes;
+  this->MostVaryings = limits.Varyings;
   this->OcclusionTime.Modified();
   this->Drawing->BeginOcclusion(this);
   this->HasBadNormals = false;
@@ -98,14 +111,13 @@ bool vtkMeasuredBRDFMapperMixin<Base>::HasOcclusionBounce()
 template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderOcclusion(Shaders shaders)
 {
-  const measuredbrdf::OcclusionLights lights =
-    this->Drawing->GetSelectedOcclusion(this->HasOcclusion());
-  if (lights.empty())
+  const vtkMeasuredBRDFMapperOcclusion occlusion = this->GetOcclusion();
+  if (occlusion.Lights.empty())
   {
     return;
   }
-  const measuredbrdf::OcclusionText text = measuredbrdf::MakeOcclusionText(
-    lights, { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce(), this->KeepsOcclusion() });
+  const measuredbrdf::OcclusionText text =
+    measuredbrdf::MakeOcclusionText(occlusion.Lights, occlusion.Layout);
   const auto add = [&shaders](vtkShader::Type stage, const char* tag, const std::string& lines)
   {
     std::string source = shaders[stage]->GetSource();
@@ -122,29 +134,80 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderOcclusion(Shaders shaders)
 // Whether the light's part of the shader is made for each point beforehand: of one material, since
 // each of several would make it for all points.
 template <class Base>
-bool vtkMeasuredBRDFMapperMixin<Base>::KeepsOcclusion()
+bool vtkMeasuredBRDFMapperMixin<Base>::MayKeepOcclusion()
 {
-  if (!this->HasOcclusion() || !this->Points->IsPossible() ||
-      this->Drawing->GetMaterials().size() > 1 ||
-      this->VBOs->GetVBO("brdfSky0")->GetNumberOfTuples() <
-        measuredbrdf::OcclusionPoints::GetLeastPoints())
-  {
-    return false;
-  }
-  const measuredbrdf::OcclusionLights lights = this->Drawing->GetSelectedOcclusion(true);
-  const measuredbrdf::OcclusionLayout layout = { this->HasTwoSidedOcclusion(),
-    this->HasOcclusionBounce(), true };
-  if (lights.empty() || measuredbrdf::GetKeptNames(lights, layout).empty())
-  {
-    return false; // nothing is hidden of scene lights
-  }
-  std::size_t attributes = this->ExtraAttributes.size();
+  return this->Points->IsPossible() && this->Drawing->GetMaterials().size() <= 1 &&
+         this->VBOs->GetVBO("brdfSky0")->GetNumberOfTuples() >=
+           measuredbrdf::OcclusionPoints::GetLeastPoints();
+}
+
+//------------------------------------------------------------------------------
+// Whether a vertex shader may read so many attributes, and the stages hand on so much, with what
+// the superclass and parts of material maps add.
+template <class Base>
+bool vtkMeasuredBRDFMapperMixin<Base>::FitsOcclusion(
+  const vtkMeasuredBRDFMapperOcclusion& occlusion)
+{
+  std::size_t own = this->ExtraAttributes.size();
   for (const char* name : { "vertexMC", "normalMC", "scalarColor", "tcoord", "tangentMC" })
   {
-    attributes += this->VBOs->GetNumberOfComponents(name) > 0 ? 1 : 0;
+    own += this->VBOs->GetNumberOfComponents(name) > 0 ? 1 : 0;
   }
-  attributes += measuredbrdf::CountKeptAttributes(lights, layout);
-  return attributes <= measuredbrdf::OcclusionPoints::MostAttributes;
+  const measuredbrdf::OcclusionNeeds needs =
+    measuredbrdf::CountOcclusionNeeds(occlusion.Lights, occlusion.Layout);
+  // Tangents may be handed on twice, as the superclass's and turned by ours.
+  return own + needs.Attributes <= this->MostAttributes &&
+         4 * (own + 1) + needs.Varyings <= this->MostVaryings;
+}
+
+//------------------------------------------------------------------------------
+// What the buffers have, or the part of it that the graphics card has room for: without what comes
+// back, then of one side, then nothing.
+template <class Base>
+vtkMeasuredBRDFMapperOcclusion vtkMeasuredBRDFMapperMixin<Base>::GetOcclusion()
+{
+  vtkMeasuredBRDFMapperOcclusion occlusion;
+  occlusion.Lights = this->Drawing->GetSelectedOcclusion(this->HasOcclusion());
+  if (occlusion.Lights.empty())
+  {
+    return occlusion;
+  }
+  measuredbrdf::OcclusionLayout& layout = occlusion.Layout;
+  layout = { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce(), false };
+  const char* leftOut = "";
+  while (!this->FitsOcclusion(occlusion))
+  {
+    if (layout.Bounced)
+    {
+      leftOut = "without what comes back from what is hidden";
+      layout.Bounced = false;
+    }
+    else if (layout.TwoSided)
+    {
+      leftOut = "as if only one of its sides hid anything";
+      layout.TwoSided = false;
+    }
+    else
+    {
+      leftOut = "as if it hid nothing from itself";
+      occlusion.Lights.clear();
+      break;
+    }
+  }
+  if (*leftOut && this->Drawing->WarnOnce(leftOut))
+  {
+    vtkWarningWithObjectMacro(this->Drawing->GetOwner(),
+      << "The surface is drawn " << leftOut << ": shaders of this graphics card may have "
+      << this->MostAttributes << " vertex attributes and " << this->MostVaryings
+      << " components of varyings.");
+  }
+  if (!occlusion.Lights.empty() && this->MayKeepOcclusion())
+  {
+    layout.Kept = true;
+    layout.Kept = !measuredbrdf::GetKeptNames(occlusion.Lights, layout).empty() && // of what hides
+                  this->FitsOcclusion(occlusion);
+  }
+  return occlusion;
 }
 
 //------------------------------------------------------------------------------
@@ -152,13 +215,17 @@ template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::UpdateShaders(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
 {
-  if (this->UsesMaterial(&cellBO) && this->KeepsOcclusion())
+  if (this->UsesMaterial(&cellBO))
   {
-    this->KeepOcclusion(ren, actor);
-  }
-  else if (this->UsesMaterial(&cellBO))
-  {
-    this->Points->Drop();
+    const vtkMeasuredBRDFMapperOcclusion occlusion = this->GetOcclusion();
+    if (occlusion.Layout.Kept)
+    {
+      this->KeepOcclusion(occlusion, ren, actor);
+    }
+    else
+    {
+      this->Points->Drop();
+    }
   }
   this->Base::UpdateShaders(cellBO, ren, actor);
 }
@@ -166,11 +233,10 @@ void vtkMeasuredBRDFMapperMixin<Base>::UpdateShaders(
 //------------------------------------------------------------------------------
 // Before triangles are drawn: what of their points rests while the light does, unless it is kept.
 template <class Base>
-void vtkMeasuredBRDFMapperMixin<Base>::KeepOcclusion(vtkRenderer* ren, vtkActor* actor)
+void vtkMeasuredBRDFMapperMixin<Base>::KeepOcclusion(
+  const vtkMeasuredBRDFMapperOcclusion& occlusion, vtkRenderer* ren, vtkActor* actor)
 {
-  const measuredbrdf::OcclusionLights lights = this->Drawing->GetSelectedOcclusion(true);
-  const measuredbrdf::OcclusionLayout layout = { this->HasTwoSidedOcclusion(),
-    this->HasOcclusionBounce(), true };
+  const auto& [lights, layout] = occlusion;
   const measuredbrdf::OcclusionAxes axes(ren, actor, this->GetEnvironments());
   const measuredbrdf::OcclusionPoints::Question question = { ren, actor,
     measuredbrdf::GetKeptInputs(lights, layout, axes.ToEnvironment), this->OcclusionTime };
@@ -204,15 +270,14 @@ template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::SetOcclusionParameters(
   vtkShaderProgram* program, vtkRenderer* ren, vtkActor* actor)
 {
-  const measuredbrdf::OcclusionLights lights =
-    this->Drawing->GetSelectedOcclusion(this->HasOcclusion());
+  const auto& [lights, layout] = this->GetOcclusion();
   if (lights.empty())
   {
     return;
   }
   const measuredbrdf::OcclusionAxes axes(ren, actor, this->GetEnvironments());
-  const measuredbrdf::OcclusionSides sides = { this->HasTwoSidedOcclusion(),
-    this->HasOcclusionBounce(), this->IsOtherSideClosed, this->LeastOcclusionCosine };
+  const measuredbrdf::OcclusionSides sides = { layout.TwoSided, layout.Bounced,
+    this->IsOtherSideClosed, this->LeastOcclusionCosine };
   measuredbrdf::SetOcclusionUniforms(program, lights, sides, axes.ToModel,
     ren->GetActiveCamera()->GetParallelProjection() != 0, axes.ToEnvironment);
 }

@@ -72,8 +72,9 @@ Values GetCosineTransfer(const glm::dvec3& n)
 
 Colors Rotate(const Colors& light, const glm::dmat3& r)
 {
-  static const std::vector<glm::dvec3> directions = MakeDirections();
-  static const std::vector<Band> bands = MakeBands(directions);
+  // Threads may use them until the very end.
+  static const auto& directions = *new std::vector<glm::dvec3>(MakeDirections());
+  static const auto& bands = *new std::vector<Band>(MakeBands(directions));
   Colors result;
   std::array<Values, Width> turned;
   for (std::size_t k = 0; k < directions.size(); ++k)

@@ -5,12 +5,12 @@
 #include "BounceTracer.h"
 #include "HiddenSky.h"
 #include "LocalFrame.h"
+#include "ParallelFor.h"
 #include "SurfacePoints.h"
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <chrono>
@@ -137,7 +137,7 @@ bool VisibilityTask::ForEach(vtkIdType count, const Visit& visit)
   {
     const vtkIdType size = std::min(this->Chunk, count - first);
     const auto start = std::chrono::steady_clock::now();
-    vtkSMPTools::For(first, first + size, 64,
+    measuredbrdf::ParallelFor(first, first + size, 64,
       [&visit](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType k = begin; k < end; ++k)

@@ -13,6 +13,7 @@
 #include "vtkBRDFShaderInputs.h"
 #include "vtkSmartPointer.h"
 #include "vtkTensorTreeBRDF.h"
+#include "vtkWeakPointer.h"
 
 #include <gtest/gtest.h>
 
@@ -244,6 +245,36 @@ TEST(AnisotropicWarp, CopiesShareTheTable)
   EXPECT_EQ(copy->GetRenderable(), file->GetRenderable());
   ASSERT_EQ(file->SetTables(MakeAnisotropicTables(NewBrushedMetal(0.5, 0.6), sizes)), "");
   EXPECT_NE(copy->GetRenderable(), file->GetRenderable());
+}
+
+// A copy of another tolerance, in another thread say, does not take away what the material has
+// handed out.
+TEST(AnisotropicWarp, TablesOfCopiesStay)
+{
+  AnisotropicWarpSizes sizes;
+  sizes.Parts = 2;
+  sizes.Thetas = 8;
+  sizes.Side = 17;
+  vtkNew<vtkAdaptiveWarpBRDF> file;
+  ASSERT_EQ(file->SetTables(MakeAnisotropicTables(NewBrushed(), sizes)), "");
+  file->SetResamplingTolerance(0.3);
+  const auto copy = vtkSmartPointer<vtkBRDF>::Take(file->NewSnapshot());
+  const auto other = vtkSmartPointer<vtkBRDF>::Take(file->NewSnapshot());
+  const vtkWeakPointer<vtkBRDF> table = file->GetRenderable();
+  EXPECT_EQ(copy->GetRenderable(), table);
+  other->SetResamplingTolerance(0.5);
+  const vtkWeakPointer<vtkBRDF> coarse = other->GetRenderable();
+  EXPECT_NE(coarse, table);
+  ASSERT_TRUE(table);
+  EXPECT_EQ(file->GetRenderable(), table);
+  EXPECT_EQ(table->GetResamplingTolerance(), 0.3);
+  // Who changes to a tolerance that a copy has takes that one's.
+  file->SetResamplingTolerance(0.5);
+  EXPECT_EQ(file->GetRenderable(), coarse);
+  EXPECT_EQ(copy->GetRenderable(), table);
+  copy->SetResamplingTolerance(0.5);
+  EXPECT_EQ(copy->GetRenderable(), coarse);
+  EXPECT_FALSE(table);
 }
 
 TEST(TensorTree, RefusesTowers)

@@ -37,6 +37,9 @@
 
 #include <fcntl.h>
 #include <sys/socket.h>
+#if defined(__linux__)
+#include <sys/inotify.h>
+#endif
 #include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -272,6 +275,49 @@ TEST_F(PlanCache, StaysWithinItsBounds)
   EXPECT_FALSE(this->Plan()->GetFromCache());
   EXPECT_FALSE(this->Plan()->GetFromCache());
 }
+
+#if defined(__linux__)
+// Hundreds of programs may share a folder on a server.
+TEST_F(PlanCache, OpensOnlyWhatGoes)
+{
+  const std::string digits = "0123456789abcdef";
+  std::string key(32, '0');
+  const auto write = [&](std::uint64_t most)
+  {
+    key.back() = digits[(digits.find(key.back()) + 1) % 16];
+    measuredbrdf::WriteCache(this->Folder, key, std::string(1000, 'x'), most);
+  };
+  write(1 << 20);
+  const std::string own = this->Folder + "/" + measuredbrdf::CacheSubfolder;
+  const int watch = inotify_init1(IN_NONBLOCK);
+  ASSERT_GE(inotify_add_watch(watch, own.c_str(), IN_OPEN), 0);
+  const auto countOpened = [watch]()
+  {
+    int count = 0;
+    alignas(inotify_event) char buffer[8192];
+    for (ssize_t size = 0; (size = read(watch, buffer, sizeof(buffer))) > 0;)
+    {
+      for (char* at = buffer; at < buffer + size;)
+      {
+        const auto* event = reinterpret_cast<const inotify_event*>(at);
+        count += event->len > 0 ? 1 : 0; // not the folder itself
+        at += sizeof(inotify_event) + event->len;
+      }
+    }
+    return count;
+  };
+  for (int k = 0; k < 8; ++k)
+  {
+    write(1 << 20);
+  }
+  EXPECT_EQ(countOpened(), 8); // each write its own file
+  EXPECT_EQ(this->GetFiles().size(), 9u);
+  write(9 * 1100); // one has to go
+  EXPECT_EQ(countOpened(), 2);
+  EXPECT_EQ(this->GetFiles().size(), 9u);
+  close(watch);
+}
+#endif
 
 TEST_F(PlanCache, UnwritableFoldersAreNoCache)
 {

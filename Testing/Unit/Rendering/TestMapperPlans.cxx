@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -461,6 +462,69 @@ TEST_F(Views, ForViewIsBridged)
   EXPECT_FALSE(this->Update());
   EXPECT_EQ(this->Drawn, everywhere);
   EXPECT_FALSE(this->Plans.IsPending());
+}
+
+//------------------------------------------------------------------------------
+// So it does in every renderer, each of which comes to it with its own next frame, and for every
+// actor; not for what comes later.
+TEST_F(Views, ForViewIsBridgedInEveryRenderer)
+{
+  this->When = Timing::Changes;
+  vtkNew<vtkActor> second;
+  const auto update = [this](vtkRenderer* renderer, vtkActor* actor)
+  {
+    PlanRequest request = this->GetRequest(renderer, this->Sky);
+    request.Actor = actor;
+    return this->Update(request);
+  };
+  EXPECT_TRUE(update(this->One, this->Actor));
+  const vtkRadiancePlanner* everywhere = this->Drawn;
+  EXPECT_TRUE(update(this->Two, this->Actor));
+  this->ForView = true;
+  for (const auto& [renderer, actor] :
+    { std::pair(this->One.Get(), this->Actor.Get()), std::pair(this->One.Get(), second.Get()),
+      std::pair(this->Two.Get(), this->Actor.Get()), std::pair(this->Two.Get(), second.Get()) })
+  {
+    EXPECT_FALSE(update(renderer, actor));
+    EXPECT_EQ(this->Drawn, everywhere);
+  }
+  EXPECT_TRUE(this->Plans.IsPending());
+  update(this->One, this->Actor); // the next frame
+  vtkNew<vtkActor> third;
+  EXPECT_TRUE(update(this->One, third)); // waited for
+  EXPECT_NE(this->Drawn, everywhere);
+  this->ForView = false;
+  this->BRDF->Door->TakePasses();
+  for (vtkRenderer* renderer : { this->One.Get(), this->Two.Get() })
+  {
+    update(renderer, this->Actor);
+    EXPECT_TRUE(this->Drawn);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whoever waits for a plan on another thread can stop waiting.
+TEST_F(Views, WaitingCanBeStopped)
+{
+  this->BRDF->Door->Close();
+  CurrentPlan plan;
+  const PlanInputs inputs(this->BRDF, this->Sky, 0.3, nullptr);
+  plan.Begin(inputs);
+  ASSERT_TRUE(WaitUntil([this]() { return this->BRDF->Door->IsAwaited(); }));
+  std::thread opener( // a call that does not ask would else never return
+    [door = this->BRDF->Door]()
+    {
+      std::this_thread::sleep_for(std::chrono::seconds(3));
+      door->OpenUp();
+    });
+  int asked = 0;
+  EXPECT_TRUE(plan.Update(
+    inputs, Timing::Foreground, this->Problem, [&asked](double) { return ++asked < 3; }));
+  EXPECT_TRUE(this->BRDF->Door->IsAwaited());
+  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(this->Problem, "aborted");
+  EXPECT_EQ(plan.GetPlan(), nullptr);
+  opener.join();
 }
 
 //------------------------------------------------------------------------------
