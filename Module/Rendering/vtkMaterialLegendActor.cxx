@@ -386,9 +386,8 @@ int vtkMaterialLegendActor::RenderOverlay(vtkViewport* viewport)
 //------------------------------------------------------------------------------
 int vtkMaterialLegendActor::RenderOpaqueGeometry(vtkViewport* viewport)
 {
-  if (!viewport ||
-      !measuredbrdf::RunGuarded(
-        this, "RenderOpaqueGeometry", [&]() { this->UpdateLayout(viewport); }))
+  if (!viewport || !measuredbrdf::RunGuarded(
+                     this, "RenderOpaqueGeometry", [&]() { this->UpdateLayout(viewport); }))
   {
     return 0;
   }
