@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // measured-brdf: measured materials from the command line, over the module's public API.
 
+#include "Meshes.h"
+#include "ReadApart.h"
 #include "Tool.h"
 
 #include "MeasuredBRDFToolVersion.h"
@@ -67,6 +69,10 @@ void AddCommands(CLI::App& app)
 int Run(int argc, char* argv[])
 {
   tool::RedirectMessages();
+  if (argc == 3 && std::string(argv[1]) == tool::ReadMeshOption)
+  {
+    return tool::AnswerLoadMesh(argv[2]);
+  }
 
   CLI::App app("Measured materials (BRDFs): look into them, evaluate them, light them with an HDR\n"
                "environment, render and convert them.",

@@ -473,6 +473,12 @@ vtkSmartPointer<vtkPolyData> LoadMesh(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+int AnswerLoadMesh(const std::string& path)
+{
+  return AnswerApart([&path]() { return ReadMesh(path); });
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeSphere()
 {
   vtkNew<vtkSphereSource> sphere;

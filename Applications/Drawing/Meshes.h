@@ -20,6 +20,9 @@ namespace tool
 /// file without normals gets smooth ones. "ball-on-foot" gives MakeBallOnFoot(). Throws Error.
 vtkSmartPointer<vtkPolyData> LoadMesh(const std::string& path);
 
+/// What the tool's program does where LoadMesh starts it with ReadMeshOption and the file's path.
+int AnswerLoadMesh(const std::string& path);
+
 /// The endings of files that LoadMesh takes, with the dot.
 const std::vector<std::string>& GetMeshExtensions();
 

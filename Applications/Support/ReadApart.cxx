@@ -7,12 +7,13 @@
 #include "Tool.h"
 
 #include "vtkNew.h"
-#include "vtkSMPTools.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
 #if !defined(_WIN32)
+#include <fcntl.h>
 #include <poll.h>
+#include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -26,7 +27,9 @@
 #include <csignal>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <system_error>
 
 #if !defined(_WIN32)
 namespace
@@ -86,31 +89,13 @@ std::string Answer(const std::function<vtkSmartPointer<vtkPolyData>()>& read)
 }
 
 //------------------------------------------------------------------------------
-[[noreturn]] void RunChild(int pipe, const std::function<vtkSmartPointer<vtkPolyData>()>& read)
+// The tool, which answers ReadMeshOption, beside this program; empty where there is none.
+std::string FindTool()
 {
-  for (const int signal : { SIGTERM, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT })
-  {
-    std::signal(signal, SIG_DFL);
-  }
-  std::signal(SIGINT, SIG_IGN); // the parent's to answer
-  const rlimit none = { 0, 0 };
-  setrlimit(RLIMIT_CORE, &none);
-#if defined(__linux__)
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
-  vtkSMPTools::SetBackend("Sequential"); // no thread of a pool has come along
-  const std::string answer = Answer(read);
-  std::size_t done = 0;
-  while (done < answer.size())
-  {
-    const ssize_t count = write(pipe, answer.data() + done, answer.size() - done);
-    if (count < 0 && errno != EINTR)
-    {
-      _exit(1);
-    }
-    done += count > 0 ? static_cast<std::size_t>(count) : 0;
-  }
-  _exit(0); // what the parent's objects do at its end is not done twice
+  std::error_code error;
+  const auto own = std::filesystem::read_symlink("/proc/self/exe", error);
+  const auto beside = own.parent_path() / "measured-brdf";
+  return !error && std::filesystem::exists(beside, error) ? beside.string() : "";
 }
 
 //------------------------------------------------------------------------------
@@ -118,26 +103,29 @@ std::string Answer(const std::function<vtkSmartPointer<vtkPolyData>()>& read)
 class Child
 {
 public:
-  explicit Child(const std::function<vtkSmartPointer<vtkPolyData>()>& read)
+  /// A program that begins anew: a copy of this one would have its locks, and not its threads.
+  Child(std::string program, std::string path)
   {
     int ends[2];
     if (pipe(ends) != 0)
     {
       throw tool::Error(std::string("no pipe could be made: ") + std::strerror(errno));
     }
-    this->Id = fork();
-    if (this->Id == 0)
-    {
-      close(ends[0]);
-      RunChild(ends[1], read);
-    }
-    close(ends[1]);
     this->Pipe = ends[0];
-    if (this->Id < 0)
+    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
+    std::string option = tool::ReadMeshOption;
+    char* const words[] = { program.data(), option.data(), path.data(), nullptr };
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+    const int error = posix_spawn(&this->Id, program.c_str(), &actions, nullptr, words, environ);
+    posix_spawn_file_actions_destroy(&actions);
+    close(ends[1]);
+    if (error != 0)
     {
-      const std::string reason = std::strerror(errno);
       close(this->Pipe);
-      throw tool::Error("no process could be started: " + reason);
+      throw tool::Error(std::string("no process could be started: ") + std::strerror(error));
     }
   }
   ~Child()
@@ -196,7 +184,12 @@ namespace tool
 vtkSmartPointer<vtkPolyData> ReadApart(
   const std::string& path, const std::function<vtkSmartPointer<vtkPolyData>()>& read)
 {
-  Child child(read);
+  const std::string program = FindTool();
+  if (program.empty())
+  {
+    return read();
+  }
+  Child child(program, path);
   const std::string answer = child.Read();
   const int status = child.Wait();
   if (!answer.empty() && answer[0] == IsError)
@@ -215,6 +208,31 @@ vtkSmartPointer<vtkPolyData> ReadApart(
   PrintNote(answer.substr(1, end - 1));
   return Deserialize(answer.substr(end + 1));
 }
+
+//------------------------------------------------------------------------------
+int AnswerApart(const std::function<vtkSmartPointer<vtkPolyData>()>& read)
+{
+  std::signal(SIGINT, SIG_IGN); // the parent's to answer
+  const rlimit none = { 0, 0 };
+  setrlimit(RLIMIT_CORE, &none);
+#if defined(__linux__)
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+  const int pipe = dup(STDOUT_FILENO);
+  dup2(STDERR_FILENO, STDOUT_FILENO); // what VTK's readers print is no part of the answer
+  const std::string answer = Answer(read);
+  std::size_t done = 0;
+  while (done < answer.size())
+  {
+    const ssize_t count = write(pipe, answer.data() + done, answer.size() - done);
+    if (count < 0 && errno != EINTR)
+    {
+      return 1;
+    }
+    done += count > 0 ? static_cast<std::size_t>(count) : 0;
+  }
+  return 0;
+}
 } // namespace tool
 #else
 namespace tool
@@ -225,5 +243,8 @@ vtkSmartPointer<vtkPolyData> ReadApart(
 {
   return read();
 }
+
+//------------------------------------------------------------------------------
+int AnswerApart(const std::function<vtkSmartPointer<vtkPolyData>()>&) { return 1; }
 } // namespace tool
 #endif

@@ -17,13 +17,20 @@
 namespace tool
 {
 /**
- * What read returns, made in a child process. A crash there is an Error here that names the file,
- * and Ctrl-C, or the stop of this thread's BackgroundWork, ends the child whatever it does. Errors
- * that read throws and notes that it prints pass through. Where there is no fork() (Windows), read
- * runs in this process.
+ * What AnswerApart makes of a file, in a process of the tool's program. A crash there is an Error
+ * here that names the file, and Ctrl-C, or the stop of this thread's BackgroundWork, ends that
+ * process whatever it does. Errors that read throws and notes that it prints pass through. Where
+ * the tool's program does not lie beside this one, or is not found (Windows, macOS), read runs in
+ * this process.
  */
 vtkSmartPointer<vtkPolyData> ReadApart(
   const std::string& path, const std::function<vtkSmartPointer<vtkPolyData>()>& read);
+
+/// The tool's first argument in that process; the file's path is the second.
+constexpr const char* ReadMeshOption = "--read-mesh-for-parent";
+
+/// Write what read returns, or its error, to standard output for ReadApart. Returns the status.
+int AnswerApart(const std::function<vtkSmartPointer<vtkPolyData>()>& read);
 } // namespace tool
 
 #endif

@@ -37,39 +37,42 @@ public:
 
   bool Run(std::function<void()> work, std::function<void()> stop)
   {
-    std::unique_lock<std::mutex> lock(this->Mutex);
-    if (this->IsEnding)
+    std::list<Entry> done;
     {
-      return false;
-    }
-    this->Register();
-    const auto place = this->Stops.insert(this->Stops.end(), std::move(stop));
-    try
-    {
-      std::thread(
-        [this, place, own = std::move(work)]() mutable
-        {
-          try
+      const std::lock_guard<std::mutex> lock(this->Mutex);
+      if (this->IsEnding)
+      {
+        return false;
+      }
+      this->Register();
+      this->TakeDone(done);
+      const auto place = this->Entries.emplace(this->Entries.end());
+      place->Stop = std::move(stop);
+      try
+      {
+        place->Thread = std::thread(
+          [this, place, own = std::move(work)]() mutable
           {
-            own();
-          }
-          catch (...) // nobody catches it above a thread
-          {
-          }
-          own = nullptr; // what it held goes before the thread counts as ended
-          std::list<std::function<void()>> ended;
-          std::unique_lock<std::mutex> held(this->Mutex);
-          ended.splice(ended.end(), this->Stops, place);
-          // Objects of the thread go before the lock does.
-          std::notify_all_at_thread_exit(this->Ended, std::move(held));
-        })
-        .detach();
+            try
+            {
+              own();
+            }
+            catch (...) // nobody catches it above a thread
+            {
+            }
+            own = nullptr; // what it held goes before the thread counts as ended
+            const std::lock_guard<std::mutex> held(this->Mutex);
+            place->IsDone = true;
+            this->Changed.notify_all();
+          });
+      }
+      catch (const std::exception&) // no thread, or no memory for one
+      {
+        this->Entries.erase(place);
+        return false;
+      }
     }
-    catch (const std::exception&) // no thread, or no memory for one
-    {
-      this->Stops.erase(place);
-      return false;
-    }
+    Join(done);
     return true;
   }
 
@@ -81,6 +84,34 @@ public:
   }
 
 private:
+  struct Entry
+  {
+    std::function<void()> Stop;
+    std::thread Thread;
+    bool IsDone = false; // but for what the thread itself still destroys
+  };
+
+  void TakeDone(std::list<Entry>& done)
+  {
+    for (auto entry = this->Entries.begin(); entry != this->Entries.end();)
+    {
+      const auto next = std::next(entry);
+      if (entry->IsDone)
+      {
+        done.splice(done.end(), this->Entries, entry);
+      }
+      entry = next;
+    }
+  }
+
+  static void Join(std::list<Entry>& done)
+  {
+    for (Entry& entry : done)
+    {
+      entry.Thread.join();
+    }
+  }
+
   // Statics go in the reverse order in which they were made: the ones that VTK makes when they are
   // first used have to be there before.
   void Register()
@@ -107,7 +138,10 @@ private:
     std::vector<std::function<void()>> stops;
     std::unique_lock<std::mutex> lock(this->Mutex);
     this->IsEnding = true;
-    stops.assign(this->Stops.begin(), this->Stops.end());
+    for (const Entry& entry : this->Entries)
+    {
+      stops.push_back(entry.Stop);
+    }
     lock.unlock();
     for (const std::function<void()>& stop : stops)
     {
@@ -115,12 +149,21 @@ private:
     }
     stops.clear();
     lock.lock();
-    if (!this->Ended.wait_for(lock, ThreadPatience, [this]() { return this->Stops.empty(); }))
+    std::list<Entry> done;
+    const auto isDone = [this, &done]()
     {
+      this->TakeDone(done);
+      return this->Entries.empty();
+    };
+    if (!this->Changed.wait_for(lock, ThreadPatience, isDone))
+    {
+      lock.unlock();
+      Join(done);
       return;
     }
     const std::vector<std::function<void()>> releases = std::move(this->Releases);
     lock.unlock();
+    Join(done);
     for (auto release = releases.rbegin(); release != releases.rend(); ++release)
     {
       (*release)();
@@ -129,8 +172,8 @@ private:
   }
 
   std::mutex Mutex;
-  std::condition_variable Ended;
-  std::list<std::function<void()>> Stops; // one for each thread
+  std::condition_variable Changed;
+  std::list<Entry> Entries; // one for each thread
   std::vector<std::function<void()>> Releases;
   bool IsRegistered = false;
   bool IsEnding = false;
