@@ -40,10 +40,11 @@ export GALLIVM_PERF=nopt
 export MESA_SHADER_CACHE_DIR="$PWD/build/shader-cache"
 rm -rf "$MESA_SHADER_CACHE_DIR"
 export MEASUREDBRDF_CACHE=off # nothing of earlier runs
-# The library's tests run as a German user's Qt program does, with decimal commas in C's locale: no test runs twice. The tool, a program that sets no locale, and the installed package run in C's own.
+# The library's tests run with decimal commas in C's locale, as in a German user's Qt program. The tool sets no locale, so
+# its tests run in C's own.
 locale=de_DE.UTF-8
 if localedef -i de_DE -f UTF-8 "$PWD/build/$locale" 2>/dev/null || [ -d "build/$locale" ]; then
-  export LOCPATH="$PWD/build" MEASUREDBRDF_TEST_LOCALE=$locale
+  export LOCPATH="$PWD/build:/usr/lib/locale" MEASUREDBRDF_TEST_LOCALE=$locale
 else
   echo "Not run with decimal commas: localedef made no locale $locale (Debian's package locales has it)"
 fi

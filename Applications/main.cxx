@@ -135,7 +135,7 @@ int Run(int argc, char* argv[])
 
 int main(int argc, char* argv[])
 {
-  std::signal(SIGXFSZ, SIG_IGN); // a limit of file sizes is an error with a message, no end
+  std::signal(SIGXFSZ, SIG_IGN); // a limit of file sizes is an error with a message
   try
   {
     return Run(argc, argv);

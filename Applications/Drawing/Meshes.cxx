@@ -475,7 +475,7 @@ vtkSmartPointer<vtkPolyData> LoadMesh(const std::string& path)
 //------------------------------------------------------------------------------
 int AnswerLoadMesh(const std::string& path)
 {
-  return AnswerApart([&path]() { return ReadMesh(path); });
+  return AnswerApart(path, [&path]() { return ReadMesh(path); });
 }
 
 //------------------------------------------------------------------------------

@@ -392,7 +392,7 @@ QString Side::Describe() const
   {
     return tr("%1: planning").arg(name);
   }
-  return this->IsReference() ? name
+  return this->IsReference() ? tr("%1; no self-shadowing on either side").arg(name)
                              : name + ": " +
                                  QString::fromStdString(planner->GetMethodName(choice) + ", " +
                                                         planner->GetDescription(choice));

@@ -26,7 +26,8 @@ using nlohmann::ordered_json;
 namespace
 {
 const char* const FormatName = "measured-brdf explorer state";
-constexpr int FormatVersion = 1;
+// Version 1 counted exposure from what suits the environment.
+constexpr int FormatVersion = 2;
 constexpr std::uintmax_t LargestFile = 1 << 20; // bytes
 
 //------------------------------------------------------------------------------
@@ -289,7 +290,7 @@ State ReadState(const std::string& text, const std::string& name)
   }
   int version = 0;
   fields.Take("version", version, 0, 1000000);
-  if (version != FormatVersion)
+  if (version != FormatVersion && version != 1)
   {
     fields.Fail("version", std::to_string(FormatVersion) + ", not " + std::to_string(version));
   }
@@ -321,7 +322,10 @@ State ReadState(const std::string& text, const std::string& name)
   }
   state.Show = show == "split" ? Shown::Split : Shown::Difference;
   fields.Take("split", state.Split, 0.0, 1.0);
-  fields.Take("exposure", state.Exposure, -MostStops, MostStops);
+  if (version == FormatVersion)
+  {
+    fields.Take("exposure", state.Exposure, -MostStops, MostStops);
+  }
   fields.Take("backdrop", state.Backdrop);
   fields.Take("reference_height", state.ReferenceHeight, 32, 2048);
   if (json.contains("camera"))

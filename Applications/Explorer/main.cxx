@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 
@@ -69,6 +70,7 @@ int Run(int argc, char* argv[])
 
 int main(int argc, char* argv[])
 {
+  std::signal(SIGXFSZ, SIG_IGN); // a limit of file sizes is an error with a message
   for (int k = 1; k < argc; ++k) // before a display is asked for
   {
     if (std::string(argv[k]) == "--help" || std::string(argv[k]) == "-h" ||

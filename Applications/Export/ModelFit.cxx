@@ -500,11 +500,17 @@ ModelFit FitModel(const std::string& model, vtkBRDF* brdf, const LitSphere& sphe
   ModelFit fit = fitPart(Dielectric, 1);
   if (fit.Error > (1.0 + WorthIt) * closest.Error)
   {
-    ModelFit metal = fitPart(Metal, 2);
-    // One at the least metallic part wants to be none.
-    const bool isMetal = metal.Model->GetValues()[3] > Metal.LeastMetallic + 1e-3 &&
-                         metal.Error < (1.0 - WorthIt) * fit.Error;
-    fit = isMetal ? metal : fit;
+    try
+    {
+      ModelFit metal = fitPart(Metal, 2);
+      // One at the least metallic part wants to be none.
+      const bool isMetal = metal.Model->GetValues()[3] > Metal.LeastMetallic + 1e-3 &&
+                           metal.Error < (1.0 - WorthIt) * fit.Error;
+      fit = isMetal ? metal : fit;
+    }
+    catch (const std::runtime_error&) // no start is finite: the dielectric stays
+    {
+    }
   }
   proceed(1.0);
   fit.ClosestError = std::min(closest.Error, fit.Error);

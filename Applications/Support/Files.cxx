@@ -105,8 +105,8 @@ tool::Pair ParsePair(const std::string& line, const tool::PairColumns& columns,
     const std::string& cell = cells[places[c]];
     if (!measuredbrdf::ParseNumber(cell, pair[c]))
     {
-      throw tool::Error(
-        where + ": column '" + columns[c] + "': '" + cell.substr(0, 40) + "' is no finite number");
+      throw tool::Error(where + ": column '" + columns[c] + "': '" + cell.substr(0, 40) +
+                        "' is not a finite number");
     }
   }
   for (std::size_t first = 0; first < 6; first += 3)

@@ -10,16 +10,14 @@
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
-#if !defined(_WIN32)
+#if defined(__linux__)
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#endif
-#if defined(__linux__)
-#include <sys/prctl.h>
 #endif
 
 #include <atomic>
@@ -31,7 +29,7 @@
 #include <new>
 #include <system_error>
 
-#if !defined(_WIN32)
+#if defined(__linux__)
 namespace
 {
 // The first byte of a child's answer says what follows.
@@ -64,11 +62,17 @@ vtkSmartPointer<vtkPolyData> Deserialize(const std::string& text)
   reader->ReadFromInputStringOn();
   reader->SetInputString(text);
   reader->Update();
+  const std::string errors = tool::TakeErrorText();
+  if (!errors.empty())
+  {
+    throw tool::Error("the mesh could not be handed over: " + errors);
+  }
   return reader->GetOutput();
 }
 
 //------------------------------------------------------------------------------
-std::string Answer(const std::function<vtkSmartPointer<vtkPolyData>()>& read)
+std::string Answer(
+  const std::string& path, const std::function<vtkSmartPointer<vtkPolyData>()>& read)
 {
   const std::atomic<bool> stop{ false }; // a signal stops the process
   tool::BackgroundWork work(stop, [](const std::string&, double) {});
@@ -80,7 +84,7 @@ std::string Answer(const std::function<vtkSmartPointer<vtkPolyData>()>& read)
   }
   catch (const std::bad_alloc&)
   {
-    return std::string(1, IsError) + "out of memory";
+    return IsError + path + ": its data need more memory than there is";
   }
   catch (const std::exception& error)
   {
@@ -107,13 +111,11 @@ public:
   Child(std::string program, std::string path)
   {
     int ends[2];
-    if (pipe(ends) != 0)
+    if (pipe2(ends, O_CLOEXEC) != 0) // no other child holds an end open
     {
       throw tool::Error(std::string("no pipe could be made: ") + std::strerror(errno));
     }
     this->Pipe = ends[0];
-    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
     std::string option = tool::ReadMeshOption;
     char* const words[] = { program.data(), option.data(), path.data(), nullptr };
     posix_spawn_file_actions_t actions;
@@ -190,7 +192,7 @@ vtkSmartPointer<vtkPolyData> ReadApart(
     return read();
   }
   Child child(program, path);
-  const std::string answer = child.Read();
+  std::string answer = child.Read();
   const int status = child.Wait();
   if (!answer.empty() && answer[0] == IsError)
   {
@@ -206,21 +208,20 @@ vtkSmartPointer<vtkPolyData> ReadApart(
                 ", expected a file that is whole, whose counts and indices fit together");
   }
   PrintNote(answer.substr(1, end - 1));
-  return Deserialize(answer.substr(end + 1));
+  answer.erase(0, end + 1);
+  return Deserialize(answer);
 }
 
 //------------------------------------------------------------------------------
-int AnswerApart(const std::function<vtkSmartPointer<vtkPolyData>()>& read)
+int AnswerApart(const std::string& path, const std::function<vtkSmartPointer<vtkPolyData>()>& read)
 {
   std::signal(SIGINT, SIG_IGN); // the parent's to answer
   const rlimit none = { 0, 0 };
   setrlimit(RLIMIT_CORE, &none);
-#if defined(__linux__)
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
   const int pipe = dup(STDOUT_FILENO);
   dup2(STDERR_FILENO, STDOUT_FILENO); // what VTK's readers print is no part of the answer
-  const std::string answer = Answer(read);
+  const std::string answer = Answer(path, read);
   std::size_t done = 0;
   while (done < answer.size())
   {
@@ -245,6 +246,9 @@ vtkSmartPointer<vtkPolyData> ReadApart(
 }
 
 //------------------------------------------------------------------------------
-int AnswerApart(const std::function<vtkSmartPointer<vtkPolyData>()>&) { return 1; }
+int AnswerApart(const std::string&, const std::function<vtkSmartPointer<vtkPolyData>()>&)
+{
+  return 1;
+}
 } // namespace tool
 #endif

@@ -30,7 +30,7 @@ vtkSmartPointer<vtkPolyData> ReadApart(
 constexpr const char* ReadMeshOption = "--read-mesh-for-parent";
 
 /// Write what read returns, or its error, to standard output for ReadApart. Returns the status.
-int AnswerApart(const std::function<vtkSmartPointer<vtkPolyData>()>& read);
+int AnswerApart(const std::string& path, const std::function<vtkSmartPointer<vtkPolyData>()>& read);
 } // namespace tool
 
 #endif

@@ -79,9 +79,9 @@ with tempfile.TemporaryDirectory() as folder:
     examples = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Python")
     for name in ("evaluate_material.py", "measured_sphere.py"):
         output = ["-o", os.path.join(folder, "x.png")] if name == "measured_sphere.py" else []
-        said = subprocess.run([sys.executable, "-B", os.path.join(examples, name), path, *output], check=True,
+        text = subprocess.run([sys.executable, "-B", os.path.join(examples, name), path, *output], check=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True).stdout
-        assert "embedded material" not in said, said
+        assert "embedded material" not in text, text
     reader.SetFileName(path + "#nothing")
     assert not reader.Read() and reader.GetTransmission() is transmission
 print(", ".join(names))

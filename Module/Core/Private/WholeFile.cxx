@@ -55,18 +55,24 @@ fs::path FindPlace(const std::string& path)
   {
     return {};
   }
+  // An open file, as "/dev/fd/3" and "/dev/stdout" are: others hold it open, too.
+  const auto isOpenFile = [](const fs::path& link)
+  {
+    std::error_code ignored;
+    return fs::weakly_canonical(GetFolder(link), ignored).string().rfind("/proc/", 0) == 0;
+  };
   for (int links = 0; fs::is_symlink(fs::symlink_status(place, error)); ++links)
   {
+    if (isOpenFile(place))
+    {
+      return {};
+    }
     const fs::path target = fs::read_symlink(place, error);
     if (error || links == MostLinks)
     {
       FailToWrite(path, error ? error.message() : "links that lead to each other");
     }
     place = place.parent_path() / target; // that alone where it is absolute
-    if (place.string().rfind("/proc/", 0) == 0)
-    {
-      return {}; // an open file, as "/dev/stdout" is; others hold it open, too
-    }
   }
   if (!fs::is_directory(GetFolder(place), error))
   {

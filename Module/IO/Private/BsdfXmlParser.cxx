@@ -295,7 +295,8 @@ BsdfXmlTexts ParseBsdfXml(const FileBytes& file)
   {
     const std::string problem = parser->Problem.empty() ? "no well-formed XML" : parser->Problem;
     // The parser names the place behind an ampersand that begins no entity.
-    const auto end = static_cast<std::size_t>(parser->ProblemOffset);
+    const std::size_t end =
+      std::min(static_cast<std::size_t>(parser->ProblemOffset), file.GetSize());
     const std::size_t at = end > 0 && file.GetView().substr(end - 1, 1) == "&" ? end - 1 : end;
     const std::string_view there = file.GetView().substr(std::min(at, file.GetSize()), 24);
     reader.FailAt(at, "text, " + DescribeLine(file.GetView(), at),

@@ -15,13 +15,44 @@
 #ifndef ImageDecoder_h
 #define ImageDecoder_h
 
-#include "ImageFile.h"
 #include "ImageFormats.h"
 
+#include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace measuredbrdf
 {
+/// What OpenEXR's envmap attribute says that an image is.
+enum class ImageEnvmap
+{
+  None,
+  LatLong,
+  Cube
+};
+
+struct ImageFile
+{
+  int Width = 0;
+  int Height = 0;
+  int Channels = 0;       // 3, or 1: of each texel's color only the first value is set
+  bool HasAlpha = false;  // the value after the color's, where it was asked for
+  bool IsEncoded = false; // integers that are not said to be linear
+  bool IsInteger = false; // else floats
+  bool HasBytes = false;  // integers of 8 bits
+  ImageEnvmap Envmap = ImageEnvmap::None;
+  std::vector<std::string> Notes; // for people: what was chosen or lost
+  std::vector<float> Pixels;      // 3 values a texel, 4 where alpha was asked for; top row first
+};
+
+/// What to read of each texel.
+enum class ImageValues
+{
+  Color,
+  ColorAndAlpha // not multiplied into integers' colors; OpenEXR's colors keep it
+};
+
 /// What to decode.
 struct ImageSource
 {

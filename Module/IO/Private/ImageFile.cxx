@@ -5,7 +5,6 @@
 #include "Chromaticities.h"
 #include "ExrHeader.h"
 #include "FileBytes.h"
-#include "ImageDecoder.h"
 #include "ImageFormats.h"
 #include "RadianceHeader.h"
 

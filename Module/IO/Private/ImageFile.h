@@ -10,41 +10,12 @@
 #ifndef ImageFile_h
 #define ImageFile_h
 
-#include <cstdint>
+#include "ImageDecoder.h"
+
 #include <string>
-#include <vector>
 
 namespace measuredbrdf
 {
-/// What OpenEXR's envmap attribute says that an image is.
-enum class ImageEnvmap
-{
-  None,
-  LatLong,
-  Cube
-};
-
-struct ImageFile
-{
-  int Width = 0;
-  int Height = 0;
-  int Channels = 0;       // 3, or 1: of each texel's color only the first value is set
-  bool HasAlpha = false;  // the value after the color's, where it was asked for
-  bool IsEncoded = false; // integers that are not said to be linear
-  bool IsInteger = false; // else floats
-  bool HasBytes = false;  // integers of 8 bits
-  ImageEnvmap Envmap = ImageEnvmap::None;
-  std::vector<std::string> Notes; // for people: what was chosen or lost
-  std::vector<float> Pixels;      // 3 values a texel, 4 where alpha was asked for; top row first
-};
-
-/// What to read of each texel.
-enum class ImageValues
-{
-  Color,
-  ColorAndAlpha // not multiplied into integers' colors; OpenEXR's colors keep it
-};
-
 /**
  * Read an image of the file. Memory follows what the file holds, not what its header promises.
  * layer: the layer or part of an OpenEXR file; empty: the one named Combined, else the channels R,

@@ -133,9 +133,9 @@ bool IsShaded(vtkActor* actor)
          actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
 }
 
-int FindSuperfluousLight(vtkRenderer* renderer, vtkEnvironment* environment)
+int FindSuperfluousLight(vtkRenderer* renderer, bool isLit)
 {
-  vtkLight* created = environment ? CreatedLightOf::Get(renderer) : nullptr;
+  vtkLight* created = isLit ? CreatedLightOf::Get(renderer) : nullptr;
   int number = 0;
   vtkLightCollection* lights = renderer->GetLights();
   vtkCollectionSimpleIterator it;
@@ -151,9 +151,9 @@ int FindSuperfluousLight(vtkRenderer* renderer, vtkEnvironment* environment)
   return -1;
 }
 
-bool HasLight(vtkRenderer* renderer, vtkEnvironment* environment)
+bool HasLight(vtkRenderer* renderer, bool isLit)
 {
-  int on = FindSuperfluousLight(renderer, environment) >= 0 ? -1 : 0;
+  int on = FindSuperfluousLight(renderer, isLit) >= 0 ? -1 : 0;
   vtkLightCollection* lights = renderer->GetLights();
   vtkCollectionSimpleIterator it;
   lights->InitTraversal(it);

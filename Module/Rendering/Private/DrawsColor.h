@@ -26,12 +26,12 @@ bool IsShaded(vtkActor* actor);
 
 /// The light that VTK created because the scene had none (vtkRenderer::AutomaticLightCreation), by
 /// its number among the lights that are on: the one by which shaders know it. It stands for the
-/// light that a scene lacks, and an environment lights the scene, so that surfaces under one leave
-/// it out. -1: it is off, it was removed, or there is no environment.
-int FindSuperfluousLight(vtkRenderer* renderer, vtkEnvironment* environment);
+/// light that a scene lacks. A surface that is lit, by an environment or by an integrator that the
+/// program gave, leaves it out. -1: it is off, it was removed, or the surface is not lit.
+int FindSuperfluousLight(vtkRenderer* renderer, bool isLit);
 
-/// Whether any light of the scene is on that shines on a surface under this environment (or null).
-bool HasLight(vtkRenderer* renderer, vtkEnvironment* environment);
+/// Whether any light of the scene is on that shines on a surface, which is lit besides or not.
+bool HasLight(vtkRenderer* renderer, bool isLit);
 } // namespace measuredbrdf
 
 #endif

@@ -142,7 +142,8 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   request.Renderer = state.Renderer;
   request.Actor = state.Actor;
   request.Surfaces = use.second;
-  request.WithForm = this->Settings->UseSceneLights && HasLight(state.Renderer, state.Environment);
+  request.WithForm =
+    this->Settings->UseSceneLights && HasLight(state.Renderer, state.Environment != nullptr);
   return request;
 }
 
@@ -258,7 +259,7 @@ std::string MaterialDrawing::UploadForms(DrawnMaterial& drawn, vtkRenderer* rend
     samplers += drawn.Radiance->GetNumberOfSamplers();
   }
   if ((drawn.Integrator && drawn.Integrator->UsesBRDFOnGPU()) ||
-      (this->Settings->UseSceneLights && HasLight(renderer, drawn.Environment)))
+      (this->Settings->UseSceneLights && HasLight(renderer, drawn.Integrator != nullptr)))
   {
     const bool soft = drawn.Integrator && drawn.Integrator->UsesSoftLights();
     drawn.Material = FormTextures::Find(drawn.BRDF, soft, window);

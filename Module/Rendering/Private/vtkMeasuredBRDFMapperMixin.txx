@@ -236,7 +236,7 @@ template <class Base>
 int vtkMeasuredBRDFMapperMixin<Base>::FindSuperfluousLight(vtkRenderer* ren)
 {
   return measuredbrdf::FindSuperfluousLight(
-    ren, this->Drawing->GetSelected().Get().front()->Environment); // one for all of a mapper
+    ren, this->Drawing->GetSelected().Get().front()->Integrator != nullptr); // all or none
 }
 
 //------------------------------------------------------------------------------

@@ -13,8 +13,8 @@ import os
 import re
 import sys
 
-FUNCTION_LINES = 80
-FILE_LINES = 500
+FUNCTION_LINES = 100
+FILE_LINES = 800
 REASON = re.compile(r"^\s*// Long on purpose: \S")
 FOLDERS = ("Module", "Applications", "shaders")
 ENDINGS = (".h", ".cxx", ".txx", ".glsl")
