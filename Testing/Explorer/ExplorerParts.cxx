@@ -182,7 +182,7 @@ void ExplorerParts::badStates_data()
                                    << "three numbers";
   QTest::newRow("show") << R"("show": "all")"
                         << "difference";
-  QTest::newRow("later version") << R"("version": 2)"
+  QTest::newRow("later version") << R"("version": 3)"
                                  << "version";
   QTest::newRow("other format") << R"("format": "another")"
                                 << "format";

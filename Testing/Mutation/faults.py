@@ -956,9 +956,9 @@ add("Rendering.environment-does-not-turn", "Private/EnvironmentRotation.cxx", "t
 add("Shaders.directional-light-without-cosine", "vtkBRDFDirectionalLight.glsl", "* radiance * brdfLight.z;",
     "* radiance;", "Mapper.SceneLights")
 add("Rendering.created-light-shines", "Private/DrawsColor.cxx",
-    "environment ? CreatedLightOf::Get(renderer) : nullptr", "nullptr", "MapperShading.LightThatVTKCreated")
+    "isLit ? CreatedLightOf::Get(renderer) : nullptr", "nullptr", "MapperShading.LightThatVTKCreated")
 add("Rendering.created-light-is-never-on", "Private/DrawsColor.cxx",
-    "environment ? CreatedLightOf::Get(renderer) : nullptr", "CreatedLightOf::Get(renderer)",
+    "isLit ? CreatedLightOf::Get(renderer) : nullptr", "CreatedLightOf::Get(renderer)",
     "MapperShading.LightThatVTKCreated")
 add("Rendering.left-out-light-is-no-part-of-the-key", "Private/vtkMeasuredBRDFMapperMixin.txx",
     "std::to_string(this->FindSuperfluousLight(ren))", 'std::string("x")', "MapperShading.LightThatVTKCreated")

@@ -86,7 +86,7 @@ def write_explorer_state(path):
         "environment": ENVIRONMENT,
         "mesh": MESH,
         "methods": ["planned", "planned"],
-        "split": 1.0,
+        "split": 0.97,  # the line is beside the balls
         "backdrop": False,
         "camera": {
             "position": get_camera_position(),
