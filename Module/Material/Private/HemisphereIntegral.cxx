@@ -21,7 +21,9 @@ constexpr int FirstLevel = 5; // 32 x 32 squares of 16 points
 constexpr int LastLevel = 18; // 0.0004 degrees a side
 constexpr int MostSquares = 1 << 16;
 constexpr int MostSquaresOfPeaks = 1 << 13;
-constexpr double InheritedError = 0.03; // of a square's, where its quarters agree by chance
+// Of a square's error, where its quarters agree by chance: a straight edge may lie between the same
+// points of a square and of its quarters at two levels in turn.
+constexpr double InheritedError = 0.125;
 
 // The point of the unit disc that the square [-1,1]^2 has there: the same areas on both.
 glm::dvec2 SquareToDisc(double a, double b)
