@@ -21,7 +21,11 @@ constexpr int FirstLevel = 5; // 32 x 32 squares of 16 points
 constexpr int LastLevel = 18; // 0.0004 degrees a side
 constexpr int MostSquares = 1 << 16;
 constexpr int MostSquaresOfPeaks = 1 << 13;
-constexpr double InheritedError = 0.03; // of a square's, where its quarters agree by chance
+// Of a square's error, where its quarters agree by chance.
+constexpr double InheritedError = 0.125;
+// Of the spread of a first square's quarters: a straight edge, as of a tree's cell, near a square's
+// middle lies between the same points of the square and of its quarters, which agree then.
+constexpr double UnseenEdge = 0.2;
 
 // The point of the unit disc that the square [-1,1]^2 has there: the same areas on both.
 glm::dvec2 SquareToDisc(double a, double b)
@@ -57,7 +61,8 @@ public:
       {
         this->Add({ FirstLevel, x, y, glm::dvec3(0.0), glm::dvec3(0.0) });
         Square& square = this->Squares.back();
-        square.Error = glm::abs(this->Sum(FirstLevel, x, y) - square.GetValue());
+        square.Error = glm::max(glm::abs(this->Sum(FirstLevel, x, y) - square.GetValue()),
+          UnseenEdge * square.GetSpread());
       }
     }
   }
@@ -175,6 +180,16 @@ private:
     glm::dvec3 GetValue() const
     {
       return (this->Quarters[0] + this->Quarters[1]) + (this->Quarters[2] + this->Quarters[3]);
+    }
+    glm::dvec3 GetSpread() const
+    {
+      const glm::dvec3 mean = 0.25 * this->GetValue();
+      glm::dvec3 spread(0.0);
+      for (const glm::dvec3& quarter : this->Quarters)
+      {
+        spread = glm::max(spread, glm::abs(quarter - mean));
+      }
+      return spread;
     }
   };
 

@@ -103,9 +103,8 @@ std::vector<glm::dvec3> SumWhite(vtkEnvironment* environment, const SpherePairs&
 
 // The base by that, the coat by a dense grid of draws from it: no squares, no lights.
 std::vector<glm::dvec3> SumDensely(const CoatedBase& material, vtkEnvironment* environment,
-  const SpherePairs& pairs, const std::vector<glm::dvec3>& white)
+  const SpherePairs& pairs, const std::vector<glm::dvec3>& white, int side = 128)
 {
-  constexpr int side = 128;
   glm::dvec3 albedo;
   material.Base->GetAlbedo(&albedo.x);
   std::vector<glm::dvec3> sums;
@@ -190,8 +189,9 @@ TEST(PlanReference, KnowsItsErrorUnderBrushedCoats)
     const CoatedBase material(0.6, 0.1, exponent, true, 0.1);
     double stated = 0.0;
     const auto reference = Refer(material.Sum, environment, pairs, stated);
+    // Streaks across small lamps take more draws: 128 x 128 are off by 0.4 %, these by 0.03 %.
     ExpectAsStated("brushed, exponent " + std::to_string(exponent), reference, stated,
-      SumDensely(material, environment, pairs, white), 2e-3);
+      SumDensely(material, environment, pairs, white, 512), 5e-4);
   }
 }
 

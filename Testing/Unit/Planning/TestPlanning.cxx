@@ -83,6 +83,7 @@ TEST_P(PlannerPromise, IsKept)
     const auto reference = pairs.IntegrateExactly(brdf, environment);
     double lastCost = 0.0;
     vtkIdType lastBytes = 0;
+    bool lastHeldPictures = false;
     for (const double tolerance : { 0.05, 0.02 })
     {
       const auto planner = NewPlanner(brdf, environment, tolerance);
@@ -97,11 +98,16 @@ TEST_P(PlannerPromise, IsKept)
       EXPECT_LE(actual, tolerance);
       EXPECT_LT(actual, 3.0 * predicted);
       EXPECT_GT(actual, predicted / 3.0);
-      // Never less for more accuracy.
+      // Never less for more accuracy; but up to 4 MB may go to hold single pictures, too, which the
+      // looser tolerance may reach where the tighter one does not.
       EXPECT_GE(planner->GetPredictedMilliseconds(choice), lastCost);
-      EXPECT_GE(planner->GetTextureBytes(choice), lastBytes);
+      if (planner->GetPredictedPictureError(choice) <= tolerance || !lastHeldPictures)
+      {
+        EXPECT_GE(planner->GetTextureBytes(choice), lastBytes);
+      }
       lastCost = planner->GetPredictedMilliseconds(choice);
       lastBytes = planner->GetTextureBytes(choice);
+      lastHeldPictures = planner->GetPredictedPictureError(choice) <= tolerance;
     }
   }
 }
