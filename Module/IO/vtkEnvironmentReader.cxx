@@ -135,7 +135,7 @@ void AlignWithAxes(int projection, Image& image)
   else if (image.Envmap == measuredbrdf::ImageEnvmap::LatLong &&
            projection == vtkEnvironmentProjection::LAT_LONG)
   {
-    // The center is +z and the right edge of the left half +x; here, the center is +x.
+    // The center is +z and +x is in the middle of the left half; here, the center is +x.
     const std::ptrdiff_t quarter = 3 * ((static_cast<std::ptrdiff_t>(image.Width) + 2) / 4);
     for (auto at = image.Pixels.begin(); at != image.Pixels.end(); at += row)
     {

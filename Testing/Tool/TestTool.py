@@ -360,7 +360,7 @@ class Evaluate(ToolTest):
         self.check(self.evaluate(head + "a,b,0,0,1,0,0,1\n"), 1, "line 2", "8 cells")
         self.check(self.evaluate(head + "0,0,1,0,,1\n"), 1, "line 2", "'oy'")
         self.check(self.evaluate(head + "0,0,nan,0,0,1\n"), 1, "line 2", "not a finite number")
-        self.check(self.evaluate(head + "0,0,1,0,inf,1\n"), 1, "line 2", "not finite")
+        self.check(self.evaluate(head + "0,0,1,0,inf,1\n"), 1, "line 2", "not a finite number")
         self.check(self.evaluate(head + "0,0,1,0,0,0\n"), 1, "line 2", "(ox,oy,oz)")
         self.check(self.evaluate(head + "\0\0\0\n"), 1, "line 2")
         self.check(run("evaluate", "gold-paint", "--pairs", self.folder), 1, "directory")

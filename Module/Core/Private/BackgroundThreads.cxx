@@ -38,42 +38,9 @@ public:
   bool Run(std::function<void()> work, std::function<void()> stop)
   {
     std::list<Entry> done;
-    {
-      const std::lock_guard<std::mutex> lock(this->Mutex);
-      if (this->IsEnding)
-      {
-        return false;
-      }
-      this->Register();
-      this->TakeDone(done);
-      const auto place = this->Entries.emplace(this->Entries.end());
-      place->Stop = std::move(stop);
-      try
-      {
-        place->Thread = std::thread(
-          [this, place, own = std::move(work)]() mutable
-          {
-            try
-            {
-              own();
-            }
-            catch (...) // nobody catches it above a thread
-            {
-            }
-            own = nullptr; // what it held goes before the thread counts as ended
-            const std::lock_guard<std::mutex> held(this->Mutex);
-            place->IsDone = true;
-            this->Changed.notify_all();
-          });
-      }
-      catch (const std::exception&) // no thread, or no memory for one
-      {
-        this->Entries.erase(place);
-        return false;
-      }
-    }
+    const bool runs = this->Start(std::move(work), std::move(stop), done);
     Join(done);
-    return true;
+    return runs;
   }
 
   void AddRelease(std::function<void()> release)
@@ -90,6 +57,53 @@ private:
     std::thread Thread;
     bool IsDone = false; // but for what the thread itself still destroys
   };
+
+  bool Start(std::function<void()> work, std::function<void()> stop, std::list<Entry>& done)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (this->IsEnding)
+    {
+      return false;
+    }
+    this->Register();
+    this->TakeDone(done);
+    std::list<Entry> made;
+    try
+    {
+      made.emplace_back();
+    }
+    catch (const std::exception&) // no memory
+    {
+      return false;
+    }
+    const auto place = made.begin();
+    this->Entries.splice(this->Entries.end(), made);
+    place->Stop = std::move(stop);
+    try
+    {
+      place->Thread = std::thread(
+        [this, place, own = std::move(work)]() mutable
+        {
+          try
+          {
+            own();
+          }
+          catch (...) // nobody catches it above a thread
+          {
+          }
+          own = nullptr; // what it held goes before the thread counts as ended
+          const std::lock_guard<std::mutex> held(this->Mutex);
+          place->IsDone = true;
+          this->Changed.notify_all();
+        });
+    }
+    catch (const std::exception&) // no thread, or no memory for one
+    {
+      this->Entries.erase(place);
+      return false;
+    }
+    return true;
+  }
 
   void TakeDone(std::list<Entry>& done)
   {

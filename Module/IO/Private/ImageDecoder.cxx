@@ -288,7 +288,7 @@ std::vector<float> ReadPixels(const ImageSource& source, OIIO::ImageInput& input
   const std::uint64_t texels = BlockTexels / GetTexelWeight(spec.nchannels);
   int rows =
     static_cast<int>(std::max<std::uint64_t>(texels / static_cast<std::uint64_t>(spec.width), 1));
-  if (spec.tile_width > 0)
+  if (spec.tile_width > 0 && spec.tile_height > 0)
   {
     rows = std::max(rows / spec.tile_height, 1) * spec.tile_height;
   }
@@ -326,13 +326,14 @@ std::vector<float> ReadPixels(const ImageSource& source, OIIO::ImageInput& input
 }
 
 //------------------------------------------------------------------------------
-void TakeHeader(const OIIO::ImageSpec& spec, DecodedImage& image)
+void TakeHeader(const OIIO::ImageSpec& spec, const ImageFormat& format, DecodedImage& image)
 {
   const std::string kind(spec.get_string_attribute("textureformat"));
   image.Envmap = kind == "LatLong Environment"    ? ImageEnvmap::LatLong
                  : kind == "CubeFace Environment" ? ImageEnvmap::Cube
                                                   : ImageEnvmap::None;
-  if (image.Envmap == ImageEnvmap::None)
+  // Other formats' offsets, as PNG's oFFs, say where the image lies on a page.
+  if (image.Envmap == ImageEnvmap::None && IsImageFormat(format, "openexr"))
   {
     image.Left = spec.x - spec.full_x;
     image.Top = spec.y - spec.full_y;
@@ -396,7 +397,7 @@ DecodedImage DecodeImage(const ImageSource& source)
   image.IsInteger = !IsFloatingPoint(type);
   image.IsEncoded = image.IsInteger && !SaysLinear(spec);
   image.HasBytes = type.basetype == OIIO::TypeDesc::UINT8;
-  TakeHeader(spec, image);
+  TakeHeader(spec, *source.Format, image);
   if (image.HasAlpha)
   {
     channels.push_back(layer.Alpha);

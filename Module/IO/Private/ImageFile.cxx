@@ -6,6 +6,7 @@
 #include "ExrHeader.h"
 #include "FileBytes.h"
 #include "ImageFormats.h"
+#include "NumberText.h"
 #include "RadianceHeader.h"
 
 #include <glm/glm.hpp>
@@ -42,6 +43,12 @@ void ShowWindow(const ImageSource& source, DecodedImage& image)
     return;
   }
   const ImageSize size = { image.DisplayWidth, image.DisplayHeight };
+  if (image.DisplayWidth < 1 || image.DisplayHeight < 1)
+  {
+    throw FileError(source.Path + ": display window: found " + std::to_string(image.DisplayWidth) +
+                    " x " + std::to_string(image.DisplayHeight) +
+                    " pixels, expected at least 1 x 1");
+  }
   if (size.Width > FreeTexels || size.Height > FreeTexels || size.Width * size.Height > FreeTexels)
   {
     CheckImageSize(source.Path + ": display window", *source.Format, size, source.FileSize);
@@ -115,7 +122,7 @@ void LimitValues(std::size_t values, DecodedImage& image)
   visit([largest](float& value) { value = std::isinf(value) && value > 0.0f ? largest : value; });
   image.Notes.push_back(std::to_string(count) +
                         (count == 1 ? " value of +infinity was" : " values of +infinity were") +
-                        " taken as " + std::to_string(std::lround(largest)) + ", the largest " +
+                        " taken as " + NumberText(largest) + ", the largest " +
                         (largest > LargestHalf ? "value of the file." : "half float."));
 }
 

@@ -154,7 +154,7 @@ RadianceHeader ParseRadianceHeader(const FileBytes& file)
   bool isXyz = false;
   for (HeaderLine line = lines.Take(); !line.empty(); line = lines.Take())
   {
-    // HeaderLines that begin with a blank belong to pictures that this one was made of.
+    // Lines that begin with a blank belong to pictures that this one was made of.
     const std::size_t equals = line.find('=');
     const HeaderLine name = line.substr(0, equals);
     const HeaderLine value = equals == HeaderLine::npos ? HeaderLine() : line.substr(equals + 1);

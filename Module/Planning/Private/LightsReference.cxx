@@ -33,7 +33,7 @@ LightsReference::~LightsReference() = default;
 
 const std::vector<int>& LightsReference::GetCounts()
 {
-  static const std::vector<int> counts = { 4096, 2048, 1024, 256 };
+  static const auto& counts = *new std::vector<int>{ 4096, 2048, 1024, 256 }; // for threads, too
   return counts;
 }
 

@@ -211,9 +211,10 @@ bool CurrentPlan::Bring(
   }
   if (this->Job)
   {
-    const bool done = this->Job->Wait(progress);
-    problem = done ? this->Job->GetProblem() : "aborted";
-    this->Take(wanted, true, done ? this->Job->GetPlan() : nullptr);
+    const std::shared_ptr<PlanJob> job = this->Job; // observers of progress may retire it
+    const bool done = job->Wait(progress);
+    problem = done ? job->GetProblem() : "aborted";
+    this->Take(wanted, true, done ? job->GetPlan() : nullptr);
     this->Retire();
     return true;
   }

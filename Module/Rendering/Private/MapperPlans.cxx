@@ -366,8 +366,8 @@ CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std:
 {
   View& view = this->FindView(request);
   this->Last = &view;
-  if (view
-        .Drawn) // so the renderer's next frame has begun: all in it that were drawn before have one
+  // The renderer's next frame has begun: all that were drawn in the last one have a plan.
+  if (view.Drawn)
   {
     this->EndIf(this->Before, [&request](const Key& key)
       { return std::get<0>(key) == request.Renderer && std::get<2>(key) == request.Slot; });

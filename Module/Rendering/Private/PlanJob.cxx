@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
-#include <deque>
 #include <exception>
 #include <functional>
 #include <iterator>
@@ -135,9 +134,9 @@ private:
          this->Released.wait(lock, mayBegin))
     {
       PlanJob* job = this->Jobs.front();
-      this->Jobs.pop_front();
       this->Largest = std::max(this->Largest, this->Running);
-      const auto current = this->Current.insert(this->Current.end(), job);
+      this->Current.splice(this->Current.end(), this->Jobs, this->Jobs.begin());
+      const auto current = std::prev(this->Current.end());
       lock.unlock();
       job->Run();
       lock.lock();
@@ -149,7 +148,7 @@ private:
   }
 
   const int Cores = std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
-  std::deque<PlanJob*> Jobs;
+  std::list<PlanJob*> Jobs;    // which wait
   std::list<PlanJob*> Current; // those that run
   std::condition_variable Finished;
   std::condition_variable Released;

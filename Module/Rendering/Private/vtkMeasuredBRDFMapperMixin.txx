@@ -98,6 +98,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::RenderPiece(vtkRenderer* ren, vtkActor* a
     [&]()
     {
       this->BuiltOcclusionMode = -1; // buffers may be half built
+      this->ShaderKeys.clear();      // and shaders
       if (this->HasStarted)
       {
         this->ShowOnly(-1);
@@ -397,14 +398,15 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
 template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::CheckVertices(vtkPolyData* surface)
 {
-  if (!surface || this->Drawing->GetMaterials().empty())
+  if (!surface)
   {
     return;
   }
   const measuredbrdf::BadVertices bad(surface);
   this->HasBadNormals = this->HasBadNormals || bad.Normals > 0;
   const std::string text = bad.GetText();
-  if (!text.empty() && this->Drawing->WarnOnce("vertices"))
+  if (!text.empty() && !this->Drawing->GetMaterials().empty() &&
+      this->Drawing->WarnOnce("vertices"))
   {
     vtkWarningWithObjectMacro(this->Drawing->GetOwner(), << text << ".");
   }

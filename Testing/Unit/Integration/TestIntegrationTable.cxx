@@ -199,8 +199,8 @@ TEST_P(TableReference, ErrorFallsWithSize)
     const char* Name;
     vtkSmartPointer<vtkBRDF> BRDF;
     double Limits[3];
-    // Irradiance has 9 bits: a step is at most 1/256 of the largest channel, so that rounding is off
-    // by at most 1/1024 of it in the mean, and by a larger part of smaller channels.
+    // Irradiance has 9 bits: a step is at most 1/256 of the largest channel, so that rounding is
+    // off by at most 1/1024 of it in the mean, and by a larger part of smaller channels.
   } cases[] = { { "Lambert", lambert.Get(), { 1.2e-3, 1.2e-3, 1.2e-3 } },
     { "Blinn-Phong 5", NewPhong(5.0).Get(), { 0.02, 0.006, 0.005 } },
     { "Blinn-Phong 40", NewPhong(40.0).Get(), { 0.1, 0.03, 0.015 } },
