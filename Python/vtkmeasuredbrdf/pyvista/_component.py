@@ -102,8 +102,8 @@ class Measured:
             As PyVista's, but the default is smooth. Where the mesh has no point normals, they are computed, and
             edges sharper than feature_angle (30 degrees) stay sharp.
         fit_property
-            Whether to set the actor's property to the nearest one of physically based shading, for what draws the
-            property and not the material: exporters, and viewers in the browser. Once for a material: 0.1 s.
+            Whether to set the actor's property to a close match in physically based shading, for what draws the
+            property and not the material: exporters, and viewers in the browser. Once for a material: tenths of a second.
         **kwargs
             Further keywords of `pv.Plotter.add_mesh`. Those that the material replaces (color, pbr, metallic,
             roughness, ambient, diffuse, specular, specular_power) have no effect; a warning says so.
@@ -341,7 +341,7 @@ _fitters: weakref.WeakKeyDictionary[Material, tuple[int, Any]] = weakref.WeakKey
 
 
 def _fit(material: Material, prop: Any) -> None:
-    """Sets the property to the nearest of physically based shading."""
+    """Sets the property to a close match in physically based shading."""
     time = material.brdf.GetMTime()
     if material not in _fitters or _fitters[material][0] != time:
         fitter = vtkPBRPropertyFitter()
