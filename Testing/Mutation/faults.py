@@ -776,7 +776,7 @@ add("Rendering.stand-in-form-for-nobody", "Private/StandInBRDF.cxx", "made->Mate
     "made->Material = material;\n  made->GetRenderable();", "StandIns.NoFormWhereNoLightNeedsIt")
 add("Rendering.plan-learns-of-no-light", "Private/CurrentPlan.cxx", "this->Job->WantForm();", "",
     "StandIns.LightsThatComeWhileAPlanIsMade")
-add("Rendering.failed-plan-begun-again", "Private/CurrentPlan.cxx", "this->Take(wanted, true, done ? this->Job->GetPlan() : nullptr);",
+add("Rendering.failed-plan-begun-again", "Private/CurrentPlan.cxx", "this->Take(wanted, true, done ? job->GetPlan() : nullptr);",
     "this->Take(this->Job->GetPlan() ? wanted : PlanInputs(), true, this->Job->GetPlan());",
     "StandIns.PlansThatFail")
 add("Rendering.failed-stand-in-tried-again", "Private/BRDFTextures.cxx", "if (time <= this->FailureTime)",
