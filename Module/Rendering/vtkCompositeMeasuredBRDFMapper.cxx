@@ -284,6 +284,10 @@ void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* act
   {
     this->Impl->Drawing->ReportFailure(e.what());
   }
+  catch (...) // of a program's own material
+  {
+    this->Impl->Drawing->ReportFailure("an exception of unknown kind");
+  }
   this->Impl->Timer.Stop();
   this->TimeToDraw = this->Impl->Timer.GetSeconds();
 }

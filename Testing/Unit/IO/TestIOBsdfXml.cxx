@@ -121,7 +121,7 @@ TEST(IOBsdfXml, SkipsChatterBeforeTheDeclaration)
 {
   const Folder folder;
   for (const std::string& chatter :
-    { std::string("Recover using: genBSDF -recover /tmp/a\n"), std::string("\n") })
+    { std::string("Recover using: genBSDF -recover folder\n"), std::string("\n") })
   {
     WriteBytes(folder("a.xml"), chatter + MakeBsdfXml());
     vtkNew<vtkBRDFReader> reader;
