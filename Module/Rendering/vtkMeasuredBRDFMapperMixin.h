@@ -145,7 +145,8 @@ private:
   const void* BuiltTracedOcclusion = nullptr;
   std::size_t MostAttributes = 0; // of the graphics card that has the buffers
   std::size_t MostVaryings = 0;
-  vtkTimeStamp OcclusionTime;                          // when the buffers were built
+  std::size_t VaryingsOfBase = 0; // for clipping planes and edges, in this frame
+  vtkTimeStamp OcclusionTime;     // when the buffers were built
   std::unique_ptr<vtkMeasuredBRDFMapperPoints> Points; // of the buffers
 };
 

@@ -19,10 +19,12 @@
 #include "vtkMaterialMap.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkObjectFactory.h"
+#include "vtkPlane.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
 #include "vtkReverseSense.h"
 #include "vtkSphereSource.h"
 #include "vtkSurfaceVisibilityFilter.h"
@@ -185,6 +187,38 @@ TEST_F(LimitsTest, DrawsWhatThereIsRoomFor)
   this->Mapper->SetOcclusionModeToOff();
   EXPECT_EQ(open.RGBA, render(0, 0).RGBA);
   EXPECT_EQ(warnings.Texts.size(), 3u);
+}
+
+// What VTK hands on for clipping planes (six distances) and for edges (three equations), a vector
+// of four for each, takes room, too.
+TEST_F(LimitsTest, ClippingPlanesAndEdgesTakeVaryings)
+{
+  this->Mapper->SetInputData(MakeRichBowl(false));
+  this->Window->SetSize(256, 256); // so that light shows between edges
+  const auto render = [this](std::size_t varyings)
+  {
+    ShaderLimits::SetMost(0, varyings);
+    this->Mapper->Modified(); // its buffers are built anew
+    return this->RenderLinear().RGBA;
+  };
+  const auto find = [&render](std::size_t least) // the fewest that change nothing
+  {
+    const auto whole = render(0);
+    while (render(least) != whole && least < 200)
+    {
+      least += 4;
+    }
+    return least;
+  };
+  const std::size_t alone = find(32);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, -5.0);
+  this->Mapper->AddClippingPlane(plane); // cuts nothing off
+  EXPECT_EQ(find(alone), alone + 24);
+  this->Actor->GetProperty()->EdgeVisibilityOn();
+  EXPECT_EQ(find(alone), alone + 36);
+  this->Mapper->RemoveAllClippingPlanes();
+  EXPECT_EQ(find(alone), alone + 12);
 }
 
 // Nothing of VTK's catches what is thrown while a mapper renders.

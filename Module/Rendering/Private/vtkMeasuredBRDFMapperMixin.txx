@@ -149,6 +149,9 @@ template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
 {
   this->Drawing->BeginFrame(ren, actor, this, this->GetMaterialUses());
+  // Each distance and each edge's equation takes a vector of four.
+  this->VaryingsOfBase =
+    4 * ((this->GetNumberOfClippingPlanes() > 0 ? 6 : 0) + (this->DrawingEdges(ren, actor) ? 3 : 0));
   this->Base::RenderPieceStart(ren, actor);
   this->HasStarted = true;
 }

@@ -157,7 +157,7 @@ bool vtkMeasuredBRDFMapperMixin<Base>::FitsOcclusion(
     measuredbrdf::CountOcclusionNeeds(occlusion.Lights, occlusion.Layout);
   // Tangents may be handed on twice, as the superclass's and turned by ours.
   return own + needs.Attributes <= this->MostAttributes &&
-         4 * (own + 1) + needs.Varyings <= this->MostVaryings;
+         4 * (own + 1) + this->VaryingsOfBase + needs.Varyings <= this->MostVaryings;
 }
 
 //------------------------------------------------------------------------------
