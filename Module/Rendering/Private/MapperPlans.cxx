@@ -80,7 +80,7 @@ void MapperPlans::EndIf(AllViews& views, const Condition& condition)
 {
   for (auto it = views.begin(); it != views.end();)
   {
-    const bool ends = condition(it->first);
+    const bool ends = condition(it->first, *it->second);
     if (ends)
     {
       this->End(std::move(it->second));
@@ -91,7 +91,7 @@ void MapperPlans::EndIf(AllViews& views, const Condition& condition)
 
 void MapperPlans::EndAll(AllViews& views)
 {
-  this->EndIf(views, [](const Key&) { return true; });
+  this->EndIf(views, [](const Key&, const View&) { return true; });
 }
 
 void MapperPlans::Clear()
@@ -104,7 +104,8 @@ void MapperPlans::Clear()
 
 void MapperPlans::Clear(vtkRenderer* renderer)
 {
-  const auto isIts = [renderer](const Key& key) { return std::get<0>(key) == renderer; };
+  const auto isIts = [renderer](const Key& key, const View&)
+  { return std::get<0>(key) == renderer; };
   this->EndIf(this->Views, isIts);
   this->EndIf(this->Before, isIts);
   this->Last = nullptr;
@@ -113,20 +114,14 @@ void MapperPlans::Clear(vtkRenderer* renderer)
 
 void MapperPlans::Keep(const std::set<int>& inUse, const std::set<int>& known)
 {
-  bool ended = false;
-  for (auto it = this->Views.begin(); it != this->Views.end();)
-  {
-    const int slot = std::get<2>(it->first);
-    const bool goes =
-      known.count(slot) == 0 || (it->second->Plan.IsPending() && inUse.count(slot) == 0);
-    if (goes)
+  const std::size_t before = this->Ended.size();
+  this->EndIf(this->Views,
+    [&](const Key& key, const View& view)
     {
-      this->End(std::move(it->second));
-      ended = true;
-    }
-    it = goes ? this->Views.erase(it) : std::next(it);
-  }
-  if (ended)
+      const int slot = std::get<2>(key);
+      return known.count(slot) == 0 || (view.Plan.IsPending() && inUse.count(slot) == 0);
+    });
+  if (this->Ended.size() > before)
   {
     this->Sweep();
   }
@@ -171,15 +166,9 @@ void MapperPlans::Sweep()
     return;
   }
   this->Updates = 0;
-  for (auto it = this->Views.begin(); it != this->Views.end();)
-  {
-    const bool gone = it->second->IsGone(it->first);
-    if (gone)
-    {
-      this->End(std::move(it->second));
-    }
-    it = gone ? this->Views.erase(it) : std::next(it);
-  }
+  const auto isGone = [](const Key& key, const View& view) { return view.IsGone(key); };
+  this->EndIf(this->Views, isGone);
+  this->EndIf(this->Before, isGone);
 }
 
 MapperPlans::View& MapperPlans::FindView(const PlanRequest& request)
@@ -228,7 +217,7 @@ void MapperPlans::TakeOver(View& view, const PlanRequest& request)
     {
       view.Plan.TakeOver(it->second->Plan);
     }
-    if (it->second->IsGone(it->first) || (fits && actor)) // nobody else's
+    if (fits && actor) // nobody else's
     {
       this->End(std::move(it->second));
       it = this->Before.erase(it);
@@ -369,7 +358,7 @@ CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std:
   // The renderer's next frame has begun: all that were drawn in the last one have a plan.
   if (view.Drawn)
   {
-    this->EndIf(this->Before, [&request](const Key& key)
+    this->EndIf(this->Before, [&request](const Key& key, const View&)
       { return std::get<0>(key) == request.Renderer && std::get<2>(key) == request.Slot; });
   }
   view.Drawn = true;

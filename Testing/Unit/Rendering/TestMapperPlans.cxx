@@ -200,7 +200,17 @@ TEST_F(Views, GoWithTheirRenderersAndActors)
   this->Update();
   EXPECT_EQ(this->Plans.GetNumberOfViews(), 1);
   EXPECT_EQ(plan, nullptr);
-  this->ForView = true;
+  {
+    vtkNew<vtkRenderer> renderer;
+    this->Update(this->GetRequest(renderer, other));
+    plan = this->Drawn;
+    this->ForView = true;
+    this->Update(); // the others' plans stand in until they are drawn
+    EXPECT_NE(plan, nullptr);
+  }
+  this->Update();
+  this->Update();
+  EXPECT_EQ(plan, nullptr);
   {
     vtkNew<vtkActor> actor;
     PlanRequest request = this->GetRequest(this->One, this->Sky);
