@@ -11,7 +11,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkTextureUnitManager.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <exception>
@@ -51,7 +50,7 @@ std::vector<float> Pad(const std::vector<float>& triples)
   return padded;
 }
 
-vtkSmartPointer<vtkTextureObject> Upload(
+std::shared_ptr<vtkTextureObject> Upload(
   vtkBRDFShaderInputs::Texture& texture, vtkOpenGLRenderWindow* window, std::string& problem)
 {
   const int limit = texture.ThreeD ? vtkTextureObject::GetMaximumTextureSize3D(window)
@@ -64,7 +63,8 @@ vtkSmartPointer<vtkTextureObject> Upload(
   }
   const auto wrap = [&texture](int axis)
   { return texture.Repeat[axis] ? vtkTextureObject::Repeat : vtkTextureObject::ClampToEdge; };
-  auto result = vtkSmartPointer<vtkTextureObject>::New();
+  const std::shared_ptr<vtkTextureObject> result(
+    vtkTextureObject::New(), [](vtkTextureObject* object) { object->Delete(); });
   result->SetContext(window);
   result->SetMinificationFilter(vtkTextureObject::Linear);
   result->SetMagnificationFilter(vtkTextureObject::Linear);
@@ -138,27 +138,27 @@ std::string GetShapeText(const vtkBRDFShaderInputs::Texture& texture)
 }
 
 // Tables of many materials under one environment have the same map of irradiance.
-vtkSmartPointer<vtkTextureObject> FindOrUpload(
+std::shared_ptr<vtkTextureObject> FindOrUpload(
   vtkBRDFShaderInputs::Texture& texture, vtkOpenGLRenderWindow* window, std::string& problem)
 {
   using Key = std::pair<std::string, vtkOpenGLRenderWindow*>;
-  static std::map<Key, vtkWeakPointer<vtkTextureObject>> shared;
+  static std::map<Key, std::weak_ptr<vtkTextureObject>> shared;
   static std::mutex mutex; // windows may be drawn by different threads
   const Key key(GetContent(texture), window);
   {
     const std::lock_guard<std::mutex> lock(mutex);
     const auto known = shared.find(key);
-    if (known != shared.end() && known->second && !IsLost(known->second, window))
+    const auto found = known == shared.end() ? nullptr : known->second.lock();
+    if (found && !IsLost(found.get(), window))
     {
-      return known->second.Get();
+      return found;
     }
   }
-  vtkSmartPointer<vtkTextureObject> uploaded = Upload(texture, window, problem);
+  std::shared_ptr<vtkTextureObject> uploaded = Upload(texture, window, problem);
   const std::lock_guard<std::mutex> lock(mutex);
-  for (auto it = shared.begin(); it != shared.end();)
+  for (auto it = shared.begin(); it != shared.end();) // of closed windows, too
   {
-    // Other windows' textures may be deleted by their own threads meanwhile.
-    it = it->first.second != window || it->second ? std::next(it) : shared.erase(it);
+    it = it->second.expired() ? shared.erase(it) : std::next(it);
   }
   if (uploaded)
   {
@@ -213,7 +213,7 @@ bool FormTextures::IsIn(vtkOpenGLRenderWindow* window) const
 {
   return this->Window == window &&
          std::none_of(this->Textures.begin(), this->Textures.end(),
-           [window](const Uploaded& uploaded) { return IsLost(uploaded.Texture, window); });
+           [window](const Uploaded& uploaded) { return IsLost(uploaded.Texture.get(), window); });
 }
 
 template <typename Make>
@@ -285,7 +285,7 @@ std::string FormTextures::Upload(
       std::string problem;
       const std::size_t bytes = texture.GetBytes();
       shape += GetShapeText(texture);
-      vtkSmartPointer<vtkTextureObject> uploaded = FindOrUpload(texture, window, problem);
+      const auto uploaded = FindOrUpload(texture, window, problem);
       if (!uploaded)
       {
         return problem;
@@ -325,7 +325,7 @@ void FormTextures::Deactivate()
 bool FormTextures::Has(const vtkTextureObject* texture) const
 {
   return std::any_of(this->Textures.begin(), this->Textures.end(),
-    [texture](const Uploaded& uploaded) { return uploaded.Texture == texture; });
+    [texture](const Uploaded& uploaded) { return uploaded.Texture.get() == texture; });
 }
 
 // A texture may stand for several samplers of either form.
@@ -333,14 +333,14 @@ void FormTextures::ActivateAfter(const FormTextures& last)
 {
   for (const Uploaded& uploaded : last.Textures)
   {
-    if (!this->Has(uploaded.Texture))
+    if (!this->Has(uploaded.Texture.get()))
     {
       uploaded.Texture->Deactivate();
     }
   }
   for (Uploaded& uploaded : this->Textures)
   {
-    if (!last.Has(uploaded.Texture))
+    if (!last.Has(uploaded.Texture.get()))
     {
       uploaded.Texture->Activate();
     }
@@ -353,7 +353,7 @@ std::size_t FormTextures::CountBytes(std::set<const vtkTextureObject*>& counted)
   std::size_t bytes = 0;
   for (const Uploaded& uploaded : this->Textures)
   {
-    bytes += counted.insert(uploaded.Texture).second ? uploaded.Bytes : 0;
+    bytes += counted.insert(uploaded.Texture.get()).second ? uploaded.Bytes : 0;
   }
   return bytes;
 }

@@ -9,7 +9,6 @@
 #define BRDFTextures_h
 
 #include "vtkBRDFShaderInputs.h"
-#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <memory>
@@ -90,7 +89,7 @@ private:
   {
     std::string Sampler; // without INSTANCE
     std::size_t Term;
-    vtkSmartPointer<vtkTextureObject> Texture;
+    std::shared_ptr<vtkTextureObject> Texture;
     std::size_t Bytes;
     int Unit = -1; // where it was bound last
   };
