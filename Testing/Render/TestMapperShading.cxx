@@ -295,6 +295,14 @@ TEST_F(MapperShading, LightThatVTKCreated)
   expect(0.25, __LINE__);
   own->SwitchOn();
   expect(0.25 + 2.0 / pi, __LINE__);
+
+  // VTK's for another renderer, whose lights this one shares.
+  vtkNew<vtkRenderer> other;
+  this->Window->AddRenderer(other);
+  this->Window->Render();
+  ASSERT_EQ(other->GetLights()->GetNumberOfItems(), 1);
+  this->Renderer->SetLightCollection(other->GetLights());
+  expect(0.25, __LINE__);
 }
 
 // Off a spot's axis: exponent, and each term of the attenuation, at a distance that is not 1.

@@ -17,6 +17,8 @@
 #include "vtkProperty.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkRendererCollection.h"
 #include "vtkSSAAPass.h"
 #include "vtkSequencePass.h"
 #include "vtkShadowMapBakerPass.h"
@@ -38,6 +40,20 @@ struct CreatedLightOf : vtkRenderer
 {
   static vtkLight* Get(vtkRenderer* renderer) { return renderer->*(&CreatedLightOf::CreatedLight); }
 };
+
+// Renderers of a window may share their lights, of which VTK created one for the first of them.
+bool IsCreated(vtkLight* light, vtkRenderer* renderer)
+{
+  vtkRendererCollection* renderers = renderer->GetRenderWindow()->GetRenderers();
+  bool created = CreatedLightOf::Get(renderer) == light;
+  vtkCollectionSimpleIterator it;
+  renderers->InitTraversal(it);
+  while (vtkRenderer* other = created ? nullptr : renderers->GetNextRenderer(it))
+  {
+    created = other->GetLights() == renderer->GetLights() && CreatedLightOf::Get(other) == light;
+  }
+  return created;
+}
 
 bool IsCameraOf(vtkShadowMapBakerPass* baker, vtkCamera* camera)
 {
@@ -135,14 +151,13 @@ bool IsShaded(vtkActor* actor)
 
 int FindSuperfluousLight(vtkRenderer* renderer, bool isLit)
 {
-  vtkLight* created = isLit ? CreatedLightOf::Get(renderer) : nullptr;
   int number = 0;
   vtkLightCollection* lights = renderer->GetLights();
   vtkCollectionSimpleIterator it;
   lights->InitTraversal(it);
-  while (vtkLight* light = lights->GetNextLight(it))
+  while (vtkLight* light = isLit ? lights->GetNextLight(it) : nullptr)
   {
-    if (light->GetSwitch() && light == created)
+    if (light->GetSwitch() && IsCreated(light, renderer))
     {
       return number;
     }
