@@ -55,23 +55,23 @@ int vtkBRDFImageSource::RequestInformation(
 //------------------------------------------------------------------------------
 void vtkBRDFImageSource::ExecuteDataWithInformation(vtkDataObject* output, vtkInformation* outInfo)
 {
-  vtkImageData* image = this->AllocateOutputData(output, outInfo);
-  auto values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
-  values->SetName("BRDF");
-  values->FillValue(0.0f);
-  if (!this->BRDF)
-  {
-    vtkErrorMacro("There is no BRDF; call SetBRDF first.");
-    return;
-  }
-  const int* extent = image->GetExtent();
-  const vtkIdType width = extent[1] - extent[0] + 1;
-  const double pixel = 90.0 / this->Resolution;
-  measuredbrdf::RunGuarded(this, "RequestData",
+  RunGuarded(this, "RequestData",
     [&]()
     {
+      vtkImageData* image = this->AllocateOutputData(output, outInfo);
+      auto values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
+      values->SetName("BRDF");
+      values->FillValue(0.0f);
+      if (!this->BRDF)
+      {
+        vtkErrorMacro("There is no BRDF; call SetBRDF first.");
+        return;
+      }
+      const int* extent = image->GetExtent();
+      const vtkIdType width = extent[1] - extent[0] + 1;
+      const double pixel = 90.0 / this->Resolution;
       this->BRDF->Prepare();
-      measuredbrdf::ParallelFor(0, values->GetNumberOfTuples(),
+      ParallelFor(0, values->GetNumberOfTuples(),
         [&](vtkIdType first, vtkIdType last)
         {
           for (vtkIdType k = first; k < last; ++k)

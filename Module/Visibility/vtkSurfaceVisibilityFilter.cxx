@@ -131,7 +131,27 @@ struct vtkSurfaceVisibilityFilter::Internals
     tracer.Build();
   }
 
-  // What is asked for and not there. Returns whether it was not aborted.
+  // Returns whether there is what is asked for: tracing may be aborted.
+  bool Update(vtkSurfaceVisibilityFilter* self, vtkDataObject* input)
+  {
+    const auto surfaces = vtkCompositeDataSet::GetDataSets<vtkPolyData>(input);
+    const std::string key = this->MakeKey(self, surfaces);
+    const bool isKnown = key == this->Key;
+    if (isKnown && (!self->Bounce || this->HasBounce))
+    {
+      return true;
+    }
+    if (!this->Trace(self, surfaces, !isKnown))
+    {
+      return false;
+    }
+    this->Key = key;
+    ++self->NumberOfTraces;
+    return true;
+  }
+
+  // What is asked for and not there; what was there stays until it is. Returns whether it was not
+  // aborted.
   bool Trace(
     vtkSurfaceVisibilityFilter* self, const std::vector<vtkPolyData*>& surfaces, bool withSky)
   {
@@ -159,6 +179,39 @@ struct vtkSurfaceVisibilityFilter::Internals
     this->Arrays = std::move(traced);
     this->HasBounce = self->Bounce;
     return true;
+  }
+
+  // whole: with arrays.
+  void PassOn(
+    vtkSurfaceVisibilityFilter* self, vtkDataObject* input, vtkDataObject* output, bool whole) const
+  {
+    auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+    if (!composite)
+    {
+      output->ShallowCopy(input);
+      if (whole && !this->Arrays.empty())
+      {
+        AddArrays(vtkPolyData::SafeDownCast(output), this->Arrays[0], self->Bounce);
+      }
+      return;
+    }
+    auto* blocks = vtkCompositeDataSet::SafeDownCast(output);
+    blocks->CopyStructure(composite);
+    blocks->GetFieldData()->ShallowCopy(composite->GetFieldData());
+    auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    std::size_t number = 0;
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      vtkDataObject* block = it->GetCurrentDataObject();
+      auto copy = vtkSmartPointer<vtkDataObject>::Take(block->NewInstance());
+      copy->ShallowCopy(block);
+      auto* surface = vtkPolyData::SafeDownCast(copy);
+      if (surface && whole)
+      {
+        AddArrays(surface, this->Arrays[number++], self->Bounce);
+      }
+      blocks->SetDataSet(it, copy);
+    }
   }
 };
 
@@ -280,47 +333,11 @@ int vtkSurfaceVisibilityFilter::RequestData(vtkInformation* vtkNotUsed(request),
   {
     return 0;
   }
-  const std::vector<vtkPolyData*> surfaces = vtkCompositeDataSet::GetDataSets<vtkPolyData>(input);
-  const std::string key = this->Impl->MakeKey(this, surfaces);
-  const bool isKnown = key == this->Impl->Key;
-  bool whole = isKnown && (!this->Bounce || this->Impl->HasBounce);
-  if (!whole)
-  {
-    // Where memory runs out, say, the surface is passed on without arrays.
-    const bool ran = measuredbrdf::RunGuarded(
-      this, "RequestData", [&]() { whole = this->Impl->Trace(this, surfaces, !isKnown); });
-    whole = ran && whole;
-    this->Impl->Key = whole || (isKnown && ran) ? key : "";
-    this->NumberOfTraces += whole ? 1 : 0;
-  }
-  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
-  {
-    output->ShallowCopy(input);
-    if (whole && !surfaces.empty())
-    {
-      AddArrays(vtkPolyData::SafeDownCast(output), this->Impl->Arrays[0], this->Bounce);
-    }
-    return 1;
-  }
-  auto* blocks = vtkCompositeDataSet::SafeDownCast(output);
-  blocks->CopyStructure(composite);
-  blocks->GetFieldData()->ShallowCopy(composite->GetFieldData());
-  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  std::size_t number = 0;
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    vtkDataObject* block = it->GetCurrentDataObject();
-    auto copy = vtkSmartPointer<vtkDataObject>::Take(block->NewInstance());
-    copy->ShallowCopy(block);
-    auto* surface = vtkPolyData::SafeDownCast(copy);
-    if (surface && whole)
-    {
-      AddArrays(surface, this->Impl->Arrays[number++], this->Bounce);
-    }
-    blocks->SetDataSet(it, copy);
-  }
-  return 1;
+  bool whole = false; // where memory runs out, say, the surface is passed on without arrays
+  RunGuarded(this, "RequestData", [&]() { whole = this->Impl->Update(this, input); });
+  return RunGuarded(this, "RequestData", [&]() { this->Impl->PassOn(this, input, output, whole); })
+           ? 1
+           : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -11,29 +11,40 @@
 #include "vtkObject.h"
 
 #include <exception>
+#include <optional>
 #include <string>
 
 namespace measuredbrdf
 {
-/// Whether work was done. What it throws, for lack of memory say, is an error of the object.
+/// What work throws, for lack of memory say.
 template <typename Work>
-bool RunGuarded(vtkObject* object, const char* method, const Work& work)
+std::optional<std::string> FindThrown(const Work& work)
 {
-  std::string problem = "an unknown exception";
   try
   {
     work();
-    return true;
+    return std::nullopt;
   }
   catch (const std::exception& e)
   {
-    problem = e.what();
+    return e.what();
   }
-  catch (...)
+  catch (...) // of a program's own material
   {
+    return "an unknown exception";
   }
-  vtkErrorWithObjectMacro(object, << method << ": " << problem << ".");
-  return false;
+}
+
+/// Whether work was done. What it throws is an error of the object.
+template <typename Work>
+bool RunGuarded(vtkObject* object, const char* method, const Work& work)
+{
+  const std::optional<std::string> problem = FindThrown(work);
+  if (problem)
+  {
+    vtkErrorWithObjectMacro(object, << method << ": " << *problem << ".");
+  }
+  return !problem;
 }
 } // namespace measuredbrdf
 

@@ -5,6 +5,7 @@
 #include "BackgroundThreads.h"
 #include "ContentHash.h"
 #include "LocalFrame.h"
+#include "RunGuarded.h"
 #include "SharedTrace.h"
 #include "SurfaceBlocks.h"
 #include "SurfacePoints.h"
@@ -175,17 +176,12 @@ public:
 
   void Run()
   {
-    try
+    // Nobody catches it above a thread.
+    if (const auto problem = FindThrown([this]() { this->Forecast(); }))
     {
-      this->Forecast();
-    }
-    catch (const std::exception& e) // no memory, say: nobody catches it above a thread
-    {
-      this->Fail(e.what());
-    }
-    catch (...) // of a program's own material
-    {
-      this->Fail("an unknown exception");
+      this->Found = { -1.0, 0.0, false, this->Found.Points, this->Found.Most, *problem };
+      this->Traced = nullptr;
+      this->Trace = nullptr;
     }
   }
 
@@ -200,13 +196,6 @@ public:
   std::shared_ptr<SharedTrace> Trace;
 
 private:
-  void Fail(const char* why)
-  {
-    this->Found = { -1.0, 0.0, false, this->Found.Points, this->Found.Most, why };
-    this->Traced = nullptr;
-    this->Trace = nullptr;
-  }
-
   void Forecast()
   {
     if (this->Found.Points > MostPointsInBackground)
