@@ -8,7 +8,6 @@
 #include "BlockMaterials.h"
 #include "BlockParts.h"
 #include "DrawTimer.h"
-#include "DrawsColor.h"
 #include "MapperProperties.h"
 #include "vtkObjectFactory.h"
 #include "vtkPBRPropertyFitter.h"
@@ -18,7 +17,6 @@
 #include "vtkOpenGLCompositePolyDataMapperDelegator.h"
 #endif
 
-#include <exception>
 #include <set>
 #include <utility>
 
@@ -267,27 +265,15 @@ void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* act
     return; // the superclass wants both
   }
   const Depth inside(this->RenderDepth);
-  this->Impl->Drawing->BeginRender();
   this->Impl->Parts->Begin();
   vtkDataObject* input = this->GetInputDataObject(0, 0);
   this->Impl->Timer.Start(input ? input->GetNumberOfElements(vtkDataObject::CELL) : 0);
-  try // blocks of one material catch what is thrown themselves (RenderGuarded)
-  {
-    this->Superclass::Render(renderer, actor);
-    this->Impl->Parts->Render(renderer, actor);
-    if (DrawsColor(renderer, actor))
+  this->Impl->Drawing->Render(renderer, actor,
+    [&]()
     {
-      this->Impl->Drawing->KeepPlansInUse();
-    }
-  }
-  catch (const std::exception& e) // no memory, say
-  {
-    this->Impl->Drawing->ReportFailure(e.what());
-  }
-  catch (...) // of a program's own material
-  {
-    this->Impl->Drawing->ReportFailure("an exception of unknown kind");
-  }
+      this->Superclass::Render(renderer, actor);
+      this->Impl->Parts->Render(renderer, actor);
+    });
   this->Impl->Timer.Stop();
   this->TimeToDraw = this->Impl->Timer.GetSeconds();
 }

@@ -150,20 +150,19 @@ void vtkMeasuredBRDFMapper::RenderPiece(vtkRenderer* ren, vtkActor* actor)
     return; // the superclass wants both
   }
   const Depth inside(this->RenderDepth);
-  this->Drawing->BeginRender();
-  this->RenderGuarded(
+  this->Drawing->Render(ren, actor,
     [&]()
     {
-      if (!this->RenderParts(ren, actor))
+      bool drawn = false;
+      if (!this->Drawing->Try([&]() { drawn = this->RenderParts(ren, actor); }))
+      {
+        this->Map->Timer.Stop();
+      }
+      if (!drawn)
       {
         this->Superclass::RenderPiece(ren, actor);
       }
-      if (DrawsColor(ren, actor))
-      {
-        this->Drawing->KeepPlansInUse();
-      }
-    },
-    [this]() { this->Map->Timer.Stop(); });
+    });
 }
 
 //------------------------------------------------------------------------------

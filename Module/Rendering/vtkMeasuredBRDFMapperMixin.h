@@ -16,12 +16,11 @@
 #include "vtkMeasuredBRDFModule.h"   // for export macro
 #include "vtkOpenGLPolyDataMapper.h" // for the types of its methods
 
-#include <functional> // for RenderGuarded
-#include <map>        // for shaders
-#include <memory>     // for Drawing
-#include <string>     // for shader keys
-#include <utility>    // for MaterialUse
-#include <vector>     // for MaterialUse
+#include <map>     // for shaders
+#include <memory>  // for Drawing
+#include <string>  // for shader keys
+#include <utility> // for MaterialUse
+#include <vector>  // for MaterialUse
 
 class vtkBRDF;
 class vtkEnvironment;
@@ -54,10 +53,6 @@ protected:
 
   /// Whether scalars do not color the surfaces that are drawn now, whatever the mapper says.
   virtual bool IgnoresScalars() { return false; }
-
-  /// Draw, and report what is thrown meanwhile: nothing of VTK's catches it. finish: what is to be
-  /// done then.
-  void RenderGuarded(const std::function<void()>& draw, const std::function<void()>& finish);
 
   void RenderPieceStart(vtkRenderer* ren, vtkActor* actor) override;
   void RenderPieceDraw(vtkRenderer* ren, vtkActor* actor) override;
@@ -140,6 +135,7 @@ private:
 
   bool HasBadNormals = false;  // of the buffers
   bool HasStarted = false;     // RenderPieceStart, whole
+  bool IsPlain = false;        // drawn by the superclass, since materials failed
   int BuiltOcclusionMode = -1; // of the buffers
   bool BuiltOcclusionBounce = false;
   const void* BuiltTracedOcclusion = nullptr;

@@ -956,9 +956,9 @@ add("Rendering.environment-does-not-turn", "Private/EnvironmentRotation.cxx", "t
 add("Shaders.directional-light-without-cosine", "vtkBRDFDirectionalLight.glsl", "* radiance * brdfLight.z;",
     "* radiance;", "Mapper.SceneLights")
 add("Rendering.created-light-shines", "Private/DrawsColor.cxx",
-    "isLit ? CreatedLightOf::Get(renderer) : nullptr", "nullptr", "MapperShading.LightThatVTKCreated")
+    "light->GetSwitch() && IsCreated(light, renderer)", "false", "MapperShading.LightThatVTKCreated")
 add("Rendering.created-light-is-never-on", "Private/DrawsColor.cxx",
-    "isLit ? CreatedLightOf::Get(renderer) : nullptr", "CreatedLightOf::Get(renderer)",
+    "isLit ? lights->GetNextLight(it) : nullptr", "lights->GetNextLight(it)",
     "MapperShading.LightThatVTKCreated")
 add("Rendering.left-out-light-is-no-part-of-the-key", "Private/vtkMeasuredBRDFMapperMixin.txx",
     "std::to_string(this->FindSuperfluousLight(ren))", 'std::string("x")', "MapperShading.LightThatVTKCreated")
@@ -1355,6 +1355,16 @@ add("Core.objects-outlive-the-process", "Private/BackgroundThreads.cxx", "      
     "EndOfProcess.LeavesNoObjects")
 add("Rendering.attributes-without-end", "Private/vtkMeasuredBRDFMapperMixinOcclusion.txx",
     "own + needs.Attributes <= this->MostAttributes &&", "", "LimitsTest.DrawsWhatThereIsRoomFor")
+add("Rendering.clipping-takes-no-varyings", "Private/vtkMeasuredBRDFMapperMixin.txx",
+    "this->GetNumberOfClippingPlanes() > 0 ? 6 : 0", "0", "LimitsTest.ClippingPlanesAndEdgesTakeVaryings")
+add("Rendering.failures-are-said-once", "Private/MaterialDrawing.cxx",
+    "isOver ? this->Said.erase(it) : std::next(it)", "std::next(it)", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
+add("Rendering.what-throws-is-not-drawn", "Private/vtkMeasuredBRDFMapperMixin.txx", "tries = !this->IsPlain;",
+    "tries = false;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
+add("Rendering.shared-created-light-shines", "Private/DrawsColor.cxx", "other->GetLights() == renderer->GetLights() &&",
+    "false &&", "MapperShading.LightThatVTKCreated")
+add("Rendering.plans-before-of-gone-renderers", "Private/MapperPlans.cxx", "this->EndIf(this->Before, isGone);", "",
+    "Views.GoWithTheirRenderersAndActors")
 add("Rendering.kept-light-does-not-turn", "Private/OcclusionKept.cxx", "add(turn[column]);", "add(0.0 * turn[column]);",
     "OcclusionPointsTest.LightMayTurnAndRestAgain")
 add("Rendering.views-take-each-others-light", "Private/OcclusionPoints.cxx", "state->Of.View == question.View &&", "true &&",
@@ -1373,7 +1383,7 @@ add("Rendering.outlines-without-hidden-sky", "Private/OcclusionArrays.cxx", "ret
 add("Visibility.same-side-twice", "Private/VisibilityTask.cxx", "side == 0 ? 1.0 : -1.0, hidden",
     "1.0, hidden", "SurfaceVisibility.TheOtherSideHasItsOwnSky")
 add("Visibility.traced-again", "vtkSurfaceVisibilityFilter.cxx",
-    "const bool isKnown = key == this->Impl->Key;", "const bool isKnown = false;", "SurfaceVisibility.WhatIsKnownIsNotTracedAgain")
+    "const bool isKnown = key == this->Key;", "const bool isKnown = false;", "SurfaceVisibility.WhatIsKnownIsNotTracedAgain")
 add("Visibility.bounce-beyond-the-sky", "Private/BouncedLight.cxx", "std::floor(root / RootStep)", "std::ceil(root / RootStep)",
     "BouncedLight.CodesKeepTransfers")
 add("Visibility.bounce-of-all-rays", "Private/BounceTracer.cxx", "met > 0.0 ? hidden / met : 0.0", "hidden",

@@ -15,6 +15,7 @@
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkLambertBRDF.h"
+#include "vtkLight.h"
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMaterialMap.h"
 #include "vtkMeasuredBRDFMapper.h"
@@ -235,15 +236,25 @@ TEST_F(LimitsTest, AThrowIsOneErrorAndTheNextRenderWorks)
   const EventCounter errors(this->Mapper, vtkCommand::ErrorEvent);
   ThrowsNow = true;
   this->Mapper->SetOcclusionModeToOn(); // which evaluates the material again
-  this->RenderLinear();
-  this->RenderLinear();
+  vtkNew<vtkLight> light;
+  this->Renderer->AddLight(light); // by which the superclass draws
+  EXPECT_TRUE(IsDrawn(this->RenderLinear()));
+  EXPECT_TRUE(IsDrawn(this->RenderLinear()));
   EXPECT_EQ(errors.Count, 1);
   EXPECT_NE(errors.Text.find("std::bad_alloc"), std::string::npos) << errors.Text;
+  this->Renderer->RemoveLight(light);
   ThrowsNow = false;
   const FloatImage hidden = this->RenderLinear();
   EXPECT_TRUE(IsDrawn(hidden));
   EXPECT_NE(hidden.RGBA, open.RGBA);
   EXPECT_EQ(errors.Count, 1);
+  ThrowsNow = true;
+  brdf->Modified();
+  this->RenderLinear(); // the same again is said again
+  this->RenderLinear();
+  EXPECT_EQ(errors.Count, 2);
+  ThrowsNow = false;
+  brdf->Modified();
   vtkNew<vtkMeasuredBRDFMapper> fresh;
   fresh->SetInputData(this->Mapper->GetInput());
   fresh->SetEnvironment(this->Environment);

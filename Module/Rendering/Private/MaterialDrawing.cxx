@@ -5,6 +5,7 @@
 #include "Drawings.h"
 #include "DrawsColor.h"
 #include "OcclusionPoints.h"
+#include "RunGuarded.h"
 #include "SharedIntegrators.h"
 #include "StockLevels.h"
 #include "TextureEnvironment.h"
@@ -301,10 +302,7 @@ DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState&
   drawn.IsReady = problem.empty();
   if (!drawn.IsReady)
   {
-    if (this->WarnOnce(problem))
-    {
-      vtkErrorWithObjectMacro(this->Owner, << "The material is not drawn: " << problem << ".");
-    }
+    this->AddFailure("The material is not drawn: " + problem + ".");
     return drawn; // with its textures, which know what failed: it is not tried in every frame
   }
   drawn.Key = (drawn.Material ? drawn.Material->GetForm().GetShaderKey() : "") + "/" +
@@ -381,14 +379,44 @@ const std::vector<DrawnMaterial>& MaterialDrawing::GetMaterials() const
   return this->Frame ? this->Frame->Materials : none;
 }
 
-void MaterialDrawing::ReportFailure(const std::string& what)
+void MaterialDrawing::Render(
+  vtkRenderer* renderer, vtkActor* actor, const std::function<void()>& draw)
 {
-  this->EndFrame();
-  if (this->WarnOnce("render: " + what))
+  this->AbortPlanning = false;
+  this->Failures.clear();
+  this->Try(
+    [&]()
+    {
+      draw();
+      if (DrawsColor(renderer, actor))
+      {
+        this->KeepPlansInUse();
+      }
+    });
+  const std::pair<vtkRenderer*, vtkActor*> view(renderer, actor);
+  for (const std::string& failure : this->Failures)
   {
-    vtkErrorWithObjectMacro(
-      this->Owner, << "Render: " << what << ". The next one draws the surface again.");
+    if (this->Said.insert_or_assign(failure, view).second)
+    {
+      vtkErrorWithObjectMacro(this->Owner, << failure);
+    }
   }
+  for (auto it = this->Said.begin(); it != this->Said.end() && DrawsColor(renderer, actor);)
+  {
+    const bool isOver = it->second == view && this->Failures.count(it->first) == 0;
+    it = isOver ? this->Said.erase(it) : std::next(it);
+  }
+}
+
+bool MaterialDrawing::Try(const std::function<void()>& step)
+{
+  const std::optional<std::string> problem = FindThrown(step);
+  if (problem)
+  {
+    this->EndFrame();
+    this->AddFailure("Render: " + *problem + ". The next one tries again.");
+  }
+  return !problem;
 }
 
 void MaterialDrawing::Select(std::size_t material) { this->SelectMixture({ material }, {}); }

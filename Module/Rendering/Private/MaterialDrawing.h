@@ -60,11 +60,19 @@ public:
 
   MaterialSettings& GetSettings() const { return *this->Settings; }
 
+  /// A mapper's Render, of which draw begins and ends a frame for each part. What fails is an error
+  /// of the mapper, the next one of the same text after a Render without it.
+  void Render(vtkRenderer* renderer, vtkActor* actor, const std::function<void()>& draw);
+
+  /// Whether a step of it was done. What it throws fails: nothing of VTK's catches it.
+  bool Try(const std::function<void()>& step);
+
+  /// What can't be drawn as it should be in this Render.
+  void AddFailure(const std::string& text) { this->Failures.insert(text); }
+
   /// Get ready to draw a part of a frame: bring plans and textures up to date. In passes that take
   /// no color from the material (picking, shadow maps) the superclass draws, and nothing is
   /// planned. part: who draws, of the mappers that share this object.
-  /// A mapper's Render is BeginRender and a frame for each part.
-  void BeginRender() { this->AbortPlanning = false; }
   void BeginFrame(
     vtkRenderer* renderer, vtkActor* actor, const void* part, const std::vector<MaterialUse>& uses);
   void EndFrame();
@@ -161,10 +169,6 @@ public:
   bool WarnOnce(const std::string& cause) { return this->Warned.insert(cause).second; }
   vtkObject* GetOwner() const { return this->Owner; }
 
-  /// What a Render's exception says: what the actor shows in this frame is not the whole, the next
-  /// one tries again.
-  void ReportFailure(const std::string& what);
-
 private:
   struct MaterialSlot
   {
@@ -231,6 +235,9 @@ private:
   vtkWeakPointer<vtkRenderer> LastRenderer;
   SelectedMaterials Selected;
   std::set<std::string> Warned;
+  std::set<std::string> Failures; // of this Render
+  /// Those that were said, and whose last Render had them.
+  std::map<std::string, std::pair<vtkRenderer*, vtkActor*>> Said;
   std::atomic<bool> AbortPlanning{ false };
   struct KnownLight
   {

@@ -123,10 +123,9 @@ bool PartMappers::Divide(vtkPolyData* input)
     this->Parts.Update(whole, settings.MaterialMap, settings.BRDF, warning);
   for (const std::string& text : { problem, warning })
   {
-    if (!text.empty() && this->Parts.HasFailed() && this->Drawing->WarnOnce(GetCause(text)))
+    if (!text.empty() && this->Parts.HasFailed())
     {
-      vtkErrorWithObjectMacro(this->Drawing->GetOwner(),
-        << "The material map is not used in this frame: " << text << ".");
+      this->Drawing->AddFailure("The material map is not used in this frame: " + text + ".");
     }
     else if (!text.empty() && this->Drawing->WarnOnce(GetCause(text)))
     {

@@ -31,7 +31,6 @@
 #include "vtkTexture.h"
 
 #include <algorithm>
-#include <exception>
 #include <numeric>
 
 namespace measuredbrdf
@@ -93,41 +92,24 @@ template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::RenderPiece(vtkRenderer* ren, vtkActor* actor)
 {
   const measuredbrdf::Depth inside(this->RenderDepth);
-  this->HasStarted = false;
-  this->RenderGuarded([&]() { this->Base::RenderPiece(ren, actor); },
-    [&]()
+  this->IsPlain = false;
+  for (bool tries = true; tries;)
+  {
+    this->HasStarted = false;
+    if (this->Drawing->Try([&]() { this->Base::RenderPiece(ren, actor); }))
     {
-      this->BuiltOcclusionMode = -1; // buffers may be half built
-      this->ShaderKeys.clear();      // and shaders
-      if (this->HasStarted)
-      {
-        this->ShowOnly(-1);
-        this->Base::RenderPieceFinish(ren, actor);
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
-template <class Base>
-void vtkMeasuredBRDFMapperMixin<Base>::RenderGuarded(
-  const std::function<void()>& draw, const std::function<void()>& finish)
-{
-  std::string problem;
-  try
-  {
-    draw();
-    return;
+      return;
+    }
+    this->BuiltOcclusionMode = -1; // buffers may be half built
+    this->ShaderKeys.clear();      // and shaders
+    if (this->HasStarted)
+    {
+      this->ShowOnly(-1);
+      this->Base::RenderPieceFinish(ren, actor);
+    }
+    tries = !this->IsPlain;
+    this->IsPlain = true;
   }
-  catch (const std::exception& e) // no memory, say
-  {
-    problem = e.what();
-  }
-  catch (...)
-  {
-    problem = "an unknown exception";
-  }
-  finish();
-  this->Drawing->ReportFailure(problem);
 }
 
 //------------------------------------------------------------------------------
@@ -148,10 +130,13 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReleaseGraphicsResources(vtkWindow* windo
 template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
 {
-  this->Drawing->BeginFrame(ren, actor, this, this->GetMaterialUses());
+  if (!this->IsPlain)
+  {
+    this->Drawing->BeginFrame(ren, actor, this, this->GetMaterialUses());
+  }
   // Each distance and each edge's equation takes a vector of four.
-  this->VaryingsOfBase =
-    4 * ((this->GetNumberOfClippingPlanes() > 0 ? 6 : 0) + (this->DrawingEdges(ren, actor) ? 3 : 0));
+  this->VaryingsOfBase = 4 * ((this->GetNumberOfClippingPlanes() > 0 ? 6 : 0) +
+                               (this->DrawingEdges(ren, actor) ? 3 : 0));
   this->Base::RenderPieceStart(ren, actor);
   this->HasStarted = true;
 }
