@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene.h"
 
+#include "ParallelFor.h"
 #include "Progress.h"
 #include "Tool.h"
 
@@ -13,7 +14,6 @@
 #include "vtkRadianceIntegrator.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkRenderer.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 
@@ -156,7 +156,7 @@ std::size_t Scene::GetTextureBytes()
 void ComposeOver(
   Picture& picture, const OffscreenScene& scene, const Backdrop& backdrop, double exposure)
 {
-  vtkSMPTools::For(0, picture.Height,
+  measuredbrdf::ParallelFor(0, picture.Height,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (int y = static_cast<int>(begin); y < end; ++y)

@@ -7,8 +7,6 @@
 #include "MeasuredBRDFToolVersion.h"
 #include "Window.h"
 
-#include <QApplication>
-
 #include <CLI/CLI.hpp>
 
 #include <csignal>
@@ -79,10 +77,8 @@ int main(int argc, char* argv[])
       return Run(argc, argv);
     }
   }
-  explorer::PrepareApplication();
-  QApplication application(argc, argv);
+  const explorer::Application application(argc, argv);
   QApplication::setApplicationName("measured-brdf-explorer");
-  explorer::PrepareLocale();
   try
   {
     return Run(argc, argv);

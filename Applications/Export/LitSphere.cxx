@@ -3,10 +3,10 @@
 #include "LitSphere.h"
 
 #include "Lobes.h"
+#include "ParallelFor.h"
 
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -200,7 +200,7 @@ void LitSphere::AddLight(vtkEnvironment* environment)
 {
   const vtkSmartPointer<vtkEnvironment> reduced = Reduce(environment);
   std::vector<Energies> energies(this->Pixels.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Pixels.size()),
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(this->Pixels.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
@@ -247,7 +247,7 @@ std::vector<glm::dvec3> LitSphere::Evaluate(vtkBRDF* brdf, const View& view) con
 std::vector<double> LitSphere::Sum(vtkBRDF* brdf) const
 {
   std::vector<std::vector<glm::dvec3>> values(this->Views.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(values.size()),
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(values.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)

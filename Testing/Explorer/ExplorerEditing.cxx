@@ -23,7 +23,6 @@
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkTabulatedBRDF.h"
 
-#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -563,9 +562,7 @@ int main(int argc, char* argv[])
     std::puts("Skipped: the explorer's window needs an X server");
     return 125;
   }
-  PrepareApplication();
-  QApplication application(argc, argv);
-  PrepareLocale();
+  const Application application(argc, argv);
   ExplorerEditing test;
   return QTest::qExec(&test, argc, argv);
 }

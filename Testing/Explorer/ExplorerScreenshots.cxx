@@ -19,7 +19,6 @@
 #include "vtkEmbeddedMaterials.h"
 #include "vtkTabulatedBRDF.h"
 
-#include <QApplication>
 #include <QElapsedTimer>
 #include <QTabWidget>
 #include <QTableView>
@@ -153,9 +152,7 @@ int main(int argc, char* argv[])
     return 2;
   }
   const QString folder = argv[1];
-  PrepareApplication();
-  QApplication application(argc, argv);
-  PrepareLocale();
+  const Application application(argc, argv);
   if (folder.endsWith(".json") && argc == 4)
   {
     return SaveStatePicture(argv[1], std::atoi(argv[2]), argv[3]);

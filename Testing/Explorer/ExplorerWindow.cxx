@@ -30,7 +30,6 @@
 #include "vtkRadiancePlanner.h"
 #include "vtkRenderer.h"
 
-#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDropEvent>
@@ -41,6 +40,7 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QUrl>
 #include <QtTest>
 
@@ -51,6 +51,7 @@
 #include <fstream>
 #include <functional>
 #include <memory>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -121,6 +122,7 @@ private slots:
   void materialsAreCompared();
   void transmissionIsShown();
   void pictureAndReport();
+  void exceptionsAreMessages();
   void closesWhileWorking();
 
 private:
@@ -685,6 +687,14 @@ void ExplorerWindow::pictureAndReport()
 }
 
 //------------------------------------------------------------------------------
+// Of an event, Qt's or a timer's, on the window's thread.
+void ExplorerWindow::exceptionsAreMessages()
+{
+  QTimer::singleShot(0, this->Shared.get(), []() { throw std::bad_alloc(); });
+  QTRY_VERIFY_WITH_TIMEOUT(this->Shared->GetMessage().contains("bad_alloc"), Patience);
+}
+
+//------------------------------------------------------------------------------
 // A plan that takes long, a fit and an exact picture run when the window goes.
 void ExplorerWindow::closesWhileWorking()
 {
@@ -725,9 +735,7 @@ int main(int argc, char* argv[])
     std::puts("Skipped: the explorer's window needs an X server");
     return 125;
   }
-  PrepareApplication();
-  QApplication application(argc, argv);
-  PrepareLocale();
+  const Application application(argc, argv);
   ExplorerWindow test;
   return QTest::qExec(&test, argc, argv);
 }
