@@ -12,7 +12,7 @@
  * The spheres are pictures computed on the CPU, within 5 % of the exact radiance where that is
  * possible, seen along the environment's -z axis from a great distance. They are made when a
  * material or the environment changes: in some 0.1 s each, more for mirror-like ones. Colors are
- * radiance^(1/2.2), as the mappers write them.
+ * radiance^(1/2.2), as the mappers write them: a tone mapping pass exposes both alike.
  *
  * Position is the lower left corner and Position2 the size, in shares of the viewport (defaults:
  * 0.8, 0.1 and 0.18, 0.8).
@@ -111,8 +111,9 @@ public:
   std::string GetLabel(int entry);
 
   /**
-   * The picture of an entry's sphere: SphereResolution squared, RGBA in 8 bits; null where there is
-   * none of that number, or where it could not be made, after an error event.
+   * The picture of an entry's sphere: SphereResolution squared, RGBA in floats, of which 1 is white
+   * and opaque; null where there is none of that number, or where it could not be made, after an
+   * error event.
    */
   vtkImageData* GetSphere(int entry);
 

@@ -9,6 +9,8 @@
 #include "vtkMaterialLegendActor.h"
 #include "vtkMaterialMap.h"
 #include "vtkProperty2D.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkToneMappingPass.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -79,9 +81,8 @@ TEST_F(MaterialLegend, ListsMaterialsWithTheirNames)
   ASSERT_NE(sphere, nullptr);
   EXPECT_EQ(sphere->GetDimensions()[0], 64);
   EXPECT_EQ(sphere->GetScalarComponentAsDouble(0, 0, 0, 3), 0.0);
-  EXPECT_EQ(sphere->GetScalarComponentAsDouble(32, 32, 0, 3), 255.0);
-  EXPECT_NEAR(
-    sphere->GetScalarComponentAsDouble(32, 32, 0, 2), 255.0 * std::pow(0.5, 1 / 2.2), 4.0);
+  EXPECT_EQ(sphere->GetScalarComponentAsDouble(32, 32, 0, 3), 1.0);
+  EXPECT_NEAR(sphere->GetScalarComponentAsDouble(32, 32, 0, 2), std::pow(0.5, 1 / 2.2), 0.015);
   EXPECT_EQ(this->Legend->GetSphere(1), sphere); // made once
   this->Red->SetAlbedo(0.2, 0.2, 0.2);
   EXPECT_EQ(this->Legend->GetSphere(1), sphere); // another one's change
@@ -100,6 +101,20 @@ TEST_F(MaterialLegend, DrawsSpheresBelowEachOtherOrSideBySide)
   this->Legend->SetTitle("materials");
   ExpectAlbedo(this->GetPixel(50, 140), 0.5, 0.1, 0.1);
   ExpectAlbedo(this->GetPixel(150, 140), 0.3, 0.3, 0.3);
+}
+
+// As the scene is, whose light is in cd/m2, say.
+TEST_F(MaterialLegend, IsExposedByAToneMappingPass)
+{
+  this->White->SetPixels(8, 4, std::vector<float>(96, 1000.0f));
+  vtkNew<vtkToneMappingPass> exposure;
+  vtkNew<vtkRenderStepsPass> steps;
+  exposure->SetToneMappingType(vtkToneMappingPass::Exponential);
+  exposure->SetExposure(1e-3f);
+  exposure->SetDelegatePass(steps);
+  this->Renderer->SetPass(exposure);
+  ExpectAlbedo(
+    this->GetPixel(50, 150), 1.0 - std::exp(-0.5), 1.0 - std::exp(-0.1), 1.0 - std::exp(-0.1));
 }
 
 // Nothing is drawn without materials; behind them a rectangle, if that is wanted.

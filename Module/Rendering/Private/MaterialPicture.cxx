@@ -62,17 +62,16 @@ vtkSmartPointer<vtkImageData> MakeMaterialPicture(
   }
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(pixels, pixels, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  auto* rgba = static_cast<unsigned char*>(image->GetScalarPointer());
+  image->AllocateScalars(VTK_FLOAT, 4);
+  auto* rgba = static_cast<float*>(image->GetScalarPointer());
   for (std::size_t k = 0; k < coverage.size(); ++k)
   {
     for (int c = 0; c < 3; ++c)
     {
       const double value = radiance->GetComponent(static_cast<vtkIdType>(k), c);
-      const double shown = std::pow(std::clamp(value, 0.0, 1.0), 1.0 / 2.2);
-      *rgba++ = static_cast<unsigned char>(std::lround(255.0 * shown));
+      *rgba++ = static_cast<float>(std::pow(std::max(value, 0.0), 1.0 / 2.2));
     }
-    *rgba++ = static_cast<unsigned char>(std::lround(255.0 * coverage[k]));
+    *rgba++ = static_cast<float>(coverage[k]);
   }
   return image;
 }

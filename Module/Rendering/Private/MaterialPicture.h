@@ -16,7 +16,7 @@ class vtkImageData;
 
 namespace measuredbrdf
 {
-/// RGBA in 8 bits, radiance^(1/2.2), transparent around the sphere. Seen along -z from a great
+/// RGBA in floats, radiance^(1/2.2), transparent around the sphere. Seen along -z from a great
 /// distance. Null where there is nothing to integrate with.
 vtkSmartPointer<vtkImageData> MakeMaterialPicture(
   vtkBRDF* brdf, vtkEnvironment* environment, int pixels, double tolerance);

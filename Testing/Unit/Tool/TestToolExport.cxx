@@ -20,18 +20,21 @@
 #include "vtkMath.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <new>
 #include <stdexcept>
 
 #include <unistd.h>
@@ -278,6 +281,35 @@ TEST(ExportLitSphere, KeepsAllLight)
       EXPECT_NEAR(radiance[k], 0.5 * (1 << k % 3), 1e-3);
     }
   }
+}
+
+namespace
+{
+class Throwing : public vtkLambertBRDF
+{
+public:
+  static Throwing* New();
+  vtkTypeMacro(Throwing, vtkLambertBRDF);
+
+protected:
+  void EvaluateAbove(const double[3], const double[3], double[3]) override
+  {
+    throw std::bad_alloc();
+  }
+};
+vtkStandardNewMacro(Throwing);
+}
+
+//------------------------------------------------------------------------------
+TEST(ExportLitSphere, ThrowsWhatAMaterialThrowsOnAnyThread)
+{
+  vtkNew<Throwing> brdf;
+  tool::LitSphere sphere(Front, true);
+  sphere.AddLight(MakeSky());
+  const std::string usual = vtkSMPTools::GetBackend();
+  ASSERT_TRUE(vtkSMPTools::SetBackend("STDThread"));
+  EXPECT_THROW(sphere.Sum(brdf), std::bad_alloc);
+  vtkSMPTools::SetBackend(usual.c_str());
 }
 
 //------------------------------------------------------------------------------
