@@ -335,9 +335,9 @@ int vtkSurfaceVisibilityFilter::RequestData(vtkInformation* vtkNotUsed(request),
   }
   bool whole = false; // where memory runs out, say, the surface is passed on without arrays
   RunGuarded(this, "RequestData", [&]() { whole = this->Impl->Update(this, input); });
-  return RunGuarded(this, "RequestData", [&]() { this->Impl->PassOn(this, input, output, whole); })
-           ? 1
-           : 0;
+  const bool passed =
+    RunGuarded(this, "RequestData", [&]() { this->Impl->PassOn(this, input, output, whole); });
+  return passed ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

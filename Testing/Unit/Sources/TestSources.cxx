@@ -24,6 +24,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -410,6 +411,34 @@ TEST(ImageSource, PixelsAreTheSlicesOfBurley)
   values = source->GetOutput()->GetPointData()->GetScalars();
   EXPECT_GT(values->GetComponent(7 + 0 * 9, 0), 0.0);
   EXPECT_EQ(values->GetComponent(8 + 1 * 9, 0), 0.0);
+}
+
+namespace
+{
+class NoMemoryForImages : public vtkBRDFImageSource
+{
+public:
+  static NoMemoryForImages* New();
+  vtkTypeMacro(NoMemoryForImages, vtkBRDFImageSource);
+
+protected:
+  using vtkBRDFImageSource::AllocateOutputData;
+  vtkImageData* AllocateOutputData(vtkDataObject*, vtkInformation*) override
+  {
+    throw std::bad_alloc();
+  }
+};
+vtkStandardNewMacro(NoMemoryForImages);
+}
+
+//------------------------------------------------------------------------------
+TEST(Sources, NoMemoryForAnImageIsAnError)
+{
+  vtkNew<NoMemoryForImages> source;
+  ErrorCatcher errors(source);
+  source->Update();
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_NE(errors.GetText().find("std::bad_alloc"), std::string::npos) << errors.GetText();
 }
 
 //------------------------------------------------------------------------------

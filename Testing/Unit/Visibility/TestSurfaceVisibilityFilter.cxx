@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkSurfaceVisibilityFilter: what it finds, keeps, and survives.
+#include "ErrorCatcher.h"
 #include "HiddenSky.h"
 #include "SurfacePoints.h"
 #include "TraceSurface.h"
@@ -8,11 +9,13 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -30,6 +33,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <new>
 #include <vector>
 
 namespace
@@ -335,6 +339,29 @@ TEST(SurfaceVisibility, TakesOddSurfaces)
   // Far away in large steps, and small.
   ExpectAllOpen(MakeSphere(1e6, 1e8));
   ExpectAllOpen(MakeSphere(1e-6, 0.0));
+}
+
+class NoMemoryForCopies : public vtkPolyData
+{
+public:
+  static NoMemoryForCopies* New();
+  vtkTypeMacro(NoMemoryForCopies, vtkPolyData);
+  void ShallowCopy(vtkDataObject*) override { throw std::bad_alloc(); }
+};
+vtkStandardNewMacro(NoMemoryForCopies);
+
+TEST(SurfaceVisibility, NoMemoryForCopiesIsAnError)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  vtkNew<NoMemoryForCopies> block;
+  blocks->SetBlock(0, block);
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  ErrorCatcher errors(filter);
+  ErrorCatcher executive(filter->GetExecutive());
+  filter->SetInputDataObject(blocks);
+  filter->Update();
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_NE(errors.GetText().find("std::bad_alloc"), std::string::npos) << errors.GetText();
 }
 
 TEST(SurfaceVisibility, CanBeStopped)
