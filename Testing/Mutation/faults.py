@@ -1183,7 +1183,7 @@ add("Rendering.map-scalars-that-choose-color", "Private/PartMappers.cxx", "if (c
     "if (!colored || ",
     "MaterialMapping.ScalarsThatChooseDoNotColor")
 add("Rendering.map-classes-keep-the-last-textures", "Private/BRDFTextures.cxx",
-    "if (!last.Has(uploaded.Texture))", "if (false)",
+    "if (!last.Has(uploaded.Texture.get()))", "if (false)",
     "ManyClasses.OfSeveralShadersUnderALight")
 add("Rendering.map-views-share-stacks", "Private/ClassesMapper.cxx",
     "const Place place(vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow()), ren);",
@@ -1346,8 +1346,8 @@ add("Rendering.views-forget-each-other", "Private/OcclusionForecast.cxx", "!this
     "(!this->Answer || this->Asked != key) && follows", "OcclusionTest.ForecastsFollowTheSurface")
 add("Rendering.views-for-ever", "Private/OcclusionForecast.cxx", "MostAnswers = 1024;", "MostAnswers = 4;",
     "Forecast.ViewsThatTakeTurnsComeToAnEnd")
-add("Rendering.throws-end-the-thread-unsaid", "Private/OcclusionForecast.cxx", "this->Fail(e.what());", "",
-    "Forecast.TellsWhatIsThrown")
+add("Rendering.throws-end-the-thread-unsaid", "Private/OcclusionForecast.cxx",
+    "this->Found.Most, *problem };", "this->Found.Most, std::string() };", "Forecast.TellsWhatIsThrown")
 add("Core.threads-outlive-the-process", "Private/BackgroundThreads.cxx", "    for (const std::function<void()>& stop : stops)",
     "    for (const std::function<void()>& stop : std::vector<std::function<void()>>())",
     "EndOfProcess.StopsPlans|EndOfProcess.StopsForecasts")
