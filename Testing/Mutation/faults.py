@@ -836,6 +836,8 @@ add("Rendering.normals-turn-as-points", "Private/VisibleSurface.cxx",
     "Visible.ActorsAreTransformed")
 add("Rendering.what-is-outside-counts", "Private/VisibleSurface.cxx", "if (!eye.Sees(point) || ", "if (",
     "Visible.OnlyWhatIsInThePictureCounts")
+add("Rendering.left-tables-go-on", "Private/PlanJob.cxx", "return this->Planner->GetAbort(); });", "return false; });",
+    "CurrentPlan.LeavesResamplingInTheMiddle")
 add("Rendering.left-plans-go-on", "Private/PlanJob.cxx", "else\n    {\n      this->Planner->SetAbort(true);\n    }",
     "", "Background.AChangeStopsWhatIsInTheMaking")
 add("Rendering.changed-materials-are-not-redrawn", "Private/MaterialSettings.cxx", "add(this->BRDF);", "",
