@@ -47,8 +47,8 @@ public:
   /**
    * Whether the values are such as people set by hand (default on): a metallic part of 0, or of 0.3
    * to 1 (metals, and paint with flakes) with a roughness of at most 0.6; indices of refraction up
-   * to 2. Off: all that vtkProperty takes, such
-   * as a felt with a metallic part of 0.46, which is closer to the material.
+   * to 2. Off: all that vtkProperty takes, such as a felt with a metallic part of 0.46, which is
+   * closer to the material.
    */
   vtkSetMacro(UsualValues, bool);
   vtkGetMacro(UsualValues, bool);

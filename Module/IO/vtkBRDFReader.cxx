@@ -42,17 +42,6 @@ Path SplitPath(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-bool IsText(std::string_view bytes)
-{
-  return std::all_of(bytes.begin(), bytes.end(),
-    [](char c)
-    {
-      const auto byte = static_cast<unsigned char>(c);
-      return byte >= 0x20 ? byte != 0x7f && byte < 0xf5 : (c == '\n' || c == '\r' || c == '\t');
-    });
-}
-
-//------------------------------------------------------------------------------
 // What a file that is no material may be: what often lies where one is looked for.
 std::string DescribeContent(std::string_view bytes)
 {

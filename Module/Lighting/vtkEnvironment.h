@@ -9,7 +9,8 @@
  * v = 0; texel centers lie at (k + 1/2)/N. Between them radiance is bilinear in (u,v), as textures
  * and other renderers have it: u goes on around the seam, v stops at the outer rows' centers.
  *
- * Negative and non-finite values are set to 0 on the way in and counted.
+ * On the way in, +infinity becomes the largest half float, or the largest value if that is larger;
+ * negative and other non-finite values become 0. All of these are counted.
  */
 
 #ifndef vtkEnvironment_h

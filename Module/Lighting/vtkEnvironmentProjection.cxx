@@ -6,6 +6,7 @@
 #include "ParallelFor.h"
 #include "ProjectionMaps.h"
 #include "Projections.h"
+#include "RadianceValues.h"
 #include "Setters.h"
 
 #include "vtkCommand.h"
@@ -266,7 +267,8 @@ vtkImageData* vtkEnvironmentProjection::NewProbe(vtkEnvironment* environment, in
 }
 
 //------------------------------------------------------------------------------
-// Bad values become 0; rim texels whose center lies outside the disc take a neighbor's value.
+// Bad values become 0, or the largest; rim texels whose center lies outside the disc take a
+// neighbor's value.
 void vtkEnvironmentProjection::Repair(
   int projection, int width, int height, std::vector<float>& rgb)
 {
@@ -277,6 +279,7 @@ void vtkEnvironmentProjection::Repair(
     return IsDisc(projection) ? MapToDirection(projection, at, ignored)
                               : !ShowsNothing(projection, at, at);
   };
+  const float largest = GetLargestValue(rgb);
   std::atomic<vtkIdType> negative(0);
   std::atomic<vtkIdType> notFinite(0);
   measuredbrdf::ParallelFor(0, height,
@@ -294,7 +297,7 @@ void vtkEnvironmentProjection::Repair(
             const bool finite = std::isfinite(*value);
             found[0] += shown && finite && *value < 0.0f;
             found[1] += shown && !finite;
-            *value = shown && finite ? std::max(*value, 0.0f) : 0.0f;
+            *value = shown && *value > 0.0f ? std::min(*value, largest) : 0.0f;
           }
         }
       }

@@ -88,9 +88,9 @@ public:
   ///@}
 
   /**
-   * Probe (width x height RGB triples, row 0 at the bottom) -> output's pixels. Negative and
-   * non-finite values are set to 0 and counted. Returns false with an error event, output
-   * unchanged, when the size does not fit the projection or the number of values, or when aborted.
+   * Probe (width x height RGB triples, row 0 at the bottom) -> output's pixels, repaired
+   * and counted as vtkEnvironment's. Returns false with an error event, output unchanged, when the
+   * size does not fit the projection or the number of values, or when aborted.
    */
   bool Convert(int width, int height, std::vector<float> rgb, vtkEnvironment* output);
 

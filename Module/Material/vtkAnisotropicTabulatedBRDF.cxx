@@ -171,7 +171,7 @@ bool vtkAnisotropicTabulatedBRDF::Resample(
   const vtkIdType rows = static_cast<vtkIdType>(dimensions[2]) * dimensions[3];
   const std::size_t row = 3u * static_cast<std::size_t>(dimensions[0] * dimensions[1]);
   std::vector<float> rgb(row * static_cast<std::size_t>(rows));
-  measuredbrdf::ParallelFor(0, rows,
+  measuredbrdf::ParallelFor(0, rows, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end; ++k)

@@ -2,13 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSumBRDF.h"
 
+#include "ReflectionIntegral.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
 
+using namespace measuredbrdf;
+
 vtkStandardNewMacro(vtkSumBRDF);
+
+namespace
+{
+constexpr double WeightTolerance = 0.05; // any weights will do, good ones draw well
+}
 
 //------------------------------------------------------------------------------
 vtkSumBRDF::vtkSumBRDF() = default;
@@ -133,9 +141,8 @@ void vtkSumBRDF::Prepare()
   for (vtkBRDF* term : this->Terms)
   {
     term->Prepare();
-    const double normal[3] = { 0.0, 0.0, 1.0 };
-    double albedo[3];
-    term->GetDirectionalAlbedo(normal, albedo);
+    const glm::dvec3 albedo =
+      IntegrateReflection(term, { 0.0, 0.0, 1.0 }, IntegralOver::Lights, WeightTolerance);
     weights.push_back(albedo[0] + albedo[1] + albedo[2]);
     total += weights.back();
   }

@@ -9,17 +9,17 @@
  * vtkRadianceMethods and its sizes) from cheap to costly and chooses the first of those tried that
  * meets the tolerance. Errors are relative L1 over a sphere, mean |x - r| /
  * mean r, and are predicted by trying: each candidate is prepared and compared on some hundred
- * (normal, view) pairs with a nearly exact sum (for broad lobes a sum over thousands of lights, for
- * sharp ones an adaptive integral). The pairs are a sample of thousands, as a
- * sphere shows them to all views, drawn by where two cheap candidates differ; two standard errors
- * of that sample are added, with the sum's own error, so that what is predicted holds. A choice
- * that may be luck, or one that may have missed the tolerance by chance, is checked on a second
- * sample. The error is the mean over all views. One picture can have several times as much, when
- * most of the light is behind what it shows; GetPredictedPictureError estimates the largest. Where
- * that is above the tolerance, candidates are tried, too, whose frames are no longer and which take
- * at most 4 MB (less for fewer pixels than a sphere has). One of them is taken if it is within the
- * tolerance in single pictures, or has at most two thirds of the error there. For one picture, plan
- * for it (SetPairs, vtkMeasuredBRDFMapper::SetPlanForView). Costs are those of a
+ * (normal, view) pairs with a nearly exact sum (for broad lobes of isotropic materials a sum over
+ * thousands of lights, for all others an adaptive integral). The pairs are a sample of thousands,
+ * as a sphere shows them to all views, drawn by where two cheap candidates differ; two standard
+ * errors of that sample are added, with the sum's own error, so that what is predicted holds. A
+ * choice that may be luck, or one that may have missed the tolerance by chance, is checked on a
+ * second sample. The error is the mean over all views. One picture can have several times as much,
+ * when most of the light is behind what it shows; GetPredictedPictureError estimates the largest.
+ * Where that is above the tolerance, candidates are tried, too, whose frames are no longer and
+ * which take at most 4 MB (less for fewer pixels than a sphere has). One of them is taken if it is
+ * within the tolerance in single pictures, or has at most two thirds of the error there. For one
+ * picture, plan for it (SetPairs, vtkMeasuredBRDFMapper::SetPlanForView). Costs are those of a
  * vtkRadianceCostModel: Mesa's llvmpipe's unless another is set.
  *
  * The order of the candidates counts 3 % of a table's pixel (3 ns on llvmpipe), times 196350 /

@@ -240,10 +240,11 @@ public:
   ///@}
 
   /**
-   * Set a property to VTK's physically based shading that comes nearest to the material under a
-   * neutral light (vtkPBRPropertyFitter), for what draws the property and not the material:
-   * exporters, OSPRay, ANARI, glyphs, levels of detail. Returns the relative L1 error of that;
-   * negative, with the property as it was, where there is no material or no property.
+   * Set a property to VTK's physically based shading with the usual values that come nearest to the
+   * material under a neutral light (vtkPBRPropertyFitter, UsualValues), for what draws the property
+   * and not the material: exporters, OSPRay, ANARI, glyphs, levels of detail. Returns the relative
+   * L1 error of that; negative, with the property as it was, where there is no material or no
+   * property.
    */
   double FitProperty(vtkProperty* property);
 

@@ -241,7 +241,7 @@ def _from_array(source: ArrayLike, srgb: bool | None) -> Any:
     image = vtkImageData()
     image.SetDimensions(pixels.shape[1], pixels.shape[0], 1)
     image.GetPointData().SetScalars(scalars)
-    return _from_image(image, srgb)
+    return _from_image(image, srgb, 4)
 
 
 def get_image(source: Any) -> Any:
@@ -257,8 +257,8 @@ def get_image(source: Any) -> Any:
     return source.GetInput()
 
 
-def _from_image(image: Any, srgb: bool | None) -> Any:
-    """A new vtkEnvironment."""
+def _from_image(image: Any, srgb: bool | None, level: int = 3) -> Any:
+    """A new vtkEnvironment. level: of the stack, whose line a warning names."""
     scalars = image.GetPointData().GetScalars()
     environment = vtkEnvironment()
     with TakenErrors(environment) as errors:
@@ -267,8 +267,9 @@ def _from_image(image: Any, srgb: bool | None) -> Any:
             raise ValueError(errors.text)
     bad = environment.GetNumberOfNegativeValues(), environment.GetNumberOfNonFiniteValues()
     if any(bad):
-        warnings.warn(f"{bad[0]} values of the environment are negative and {bad[1]} are not finite; 0 is taken",
-                      stacklevel=4)
+        warnings.warn(f"{bad[0]} values of the environment are negative and {bad[1]} are not finite; 0 is taken, "
+                      "the largest value for +infinity",
+                      stacklevel=level)
     return environment
 
 

@@ -174,7 +174,7 @@ add("Material.sum-of-the-last-term", "vtkSumBRDF.cxx",
     "Evaluate.KeepsItsPromises|Parity.ClosedForms|Snapshots.SumsCopyTheirTerms|IOFits.ReadsLow")
 add("Material.snapshot-without-source", "vtkBRDF.cxx", "copy->Source = this->Source;", "",
     "Snapshots.ClosedForms|Snapshots.Tables|Snapshots.SumsCopyTheirTerms")
-add("Material.albedo-of-first-squares", "Private/HemisphereIntegral.cxx", "while (!isEnough() &&", "while (false &&",
+add("Material.albedo-of-first-squares", "Private/HemisphereIntegral.cxx", "!isEnough() &&", "false &&",
     "ReflectionIntegral.IsWithinItsToleranceForModels|ReflectionIntegral.IsWithinItsToleranceForMeasuredMaterials")
 
 add("Material.photographs-without-cosine", "vtkPhotographSet.cxx",
@@ -836,6 +836,8 @@ add("Rendering.normals-turn-as-points", "Private/VisibleSurface.cxx",
     "Visible.ActorsAreTransformed")
 add("Rendering.what-is-outside-counts", "Private/VisibleSurface.cxx", "if (!eye.Sees(point) || ", "if (",
     "Visible.OnlyWhatIsInThePictureCounts")
+add("Rendering.left-tables-go-on", "Private/PlanJob.cxx", "return this->Planner->GetAbort(); });", "return false; });",
+    "CurrentPlan.LeavesResamplingInTheMiddle")
 add("Rendering.left-plans-go-on", "Private/PlanJob.cxx", "else\n    {\n      this->Planner->SetAbort(true);\n    }",
     "", "Background.AChangeStopsWhatIsInTheMaking")
 add("Rendering.changed-materials-are-not-redrawn", "Private/MaterialSettings.cxx", "add(this->BRDF);", "",

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What the renderer's environment texture holds, linear or sRGB, by VTK's own shading beside ours.
+#include "EventCounter.h"
 #include "RenderFixture.h"
 
 #include "vtkActor.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkLambertBRDF.h"
@@ -17,6 +19,8 @@
 #include "vtkTexture.h"
 
 #include <cstdio>
+#include <limits>
+#include <string>
 
 class TextureEncoding : public RenderFixture
 {
@@ -105,5 +109,36 @@ TEST_F(TextureEncoding, IsAsVtkTakesIt)
     std::printf("%s: %.4f, VTK's PBR %.4f\n", c.Name, ours, theirs);
     // Its specular part is another, and its curve a power of 2.2: both are small beside 2.3.
     EXPECT_NEAR(ours, theirs, 0.15 * theirs);
+  }
+}
+
+TEST_F(TextureEncoding, WarnsOfBadValues)
+{
+  if (this->IsSkipped())
+  {
+    return;
+  }
+  vtkNew<vtkLambertBRDF> white;
+  vtkNew<vtkMeasuredBRDFMapper> mapper;
+  mapper->SetInputConnection(vtkNew<vtkSphereSource>()->GetOutputPort());
+  mapper->SetBRDF(white);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  this->Renderer->AddActor(actor);
+  EventCounter warnings(mapper, vtkCommand::WarningEvent);
+  for (const bool cube : { false, true })
+  {
+    const vtkSmartPointer<vtkTexture> texture = MakeGray(VTK_FLOAT, cube);
+    vtkImageData* image = texture->GetInput();
+    image->SetScalarComponentFromFloat(0, 0, 0, 0, std::numeric_limits<float>::infinity());
+    image->SetScalarComponentFromFloat(1, 0, 0, 1, -1.0f);
+    image->SetScalarComponentFromFloat(2, 0, 0, 2, cube ? -1.0f : 1.0f); // another cause
+    this->Renderer->SetEnvironmentTexture(texture);
+    this->RenderLinear();
+    this->RenderLinear();
+    EXPECT_EQ(warnings.Count, cube ? 2 : 1);
+    EXPECT_NE(warnings.Text.find(cube ? "texture: 3 of its values" : "texture: 2 of its values"),
+      std::string::npos)
+      << warnings.Text;
   }
 }

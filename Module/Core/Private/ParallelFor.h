@@ -13,10 +13,29 @@
 
 #include <atomic>
 #include <exception>
+#include <functional>
 #include <mutex>
+#include <stdexcept>
+#include <utility>
 
 namespace measuredbrdf
 {
+/// While it lives, loops that this thread begins throw between their parts once isStopped holds.
+/// Any thread calls that.
+class StoppableLoops
+{
+public:
+  explicit StoppableLoops(std::function<bool()> isStopped) { Get() = std::move(isStopped); }
+  ~StoppableLoops() { Get() = nullptr; }
+  StoppableLoops(const StoppableLoops&) = delete;
+  void operator=(const StoppableLoops&) = delete;
+  static std::function<bool()>& Get()
+  {
+    static thread_local std::function<bool()> isStopped;
+    return isStopped;
+  }
+};
+
 /// vtkSMPTools::For of parts of grain elements (0: as VTK has them). What a part throws is thrown
 /// here once all parts have ended, the first of several; parts that have not begun are left out.
 /// VTK's own threads would end the process.
@@ -26,6 +45,7 @@ void ParallelFor(vtkIdType first, vtkIdType last, vtkIdType grain, const Part& p
   std::mutex mutex;
   std::exception_ptr thrown;
   std::atomic<bool> failed{ false };
+  const std::function<bool()>& isStopped = StoppableLoops::Get();
   vtkSMPTools::For(first, last, grain,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -35,6 +55,10 @@ void ParallelFor(vtkIdType first, vtkIdType last, vtkIdType grain, const Part& p
       }
       try
       {
+        if (isStopped && isStopped())
+        {
+          throw std::runtime_error("aborted");
+        }
         part(begin, end);
       }
       catch (...)

@@ -4,6 +4,7 @@
 
 #include "WholeFile.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -71,6 +72,17 @@ std::string GetFileStem(const std::string& path)
 std::string GetFileTitle(const std::string& path)
 {
   return std::filesystem::path(path).filename().string();
+}
+
+//------------------------------------------------------------------------------
+bool IsText(std::string_view bytes)
+{
+  return std::all_of(bytes.begin(), bytes.end(),
+    [](char c)
+    {
+      const auto byte = static_cast<unsigned char>(c);
+      return byte >= 0x20 ? byte != 0x7f && byte < 0xf5 : (c == '\n' || c == '\r' || c == '\t');
+    });
 }
 
 //------------------------------------------------------------------------------

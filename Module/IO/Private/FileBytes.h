@@ -46,6 +46,9 @@ std::string GetFileStem(const std::string& path);
 /// A file's name without folders.
 std::string GetFileTitle(const std::string& path);
 
+/// Whether these may be characters of a text in UTF-8.
+bool IsText(std::string_view bytes);
+
 /// As WriteWholeFile (WholeFile.h); throws FileError.
 void WriteFile(const std::string& path, std::string_view bytes);
 

@@ -329,13 +329,7 @@ bool FitFormat::CanRead(const File& file)
     isAssigned = next == std::string_view::npos ||
                  std::isalpha(static_cast<unsigned char>(file.Bytes[next])) != 0;
   }
-  return isAssigned && std::all_of(start.begin(), start.end(),
-                         [](char c)
-                         {
-                           const auto byte = static_cast<unsigned char>(c);
-                           return byte >= 0x20 ? byte != 0x7f && byte < 0xf5
-                                               : (c == '\n' || c == '\r' || c == '\t');
-                         });
+  return isAssigned && IsText(start);
 }
 
 //------------------------------------------------------------------------------

@@ -8,12 +8,12 @@
 #include "ImageFormats.h"
 #include "NumberText.h"
 #include "RadianceHeader.h"
+#include "RadianceValues.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -22,8 +22,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr float LargestHalf = 65504.0f;
-
 // A display window without data costs no bytes of a file: it may have this many texels anyway.
 constexpr std::int64_t FreeTexels = std::int64_t(1) << 24;
 
@@ -92,38 +90,27 @@ void ShowWindow(const ImageSource& source, DecodedImage& image)
 }
 
 //------------------------------------------------------------------------------
-// A half float that is too large is stored as infinity: the sun, as a rule. It is taken as the
-// largest half float. Files of floats have it from files of half floats; what else they hold may be
-// larger, and then the largest of that is taken: sums of the largest float would be infinite.
+// Before colors and orientation change: infinite times 0 is no number.
 void LimitValues(std::size_t values, DecodedImage& image)
 {
-  const auto visit = [&](const auto& take)
-  {
-    for (std::size_t k = 0; k < image.Pixels.size(); ++k)
-    {
-      if (k % values < static_cast<std::size_t>(image.Channels))
-      {
-        take(image.Pixels[k]);
-      }
-    }
-  };
+  const float largest = GetLargestValue(image.Pixels);
   std::size_t count = 0;
-  float largest = LargestHalf;
-  visit(
-    [&](float value)
+  for (std::size_t k = 0; k < image.Pixels.size(); ++k)
+  {
+    if (image.Pixels[k] > largest && k % values < static_cast<std::size_t>(image.Channels))
     {
-      count += std::isinf(value) && value > 0.0f ? 1 : 0;
-      largest = std::isfinite(value) ? std::max(largest, value) : largest;
-    });
+      image.Pixels[k] = largest;
+      ++count;
+    }
+  }
   if (count == 0)
   {
     return;
   }
-  visit([largest](float& value) { value = std::isinf(value) && value > 0.0f ? largest : value; });
   image.Notes.push_back(std::to_string(count) +
                         (count == 1 ? " value of +infinity was" : " values of +infinity were") +
                         " taken as " + NumberText(largest) + ", the largest " +
-                        (largest > LargestHalf ? "value of the file." : "half float."));
+                        (largest > 65504.0f ? "value of the file." : "half float."));
 }
 
 //------------------------------------------------------------------------------
@@ -148,9 +135,7 @@ void ConvertColors(const ImageSource& source, const Chromaticities& from, Decode
     std::string found;
     for (const double value : from)
     {
-      char text[32];
-      const auto end = std::to_chars(text, text + sizeof(text), value); // in any locale
-      found += (found.empty() ? "" : " ") + std::string(text, end.ptr);
+      found += (found.empty() ? "" : " ") + NumberText(value);
     }
     throw FileError(source.Path + ": image header, chromaticities: found " + found +
                     ", expected x and y of red, green, blue and of a white between them");

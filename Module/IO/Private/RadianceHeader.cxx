@@ -3,10 +3,10 @@
 #include "RadianceHeader.h"
 
 #include "FileBytes.h"
+#include "NumberText.h"
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -75,12 +75,10 @@ std::vector<double> TakeNumbers(
   const HeaderLines& lines, const std::string& field, HeaderLine text, int count)
 {
   std::vector<double> numbers;
-  for (HeaderLine word : SplitWords(text))
+  for (const HeaderLine word : SplitWords(text))
   {
-    word.remove_prefix(word.front() == '+' ? 1 : 0);
     double number = 0.0;
-    const auto read = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (read.ec != std::errc() || read.ptr != word.data() + word.size() || !std::isfinite(number))
+    if (!ParseNumber(word, number))
     {
       break;
     }

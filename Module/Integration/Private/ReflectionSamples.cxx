@@ -7,6 +7,7 @@
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
 #include "ParallelFor.h"
+#include "ReflectionIntegral.h"
 #include "vtkBRDF.h"
 
 #include <algorithm>
@@ -19,6 +20,8 @@ namespace
 // Views are denser towards the horizon, where weights change fast: uniform in 1 - sqrt(1 - angle),
 // angle in right angles.
 double FromAngle(double angle) { return 1.0 - std::sqrt(std::max(1.0 - angle, 0.0)); }
+
+constexpr double TabulatedAlbedoTolerance = 5e-3; // what 128 samples miss is more
 
 const double LastView = FromAngle(std::acos(MinimumViewCosine) * 2.0 / Pi);
 
@@ -88,8 +91,8 @@ void ReflectionSamples::Tabulate(vtkBRDF* brdf, int view)
     samples[k].Weight = f * (i.z / density);
     sum += glm::dvec3(samples[k].Weight);
   }
-  glm::dvec3 albedo;
-  brdf->GetDirectionalAlbedo(&o.x, &albedo.x);
+  const glm::dvec3 albedo =
+    IntegrateReflection(brdf, o, IntegralOver::Lights, TabulatedAlbedoTolerance);
   for (int k = 0; k < this->Count; ++k)
   {
     for (int c = 0; c < 3; ++c)

@@ -8,6 +8,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataArrayAccessor.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
@@ -25,7 +26,17 @@ float Clean(float value, BadValues& found)
     return value;
   }
   ++(std::isfinite(value) ? found.Negative : found.NotFinite);
-  return 0.0f;
+  return value > 0.0f ? value : 0.0f;
+}
+
+// What Clean left of +infinity.
+void LimitInfinite(std::vector<float>& values, const BadValues& bad)
+{
+  const float largest = bad.NotFinite > 0 ? GetLargestValue(values) : 0.0f;
+  for (std::size_t k = 0; bad.NotFinite > 0 && k < values.size(); ++k)
+  {
+    values[k] = std::min(values[k], largest);
+  }
 }
 
 // part(begin, end, found) over all values, in threads.
@@ -91,14 +102,27 @@ struct Decoder
             }
             const double value = decode(raw);
             // Beyond float's range counts as infinite.
-            const bool fits = std::abs(value) <= std::numeric_limits<float>::max();
-            this->Out[3 * k + c] = Clean(
-              fits ? static_cast<float>(value) : std::numeric_limits<float>::infinity(), found);
+            using Limits = std::numeric_limits<float>;
+            const bool fits = std::abs(value) <= Limits::max();
+            this->Out[3 * k + c] =
+              Clean(fits ? static_cast<float>(value)
+                         : (value > 0.0 ? Limits::infinity() : Limits::quiet_NaN()),
+                found);
           }
         }
       });
   }
 };
+}
+
+float GetLargestValue(const std::vector<float>& values)
+{
+  float largest = 65504.0f;
+  for (const float value : values)
+  {
+    largest = std::isfinite(value) ? std::max(largest, value) : largest;
+  }
+  return largest;
 }
 
 BadValues CleanRadiance(std::vector<float>& values)
@@ -112,6 +136,7 @@ BadValues CleanRadiance(std::vector<float>& values)
         values[k] = Clean(values[k], found);
       }
     });
+  LimitInfinite(values, bad);
   return bad;
 }
 
@@ -124,6 +149,7 @@ BadValues DecodeRadiance(
   {
     decoder(scalars);
   }
+  LimitInfinite(rgb, decoder.Bad);
   return decoder.Bad;
 }
 } // namespace measuredbrdf

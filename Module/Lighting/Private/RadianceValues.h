@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Values of an image as radiance: negative and non-finite ones become 0 and are counted. Private to
- * the module.
+ * Values of an image as radiance: +infinity becomes the largest value, negative and other
+ * non-finite ones become 0, and all of these are counted. Private to the module.
  */
 
 #ifndef RadianceValues_h
@@ -22,6 +22,11 @@ struct BadValues
   vtkIdType Negative = 0;
   vtkIdType NotFinite = 0;
 };
+
+/// What +infinity is taken as: a half float that is too large is stored so, the sun as a rule. It
+/// is the largest half float or, where values are larger, the largest of them: sums of the largest
+/// float would be infinite.
+float GetLargestValue(const std::vector<float>& values);
 
 /// In threads.
 BadValues CleanRadiance(std::vector<float>& values);

@@ -97,7 +97,7 @@ void FillHalfDifference(vtkBRDF* input, bool reciprocal, const int dimensions[3]
   input->Prepare();
   const bool mirrored = !reciprocal && IsMirroredAtH(input);
   const std::size_t sides = mirrored ? (width + 1) / 2 : width;
-  measuredbrdf::ParallelFor(0, dimensions[2],
+  measuredbrdf::ParallelFor(0, dimensions[2], 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       std::vector<const float*> slid(sides); // of a column, the value that it ends with

@@ -16,7 +16,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double CubatureTolerance = 5e-4;
 constexpr int FirstLevel = 5; // 32 x 32 squares of 16 points
 constexpr int LastLevel = 18; // 0.0004 degrees a side
 constexpr int MostSquares = 1 << 16;
@@ -102,7 +101,7 @@ public:
     }
   }
 
-  glm::dvec3 Run()
+  glm::dvec3 Run(double tolerance)
   {
     glm::dvec3 total(0.0), errors(0.0), squares(0.0);
     const auto count = [&](const Square& square, double sign)
@@ -140,9 +139,11 @@ public:
     const auto isEnough = [&]()
     {
       const glm::dvec3 error = 2.0 * glm::sqrt(glm::max(squares, 0.0)) + 0.1 * errors;
-      return glm::all(glm::lessThanEqual(error, CubatureTolerance * total));
+      return glm::all(glm::lessThanEqual(error, tolerance * total));
     };
-    while (!isEnough() && queue.top().first > 0.0 && this->Squares.size() < MostSquares)
+    const double most = MostSquares * std::min(AlbedoTolerance / tolerance, 1.0);
+    while (
+      !isEnough() && queue.top().first > 0.0 && static_cast<double>(this->Squares.size()) < most)
     {
       const int index = queue.top().second;
       queue.pop();
@@ -240,7 +241,7 @@ private:
 }
 
 glm::dvec3 IntegrateHemisphere(const std::function<glm::dvec3(const glm::dvec3&)>& f,
-  const glm::dvec3& given, const std::vector<glm::dvec3>& draws)
+  const glm::dvec3& given, const std::vector<glm::dvec3>& draws, double tolerance)
 {
   Cubature cubature(f);
   for (const glm::dvec3& about : { glm::dvec3(-given.x, -given.y, given.z), given })
@@ -254,6 +255,6 @@ glm::dvec3 IntegrateHemisphere(const std::function<glm::dvec3(const glm::dvec3&)
   {
     cubature.LookAt(draw);
   }
-  return cubature.Run();
+  return cubature.Run(tolerance);
 }
 } // namespace measuredbrdf

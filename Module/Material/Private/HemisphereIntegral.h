@@ -9,6 +9,7 @@
 #define HemisphereIntegral_h
 
 #include "LowDiscrepancy.h"
+#include "ReflectionIntegral.h" // for AlbedoTolerance
 
 #include <glm/glm.hpp>
 
@@ -25,15 +26,17 @@ namespace measuredbrdf
  * that the projected hemisphere fills by area (Shirley, Chiu 1997, "A low distortion map between
  * disk and square"). It begins with 128 x 128 points, and more about the given direction, its
  * mirror direction and the draws, and goes on where squares and their quarters differ most until
- * the estimated error of each channel is below 5e-4 of it, or at 2^16 squares.
+ * the estimated error of each channel is below the tolerance times it, or at 2^16 squares; at as
+ * many fewer as the tolerance is above AlbedoTolerance.
  */
 glm::dvec3 IntegrateHemisphere(const std::function<glm::dvec3(const glm::dvec3&)>& f,
-  const glm::dvec3& given, const std::vector<glm::dvec3>& draws);
+  const glm::dvec3& given, const std::vector<glm::dvec3>& draws, double tolerance);
 
 /// The same of a prepared BRDF over the light, or over the view. given: the other direction, unit
 /// and above the horizon.
 template <typename BRDF>
-glm::dvec3 IntegrateBRDF(BRDF* brdf, const glm::dvec3& given, bool overView)
+glm::dvec3 IntegrateBRDF(
+  BRDF* brdf, const glm::dvec3& given, bool overView, double tolerance = AlbedoTolerance)
 {
   glm::dvec3 d = given;
   if (brdf->IsIsotropic()) // any azimuth will do: the one where a tensor tree's cells are squares
@@ -56,7 +59,7 @@ glm::dvec3 IntegrateBRDF(BRDF* brdf, const glm::dvec3& given, bool overView)
     brdf->Evaluate(overView ? &d.x : &other.x, overView ? &other.x : &d.x, &f.x);
     return f;
   };
-  return IntegrateHemisphere(evaluate, d, draws);
+  return IntegrateHemisphere(evaluate, d, draws, tolerance);
 }
 } // namespace measuredbrdf
 

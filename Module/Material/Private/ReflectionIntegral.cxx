@@ -7,7 +7,8 @@
 
 namespace measuredbrdf
 {
-glm::dvec3 IntegrateReflection(vtkBRDF* brdf, const glm::dvec3& given, IntegralOver over)
+glm::dvec3 IntegrateReflection(
+  vtkBRDF* brdf, const glm::dvec3& given, IntegralOver over, double tolerance)
 {
   const bool views = over == IntegralOver::Views;
   if (auto* matrix = vtkAngleBasisBRDF::SafeDownCast(brdf))
@@ -16,6 +17,6 @@ glm::dvec3 IntegrateReflection(vtkBRDF* brdf, const glm::dvec3& given, IntegralO
     matrix->SumPatches(&given.x, views, &sum.x);
     return sum;
   }
-  return IntegrateBRDF(brdf, given, views);
+  return IntegrateBRDF(brdf, given, views, tolerance);
 }
 } // namespace measuredbrdf

@@ -15,6 +15,8 @@ class vtkBRDF;
 
 namespace measuredbrdf
 {
+constexpr double AlbedoTolerance = 5e-4;
+
 enum class IntegralOver
 {
   Lights, // of a given view: the directional albedo
@@ -22,8 +24,10 @@ enum class IntegralOver
 };
 
 /// The integral of f cos(theta) over the direction that is not given, RGB. Of a prepared BRDF and a
-/// unit direction above the horizon. Exact for vtkAngleBasisBRDF, else IntegrateHemisphere's.
-glm::dvec3 IntegrateReflection(vtkBRDF* brdf, const glm::dvec3& given, IntegralOver over);
+/// unit direction above the horizon. Exact for vtkAngleBasisBRDF, else IntegrateHemisphere's,
+/// whose time grows with 1 / tolerance: mere weights take few per cent.
+glm::dvec3 IntegrateReflection(
+  vtkBRDF* brdf, const glm::dvec3& given, IntegralOver over, double tolerance = AlbedoTolerance);
 } // namespace measuredbrdf
 
 #endif

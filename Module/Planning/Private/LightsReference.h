@@ -6,7 +6,7 @@
  *
  * Suns and lamps are lights of their own. The rest is a variance light set of hundreds or thousands
  * of lights. How far that is from the integral depends on the material: MakeReference measures it.
- * Isotropic or not. Private to the module.
+ * Private to the module.
  */
 
 #ifndef LightsReference_h

@@ -118,10 +118,11 @@ vtkSmartPointer<vtkEnvironment> MaterialDrawing::ResolveEnvironment(vtkRenderer*
   {
     std::string problem;
     environment = FindEnvironment(renderer, problem);
-    if (!environment && this->WarnOnce("environment: " + problem))
+    if (!problem.empty() && this->WarnOnce("environment: " + problem))
     {
-      vtkWarningWithObjectMacro(
-        this->Owner, << "The renderer's environment texture lights nothing here: " << problem);
+      vtkWarningWithObjectMacro(this->Owner, << "The renderer's environment texture"
+                                             << (environment ? ": " : " lights nothing here: ")
+                                             << problem);
     }
   }
   return environment && environment->GetWidth() > 0 ? environment : nullptr;

@@ -6,6 +6,7 @@
 
 #include "ClassBorders.h"
 #include "MapArrays.h"
+#include "ReflectionIntegral.h"
 #include "vtkActor.h"
 #include "vtkCommand.h"
 #include "vtkPointData.h"
@@ -313,11 +314,12 @@ double PartMappers::PredictError(const DrawnMaterials& materials) const
       [brdf](const DrawnMaterial* other) { return other->Plan && other->Source == brdf; });
     if (drawn != materials.end())
     {
-      const double o[3] = { std::sqrt(0.5), 0.0, std::sqrt(0.5) };
-      double albedo[3];
+      const glm::dvec3 o(std::sqrt(0.5), 0.0, std::sqrt(0.5));
+      glm::dvec3 albedo;
       try
       {
-        brdf->GetDirectionalAlbedo(o, albedo);
+        brdf->Prepare();
+        albedo = IntegrateReflection(brdf, o, IntegralOver::Lights, 0.01);
       }
       catch (const std::exception&) // no memory, say: VTK prints mappers, too
       {

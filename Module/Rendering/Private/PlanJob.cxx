@@ -3,6 +3,7 @@
 #include "PlanJob.h"
 
 #include "BackgroundThreads.h"
+#include "ParallelFor.h"
 #include "vtkBRDF.h"
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
@@ -256,6 +257,7 @@ void PlanJob::Run()
     this->Succeeded = this->Planner->Update();
     if (this->Succeeded && this->WithForm && !this->Planner->GetAbort())
     {
+      const StoppableLoops loops([this]() { return this->Planner->GetAbort(); });
       brdf->GetRenderable(); // here, not where it is drawn
     }
   }

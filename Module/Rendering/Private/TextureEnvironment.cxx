@@ -69,15 +69,21 @@ bool TakesAsSRGB(vtkRenderer* renderer, vtkTexture* texture, vtkImageData* image
          (texture->GetUseSRGBColorSpace() || hasHarmonics);
 }
 
+vtkIdType GetRepaired(vtkEnvironment* environment)
+{
+  return environment->GetNumberOfNegativeValues() + environment->GetNumberOfNonFiniteValues();
+}
+
 // A cube map's face as RGB with row 0 at the bottom: VTK's cube maps begin with the top row. Empty
 // where it can't be taken.
-std::vector<float> TakeFace(vtkImageData* image, bool sRGB)
+std::vector<float> TakeFace(vtkImageData* image, bool sRGB, vtkIdType& repaired)
 {
   vtkNew<vtkEnvironment> face;
   if (!face->SetImage(image, sRGB) || face->GetWidth() != face->GetHeight())
   {
     return {};
   }
+  repaired += GetRepaired(face);
   std::vector<float> pixels = face->GetPixels();
   const std::ptrdiff_t row = 3 * static_cast<std::ptrdiff_t>(face->GetWidth());
   for (auto low = pixels.begin(), high = pixels.end() - row; low < high; low += row, high -= row)
@@ -157,12 +163,13 @@ void WritePixels(const std::string& folder, const std::string& key, vtkEnvironme
   WriteCache(folder, key, contents, LargestCache);
 }
 
-vtkSmartPointer<vtkEnvironment> MakeFromCube(const std::vector<vtkImageData*>& images, bool sRGB)
+vtkSmartPointer<vtkEnvironment> MakeFromCube(
+  const std::vector<vtkImageData*>& images, bool sRGB, vtkIdType& repaired)
 {
   std::vector<std::vector<float>> faces;
   for (vtkImageData* image : images)
   {
-    faces.push_back(TakeFace(image, sRGB));
+    faces.push_back(TakeFace(image, sRGB, repaired));
     if (faces.back().empty() || faces.back().size() != faces.front().size())
     {
       return nullptr;
@@ -222,24 +229,35 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkRenderer* renderer, std::stri
       return nullptr;
     }
   }
+  vtkIdType repaired = 0;
   auto environment = Environments::Get().Find(key,
-    [&images, sRGB, &problem]() -> vtkSmartPointer<vtkEnvironment>
+    [&images, sRGB, &problem, &repaired]() -> vtkSmartPointer<vtkEnvironment>
     {
       if (images.size() == 6)
       {
         problem = "its cube faces are not square images of one size with 1, 3 or 4 components.";
-        return MakeFromCube(images, sRGB);
+        return MakeFromCube(images, sRGB, repaired);
       }
       auto made = vtkSmartPointer<vtkEnvironment>::New();
       const TakenError error(made);
       const bool taken = made->SetImage(images.front(), sRGB);
       problem = error.GetText();
+      repaired = GetRepaired(made);
       return taken ? made : nullptr;
     });
   if (!environment)
   {
     const std::lock_guard<std::mutex> lock(mutex);
     refused[key] = problem;
+  }
+  else
+  {
+    problem.clear();
+  }
+  if (repaired > 0)
+  {
+    problem = std::to_string(repaired) + " of its values are negative or not finite: 0 is taken, "
+                                         "the largest value for +infinity.";
   }
   return environment;
 }

@@ -155,7 +155,11 @@ TEST(Environment, RepairsAndCounts)
   EXPECT_GT(environment->GetPixelsMTime(), before);
   EXPECT_EQ(environment->GetNumberOfNegativeValues(), 1);
   EXPECT_EQ(environment->GetNumberOfNonFiniteValues(), 3);
-  EXPECT_EQ(environment->GetPixels(), (std::vector<float>{ 1.0f, 0.0f, 0.0f, 0.0f, 0.0f, 3.0f }));
+  EXPECT_EQ(
+    environment->GetPixels(), (std::vector<float>{ 1.0f, 0.0f, 0.0f, 65504.0f, 0.0f, 3.0f }));
+  ASSERT_TRUE(environment->SetPixels(1, 1, { 7e5f, inf, 3.0f })); // as in files
+  EXPECT_EQ(environment->GetPixels(), (std::vector<float>{ 7e5f, 7e5f, 3.0f }));
+  EXPECT_EQ(environment->GetNumberOfNonFiniteValues(), 1);
   // Counts are about what was set last.
   ASSERT_TRUE(environment->SetPixels(1, 1, { 1.0f, 2.0f, 3.0f }));
   EXPECT_EQ(environment->GetNumberOfNegativeValues(), 0);
@@ -230,7 +234,7 @@ TEST(Environment, TakesImagesOfAnyType)
   ASSERT_TRUE(environment->SetImage(image));
   EXPECT_EQ(environment->GetNumberOfNonFiniteValues(), 1);
   EXPECT_EQ(environment->GetNumberOfNegativeValues(), 1);
-  EXPECT_EQ(environment->GetPixels(), (std::vector<float>{ 0.0f, 0.0f, 2.0f }));
+  EXPECT_EQ(environment->GetPixels(), (std::vector<float>{ 65504.0f, 0.0f, 2.0f }));
 }
 
 namespace

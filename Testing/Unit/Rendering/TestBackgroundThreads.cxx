@@ -11,6 +11,7 @@
 #include "SpherePairs.h"
 #include "vtkBRDFFormats.h"
 #include "vtkBRDFModels.h"
+#include "vtkBRDFResampler.h"
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
 #include "vtkLambertBRDF.h"
@@ -334,6 +335,58 @@ TEST_F(Forecast, NobodyWaitsForWhatIsLeft)
   EXPECT_TRUE(WaitUntil([&]() { return !door->IsAwaited(); }));
   this->Question.Materials.clear();
   EXPECT_TRUE(WaitUntil([&]() { return snapshot->GetReferenceCount() == 1; }));
+}
+
+namespace
+{
+// Its form for shaders is a long search for a table.
+class ResampledBRDF : public GatedBRDF
+{
+public:
+  static ResampledBRDF* New();
+  vtkTypeMacro(ResampledBRDF, GatedBRDF);
+
+  bool IsRenderable() override { return false; }
+  vtkBRDF* GetRenderable() override
+  {
+    this->Door->Close();
+    this->Door->TakePasses();
+    this->Resampler->SetInput(this);
+    this->Resampler->SetTolerance(1e-6);
+    this->Resampler->Resample();
+    return this->Resampler->GetOutput();
+  }
+
+protected:
+  vtkBRDF* NewCopy() override
+  {
+    ResampledBRDF* copy = ResampledBRDF::New();
+    copy->Door = this->Door;
+    return copy;
+  }
+
+private:
+  vtkNew<vtkBRDFResampler> Resampler;
+};
+vtkStandardNewMacro(ResampledBRDF);
+}
+
+// Neither is a table for shaders made to its end that nobody waits for.
+TEST(CurrentPlan, LeavesResamplingInTheMiddle)
+{
+  vtkNew<ResampledBRDF> brdf;
+  vtkNew<vtkEnvironment> sky;
+  sky->SetPixels(32, 16, std::vector<float>(3 * 32 * 16, 0.5f));
+  CurrentPlan plan;
+  std::string problem;
+  PlanInputs inputs(brdf, sky, 0.3, nullptr);
+  inputs.WithForm = true;
+  plan.Update(inputs, CurrentPlan::Timing::Always, problem);
+  ASSERT_TRUE(WaitUntil([&]() { return brdf->Door->IsAwaited(); }));
+  plan.Clear();
+  brdf->Door->OpenUp();
+  EXPECT_TRUE(WaitUntil([&]() { return plan.HasStopped(); }));
+  EXPECT_LT(brdf->Door->TakePasses(), 1 << 14);
 }
 
 #ifdef TEST_ENDS_OF_PROCESSES
