@@ -288,19 +288,11 @@ TEST(TableTiles, FillWhatIsAllowed)
 
 //------------------------------------------------------------------------------
 // Light that is the same everywhere needs none.
-TEST(TableTiles, AsBytesAndWithoutNeed)
+TEST(TableTiles, NoneWithoutNeed)
 {
   const auto paint = NewPaint();
-  const auto room = NewPanels();
   SpherePairs pairs;
   pairs.AddRandom(200);
-  const auto table = NewTable(paint, room, 137);
-  const auto before = pairs.Integrate(table);
-  const auto other = NewTable(paint, room, 137);
-  ASSERT_TRUE(other->TakePrepared(table->GetPrepared()));
-  EXPECT_EQ(pairs.Integrate(other), before);
-  EXPECT_FALSE(NewTable(paint, room, 145)->TakePrepared(table->GetPrepared()));
-
   vtkNew<vtkEnvironment> black;
   ASSERT_TRUE(black->SetPixels(4, 2, std::vector<float>(24, 0.0f)));
   for (const glm::dvec3& radiance : pairs.Integrate(NewTable(paint, black, 137)))
