@@ -237,7 +237,7 @@ TEST(TableTiles, NeedTheNodesAboutThem)
 }
 
 //------------------------------------------------------------------------------
-TEST(TableTiles, SizesAndPlaces)
+TEST(TableTiles, Sizes)
 {
   for (const int rows : { 9, 33, 112, 113 })
   {
@@ -254,17 +254,6 @@ TEST(TableTiles, SizesAndPlaces)
     EXPECT_EQ(TableTiles::GetRows(rows) - 1, (tiles.FineRows - 1) / TableTiles::Ratio);
     EXPECT_GT(tiles.Across, 0);
     EXPECT_GT(tiles.Down, 0);
-    std::vector<float> places = tiles.Places;
-    EXPECT_TRUE(tiles.ArePlaces(places));
-    places[3] = static_cast<float>(tiles.Across * tiles.Down);
-    EXPECT_TRUE(tiles.ArePlaces(places));
-    for (const float wrong : { -1.0f, 0.5f, places[3] + 1.0f })
-    {
-      places[3] = wrong;
-      EXPECT_FALSE(tiles.ArePlaces(places));
-    }
-    places.pop_back();
-    EXPECT_FALSE(tiles.ArePlaces(places));
   }
 }
 
