@@ -39,7 +39,6 @@ export LIBGL_ALWAYS_SOFTWARE=1
 export GALLIVM_PERF=nopt
 export MESA_SHADER_CACHE_DIR="$PWD/build/shader-cache"
 rm -rf "$MESA_SHADER_CACHE_DIR"
-export MEASUREDBRDF_CACHE=off # nothing of earlier runs
 # The library's tests run with decimal commas in C's locale, as in a German user's Qt program. The tool sets no locale, so
 # its tests run in C's own.
 locale=de_DE.UTF-8

@@ -5,8 +5,8 @@ measuredbrdf_add_image_test(NAME name BASELINE file PICTURE file COMMAND program
   [ALTERNATIVES] [DIFF_OPTIONS option...])
 
 Adds three tests. `name.clean` removes PICTURE, so that none of an earlier run is compared. `name`
-runs the command, which writes PICTURE, with MEASUREDBRDF_CACHE=off in its environment. `name.diff`
-compares PICTURE with BASELINE; it is only run where `name` has passed.
+runs the command, which writes PICTURE. `name.diff` compares PICTURE with BASELINE; it is only run
+where `name` has passed.
 
 Relative paths: PICTURE is in the current binary folder, where the tests run, BASELINE in the
 current source folder. ALTERNATIVES: BASELINE_1.png, BASELINE_2.png and so on may serve, too, as far
@@ -43,7 +43,6 @@ function (measuredbrdf_add_image_test)
   set_tests_properties("${test_NAME}.clean" PROPERTIES FIXTURES_SETUP "${test_NAME}.clean")
   set_tests_properties("${test_NAME}" PROPERTIES
     FIXTURES_REQUIRED "${test_NAME}.clean"
-    FIXTURES_SETUP "${test_NAME}.picture"
-    ENVIRONMENT "MEASUREDBRDF_CACHE=off")
+    FIXTURES_SETUP "${test_NAME}.picture")
   set_tests_properties("${test_NAME}.diff" PROPERTIES FIXTURES_REQUIRED "${test_NAME}.picture")
 endfunction ()

@@ -66,7 +66,6 @@ def make_mapper(scene):
     environment.SetRotationY(scene.get("turn", 0.0))
     mapper.SetEnvironment(environment)
     mapper.SetErrorTolerance(scene.get("tolerance", 0.02))
-    mapper.SetCacheFolder("")
     return mapper
 
 

@@ -5,8 +5,8 @@
 
 usage: plan-times.py DATA [--tolerance 0.02] [--only PART ...] [--known] [--new-map] [--frames] [--csv FILE]
 
-DATA: materials/rgl, materials/mbsdf and environments. PYTHONPATH: the build's lib/python3/dist-packages. Plans on disk
-are not used. Times are the processor's, of all threads, and, as "clock", those that pass. --known: each plan again under
+DATA: materials/rgl, materials/mbsdf and environments. PYTHONPATH: the build's lib/python3/dist-packages. Times are
+the processor's, of all threads, and, as "clock", those that pass. --known: each plan again under
 a map that is known, too, for a material that is. --new-map: again for the known material, the map read anew. --frames: a 500 x 500 frame of a sphere of 64,000 triangles relative to VTK's PBR, drawn in turns
 (needs a display).
 """

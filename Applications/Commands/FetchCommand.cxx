@@ -185,8 +185,8 @@ void AddFetchCommand(CLI::App& app)
     "List what there is, its size, licence and sum; with NAME, what has NAME in its name");
   command->add_flag("--json", options->Json, "The list as JSON");
   command->add_option("--to", options->Folder,
-    "Folder for the files (default: vtkMeasuredBRDF-files in the cache, where they are found by "
-    "name)");
+    "Folder for the files (default: vtkMeasuredBRDF/vtkMeasuredBRDF-files in $XDG_CACHE_HOME or "
+    "~/.cache, where they are found by name)");
   command->add_flag("--accept-license", options->AcceptLicence,
     "Agree to the licence of the files, where it sets conditions; without this option the program "
     "asks, or stops where it can't");

@@ -172,8 +172,7 @@ void AddPlanCommand(CLI::App& app)
                   "mean radiance over a sphere (with\n--for-view, over the picture), frame time of "
                   "that sphere in 500x500 pixels on the renderer that is named\nbelow (Mesa's "
                   "software renderer unless --calibrate), texture memory, and set-up time. > marks "
-                  "the choice.\nThe cache of plans is neither read nor written. --for-view needs "
-                  "OpenGL.\n\nExample:\n  "
+                  "the choice.\n--for-view needs OpenGL.\n\nExample:\n  "
                   "measured-brdf plan gold-paint --environment hall --tolerance 0.02");
   command->callback([options, command]() { Run(*options, command); });
 }

@@ -40,7 +40,6 @@ struct RenderOptions
   tool::MethodOptions Method;
   tool::TraceOptions Trace;
   std::string Occlusion = "auto";
-  bool NoCache = false;
 };
 
 // Frames that frame_ms is the median of.
@@ -205,7 +204,6 @@ void WriteReport(const RenderOptions& options, const Figures& found, const tool:
   if (method.Planner)
   {
     report["plan"] = found.Plan;
-    report["plan_from_cache"] = method.Planner->GetFromCache();
     report["costs"] = method.Planner->GetCostModel()->GetName();
     report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
     report["predicted_picture_error"] =
@@ -226,7 +224,6 @@ void Run(RenderOptions& options, const CLI::App* command)
     throw tool::UsageError(options.Output + ": the picture must end in .png or .exr");
   }
   options.Method.Check(command);
-  options.Method.Plan.UseCache = !options.NoCache;
   CheckTracing(options, command);
 
   const tool::Interruptible interruptible;
@@ -313,10 +310,6 @@ void AddRenderCommand(CLI::App& app)
     ->check(CLI::IsMember({ "auto", "on", "off" }));
   options->Method.Plan.AddForViewTo(command);
   options->Method.Plan.AddCalibrateTo(command);
-  command->add_flag("--no-cache", options->NoCache,
-    "Plan anew for --method auto, and keep nothing on disk. By default plans are kept in "
-    "$MEASUREDBRDF_CACHE ('off': nowhere), $XDG_CACHE_HOME/vtkMeasuredBRDF or "
-    "~/.cache/vtkMeasuredBRDF");
   command->add_option(
     "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 800x800)");
   command->add_option("--view", options->View,
@@ -334,9 +327,8 @@ void AddRenderCommand(CLI::App& app)
     ->required();
   command->add_option("--report", options->Report,
     "JSON file to write: frame_ms (median), setup_ms, texture_bytes, method, lights, renderer, "
-    "vtk; for --method auto also the plan, its predicted_error and predicted_picture_error, "
-    "whether it is from the cache, and "
-    "the name of the costs; for thesis the representation and the reason");
+    "vtk; for --method auto also the plan, its predicted_error and predicted_picture_error "
+    "and the name of the costs; for thesis the representation and the reason");
   command->footer("Example:\n  measured-brdf render gold-paint --environment sky --lights 256 "
                   "-o gold.png\n\nNeeds OpenGL; without a screen, put 'xvfb-run -a' before it.");
   command->callback([options, command]() { Run(*options, command); });

@@ -192,7 +192,6 @@ void Run(const StabilityOptions& options)
 {
   const std::vector<Case> cases = Select(options.Cases);
   MakeReportFolder(options.Output);
-  setenv("MEASUREDBRDF_CACHE", "off", 1); // plans are made here, not found
   const tool::Interruptible interruptible;
   Context inputs;
   inputs.Short = options.Short;

@@ -97,7 +97,6 @@ void Scene::SetPlan(const PlanOptions& options)
 {
   this->Mapper->SetErrorTolerance(options.Tolerance);
   this->Mapper->SetPlanForView(options.ForView);
-  this->Mapper->SetCacheFolder(options.GetCacheFolder());
   this->Mapper->SetCostModel(options.GetCosts());
 }
 

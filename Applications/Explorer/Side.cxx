@@ -438,7 +438,6 @@ tool::Picture Side::Capture(vtkCamera* camera, const tool::Size& size, double& f
     {
       tool::PlanOptions options;
       options.Tolerance = this->Model->GetState().Tolerance;
-      options.UseCache = true; // as the mapper: the same plan
       scene->SetPlan(options);
     }
     scene->ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_OFF, false);

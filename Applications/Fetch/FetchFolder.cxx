@@ -6,14 +6,13 @@
 #include "Sha256.h"
 #include "Tool.h"
 
-#include "vtkRadiancePlanner.h"
-
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <utility>
@@ -23,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace
 {
-constexpr const char* CacheSubfolder = "vtkMeasuredBRDF-files";
+constexpr const char* CacheSubfolder = "/vtkMeasuredBRDF/vtkMeasuredBRDF-files";
 constexpr const char* SumSuffix = ".sha256";
 constexpr std::size_t LongestRecord = 1024; // bytes
 
@@ -31,10 +30,16 @@ constexpr std::size_t LongestRecord = 1024; // bytes
 std::string GetFolderReason() { return std::strerror(errno); }
 
 //------------------------------------------------------------------------------
+// $XDG_CACHE_HOME where that is absolute, as its specification demands, else $HOME/.cache.
 std::string GetCachePath()
 {
-  const std::string cache = vtkRadiancePlanner::GetDefaultCacheFolder();
-  return cache.empty() ? "" : cache + "/" + CacheSubfolder;
+  const char* cache = std::getenv("XDG_CACHE_HOME");
+  if (cache && *cache == '/')
+  {
+    return std::string(cache) + CacheSubfolder;
+  }
+  const char* home = std::getenv("HOME");
+  return home && *home ? std::string(home) + "/.cache" + CacheSubfolder : "";
 }
 
 //------------------------------------------------------------------------------
@@ -126,8 +131,8 @@ FetchFolder FetchFolder::OpenCache()
   const std::string path = GetCachePath();
   if (path.empty())
   {
-    throw Error("there is no cache for downloads (MEASUREDBRDF_CACHE is off, or there is no HOME); "
-                "name a folder with --to");
+    throw Error("there is no folder for downloads (neither XDG_CACHE_HOME nor HOME is set); name "
+                "one with --to");
   }
   MakeFolders(path);
   FetchFolder folder(path, true);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The folder that downloaded files lie in: a sub-folder of the cache of plans, or one that the user
+ * The folder that downloaded files lie in: one in the user's cache folder, or one that the user
  * names. Sums that were taken from a first download stand beside the files, in the form of the
  * program sha256sum.
  */
@@ -22,8 +22,8 @@ struct FetchEntry;
 class FetchFolder
 {
 public:
-  /// The cache's sub-folder vtkMeasuredBRDF-files, made where it is missing (mode 0700). Throws
-  /// Error where there is no cache, or others may write to it.
+  /// vtkMeasuredBRDF/vtkMeasuredBRDF-files in $XDG_CACHE_HOME or $HOME/.cache, made where it is
+  /// missing (mode 0700). Throws Error where there is no cache, or others may write to it.
   static FetchFolder OpenCache();
 
   /// A folder of the user's, which must be there. Throws Error.

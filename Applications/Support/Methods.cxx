@@ -218,7 +218,7 @@ void MethodOptions::Check(const CLI::App* command)
     this->Method = "light-set";
   }
   CheckTolerance(this->Plan.Tolerance);
-  for (const char* name : { "--tolerance", "--calibrate", "--no-cache", "--for-view" })
+  for (const char* name : { "--tolerance", "--calibrate", "--for-view" })
   {
     if (command->get_option_no_throw(name) && given(name) && this->Method != "auto")
     {
@@ -241,7 +241,7 @@ void PlanOptions::AddCalibrateTo(CLI::App* command)
 {
   command->add_flag("--calibrate", this->Calibrate,
     "Plan with the cost of each method on this machine's OpenGL renderer, measured in about a "
-    "second or read from disk, instead of built-in figures for Mesa's software renderer");
+    "second, instead of built-in figures for Mesa's software renderer");
 }
 
 //------------------------------------------------------------------------------
@@ -262,12 +262,6 @@ vtkSmartPointer<vtkRadianceCostModel> PlanOptions::GetCosts() const
     throw Error("--calibrate: " + TakeErrorText());
   }
   return calibrator->GetCostModel();
-}
-
-//------------------------------------------------------------------------------
-std::string PlanOptions::GetCacheFolder() const
-{
-  return this->UseCache ? vtkRadiancePlanner::GetDefaultCacheFolder() : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -309,7 +303,6 @@ vtkSmartPointer<vtkRadiancePlanner> MakePlan(const Material& material, vtkEnviro
 {
   auto planner = vtkSmartPointer<vtkRadiancePlanner>::New();
   planner->SetCostModel(options.GetCosts());
-  planner->SetCacheFolder(options.GetCacheFolder());
   planner->SetBRDF(material.BRDF);
   planner->SetEnvironment(environment);
   planner->SetErrorTolerance(options.Tolerance);

@@ -28,7 +28,6 @@ struct PlanOptions
 {
   double Tolerance = 0.02;
   bool All = false;       // try every candidate
-  bool UseCache = false;  // take what an earlier run left on disk
   bool Calibrate = false; // by the costs of this machine's renderer
   bool ForView = false;   // for what a picture shows, instead of for a sphere from everywhere
 
@@ -40,9 +39,6 @@ struct PlanOptions
 
   /// What a pixel costs: this machine's, measured now, or the built-in figures. Throws Error.
   vtkSmartPointer<vtkRadianceCostModel> GetCosts() const;
-
-  /// Where plans are kept; "": nowhere.
-  std::string GetCacheFolder() const;
 };
 
 /// What a camera sees of a mesh.

@@ -10,7 +10,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
-export LIBGL_ALWAYS_SOFTWARE=1 MEASUREDBRDF_CACHE=off QT_QPA_PLATFORM=offscreen
+export LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=offscreen
 
 step() { printf '\n== %s\n' "$*"; }
 

@@ -45,14 +45,6 @@ vtkAnisotropicTableRadianceIntegrator::vtkAnisotropicTableRadianceIntegrator() =
 vtkAnisotropicTableRadianceIntegrator::~vtkAnisotropicTableRadianceIntegrator() = default;
 
 //------------------------------------------------------------------------------
-std::unique_ptr<vtkAnisotropicTableRadianceIntegrator::Tables>
-vtkAnisotropicTableRadianceIntegrator::NewTables() const
-{
-  return std::make_unique<Tables>(this->NumberOfRows, this->NumberOfViewAngles,
-    this->NumberOfAzimuths, this->NumberOfViewAzimuths);
-}
-
-//------------------------------------------------------------------------------
 bool vtkAnisotropicTableRadianceIntegrator::Begin()
 {
   this->Abort = false; // one that an earlier run left
@@ -61,7 +53,8 @@ bool vtkAnisotropicTableRadianceIntegrator::Begin()
     vtkErrorMacro("Prepare: there is no environment, or it is empty.");
     return false;
   }
-  auto table = this->NewTables();
+  auto table = std::make_unique<Tables>(this->NumberOfRows, this->NumberOfViewAngles,
+    this->NumberOfAzimuths, this->NumberOfViewAzimuths);
   if (!this->MakeTable(*table))
   {
     vtkErrorMacro("Prepare: aborted.");
@@ -113,8 +106,8 @@ bool vtkAnisotropicTableRadianceIntegrator::MakeTable(Tables& table)
 void vtkAnisotropicTableRadianceIntegrator::IntegratePart(
   int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
 {
-  const glm::dvec3 sum = this->Data->Evaluate(
-    glm::make_vec3(n), glm::make_vec3(o), glm::make_vec3(t), { this->FilterWeightBits });
+  const glm::dvec3 sum =
+    this->Data->Evaluate(glm::make_vec3(n), glm::make_vec3(o), glm::make_vec3(t));
   for (int c = 0; c < 3; ++c)
   {
     radiance[c] += sum[c];
@@ -125,25 +118,6 @@ void vtkAnisotropicTableRadianceIntegrator::IntegratePart(
 int vtkAnisotropicTableRadianceIntegrator::GetNumberOfPeriods()
 {
   return this->Data ? this->Data->Periods : 0;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkAnisotropicTableRadianceIntegrator::GetPrepared()
-{
-  return this->Data ? this->Data->GetBytes() : "";
-}
-
-//------------------------------------------------------------------------------
-bool vtkAnisotropicTableRadianceIntegrator::TakePrepared(const std::string& bytes)
-{
-  auto table = this->NewTables();
-  if (!table->TakeBytes(bytes))
-  {
-    return false;
-  }
-  this->Data = std::move(table);
-  this->PrepareTime.Modified();
-  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -89,15 +89,6 @@ public:
   bool CanPrune(const std::vector<Attempt>& attempts, double error) override;
   ///@}
 
-  ///@{
-  /**
-   * The prepared table as bytes ("" before Prepare), and back. TakePrepared takes bytes of a table
-   * of the sizes that are set only.
-   */
-  std::string GetPrepared() override;
-  bool TakePrepared(const std::string& bytes) override;
-  ///@}
-
 #ifndef __VTK_WRAP__
   /**
    * For hybrids: take the environment with these texels changed; null (default): as it is.
@@ -127,7 +118,6 @@ private:
   void operator=(const vtkAnisotropicTableRadianceIntegrator&) = delete;
 
   struct Tables;
-  std::unique_ptr<Tables> NewTables() const;
   bool MakeTable(Tables& table);
 
   std::shared_ptr<const vtkEnvironment::TexelChanges> Rest;

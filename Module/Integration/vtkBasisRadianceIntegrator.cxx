@@ -7,7 +7,6 @@
 #include "LightSplatter.h"
 #include "LocalFrame.h"
 #include "ModuleShader.h"
-#include "Neighbors.h"
 #include "NumberText.h"
 #include "ParallelFor.h"
 #include "RadialFunctions.h"
@@ -87,22 +86,19 @@ struct vtkBasisRadianceIntegrator::Tables
     }
   }
 
-  glm::dvec3 FetchMap(
-    int function, const double texel[2], int chart, const measuredbrdf::FilterWeights& filter) const
+  glm::dvec3 FetchMap(int function, const double texel[2], int chart) const
   {
     const int x = static_cast<int>(texel[0]);
     const int y = static_cast<int>(texel[1]);
-    const std::array<double, 4> weights = filter.GetCorners(texel[0] - x, texel[1] - y);
     const std::size_t stride = 6 * static_cast<std::size_t>(this->Side);
     const float* p = &this->Maps[static_cast<std::size_t>(function * this->Side + y) * stride +
                                  3 * static_cast<std::size_t>(chart * this->Side + x)];
-    glm::dvec3 value;
-    for (int c = 0; c < 3; ++c)
+    const auto inRow = [&](const float* row)
     {
-      value[c] = weights[0] * p[c] + weights[1] * p[3 + c] + weights[2] * p[stride + c] +
-                 weights[3] * p[stride + 3 + c];
-    }
-    return value;
+      return glm::mix(
+        glm::dvec3(glm::make_vec3(row)), glm::dvec3(glm::make_vec3(row + 3)), texel[0] - x);
+    };
+    return glm::mix(inRow(p), inRow(p + stride), texel[1] - y);
   }
 
 private:
@@ -284,8 +280,7 @@ void vtkBasisRadianceIntegrator::IntegratePart(int vtkNotUsed(part), const doubl
   const double column = CosineToWarp(view.z, MinimumViewCosine) * ViewNodes + 1.5;
   const int first = std::min(static_cast<int>(column), ViewColumns - 1);
   const int second = std::min(first + 1, ViewColumns - 1);
-  const measuredbrdf::FilterWeights filter{ this->FilterWeightBits };
-  const double weight = filter.Round(column - first);
+  const double weight = column - first;
 
   glm::dvec3 sum(0.0), even(0.0), odd(0.0);
   glm::dvec2 angle(1.0, 0.0);
@@ -305,10 +300,10 @@ void vtkBasisRadianceIntegrator::IntegratePart(int vtkNotUsed(part), const doubl
       sum += u * odd;
       continue;
     }
-    even = tables.FetchMap(function++, texel, chart, filter);
+    even = tables.FetchMap(function++, texel, chart);
     if (views[0] > 0.5f)
     {
-      const glm::dvec3 sine = tables.FetchMap(function++, texel, chart, filter);
+      const glm::dvec3 sine = tables.FetchMap(function++, texel, chart);
       odd = sine * angle.x - even * angle.y;
       even = even * angle.x + sine * angle.y;
     }

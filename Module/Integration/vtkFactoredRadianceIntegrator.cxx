@@ -22,8 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <utility>
 
 using namespace measuredbrdf;
@@ -76,7 +74,7 @@ bool vtkFactoredRadianceIntegrator::Begin()
   const auto broad = this->NewTable();
   const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
   broad->SetPrecomputation(parts);
-  const bool broadly = this->PrepareLayer(broad, nullptr);
+  const bool broadly = this->PrepareLayer(broad);
   broad->SetPrecomputation(nullptr);
   auto core = std::make_unique<Core>(this->NumberOfRows);
   if (!broadly || !this->MakeCore(*parts, broad->GetNumberOfNodes(), *core))
@@ -103,18 +101,7 @@ vtkSmartPointer<vtkTableRadianceIntegrator> vtkFactoredRadianceIntegrator::NewTa
   table->SetNumberOfViewAngles(this->NumberOfViewAngles);
   table->SetNumberOfAzimuths(this->NumberOfAzimuths);
   table->SetSmoothingDegree(this->SmoothingDegree);
-  table->SetFilterWeightBits(this->FilterWeightBits);
   return table;
-}
-
-//------------------------------------------------------------------------------
-void vtkFactoredRadianceIntegrator::SetFilterWeightBits(int bits)
-{
-  this->Superclass::SetFilterWeightBits(bits);
-  if (this->Broad)
-  {
-    this->Broad->SetFilterWeightBits(bits);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -150,8 +137,7 @@ bool vtkFactoredRadianceIntegrator::MakeCore(Precomputation& parts, int tableNod
 void vtkFactoredRadianceIntegrator::IntegratePart(
   int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
 {
-  glm::dvec3 sum = this->Sharp->Evaluate(
-    glm::make_vec3(n), glm::make_vec3(o), glm::make_vec3(t), { this->FilterWeightBits });
+  glm::dvec3 sum = this->Sharp->Evaluate(glm::make_vec3(n), glm::make_vec3(o), glm::make_vec3(t));
   AddTo(this->Broad, n, o, t, &sum.x);
   for (int c = 0; c < 3; ++c)
   {
@@ -284,45 +270,6 @@ double vtkFactoredRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
 {
   return GetCost(costs, "base") + GetCost(costs, "table") +
          GetCost(costs, "map") * this->NumberOfFields;
-}
-
-//------------------------------------------------------------------------------
-// How long the maps' bytes are, these, and the table's.
-std::string vtkFactoredRadianceIntegrator::GetPrepared()
-{
-  if (!this->Sharp)
-  {
-    return "";
-  }
-  const std::string maps = this->Sharp->GetBytes();
-  const std::uint64_t length = maps.size();
-  std::string bytes(sizeof(length), '\0');
-  std::memcpy(&bytes[0], &length, sizeof(length));
-  return bytes + maps + this->Broad->GetPrepared();
-}
-
-//------------------------------------------------------------------------------
-bool vtkFactoredRadianceIntegrator::TakePrepared(const std::string& bytes)
-{
-  std::uint64_t length = 0;
-  if (bytes.size() < sizeof(length))
-  {
-    return false;
-  }
-  std::memcpy(&length, bytes.data(), sizeof(length));
-  auto core = std::make_unique<Core>(this->NumberOfRows);
-  const auto broad = this->NewTable();
-  if (length > bytes.size() - sizeof(length) ||
-      !core->TakeBytes(bytes.substr(sizeof(length), static_cast<std::size_t>(length))) ||
-      core->GetNumberOfFields() > this->NumberOfFields ||
-      !broad->TakePrepared(bytes.substr(sizeof(length) + static_cast<std::size_t>(length))))
-  {
-    return false;
-  }
-  this->Sharp = std::move(core);
-  this->Broad = broad;
-  this->PrepareTime.Modified();
-  return true;
 }
 
 //------------------------------------------------------------------------------

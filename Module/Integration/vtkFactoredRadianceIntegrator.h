@@ -90,14 +90,6 @@ public:
   std::vector<std::vector<int>> GetCalibrationSizes() override { return { { 128, 8 } }; }
   ///@}
 
-  ///@{
-  /**
-   * The maps' and the table's bytes ("" before Prepare), and back.
-   */
-  std::string GetPrepared() override;
-  bool TakePrepared(const std::string& bytes) override;
-  ///@}
-
 #ifndef __VTK_WRAP__
   /**
    * For hybrids: take the environment with these texels changed; null (default): as it is.
@@ -112,8 +104,6 @@ public:
 #endif
 
   bool UsesBRDFOnGPU() override;
-
-  void SetFilterWeightBits(int bits) override;
 
 protected:
   vtkFactoredRadianceIntegrator();

@@ -6,7 +6,6 @@
 #include "EnvironmentPyramid.h"
 #include "LocalFrame.h"
 #include "ModuleShader.h"
-#include "Neighbors.h"
 #include "Printable.h"
 #include "ReflectionSamples.h"
 #include "Setters.h"
@@ -171,15 +170,14 @@ void vtkFilteredRadianceIntegrator::IntegratePart(
   const Frame turned(frame * glm::dvec3(a, 0.0), frame * glm::dvec3(-a.y, a.x, 0.0), frame[2]);
 
   const Internals& impl = *this->Impl;
-  const FilterWeights filter{ this->FilterWeightBits };
   const double coordinate = ReflectionSamples::GetCoordinate(view);
   const float level = GetSphereLevel(*impl.Pyramid, this->LevelBias);
   glm::dvec3 sum(0.0);
   for (int k = 0; k < impl.Samples->GetNumberOfSamples(); ++k)
   {
-    const ReflectionSamples::Sample sample = impl.Samples->Interpolate(coordinate, k, filter);
+    const ReflectionSamples::Sample sample = impl.Samples->Interpolate(coordinate, k);
     const glm::dvec3 d = turned * glm::normalize(glm::dvec3(sample.Direction));
-    sum += glm::dvec3(sample.Weight * impl.Pyramid->Sample(d, sample.Level + level, filter));
+    sum += glm::dvec3(sample.Weight * impl.Pyramid->Sample(d, sample.Level + level));
   }
   for (const ExtractedEmitters::Light& light : impl.Lights)
   {

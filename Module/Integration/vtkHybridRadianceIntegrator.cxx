@@ -139,12 +139,8 @@ bool vtkHybridRadianceIntegrator::Begin()
   }
   made.Broad = this->NewBroad(lamps->Rest, isWindowed ? lamps->Set.Get() : nullptr, made.LampForm);
   made.Broad->SetPrecomputation(parts);
-  const bool broadly = this->PrepareLayer(made.Broad, this->Given);
+  const bool broadly = this->PrepareLayer(made.Broad);
   made.Broad->SetPrecomputation(nullptr);
-  if (!broadly && this->Given)
-  {
-    return false;
-  }
   if (!broadly || (made.Lights && !made.Lights->Prepare()) || this->Abort)
   {
     vtkErrorMacro("Prepare: " << (this->Abort ? "aborted." : "a layer cannot be prepared."));
@@ -221,18 +217,7 @@ vtkSmartPointer<vtkRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroad(
   }
   broad->SetBRDF(this->BRDF);
   broad->SetEnvironment(this->Environment);
-  broad->SetFilterWeightBits(this->FilterWeightBits);
   return broad;
-}
-
-//------------------------------------------------------------------------------
-void vtkHybridRadianceIntegrator::SetFilterWeightBits(int bits)
-{
-  this->Superclass::SetFilterWeightBits(bits);
-  if (this->Impl->Broad)
-  {
-    this->Impl->Broad->SetFilterWeightBits(bits);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -244,22 +229,6 @@ void vtkHybridRadianceIntegrator::IntegratePart(
   {
     AddTo(this->Impl->Lights, n, o, t, radiance);
   }
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHybridRadianceIntegrator::GetPrepared()
-{
-  return this->Impl->Broad ? this->Impl->Broad->GetPrepared() : "";
-}
-
-//------------------------------------------------------------------------------
-bool vtkHybridRadianceIntegrator::TakePrepared(const std::string& bytes)
-{
-  this->Modified(); // so that Prepare does
-  this->Given = &bytes;
-  const bool taken = this->Prepare();
-  this->Given = nullptr;
-  return taken;
 }
 
 //------------------------------------------------------------------------------

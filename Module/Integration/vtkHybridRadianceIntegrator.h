@@ -123,19 +123,8 @@ public:
   bool CanPrune(const std::vector<Attempt>& attempts, double error) override;
   ///@}
 
-  ///@{
-  /**
-   * The table's bytes and the maps' ("" before Prepare), and back: their making takes longest.
-   * TakePrepared also fails where the rest can't be prepared (an error event says why).
-   */
-  std::string GetPrepared() override;
-  bool TakePrepared(const std::string& bytes) override;
-  ///@}
-
   bool GetShaderInputs(vtkBRDFShaderInputs& form) override;
   bool UsesBRDFOnGPU() override;
-
-  void SetFilterWeightBits(int bits) override;
 
 protected:
   vtkHybridRadianceIntegrator();
@@ -171,7 +160,6 @@ private:
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
-  const std::string* Given = nullptr; // TakePrepared's bytes while it prepares
 };
 
 #endif

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadianceCostModel.h"
 
-#include "Neighbors.h" // for MostFilterBits
 #include "NumberText.h"
 #include "Printable.h"
 #include "vtkObjectFactory.h"
@@ -84,7 +83,7 @@ std::string vtkRadianceCostModel::GetText()
 {
   measuredbrdf::TextStream text;
   text.precision(17);
-  text << Title << "\n" << this->Name << "\n" << this->FilterWeightBits << "\n";
+  text << Title << "\n" << this->Name << "\n";
   for (const auto& [name, cost] : this->Costs)
   {
     text << name << " " << cost << "\n";
@@ -102,9 +101,7 @@ bool vtkRadianceCostModel::SetText(const std::string& text)
   std::getline(lines, title);
   std::getline(lines, name);
   // A last line without an end may be cut in the middle of its number.
-  int bits = -1;
-  if (title != Title || text.back() != '\n' || !(lines >> bits) || bits < 0 ||
-      bits > measuredbrdf::MostFilterBits)
+  if (title != Title || text.back() != '\n')
   {
     return false;
   }
@@ -127,7 +124,6 @@ bool vtkRadianceCostModel::SetText(const std::string& text)
     return false;
   }
   this->Name = name;
-  this->FilterWeightBits = bits;
   this->Costs = std::move(costs);
   this->Modified();
   return true;
@@ -142,7 +138,6 @@ void vtkRadianceCostModel::DeepCopy(vtkRadianceCostModel* source)
     return;
   }
   this->Costs = source->Costs;
-  this->FilterWeightBits = source->FilterWeightBits;
   this->Name = source->Name;
   this->Modified();
 }
@@ -152,7 +147,6 @@ void vtkRadianceCostModel::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Name: " << this->Name << "\n";
-  os << indent << "FilterWeightBits: " << this->FilterWeightBits << "\n";
   for (const auto& [name, cost] : this->Costs)
   {
     os << indent << name << ": " << cost << " ns\n";

@@ -49,16 +49,6 @@ public:
 
   ///@{
   /**
-   * The bits of its texture units' weights (vtkRadianceIntegrator::SetFilterWeightBits), 0 to 23;
-   * 0: exact. Default 8, which nearly all graphics cards have, whatever
-   * the costs are of (llvmpipe is exact). Planners predict errors with it.
-   */
-  vtkSetClampMacro(FilterWeightBits, int, 0, 23);
-  vtkGetMacro(FilterWeightBits, int);
-  ///@}
-
-  ///@{
-  /**
    * The renderer that it is of, one line (default: "Mesa llvmpipe, built in"); only carried along.
    */
   vtkSetMacro(Name, std::string);
@@ -75,7 +65,7 @@ public:
   ///@}
 
   /**
-   * Take another's costs, bits and name.
+   * Take another's costs and name.
    */
   void DeepCopy(vtkRadianceCostModel* source);
 
@@ -85,7 +75,6 @@ protected:
 
   std::vector<std::pair<std::string, double>> Costs = { { "base", 55.0 }, { "table", 52.0 },
     { "light", 20.0 }, { "sample", 28.0 }, { "function", 12.0 }, { "map", 7.0 } };
-  int FilterWeightBits = 8;
   std::string Name = "Mesa llvmpipe, built in";
 
 private:

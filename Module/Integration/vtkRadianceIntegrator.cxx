@@ -3,7 +3,6 @@
 #include "vtkRadianceIntegrator.h"
 
 #include "DirectionPairs.h"
-#include "Neighbors.h" // for MostFilterBits
 #include "ParallelFor.h"
 #include "TakenError.h"
 #include "vtkBRDF.h"
@@ -95,20 +94,6 @@ void vtkRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
     values.push_back(size.Value);
   }
   this->SetSizes(values);
-  this->SetFilterWeightBits(source->FilterWeightBits);
-}
-
-//------------------------------------------------------------------------------
-// Not Modified(): then everything would be prepared anew.
-void vtkRadianceIntegrator::SetFilterWeightBits(int bits)
-{
-  this->FilterWeightBits = std::clamp(bits, 0, measuredbrdf::MostFilterBits);
-  if (bits != this->FilterWeightBits)
-  {
-    vtkWarningMacro("SetFilterWeightBits: found " << bits << ", expected 0 to "
-                                                  << measuredbrdf::MostFilterBits << "; set to "
-                                                  << this->FilterWeightBits << ".");
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -175,9 +160,6 @@ std::vector<int> vtkRadianceIntegrator::GetEquivalentSizes(
 
 //------------------------------------------------------------------------------
 bool vtkRadianceIntegrator::CanPrune(const std::vector<Attempt>&, double) { return false; }
-
-//------------------------------------------------------------------------------
-bool vtkRadianceIntegrator::TakePrepared(const std::string& bytes) { return bytes.empty(); }
 
 //------------------------------------------------------------------------------
 bool vtkRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs&) { return false; }
@@ -261,7 +243,7 @@ bool vtkRadianceIntegrator::SumPairs(const std::vector<Pair>& pairs, std::vector
 }
 
 //------------------------------------------------------------------------------
-bool vtkRadianceIntegrator::PrepareLayer(vtkRadianceIntegrator* layer, const std::string* bytes)
+bool vtkRadianceIntegrator::PrepareLayer(vtkRadianceIntegrator* layer)
 {
   vtkNew<vtkCallbackCommand> follow;
   follow->SetClientData(this);
@@ -274,7 +256,7 @@ bool vtkRadianceIntegrator::PrepareLayer(vtkRadianceIntegrator* layer, const std
     });
   const unsigned long tag = layer->AddObserver(vtkCommand::ProgressEvent, follow);
   const measuredbrdf::TakenError reason(layer); // an abort is the whole's to tell
-  const bool prepared = bytes ? layer->TakePrepared(*bytes) : layer->Prepare();
+  const bool prepared = layer->Prepare();
   layer->RemoveObserver(tag);
   if (!prepared && !this->Abort && !reason.GetText().empty())
   {
@@ -289,6 +271,5 @@ void vtkRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "BRDF: " << this->BRDF.Get() << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";
-  os << indent << "FilterWeightBits: " << this->FilterWeightBits << "\n";
   os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
 }

@@ -189,16 +189,6 @@ public:
 
   ///@{
   /**
-   * What took long to prepare as bytes, for planners that keep it on disk (default: ""), and back:
-   * TakePrepared prepares this integrator with them. It returns false, nothing changed, for bytes
-   * that do not fit the material, the environment or the sizes.
-   */
-  virtual std::string GetPrepared() { return ""; }
-  virtual bool TakePrepared(const std::string& bytes);
-  ///@}
-
-  ///@{
-  /**
    * For vtkRadianceCostCalibrator: the cost that this method is measured for, one of
    * vtkRadianceCostModel's or a name of its own, and the sizes that are drawn to find it. Default:
    * "" and none, it has no cost of its own.
@@ -217,17 +207,6 @@ public:
    */
   void SetPrecomputation(const std::shared_ptr<Precomputation>& shared) { this->Shared = shared; }
 #endif
-
-  ///@{
-  /**
-   * Texture units interpolate with weights in steps: of 2^-8 on most graphics cards, the least that
-   * Direct3D allows. Integrate takes weights of so many bits, 0 to 23; 0 (default) means exact
-   * ones, as in double precision or on Mesa's llvmpipe. It rounds those of what methods of this
-   * module look up, not those of materials' own tables, which lights read. What is prepared stays.
-   */
-  virtual void SetFilterWeightBits(int bits);
-  int GetFilterWeightBits() { return this->FilterWeightBits; }
-  ///@}
 
   ///@{
   /**
@@ -276,15 +255,14 @@ protected:
     integrator->IntegratePart(0, n, o, t, radiance);
   }
 
-  /// For them, too: prepare one of the others, of these bytes (TakePrepared) where they are not
-  /// null. Its progress is this one's, and it stops where this one is told to.
-  bool PrepareLayer(vtkRadianceIntegrator* layer, const std::string* bytes);
+  /// For them, too: prepare one of the others. Its progress is this one's, and it stops where this
+  /// one is told to.
+  bool PrepareLayer(vtkRadianceIntegrator* layer);
 
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
   std::shared_ptr<Precomputation> Shared;
   vtkTimeStamp PrepareTime;
-  int FilterWeightBits = 0;
   std::atomic<bool> Abort{ false };
 
 private:

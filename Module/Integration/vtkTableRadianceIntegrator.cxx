@@ -161,33 +161,12 @@ bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
 void vtkTableRadianceIntegrator::IntegratePart(
   int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
 {
-  const glm::dvec3 sum = this->Data->Evaluate(glm::make_vec3(n), glm::make_vec3(o),
-    glm::make_vec3(t), { this->FilterWeightBits }, this->Data->Lamps.get());
+  const glm::dvec3 sum = this->Data->Evaluate(
+    glm::make_vec3(n), glm::make_vec3(o), glm::make_vec3(t), this->Data->Lamps.get());
   for (int c = 0; c < 3; ++c)
   {
     radiance[c] += sum[c];
   }
-}
-
-//------------------------------------------------------------------------------
-std::string vtkTableRadianceIntegrator::GetPrepared()
-{
-  return this->Data ? this->Data->GetBytes() : "";
-}
-
-//------------------------------------------------------------------------------
-bool vtkTableRadianceIntegrator::TakePrepared(const std::string& bytes)
-{
-  auto table =
-    std::make_unique<Tables>(this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths);
-  if (!table->TakeBytes(bytes))
-  {
-    return false;
-  }
-  this->AddLamps(*table);
-  this->Data = std::move(table);
-  this->PrepareTime.Modified();
-  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -120,15 +120,6 @@ public:
 
   ///@{
   /**
-   * The prepared tables as bytes ("" before Prepare), and back. TakePrepared takes bytes of a table
-   * of the sizes that are set only.
-   */
-  std::string GetPrepared() override;
-  bool TakePrepared(const std::string& bytes) override;
-  ///@}
-
-  ///@{
-  /**
    * What the table takes of the kernels, as a blur: their harmonics of degree l are multiplied by
    * exp(-l (l + 1) / (2 SmoothingDegree^2)), which leaves nonnegative kernels nonnegative. Default
    * 0: everything. vtkFactoredRadianceIntegrator adds what is missing.

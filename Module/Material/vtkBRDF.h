@@ -173,8 +173,8 @@ public:
 
   /**
    * 32 hexadecimal digits that identify the material by its class, parameters and data (not by Name
-   * and Source). They are the key of plans kept on disk. "" if the class does not implement
-   * GetContent: plans of such materials are not kept on disk.
+   * and Source). By them a plan finds what an earlier plan of an equal material has prepared. "" if
+   * the class does not implement GetContent: each plan then prepares all of it.
    */
   std::string GetContentKey();
 
@@ -239,7 +239,7 @@ protected:
    * The class that implements this, typeid(vtkMyBRDF), and bytes that identify everything on which
    * f, Sample, Pdf or the shader inputs depend: all parameters, and the data or a hash of 128 bits
    * of them. The result of a superclass is not used: a subclass has to override this itself.
-   * Default: no content, so that plans are not kept.
+   * Default: no content, so that plans of the material share nothing.
    */
   virtual std::pair<std::type_index, std::string> GetContent();
 

@@ -7,10 +7,8 @@
 #include "LightsReference.h"
 #include "MaterialPrecomputation.h"
 #include "MaterialStore.h"
-#include "PlanCache.h"
 #include "PlanCandidate.h"
 #include "PlanComparison.h"
-#include "PlanFile.h"
 #include "PlanPairs.h"
 #include "PlanReference.h"
 #include "PlanReport.h"
@@ -32,7 +30,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -81,46 +78,6 @@ struct vtkRadiancePlanner::Internals
     task.MaximumBytes = planner->GetMaximumTextureBytes();
     task.Pixels = static_cast<double>(planner->GetNumberOfPixels());
     return task;
-  }
-
-  // Everything that a plan depends on; "" where the material does not say what it is.
-  std::string GetCacheKey(vtkRadiancePlanner* planner)
-  {
-    const std::string material = this->BRDF->GetContentKey();
-    if (material.empty())
-    {
-      return "";
-    }
-    measuredbrdf::ContentHash hash;
-    hash.AddText(measuredbrdf::GetPlanVersion());
-    hash.AddText(material);
-    measuredbrdf::AddContent(hash, this->Environment);
-    hash.AddValue(planner->GetErrorTolerance());
-    hash.AddValue(planner->GetMaximumTextureBytes());
-    hash.AddValue(planner->GetEvaluateAll());
-    hash.Add(planner->GetViewDirection(), 3 * sizeof(double));
-    hash.AddValue(planner->GetNumberOfPixels());
-    for (vtkDoubleArray* given : { this->Given.Normals.Get(), this->Given.Views.Get() })
-    {
-      if (given)
-      {
-        hash.Add(given->GetPointer(0),
-          static_cast<std::size_t>(given->GetNumberOfValues()) * sizeof(double));
-      }
-    }
-    const double* view = planner->GetViewDirection();
-    if (this->Given.Normals || view[0] != 0.0 || view[1] != 0.0 || view[2] != 0.0)
-    {
-      double rotation[9];
-      this->Environment->GetWorldToEnvironment(rotation);
-      for (const double value : rotation)
-      {
-        hash.AddValue(value + 0.0); // -0 and 0 turn alike
-      }
-    }
-    hash.AddText(this->Task.Costs->GetText());
-    hash.AddText(vtkRadianceMethods::GetNames());
-    return hash.GetText();
   }
 
   // Those of a sphere: many of them see a sun or a lamp, which decide for mirror-like materials.
@@ -263,27 +220,11 @@ bool vtkRadiancePlanner::Choose()
   }
   impl.BRDF->Prepare();
   impl.Task = impl.MakeTask(this);
-  this->FromCache = false;
-  const std::string key = this->CacheFolder.empty() ? "" : impl.GetCacheKey(this);
-  std::string bytes;
-  if (!key.empty() && measuredbrdf::ReadCache(this->CacheFolder, key, bytes) &&
-      measuredbrdf::ReadPlan(bytes, impl.BRDF, impl.Environment, impl.Plan))
-  {
-    this->FromCache = true;
-    impl.Time.Modified();
-    return true;
-  }
   if (!this->Search())
   {
     return false;
   }
   impl.Time.Modified();
-  bytes = key.empty() ? "" : measuredbrdf::WritePlan(impl.Plan);
-  if (!bytes.empty())
-  {
-    measuredbrdf::WriteCache(
-      this->CacheFolder, key, bytes, static_cast<std::uint64_t>(this->MaximumCacheBytes));
-  }
   return true;
 }
 
@@ -349,12 +290,6 @@ bool vtkRadiancePlanner::Search()
   impl.Plan = search.GetPlan();
   impl.Plan.Reason = measuredbrdf::ExplainChoice(impl.Plan, this->ErrorTolerance);
   return true;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkRadiancePlanner::GetDefaultCacheFolder()
-{
-  return measuredbrdf::GetDefaultCacheFolder();
 }
 
 //------------------------------------------------------------------------------
@@ -464,7 +399,6 @@ measuredbrdfSetClampedMacro(vtkRadiancePlanner, ErrorTolerance, double, 1e-3, 1.
 measuredbrdfSetClampedMacro(vtkRadiancePlanner, NumberOfPixels, vtkIdType, 1, VTK_ID_MAX);
 measuredbrdfSetFinite3Macro(vtkRadiancePlanner, ViewDirection);
 measuredbrdfSetInRangeMacro(vtkRadiancePlanner, MaximumTextureBytes, vtkIdType, 0, VTK_ID_MAX);
-measuredbrdfSetInRangeMacro(vtkRadiancePlanner, MaximumCacheBytes, vtkIdType, 0, VTK_ID_MAX);
 
 //------------------------------------------------------------------------------
 void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
@@ -482,8 +416,5 @@ void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EvaluateAll: " << (this->EvaluateAll ? "On" : "Off") << "\n";
   os << indent << "MaximumTextureBytes: " << this->MaximumTextureBytes << "\n";
   os << indent << "NumberOfPixels: " << this->NumberOfPixels << "\n";
-  os << indent << "CacheFolder: " << this->CacheFolder << "\n";
-  os << indent << "MaximumCacheBytes: " << this->MaximumCacheBytes << "\n";
-  os << indent << "FromCache: " << (this->FromCache ? "yes" : "no") << "\n";
   os << indent << "Plan: " << this->GetPlan() << "\n";
 }

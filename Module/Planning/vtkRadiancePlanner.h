@@ -145,29 +145,9 @@ public:
 
   ///@{
   /**
-   * A folder where plans and their tables outlive the program; "" (default): none. They are found
-   * again by the material's parameters and data (vtkBRDF::GetContentKey; materials of classes that
-   * do not give them are not kept), the environment's pixels, these settings and the version of the
-   * code. The mapper uses GetDefaultCacheFolder(): $MEASUREDBRDF_CACHE ("off": none), else
-   * $XDG_CACHE_HOME/vtkMeasuredBRDF (an absolute path, as its specification demands), else
-   * $HOME/.cache/vtkMeasuredBRDF. Files lie in a sub-folder of it, vtkMeasuredBRDF-plans, for this
-   * user only (mode 0700); nothing else in the folder is touched, and of the sub-folder only
-   * regular files with this cache's names and magic. Those used longest ago go when they exceed
-   * MaximumCacheBytes (default 512 MiB). Damaged files are made again; programs may share the
-   * folder.
-   */
-  vtkSetMacro(CacheFolder, std::string);
-  vtkGetMacro(CacheFolder, std::string);
-  static std::string GetDefaultCacheFolder();
-  virtual void SetMaximumCacheBytes(vtkIdType maximumCacheBytes);
-  vtkGetMacro(MaximumCacheBytes, vtkIdType);
-  ///@}
-
-  ///@{
-  /**
    * Surfaces whose occlusion Update predicts, too (vtkOcclusionPredictor): by how much a picture of
    * them is off in this material and light, as long as occlusion is left out. Null (default): it is
-   * not predicted. The choice does not depend on it, and it is not kept on disk.
+   * not predicted. The choice does not depend on it.
    */
   void SetScene(vtkTracedScene* scene);
   vtkTracedScene* GetScene();
@@ -183,11 +163,6 @@ public:
   double GetUnoccludedErrorUncertainty();
   bool GetNeedsOcclusion();
   ///@}
-
-  /**
-   * Whether the last plan came from the cache.
-   */
-  vtkGetMacro(FromCache, bool);
 
   /**
    * List candidates and choose, unless nothing changed. Returns false with an error event, the plan
@@ -254,9 +229,6 @@ protected:
   vtkIdType MaximumTextureBytes = 96 << 20;
   double ViewDirection[3] = { 0.0, 0.0, 0.0 };
   bool EvaluateAll = false;
-  std::string CacheFolder;
-  vtkIdType MaximumCacheBytes = 512 << 20;
-  bool FromCache = false;
   vtkIdType NumberOfPixels = 196350;
   std::atomic<bool> Abort{ false };
 

@@ -109,8 +109,6 @@ public:
   void PlanForViewOff() { this->SetPlanForView(false); }
   void SetCostModel(vtkRadianceCostModel* model);
   vtkRadianceCostModel* GetCostModel();
-  void SetCacheFolder(std::string folder);
-  std::string GetCacheFolder();
   void SetAbortPlanning(bool abort);
   bool GetAbortPlanning();
   void SetScalarColoringMode(int mode);

@@ -112,7 +112,7 @@ public:
    * material, the environment and the error tolerance, mostly a table of radiance that costs about
    * as much as VTK's own PBR. Planning takes some tenths of a second (seconds for mirror-like
    * materials) before the first frame and after a change of the material or the environment (its
-   * rotation is none), see SetPlanningMode; a later program finds the plan on disk.
+   * rotation is none), see SetPlanningMode.
    *
    * Any other integrator draws the same pixels as its Integrate gives:
    * vtkLightSetRadianceIntegrator is the thesis's loop over lights. The mapper never changes it.
@@ -189,9 +189,8 @@ public:
    * light what was not seen before (a tenth of it by 15 degrees, or 4 times more or 8 times fewer
    * pixels), the mapper plans again, in the background if PlanningMode says so; in between, the
    * plan stays. Plans for four views of an actor are kept and taken up again when the camera comes
-   * back; from the fifth on, one for every view serves, with the pixels covered. Plans for single
-   * views are not kept on disk. A plan for every view never changes under the camera: hence the
-   * default.
+   * back; from the fifth on, one for every view serves, with the pixels covered. A plan for every
+   * view never changes under the camera: hence the default.
    */
   void SetPlanForView(bool view);
   bool GetPlanForView();
@@ -207,15 +206,6 @@ public:
    */
   vtkIdType GetVisiblePairs(
     vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views);
-
-  ///@{
-  /**
-   * A folder where plans outlive the program (vtkRadiancePlanner::SetCacheFolder); default:
-   * vtkRadiancePlanner::GetDefaultCacheFolder(); "": nowhere.
-   */
-  void SetCacheFolder(std::string folder);
-  std::string GetCacheFolder();
-  ///@}
 
   ///@{
   /**

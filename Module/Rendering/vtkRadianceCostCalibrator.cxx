@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadianceCostCalibrator.h"
 
-#include "FilterPrecision.h"
 #include "NumberText.h"
-#include "PlanCache.h"
 #include "SquareLayers.h"
 
 #include "vtkActor.h"
@@ -18,7 +16,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkRadianceCostModel.h"
 #include "vtkRadianceMethods.h"
-#include "vtkRadiancePlanner.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -27,7 +24,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <sstream>
 #include <vector>
 
@@ -38,7 +34,6 @@ constexpr int Frames = 5;           // that a time is the least of: other work o
 constexpr double Enough = 5.0;      // ms above the empty frame, to be told from its jitter
 constexpr double LeastBase = 0.1;   // of a pixel with one light
 constexpr double LeastShare = 0.01; // of BASE, of any other cost
-constexpr std::uint64_t LargestCache = 512ull << 20;
 
 // What is drawn: a share of the window's side, and layers.
 struct Load
@@ -245,8 +240,7 @@ vtkStandardNewMacro(vtkRadianceCostCalibrator);
 
 //------------------------------------------------------------------------------
 vtkRadianceCostCalibrator::vtkRadianceCostCalibrator()
-  : CacheFolder(vtkRadiancePlanner::GetDefaultCacheFolder())
-  , Impl(new Internals)
+  : Impl(new Internals)
 {
 }
 
@@ -328,11 +322,6 @@ std::string vtkRadianceCostCalibrator::Measure(vtkRenderWindow* window, const st
       return "a cost on " + name + " is out of range.";
     }
   }
-  const int bits = measuredbrdf::MeasureFilterWeightBits(window);
-  if (bits >= 0) // else what nearly all have
-  {
-    model->SetFilterWeightBits(bits);
-  }
   this->Impl->Model->DeepCopy(model);
   return "";
 }
@@ -341,7 +330,6 @@ std::string vtkRadianceCostCalibrator::Measure(vtkRenderWindow* window, const st
 bool vtkRadianceCostCalibrator::Calibrate()
 {
   this->Abort = false;
-  this->FromCache = false;
   vtkRenderWindow* given = this->Impl->Window;
   const bool wasCurrent = given && given->IsCurrent();
   auto window = given ? vtkSmartPointer<vtkRenderWindow>::Take(given->NewInstance())
@@ -355,28 +343,11 @@ bool vtkRadianceCostCalibrator::Calibrate()
   }
   window->Render(); // makes the context
   const std::string report = window->ReportCapabilities();
-  measuredbrdf::ContentHash hash;
-  hash.AddText("costs");
-  hash.AddText(vtkRadianceMethods::GetNames()); // of whose costs
-  for (const char* key :
-    { "OpenGL vendor string:", "OpenGL renderer string:", "OpenGL version string:" })
-  {
-    const std::string value = GetCapability(report, key);
-    hash.AddText(value);
-  }
   const std::string name = GetCapability(report, "OpenGL renderer string:");
-  const std::string file = hash.GetText();
-  std::string contents;
   std::string problem;
   if (name.empty())
   {
     problem = "there is no OpenGL context.";
-  }
-  else if (!this->CacheFolder.empty() &&
-           measuredbrdf::ReadCache(this->CacheFolder, file, contents) &&
-           this->Impl->Model->SetText(contents))
-  {
-    this->FromCache = true;
   }
   else
   {
@@ -391,10 +362,6 @@ bool vtkRadianceCostCalibrator::Calibrate()
     vtkErrorMacro("Calibrate: " << problem);
     return false;
   }
-  if (!this->FromCache && !this->CacheFolder.empty())
-  {
-    measuredbrdf::WriteCache(this->CacheFolder, file, this->Impl->Model->GetText(), LargestCache);
-  }
   return true;
 }
 
@@ -403,8 +370,6 @@ void vtkRadianceCostCalibrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RenderWindow: " << this->Impl->Window.Get() << "\n";
-  os << indent << "CacheFolder: " << this->CacheFolder << "\n";
-  os << indent << "FromCache: " << (this->FromCache ? "yes" : "no") << "\n";
   os << indent << "CostModel:\n";
   this->Impl->Model->PrintSelf(os, indent.GetNextIndent());
 }

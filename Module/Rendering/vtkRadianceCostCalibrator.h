@@ -12,10 +12,6 @@
  * half or twice as much. A cost that drowns in BASE's counts as a hundredth of it, and BASE as a
  * tenth of a pixel with one light at least.
  *
- * How many bits the weights of texture units have is measured, too: an edge between two texels is
- * looked at in 8192 places, and the different values are counted.
- *
- * What was measured is kept on disk per OpenGL vendor, renderer and version, and found again.
  * Nothing else should be at work on the machine meanwhile. Renderers that shade nothing which is
  * hidden by what comes later in the same draw call are measured by patches side by side only, and
  * less exactly if they are fast.
@@ -29,7 +25,7 @@
 
 #include <atomic> // for Abort
 #include <memory> // for Internals
-#include <string> // for CacheFolder
+#include <string> // for names
 
 class vtkRadianceCostModel;
 class vtkRenderWindow;
@@ -50,31 +46,17 @@ public:
   vtkRenderWindow* GetRenderWindow();
   ///@}
 
-  ///@{
   /**
-   * Where results outlive the program, beside the plans (vtkRadiancePlanner::SetCacheFolder);
-   * default vtkRadiancePlanner::GetDefaultCacheFolder(); "": nowhere. A damaged file is measured
-   * anew.
-   */
-  vtkSetMacro(CacheFolder, std::string);
-  vtkGetMacro(CacheFolder, std::string);
-  ///@}
-
-  /**
-   * Measure, or find what was measured before. It takes about a second on Mesa's llvmpipe, and
+   * Measure. It takes about a second on Mesa's llvmpipe, and
    * needs an OpenGL context. Returns false with an error event, the model unchanged, where nothing
    * can be drawn, the times tell nothing, or the run was aborted. Raises ProgressEvent.
    */
   bool Calibrate();
 
-  ///@{
   /**
-   * The result, with the renderer's name (before Calibrate: the defaults), and whether it came from
-   * the cache.
+   * The result, with the renderer's name (before Calibrate: the defaults).
    */
   vtkRadianceCostModel* GetCostModel();
-  vtkGetMacro(FromCache, bool);
-  ///@}
 
   ///@{
   /**
@@ -88,8 +70,6 @@ protected:
   vtkRadianceCostCalibrator();
   ~vtkRadianceCostCalibrator() override;
 
-  std::string CacheFolder;
-  bool FromCache = false;
   std::atomic<bool> Abort{ false };
 
 private:

@@ -5,7 +5,7 @@
 // all threads: a software renderer's, whatever else the machine does. Prints the table of
 // docs/maps.md. Needs an OpenGL context.
 //
-//   BenchmarkMaterialMap [ROUNDS [NAME [CACHE [PIXELS]]]]
+//   BenchmarkMaterialMap [ROUNDS [NAME [PIXELS]]]
 //
 // ROUNDS: frames of each kind in turns (default 25). NAME: only those of which it is a part, and
 // the first. CACHE: a folder that plans come from and go to, for a second run. PIXELS: the window's
@@ -132,10 +132,9 @@ public:
     this->Suns->SetPixels(256, 128, sky);
   }
 
-  void AddAll(const std::string& wanted, const std::string& cache)
+  void AddAll(const std::string& wanted)
   {
     this->Wanted = wanted;
-    this->Cache = cache;
     this->Add("one material", 1, MakeSphere(), nullptr);
     this->Kinds.front().Mapper->SetBRDF(this->Materials[0]);
     for (int classes : { 2, 8, 24, 256, 1024 })
@@ -246,7 +245,6 @@ private:
     kind.Mapper->SetInputData(surface);
     kind.Mapper->SetEnvironment(this->Environment);
     kind.Mapper->SetMaterialMap(map);
-    kind.Mapper->SetCacheFolder(this->Cache);
     if (this->Kinds.empty() || name.find(this->Wanted) != std::string::npos)
     {
       this->Kinds.push_back(kind);
@@ -385,14 +383,13 @@ private:
   std::vector<Kind> Kinds;
   std::string NameEnd;
   std::string Wanted;
-  std::string Cache;
 };
 }
 
 int main(int argc, char* argv[])
 {
-  Benchmark benchmark(argc > 4 ? std::max(std::atoi(argv[4]), 1) : 500);
-  benchmark.AddAll(argc > 2 ? argv[2] : "", argc > 3 ? argv[3] : "");
+  Benchmark benchmark(argc > 3 ? std::max(std::atoi(argv[3]), 1) : 500);
+  benchmark.AddAll(argc > 2 ? argv[2] : "");
   benchmark.Run(argc > 1 ? std::max(std::atoi(argv[1]), 1) : 25);
   return EXIT_SUCCESS;
 }

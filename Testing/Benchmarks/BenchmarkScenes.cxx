@@ -309,7 +309,6 @@ void MeasureMemory(int width)
 int main(int argc, char* argv[])
 {
   const int rounds = argc > 1 ? std::atoi(argv[1]) : 15;
-  setenv("MEASUREDBRDF_CACHE", "off", 1);
   std::printf("VTK %s, frame times in ms, medians of %d frames taken in turns\n\n",
     vtkVersion::GetVTKVersion(), rounds);
   std::printf("| scene | stock PBR, image-based light | AUTO | ratio | 16 lights | ratio |\n"

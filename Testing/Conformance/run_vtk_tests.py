@@ -310,7 +310,6 @@ def main():
     counts, report = {}, {}
     with tempfile.TemporaryDirectory() as folder:
         os.environ["TMPDIR"] = tempfile.tempdir = folder
-        os.environ["MEASUREDBRDF_CACHE"] = os.path.join(folder, "cache")  # one plan for all
         os.environ["VTK_DATA_ROOT"] = options.data
         import vtkmodules.all  # noqa: F401 (once, before the forks)
 

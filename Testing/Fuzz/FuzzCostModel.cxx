@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Costs that a calibration left in the plan cache's folder.
+// Costs as text, that a program may have kept.
 #include "FuzzTarget.h"
 
 #include "vtkNew.h"

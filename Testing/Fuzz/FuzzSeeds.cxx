@@ -145,35 +145,6 @@ Seeds MakeEnvironments()
   return seeds;
 }
 
-//------------------------------------------------------------------------------
-Seeds MakePlans()
-{
-  vtkNew<vtkLambertBRDF> brdf;
-  vtkNew<vtkEnvironment> environment;
-  Require(environment->SetPixels(8, 4, std::vector<float>(8 * 4 * 3, 0.5f)));
-  vtkNew<vtkTableRadianceIntegrator> table;
-  table->SetNumberOfRows(9);
-  table->SetNumberOfViewAngles(2);
-  table->SetNumberOfAzimuths(4);
-  table->SetBRDF(brdf);
-  table->SetEnvironment(environment);
-  Require(table->Prepare());
-  const std::string bytes = table->GetPrepared();
-  const std::string figures = " 0 0 1.5 0.01 4096 2\n"; // lights, angle, cost, error, bytes, set-up
-  const auto plan = [&](const std::string& candidates, int count, int choice)
-  { return std::to_string(count) + " " + std::to_string(choice) + " 1\n" + candidates + "why\n"; };
-  const std::string contents[] = { plan("0 4 0 0 0" + figures, 1, 0),
-    plan("1 9 0 0 0" + figures, 1, 0), plan("2 16 0 0 0" + figures, 1, 0),
-    plan("1 9 0 0 0" + figures + "3 9 2 4 0" + figures, 2, 1) + bytes,
-    plan("4 9 2 4 8" + figures, 1, 0) + bytes };
-  Seeds seeds = { '\3' + bytes };
-  for (const std::string& text : contents)
-  {
-    seeds.push_back('\1' + text);
-    seeds.push_back('\0' + ("vtkMeasuredBRDF plan 1\n" + text));
-  }
-  return seeds;
-}
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -281,10 +252,6 @@ Seeds MakeSeeds(const std::string& target)
   if (target == "Environment")
   {
     return MakeEnvironments();
-  }
-  if (target == "PlanCache")
-  {
-    return MakePlans();
   }
   if (target == "CostModel")
   {

@@ -32,7 +32,6 @@ Target FuzzMbsdf;
 Target FuzzMerl;
 Target FuzzOpenMaterial;
 Target FuzzPhotographList;
-Target FuzzPlanCache;
 Target FuzzTensor;
 Target FuzzUtia;
 
@@ -174,5 +173,5 @@ INSTANTIATE_TEST_SUITE_P(All, FuzzTargets,
     Case{ "Astm", FuzzAstm }, Case{ "BsdfXml", FuzzBsdfXml }, Case{ "Fit", FuzzFit },
     Case{ "MaterialData", FuzzMaterialData }, Case{ "Mbsdf", FuzzMbsdf }, Case{ "Merl", FuzzMerl },
     Case{ "OpenMaterial", FuzzOpenMaterial }, Case{ "PhotographList", FuzzPhotographList },
-    Case{ "PlanCache", FuzzPlanCache }, Case{ "Tensor", FuzzTensor }, Case{ "Utia", FuzzUtia }),
+    Case{ "Tensor", FuzzTensor }, Case{ "Utia", FuzzUtia }),
   [](const auto& info) { return std::string(info.param.Name); });

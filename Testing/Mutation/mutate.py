@@ -109,7 +109,7 @@ class Copy:
         self.timeout = str(arguments.timeout)
         self.limit = arguments.limit
         self.all = arguments.all
-        self.environment = dict(os.environ, LIBGL_ALWAYS_SOFTWARE="1", MEASUREDBRDF_CACHE="off")
+        self.environment = dict(os.environ, LIBGL_ALWAYS_SOFTWARE="1")
 
     def list_files(self, root):
         for parent, folders, names in os.walk(root):

@@ -8,7 +8,6 @@
 #ifndef MaterialMapFixture_h
 #define MaterialMapFixture_h
 
-#include "FilterPrecision.h"
 #include "RenderFixture.h"
 #include "vtkActor.h"
 #include "vtkBlinnPhongBRDF.h"
@@ -198,8 +197,7 @@ protected:
   /// Graphics cards, whose filter weights have steps, differ by up to 1.1e-4.
   double GetLimit(double tolerance)
   {
-    return std::max(
-      tolerance, measuredbrdf::MeasureFilterWeightBits(this->Window) > 0 ? 1.5e-4 : 0.0);
+    return std::max(tolerance, this->GetWeightStep() > 0.0 ? 1.5e-4 : 0.0);
   }
 
   /// weight: of a material at a place; negative for all: the place is not looked at.

@@ -57,7 +57,6 @@ protected:
       GTEST_SKIP() << "this VTK needs an X display (run under xvfb-run)";
     }
 #endif
-    setenv("MEASUREDBRDF_CACHE", "off", 1); // nothing of earlier runs
     this->Window->SetOffScreenRendering(1);
     this->Window->SetMultiSamples(0);
     this->Window->SetSize(64, 64);
@@ -82,6 +81,19 @@ protected:
   bool IsWithoutDisplay() const
   {
     return std::string(this->Window->GetClassName()) == "vtkEGLRenderWindow";
+  }
+
+  /// The steps of the weights by which texture units interpolate: those of graphics cards, 2^-8,
+  /// the coarsest that Direct3D allows. Mesa's llvmpipe has a float's: 0.
+  double GetWeightStep()
+  {
+    if (this->WeightStep < 0.0)
+    {
+      this->Window->Render(); // makes the context
+      const std::string report = this->Window->ReportCapabilities();
+      this->WeightStep = report.find("llvmpipe") == std::string::npos ? std::exp2(-8.0) : 0.0;
+    }
+    return this->WeightStep;
   }
 
   /// What the shader wrote, still encoded as x^(1/2.2).
@@ -125,6 +137,7 @@ protected:
     return image;
   }
 
+  double WeightStep = -1.0; // GetWeightStep, before it was asked for
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderPassCollection> Passes;

@@ -189,7 +189,6 @@ TEST(MapperCopy, TakesOverEveryProperty)
   original->SetPlanningModeToBackground();
   original->PlanForViewOn();
   original->SetCostModel(costs);
-  original->SetCacheFolder("elsewhere");
   original->SetScalarColoringMode(vtkMeasuredBRDFMapper::IGNORE_SCALARS);
   original->UseSceneLightsOff();
   original->SetOcclusionModeToOff();

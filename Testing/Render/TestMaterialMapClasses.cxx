@@ -74,7 +74,6 @@ protected:
     other->SetMaterialMap(this->Map);
     other->SetIntegrator(this->Mapper->GetIntegrator());
     other->SetErrorTolerance(this->Mapper->GetErrorTolerance());
-    other->SetCacheFolder("");
     this->Actor->SetMapper(other);
     const FloatImage picture = this->RenderLinear();
     this->Actor->SetMapper(this->Mapper);
@@ -156,7 +155,6 @@ TEST_F(ManyClasses, FollowEveryChange)
   this->AddMaterials(Count);
   this->Mapper->SetIntegrator(nullptr);
   this->Mapper->SetErrorTolerance(0.3);
-  this->Mapper->SetCacheFolder("");
   this->Mapper->SetMaterialMap(this->Map);
   FloatImage last = this->RenderLinear();
   this->ExpectSame(this->RenderLinear(), last, "nothing changed");

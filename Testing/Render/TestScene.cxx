@@ -3,9 +3,7 @@
 // What the rest of a VTK scene does with a measured surface: textures, colors, tangents, PBR
 // properties, back faces, texture units, redraw, edges, other people's shader replacements.
 #include "EventCounter.h"
-#include "PlanCache.h"
 #include "RenderFixture.h"
-#include "TestFolder.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkCellData.h"
@@ -31,8 +29,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <array>
-#include <cstring>
-#include <filesystem>
 #include <string>
 
 namespace
@@ -320,54 +316,6 @@ TEST_F(Scene, LightsAreUploadedOnce)
   }
   this->RenderEncoded();
   EXPECT_LE(countTextures(), before + 3);
-}
-
-// Large cube maps are converted once, for all programs.
-TEST_F(Scene, CubeMapsAreKeptOnDisk)
-{
-  const TestFolder own;
-  const std::string folder = own.GetPath().string();
-  setenv("MEASUREDBRDF_CACHE", folder.c_str(), 1);
-  const auto makeCube = []()
-  {
-    auto texture = vtkSmartPointer<vtkTexture>::New();
-    texture->CubeMapOn();
-    for (int face = 0; face < 6; ++face)
-    {
-      vtkNew<vtkImageData> image;
-      image->SetDimensions(256, 256, 1);
-      image->AllocateScalars(VTK_FLOAT, 3);
-      std::fill_n(static_cast<float*>(image->GetScalarPointer()), 3 * 256 * 256, 1.0f);
-      texture->SetInputDataObject(face, image);
-    }
-    return texture;
-  };
-  this->Measured->SetEnvironment(nullptr);
-  this->Measured->SetIntegrator(vtkNew<vtkLightSetRadianceIntegrator>());
-  this->Renderer->SetEnvironmentTexture(makeCube());
-  EXPECT_NEAR(this->RenderMiddle()[0], Albedo, 0.02); // by 64 lights
-  std::vector<std::string> keys;
-  for (const auto& file :
-    std::filesystem::directory_iterator(folder + "/" + measuredbrdf::CacheSubfolder))
-  {
-    keys.push_back(file.path().filename());
-  }
-  ASSERT_EQ(keys.size(), 1u);
-
-  // Half the light in the file is half the light in the picture: it is read.
-  std::string contents;
-  ASSERT_TRUE(measuredbrdf::ReadCache(folder, keys[0], contents));
-  std::vector<float> pixels((contents.size() - 8) / 4, 0.5f);
-  std::memcpy(&contents[8], pixels.data(), 4 * pixels.size());
-  measuredbrdf::WriteCache(folder, keys[0], contents, 1u << 30);
-  this->Renderer->SetEnvironmentTexture(makeCube());
-  EXPECT_NEAR(this->RenderMiddle()[0], 0.5 * Albedo, 0.01);
-
-  // What is no map of the size that it says is made anew.
-  contents.resize(100);
-  measuredbrdf::WriteCache(folder, keys[0], contents, 1u << 30);
-  this->Renderer->SetEnvironmentTexture(makeCube());
-  EXPECT_NEAR(this->RenderMiddle()[0], Albedo, 0.02);
 }
 
 // Edges as tubes are lit as tubes: brightest along their middle.

@@ -54,12 +54,12 @@ class FetchTest(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder)
         self.server = FileServer()
         self.addCleanup(self.server.close)
-        self.cache = os.path.join(self.folder, "cache", "vtkMeasuredBRDF-files")
+        self.cache = os.path.join(self.folder, "cache", "vtkMeasuredBRDF", "vtkMeasuredBRDF-files")
         self.file = os.path.join(self.cache, f"{FREE}_rgb.bsdf")
         self.part = os.path.join(self.cache, f".{FREE}_rgb.bsdf.part")
         self.content = make_bytes(300000)
         self.environment = {key: value for key, value in os.environ.items() if "proxy" not in key.lower()}
-        self.environment["MEASUREDBRDF_CACHE"] = os.path.join(self.folder, "cache")
+        self.environment["XDG_CACHE_HOME"] = os.path.join(self.folder, "cache")
 
     def serve(self, content=None, path=rgl(FREE), **faults):
         served = Resource(self.content if content is None else content, **faults)
@@ -159,8 +159,8 @@ class Catalog(FetchTest):
         for url in ("http://example.org", "ftp://127.0.0.1", "file:///etc", "http://user@127.0.0.1", "127.0.0.1"):
             self.check(self.run_tool("fetch", FREE, "--base-url", url), 2, "--base-url", "https")
         self.check(self.fetch_free("--to", self.folder + "/none"), 1, "none", "No such file")
-        self.environment["MEASUREDBRDF_CACHE"] = "off"
-        self.check(self.fetch_free(), 1, "--to", "MEASUREDBRDF_CACHE")
+        del self.environment["XDG_CACHE_HOME"], self.environment["HOME"]
+        self.check(self.fetch_free(), 1, "--to", "HOME")
 
 
 class Download(FetchTest):
@@ -457,7 +457,7 @@ class Folder(FetchTest):
         self.serve(make_bytes(2 << 20))
         script = f'mount -t tmpfs -o size=1m none "{self.folder}/disk" && "$@"'
         os.mkdir(os.path.join(self.folder, "disk"))
-        self.environment["MEASUREDBRDF_CACHE"] = os.path.join(self.folder, "disk")
+        self.environment["XDG_CACHE_HOME"] = os.path.join(self.folder, "disk")
         command = ["unshare", "--map-root-user", "--mount", "bash", "-c", script, "bash"]
         if subprocess.run(command + ["true"], capture_output=True, check=False).returncode != 0:
             self.skipTest("skipped: no file system can be mounted here")

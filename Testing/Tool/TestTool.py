@@ -1087,7 +1087,7 @@ class Units(RenderTest):
     def test_pictures(self):
         pictures = []
         for power in (0, 20, 27, -27):
-            sky = ["--environment", self.write_sky(power), "--exposure", -power, "--size", "48x48", "--no-cache"]
+            sky = ["--environment", self.write_sky(power), "--exposure", -power, "--size", "48x48"]
             self.check(self.render("pink-felt", "felt.png", *sky), 0)
             pictures.append(read_png(self.path("felt.png")))
         self.assertGreater(pictures[0][24][3 * 24], 50)
@@ -1482,30 +1482,18 @@ class Plan(ToolTest):
         self.assertLess(figures["relative_l1"], 0.02)
 
     def test_calibrate(self):
-        cache = {**os.environ, "MEASUREDBRDF_CACHE": self.path("cache")}
-        common = ["plan", "blue-fabric", "--environment", "hall", "--choice-only", "--json"]
-        plans = [json.loads(run(*common, "--calibrate", env=cache).stdout) for _ in range(2)]
+        plan = json.loads(run("plan", "blue-fabric", "--environment", "hall", "--choice-only", "--json", "--calibrate").stdout)
         for cost in ("base", "table", "light", "sample", "function", "map"):
-            self.assertGreater(plans[0]["costs"][cost + "_ns"], 0)
-        self.assertNotIn("built in", plans[0]["costs"]["renderer"])
-        self.assertEqual(plans[0]["costs"], plans[1]["costs"])  # measured once
-        self.assertEqual(os.listdir(self.path("cache")), ["vtkMeasuredBRDF-plans"])
-        kept = os.listdir(self.path("cache/vtkMeasuredBRDF-plans"))
-        self.assertEqual(len(kept), 1)  # the costs, and no plan
+            self.assertGreater(plan["costs"][cost + "_ns"], 0)
+        self.assertNotIn("built in", plan["costs"]["renderer"])
 
-    def test_cache(self):
-        cache = {**os.environ, "MEASUREDBRDF_CACHE": self.path("cache")}
-        report = self.path("report.json")
-        common = ["render", "blue-fabric", "--environment", "sky", "--size", "16x16", "-o"]
-        common += [self.path("x.exr"), "--report", report]
-        found = []
-        for options in (["--no-cache"], [], [], ["--no-cache"]):
-            self.check(run(*common, *options, env=cache), 0)
-            with open(report, encoding="utf-8") as file:
-                found.append(json.load(file)["plan_from_cache"])
-        self.assertEqual(found, [False, False, True, False])
-        result = run(*common, "--no-cache", "--method", "light-set", env=cache)
-        self.assertIn("--no-cache has no effect", result.stderr)
+    def test_nothing_is_kept(self):
+        home = self.path("home")
+        os.mkdir(home)
+        environment = {**os.environ, "HOME": home, "XDG_CACHE_HOME": home, "MESA_SHADER_CACHE_DISABLE": "true"}
+        self.check(run("render", "blue-fabric", "--environment", "sky", "--size", "16x16", "-o", self.path("x.exr"),
+                       env=environment), 0)
+        self.assertEqual(os.listdir(home), [])
 
 
 class Export(ToolTest):

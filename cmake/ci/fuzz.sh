@@ -28,7 +28,6 @@ targets="
   Merl             4096 Merl
   OpenMaterial     2048 OpenMaterial
   PhotographList   2048 PhotographList
-  PlanCache       49152 PlanCache
   Tensor           8192 Tensor
   Utia              256 Utia"
 
@@ -77,7 +76,7 @@ fi
 cmake --build "$build" --target fuzzers
 
 # VTK keeps objects until the end; leaks are not what is looked for.
-export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1 MEASUREDBRDF_CACHE=off
+export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
 findings=$build/findings
 mkdir -p "$findings"
 status=0

@@ -41,6 +41,5 @@ fi
 mapfile -t data < <(ninja -C "$build" -t targets all |
   sed -n 's|^\(ExternalData/Remote/MeasuredBRDF/[^:]*\): CUSTOM_COMMAND$|\1|p')
 cmake --build "$build" --target MeasuredBRDF unit-tests render-tests "${data[@]}"
-export MEASUREDBRDF_CACHE=off # nothing of earlier runs
 xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" ctest --test-dir "$build" -L 'unit|render' -j "$(nproc)" \
   --no-tests=error --output-on-failure

@@ -14,7 +14,6 @@ cmake/install-packages.sh --tests
 
 names=("$@")
 [ $# -gt 0 ] || names=(CERES EMBREE OPENEXR OPENIMAGEIO ALL CURL QT)
-export MEASUREDBRDF_CACHE=off # nothing of earlier runs
 for name in "${names[@]}"; do
   tool=OFF benchmarks=OFF
   case $name in

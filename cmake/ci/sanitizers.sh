@@ -17,5 +17,4 @@ fi
 cmake --build --preset asan
 selection=("$@")
 [ $# -gt 0 ] || selection=(-L unit)
-export MEASUREDBRDF_CACHE=off # nothing of earlier runs
 xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" ctest --preset asan -j "$(nproc)" --no-tests=error "${selection[@]}"

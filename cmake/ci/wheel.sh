@@ -25,7 +25,7 @@ CMAKE_ARGS="-DPython3_EXECUTABLE=$venv/bin/python ${CMAKE_ARGS:-}" \
 }
 
 unset PYTHONPATH # or a build tree is tested
-export LIBGL_ALWAYS_SOFTWARE=1 MEASUREDBRDF_CACHE=off
+export LIBGL_ALWAYS_SOFTWARE=1
 with_display() { xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$@"; }
 cd "$venv"
 package=$(bin/python -c 'import os, vtkmeasuredbrdf; print(os.path.dirname(vtkmeasuredbrdf.__file__))')

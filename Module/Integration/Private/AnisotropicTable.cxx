@@ -4,7 +4,6 @@
 
 #include "HalfVector.h" // for Pi
 #include "LobePlacement.h"
-#include "TableBytes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +12,7 @@
 namespace measuredbrdf
 {
 // u: as profiles over theta_o are read; period: of the view's azimuth, in [0,1].
-glm::dvec3 AnisotropicTable::GetProfile(
-  int layer, double u, double period, const FilterWeights& filter) const
+glm::dvec3 AnisotropicTable::GetProfile(int layer, double u, double period) const
 {
   constexpr int angles = AnisotropicViews::Angles;
   constexpr int azimuths = AnisotropicViews::Azimuths;
@@ -22,11 +20,11 @@ glm::dvec3 AnisotropicTable::GetProfile(
   const int low = std::min(static_cast<int>(exact), angles - 2);
   return MixTexels(this->Profile, angles,
     static_cast<std::size_t>(layer) * static_cast<std::size_t>(angles * azimuths),
-    { low, low + 1, exact - low }, PeriodicNeighbors(period + 0.5 / azimuths, azimuths), filter);
+    { low, low + 1, exact - low }, PeriodicNeighbors(period + 0.5 / azimuths, azimuths));
 }
 
 glm::dvec3 AnisotropicTable::Evaluate(
-  const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t, const FilterWeights& filter) const
+  const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t) const
 {
   Frame frame = FrameAbout(n, t);
   glm::dvec3 view = LiftView(ToLocal(frame, o));
@@ -43,7 +41,7 @@ glm::dvec3 AnisotropicTable::Evaluate(
   const double u = GetProfilePosition(std::atan2(sine, view.z));
 
   // The axis, and the tangent carried there by the smallest rotation.
-  const glm::dvec3 parts = this->GetProfile(0, u, phi, filter);
+  const glm::dvec3 parts = this->GetProfile(0, u, phi);
   const glm::dvec2 level(
     parts.x * azimuth.x - parts.y * azimuth.y, parts.x * azimuth.y + parts.y * azimuth.x);
   const double up = std::sqrt(std::max(1.0 - glm::dot(level, level), 0.0));
@@ -66,65 +64,16 @@ glm::dvec3 AnisotropicTable::Evaluate(
     const auto map = [&](int psiIndex)
     { return this->GetMap(k, psiIndex, again ? 0 : viewAzimuth); };
     return MixTexels(this->Radiance, this->Columns, { map(turn.First), map(turn.Second) },
-      GetMapColumns(this->Columns, at), GetMapRows(this->Rows, at), turn.Weight, filter);
+      GetMapColumns(this->Columns, at), GetMapRows(this->Rows, at), turn.Weight);
   };
   const auto between = [&](int k)
   { return glm::mix(value(k, first), value(k, first + 1), p - first); };
   glm::dvec3 sum = glm::mix(between(angle), between(angle + 1), w - angle);
-  sum *= this->GetProfile(1, u, phi, filter);
+  sum *= this->GetProfile(1, u, phi);
   if (this->HasFloor)
   {
-    sum += this->GetProfile(2, u, phi, filter) *
-           RadianceTable::GetIrradiance(*this->Irradiance, n, filter);
+    sum += this->GetProfile(2, u, phi) * RadianceTable::GetIrradiance(*this->Irradiance, n);
   }
   return glm::max(sum, glm::dvec3(0.0));
-}
-
-std::vector<std::uint64_t> AnisotropicTable::GetSizes() const
-{
-  return { static_cast<std::uint64_t>(this->Rows), static_cast<std::uint64_t>(this->Angles),
-    static_cast<std::uint64_t>(this->Azimuths), static_cast<std::uint64_t>(this->ViewAzimuths) };
-}
-
-// Last of the numbers: the periods.
-std::string AnisotropicTable::GetBytes() const
-{
-  const ScaledTexels none;
-  const ScaledTexels& irradiance = this->HasFloor ? *this->Irradiance : none;
-  const std::vector<float> scale = RadianceTable::GetScale(irradiance);
-  std::vector<std::uint64_t> numbers = this->GetSizes();
-  numbers.push_back(static_cast<std::uint64_t>(this->Periods));
-  return WriteTableBytes(
-    numbers, { &this->Profile, &scale }, { &this->Radiance, &irradiance.Texels });
-}
-
-bool AnisotropicTable::TakeBytes(const std::string& bytes)
-{
-  constexpr std::size_t profile = 3 * 3 * AnisotropicViews::Angles * AnisotropicViews::Azimuths;
-  TableParts parts;
-  if (!ReadTableBytes(bytes, parts) || parts.Numbers.empty())
-  {
-    return false;
-  }
-  const std::uint64_t periods = parts.Numbers.back();
-  parts.Numbers.pop_back();
-  if (parts.Numbers != this->GetSizes() || (periods != 1 && periods != 2) ||
-      parts.Arrays.size() != 2 || parts.Arrays[0].size() != profile || parts.Texels.size() != 2 ||
-      parts.Texels[0].size() != this->GetMap(this->Angles, 0, 0))
-  {
-    return false;
-  }
-  const auto irradiance =
-    RadianceTable::TakeIrradiance(std::move(parts.Texels[1]), parts.Arrays[1]);
-  if (!irradiance)
-  {
-    return false;
-  }
-  this->Periods = static_cast<int>(periods);
-  this->Profile = std::move(parts.Arrays[0]);
-  this->Radiance = std::move(parts.Texels[0]);
-  this->HasFloor = !irradiance->Texels.empty();
-  this->Irradiance = irradiance;
-  return true;
 }
 } // namespace measuredbrdf

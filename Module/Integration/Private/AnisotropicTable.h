@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The table of vtkAnisotropicTableRadianceIntegrator: its look-ups, and it as bytes. Private to the
- * module.
+ * The table of vtkAnisotropicTableRadianceIntegrator: its look-ups. Private to the module.
  */
 
 #ifndef AnisotropicTable_h
@@ -15,9 +14,7 @@
 #include <glm/glm.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace measuredbrdf
@@ -62,18 +59,10 @@ struct AnisotropicTable
   }
 
   /// Radiance towards o about the normal n, as the shader looks it up; t: a unit tangent or zero.
-  glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t,
-    const FilterWeights& filter) const;
-
-  ///@{
-  /// The table as bytes, and back: false where they are not of a table of these sizes.
-  std::string GetBytes() const;
-  bool TakeBytes(const std::string& bytes);
-  ///@}
+  glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t) const;
 
 private:
-  std::vector<std::uint64_t> GetSizes() const;
-  glm::dvec3 GetProfile(int layer, double u, double period, const FilterWeights& filter) const;
+  glm::dvec3 GetProfile(int layer, double u, double period) const;
 };
 } // namespace measuredbrdf
 

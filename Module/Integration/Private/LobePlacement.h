@@ -62,29 +62,24 @@ inline glm::dvec3 GetTexel(const std::vector<std::uint32_t>& data, int index)
 
 /// Between four texels of a map that begins at the given texel.
 template <typename Data>
-glm::dvec3 MixTexels(const Data& data, int columns, std::size_t firstTexel, const Neighbors& x,
-  const Neighbors& y, const FilterWeights& filter)
+glm::dvec3 MixTexels(
+  const Data& data, int columns, std::size_t firstTexel, const Neighbors& x, const Neighbors& y)
 {
-  const std::array<double, 4> weights = filter.GetCorners(x.Weight, y.Weight);
-  const int low = static_cast<int>(firstTexel) + columns * y.First;
-  const int high = static_cast<int>(firstTexel) + columns * y.Second;
-  return weights[0] * GetTexel(data, low + x.First) + weights[1] * GetTexel(data, low + x.Second) +
-         weights[2] * GetTexel(data, high + x.First) + weights[3] * GetTexel(data, high + x.Second);
+  const auto inRow = [&](int row)
+  {
+    const int first = static_cast<int>(firstTexel) + columns * row;
+    return glm::mix(GetTexel(data, first + x.First), GetTexel(data, first + x.Second), x.Weight);
+  };
+  return glm::mix(inRow(y.First), inRow(y.Second), y.Weight);
 }
 
 /// Between eight texels of two maps that begin at the given texels.
 template <typename Data>
 glm::dvec3 MixTexels(const Data& data, int columns, const std::array<std::size_t, 2>& firstTexels,
-  const Neighbors& x, const Neighbors& y, double between, const FilterWeights& filter)
+  const Neighbors& x, const Neighbors& y, double between)
 {
-  const std::array<double, 8> weights = filter.GetCorners(x.Weight, y.Weight, between);
-  glm::dvec3 sum(0.0);
-  for (std::size_t k = 0; k < 8; ++k)
-  {
-    const int row = static_cast<int>(firstTexels[k / 4]) + columns * (k & 2 ? y.Second : y.First);
-    sum += weights[k] * GetTexel(data, row + (k & 1 ? x.Second : x.First));
-  }
-  return sum;
+  return glm::mix(MixTexels(data, columns, firstTexels[0], x, y),
+    MixTexels(data, columns, firstTexels[1], x, y), between);
 }
 
 /// Neighbors in a map with rows at the poles (MapNodes::Poles).
@@ -104,19 +99,18 @@ inline Neighbors GetMapColumns(int columns, const MapPosition& at)
 
 /// Bilinear in a map with rows at the poles (MapNodes::Poles).
 template <typename Data>
-glm::dvec3 GetMapValue(const Data& data, int rows, int columns, std::size_t firstTexel,
-  const MapPosition& at, const FilterWeights& filter = {})
+glm::dvec3 GetMapValue(
+  const Data& data, int rows, int columns, std::size_t firstTexel, const MapPosition& at)
 {
-  return MixTexels(
-    data, columns, firstTexel, GetMapColumns(columns, at), GetMapRows(rows, at), filter);
+  return MixTexels(data, columns, firstTexel, GetMapColumns(columns, at), GetMapRows(rows, at));
 }
 
 /// Bilinear in a map of cells' centers (MapNodes::Centers).
 inline glm::dvec3 GetCenteredValue(const std::vector<float>& data, int rows, int columns,
-  std::size_t firstTexel, const MapPosition& at, const FilterWeights& filter)
+  std::size_t firstTexel, const MapPosition& at)
 {
   return MixTexels(data, columns, firstTexel, PeriodicNeighbors(at.Azimuth, columns),
-    ClampedNeighbors(at.Polar, rows), filter);
+    ClampedNeighbors(at.Polar, rows));
 }
 
 /// A row of profiles over theta_o, LobeViews::NumberOfViews texels each, at u in [0,1]. Tables are
@@ -178,8 +172,7 @@ inline glm::dvec3 GetOctahedralDirection(const glm::dvec2& place)
 /// Bilinear in an octahedral map of side x side texels whose outer centers lie on the square's
 /// edge: there is no seam.
 template <typename Data>
-glm::dvec3 GetOctahedralValue(
-  const Data& data, int side, const glm::dvec3& d, const FilterWeights& filter = {})
+glm::dvec3 GetOctahedralValue(const Data& data, int side, const glm::dvec3& d)
 {
   const glm::dvec2 exact = (side - 1.0) * GetOctahedralPosition(d);
   const auto neighbors = [side](double at)
@@ -187,7 +180,7 @@ glm::dvec3 GetOctahedralValue(
     const int low = std::clamp(static_cast<int>(at), 0, side - 2);
     return Neighbors{ low, low + 1, at - low };
   };
-  return MixTexels(data, side, 0, neighbors(exact.x), neighbors(exact.y), filter);
+  return MixTexels(data, side, 0, neighbors(exact.x), neighbors(exact.y));
 }
 
 /// Where profiles are read for a view angle.

@@ -5,7 +5,6 @@
 #include "FieldSynthesis.h"
 #include "LobePlacement.h"
 #include "ParallelFor.h"
-#include "TableBytes.h"
 
 #include <glm/gtc/packing.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -22,7 +21,6 @@ namespace measuredbrdf
 namespace
 {
 constexpr float LargestValue = 32768.0f; // of a 16-bit texture, with room to spare
-constexpr std::size_t MostModes = 32;
 constexpr vtkIdType PackedTexels = 4096; // by a thread at a time
 }
 
@@ -162,7 +160,7 @@ glm::dvec3 RadianceCore::GetSteps(std::size_t mode, double u) const
 }
 
 glm::dvec3 RadianceCore::Evaluate(
-  const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t, const FilterWeights& filter) const
+  const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t) const
 {
   const LobePlacement place(n, o, t);
   const double u = GetNearestPosition(place.U);
@@ -180,49 +178,17 @@ glm::dvec3 RadianceCore::Evaluate(
     {
       turn = glm::dvec2(turn.x * once.x - turn.y * once.y, turn.x * once.y + turn.y * once.x);
     }
-    glm::dvec3 field = GetCenteredValue(this->Fields, this->Rows, this->Columns, first, at, filter);
+    glm::dvec3 field = GetCenteredValue(this->Fields, this->Rows, this->Columns, first, at);
     first += texels;
     if (order > 0)
     {
       field = turn.x * field +
-              turn.y * GetCenteredValue(this->Fields, this->Rows, this->Columns, first, at, filter);
+              turn.y * GetCenteredValue(this->Fields, this->Rows, this->Columns, first, at);
       first += texels;
     }
     const glm::dvec3 steps = this->GetSteps(k, u);
     sum += field * steps * glm::abs(steps) * glm::dvec3(glm::make_vec3(&this->Units[3 * k]));
   }
   return sum;
-}
-
-// Numbers: the rows, and the modes' orders.
-std::string RadianceCore::GetBytes() const
-{
-  std::vector<std::uint64_t> numbers = { static_cast<std::uint64_t>(this->Rows) };
-  numbers.insert(numbers.end(), this->Orders.begin(), this->Orders.end());
-  return WriteTableBytes(numbers, { &this->Profile, &this->Fields });
-}
-
-bool RadianceCore::TakeBytes(const std::string& bytes)
-{
-  TableParts parts;
-  if (!ReadTableBytes(bytes, parts) || parts.Numbers.empty() ||
-      parts.Numbers.front() != static_cast<std::uint64_t>(this->Rows) ||
-      parts.Numbers.size() > 1 + MostModes || parts.Arrays.size() != 2 ||
-      !std::is_sorted(parts.Numbers.begin() + 1, parts.Numbers.end()) ||
-      (parts.Numbers.size() > 1 && parts.Numbers.back() > CoreMode::LargestOrder))
-  {
-    return false;
-  }
-  this->Orders.assign(parts.Numbers.begin() + 1, parts.Numbers.end());
-  this->Profile = std::move(parts.Arrays[0]);
-  this->Fields = std::move(parts.Arrays[1]);
-  if (this->Profile.size() != 3 * LobeViews::NumberOfViews * (1 + this->Orders.size()) ||
-      this->Fields.size() !=
-        3 * this->GetNumberOfTexels() * static_cast<std::size_t>(this->GetNumberOfFields()))
-  {
-    return false;
-  }
-  this->SetUnits();
-  return true;
 }
 } // namespace measuredbrdf

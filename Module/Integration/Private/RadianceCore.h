@@ -27,7 +27,6 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace measuredbrdf
@@ -66,19 +65,12 @@ struct RadianceCore
 
   /// Radiance, of either sign, towards o about the normal n, as the shader looks it up; t: a unit
   /// tangent or zero.
-  glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t,
-    const FilterWeights& filter) const;
+  glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t) const;
 
   /// What a table lacks of the kernels, by at most so many fields. goOn gets the share that is
   /// done; where it says false, so does this.
   bool Make(const EnvironmentHarmonics& environment, const LobeViews& views,
     const CoreKernels& kernels, int fields, const std::function<bool(double)>& goOn);
-
-  ///@{
-  /// As bytes, and back: false, and of no use any more, where they are not those of so many rows.
-  std::string GetBytes() const;
-  bool TakeBytes(const std::string& bytes);
-  ///@}
 
 private:
   double AddFields(int order, const std::array<FieldSynthesis::Field, 3>& fields, std::size_t mode);

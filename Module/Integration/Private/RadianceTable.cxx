@@ -4,7 +4,6 @@
 
 #include "HalfVector.h" // for Pi
 #include "LobePlacement.h"
-#include "TableBytes.h"
 #include "TableLamps.h"
 
 #include <algorithm>
@@ -57,8 +56,8 @@ struct SlicePlace
 };
 }
 
-glm::dvec3 RadianceTable::Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t,
-  const FilterWeights& filter, const TableLamps* lamps) const
+glm::dvec3 RadianceTable::Evaluate(
+  const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t, const TableLamps* lamps) const
 {
   const LobePlacement place(n, o, t);
   const double u = GetNearestPosition(place.U);
@@ -74,8 +73,7 @@ glm::dvec3 RadianceTable::Evaluate(const glm::dvec3& n, const glm::dvec3& o, con
   const auto between = [&](int k)
   {
     return MixTexels(this->Radiance, this->Columns,
-      { this->GetMap(k, turn.First), this->GetMap(k, turn.Second) }, slice.X, slice.Y, turn.Weight,
-      filter);
+      { this->GetMap(k, turn.First), this->GetMap(k, turn.Second) }, slice.X, slice.Y, turn.Weight);
   };
   glm::dvec3 sum = glm::mix(between(angle), between(angle + 1), w - angle);
   sum *= GetProfileValue(this->Profile, 1, u);
@@ -83,7 +81,7 @@ glm::dvec3 RadianceTable::Evaluate(const glm::dvec3& n, const glm::dvec3& o, con
     this->HasFloor ? GetProfileValue(this->Profile, 2, u) : glm::dvec3(0.0);
   if (this->HasFloor)
   {
-    sum += lambert * GetIrradiance(*this->Irradiance, n, filter);
+    sum += lambert * GetIrradiance(*this->Irradiance, n);
   }
   if (lamps)
   {
@@ -92,65 +90,8 @@ glm::dvec3 RadianceTable::Evaluate(const glm::dvec3& n, const glm::dvec3& o, con
   return glm::max(sum, glm::dvec3(0.0));
 }
 
-std::vector<std::uint64_t> RadianceTable::GetSizes() const
+glm::dvec3 RadianceTable::GetIrradiance(const ScaledTexels& map, const glm::dvec3& n)
 {
-  return { static_cast<std::uint64_t>(this->Rows), static_cast<std::uint64_t>(this->Angles),
-    static_cast<std::uint64_t>(this->Azimuths) };
-}
-
-std::string RadianceTable::GetBytes() const
-{
-  const ScaledTexels none;
-  const ScaledTexels& irradiance = this->HasFloor ? *this->Irradiance : none;
-  const std::vector<float> scale = GetScale(irradiance);
-  std::vector<std::uint64_t> numbers = this->GetSizes();
-  numbers.push_back(static_cast<std::uint64_t>(this->Tiles.Down));
-  return WriteTableBytes(numbers, { &this->Profile, &this->Tiles.Places, &scale },
-    { &this->Radiance, &irradiance.Texels });
-}
-
-bool RadianceTable::TakeBytes(const std::string& bytes)
-{
-  TableParts parts;
-  std::vector<std::uint64_t> sizes = this->GetSizes();
-  if (!ReadTableBytes(bytes, parts) || parts.Numbers.size() != sizes.size() + 1 ||
-      parts.Numbers.back() > static_cast<std::uint64_t>(this->Tiles.Down))
-  {
-    return false;
-  }
-  sizes.push_back(parts.Numbers.back());
-  this->Tiles.Down = static_cast<int>(parts.Numbers.back());
-  if (parts.Numbers != sizes || parts.Arrays.size() != 3 ||
-      parts.Arrays[0].size() != 3 * 3 * ProfileSize || !this->Tiles.ArePlaces(parts.Arrays[1]) ||
-      parts.Texels.size() != 2 || parts.Texels[0].size() != this->GetMap(this->Angles, 0))
-  {
-    return false;
-  }
-  const auto irradiance = TakeIrradiance(std::move(parts.Texels[1]), parts.Arrays[2]);
-  if (!irradiance)
-  {
-    return false;
-  }
-  this->Profile = std::move(parts.Arrays[0]);
-  this->Tiles.Places = std::move(parts.Arrays[1]);
-  this->Radiance = std::move(parts.Texels[0]);
-  this->HasFloor = !irradiance->Texels.empty();
-  this->Irradiance = irradiance;
-  return true;
-}
-
-glm::dvec3 RadianceTable::GetIrradiance(
-  const ScaledTexels& map, const glm::dvec3& n, const FilterWeights& filter)
-{
-  return static_cast<double>(map.Scale) * GetOctahedralValue(map.Texels, IrradianceSide, n, filter);
-}
-
-std::shared_ptr<const ScaledTexels> RadianceTable::TakeIrradiance(
-  Texels&& texels, const std::vector<float>& scale)
-{
-  const bool fits = texels.empty() || texels.size() == 1u * IrradianceSide * IrradianceSide;
-  return fits && scale.size() == 1 && scale[0] > 0.0f
-           ? std::make_shared<ScaledTexels>(ScaledTexels{ std::move(texels), scale[0] })
-           : nullptr;
+  return static_cast<double>(map.Scale) * GetOctahedralValue(map.Texels, IrradianceSide, n);
 }
 } // namespace measuredbrdf

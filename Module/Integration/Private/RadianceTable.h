@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The table of vtkTableRadianceIntegrator: its look-ups, and it as bytes. Private to the module.
+ * The table of vtkTableRadianceIntegrator: its look-ups. Private to the module.
  */
 
 #ifndef RadianceTable_h
@@ -18,7 +18,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace measuredbrdf
@@ -69,26 +68,10 @@ struct RadianceTable
   /// Radiance towards o about the normal n, as the shader looks it up; t: a unit tangent or zero;
   /// lamps: beside the table, or null.
   glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t,
-    const FilterWeights& filter, const TableLamps* lamps = nullptr) const;
+    const TableLamps* lamps = nullptr) const;
 
-  ///@{
-  /// The table as bytes, and back: false where they are not of a table of these sizes.
-  std::string GetBytes() const;
-  bool TakeBytes(const std::string& bytes);
-  ///@}
-
-  ///@{
-  /// A map of irradiance at a normal; its scale as a table's bytes hold it; and back, null where
-  /// these are no such map. Without texels it stands for a table that has no floor.
-  static glm::dvec3 GetIrradiance(
-    const ScaledTexels& map, const glm::dvec3& n, const FilterWeights& filter);
-  static std::vector<float> GetScale(const ScaledTexels& map) { return { map.Scale }; }
-  static std::shared_ptr<const ScaledTexels> TakeIrradiance(
-    Texels&& texels, const std::vector<float>& scale);
-  ///@}
-
-private:
-  std::vector<std::uint64_t> GetSizes() const;
+  /// A map of irradiance at a normal.
+  static glm::dvec3 GetIrradiance(const ScaledTexels& map, const glm::dvec3& n);
 };
 } // namespace measuredbrdf
 

@@ -102,11 +102,10 @@ void ReflectionSamples::Tabulate(vtkBRDF* brdf, int view)
   }
 }
 
-ReflectionSamples::Sample ReflectionSamples::Interpolate(
-  double coordinate, int k, const FilterWeights& filter) const
+ReflectionSamples::Sample ReflectionSamples::Interpolate(double coordinate, int k) const
 {
   const int view = std::clamp(static_cast<int>(coordinate), 0, NumberOfViews - 2);
-  const float t = static_cast<float>(filter.Round(std::min(coordinate - view, 1.0)));
+  const float t = static_cast<float>(std::min(coordinate - view, 1.0));
   const Sample& a = this->Get(view, k);
   const Sample& b = this->Get(view + 1, k);
   return { a.Direction + t * (b.Direction - a.Direction), a.Level + t * (b.Level - a.Level),

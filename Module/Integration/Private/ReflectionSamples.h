@@ -10,8 +10,6 @@
 #ifndef ReflectionSamples_h
 #define ReflectionSamples_h
 
-#include "Neighbors.h"
-
 #include <glm/glm.hpp>
 
 #include <atomic>
@@ -52,7 +50,7 @@ public:
   }
 
   /// Sample k at a coordinate between views.
-  Sample Interpolate(double coordinate, int k, const FilterWeights& filter) const;
+  Sample Interpolate(double coordinate, int k) const;
 
   /// Where unit o falls between the tabulated views: in [0, NumberOfViews - 1].
   static double GetCoordinate(const glm::dvec3& o);

@@ -103,17 +103,6 @@ TableTiles::TableTiles(int rows, int slices)
   }
 }
 
-bool TableTiles::ArePlaces(const std::vector<float>& places) const
-{
-  return places.size() == this->Places.size() &&
-         std::all_of(places.begin(), places.end(),
-           [this](float place)
-           {
-             return place >= 0.0f && place <= static_cast<float>(this->Across * this->Down) &&
-                    place == std::floor(place);
-           });
-}
-
 void TableTiles::Choose(const std::vector<float>& radiance, const std::vector<double>& weights)
 {
   constexpr int side = Intervals / Ratio; // coarse intervals

@@ -45,9 +45,6 @@ struct TableTiles
   int CountRows() const { return (this->FineRows - 1) / Intervals; }
   int CountColumns() const { return 2 * this->CountRows(); }
 
-  /// Whether they can be Places of this table.
-  bool ArePlaces(const std::vector<float>& places) const;
-
   /// Where radiance (RGB, coarse columns x coarse rows x slices) bends most, each slice with its
   /// weight: as many tiles as there are places, or fewer that hold nearly all.
   void Choose(const std::vector<float>& radiance, const std::vector<double>& weights);

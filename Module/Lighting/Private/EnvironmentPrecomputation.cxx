@@ -164,12 +164,6 @@ std::shared_ptr<const ScaledTexels> EnvironmentPrecomputation::GetIrradiance(con
 {
   return this->Irradiances.Get(rest, goOn, make);
 }
-
-std::string EnvironmentPrecomputation::GetContentKey(const std::function<std::string()>& make)
-{
-  return *this->ContentKey.Get(
-    0, []() { return true; }, [&]() { return std::make_shared<std::string>(make()); });
-}
 } // namespace measuredbrdf
 
 std::shared_ptr<vtkEnvironment::Precomputation> vtkEnvironment::MakeParts()

@@ -24,7 +24,6 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -95,9 +94,6 @@ public:
   std::shared_ptr<const ScaledTexels> GetIrradiance(const Rest& rest, const GoOn& goOn,
     const std::function<std::shared_ptr<const ScaledTexels>()>& make);
 
-  /// What tells these pixels from others, as make() has it.
-  std::string GetContentKey(const std::function<std::string()>& make);
-
 private:
   std::shared_ptr<const Lamps> Keep(ExtractedEmitters&& bright);
 
@@ -115,7 +111,6 @@ private:
   // Generator, its modification time (never used twice: a recycled address does no harm), count.
   MadeOnce<std::tuple<vtkLightSetGenerator*, vtkMTimeType, int>, LightSet> GeneratedSets;
   MadeOnce<Rest, ScaledTexels> Irradiances;
-  MadeOnce<int, std::string> ContentKey;
 };
 } // namespace measuredbrdf
 

@@ -280,28 +280,24 @@ float EnvironmentPyramid::GetLevel(double solidAngle) const
   return static_cast<float>(0.5 * std::log2(std::max(solidAngle / texel, 1e-30)));
 }
 
-glm::vec3 EnvironmentPyramid::Bilinear(
-  int level, float u, float v, const FilterWeights& filter) const
+glm::vec3 EnvironmentPyramid::Bilinear(int level, float u, float v) const
 {
   const float size = static_cast<float>(this->Size >> level);
   const float x = u * size + 0.5f;
   const float y = v * size + 0.5f;
   const int x0 = static_cast<int>(x);
   const int y0 = static_cast<int>(y);
-  const std::array<double, 4> weights =
-    filter.GetCorners(x - static_cast<float>(x0), y - static_cast<float>(y0));
   const std::size_t stride = static_cast<std::size_t>(this->Size + 2);
   const glm::vec4* row =
     &this->Atlas[static_cast<std::size_t>(this->Offsets[static_cast<std::size_t>(level)] + y0) *
                    stride +
                  static_cast<std::size_t>(x0)];
-  const auto part = [&](std::size_t corner, const glm::vec4& texel)
-  { return static_cast<float>(weights[corner]) * glm::vec3(texel); };
-  return part(0, row[0]) + part(1, row[1]) + part(2, row[stride]) + part(3, row[stride + 1]);
+  const float right = x - static_cast<float>(x0);
+  return glm::vec3(glm::mix(glm::mix(row[0], row[1], right),
+    glm::mix(row[stride], row[stride + 1], right), y - static_cast<float>(y0)));
 }
 
-glm::vec3 EnvironmentPyramid::Sample(
-  const glm::vec3& d, float lod, const FilterWeights& filter) const
+glm::vec3 EnvironmentPyramid::Sample(const glm::vec3& d, float lod) const
 {
   const float r = std::sqrt(std::max(1.0f - std::abs(d.z), 0.0f));
   float v = r * Quadrant(std::abs(d.y), std::abs(d.x));
@@ -320,7 +316,7 @@ glm::vec3 EnvironmentPyramid::Sample(
   const float clamped = std::clamp(lod, 0.0f, static_cast<float>(last));
   const int level = std::min(static_cast<int>(clamped), std::max(last - 1, 0));
   const float t = clamped - static_cast<float>(level);
-  const glm::vec3 fine = this->Bilinear(level, u, v, filter);
-  return last > 0 && t > 0.0f ? fine + t * (this->Bilinear(level + 1, u, v, filter) - fine) : fine;
+  const glm::vec3 fine = this->Bilinear(level, u, v);
+  return last > 0 && t > 0.0f ? fine + t * (this->Bilinear(level + 1, u, v) - fine) : fine;
 }
 } // namespace measuredbrdf

@@ -11,7 +11,6 @@
 #ifndef EnvironmentPyramid_h
 #define EnvironmentPyramid_h
 
-#include "Neighbors.h"
 #include "TexelChanges.h"
 #include "vtkType.h"
 
@@ -41,7 +40,7 @@ public:
   static vtkIdType EstimateBytes(vtkEnvironment* environment);
 
   /// Mean radiance about unit d on level lod (0: finest; fractions in between; clamped).
-  glm::vec3 Sample(const glm::vec3& d, float lod, const FilterWeights& filter = {}) const;
+  glm::vec3 Sample(const glm::vec3& d, float lod) const;
 
   /// The level whose texels have this solid angle in sr.
   float GetLevel(double solidAngle) const;
@@ -62,7 +61,7 @@ public:
 
 private:
   glm::vec4& At(int level, int x, int y);
-  glm::vec3 Bilinear(int level, float u, float v, const FilterWeights& filter) const;
+  glm::vec3 Bilinear(int level, float u, float v) const;
   std::vector<glm::dvec4> Gather(vtkEnvironment* environment, const TexelChanges& changes) const;
   void Fill(vtkEnvironment* environment, const TexelChanges& changes);
   void Halve(int level);

@@ -14,7 +14,13 @@ namespace measuredbrdf
 namespace
 {
 constexpr double StandardErrors = 2.0; // that are added: what is predicted shall hold
-constexpr double OwnWidth = 20.0;      // PictureSums: fewer pairs than are drawn
+
+// What the texture units of graphics cards lose by interpolating with weights of 8 bits: relative
+// L1 of the smallest table, in the mean of seven materials under three maps. Larger tables and
+// other methods lose 0.0003 to 0.0008 (docs/methods/pixel-cost.md, "The weights of texture units").
+constexpr double FilterWeights = 0.0013;
+
+constexpr double OwnWidth = 20.0; // PictureSums: fewer pairs than are drawn
 
 // The largest of the pictures' errors in units of that of all, by the geometric mean of what the
 // candidate has on the few pairs that it was compared on and what a cheap one has on all that were
@@ -102,7 +108,8 @@ PlanError Compare(const std::vector<const PlanComparison*>& comparisons,
   }
   const double error = difference / sum;
   const double squares = SumSquares(comparisons, differences, references, error);
-  const double uncertainty = std::hypot(StandardErrors * std::sqrt(squares) / sum, ownError);
+  const double uncertainty =
+    std::hypot(StandardErrors * std::sqrt(squares) / sum, ownError, FilterWeights);
   const double ratio = GetLargestRatio(pictures, comparisons.front()->Pairs.Ratios);
   return { error + uncertainty, uncertainty, ratio * (error + uncertainty) };
 }

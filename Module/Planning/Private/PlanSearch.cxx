@@ -333,15 +333,11 @@ bool PlanSearch::Prepare(PlanCandidate& candidate, bool mayBeChosen)
   return !mayBeChosen || !this->MayBeLuck(candidate) || this->Check(candidate);
 }
 
-// As the renderer's texture units would.
 bool PlanSearch::Integrate(
   PlanCandidate& candidate, const PlanPairs& pairs, vtkDoubleArray* radiance)
 {
   const AbortForwarder supervision(this->Aborted, candidate.Integrator, this->Problem);
-  candidate.Integrator->SetFilterWeightBits(this->Task.Costs->GetFilterWeightBits());
-  const bool integrated = candidate.Integrator->Integrate(pairs.Normals, pairs.Views, radiance);
-  candidate.Integrator->SetFilterWeightBits(0);
-  return integrated;
+  return candidate.Integrator->Integrate(pairs.Normals, pairs.Views, radiance);
 }
 
 // Within the tolerance, but no further than the sample's error again, after some that were not.

@@ -28,7 +28,6 @@ constexpr std::size_t MostLooks = 4;
 PlanInputs GetInputsForEveryView(const PlanRequest& request)
 {
   PlanInputs inputs(request.BRDF, request.Environment, request.Tolerance, request.Costs);
-  inputs.CacheFolder = request.CacheFolder;
   inputs.WithForm = request.WithForm;
   return inputs;
 }

@@ -44,7 +44,6 @@ struct PlanRequest
   vtkSmartPointer<vtkEnvironment> Environment;
   double Tolerance = 0.0;
   vtkRadianceCostModel* Costs = nullptr; // null: the defaults
-  std::string CacheFolder;               // "": plans are not kept on disk
   CurrentPlan::Timing Timing = CurrentPlan::Timing::Foreground;
   bool ForView = false; // or for every view
   int Slot = 0;         // which of the mapper's materials

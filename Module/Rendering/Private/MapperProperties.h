@@ -30,7 +30,6 @@
   MEASUREDBRDF_PROPERTY(Class, settings, PlanForView, PlanForView, bool)                 \
   MEASUREDBRDF_PROPERTY(Class, settings, UseSceneLights, UseSceneLights, bool)           \
   MEASUREDBRDF_PROPERTY(Class, settings, OcclusionBounce, OcclusionBounce, bool)         \
-  MEASUREDBRDF_PROPERTY(Class, settings, CacheFolder, CacheFolder, std::string)          \
   MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, PlanningMode, int)                      \
   MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, ErrorTolerance, double)                 \
   MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, ScalarColoringMode, int)                \

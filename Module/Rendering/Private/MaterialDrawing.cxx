@@ -135,7 +135,6 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   PlanRequest request;
   request.BRDF = use.first;
   request.Environment = state.Environment;
-  request.CacheFolder = this->Settings->CacheFolder;
   request.Tolerance = this->GetTolerance(use.first);
   request.Costs = this->Settings->Costs;
   request.Timing = timings[this->Settings->PlanningMode];

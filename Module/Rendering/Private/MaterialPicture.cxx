@@ -24,7 +24,6 @@ vtkSmartPointer<vtkImageData> MakeMaterialPicture(
   planner->SetBRDF(brdf);
   planner->SetEnvironment(environment);
   planner->SetErrorTolerance(tolerance);
-  planner->SetCacheFolder(vtkRadiancePlanner::GetDefaultCacheFolder());
   if (!planner->Update())
   {
     return nullptr;

@@ -4,7 +4,6 @@
 
 #include "Setters.h"
 #include "vtkObject.h"
-#include "vtkRadiancePlanner.h"
 
 #include <algorithm>
 
@@ -13,11 +12,6 @@ namespace measuredbrdf
 namespace
 {
 constexpr double SmallestTolerance = 1e-3;
-}
-
-MaterialSettings::MaterialSettings()
-  : CacheFolder(vtkRadiancePlanner::GetDefaultCacheFolder())
-{
 }
 
 template <typename T>
@@ -112,7 +106,6 @@ void MaterialSettings::Print(ostream& os, vtkIndent indent) const
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "PlanningMode: " << planning[this->PlanningMode] << "\n";
   os << indent << "PlanForView: " << (this->PlanForView ? "On" : "Off") << "\n";
-  os << indent << "CacheFolder: " << this->CacheFolder << "\n";
   os << indent << "ScalarColoringMode: " << (this->ScalarColoringMode ? "modulate" : "ignore")
      << "\n";
   const char* const occlusion[] = { "off", "auto", "on", "arrays" };

@@ -28,8 +28,6 @@ constexpr double LargestTolerance = 1.0; // of the error, that planners take
 
 struct MaterialSettings
 {
-  MaterialSettings();
-
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkMaterialMap> MaterialMap;
   vtkSmartPointer<vtkEnvironment> Environment;
@@ -38,7 +36,6 @@ struct MaterialSettings
   int PlanningMode = 0;
   bool PlanForView = false;
   double ErrorTolerance = 0.02;
-  std::string CacheFolder;
   int ScalarColoringMode = 1;
   bool UseSceneLights = true;
   int OcclusionMode = 1;

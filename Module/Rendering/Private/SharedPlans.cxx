@@ -72,13 +72,8 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool ap
   planner->SetErrorTolerance(inputs.Tolerance);
   if (inputs.Seen)
   {
-    // Not kept on disk: hardly any view comes twice, and they would drive out what does.
     planner->SetPairs(ToWorld(inputs.Seen->GetNormals(), planner->GetEnvironment()),
       ToWorld(inputs.Seen->GetViews(), planner->GetEnvironment()));
-  }
-  else
-  {
-    planner->SetCacheFolder(inputs.CacheFolder);
   }
   if (inputs.Pixels > 0)
   {

@@ -54,18 +54,15 @@ struct PlanInputs
   vtkMTimeType SeenTime = 0;
   ///@}
 
-  /// Covered pixels, in powers of two, so that plans are shared and found on disk; 0: the planner's
+  /// Covered pixels, in powers of two, so that plans are shared; 0: the planner's
   /// default.
   void SetPixels(double pixels) { this->Pixels = RoundPixels(pixels); }
   static vtkIdType RoundPixels(double pixels);
   vtkIdType Pixels = 0;
 
-  ///@{
-  /// What changes nothing about the plan: where it is kept ("": nowhere); whether whoever plans
-  /// apart sees to the material's form for shaders, too, because the scene's lights need it.
-  std::string CacheFolder;
+  /// Whether whoever plans apart sees to the material's form for shaders, too, because the scene's
+  /// lights need it. It changes nothing about the plan.
   bool WithForm = false;
-  ///@}
 };
 
 /// A plan's planner, not updated yet, of the objects themselves or, apart, of snapshots of its own,

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TextureEnvironment.h"
 
-#include "ContentHash.h"
-#include "PlanCache.h"
 #include "RecentlyUsed.h"
 #include "SharedObjects.h"
 #include "TakenError.h"
@@ -20,8 +18,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <map>
 #include <mutex>
 #include <string>
@@ -114,55 +110,6 @@ void MirrorInZ(vtkEnvironment* environment)
 using EnvironmentKey = std::tuple<std::vector<vtkImageData*>, std::vector<vtkMTimeType>, bool>;
 using Environments = SharedObjects<EnvironmentKey, vtkEnvironment>;
 
-// Converting large cube maps takes seconds: the lat-long pixels are kept on disk beside the plans.
-constexpr int SmallestKeptFace = 256;
-constexpr std::uint64_t LargestCache = 512ull << 20; // as vtkRadiancePlanner's default
-
-std::string GetCubeKey(int side, const std::vector<std::vector<float>>& faces)
-{
-  ContentHash hash;
-  const std::string version =
-    "cube map, VTK " + std::to_string(VTK_VERSION_NUMBER) + " " + GetPlanVersion();
-  hash.Add(version.data(), version.size());
-  hash.AddValue(side);
-  for (const std::vector<float>& face : faces)
-  {
-    hash.AddValues(face);
-  }
-  return hash.GetText();
-}
-
-// Width and height, then the pixels.
-bool ReadPixels(const std::string& folder, const std::string& key, vtkEnvironment* environment)
-{
-  std::string contents;
-  int size[2] = { 0, 0 };
-  if (!ReadCache(folder, key, contents) || contents.size() < sizeof(size))
-  {
-    return false;
-  }
-  std::memcpy(size, contents.data(), sizeof(size));
-  const std::size_t bytes = contents.size() - sizeof(size);
-  std::vector<float> pixels(bytes / sizeof(float));
-  const bool fits = size[0] > 0 && size[1] > 0 &&
-                    bytes == 3 * sizeof(float) * static_cast<std::size_t>(size[0]) *
-                               static_cast<std::size_t>(size[1]);
-  if (fits)
-  {
-    std::memcpy(pixels.data(), contents.data() + sizeof(size), bytes);
-  }
-  return fits && environment->SetPixels(size[0], size[1], std::move(pixels));
-}
-
-void WritePixels(const std::string& folder, const std::string& key, vtkEnvironment* environment)
-{
-  const int size[2] = { environment->GetWidth(), environment->GetHeight() };
-  std::string contents(reinterpret_cast<const char*>(size), sizeof(size));
-  const std::vector<float>& pixels = environment->GetPixels();
-  contents.append(reinterpret_cast<const char*>(pixels.data()), pixels.size() * sizeof(float));
-  WriteCache(folder, key, contents, LargestCache);
-}
-
 vtkSmartPointer<vtkEnvironment> MakeFromCube(
   const std::vector<vtkImageData*>& images, bool sRGB, vtkIdType& repaired)
 {
@@ -177,12 +124,6 @@ vtkSmartPointer<vtkEnvironment> MakeFromCube(
   }
   auto environment = vtkSmartPointer<vtkEnvironment>::New();
   const int side = images.front()->GetDimensions()[0];
-  const std::string folder = side >= SmallestKeptFace ? GetDefaultCacheFolder() : "";
-  const std::string key = folder.empty() ? "" : GetCubeKey(side, faces);
-  if (!folder.empty() && ReadPixels(folder, key, environment))
-  {
-    return environment;
-  }
   vtkNew<vtkEnvironmentProjection> converter;
   if (!converter->ConvertFaces(side, faces, environment))
   {
@@ -192,10 +133,6 @@ vtkSmartPointer<vtkEnvironment> MakeFromCube(
   // Face +z is what is seen towards -z since VTK 9.2; before, its skybox showed it towards +z.
   MirrorInZ(environment);
 #endif
-  if (!folder.empty())
-  {
-    WritePixels(folder, key, environment);
-  }
   return environment;
 }
 }

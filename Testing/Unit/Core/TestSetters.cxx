@@ -313,7 +313,6 @@ TEST(Setters, OfPlanning)
   FINITE3(vtkRadiancePlanner, ViewDirection);
   CLAMPED(vtkRadiancePlanner, NumberOfPixels, 1, 1e300);
   REFUSED(vtkRadiancePlanner, MaximumTextureBytes, 0, 1e300);
-  REFUSED(vtkRadiancePlanner, MaximumCacheBytes, 0, 1e300);
   vtkNew<vtkRadianceCostModel> costs;
   Listener listener(costs);
   for (const double bad : { NaN, Infinity, -1.0, 0.0 })

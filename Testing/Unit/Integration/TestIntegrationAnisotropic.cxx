@@ -224,34 +224,6 @@ TEST(AnisotropicTable, FollowsRotations)
 }
 
 //------------------------------------------------------------------------------
-// The bytes are the table: under another light they show the one that they were made in.
-TEST(AnisotropicTable, TakesWhatItIsGiven)
-{
-  SpherePairs pairs;
-  pairs.AddRandom(20);
-  const auto brdf = NewCoated(40.0, 10.0);
-  const auto made = NewAnisotropicTable(brdf, NewSmallEnvironment(true), { 9, 3, 6, 4 });
-  EXPECT_EQ(made->GetPrepared(), "");
-  const auto expected = pairs.Integrate(made);
-  const std::string bytes = made->GetPrepared();
-  const auto taker =
-    NewAnisotropicTable(brdf, NewConstantEnvironment(64, 32, 3.0f), { 9, 3, 6, 4 });
-  ASSERT_TRUE(taker->TakePrepared(bytes));
-  EXPECT_EQ(pairs.Integrate(taker), expected);
-  for (const std::string& bad :
-    { std::string(), std::string("no table"), bytes + " ", bytes.substr(0, 1000),
-      bytes.substr(0, bytes.size() - 4), std::string(bytes.size(), '\xff') })
-  {
-    EXPECT_FALSE(taker->TakePrepared(bad));
-  }
-  EXPECT_EQ(pairs.Integrate(taker), expected);
-  for (const std::vector<int>& other : { std::vector<int>{ 9, 3, 6, 5 }, { 9, 4, 6, 3 } })
-  {
-    EXPECT_FALSE(NewAnisotropicTable(brdf, NewSmallEnvironment(true), other)->TakePrepared(bytes));
-  }
-}
-
-//------------------------------------------------------------------------------
 TEST(AnisotropicTable, SizesShaderInputsAndErrors)
 {
   const auto table =

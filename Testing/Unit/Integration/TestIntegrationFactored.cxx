@@ -93,32 +93,6 @@ TEST(FactoredIntegrator, MapsConverge)
 }
 
 //------------------------------------------------------------------------------
-// The bytes are the maps and the table: under another light they show the one that they were made
-// in.
-TEST(FactoredIntegrator, TakesWhatItIsGiven)
-{
-  SpherePairs pairs;
-  pairs.AddRandom(20);
-  const auto brdf = NewGloss(50.0);
-  const auto made = NewFactored(brdf, NewSmallEnvironment(true), { 32, 5, 9, 4, 6 });
-  EXPECT_EQ(made->GetPrepared(), "");
-  const auto expected = pairs.Integrate(made);
-  const std::string bytes = made->GetPrepared();
-  const auto taker = NewFactored(brdf, NewConstantEnvironment(64, 32, 3.0f), { 32, 5, 9, 4, 6 });
-  ASSERT_TRUE(taker->TakePrepared(bytes));
-  EXPECT_EQ(pairs.Integrate(taker), expected);
-  for (const std::string& bad :
-    { std::string(), std::string("no maps"), bytes + " ", bytes.substr(0, 1000),
-      bytes.substr(0, bytes.size() - 4), std::string(bytes.size(), '\xff') })
-  {
-    EXPECT_FALSE(taker->TakePrepared(bad));
-  }
-  EXPECT_EQ(pairs.Integrate(taker), expected);
-  const auto smaller = NewFactored(brdf, NewSmallEnvironment(true), { 16, 5, 9, 4, 6 });
-  EXPECT_FALSE(smaller->TakePrepared(bytes));
-}
-
-//------------------------------------------------------------------------------
 TEST(FactoredIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
 {
   const auto environment = NewConstantEnvironment(128, 64, 2.0f);

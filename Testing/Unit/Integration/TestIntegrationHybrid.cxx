@@ -409,26 +409,6 @@ TEST(HybridIntegrator, WithoutSunsAndMapsItIsTheTable)
 }
 
 //------------------------------------------------------------------------------
-// The bytes are the table and the maps: under another light they show the one that they were made
-// in.
-TEST(HybridIntegrator, TakesTheTableThatItIsGiven)
-{
-  SpherePairs pairs;
-  pairs.AddRandom(20);
-  vtkNew<vtkBlinnPhongBRDF> brdf;
-  brdf->SetExponent(20.0);
-  for (const std::vector<int>& sizes : { std::vector<int>{ 33, 12, 16, 0 }, { 32, 4, 6, 5 } })
-  {
-    const auto made = NewHybrid(brdf, NewConstantEnvironment(64, 32, 1.0f), sizes);
-    const auto expected = pairs.Integrate(made);
-    const auto taker = NewHybrid(brdf, NewConstantEnvironment(64, 32, 3.0f), sizes);
-    ASSERT_TRUE(taker->TakePrepared(made->GetPrepared()));
-    EXPECT_EQ(pairs.Integrate(taker), expected);
-    EXPECT_FALSE(taker->TakePrepared("no table"));
-  }
-}
-
-//------------------------------------------------------------------------------
 TEST(HybridIntegrator, RealSun)
 {
   if (!std::ifstream(SharedData + "/environments/pmndrs_sunrise.hdr") ||

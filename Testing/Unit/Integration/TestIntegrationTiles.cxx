@@ -237,7 +237,7 @@ TEST(TableTiles, NeedTheNodesAboutThem)
 }
 
 //------------------------------------------------------------------------------
-TEST(TableTiles, SizesAndPlaces)
+TEST(TableTiles, Sizes)
 {
   for (const int rows : { 9, 33, 112, 113 })
   {
@@ -254,17 +254,6 @@ TEST(TableTiles, SizesAndPlaces)
     EXPECT_EQ(TableTiles::GetRows(rows) - 1, (tiles.FineRows - 1) / TableTiles::Ratio);
     EXPECT_GT(tiles.Across, 0);
     EXPECT_GT(tiles.Down, 0);
-    std::vector<float> places = tiles.Places;
-    EXPECT_TRUE(tiles.ArePlaces(places));
-    places[3] = static_cast<float>(tiles.Across * tiles.Down);
-    EXPECT_TRUE(tiles.ArePlaces(places));
-    for (const float wrong : { -1.0f, 0.5f, places[3] + 1.0f })
-    {
-      places[3] = wrong;
-      EXPECT_FALSE(tiles.ArePlaces(places));
-    }
-    places.pop_back();
-    EXPECT_FALSE(tiles.ArePlaces(places));
   }
 }
 
@@ -288,19 +277,11 @@ TEST(TableTiles, FillWhatIsAllowed)
 
 //------------------------------------------------------------------------------
 // Light that is the same everywhere needs none.
-TEST(TableTiles, AsBytesAndWithoutNeed)
+TEST(TableTiles, NoneWithoutNeed)
 {
   const auto paint = NewPaint();
-  const auto room = NewPanels();
   SpherePairs pairs;
   pairs.AddRandom(200);
-  const auto table = NewTable(paint, room, 137);
-  const auto before = pairs.Integrate(table);
-  const auto other = NewTable(paint, room, 137);
-  ASSERT_TRUE(other->TakePrepared(table->GetPrepared()));
-  EXPECT_EQ(pairs.Integrate(other), before);
-  EXPECT_FALSE(NewTable(paint, room, 145)->TakePrepared(table->GetPrepared()));
-
   vtkNew<vtkEnvironment> black;
   ASSERT_TRUE(black->SetPixels(4, 2, std::vector<float>(24, 0.0f)));
   for (const glm::dvec3& radiance : pairs.Integrate(NewTable(paint, black, 137)))

@@ -128,7 +128,6 @@ void Check(bool shared)
     planner->SetBRDF(material);
     planner->SetEnvironment(environment);
     planner->SetErrorTolerance(row.Tolerance);
-    planner->SetCacheFolder("");
     ASSERT_TRUE(planner->Update());
     const int choice = planner->GetChoice();
     const std::string pair = row.Material + " under " + row.Environment;

@@ -261,7 +261,6 @@ TEST(PlanReference, LetsPlansUnderCoatsMeetTheTolerance)
     planner->SetBRDF(material.Sum);
     planner->SetEnvironment(environment);
     planner->SetErrorTolerance(PlanTolerance);
-    planner->SetCacheFolder("");
     ASSERT_TRUE(planner->Update());
     const auto chosen = vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator());
     const double error =

@@ -625,33 +625,6 @@ TEST(Planner, FollowsTheCostModel)
 }
 
 //------------------------------------------------------------------------------
-// What a renderer's coarse texture units add is predicted, too.
-TEST(Planner, KnowsTheTextureUnits)
-{
-  const auto environment = NewSmallEnvironment(true);
-  const auto brdf = NewPhong(20.0);
-  const auto planner = NewPlanner(brdf, environment, 0.5);
-  vtkNew<vtkRadianceCostModel> costs;
-  planner->SetCostModel(costs);
-  double errors[3];
-  const int bits[] = { 0, 8, 2 };
-  for (int k = 0; k < 3; ++k)
-  {
-    costs->SetFilterWeightBits(bits[k]);
-    ASSERT_TRUE(planner->Update());
-    errors[k] = planner->GetPredictedError(planner->GetChoice());
-    const auto made =
-      vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator(planner->GetChoice()));
-    EXPECT_EQ(made->GetFilterWeightBits(), 0); // exact for whoever asks
-  }
-  std::printf(
-    "errors with exact weights, 8 bits, 2 bits: %g, %g, %g\n", errors[0], errors[1], errors[2]);
-  EXPECT_NE(errors[1], errors[0]);
-  EXPECT_NEAR(errors[1], errors[0], 1e-3);
-  EXPECT_GT(errors[2], errors[0] + 5e-3);
-}
-
-//------------------------------------------------------------------------------
 // Why more than 4 MB.
 TEST(Planner, SaysWhyItTakesMemory)
 {
@@ -693,8 +666,6 @@ TEST(CostModel, RoundTripAndRefusals)
   vtkNew<vtkRadianceCostModel> model;
   ErrorCatcher errors(model);
   EXPECT_EQ(model->GetCost("base"), 55.0);
-  EXPECT_EQ(model->GetFilterWeightBits(), 8);
-  model->SetFilterWeightBits(6);
   model->SetName("NVIDIA GeForce, 64 bit");
   ASSERT_EQ(model->GetNumberOfCosts(), 6);
   for (int k = 0; k < model->GetNumberOfCosts(); ++k)
@@ -707,7 +678,6 @@ TEST(CostModel, RoundTripAndRefusals)
   ASSERT_TRUE(other->SetText(text));
   EXPECT_EQ(other->GetText(), text);
   EXPECT_EQ(other->GetName(), model->GetName());
-  EXPECT_EQ(other->GetFilterWeightBits(), 6);
   ASSERT_EQ(other->GetNumberOfCosts(), 7);
   for (int k = 0; k < other->GetNumberOfCosts(); ++k)
   {

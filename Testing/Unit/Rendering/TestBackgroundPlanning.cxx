@@ -37,7 +37,6 @@ class Background : public testing::Test
 protected:
   void SetUp() override
   {
-    setenv("MEASUREDBRDF_CACHE", "off", 1);
     this->BRDF->SetSpecular(0.4, 0.3, 0.2);
     this->BRDF->SetExponent(5.0);
     this->Sky = NewSmallEnvironment(false);

@@ -437,7 +437,6 @@ namespace
 {
 void EndWhilePlanning()
 {
-  setenv("MEASUREDBRDF_CACHE", "off", 1);
   auto* brdf = GatedBRDF::New();
   brdf->SetExponent(90.0);
   Watched = brdf->Door;
@@ -470,7 +469,6 @@ void EndWhileForecasting()
 void UseAllAndEnd()
 {
   AreCounted = true;
-  setenv("MEASUREDBRDF_CACHE", "off", 1);
   {
     vtkNew<GatedBRDF> brdf;
     vtkNew<vtkEnvironment> sky;

@@ -8,7 +8,6 @@
 #include "PlanJob.h"
 #include "SharedObjects.h"
 #include "SpherePairs.h"
-#include "TestFolder.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkEnvironment.h"
@@ -51,7 +50,6 @@ class Views : public testing::Test
 protected:
   void SetUp() override
   {
-    setenv("MEASUREDBRDF_CACHE", "off", 1);
     this->BRDF->SetExponent(5.0);
     this->Sky = NewSmallEnvironment(false);
     ShrinkEnvironment(this->Sky, 32, 16);
@@ -75,7 +73,6 @@ protected:
     request.BRDF = this->Material ? this->Material.Get() : this->BRDF.Get();
     request.Environment = light;
     request.Tolerance = 0.3;
-    request.CacheFolder = vtkRadiancePlanner::GetDefaultCacheFolder(); // as mappers' is
     request.Timing = this->When;
     request.ForView = this->ForView;
     request.Renderer = renderer;
@@ -440,24 +437,6 @@ TEST_F(Views, BlocksAreSeenTogether)
 }
 
 //------------------------------------------------------------------------------
-// Disk space is for plans that come again.
-TEST_F(Views, SingleViewsAreNotKeptOnDisk)
-{
-  const TestFolder folder;
-  setenv("MEASUREDBRDF_CACHE", folder.GetPath().c_str(), 1);
-  vtkNew<vtkBlinnPhongBRDF> plain; // which says what it is, unlike GatedBRDF
-  plain->SetExponent(this->BRDF->GetExponent());
-  this->Material = plain;
-  this->ForView = true;
-  EXPECT_TRUE(this->Update());
-  EXPECT_EQ(folder.CountFiles(), 0u);
-  this->ForView = false;
-  EXPECT_TRUE(this->Update());
-  EXPECT_GE(folder.CountFiles(), 1u);
-  setenv("MEASUREDBRDF_CACHE", "off", 1);
-}
-
-//------------------------------------------------------------------------------
 // Switched while planning in the background, the last plan stands in.
 TEST_F(Views, ForViewIsBridged)
 {
@@ -817,7 +796,6 @@ TEST(TwoThreads, ShareWhatTheyFind)
 
 TEST(TwoThreads, PlanAtTheSameTime)
 {
-  setenv("MEASUREDBRDF_CACHE", "off", 1);
   std::vector<std::string> plans(2);
   const auto plan = [&plans](std::size_t thread)
   {
