@@ -206,7 +206,6 @@ void WriteReport(const RenderOptions& options, const Figures& found, const tool:
   {
     report["plan"] = found.Plan;
     report["plan_from_cache"] = method.Planner->GetFromCache();
-    report["costs"] = method.Planner->GetCostModel()->GetName();
     report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
     report["predicted_picture_error"] =
       method.Planner->GetPredictedPictureError(method.Planner->GetChoice());
@@ -312,7 +311,6 @@ void AddRenderCommand(CLI::App& app)
       "auto)")
     ->check(CLI::IsMember({ "auto", "on", "off" }));
   options->Method.Plan.AddForViewTo(command);
-  options->Method.Plan.AddCalibrateTo(command);
   command->add_flag("--no-cache", options->NoCache,
     "Plan anew for --method auto, and keep nothing on disk. By default plans are kept in "
     "$MEASUREDBRDF_CACHE ('off': nowhere), $XDG_CACHE_HOME/vtkMeasuredBRDF or "
@@ -335,8 +333,7 @@ void AddRenderCommand(CLI::App& app)
   command->add_option("--report", options->Report,
     "JSON file to write: frame_ms (median), setup_ms, texture_bytes, method, lights, renderer, "
     "vtk; for --method auto also the plan, its predicted_error and predicted_picture_error, "
-    "whether it is from the cache, and "
-    "the name of the costs; for thesis the representation and the reason");
+    "and whether it is from the cache; for thesis the representation and the reason");
   command->footer("Example:\n  measured-brdf render gold-paint --environment sky --lights 256 "
                   "-o gold.png\n\nNeeds OpenGL; without a screen, put 'xvfb-run -a' before it.");
   command->callback([options, command]() { Run(*options, command); });

@@ -13,7 +13,6 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkRadianceIntegrator.h"
 #include "vtkRadiancePlanner.h"
 
@@ -27,19 +26,12 @@ namespace tool
 struct PlanOptions
 {
   double Tolerance = 0.02;
-  bool All = false;       // try every candidate
-  bool UseCache = false;  // take what an earlier run left on disk
-  bool Calibrate = false; // by the costs of this machine's renderer
-  bool ForView = false;   // for what a picture shows, instead of for a sphere from everywhere
-
-  /// Add --calibrate to a subcommand.
-  void AddCalibrateTo(CLI::App* command);
+  bool All = false;      // try every candidate
+  bool UseCache = false; // take what an earlier run left on disk
+  bool ForView = false;  // for what a picture shows, instead of for a sphere from everywhere
 
   /// Add --for-view to a subcommand.
   void AddForViewTo(CLI::App* command);
-
-  /// What a pixel costs: this machine's, measured now, or the built-in figures. Throws Error.
-  vtkSmartPointer<vtkRadianceCostModel> GetCosts() const;
 
   /// Where plans are kept; "": nowhere.
   std::string GetCacheFolder() const;
@@ -50,7 +42,6 @@ struct VisiblePairs
 {
   vtkNew<vtkDoubleArray> Normals; // 3 components each
   vtkNew<vtkDoubleArray> Views;
-  vtkIdType NumberOfPixels = 0;
 };
 
 struct MethodOptions

@@ -7,6 +7,7 @@
 #include "LocalFrame.h"
 #include "ModuleShader.h"
 #include "Neighbors.h"
+#include "PixelCosts.h"
 #include "Printable.h"
 #include "ReflectionSamples.h"
 #include "Setters.h"
@@ -18,7 +19,6 @@
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkWeakPointer.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -294,10 +294,10 @@ std::vector<std::vector<int>> vtkFilteredRadianceIntegrator::GetCandidateSizes(b
 }
 
 //------------------------------------------------------------------------------
-double vtkFilteredRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
+double vtkFilteredRadianceIntegrator::EstimateCost()
 {
-  return GetCost(costs, "base") + GetCost(costs, "sample") * this->NumberOfSamples +
-         GetCost(costs, "light") * this->GetNumberOfExtractedLights();
+  return PixelCosts::Pixel + PixelCosts::Sample * this->NumberOfSamples +
+         PixelCosts::Light * this->GetNumberOfExtractedLights();
 }
 
 //------------------------------------------------------------------------------

@@ -23,7 +23,6 @@
 #include "vtkEnvironment.h"
 #include "vtkObjectFactory.h"
 #include "vtkOcclusionPredictor.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkRadianceMethods.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -50,9 +49,8 @@ struct vtkRadiancePlanner::Internals
 {
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
-  vtkSmartPointer<vtkRadianceCostModel> Costs; // null: the defaults
-  measuredbrdf::PlanPairs Given;               // what a camera sees, if that was said
-  measuredbrdf::PlanTask Task;                 // while it plans
+  measuredbrdf::PlanPairs Given; // what a camera sees, if that was said
+  measuredbrdf::PlanTask Task;   // while it plans
   measuredbrdf::Plan Plan;
   std::string Problem; // that an integrator had
   vtkTimeStamp Time;
@@ -66,8 +64,8 @@ struct vtkRadiancePlanner::Internals
 
   vtkMTimeType GetInputsMTime(vtkObject* planner) const
   {
-    return std::max({ planner->GetMTime(), this->BRDF->GetMTime(),
-      this->Environment->GetPixelsMTime(), this->Costs ? this->Costs->GetMTime() : 0 });
+    return std::max(
+      { planner->GetMTime(), this->BRDF->GetMTime(), this->Environment->GetPixelsMTime() });
   }
 
   measuredbrdf::PlanTask MakeTask(vtkRadiancePlanner* planner) const
@@ -75,11 +73,9 @@ struct vtkRadiancePlanner::Internals
     measuredbrdf::PlanTask task;
     task.BRDF = this->BRDF;
     task.Environment = this->Environment;
-    task.Costs = this->Costs ? this->Costs : vtkSmartPointer<vtkRadianceCostModel>::New();
     task.Tolerance = planner->GetErrorTolerance();
     task.All = planner->GetEvaluateAll();
     task.MaximumBytes = planner->GetMaximumTextureBytes();
-    task.Pixels = static_cast<double>(planner->GetNumberOfPixels());
     return task;
   }
 
@@ -99,7 +95,6 @@ struct vtkRadiancePlanner::Internals
     hash.AddValue(planner->GetMaximumTextureBytes());
     hash.AddValue(planner->GetEvaluateAll());
     hash.Add(planner->GetViewDirection(), 3 * sizeof(double));
-    hash.AddValue(planner->GetNumberOfPixels());
     for (vtkDoubleArray* given : { this->Given.Normals.Get(), this->Given.Views.Get() })
     {
       if (given)
@@ -118,7 +113,6 @@ struct vtkRadiancePlanner::Internals
         hash.AddValue(value + 0.0); // -0 and 0 turn alike
       }
     }
-    hash.AddText(this->Task.Costs->GetText());
     hash.AddText(vtkRadianceMethods::GetNames());
     return hash.GetText();
   }
@@ -222,19 +216,6 @@ vtkIdType vtkRadiancePlanner::GetNumberOfPairs()
 {
   return this->Impl->Given.Normals ? this->Impl->Given.Normals->GetNumberOfTuples() : 0;
 }
-
-//------------------------------------------------------------------------------
-void vtkRadiancePlanner::SetCostModel(vtkRadianceCostModel* model)
-{
-  if (this->Impl->Costs != model)
-  {
-    this->Impl->Costs = model;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkRadianceCostModel* vtkRadiancePlanner::GetCostModel() { return this->Impl->Costs; }
 
 //------------------------------------------------------------------------------
 bool vtkRadiancePlanner::Fail()
@@ -399,10 +380,10 @@ double vtkRadiancePlanner::GetPredictedPictureError(int index)
 }
 
 //------------------------------------------------------------------------------
-double vtkRadiancePlanner::GetPredictedMilliseconds(int index)
+double vtkRadiancePlanner::GetPredictedCost(int index)
 {
   const PlanCandidate* candidate = this->Impl->GetCandidate(index);
-  return candidate ? 1e-6 * candidate->Cost * static_cast<double>(this->NumberOfPixels) : 0.0;
+  return candidate ? candidate->Cost : 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -461,7 +442,6 @@ vtkRadianceIntegrator* vtkRadiancePlanner::NewIntegrator()
 
 //------------------------------------------------------------------------------
 measuredbrdfSetClampedMacro(vtkRadiancePlanner, ErrorTolerance, double, 1e-3, 1.0);
-measuredbrdfSetClampedMacro(vtkRadiancePlanner, NumberOfPixels, vtkIdType, 1, VTK_ID_MAX);
 measuredbrdfSetFinite3Macro(vtkRadiancePlanner, ViewDirection);
 measuredbrdfSetInRangeMacro(vtkRadiancePlanner, MaximumTextureBytes, vtkIdType, 0, VTK_ID_MAX);
 measuredbrdfSetInRangeMacro(vtkRadiancePlanner, MaximumCacheBytes, vtkIdType, 0, VTK_ID_MAX);
@@ -473,15 +453,12 @@ void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BRDF: " << this->Impl->BRDF.Get() << "\n";
   os << indent << "Environment: " << this->Impl->Environment.Get() << "\n";
   os << indent << "Scene: " << this->GetScene() << "\n";
-  os << indent
-     << "CostModel: " << (this->Impl->Costs ? this->Impl->Costs->GetName() : "the default") << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "ViewDirection: " << this->ViewDirection[0] << " " << this->ViewDirection[1]
      << " " << this->ViewDirection[2] << "\n";
   os << indent << "Pairs: " << this->GetNumberOfPairs() << "\n";
   os << indent << "EvaluateAll: " << (this->EvaluateAll ? "On" : "Off") << "\n";
   os << indent << "MaximumTextureBytes: " << this->MaximumTextureBytes << "\n";
-  os << indent << "NumberOfPixels: " << this->NumberOfPixels << "\n";
   os << indent << "CacheFolder: " << this->CacheFolder << "\n";
   os << indent << "MaximumCacheBytes: " << this->MaximumCacheBytes << "\n";
   os << indent << "FromCache: " << (this->FromCache ? "yes" : "no") << "\n";

@@ -28,7 +28,6 @@ class vtkActor;
 class vtkBRDF;
 class vtkEnvironment;
 class vtkPolyData;
-class vtkRadianceCostModel;
 class vtkRadiancePlanner;
 class vtkRenderer;
 class vtkWindow;
@@ -43,8 +42,7 @@ struct PlanRequest
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
   double Tolerance = 0.0;
-  vtkRadianceCostModel* Costs = nullptr; // null: the defaults
-  std::string CacheFolder;               // "": plans are not kept on disk
+  std::string CacheFolder; // "": plans are not kept on disk
   CurrentPlan::Timing Timing = CurrentPlan::Timing::Foreground;
   bool ForView = false; // or for every view
   int Slot = 0;         // which of the mapper's materials

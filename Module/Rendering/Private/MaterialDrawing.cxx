@@ -135,7 +135,6 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   request.Environment = state.Environment;
   request.CacheFolder = this->Settings->CacheFolder;
   request.Tolerance = this->GetTolerance(use.first);
-  request.Costs = this->Settings->Costs;
   request.Timing = timings[this->Settings->PlanningMode];
   request.ForView = this->IsForView();
   request.Slot = this->FindSlot(use.first);
@@ -427,7 +426,7 @@ void MaterialDrawing::Forget(const void* part)
   this->RefusedOcclusion.erase(part);
 }
 
-vtkIdType MaterialDrawing::GetVisiblePairs(
+void MaterialDrawing::GetVisiblePairs(
   vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views)
 {
   std::vector<vtkPolyData*> surfaces;
@@ -447,7 +446,6 @@ vtkIdType MaterialDrawing::GetVisiblePairs(
   };
   fill(normals, seen.GetNormals());
   fill(views, seen.GetViews());
-  return PlanInputs::RoundPixels(seen.GetNumberOfPixels());
 }
 
 vtkMTimeType MaterialDrawing::GetAppearanceMTime()
