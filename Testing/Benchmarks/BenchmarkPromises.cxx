@@ -366,7 +366,7 @@ int main(int argc, char** argv)
     }
   }
   std::printf(
-    "material,environment,shape,pixels,tolerance,method,sizes,MB,ms,predicted,uncertainty,"
+    "material,environment,shape,pixels,tolerance,method,sizes,MB,cost,predicted,uncertainty,"
     "measured,deviation,tried,cpu\n");
   std::vector<Count> counts(shapes.size());
   Count all;
