@@ -34,18 +34,6 @@ constexpr int LargestPlannedPicture = 8192;
 constexpr double PlannedFill = 0.9;
 
 //------------------------------------------------------------------------------
-nlohmann::ordered_json MakeCostsJSON(vtkRadianceCostModel* model)
-{
-  nlohmann::ordered_json costs = { { "renderer", model->GetName() } };
-  for (int k = 0; k < model->GetNumberOfCosts(); ++k)
-  {
-    const std::string name = model->GetCostName(k);
-    costs[name + "_ns"] = model->GetCost(name);
-  }
-  return costs;
-}
-
-//------------------------------------------------------------------------------
 void PrintJSON(
   vtkRadiancePlanner* planner, const std::string& material, vtkEnvironment* environment)
 {
@@ -55,15 +43,14 @@ void PrintJSON(
     candidates.push_back({ { "method", planner->GetMethodName(k) },
       { "sizes", planner->GetDescription(k) }, { "predicted_error", planner->GetPredictedError(k) },
       { "predicted_picture_error", planner->GetPredictedPictureError(k) },
-      { "predicted_ms", planner->GetPredictedMilliseconds(k) },
-      { "texture_bytes", planner->GetTextureBytes(k) },
+      { "cost", planner->GetPredictedCost(k) }, { "texture_bytes", planner->GetTextureBytes(k) },
       { "setup_ms", planner->GetSetUpMilliseconds(k) } });
   }
   nlohmann::ordered_json plan = { { "material", material },
     { "environment", environment->GetName() }, { "tolerance", planner->GetErrorTolerance() },
-    { "costs", MakeCostsJSON(planner->GetCostModel()) }, { "candidates", candidates },
-    { "choice", planner->GetChoice() }, { "meets_tolerance", planner->GetMeetsTolerance() },
-    { "reason", planner->GetReason() }, { "plan", planner->GetPlan() } };
+    { "candidates", candidates }, { "choice", planner->GetChoice() },
+    { "meets_tolerance", planner->GetMeetsTolerance() }, { "reason", planner->GetReason() },
+    { "plan", planner->GetPlan() } };
   if (planner->GetScene())
   {
     plan["unoccluded_error"] = planner->GetUnoccludedError();
@@ -78,19 +65,18 @@ void PrintTable(vtkRadiancePlanner* planner)
 {
   char line[160];
   std::snprintf(line, sizeof(line), "  %-10s %-46s %9s %9s %9s %9s\n", "method", "sizes", "error %",
-    "frame ms", "MB", "set-up ms");
+    "cost", "MB", "set-up ms");
   std::string text = line;
   for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
   {
     std::snprintf(line, sizeof(line), "%c %-10s %-46s %9.3g %9.4g %9.3g %9.3g\n",
       k == planner->GetChoice() ? '>' : ' ', planner->GetMethodName(k).c_str(),
       planner->GetDescription(k).c_str(), 100.0 * planner->GetPredictedError(k),
-      planner->GetPredictedMilliseconds(k), 1e-6 * static_cast<double>(planner->GetTextureBytes(k)),
+      planner->GetPredictedCost(k), 1e-6 * static_cast<double>(planner->GetTextureBytes(k)),
       planner->GetSetUpMilliseconds(k));
     text += line;
   }
-  tool::PrintOut(
-    text + "\n" + planner->GetPlan() + "\nframe ms: " + planner->GetCostModel()->GetName() + "\n");
+  tool::PrintOut(text + "\n" + planner->GetPlan() + "\n");
 }
 
 //------------------------------------------------------------------------------
@@ -152,7 +138,6 @@ void AddPlanCommand(CLI::App& app)
   command->add_option("--environment", options->Environment, EnvironmentHelp)->required();
   AddProjectionOption(command);
   AddToleranceOption(command, options->Plan.Tolerance);
-  options->Plan.AddCalibrateTo(command);
   options->Plan.AddForViewTo(command);
   command->add_option("--mesh", options->Mesh,
     "Also predict the error of leaving out what this mesh hides of the environment; with "
@@ -169,10 +154,10 @@ void AddPlanCommand(CLI::App& app)
     "many)");
   command->add_flag("--json", options->JSON, "Write JSON instead of text");
   command->footer("Prints a table of the candidates, the cheapest first: error relative to the "
-                  "mean radiance over a sphere (with\n--for-view, over the picture), frame time of "
-                  "that sphere in 500x500 pixels on the renderer that is named\nbelow (Mesa's "
-                  "software renderer unless --calibrate), texture memory, and set-up time. > marks "
-                  "the choice.\n--for-view needs OpenGL.\n\nExample:\n  "
+                  "mean radiance over a sphere (with\n--for-view, over the picture), cost of a "
+                  "pixel (times a table's), texture memory, and set-up time. > marks\nthe choice. "
+                  "--for-view needs "
+                  "OpenGL.\n\nExample:\n  "
                   "measured-brdf plan gold-paint --environment hall --tolerance 0.02");
   command->callback([options, command]() { Run(*options, command); });
 }

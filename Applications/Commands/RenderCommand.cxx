@@ -204,7 +204,6 @@ void WriteReport(const RenderOptions& options, const Figures& found, const tool:
   if (method.Planner)
   {
     report["plan"] = found.Plan;
-    report["costs"] = method.Planner->GetCostModel()->GetName();
     report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
     report["predicted_picture_error"] =
       method.Planner->GetPredictedPictureError(method.Planner->GetChoice());
@@ -309,7 +308,6 @@ void AddRenderCommand(CLI::App& app)
       "auto)")
     ->check(CLI::IsMember({ "auto", "on", "off" }));
   options->Method.Plan.AddForViewTo(command);
-  options->Method.Plan.AddCalibrateTo(command);
   command->add_option(
     "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 800x800)");
   command->add_option("--view", options->View,
@@ -327,8 +325,8 @@ void AddRenderCommand(CLI::App& app)
     ->required();
   command->add_option("--report", options->Report,
     "JSON file to write: frame_ms (median), setup_ms, texture_bytes, method, lights, renderer, "
-    "vtk; for --method auto also the plan, its predicted_error and predicted_picture_error "
-    "and the name of the costs; for thesis the representation and the reason");
+    "vtk; for --method auto also the plan, its predicted_error and predicted_picture_error; for "
+    "thesis the representation and the reason");
   command->footer("Example:\n  measured-brdf render gold-paint --environment sky --lights 256 "
                   "-o gold.png\n\nNeeds OpenGL; without a screen, put 'xvfb-run -a' before it.");
   command->callback([options, command]() { Run(*options, command); });

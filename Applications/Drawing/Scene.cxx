@@ -97,7 +97,6 @@ void Scene::SetPlan(const PlanOptions& options)
 {
   this->Mapper->SetErrorTolerance(options.Tolerance);
   this->Mapper->SetPlanForView(options.ForView);
-  this->Mapper->SetCostModel(options.GetCosts());
 }
 
 //------------------------------------------------------------------------------
@@ -127,8 +126,7 @@ void Scene::Look(int width, int height, VisiblePairs& seen)
 {
   this->Open(width, height);
   this->PlaceCamera(width, height);
-  seen.NumberOfPixels =
-    this->Mapper->GetVisiblePairs(this->Renderer, this->Actor, seen.Normals, seen.Views);
+  this->Mapper->GetVisiblePairs(this->Renderer, this->Actor, seen.Normals, seen.Views);
 }
 
 //------------------------------------------------------------------------------

@@ -4,7 +4,6 @@
 
 #include "Measuring.h"
 
-#include "vtkRadianceCostModel.h"
 #include "vtkRadiancePlanner.h"
 
 #include <QDoubleSpinBox>
@@ -81,6 +80,10 @@ QString Milliseconds(double value)
 {
   return QString::fromStdString(tool::FormatMilliseconds(value));
 }
+
+//------------------------------------------------------------------------------
+// Of a pixel, times a table's.
+QString Cost(double value) { return QString::number(value, 'f', 2); }
 }
 
 namespace explorer
@@ -98,7 +101,7 @@ PlanPanel::PlanPanel(
   , Figures(MakeTable({ "", tr("A"), tr("B") }, tr("Figures of both sides")))
   , Plan(new QLabel)
   , Candidates(
-      MakeTable({ tr("Method"), tr("Error"), tr("Frame"), tr("MB"), tr("Set-up"), tr("Sizes") },
+      MakeTable({ tr("Method"), tr("Error"), tr("Cost"), tr("MB"), tr("Set-up"), tr("Sizes") },
         tr("Candidates of the plan")))
 {
   this->SetUpWidgets();
@@ -115,7 +118,7 @@ PlanPanel::PlanPanel(
   layout->addWidget(this->Plan);
   layout->addWidget(this->Candidates, 1);
   layout->addWidget(this->Frame);
-  const QStringList rows = { tr("Error, predicted"), tr("Error, measured"), tr("Frame, predicted"),
+  const QStringList rows = { tr("Error, predicted"), tr("Error, measured"), tr("Cost, predicted"),
     tr("Frame, measured") };
   this->Figures->setRowCount(rows.size());
   for (int k = 0; k < rows.size(); ++k)
@@ -212,7 +215,7 @@ void PlanPanel::UpdatePlan()
     const QString name = QString::fromStdString(planner->GetMethodName(k));
     SetCell(this->Candidates, k, 0, (chosen ? QString("▸ ") : QString()) + name, chosen);
     SetCell(this->Candidates, k, 1, ::Percent(planner->GetPredictedError(k)), chosen);
-    SetCell(this->Candidates, k, 2, Milliseconds(planner->GetPredictedMilliseconds(k)), chosen);
+    SetCell(this->Candidates, k, 2, Cost(planner->GetPredictedCost(k)), chosen);
     SetCell(this->Candidates, k, 3,
       QString::number(1e-6 * static_cast<double>(planner->GetTextureBytes(k)), 'f', 2), chosen);
     SetCell(this->Candidates, k, 4, Milliseconds(planner->GetSetUpMilliseconds(k)), chosen);
@@ -223,10 +226,7 @@ void PlanPanel::UpdatePlan()
     }
   }
   this->Candidates->setToolTip(
-    tr("Candidates that were tried, the cheapest first. Frame: of a sphere of 500 x 500 pixels, by "
-       "the costs of %1")
-      .arg(QString::fromStdString(planner->GetCostModel() ? planner->GetCostModel()->GetName()
-                                                          : std::string("Mesa's llvmpipe"))));
+    tr("Candidates that were tried, the cheapest first. Cost: of a pixel, times a table's"));
 }
 
 //------------------------------------------------------------------------------
@@ -244,8 +244,8 @@ void PlanPanel::UpdateFigures()
       side->IsReference()    ? tr("exact")
       : figures.Error >= 0.0 ? ::Percent(figures.Error)
                              : tr("…"));
-    SetCell(this->Figures, 2, k + 1,
-      choice < 0 ? QString("–") : Milliseconds(planner->GetPredictedMilliseconds(choice)));
+    SetCell(
+      this->Figures, 2, k + 1, choice < 0 ? QString("–") : Cost(planner->GetPredictedCost(choice)));
     SetCell(
       this->Figures, 3, k + 1, figures.Frame > 0.0 ? Milliseconds(figures.Frame) : QString("–"));
   }

@@ -49,8 +49,6 @@ Side::Side(int index, Session* session, Jobs* jobs, QObject* parent)
 {
   this->Mapper->ScalarVisibilityOff();
   this->Mapper->SetPlanningModeToBackgroundFromStart();
-  this->Mapper->SetCostModel(
-    tool::PlanOptions().GetCosts()); // as Capture's scene: one plan for both
   this->Actor->SetMapper(this->Mapper);
   this->StockMapper->ScalarVisibilityOff();
   this->StockActor->SetMapper(this->StockMapper);

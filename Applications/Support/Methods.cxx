@@ -6,7 +6,6 @@
 #include "Tool.h"
 
 #include "vtkLightSetRadianceIntegrator.h"
-#include "vtkRadianceCostCalibrator.h"
 #include "vtkRadianceMethods.h"
 
 #include <CLI/CLI.hpp>
@@ -218,7 +217,7 @@ void MethodOptions::Check(const CLI::App* command)
     this->Method = "light-set";
   }
   CheckTolerance(this->Plan.Tolerance);
-  for (const char* name : { "--tolerance", "--calibrate", "--for-view" })
+  for (const char* name : { "--tolerance", "--for-view" })
   {
     if (command->get_option_no_throw(name) && given(name) && this->Method != "auto")
     {
@@ -237,31 +236,11 @@ void MethodOptions::Check(const CLI::App* command)
 }
 
 //------------------------------------------------------------------------------
-void PlanOptions::AddCalibrateTo(CLI::App* command)
-{
-  command->add_flag("--calibrate", this->Calibrate,
-    "Plan with the cost of each method on this machine's OpenGL renderer, measured in about a "
-    "second, instead of built-in figures for Mesa's software renderer");
-}
-
-//------------------------------------------------------------------------------
 void PlanOptions::AddForViewTo(CLI::App* command)
 {
   command->add_flag("--for-view", this->ForView,
-    "Plan for the normals, the views and the number of pixels of this picture, instead of for a "
-    "sphere seen from everywhere");
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkRadianceCostModel> PlanOptions::GetCosts() const
-{
-  vtkNew<vtkRadianceCostCalibrator> calibrator; // its model as it comes is the built-in one
-  if (this->Calibrate &&
-      !RunWithProgress(calibrator.Get(), &vtkRadianceCostCalibrator::Calibrate, "calibrating"))
-  {
-    throw Error("--calibrate: " + TakeErrorText());
-  }
-  return calibrator->GetCostModel();
+    "Plan for the normals and the views of this picture, instead of for a sphere seen from "
+    "everywhere");
 }
 
 //------------------------------------------------------------------------------
@@ -302,18 +281,13 @@ vtkSmartPointer<vtkRadiancePlanner> MakePlan(const Material& material, vtkEnviro
   const PlanOptions& options, const VisiblePairs* seen)
 {
   auto planner = vtkSmartPointer<vtkRadiancePlanner>::New();
-  planner->SetCostModel(options.GetCosts());
   planner->SetBRDF(material.BRDF);
   planner->SetEnvironment(environment);
   planner->SetErrorTolerance(options.Tolerance);
   planner->SetEvaluateAll(options.All);
-  if (seen)
+  if (seen && !planner->SetPairs(seen->Normals, seen->Views))
   {
-    planner->SetNumberOfPixels(seen->NumberOfPixels);
-    if (!planner->SetPairs(seen->Normals, seen->Views))
-    {
-      throw Error("--for-view: the picture shows hardly anything of the mesh");
-    }
+    throw Error("--for-view: the picture shows hardly anything of the mesh");
   }
   if (!RunWithProgress(planner.Get(), &vtkRadiancePlanner::Update, "planning"))
   {

@@ -13,7 +13,6 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkRadianceIntegrator.h"
 #include "vtkRadiancePlanner.h"
 
@@ -27,18 +26,12 @@ namespace tool
 struct PlanOptions
 {
   double Tolerance = 0.02;
-  bool All = false;       // try every candidate
-  bool Calibrate = false; // by the costs of this machine's renderer
-  bool ForView = false;   // for what a picture shows, instead of for a sphere from everywhere
-
-  /// Add --calibrate to a subcommand.
-  void AddCalibrateTo(CLI::App* command);
+  bool All = false;     // try every candidate
+  bool ForView = false; // for what a picture shows, instead of for a sphere from everywhere
 
   /// Add --for-view to a subcommand.
   void AddForViewTo(CLI::App* command);
 
-  /// What a pixel costs: this machine's, measured now, or the built-in figures. Throws Error.
-  vtkSmartPointer<vtkRadianceCostModel> GetCosts() const;
 };
 
 /// What a camera sees of a mesh.
@@ -46,7 +39,6 @@ struct VisiblePairs
 {
   vtkNew<vtkDoubleArray> Normals; // 3 components each
   vtkNew<vtkDoubleArray> Views;
-  vtkIdType NumberOfPixels = 0;
 };
 
 struct MethodOptions

@@ -17,7 +17,6 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPNGWriter.h>
-#include <vtkRadianceCostModel.h>
 #include <vtkRadianceIntegrator.h>
 #include <vtkRadianceMethods.h>
 #include <vtkRenderWindow.h>
@@ -55,8 +54,8 @@ public:
   static HarmonicsMethod* New();
   vtkTypeMacro(HarmonicsMethod, vtkRadianceIntegrator);
 
-  // What a planner asks: one candidate, for Lambert materials only, and what a pixel of it costs. A
-  // calibrated cost model has the cost; others do not, hence the guess.
+  // What a planner asks: one candidate, for Lambert materials only, and what a pixel of it costs,
+  // times a table's: less, as it fetches nothing.
   std::string GetMethodName() override { return "harmonics"; }
   std::string GetMethodDescription() override { return "irradiance in nine spherical harmonics"; }
   std::vector<std::vector<int>> GetCandidateSizes(bool) override
@@ -65,11 +64,7 @@ public:
                                                     : std::vector<std::vector<int>>();
   }
   std::string GetSizesText() override { return "9 functions"; }
-  double EstimateCost(vtkRadianceCostModel* costs) override
-  {
-    return costs->GetCost("base") + costs->GetCost("harmonics", 4.0);
-  }
-  std::string GetCostName() override { return "harmonics"; }
+  double EstimateCost() override { return 0.55; }
 
   bool GetShaderInputs(vtkBRDFShaderInputs& inputs) override
   {

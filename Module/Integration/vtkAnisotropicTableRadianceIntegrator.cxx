@@ -8,6 +8,7 @@
 #include "HalfVector.h" // for Pi
 #include "MaterialPrecomputation.h"
 #include "ModuleShader.h"
+#include "PixelCosts.h"
 #include "Setters.h"
 #include "TableCandidates.h"
 #include "TableSynthesis.h"
@@ -16,7 +17,6 @@
 #include "vtkBRDFShaderInputs.h"
 #include "vtkEnvironment.h"
 #include "vtkObjectFactory.h"
-#include "vtkRadianceCostModel.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -231,9 +231,9 @@ bool vtkAnisotropicTableRadianceIntegrator::CanPrune(
 }
 
 //------------------------------------------------------------------------------
-double vtkAnisotropicTableRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
+double vtkAnisotropicTableRadianceIntegrator::EstimateCost()
 {
-  return GetCost(costs, "base") + 2.0 * GetCost(costs, "table");
+  return 2.0 * PixelCosts::Table - PixelCosts::Pixel; // two tables in one pixel
 }
 
 //------------------------------------------------------------------------------

@@ -75,7 +75,7 @@ public:
   ///@{
   /**
    * As a method: "anisotropic-table", by rows, view angles, azimuths and the view's azimuths, for
-   * anisotropic materials. Its cost is BASE and twice TABLE.
+   * anisotropic materials.
    */
   std::string GetMethodName() override { return "anisotropic-table"; }
   std::string GetMethodDescription() override
@@ -84,7 +84,7 @@ public:
   }
   std::vector<Size> GetSizes() override;
   std::vector<std::vector<int>> GetCandidateSizes(bool all) override;
-  double EstimateCost(vtkRadianceCostModel* costs) override;
+  double EstimateCost() override;
   vtkIdType EstimateTextureBytes() override;
   bool CanPrune(const std::vector<Attempt>& attempts, double error) override;
   ///@}

@@ -9,6 +9,7 @@
 #include "ModuleShader.h"
 #include "NumberText.h"
 #include "ParallelFor.h"
+#include "PixelCosts.h"
 #include "RadialFunctions.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
@@ -20,7 +21,6 @@
 #include "vtkLightSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkVarianceLightSetGenerator.h"
 
 #include <Eigen/Core>
@@ -399,11 +399,11 @@ std::vector<std::vector<int>> vtkBasisRadianceIntegrator::GetCandidateSizes(bool
 }
 
 //------------------------------------------------------------------------------
-double vtkBasisRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
+double vtkBasisRadianceIntegrator::EstimateCost()
 {
   const int prepared = this->GetNumberOfTerms();
-  return GetCost(costs, "base") +
-         GetCost(costs, "function") * (prepared > 0 ? prepared : this->MaximumNumberOfTerms);
+  return PixelCosts::Pixel +
+         PixelCosts::Function * (prepared > 0 ? prepared : this->MaximumNumberOfTerms);
 }
 
 //------------------------------------------------------------------------------

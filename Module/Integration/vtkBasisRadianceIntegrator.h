@@ -85,7 +85,7 @@ public:
   ///@{
   /**
    * As a method: "basis", by the most functions and the map's size; planners try it for comparison
-   * only. Its cost is BASE and a FUNCTION each: before Prepare, all that there may be.
+   * only. Its cost counts, before Prepare, all functions that there may be.
    */
   std::string GetMethodName() override { return "basis"; }
   std::string GetMethodDescription() override
@@ -95,10 +95,8 @@ public:
   std::vector<Size> GetSizes() override;
   std::string GetSizesText() override;
   std::vector<std::vector<int>> GetCandidateSizes(bool all) override;
-  double EstimateCost(vtkRadianceCostModel* costs) override;
+  double EstimateCost() override;
   vtkIdType EstimateTextureBytes() override;
-  std::string GetCostName() override { return "function"; }
-  std::vector<std::vector<int>> GetCalibrationSizes() override { return { { 25 } }; }
   ///@}
 
 protected:

@@ -4,6 +4,7 @@
 
 #include "EnvironmentPrecomputation.h"
 #include "MaterialPrecomputation.h"
+#include "PixelCosts.h"
 #include "Printable.h"
 #include "RadianceCore.h"
 #include "Setters.h"
@@ -266,10 +267,9 @@ vtkIdType vtkFactoredRadianceIntegrator::EstimateTextureBytes()
 }
 
 //------------------------------------------------------------------------------
-double vtkFactoredRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
+double vtkFactoredRadianceIntegrator::EstimateCost()
 {
-  return GetCost(costs, "base") + GetCost(costs, "table") +
-         GetCost(costs, "map") * this->NumberOfFields;
+  return PixelCosts::Table + PixelCosts::Map * this->NumberOfFields;
 }
 
 //------------------------------------------------------------------------------

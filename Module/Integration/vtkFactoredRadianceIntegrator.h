@@ -75,8 +75,8 @@ public:
 
   ///@{
   /**
-   * As a method: "factored", by rows, maps, and the small table's sizes. Its cost is BASE, TABLE
-   * and a MAP each. Planners try it with lights (vtkHybridRadianceIntegrator).
+   * As a method: "factored", by rows, maps, and the small table's sizes. Planners try it
+   * with lights (vtkHybridRadianceIntegrator).
    */
   std::string GetMethodName() override { return "factored"; }
   std::string GetMethodDescription() override
@@ -84,10 +84,8 @@ public:
     return "a small table, and maps of the sharp part with weights by view";
   }
   std::vector<Size> GetSizes() override;
-  double EstimateCost(vtkRadianceCostModel* costs) override;
+  double EstimateCost() override;
   vtkIdType EstimateTextureBytes() override;
-  std::string GetCostName() override { return "map"; }
-  std::vector<std::vector<int>> GetCalibrationSizes() override { return { { 128, 8 } }; }
   ///@}
 
 #ifndef __VTK_WRAP__

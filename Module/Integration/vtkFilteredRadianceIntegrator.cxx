@@ -6,6 +6,7 @@
 #include "EnvironmentPyramid.h"
 #include "LocalFrame.h"
 #include "ModuleShader.h"
+#include "PixelCosts.h"
 #include "Printable.h"
 #include "ReflectionSamples.h"
 #include "Setters.h"
@@ -17,7 +18,6 @@
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkWeakPointer.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -292,10 +292,10 @@ std::vector<std::vector<int>> vtkFilteredRadianceIntegrator::GetCandidateSizes(b
 }
 
 //------------------------------------------------------------------------------
-double vtkFilteredRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
+double vtkFilteredRadianceIntegrator::EstimateCost()
 {
-  return GetCost(costs, "base") + GetCost(costs, "sample") * this->NumberOfSamples +
-         GetCost(costs, "light") * this->GetNumberOfExtractedLights();
+  return PixelCosts::Pixel + PixelCosts::Sample * this->NumberOfSamples +
+         PixelCosts::Light * this->GetNumberOfExtractedLights();
 }
 
 //------------------------------------------------------------------------------

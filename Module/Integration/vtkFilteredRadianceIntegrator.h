@@ -80,16 +80,14 @@ public:
   ///@{
   /**
    * As a method: "filtered", by the number of samples; planners try it for comparison only. Its
-   * cost is BASE, a SAMPLE each and a LIGHT for each light that the last preparation took out.
+   * cost counts the lights that the last preparation took out, too.
    */
   std::string GetMethodName() override { return "filtered"; }
   std::string GetMethodDescription() override;
   std::vector<Size> GetSizes() override;
   std::vector<std::vector<int>> GetCandidateSizes(bool all) override;
-  double EstimateCost(vtkRadianceCostModel* costs) override;
+  double EstimateCost() override;
   vtkIdType EstimateTextureBytes() override;
-  std::string GetCostName() override { return "sample"; }
-  std::vector<std::vector<int>> GetCalibrationSizes() override { return { { 16 } }; }
   ///@}
 
 protected:

@@ -7,6 +7,7 @@
 #include "LampBRDF.h"
 #include "LampWindow.h"
 #include "MaterialPrecomputation.h"
+#include "PixelCosts.h"
 #include "Printable.h"
 #include "Setters.h"
 #include "TableCandidates.h"
@@ -21,7 +22,6 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkTableRadianceIntegrator.h"
 
 #include <algorithm>
@@ -394,7 +394,7 @@ std::vector<std::vector<int>> vtkHybridRadianceIntegrator::GetCandidateSizes(boo
 }
 
 //------------------------------------------------------------------------------
-double vtkHybridRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
+double vtkHybridRadianceIntegrator::EstimateCost()
 {
   const int count = this->CountLights(this->LightAngle, this->MaximumNumberOfLights);
   double lights = count;
@@ -402,7 +402,7 @@ double vtkHybridRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
   {
     lights = Finding + count * (Found + LampWindow().GetShare());
   }
-  return this->NewBroad()->EstimateCost(costs) + GetCost(costs, "light") * lights;
+  return this->NewBroad()->EstimateCost() + PixelCosts::Light * lights;
 }
 
 //------------------------------------------------------------------------------

@@ -108,15 +108,14 @@ public:
   ///@{
   /**
    * As a method: "hybrid", by the table's sizes, maps, lights and the light angle in tenths of a
-   * degree. Its cost is BASE, TABLE, a MAP each and a LIGHT for each light that the environment
-   * has.
+   * degree. Its cost counts the lights that the environment has.
    */
   std::string GetMethodName() override { return "hybrid"; }
   std::string GetMethodDescription() override;
   std::vector<Size> GetSizes() override;
   std::string GetSizesText() override;
   std::vector<std::vector<int>> GetCandidateSizes(bool all) override;
-  double EstimateCost(vtkRadianceCostModel* costs) override;
+  double EstimateCost() override;
   vtkIdType EstimateTextureBytes() override;
   std::vector<int> GetEquivalentSizes(
     const std::string& method, const std::vector<int>& sizes) override;

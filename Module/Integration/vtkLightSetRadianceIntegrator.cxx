@@ -7,6 +7,7 @@
 #include "LightTexture.h"
 #include "LocalFrame.h"
 #include "ModuleShader.h"
+#include "PixelCosts.h"
 #include "Setters.h"
 #include "TakenError.h"
 #include "vtkBRDF.h"
@@ -16,7 +17,6 @@
 #include "vtkLightSet.h"
 #include "vtkLightSetGenerator.h"
 #include "vtkObjectFactory.h"
-#include "vtkRadianceCostModel.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -264,9 +264,9 @@ std::vector<std::vector<int>> vtkLightSetRadianceIntegrator::GetCandidateSizes(b
 }
 
 //------------------------------------------------------------------------------
-double vtkLightSetRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
+double vtkLightSetRadianceIntegrator::EstimateCost()
 {
-  return GetCost(costs, "base") + GetCost(costs, "light") * this->NumberOfLights;
+  return PixelCosts::Pixel + PixelCosts::Light * this->NumberOfLights;
 }
 
 //------------------------------------------------------------------------------

@@ -91,17 +91,14 @@ public:
   ///@{
   /**
    * As a method: "light-set", by the number of lights. Planners try it for anisotropic materials.
-   * Its cost is BASE and a LIGHT each.
    */
   std::string GetMethodName() override { return "light-set"; }
   std::string GetMethodDescription() override;
   std::vector<Size> GetSizes() override;
   std::string GetSizesText() override;
   std::vector<std::vector<int>> GetCandidateSizes(bool all) override;
-  double EstimateCost(vtkRadianceCostModel* costs) override;
+  double EstimateCost() override;
   vtkIdType EstimateTextureBytes() override;
-  std::string GetCostName() override { return "light"; }
-  std::vector<std::vector<int>> GetCalibrationSizes() override { return { { 1 }, { 64 } }; }
   ///@}
 
 protected:

@@ -11,7 +11,6 @@
 #include "vtkDataArray.h"
 #include "vtkEnvironment.h"
 #include "vtkNew.h"
-#include "vtkRadianceCostModel.h"
 
 #include <glm/glm.hpp>
 
@@ -138,18 +137,6 @@ std::string vtkRadianceIntegrator::GetSizesText()
 
 //------------------------------------------------------------------------------
 std::vector<std::vector<int>> vtkRadianceIntegrator::GetCandidateSizes(bool) { return {}; }
-
-//------------------------------------------------------------------------------
-double vtkRadianceIntegrator::GetCost(vtkRadianceCostModel* costs, const std::string& name)
-{
-  return costs ? costs->GetCost(name) : 0.0;
-}
-
-//------------------------------------------------------------------------------
-double vtkRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
-{
-  return GetCost(costs, "base");
-}
 
 //------------------------------------------------------------------------------
 std::vector<int> vtkRadianceIntegrator::GetEquivalentSizes(

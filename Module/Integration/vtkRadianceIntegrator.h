@@ -11,9 +11,8 @@
  *
  * A mapper draws any integrator that has shader inputs (vtkMeasuredBRDFMapper::SetIntegrator). An
  * integrator is a method, too: it has a name and sizes. Register an instance with
- * vtkRadianceMethods, and planners try the sizes that GetCandidateSizes lists, programs find the
- * method by its name, and vtkRadianceCostCalibrator measures its cost. Examples/Cxx/CustomMethod is
- * one.
+ * vtkRadianceMethods, and planners try the sizes that GetCandidateSizes lists, and programs find
+ * the method by its name. Examples/Cxx/CustomMethod is one.
  */
 
 #ifndef vtkRadianceIntegrator_h
@@ -33,7 +32,6 @@ struct vtkBRDFShaderInputs;
 class vtkBRDF;
 class vtkDataArray;
 class vtkEnvironment;
-class vtkRadianceCostModel;
 
 class VTKMEASUREDBRDF_EXPORT vtkRadianceIntegrator : public vtkObject
 {
@@ -153,8 +151,8 @@ public:
    * GetCandidateSizes: the sizes to try, none (default) where the method is not for this material.
    * all: also those that are only worth a comparison.
    *
-   * EstimateCost: nanoseconds per covered pixel, linear in the model's costs; default: its "base".
-   * Without a model all costs are 0.
+   * EstimateCost: what a pixel costs, times a pixel of a table of radiance, by its fetches and
+   * arithmetic; default 1. Planners try what is cheap first.
    *
    * EstimateTextureBytes: of the textures, but for the material's own; default 0.
    *
@@ -162,7 +160,7 @@ public:
    * far from the tolerance; default: no.
    */
   virtual std::vector<std::vector<int>> GetCandidateSizes(bool all);
-  virtual double EstimateCost(vtkRadianceCostModel* costs);
+  virtual double EstimateCost() { return 1.0; }
   virtual vtkIdType EstimateTextureBytes() { return 0; }
   virtual bool IsLastResort() { return false; }
   ///@}
@@ -187,16 +185,6 @@ public:
    */
   virtual bool CanPrune(const std::vector<Attempt>& attempts, double error);
 
-  ///@{
-  /**
-   * For vtkRadianceCostCalibrator: the cost that this method is measured for, one of
-   * vtkRadianceCostModel's or a name of its own, and the sizes that are drawn to find it. Default:
-   * "" and none, it has no cost of its own.
-   */
-  virtual std::string GetCostName() { return ""; }
-  virtual std::vector<std::vector<int>> GetCalibrationSizes() { return {}; }
-  ///@}
-
 #ifndef __VTK_WRAP__
   /// What integrators of one material have in common, whatever the sizes and the light.
   class Precomputation;
@@ -220,9 +208,6 @@ public:
 protected:
   vtkRadianceIntegrator();
   ~vtkRadianceIntegrator() override;
-
-  /// For EstimateCost: the cost of that name; 0 without a model.
-  static double GetCost(vtkRadianceCostModel* costs, const std::string& name);
 
   /// Take a size, which is in its range; index: in GetSizes.
   virtual void SetSize(int vtkNotUsed(index), int vtkNotUsed(value)) {}

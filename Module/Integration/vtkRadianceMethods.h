@@ -6,7 +6,7 @@
  *
  * A method is a vtkRadianceIntegrator that serves as a model for others. Those of the module come
  * first: table, hybrid, light-set, filtered, basis, exact. A program adds its own by Register.
- * Planners, mappers, the calibrator and every program that asks here then know it, at once. Any
+ * Planners, mappers and every program that asks here then know it, at once. Any
  * thread may call these methods.
  */
 

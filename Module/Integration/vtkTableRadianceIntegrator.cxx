@@ -6,6 +6,7 @@
 #include "HalfVector.h" // for Pi
 #include "MaterialPrecomputation.h"
 #include "ModuleShader.h"
+#include "PixelCosts.h"
 #include "Printable.h"
 #include "RadianceTable.h"
 #include "Setters.h"
@@ -20,7 +21,6 @@
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
 #include "vtkObjectFactory.h"
-#include "vtkRadianceCostModel.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -38,8 +38,7 @@ struct vtkTableRadianceIntegrator::Tables : RadianceTable
 
 namespace
 {
-constexpr int NodesOfTiles = 2;      // times NumberOfNodes, where there are tiles
-constexpr double CostOfTiles = 0.05; // of a table's pixel: they take a fetch more
+constexpr int NodesOfTiles = 2; // times NumberOfNodes, where there are tiles
 
 std::string GetTilesText(const TableTiles& tiles)
 {
@@ -292,10 +291,10 @@ std::vector<std::vector<int>> vtkTableRadianceIntegrator::GetCandidateSizes(bool
 }
 
 //------------------------------------------------------------------------------
-double vtkTableRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
+double vtkTableRadianceIntegrator::EstimateCost()
 {
-  const double cost = GetCost(costs, "base") + GetCost(costs, "table");
-  return TableTiles::GetFineRows(this->NumberOfRows) > 0 ? (1.0 + CostOfTiles) * cost : cost;
+  const bool hasTiles = TableTiles::GetFineRows(this->NumberOfRows) > 0;
+  return PixelCosts::Table + (hasTiles ? PixelCosts::Tiles : 0.0);
 }
 
 //------------------------------------------------------------------------------

@@ -104,18 +104,15 @@ public:
 
   ///@{
   /**
-   * As a method: "table", by rows, view angles and azimuths, for isotropic materials. Its cost is
-   * BASE and TABLE.
+   * As a method: "table", by rows, view angles and azimuths, for isotropic materials.
    */
   std::string GetMethodName() override { return "table"; }
   std::string GetMethodDescription() override { return "a precomputed table of outgoing radiance"; }
   std::vector<Size> GetSizes() override;
   std::vector<std::vector<int>> GetCandidateSizes(bool all) override;
-  double EstimateCost(vtkRadianceCostModel* costs) override;
+  double EstimateCost() override;
   vtkIdType EstimateTextureBytes() override;
   bool CanPrune(const std::vector<Attempt>& attempts, double error) override;
-  std::string GetCostName() override { return "table"; }
-  std::vector<std::vector<int>> GetCalibrationSizes() override { return { { 33, 8, 8 } }; }
   ///@}
 
   ///@{

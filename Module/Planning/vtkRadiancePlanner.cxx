@@ -21,7 +21,6 @@
 #include "vtkEnvironment.h"
 #include "vtkObjectFactory.h"
 #include "vtkOcclusionPredictor.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkRadianceMethods.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -47,9 +46,8 @@ struct vtkRadiancePlanner::Internals
 {
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
-  vtkSmartPointer<vtkRadianceCostModel> Costs; // null: the defaults
-  measuredbrdf::PlanPairs Given;               // what a camera sees, if that was said
-  measuredbrdf::PlanTask Task;                 // while it plans
+  measuredbrdf::PlanPairs Given; // what a camera sees, if that was said
+  measuredbrdf::PlanTask Task;   // while it plans
   measuredbrdf::Plan Plan;
   std::string Problem; // that an integrator had
   vtkTimeStamp Time;
@@ -63,8 +61,8 @@ struct vtkRadiancePlanner::Internals
 
   vtkMTimeType GetInputsMTime(vtkObject* planner) const
   {
-    return std::max({ planner->GetMTime(), this->BRDF->GetMTime(),
-      this->Environment->GetPixelsMTime(), this->Costs ? this->Costs->GetMTime() : 0 });
+    return std::max(
+      { planner->GetMTime(), this->BRDF->GetMTime(), this->Environment->GetPixelsMTime() });
   }
 
   measuredbrdf::PlanTask MakeTask(vtkRadiancePlanner* planner) const
@@ -72,11 +70,9 @@ struct vtkRadiancePlanner::Internals
     measuredbrdf::PlanTask task;
     task.BRDF = this->BRDF;
     task.Environment = this->Environment;
-    task.Costs = this->Costs ? this->Costs : vtkSmartPointer<vtkRadianceCostModel>::New();
     task.Tolerance = planner->GetErrorTolerance();
     task.All = planner->GetEvaluateAll();
     task.MaximumBytes = planner->GetMaximumTextureBytes();
-    task.Pixels = static_cast<double>(planner->GetNumberOfPixels());
     return task;
   }
 
@@ -179,19 +175,6 @@ vtkIdType vtkRadiancePlanner::GetNumberOfPairs()
 {
   return this->Impl->Given.Normals ? this->Impl->Given.Normals->GetNumberOfTuples() : 0;
 }
-
-//------------------------------------------------------------------------------
-void vtkRadiancePlanner::SetCostModel(vtkRadianceCostModel* model)
-{
-  if (this->Impl->Costs != model)
-  {
-    this->Impl->Costs = model;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkRadianceCostModel* vtkRadiancePlanner::GetCostModel() { return this->Impl->Costs; }
 
 //------------------------------------------------------------------------------
 bool vtkRadiancePlanner::Fail()
@@ -334,10 +317,10 @@ double vtkRadiancePlanner::GetPredictedPictureError(int index)
 }
 
 //------------------------------------------------------------------------------
-double vtkRadiancePlanner::GetPredictedMilliseconds(int index)
+double vtkRadiancePlanner::GetPredictedCost(int index)
 {
   const PlanCandidate* candidate = this->Impl->GetCandidate(index);
-  return candidate ? 1e-6 * candidate->Cost * static_cast<double>(this->NumberOfPixels) : 0.0;
+  return candidate ? candidate->Cost : 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -396,7 +379,6 @@ vtkRadianceIntegrator* vtkRadiancePlanner::NewIntegrator()
 
 //------------------------------------------------------------------------------
 measuredbrdfSetClampedMacro(vtkRadiancePlanner, ErrorTolerance, double, 1e-3, 1.0);
-measuredbrdfSetClampedMacro(vtkRadiancePlanner, NumberOfPixels, vtkIdType, 1, VTK_ID_MAX);
 measuredbrdfSetFinite3Macro(vtkRadiancePlanner, ViewDirection);
 measuredbrdfSetInRangeMacro(vtkRadiancePlanner, MaximumTextureBytes, vtkIdType, 0, VTK_ID_MAX);
 
@@ -407,14 +389,11 @@ void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BRDF: " << this->Impl->BRDF.Get() << "\n";
   os << indent << "Environment: " << this->Impl->Environment.Get() << "\n";
   os << indent << "Scene: " << this->GetScene() << "\n";
-  os << indent
-     << "CostModel: " << (this->Impl->Costs ? this->Impl->Costs->GetName() : "the default") << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "ViewDirection: " << this->ViewDirection[0] << " " << this->ViewDirection[1]
      << " " << this->ViewDirection[2] << "\n";
   os << indent << "Pairs: " << this->GetNumberOfPairs() << "\n";
   os << indent << "EvaluateAll: " << (this->EvaluateAll ? "On" : "Off") << "\n";
   os << indent << "MaximumTextureBytes: " << this->MaximumTextureBytes << "\n";
-  os << indent << "NumberOfPixels: " << this->NumberOfPixels << "\n";
   os << indent << "Plan: " << this->GetPlan() << "\n";
 }

@@ -9,31 +9,29 @@
  * vtkRadianceMethods and its sizes) from cheap to costly and chooses the first of those tried that
  * meets the tolerance. Errors are relative L1 over a sphere, mean |x - r| /
  * mean r, and are predicted by trying: each candidate is prepared and compared on some hundred
- * (normal, view) pairs with a nearly exact sum (for broad lobes of isotropic materials a sum over
- * thousands of lights, for all others an adaptive integral). The pairs are a sample of thousands,
- * as a sphere shows them to all views, drawn by where two cheap candidates differ; two standard
- * errors of that sample are added, with the sum's own error, so that what is predicted holds. A
- * choice that may be luck, or one that may have missed the tolerance by chance, is checked on a
- * second sample. The error is the mean over all views. One picture can have several times as much,
- * when most of the light is behind what it shows; GetPredictedPictureError estimates the largest.
- * Where that is above the tolerance, candidates are tried, too, whose frames are no longer and
- * which take at most 4 MB (less for fewer pixels than a sphere has). One of them is taken if it is
- * within the tolerance in single pictures, or has at most two thirds of the error there. For one
- * picture, plan for it (SetPairs, vtkMeasuredBRDFMapper::SetPlanForView). Costs are those of a
- * vtkRadianceCostModel: Mesa's llvmpipe's unless another is set.
+ * (normal, view) pairs with a nearly exact sum (for broad lobes a sum over thousands of lights, for
+ * sharp ones an adaptive integral). The pairs are a sample of thousands, as a
+ * sphere shows them to all views, drawn by where two cheap candidates differ; two standard errors
+ * of that sample are added, with the sum's own error, so that what is predicted holds. A choice
+ * that may be luck, or one that may have missed the tolerance by chance, is checked on a second
+ * sample. The error is the mean over all views. One picture can have several times as much, when
+ * most of the light is behind what it shows; GetPredictedPictureError estimates the largest. Where
+ * that is above the tolerance, candidates are tried, too, whose frames are no longer and which take
+ * at most 4 MB. One of them is taken if it is within the
+ * tolerance in single pictures, or has at most two thirds of the error there. For one picture, plan
+ * for it (SetPairs, vtkMeasuredBRDFMapper::SetPlanForView). A candidate's cost counts what a pixel
+ * fetches and computes, times a pixel of a table (vtkRadianceIntegrator::EstimateCost).
  *
- * The order of the candidates counts 3 % of a table's pixel (3 ns on llvmpipe), times 196350 /
- * NumberOfPixels, for every megabyte of texture on top: tables of radiance cost the same few
- * fetches at every size. Those that the ones before show to be hopeless are left out. Where no
- * candidate meets the tolerance, the most accurate one is chosen, the first of those that differ by
- * less than a tenth, and the reason says so. Frames of more than twice the shortest are not tried
- * where another misses the tolerance by what stands for chance only. A plan is made again when the
- * material, the environment's pixels or the settings changed, not when the environment turned: one
- * for all views is the same at every rotation.
+ * Candidates of the same cost are tried in the order of their textures' bytes: tables of radiance
+ * cost the same few fetches at every size. Those that the ones before show to be hopeless are left
+ * out. Where no candidate meets the tolerance, the most accurate one is chosen, the first of those
+ * that differ by less than a tenth, and the reason says so. Frames of more than twice the shortest
+ * are not tried where another misses the tolerance by what stands for chance only. A plan is made
+ * again when the material, the environment's pixels or the settings changed, not when the
+ * environment turned: one for all views is the same at every rotation.
  *
  * What a camera sees can need less than the whole sphere: SetPairs checks candidates on what is in
- * view only. A megabyte is paid once a frame, whatever the object covers: NumberOfPixels weighs it
- * against costs per pixel, so that distant objects get small textures.
+ * view only.
  */
 
 #ifndef vtkRadiancePlanner_h
@@ -51,7 +49,6 @@ class vtkBRDF;
 class vtkDataArray;
 class vtkEnvironment;
 class vtkOcclusionPredictor;
-class vtkRadianceCostModel;
 class vtkRadianceIntegrator;
 class vtkTracedScene;
 
@@ -127,24 +124,6 @@ public:
 
   ///@{
   /**
-   * Covered pixels that a predicted frame time counts, and that share the price of memory (default
-   * 196350, a 500 x 500 sphere; at least 1).
-   */
-  virtual void SetNumberOfPixels(vtkIdType numberOfPixels);
-  vtkGetMacro(NumberOfPixels, vtkIdType);
-  ///@}
-
-  ///@{
-  /**
-   * What a pixel costs by each method: the order of the candidates and the frame times that are
-   * predicted. Null (default): the defaults of vtkRadianceCostModel.
-   */
-  void SetCostModel(vtkRadianceCostModel* model);
-  vtkRadianceCostModel* GetCostModel();
-  ///@}
-
-  ///@{
-  /**
    * Surfaces whose occlusion Update predicts, too (vtkOcclusionPredictor): by how much a picture of
    * them is off in this material and light, as long as occlusion is left out. Null (default): it is
    * not predicted. The choice does not depend on it.
@@ -180,7 +159,7 @@ public:
   double GetPredictedError(int index);        // relative L1, that of the sample and what follows
   double GetErrorUncertainty(int index);      // two standard errors and the reference's
   double GetPredictedPictureError(int index); // estimated: the largest of a sphere from 14 sides
-  double GetPredictedMilliseconds(int index); // of NumberOfPixels
+  double GetPredictedCost(int index);         // of a pixel, times a table's
   vtkIdType GetTextureBytes(int index);
   double GetSetUpMilliseconds(int index);
   ///@}
@@ -229,7 +208,6 @@ protected:
   vtkIdType MaximumTextureBytes = 96 << 20;
   double ViewDirection[3] = { 0.0, 0.0, 0.0 };
   bool EvaluateAll = false;
-  vtkIdType NumberOfPixels = 196350;
   std::atomic<bool> Abort{ false };
 
 private:

@@ -37,7 +37,6 @@ class vtkBRDF;
 class vtkEnvironment;
 class vtkMaterialMap;
 class vtkProperty;
-class vtkRadianceCostModel;
 class vtkRadianceIntegrator;
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -107,8 +106,6 @@ public:
   bool GetPlanForView();
   void PlanForViewOn() { this->SetPlanForView(true); }
   void PlanForViewOff() { this->SetPlanForView(false); }
-  void SetCostModel(vtkRadianceCostModel* model);
-  vtkRadianceCostModel* GetCostModel();
   void SetAbortPlanning(bool abort);
   bool GetAbortPlanning();
   void SetScalarColoringMode(int mode);

@@ -209,16 +209,16 @@ vtkRadiancePlanner* vtkMeasuredBRDFMapper::GetCurrentPlanner()
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkMeasuredBRDFMapper::GetVisiblePairs(
+void vtkMeasuredBRDFMapper::GetVisiblePairs(
   vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views)
 {
   if (!renderer || !actor || !normals || !views)
   {
     vtkErrorMacro("GetVisiblePairs: a renderer, an actor and two arrays are needed.");
-    return 0;
+    return;
   }
   this->Update();
-  return this->Drawing->GetVisiblePairs(renderer, actor, normals, views);
+  this->Drawing->GetVisiblePairs(renderer, actor, normals, views);
 }
 
 //------------------------------------------------------------------------------

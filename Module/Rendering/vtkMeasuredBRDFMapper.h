@@ -59,7 +59,6 @@ class vtkDataArray;
 class vtkEnvironment;
 class vtkMaterialMap;
 class vtkProperty;
-class vtkRadianceCostModel;
 class vtkRadianceIntegrator;
 class vtkRadiancePlanner;
 
@@ -184,13 +183,11 @@ public:
   /**
    * Whether to plan for what the camera sees instead of for every view (default off).
    * Candidates are then checked on the normals and views that are in the picture, in proportion to
-   * the pixels that they cover, and memory weighs the more the fewer these are: distant or flat
-   * objects get cheaper plans. Where the camera, the object or the environment's rotation bring to
-   * light what was not seen before (a tenth of it by 15 degrees, or 4 times more or 8 times fewer
-   * pixels), the mapper plans again, in the background if PlanningMode says so; in between, the
-   * plan stays. Plans for four views of an actor are kept and taken up again when the camera comes
-   * back; from the fifth on, one for every view serves, with the pixels covered. A plan for every
-   * view never changes under the camera: hence the default.
+   * the pixels that they cover: flat objects get cheaper plans. Where the camera, the object or the
+   * environment's rotation bring to light what was not seen before (a tenth of it by 15 degrees),
+   * the mapper plans again, in the background if PlanningMode says so; in between, the plan stays.
+   * Plans for four views of an actor are kept and taken up again when the camera comes back; from
+   * the fifth on, one for every view serves. A plan for every view never changes under the camera: hence the default.
    */
   void SetPlanForView(bool view);
   bool GetPlanForView();
@@ -201,10 +198,9 @@ public:
   /**
    * What PlanForView sees of an actor that this mapper draws: unit normals and unit directions to
    * the camera (as many of both, resized to 3 components), in proportion to the pixels that they
-   * cover, ready for vtkRadiancePlanner::SetPairs. Returns about how many pixels that are; 0 and no
-   * pairs where nothing is in view.
+   * cover, ready for vtkRadiancePlanner::SetPairs. None where nothing is in view.
    */
-  vtkIdType GetVisiblePairs(
+  void GetVisiblePairs(
     vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views);
 
   ///@{
@@ -237,17 +233,6 @@ public:
    * property.
    */
   double FitProperty(vtkProperty* property);
-
-  ///@{
-  /**
-   * For plans, what a pixel costs by each method on this renderer (vtkRadianceCostCalibrator); null
-   * (default): the defaults of vtkRadianceCostModel. The mapper measures nothing by itself: that
-   * would stop the first frame for up to a second, and the choice would depend on what else the
-   * machine does.
-   */
-  void SetCostModel(vtkRadianceCostModel* model);
-  vtkRadianceCostModel* GetCostModel();
-  ///@}
 
   enum ScalarColoringModeType
   {

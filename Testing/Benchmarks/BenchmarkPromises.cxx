@@ -366,7 +366,7 @@ int main(int argc, char** argv)
     }
   }
   std::printf(
-    "material,environment,shape,pixels,tolerance,method,sizes,MB,ms,predicted,uncertainty,"
+    "material,environment,shape,pixels,tolerance,method,sizes,MB,cost,predicted,uncertainty,"
     "measured,deviation,tried,cpu\n");
   std::vector<Count> counts(shapes.size());
   Count all;
@@ -440,9 +440,8 @@ int main(int argc, char** argv)
             static_cast<long long>(measured.Pixels), tolerances[t],
             planner->GetMethodName(choice).c_str(), planner->GetDescription(choice).c_str(),
             1e-6 * static_cast<double>(planner->GetTextureBytes(choice)),
-            planner->GetPredictedMilliseconds(choice), predicted,
-            planner->GetErrorUncertainty(choice), measured.Value, measured.Deviation,
-            planner->GetNumberOfCandidates(), seconds);
+            planner->GetPredictedCost(choice), predicted, planner->GetErrorUncertainty(choice),
+            measured.Value, measured.Deviation, planner->GetNumberOfCandidates(), seconds);
           std::fflush(stdout);
           counts[k].Add(predicted, measured);
           all.Add(predicted, measured);

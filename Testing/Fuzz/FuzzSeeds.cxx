@@ -20,7 +20,6 @@
 #include "vtkLambertBRDF.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkSmartPointer.h"
 #include "vtkSumBRDF.h"
 #include "vtkTableRadianceIntegrator.h"
@@ -252,11 +251,6 @@ Seeds MakeSeeds(const std::string& target)
   if (target == "Environment")
   {
     return MakeEnvironments();
-  }
-  if (target == "CostModel")
-  {
-    vtkNew<vtkRadianceCostModel> model;
-    return { model->GetText() };
   }
   if (target == "DirectionsCsv")
   {

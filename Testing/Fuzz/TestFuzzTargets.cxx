@@ -21,7 +21,6 @@
 using Target = int(const std::uint8_t* data, std::size_t size);
 Target FuzzAstm;
 Target FuzzBsdfXml;
-Target FuzzCostModel;
 Target FuzzDirectionsCsv;
 Target FuzzEnvironment;
 Target FuzzExrHeader;
@@ -160,7 +159,7 @@ TEST_P(FuzzTargets, TakeSeedsAndMutations)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FuzzTargets,
-  testing::Values(Case{ "CostModel", FuzzCostModel },
+  testing::Values(
 #ifdef MEASUREDBRDF_FUZZ_TOOL
     Case{ "DirectionsCsv", FuzzDirectionsCsv },
 #endif

@@ -381,17 +381,9 @@ add("Integration.light-set-last-row", "Private/LightTexture.cxx",
     "(count + LightsPerRow - 1) / LightsPerRow", "count / LightsPerRow",
     "Mapper.ManyLightsAndHugeValues|Mapper.LightSetMatchesCpuPerPixel")
 add("Integration.lights-cost-nothing", "vtkLightSetRadianceIntegrator.cxx",
-    'GetCost(costs, "light") * this->NumberOfLights', 'costs->GetCost("light")',
-    "Planner.FollowsTheCostModel|Planner.AnisotropicMaterialsGetTablesOrLightSets|Planner.EvaluateAllListsEveryMethod|"
+    "PixelCosts::Light * this->NumberOfLights", "PixelCosts::Light",
+    "Planner.CostsAreTimesATables|Planner.AnisotropicMaterialsGetTablesOrLightSets|Planner.EvaluateAllListsEveryMethod|"
     "GoldenPlans.EmbeddedMaterials")
-add("Integration.cost-model-loses-digits", "vtkRadianceCostModel.cxx", "text.precision(17);", "text.precision(4);",
-    "CostModel.RoundTripAndRefusals")
-add("Integration.cost-model-twice-the-same-name", "vtkRadianceCostModel.cxx", "|| known || !expected", "|| !expected",
-    "CostModel.RoundTripAndRefusals")
-add("Integration.cost-changes-unseen", "vtkRadianceCostModel.cxx",
-    "found->second = nanoseconds;\n    this->Modified();", "found->second = nanoseconds;",
-    "CostModel.RoundTripAndRefusals|Planner.FollowsTheCostModel|Planner.PlansAgainExactlyWhenItMust|"
-    "Setters.OfPlanning")
 add("Integration.table-azimuth-mirrored", "Private/LobePlacement.h",
     "this->Across = glm::dvec3(azimuth.x, 0.0, -azimuth.y);",
     "this->Across = glm::dvec3(-azimuth.x, 0.0, azimuth.y);",
@@ -671,6 +663,8 @@ add("Integration.tiles-without-the-lifted-rings", "Private/TableTiles.cxx", "Lif
     "TableTiles.NeedTheNodesAboutThem")
 add("Integration.azimuths-turn-backwards", "Private/AzimuthSeries.cxx", "gain * std::sin(angle)", "-gain * std::sin(angle)",
     "AzimuthSeries.TurnsEachOrder")
+add("Planning.memory-decides-nothing", "Private/PlanCandidate.cxx", "(a.Cost == b.Cost && a.Bytes < b.Bytes)", "false",
+    "Planner.EvaluateAllListsEveryMethod")
 add("Planning.luck-is-merit", "Private/PlanSearch.cxx", "!this->MayBeLuck(candidate) || this->Check(candidate);",
     "true;", "PlanSearch.DoesNotTakeLuckForMerit")
 add("Planning.near-misses-are-misses", "Private/PlanSearch.cxx", "constexpr double Dearer = 1.05;", "constexpr double Dearer = 1e9;",
@@ -679,8 +673,8 @@ add("Planning.long-frames-for-chance", "Private/PlanSearch.cxx", "constexpr doub
     "PlanSearch.LooksTwiceAtNearMisses")
 add("Planning.pictures-have-the-mean", "Private/PlanComparison.cxx", "ratio * (error + uncertainty) };", "error + uncertainty };",
     "PlanSearch.HoldsInSinglePictures")
-add("Planning.pictures-at-any-price", "Private/PlanSearch.cxx", "constexpr double LittleMemory = 4e6;",
-    "constexpr double LittleMemory = 4e9;", "PlanSearch.HoldsInSinglePictures")
+add("Planning.pictures-at-any-price", "Private/PlanSearch.cxx", "constexpr vtkIdType LittleMemory = 4000000;",
+    "constexpr vtkIdType LittleMemory = 4000000000;", "PlanSearch.HoldsInSinglePictures")
 add("Planning.pictures-without-their-density", "Private/PlanPictures.cxx", "std::max(std::sin(turned), LeastSine);", "1.0;",
     "PlanPictures.AreWhatCamerasSee")
 add("Planning.memory-is-free", "Private/PlanSearch.cxx", "constexpr double MemoryWorthIt = 1.5;", "constexpr double MemoryWorthIt = 1.0;",
@@ -710,8 +704,6 @@ add("Planning.between-is-inside", "Private/PlanPoints.cxx", "const double share 
     "const double share = 0.5 * Reach * this->Draw();", "PlanPoints.HaveOthersBetween")
 add("Planning.others-are-chosen", "Private/PlanSearch.cxx", "this->Try(candidates[k], false)", "this->Try(candidates[k], true)",
     "PlanSearch.ChoosesTheSameWhereAllAreTried")
-add("Planning.few-pixels-pay-for-much-memory", "Private/PlanSearch.cxx", "std::min(1.0, this->Task.Pixels / SpherePixels)", "1.0",
-    "PlanSearch.HoldsInSinglePictures")
 add("Planning.memory-without-the-material", "Private/PlanSearch.cxx",
     "candidate.Bytes += static_cast<vtkIdType>(form.GetTextureBytes());", "",
     "Planner.TextureMemoryOfTheMaterial|GoldenPlans.EmbeddedMaterials")
@@ -764,16 +756,12 @@ add("Material.quick-for-another-tolerance", "Private/RenderableTable.h", "this->
     "this->Table && tolerance > 0.0", "QuickTables.StandInUntilTheRealOneIsMade")
 add("Integration.quick-is-slow", "vtkTableRadianceIntegrator.cxx", "std::make_shared<Precomputation>(this->Quick)",
     "std::make_shared<Precomputation>()", "Tables.QuickOnesEvaluateLittle")
-add("Rendering.plan-key-without-costs", "Private/SharedPlans.h", "this->Costs, this->SeenTime",
-    "std::string(), this->SeenTime", "Background.EverythingThatCountsBeginsAnother")
 add("Rendering.plan-key-without-pixels-of-the-light", "Private/SharedPlans.h", "this->Environment, this->PixelsTime,",
     "this->Environment, vtkMTimeType(0),", "Background.EverythingThatCountsBeginsAnother")
 add("Rendering.plan-key-without-tolerance", "Private/SharedPlans.h", "this->PixelsTime, this->Tolerance,",
     "this->PixelsTime, 0.0,", "Background.EverythingThatCountsBeginsAnother")
 add("Rendering.seen-pairs-turned-the-other-way", "Private/SharedPlans.cxx", "turned = toWorld * direction;",
     "turned = direction * toWorld;", "Views.ATurnedLightIsTurnedPixels")
-add("Rendering.plan-without-pixels", "Private/SharedPlans.cxx", "planner->SetNumberOfPixels(inputs.Pixels);", "",
-    "Views.PixelsCount")
 add("Rendering.plan-without-tolerance", "Private/SharedPlans.cxx", "planner->SetErrorTolerance(inputs.Tolerance);",
     "", "Background.EverythingThatCountsBeginsAnother|Auto.PlansOnce|Auto.MatchesThePlannedIntegrator")
 add("Rendering.plan-bridges-changed-pixels", "Private/CurrentPlan.cxx",
@@ -781,9 +769,6 @@ add("Rendering.plan-bridges-changed-pixels", "Private/CurrentPlan.cxx",
     "Background.ChangedPixelsAreNotBridgedByAPlanOfThem")
 add("Rendering.view-ignores-the-mesh", "Private/MapperPlans.cxx", "from == view.From && times == view.Times",
     "from == view.From", "Views.WhatIsSeenDependsOn")
-add("Rendering.view-ignores-the-window", "Private/MapperPlans.cxx",
-    "from.insert(from.end(), { static_cast<double>(size[0]), static_cast<double>(size[1]) });", "(void)size;",
-    "Views.PixelsCount")
 add("Rendering.view-ignores-the-actor", "Private/MapperPlans.cxx", "matrix->GetData() + 16);",
     "matrix->GetData() + (matrix == request.Actor->GetMatrix() ? 0 : 16));", "Views.WhatIsSeenDependsOn")
 add("Rendering.views-of-gone-actors-stay", "Private/MapperPlans.cxx", "(std::get<1>(key) && !this->Actor);", "false;",
@@ -792,9 +777,9 @@ add("Rendering.back-is-seen", "Private/VisibleSurface.cxx", "glm::dot(mean, view
     "glm::dot(mean, view) < 0.0;", "Visible.ConesShowTheirFlank|Visible.SpheresCoverTheirDiscs")
 add("Rendering.strips-are-not-turned", "Private/VisibleSurface.cxx", "cells.Strips && corner % 2 == 1", "false",
     "Visible.StripsAndLargeMeshesAreAlike")
-add("Rendering.parallel-scale-is-half-the-height", "Private/VisibleSurface.cxx",
-    "? 0.5 * height / camera->GetParallelScale()", "? height / camera->GetParallelScale()",
-    "Visible.SpheresCoverTheirDiscs")
+add("Rendering.far-parts-count-as-near-ones", "Private/VisibleSurface.cxx",
+    "this->Parallel ? 1.0 : 1.0 / std::max(glm::dot(away, away), 1e-30);", "1.0 + 0.0 * away.x;",
+    "Visible.WhatIsNearCountsForMore")
 add("Rendering.normals-turn-as-points", "Private/VisibleSurface.cxx",
     "NormalToWorld(glm::transpose(glm::inverse(glm::dmat3(toWorld))))", "NormalToWorld(glm::dmat3(toWorld))",
     "Visible.ActorsAreTransformed")

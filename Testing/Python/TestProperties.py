@@ -24,8 +24,6 @@ NOT_PRINTED = {
     ("vtkMaterialMap", "BRDF"),
     ("vtkMaterialMap", "Name"),
     ("vtkMaterialMap", "WeightArrayName"),
-    ("vtkRadianceCostModel", "Cost"),
-    ("vtkRadianceCostModel", "Text"),
     ("vtkAnisotropicTabulatedBRDF", "Volume"),
     ("vtkTabulatedBRDF", "Volume"),
     ("vtkTracedRadianceIntegrator", "SurfaceBRDF"),

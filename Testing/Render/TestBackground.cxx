@@ -18,7 +18,6 @@
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLight.h"
 #include "vtkMeasuredBRDFMapper.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkSphereSource.h"
 #include "vtkTabulatedBRDF.h"
 
@@ -416,20 +415,15 @@ TEST_F(Background, ViewsArePlannedForApart)
 
 TEST_F(Background, CopiesPrintsAndRefuses)
 {
-  vtkNew<vtkRadianceCostModel> costs;
-  costs->SetName("some card");
   this->Measured->SetPlanningModeToBackground();
-  this->Measured->SetCostModel(costs);
   vtkNew<vtkMeasuredBRDFMapper> copy;
   this->Measured->PlanForViewOn();
   copy->ShallowCopy(this->Measured);
   EXPECT_TRUE(copy->GetPlanForView());
   EXPECT_EQ(copy->GetPlanningMode(), vtkMeasuredBRDFMapper::BACKGROUND);
-  EXPECT_EQ(copy->GetCostModel(), costs.Get());
   std::ostringstream text;
   copy->Print(text);
   EXPECT_NE(text.str().find("PlanningMode: background\n"), std::string::npos);
-  EXPECT_NE(text.str().find("CostModel: some card"), std::string::npos);
   EventCounter errors(copy, vtkCommand::ErrorEvent);
   copy->SetPlanningMode(17);
   EXPECT_EQ(errors.Count, 1);

@@ -1427,8 +1427,7 @@ TEST_F(Auto, VisiblePairs)
 {
   this->RenderEncoded();
   vtkNew<vtkDoubleArray> normals, views;
-  const vtkIdType pixels =
-    this->Measured->GetVisiblePairs(this->Renderer, this->Actor, normals, views);
+  this->Measured->GetVisiblePairs(this->Renderer, this->Actor, normals, views);
   ASSERT_GE(normals->GetNumberOfTuples(), 16);
   ASSERT_EQ(views->GetNumberOfTuples(), normals->GetNumberOfTuples());
   int front = 0;
@@ -1441,8 +1440,6 @@ TEST_F(Auto, VisiblePairs)
     front += n[0] * v[0] + n[1] * v[1] + n[2] * v[2] > 0.0 ? 1 : 0;
   }
   EXPECT_EQ(front, normals->GetNumberOfTuples());
-  EXPECT_GT(pixels, 64 * 64 / 8); // in a window of 64 x 64
-  EXPECT_LE(pixels, 64 * 64);
   vtkNew<vtkRadiancePlanner> planner;
   EXPECT_TRUE(planner->SetPairs(normals, views));
 }

@@ -29,7 +29,6 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataTangents.h"
 #include "vtkProperty.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkTableRadianceIntegrator.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
@@ -178,8 +177,6 @@ TEST(MapperCopy, TakesOverEveryProperty)
   vtkNew<vtkLambertBRDF> brdf;
   vtkNew<vtkEnvironment> environment;
   vtkNew<vtkTableRadianceIntegrator> integrator;
-  vtkNew<vtkRadianceCostModel> costs;
-  costs->SetName("another");
   original->SetBRDF(brdf);
   vtkNew<vtkMaterialMap> map;
   original->SetMaterialMap(map);
@@ -188,7 +185,6 @@ TEST(MapperCopy, TakesOverEveryProperty)
   original->SetErrorTolerance(0.125);
   original->SetPlanningModeToBackground();
   original->PlanForViewOn();
-  original->SetCostModel(costs);
   original->SetScalarColoringMode(vtkMeasuredBRDFMapper::IGNORE_SCALARS);
   original->UseSceneLightsOff();
   original->SetOcclusionModeToOff();

@@ -1450,14 +1450,13 @@ class Plan(ToolTest):
         chosen = plan["candidates"][plan["choice"]]
         self.assertEqual((chosen["method"], plan["meets_tolerance"]), ("table", True))
         self.assertLessEqual(chosen["predicted_error"], 0.01)
-        for key in ("predicted_ms", "texture_bytes", "setup_ms"):
+        for key in ("cost", "texture_bytes", "setup_ms"):
             self.assertGreater(chosen[key], 0)
         coarse = json.loads(run(*common, "--tolerance", "0.2", "--json").stdout)
         coarse = coarse["candidates"][coarse["choice"]]
         self.assertLessEqual(coarse["texture_bytes"], chosen["texture_bytes"])
-        self.assertIn("built in", plan["costs"]["renderer"])
-        self.assertEqual(plan["costs"]["table_ns"], 52)
-        self.check(run(*common), 0, "> table", "error %", "within 2 %", "frame ms: Mesa", "built in")
+        self.assertEqual(chosen["cost"], 1)
+        self.check(run(*common), 0, "> table", "error %", "within 2 %", " cost ")
 
     def test_for_view(self):
         common = ["plan", "gold-paint", "--environment", "hall", "--choice-only"]
@@ -1468,10 +1467,7 @@ class Plan(ToolTest):
         sphere = plan()
         seen = plan("--for-view", "--view", "0,0", "--size", "200x200")
         self.assertNotEqual(seen["predicted_error"], sphere["predicted_error"])
-        self.assertLess(seen["predicted_ms"], sphere["predicted_ms"])  # fewer pixels
         self.assertIn("--view has no effect without --for-view", run(*common, "--view", "0,0").stderr)
-        tiny = plan("--for-view", "--view", "0,0", "--size", "3x3")
-        self.assertLess(tiny["predicted_ms"], 1e-2 * seen["predicted_ms"])
         report = self.path("r.json")
         result = run("compare", "gold-paint", "--environment", "hall", "--size", "64x64", "--for-view",
                      "--report", report, "-o", self.path("c.png"))
@@ -1480,12 +1476,6 @@ class Plan(ToolTest):
             figures = json.load(file)
         self.assertTrue(figures["meets_tolerance"])
         self.assertLess(figures["relative_l1"], 0.02)
-
-    def test_calibrate(self):
-        plan = json.loads(run("plan", "blue-fabric", "--environment", "hall", "--choice-only", "--json", "--calibrate").stdout)
-        for cost in ("base", "table", "light", "sample", "function", "map"):
-            self.assertGreater(plan["costs"][cost + "_ns"], 0)
-        self.assertNotIn("built in", plan["costs"]["renderer"])
 
     def test_nothing_is_kept(self):
         home = self.path("home")

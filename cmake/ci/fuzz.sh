@@ -17,7 +17,6 @@ cd "$(dirname "$0")/../.."
 targets="
   Astm             2048 Astm
   BsdfXml          8192 BsdfXml
-  CostModel        1024 CostModel
   DirectionsCsv    2048 DirectionsCsv
   Environment      1024 Environment
   ExrHeader        2048 Exr

@@ -8,11 +8,6 @@
 
 namespace measuredbrdf
 {
-namespace
-{
-constexpr double MegabyteShare = 3.0 / 107.0; // of a table's pixel, that a megabyte counts as
-}
-
 vtkSmartPointer<vtkRadianceIntegrator> MakeIntegrator(
   const PlanCandidate& candidate, vtkBRDF* brdf, vtkEnvironment* environment)
 {
@@ -29,8 +24,6 @@ vtkSmartPointer<vtkRadianceIntegrator> MakeIntegrator(
 
 std::vector<PlanCandidate> ListCandidates(const PlanTask& task)
 {
-  const double tableCost = task.Costs->GetCost("base") + task.Costs->GetCost("table");
-  const double bytePrice = 1e-6 * MegabyteShare * tableCost * SpherePixels / task.Pixels;
   std::vector<PlanCandidate> candidates;
   for (const vtkSmartPointer<vtkRadianceIntegrator>& method : vtkRadianceMethods::GetMethods())
   {
@@ -54,9 +47,8 @@ std::vector<PlanCandidate> ListCandidates(const PlanTask& task)
       }
       candidate.Integrator->SetPrecomputation(task.Shared); // for what they ask of the material
       candidate.Description = candidate.Integrator->GetSizesText();
-      candidate.Cost = candidate.Integrator->EstimateCost(task.Costs);
+      candidate.Cost = candidate.Integrator->EstimateCost();
       candidate.Bytes = candidate.Integrator->EstimateTextureBytes();
-      candidate.Order = candidate.Cost + bytePrice * static_cast<double>(candidate.Bytes);
       candidate.Integrator->SetPrecomputation(nullptr);
       if (candidate.Bytes <= task.MaximumBytes)
       {
@@ -65,7 +57,8 @@ std::vector<PlanCandidate> ListCandidates(const PlanTask& task)
     }
   }
   std::stable_sort(candidates.begin(), candidates.end(),
-    [](const PlanCandidate& a, const PlanCandidate& b) { return a.Order < b.Order; });
+    [](const PlanCandidate& a, const PlanCandidate& b)
+    { return a.Cost < b.Cost || (a.Cost == b.Cost && a.Bytes < b.Bytes); });
   return candidates;
 }
 } // namespace measuredbrdf

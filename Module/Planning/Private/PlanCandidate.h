@@ -10,7 +10,6 @@
 
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkRadianceIntegrator.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -27,8 +26,7 @@ struct PlanCandidate
   std::string Method;
   std::vector<int> Sizes;
   std::string Description;                           // the sizes in words
-  double Cost = 0.0;                                 // ns per covered pixel
-  double Order = 0.0;                                // the same with the price of its textures
+  double Cost = 0.0;                                 // of a pixel, times a table's
   double Error = 0.0;                                // relative L1, with Uncertainty
   double Uncertainty = 0.0;                          // for what the pairs may miss
   double Picture = 0.0;                              // estimated: the most of a single picture
@@ -45,19 +43,14 @@ inline int GetMainSize(const PlanCandidate& candidate)
   return candidate.Sizes.empty() ? 0 : candidate.Sizes.front();
 }
 
-/// Pixels that a sphere covers in 500 x 500: textures are shared by so many.
-constexpr double SpherePixels = 196350.0;
-
 /// What to plan for.
 struct PlanTask
 {
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
-  vtkSmartPointer<vtkRadianceCostModel> Costs;
   double Tolerance = 0.0;
   bool All = false;           // also list what can't be chosen
   vtkIdType MaximumBytes = 0; // of textures
-  double Pixels = 0.0;        // that share them
   std::shared_ptr<vtkRadianceIntegrator::Precomputation> Shared;
 };
 
@@ -66,7 +59,8 @@ struct PlanTask
 vtkSmartPointer<vtkRadianceIntegrator> MakeIntegrator(
   const PlanCandidate& candidate, vtkBRDF* brdf, vtkEnvironment* environment);
 
-/// In the order to try them: by cost, textures included. Each has its integrator.
+/// In the order to try them: by cost, those of one cost by the bytes of their textures. Each has
+/// its integrator.
 std::vector<PlanCandidate> ListCandidates(const PlanTask& task);
 } // namespace measuredbrdf
 

@@ -6,7 +6,6 @@
 #include "vtkBRDFShaderInputs.h"
 #include "vtkCommand.h"
 #include "vtkNew.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkRadianceMethods.h"
 
 #include <algorithm>
@@ -22,15 +21,15 @@ namespace
 constexpr double FarAway = 3.0; // times the tolerance: where last resorts are tried
 constexpr double WorthIt = 0.9; // of another's error, to be worth more cost
 constexpr int Few = 3;          // so many tried, and luck does not matter
-constexpr double Dearer = 1.05; // times another's cost, textures included
+constexpr double Dearer = 1.05; // times another's cost
 // Times the shortest frame: longer ones are not for what chance alone may have missed.
 constexpr double LongFrame = 2.0;
 
 // To hold in single pictures, too, what meets the tolerance in the mean: without a longer frame, in
-// so many bytes of a sphere's pixels, and where that does not suffice, for two thirds of a
+// so many bytes, and where that does not suffice, for two thirds of a
 // picture's error.
 constexpr double AsDear = 1.001;
-constexpr double LittleMemory = 4e6;
+constexpr vtkIdType LittleMemory = 4000000;
 constexpr double PictureWorthIt = 1.5;
 
 // Where the tolerance is missed, textures beyond so many bytes have to leave two thirds of the
@@ -151,8 +150,7 @@ bool PlanSearch::Search(const std::vector<PlanCandidate>& candidates)
     }
     else
     {
-      const bool isDearer =
-        this->IsNearMiss() && candidate.Order > Dearer * this->GetChoice().Order;
+      const bool isDearer = this->IsNearMiss() && candidate.Cost > Dearer * this->GetChoice().Cost;
       if (isDearer && !this->CheckChoice())
       {
         return false;
@@ -215,9 +213,7 @@ bool PlanSearch::IsWorthTrying(const PlanCandidate& candidate) const
 // Beside a choice that meets the tolerance.
 bool PlanSearch::IsAffordable(const PlanCandidate& candidate) const
 {
-  const double bytes = LittleMemory * std::min(1.0, this->Task.Pixels / SpherePixels);
-  return static_cast<double>(candidate.Bytes) <= bytes &&
-         candidate.Cost <= AsDear * this->GetChoice().Cost;
+  return candidate.Bytes <= LittleMemory && candidate.Cost <= AsDear * this->GetChoice().Cost;
 }
 
 bool PlanSearch::MayHoldPictures(const PlanCandidate& candidate) const

@@ -27,7 +27,7 @@ constexpr std::size_t MostLooks = 4;
 
 PlanInputs GetInputsForEveryView(const PlanRequest& request)
 {
-  PlanInputs inputs(request.BRDF, request.Environment, request.Tolerance, request.Costs);
+  PlanInputs inputs(request.BRDF, request.Environment, request.Tolerance);
   inputs.WithForm = request.WithForm;
   return inputs;
 }
@@ -50,7 +50,7 @@ struct MapperPlans::View
   };
   std::vector<Seen> Looks;
   std::size_t Current = 0;
-  double Pixels = 0.0;             // for every view instead, if above 0
+  bool Everywhere = false;         // for every view instead
   std::vector<double> From;        // what the last look depended on
   std::vector<vtkMTimeType> Times; // of the surfaces then
   PlanInputs::Key Inputs;          // of the kept plans, but for what is seen
@@ -257,15 +257,14 @@ void MapperPlans::Look(View& view, const PlanRequest& request)
   }
   view.From = from;
   view.Times = times;
+  if (view.Everywhere)
+  {
+    return;
+  }
   const auto seen = std::make_shared<VisibleSurface>(
     VisibleSurface::InView(request.Surfaces, ren, request.Actor, own));
   if (seen->IsEmpty()) // out of view: as it was
   {
-    return;
-  }
-  if (view.Pixels > 0.0)
-  {
-    view.Pixels = seen->Outgrows(view.Pixels) ? seen->GetNumberOfPixels() : view.Pixels;
     return;
   }
   const auto serves = [&seen](const View::Seen& look) { return look.Surface->Covers(*seen); };
@@ -286,11 +285,7 @@ void MapperPlans::Look(View& view, const PlanRequest& request)
     view.Looks.push_back({ seen, now.GetMTime(), nullptr });
     return;
   }
-  view.Pixels = seen->GetNumberOfPixels();
-  for (const View::Seen& look : view.Looks)
-  {
-    view.Pixels = std::max(view.Pixels, look.Surface->GetNumberOfPixels());
-  }
+  view.Everywhere = true;
   view.Looks.clear();
 }
 
@@ -310,16 +305,11 @@ PlanInputs MapperPlans::GetInputs(View& view, const PlanRequest& request)
       look.Plan = nullptr;
     }
   }
-  if (view.Pixels > 0.0)
-  {
-    inputs.SetPixels(view.Pixels);
-  }
-  else if (!view.Looks.empty())
+  if (!view.Looks.empty())
   {
     const View::Seen& look = view.Looks[view.Current];
     inputs.Seen = look.Surface;
     inputs.SeenTime = look.Time;
-    inputs.SetPixels(look.Surface->GetNumberOfPixels());
   }
   return inputs;
 }
@@ -333,7 +323,7 @@ void MapperPlans::BeginSideBySide(View& view, const PlanInputs& wanted, const Pl
     {
       View& its = plans.FindView(other);
       const PlanInputs inputs = GetInputs(its, other);
-      const bool outOfView = other.ForView && inputs.Pixels == 0;
+      const bool outOfView = other.ForView && !inputs.Seen && !its.Everywhere;
       if (!outOfView && inputs.GetKey() != wanted.GetKey() &&
           its.Plan.NeedsTime(inputs, other.Timing))
       {

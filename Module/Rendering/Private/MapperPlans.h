@@ -28,7 +28,6 @@ class vtkActor;
 class vtkBRDF;
 class vtkEnvironment;
 class vtkPolyData;
-class vtkRadianceCostModel;
 class vtkRadiancePlanner;
 class vtkRenderer;
 class vtkWindow;
@@ -43,7 +42,6 @@ struct PlanRequest
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
   double Tolerance = 0.0;
-  vtkRadianceCostModel* Costs = nullptr; // null: the defaults
   CurrentPlan::Timing Timing = CurrentPlan::Timing::Foreground;
   bool ForView = false; // or for every view
   int Slot = 0;         // which of the mapper's materials

@@ -26,7 +26,6 @@
   MEASUREDBRDF_PROPERTY(Class, settings, MaterialMap, MaterialMap, vtkMaterialMap*)      \
   MEASUREDBRDF_PROPERTY(Class, settings, Environment, Environment, vtkEnvironment*)      \
   MEASUREDBRDF_PROPERTY(Class, settings, Integrator, Integrator, vtkRadianceIntegrator*) \
-  MEASUREDBRDF_PROPERTY(Class, settings, CostModel, Costs, vtkRadianceCostModel*)        \
   MEASUREDBRDF_PROPERTY(Class, settings, PlanForView, PlanForView, bool)                 \
   MEASUREDBRDF_PROPERTY(Class, settings, UseSceneLights, UseSceneLights, bool)           \
   MEASUREDBRDF_PROPERTY(Class, settings, OcclusionBounce, OcclusionBounce, bool)         \

@@ -136,7 +136,6 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   request.BRDF = use.first;
   request.Environment = state.Environment;
   request.Tolerance = this->GetTolerance(use.first);
-  request.Costs = this->Settings->Costs;
   request.Timing = timings[this->Settings->PlanningMode];
   request.ForView = this->IsForView();
   request.Slot = this->FindSlot(use.first);
@@ -455,7 +454,7 @@ void MaterialDrawing::Forget(const void* part)
   this->RefusedOcclusion.erase(part);
 }
 
-vtkIdType MaterialDrawing::GetVisiblePairs(
+void MaterialDrawing::GetVisiblePairs(
   vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views)
 {
   std::vector<vtkPolyData*> surfaces;
@@ -475,7 +474,6 @@ vtkIdType MaterialDrawing::GetVisiblePairs(
   };
   fill(normals, seen.GetNormals());
   fill(views, seen.GetViews());
-  return PlanInputs::RoundPixels(seen.GetNumberOfPixels());
 }
 
 vtkMTimeType MaterialDrawing::GetAppearanceMTime()

@@ -141,8 +141,8 @@ public:
   ///@}
 
   /// What PlanForView sees of all surfaces to come: as many normals as views, for
-  /// vtkRadiancePlanner::SetPairs. Returns the pixels that they cover, as plans count them.
-  vtkIdType GetVisiblePairs(
+  /// vtkRadiancePlanner::SetPairs.
+  void GetVisiblePairs(
     vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views);
 
   ///@{

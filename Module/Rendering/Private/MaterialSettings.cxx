@@ -83,7 +83,6 @@ vtkMTimeType MaterialSettings::GetMTime() const
   add(this->MaterialMap);
   add(this->Environment);
   time = std::max(time, this->Integrator ? this->Integrator->GetInputsMTime() : 0);
-  add(this->Costs);
   for (const auto& [index, brdf] : this->BlocksByIndex)
   {
     add(brdf);
@@ -102,7 +101,6 @@ void MaterialSettings::Print(ostream& os, vtkIndent indent) const
   os << indent << "MaterialMap: " << this->MaterialMap.Get() << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";
   os << indent << "Integrator: " << this->Integrator.Get() << "\n";
-  os << indent << "CostModel: " << (this->Costs ? this->Costs->GetName() : "default") << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "PlanningMode: " << planning[this->PlanningMode] << "\n";
   os << indent << "PlanForView: " << (this->PlanForView ? "On" : "Off") << "\n";

@@ -12,7 +12,6 @@
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkMaterialMap.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkRadianceIntegrator.h"
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
@@ -32,7 +31,6 @@ struct MaterialSettings
   vtkSmartPointer<vtkMaterialMap> MaterialMap;
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkSmartPointer<vtkRadianceIntegrator> Integrator;
-  vtkSmartPointer<vtkRadianceCostModel> Costs;
   int PlanningMode = 0;
   bool PlanForView = false;
   double ErrorTolerance = 0.02;

@@ -6,14 +6,10 @@
 #include "vtkBRDF.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
-#include "vtkNew.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkRadiancePlanner.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace measuredbrdf
@@ -40,20 +36,13 @@ vtkSmartPointer<vtkDoubleArray> ToWorld(
 }
 }
 
-PlanInputs::PlanInputs(
-  vtkBRDF* brdf, vtkEnvironment* environment, double tolerance, vtkRadianceCostModel* costs)
+PlanInputs::PlanInputs(vtkBRDF* brdf, vtkEnvironment* environment, double tolerance)
   : BRDF(brdf)
   , BRDFTime(brdf->GetMTime())
   , Environment(environment)
   , PixelsTime(environment->GetPixelsMTime())
   , Tolerance(tolerance)
-  , Costs(costs ? costs->GetText() : "")
 {
-}
-
-vtkIdType PlanInputs::RoundPixels(double pixels)
-{
-  return static_cast<vtkIdType>(std::exp2(std::round(std::log2(std::clamp(pixels, 1.0, 1e9)))));
 }
 
 vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool apart)
@@ -74,16 +63,6 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool ap
   {
     planner->SetPairs(ToWorld(inputs.Seen->GetNormals(), planner->GetEnvironment()),
       ToWorld(inputs.Seen->GetViews(), planner->GetEnvironment()));
-  }
-  if (inputs.Pixels > 0)
-  {
-    planner->SetNumberOfPixels(inputs.Pixels);
-  }
-  if (!inputs.Costs.empty())
-  {
-    vtkNew<vtkRadianceCostModel> costs;
-    costs->SetText(inputs.Costs);
-    planner->SetCostModel(costs);
   }
   return planner;
 }

@@ -19,7 +19,6 @@
 
 class vtkBRDF;
 class vtkEnvironment;
-class vtkRadianceCostModel;
 class vtkRadiancePlanner;
 
 namespace measuredbrdf
@@ -28,16 +27,15 @@ namespace measuredbrdf
 struct PlanInputs
 {
   PlanInputs() = default;
-  PlanInputs(
-    vtkBRDF* brdf, vtkEnvironment* environment, double tolerance, vtkRadianceCostModel* costs);
+  PlanInputs(vtkBRDF* brdf, vtkEnvironment* environment, double tolerance);
 
   /// The plans' key. Modification times are never used twice: a recycled address does no harm.
-  using Key = std::tuple<vtkBRDF*, vtkMTimeType, vtkEnvironment*, vtkMTimeType, double, std::string,
-    vtkMTimeType, vtkIdType>;
+  using Key =
+    std::tuple<vtkBRDF*, vtkMTimeType, vtkEnvironment*, vtkMTimeType, double, vtkMTimeType>;
   Key GetKey() const
   {
     return { this->BRDF, this->BRDFTime, this->Environment, this->PixelsTime, this->Tolerance,
-      this->Costs, this->SeenTime, this->Pixels };
+      this->SeenTime };
   }
 
   vtkSmartPointer<vtkBRDF> BRDF;
@@ -45,7 +43,6 @@ struct PlanInputs
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkMTimeType PixelsTime = 0;
   double Tolerance = 0.0;
-  std::string Costs; // a cost model's text; "": the defaults
 
   ///@{
   /// What the camera sees, in the environment's frame, and a time that no other one has; null, 0:
@@ -53,12 +50,6 @@ struct PlanInputs
   std::shared_ptr<const VisibleSurface> Seen;
   vtkMTimeType SeenTime = 0;
   ///@}
-
-  /// Covered pixels, in powers of two, so that plans are shared; 0: the planner's
-  /// default.
-  void SetPixels(double pixels) { this->Pixels = RoundPixels(pixels); }
-  static vtkIdType RoundPixels(double pixels);
-  vtkIdType Pixels = 0;
 
   /// Whether whoever plans apart sees to the material's form for shaders, too, because the scene's
   /// lights need it. It changes nothing about the plan.

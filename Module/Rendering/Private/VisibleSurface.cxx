@@ -9,7 +9,6 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -33,8 +32,6 @@ constexpr std::size_t FewestPairs = 16;   // as the planner asks for
 constexpr double FacingShare = 0.05;      // of the projected area: below, the surface is a room
 constexpr double NearCosine = 0.966;      // of 15 degrees
 constexpr double AlikeShare = 0.9;
-constexpr double LargestGrowth = 4.0;
-constexpr double LargestShrinkage = 8.0;
 
 std::size_t GetStep(std::size_t pairs) { return (pairs + PairsToMatch - 1) / PairsToMatch; }
 
@@ -42,7 +39,7 @@ struct Triangle
 {
   std::array<glm::dvec3, 3> Points;  // in the world
   std::array<glm::dvec3, 3> Normals; // in the world, not unit
-  double Area = 0.0;                 // projected, in pixels, times the polygons that it stands for
+  double Area = 0.0;                 // projected, times the polygons that it stands for
   bool Facing = true;
 };
 
@@ -62,10 +59,6 @@ public:
     , Back(-glm::make_vec3(camera->GetDirectionOfProjection()))
     , Parallel(camera->GetParallelProjection() != 0)
   {
-    const double half = camera->GetUseHorizontalViewAngle() ? 0.5 * width : 0.5 * height;
-    this->Scale = this->Parallel
-                    ? 0.5 * height / camera->GetParallelScale()
-                    : half / std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
   }
 
   glm::dvec3 GetView(const glm::dvec3& point) const
@@ -73,12 +66,11 @@ public:
     return this->Parallel ? this->Back : glm::normalize(this->Position - point);
   }
 
-  /// Pixels that a unit of area there takes, seen head-on.
+  /// In proportion to the pixels that a unit of area there takes, seen head-on.
   double GetPixels(const glm::dvec3& point) const
   {
     const glm::dvec3 away = this->Position - point;
-    return this->Scale * this->Scale /
-           (this->Parallel ? 1.0 : std::max(glm::dot(away, away), 1e-30));
+    return this->Parallel ? 1.0 : 1.0 / std::max(glm::dot(away, away), 1e-30);
   }
 
   bool Sees(const glm::dvec3& point) const
@@ -92,7 +84,6 @@ private:
   glm::dvec3 Position;
   glm::dvec3 Back;
   bool Parallel;
-  double Scale = 1.0;
 };
 
 class Meshes
@@ -218,7 +209,6 @@ VisibleSurface::VisibleSurface(const std::vector<vtkPolyData*>& surfaces, vtkMat
 
   // As many samples for equal areas; those out of the picture are left out.
   const glm::dmat3 rotation = glm::transpose(glm::make_mat3(toFrame));
-  int inside = 0;
   double reached = 0.0;
   int next = 0;
   std::vector<glm::dvec3> normals;
@@ -248,7 +238,6 @@ VisibleSurface::VisibleSurface(const std::vector<vtkPolyData*>& surfaces, vtkMat
       {
         continue;
       }
-      ++inside;
       normal = glm::normalize(normal) * (glm::dot(normal, view) < 0.0 ? -1.0 : 1.0);
       normals.push_back(rotation * normal);
       views.push_back(rotation * view);
@@ -258,7 +247,6 @@ VisibleSurface::VisibleSurface(const std::vector<vtkPolyData*>& surfaces, vtkMat
   {
     return;
   }
-  this->Pixels = total * inside / Samples;
   this->Normals = std::move(normals);
   this->Views = std::move(views);
 }
@@ -285,17 +273,8 @@ VisibleSurface VisibleSurface::InView(const std::vector<vtkPolyData*>& surfaces,
     surfaces, actor->GetMatrix(), renderer->GetActiveCamera(), size[0], size[1], turn);
 }
 
-bool VisibleSurface::Outgrows(double pixels) const
-{
-  return this->Pixels > LargestGrowth * std::max(pixels, 1e-30);
-}
-
 bool VisibleSurface::Covers(const VisibleSurface& other) const
 {
-  if (other.Outgrows(this->Pixels) || other.Pixels < this->Pixels / LargestShrinkage)
-  {
-    return false;
-  }
   // Some of both, spread over all of them.
   const std::size_t step = GetStep(this->Normals.size());
   const std::size_t otherStep = GetStep(other.Normals.size());

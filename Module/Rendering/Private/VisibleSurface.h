@@ -3,7 +3,7 @@
 /**
  * @file
  * What a camera sees of polygonal surfaces: normals and views in proportion to the pixels that
- * they cover, and how many those are. Private to the rendering room.
+ * they cover. Private to the rendering room.
  *
  * Nothing is drawn: triangles are weighed by their projected areas. What hides behind other parts
  * counts too, so that coverage is an upper bound; sides that face away count only where nearly all
@@ -49,21 +49,14 @@ public:
   const std::vector<glm::dvec3>& GetViews() const { return this->Views; }
   ///@}
 
-  /// Covered pixels, about.
-  double GetNumberOfPixels() const { return this->Pixels; }
-
   /// Whether a plan for this one serves for another, too: nearly all that is seen there looks much
-  /// like something that is seen here, at about the same size. Far from any threshold where the
+  /// like something that is seen here. Far from any threshold where the
   /// view turns a few degrees, so that plans do not come and go.
   bool Covers(const VisibleSurface& other) const;
-
-  /// Whether a plan for so many pixels is too poor for this one, whatever is seen.
-  bool Outgrows(double pixels) const;
 
 private:
   std::vector<glm::dvec3> Normals;
   std::vector<glm::dvec3> Views;
-  double Pixels = 0.0;
 };
 } // namespace measuredbrdf
 

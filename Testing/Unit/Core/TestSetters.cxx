@@ -28,7 +28,6 @@
 #include "vtkLambertBRDF.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkRepresentationAdvisor.h"
 #include "vtkTableRadianceIntegrator.h"
@@ -311,17 +310,7 @@ TEST(Setters, OfPlanning)
 {
   CLAMPED(vtkRadiancePlanner, ErrorTolerance, 1e-3, 1.0);
   FINITE3(vtkRadiancePlanner, ViewDirection);
-  CLAMPED(vtkRadiancePlanner, NumberOfPixels, 1, 1e300);
   REFUSED(vtkRadiancePlanner, MaximumTextureBytes, 0, 1e300);
-  vtkNew<vtkRadianceCostModel> costs;
-  Listener listener(costs);
-  for (const double bad : { NaN, Infinity, -1.0, 0.0 })
-  {
-    EXPECT_FALSE(costs->SetCost("light", bad));
-    listener.Expect("SetCost", 1, 0);
-  }
-  EXPECT_FALSE(costs->SetCost("Two words", 1.0));
-  listener.Expect("SetCost", 1, 0);
 }
 
 TEST(Setters, OfFitting)

@@ -146,7 +146,7 @@ TEST(LightUnits, ChangeNoPlan)
         EXPECT_EQ(found->GetMethodName(k), expected->GetMethodName(k));
         EXPECT_EQ(found->GetDescription(k), expected->GetDescription(k));
         EXPECT_EQ(found->GetTextureBytes(k), expected->GetTextureBytes(k));
-        EXPECT_EQ(found->GetPredictedMilliseconds(k), expected->GetPredictedMilliseconds(k));
+        EXPECT_EQ(found->GetPredictedCost(k), expected->GetPredictedCost(k));
         const auto isNear = [unit, k](double a, double b)
         { EXPECT_NEAR(a, b, 1e-6 * b) << "candidate " << k << ", times " << unit; };
         isNear(found->GetPredictedError(k), expected->GetPredictedError(k));

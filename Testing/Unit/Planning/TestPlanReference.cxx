@@ -15,7 +15,6 @@
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironmentReader.h"
 #include "vtkLambertBRDF.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkSumBRDF.h"
 
@@ -70,7 +69,6 @@ std::vector<glm::dvec3> Refer(
   PlanTask task;
   task.BRDF = brdf;
   task.Environment = environment;
-  task.Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
   task.Tolerance = PlanTolerance;
   task.Shared = std::make_shared<vtkRadianceIntegrator::Precomputation>();
   PlanComparison comparison;

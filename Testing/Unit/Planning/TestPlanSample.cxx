@@ -15,7 +15,6 @@
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkNew.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkSmartPointer.h"
 
@@ -397,9 +396,7 @@ TEST(PlanSample, OfPicturesKnowTheirPoints)
   task.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("nickel"));
   task.Environment =
     vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("sky"));
-  task.Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
   task.MaximumBytes = 1 << 22;
-  task.Pixels = 1e5;
   task.Shared = std::make_shared<vtkRadianceIntegrator::Precomputation>();
   const measuredbrdf::IsAborted no = []() { return false; };
   for (const bool hasCandidates : { false, true })

@@ -9,7 +9,6 @@
 #include "vtkEnvironment.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkRadianceIntegrator.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkSmartPointer.h"
@@ -47,8 +46,7 @@ protected:
 
   bool Update(CurrentPlan& plan, Timing timing = Timing::Changes)
   {
-    return plan.Update(
-      PlanInputs(this->BRDF, this->Sky, this->Tolerance, this->Costs), timing, this->Problem);
+    return plan.Update(PlanInputs(this->BRDF, this->Sky, this->Tolerance), timing, this->Problem);
   }
 
   // A first plan, then something else to plan for behind a closed gate.
@@ -84,7 +82,6 @@ protected:
 
   vtkNew<GatedBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Sky;
-  vtkSmartPointer<vtkRadianceCostModel> Costs;
   SpherePairs Pairs;
   double Tolerance = 0.05;
   std::string Problem;
@@ -211,13 +208,6 @@ TEST_F(Background, EverythingThatCountsBeginsAnother)
       this->Sky = NewSmallEnvironment(true);
       ShrinkEnvironment(this->Sky, 32, 16);
     });
-  expectAnother("costs",
-    [this]()
-    {
-      this->Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
-      this->Costs->SetCost("sample", 1.0);
-    });
-  expectAnother("a cost", [this]() { this->Costs->SetCost("sample", 2.0); });
 }
 
 // A plan of the objects themselves bridges nothing that happens to them.
@@ -350,7 +340,7 @@ TEST_F(Background, WithoutSnapshotsItIsTheForeground)
   for (const double exponent : { 3.0, 4.0 })
   {
     plain->SetExponent(exponent);
-    const PlanInputs inputs(plain, this->Sky, 0.05, nullptr);
+    const PlanInputs inputs(plain, this->Sky, 0.05);
     EXPECT_TRUE(plan.Update(inputs, Timing::Always, this->Problem));
     EXPECT_FALSE(plan.IsPending());
     EXPECT_EQ(plan.GetPlan()->GetBRDF(), plain.Get());
@@ -363,7 +353,7 @@ TEST_F(Background, FailuresAreToldAndNotRepeated)
   CurrentPlan plan;
   ASSERT_TRUE(this->Update(plan));
   vtkNew<Fickle> fickle;
-  const PlanInputs inputs(fickle, this->Sky, 0.05, nullptr);
+  const PlanInputs inputs(fickle, this->Sky, 0.05);
   EXPECT_FALSE(plan.Update(inputs, Timing::Changes, this->Problem));
   ASSERT_TRUE(WaitUntil([&]() { return plan.IsReady(); }));
   EXPECT_EQ(this->Problem, "");

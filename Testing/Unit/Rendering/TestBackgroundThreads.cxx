@@ -444,7 +444,7 @@ void EndWhilePlanning()
   sky->SetPixels(512, 256, std::vector<float>(3 * 512 * 256, 0.5f));
   auto* plan = new CurrentPlan;
   std::string problem;
-  plan->Update(PlanInputs(brdf, sky, 0.001, nullptr), CurrentPlan::Timing::Always, problem);
+  plan->Update(PlanInputs(brdf, sky, 0.001), CurrentPlan::Timing::Always, problem);
   EXPECT_TRUE(WaitUntil([&]() { return Watched->TakePasses() > 0; }));
   std::exit(plan->IsReady() ? 1 : 0);
 }
@@ -477,7 +477,7 @@ void UseAllAndEnd()
     for (const auto timing : { CurrentPlan::Timing::Foreground, CurrentPlan::Timing::Changes })
     {
       CurrentPlan plan;
-      EXPECT_TRUE(plan.Update(PlanInputs(brdf, sky, 0.3, nullptr), timing, problem));
+      EXPECT_TRUE(plan.Update(PlanInputs(brdf, sky, 0.3), timing, problem));
     }
     const auto standIn = measuredbrdf::FindStandIn(brdf, sky, true);
     standIn->Prepare();

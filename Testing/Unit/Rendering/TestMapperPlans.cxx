@@ -14,7 +14,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -275,27 +274,6 @@ TEST_F(Views, WhatIsSeenDependsOn)
 }
 
 //------------------------------------------------------------------------------
-// The picture's size and the distance are worth pixels, which weigh memory.
-TEST_F(Views, PixelsCount)
-{
-  this->ForView = true;
-  vtkNew<vtkRenderWindow> window; // never drawn: its size is asked for only
-  window->SetSize(400, 400);
-  window->AddRenderer(this->One);
-  EXPECT_TRUE(this->Update());
-  const vtkIdType near = this->Drawn->GetNumberOfPixels();
-  EXPECT_NEAR(std::log2(static_cast<double>(near)), std::log2(3.1416 * 100.0 * 100.0), 0.6);
-  this->One->GetActiveCamera()->SetParallelScale(10.0);
-  EXPECT_TRUE(this->Update());
-  const vtkIdType far = this->Drawn->GetNumberOfPixels();
-  EXPECT_NEAR(std::log2(static_cast<double>(far)), std::log2(3.1416 * 10.0 * 10.0), 0.6);
-  window->SetSize(4000, 4000);
-  EXPECT_TRUE(this->Update()) << "the window's size";
-  EXPECT_EQ(this->Drawn->GetNumberOfPixels(), near);
-  window->RemoveRenderer(this->One);
-}
-
-//------------------------------------------------------------------------------
 // What is checked for a light that is turned is what would be for turned pixels.
 TEST_F(Views, ATurnedLightIsTurnedPixels)
 {
@@ -407,36 +385,6 @@ TEST_F(Views, PlansForTheViewAreTakenUpAgain)
 }
 
 //------------------------------------------------------------------------------
-// Many blocks count as one surface.
-TEST_F(Views, BlocksAreSeenTogether)
-{
-  this->ForView = true;
-  const auto count = [this](const std::vector<vtkPolyData*>& surfaces)
-  {
-    MapperPlans plans;
-    PlanRequest request = this->GetRequest(this->One, this->Sky);
-    request.Surfaces = surfaces;
-    bool changed = false;
-    vtkRadiancePlanner* plan = plans.Update(request, changed, this->Problem).GetPlan();
-    return plan->GetNumberOfPixels();
-  };
-  vtkNew<vtkRenderWindow> window;
-  window->SetSize(400, 400);
-  window->AddRenderer(this->One);
-  std::vector<vtkNew<vtkSphereSource>> sources(8);
-  std::vector<vtkPolyData*> blocks;
-  for (auto& source : sources)
-  {
-    source->SetThetaResolution(30);
-    source->SetPhiResolution(30);
-    source->Update();
-    blocks.push_back(source->GetOutput());
-  }
-  EXPECT_EQ(count(blocks), 8 * count({ this->Sphere->GetOutput() }));
-  window->RemoveRenderer(this->One);
-}
-
-//------------------------------------------------------------------------------
 // Switched while planning in the background, the last plan stands in.
 TEST_F(Views, ForViewIsBridged)
 {
@@ -498,7 +446,7 @@ TEST_F(Views, WaitingCanBeStopped)
 {
   this->BRDF->Door->Close();
   CurrentPlan plan;
-  const PlanInputs inputs(this->BRDF, this->Sky, 0.3, nullptr);
+  const PlanInputs inputs(this->BRDF, this->Sky, 0.3);
   plan.Begin(inputs);
   ASSERT_TRUE(WaitUntil([this]() { return this->BRDF->Door->IsAwaited(); }));
   std::thread opener( // a call that does not ask would else never return
@@ -809,7 +757,7 @@ TEST(TwoThreads, PlanAtTheSameTime)
     for (int k = 0; k < 4; ++k)
     {
       brdf->SetExponent(4.0 + k % 2);
-      const PlanInputs inputs(brdf, sky, 0.3, nullptr);
+      const PlanInputs inputs(brdf, sky, 0.3);
       current.Update(inputs, k < 2 ? Timing::Foreground : Timing::Always, problem);
       current.Update(inputs, Timing::Foreground, problem);
     }
