@@ -216,21 +216,6 @@ std::vector<std::vector<int>> vtkAnisotropicTableRadianceIntegrator::GetCandidat
 }
 
 //------------------------------------------------------------------------------
-// As isotropic tables, whose second size is the number of views.
-bool vtkAnisotropicTableRadianceIntegrator::CanPrune(
-  const std::vector<Attempt>& attempts, double error)
-{
-  std::vector<Attempt> tables = attempts;
-  for (Attempt& attempt : tables)
-  {
-    attempt.Sizes[1] *= attempt.Sizes[3];
-  }
-  return CanPruneTable({ this->NumberOfRows, this->NumberOfViewAngles * this->NumberOfViewAzimuths,
-                         this->NumberOfAzimuths },
-    tables, error);
-}
-
-//------------------------------------------------------------------------------
 double vtkAnisotropicTableRadianceIntegrator::EstimateCost()
 {
   return 2.0 * PixelCosts::Table - PixelCosts::Pixel; // two tables in one pixel

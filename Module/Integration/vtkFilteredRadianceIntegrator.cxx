@@ -285,16 +285,17 @@ void vtkFilteredRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::vector<int>> vtkFilteredRadianceIntegrator::GetCandidateSizes(bool all)
+std::vector<std::vector<int>> vtkFilteredRadianceIntegrator::GetCandidateSizes(bool)
 {
-  return all && this->BRDF->IsIsotropic() ? std::vector<std::vector<int>>{ { 16 }, { 64 }, { 256 } }
-                                          : std::vector<std::vector<int>>();
+  return this->BRDF->IsIsotropic() ? std::vector<std::vector<int>>{ { 16 }, { 64 }, { 256 } }
+                                   : std::vector<std::vector<int>>();
 }
 
 //------------------------------------------------------------------------------
 double vtkFilteredRadianceIntegrator::EstimateCost()
 {
-  return PixelCosts::Pixel + PixelCosts::Sample * this->NumberOfSamples +
+  return PixelCosts::Pixel +
+         (PixelCosts::Sample + PixelCosts::Light) * this->NumberOfSamples +
          PixelCosts::Light * this->GetNumberOfExtractedLights();
 }
 

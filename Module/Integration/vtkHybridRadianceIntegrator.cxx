@@ -40,12 +40,10 @@ constexpr int SmallTableRows = 33; // beside maps
 // Degree of the blur where lamps stay in the map: the table's rows would show in a narrower halo.
 constexpr double HaloDegree = 2.0;
 
-// A planner's lamps of many texels are one light each (degrees), or several where more than so much
-// of the albedo lies in lobes narrower than twice that.
-constexpr double LampAngle = 1.2;
+// A planner's lamps of many texels are several lights (degrees) where more than so much of the
+// albedo lies in lobes narrower than twice LampAngle.
 constexpr double FineLampAngle = 0.6;
 constexpr double NarrowShare = 0.05;
-constexpr int PlannedLights = 16; // at most
 
 // Few lights are evaluated everywhere, more of them near the lobe's axis only (TableLamps). What
 // finding those costs, and each that is to be found, in lights that are evaluated (llvmpipe).
@@ -358,37 +356,16 @@ double vtkHybridRadianceIntegrator::ChooseLightAngle()
 std::vector<std::vector<int>> vtkHybridRadianceIntegrator::GetCandidateSizes(bool)
 {
   std::vector<std::vector<int>> candidates;
-  if (!this->BRDF->IsIsotropic())
+  const double angle = this->BRDF->IsIsotropic() ? this->ChooseLightAngle() : LampAngle;
+  if (CountPlannedLights(this->Environment, angle, [this]() { return this->Report(0.0); }) == 0)
   {
-    const bool lamps = this->CountLights(LampAngle, PlannedLights) > 0;
-    for (const std::vector<int>& sizes : GetAnisotropicCandidates())
-    {
-      if (lamps && sizes[1] == sizes[3])
-      {
-        candidates.push_back(
-          { sizes[0], sizes[1], sizes[2], 0, PlannedLights, ToAngleSize(LampAngle) });
-      }
-    }
-    return candidates;
+    return candidates; // the same as a table
   }
-  const double angle = this->ChooseLightAngle();
-  const bool lights = this->CountLights(angle, PlannedLights) > 0;
-  for (const std::vector<int>& sizes : GetHybridCandidates())
+  for (const std::vector<int>& sizes :
+    this->BRDF->IsIsotropic() ? GetHybridCandidates() : GetAnisotropicCandidates())
   {
-    const auto add = [&](int largest)
-    {
-      candidates.push_back(sizes);
-      candidates.back().insert(candidates.back().end(), { largest, ToAngleSize(angle) });
-    };
-    // Maps may see lamps as the areas that they are.
-    if (sizes.at(3) > 0)
-    {
-      add(0);
-    }
-    if (lights)
-    {
-      add(PlannedLights);
-    }
+    candidates.push_back({ sizes[0], sizes[1], sizes[2], this->BRDF->IsIsotropic() ? sizes[3] : 0,
+      PlannedLights, ToAngleSize(angle) });
   }
   return candidates;
 }
@@ -413,45 +390,6 @@ vtkIdType vtkHybridRadianceIntegrator::EstimateTextureBytes()
   return this->NewBroad()->EstimateTextureBytes() +
          32 * this->CountLights(this->LightAngle, this->MaximumNumberOfLights) +
          (seesAreas ? LampBRDF::GetTextureBytes() : 0);
-}
-
-//------------------------------------------------------------------------------
-// A table alone is one without lights and maps.
-std::vector<int> vtkHybridRadianceIntegrator::GetEquivalentSizes(
-  const std::string& method, const std::vector<int>& sizes)
-{
-  vtkNew<vtkTableRadianceIntegrator> table;
-  return method == table->GetMethodName() ? std::vector<int>{ sizes.at(0), sizes.at(1), sizes.at(2),
-    0, 0, ToAngleSize(this->LightAngle) }
-                                          : std::vector<int>();
-}
-
-//------------------------------------------------------------------------------
-bool vtkHybridRadianceIntegrator::CanPrune(const std::vector<Attempt>& attempts, double error)
-{
-  std::vector<Attempt> alike;
-  std::copy_if(attempts.begin(), attempts.end(), std::back_inserter(alike),
-    [this](const Attempt& attempt)
-    {
-      return attempt.Sizes[3] == this->NumberOfMaps &&
-             attempt.Sizes[4] == this->MaximumNumberOfLights;
-    });
-  std::vector<Attempt> mapped; // beside the same lights: with maps, not more of them,
-  std::copy_if(attempts.begin(), attempts.end(), std::back_inserter(mapped),
-    [this](const Attempt& attempt)
-    {
-      return attempt.Sizes[3] > 0 && attempt.Sizes[3] <= this->NumberOfMaps &&
-             attempt.Sizes[4] == this->MaximumNumberOfLights;
-    });
-  std::vector<Attempt> tables; // and without
-  std::copy_if(attempts.begin(), attempts.end(), std::back_inserter(tables),
-    [this](const Attempt& attempt)
-    { return attempt.Sizes[3] == 0 && attempt.Sizes[4] == this->MaximumNumberOfLights; });
-  return CanPruneTable({ this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths },
-           alike, error) ||
-         (this->NumberOfMaps > 0 &&
-           (CanPruneMaps(this->NumberOfRows, this->NumberOfMaps, mapped, tables, error) ||
-             (this->MaximumNumberOfLights == 0 && CanPruneMapsAlone(tables, error))));
 }
 
 //------------------------------------------------------------------------------

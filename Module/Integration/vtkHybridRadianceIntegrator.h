@@ -117,9 +117,6 @@ public:
   std::vector<std::vector<int>> GetCandidateSizes(bool all) override;
   double EstimateCost() override;
   vtkIdType EstimateTextureBytes() override;
-  std::vector<int> GetEquivalentSizes(
-    const std::string& method, const std::vector<int>& sizes) override;
-  bool CanPrune(const std::vector<Attempt>& attempts, double error) override;
   ///@}
 
   bool GetShaderInputs(vtkBRDFShaderInputs& form) override;

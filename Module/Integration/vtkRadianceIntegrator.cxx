@@ -139,16 +139,6 @@ std::string vtkRadianceIntegrator::GetSizesText()
 std::vector<std::vector<int>> vtkRadianceIntegrator::GetCandidateSizes(bool) { return {}; }
 
 //------------------------------------------------------------------------------
-std::vector<int> vtkRadianceIntegrator::GetEquivalentSizes(
-  const std::string&, const std::vector<int>&)
-{
-  return {};
-}
-
-//------------------------------------------------------------------------------
-bool vtkRadianceIntegrator::CanPrune(const std::vector<Attempt>&, double) { return false; }
-
-//------------------------------------------------------------------------------
 bool vtkRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs&) { return false; }
 
 //------------------------------------------------------------------------------

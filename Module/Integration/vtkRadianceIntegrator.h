@@ -155,35 +155,11 @@ public:
    * arithmetic; default 1. Planners try what is cheap first.
    *
    * EstimateTextureBytes: of the textures, but for the material's own; default 0.
-   *
-   * IsLastResort: whether it takes so long to prepare that it is tried only where the others stay
-   * far from the tolerance; default: no.
    */
   virtual std::vector<std::vector<int>> GetCandidateSizes(bool all);
   virtual double EstimateCost() { return 1.0; }
   virtual vtkIdType EstimateTextureBytes() { return 0; }
-  virtual bool IsLastResort() { return false; }
   ///@}
-
-  /// What came of sizes that a planner has tried.
-  struct Attempt
-  {
-    std::vector<int> Sizes;
-    double Error; // relative L1
-  };
-
-  /**
-   * The sizes with which this method does the same as another one does with its sizes, so that
-   * CanPrune learns from that one's attempts, too. Empty (default): there are none.
-   */
-  virtual std::vector<int> GetEquivalentSizes(
-    const std::string& method, const std::vector<int>& sizes);
-
-  /**
-   * Whether the attempts by this method so far, and those that GetEquivalentSizes knows, show that
-   * these sizes will not come below an error. Default: they never do.
-   */
-  virtual bool CanPrune(const std::vector<Attempt>& attempts, double error);
 
 #ifndef __VTK_WRAP__
   /// What integrators of one material have in common, whatever the sizes and the light.

@@ -287,7 +287,10 @@ void vtkTableRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
 //------------------------------------------------------------------------------
 std::vector<std::vector<int>> vtkTableRadianceIntegrator::GetCandidateSizes(bool)
 {
-  return this->BRDF->IsIsotropic() ? GetTableCandidates() : std::vector<std::vector<int>>();
+  const auto goOn = [this]() { return this->Report(0.0); };
+  return this->BRDF->IsIsotropic() ? GetTableCandidates(
+                                       CountPlannedLights(this->Environment, LampAngle, goOn) > 0)
+                                   : std::vector<std::vector<int>>();
 }
 
 //------------------------------------------------------------------------------
@@ -301,13 +304,6 @@ double vtkTableRadianceIntegrator::EstimateCost()
 vtkIdType vtkTableRadianceIntegrator::EstimateTextureBytes()
 {
   return GetTableBytes(this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths);
-}
-
-//------------------------------------------------------------------------------
-bool vtkTableRadianceIntegrator::CanPrune(const std::vector<Attempt>& attempts, double error)
-{
-  return CanPruneTable(
-    { this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths }, attempts, error);
 }
 
 //------------------------------------------------------------------------------

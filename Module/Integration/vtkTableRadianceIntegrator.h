@@ -112,7 +112,6 @@ public:
   std::vector<std::vector<int>> GetCandidateSizes(bool all) override;
   double EstimateCost() override;
   vtkIdType EstimateTextureBytes() override;
-  bool CanPrune(const std::vector<Attempt>& attempts, double error) override;
   ///@}
 
   ///@{

@@ -31,6 +31,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 using measuredbrdf::PlanCandidate;
@@ -40,6 +41,11 @@ namespace
 constexpr int SpherePairs = 8192; // of which the comparison takes a sample
 constexpr vtkIdType FewestPairs = 16;
 constexpr vtkIdType MostPairs = 4096;
+
+// What the texture units of graphics cards lose by interpolating with weights of 8 bits: relative
+// L1 of the smallest table, in the mean of seven materials under three maps. Larger tables and
+// other methods lose 0.0003 to 0.0008 (docs/methods/pixel-cost.md, "The weights of texture units").
+constexpr double FilterWeights = 0.0013;
 } // namespace
 
 struct vtkRadiancePlanner::Internals
@@ -73,6 +79,7 @@ struct vtkRadiancePlanner::Internals
     task.Tolerance = planner->GetErrorTolerance();
     task.All = planner->GetEvaluateAll();
     task.MaximumBytes = planner->GetMaximumTextureBytes();
+    task.MaximumCost = planner->GetMaximumCost();
     return task;
   }
 
@@ -225,35 +232,31 @@ bool vtkRadiancePlanner::Search()
   {
     return this->Fail(); // candidates would want the views whole
   }
-  std::vector<PlanCandidate> candidates = measuredbrdf::ListCandidates(impl.Task);
-  if (candidates.empty() && !this->Abort)
+  std::string givenUp;
+  std::vector<PlanCandidate> ladder = measuredbrdf::ListCandidates(impl.Task, givenUp);
+  if (ladder.empty() && !this->Abort)
   {
     vtkErrorMacro(
-      "Update: nothing fits into MaximumTextureBytes, " << this->MaximumTextureBytes << " bytes.");
+      "Update: nothing fits into MaximumTextureBytes, " << this->MaximumTextureBytes
+                                                        << " bytes, and MaximumCost, "
+                                                        << this->MaximumCost << ".");
     return false;
   }
   const measuredbrdf::IsAborted isAborted = [this]() { return this->GetAbort(); };
-  measuredbrdf::PlanComparison first, second;
+  measuredbrdf::PlanComparison comparison;
   const bool picture = impl.Given.Normals != nullptr;
-  first.Pairs = picture ? impl.Given : impl.GetSpherePairs(this);
+  comparison.Pairs = picture ? impl.Given : impl.GetSpherePairs(this);
   if (!measuredbrdf::SamplePairs(
-        impl.Task, isAborted, candidates, picture, first.Pairs, second.Pairs, impl.Problem) ||
-      !measuredbrdf::MakeReference(impl.Task, isAborted, this->Abort, first, impl.Problem))
+        impl.Task, isAborted, ladder, picture, comparison.Pairs, impl.Problem) ||
+      !measuredbrdf::MakeReference(impl.Task, isAborted, this->Abort, comparison, impl.Problem))
   {
     return this->Fail();
   }
-  measuredbrdf::PlanSearch search(impl.Task, first, isAborted);
-  search.GetSecond = [&]()
-  {
-    second.Integrator = first.Integrator;
-    second.ReferenceError = first.ReferenceError;
-    return measuredbrdf::MakeReference(impl.Task, isAborted, this->Abort, second, impl.Problem)
-             ? &second
-             : nullptr;
-  };
+  comparison.ReferenceError = std::hypot(comparison.ReferenceError, FilterWeights);
+  measuredbrdf::PlanSearch search(impl.Task, comparison, isAborted);
   search.Progress = [this](double progress)
   { this->InvokeEvent(vtkCommand::ProgressEvent, &progress); };
-  const bool done = search.Run(candidates);
+  const bool done = search.Run(std::move(ladder));
   impl.Problem = search.GetProblem();
   if (!search.GetWarnings().empty())
   {
@@ -271,7 +274,7 @@ bool vtkRadiancePlanner::Search()
   }
   measuredbrdf::MaterialStore::Get().PutBack(material, impl.Task.Shared);
   impl.Plan = search.GetPlan();
-  impl.Plan.Reason = measuredbrdf::ExplainChoice(impl.Plan, this->ErrorTolerance);
+  impl.Plan.Reason = measuredbrdf::ExplainChoice(impl.Plan, this->ErrorTolerance, givenUp);
   return true;
 }
 
@@ -310,6 +313,20 @@ double vtkRadiancePlanner::GetErrorUncertainty(int index)
 }
 
 //------------------------------------------------------------------------------
+double vtkRadiancePlanner::GetPredictedPercentile95(int index)
+{
+  const PlanCandidate* candidate = this->Impl->GetCandidate(index);
+  return candidate ? candidate->Percentiles[0] : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkRadiancePlanner::GetPredictedPercentile99(int index)
+{
+  const PlanCandidate* candidate = this->Impl->GetCandidate(index);
+  return candidate ? candidate->Percentiles[1] : 0.0;
+}
+
+//------------------------------------------------------------------------------
 double vtkRadiancePlanner::GetPredictedPictureError(int index)
 {
   const PlanCandidate* candidate = this->Impl->GetCandidate(index);
@@ -339,6 +356,9 @@ double vtkRadiancePlanner::GetSetUpMilliseconds(int index)
 
 //------------------------------------------------------------------------------
 int vtkRadiancePlanner::GetChoice() { return this->Impl->Plan.Choice; }
+
+//------------------------------------------------------------------------------
+int vtkRadiancePlanner::GetInteractiveChoice() { return this->Impl->Plan.Interactive; }
 
 //------------------------------------------------------------------------------
 bool vtkRadiancePlanner::GetMeetsTolerance() { return this->Impl->Plan.Meets; }
@@ -381,6 +401,7 @@ vtkRadianceIntegrator* vtkRadiancePlanner::NewIntegrator()
 measuredbrdfSetClampedMacro(vtkRadiancePlanner, ErrorTolerance, double, 1e-3, 1.0);
 measuredbrdfSetFinite3Macro(vtkRadiancePlanner, ViewDirection);
 measuredbrdfSetInRangeMacro(vtkRadiancePlanner, MaximumTextureBytes, vtkIdType, 0, VTK_ID_MAX);
+measuredbrdfSetClampedMacro(vtkRadiancePlanner, MaximumCost, double, 1.0, 1e6);
 
 //------------------------------------------------------------------------------
 void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
@@ -395,5 +416,6 @@ void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Pairs: " << this->GetNumberOfPairs() << "\n";
   os << indent << "EvaluateAll: " << (this->EvaluateAll ? "On" : "Off") << "\n";
   os << indent << "MaximumTextureBytes: " << this->MaximumTextureBytes << "\n";
+  os << indent << "MaximumCost: " << this->MaximumCost << "\n";
   os << indent << "Plan: " << this->GetPlan() << "\n";
 }

@@ -5,33 +5,32 @@
  * @brief   how to integrate an environment's light for a material: at a small cost, and accurately
  *          enough
  *
- * Given a BRDF, an environment and a tolerance, it looks at candidates (a method of
- * vtkRadianceMethods and its sizes) from cheap to costly and chooses the first of those tried that
- * meets the tolerance. Errors are relative L1 over a sphere, mean |x - r| /
- * mean r, and are predicted by trying: each candidate is prepared and compared on some hundred
- * (normal, view) pairs with a nearly exact sum (for broad lobes a sum over thousands of lights, for
- * sharp ones an adaptive integral). The pairs are a sample of thousands, as a
- * sphere shows them to all views, drawn by where two cheap candidates differ; two standard errors
- * of that sample are added, with the sum's own error, so that what is predicted holds. A choice
- * that may be luck, or one that may have missed the tolerance by chance, is checked on a second
- * sample. The error is the mean over all views. One picture can have several times as much, when
- * most of the light is behind what it shows; GetPredictedPictureError estimates the largest. Where
- * that is above the tolerance, candidates are tried, too, whose frames are no longer and which take
- * at most 4 MB. One of them is taken if it is within the
- * tolerance in single pictures, or has at most two thirds of the error there. For one picture, plan
- * for it (SetPairs, vtkMeasuredBRDFMapper::SetPlanForView). A candidate's cost counts what a pixel
- * fetches and computes, times a pixel of a table (vtkRadianceIntegrator::EstimateCost).
+ * Given a BRDF, an environment and a tolerance, it climbs a ladder of methods and their sizes
+ * (vtkRadianceMethods) in the order of what a pixel costs:
  *
- * Candidates of the same cost are tried in the order of their textures' bytes: tables of radiance
- * cost the same few fetches at every size. Those that the ones before show to be hopeless are left
- * out. Where no candidate meets the tolerance, the most accurate one is chosen, the first of those
- * that differ by less than a tenth, and the reason says so. Frames of more than twice the shortest
- * are not tried where another misses the tolerance by what stands for chance only. A plan is made
- * again when the material, the environment's pixels or the settings changed, not when the
- * environment turned: one for all views is the same at every rotation.
+ * 1. radiance tables of 17, 33 and 49 rows, and of 201 where the light has no suns or lamps;
+ * 2. where it has: tables of 33 and 65 rows with suns and lamps as lights, and eight maps with
+ *    these;
+ * 3. filtered samples: 16, 64, 256 of the material's lobe with as many of the light.
  *
- * What a camera sees can need less than the whole sphere: SetPairs checks candidates on what is in
- * view only.
+ * Anisotropic materials have tables of their own, and sets of 64 and 256 lights at the top. The two
+ * lowest rungs are tried first. Where both miss the tolerance, the climb goes on at the lowest rung
+ * with lamps, or at the next one. It ends at the first rung within the tolerance; then lower ones
+ * are tried as long as they are within it, too. The cheapest within the tolerance is the choice,
+ * else the most accurate. GetInteractiveChoice is what to draw while somebody interacts: the most
+ * accurate of the rungs tried that cost at most twice a table's pixel.
+ *
+ * Errors are relative L1 over a sphere, mean |x - r| / mean r, and are measured: each rung is
+ * prepared and compared on about 512 (normal, view) pairs with a nearly exact sum (for broad lobes
+ * of isotropic materials a sum over thousands of lights, for all others an adaptive integral). The
+ * pairs are a sample of thousands, as a sphere shows them to all views, drawn by where the two
+ * lowest rungs differ; two standard errors of that sample are added, with the sum's own error, so
+ * that what is predicted holds. The error is the mean over all views. One picture can have several
+ * times as much, when most of the light is behind what it shows; GetPredictedPictureError estimates
+ * the largest. For one picture, plan for it (SetPairs, vtkMeasuredBRDFMapper::SetPlanForView).
+ *
+ * A plan is made again when the material, the environment's pixels or the settings changed, not
+ * when the environment turned: one for all views is the same at every rotation.
  */
 
 #ifndef vtkRadiancePlanner_h
@@ -105,8 +104,8 @@ public:
 
   ///@{
   /**
-   * Also try the candidates that the search leaves out, and those that are never chosen, for lists
-   * of them (default off): seconds instead of tenths. The choice is the same.
+   * Also try the rungs that the climb leaves out, and methods that are never chosen, for lists of
+   * them (default off): seconds instead of tenths. The choice is the same.
    */
   vtkSetMacro(EvaluateAll, bool);
   vtkGetMacro(EvaluateAll, bool);
@@ -115,11 +114,20 @@ public:
 
   ///@{
   /**
-   * Largest texture memory of a plan in bytes (default 96 MiB). Where no candidate meets the
-   * tolerance, more than 12 MB are taken only if they leave at most 60 % of the error.
+   * Largest texture memory of a plan in bytes, with the material's own textures where a method needs
+   * them (default 24 MiB: all rungs under maps of up to 2048 x 1024; tables take at most 12 MB).
    */
   virtual void SetMaximumTextureBytes(vtkIdType maximumTextureBytes);
   vtkGetMacro(MaximumTextureBytes, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * What a pixel may cost, times a table's, in [1, 1e6] (default 150: 256 samples with as many lights
+   * cost 115, and suns come on top). The plan says what was given up.
+   */
+  virtual void SetMaximumCost(double maximumCost);
+  vtkGetMacro(MaximumCost, double);
   ///@}
 
   ///@{
@@ -158,6 +166,8 @@ public:
   std::string GetDescription(int index);      // sizes
   double GetPredictedError(int index);        // relative L1, that of the sample and what follows
   double GetErrorUncertainty(int index);      // two standard errors and the reference's
+  double GetPredictedPercentile95(int index); // what 95 % of the pixels stay within, over the mean
+  double GetPredictedPercentile99(int index);
   double GetPredictedPictureError(int index); // estimated: the largest of a sphere from 14 sides
   double GetPredictedCost(int index);         // of a pixel, times a table's
   vtkIdType GetTextureBytes(int index);
@@ -166,11 +176,12 @@ public:
 
   ///@{
   /**
-   * The choice, -1 before any; whether it meets the tolerance in the mean over all views (or over
-   * what is in view); why it was chosen, one line, also where it takes more than 4 MB or does not
-   * meet the tolerance.
+   * The choice, -1 before any; what to draw while somebody interacts, the same or a cheaper one;
+   * whether the choice meets the tolerance in the mean over all views (or over what is in view); why
+   * it was chosen, one line.
    */
   int GetChoice();
+  int GetInteractiveChoice();
   bool GetMeetsTolerance();
   std::string GetReason();
   ///@}
@@ -205,7 +216,8 @@ protected:
   ~vtkRadiancePlanner() override;
 
   double ErrorTolerance = 0.02;
-  vtkIdType MaximumTextureBytes = 96 << 20;
+  vtkIdType MaximumTextureBytes = 24 << 20;
+  double MaximumCost = 150.0;
   double ViewDirection[3] = { 0.0, 0.0, 0.0 };
   bool EvaluateAll = false;
   std::atomic<bool> Abort{ false };

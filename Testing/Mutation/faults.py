@@ -309,8 +309,6 @@ add("Integration.forgotten-nodes-stay-so", "Private/MaterialPrecomputation.cxx",
     "MaterialPrecomputation.MakesForgottenNodesAgain")
 add("Integration.nodes-made-again-for-nothing", "Private/MaterialPrecomputation.cxx", "use.Nodes || known", "true || known",
     "MaterialPrecomputation.MakesForgottenNodesAgain")
-add("Integration.maps-wherever-rows-gain-little", "Private/TableCandidates.cxx", "fine->Error > MostOfMappedRows * coarse->Error",
-    "fine->Error > 1e9 * coarse->Error", "MapCandidates.AreLeftOutWhereRowsOfTablesGainLittle")
 add("Integration.rings-end-at-the-seam", "Private/RingLimiter.cxx", "first.FillEnds(row);", "", "RingLimiter.*")
 add("Lighting.sets-of-one-tree-are-one-set", "Private/EnvironmentPrecomputation.cxx", "tree.FillLightSet(count, sets->back());",
     "tree.FillLightSet(count / 2 + 1, sets->back());", "EnvironmentPrecomputation.SetsOfOneTreeAreThoseOfTheirOwn")
@@ -382,8 +380,7 @@ add("Integration.light-set-last-row", "Private/LightTexture.cxx",
     "Mapper.ManyLightsAndHugeValues|Mapper.LightSetMatchesCpuPerPixel")
 add("Integration.lights-cost-nothing", "vtkLightSetRadianceIntegrator.cxx",
     "PixelCosts::Light * this->NumberOfLights", "PixelCosts::Light",
-    "Planner.CostsAreTimesATables|Planner.AnisotropicMaterialsGetTablesOrLightSets|Planner.EvaluateAllListsEveryMethod|"
-    "GoldenPlans.EmbeddedMaterials")
+    "Planner.CostsAreTimesATables|Planner.AnisotropicMaterialsGetTablesOrLightSets|Planner.EvaluateAllListsEveryMethod")
 add("Integration.table-azimuth-mirrored", "Private/LobePlacement.h",
     "this->Across = glm::dvec3(azimuth.x, 0.0, -azimuth.y);",
     "this->Across = glm::dvec3(-azimuth.x, 0.0, azimuth.y);",
@@ -615,6 +612,20 @@ add("IO.photograph-upside-down", "vtkPhotographSetReader.cxx", "for (int y = fil
 
 # Planning
 
+add("Planning.climb-begins-at-the-bottom", "Private/PlanSearch.cxx", "rung == 1 && lamps < number", "false",
+    "PlanSearch.ClimbsToTheCheapestWithinTheTolerance")
+add("Planning.climb-never-steps-down", "Private/PlanSearch.cxx", "rung > 0 && this->IsWithin(rung)", "rung > number",
+    "PlanSearch.ClimbsToTheCheapestWithinTheTolerance")
+add("Planning.memory-has-no-bound", "Private/PlanSearch.cxx", "candidate.Bytes <= this->Task.MaximumBytes;", "true;",
+    "PlanSearch.PassesOverWhatDoesNotFit")
+add("Planning.interaction-is-as-dear", "Private/PlanSearch.cxx", "candidate.MayBeChosen && candidate.Cost <= InteractiveCost", "candidate.MayBeChosen",
+    "PlanSearch.ClimbsToTheCheapestWithinTheTolerance")
+add("Planning.pictures-have-the-mean", "Private/PlanComparison.cxx", "GetLargestRatio(pictures, comparison.Pairs.Ratios) * (error", "(error",
+    "PlanSearch.EstimatesSinglePictures")
+add("Planning.reference-is-exact", "Private/PlanComparison.cxx", "/ sum, comparison.ReferenceError);", "/ sum, 0.0);",
+    "PlanComparison.AddsChanceAndTheReferencesError")
+add("Planning.percentiles-without-weights", "Private/PlanComparison.cxx", "left += share * weights[k];", "left += share;",
+    "PlanComparison.AddsChanceAndTheReferencesError")
 add("Planning.old-materials-go-whole", "Private/MaterialStore.cxx", "  this->TrimOldOnes();", "", "MaterialStore.ForgetsWhatFewPlansNeedFirst")
 add("Planning.nothing-between-pixels", "Private/PlanPoints.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.0;",
     "PlanPoints.HaveOthersBetween")
@@ -633,25 +644,6 @@ add("Planning.pictures-without-candidates-know-no-points", "Private/PlanSample.c
     pairs""", "    pairs", "PlanSample.OfPicturesKnowTheirPoints")
 add("Planning.samples-of-pictures-are-not-spread", "Private/PlanSample.cxx", "all.Points.empty() ? OrderByDifference", "true ? OrderByDifference",
     "PlanSample.IsSpreadOverPictures")
-add("Planning.pairs-about-a-point-are-draws-of-their-own", "Private/PlanComparison.cxx", "if (points.empty())", "if (points.empty() || true)",
-    "PlanComparison.KnowsWhatLiesAboutTheSamePoint")
-add("Planning.error-without-deviation", "Private/PlanComparison.cxx", "return { error + uncertainty, uncertainty, ",
-    "return { error, uncertainty, ", "PlanComparison.PoolsSamplesAndAddsTheReferencesError|GoldenPlans.EmbeddedMaterials|PlanSample.PredictionsHold")
-add("Planning.pairs-without-weights", "Private/PlanComparison.cxx",
-    "weights.empty() ? 1.0 : weights[static_cast<std::size_t>(k)];", "1.0;",
-    "PlanComparison.PoolsSamplesAndAddsTheReferencesError|GoldenPlans.EmbeddedMaterials|PlanSample.PredictionsHold")
-add("Planning.reference-is-exact", "Private/PlanComparison.cxx", "squares) / sum, ownError,", "squares) / sum, 0.0,",
-    "PlanComparison.PoolsSamplesAndAddsTheReferencesError")
-add("Integration.rows-replace-view-angles", "Private/TableCandidates.cxx", "return (byViews || byRows) &&", "return byRows &&",
-    "TableCandidates.*")
-add("Integration.rows-gain-more-and-more", "Private/TableCandidates.cxx", "constexpr double RowGainPower = 2.0;", "constexpr double RowGainPower = 8.0;",
-    "TableCandidates.*")
-add("Integration.maps-halve-the-error", "Private/TableCandidates.cxx", "constexpr double LeastOfMaps = 0.7;",
-    "constexpr double LeastOfMaps = 0.01;", "MapCandidates.TooManyAreLeftOut")
-add("Integration.maps-lack-nothing-but-rows", "Private/TableCandidates.cxx", "if (IsClearlyFewer(table.Sizes[0], attempt.Sizes[0]))", "if (false)",
-    "MapCandidates.AreLeftOutWhereFewerRowsHaveMore|MapCandidates.LearnFromTables")
-add("Integration.tables-teach-hybrids-nothing", "vtkHybridRadianceIntegrator.cxx", "return method == table->GetMethodName()", "return method.empty()",
-    "MapCandidates.LearnFromTables")
 add("Integration.other-half-unmirrored", "Private/DegreeSum.cxx", "getOut(places.Mirror, -m) = sign * (even - odd);",
     "getOut(places.Mirror, -m) = sign * (even + odd);", "FieldSynthesis.IsTheSumOverHarmonics")
 add("Integration.kinds-that-are-none-count", "Private/FieldSynthesis.cxx", "other.Real.tail(beyond) = other.Imaginary.tail(beyond) = 0.0f;", "",
@@ -665,22 +657,8 @@ add("Integration.azimuths-turn-backwards", "Private/AzimuthSeries.cxx", "gain * 
     "AzimuthSeries.TurnsEachOrder")
 add("Planning.memory-decides-nothing", "Private/PlanCandidate.cxx", "(a.Cost == b.Cost && a.Bytes < b.Bytes)", "false",
     "Planner.EvaluateAllListsEveryMethod")
-add("Planning.luck-is-merit", "Private/PlanSearch.cxx", "!this->MayBeLuck(candidate) || this->Check(candidate);",
-    "true;", "PlanSearch.DoesNotTakeLuckForMerit")
-add("Planning.near-misses-are-misses", "Private/PlanSearch.cxx", "constexpr double Dearer = 1.05;", "constexpr double Dearer = 1e9;",
-    "PlanSearch.LooksTwiceAtNearMisses")
-add("Planning.long-frames-for-chance", "Private/PlanSearch.cxx", "constexpr double LongFrame = 2.0;", "constexpr double LongFrame = 1e9;",
-    "PlanSearch.LooksTwiceAtNearMisses")
-add("Planning.pictures-have-the-mean", "Private/PlanComparison.cxx", "ratio * (error + uncertainty) };", "error + uncertainty };",
-    "PlanSearch.HoldsInSinglePictures")
-add("Planning.pictures-at-any-price", "Private/PlanSearch.cxx", "constexpr vtkIdType LittleMemory = 4000000;",
-    "constexpr vtkIdType LittleMemory = 4000000000;", "PlanSearch.HoldsInSinglePictures")
 add("Planning.pictures-without-their-density", "Private/PlanPictures.cxx", "std::max(std::sin(turned), LeastSine);", "1.0;",
     "PlanPictures.AreWhatCamerasSee")
-add("Planning.memory-is-free", "Private/PlanSearch.cxx", "constexpr double MemoryWorthIt = 1.5;", "constexpr double MemoryWorthIt = 1.0;",
-    "PlanSearch.WeighsMemoryWhereNothingMeets")
-add("Planning.last-resort-is-the-largest", "Private/PlanSearch.cxx", "factor < known || (factor == known && candidate.Bytes >= other.Bytes)",
-    "candidate.Bytes >= other.Bytes", "PlanSearch.WeighsMemoryWhereNothingMeets")
 add("Planning.store-lends-twice", "Private/MaterialStore.cxx", "  Parts parts = std::move(known->Material);\n  this->Entries.erase(known);",
     "  Parts parts = known->Material;", "MaterialStore.KeepsTheLastOnes")
 add("Planning.store-has-no-bound", "Private/MaterialStore.cxx", "sum > this->Most ?", "false ?", "MaterialStore.KeepsTheLastOnes")
@@ -694,30 +672,20 @@ add("Planning.lights-for-mirrors", "Private/PlanReference.cxx", "return task.BRD
     "return task.BRDF->IsIsotropic() ||", "PlanReference.KnowsItsErrorUnder*")
 add("Planning.lights-without-error", "Private/PlanReference.cxx", "comparison.ReferenceError = own + fewer;",
     "comparison.ReferenceError = 0.0;", "PlanReference.IsNearlyExact")
-add("Planning.tolerance-twice", "Private/PlanSearch.cxx", "candidate.Error <= this->Task.Tolerance)",
-    "candidate.Error <= 2.0 * this->Task.Tolerance)", "PlannerPromise.IsKept")
-add("Planning.stops-where-all-are-asked-for", "Private/PlanSearch.cxx", "(!this->Task.All || this->TryOthers(candidates))",
-    "true", "Planner.EvaluateAllListsEveryMethod|PlanSearch.ChoosesTheSameWhereAllAreTried")
-add("Planning.what-is-only-listed-is-chosen", "Private/PlanSearch.cxx", "!candidate.MayBeChosen || !this->IsWorthTrying", "!this->IsWorthTrying",
-    "PlanSearch.ChoosesTheSameWhereAllAreTried")
 add("Planning.between-is-inside", "Private/PlanPoints.cxx", "const double share = Reach * (2.0 * this->Draw() - 1.0);",
     "const double share = 0.5 * Reach * this->Draw();", "PlanPoints.HaveOthersBetween")
-add("Planning.others-are-chosen", "Private/PlanSearch.cxx", "this->Try(candidates[k], false)", "this->Try(candidates[k], true)",
-    "PlanSearch.ChoosesTheSameWhereAllAreTried")
 add("Planning.memory-without-the-material", "Private/PlanSearch.cxx",
     "candidate.Bytes += static_cast<vtkIdType>(form.GetTextureBytes());", "",
-    "Planner.TextureMemoryOfTheMaterial|GoldenPlans.EmbeddedMaterials")
+    "Planner.TextureMemoryOfTheMaterial")
 add("Planning.own-methods-stop-the-search", "Private/PlanSearch.cxx",
     "if (this->Aborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))",
     "if (this->Aborted() || !candidate.Method.empty())", "RadianceMethods.WhatFailsIsLeftOutWithAWarning")
 add("Planning.normals-over-half-a-turn", "Private/PlanPairs.cxx", "const double turn = RadicalInverse(index, 3);",
-    "const double turn = 0.5 * RadicalInverse(index, 3);", "PlanSample.CrowdsAboutLamps|GoldenPlans.EmbeddedMaterials")
+    "const double turn = 0.5 * RadicalInverse(index, 3);", "PlanSample.CrowdsAboutLamps")
 add("Planning.lamps-without-weights", "Private/PlanPairs.cxx", "const double density = share * lamps.GetDensity(mirror);",
     "const double density = 0.0;", "PlanSample.CrowdsAboutLamps")
 add("Planning.no-pairs-at-lamps", "Private/PlanPairs.cxx", "constexpr double LampShare = 0.5;",
     "constexpr double LampShare = 0.0;", "PlanSample.CrowdsAboutLamps")
-add("Planning.texture-units-lose-nothing", "Private/PlanComparison.cxx", "FilterWeights);", "0.0);",
-    "PlanComparison.PoolsSamplesAndAddsTheReferencesError")
 
 # Rendering
 

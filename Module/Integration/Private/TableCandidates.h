@@ -2,46 +2,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The sizes of radiance tables that a planner tries, for tables alone and within hybrids. Private
- * to the module.
+ * The rungs of a planner's ladder that are tables, alone or within hybrids. Private to the module.
  */
 
 #ifndef TableCandidates_h
 #define TableCandidates_h
 
-#include "vtkRadianceIntegrator.h"
 #include "vtkType.h"
 
+#include <functional>
 #include <vector>
+
+class vtkEnvironment;
 
 namespace measuredbrdf
 {
-/// Rows, view angles, azimuths.
-std::vector<std::vector<int>> GetTableCandidates();
+/// Largest number of lamps that become lights in a plan.
+constexpr int PlannedLights = 16;
 
-/// Rows, view angles, azimuths, maps.
+/// Lamps up to this angle in degrees are one light each, unless a finer angle is asked for.
+constexpr double LampAngle = 1.2;
+
+/// How many lights the environment's suns and lamps are, at most PlannedLights; 0 where there is no
+/// environment, or goOn said no.
+int CountPlannedLights(
+  vtkEnvironment* environment, double degrees, const std::function<bool()>& goOn);
+
+/// Rows, view angles, azimuths of tables alone. lamps: whether tables beside lamps take over from
+/// there.
+std::vector<std::vector<int>> GetTableCandidates(bool lamps);
+
+/// Rows, view angles, azimuths, maps of tables beside lamps.
 std::vector<std::vector<int>> GetHybridCandidates();
 
-/// Rows, view angles, azimuths, the view's azimuths.
+/// Rows, view angles, azimuths, the view's azimuths of tables of anisotropic materials.
 std::vector<std::vector<int>> GetAnisotropicCandidates();
 
 /// Of a table's textures.
 vtkIdType GetTableBytes(int rows, int viewAngles, int azimuths);
-
-/// vtkRadianceIntegrator::CanPrune for a table with these rows, view angles and azimuths, the first
-/// three sizes of the attempts.
-bool CanPruneTable(const std::vector<int>& sizes,
-  const std::vector<vtkRadianceIntegrator::Attempt>& attempts, double tolerance);
-
-/// The same for so many maps of the sharp part of so many rows. attempts: with maps, no more of
-/// them; tables: without maps, beside the same lights. These show what more rows gain, and what
-/// maps lack that is no matter of rows.
-bool CanPruneMaps(int rows, int maps, const std::vector<vtkRadianceIntegrator::Attempt>& attempts,
-  const std::vector<vtkRadianceIntegrator::Attempt>& tables, double tolerance);
-
-/// The same for maps without lights, however many: true where a table of 257 x 8 x 8 can be pruned,
-/// or is far from the tolerance and leaves too much of the error of 65 x 8 x 8.
-bool CanPruneMapsAlone(const std::vector<vtkRadianceIntegrator::Attempt>& tables, double tolerance);
 } // namespace measuredbrdf
 
 #endif

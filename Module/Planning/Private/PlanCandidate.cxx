@@ -5,6 +5,7 @@
 #include "vtkRadianceMethods.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace measuredbrdf
 {
@@ -22,8 +23,9 @@ vtkSmartPointer<vtkRadianceIntegrator> MakeIntegrator(
   return made;
 }
 
-std::vector<PlanCandidate> ListCandidates(const PlanTask& task)
+std::vector<PlanCandidate> ListCandidates(const PlanTask& task, std::string& givenUp)
 {
+  double cheapest = HUGE_VAL; // of what is given up
   std::vector<PlanCandidate> candidates;
   for (const vtkSmartPointer<vtkRadianceIntegrator>& method : vtkRadianceMethods::GetMethods())
   {
@@ -50,7 +52,12 @@ std::vector<PlanCandidate> ListCandidates(const PlanTask& task)
       candidate.Cost = candidate.Integrator->EstimateCost();
       candidate.Bytes = candidate.Integrator->EstimateTextureBytes();
       candidate.Integrator->SetPrecomputation(nullptr);
-      if (candidate.Bytes <= task.MaximumBytes)
+      if (candidate.Cost > task.MaximumCost && candidate.MayBeChosen && candidate.Cost < cheapest)
+      {
+        cheapest = candidate.Cost;
+        givenUp = candidate.Method + ", " + candidate.Description;
+      }
+      if (candidate.Bytes <= task.MaximumBytes && candidate.Cost <= task.MaximumCost)
       {
         candidates.push_back(candidate);
       }

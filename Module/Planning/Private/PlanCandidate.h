@@ -8,6 +8,7 @@
 #ifndef PlanCandidate_h
 #define PlanCandidate_h
 
+#include "PlanComparison.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkRadianceIntegrator.h"
@@ -21,27 +22,17 @@
 namespace measuredbrdf
 {
 /// A method (vtkRadianceMethods) with its sizes.
-struct PlanCandidate
+struct PlanCandidate : PlanError
 {
   std::string Method;
   std::vector<int> Sizes;
   std::string Description;                           // the sizes in words
   double Cost = 0.0;                                 // of a pixel, times a table's
-  double Error = 0.0;                                // relative L1, with Uncertainty
-  double Uncertainty = 0.0;                          // for what the pairs may miss
-  double Picture = 0.0;                              // estimated: the most of a single picture
-  bool OnBoth = false;                               // compared on a second sample, too
   bool MayBeChosen = true;                           // else it is only listed
   vtkIdType Bytes = 0;                               // of textures
   double SetUp = 0.0;                                // ms
   vtkSmartPointer<vtkRadianceIntegrator> Integrator; // null: to be made again
 };
-
-/// The size that its method gives first; 0 without one.
-inline int GetMainSize(const PlanCandidate& candidate)
-{
-  return candidate.Sizes.empty() ? 0 : candidate.Sizes.front();
-}
 
 /// What to plan for.
 struct PlanTask
@@ -51,6 +42,7 @@ struct PlanTask
   double Tolerance = 0.0;
   bool All = false;           // also list what can't be chosen
   vtkIdType MaximumBytes = 0; // of textures
+  double MaximumCost = 0.0;   // of a pixel, times a table's
   std::shared_ptr<vtkRadianceIntegrator::Precomputation> Shared;
 };
 
@@ -59,9 +51,10 @@ struct PlanTask
 vtkSmartPointer<vtkRadianceIntegrator> MakeIntegrator(
   const PlanCandidate& candidate, vtkBRDF* brdf, vtkEnvironment* environment);
 
-/// In the order to try them: by cost, those of one cost by the bytes of their textures. Each has
-/// its integrator.
-std::vector<PlanCandidate> ListCandidates(const PlanTask& task);
+/// The ladder: rungs in the order of their cost, those of the same cost in the order of their
+/// textures' bytes. Each has its integrator. What costs or takes more than the task allows is left
+/// out; givenUp: the cheapest of what costs too much, in words, or "".
+std::vector<PlanCandidate> ListCandidates(const PlanTask& task, std::string& givenUp);
 } // namespace measuredbrdf
 
 #endif

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
 namespace measuredbrdf
 {
@@ -15,10 +16,6 @@ namespace
 {
 constexpr double StandardErrors = 2.0; // that are added: what is predicted shall hold
 
-// What the texture units of graphics cards lose by interpolating with weights of 8 bits: relative
-// L1 of the smallest table, in the mean of seven materials under three maps. Larger tables and
-// other methods lose 0.0003 to 0.0008 (docs/methods/pixel-cost.md, "The weights of texture units").
-constexpr double FilterWeights = 0.0013;
 
 constexpr double OwnWidth = 20.0; // PictureSums: fewer pairs than are drawn
 
@@ -39,78 +36,72 @@ double GetLargestRatio(const PictureSums& own, const std::vector<double>& cheap)
 
 // The residues' squares. Pairs about the same point are no draws of their own: their residues are
 // summed first, as those of clusters (Sarndal, Swensson, Wretman 1992, 5.6 with 4.2).
-double SumSquares(const std::vector<const PlanComparison*>& comparisons,
-  const std::vector<double>& differences, const std::vector<double>& references, double error)
+double SumSquares(const std::vector<std::size_t>& points, const std::vector<double>& differences,
+  const std::vector<double>& references, double error)
 {
   std::vector<double> residues;
-  std::size_t before = 0;
-  double squares = 0.0;
-  for (const PlanComparison* comparison : comparisons)
+  for (std::size_t k = 0; k < differences.size(); ++k)
   {
-    const std::size_t count = static_cast<std::size_t>(comparison->Reference->GetNumberOfTuples());
-    const std::vector<std::size_t>& points = comparison->Pairs.Points;
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      const double residue = differences[before + k] - error * references[before + k];
-      if (points.empty())
-      {
-        squares += residue * residue;
-        continue;
-      }
-      residues.resize(std::max(residues.size(), points[k] + 1), 0.0);
-      residues[points[k]] += residue;
-    }
-    before += count;
+    const std::size_t at = points.empty() ? k : points[k];
+    residues.resize(std::max(residues.size(), at + 1), 0.0);
+    residues[at] += differences[k] - error * references[k];
   }
-  return std::inner_product(residues.begin(), residues.end(), residues.begin(), squares);
+  return std::inner_product(residues.begin(), residues.end(), residues.begin(), 0.0);
+}
+
+// The difference that so much of the pixels, by weight, stay within.
+double GetPercentile(
+  const std::vector<double>& differences, const std::vector<double>& weights, double share)
+{
+  std::vector<std::pair<double, double>> pixels; // difference of one, and weight
+  double left = 0.0;
+  for (std::size_t k = 0; k < differences.size(); ++k)
+  {
+    pixels.emplace_back(differences[k] / weights[k], weights[k]);
+    left += share * weights[k];
+  }
+  std::sort(pixels.begin(), pixels.end());
+  const auto found = std::find_if(pixels.begin(), pixels.end(),
+    [&left](const auto& pixel) { return (left -= pixel.second) <= 0.0; });
+  return found == pixels.end() ? pixels.back().first : found->first;
 }
 }
 
 // Standard errors are those of a ratio of weighted sums (Sarndal, Swensson, Wretman 1992, "Model
 // Assisted Survey Sampling", 5.6; for draws from all views there are, not only from those that the
-// sample was taken from): highlights are rare and decide. Samples that were drawn apart, pooled,
-// are a larger one.
-PlanError Compare(const std::vector<const PlanComparison*>& comparisons,
-  const std::vector<vtkDoubleArray*>& radiances)
+// sample was taken from): highlights are rare and decide.
+PlanError Compare(const PlanComparison& comparison, vtkDoubleArray* radiance)
 {
-  std::vector<double> differences, references;
-  double difference = 0.0;
-  double sum = 0.0;
-  double ownError = 0.0;
-  PictureSums pictures(OwnWidth);
-  for (std::size_t n = 0; n < comparisons.size(); ++n)
+  const std::size_t count = static_cast<std::size_t>(radiance->GetNumberOfTuples());
+  std::vector<double> weights = comparison.Pairs.Weights;
+  weights.resize(count, 1.0);
+  std::vector<double> differences(count, 0.0);
+  std::vector<double> references(count, 0.0);
+  for (std::size_t k = 0; k < count; ++k)
   {
-    const PlanComparison& comparison = *comparisons[n];
-    ownError = std::max(ownError, comparison.ReferenceError);
-    const std::size_t before = differences.size();
-    for (vtkIdType k = 0; k < radiances[n]->GetNumberOfTuples(); ++k)
+    for (int c = 0; c < 3; ++c)
     {
-      const std::vector<double>& weights = comparison.Pairs.Weights;
-      const double weight = weights.empty() ? 1.0 : weights[static_cast<std::size_t>(k)];
-      differences.push_back(0.0);
-      references.push_back(0.0);
-      for (int c = 0; c < 3; ++c)
-      {
-        const double reference = comparison.Reference->GetComponent(k, c);
-        differences.back() += weight * std::abs(radiances[n]->GetComponent(k, c) - reference);
-        references.back() += weight * reference;
-      }
-      difference += differences.back();
-      sum += references.back();
+      const vtkIdType pair = static_cast<vtkIdType>(k);
+      const double reference = comparison.Reference->GetComponent(pair, c);
+      differences[k] += weights[k] * std::abs(radiance->GetComponent(pair, c) - reference);
+      references[k] += weights[k] * reference;
     }
-    const auto start = static_cast<std::ptrdiff_t>(before);
-    pictures.Add(comparison.Pairs, { differences.begin() + start, differences.end() },
-      { references.begin() + start, references.end() });
   }
+  const double sum = std::accumulate(references.begin(), references.end(), 0.0);
   if (!(sum > 0.0))
   {
     return {};
   }
-  const double error = difference / sum;
-  const double squares = SumSquares(comparisons, differences, references, error);
+  const double error = std::accumulate(differences.begin(), differences.end(), 0.0) / sum;
+  const double squares = SumSquares(comparison.Pairs.Points, differences, references, error);
   const double uncertainty =
-    std::hypot(StandardErrors * std::sqrt(squares) / sum, ownError, FilterWeights);
-  const double ratio = GetLargestRatio(pictures, comparisons.front()->Pairs.Ratios);
-  return { error + uncertainty, uncertainty, ratio * (error + uncertainty) };
+    std::hypot(StandardErrors * std::sqrt(squares) / sum, comparison.ReferenceError);
+  PictureSums pictures(OwnWidth);
+  pictures.Add(comparison.Pairs, differences, references);
+  const double mean = sum / std::accumulate(weights.begin(), weights.end(), 0.0);
+  return { error + uncertainty, uncertainty,
+    GetLargestRatio(pictures, comparison.Pairs.Ratios) * (error + uncertainty),
+    { GetPercentile(differences, weights, 0.95) / mean,
+      GetPercentile(differences, weights, 0.99) / mean } };
 }
 } // namespace measuredbrdf

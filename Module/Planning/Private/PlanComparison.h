@@ -23,24 +23,24 @@ struct PlanComparison
   PlanPairs Pairs;
   vtkSmartPointer<vtkDoubleArray> Reference; // 3 components a pair
   double ReferenceError = 0.0;               // relative, with two standard errors
-  /// What computed Reference, null before. Another comparison may use it, too, with its error: what
-  /// it prepared does not depend on the pairs.
+  /// What computed Reference, null before.
   vtkSmartPointer<vtkRadianceIntegrator> Integrator;
 };
 
-/// Relative L1 over the pairs of all comparisons, with Uncertainty: two standard errors of their
-/// sample, and the reference's own error. Picture: the largest of single pictures from the pairs'
-/// cameras, the same where they have none.
+/// Relative L1 over the pairs, with Uncertainty: two standard errors of the sample, and the
+/// reference's own error.
 struct PlanError
 {
   double Error = 0.0;
   double Uncertainty = 0.0;
+  /// The largest of single pictures from the pairs' cameras; Error where there are none.
   double Picture = 0.0;
+  /// What 95 % and 99 % of the pixels stay within, relative to the mean radiance, by this sample.
+  double Percentiles[2] = { 0.0, 0.0 };
 };
 
-/// radiances: a candidate's, of each comparison's pairs.
-PlanError Compare(const std::vector<const PlanComparison*>& comparisons,
-  const std::vector<vtkDoubleArray*>& radiances);
+/// radiance: a candidate's, of the comparison's pairs.
+PlanError Compare(const PlanComparison& comparison, vtkDoubleArray* radiance);
 } // namespace measuredbrdf
 
 #endif

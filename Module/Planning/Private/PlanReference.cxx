@@ -66,7 +66,7 @@ public:
   {
     vtkNew<vtkDoubleArray> radiance;
     const bool integrated = this->Integrate(integrator, radiance);
-    error = integrated ? Compare({ &this->Comparison }, { radiance }).Error : 0.0;
+    error = integrated ? Compare(this->Comparison, radiance).Error : 0.0;
     return integrated;
   }
 

@@ -14,8 +14,8 @@
 
 namespace measuredbrdf
 {
-/// Why the choice was chosen, one line; also why it takes more than 4 MB.
-std::string ExplainChoice(const Plan& plan, double tolerance);
+/// Why the choice was chosen, one line. givenUp: the cheapest method that costs too much, or "".
+std::string ExplainChoice(const Plan& plan, double tolerance, const std::string& givenUp);
 
 /// The choice, its figures and the reason; "no plan yet" without a choice.
 std::string DescribePlan(const Plan& plan);

@@ -24,10 +24,7 @@ namespace
 constexpr double ShareByDifference = 0.35;
 constexpr double ShareByRadiance = 0.2;
 constexpr double ShareByWeight = 0.25;
-// Of the steps through the draws, and from one sample to the next: as good as random, and the same
-// every time.
-constexpr double Start = 0.414;
-constexpr double NextStart = 0.618;
+constexpr double Start = 0.414; // of the steps through the draws: as good as random
 
 // Of a picture's pairs: at least so many around all points alike, so that 4096 points have one each
 // beside themselves; and so many where it varies, in rounds, each of which knows what those before
@@ -143,9 +140,9 @@ void GetValues(vtkDoubleArray* coarse, vtkDoubleArray* fine, std::vector<double>
   }
 }
 
-// From the least on. Another index, another order of those that are the same.
+// From the least on, those that are the same in any order.
 std::vector<std::size_t> OrderByDifference(
-  const std::vector<double>& differences, const std::vector<double>& weights, unsigned int index)
+  const std::vector<double>& differences, const std::vector<double>& weights)
 {
   const std::size_t number = differences.size();
   std::vector<double> keys(number);
@@ -155,8 +152,7 @@ std::vector<std::size_t> OrderByDifference(
   }
   std::vector<std::size_t> order(number);
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
-  std::mt19937 engine(std::mt19937::default_seed +
-                      index); // steps must not resonate with the sequence that drew the pairs
+  std::mt19937 engine; // steps must not resonate with the sequence that drew the pairs
   for (std::size_t k = number; k > 1; --k)
   {
     std::swap(order[k - 1], order[engine() % k]);
@@ -168,8 +164,7 @@ std::vector<std::size_t> OrderByDifference(
 }
 
 bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
-  std::vector<PlanCandidate>& candidates, bool picture, PlanPairs& pairs, PlanPairs& second,
-  std::string& problem)
+  std::vector<PlanCandidate>& candidates, bool picture, PlanPairs& pairs, std::string& problem)
 {
   if (pairs.Normals->GetNumberOfTuples() <= PairsToCompare || isAborted())
   {
@@ -185,7 +180,7 @@ bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
     [](const PlanCandidate& candidate) { return vtkRadianceMethods::IsBuiltIn(candidate.Method); });
   const auto larger = std::find_if(first, candidates.end(),
     [&first](const PlanCandidate& other)
-    { return other.Method == first->Method && GetMainSize(other) > GetMainSize(*first); });
+    { return other.Method == first->Method && other.Sizes > first->Sizes; });
   if (larger == candidates.end())
   {
     if (points)
@@ -193,7 +188,6 @@ bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
       points->Weigh(all);
     }
     pairs = ChoosePairs(all, nullptr, nullptr, PairsToCompare);
-    second = ChoosePairs(all, nullptr, nullptr, PairsToCompare, 1);
     return true;
   }
   CheapPair cheap(task, isAborted, *first, *larger, problem);
@@ -219,12 +213,11 @@ bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
     points->Weigh(all);
   }
   pairs = ChoosePairs(all, cheap.GetCoarse(), cheap.GetFine(), PairsToCompare);
-  second = ChoosePairs(all, cheap.GetCoarse(), cheap.GetFine(), PairsToCompare, 1);
   return true;
 }
 
 PlanPairs ChoosePairs(
-  const PlanPairs& all, vtkDoubleArray* coarse, vtkDoubleArray* fine, int count, unsigned int index)
+  const PlanPairs& all, vtkDoubleArray* coarse, vtkDoubleArray* fine, int count)
 {
   const std::size_t number = static_cast<std::size_t>(all.Normals->GetNumberOfTuples());
   std::vector<double> weights = all.Weights;
@@ -257,16 +250,13 @@ PlanPairs ChoosePairs(
   // In equal steps through the draws of all: of a picture, some of everywhere; of all views, where
   // two pairs are hardly ever close together, some of every difference.
   const std::vector<std::size_t> order =
-    all.Points.empty() ? OrderByDifference(differences, weights, index) : OrderByPlace(all);
+    all.Points.empty() ? OrderByDifference(differences, weights) : OrderByPlace(all);
   PlanPairs chosen = MakeEmptyPairs();
   chosen.Cameras = all.Cameras;
-  if (index == 0) // of all pairs, so the same for each sample
-  {
-    PictureSums pictures(DrawnWidth);
-    pictures.Add(all, differences, radiances);
-    chosen.Ratios = pictures.GetRatios();
-  }
-  double at = std::fmod(Start + index * NextStart, 1.0);
+  PictureSums pictures(DrawnWidth);
+  pictures.Add(all, differences, radiances);
+  chosen.Ratios = pictures.GetRatios();
+  double at = Start;
   for (const std::size_t k : order)
   {
     at -= draws[k];

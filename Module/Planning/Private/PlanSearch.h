@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The search for the cheapest candidate within a tolerance. Private to the module.
+ * The climb to the cheapest rung within a tolerance. Private to the module.
  */
 
 #ifndef PlanSearch_h
@@ -21,10 +21,10 @@ namespace measuredbrdf
 /// What a planner has found.
 struct Plan
 {
-  std::vector<PlanCandidate> Candidates; // that were tried, in this order
+  std::vector<PlanCandidate> Candidates; // that were tried, in the order of the ladder
   int Choice = -1;
-  int First = -1;     // that met the tolerance; the choice, or what that replaced for pictures
-  bool Meets = false; // the tolerance
+  int Interactive = -1; // the most accurate of those that cost little
+  bool Meets = false;   // whether the choice is within the tolerance
   std::string Reason;
 };
 
@@ -42,22 +42,21 @@ public:
   /// task and comparison stay the caller's.
   PlanSearch(const PlanTask& task, const PlanComparison& comparison, IsAborted isAborted);
 
-  /// Asked for other pairs when a choice may be luck: the best of many on the same pairs looks
-  /// better than it is. Null: there are none. It stays the caller's.
-  std::function<const PlanComparison*()> GetSecond;
-
-  /// Called with the share of the candidates that are done.
+  /// Called with the share of the ladder that is decided.
   std::function<void(double)> Progress;
 
-  /// Try candidates in their order until one is within the tolerance, but for those that the others
-  /// show not to help. One that misses it by no more than what stands for chance is compared on the
-  /// second pairs before any that costs clearly more is tried; where chance may be all on both,
-  /// long frames are left out. Where nothing is within the tolerance, the largest that were left
-  /// out as no help are tried in the end. Where single pictures may have more than the tolerance,
-  /// those after the first within it that take no longer a frame and little memory are tried, too.
-  /// If all are wanted, the others come last, and the choice stays. Returns false where it was
-  /// aborted, or a candidate of the module failed.
-  bool Run(const std::vector<PlanCandidate>& candidates);
+  /**
+   * Try rungs of the ladder, which is in the order of cost. The two lowest come first, which drew
+   * the pairs and are prepared. Where both miss the tolerance, the climb goes on at the lowest rung
+   * that has lamps as lights, if the light has lamps. It ends at the first rung within the
+   * tolerance, and steps down again from there while the next lower one is within it, too. The
+   * cheapest rung within the tolerance is the choice; where there is none, the most accurate.
+   *
+   * Returns false where it was aborted, or a method of the module failed. A rung of a program's own
+   * that cannot be prepared is left out with a warning. So is one that takes too many bytes with
+   * the textures of its material, without one.
+   */
+  bool Run(std::vector<PlanCandidate> ladder);
 
   /// Without a reason.
   const Plan& GetPlan() const { return this->Found; }
@@ -65,41 +64,23 @@ public:
   /// Why Run returned false, or "".
   const std::string& GetProblem() const { return this->Problem; }
 
-  /// What methods of the program's own could not be prepared, one line each; they are left out.
+  /// What could not be prepared, one line each.
   const std::string& GetWarnings() const { return this->Warnings; }
 
 private:
-  const PlanCandidate& GetChoice() const
-  {
-    return this->Found.Candidates[static_cast<std::size_t>(this->Found.Choice)];
-  }
-  bool Search(const std::vector<PlanCandidate>& candidates);
-  bool TryOthers(const std::vector<PlanCandidate>& candidates);
-  void SayProgress(std::size_t done, std::size_t all, bool others) const;
-  bool IsWorthTrying(const PlanCandidate& candidate) const;
-  bool IsAffordable(const PlanCandidate& candidate) const;
-  bool MayHoldPictures(const PlanCandidate& candidate) const;
-  bool CanPrune(const PlanCandidate& candidate, double error) const;
-  bool IsBetterInPictures(const PlanCandidate& candidate) const;
-  bool IsTooLong(const PlanCandidate& candidate) const;
-  bool Try(PlanCandidate candidate, bool mayBeChosen = true);
-  bool Prepare(PlanCandidate& candidate, bool mayBeChosen);
-  bool Integrate(PlanCandidate& candidate, const PlanPairs& pairs, vtkDoubleArray* radiance);
-  bool MayBeLuck(const PlanCandidate& candidate) const;
-  bool Check(PlanCandidate& candidate);
-  bool IsNearMiss() const;
-  bool CheckChoice();
-  void Take(const PlanCandidate& candidate);
-  bool TrySkipped(const std::vector<PlanCandidate>& skipped);
+  bool Climb();
+  bool Try(std::size_t rung);
+  bool IsWithin(std::size_t rung) const;
+  void Choose();
 
   const PlanTask& Task;
-  const PlanComparison& First;
+  const PlanComparison& Comparison;
   IsAborted Aborted;
+  std::vector<PlanCandidate> Ladder;
+  std::vector<bool> Tried; // and not left out
   Plan Found;
   std::string Problem;
   std::string Warnings;
-  int Tried = 0;
-  double ShortestFrame = 0.0; // by cost
 };
 
 /// Hands an abort on to an integrator at work, whose errors it keeps.

@@ -28,6 +28,18 @@
 
 namespace measuredbrdf
 {
+namespace
+{
+// Interactors ask for 15 frames a second while somebody moves what is shown, for one in hours else.
+constexpr double LeastInteractiveRate = 1.0;
+}
+
+bool IsInteracting(vtkRenderer* renderer)
+{
+  auto* window = vtkRenderWindow::SafeDownCast(renderer->GetVTKWindow());
+  return window && window->GetDesiredUpdateRate() >= LeastInteractiveRate;
+}
+
 MaterialDrawing::MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSettings> settings,
   std::function<std::vector<MaterialUse>()> uses)
   : Owner(owner)
@@ -206,7 +218,8 @@ bool MaterialDrawing::ResolvePlan(
   }
   if (plan)
   {
-    drawn.Integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(plan->NewIntegrator());
+    drawn.Integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(plan->NewIntegrator(
+      IsInteracting(state.Renderer) ? plan->GetInteractiveChoice() : plan->GetChoice()));
     drawn.BRDF = plan->GetBRDF();
     drawn.Environment = current.GetEnvironment();
     drawn.Plan = plan;

@@ -47,6 +47,9 @@ namespace measuredbrdf
 /// draws them.
 using MaterialUse = std::pair<vtkBRDF*, std::vector<vtkPolyData*>>;
 
+/// Whether the renderer's window wants frames fast now (vtkRenderWindow::GetDesiredUpdateRate).
+bool IsInteracting(vtkRenderer* renderer);
+
 class MaterialDrawing
 {
 public:

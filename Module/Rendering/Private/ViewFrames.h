@@ -32,13 +32,14 @@ struct FrameStamp
   vtkEnvironment* Environment = nullptr;
   vtkMTimeType EnvironmentTime = 0;
   bool HasLight = false;
+  bool IsInteractive = false;
   std::vector<std::pair<vtkBRDF*, double>> Uses; // with tolerances
 
   bool operator==(const FrameStamp& other) const
   {
     return this->SettingsTime == other.SettingsTime && this->Environment == other.Environment &&
            this->EnvironmentTime == other.EnvironmentTime && this->HasLight == other.HasLight &&
-           this->Uses == other.Uses;
+           this->IsInteractive == other.IsInteractive && this->Uses == other.Uses;
   }
 };
 

@@ -204,7 +204,7 @@ TEST(PlanSample, IsSpreadOverPictures)
   constexpr int samples = 40;
   for (unsigned int index = 0; index < samples; ++index)
   {
-    const PlanPairs chosen = ChoosePairs(all, even, even, 512, index);
+    const PlanPairs chosen = ChoosePairs(all, even, even, static_cast<int>(512 + index));
     ASSERT_EQ(chosen.Points.size(), chosen.Weights.size());
     double error = 0.0;
     double weights = 0.0;
@@ -374,13 +374,12 @@ TEST(PlanSample, StopsAndTakesAnything)
   const measuredbrdf::PlanTask task;
   std::vector<measuredbrdf::PlanCandidate> none;
   PlanPairs pairs = all;
-  PlanPairs second;
   std::string problem;
   const measuredbrdf::IsAborted yes = []() { return true; };
   const measuredbrdf::IsAborted no = []() { return false; };
-  EXPECT_FALSE(measuredbrdf::SamplePairs(task, yes, none, false, pairs, second, problem));
+  EXPECT_FALSE(measuredbrdf::SamplePairs(task, yes, none, false, pairs, problem));
   EXPECT_EQ(pairs.Normals->GetNumberOfTuples(), Many);
-  ASSERT_TRUE(measuredbrdf::SamplePairs(task, no, none, false, pairs, second, problem));
+  ASSERT_TRUE(measuredbrdf::SamplePairs(task, no, none, false, pairs, problem));
   EXPECT_NEAR(pairs.Normals->GetNumberOfTuples(), measuredbrdf::PairsToCompare, 1);
 }
 
@@ -401,7 +400,7 @@ TEST(PlanSample, OfPicturesKnowTheirPoints)
   const measuredbrdf::IsAborted no = []() { return false; };
   for (const bool hasCandidates : { false, true })
   {
-    PlanPairs first[2], second[2];
+    PlanPairs first[2];
     for (int k = 0; k < 2; ++k)
     {
       std::vector<measuredbrdf::PlanCandidate> candidates;
@@ -412,10 +411,10 @@ TEST(PlanSample, OfPicturesKnowTheirPoints)
       std::string problem;
       first[k] = given;
       ASSERT_TRUE(
-        measuredbrdf::SamplePairs(task, no, candidates, true, first[k], second[k], problem))
+        measuredbrdf::SamplePairs(task, no, candidates, true, first[k], problem))
         << problem;
     }
-    for (const PlanPairs& sample : { first[0], second[0] })
+    for (const PlanPairs& sample : first)
     {
       const auto count = static_cast<std::size_t>(sample.Normals->GetNumberOfTuples());
       EXPECT_NEAR(static_cast<double>(count), measuredbrdf::PairsToCompare, 1);
@@ -430,6 +429,5 @@ TEST(PlanSample, OfPicturesKnowTheirPoints)
     }
     EXPECT_EQ(first[0].Points, first[1].Points);
     EXPECT_EQ(first[0].Weights, first[1].Weights);
-    EXPECT_NE(first[0].Points, second[0].Points);
   }
 }

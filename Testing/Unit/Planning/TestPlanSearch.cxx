@@ -1,16 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How a search weighs what a sample says: pooled samples, choices by luck, and what plans of one
-// material share.
+// What a sample says of an error, the climb on the ladder, and what plans of one material share.
 
 #include "MaterialStore.h"
 #include "PlanComparison.h"
 #include "PlanSearch.h"
-#include "TableCandidates.h"
 #include "vtkBRDF.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
-#include "vtkHybridRadianceIntegrator.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRadianceIntegrator.h"
@@ -19,6 +16,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
@@ -38,12 +36,6 @@ public:
   static Wrong* New();
   vtkTypeMacro(Wrong, vtkRadianceIntegrator);
   double Errors[2] = { 0.0, 0.0 };
-  double Pruned = 0.0; // for errors up to this one
-  bool CanPrune(const std::vector<Attempt>&, double error) override
-  {
-    return error <= this->Pruned;
-  }
-
 protected:
   bool Begin() override { return true; }
   void IntegratePart(int vtkNotUsed(part), const double n[3], const double vtkNotUsed(o)[3],
@@ -87,8 +79,6 @@ PlanCandidate MakeCandidate(int size, double first, double second)
   return candidate;
 }
 
-constexpr double TextureUnits = 0.0013; // what each comparison adds for them
-
 // At 2 %.
 measuredbrdf::PlanTask MakeTask(vtkIdType maximumBytes)
 {
@@ -96,6 +86,7 @@ measuredbrdf::PlanTask MakeTask(vtkIdType maximumBytes)
   task.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
   task.Tolerance = 0.02;
   task.MaximumBytes = maximumBytes;
+  task.MaximumCost = 1000.0;
   return task;
 }
 
@@ -114,287 +105,144 @@ vtkSmartPointer<vtkEnvironment> NewEnvironment(double share)
 
 //------------------------------------------------------------------------------
 // Against the ratio and its residues by hand.
-TEST(PlanComparison, PoolsSamplesAndAddsTheReferencesError)
+TEST(PlanComparison, AddsChanceAndTheReferencesError)
 {
-  PlanComparison first = MakeComparison(2, false);
-  first.Pairs.Weights = { 1.0, 3.0 };
-  PlanComparison second = MakeComparison(1, false);
-  second.Pairs.Weights = { 4.0 };
-  second.ReferenceError = 0.03;
-  vtkNew<vtkDoubleArray> radiance, other;
+  PlanComparison comparison = MakeComparison(3, false);
+  comparison.Pairs.Weights = { 1.0, 3.0, 4.0 };
+  comparison.ReferenceError = 0.03;
+  vtkNew<vtkDoubleArray> radiance;
   radiance->SetNumberOfComponents(3);
-  other->SetNumberOfComponents(3);
   radiance->InsertNextTuple3(1.1, 0.9, 1.1); // differences of 0.3, 0, 0.12 of 3
   radiance->InsertNextTuple3(1.0, 1.0, 1.0);
-  other->InsertNextTuple3(1.04, 1.04, 0.96);
-  const auto found = measuredbrdf::Compare({ &first, &second }, { radiance, other });
+  radiance->InsertNextTuple3(1.04, 1.04, 0.96);
+  const auto found = measuredbrdf::Compare(comparison, radiance);
   const double error = (0.3 + 4.0 * 0.12) / 24.0;
   const double squares =
     std::pow(0.3 - 3.0 * error, 2) + std::pow(9.0 * error, 2) + std::pow(0.48 - 12.0 * error, 2);
-  EXPECT_NEAR(
-    found.Uncertainty, std::hypot(2.0 * std::sqrt(squares) / 24.0, 0.03, TextureUnits), 1e-12);
+  EXPECT_NEAR(found.Uncertainty, std::hypot(2.0 * std::sqrt(squares) / 24.0, 0.03), 1e-12);
   EXPECT_NEAR(found.Error, error + found.Uncertainty, 1e-12);
+  // Seven eighths of the pixels, by weight, are within 0.12 of 3.
+  EXPECT_NEAR(found.Percentiles[0], 0.1, 1e-12);
+  EXPECT_NEAR(found.Percentiles[1], 0.1, 1e-12);
+  comparison.Pairs.Weights = { 1.0, 3.0, 26.0 };
+  EXPECT_NEAR(measuredbrdf::Compare(comparison, radiance).Percentiles[0], 0.04, 1e-12);
 }
 
 //------------------------------------------------------------------------------
-// Pairs about the same point, in both samples, are no draws of their own: residues are summed
-// first.
+// Pairs about the same point are no draws of their own: residues are summed first.
 TEST(PlanComparison, KnowsWhatLiesAboutTheSamePoint)
 {
-  PlanComparison first = MakeComparison(3, false);
-  first.Pairs.Points = { 4, 4, 0 };
-  first.Pairs.Weights = { 1.0, 2.0, 1.0 };
-  PlanComparison second = MakeComparison(1, false);
-  second.Pairs.Points = { 4 };
-  vtkNew<vtkDoubleArray> radiance, other;
+  PlanComparison comparison = MakeComparison(3, false);
+  comparison.Pairs.Points = { 4, 4, 0 };
+  comparison.Pairs.Weights = { 1.0, 2.0, 1.0 };
+  vtkNew<vtkDoubleArray> radiance;
   radiance->SetNumberOfComponents(3);
-  other->SetNumberOfComponents(3);
-  radiance->InsertNextTuple3(1.1, 0.9, 1.1); // differences of 0.3, 0.3, 0, 0.12 of 3
+  radiance->InsertNextTuple3(1.1, 0.9, 1.1); // differences of 0.3, 0.3, 0 of 3
   radiance->InsertNextTuple3(1.1, 0.9, 1.1);
   radiance->InsertNextTuple3(1.0, 1.0, 1.0);
-  other->InsertNextTuple3(1.04, 1.04, 0.96);
-  const auto found = measuredbrdf::Compare({ &first, &second }, { radiance, other });
-  const double error = 1.02 / 15.0;
-  const double squares = std::pow(1.02 - 12.0 * error, 2) + std::pow(3.0 * error, 2);
-  EXPECT_NEAR(found.Uncertainty, std::hypot(2.0 * std::sqrt(squares) / 15.0, TextureUnits), 1e-12);
-  EXPECT_NEAR(found.Error, error + found.Uncertainty, 1e-12);
+  const auto found = measuredbrdf::Compare(comparison, radiance);
+  const double error = 0.9 / 12.0;
+  const double squares = std::pow(0.9 - 9.0 * error, 2) + std::pow(3.0 * error, 2);
+  EXPECT_NEAR(found.Uncertainty, 2.0 * std::sqrt(squares) / 12.0, 1e-12);
 }
 
 //------------------------------------------------------------------------------
-// Where the tolerance is missed, more than 12 MB have to leave two thirds of the error, and a tenth
-// less.
-TEST(PlanSearch, WeighsMemoryWhereNothingMeets)
+// The lowest two first, then up, from the first rung with lamps on if there is one; then down.
+TEST(PlanSearch, ClimbsToTheCheapestWithinTheTolerance)
 {
-  measuredbrdf::PlanTask task = MakeTask(96000000);
+  measuredbrdf::PlanTask task = MakeTask(1000);
   const PlanComparison comparison = MakeComparison(20, false);
-  const auto make = [](double error, vtkIdType bytes, double pruned = 0.0)
+  std::vector<int> tried;
+  const auto run = [&](const std::vector<double>& errors, std::size_t lamps)
   {
-    PlanCandidate candidate = MakeCandidate(1, error, error);
-    candidate.Method = "table"; // one that a search knows
-    candidate.Bytes = bytes;
-    Wrong::SafeDownCast(candidate.Integrator)->Pruned = pruned;
-    return candidate;
-  };
-  const auto run = [&](const std::vector<PlanCandidate>& candidates)
-  {
+    std::vector<PlanCandidate> ladder;
+    for (std::size_t k = 0; k < errors.size(); ++k)
+    {
+      ladder.push_back(MakeCandidate(static_cast<int>(k), errors[k], errors[k]));
+      ladder.back().Method = k >= lamps ? "hybrid" : "table";
+      ladder.back().Cost = k + 1.0;
+    }
     measuredbrdf::PlanSearch search(task, comparison, []() { return false; });
-    EXPECT_TRUE(search.Run(candidates)) << search.GetProblem();
-    return search.GetPlan();
-  };
-  constexpr vtkIdType small = 11900000;
-  constexpr vtkIdType large = 17000000;
-  EXPECT_EQ(run({ make(0.5, 1000), make(0.2, small), make(0.13, large) }).Choice, 1);
-  EXPECT_EQ(run({ make(0.5, 1000), make(0.2, small), make(0.11, large) }).Choice, 2);
-  EXPECT_EQ(run({ make(0.5, 1000), make(0.15, large), make(0.19, small) }).Choice, 2);
-  EXPECT_EQ(run({ make(0.5, 1000), make(0.15, large), make(0.21, small) }).Choice, 1);
-  const measuredbrdf::Plan meeting =
-    run({ make(0.5, 1000), make(0.03, small), make(0.0185, large) });
-  EXPECT_EQ(meeting.Choice, 2);
-  EXPECT_TRUE(meeting.Meets);
-
-  // Of those that were skipped the largest of these is tried in the end.
-  const measuredbrdf::Plan skipped =
-    run({ make(0.5, 1000), make(0.3, 5000, 0.02), make(0.2, small, 0.02), make(0.1, large, 0.02) });
-  ASSERT_EQ(skipped.Candidates.size(), 2u);
-  EXPECT_EQ(skipped.Candidates[1].Bytes, small);
-  EXPECT_EQ(skipped.Choice, 1);
-}
-
-//------------------------------------------------------------------------------
-// The fifth looks good on the pairs that all are compared on, and is not: the sixth is chosen. With
-// fewer tried before, or far below the tolerance, no other pairs are asked for.
-TEST(PlanSearch, DoesNotTakeLuckForMerit)
-{
-  measuredbrdf::PlanTask task = MakeTask(1000);
-  PlanComparison first = MakeComparison(20, false);
-  first.ReferenceError = 1e-3; // some uncertainty: here all pairs have the same error
-  PlanComparison second = MakeComparison(20, true);
-  const auto run = [&](const std::vector<PlanCandidate>& candidates, int& asked)
-  {
-    measuredbrdf::PlanSearch search(task, first, []() { return false; });
-    search.GetSecond = [&]()
-    {
-      ++asked;
-      return &second;
-    };
-    EXPECT_TRUE(search.Run(candidates)) << search.GetProblem();
-    return search.GetPlan();
-  };
-  int asked = 0;
-  const std::vector<PlanCandidate> many = { MakeCandidate(1, 0.5, 0.5), MakeCandidate(2, 0.4, 0.4),
-    MakeCandidate(3, 0.3, 0.3), MakeCandidate(4, 0.2, 0.2), MakeCandidate(5, 0.0183, 0.06),
-    MakeCandidate(6, 0.0183, 0.017) };
-  const measuredbrdf::Plan plan = run(many, asked);
-  EXPECT_EQ(plan.Choice, 5);
-  EXPECT_TRUE(plan.Meets);
-  EXPECT_EQ(asked, 2);
-  EXPECT_NEAR(plan.Candidates[5].Error - plan.Candidates[5].Uncertainty, 0.01765, 1e-9);
-  EXPECT_NEAR(plan.Candidates[4].Error - plan.Candidates[4].Uncertainty, 0.03915, 1e-9);
-
-  asked = 0;
-  EXPECT_EQ(run({ MakeCandidate(1, 0.5, 0.5), MakeCandidate(2, 0.0183, 0.06) }, asked).Choice, 1);
-  EXPECT_EQ(asked, 0);
-  const std::vector<PlanCandidate> sure = { MakeCandidate(1, 0.5, 0.5), MakeCandidate(2, 0.4, 0.4),
-    MakeCandidate(3, 0.3, 0.3), MakeCandidate(4, 0.01, 0.06) };
-  EXPECT_EQ(run(sure, asked).Choice, 3);
-  EXPECT_EQ(asked, 0);
-
-  // The best that misses says what it has on both, too.
-  const std::vector<PlanCandidate> missed(many.begin(), many.begin() + 4);
-  const measuredbrdf::Plan best = run(missed, asked);
-  EXPECT_EQ(asked, 1);
-  EXPECT_FALSE(best.Meets);
-  asked = 0;
-  std::vector<PlanCandidate> unlucky = missed;
-  unlucky.push_back(MakeCandidate(5, 0.0203, 0.015));
-  EXPECT_TRUE(run(unlucky, asked).Meets);
-  EXPECT_EQ(asked, 1);
-}
-
-//------------------------------------------------------------------------------
-// What misses the tolerance by no more than stands for chance is compared on other pairs, too,
-// before a candidate that costs clearly more is tried; and that is not tried if chance may be all,
-// and it would take twice the frame of the cheapest.
-TEST(PlanSearch, LooksTwiceAtNearMisses)
-{
-  measuredbrdf::PlanTask task = MakeTask(1000);
-  PlanComparison first = MakeComparison(20, false);
-  first.ReferenceError = 1e-3;
-  PlanComparison second = MakeComparison(20, true);
-  int asked = 0;
-  const auto run = [&](double onSecond, double cost)
-  {
-    asked = 0;
-    std::vector<PlanCandidate> candidates = { MakeCandidate(1, 0.5, 0.5),
-      MakeCandidate(2, 0.4, 0.4), MakeCandidate(3, 0.3, 0.3), MakeCandidate(4, 0.0195, onSecond),
-      MakeCandidate(5, 0.001, 0.001) };
-    for (PlanCandidate& candidate : candidates)
-    {
-      candidate.Cost = 1.0;
-    }
-    candidates.back().Cost = cost;
-    measuredbrdf::PlanSearch search(task, first, []() { return false; });
-    search.GetSecond = [&]()
-    {
-      ++asked;
-      return &second;
-    };
-    EXPECT_TRUE(search.Run(candidates)) << search.GetProblem();
-    return search.GetPlan();
-  };
-  const measuredbrdf::Plan near = run(0.017, 1.1);
-  EXPECT_EQ(near.Choice, 3);
-  EXPECT_TRUE(near.Meets);
-  EXPECT_EQ(asked, 1);
-  EXPECT_EQ(run(0.017, 1.0).Choice, 4); // which costs no more
-  EXPECT_EQ(asked, 0);
-  EXPECT_EQ(run(0.03, 1.1).Choice, 4); // luck
-  EXPECT_EQ(asked, 1);
-  EXPECT_EQ(run(0.03, 2.1).Choice, 4);
-  EXPECT_EQ(run(0.0195, 1.9).Choice, 4); // not on both
-  const measuredbrdf::Plan kept = run(0.0195, 2.1);
-  EXPECT_EQ(kept.Choice, 3);
-  EXPECT_FALSE(kept.Meets);
-  EXPECT_EQ(kept.Candidates.size(), 4u);
-}
-
-//------------------------------------------------------------------------------
-// Whoever wants to see all candidates gets the same choice: the others are only listed, each in its
-// place, whether the search left them out, had found enough, or keeps them for the end.
-TEST(PlanSearch, ChoosesTheSameWhereAllAreTried)
-{
-  measuredbrdf::PlanTask task = MakeTask(1000);
-  PlanComparison first = MakeComparison(20, false);
-  first.ReferenceError = 1e-3;
-  PlanComparison second = MakeComparison(20, true);
-  const auto run = [&](bool all, double luck, std::size_t count = 8)
-  {
-    std::vector<PlanCandidate> candidates = { MakeCandidate(1, 0.5, 0.5),
-      MakeCandidate(2, 0.015, 0.015), MakeCandidate(3, 0.4, 0.4), MakeCandidate(4, 0.3, 0.3),
-      MakeCandidate(5, 0.2, 0.2), MakeCandidate(6, 0.0183, luck), MakeCandidate(7, 0.01, 0.01),
-      MakeCandidate(8, 0.001, 0.001) };
-    Wrong::SafeDownCast(candidates[1].Integrator)->Pruned = 1.0; // its rules take it for hopeless
-    candidates.resize(count);
-    task.All = all;
-    PlanCandidate listed = MakeCandidate(9, 0.001, 0.001); // only
-    listed.MayBeChosen = false;
-    if (all)
-    {
-      candidates.insert(candidates.begin(), listed);
-    }
-    measuredbrdf::PlanSearch search(task, first, []() { return false; });
-    search.GetSecond = [&]() { return &second; };
     double last = 0.0;
-    search.Progress = [&last](double share)
+    search.Progress = [&last](double share) { last = std::max(last, share); };
+    EXPECT_TRUE(search.Run(ladder)) << search.GetProblem();
+    EXPECT_GT(last, 0.0);
+    tried.clear();
+    const measuredbrdf::Plan& plan = search.GetPlan();
+    for (const PlanCandidate& candidate : plan.Candidates)
     {
-      EXPECT_GE(share, last);
-      last = share;
-    };
-    EXPECT_TRUE(search.Run(candidates)) << search.GetProblem();
-    return search.GetPlan();
+      tried.push_back(candidate.Sizes[0]);
+    }
+    const PlanCandidate& choice = plan.Candidates[static_cast<std::size_t>(plan.Choice)];
+    EXPECT_EQ(plan.Meets, choice.Error <= task.Tolerance);
+    EXPECT_TRUE(choice.Integrator);
+    // The best that costs at most twice a table; the choice where that is one of them.
+    const PlanCandidate& quick = plan.Candidates[static_cast<std::size_t>(plan.Interactive)];
+    EXPECT_LE(quick.Cost, 2.0);
+    EXPECT_TRUE(quick.Integrator);
+    EXPECT_EQ(choice.Cost <= 2.0, plan.Interactive == plan.Choice);
+    return choice.Sizes[0];
   };
-  for (const double luck : { 0.017, 0.06 }) // is its error on the other sample
-  {
-    const measuredbrdf::Plan quick = run(false, luck);
-    const measuredbrdf::Plan whole = run(true, luck);
-    ASSERT_EQ(whole.Candidates.size(), 9u);
-    ASSERT_EQ(whole.Choice, luck < 0.02 ? 6 : 7);
-    EXPECT_EQ(whole.First, whole.Choice);
-    const PlanCandidate& chosen = whole.Candidates[static_cast<std::size_t>(whole.Choice)];
-    EXPECT_TRUE(chosen.Integrator);
-    EXPECT_EQ(chosen.Sizes, quick.Candidates[static_cast<std::size_t>(quick.Choice)].Sizes);
-    EXPECT_NEAR(whole.Candidates[2].Error - whole.Candidates[2].Uncertainty, 0.015, 5e-3);
-    EXPECT_FALSE(whole.Candidates[2].Integrator);
-  }
-  // Not even where what is hopeless by its rules is all that meets the tolerance.
-  for (const bool all : { false, true })
-  {
-    const measuredbrdf::Plan missed = run(all, 0.06, 5);
-    EXPECT_FALSE(missed.Meets);
-    EXPECT_EQ(missed.Candidates.size(), all ? 6u : 4u);
-    EXPECT_EQ(missed.Candidates[static_cast<std::size_t>(missed.Choice)].Sizes[0], 5);
-  }
+  using Rungs = std::vector<int>;
+  EXPECT_EQ(run({ 0.01, 0.001, 0.001 }, 9), 0);
+  EXPECT_EQ(tried, Rungs({ 0 }));
+  EXPECT_EQ(run({ 0.1, 0.01, 0.001 }, 9), 1);
+  EXPECT_EQ(tried, Rungs({ 0, 1 }));
+  EXPECT_EQ(run({ 0.1, 0.09, 0.08, 0.01, 0.001 }, 9), 3);
+  EXPECT_EQ(tried, Rungs({ 0, 1, 2, 3 }));
+  EXPECT_EQ(run({ 0.1, 0.09, 0.05, 0.03, 0.01, 0.001 }, 4), 4); // down once, in vain
+  EXPECT_EQ(tried, Rungs({ 0, 1, 3, 4 }));
+  EXPECT_EQ(run({ 0.1, 0.09, 0.05, 0.01, 0.01, 0.001 }, 4), 3); // and once not
+  EXPECT_EQ(tried, Rungs({ 0, 1, 2, 3, 4 }));
+  EXPECT_EQ(run({ 0.1, 0.09, 0.01, 0.09, 0.08, 0.03 }, 3), 5); // nothing: the most accurate
+  EXPECT_EQ(tried, Rungs({ 0, 1, 3, 4, 5 }));
+  EXPECT_EQ(run({ 0.1, 0.09, 0.03, 0.08 }, 9), 2);
+
+  // Whoever wants to see all gets the same choice.
+  task.All = true;
+  EXPECT_EQ(run({ 0.1, 0.09, 0.01, 0.09, 0.08, 0.03 }, 3), 5);
+  EXPECT_EQ(tried, Rungs({ 0, 1, 2, 3, 4, 5 }));
 }
 
 //------------------------------------------------------------------------------
-// One camera sees the pairs whose normal is z, another those where it is x. What meets the
-// tolerance in the mean of both gives way to what does so in each, if that costs little.
-TEST(PlanSearch, HoldsInSinglePictures)
+// What takes too much memory with the textures of the material is passed over.
+TEST(PlanSearch, PassesOverWhatDoesNotFit)
 {
-  measuredbrdf::PlanTask task = MakeTask(96000000);
+  const measuredbrdf::PlanTask task = MakeTask(1000);
+  const PlanComparison comparison = MakeComparison(20, false);
+  std::vector<PlanCandidate> ladder = { MakeCandidate(0, 0.1, 0.1), MakeCandidate(1, 0.01, 0.01),
+    MakeCandidate(2, 0.015, 0.015) };
+  ladder[1].Bytes = 1001;
+  measuredbrdf::PlanSearch search(task, comparison, []() { return false; });
+  ASSERT_TRUE(search.Run(ladder));
+  EXPECT_EQ(search.GetPlan().Candidates.size(), 2u);
+  EXPECT_EQ(search.GetPlan().Candidates.back().Sizes[0], 2);
+  measuredbrdf::PlanSearch stopped(task, comparison, []() { return true; });
+  EXPECT_FALSE(stopped.Run(ladder));
+}
+
+//------------------------------------------------------------------------------
+// One camera sees the pairs whose normal is z, another those where it is x.
+TEST(PlanSearch, EstimatesSinglePictures)
+{
+  const measuredbrdf::PlanTask task = MakeTask(1000);
   PlanComparison comparison = MakeComparison(40, false);
   for (vtkIdType k = 20; k < 40; ++k)
   {
     comparison.Pairs.Normals->SetTuple3(k, 1.0, 0.0, 0.0);
   }
-  const auto run = [&](double z, double x, vtkIdType bytes = 2000000, double cost = 1.0)
+  const auto run = [&]()
   {
-    std::vector<PlanCandidate> candidates = { MakeCandidate(1, 0.0039, 0.0273),
-      MakeCandidate(2, z, x) };
-    candidates[0].Cost = 1.0;
-    candidates[1].Cost = cost;
-    candidates[1].Bytes = bytes;
     measuredbrdf::PlanSearch search(task, comparison, []() { return false; });
-    EXPECT_TRUE(search.Run(candidates)) << search.GetProblem();
-    EXPECT_TRUE(search.GetPlan().Meets);
-    return search.GetPlan();
+    EXPECT_TRUE(search.Run({ MakeCandidate(1, 0.0039, 0.0273) }));
+    return search.GetPlan().Candidates.front();
   };
-  EXPECT_EQ(run(0.012, 0.012).Choice, 0); // all of it is one picture
+  EXPECT_NEAR(run().Picture, run().Error, 1e-9); // all of it is one picture
   comparison.Pairs.Cameras = { 0.0, 0.0, 1.0, 1.0, 0.0, 0.0 };
-  const measuredbrdf::Plan plan = run(0.012, 0.012);
-  EXPECT_EQ(plan.Choice, 1);
-  EXPECT_NEAR(plan.Candidates[0].Picture, 1.75 * plan.Candidates[0].Error, 1e-9);
-  EXPECT_NEAR(plan.Candidates[1].Picture, plan.Candidates[1].Error, 1e-9);
-  EXPECT_EQ(plan.First, 0);
-  EXPECT_EQ(run(0.012, 0.012, 4100000).Choice, 0);
-  EXPECT_EQ(run(0.012, 0.012, 2000000, 1.1).Choice, 0);
-  EXPECT_EQ(run(0.004, 0.020).Choice, 0);   // little is gained
-  EXPECT_EQ(run(0.0029, 0.0174).Choice, 1); // two thirds of what a picture has
-
+  EXPECT_NEAR(run().Picture, 1.75 * run().Error, 1e-9);
   // What a cheap candidate has at the cameras says half of it.
   comparison.Pairs.Ratios = { 1.0, 1.0 };
-  const measuredbrdf::Plan milder = run(0.012, 0.012);
-  EXPECT_NEAR(milder.Candidates[0].Picture, std::sqrt(1.75) * milder.Candidates[0].Error, 1e-9);
+  EXPECT_NEAR(run().Picture, std::sqrt(1.75) * run().Error, 1e-9);
 }
 
 //------------------------------------------------------------------------------
@@ -495,131 +343,3 @@ TEST(MaterialStore, ChangesNoPlan)
   EXPECT_LE(MaterialStore::Get().GetBytes(), MaterialStore::MostBytes);
 }
 
-//------------------------------------------------------------------------------
-// More maps of no more rows are left out where fewer are too far away, not where rows were missing.
-TEST(MapCandidates, TooManyAreLeftOut)
-{
-  using Attempts = std::vector<vtkRadianceIntegrator::Attempt>;
-  const Attempts far = { { { 256, 12, 8, 4, 0, 0 }, 0.06 } };
-  EXPECT_TRUE(measuredbrdf::CanPruneMaps(256, 8, far, {}, 0.02));
-  EXPECT_TRUE(measuredbrdf::CanPruneMaps(128, 16, far, {}, 0.02));
-  const Attempts near = { { { 256, 12, 8, 4, 0, 0 }, 0.025 } };
-  EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 8, near, {}, 0.02));
-  const Attempts coarse = { { { 128, 12, 8, 4, 0, 0 }, 0.36 } };
-  EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 4, coarse, {}, 0.01));
-}
-
-//------------------------------------------------------------------------------
-// What a table of fewer rows shows not to be a matter of rows, more maps must leave little of.
-TEST(MapCandidates, AreLeftOutWhereFewerRowsHaveMore)
-{
-  using Attempts = std::vector<vtkRadianceIntegrator::Attempt>;
-  const Attempts four = { { { 128, 12, 8, 4, 0, 0 }, 0.123 } };
-  const auto table = [](int rows, double error) {
-    return Attempts{ { { rows, 12, 16, 0, 0, 0 }, error } };
-  };
-  EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 4, four, {}, 0.02));
-  EXPECT_TRUE(measuredbrdf::CanPruneMaps(256, 4, four, table(65, 0.03), 0.02));
-  EXPECT_TRUE(measuredbrdf::CanPruneMaps(256, 8, four, table(65, 0.03), 0.02));
-  EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 4, four, table(65, 0.11), 0.02));
-  EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 4, four, table(129, 0.03), 0.02)); // not fewer
-  EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 16, four, table(65, 0.08), 0.02)); // 0.6^2 of it
-}
-
-//------------------------------------------------------------------------------
-// Without lights they gain what a table's rows do, and that is known from tables of few view
-// angles, or these are hopeless. Beside lights no such table is tried.
-TEST(MapCandidates, AreLeftOutWhereRowsOfTablesGainLittle)
-{
-  using Attempts = std::vector<vtkRadianceIntegrator::Attempt>;
-  const auto areLeftOut = [](double coarse, double fine)
-  {
-    const Attempts tables = { { { 65, 8, 8 }, coarse }, { { 257, 8, 8 }, fine } };
-    return measuredbrdf::CanPruneMapsAlone(tables, 0.02);
-  };
-  EXPECT_FALSE(areLeftOut(0.1, 0.055));
-  EXPECT_TRUE(areLeftOut(0.1, 0.07));
-  EXPECT_FALSE(areLeftOut(0.04, 0.029)); // near the tolerance
-  EXPECT_FALSE(measuredbrdf::CanPruneMapsAlone({ { { 257, 8, 8 }, 0.1 } }, 0.02));
-  EXPECT_FALSE(measuredbrdf::CanPruneMapsAlone({}, 0.02));
-  const auto ofViews = [](double few) {
-    return Attempts{ { { 65, 8, 8, 0, 0, 12 }, few }, { { 49, 12, 16, 0, 0, 12 }, 0.035 } };
-  };
-  EXPECT_TRUE(measuredbrdf::CanPruneMapsAlone(ofViews(0.063), 0.02));
-  EXPECT_FALSE(measuredbrdf::CanPruneMapsAlone(ofViews(0.051), 0.02));
-  vtkNew<vtkHybridRadianceIntegrator> hybrid;
-  EXPECT_TRUE(hybrid->SetSizes({ 256, 12, 8, 4, 0, 12 }));
-  EXPECT_TRUE(hybrid->CanPrune(ofViews(0.063), 0.02));
-  EXPECT_FALSE(hybrid->CanPrune(ofViews(0.051), 0.02));
-  EXPECT_TRUE(hybrid->SetSizes({ 256, 12, 8, 4, 16, 12 }));
-  Attempts besideLights = ofViews(0.063);
-  for (vtkRadianceIntegrator::Attempt& attempt : besideLights)
-  {
-    attempt.Sizes[4] = 16;
-  }
-  EXPECT_FALSE(hybrid->CanPrune(besideLights, 0.02));
-}
-
-//------------------------------------------------------------------------------
-// A table alone is a hybrid without lights and maps.
-TEST(MapCandidates, LearnFromTables)
-{
-  vtkNew<vtkHybridRadianceIntegrator> hybrid;
-  EXPECT_TRUE(hybrid->SetSizes({ 256, 12, 8, 4, 0, 12 }));
-  const std::vector<int> sizes = hybrid->GetEquivalentSizes("table", { 65, 12, 16 });
-  EXPECT_EQ(sizes, (std::vector<int>{ 65, 12, 16, 0, 0, 12 }));
-  EXPECT_TRUE(hybrid->GetEquivalentSizes("filtered", { 16 }).empty());
-  std::vector<vtkRadianceIntegrator::Attempt> attempts = { { { 128, 12, 8, 4, 0, 12 }, 0.123 } };
-  EXPECT_FALSE(hybrid->CanPrune(attempts, 0.02));
-  attempts.push_back({ sizes, 0.03 });
-  EXPECT_TRUE(hybrid->CanPrune(attempts, 0.02));
-}
-
-// From one table with tiles to another an error falls by little more than half, not to the fourth
-// part that twice the view angles bring to others.
-TEST(TableCandidates, WithTilesGainLittle)
-{
-  const std::vector<int> larger = { 257, 24, 16 };
-  const auto tried = [](std::vector<int> sizes, double error) {
-    return std::vector<vtkRadianceIntegrator::Attempt>{ { std::move(sizes), error } };
-  };
-  EXPECT_TRUE(measuredbrdf::CanPruneTable(larger, tried({ 257, 12, 16 }, 0.053), 0.02));
-  EXPECT_FALSE(measuredbrdf::CanPruneTable(larger, tried({ 257, 12, 16 }, 0.05), 0.02));
-  EXPECT_FALSE(measuredbrdf::CanPruneTable({ 65, 24, 16 }, tried({ 65, 12, 16 }, 0.07), 0.02));
-  EXPECT_FALSE(measuredbrdf::CanPruneTable(larger, tried({ 129, 12, 16 }, 0.07), 0.02));
-}
-
-//------------------------------------------------------------------------------
-// More rows do not bring what more view angles brought with fewer, and the other way round.
-TEST(TableCandidates, AreLeftOutWhereAnotherSizeDecides)
-{
-  using Attempts = std::vector<vtkRadianceIntegrator::Attempt>;
-  const Attempts views = { { { 65, 8, 8 }, 0.063 }, { { 49, 12, 16 }, 0.035 } };
-  EXPECT_TRUE(measuredbrdf::CanPruneTable({ 257, 8, 8 }, views, 0.02));
-  EXPECT_FALSE(measuredbrdf::CanPruneTable({ 129, 12, 16 }, views, 0.02));
-  const Attempts less = { { { 65, 8, 8 }, 0.051 }, { { 49, 12, 16 }, 0.035 } };
-  EXPECT_FALSE(measuredbrdf::CanPruneTable({ 257, 8, 8 }, less, 0.02));
-  const Attempts finer = { { { 65, 8, 8 }, 0.063 }, { { 129, 12, 16 }, 0.035 } };
-  EXPECT_TRUE(measuredbrdf::CanPruneTable({ 257, 8, 8 }, finer, 0.02));
-  EXPECT_FALSE(measuredbrdf::CanPruneTable({ 161, 8, 8 }, finer, 0.02)); // the rows may have it
-  const Attempts rows = { { { 65, 12, 16 }, 0.052 }, { { 129, 8, 8 }, 0.031 } };
-  EXPECT_TRUE(measuredbrdf::CanPruneTable({ 65, 20, 16 }, rows, 0.02));
-  EXPECT_FALSE(measuredbrdf::CanPruneTable({ 129, 20, 16 }, rows, 0.02));
-}
-
-//------------------------------------------------------------------------------
-// Where rows gained a third for each doubling, twice as many do not divide the error by three. More
-// view angles help with their part of it only.
-TEST(TableCandidates, AreLeftOutWhereRowsGainedLittle)
-{
-  using Attempts = std::vector<vtkRadianceIntegrator::Attempt>;
-  const Attempts slow = { { { 65, 12, 16 }, 0.09 }, { { 129, 12, 16 }, 0.06 } };
-  EXPECT_TRUE(measuredbrdf::CanPruneTable({ 257, 12, 16 }, slow, 0.02));
-  EXPECT_FALSE(measuredbrdf::CanPruneTable({ 257, 24, 16 }, slow, 0.02));
-  const Attempts worse = { { { 65, 12, 16 }, 0.13 }, { { 129, 12, 16 }, 0.085 } };
-  EXPECT_TRUE(measuredbrdf::CanPruneTable({ 257, 24, 16 }, worse, 0.02));
-  const Attempts quick = { { { 65, 12, 16 }, 0.09 }, { { 129, 12, 16 }, 0.05 } };
-  EXPECT_FALSE(measuredbrdf::CanPruneTable({ 257, 12, 16 }, quick, 0.02));
-  const Attempts few = { { { 17, 8, 8 }, 0.05 }, { { 33, 8, 8 }, 0.04 } };
-  EXPECT_FALSE(measuredbrdf::CanPruneTable({ 65, 8, 8 }, few, 0.02)); // these show little yet
-}

@@ -121,26 +121,19 @@ INSTANTIATE_TEST_SUITE_P(Embedded, PlannerPromise,
   });
 
 //------------------------------------------------------------------------------
-// Candidates that look hopeless are left out, and none of these that is cheaper than the choice
-// meets the tolerance in the mean and in single pictures. What they share while they are made does
-// not show either.
-TEST(Planner, LeavesOutOnlyWhatDoesNotHelp)
+// Whoever wants to see all rungs gets the same choice.
+TEST(Planner, TriesFewOfAllRungs)
 {
-  std::size_t tried = 0;
-  std::size_t all = 0;
   const std::pair<const char*, bool> inHall[] = { { "violet-rubber", true }, { "brass", false } };
   for (const auto& [name, hall] : inHall)
   {
     auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
     const auto environment = NewSmallEnvironment(hall);
-    constexpr vtkIdType bytes = 6 << 20; // to be quick
     const auto planner = NewPlanner(brdf, environment, 0.05);
-    planner->SetMaximumTextureBytes(bytes);
     ASSERT_TRUE(planner->Update());
-    planner->SetErrorTolerance(0.01); // the same planner again
+    planner->SetErrorTolerance(0.02); // the same planner again
     ASSERT_TRUE(planner->Update());
-    const auto thorough = NewPlanner(brdf, environment, 0.01);
-    thorough->SetMaximumTextureBytes(bytes);
+    const auto thorough = NewPlanner(brdf, environment, 0.02);
     thorough->EvaluateAllOn();
     ASSERT_TRUE(thorough->Update());
     const int choice = planner->GetChoice();
@@ -149,17 +142,12 @@ TEST(Planner, LeavesOutOnlyWhatDoesNotHelp)
     EXPECT_EQ(
       planner->GetPredictedError(choice), thorough->GetPredictedError(thorough->GetChoice()));
     EXPECT_LT(planner->GetNumberOfCandidates(), thorough->GetNumberOfCandidates()) << name;
-    for (int k = 0; k < thorough->GetChoice(); ++k)
+    EXPECT_TRUE(planner->GetMeetsTolerance());
+    for (int k = 1; k < thorough->GetNumberOfCandidates(); ++k) // in the order of the ladder
     {
-      EXPECT_GT(
-        std::max(thorough->GetPredictedError(k), thorough->GetPredictedPictureError(k)), 0.01)
-        << thorough->GetDescription(k);
+      EXPECT_GE(thorough->GetPredictedCost(k), thorough->GetPredictedCost(k - 1));
     }
-    tried += static_cast<std::size_t>(planner->GetNumberOfCandidates());
-    all += static_cast<std::size_t>(thorough->GetNumberOfCandidates());
   }
-  std::printf("%zu of %zu tried\n", tried, all);
-  EXPECT_LT(2 * tried, all);
 }
 
 //------------------------------------------------------------------------------
@@ -578,42 +566,6 @@ TEST(Planner, CostsAreTimesATables)
   EXPECT_NEAR(cost("basis"), (55.0 + 9.0 * 12.0) / 107.0, 1e-9);
   EXPECT_NEAR(cost("filtered"), (55.0 + 16.0 * 28.0) / 107.0, 1e-9);
   EXPECT_NEAR(cost("light-set"), (55.0 + 64.0 * 20.0) / 107.0, 1e-9);
-}
-
-//------------------------------------------------------------------------------
-// Why more than 4 MB.
-TEST(Planner, SaysWhyItTakesMemory)
-{
-  const auto environment = NewSmallEnvironment(true);
-  const auto brdf = NewPhong(60.0);
-  const auto planner = NewPlanner(brdf, environment, 0.05);
-  ASSERT_TRUE(planner->Update());
-  ASSERT_LE(planner->GetTextureBytes(planner->GetChoice()), 4000000);
-  EXPECT_FALSE(Contains(planner->GetReason(), "4 MB")) << planner->GetReason();
-  planner->SetErrorTolerance(0.002);
-  ASSERT_TRUE(planner->Update());
-  const int choice = planner->GetChoice();
-  ASSERT_GT(planner->GetTextureBytes(choice), 4000000);
-  std::printf("%s\n", planner->GetPlan().c_str());
-  int small = -1;
-  for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
-  {
-    const bool fits =
-      planner->GetMethodName(k) == "table" && planner->GetTextureBytes(k) <= 4000000;
-    const bool isBetter =
-      small < 0 || planner->GetPredictedError(k) < planner->GetPredictedError(small);
-    small = fits && isBetter ? k : small;
-  }
-  ASSERT_GE(small, 0);
-  const std::string error =
-    "has " + measuredbrdf::NumberText(100.0 * planner->GetPredictedError(small), 2) + " %";
-  const std::string rows = planner->GetDescription(choice);
-  const std::string needs = planner->GetMethodName(choice) == "table"
-                              ? "gloss needs " + rows.substr(0, rows.find(" x"))
-                              : "more than a table";
-  EXPECT_TRUE(Contains(planner->GetReason(), needs)) << planner->GetReason();
-  EXPECT_TRUE(Contains(planner->GetReason(), planner->GetDescription(small)));
-  EXPECT_TRUE(Contains(planner->GetReason(), error)) << error;
 }
 
 //------------------------------------------------------------------------------
