@@ -43,12 +43,15 @@ void PrintJSON(
     candidates.push_back({ { "method", planner->GetMethodName(k) },
       { "sizes", planner->GetDescription(k) }, { "predicted_error", planner->GetPredictedError(k) },
       { "predicted_picture_error", planner->GetPredictedPictureError(k) },
-      { "cost", planner->GetPredictedCost(k) }, { "texture_bytes", planner->GetTextureBytes(k) },
+      { "cost", planner->GetPredictedCost(k) }, { "predicted_percentile_95", planner->GetPredictedPercentile95(k) },
+      { "predicted_percentile_99", planner->GetPredictedPercentile99(k) },
+      { "texture_bytes", planner->GetTextureBytes(k) },
       { "setup_ms", planner->GetSetUpMilliseconds(k) } });
   }
   nlohmann::ordered_json plan = { { "material", material },
     { "environment", environment->GetName() }, { "tolerance", planner->GetErrorTolerance() },
     { "candidates", candidates }, { "choice", planner->GetChoice() },
+    { "interactive_choice", planner->GetInteractiveChoice() },
     { "meets_tolerance", planner->GetMeetsTolerance() }, { "reason", planner->GetReason() },
     { "plan", planner->GetPlan() } };
   if (planner->GetScene())
@@ -64,14 +67,15 @@ void PrintJSON(
 void PrintTable(vtkRadiancePlanner* planner)
 {
   char line[160];
-  std::snprintf(line, sizeof(line), "  %-10s %-46s %9s %9s %9s %9s\n", "method", "sizes", "error %",
-    "cost", "MB", "set-up ms");
+  std::snprintf(line, sizeof(line), "  %-10s %-46s %8s %8s %8s %8s %8s %9s\n", "method", "sizes",
+    "error %", "95 % of", "99 % of", "cost", "MB", "set-up ms");
   std::string text = line;
   for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
   {
-    std::snprintf(line, sizeof(line), "%c %-10s %-46s %9.3g %9.4g %9.3g %9.3g\n",
+    std::snprintf(line, sizeof(line), "%c %-10s %-46s %8.3g %8.3g %8.3g %8.4g %8.3g %9.3g\n",
       k == planner->GetChoice() ? '>' : ' ', planner->GetMethodName(k).c_str(),
       planner->GetDescription(k).c_str(), 100.0 * planner->GetPredictedError(k),
+      100.0 * planner->GetPredictedPercentile95(k), 100.0 * planner->GetPredictedPercentile99(k),
       planner->GetPredictedCost(k), 1e-6 * static_cast<double>(planner->GetTextureBytes(k)),
       planner->GetSetUpMilliseconds(k));
     text += line;

@@ -4,7 +4,7 @@
 // the processor for the first picture of a new material under a known map, but for the shader's
 // compilation, and the error of 150 pairs of a sphere seen from everywhere against the reference.
 // And the CPU time of the form for shaders that the plan takes instead. The figures of
-// docs/methods/plan-times.md, for the pairs of docs/results.md.
+// docs/methods/planner.md, for the pairs of docs/results.md.
 // Arguments: parts of names of materials and maps ("" for all).
 #include "BenchmarkCase.h"
 #include "SharedIntegrators.h"
