@@ -43,7 +43,8 @@ void PrintJSON(
     candidates.push_back({ { "method", planner->GetMethodName(k) },
       { "sizes", planner->GetDescription(k) }, { "predicted_error", planner->GetPredictedError(k) },
       { "predicted_picture_error", planner->GetPredictedPictureError(k) },
-      { "cost", planner->GetPredictedCost(k) }, { "predicted_percentile_95", planner->GetPredictedPercentile95(k) },
+      { "cost", planner->GetPredictedCost(k) },
+      { "predicted_percentile_95", planner->GetPredictedPercentile95(k) },
       { "predicted_percentile_99", planner->GetPredictedPercentile99(k) },
       { "texture_bytes", planner->GetTextureBytes(k) },
       { "setup_ms", planner->GetSetUpMilliseconds(k) } });

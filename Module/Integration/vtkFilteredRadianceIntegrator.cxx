@@ -294,8 +294,7 @@ std::vector<std::vector<int>> vtkFilteredRadianceIntegrator::GetCandidateSizes(b
 //------------------------------------------------------------------------------
 double vtkFilteredRadianceIntegrator::EstimateCost()
 {
-  return PixelCosts::Pixel +
-         (PixelCosts::Sample + PixelCosts::Light) * this->NumberOfSamples +
+  return PixelCosts::Pixel + (PixelCosts::Sample + PixelCosts::Light) * this->NumberOfSamples +
          PixelCosts::Light * this->GetNumberOfExtractedLights();
 }
 

@@ -288,9 +288,9 @@ void vtkTableRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
 std::vector<std::vector<int>> vtkTableRadianceIntegrator::GetCandidateSizes(bool)
 {
   const auto goOn = [this]() { return this->Report(0.0); };
-  return this->BRDF->IsIsotropic() ? GetTableCandidates(
-                                       CountPlannedLights(this->Environment, LampAngle, goOn) > 0)
-                                   : std::vector<std::vector<int>>();
+  return this->BRDF->IsIsotropic()
+           ? GetTableCandidates(CountPlannedLights(this->Environment, LampAngle, goOn) > 0)
+           : std::vector<std::vector<int>>();
 }
 
 //------------------------------------------------------------------------------

@@ -236,10 +236,9 @@ bool vtkRadiancePlanner::Search()
   std::vector<PlanCandidate> ladder = measuredbrdf::ListCandidates(impl.Task, givenUp);
   if (ladder.empty() && !this->Abort)
   {
-    vtkErrorMacro(
-      "Update: nothing fits into MaximumTextureBytes, " << this->MaximumTextureBytes
-                                                        << " bytes, and MaximumCost, "
-                                                        << this->MaximumCost << ".");
+    vtkErrorMacro("Update: nothing fits into MaximumTextureBytes, "
+                  << this->MaximumTextureBytes << " bytes, and MaximumCost, " << this->MaximumCost
+                  << ".");
     return false;
   }
   const measuredbrdf::IsAborted isAborted = [this]() { return this->GetAbort(); };

@@ -114,8 +114,9 @@ public:
 
   ///@{
   /**
-   * Largest texture memory of a plan in bytes, with the material's own textures where a method needs
-   * them (default 24 MiB: all rungs under maps of up to 2048 x 1024; tables take at most 12 MB).
+   * Largest texture memory of a plan in bytes, with the material's own textures where a method
+   * needs them (default 24 MiB: all rungs under maps of up to 2048 x 1024; tables take at most 12
+   * MB).
    */
   virtual void SetMaximumTextureBytes(vtkIdType maximumTextureBytes);
   vtkGetMacro(MaximumTextureBytes, vtkIdType);
@@ -123,8 +124,8 @@ public:
 
   ///@{
   /**
-   * What a pixel may cost, times a table's, in [1, 1e6] (default 150: 256 samples with as many lights
-   * cost 115, and suns come on top). The plan says what was given up.
+   * What a pixel may cost, times a table's, in [1, 1e6] (default 150: 256 samples with as many
+   * lights cost 115, and suns come on top). The plan says what was given up.
    */
   virtual void SetMaximumCost(double maximumCost);
   vtkGetMacro(MaximumCost, double);
@@ -177,8 +178,8 @@ public:
   ///@{
   /**
    * The choice, -1 before any; what to draw while somebody interacts, the same or a cheaper one;
-   * whether the choice meets the tolerance in the mean over all views (or over what is in view); why
-   * it was chosen, one line.
+   * whether the choice meets the tolerance in the mean over all views (or over what is in view);
+   * why it was chosen, one line.
    */
   int GetChoice();
   int GetInteractiveChoice();

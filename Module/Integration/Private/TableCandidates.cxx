@@ -20,14 +20,14 @@ int CountPlannedLights(
   vtkEnvironment* environment, double degrees, const std::function<bool()>& goOn)
 {
   const auto lamps = environment && !environment->GetPixels().empty()
-                       ? environment->GetParts().GetLamps(environment,
-                           vtkMath::RadiansFromDegrees(degrees), PlannedLights, goOn)
+                       ? environment->GetParts().GetLamps(
+                           environment, vtkMath::RadiansFromDegrees(degrees), PlannedLights, goOn)
                        : nullptr;
   return lamps ? static_cast<int>(lamps->Lights.size()) : 0;
 }
 
-// Chosen on nine materials under four maps, and reported on others (docs/methods/planner.md). None is
-// above 12 MB. More than 113 rows have tiles (TableTiles.h).
+// Chosen on nine materials under four maps, and reported on others (docs/methods/planner.md). None
+// is above 12 MB. More than 113 rows have tiles (TableTiles.h).
 std::vector<std::vector<int>> GetTableCandidates(bool lamps)
 {
   std::vector<std::vector<int>> sizes = { { 17, 8, 8 }, { 33, 12, 16 }, { 49, 12, 16 } };

@@ -16,7 +16,6 @@ namespace
 {
 constexpr double StandardErrors = 2.0; // that are added: what is predicted shall hold
 
-
 constexpr double OwnWidth = 20.0; // PictureSums: fewer pairs than are drawn
 
 // The largest of the pictures' errors in units of that of all, by the geometric mean of what the

@@ -29,7 +29,8 @@ std::string ExplainChoice(const Plan& plan, double tolerance, const std::string&
     if (plan.Candidates[k - 1].MayBeChosen)
     {
       const PlanCandidate& cheaper = plan.Candidates[k - 1];
-      reason += ": " + cheaper.Method + ", " + cheaper.Description + ", has " + Percent(cheaper.Error);
+      reason +=
+        ": " + cheaper.Method + ", " + cheaper.Description + ", has " + Percent(cheaper.Error);
       break;
     }
   }

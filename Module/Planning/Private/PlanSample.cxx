@@ -216,8 +216,7 @@ bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
   return true;
 }
 
-PlanPairs ChoosePairs(
-  const PlanPairs& all, vtkDoubleArray* coarse, vtkDoubleArray* fine, int count)
+PlanPairs ChoosePairs(const PlanPairs& all, vtkDoubleArray* coarse, vtkDoubleArray* fine, int count)
 {
   const std::size_t number = static_cast<std::size_t>(all.Normals->GetNumberOfTuples());
   std::vector<double> weights = all.Weights;

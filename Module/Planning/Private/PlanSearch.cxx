@@ -178,8 +178,9 @@ void PlanSearch::Choose()
     const int index = static_cast<int>(plan.Candidates.size());
     const PlanCandidate& candidate = this->Ladder[rung];
     plan.Candidates.push_back(candidate);
-    const auto isBetterThan = [&](int other)
-    { return other < 0 || candidate.Error < plan.Candidates[static_cast<std::size_t>(other)].Error; };
+    const auto isBetterThan = [&](int other) {
+      return other < 0 || candidate.Error < plan.Candidates[static_cast<std::size_t>(other)].Error;
+    };
     if (candidate.MayBeChosen && !plan.Meets && isBetterThan(plan.Choice))
     {
       plan.Choice = index;
@@ -192,7 +193,8 @@ void PlanSearch::Choose()
     }
   }
   const bool isCheap =
-    plan.Choice >= 0 && plan.Candidates[static_cast<std::size_t>(plan.Choice)].Cost <= InteractiveCost;
+    plan.Choice >= 0 &&
+    plan.Candidates[static_cast<std::size_t>(plan.Choice)].Cost <= InteractiveCost;
   plan.Interactive = isCheap || plan.Interactive < 0 ? plan.Choice : plan.Interactive;
   for (int index = 0; index < static_cast<int>(plan.Candidates.size()); ++index)
   {

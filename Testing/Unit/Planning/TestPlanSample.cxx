@@ -406,12 +406,12 @@ TEST(PlanSample, OfPicturesKnowTheirPoints)
       std::vector<measuredbrdf::PlanCandidate> candidates;
       if (hasCandidates)
       {
-        candidates = ListCandidates(task);
+        std::string givenUp;
+        candidates = ListCandidates(task, givenUp);
       }
       std::string problem;
       first[k] = given;
-      ASSERT_TRUE(
-        measuredbrdf::SamplePairs(task, no, candidates, true, first[k], problem))
+      ASSERT_TRUE(measuredbrdf::SamplePairs(task, no, candidates, true, first[k], problem))
         << problem;
     }
     for (const PlanPairs& sample : first)

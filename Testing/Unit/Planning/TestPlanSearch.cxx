@@ -36,6 +36,7 @@ public:
   static Wrong* New();
   vtkTypeMacro(Wrong, vtkRadianceIntegrator);
   double Errors[2] = { 0.0, 0.0 };
+
 protected:
   bool Begin() override { return true; }
   void IntegratePart(int vtkNotUsed(part), const double n[3], const double vtkNotUsed(o)[3],
@@ -342,4 +343,3 @@ TEST(MaterialStore, ChangesNoPlan)
   EXPECT_EQ(plan(brdf, other), expected);
   EXPECT_LE(MaterialStore::Get().GetBytes(), MaterialStore::MostBytes);
 }
-
