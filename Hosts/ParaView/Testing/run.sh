@@ -57,13 +57,17 @@ run_server() { with_server server; }
 # Each rank's tile is a window on the one display, with borders instead of filling the screen.
 run_tiles() { PV_ICET_WINDOW_BORDERS=1 with_server tiles --tdx=2 --tdy=1; }
 
-# One scene by two hosts. In ParaView's window the script runs first, then the test player looks at the window.
+# One scene by two hosts, and on two ranks. In ParaView's window the script runs first, then the test player looks at the window.
 run_same_scene() {
   version=$(pvpython -c 'from paraview.simple import *; v = GetParaViewVersion(); print(f"{v.major}.{v.minor}")' | tail -n 1)
   prefix=same-scene-paraview-$version
+  export PYTHONPATH=$PWD:$PWD/../../../Testing/SameScene # a script of the window has no __file__
   MEASUREDBRDF_PARAVIEW_PICTURE=$prefix-pvbatch pvbatch "$PWD/same_scene.py"
+  for count in 1 2; do
+    MEASUREDBRDF_PARAVIEW_PICTURE=$prefix-off-$count mpiexec -n "$count" pvbatch "$PWD/same_scene.py" Off
+  done
   settings=$(mktemp -d)
-  MEASUREDBRDF_PARAVIEW_PICTURE=$prefix-window PYTHONPATH=$PWD PV_PLUGIN_PATH=${MEASUREDBRDF_PARAVIEW_PLUGIN%/*} HOME=$settings \
+  MEASUREDBRDF_PARAVIEW_PICTURE=$prefix-window PV_PLUGIN_PATH=${MEASUREDBRDF_PARAVIEW_PLUGIN%/*} HOME=$settings \
     QT_QPA_PLATFORM=xcb timeout 200 paraview --plugins=MeasuredMaterials --disable-registry --script="$PWD/same_scene.py" \
     --test-directory="$settings" --test-script="$PWD/same_scene.xml" --exit
   pvpython test_same_scene.py "$prefix"

@@ -1,16 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The scene of Testing/SameScene, with ParaView's and the plugin's own defaults, to be compared with other hosts. Saved under
-the name in MEASUREDBRDF_PARAVIEW_PICTURE, by pvbatch or in ParaView's window."""
+the name in MEASUREDBRDF_PARAVIEW_PICTURE, by pvbatch or in ParaView's window. `same_scene.py Off`: without self-occlusion, and
+distributed over the ranks."""
 import os
 import sys
 
 from paraview import simple
 
 from common import OUTPUT, draw, get_plan, load_plugin, make_view, show
-
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../Testing/SameScene"))
-from scene_files import ANGLE, ENVIRONMENT, MATERIAL, MESH, get_camera_position, write_scene  # noqa: E402
+from scene_files import ANGLE, ENVIRONMENT, MATERIAL, MESH, get_camera_position, write_scene
 
 folder = os.path.join(OUTPUT, "same-scene")
 write_scene(folder)
@@ -24,6 +23,11 @@ view.CameraPosition = get_camera_position()
 view.CameraViewUp = [0, 1, 0]
 view.CameraViewAngle = ANGLE
 balls = simple.OpenDataFile(os.path.join(folder, MESH))
+properties = {}
+if sys.argv[1:]:
+    properties["OcclusionMode"] = sys.argv[1]
+    view.RemoteRenderThreshold = 0
+    balls = simple.RedistributeDataSet(balls)
 display = show(
     balls,
     view,
@@ -31,6 +35,7 @@ display = show(
     MeasuredMaterialFile=os.path.join(folder, MATERIAL),
     MeasuredEnvironment="File",
     MeasuredEnvironmentFile=os.path.join(folder, ENVIRONMENT),
+    **properties,
 )
 simple.SetActiveView(view)
 simple.SetActiveSource(balls)

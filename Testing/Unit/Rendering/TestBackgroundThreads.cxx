@@ -379,7 +379,7 @@ TEST(CurrentPlan, LeavesResamplingInTheMiddle)
   sky->SetPixels(32, 16, std::vector<float>(3 * 32 * 16, 0.5f));
   CurrentPlan plan;
   std::string problem;
-  PlanInputs inputs(brdf, sky, 0.3, nullptr);
+  PlanInputs inputs(brdf, sky, 0.3);
   inputs.WithForm = true;
   plan.Update(inputs, CurrentPlan::Timing::Always, problem);
   ASSERT_TRUE(WaitUntil([&]() { return brdf->Door->IsAwaited(); }));
