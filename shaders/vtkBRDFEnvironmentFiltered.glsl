@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Filtered importance sampling with tabulated samples. C++ twins: vtkFilteredRadianceIntegrator,
-// Module/Integration/Private/ReflectionSamples.h.
+// Filtered importance sampling of the material's sharp part, lights for its broad part. C++ twins:
+// vtkFilteredRadianceIntegrator, Module/Integration/Private/ReflectionSamples.h.
 uniform sampler2D brdfPyramidMapINSTANCE;
 uniform sampler2D brdfDirectionsINSTANCE; // a column per sample, rows by view: direction, level
-uniform sampler2D brdfWeightsINSTANCE;
-uniform float brdfLevelINSTANCE; // of the whole sphere, bias included
+uniform sampler2D brdfWeightsINSTANCE;    // likewise: weight, the view's f cos that is half broad
+uniform sampler2D brdfLightsINSTANCE;     // likewise: direction, irradiance below
+uniform float brdfLevelINSTANCE;          // of the whole sphere
 
 vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
 {
@@ -22,8 +23,17 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
   {
     vec2 uv = vec2((float(k) + 0.5) / float(size.x), row);
     vec4 i = textureLod(brdfDirectionsINSTANCE, uv, 0.0);
-    sum += textureLod(brdfWeightsINSTANCE, uv, 0.0).rgb *
+    vec4 weight = textureLod(brdfWeightsINSTANCE, uv, 0.0);
+    sum += weight.rgb *
       brdfPyramid(brdfPyramidMapINSTANCE, turned * normalize(i.xyz), i.w + brdfLevelINSTANCE);
+    vec3 light = texelFetch(brdfLightsINSTANCE, ivec2(k, 0), 0).xyz * frame;
+    if (light.z > 0.0)
+    {
+      vec3 f = brdfEvaluate(light, o) * light.z;
+      float ratio = (f.r + f.g + f.b) / max(weight.a, 1e-30);
+      sum += f / (1.0 + ratio * ratio) *
+        texelFetch(brdfLightsINSTANCE, ivec2(k, 1), 0).rgb;
+    }
   }
   return sum;
 }

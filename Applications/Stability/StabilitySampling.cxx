@@ -10,7 +10,6 @@
 #include "vtkBRDFShaderInputs.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkEmbeddedMaterials.h"
-#include "vtkFilteredRadianceIntegrator.h"
 #include "vtkLightSet.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -121,13 +120,6 @@ void RunFireflies(Context& context)
   {
     context.Add(contender.Name, figure, measure(contender.Make(brdf, sky)), { 0.5, {}, "" });
   }
-  vtkNew<vtkFilteredRadianceIntegrator> plain;
-  plain->SetBRDF(brdf);
-  plain->SetEnvironment(sky);
-  plain->SetNumberOfSamples(16);
-  plain->ExtractLightsOff();
-  context.Add("filtered, raw", figure, measure(plain), 0.5)
-    .KnownUpTo(Unlimited, "bright texels left in the map: shown on purpose");
 }
 
 //------------------------------------------------------------------------------

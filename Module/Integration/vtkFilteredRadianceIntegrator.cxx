@@ -38,23 +38,24 @@ struct vtkFilteredRadianceIntegrator::Internals
   vtkTimeStamp SamplesTime;
 
   // Of all materials.
-  std::shared_ptr<const EnvironmentPyramid> Pyramid;
-  std::vector<ExtractedEmitters::Light> Lights;
+  std::shared_ptr<const EnvironmentPrecomputation::Lamps> Lamps;
+  std::shared_ptr<const EnvironmentPyramid> Pyramid; // of the rest, as the lights
+  vtkSmartPointer<vtkLightSet> Lights;
 };
 
 namespace
 {
-constexpr int MaximumNumberOfLights = 64; // that are taken out
+constexpr int MaximumNumberOfLamps = 64; // that are taken out
 
 constexpr float LargestTexel = 32768.0f; // of 16-bit floats, with room to spare
 // A peak over the mean up to which 16-bit floats, which lose digits below 6e-5, hold the dark
 // parts.
 constexpr double MostContrast = 65536.0;
 
-// The pyramid's level at which one texel is the whole sphere, moved by the bias.
-float GetSphereLevel(const EnvironmentPyramid& pyramid, double bias)
+// The pyramid's level at which one texel is the whole sphere.
+float GetSphereLevel(const EnvironmentPyramid& pyramid)
 {
-  return static_cast<float>(pyramid.GetNumberOfLevels() - 1 + bias);
+  return static_cast<float>(pyramid.GetNumberOfLevels() - 1);
 }
 
 vtkBRDFShaderInputs::Texture NewTexture(const char* name, int components, int width, int height)
@@ -90,6 +91,26 @@ vtkBRDFShaderInputs::Texture NewPyramidTexture(const EnvironmentPyramid& pyramid
                       MostContrast * sum;
   return texture;
 }
+
+// A column per sample: a light's direction, its irradiance below. Missing lights are black.
+vtkBRDFShaderInputs::Texture NewBroadTexture(vtkLightSet* lights, int count)
+{
+  vtkBRDFShaderInputs::Texture texture = NewTexture("brdfLights", 3, count, 2);
+  texture.Data.resize(static_cast<std::size_t>(6 * count), 0.0f);
+  for (int k = 0; k < lights->GetNumberOfLights(); ++k)
+  {
+    double direction[3], irradiance[3];
+    lights->GetDirection(k, direction);
+    lights->GetIrradiance(k, irradiance);
+    for (int c = 0; c < 3; ++c)
+    {
+      texture.Data[static_cast<std::size_t>(3 * k + c)] = static_cast<float>(direction[c]);
+      texture.Data[static_cast<std::size_t>(3 * (count + k) + c)] =
+        static_cast<float>(irradiance[c]);
+    }
+  }
+  return texture;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -104,7 +125,7 @@ vtkFilteredRadianceIntegrator::~vtkFilteredRadianceIntegrator() = default;
 //------------------------------------------------------------------------------
 int vtkFilteredRadianceIntegrator::GetNumberOfExtractedLights()
 {
-  return static_cast<int>(this->Impl->Lights.size());
+  return this->Impl->Lamps ? static_cast<int>(this->Impl->Lamps->Lights.size()) : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -142,20 +163,20 @@ bool vtkFilteredRadianceIntegrator::Begin()
   }
   EnvironmentPrecomputation& parts = this->Environment->GetParts();
   const auto goOn = [this]() { return this->Report(0.0); };
-  std::shared_ptr<const EnvironmentPrecomputation::Lamps> lights;
-  if (this->ExtractLights)
-  {
-    lights = parts.GetExtractedEmitters(
-      this->Environment, ExtractedEmitters::DefaultShare, MaximumNumberOfLights, goOn);
-  }
-  const auto pyramid = parts.GetPyramid(this->Environment, lights ? lights->Rest : nullptr, goOn);
-  if (!pyramid || (this->ExtractLights && !lights))
+  const auto lamps = parts.GetExtractedEmitters(
+    this->Environment, ExtractedEmitters::DefaultShare, MaximumNumberOfLamps, goOn);
+  const auto pyramid = lamps ? parts.GetPyramid(this->Environment, lamps->Rest, goOn) : nullptr;
+  const auto lights =
+    pyramid ? parts.GetLightSet(this->Environment, lamps->Rest, this->NumberOfSamples, goOn)
+            : nullptr;
+  if (!lights)
   {
     vtkErrorMacro("Integrate: aborted.");
     return false;
   }
+  impl.Lamps = lamps;
   impl.Pyramid = pyramid;
-  impl.Lights = lights ? lights->Lights : std::vector<ExtractedEmitters::Light>();
+  impl.Lights = lights;
   return true;
 }
 
@@ -171,23 +192,35 @@ void vtkFilteredRadianceIntegrator::IntegratePart(
 
   const Internals& impl = *this->Impl;
   const double coordinate = ReflectionSamples::GetCoordinate(view);
-  const float level = GetSphereLevel(*impl.Pyramid, this->LevelBias);
+  const float level = GetSphereLevel(*impl.Pyramid);
+  const auto reflect = [&](const glm::dvec3& direction) // f cos
+  {
+    const glm::dvec3 i = ToLocal(frame, direction);
+    glm::dvec3 f(0.0);
+    if (i.z > 0.0)
+    {
+      this->BRDF->Evaluate(&i.x, &view.x, &f.x);
+    }
+    return i.z * f;
+  };
   glm::dvec3 sum(0.0);
   for (int k = 0; k < impl.Samples->GetNumberOfSamples(); ++k)
   {
     const ReflectionSamples::Sample sample = impl.Samples->Interpolate(coordinate, k);
     const glm::dvec3 d = turned * glm::normalize(glm::dvec3(sample.Direction));
     sum += glm::dvec3(sample.Weight * impl.Pyramid->Sample(d, sample.Level + level));
-  }
-  for (const ExtractedEmitters::Light& light : impl.Lights)
-  {
-    const glm::dvec3 i = ToLocal(frame, light.Direction);
-    if (i.z > 0.0)
+    if (k < impl.Lights->GetNumberOfLights())
     {
-      glm::dvec3 f;
-      this->BRDF->Evaluate(&i.x, &view.x, &f.x);
-      sum += i.z * f * light.Irradiance;
+      glm::dvec3 light, irradiance;
+      impl.Lights->GetDirection(k, &light.x);
+      impl.Lights->GetIrradiance(k, &irradiance.x);
+      const glm::dvec3 f = reflect(light);
+      sum += f * (1.0 - ReflectionSamples::GetSharpShare(f, sample.Limit)) * irradiance;
     }
+  }
+  for (const ExtractedEmitters::Light& lamp : impl.Lamps->Lights)
+  {
+    sum += reflect(lamp.Direction) * lamp.Irradiance;
   }
   for (int c = 0; c < 3; ++c)
   {
@@ -210,7 +243,7 @@ bool vtkFilteredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   vtkBRDFShaderInputs::Texture directions =
     NewTexture("brdfDirections", 4, count, ReflectionSamples::NumberOfViews);
   vtkBRDFShaderInputs::Texture weights =
-    NewTexture("brdfWeights", 3, count, ReflectionSamples::NumberOfViews);
+    NewTexture("brdfWeights", 4, count, ReflectionSamples::NumberOfViews);
   for (int view = 0; view < ReflectionSamples::NumberOfViews; ++view)
   {
     for (int k = 0; k < count; ++k)
@@ -219,29 +252,26 @@ bool vtkFilteredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
       const glm::vec3& d = sample.Direction;
       directions.Data.insert(directions.Data.end(), { d.x, d.y, d.z, sample.Level });
       const glm::vec3 weight = scale * glm::vec3(sample.Weight);
-      weights.Data.insert(weights.Data.end(), { weight.r, weight.g, weight.b });
+      weights.Data.insert(weights.Data.end(), { weight.r, weight.g, weight.b, sample.Limit });
     }
   }
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFEnvironmentFiltered", vtkBRDFEnvironmentFiltered);
-  term.Uniforms.push_back({ "brdfLevel", { GetSphereLevel(pyramid, this->LevelBias) } });
-  term.Fetches = 4 * count; // direction and level, weight, two levels of the map
+  term.Uniforms.push_back({ "brdfLevel", { GetSphereLevel(pyramid) } });
+  term.Fetches = 6 * count; // direction and level, weight, two levels of the map, a light's two
+  term.Evaluations = count;
   const bool half = map.HalfFloat;
   term.Textures.push_back(std::move(map));
   term.Textures.push_back(std::move(directions));
   term.Textures.push_back(std::move(weights));
+  term.Textures.push_back(NewBroadTexture(this->Impl->Lights, count));
 
   vtkBRDFShaderInputs result;
-  if (!this->Impl->Lights.empty())
+  if (this->Impl->Lamps->Set)
   {
-    vtkNew<vtkLightSet> lights;
-    for (const ExtractedEmitters::Light& light : this->Impl->Lights)
-    {
-      lights->AddLight(&light.Direction.x, &light.Irradiance.x);
-    }
     vtkNew<vtkLightSetRadianceIntegrator> loop;
     loop->SetBRDF(this->BRDF);
-    loop->SetLightSet(lights);
+    loop->SetLightSet(this->Impl->Lamps->Set);
     loop->GetShaderInputs(result);
   }
   result.Terms.insert(result.Terms.begin(), std::move(term));
@@ -249,14 +279,13 @@ bool vtkFilteredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   result.Description =
     std::to_string(count) + " samples of a map of " + std::to_string(pyramid.GetSize()) + " x " +
     std::to_string(pyramid.GetSize()) + " texels (" + (half ? "16" : "32") + "-bit), " +
-    std::to_string(this->Impl->Lights.size()) + " directional lights";
+    std::to_string(this->GetNumberOfExtractedLights()) + " directional lights";
   form = std::move(result);
   return true;
 }
 
 //------------------------------------------------------------------------------
 measuredbrdfSetClampedMacro(vtkFilteredRadianceIntegrator, NumberOfSamples, int, 1, 1024);
-measuredbrdfSetClampedMacro(vtkFilteredRadianceIntegrator, LevelBias, double, -4.0, 4.0);
 
 //------------------------------------------------------------------------------
 std::string vtkFilteredRadianceIntegrator::GetMethodDescription()
@@ -272,17 +301,6 @@ std::vector<vtkRadianceIntegrator::Size> vtkFilteredRadianceIntegrator::GetSizes
 
 //------------------------------------------------------------------------------
 void vtkFilteredRadianceIntegrator::SetSize(int, int value) { this->SetNumberOfSamples(value); }
-
-//------------------------------------------------------------------------------
-void vtkFilteredRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
-{
-  this->Superclass::CopyProperties(source);
-  if (auto* filtered = vtkFilteredRadianceIntegrator::SafeDownCast(source))
-  {
-    this->SetLevelBias(filtered->LevelBias);
-    this->SetExtractLights(filtered->ExtractLights);
-  }
-}
 
 //------------------------------------------------------------------------------
 std::vector<std::vector<int>> vtkFilteredRadianceIntegrator::GetCandidateSizes(bool)
@@ -301,7 +319,12 @@ double vtkFilteredRadianceIntegrator::EstimateCost()
 //------------------------------------------------------------------------------
 vtkIdType vtkFilteredRadianceIntegrator::EstimateTextureBytes()
 {
-  return this->Environment ? EnvironmentPyramid::EstimateBytes(this->Environment) : 0;
+  // Two RGBA tables by sample and view, and the lights.
+  constexpr vtkIdType sample = 2 * 16 * ReflectionSamples::NumberOfViews + 2 * 12;
+  return this->Environment
+           ? EnvironmentPyramid::EstimateBytes(this->Environment) + sample * this->NumberOfSamples +
+               32 * this->GetNumberOfExtractedLights()
+           : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -309,7 +332,5 @@ void vtkFilteredRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
-  os << indent << "LevelBias: " << this->LevelBias << "\n";
-  os << indent << "ExtractLights: " << (this->ExtractLights ? "On" : "Off") << "\n";
   os << indent << "Extracted lights: " << this->GetNumberOfExtractedLights() << "\n";
 }

@@ -343,7 +343,7 @@ add("Integration.exact-without-cosine", "vtkExactRadianceIntegrator.cxx", "sum +
 add("Integration.exact-leaves-out-the-last-part", "vtkExactRadianceIntegrator.cxx",
     "(texels + TexelsPerPart - 1) / TexelsPerPart", "texels / TexelsPerPart", "ExactIntegrator.EqualsAPlainSum")
 add("Integration.filtered-lamps-without-cosine", "vtkFilteredRadianceIntegrator.cxx",
-    "sum += i.z * f * light.Irradiance;", "sum += f * light.Irradiance;",
+    "return i.z * f;", "return f;",
     "FilteredReference.Converges|Parity.FilteredIntegrator")
 add("Integration.filtered-keeps-samples-of-the-old-material", "vtkFilteredRadianceIntegrator.cxx",
     "impl.SamplesTime < this->BRDF->GetMTime() ||", "", "FilteredIntegrator.FollowsItsInputs")
@@ -351,17 +351,18 @@ add("Integration.filtered-keeps-the-number-of-samples", "vtkFilteredRadianceInte
     "impl.Samples->GetNumberOfSamples() != this->NumberOfSamples)", "impl.Samples->GetNumberOfSamples() < 1)",
     "FilteredIntegrator.FollowsItsInputs|FilteredReference.Converges")
 add("Integration.filtered-level-of-the-sphere", "vtkFilteredRadianceIntegrator.cxx",
-    "pyramid.GetNumberOfLevels() - 1 + bias", "pyramid.GetNumberOfLevels() + 1 + bias",
+    "pyramid.GetNumberOfLevels() - 1)", "pyramid.GetNumberOfLevels() + 1)",
     "FilteredReference.Converges|FilteredIntegrator.MirrorShowsTheEnvironment")
-add("Integration.filtered-copy-without-lamps", "vtkFilteredRadianceIntegrator.cxx",
-    "this->SetExtractLights(filtered->ExtractLights);", "", "RadianceMethods.CopiesHaveEveryProperty")
+add("Integration.filtered-adds-the-sharp-part-twice", "vtkFilteredRadianceIntegrator.cxx",
+    "f * (1.0 - ReflectionSamples::GetSharpShare(f, sample.Limit))", "f",
+    "FilteredIntegrator.BroadLobesSeeSmallPanels|Parity.FilteredIntegrator")
 add("Integration.filtered-takes-anisotropic-materials", "vtkFilteredRadianceIntegrator.cxx",
     "if (!this->BRDF->IsIsotropic())", "if (this->BRDF == nullptr)", "FilteredIntegrator.BadInputs")
 add("Integration.samples-see-too-sharply", "Private/ReflectionSamples.cxx", "-0.5 * std::log2(4.0 * Pi * density)",
     "-1.0 * std::log2(4.0 * Pi * density)",
     "FilteredReference.Converges|FilteredIntegrator.RotatingEverythingChangesNothing|FilteredIntegrator.RealSun")
-add("Integration.samples-miss-the-albedo", "Private/ReflectionSamples.cxx", "static_cast<float>(albedo[c] / sum[c])",
-    "1.0f", "FilteredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
+add("Integration.samples-of-the-whole-material", "Private/ReflectionSamples.cxx", "f * (GetSharpShare(f, limit) / density)",
+    "f * (1.0 / density)", "FilteredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
 add("Integration.samples-do-not-interpolate", "Private/ReflectionSamples.cxx", "a.Weight + t * (b.Weight - a.Weight)",
     "a.Weight", "Parity.FilteredIntegrator|FilteredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
 add("Integration.light-set-without-cosine", "vtkLightSetRadianceIntegrator.cxx",

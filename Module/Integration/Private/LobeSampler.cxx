@@ -113,7 +113,7 @@ void LobeTable::Read(const glm::dvec3& o, std::vector<double>& f) const
   }
 }
 
-LobeSampler::LobeSampler(vtkBRDF* brdf, const glm::dvec3& o, const LobeTable* table)
+LobeSampler::LobeSampler(vtkBRDF* brdf, const glm::dvec3& o, const LobeTable* table, double floor)
   : View(o)
   , Retro(o)
 {
@@ -131,10 +131,25 @@ LobeSampler::LobeSampler(vtkBRDF* brdf, const glm::dvec3& o, const LobeTable* ta
     mass = f * i.z * 4.0 * std::max(glm::dot(o, h), 0.0) * GetSolidAngle(cell % Polars);
   }
   this->Cells = Distribution2D(masses, Polars, Azimuths);
+  this->Limit = floor * this->Cells.GetTotal();
+  if (this->Limit > 0.0)
+  {
+    for (int cell = 0; cell < NumberOfCells; ++cell)
+    {
+      double& mass = masses[static_cast<std::size_t>(cell)];
+      mass *=
+        this->GetSharpShare(mass / (4.0 * std::max(glm::dot(o, GetGrid().Middles[cell]), 1e-9) *
+                                     GetSolidAngle(cell % Polars)));
+    }
+    this->Cells = Distribution2D(masses, Polars, Azimuths);
+  }
 
   // A lobe about the view is missed where it is far above what its cell's center shows.
-  const auto evaluate = [brdf, &o](const glm::dvec3& i)
-  { return GetSum(brdf, i, o) * std::max(i.z, 0.0); };
+  const auto evaluate = [this, brdf, &o](const glm::dvec3& i)
+  {
+    const double value = GetSum(brdf, i, o) * std::max(i.z, 0.0);
+    return value * this->GetSharpShare(value);
+  };
   const double total = this->Cells.GetTotal();
   const auto getDensity = [this, total](const glm::dvec3& i)
   { return std::max(total * this->GetCellDensity(HalfVector(i, this->View)) / 3.0, i.z / Pi); };

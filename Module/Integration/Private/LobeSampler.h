@@ -39,8 +39,23 @@ private:
 class LobeSampler
 {
 public:
-  /// Of a prepared BRDF and unit o above the horizon; with a table of it, where there is one.
-  LobeSampler(vtkBRDF* brdf, const glm::dvec3& o, const LobeTable* table = nullptr);
+  /**
+   * Of a prepared BRDF and unit o above the horizon; with a table of it, where there is one. With a
+   * floor (a density in 1/sr), draws are of the sharp part alone.
+   */
+  LobeSampler(
+    vtkBRDF* brdf, const glm::dvec3& o, const LobeTable* table = nullptr, double floor = 0.0);
+
+  /// Sum of the channels of f cos(theta_i) where its density in its own integral is the floor.
+  double GetLimit() const { return this->Limit; }
+
+  /// Share of f cos(theta_i), given as the sum of its channels, that is sharp: the power heuristic
+  /// (exponent 2) of its density and the floor (Veach, Guibas 1995).
+  static double GetSharpShare(double value, double limit)
+  {
+    const double broad = limit * limit;
+    return broad > 0.0 ? value * value / (value * value + broad) : 1.0;
+  }
 
   /// Whether nothing is reflected: then nothing can be drawn.
   bool IsBlack() const { return this->Cells.IsZero() && !(this->RetroShare > 0.0); }
@@ -51,8 +66,10 @@ public:
 
 private:
   double GetCellDensity(const glm::dvec3& h) const;
+  double GetSharpShare(double value) const { return GetSharpShare(value, this->Limit); }
 
   glm::dvec3 View;
+  double Limit = 0.0;
   Distribution2D Cells;
   RetroLobe Retro;
   double RetroShare = 0.0; // of the draws

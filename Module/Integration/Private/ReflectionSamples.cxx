@@ -7,7 +7,6 @@
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
 #include "ParallelFor.h"
-#include "ReflectionIntegral.h"
 #include "vtkBRDF.h"
 
 #include <algorithm>
@@ -21,7 +20,6 @@ namespace
 // angle in right angles.
 double FromAngle(double angle) { return 1.0 - std::sqrt(std::max(1.0 - angle, 0.0)); }
 
-constexpr double TabulatedAlbedoTolerance = 5e-3; // what 128 samples miss is more
 
 const double LastView = FromAngle(std::acos(MinimumViewCosine) * 2.0 / Pi);
 
@@ -35,7 +33,7 @@ glm::dvec2 GetPoint(int k, int count)
 ReflectionSamples::ReflectionSamples(vtkBRDF* brdf, int count, const std::atomic<bool>& abort)
   : Count(count)
   , Samples(static_cast<std::size_t>(count) * NumberOfViews,
-      Sample{ glm::vec3(0.0f, 0.0f, 1.0f), 0.0f, glm::vec3(0.0f) })
+      Sample{ glm::vec3(0.0f, 0.0f, 1.0f), 0.0f, glm::vec3(0.0f), 0.0f })
 {
   measuredbrdf::ParallelFor(0, NumberOfViews, 1,
     [this, brdf, &abort](vtkIdType begin, vtkIdType end)
@@ -68,15 +66,16 @@ ReflectionSamples::ReflectionSamples(vtkBRDF* brdf, int count, const std::atomic
 void ReflectionSamples::Tabulate(vtkBRDF* brdf, int view)
 {
   const glm::dvec3 o = GetView(view);
-  const LobeSampler lobe(brdf, o);
-  if (lobe.IsBlack())
-  {
-    return;
-  }
+  const LobeSampler lobe(brdf, o, nullptr, Floor);
+  const float limit = static_cast<float>(lobe.GetLimit());
   Sample* samples = &this->Samples[static_cast<std::size_t>(view * this->Count)];
-  glm::dvec3 sum(0.0);
   for (int k = 0; k < this->Count; ++k)
   {
+    samples[k].Limit = limit;
+    if (lobe.IsBlack())
+    {
+      continue;
+    }
     double density = 0.0;
     const glm::dvec3 i = lobe.Sample(GetPoint(k, this->Count), density);
     if (!(i.z > 0.0) || !(density > 0.0))
@@ -86,19 +85,10 @@ void ReflectionSamples::Tabulate(vtkBRDF* brdf, int view)
     density *= this->Count;
     glm::dvec3 f;
     brdf->Evaluate(&i.x, &o.x, &f.x);
+    f *= i.z;
     samples[k].Direction = i;
     samples[k].Level = static_cast<float>(-0.5 * std::log2(4.0 * Pi * density));
-    samples[k].Weight = f * (i.z / density);
-    sum += glm::dvec3(samples[k].Weight);
-  }
-  const glm::dvec3 albedo =
-    IntegrateReflection(brdf, o, IntegralOver::Lights, TabulatedAlbedoTolerance);
-  for (int k = 0; k < this->Count; ++k)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      samples[k].Weight[c] *= sum[c] > 0.0 ? static_cast<float>(albedo[c] / sum[c]) : 0.0f;
-    }
+    samples[k].Weight = f * (GetSharpShare(f, limit) / density);
   }
 }
 
@@ -109,7 +99,12 @@ ReflectionSamples::Sample ReflectionSamples::Interpolate(double coordinate, int 
   const Sample& a = this->Get(view, k);
   const Sample& b = this->Get(view + 1, k);
   return { a.Direction + t * (b.Direction - a.Direction), a.Level + t * (b.Level - a.Level),
-    a.Weight + t * (b.Weight - a.Weight) };
+    a.Weight + t * (b.Weight - a.Weight), a.Limit + t * (b.Limit - a.Limit) };
+}
+
+double ReflectionSamples::GetSharpShare(const glm::dvec3& f, double limit)
+{
+  return LobeSampler::GetSharpShare(f.x + f.y + f.z, limit);
 }
 
 double ReflectionSamples::GetCoordinate(const glm::dvec3& o)

@@ -117,13 +117,8 @@ int EnvironmentPyramid::ChooseSize(vtkEnvironment* environment)
   environment = environment->GetSubdivided();
   const double texels =
     static_cast<double>(environment->GetWidth()) * static_cast<double>(environment->GetHeight());
-  const double wanted = std::min(std::sqrt(texels) / 1.4, static_cast<double>(MaximumSize));
-  int size = 1;
-  while (size < wanted)
-  {
-    size *= 2;
-  }
-  return size;
+  const double wanted = std::clamp(std::sqrt(texels) / 1.4, 1.0, static_cast<double>(MaximumSize));
+  return 1 << std::lround(std::log2(wanted));
 }
 
 vtkIdType EnvironmentPyramid::EstimateBytes(vtkEnvironment* environment)

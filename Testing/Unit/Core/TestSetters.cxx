@@ -287,7 +287,6 @@ TEST(Setters, OfIntegrators)
   CLAMPED(vtkBasisRadianceIntegrator, MapSize, 8, 128);
   CLAMPED(vtkBasisRadianceIntegrator, NumberOfClusters, 64, 1048576);
   CLAMPED(vtkFilteredRadianceIntegrator, NumberOfSamples, 1, 1024);
-  CLAMPED(vtkFilteredRadianceIntegrator, LevelBias, -4.0, 4.0);
   CLAMPED(vtkHybridRadianceIntegrator, NumberOfRows, 9, 513);
   CLAMPED(vtkHybridRadianceIntegrator, NumberOfViewAngles, 2, 64);
   CLAMPED(vtkHybridRadianceIntegrator, NumberOfAzimuths, 4, 64);

@@ -10,7 +10,9 @@
 #include "vtkBRDF.h"
 #include "vtkBRDFAnalysis.h"
 #include "vtkBRDFShaderInputs.h"
+#include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
+#include "vtkFilteredRadianceIntegrator.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRadiancePlanner.h"
@@ -161,6 +163,39 @@ TEST(RetroReflection, AlbedoCountsIt)
       analysis->GetAlbedo(k, &albedo.x);
       analysis->GetReflectance(k, &reflectance.x);
       EXPECT_NEAR(reflectance.x, albedo.x, 0.02 * albedo.x) << analysis->GetAngle(k);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Under a constant sky. Without draws of its own the lobe, most of the albedo, would be lost.
+TEST(RetroReflection, FilteredSamplesDrawIt)
+{
+  vtkNew<vtkEnvironment> white;
+  ASSERT_TRUE(white->SetPixels(8, 4, std::vector<float>(96, 1.0f)));
+  for (const double exponent : { 300.0, 2000.0, 50000.0 })
+  {
+    const auto brdf = NewRetro(exponent);
+    vtkNew<vtkFilteredRadianceIntegrator> filtered;
+    filtered->SetBRDF(brdf);
+    filtered->SetEnvironment(white);
+    filtered->SetNumberOfSamples(1024);
+    for (const double degrees : { 0.0, 20.0, 45.0, 70.0 })
+    {
+      const glm::dvec3 o = AtAngle(degrees);
+      const glm::dvec3 expected = GetAlbedo(brdf, o);
+      vtkNew<vtkDoubleArray> n, view, result;
+      for (vtkDoubleArray* array : { n.Get(), view.Get(), result.Get() })
+      {
+        array->SetNumberOfComponents(3);
+      }
+      n->InsertNextTuple3(0.0, 0.0, 1.0);
+      view->InsertNextTuple(&o.x);
+      ASSERT_TRUE(filtered->Integrate(n, view, result));
+      const double radiance = result->GetComponent(0, 0);
+      std::printf("exponent %g at %g degrees: %.4f, by brute force %.4f\n", exponent, degrees,
+        radiance, expected.x);
+      EXPECT_NEAR(radiance, expected.x, 0.03 * expected.x);
     }
   }
 }

@@ -133,6 +133,29 @@ TEST(EnvironmentPyramid, IsContinuousAcrossAllFourFolds)
   }
 }
 
+// On every level and across every edge; the coarsest level is the mean.
+TEST(EnvironmentPyramid, KeepsConstantsAndTheMean)
+{
+  const int sizes[4][2] = { { 1, 1 }, { 8, 4 }, { 37, 18 }, { 256, 128 } };
+  for (const auto& size : sizes)
+  {
+    vtkNew<vtkEnvironment> environment;
+    environment->SetPixels(
+      size[0], size[1], std::vector<float>(static_cast<std::size_t>(3 * size[0] * size[1]), 3.0f));
+    const EnvironmentPyramid pyramid(environment);
+    for (const glm::vec4& texel : pyramid.GetAtlas())
+    {
+      EXPECT_TRUE(texel.x == 0.0f || std::abs(texel.x - 3.0f) < 3e-4f)
+        << size[0] << ": " << texel.x;
+    }
+    const auto noise = NewNoise(size[0], size[1]);
+    double total[3];
+    noise->GetTotal(total);
+    const glm::vec3 mean = EnvironmentPyramid(noise).Sample(glm::vec3(0.0f, 0.0f, 1.0f), 20.0f);
+    EXPECT_NEAR(mean.y, total[1] / (4.0 * Pi), 1e-3 * total[1]) << size[0];
+  }
+}
+
 namespace
 {
 // A radiance everywhere, and some in discs of 12 degrees about directions.

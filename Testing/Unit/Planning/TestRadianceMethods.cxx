@@ -227,8 +227,6 @@ TEST(RadianceMethods, CopiesHaveEveryProperty)
   ExpectCopied(hybrid, { "Lights" });
   vtkNew<vtkFilteredRadianceIntegrator> filtered;
   filtered->SetNumberOfSamples(5);
-  filtered->SetLevelBias(0.5);
-  filtered->ExtractLightsOff();
   ExpectCopied(filtered, { "Extracted lights" });
   vtkNew<vtkBasisRadianceIntegrator> basis;
   basis->SetTolerance(0.03);
