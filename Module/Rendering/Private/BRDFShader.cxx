@@ -15,6 +15,7 @@
 #include "vtkBRDFFacetNormal.h"
 #include "vtkBRDFHeadlight.h"
 #include "vtkBRDFPositionalLight.h"
+#include "vtkBRDFSampleSum.h"
 #include "vtkBRDFTangent.h"
 #include "vtkBRDFTangentAxis.h"
 
@@ -118,9 +119,20 @@ std::string GetRotationName(std::size_t member)
   return "brdfViewToEnvironment" + (member > 0 ? std::to_string(member) : "");
 }
 
-std::string GetShaderDeclarations(const std::vector<ShaderMember>& members)
+std::string GetSamplesText(SumStage stage)
 {
-  std::string text = std::string(vtkBRDFCommon) + vtkBRDFEnvironmentPyramid;
+  if (stage == SumStage::None)
+  {
+    return "#define BRDF_SAMPLES(count) ivec2(0, count)\n#define BRDF_SAMPLES_SHARE 1.0\n";
+  }
+  return (stage == SumStage::Add ? std::string("uniform ivec2 brdfPart;\n") : vtkBRDFSampleSum) +
+         "#define BRDF_SAMPLES(count) (ivec2(brdfPart.x, brdfPart.x + 1) * count / brdfPart.y)\n"
+         "#define BRDF_SAMPLES_SHARE float(brdfPart.y)\n";
+}
+
+std::string GetShaderDeclarations(const std::vector<ShaderMember>& members, SumStage stage)
+{
+  std::string text = std::string(vtkBRDFCommon) + vtkBRDFEnvironmentPyramid + GetSamplesText(stage);
   text += "uniform mat3 envMatrix; // VTK's own: view -> the renderer's environment\n"
           "uniform int brdfModulate;\n";
   bool evaluate = true;
@@ -159,6 +171,14 @@ std::string GetShaderBody(const ShaderBody& body)
     body.Tangents == TangentSource::Data
       ? vtkBRDFTangent
       : (body.Tangents == TangentSource::Axis ? vtkBRDFTangentAxis : ""));
+  if (body.Stage == SumStage::Show) // a loop, as in Mix
+  {
+    vtkShaderProgram::Substitute(text, "vec3 brdfRadiance = brdfEnvironment(brdfFrame, brdfView);",
+      "vec4 brdfMean = brdfFindSum();\n  vec3 brdfRadiance = brdfMean.rgb;\n"
+      "  for (int once = 0; once < (brdfMean.a > 0.0 ? 0 : 1); ++once)\n  {\n"
+      "    brdfRadiance = brdfEnvironment(brdfFrame, brdfView);\n  }");
+  }
+  text += body.Stage == SumStage::Add ? "  vec3 brdfSamples = brdfRadiance;\n" : "";
   if (body.Complexity == 1)
   {
     text += vtkBRDFHeadlight;

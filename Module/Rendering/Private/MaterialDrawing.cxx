@@ -7,6 +7,7 @@
 #include "OcclusionPoints.h"
 #include "SharedIntegrators.h"
 #include "StockLevels.h"
+#include "SurfaceBlocks.h"
 #include "TextureEnvironment.h"
 #include "VisibleSurface.h"
 #include "vtkActor.h"
@@ -369,9 +370,23 @@ void MaterialDrawing::DropPlans(const FrameState& state, bool anyMaterial)
   }
 }
 
+void MaterialDrawing::AddSamples(vtkRenderer* renderer, vtkActor* actor, const void* part,
+  vtkMTimeType time, const std::function<void()>& draw)
+{
+  auto* owner = vtkMapper::SafeDownCast(this->Owner);
+  vtkMTimeType whole = std::max(this->Settings->GetMTime(), owner->GetMTime());
+  vtkDataObject* input = owner->GetInputDataObject(0, 0);
+  for (vtkPolyData* surface : GetBlocks(input))
+  {
+    whole = std::max({ whole, input->GetMTime(), surface->GetMTime() });
+  }
+  this->Sums.Add({ renderer, actor, part, whole, time }, this->GetMaterials(), draw);
+}
+
 void MaterialDrawing::EndFrame()
 {
   this->Selected.Clear();
+  this->Sums.End();
   this->Frame = nullptr;
 }
 
@@ -422,6 +437,7 @@ std::vector<const DrawnMaterial*> MaterialDrawing::GetLastFrame() const
 void MaterialDrawing::Forget(const void* part)
 {
   this->Frames.Forget(part);
+  this->Sums.Forget(part);
   this->Forecasts.erase(part);
   this->BouncingParts.erase(part);
   this->RefusedOcclusion.erase(part);
@@ -478,5 +494,6 @@ void MaterialDrawing::ReleaseGraphicsResources(vtkWindow* window, const void* pa
     }
   }
   this->Plans.ReleaseUploads(window);
+  this->Sums.Release(window);
 }
 } // namespace measuredbrdf

@@ -17,6 +17,7 @@
 #include "OcclusionForecast.h"
 #include "OcclusionLight.h"
 #include "OcclusionShader.h"
+#include "SampleSums.h"
 #include "SelectedMaterials.h"
 #include "ViewFrames.h"
 #include "vtkSmartPointer.h"
@@ -64,10 +65,19 @@ public:
   /// no color from the material (picking, shadow maps) the superclass draws, and nothing is
   /// planned. part: who draws, of the mappers that share this object.
   /// A mapper's Render is BeginRender and a frame for each part.
-  void BeginRender() { this->AbortPlanning = false; }
+  void BeginRender()
+  {
+    this->AbortPlanning = false;
+    this->Sums.Begin();
+  }
   void BeginFrame(
     vtkRenderer* renderer, vtkActor* actor, const void* part, const std::vector<MaterialUse>& uses);
   void EndFrame();
+
+  /// Before the frame is drawn, between BeginFrame and EndFrame. time: of the part's buffers.
+  void AddSamples(vtkRenderer* renderer, vtkActor* actor, const void* part, vtkMTimeType time,
+    const std::function<void()>& draw);
+  const SampleSums& GetSums() const { return this->Sums; }
 
   /// Those that BeginFrame was given, to be drawn one after the other; none where the superclass
   /// draws all.
@@ -230,6 +240,7 @@ private:
   const ViewFrame* Frame = nullptr; // drawn now
   vtkWeakPointer<vtkRenderer> LastRenderer;
   SelectedMaterials Selected;
+  SampleSums Sums;
   std::set<std::string> Warned;
   std::atomic<bool> AbortPlanning{ false };
   struct KnownLight
