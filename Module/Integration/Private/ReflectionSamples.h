@@ -36,9 +36,9 @@ public:
   };
 
   /**
-   * count samples (a Fibonacci lattice) distributed as f cos (LobeSampler). Each view's weights are
-   * scaled to add up to its directional albedo. brdf is isotropic and prepared. Views are tabulated
-   * in parallel; a raised abort leaves the rest black.
+   * count samples (a Fibonacci lattice, the first ones spread evenly, too) distributed as f cos
+   * (LobeSampler). Each view's weights are scaled to add up to its directional albedo. brdf is
+   * isotropic and prepared. Views are tabulated in parallel; a raised abort leaves the rest black.
    */
   ReflectionSamples(vtkBRDF* brdf, int count, const std::atomic<bool>& abort);
 
@@ -61,7 +61,7 @@ public:
   static glm::dvec3 GetView(int view);
 
 private:
-  void Tabulate(vtkBRDF* brdf, int view);
+  void Tabulate(vtkBRDF* brdf, const std::vector<glm::dvec2>& points, int view);
 
   int Count;
   std::vector<Sample> Samples;

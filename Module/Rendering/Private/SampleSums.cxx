@@ -102,7 +102,8 @@ std::vector<double> GetViewKey(const SummedPart& part, const int* viewport)
   key.insert(key.end(), renderer->GetEnvironmentRight(), renderer->GetEnvironmentRight() + 3);
   key.insert(key.end(), renderer->GetEnvironmentUp(), renderer->GetEnvironmentUp() + 3);
   key.push_back(static_cast<double>(part.WholeTime));
-  addTime(part.Actor);
+  addTime(part.Actor->GetProperty());
+  addTime(part.Actor->GetBackfaceProperty());
   for (const auto& texture : part.Actor->GetProperty()->GetAllTextures())
   {
     addTime(texture.second);
