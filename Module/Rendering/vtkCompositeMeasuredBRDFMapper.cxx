@@ -10,6 +10,7 @@
 #include "DrawTimer.h"
 #include "DrawsColor.h"
 #include "MapperProperties.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkObjectFactory.h"
 #include "vtkPBRPropertyFitter.h"
 #include "vtkPolyData.h"
@@ -267,7 +268,8 @@ void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* act
     return; // the superclass wants both
   }
   const Depth inside(this->RenderDepth);
-  this->Impl->Drawing->BeginRender();
+  vtkObject* style = this->GetCompositeDataDisplayAttributes();
+  this->Impl->Drawing->BeginRender(style ? style->GetMTime() : 0);
   this->Impl->Parts->Begin();
   vtkDataObject* input = this->GetInputDataObject(0, 0);
   this->Impl->Timer.Start(input ? input->GetNumberOfElements(vtkDataObject::CELL) : 0);

@@ -370,17 +370,18 @@ void MaterialDrawing::DropPlans(const FrameState& state, bool anyMaterial)
   }
 }
 
-void MaterialDrawing::AddSamples(vtkRenderer* renderer, vtkActor* actor, const void* part,
-  vtkMTimeType time, const std::function<void()>& draw)
+void MaterialDrawing::AddSamples(
+  vtkRenderer* renderer, vtkActor* actor, const void* part, const std::function<void()>& draw)
 {
-  auto* owner = vtkMapper::SafeDownCast(this->Owner);
-  vtkMTimeType whole = std::max(this->Settings->GetMTime(), owner->GetMTime());
-  vtkDataObject* input = owner->GetInputDataObject(0, 0);
+  vtkDataObject* input = vtkMapper::SafeDownCast(this->Owner)->GetInputDataObject(0, 0);
+  vtkMTimeType time = std::max(this->Settings->GetMTime(), this->StyleTime);
   for (vtkPolyData* surface : GetBlocks(input))
   {
-    whole = std::max({ whole, input->GetMTime(), surface->GetMTime() });
+    time = std::max({ time, input->GetMTime(), surface->GetMTime() });
   }
-  this->Sums.Add({ renderer, actor, part, whole, time }, this->GetMaterials(), draw);
+  vtkDataObject* traced = this->GetTracedOcclusion(part);
+  this->Sums.Add(
+    { renderer, actor, part, time, traced ? traced->GetMTime() : 0 }, this->GetMaterials(), draw);
 }
 
 void MaterialDrawing::EndFrame()

@@ -65,18 +65,20 @@ public:
   /// no color from the material (picking, shadow maps) the superclass draws, and nothing is
   /// planned. part: who draws, of the mappers that share this object.
   /// A mapper's Render is BeginRender and a frame for each part.
-  void BeginRender()
+  /// styleTime: when what says which blocks are seen last changed.
+  void BeginRender(vtkMTimeType styleTime = 0)
   {
     this->AbortPlanning = false;
+    this->StyleTime = styleTime;
     this->Sums.Begin();
   }
   void BeginFrame(
     vtkRenderer* renderer, vtkActor* actor, const void* part, const std::vector<MaterialUse>& uses);
   void EndFrame();
 
-  /// Before the frame is drawn, between BeginFrame and EndFrame. time: of the part's buffers.
-  void AddSamples(vtkRenderer* renderer, vtkActor* actor, const void* part, vtkMTimeType time,
-    const std::function<void()>& draw);
+  /// Before the frame is drawn, between BeginFrame and EndFrame.
+  void AddSamples(
+    vtkRenderer* renderer, vtkActor* actor, const void* part, const std::function<void()>& draw);
   const SampleSums& GetSums() const { return this->Sums; }
 
   /// Those that BeginFrame was given, to be drawn one after the other; none where the superclass
@@ -241,6 +243,7 @@ private:
   vtkWeakPointer<vtkRenderer> LastRenderer;
   SelectedMaterials Selected;
   SampleSums Sums;
+  vtkMTimeType StyleTime = 0;
   std::set<std::string> Warned;
   std::atomic<bool> AbortPlanning{ false };
   struct KnownLight

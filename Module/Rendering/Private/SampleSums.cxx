@@ -101,7 +101,7 @@ std::vector<double> GetViewKey(const SummedPart& part, const int* viewport)
   AddMatrix(key, part.Actor->GetMatrix());
   key.insert(key.end(), renderer->GetEnvironmentRight(), renderer->GetEnvironmentRight() + 3);
   key.insert(key.end(), renderer->GetEnvironmentUp(), renderer->GetEnvironmentUp() + 3);
-  key.push_back(static_cast<double>(part.WholeTime));
+  key.push_back(static_cast<double>(part.Time));
   addTime(part.Actor->GetProperty());
   addTime(part.Actor->GetBackfaceProperty());
   for (const auto& texture : part.Actor->GetProperty()->GetAllTextures())
@@ -109,6 +109,7 @@ std::vector<double> GetViewKey(const SummedPart& part, const int* viewport)
     addTime(texture.second);
   }
   vtkPlaneCollection* planes = part.Actor->GetMapper()->GetClippingPlanes();
+  key.push_back(planes ? planes->GetNumberOfItems() : 0);
   for (int k = 0; planes && k < planes->GetNumberOfItems(); ++k)
   {
     addTime(planes->GetItem(k));
@@ -119,7 +120,7 @@ std::vector<double> GetViewKey(const SummedPart& part, const int* viewport)
 // What the samples depend on beside that. Times are never used twice.
 std::vector<double> GetKey(const SummedPart& part, const std::vector<DrawnMaterial>& materials)
 {
-  std::vector<double> key = { static_cast<double>(part.Time) };
+  std::vector<double> key = { static_cast<double>(part.OcclusionTime) };
   for (const DrawnMaterial& drawn : materials)
   {
     key.push_back(drawn.Integrator ? static_cast<double>(drawn.Integrator->GetInputsMTime()) : 0.0);

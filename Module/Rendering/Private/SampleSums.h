@@ -34,9 +34,9 @@ struct SummedPart
 {
   vtkRenderer* Renderer;
   vtkActor* Actor;
-  const void* Who;        // the mapper
-  vtkMTimeType WholeTime; // when the data set or the mapper's settings last changed
-  vtkMTimeType Time;      // when the part's buffers did
+  const void* Who;            // the mapper
+  vtkMTimeType Time;          // when the data set or its materials last changed
+  vtkMTimeType OcclusionTime; // when what is hidden was traced
 };
 
 class SampleSums

@@ -151,7 +151,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::RenderPieceStart(vtkRenderer* ren, vtkAct
   this->Drawing->BeginFrame(ren, actor, this, this->GetMaterialUses());
   this->Base::RenderPieceStart(ren, actor);
   this->HasStarted = true;
-  this->Drawing->AddSamples(ren, actor, this, this->VBOBuildTime.GetMTime(),
+  this->Drawing->AddSamples(ren, actor, this,
     [&]()
     {
       this->PrimitiveIDOffset = 0;
