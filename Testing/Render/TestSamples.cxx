@@ -252,18 +252,20 @@ TEST_F(Samples, ShowTheSameWithMultisamples)
 TEST_F(Samples, ShowTheSameInTwoWindows)
 {
   const FloatImage whole = this->RenderEncoded();
-  this->LookOn();
   vtkNew<vtkRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
   vtkNew<Clock> clock;
   window->SetMultiSamples(0);
   window->SetSize(48, 48);
   window->AddRenderer(renderer);
-  window->SetInteractor(clock);
   window->SetDesiredUpdateRate(Hasty);
   renderer->SetAutomaticLightCreation(false);
   renderer->AddActor(this->Actor);
   renderer->SetActiveCamera(this->Renderer->GetActiveCamera());
+  window->Render(); // a new renderer has its actors release all that they have
+  const std::vector<unsigned char> alone = this->Read(window);
+  window->SetInteractor(clock);
+  this->LookOn();
   for (int k = 1; k < Subframes; ++k)
   {
     this->RenderEncoded();
@@ -276,11 +278,6 @@ TEST_F(Samples, ShowTheSameInTwoWindows)
   EXPECT_FALSE(this->Mapper->GetPlanPending());
   EXPECT_LT(GetDifference(this->RenderEncoded(), whole), Rounding);
   const std::vector<unsigned char> sum = this->Read(window);
-  window->SetInteractor(nullptr);
-  const auto other = this->NewMapper();
-  this->Actor->SetMapper(other);
-  window->Render();
-  const std::vector<unsigned char> alone = this->Read(window);
   for (std::size_t k = 0; k < sum.size(); ++k)
   {
     ASSERT_LE(std::abs(int(sum[k]) - int(alone[k])), 1) << k;
