@@ -37,16 +37,21 @@ struct ShaderMember
 /// following terms count on.
 std::size_t GetFirstInstance(std::size_t member);
 
-/// What is done with the samples of sub-frames that add up (SampleSums).
+/// What is done with samples whose sub-frames add up (SampleSums).
 enum class SumStage
 {
-  None, // all samples are evaluated at once
-  Add,  // a sub-frame's are written instead of the color
+  None,   // all samples are evaluated at once
+  Others, // what is no sample is written instead of the color
+  Add,    // a sub-frame's samples are
   Show
 };
 
 /// What integrators' texts read of it: BRDF_SAMPLES and BRDF_SAMPLES_SHARE.
 std::string GetSamplesText(SumStage stage);
+
+/// Whether a summand is written instead of the color, and the text that does so in the end.
+bool IsOfSum(SumStage stage);
+std::string GetSumOutput(SumStage stage);
 
 /// Declarations: shared functions, the materials' terms and brdfEvaluate, their environments' terms
 /// and brdfEnvironment. Without a material there is no brdfEvaluate. Several members are mixed by

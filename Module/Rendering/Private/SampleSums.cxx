@@ -39,7 +39,7 @@ constexpr int SamplesOfSubframe = 4;
 constexpr double LongestFrame = 0.5;     // seconds, of sub-frames while one looks on
 constexpr unsigned long Pause = 10;      // milliseconds, for events between frames
 constexpr unsigned long MostPasses = 64; // Renders of a mapper in one picture
-constexpr std::size_t BytesOfPixel = 16 + 4 + 4;
+constexpr std::size_t BytesOfPixel = 16 + 16 + 4;
 constexpr std::size_t MostSumBytes = std::size_t(512) << 20; // of all sums
 std::atomic<std::size_t> BytesInUse{ 0 };
 
@@ -166,11 +166,12 @@ public:
     this->State->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   }
 
-  // The first sub-frame finds the front-most surface, the others add where it is.
-  void Prepare(bool first)
+  // First the front-most surface is found, then samples are added where it is.
+  void Prepare(SumStage stage)
   {
-    first ? this->State->vtkglDisable(GL_BLEND) : this->State->vtkglEnable(GL_BLEND);
-    this->State->vtkglDepthFunc(first ? GL_LESS : GL_LEQUAL);
+    const bool adds = stage == SumStage::Add;
+    adds ? this->State->vtkglEnable(GL_BLEND) : this->State->vtkglDisable(GL_BLEND);
+    this->State->vtkglDepthFunc(adds ? GL_LEQUAL : GL_LESS);
   }
 
 private:
@@ -205,7 +206,7 @@ struct SampleSums::View
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer; // null: nothing is kept
   vtkSmartPointer<vtkTextureObject> Radiance;
-  vtkSmartPointer<vtkTextureObject> Depth;
+  vtkSmartPointer<vtkTextureObject> Others;
   std::size_t Bytes = 0;
   int Viewport[4] = { 0, 0, 0, 0 };
   std::vector<double> Key;
@@ -243,13 +244,13 @@ struct SampleSums::View
     {
       this->Window->PushContext();
       this->Radiance->ReleaseGraphicsResources(this->Window);
-      this->Depth->ReleaseGraphicsResources(this->Window);
+      this->Others->ReleaseGraphicsResources(this->Window);
       this->Framebuffer->ReleaseGraphicsResources(this->Window);
       this->Window->PopContext();
     }
     this->Framebuffer = nullptr;
     this->Radiance = nullptr;
-    this->Depth = nullptr;
+    this->Others = nullptr;
     BytesInUse -= this->Bytes;
     this->Bytes = 0;
   }
@@ -273,20 +274,20 @@ struct SampleSums::View
     this->Window = window;
     this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
     this->Radiance = vtkSmartPointer<vtkTextureObject>::New();
-    this->Depth = vtkSmartPointer<vtkTextureObject>::New();
+    this->Others = vtkSmartPointer<vtkTextureObject>::New();
     this->Bytes = bytes;
     BytesInUse += bytes;
     this->Radiance->SetContext(window);
-    this->Depth->SetContext(window);
+    this->Others->SetContext(window);
     this->Framebuffer->SetContext(window);
     bool works = this->Radiance->Allocate2D(width, height, 4, VTK_FLOAT) &&
-                 this->Depth->Allocate2D(width, height, 1, VTK_FLOAT);
+                 this->Others->Allocate2D(width, height, 4, VTK_FLOAT);
     if (works)
     {
       window->GetState()->PushFramebufferBindings();
       this->Framebuffer->Bind();
       this->Framebuffer->AddColorAttachment(0, this->Radiance);
-      this->Framebuffer->AddColorAttachment(1, this->Depth);
+      this->Framebuffer->AddColorAttachment(1, this->Others);
       this->Framebuffer->AddDepthAttachment();
       const char* problem = nullptr;
       works = vtkOpenGLFramebufferObject::GetFrameBufferStatus(
@@ -437,24 +438,32 @@ void SampleSums::Add(const SummedPart& part, const std::vector<DrawnMaterial>& m
   {
     waits = waits || !view.StartTimer(this);
     const auto end = this->Start + std::chrono::duration<double>(view.GetBudget());
-    this->Stage = SumStage::Add;
     Target target(window->GetState(), view.Framebuffer, view.Viewport);
     if (isFirst)
     {
       target.Clear();
     }
+    const auto drawStage = [&](SumStage stage)
+    {
+      this->Stage = stage;
+      target.Prepare(stage);
+      draw();
+    };
+    if (progress.Done == 0)
+    {
+      drawStage(SumStage::Others);
+    }
     do
     {
       this->Subframe = progress.Done;
-      target.Prepare(progress.Done == 0);
-      draw();
+      drawStage(SumStage::Add);
       window->WaitForCompletion();
       ++progress.Done;
     } while (progress.Done < progress.Count && !window->CheckAbortStatus() &&
              (waits || Clock::now() < end));
   }
   view.Radiance->Activate();
-  view.Depth->Activate();
+  view.Others->Activate();
   this->Shown = &view;
   this->Stage = SumStage::Show;
 }
@@ -464,7 +473,7 @@ void SampleSums::End()
   if (this->Shown && this->Shown->Framebuffer)
   {
     this->Shown->Radiance->Deactivate();
-    this->Shown->Depth->Deactivate();
+    this->Shown->Others->Deactivate();
   }
   this->Shown = nullptr;
   this->Stage = SumStage::None;
@@ -480,8 +489,7 @@ void SampleSums::SetUniforms(vtkShaderProgram* program) const
   else if (this->Stage == SumStage::Show)
   {
     program->SetUniformi("brdfSum", this->Shown->Radiance->GetTextureUnit());
-    program->SetUniformi("brdfSumDepth", this->Shown->Depth->GetTextureUnit());
-    program->SetUniformi("brdfSubframes", this->Count);
+    program->SetUniformi("brdfOthers", this->Shown->Others->GetTextureUnit());
     program->SetUniform2i("brdfSumOrigin", this->Shown->Viewport);
   }
 }
@@ -498,7 +506,7 @@ void SampleSums::Forget(const void* who)
   {
     if (view.Parts.count(who) > 0)
     {
-      view.Parts.clear();
+      view.Parts.clear(); // it hides others there
     }
   }
 }

@@ -4,10 +4,10 @@
  * @file
  * Pictures whose samples are drawn in sub-frames that add up. Private to the rendering room.
  *
- * Sub-frame j of n takes every n-th part of the samples n times; the mean of all is the picture of
- * all samples, since radiance is encoded after that. Each is drawn into a framebuffer of the
- * view's, with depth, where those of the front-most surface add up; the picture takes its radiance
- * from there (shaders/vtkBRDFSampleSum.glsl).
+ * Sub-frame j of n has every n-th part of the samples, n times; the mean of all is the light of all
+ * samples, since radiance is encoded after that. Each is drawn into a framebuffer of the view's,
+ * with depth, where those of the front-most surface add up beside the light that is no sample's;
+ * the picture takes its radiance from there (shaders/vtkBRDFSampleSum.glsl).
  */
 
 #ifndef SampleSums_h

@@ -234,7 +234,7 @@ std::string vtkMeasuredBRDFMapperMixin<Base>::GetShaderKey(const vtkOpenGLHelper
     return "";
   }
   const vtkMeasuredBRDFMapperOcclusion occlusion = this->GetOcclusion();
-  const char* const stages[] = { "", "/add", "/show" };
+  const char* const stages[] = { "", "/others", "/add", "/show" };
   return this->Drawing->GetSelected().GetKey() +
          stages[static_cast<int>(this->Drawing->GetSums().GetStage())] +
          (this->HasTangents() ? "/tangents" : "") + (this->HasScalarColors() ? "/colors" : "") +
@@ -390,7 +390,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
   const auto& info = this->PrimitiveInfo[this->LastBoundBO];
   body.SuperfluousLight = this->FindSuperfluousLight(ren);
   // Image-based lighting counts as a light in VTK 9.6; here it is none.
-  const bool adds = stage == measuredbrdf::SumStage::Add;
+  const bool adds = measuredbrdf::IsOfSum(stage);
   const bool lit = measuredbrdf::AreAllEvaluated(members) && !adds &&
                    info.LastLightCount > (body.SuperfluousLight >= 0 ? 1 : 0) &&
                    this->Drawing->GetSettings().UseSceneLights;
@@ -407,9 +407,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
   if (adds) // whatever else writes a color
   {
     vtkShaderProgram::Substitute(fs, "//VTK::Coincident::Impl",
-      "//VTK::Coincident::Impl\n  gl_FragData[0] = vec4(brdfSamples, 1.0);\n"
-      "  gl_FragData[1] = vec4(gl_FragCoord.z);\n",
-      false);
+      "//VTK::Coincident::Impl\n" + measuredbrdf::GetSumOutput(stage), false);
   }
   shaders[vtkShader::Fragment]->SetSource(fs);
 }
