@@ -11,7 +11,7 @@ vec4 brdfFindSum()
 {
   ivec2 at = ivec2(gl_FragCoord.xy) - brdfSumOrigin;
   ivec2 last = textureSize(brdfSum, 0) - 1;
-  float near = 1e-6 + 0.01 * fwidth(gl_FragCoord.z);
+  float near = 1e-6 + fwidth(gl_FragCoord.z); // between a pixel's samples
   vec4 sum = texelFetch(brdfSum, clamp(at, ivec2(0), last), 0);
   vec4 others = texelFetch(brdfOthers, clamp(at, ivec2(0), last), 0);
   bool hidden = true;
