@@ -449,18 +449,31 @@ void SampleSums::Add(const SummedPart& part, const std::vector<DrawnMaterial>& m
       target.Prepare(stage);
       draw();
     };
-    if (progress.Done == 0)
+    try
     {
-      drawStage(SumStage::Others);
+      if (progress.Done == 0)
+      {
+        drawStage(SumStage::Others);
+      }
+      for (bool goesOn = true; goesOn;)
+      {
+        this->Subframe = progress.Done++;
+        drawStage(SumStage::Add);
+        window->WaitForCompletion();
+        goesOn = progress.Done < progress.Count && (waits || Clock::now() < end) &&
+                 !window->CheckAbortStatus();
+        if (!view.Framebuffer) // whoever was asked had all released
+        {
+          this->Stage = SumStage::None;
+          return;
+        }
+      }
     }
-    do
+    catch (...)
     {
-      this->Subframe = progress.Done;
-      drawStage(SumStage::Add);
-      window->WaitForCompletion();
-      ++progress.Done;
-    } while (progress.Done < progress.Count && !window->CheckAbortStatus() &&
-             (waits || Clock::now() < end));
+      view.Parts.clear(); // what was drawn of the sub-frame stays there
+      throw;
+    }
   }
   view.Radiance->Activate();
   view.Others->Activate();
