@@ -19,7 +19,8 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
   float last = 0.887158; // the same at the lowest view, cosine 0.02
   float row = (first / last * float(size.y - 1) + 0.5) / float(size.y);
   vec3 sum = vec3(0.0);
-  for (int k = 0; k < size.x; ++k)
+  ivec2 part = BRDF_SAMPLES(size.x); // all, or those of a sub-frame
+  for (int k = part.x; k < part.y; ++k)
   {
     vec2 uv = vec2((float(k) + 0.5) / float(size.x), row);
     vec4 i = textureLod(brdfDirectionsINSTANCE, uv, 0.0);
@@ -35,5 +36,5 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
         texelFetch(brdfLightsINSTANCE, ivec2(k, 1), 0).rgb;
     }
   }
-  return sum;
+  return sum * BRDF_SAMPLES_SHARE;
 }

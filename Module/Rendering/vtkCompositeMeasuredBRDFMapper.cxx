@@ -9,6 +9,7 @@
 #include "BlockParts.h"
 #include "DrawTimer.h"
 #include "MapperProperties.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkObjectFactory.h"
 #include "vtkPBRPropertyFitter.h"
 #include "vtkPolyData.h"
@@ -268,12 +269,15 @@ void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* act
   this->Impl->Parts->Begin();
   vtkDataObject* input = this->GetInputDataObject(0, 0);
   this->Impl->Timer.Start(input ? input->GetNumberOfElements(vtkDataObject::CELL) : 0);
-  this->Impl->Drawing->Render(renderer, actor,
+  vtkObject* style = this->GetCompositeDataDisplayAttributes();
+  this->Impl->Drawing->Render(
+    renderer, actor,
     [&]()
     {
       this->Superclass::Render(renderer, actor);
       this->Impl->Parts->Render(renderer, actor);
-    });
+    },
+    style ? style->GetMTime() : 0);
   this->Impl->Timer.Stop();
   this->TimeToDraw = this->Impl->Timer.GetSeconds();
 }

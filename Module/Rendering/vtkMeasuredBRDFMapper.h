@@ -157,7 +157,7 @@ public:
    * materials) or, for anisotropic materials, 64 lights (vtkLightSetRadianceIntegrator as it is
    * made). Lights then see vtkBRDF::NewQuickRenderable, whose error GetResamplingError leaves out.
    *
-   * A mapper cannot bring about a Render by itself, and programs that change a material and write
+   * A mapper does not bring about a Render for a plan, and programs that change a material and write
    * one picture want the new one: hence the default. Interactive programs choose BACKGROUND and
    * look for the plan in a timer of their event loop:
    *
@@ -217,9 +217,14 @@ public:
   ///@{
   /**
    * Whether the last Render showed another plan than was asked for, since that is still being made;
-   * whether it is made now and the next Render takes it up. That one raises
-   * vtkCommand::UpdateDataEvent, as every Render with a new plan does, for GetPlan's sake: from
-   * inside of Render, never from another thread.
+   * whether it is made now and the next Render takes it up. Both are true, too, while samples
+   * (vtkFilteredRadianceIntegrator) add up: in a window that is shown and has an interactor, each
+   * Render draws some of them for at most half a second or the frame's time
+   * (vtkRenderWindow::SetDesiredUpdateRate), and a timer of the interactor renders the next ones.
+   * Everywhere else, and for vtkWindowToImageFilter, a Render draws all. It stops early where an
+   * observer of AbortCheckEvent calls SetAbortRender, and the next one goes on. The Render that
+   * takes up a plan raises vtkCommand::UpdateDataEvent, as every Render with a new plan does, for
+   * GetPlan's sake: from inside of Render, never from another thread.
    */
   bool GetPlanPending();
   bool GetPlanReady();

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace measuredbrdf
 {
@@ -20,13 +21,32 @@ namespace
 // angle in right angles.
 double FromAngle(double angle) { return 1.0 - std::sqrt(std::max(1.0 - angle, 0.0)); }
 
-
 const double LastView = FromAngle(std::acos(MinimumViewCosine) * 2.0 / Pi);
 
-// Point k of count of a Fibonacci lattice (golden ratio), moved off the square's edge.
-glm::dvec2 GetPoint(int k, int count)
+// A Fibonacci lattice (golden ratio), moved off the square's edge. Each point is the one farthest
+// from those before it, so that the first ones, too, are spread evenly: they may be drawn alone.
+std::vector<glm::dvec2> MakePoints(int count)
 {
-  return glm::dvec2((k + 0.5) / count, Wrap01(0.5 + k * 0.6180339887498949));
+  std::vector<glm::dvec2> points;
+  for (int k = 0; k < count; ++k)
+  {
+    points.emplace_back((k + 0.5) / count, Wrap01(0.5 + k * 0.6180339887498949));
+  }
+  std::vector<double> room(points.size(), 2.0); // squared distance to the nearest one before
+  for (std::size_t last = 0; last + 1 < points.size(); ++last)
+  {
+    std::size_t next = last + 1;
+    for (std::size_t k = last + 1; k < points.size(); ++k)
+    {
+      const glm::dvec2 apart = glm::abs(points[k] - points[last]);
+      const glm::dvec2 around = glm::min(apart, 1.0 - apart);
+      room[k] = std::min(room[k], glm::dot(around, around));
+      next = room[k] > room[next] ? k : next;
+    }
+    std::swap(points[last + 1], points[next]);
+    std::swap(room[last + 1], room[next]);
+  }
+  return points;
 }
 }
 
@@ -35,12 +55,13 @@ ReflectionSamples::ReflectionSamples(vtkBRDF* brdf, int count, const std::atomic
   , Samples(static_cast<std::size_t>(count) * NumberOfViews,
       Sample{ glm::vec3(0.0f, 0.0f, 1.0f), 0.0f, glm::vec3(0.0f), 0.0f })
 {
+  const std::vector<glm::dvec2> points = MakePoints(count);
   measuredbrdf::ParallelFor(0, NumberOfViews, 1,
-    [this, brdf, &abort](vtkIdType begin, vtkIdType end)
+    [this, brdf, &points, &abort](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType view = begin; view < end && !abort; ++view)
       {
-        this->Tabulate(brdf, static_cast<int>(view));
+        this->Tabulate(brdf, points, static_cast<int>(view));
       }
     });
   // Draws that fall below the horizon weigh nothing, but their neighbors fade towards them: these
@@ -63,7 +84,7 @@ ReflectionSamples::ReflectionSamples(vtkBRDF* brdf, int count, const std::atomic
   }
 }
 
-void ReflectionSamples::Tabulate(vtkBRDF* brdf, int view)
+void ReflectionSamples::Tabulate(vtkBRDF* brdf, const std::vector<glm::dvec2>& points, int view)
 {
   const glm::dvec3 o = GetView(view);
   const LobeSampler lobe(brdf, o, nullptr, Floor);
@@ -77,7 +98,7 @@ void ReflectionSamples::Tabulate(vtkBRDF* brdf, int view)
       continue;
     }
     double density = 0.0;
-    const glm::dvec3 i = lobe.Sample(GetPoint(k, this->Count), density);
+    const glm::dvec3 i = lobe.Sample(points[static_cast<std::size_t>(k)], density);
     if (!(i.z > 0.0) || !(density > 0.0))
     {
       continue;

@@ -43,7 +43,7 @@ public:
   };
 
   /**
-   * count samples (a Fibonacci lattice) of the sharp part of f cos (LobeSampler). brdf is isotropic
+   * count samples (a Fibonacci lattice, the first ones spread evenly, too) of the sharp part of f cos (LobeSampler). brdf is isotropic
    * and prepared. Views are tabulated in parallel; a raised abort leaves the rest black.
    */
   ReflectionSamples(vtkBRDF* brdf, int count, const std::atomic<bool>& abort);
@@ -70,7 +70,7 @@ public:
   static glm::dvec3 GetView(int view);
 
 private:
-  void Tabulate(vtkBRDF* brdf, int view);
+  void Tabulate(vtkBRDF* brdf, const std::vector<glm::dvec2>& points, int view);
 
   int Count;
   std::vector<Sample> Samples;

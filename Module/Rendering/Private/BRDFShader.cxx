@@ -15,6 +15,7 @@
 #include "vtkBRDFFacetNormal.h"
 #include "vtkBRDFHeadlight.h"
 #include "vtkBRDFPositionalLight.h"
+#include "vtkBRDFSampleSum.h"
 #include "vtkBRDFTangent.h"
 #include "vtkBRDFTangentAxis.h"
 
@@ -31,11 +32,12 @@ std::string Numbered(const std::string& source, const std::string& placeholder, 
 
 // The form's terms, and a function of the given signature that adds them up.
 std::string Sum(const vtkBRDFShaderInputs& form, std::size_t first, const std::string& signature,
-  const std::string& name, const std::string& arguments)
+  const std::string& name, const std::string& arguments, SumStage stage = SumStage::None)
 {
   std::string text;
   // What hidden surfaces send back comes once for all terms.
-  std::string sum = name == "brdfEnvironment" ? "BRDF_BOUNCED" : "vec3(0.0)";
+  std::string sum =
+    name == "brdfEnvironment" && stage != SumStage::Add ? "BRDF_BOUNCED" : "vec3(0.0)";
   for (std::size_t k = 0; k < form.Terms.size(); ++k)
   {
     std::string term = form.Terms[k].Source;
@@ -44,6 +46,11 @@ std::string Sum(const vtkBRDFShaderInputs& form, std::size_t first, const std::s
       vtkShaderProgram::Substitute(term, constant.Name, constant.Value);
     }
     text += Numbered(term, "INSTANCE", first + k);
+    if (stage ==
+        (term.find("BRDF_SAMPLES") != std::string::npos ? SumStage::Others : SumStage::Add))
+    {
+      continue;
+    }
     const std::string call = name + std::to_string(first + k) + arguments;
     // A method that tells no parts of its light apart is taken as one lobe.
     const bool whole = name == "brdfEnvironment" && term.find("BRDF_OPEN_") == std::string::npos;
@@ -75,12 +82,12 @@ std::string SoftSum(const vtkBRDFShaderInputs& form, std::size_t first)
 }
 
 // brdfEvaluate and brdfEnvironment of one material.
-std::string DeclareMember(const ShaderMember& member, std::size_t number)
+std::string DeclareMember(const ShaderMember& member, std::size_t number, SumStage stage)
 {
   const std::size_t first = GetFirstInstance(number);
   const vtkBRDFShaderInputs dark;
   const std::string lights = Sum(member.Environment ? *member.Environment : dark, first,
-    "vec3 brdfEnvironment(mat3 frame, vec3 o)", "brdfEnvironment", "(frame, o)");
+    "vec3 brdfEnvironment(mat3 frame, vec3 o)", "brdfEnvironment", "(frame, o)", stage);
   std::string text = DefineOcclusion(member.Occlusion, number);
   if (member.Material)
   {
@@ -118,9 +125,21 @@ std::string GetRotationName(std::size_t member)
   return "brdfViewToEnvironment" + (member > 0 ? std::to_string(member) : "");
 }
 
-std::string GetShaderDeclarations(const std::vector<ShaderMember>& members)
+std::string GetSamplesText(SumStage stage)
 {
-  std::string text = std::string(vtkBRDFCommon) + vtkBRDFEnvironmentPyramid;
+  if (stage == SumStage::Add)
+  {
+    return "uniform ivec2 brdfPart; // sub-frame x of y\n"
+           "#define BRDF_SAMPLES(count) (ivec2(brdfPart.x, brdfPart.x + 1) * count / brdfPart.y)\n"
+           "#define BRDF_SAMPLES_SHARE float(brdfPart.y)\n";
+  }
+  return std::string(stage == SumStage::Show ? vtkBRDFSampleSum : "") +
+         "#define BRDF_SAMPLES(count) ivec2(0, count)\n#define BRDF_SAMPLES_SHARE 1.0\n";
+}
+
+std::string GetShaderDeclarations(const std::vector<ShaderMember>& members, SumStage stage)
+{
+  std::string text = std::string(vtkBRDFCommon) + vtkBRDFEnvironmentPyramid + GetSamplesText(stage);
   text += "uniform mat3 envMatrix; // VTK's own: view -> the renderer's environment\n"
           "uniform int brdfModulate;\n";
   bool evaluate = true;
@@ -128,7 +147,7 @@ std::string GetShaderDeclarations(const std::vector<ShaderMember>& members)
   {
     text += "uniform mat3 " + GetRotationName(k) + "; // view -> the member's environment\n";
     evaluate = evaluate && members[k].Material;
-    std::string functions = DeclareMember(members[k], k);
+    std::string functions = DeclareMember(members[k], k, stage);
     const std::string prefix = "brdfMember" + std::to_string(k);
     ReplaceAll(functions, "brdfEvaluate", prefix + "Evaluate");
     ReplaceAll(functions, "vec3 brdfEnvironment(", "vec3 " + prefix + "Environment(");
@@ -150,6 +169,16 @@ std::string GetShaderDeclarations(const std::vector<ShaderMember>& members)
   return text;
 }
 
+bool IsOfSum(SumStage stage) { return stage == SumStage::Others || stage == SumStage::Add; }
+
+std::string GetSumOutput(SumStage stage)
+{
+  return stage == SumStage::Add
+           ? "  gl_FragData[0] = vec4(brdfSummand, 1.0);\n  gl_FragData[1] = vec4(0.0);\n"
+           : "  gl_FragData[0] = vec4(0.0);\n"
+             "  gl_FragData[1] = vec4(brdfSummand, gl_FragCoord.z);\n";
+}
+
 std::string GetShaderBody(const ShaderBody& body)
 {
   std::string text = body.HasBadNormals ? vtkBRDFFacetNormal : "";
@@ -159,6 +188,14 @@ std::string GetShaderBody(const ShaderBody& body)
     body.Tangents == TangentSource::Data
       ? vtkBRDFTangent
       : (body.Tangents == TangentSource::Axis ? vtkBRDFTangentAxis : ""));
+  if (body.Stage == SumStage::Show) // a loop, as in Mix
+  {
+    vtkShaderProgram::Substitute(text, "vec3 brdfRadiance = brdfEnvironment(brdfFrame, brdfView);",
+      "vec4 brdfMean = brdfFindSum();\n  vec3 brdfRadiance = brdfMean.rgb;\n"
+      "  for (int once = 0; once < (brdfMean.a > 0.0 ? 0 : 1); ++once)\n  {\n"
+      "    brdfRadiance = brdfEnvironment(brdfFrame, brdfView);\n  }");
+  }
+  text += IsOfSum(body.Stage) ? "  vec3 brdfSummand = brdfRadiance;\n" : "";
   if (body.Complexity == 1)
   {
     text += vtkBRDFHeadlight;

@@ -37,10 +37,27 @@ struct ShaderMember
 /// following terms count on.
 std::size_t GetFirstInstance(std::size_t member);
 
+/// What is done with samples whose sub-frames add up (SampleSums).
+enum class SumStage
+{
+  None,   // all samples are evaluated at once
+  Others, // what is no sample is written instead of the color
+  Add,    // a sub-frame's samples are
+  Show
+};
+
+/// What integrators' texts read of it: BRDF_SAMPLES and BRDF_SAMPLES_SHARE.
+std::string GetSamplesText(SumStage stage);
+
+/// Whether a summand is written instead of the color, and the text that does so in the end.
+bool IsOfSum(SumStage stage);
+std::string GetSumOutput(SumStage stage);
+
 /// Declarations: shared functions, the materials' terms and brdfEvaluate, their environments' terms
 /// and brdfEnvironment. Without a material there is no brdfEvaluate. Several members are mixed by
 /// brdfWeights, which are declared before.
-std::string GetShaderDeclarations(const std::vector<ShaderMember>& members);
+std::string GetShaderDeclarations(
+  const std::vector<ShaderMember>& members, SumStage stage = SumStage::None);
 
 /// The uniform that turns directions from view coordinates to a member's environment.
 std::string GetRotationName(std::size_t member);
@@ -58,7 +75,8 @@ struct ShaderBody
   bool HasBlockColors = false; // VTK's OverridesColor is there (composite data)
   bool HasColors = true;       // scalars may color the surface
   bool HasBadNormals = false;  // some are no directions
-  std::string Weights;         // fills brdfWeights, where materials are mixed
+  SumStage Stage = SumStage::None;
+  std::string Weights; // fills brdfWeights, where materials are mixed
 };
 
 /// For //VTK::Light::Impl.

@@ -8,6 +8,7 @@
 #include "RunGuarded.h"
 #include "SharedIntegrators.h"
 #include "StockLevels.h"
+#include "SurfaceBlocks.h"
 #include "TextureEnvironment.h"
 #include "VisibleSurface.h"
 #include "vtkActor.h"
@@ -379,9 +380,24 @@ void MaterialDrawing::DropPlans(const FrameState& state, bool anyMaterial)
   }
 }
 
+void MaterialDrawing::AddSamples(
+  vtkRenderer* renderer, vtkActor* actor, const void* part, const std::function<void()>& draw)
+{
+  vtkDataObject* input = vtkMapper::SafeDownCast(this->Owner)->GetInputDataObject(0, 0);
+  vtkMTimeType time = std::max(this->Settings->GetMTime(), this->StyleTime);
+  for (vtkPolyData* surface : GetBlocks(input))
+  {
+    time = std::max({ time, input->GetMTime(), surface->GetMTime() });
+  }
+  vtkDataObject* traced = this->GetTracedOcclusion(part);
+  this->Sums.Add(
+    { renderer, actor, part, time, traced ? traced->GetMTime() : 0 }, this->GetMaterials(), draw);
+}
+
 void MaterialDrawing::EndFrame()
 {
   this->Selected.Clear();
+  this->Sums.End();
   this->Frame = nullptr;
 }
 
@@ -392,9 +408,11 @@ const std::vector<DrawnMaterial>& MaterialDrawing::GetMaterials() const
 }
 
 void MaterialDrawing::Render(
-  vtkRenderer* renderer, vtkActor* actor, const std::function<void()>& draw)
+  vtkRenderer* renderer, vtkActor* actor, const std::function<void()>& draw, vtkMTimeType styleTime)
 {
   this->AbortPlanning = false;
+  this->StyleTime = styleTime;
+  this->Sums.Begin();
   this->Failures.clear();
   this->Try(
     [&]()
@@ -462,6 +480,7 @@ std::vector<const DrawnMaterial*> MaterialDrawing::GetLastFrame() const
 void MaterialDrawing::Forget(const void* part)
 {
   this->Frames.Forget(part);
+  this->Sums.Forget(part);
   this->Forecasts.erase(part);
   this->BouncingParts.erase(part);
   this->RefusedOcclusion.erase(part);
@@ -517,5 +536,6 @@ void MaterialDrawing::ReleaseGraphicsResources(vtkWindow* window, const void* pa
     }
   }
   this->Plans.ReleaseUploads(window);
+  this->Sums.Release(window);
 }
 } // namespace measuredbrdf

@@ -17,6 +17,7 @@
 #include "OcclusionForecast.h"
 #include "OcclusionLight.h"
 #include "OcclusionShader.h"
+#include "SampleSums.h"
 #include "SelectedMaterials.h"
 #include "ViewFrames.h"
 #include "vtkSmartPointer.h"
@@ -65,7 +66,9 @@ public:
 
   /// A mapper's Render, of which draw begins and ends a frame for each part. What fails is an error
   /// of the mapper, the next one of the same text after a Render without it.
-  void Render(vtkRenderer* renderer, vtkActor* actor, const std::function<void()>& draw);
+  /// styleTime: when what says which blocks are seen last changed.
+  void Render(vtkRenderer* renderer, vtkActor* actor, const std::function<void()>& draw,
+    vtkMTimeType styleTime = 0);
 
   /// Whether a step of it was done. What it throws fails: nothing of VTK's catches it.
   bool Try(const std::function<void()>& step);
@@ -79,6 +82,11 @@ public:
   void BeginFrame(
     vtkRenderer* renderer, vtkActor* actor, const void* part, const std::vector<MaterialUse>& uses);
   void EndFrame();
+
+  /// Before the frame is drawn, between BeginFrame and EndFrame.
+  void AddSamples(
+    vtkRenderer* renderer, vtkActor* actor, const void* part, const std::function<void()>& draw);
+  const SampleSums& GetSums() const { return this->Sums; }
 
   /// Those that BeginFrame was given, to be drawn one after the other; none where the superclass
   /// draws all.
@@ -237,6 +245,8 @@ private:
   const ViewFrame* Frame = nullptr; // drawn now
   vtkWeakPointer<vtkRenderer> LastRenderer;
   SelectedMaterials Selected;
+  SampleSums Sums;
+  vtkMTimeType StyleTime = 0;
   std::set<std::string> Warned;
   std::set<std::string> Failures; // of this Render
   /// Those that were said, and whose last Render had them.

@@ -155,14 +155,14 @@ std::string MaterialDrawing::DescribeOcclusion() const
 
 bool MaterialDrawing::IsPending() const
 {
-  return this->Plans.IsPending() ||
+  return this->Plans.IsPending() || this->Sums.IsPending() ||
          std::any_of(this->Forecasts.begin(), this->Forecasts.end(),
            [](const auto& forecast) { return forecast.second->IsPending(); });
 }
 
 bool MaterialDrawing::IsReady() const
 {
-  return this->Plans.IsReady() ||
+  return this->Plans.IsReady() || this->Sums.IsPending() ||
          std::any_of(this->Forecasts.begin(), this->Forecasts.end(),
            [](const auto& forecast) { return forecast.second->IsReady(); });
 }

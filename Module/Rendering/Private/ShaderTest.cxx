@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShaderTest.h"
 
+#include "BRDFShader.h"
 #include "Printable.h"
 #include "RecentlyUsed.h"
 #include "vtkBRDFCommon.h"
@@ -28,7 +29,8 @@ std::string GetProgram(const vtkBRDFShaderInputs::Term& term, TermKind kind)
     vtkShaderProgram::Substitute(text, constant.Name, constant.Value);
   }
   vtkShaderProgram::Substitute(text, "INSTANCE", "0");
-  std::string program = std::string("#version 150\n") + vtkBRDFCommon + vtkBRDFEnvironmentPyramid;
+  std::string program = std::string("#version 150\n") + vtkBRDFCommon + vtkBRDFEnvironmentPyramid +
+                        GetSamplesText(SumStage::None);
   if (kind == TermKind::Integrator)
   {
     program += "vec3 brdfEvaluate(vec3 i, vec3 o) { return vec3(0.0); }\n"

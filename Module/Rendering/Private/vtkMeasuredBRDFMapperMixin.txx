@@ -139,6 +139,13 @@ void vtkMeasuredBRDFMapperMixin<Base>::RenderPieceStart(vtkRenderer* ren, vtkAct
                                (this->DrawingEdges(ren, actor) ? 3 : 0));
   this->Base::RenderPieceStart(ren, actor);
   this->HasStarted = true;
+  this->Drawing->AddSamples(ren, actor, this,
+    [&]()
+    {
+      this->PrimitiveIDOffset = 0;
+      this->RenderPieceDraw(ren, actor);
+    });
+  this->PrimitiveIDOffset = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -215,8 +222,11 @@ std::string vtkMeasuredBRDFMapperMixin<Base>::GetShaderKey(const vtkOpenGLHelper
     return "";
   }
   const vtkMeasuredBRDFMapperOcclusion occlusion = this->GetOcclusion();
-  return this->Drawing->GetSelected().GetKey() + (this->HasTangents() ? "/tangents" : "") +
-         (this->HasScalarColors() ? "/colors" : "") + (this->HasBadNormals ? "/bad normals" : "") +
+  const char* const stages[] = { "", "/others", "/add", "/show" };
+  return this->Drawing->GetSelected().GetKey() +
+         stages[static_cast<int>(this->Drawing->GetSums().GetStage())] +
+         (this->HasTangents() ? "/tangents" : "") + (this->HasScalarColors() ? "/colors" : "") +
+         (this->HasBadNormals ? "/bad normals" : "") +
          measuredbrdf::GetOcclusionKey(occlusion.Lights, occlusion.Layout);
 }
 
@@ -336,11 +346,12 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
   const std::vector<measuredbrdf::ShaderMember> members =
     measuredbrdf::GetShaderMembers(this->Drawing->GetSelected().Get(), mixture.Slots, lights);
   std::string fs = shaders[vtkShader::Fragment]->GetSource();
+  const measuredbrdf::SumStage stage = this->Drawing->GetSums().GetStage();
   const measuredbrdf::OcclusionText occlusion = lights.empty()
                                                   ? measuredbrdf::OcclusionText()
                                                   : measuredbrdf::MakeOcclusionText(lights, layout);
   std::string declarations = occlusion.FragmentDeclarations + mixture.Declarations +
-                             measuredbrdf::GetShaderDeclarations(members);
+                             measuredbrdf::GetShaderDeclarations(members, stage);
   if (measuredbrdf::Contains(fs, "anisotropyUniform"))
   {
     // The superclass turned the tangents by a PBR property's anisotropy, with what its lights
@@ -367,11 +378,13 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
   const auto& info = this->PrimitiveInfo[this->LastBoundBO];
   body.SuperfluousLight = this->FindSuperfluousLight(ren);
   // Image-based lighting counts as a light in VTK 9.6; here it is none.
-  const bool lit = measuredbrdf::AreAllEvaluated(members) &&
+  const bool adds = measuredbrdf::IsOfSum(stage);
+  const bool lit = measuredbrdf::AreAllEvaluated(members) && !adds &&
                    info.LastLightCount > (body.SuperfluousLight >= 0 ? 1 : 0) &&
                    this->Drawing->GetSettings().UseSceneLights;
   body.Complexity = lit ? static_cast<int>(info.LastLightComplexity) : 0;
   body.LightCount = info.LastLightCount;
+  body.Stage = stage;
   body.HasBadNormals = this->HasBadNormals;
   body.HasEdges = this->DrawingEdges(ren, actor);
   body.HasEdgeOpacity = measuredbrdf::Contains(fs, "uniform float edgeOpacity");
@@ -379,6 +392,11 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
   body.HasBlockColors = measuredbrdf::Contains(fs, "uniform bool OverridesColor");
   body.HasColors = this->HasScalarColors() || this->IsPart(); // which serves all blocks
   vtkShaderProgram::Substitute(fs, "//VTK::Light::Impl", measuredbrdf::GetShaderBody(body), false);
+  if (adds) // whatever else writes a color
+  {
+    vtkShaderProgram::Substitute(fs, "//VTK::Coincident::Impl",
+      "//VTK::Coincident::Impl\n" + measuredbrdf::GetSumOutput(stage), false);
+  }
   shaders[vtkShader::Fragment]->SetSource(fs);
 }
 
@@ -482,6 +500,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetMapperShaderParameters(
     }
     program->SetUniformMatrix("brdfTangentMatrix", matrix);
   }
+  this->Drawing->GetSums().SetUniforms(program);
   this->SetOcclusionParameters(program, ren, actor);
   if (this->GetOcclusion().Layout.Kept)
   {

@@ -1,0 +1,537 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SampleSums.h"
+
+#include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkFilteredRadianceIntegrator.h"
+#include "vtkInformation.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkOpenGLRenderUtilities.h" // VTK's OpenGL, whichever library it loads it with
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
+#include "vtkTexture.h"
+#include "vtkTextureObject.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <map>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr int SamplesOfSubframe = 4;
+constexpr double LongestFrame = 0.5;     // seconds, of sub-frames while one looks on
+constexpr unsigned long Pause = 10;      // milliseconds, for events between frames
+constexpr unsigned long MostPasses = 64; // Renders of a mapper in one picture
+constexpr std::size_t BytesOfPixel = 16 + 16 + 4;
+constexpr std::size_t MostSumBytes = std::size_t(512) << 20; // of all sums
+std::atomic<std::size_t> BytesInUse{ 0 };
+
+int CountSamples(const std::vector<DrawnMaterial>& materials)
+{
+  int count = 0;
+  for (const DrawnMaterial& drawn : materials)
+  {
+    auto* filtered = vtkFilteredRadianceIntegrator::SafeDownCast(drawn.Integrator);
+    count = std::max(count, filtered && drawn.IsReady ? filtered->GetNumberOfSamples() : 0);
+  }
+  return count;
+}
+
+// Passes that draw surfaces in several layers, or whose outputs are of their own, have all samples
+// at once. So have programs' own shaders, whose uniforms need not say when they change.
+bool MayAdd(const SummedPart& part)
+{
+  vtkMapper* mapper = part.Actor->GetMapper();
+  vtkInformation* keys = part.Actor->GetPropertyKeys();
+  const bool hasPasses = keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
+  return mapper && !hasPasses && !part.Actor->IsRenderingTranslucentPolygonalGeometry() &&
+         part.Actor->GetShaderProperty()->GetNumberOfShaderReplacements() == 0 &&
+         !mapper->HasObserver(vtkCommand::UpdateShaderEvent);
+}
+
+// Whether there are texture units for the sums.
+bool HasRoom(const std::vector<DrawnMaterial>& materials, vtkOpenGLRenderWindow* window)
+{
+  const std::size_t units = CountTextureUnits(window);
+  return std::all_of(materials.begin(), materials.end(),
+    [units](const DrawnMaterial& drawn)
+    {
+      std::size_t samplers = 2;
+      for (const auto& textures : { drawn.Material, drawn.Radiance })
+      {
+        samplers += textures ? textures->GetNumberOfSamplers() : 0;
+      }
+      return samplers <= units;
+    });
+}
+
+void AddMatrix(std::vector<double>& key, vtkMatrix4x4* matrix)
+{
+  key.insert(key.end(), matrix->GetData(), matrix->GetData() + 16);
+}
+
+// What the surface's place in the picture depends on, and its light.
+std::vector<double> GetViewKey(const SummedPart& part, const int* viewport)
+{
+  vtkRenderer* renderer = part.Renderer;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  std::vector<double> key(viewport, viewport + 4);
+  const auto addTime = [&key](vtkObject* object)
+  { key.push_back(object ? static_cast<double>(object->GetMTime()) : 0.0); };
+  AddMatrix(key, camera->GetModelViewTransformMatrix());
+  AddMatrix(key,
+    camera->GetProjectionTransformMatrix(static_cast<double>(viewport[2]) / viewport[3], -1, 1));
+  AddMatrix(key, part.Actor->GetMatrix());
+  key.insert(key.end(), renderer->GetEnvironmentRight(), renderer->GetEnvironmentRight() + 3);
+  key.insert(key.end(), renderer->GetEnvironmentUp(), renderer->GetEnvironmentUp() + 3);
+  key.push_back(static_cast<double>(part.Time));
+  addTime(part.Actor->GetProperty());
+  addTime(part.Actor->GetBackfaceProperty());
+  for (const auto& texture : part.Actor->GetProperty()->GetAllTextures())
+  {
+    addTime(texture.second);
+  }
+  vtkPlaneCollection* planes = part.Actor->GetMapper()->GetClippingPlanes();
+  key.push_back(planes ? planes->GetNumberOfItems() : 0);
+  for (int k = 0; planes && k < planes->GetNumberOfItems(); ++k)
+  {
+    addTime(planes->GetItem(k));
+  }
+  return key;
+}
+
+// What the samples depend on beside that. Times are never used twice.
+std::vector<double> GetKey(const SummedPart& part, const std::vector<DrawnMaterial>& materials)
+{
+  std::vector<double> key = { static_cast<double>(part.OcclusionTime) };
+  for (const DrawnMaterial& drawn : materials)
+  {
+    key.push_back(drawn.Integrator ? static_cast<double>(drawn.Integrator->GetInputsMTime()) : 0.0);
+    key.push_back(drawn.Environment ? static_cast<double>(drawn.Environment->GetMTime()) : 0.0);
+  }
+  return key;
+}
+
+// Restores what it changes, whatever way drawing ends.
+class Target
+{
+public:
+  Target(vtkOpenGLState* state, vtkOpenGLFramebufferObject* framebuffer, const int* viewport)
+    : State(state)
+    , Viewport(state)
+    , Scissor(state)
+    , ColorMask(state)
+    , DepthMask(state)
+    , DepthFunction(state)
+    , BlendFunction(state)
+    , ClearColor(state)
+    , DepthTest(state, GL_DEPTH_TEST)
+    , Blend(state, GL_BLEND)
+  {
+    state->PushFramebufferBindings();
+    framebuffer->Bind();
+    framebuffer->ActivateDrawBuffers(2);
+    state->vtkglViewport(0, 0, viewport[2], viewport[3]);
+    state->vtkglScissor(0, 0, viewport[2], viewport[3]);
+    state->vtkglColorMask(1, 1, 1, 1);
+    state->vtkglDepthMask(1);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  }
+  ~Target() { this->State->PopFramebufferBindings(); }
+  Target(const Target&) = delete;
+  void operator=(const Target&) = delete;
+
+  void Clear()
+  {
+    this->State->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    this->State->vtkglClearDepth(1.0);
+    this->State->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  }
+
+  // First the front-most surface is found, then samples are added where it is.
+  void Prepare(SumStage stage)
+  {
+    const bool adds = stage == SumStage::Add;
+    adds ? this->State->vtkglEnable(GL_BLEND) : this->State->vtkglDisable(GL_BLEND);
+    this->State->vtkglDepthFunc(adds ? GL_LEQUAL : GL_LESS);
+  }
+
+private:
+  vtkOpenGLState* State;
+  vtkOpenGLState::ScopedglViewport Viewport;
+  vtkOpenGLState::ScopedglScissor Scissor;
+  vtkOpenGLState::ScopedglColorMask ColorMask;
+  vtkOpenGLState::ScopedglDepthMask DepthMask;
+  vtkOpenGLState::ScopedglDepthFunc DepthFunction;
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunction;
+  vtkOpenGLState::ScopedglClearColor ClearColor;
+  vtkOpenGLState::ScopedglEnableDisable DepthTest;
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+};
+}
+
+// An actor as a renderer shows it to an eye.
+struct SampleSums::View
+{
+  struct Progress
+  {
+    std::vector<double> Key;
+    int Done = 0;
+    int Count = 1;
+    unsigned long Render = 0; // the last one
+  };
+
+  vtkWeakPointer<vtkRenderer> Renderer;
+  vtkWeakPointer<vtkActor> Actor;
+  bool IsLeft = true;
+  vtkWeakPointer<vtkCamera> Camera; // of the last picture
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer; // null: nothing is kept
+  vtkSmartPointer<vtkTextureObject> Radiance;
+  vtkSmartPointer<vtkTextureObject> Others;
+  std::size_t Bytes = 0;
+  int Viewport[4] = { 0, 0, 0, 0 };
+  std::vector<double> Key;
+  std::map<const void*, Progress> Parts;                // none: the framebuffer is to be cleared
+  vtkWeakPointer<vtkRenderWindowInteractor> Interactor; // whose timer draws the next picture
+  vtkSmartPointer<vtkCallbackCommand> Command;
+  SampleSums* Sums = nullptr;
+  int Timer = 0;
+
+  View() = default;
+  View(const View&) = delete;
+  void operator=(const View&) = delete;
+  ~View()
+  {
+    this->Free();
+    this->RemoveTimer();
+  }
+
+  // What was not drawn lately is not waited for.
+  bool IsPending(unsigned long renders) const
+  {
+    return this->Renderer && this->Actor && this->Actor->GetVisibility() &&
+           std::any_of(this->Parts.begin(), this->Parts.end(),
+             [renders](const auto& part)
+             {
+               const Progress& progress = part.second;
+               return progress.Done < progress.Count && progress.Render + MostPasses > renders;
+             });
+  }
+
+  void Free()
+  {
+    this->Parts.clear();
+    if (this->Framebuffer && this->Window)
+    {
+      this->Window->PushContext();
+      this->Radiance->ReleaseGraphicsResources(this->Window);
+      this->Others->ReleaseGraphicsResources(this->Window);
+      this->Framebuffer->ReleaseGraphicsResources(this->Window);
+      this->Window->PopContext();
+    }
+    this->Framebuffer = nullptr;
+    this->Radiance = nullptr;
+    this->Others = nullptr;
+    BytesInUse -= this->Bytes;
+    this->Bytes = 0;
+  }
+
+  // False: there is no room.
+  bool Allocate(vtkOpenGLRenderWindow* window)
+  {
+    const auto width = static_cast<unsigned int>(this->Viewport[2]);
+    const auto height = static_cast<unsigned int>(this->Viewport[3]);
+    if (this->Framebuffer && this->Window == window && this->Radiance->GetWidth() == width &&
+        this->Radiance->GetHeight() == height)
+    {
+      return true;
+    }
+    this->Free();
+    const std::size_t bytes = BytesOfPixel * width * height;
+    if (bytes + BytesInUse > MostSumBytes)
+    {
+      return false;
+    }
+    this->Window = window;
+    this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+    this->Radiance = vtkSmartPointer<vtkTextureObject>::New();
+    this->Others = vtkSmartPointer<vtkTextureObject>::New();
+    this->Bytes = bytes;
+    BytesInUse += bytes;
+    this->Radiance->SetContext(window);
+    this->Others->SetContext(window);
+    this->Framebuffer->SetContext(window);
+    bool works = this->Radiance->Allocate2D(width, height, 4, VTK_FLOAT) &&
+                 this->Others->Allocate2D(width, height, 4, VTK_FLOAT);
+    if (works)
+    {
+      window->GetState()->PushFramebufferBindings();
+      this->Framebuffer->Bind();
+      this->Framebuffer->AddColorAttachment(0, this->Radiance);
+      this->Framebuffer->AddColorAttachment(1, this->Others);
+      this->Framebuffer->AddDepthAttachment();
+      const char* problem = nullptr;
+      works = vtkOpenGLFramebufferObject::GetFrameBufferStatus(
+        vtkOpenGLFramebufferObject::GetBothMode(), problem);
+      window->GetState()->PopFramebufferBindings();
+    }
+    if (!works)
+    {
+      this->Free();
+    }
+    return works;
+  }
+
+  // Whether nobody may look at a part of the sum. Screenshots (vtkWindowToImageFilter) have a
+  // camera of their own, while the renderer's is there.
+  bool Waits()
+  {
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    const bool isOther = this->Camera && this->Camera != camera;
+    this->Camera = camera;
+    vtkRenderWindow* window = this->Renderer->GetRenderWindow();
+    const int* tiles = window->GetTileScale();
+    vtkRenderWindowInteractor* interactor = window->GetInteractor();
+    return isOther || tiles[0] > 1 || tiles[1] > 1 || !window->GetShowWindow() ||
+           window->GetUseOffScreenBuffers() || !window->GetSwapBuffers() || !interactor ||
+           !interactor->GetEnabled();
+  }
+
+  // For the next picture; false: the interactor has none.
+  bool StartTimer(SampleSums* sums)
+  {
+    vtkRenderWindowInteractor* interactor = this->Renderer->GetRenderWindow()->GetInteractor();
+    if (this->Interactor != interactor)
+    {
+      this->RemoveTimer();
+      this->Interactor = interactor;
+      this->Command = vtkSmartPointer<vtkCallbackCommand>::New();
+      this->Sums = sums;
+      this->Command->SetClientData(this);
+      this->Command->SetCallback(
+        [](vtkObject* caller, unsigned long, void* self, void* timer)
+        {
+          auto* view = static_cast<View*>(self);
+          if (timer && *static_cast<int*>(timer) == view->Timer)
+          {
+            view->Timer = 0;
+            if (view->IsPending(view->Sums->Renders))
+            {
+              static_cast<vtkRenderWindowInteractor*>(caller)->Render(); // *view may be gone
+            }
+          }
+        });
+      interactor->AddObserver(vtkCommand::TimerEvent, this->Command);
+    }
+    this->Timer = this->Timer != 0 ? this->Timer : interactor->CreateOneShotTimer(Pause);
+    return this->Timer != 0;
+  }
+
+  void RemoveTimer()
+  {
+    if (this->Interactor && this->Command)
+    {
+      this->Interactor->RemoveObserver(this->Command);
+    }
+    this->Timer = 0;
+  }
+
+  // Seconds that this actor has in a frame: its share of them, as VTK allots it.
+  double GetBudget() const
+  {
+    const double rate = this->Renderer->GetRenderWindow()->GetDesiredUpdateRate();
+    return this->Actor->GetAllocatedRenderTime() * std::min(LongestFrame * rate, 1.0);
+  }
+};
+
+SampleSums::SampleSums() = default;
+
+SampleSums::~SampleSums() = default;
+
+void SampleSums::Begin()
+{
+  this->Start = Clock::now();
+  ++this->Renders;
+}
+
+SampleSums::View& SampleSums::FindView(const SummedPart& part)
+{
+  const bool isLeft = part.Renderer->GetActiveCamera()->GetLeftEye() != 0;
+  this->Views.remove_if([](const View& view) { return !view.Renderer || !view.Actor; });
+  for (View& view : this->Views)
+  {
+    if (view.Renderer == part.Renderer && view.Actor == part.Actor && view.IsLeft == isLeft)
+    {
+      return view;
+    }
+  }
+  View& view = this->Views.emplace_back();
+  view.Renderer = part.Renderer;
+  view.Actor = part.Actor;
+  view.IsLeft = isLeft;
+  return view;
+}
+
+void SampleSums::Add(const SummedPart& part, const std::vector<DrawnMaterial>& materials,
+  const std::function<void()>& draw)
+{
+  const int samples = CountSamples(materials);
+  if ((samples <= SamplesOfSubframe && this->Views.empty()) || materials.empty() || !MayAdd(part))
+  {
+    return;
+  }
+  View& view = this->FindView(part);
+  if (samples <= SamplesOfSubframe)
+  {
+    view.Parts.erase(part.Who);
+    if (view.Parts.empty())
+    {
+      view.Free();
+    }
+    return;
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(part.Renderer->GetRenderWindow());
+  bool waits = view.Waits();
+  if (waits && !view.Framebuffer && !window->HasObserver(vtkCommand::AbortCheckEvent))
+  {
+    return;
+  }
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, view.Viewport);
+  if (!HasRoom(materials, window) || !view.Allocate(window))
+  {
+    return;
+  }
+  std::vector<double> viewKey = GetViewKey(part, view.Viewport);
+  std::vector<double> key = GetKey(part, materials);
+  const auto known = view.Parts.find(part.Who);
+  if (view.Key != viewKey || (known != view.Parts.end() && known->second.Key != key))
+  {
+    view.Parts.clear();
+  }
+  const bool isFirst = view.Parts.empty();
+  View::Progress& progress = view.Parts[part.Who];
+  view.Key = std::move(viewKey);
+  progress.Key = std::move(key);
+  progress.Count = samples / SamplesOfSubframe;
+  progress.Render = this->Renders;
+  this->Count = progress.Count;
+  if (progress.Done < progress.Count)
+  {
+    waits = waits || !view.StartTimer(this);
+    const auto end = this->Start + std::chrono::duration<double>(view.GetBudget());
+    Target target(window->GetState(), view.Framebuffer, view.Viewport);
+    if (isFirst)
+    {
+      target.Clear();
+    }
+    const auto drawStage = [&](SumStage stage)
+    {
+      this->Stage = stage;
+      target.Prepare(stage);
+      draw();
+    };
+    try
+    {
+      if (progress.Done == 0)
+      {
+        drawStage(SumStage::Others);
+      }
+      for (bool goesOn = true; goesOn;)
+      {
+        this->Subframe = progress.Done++;
+        drawStage(SumStage::Add);
+        window->WaitForCompletion();
+        goesOn = progress.Done < progress.Count && (waits || Clock::now() < end) &&
+                 !window->CheckAbortStatus();
+        if (!view.Framebuffer) // whoever was asked had all released
+        {
+          this->Stage = SumStage::None;
+          return;
+        }
+      }
+    }
+    catch (...)
+    {
+      view.Parts.clear(); // what was drawn of the sub-frame stays there
+      throw;
+    }
+  }
+  view.Radiance->Activate();
+  view.Others->Activate();
+  this->Shown = &view;
+  this->Stage = SumStage::Show;
+}
+
+void SampleSums::End()
+{
+  if (this->Shown && this->Shown->Framebuffer)
+  {
+    this->Shown->Radiance->Deactivate();
+    this->Shown->Others->Deactivate();
+  }
+  this->Shown = nullptr;
+  this->Stage = SumStage::None;
+}
+
+void SampleSums::SetUniforms(vtkShaderProgram* program) const
+{
+  if (this->Stage == SumStage::Add)
+  {
+    const int part[2] = { this->Subframe, this->Count };
+    program->SetUniform2i("brdfPart", part);
+  }
+  else if (this->Stage == SumStage::Show)
+  {
+    program->SetUniformi("brdfSum", this->Shown->Radiance->GetTextureUnit());
+    program->SetUniformi("brdfOthers", this->Shown->Others->GetTextureUnit());
+    program->SetUniform2i("brdfSumOrigin", this->Shown->Viewport);
+  }
+}
+
+bool SampleSums::IsPending() const
+{
+  return std::any_of(this->Views.begin(), this->Views.end(),
+    [this](const View& view) { return view.IsPending(this->Renders); });
+}
+
+void SampleSums::Forget(const void* who)
+{
+  for (View& view : this->Views)
+  {
+    if (view.Parts.count(who) > 0)
+    {
+      view.Parts.clear(); // it hides others there
+    }
+  }
+}
+
+void SampleSums::Release(vtkWindow* window)
+{
+  for (View& view : this->Views)
+  {
+    if (!window || view.Window == window)
+    {
+      view.Free();
+    }
+  }
+}
+} // namespace measuredbrdf

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Pictures whose samples are drawn in sub-frames that add up. Private to the rendering room.
+ *
+ * Sub-frame j of n has every n-th part of the samples, n times; the mean of all is the light of all
+ * samples, since radiance is encoded after that. Each is drawn into a framebuffer of the view's,
+ * with depth, where those of the front-most surface add up beside the light that is no sample's;
+ * the picture takes its radiance from there (shaders/vtkBRDFSampleSum.glsl).
+ */
+
+#ifndef SampleSums_h
+#define SampleSums_h
+
+#include "BRDFShader.h"
+#include "DrawnMaterial.h"
+#include "vtkType.h"
+
+#include <chrono>
+#include <functional>
+#include <list>
+#include <vector>
+
+class vtkActor;
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkWindow;
+
+namespace measuredbrdf
+{
+/// What is drawn together, of one data set.
+struct SummedPart
+{
+  vtkRenderer* Renderer;
+  vtkActor* Actor;
+  const void* Who;            // the mapper
+  vtkMTimeType Time;          // when the data set or its materials last changed
+  vtkMTimeType OcclusionTime; // when what is hidden was traced
+};
+
+class SampleSums
+{
+public:
+  SampleSums();
+  ~SampleSums();
+  SampleSums(const SampleSums&) = delete;
+  void operator=(const SampleSums&) = delete;
+
+  /// A mapper's Render begins, and with it the time that sub-frames have.
+  void Begin();
+
+  /// Before a part is drawn, and after that. draw: draws it, which throws what it likes. Where
+  /// nothing is to be added up, nothing is done.
+  void Add(const SummedPart& part, const std::vector<DrawnMaterial>& materials,
+    const std::function<void()>& draw);
+  void End();
+
+  /// What is drawn now.
+  SumStage GetStage() const { return this->Stage; }
+  void SetUniforms(vtkShaderProgram* program) const;
+
+  /// Whether the last picture of a view was not yet of all samples: the next one goes on.
+  bool IsPending() const;
+
+  ///@{
+  /// Of a mapper that draws no more; of a window's views.
+  void Forget(const void* who);
+  void Release(vtkWindow* window);
+  ///@}
+
+private:
+  using Clock = std::chrono::steady_clock;
+  struct View;
+
+  View& FindView(const SummedPart& part);
+
+  std::list<View> Views;
+  View* Shown = nullptr;
+  SumStage Stage = SumStage::None;
+  int Subframe = 0; // added now
+  int Count = 1;    // of sub-frames, of the part that is drawn
+  Clock::time_point Start;
+  unsigned long Renders = 0;
+};
+} // namespace measuredbrdf
+
+#endif
