@@ -157,9 +157,9 @@ public:
    * materials) or, for anisotropic materials, 64 lights (vtkLightSetRadianceIntegrator as it is
    * made). Lights then see vtkBRDF::NewQuickRenderable, whose error GetResamplingError leaves out.
    *
-   * A mapper does not bring about a Render for a plan, and programs that change a material and write
-   * one picture want the new one: hence the default. Interactive programs choose BACKGROUND and
-   * look for the plan in a timer of their event loop:
+   * A mapper does not bring about a Render for a plan, and programs that change a material and
+   * write one picture want the new one: hence the default. Interactive programs choose BACKGROUND
+   * and look for the plan in a timer of their event loop:
    *
    * @code
    * if (mapper->GetPlanReady())

@@ -345,13 +345,13 @@ add("Integration.exact-leaves-out-the-last-part", "vtkExactRadianceIntegrator.cx
 add("Integration.filtered-lamps-without-cosine", "vtkFilteredRadianceIntegrator.cxx",
     "return i.z * f;", "return f;",
     "FilteredReference.Converges|Parity.FilteredIntegrator")
-add("Rendering.sum-stays-when-the-view-changes", "SampleSums.cxx",
+add("Rendering.sum-stays-when-the-view-changes", "Private/SampleSums.cxx",
     "if (view.Key != viewKey ||", "if (", "Samples.BeginAnewWhenTheViewChanges")
-add("Rendering.screenshot-of-a-part-of-the-sum", "SampleSums.cxx",
-    "return isOther || tiles", "return tiles", "Samples.PicturesThatAreReadWait")
-add("Rendering.sum-is-not-aborted", "SampleSums.cxx",
+add("Rendering.screenshot-of-a-part-of-the-sum", "Private/SampleSums.cxx",
+    "isOther || tiles[0]", "tiles[0]", "Samples.PicturesThatAreReadWait")
+add("Rendering.sum-is-not-aborted", "Private/SampleSums.cxx",
     "!window->CheckAbortStatus();", "true;", "Samples.StopAndGoOn")
-add("Rendering.samples-of-a-subframe-twice", "BRDFShader.cxx",
+add("Rendering.samples-of-a-subframe-twice", "Private/BRDFShader.cxx",
     "ivec2(brdfPart.x, brdfPart.x + 1) *", "ivec2(brdfPart.x, brdfPart.x + 2) *", "Samples.ShowTheSameAsAllAtOnce")
 add("Integration.filtered-keeps-samples-of-the-old-material", "vtkFilteredRadianceIntegrator.cxx",
     "impl.SamplesTime < this->BRDF->GetMTime() ||", "", "FilteredIntegrator.FollowsItsInputs")

@@ -434,6 +434,10 @@ TEST_F(Samples, TimersDrawTheNextPicture)
 TEST_F(Samples, PicturesThatAreReadWait)
 {
   this->Renderer->SetPass(nullptr);
+  this->Mapper->SetInputData(this->Sheet); // divided by a map
+  this->AddMaterials(3);
+  this->SetPoints([](vtkIdType k, int) { return (k / 3) % 3; });
+  this->Mapper->SetMaterialMap(this->Map);
   const auto read = [this]()
   {
     vtkNew<vtkWindowToImageFilter> reader;

@@ -203,6 +203,8 @@ struct SampleSums::View
   vtkWeakPointer<vtkActor> Actor;
   bool IsLeft = true;
   vtkWeakPointer<vtkCamera> Camera; // of the last picture
+  unsigned long LastRender = 0;
+  bool IsWaiting = false;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer; // null: nothing is kept
   vtkSmartPointer<vtkTextureObject> Radiance;
@@ -303,17 +305,23 @@ struct SampleSums::View
 
   // Whether nobody may look at a part of the sum. Screenshots (vtkWindowToImageFilter) have a
   // camera of their own, while the renderer's is there.
-  bool Waits()
+  bool Waits(unsigned long render)
   {
+    if (this->LastRender == render) // another part asked
+    {
+      return this->IsWaiting;
+    }
+    this->LastRender = render;
     vtkCamera* camera = this->Renderer->GetActiveCamera();
     const bool isOther = this->Camera && this->Camera != camera;
     this->Camera = camera;
     vtkRenderWindow* window = this->Renderer->GetRenderWindow();
     const int* tiles = window->GetTileScale();
     vtkRenderWindowInteractor* interactor = window->GetInteractor();
-    return isOther || tiles[0] > 1 || tiles[1] > 1 || !window->GetShowWindow() ||
-           window->GetUseOffScreenBuffers() || !window->GetSwapBuffers() || !interactor ||
-           !interactor->GetEnabled();
+    this->IsWaiting = isOther || tiles[0] > 1 || tiles[1] > 1 || !window->GetShowWindow() ||
+                      window->GetUseOffScreenBuffers() || !window->GetSwapBuffers() ||
+                      !interactor || !interactor->GetEnabled();
+    return this->IsWaiting;
   }
 
   // For the next picture; false: the interactor has none.
@@ -410,7 +418,7 @@ void SampleSums::Add(const SummedPart& part, const std::vector<DrawnMaterial>& m
     return;
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(part.Renderer->GetRenderWindow());
-  bool waits = view.Waits();
+  bool waits = view.Waits(this->Renders);
   if (waits && !view.Framebuffer && !window->HasObserver(vtkCommand::AbortCheckEvent))
   {
     return;
