@@ -164,7 +164,7 @@ void NoteUnmodeled(const std::string& plan)
 
 //------------------------------------------------------------------------------
 // Says which options do not matter.
-void CheckTracing(const RenderOptions& options, const CLI::App* command)
+void CheckTracing(const RenderOptions& options, const tool::Method& method, const CLI::App* command)
 {
   const bool traced = options.Method.Method == "traced";
   const auto note = [&](const char* name, bool matters, const char* where)
@@ -176,9 +176,14 @@ void CheckTracing(const RenderOptions& options, const CLI::App* command)
   };
   const bool drawn = !tool::IsOnCpuOnly(options.Method.Method);
   note("--samples", traced, "without --method traced");
-  note("--occlusion", drawn, "with a method on the CPU: only 'traced' knows what the mesh hides");
-  note("--bounces", traced || (drawn && options.Occlusion != "off"),
-    "where what the mesh hides is left out");
+  const bool planned = !method.Integrator; // as yet
+  const bool hidden = drawn && (planned || method.Integrator->NeedsEnvironment());
+  note("--occlusion", hidden,
+    drawn ? "on a sum over lights: no mesh hides them"
+          : "with a method on the CPU: only 'traced' knows what the mesh hides");
+  note("--bounces",
+    traced || (hidden && (options.Occlusion == "on" || (options.Occlusion == "auto" && planned))),
+    "where what the mesh hides is left out: 'auto' models it, other methods with --occlusion on");
 }
 
 void WriteReport(const RenderOptions& options, const Figures& found, const tool::Material& material,
@@ -223,7 +228,6 @@ void Run(RenderOptions& options, const CLI::App* command)
     throw tool::UsageError(options.Output + ": the picture must end in .png or .exr");
   }
   options.Method.Check(command);
-  CheckTracing(options, command);
 
   const tool::Interruptible interruptible;
   const tool::Material material = tool::LoadMaterial(options.File);
@@ -243,6 +247,7 @@ void Run(RenderOptions& options, const CLI::App* command)
       .count();
   };
   tool::Method method = tool::MakeMethod(options.Method, material, environment);
+  CheckTracing(options, method, command);
   tool::Scene scene;
   scene.SetMesh(mesh);
   scene.SetView(view.Azimuth, view.Elevation, RenderedFill, view.Angle);
@@ -304,8 +309,8 @@ void AddRenderCommand(CLI::App& app)
     ->add_option("--occlusion", options->Occlusion,
       "What the mesh hides of the environment from itself: auto models it as the mapper does in a "
       "program, where its predicted error exceeds what the tolerance leaves, for up to 20,000 "
-      "points; on: whatever the method and the mesh; off: never, as --method reference (default: "
-      "auto)")
+      "points; on: on any mesh, by every method but sums over lights; off: never, as --method "
+      "reference (default: auto)")
     ->check(CLI::IsMember({ "auto", "on", "off" }));
   options->Method.Plan.AddForViewTo(command);
   command->add_option(

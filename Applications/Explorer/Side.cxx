@@ -10,6 +10,7 @@
 
 #include "vtkActor.h"
 #include "vtkCommand.h"
+#include "vtkCullerCollection.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMeasuredBRDFMapper.h"
@@ -61,6 +62,7 @@ Side::Side(int index, Session* session, Jobs* jobs, QObject* parent)
     ShowRadiance(actor);
     this->Renderer->AddActor(actor);
   }
+  this->Renderer->GetCullers()->RemoveAllItems(); // what is not drawn is not planned for
   this->Renderer->AutomaticLightCreationOff();
   this->Renderer->AddLight(this->Lamp);
   this->Lamp->SwitchOff();

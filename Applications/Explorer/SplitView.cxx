@@ -230,7 +230,7 @@ void SplitView::UpdatePicture()
   }
   for (std::size_t k = 0; k < 2; ++k)
   {
-    // Never nothing: what is not drawn is not planned for.
+    // Never nothing: a side that is not seen is drawn, and so planned for, too.
     this->Sides[k]->GetRenderer()->SetViewport(
       std::min(ends[k][0], 1.0 - LeastWidth), 0.0, std::max(ends[k][1], LeastWidth), 1.0);
     this->Sides[k]->SetVisible(!this->Quads[k]->HasImage());

@@ -174,11 +174,12 @@ def _write(path, image):
     if image.GetScalarTypeAsString() in ("float", "double"):
         return None
     writer = vtkPNGWriter()
-    writer.SetFileName(path)
+    writer.SetFileName(path + ".part")  # what is there stays until the new one is whole
     writer.SetInputData(image)
     writer.Write()
     if writer.GetErrorCode():
         raise OSError(f"{path}: can't be written")
+    os.replace(path + ".part", path)
     return path
 
 

@@ -32,6 +32,8 @@ add("Core.log-cosine-sign", "Private/HalfVector.h", "std::log1p(-s) / s", "std::
     "BlinnPhong.PaperFormula")
 add("Core.half-vector-spread-factor", "Private/HalfVector.h", "return spread / (4.0 *", "return spread / (2.0 *",
     "SoftLights.AreTheMeanOverTheLight|SoftTables.AgreeWithTheClosedForm")
+add("Core.whole-file-in-readable-folders", "Private/WholeFile.cxx", "ForNames = O_PATH |", "ForNames = O_RDONLY |",
+    "WholeFile.NeedsNoFolderThatCanBeRead")
 add("Core.schlick-fourth-power", "Private/HalfVector.h", "f0 + (1.0 - f0) * m2 * m2 * m;",
     "f0 + (1.0 - f0) * m2 * m2;", "AshikhminShirley.PaperFormula")
 add("Core.dielectric-square", "Private/HalfVector.h", "return 0.5 * a * a * (1.0 + b * b);",

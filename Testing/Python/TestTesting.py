@@ -66,10 +66,12 @@ class Testing(unittest.TestCase):
         self.assertEqual((found.metric, found.value, found.passed), ("flip", 0.0, True))
         self.assertEqual(sorted(os.listdir()), ["valid.png"])
         far = make(lambda x, y: 240 - 12 * x)
+        os.link(self.save("old.png", image), "valid.test.png")  # is replaced, not written into
         with self.assertRaisesRegex(AssertionError, r"valid.test.png differs from valid.png: flip=0\.\d+ \(at most 0"):
             assert_images_close(far, baseline)
-        self.assertEqual(sorted(os.listdir()), ["valid.diff.png", "valid.png", "valid.test.png"])
+        self.assertEqual(sorted(os.listdir()), ["old.png", "valid.diff.png", "valid.png", "valid.test.png"])
         self.assertEqual(compare_images("valid.test.png", far, "max_difference").value, 0.0)
+        self.assertEqual(compare_images("old.png", image, "max_difference").value, 0.0)
         os.mkdir("out")
         self.save("drawn.png", far)
         with self.assertRaisesRegex(AssertionError, "drawn.png differs from valid.png: max_difference="):

@@ -96,7 +96,7 @@ def write_explorer_state(path):
         "environment": ENVIRONMENT,
         "mesh": MESH,
         "methods": ["planned", "planned"],
-        "split": 0.97,  # the line is beside the balls
+        "split": 1.0,
         "backdrop": False,
         "camera": {
             "position": get_camera_position(),

@@ -35,7 +35,13 @@ class Outputs(unittest.TestCase):
 
     def run_tool(self, command, out, **options):
         arguments = [out if word == "OUT" else word for word in command]
-        return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=300, **options)
+        result = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=300, **options)
+        for missing in ("needs an X server", "no OpenEXR"):
+            if missing in result.stderr:
+                for left in os.listdir(self.folder):
+                    os.remove(os.path.join(self.folder, left))
+                self.skipTest("skipped: " + result.stderr)
+        return result
 
     def make_old(self, name):
         path = os.path.join(self.folder, name)
@@ -114,7 +120,7 @@ class Depth(unittest.TestCase):
                 path = os.path.join(folder, "map.json")
                 with open(path, "w", encoding="utf-8") as file:
                     file.write(text)
-                result = subprocess.run([PROGRAM, "photograph", path, "-o", folder + "/out"],
+                result = subprocess.run([PROGRAM, "photograph", path, "--format", "png", "-o", folder + "/out"],
                                         capture_output=True, text=True, timeout=120, check=False)
                 self.assertEqual(result.returncode, 1, result.stderr[-300:])
                 self.assertIn("nested deeper", result.stderr)

@@ -1756,6 +1756,11 @@ class Occlusion(ToolTest):
         self.assertIn("other samples would differ by", traced)
         plain = render("--method", "reference", "--samples", "32")
         self.assertIn("--samples has no effect without --method traced", plain)
+        self.assertIn("--bounces has no effect", render("--method", "table", "--bounces", "1"))
+        modeled = render("--method", "table", "--bounces", "1", "--occlusion", "on")
+        self.assertNotIn("has no effect", modeled)
+        lights = render("--method", "light-set", "--occlusion", "on")
+        self.assertIn("--occlusion has no effect on a sum over lights", lights)
         self.check(run("render", "blue-fabric", "--environment", "sky", "--bounces", "-1", "-o", "x.png"), 2, "--bounces")
 
 

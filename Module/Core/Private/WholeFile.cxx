@@ -95,6 +95,13 @@ std::string MakePartName()
 }
 
 #if !defined(_WIN32)
+// For names in a folder, which need not be readable.
+#if defined(O_PATH)
+constexpr int ForNames = O_PATH | O_DIRECTORY | O_CLOEXEC;
+#else
+constexpr int ForNames = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
+#endif
+
 // A file descriptor whose closing is checked; where it is not, an error is under way.
 class OpenFile
 {
@@ -205,7 +212,7 @@ void WriteWholeFile(const std::string& path, std::string_view bytes)
     return;
   }
   // By the folder's descriptor: it stays the same folder.
-  const OpenFile folder(::open(GetFolder(place).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const OpenFile folder(::open(GetFolder(place).c_str(), ForNames));
   const std::string part = MakePartName();
   OpenFile file(folder.IsOpen() ? ::openat(folder.Get(), part.c_str(),
                                     O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666)
@@ -227,7 +234,8 @@ void WriteWholeFile(const std::string& path, std::string_view bytes)
     ::unlinkat(folder.Get(), part.c_str(), 0);
     FailToWrite(path, std::generic_category().message(reason));
   }
-  ::fsync(folder.Get()); // the name, too; the file is whole either way
+  // The name, too, where the folder is readable; the file is whole either way.
+  OpenFile(::openat(folder.Get(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC)).Sync();
 }
 #endif
 } // namespace measuredbrdf

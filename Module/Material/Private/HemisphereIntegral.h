@@ -9,7 +9,6 @@
 #define HemisphereIntegral_h
 
 #include "LowDiscrepancy.h"
-#include "ReflectionIntegral.h" // for AlbedoTolerance
 
 #include <glm/glm.hpp>
 
@@ -20,6 +19,8 @@
 
 namespace measuredbrdf
 {
+constexpr double AlbedoTolerance = 5e-4;
+
 /**
  * The integral of f cos(theta), RGB: an adaptive cubature (as Genz, Malik 1980, "An adaptive
  * algorithm for numerical integration over an n-dimensional rectangular region") over the square

@@ -9,14 +9,14 @@
 #ifndef ReflectionIntegral_h
 #define ReflectionIntegral_h
 
+#include "HemisphereIntegral.h" // for AlbedoTolerance
+
 #include <glm/glm.hpp>
 
 class vtkBRDF;
 
 namespace measuredbrdf
 {
-constexpr double AlbedoTolerance = 5e-4;
-
 enum class IntegralOver
 {
   Lights, // of a given view: the directional albedo

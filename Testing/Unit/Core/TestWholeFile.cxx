@@ -123,4 +123,18 @@ TEST(WholeFile, WritesIntoPipesAndDevices)
     EXPECT_NE(GetFailure("/dev/full").find("No space left"), std::string::npos);
   }
 }
+
+//------------------------------------------------------------------------------
+TEST(WholeFile, NeedsNoFolderThatCanBeRead)
+{
+  const TestFolder folder;
+  fs::permissions(folder(""), fs::perms(0333));
+  const bool isRoot = geteuid() == 0; // whom permissions do not bind
+  ASSERT_TRUE(!isRoot || seteuid(65534) == 0);
+  const std::string failure = GetFailure(folder("a"));
+  ASSERT_TRUE(!isRoot || seteuid(0) == 0);
+  fs::permissions(folder(""), fs::perms(0700));
+  EXPECT_EQ(failure, "");
+  EXPECT_EQ(ReadBack(folder("a")), "new");
+}
 #endif
