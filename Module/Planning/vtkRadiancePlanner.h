@@ -18,7 +18,7 @@
  * with lamps, or at the next one. It ends at the first rung within the tolerance; then lower ones
  * are tried as long as they are within it, too. The cheapest within the tolerance is the choice,
  * else the most accurate. GetInteractiveChoice is what to draw while somebody interacts: the most
- * accurate of the rungs tried that cost at most twice a table's pixel.
+ * accurate of the rungs tried that cost at most four times a table's pixel, so no samples.
  *
  * Errors are relative L1 over a sphere, mean |x - r| / mean r, and are measured: each rung is
  * prepared and compared on about 512 (normal, view) pairs with a nearly exact sum (for broad lobes

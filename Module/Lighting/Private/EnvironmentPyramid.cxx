@@ -118,7 +118,9 @@ int EnvironmentPyramid::ChooseSize(vtkEnvironment* environment)
   const double texels =
     static_cast<double>(environment->GetWidth()) * static_cast<double>(environment->GetHeight());
   const double wanted = std::clamp(std::sqrt(texels) / 1.4, 1.0, static_cast<double>(MaximumSize));
-  return 1 << std::lround(std::log2(wanted));
+  // The next power of two; above 512 the nearest one, for 1024 takes 12.8 MB.
+  const double power = std::log2(wanted);
+  return 1 << static_cast<int>(wanted > 512.0 ? std::round(power) : std::ceil(power - 1e-9));
 }
 
 vtkIdType EnvironmentPyramid::EstimateBytes(vtkEnvironment* environment)

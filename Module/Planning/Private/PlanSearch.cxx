@@ -17,8 +17,8 @@ namespace measuredbrdf
 {
 namespace
 {
-// Times a table's pixel. Tables beside lamps and maps take at most so much, samples more.
-constexpr double InteractiveCost = 2.0;
+// Times a table's pixel: tables and maps beside lamps take less, samples more.
+constexpr double InteractiveCost = 4.0;
 }
 
 AbortForwarder::AbortForwarder(

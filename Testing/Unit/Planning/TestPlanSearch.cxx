@@ -161,7 +161,7 @@ TEST(PlanSearch, ClimbsToTheCheapestWithinTheTolerance)
     {
       ladder.push_back(MakeCandidate(static_cast<int>(k), errors[k], errors[k]));
       ladder.back().Method = k >= lamps ? "hybrid" : "table";
-      ladder.back().Cost = k + 1.0;
+      ladder.back().Cost = 2.0 * k + 1.0;
     }
     measuredbrdf::PlanSearch search(task, comparison, []() { return false; });
     double last = 0.0;
@@ -177,11 +177,11 @@ TEST(PlanSearch, ClimbsToTheCheapestWithinTheTolerance)
     const PlanCandidate& choice = plan.Candidates[static_cast<std::size_t>(plan.Choice)];
     EXPECT_EQ(plan.Meets, choice.Error <= task.Tolerance);
     EXPECT_TRUE(choice.Integrator);
-    // The best that costs at most twice a table; the choice where that is one of them.
+    // The best that costs at most four times a table; the choice where that is one of them.
     const PlanCandidate& quick = plan.Candidates[static_cast<std::size_t>(plan.Interactive)];
-    EXPECT_LE(quick.Cost, 2.0);
+    EXPECT_LE(quick.Cost, 4.0);
     EXPECT_TRUE(quick.Integrator);
-    EXPECT_EQ(choice.Cost <= 2.0, plan.Interactive == plan.Choice);
+    EXPECT_EQ(choice.Cost <= 4.0, plan.Interactive == plan.Choice);
     return choice.Sizes[0];
   };
   using Rungs = std::vector<int>;
