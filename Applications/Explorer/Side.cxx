@@ -327,6 +327,7 @@ void Side::UpdateMesh()
 {
   this->Mapper->SetInputData(this->Model->GetMesh());
   this->StockMapper->SetInputData(this->Model->GetMesh());
+  this->UpdateVisibility();
   if (this->Scene)
   {
     this->Scene->SetMesh(this->Model->GetMesh());
@@ -337,8 +338,9 @@ void Side::UpdateMesh()
 //------------------------------------------------------------------------------
 void Side::UpdateVisibility()
 {
-  this->Actor->SetVisibility(this->IsVisible && !this->IsStock && this->Mapper->GetBRDF());
-  this->StockActor->SetVisibility(this->IsVisible && this->IsStock);
+  const bool shown = this->IsVisible && this->Mapper->GetInput();
+  this->Actor->SetVisibility(shown && !this->IsStock && this->Mapper->GetBRDF());
+  this->StockActor->SetVisibility(shown && this->IsStock);
   const bool isUnderImage = this->IsStock && !this->IsDirectlyLit;
   this->Renderer->SetEnvironmentTexture(isUnderImage ? this->StockLight.Get() : nullptr);
   this->Renderer->SetUseImageBasedLighting(isUnderImage);

@@ -236,7 +236,8 @@ void RunRemade(Context& context)
   {
     context.Add(contender.Name, "flicker ratio, all made anew for each turned map",
       play([&](int t) { return contender.Make(brdf, maps[static_cast<std::size_t>(t)]); }),
-      { Threshold, { { "median-cut", 4.0 }, { "importance", 4.0 }, { "thesis", 4.0 } },
+      { Threshold,
+        { { "median-cut", 4.0 }, { "importance", 4.0 }, { "thesis", 4.0 }, { "filtered", 2.0 } },
         "cut anew after the map's pixels turned: shown on purpose" });
   }
   context

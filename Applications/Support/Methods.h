@@ -31,7 +31,6 @@ struct PlanOptions
 
   /// Add --for-view to a subcommand.
   void AddForViewTo(CLI::App* command);
-
 };
 
 /// What a camera sees of a mesh.

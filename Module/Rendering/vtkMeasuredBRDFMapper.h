@@ -187,7 +187,8 @@ public:
    * environment's rotation bring to light what was not seen before (a tenth of it by 15 degrees),
    * the mapper plans again, in the background if PlanningMode says so; in between, the plan stays.
    * Plans for four views of an actor are kept and taken up again when the camera comes back; from
-   * the fifth on, one for every view serves. A plan for every view never changes under the camera: hence the default.
+   * the fifth on, one for every view serves. A plan for every view never changes under the camera:
+   * hence the default.
    */
   void SetPlanForView(bool view);
   bool GetPlanForView();

@@ -175,7 +175,7 @@ void ExplorerEditing::oneLightOnBothSides()
   QVERIFY(!window->GetSide(0)->GetPlanner());
   QVERIFY(window->GetSide(0)->Describe().contains("no plan"));
   QVERIFY(window->GetSide(1)->Describe().contains("cos"));
-  QVERIFY(window->GetMessage().isEmpty());
+  QVERIFY2(window->GetMessage().isEmpty(), qPrintable(window->GetMessage()));
   // By hand: the pixels' normals and views, the formula, the mean.
   const auto surface = evaluation->GetSurface();
   const State& state = window->GetSession()->GetState();

@@ -43,8 +43,9 @@ public:
   };
 
   /**
-   * count samples (a Fibonacci lattice, the first ones spread evenly, too) of the sharp part of f cos (LobeSampler). brdf is isotropic
-   * and prepared. Views are tabulated in parallel; a raised abort leaves the rest black.
+   * count samples (a Fibonacci lattice, the first ones spread evenly, too) of the sharp part of f
+   * cos (LobeSampler). brdf is isotropic and prepared. Views are tabulated in parallel; a raised
+   * abort leaves the rest black.
    */
   ReflectionSamples(vtkBRDF* brdf, int count, const std::atomic<bool>& abort);
 

@@ -134,11 +134,11 @@ void vtkMeasuredBRDFMapperMixin<Base>::RenderPieceStart(vtkRenderer* ren, vtkAct
   {
     this->Drawing->BeginFrame(ren, actor, this, this->GetMaterialUses());
   }
-  // Each distance and each edge's equation takes a vector of four. (DrawingEdges would want buffers.)
+  // Each distance and each edge's equation takes a vector of four. (DrawingEdges would want
+  // buffers.)
   vtkProperty* property = actor->GetProperty();
   const bool edges = property->GetEdgeVisibility() && property->GetRepresentation() == VTK_SURFACE;
-  this->VaryingsOfBase =
-    4 * ((this->GetNumberOfClippingPlanes() > 0 ? 6 : 0) + (edges ? 3 : 0));
+  this->VaryingsOfBase = 4 * ((this->GetNumberOfClippingPlanes() > 0 ? 6 : 0) + (edges ? 3 : 0));
   this->Base::RenderPieceStart(ren, actor);
   this->HasStarted = true;
   this->Drawing->AddSamples(ren, actor, this,
