@@ -184,7 +184,7 @@ int main(int argc, char* argv[])
   window->AddRenderer(renderer);
 
   // 0.1 %: a table. 10 %: the nine harmonics.
-  mapper->SetErrorTolerance(0.001);
+  mapper->SetErrorTolerance(0.01);
   window->Render();
   const std::string exacting = mapper->GetPlan();
   mapper->SetErrorTolerance(0.1);
