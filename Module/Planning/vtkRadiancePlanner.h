@@ -70,8 +70,8 @@ public:
 
   ///@{
   /**
-   * Relative L1 error to stay below (default 0.02, in [1e-3, 1]). No plan promises less than 0.0013,
-   * which texture units' weights of 8 bits may cost.
+   * Relative L1 error to stay below (default 0.02, in [1e-3, 1]). No plan promises less than
+   * 0.0013, which texture units' weights of 8 bits may cost.
    */
   virtual void SetErrorTolerance(double errorTolerance);
   vtkGetMacro(ErrorTolerance, double);
