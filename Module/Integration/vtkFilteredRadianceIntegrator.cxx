@@ -5,6 +5,7 @@
 #include "EnvironmentPrecomputation.h"
 #include "EnvironmentPyramid.h"
 #include "LocalFrame.h"
+#include "LowDiscrepancy.h"
 #include "ModuleShader.h"
 #include "PixelCosts.h"
 #include "Printable.h"
@@ -93,21 +94,25 @@ vtkBRDFShaderInputs::Texture NewPyramidTexture(const EnvironmentPyramid& pyramid
 }
 
 // A column per sample: a light's direction, its irradiance below. Missing lights are black.
+// Neighbors in the set are neighbors in the sky: steps of the golden ratio spread them, so that the
+// first columns, which may be drawn alone, have some from everywhere.
 vtkBRDFShaderInputs::Texture NewBroadTexture(vtkLightSet* lights, int count)
 {
   vtkBRDFShaderInputs::Texture texture = NewTexture("brdfLights", 3, count, 2);
   texture.Data.resize(static_cast<std::size_t>(6 * count), 0.0f);
+  std::vector<std::pair<double, int>> columns;
   for (int k = 0; k < lights->GetNumberOfLights(); ++k)
   {
+    columns.emplace_back(Wrap01(k * GoldenRatio), k);
+  }
+  std::sort(columns.begin(), columns.end());
+  for (std::size_t column = 0; column < columns.size(); ++column)
+  {
     double direction[3], irradiance[3];
-    lights->GetDirection(k, direction);
-    lights->GetIrradiance(k, irradiance);
-    for (int c = 0; c < 3; ++c)
-    {
-      texture.Data[static_cast<std::size_t>(3 * k + c)] = static_cast<float>(direction[c]);
-      texture.Data[static_cast<std::size_t>(3 * (count + k) + c)] =
-        static_cast<float>(irradiance[c]);
-    }
+    lights->GetDirection(columns[column].second, direction);
+    lights->GetIrradiance(columns[column].second, irradiance);
+    std::copy_n(direction, 3, &texture.Data[3 * column]);
+    std::copy_n(irradiance, 3, &texture.Data[3 * (static_cast<std::size_t>(count) + column)]);
   }
   return texture;
 }
@@ -290,7 +295,7 @@ measuredbrdfSetClampedMacro(vtkFilteredRadianceIntegrator, NumberOfSamples, int,
 //------------------------------------------------------------------------------
 std::string vtkFilteredRadianceIntegrator::GetMethodDescription()
 {
-  return "a few samples of the environment, blurred to their spacing";
+  return "samples of the environment, blurred to their spacing, and as many lights";
 }
 
 //------------------------------------------------------------------------------

@@ -11,10 +11,10 @@
  *
  * The sharp part is seen by a fixed low-discrepancy set of N samples; each reads the environment at
  * the resolution at which a texel's solid angle is the sample's, 1/(N pdf) (Colbert, Krivanek, GPU
- * Gems 3, ch. 20). Directions, levels and weights are tabulated by the
- * view's polar angle. The broad part is a sum over N lights (vtkVarianceLightSetGenerator), each
- * evaluated with the material: samples of a broad lobe miss small panels, lights do not. Texels
- * much brighter than the rest (a sun) are taken out first and added as directional lights.
+ * Gems 3, ch. 20). Directions, levels and weights are tabulated by the view's polar angle. The
+ * broad part is a sum over N lights (vtkVarianceLightSetGenerator), each evaluated with the
+ * material: samples of a broad lobe miss small panels, lights do not. Texels much brighter than the
+ * rest (a sun) are taken out first and added as directional lights.
  *
  * What is not exact: the environment's blur (it is as wide as the samples' spacing, also beyond a
  * sharp edge of the lobe; round, where lobes are stretched at grazing views); the lights'
@@ -61,8 +61,8 @@ public:
 
   ///@{
   /**
-   * As a method: "filtered", by the number of samples; planners try it for comparison only. Its
-   * cost counts the lights that the last preparation took out, too.
+   * As a method: "filtered", by the number of samples, for isotropic materials; the top of a
+   * planner's ladder. Its cost counts the lights that the last preparation took out, too.
    */
   std::string GetMethodName() override { return "filtered"; }
   std::string GetMethodDescription() override;

@@ -3,6 +3,7 @@
 #include "vtkBRDFFailureMap.h"
 
 #include "HalfVector.h"
+#include "LowDiscrepancy.h" // for GoldenRatio
 #include "ParallelFor.h"
 #include "Setters.h"
 
@@ -25,7 +26,6 @@ namespace
 {
 constexpr double Degree = Pi / 180.0;
 constexpr double MinimumCosine = 0.02; // of what is shaded
-constexpr double GoldenRatio = 0.61803398874989485;
 constexpr int LargestNumberOfWorst = 5;
 constexpr double WorstDistance = 10.0; // degrees
 
@@ -109,7 +109,7 @@ private:
   {
     if (!this->Isotropic)
     {
-      const double turn = 2.0 * Pi * std::fmod(k * GoldenRatio, 1.0);
+      const double turn = 2.0 * Pi * std::fmod(k * measuredbrdf::GoldenRatio, 1.0);
       i = Turn(i, turn);
       o = Turn(o, turn);
     }

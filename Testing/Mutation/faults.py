@@ -623,9 +623,9 @@ add("IO.photograph-upside-down", "vtkPhotographSetReader.cxx", "for (int y = fil
 
 # Planning
 
-add("Planning.climb-begins-at-the-bottom", "Private/PlanSearch.cxx", "rung == 1 && lamps < number", "false",
+add("Planning.climb-begins-at-the-bottom", "Private/PlanSearch.cxx", "at == 1 ? std::max(lamps, at + 1)", "false ? at",
     "PlanSearch.ClimbsToTheCheapestWithinTheTolerance")
-add("Planning.climb-never-steps-down", "Private/PlanSearch.cxx", "rung > 0 && this->IsWithin(rung)", "rung > number",
+add("Planning.climb-never-steps-down", "Private/PlanSearch.cxx", "at > 0 && at < rungs.size()", "at > rungs.size()",
     "PlanSearch.ClimbsToTheCheapestWithinTheTolerance")
 add("Planning.memory-has-no-bound", "Private/PlanSearch.cxx", "candidate.Bytes <= this->Task.MaximumBytes;", "true;",
     "PlanSearch.PassesOverWhatDoesNotFit")

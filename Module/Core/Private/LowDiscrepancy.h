@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Low-discrepancy points: Halton's radical inverses (Halton 1960).
+ * Low-discrepancy points: Halton's radical inverses (Halton 1960), and the golden ratio.
  */
 
 #ifndef LowDiscrepancy_h
@@ -12,6 +12,9 @@
 
 namespace measuredbrdf
 {
+/// Of its multiples, any number are spread evenly over [0,1) (Wrap01).
+constexpr double GoldenRatio = 0.61803398874989485;
+
 /// Radical inverse of index in the given base, in [0,1).
 inline double RadicalInverse(std::uint32_t index, std::uint32_t base)
 {

@@ -30,7 +30,7 @@ std::vector<glm::dvec2> MakePoints(int count)
   std::vector<glm::dvec2> points;
   for (int k = 0; k < count; ++k)
   {
-    points.emplace_back((k + 0.5) / count, Wrap01(0.5 + k * 0.6180339887498949));
+    points.emplace_back((k + 0.5) / count, Wrap01(0.5 + k * GoldenRatio));
   }
   std::vector<double> room(points.size(), 2.0); // squared distance to the nearest one before
   for (std::size_t last = 0; last + 1 < points.size(); ++last)

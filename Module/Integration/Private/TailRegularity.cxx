@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TailRegularity.h"
 
-#include "HalfVector.h" // for Pi
+#include "HalfVector.h"     // for Pi
+#include "LowDiscrepancy.h" // for GoldenRatio
 #include "vtkBRDF.h"
 
 #include <glm/glm.hpp>
@@ -19,7 +20,6 @@ constexpr int Directions = 24;
 constexpr double Step = 3.75 * Pi / 180.0;    // half of a step of 13 view angles
 constexpr double Nearest = 12.0 * Pi / 180.0; // to the mirror direction
 constexpr double Farthest = 80.0 * Pi / 180.0;
-constexpr double Golden = 0.61803398874989485; // azimuths that are spread out
 
 // A direction given by its angle from the mirror direction of the view, and its azimuth about that.
 glm::dvec3 GetDirection(double view, double angle, double azimuth)
@@ -54,7 +54,7 @@ double GetTailIrregularity(vtkBRDF* brdf)
       const double t = (k + 0.5) / Directions; // equal solid angles
       const double angle =
         std::acos(std::cos(Nearest) + t * (std::cos(Farthest) - std::cos(Nearest)));
-      const double azimuth = 2.0 * Pi * Golden * (k + 1 + v * Directions);
+      const double azimuth = 2.0 * Pi * GoldenRatio * (k + 1 + v * Directions);
       const glm::dvec3 i = GetDirection(view, angle, azimuth);
       double mean = 0.0;
       bool isAbove = i.z > 0.0;

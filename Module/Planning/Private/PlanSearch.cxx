@@ -94,26 +94,33 @@ bool PlanSearch::Run(std::vector<PlanCandidate> ladder)
 
 bool PlanSearch::Climb()
 {
-  const auto hasLamps = [](const PlanCandidate& candidate) { return candidate.Method == "hybrid"; };
-  const std::size_t number = this->Ladder.size();
-  const std::size_t lamps = static_cast<std::size_t>(
-    std::find_if(this->Ladder.begin(), this->Ladder.end(), hasLamps) - this->Ladder.begin());
-  std::size_t rung = 0;
-  while (rung < number)
+  std::vector<std::size_t> rungs; // without what is only listed
+  std::size_t lamps = 0;          // the lowest rung that has some; none of the lowest two is
+  for (std::size_t k = 0; k < this->Ladder.size(); ++k)
   {
-    if (this->Ladder[rung].MayBeChosen && !this->Try(rung))
+    if (this->Ladder[k].MayBeChosen)
+    {
+      lamps = lamps == 0 && this->Ladder[k].Method == "hybrid" ? rungs.size() : lamps;
+      rungs.push_back(k);
+    }
+  }
+  std::size_t at = 0;
+  while (at < rungs.size())
+  {
+    if (!this->Try(rungs[at]))
     {
       return false;
     }
-    if (this->IsWithin(rung))
+    if (this->IsWithin(rungs[at]))
     {
       break;
     }
-    rung = rung == 1 && lamps < number ? std::max(lamps, rung + 1) : rung + 1;
+    at = at == 1 ? std::max(lamps, at + 1) : at + 1;
   }
-  for (; rung < number && rung > 0 && this->IsWithin(rung) && !this->Tried[rung - 1]; --rung)
+  for (; at > 0 && at < rungs.size() && this->IsWithin(rungs[at]) && !this->Tried[rungs[at - 1]];
+       --at)
   {
-    if (this->Ladder[rung - 1].MayBeChosen && !this->Try(rung - 1))
+    if (!this->Try(rungs[at - 1]))
     {
       return false;
     }
@@ -160,7 +167,8 @@ bool PlanSearch::Try(std::size_t rung)
   this->Tried[rung] = candidate.Bytes <= this->Task.MaximumBytes;
   if (this->Progress)
   {
-    this->Progress(static_cast<double>(rung + 1) / static_cast<double>(this->Ladder.size()));
+    const auto tried = std::count(this->Tried.begin(), this->Tried.end(), true);
+    this->Progress(static_cast<double>(tried) / static_cast<double>(this->Ladder.size()));
   }
   return true;
 }

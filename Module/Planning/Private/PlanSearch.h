@@ -42,7 +42,7 @@ public:
   /// task and comparison stay the caller's.
   PlanSearch(const PlanTask& task, const PlanComparison& comparison, IsAborted isAborted);
 
-  /// Called with the share of the ladder that is decided.
+  /// Called with the share of the ladder that was tried.
   std::function<void(double)> Progress;
 
   /**

@@ -154,6 +154,7 @@ TEST(PlanSearch, ClimbsToTheCheapestWithinTheTolerance)
   measuredbrdf::PlanTask task = MakeTask(1000);
   const PlanComparison comparison = MakeComparison(20, false);
   std::vector<int> tried;
+  std::vector<std::size_t> listed; // only
   const auto run = [&](const std::vector<double>& errors, std::size_t lamps)
   {
     std::vector<PlanCandidate> ladder;
@@ -162,6 +163,7 @@ TEST(PlanSearch, ClimbsToTheCheapestWithinTheTolerance)
       ladder.push_back(MakeCandidate(static_cast<int>(k), errors[k], errors[k]));
       ladder.back().Method = k >= lamps ? "hybrid" : "table";
       ladder.back().Cost = 2.0 * k + 1.0;
+      ladder.back().MayBeChosen = std::count(listed.begin(), listed.end(), k) == 0;
     }
     measuredbrdf::PlanSearch search(task, comparison, []() { return false; });
     double last = 0.0;
@@ -203,6 +205,12 @@ TEST(PlanSearch, ClimbsToTheCheapestWithinTheTolerance)
   task.All = true;
   EXPECT_EQ(run({ 0.1, 0.09, 0.01, 0.09, 0.08, 0.03 }, 3), 5);
   EXPECT_EQ(tried, Rungs({ 0, 1, 2, 3, 4, 5 }));
+  // What is only listed stands in nobody's way down.
+  listed = { 3 };
+  EXPECT_EQ(run({ 0.1, 0.09, 0.01, 0.001, 0.01 }, 4), 2);
+  task.All = false;
+  EXPECT_EQ(run({ 0.1, 0.09, 0.01, 0.001, 0.01 }, 4), 2);
+  EXPECT_EQ(tried, Rungs({ 0, 1, 2, 4 }));
 }
 
 //------------------------------------------------------------------------------
