@@ -186,16 +186,12 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkRenderer* renderer, std::stri
   {
     const std::lock_guard<std::mutex> lock(mutex);
     refused[key] = problem;
+    return nullptr;
   }
-  else
-  {
-    problem.clear();
-  }
-  if (repaired > 0)
-  {
-    problem = std::to_string(repaired) + " of its values are negative or not finite: 0 is taken, "
-                                         "the largest value for +infinity.";
-  }
+  problem = repaired == 0 ? std::string()
+                          : std::to_string(repaired) + " of its values are negative or not finite: "
+                                                       "0 is taken, the largest value for "
+                                                       "+infinity.";
   return environment;
 }
 
