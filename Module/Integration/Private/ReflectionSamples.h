@@ -24,7 +24,7 @@ class ReflectionSamples
 {
 public:
   /// Views that are tabulated, from the normal to MinimumViewCosine.
-  static constexpr int NumberOfViews = 64;
+  static constexpr int NumberOfViews = 128;
 
   /**
    * Density of f cos in its own integral, in 1/sr, at which half of it is sharp. Lights replace a

@@ -40,7 +40,7 @@ std::vector<std::vector<int>> GetTableCandidates(bool lamps)
 
 std::vector<std::vector<int>> GetHybridCandidates()
 {
-  return { { 33, 12, 16, 0 }, { 65, 20, 12, 0 }, { 256, 12, 8, 8 } };
+  return { { 33, 12, 16, 0 }, { 81, 20, 8, 0 }, { 320, 12, 8, 8 } };
 }
 
 std::vector<std::vector<int>> GetAnisotropicCandidates()
