@@ -159,9 +159,9 @@ void AddPlanCommand(CLI::App& app)
     "many)");
   command->add_flag("--json", options->JSON, "Write JSON instead of text");
   command->footer("Prints a table of the candidates, the cheapest first: error relative to the "
-                  "mean radiance over a sphere (with\n--for-view, over the picture), cost of a "
-                  "pixel (times a table's), texture memory, and set-up time. > marks\nthe choice. "
-                  "--for-view needs "
+                  "mean radiance over a sphere (with\n--for-view, over the picture), what 95 and "
+                  "99 % of the pixels stay within, cost of a pixel (times a\ntable's), texture "
+                  "memory, and set-up time. > marks the choice. --for-view needs "
                   "OpenGL.\n\nExample:\n  "
                   "measured-brdf plan gold-paint --environment hall --tolerance 0.02");
   command->callback([options, command]() { Run(*options, command); });

@@ -11,7 +11,7 @@
  *   L_o = c(theta_o, phi_o) E(n) + s(theta_o, phi_o) T(D, psi, theta_o, phi_o)
  *
  * D is the direction of the lobe's axis: the mean direction of f cos(theta_i), less a Lambert part,
- * weighted by its square. psi is the azimuth about D of the tangent, carried from the normal to the
+ * weighted by its cube. psi is the azimuth about D of the tangent, carried from the normal to the
  * axis by the smallest rotation. In this frame lobes of neighboring views resemble each other, so
  * few views suffice, between which T is interpolated linearly. c, s, E as for isotropic tables.
  *

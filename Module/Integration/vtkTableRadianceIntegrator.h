@@ -8,7 +8,7 @@
  * alone. Per view angle theta_o the kernel f cos(theta_i) is split into a Lambert part c(theta_o)
  * cos(theta_i), which needs the irradiance E over the normal only, and the rest, which is seen
  * about its own mean direction, an axis in the plane of incidence at angle delta(theta_o) from the
- * normal (weighted by the square of the rest: near the mirror direction for gloss, near the normal
+ * normal (weighted by the cube of the rest: near the mirror direction for gloss, near the normal
  * for felt). Carried into the world, the rest's radiance T depends on the axis' direction D, on
  * theta_o and on the azimuth psi of the plane of incidence about D, to first order on D alone:
  *
@@ -28,9 +28,10 @@
  * last degrees fade out. What is stored are the linear splines of least squared error, and dark
  * rings about lamps that are sharper than the rows are lifted.
  *
- * Cost: 2 trilinear and 4 bilinear fetches a pixel, and with tiles one of a single texel. Errors:
- * linear interpolation in the four quantities and the harmonics' degree, second order where
- * radiance is smooth, first order where the horizon cuts a bright light.
+ * Cost: 2 trilinear fetches a pixel, one texel of a profile over theta_o, a bilinear fetch of E
+ * where there is a Lambert part, and with tiles one of a single texel. Errors: linear interpolation
+ * in the four quantities and the harmonics' degree, second order where radiance is smooth, first
+ * order where the horizon cuts a bright light.
  *
  * Isotropic BRDFs only, taken as symmetric about the plane of incidence, f(theta_i, theta_o, phi) =
  * f(theta_i, theta_o, -phi), as nearly all isotropic materials are: of one that is not, the mean of

@@ -116,8 +116,8 @@ public:
   ///@{
   /**
    * Largest texture memory of a plan in bytes, with the material's own textures where a method
-   * needs them (default 24 MiB: all rungs under maps of up to 2048 x 1024; tables take at most 12
-   * MB).
+   * needs them (default 24 MiB: all rungs for isotropic materials under maps of up to 2048 x 1024,
+   * whose tables take at most 12 MB; of anisotropic tables those of up to 33 rows, 18 MB).
    */
   virtual void SetMaximumTextureBytes(vtkIdType maximumTextureBytes);
   vtkGetMacro(MaximumTextureBytes, vtkIdType);

@@ -21,7 +21,7 @@ constexpr double OwnWidth = 20.0; // PictureSums: fewer pairs than are drawn
 // The largest of the pictures' errors in units of that of all, by the geometric mean of what the
 // candidate has on the few pairs that it was compared on and what a cheap one has on all that were
 // drawn: the first is its own, and the second is nearly without chance (measured on 34 plans:
-// docs/methods/single-pictures.md).
+// docs/methods/planner.md, "Single pictures").
 double GetLargestRatio(const PictureSums& own, const std::vector<double>& cheap)
 {
   const std::vector<double> ratios = own.GetRatios();
