@@ -9,6 +9,7 @@
 # a graphics card, else hours. Times are of worth on an otherwise idle machine only.
 set -euo pipefail
 [ $# -ge 1 ] && [ -d "$1/environments" ] || { echo "usage: cmake/make-results.sh DATA [OPTIONS]" >&2; exit 2; }
+[ -n "${DISPLAY:-}" ] || exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$0" "$@"
 data=$(cd "$1" && pwd)
 shift
 cd "$(dirname "$0")/.."
@@ -22,23 +23,23 @@ materials=("$data"/materials/rgl/*.bsdf "$data"/materials/mbsdf/*.mbsdf
 # For a try: RESULTS_MATERIALS="pink-felt gold-paint" RESULTS_ENVIRONMENTS=sky
 [ -z "${RESULTS_MATERIALS:-}" ] || read -r -a materials <<<"$RESULTS_MATERIALS"
 environments=${RESULTS_ENVIRONMENTS:-$environments}
+cold=("$data"/environments/{interior,sunset}.exr) # the rungs were chosen with one of these, and not with the other
+[ -z "${RESULTS_ENVIRONMENTS:-}" ] || IFS=, read -r -a cold <<<"$environments"
 
 # Of all pixels, the references of 120 pairs would take hours.
 options=()
 for usual in "--sweep full" "--reference-pixels 1024" "--tolerances 0.02,0.05" "--rounds 5"; do
   case " $* " in *" ${usual% *} "*) ;; *) read -r -a words <<<"$usual"; options+=("${words[@]}") ;; esac
 done
-display=()
-[ -n "${DISPLAY:-}" ] || display=(xvfb-run -a -s "-screen 0 1280x1024x24 -noreset")
-"${display[@]}" build/bin/measured-brdf chart "${materials[@]}" --environments "$environments" "${options[@]}" "$@" \
+build/bin/measured-brdf chart "${materials[@]}" --environments "$environments" "${options[@]}" "$@" \
   -o output/results
 
-# Set-up of a new process for each pair: under a map that the rungs were chosen with, and one that they were not.
+# Set-up in a new process for each pair.
 mkdir -p output/results-setup
-for map in ${RESULTS_ENVIRONMENTS:-"$data"/environments/{interior,sunset}.exr}; do
+for map in "${cold[@]}"; do
   for material in "${materials[@]}"; do
     report=output/results-setup/$(basename "$material").$(basename "$map").json
-    [ -s "$report" ] || "${display[@]}" build/bin/measured-brdf compare "$material" --environment "$map" \
+    [ -s "$report" ] || build/bin/measured-brdf compare "$material" --environment "$map" \
       --reference-pixels 64 --report "$report"
   done
 done
