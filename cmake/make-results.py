@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes results.md and its charts from folders that `measured-brdf chart` made: make-results.py FOLDER DOCS [PLANS].
+"""Writes results.md and its charts from what make-results.sh measured: make-results.py FOLDER DOCS [REPORT...].
 
-PLANS are folders of measurements of the planner alone: with more materials, on another mesh, or plans for the view.
+FOLDER is one that `measured-brdf chart` made, each REPORT one of `measured-brdf compare` in a process of its own.
 
 People write the text between the lines CONCLUSIONS and END. It is kept from the earlier results.md.
 """
@@ -23,7 +23,12 @@ CHARTS = {
 }
 CONCLUSIONS, END = "<!-- conclusions: written by people, kept -->", "<!-- end of conclusions -->"
 METRIC = "relative_l1"
-WITHIN = 1.2  # of the front's time
+# What the planner's rungs were chosen with.
+MATERIALS = set(
+    "acrylic_felt_pink_rgb satin_purple_rgb leaf_maple_rgb cc_ibiza_sunset_rgb chm_light_blue_rgb carpaint_red nickel "
+    "gold-paint blue-fabric".split()
+)
+MAPS = {"studio", "interior", "city", "pmndrs_sunrise"}
 
 
 def mean(values):
@@ -34,16 +39,16 @@ def percent(share):
     return f"{100 * share:.2g}"
 
 
+def times(ratio):
+    return f"{ratio:.2g}" if ratio < 99.5 else f"{ratio:.0f}"
+
+
 def error(point):
     return point["errors"][METRIC]
 
 
 def measured(pair):
     return [point for point in pair["points"] if "left_out" not in point]
-
-
-def describe(point):
-    return f"{point['method']} {point['size']}".strip()
 
 
 def table(head, rows):
@@ -62,144 +67,172 @@ def write_methods(pairs):
     rows = []
     for (method, size), some in points.items():
         frame = mean([point["frame_ms"] for point in some])
-        memory = [point["texture_bytes"] for point in some]
         rows.append(
             [
                 method,
                 size,
-                percent(mean([error(point) for point in some])),
+                *(
+                    percent(mean([point["errors"][metric] for point in some]))
+                    for metric in (METRIC, "percentile_95", "percentile_99")
+                ),
+                f"{mean([point['errors']['flip'] for point in some]):.2g}",
                 f"{frame:.3g}",
                 f"{frame / stock:.2g}" if len(some) == len(pairs) else "",
                 f"{mean([point['setup_ms'] for point in some]):.3g}",
-                f"{1e-6 * mean(memory):.2g}",
+                f"{1e-6 * mean([point['texture_bytes'] for point in some]):.2g}",
                 f"{statistics.fmean(point['texture_fetches'] for point in some):.3g}",
                 len(some),
             ]
         )
     return table(
-        ["method", "size", "error %", "frame ms", "frame / PBR's", "set-up ms", "MB", "fetches", "pairs"], rows
+        [
+            "method",
+            "size",
+            "error %",
+            "95 % of the pixels within %",
+            "99 %",
+            "FLIP",
+            "frame ms",
+            "frame / PBR's",
+            "set-up ms",
+            "MB",
+            "fetches",
+            "pairs",
+        ],
+        rows,
     )
 
 
-def find_stock(pair):
-    return next(point for point in measured(pair) if point["method"] == "pbr")
+def get_plans(pair, tolerance):
+    """The points of the plan for every view: what is drawn, and what is drawn instead while somebody interacts."""
+    some = {
+        figure.get("interacting", False): pair["points"][figure["point"]]
+        for figure in pair["planner"]
+        if figure["tolerance"] == tolerance and not figure.get("in_view", False)
+    }
+    return some[False], some.get(True, some[False])
 
 
-def is_announced(point, tolerance):
-    """Whether the plan said that this picture may miss the tolerance."""
-    return not point["meets_tolerance"] or point.get("predicted_picture_error", 0.0) > tolerance
+def get_frame(pair, point):
+    """Times VTK's PBR's."""
+    return point["frame_ms"] / next(other["frame_ms"] for other in measured(pair) if other["method"] == "pbr")
 
 
-def write_planner(pairs, front=True, in_view=True):
-    """A line for each tolerance, planned for every view and (in_view) for this one; front: whether one was measured."""
-    figures = collections.defaultdict(list)
+def split(pairs):
+    """By what the planner's rungs were chosen with."""
+    parts = collections.defaultdict(list)
     for pair in pairs:
-        for figure in pair["planner"]:
-            key = (figure.get("in_view", False), figure["tolerance"])
-            if key[0] and not in_view:
-                continue
-            figures[key].append((figure["time_over_front"], pair["points"][figure["point"]], find_stock(pair)))
-    fits, costs = [], []
-    for (in_view, tolerance), some in sorted(figures.items()):
-        name = f"{percent(tolerance)} %" + (", in view" if in_view else "")
-        times = [time for time, _, _ in some]
-        points = [point for _, point, _ in some]
-        met = sum(error(point) <= tolerance for point in points)
-        median = sum(point["errors"]["median_relative"] <= tolerance for point in points)
-        above = [point for point in points if error(point) > tolerance and point["meets_tolerance"]]
-        broken = sum(not is_announced(point, tolerance) for point in above)
-        # Below a thousandth nobody asked for a prediction.
-        ratios = [point["predicted_error"] / max(error(point), 1e-3) for point in points]
-        fits.append(
-            [
-                name,
-                len(some),
-                met,
-                median,
-                f"{len(above)}, {broken}",
-                sum(not is_announced(point, tolerance) for point in points),
-                f"{sum(1 / 3 <= ratio <= 3 for ratio in ratios)}, {sum(ratio < 0.5 for ratio in ratios)}",
-            ]
-        )
-        if front:
-            fits[-1].append(f"{100 * sum(time <= WITHIN for time in times) / len(times):.0f} %")
-            fits[-1].append(f"{max(times):.2g}")
-        frames = [point["frame_ms"] / stock["frame_ms"] for _, point, stock in some]
-        setups = [point["setup_ms"] / stock["setup_ms"] for _, point, stock in some]
-        memory = [point["texture_bytes"] for point in points]
-        fetches = [point["texture_fetches"] for point in points]
-        costs.append(
-            [
-                name,
-                f"{mean(frames):.2f}",
-                f"{max(frames):.2g}",
-                f"{mean(setups):.2f}",
-                f"{max(setups):.2g}",
-                f"{1e-6 * mean(memory):.2g}",
-                sum(size <= 4e6 for size in memory),
-                f"{statistics.fmean(fetches):.1f}, {max(fetches)}",
-            ]
-        )
-    first = table(
+        used = (pair["material"] in MATERIALS) + (pair["environment"] in MAPS)
+        parts[("of materials and maps that were not used", "all others", "used to choose the rungs")[used]].append(pair)
+    order = ("used to choose the rungs", "of materials and maps that were not used", "all others")
+    return {**{name: parts[name] for name in order if parts[name]}, "all": pairs}
+
+
+def write_accuracy(pairs, tolerance):
+    rows = []
+    for name, part in split(pairs).items():
+        for samples in (True, False):
+            points = [get_plans(pair, tolerance)[not samples] for pair in part]
+            above = [point for point in points if error(point) > tolerance]
+            told = sum(not point["meets_tolerance"] for point in above)
+            pictures = sum(point["predicted_picture_error"] > tolerance for point in above)
+
+            def median(metric):
+                return statistics.median(point["errors"][metric] for point in points)
+
+            rows.append(
+                [
+                    name,
+                    "with" if samples else "without",
+                    f"{len(points) - len(above)} of {len(points)}",
+                    f"{len(above)}: {told}, {pictures}",
+                    f"{percent(median(METRIC))}, {percent(max(map(error, points)))}",
+                    percent(median("percentile_95")),
+                    percent(median("percentile_99")),
+                    f"{median('flip'):.2g}, {max(point['errors']['flip'] for point in points):.2g}",
+                    sum(error(point) > point["predicted_error"] for point in points),
+                    sum(error(point) > point["predicted_picture_error"] for point in points),
+                ]
+            )
+    return table(
+        [
+            "pairs",
+            "samples",
+            f"within {percent(tolerance)} %",
+            "above; announced in the mean, for single pictures",
+            "error %, median and largest",
+            "95 % of the pixels within %, median",
+            "99 %",
+            "FLIP, median and largest",
+            "above what was predicted for all views",
+            "for single pictures",
+        ],
+        rows,
+    )
+
+
+def write_costs(pairs, tolerances):
+    rows = []
+    for tolerance in tolerances:
+        for samples in (True, False):
+            points = [get_plans(pair, tolerance)[not samples] for pair in pairs]
+            frames = [get_frame(pair, point) for pair, point in zip(pairs, points)]
+            memory = [point["texture_bytes"] for point in points]
+            fetches = [point["texture_fetches"] for point in points]
+            drawn = sum(still is not moving for still, moving in (get_plans(pair, tolerance) for pair in pairs))
+            rows.append(
+                [
+                    f"{percent(tolerance)} %",
+                    f"with, in {drawn}" if samples else "without",
+                    f"{sum(error(point) <= tolerance for point in points)} of {len(points)}",
+                    f"{mean(frames):.2f}, {statistics.median(frames):.2f}, {times(max(frames))}",
+                    f"{1e-6 * mean(memory):.2g}, {1e-6 * max(memory):.3g}",
+                    f"{statistics.fmean(fetches):.1f}, {max(fetches)}",
+                ]
+            )
+    return table(
         [
             "tolerance",
-            "pairs",
-            "error within it",
-            "median pixel's error within it",
-            "above it, though the plan meets it in the mean of all views; of these, not announced for single pictures",
-            "plans that promise it for every picture",
-            "prediction within a factor of 3; below half the error",
-            *(["at most 20 % slower than the front", "worst time / front's"] if front else []),
+            "samples",
+            "within it",
+            "frame / PBR's: geometric mean, median, largest",
+            "MB, geometric mean and largest",
+            "fetches, mean and most",
         ],
-        fits,
+        rows,
     )
-    second = table(
-        ["tolerance", "frame / PBR's, mean", "worst", "set-up / PBR's, mean", "worst", "MB, mean", "pairs within 4 MB", "fetches, mean and most"],
-        costs,
-    )
-    return first + "\n" + second
 
 
 def write_pairs(pairs, tolerance):
-    environments = list(dict.fromkeys(pair["environment"] for pair in pairs))
     cells = collections.defaultdict(dict)
     for pair in pairs:
-        stock = find_stock(pair)
-        for figure in pair["planner"]:
-            if figure["tolerance"] == tolerance and not figure.get("in_view", False):
-                point = pair["points"][figure["point"]]
-                text = f"{percent(error(point))} / {point['frame_ms'] / stock['frame_ms']:.2g}"
-                if error(point) > tolerance:
-                    text = f"**{text}**" + (" †" if is_announced(point, tolerance) else "")
-                cells[pair["material"]][pair["environment"]] = text
+        texts = []
+        for point in get_plans(pair, tolerance):
+            text = f"{percent(error(point))} / {times(get_frame(pair, point))}"
+            if error(point) > tolerance:
+                told = max(point["predicted_error"], point["predicted_picture_error"]) > tolerance
+                text = f"**{text}**" + (" †" if told else "")
+            texts.append(text)
+        cells[pair["material"]][pair["environment"]] = texts[0] if texts[0] == texts[1] else "{} ({})".format(*texts)
+    environments = list(dict.fromkeys(pair["environment"] for pair in pairs))
     rows = [[material, *(row.get(name, "") for name in environments)] for material, row in cells.items()]
     return table(["material", *environments], rows)
 
 
-def describe_occlusion(pairs):
-    """What leaving occlusion out costs on this mesh, where the chart says so."""
-    errors = [pair.get("unoccluded_error") for pair in pairs]
-    if any(value is None for value in errors):
-        return "No prediction of occlusion was measured."
-    middle, largest = statistics.median(errors), max(errors)
-    return (
-        f"Light is unoccluded in all of these figures. On this mesh that alone is predicted to be {percent(middle)} % off in "
-        f"the median, at most {percent(largest)} %."
+def write_setup(reports):
+    rows = []
+    for report in reports:
+        with open(report, encoding="utf-8") as file:
+            found = json.load(file)
+        rows.append([1e-3 * found["setup_cpu_ms"], 1e-3 * found["pbr_setup_cpu_ms"]])
+        rows[-1].append(rows[-1][0] / rows[-1][1])
+    return table(
+        [f"{len(rows)} pairs, each in a new process", "geometric mean", "median", "least", "largest"],
+        [
+            [name, f"{mean(some):.2g}", f"{statistics.median(some):.2g}", f"{min(some):.2g}", f"{max(some):.2g}"]
+            for name, some in zip(("the planner, s", "VTK's PBR, s", "the planner's / PBR's"), zip(*rows))
+        ],
     )
-
-
-def write_best(pairs, tolerance):
-    """Per material, the fastest of all that was measured within the tolerance, by environment."""
-    best = collections.defaultdict(collections.Counter)
-    for pair in pairs:
-        good = [p for p in measured(pair) if p["method"] != "planner" and error(p) <= tolerance]
-        chosen = min(good, key=lambda point: point["frame_ms"], default=None)
-        best[pair["material"]][describe(chosen) if chosen else "nothing"] += 1
-    rows = [
-        [material, ", ".join(f"{name} ({count})" for name, count in names.most_common())]
-        for material, names in best.items()
-    ]
-    return table(["material", f"fastest within {percent(tolerance)} % (environments)"], rows)
 
 
 def keep_conclusions(path):
@@ -211,80 +244,59 @@ def keep_conclusions(path):
     return "*To be written from the tables below.*"
 
 
-def has_view(results):
-    return any(figure.get("in_view", False) for pair in results["pairs"] for figure in pair["planner"])
-
-
-def read_results(folder):
+def main():
+    folder, docs, *reports = sys.argv[1:]
     with open(os.path.join(folder, "results.json"), encoding="utf-8") as file:
         results = json.load(file)
     if (results["format"], results["version"]) != ("measured-brdf chart", 1):
         sys.exit(f"{folder}/results.json: not of the format that this script reads")
-    return results
-
-
-def main():
-    folder, docs, *plans = sys.argv[1:]
-    results = read_results(folder)
     pairs, machine, settings = results["pairs"], results["machine"], results["settings"]
     materials = len({pair["material"] for pair in pairs})
     environments = len({pair["environment"] for pair in pairs})
     tolerances = sorted({figure["tolerance"] for pair in pairs for figure in pair["planner"]})
     tolerance = 0.02 if 0.02 in tolerances else tolerances[0]
     load = statistics.median(pair["load"] for pair in pairs)
-    others = [read_results(other) for other in plans]
     path = os.path.join(docs, "results.md")
-    kept = keep_conclusions(path)
 
     parts = [
         "# Speed against accuracy",
         f"{materials} materials under {environments} environments, {len(pairs)} pairs, a {settings['mesh']} in "
         f"{settings['size']} pixels, at most {settings['reference_pixels']} of which were compared with the reference. "
-        f"{machine['processor']}, "
-        f"{machine['threads']} threads, {machine['renderer']} ({machine['renderer_version']}), VTK {machine['vtk']}, "
-        f"{results['date']}; median load of the machine when a pair began: {load:.1f}. Errors are relative L1, mean "
-        "|x − r| / mean r. The methods' frames were drawn in turns; a frame time is the median. Set-up is everything "
-        "until the first frame is done; the planner's includes the planning.",
+        f"{machine['processor']}, {machine['threads']} threads, {machine['renderer']} ({machine['renderer_version']}), "
+        f"VTK {machine['vtk']}, {results['date']}; median load of the machine when a pair began: {load:.1f}. Errors are "
+        "relative L1, mean |x − r| / mean r; the [other figures](metrics.md) are of pixels, too. Light is unoccluded. The "
+        "methods' frames were drawn in turns; a frame time is the median, or the only one above half a second.",
         "`cmake/make-results.sh DATA` makes this page. It also writes all figures to results.csv and results.json.",
-        CONCLUSIONS + "\n\n" + kept + "\n\n" + END,
-        "## Charts",
-        *(f"![{caption}](results-{name}.png)\n\n*{caption}.*" for name, caption in CHARTS.items()),
+        CONCLUSIONS + "\n\n" + keep_conclusions(path) + "\n\n" + END,
+        "## The planner",
+        "These plans are made for a sphere seen from everywhere. *Without samples* is what is drawn while somebody "
+        "interacts: the same, or the most accurate cheaper method that was tried where samples are drawn otherwise. The "
+        "[rungs](methods/planner.md#the-ladder) were chosen with nine of these materials and four of these environments. "
+        "A plan announces that it misses the tolerance in the mean over all views, or that a single picture may.",
+        write_accuracy(pairs, tolerance),
+        write_costs(pairs, tolerances),
+        f"At {percent(tolerance)} %: error in percent / frame time relative to VTK's PBR, in parentheses without samples "
+        "where that differs. **Bold**: above the tolerance; †: announced.",
+        write_pairs(pairs, tolerance),
+    ]
+    if reports:
+        parts += [
+            "### Set-up",
+            "The processor's time of all threads, with the system's, from a material and an environment that have been "
+            f"read to the end of the first frame, at {percent(tolerance)} %, samples included.",
+            write_setup(reports),
+        ]
+    parts += [
         "## Methods",
         "All figures are geometric means over the pairs. Where a size was too slow to measure in some pairs, its mean is "
         "over the other pairs only and cannot be compared with the rest. The numbers of a size are: `thesis`, lights and "
-        "order; `table`, rows, view angles and azimuths; `hybrid`, the same and maps. Fetches are of textures for a pixel, "
-        "their mean; where more than two lamps are evaluated near the lobe's axis, of a pixel that has no more than one there; each further one, or part of one, takes up to four more.",
+        "order; `table`, rows, view angles and azimuths; `hybrid`, the same and maps; `filtered`, samples. Set-up is by "
+        "the clock until the first frame is done, in a process that has drawn others. Fetches are of textures for a "
+        "pixel, their mean; where more than two lamps are evaluated near the lobe's axis, of a pixel that has no more "
+        "than one there; each further one, or part of one, takes up to four more.",
         write_methods(pairs),
-        "## The planner",
-        "The front holds the measurements of a pair that no other beats in both frame time and error. These plans are made "
-        "for a sphere seen from everywhere. Means are geometric.",
-        write_planner(pairs, in_view=not any(has_view(other) for other in others)),
-        f"At {percent(tolerance)} %: error in percent / frame time relative to VTK's PBR. **Bold**: above the tolerance; "
-        "†: the plan announced it, of the mean over all views or of single pictures.",
-        write_pairs(pairs, tolerance),
-        describe_occlusion(pairs),
-        "## Which method for what",
-        write_best(pairs, tolerance),
+        *(f"![{caption}](results-{name}.png)\n\n*{caption}.*" for name, caption in CHARTS.items()),
     ]
-    for other in others:
-        pairs, settings = other["pairs"], other["settings"]
-        if has_view(other):
-            parts += [
-                "## The planner in view",
-                "\"In view\" plans are made for the normals, views and pixels of the picture itself (`SetPlanForView`). Both "
-                f"kinds of plans were measured side by side, {other['date']}, VTK {other['machine']['vtk']}, on the same "
-                f"{len(pairs)} pairs. No front was measured with them.",
-                write_planner(pairs, front=False),
-            ]
-            continue
-        parts += [
-            f"## The planner on a {os.path.splitext(os.path.basename(settings['mesh']))[0]}",
-            f"{len({pair['material'] for pair in pairs})} materials, {len(pairs)} pairs, {settings['size']} pixels, at "
-            f"most {settings['reference_pixels']} of which were compared with the reference. The tables are read as above.",
-            write_planner(pairs, front=False),
-            write_pairs(pairs, tolerance),
-            describe_occlusion(pairs),
-        ]
     for name in CHARTS:
         shutil.copyfile(os.path.join(folder, name + ".png"), os.path.join(docs, f"results-{name}.png"))
     with open(path, "w", encoding="utf-8") as file:

@@ -41,7 +41,7 @@ constexpr double MethodShare = 0.6;
 constexpr double WarmUpBelow = 100.0;
 // All frames of one point take about this long at most, in ms, but for the fewest; of one that
 // takes as long by itself, the first one is the only one.
-constexpr double FrameBudget = 3000.0;
+constexpr double FrameBudget = 500.0;
 constexpr int FewestRounds = 3;
 constexpr int FingerprintPairs = 512;
 constexpr int StockFetches = 3; // of VTK's PBR: irradiance, filtered light, split sum
@@ -157,11 +157,12 @@ namespace tool
 //------------------------------------------------------------------------------
 struct ChartMeter::Timed
 {
-  std::unique_ptr<OffscreenScene> Window;
+  std::shared_ptr<OffscreenScene> Window;
   ChartPoint Point;
   std::vector<double> Frames;
   double Expected = 0.0; // ms
   int Like = -1;         // index of one that draws the same, and is timed instead
+  vtkSmartPointer<vtkRadiancePlanner> Planner;
 
   int GetRounds(int wanted) const
   {
@@ -265,17 +266,20 @@ void ChartMeter::Place(OffscreenScene& stage) const
 }
 
 //------------------------------------------------------------------------------
-void ChartMeter::FillErrors(
+double ChartMeter::FillErrors(
   ChartPoint& point, OffscreenScene& stage, const std::vector<double>& reference) const
 {
   vtkNew<vtkRadianceMetrics> metrics;
-  const std::vector<double> rgb =
-    Pick(stage.Render(this->Scene.Picture.Width, this->Scene.Picture.Height), this->Visible);
+  const auto begin = std::chrono::steady_clock::now();
+  const Picture picture = stage.Render(this->Scene.Picture.Width, this->Scene.Picture.Height);
+  const double frame = GetElapsed(begin); // reading it back takes little
+  const std::vector<double> rgb = Pick(picture, this->Visible);
   tool::Measure(metrics, Grid(this->Visible, this->Scene.Picture), rgb, reference);
   for (const Metric& metric : GetMetrics())
   {
     point.Errors[metric.Name] = metric.Get(metrics);
   }
+  return frame;
 }
 
 //------------------------------------------------------------------------------
@@ -314,36 +318,41 @@ Method ChartMeter::Make(const ChartSize& size, const Material& material,
 
 //------------------------------------------------------------------------------
 ChartMeter::Timed ChartMeter::Begin(const ChartSize& size, const Material& material,
-  vtkEnvironment* environment, const std::vector<double>& reference)
+  vtkEnvironment* environment, const std::vector<double>& reference, vtkRadiancePlanner* plan)
 {
   Timed timed;
   auto scene = std::make_unique<tool::Scene>();
   scene->ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_OFF, false); // as the reference
   this->Place(*scene);
-  Method method = this->Make(size, material, environment, timed.Point.SetUp);
-  const auto begin = std::chrono::steady_clock::now();
-  scene->Begin(method, environment, size.Options.Plan);
-  const double first = GetElapsed(begin);
-  timed.Point.SetUp += first;
-  timed.Expected = method.Planner ? scene->TimeFrame() : first; // without the planning
-  if (method.Planner)
+  Method method;
+  if (plan)
   {
-    timed.Point.Plan = method.Planner->GetPlan();
-    timed.Point.PredictedError = method.Planner->GetPredictedError(method.Planner->GetChoice());
-    timed.Point.PredictedPictureError =
-      method.Planner->GetPredictedPictureError(method.Planner->GetChoice());
-    timed.Point.MeetsTolerance = method.Planner->GetMeetsTolerance();
-  }
-  timed.Point.Bytes = static_cast<double>(scene->GetTextureBytes());
-  timed.Point.Fetches = CountFetches(method.Integrator);
-  this->FillErrors(timed.Point, *scene, reference);
-  if (timed.GetRounds(FewestRounds) == 0)
-  {
-    timed.Frames.push_back(timed.Expected);
+    method.BRDF = plan->GetBRDF();
+    method.Integrator.TakeReference(plan->NewIntegrator(plan->GetInteractiveChoice()));
   }
   else
   {
-    timed.Expected = scene->TimeFrame(); // the first compiled a shader
+    method = this->Make(size, material, environment, timed.Point.SetUp);
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  scene->Begin(method, environment, size.Options.Plan);
+  timed.Point.SetUp += GetElapsed(begin);
+  timed.Planner = method.Planner;
+  if (vtkRadiancePlanner* planner = plan ? plan : method.Planner.Get())
+  {
+    const int index = plan ? plan->GetInteractiveChoice() : planner->GetChoice();
+    timed.Point.Plan = planner->GetPlan();
+    timed.Point.PredictedError = planner->GetPredictedError(index);
+    timed.Point.PredictedPictureError = planner->GetPredictedPictureError(index);
+    timed.Point.MeetsTolerance = plan ? timed.Point.PredictedError <= size.Options.Plan.Tolerance
+                                      : planner->GetMeetsTolerance();
+  }
+  timed.Point.Bytes = static_cast<double>(scene->GetTextureBytes());
+  timed.Point.Fetches = CountFetches(method.Integrator);
+  timed.Expected = this->FillErrors(timed.Point, *scene, reference);
+  if (timed.GetRounds(FewestRounds) == 0)
+  {
+    timed.Frames.push_back(timed.Expected);
   }
   timed.Window = std::move(scene);
   return timed;
@@ -354,19 +363,24 @@ ChartMeter::Timed ChartMeter::BeginStock(
   vtkEnvironment* environment, const std::vector<double>& reference)
 {
   Timed timed;
-  auto stock = std::make_unique<StockScene>();
-  this->Place(*stock);
-  const auto begin = std::chrono::steady_clock::now();
-  stock->SetLight(environment);
-  stock->SetMaterial(StockMaterial());
-  stock->TimeFrame();
-  timed.Point.SetUp = GetElapsed(begin);
+  auto& [stock, setUp] = this->Stocks[environment];
+  if (!stock)
+  {
+    auto made = std::make_shared<StockScene>();
+    this->Place(*made);
+    const auto begin = std::chrono::steady_clock::now();
+    made->SetLight(environment);
+    made->SetMaterial(StockMaterial());
+    made->TimeFrame();
+    setUp = GetElapsed(begin);
+    stock = made;
+  }
+  timed.Point.SetUp = setUp;
   stock->Fit(this->Visible, this->Scene.Picture, reference);
   timed.Point.Bytes = static_cast<double>(stock->GetTextureBytes());
   timed.Point.Fetches = StockFetches;
-  this->FillErrors(timed.Point, *stock, reference);
-  timed.Expected = stock->TimeFrame();
-  timed.Window = std::move(stock);
+  timed.Expected = this->FillErrors(timed.Point, *stock, reference);
+  timed.Window = stock;
   return timed;
 }
 
@@ -413,11 +427,32 @@ ChartPair ChartMeter::Measure(
   show(ReferenceShare);
 
   std::vector<Timed> all;
+  const auto add = [&](const ChartSize& size, const std::string& name, vtkRadiancePlanner* plan)
+  {
+    Timed timed;
+    try
+    {
+      timed = size.Method->Apply ? this->Begin(size, material, environment, reference, plan)
+                                 : this->BeginStock(environment, reference);
+    }
+    catch (const Error& error)
+    {
+      Interruptible::Check();
+      timed.Point.Left = error.what(); // a method need not suit every material
+    }
+    timed.Point.Method = size.Method->Name;
+    timed.Point.Size = name;
+    timed.Like = FindAlike(all, timed);
+    if (timed.Like >= 0)
+    {
+      timed.Window.reset();
+    }
+    all.push_back(std::move(timed));
+  };
   for (std::size_t k = 0; k < this->Sizes.size(); ++k)
   {
     Interruptible::Check();
     const ChartSize& size = this->Sizes[k];
-    Timed timed;
     // What the size before leads to expect; sizes come smallest first.
     const bool follows = !all.empty() && all.back().Point.Method == size.Method->Name &&
                          size.Method->Name != PlannerMethod;
@@ -428,30 +463,22 @@ ChartPair ChartMeter::Measure(
     }
     if (expected > this->Scene.Slowest)
     {
+      Timed timed;
+      timed.Point.Method = size.Method->Name;
+      timed.Point.Size = size.Size;
       timed.Point.Left = "a frame would take about " + FormatSeconds(expected);
       timed.Expected = expected;
+      all.push_back(std::move(timed));
     }
     else
     {
-      try
+      add(size, size.Size, nullptr);
+      const vtkSmartPointer<vtkRadiancePlanner> plan = all.back().Planner;
+      if (plan && plan->GetInteractiveChoice() != plan->GetChoice())
       {
-        timed = size.Method->Apply ? this->Begin(size, material, environment, reference)
-                                   : this->BeginStock(environment, reference);
-      }
-      catch (const Error& error)
-      {
-        Interruptible::Check();
-        timed.Point.Left = error.what(); // a method need not suit every material
+        add(size, size.Size + Interacting, plan);
       }
     }
-    timed.Point.Method = size.Method->Name;
-    timed.Point.Size = size.Size;
-    timed.Like = FindAlike(all, timed);
-    if (timed.Like >= 0)
-    {
-      timed.Window.reset();
-    }
-    all.push_back(std::move(timed));
     show(ReferenceShare + MethodShare * (k + 1.0) / static_cast<double>(this->Sizes.size()));
   }
 

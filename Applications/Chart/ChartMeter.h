@@ -23,11 +23,17 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
+
+class vtkRadiancePlanner;
 
 namespace tool
 {
+class StockScene;
+
 /// What is drawn and how long it is timed.
 struct ChartScene
 {
@@ -69,14 +75,15 @@ private:
 
   std::vector<double> GetExactSums(
     const Material& material, vtkEnvironment* environment, const std::string& fingerprint) const;
+  // plan: of what is drawn while somebody interacts, or null.
   Timed Begin(const ChartSize& size, const Material& material, vtkEnvironment* environment,
-    const std::vector<double>& reference);
+    const std::vector<double>& reference, vtkRadiancePlanner* plan);
   Timed BeginStock(vtkEnvironment* environment, const std::vector<double>& reference);
   void TimeFrames(std::vector<Timed>& all, const std::function<void(double)>& show) const;
   Method Make(const ChartSize& size, const Material& material, vtkEnvironment* environment,
     double& milliseconds);
   void Place(OffscreenScene& stage) const;
-  void FillErrors(
+  double FillErrors( // returns what its frame took, in ms
     ChartPoint& point, OffscreenScene& stage, const std::vector<double>& reference) const;
 
   ChartScene Scene;
@@ -91,6 +98,9 @@ private:
   };
   std::string RepresentedFile;               // the material's that these stand for
   std::map<int, Representative> Represented; // by order
+
+  // VTK's own shading, set up once for all materials, and how long that took in ms.
+  std::map<vtkEnvironment*, std::pair<std::shared_ptr<StockScene>, double>> Stocks;
 };
 } // namespace tool
 

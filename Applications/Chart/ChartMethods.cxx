@@ -178,6 +178,9 @@ const ChartMethod& FindChartMethod(const std::string& name)
 bool IsInView(const std::string& size) { return size.find(InView) != std::string::npos; }
 
 //------------------------------------------------------------------------------
+bool IsInteracting(const std::string& size) { return size.find(Interacting) != std::string::npos; }
+
+//------------------------------------------------------------------------------
 std::vector<ChartSize> ListChartSizes(const std::vector<std::string>& methods,
   const std::vector<double>& tolerances, bool full, bool forView)
 {

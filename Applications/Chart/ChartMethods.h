@@ -41,6 +41,10 @@ constexpr const char* ThesisMethod = "thesis";
 constexpr const char* InView = " in view";
 bool IsInView(const std::string& size);
 
+/// The same of what a plan draws while somebody interacts.
+constexpr const char* Interacting = " while interacting";
+bool IsInteracting(const std::string& size);
+
 /// All of them, those that are always there included. A method of vtkRadianceMethods that is not
 /// one of the tool's curves gets one of its own, by its candidate sizes.
 const std::vector<ChartMethod>& GetChartMethods();
@@ -52,7 +56,7 @@ const ChartMethod& FindChartMethod(const std::string& name);
 struct ChartSize
 {
   const ChartMethod* Method = nullptr;
-  std::string Size; // of the planner's: the tolerance, and whether it is InView
+  std::string Size; // of the planner's: the tolerance, and whether it is InView, Interacting
   MethodOptions Options;
 };
 

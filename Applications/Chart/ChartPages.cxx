@@ -95,7 +95,8 @@ std::vector<Dot> ListMeans(
 std::string FormatTolerance(const std::string& tolerance)
 {
   return tool::FormatNumber(100.0 * std::stod(tolerance)) + " %" +
-         (tool::IsInView(tolerance) ? tool::InView : "");
+         (tool::IsInView(tolerance) ? tool::InView : "") +
+         (tool::IsInteracting(tolerance) ? tool::Interacting : "");
 }
 
 //------------------------------------------------------------------------------

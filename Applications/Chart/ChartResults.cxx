@@ -135,6 +135,7 @@ JSON WritePair(const tool::ChartPair& pair)
     json["planner"].push_back(
       { { "point", figure.Point }, { "tolerance", std::stod(pair.Points[figure.Point].Size) },
         { "in_view", tool::IsInView(pair.Points[figure.Point].Size) },
+        { "interacting", tool::IsInteracting(pair.Points[figure.Point].Size) },
         { "time_over_front", figure.OverFront } });
   }
   return json;

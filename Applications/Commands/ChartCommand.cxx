@@ -389,7 +389,7 @@ void AddChartCommand(CLI::App& app)
     ->add_option("--rounds", options->Rounds,
       "Number of timed frames of each method, drawn in turns (default 9). Slow methods get fewer, "
       "at "
-      "least 3; methods above 3 seconds get one")
+      "least 3; methods above half a second get one")
     ->check(CLI::Range(3, 1000));
   command->add_option("--slowest", options->Slowest,
     "Leave out sizes whose frames would take longer than this, in ms (default 2000)");

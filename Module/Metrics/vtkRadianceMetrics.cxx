@@ -193,6 +193,7 @@ bool vtkRadianceMetrics::Compare(vtkDataArray* radiance, vtkDataArray* reference
   double squares = 0.0;
   double symmetric = 0.0;
   std::vector<double> relative;
+  std::vector<double> differences;
   double x[3];
   double r[3];
   for (vtkIdType k = 0; k < count; ++k)
@@ -210,6 +211,7 @@ bool vtkRadianceMetrics::Compare(vtkDataArray* radiance, vtkDataArray* reference
     const double sum = r[0] + r[1] + r[2];
     total += sum;
     difference += pixel;
+    differences.push_back(pixel);
     luminance += vtkEnvironment::GetLuminance(r);
     if (sum > 0.0)
     {
@@ -243,6 +245,9 @@ bool vtkRadianceMetrics::Compare(vtkDataArray* radiance, vtkDataArray* reference
   this->RelMSE = relativeSquares / values;
   this->MedianRelative = GetPercentile(relative, 0.5);
   this->P99Relative = GetPercentile(relative, 0.99);
+  const double mean = total / static_cast<double>(count);
+  this->Percentile95 = GetPercentile(differences, 0.95) / mean;
+  this->Percentile99 = GetPercentile(differences, 0.99) / mean;
   this->SMAPE = symmetric / values;
   this->DeltaEITP = deltaE / static_cast<double>(count);
   return true;
@@ -328,6 +333,8 @@ void vtkRadianceMetrics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RelMSE: " << this->RelMSE << "\n";
   os << indent << "MedianRelative: " << this->MedianRelative << "\n";
   os << indent << "P99Relative: " << this->P99Relative << "\n";
+  os << indent << "Percentile95: " << this->Percentile95 << "\n";
+  os << indent << "Percentile99: " << this->Percentile99 << "\n";
   os << indent << "SMAPE: " << this->SMAPE << "\n";
   os << indent << "DeltaEITP: " << this->DeltaEITP << "\n";
   os << indent << "FLIP: " << this->FLIP << "\n";

@@ -73,6 +73,15 @@ public:
   vtkGetMacro(P99Relative, double);
   ///@}
 
+  ///@{
+  /**
+   * What 95 and 99 % of the pixels stay within: percentiles of sum |x - r| over the pixels' mean
+   * sum of r, as vtkRadiancePlanner predicts them.
+   */
+  vtkGetMacro(Percentile95, double);
+  vtkGetMacro(Percentile99, double);
+  ///@}
+
   /**
    * Mean of |x - r| / (x + r) over pixels and channels, 0 where both are black; in [0,1].
    */
@@ -126,6 +135,8 @@ protected:
   double RelMSE = 0.0;
   double MedianRelative = 0.0;
   double P99Relative = 0.0;
+  double Percentile95 = 0.0;
+  double Percentile99 = 0.0;
   double SMAPE = 0.0;
   double DeltaEITP = 0.0;
   double FLIP = 0.0;

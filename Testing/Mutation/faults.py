@@ -422,6 +422,8 @@ add("Integration.views-are-not-lifted", "Private/DirectionPairs.h", "LiftView(No
 
 add("Metrics.percentile-share", "vtkRadianceMetrics.cxx", "GetPercentile(relative, 0.99)",
     "GetPercentile(relative, 0.9)", "RadianceMetrics.ByHand")
+add("Metrics.percentile-of-own-radiance", "vtkRadianceMetrics.cxx", "GetPercentile(differences, 0.95) / mean",
+    "GetPercentile(relative, 0.95)", "RadianceMetrics.ByHand")
 add("Metrics.percentile-without-fraction", "vtkRadianceMetrics.cxx",
     "values[k] + (at - static_cast<double>(k)) * (next - values[k])", "values[k]", "RadianceMetrics.ByHand")
 add("Metrics.relmse-without-floor", "vtkRadianceMetrics.cxx", "d * d / (r[c] * r[c] + floor)",

@@ -59,12 +59,15 @@ TEST(RadianceMetrics, ByHand)
     (144.0 / 145.0 + 4.0 * 144.0 / 1297.0 + 144.0 / 145.0 + 4.0 * 144.0) / 12.0, 1e-12);
   EXPECT_NEAR(metrics->GetMedianRelative(), 0.5, 1e-12); // of 0, 0.5, 1
   EXPECT_NEAR(metrics->GetP99Relative(), 0.99, 1e-12);
+  // Of 0, 1, 2, 3 over a mean of 10/4.
+  EXPECT_NEAR(metrics->GetPercentile95(), 2.85 / 2.5, 1e-12);
+  EXPECT_NEAR(metrics->GetPercentile99(), 2.97 / 2.5, 1e-12);
   EXPECT_NEAR(metrics->GetSMAPE(), (1.0 / 3.0 + 2.0 / 4.0 + 1.0 + 1.0) / 12.0, 1e-12);
 
   ASSERT_TRUE(metrics->Compare(reference, reference));
   for (const double figure : { metrics->GetRelativeL1(), metrics->GetRelativeRMSE(),
          metrics->GetRelMSE(), metrics->GetMedianRelative(), metrics->GetP99Relative(),
-         metrics->GetSMAPE(), metrics->GetDeltaEITP() })
+         metrics->GetPercentile99(), metrics->GetSMAPE(), metrics->GetDeltaEITP() })
   {
     EXPECT_EQ(figure, 0.0);
   }
