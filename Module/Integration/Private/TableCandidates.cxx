@@ -30,22 +30,22 @@ int CountPlannedLights(
 // is above 12 MB. More than 113 rows have tiles (TableTiles.h).
 std::vector<std::vector<int>> GetTableCandidates(bool lamps)
 {
-  std::vector<std::vector<int>> sizes = { { 17, 8, 8 }, { 33, 12, 16 }, { 49, 12, 16 } };
+  std::vector<std::vector<int>> sizes = { { 17, 8, 8 }, { 33, 12, 16 } };
   if (!lamps)
   {
-    sizes.push_back({ 201, 20, 16 });
+    sizes.insert(sizes.end(), { { 49, 12, 16 }, { 201, 20, 16 } });
   }
   return sizes;
 }
 
 std::vector<std::vector<int>> GetHybridCandidates()
 {
-  return { { 33, 12, 16, 0 }, { 81, 20, 8, 0 }, { 320, 12, 8, 8 } };
+  return { { 33, 12, 16, 0 }, { 65, 20, 12, 0 }, { 81, 20, 8, 0 }, { 320, 12, 8, 8 } };
 }
 
 std::vector<std::vector<int>> GetAnisotropicCandidates()
 {
-  return { { 17, 8, 16, 8 }, { 25, 8, 20, 8 }, { 33, 8, 32, 8 }, { 49, 8, 32, 8 } };
+  return { { 17, 8, 16, 8 }, { 25, 8, 20, 8 }, { 33, 6, 24, 8 } };
 }
 
 vtkIdType GetTableBytes(int rows, int viewAngles, int azimuths)
