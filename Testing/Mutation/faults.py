@@ -637,24 +637,17 @@ add("Planning.reference-is-exact", "Private/PlanComparison.cxx", "/ sum, compari
     "PlanComparison.AddsChanceAndTheReferencesError")
 add("Planning.percentiles-without-weights", "Private/PlanComparison.cxx", "left += share * weights[k];", "left += share;",
     "PlanComparison.AddsChanceAndTheReferencesError")
-add("Planning.old-materials-go-whole", "Private/MaterialStore.cxx", "  this->TrimOldOnes();", "", "MaterialStore.ForgetsWhatFewPlansNeedFirst")
-add("Planning.nothing-between-pixels", "Private/PlanPoints.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.0;",
+add("Planning.nothing-between-pixels", "Private/PlanPairs.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.0;",
     "PlanPoints.HaveOthersBetween")
-add("Planning.pixels-are-centers-of-crowds", "Private/PlanPoints.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.2;",
+add("Planning.pixels-are-centers-of-crowds", "Private/PlanPairs.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.2;",
     "PlanPoints.AreNoCentersOfCrowds")
-add("Planning.pixels-far-apart-are-neighbors", "Private/PlanPoints.cxx", "constexpr double Apart = 0.3;", "constexpr double Apart = 3.0;",
+add("Planning.pixels-far-apart-are-neighbors", "Private/PlanPairs.cxx", "constexpr double Apart = 0.3;", "constexpr double Apart = 3.0;",
     "PlanPoints.HaveOthersBetween")
-add("Planning.pixels-know-their-own-only", "Private/PlanPoints.cxx", "around.Add(about[neighbor]);", "(void)neighbor;",
+add("Planning.pixels-know-their-own-only", "Private/PlanPairs.cxx", "around += about[neighbor];", "(void)neighbor;",
     "PlanPoints.CrowdWhereItVaries")
-add("Planning.crowds-count-as-many", "Private/PlanPoints.cxx", "pairs.Weights.push_back(1.0 / counts[owner]);", "pairs.Weights.push_back(1.0);",
+add("Planning.crowds-count-as-many", "Private/PlanPairs.cxx", "pairs.Weights.push_back(1.0 / counts[owner]);", "pairs.Weights.push_back(1.0);",
     "PlanPoints.CrowdWhereItVaries")
-add("Planning.pictures-without-candidates-know-no-points", "Private/PlanSample.cxx", """    if (points)
-    {
-      points->Weigh(all);
-    }
-    pairs""", "    pairs", "PlanSample.OfPicturesKnowTheirPoints")
-add("Planning.samples-of-pictures-are-not-spread", "Private/PlanSample.cxx", "all.Points.empty() ? OrderByDifference", "true ? OrderByDifference",
-    "PlanSample.IsSpreadOverPictures")
+add("Planning.pictures-know-no-points", "Private/PlanSample.cxx", "points->Weigh(all);", "", "PlanSample.OfPicturesKnowTheirPoints")
 add("Integration.other-half-unmirrored", "Private/DegreeSum.cxx", "getOut(places.Mirror, -m) = sign * (even - odd);",
     "getOut(places.Mirror, -m) = sign * (even + odd);", "FieldSynthesis.IsTheSumOverHarmonics")
 add("Integration.kinds-that-are-none-count", "Private/FieldSynthesis.cxx", "other.Real.tail(beyond) = other.Imaginary.tail(beyond) = 0.0f;", "",
@@ -666,13 +659,13 @@ add("Integration.tiles-without-the-lifted-rings", "Private/TableTiles.cxx", "Lif
     "TableTiles.NeedTheNodesAboutThem")
 add("Integration.azimuths-turn-backwards", "Private/AzimuthSeries.cxx", "gain * std::sin(angle)", "-gain * std::sin(angle)",
     "AzimuthSeries.TurnsEachOrder")
-add("Planning.memory-decides-nothing", "Private/PlanCandidate.cxx", "(a.Cost == b.Cost && a.Bytes < b.Bytes)", "false",
+add("Planning.memory-decides-nothing", "Private/PlanSearch.cxx", "(a.Cost == b.Cost && a.Bytes < b.Bytes)", "false",
     "Planner.EvaluateAllListsEveryMethod")
-add("Planning.pictures-without-their-density", "Private/PlanPictures.cxx", "std::max(std::sin(turned), LeastSine);", "1.0;",
+add("Planning.pictures-without-their-density", "Private/PlanComparison.cxx", "std::max(std::sin(turned), LeastSine);", "1.0;",
     "PlanPictures.AreWhatCamerasSee")
-add("Planning.store-lends-twice", "Private/MaterialStore.cxx", "  Parts parts = std::move(known->Material);\n  this->Entries.erase(known);",
-    "  Parts parts = known->Material;", "MaterialStore.KeepsTheLastOnes")
-add("Planning.store-has-no-bound", "Private/MaterialStore.cxx", "sum > this->Most ?", "false ?", "MaterialStore.KeepsTheLastOnes")
+add("Planning.store-lends-twice", "Private/MaterialStore.cxx", "  Parts parts = std::move(known->second);\n  this->Entries.erase(known);",
+    "  Parts parts = known->second;", "MaterialStore.KeepsTheLastOnes")
+add("Planning.store-has-no-bound", "Private/MaterialStore.cxx", "sum > this->MostBytes ?", "false ?", "MaterialStore.KeepsTheLastOnes")
 add("Planning.sample-without-weights", "Private/PlanSample.cxx", "weights[k] / draws[k]", "weights[k]",
     "PlanSample.LooksWhereMethodsDiffer")
 add("Planning.sample-is-uniform", "Private/PlanSample.cxx", "constexpr double ShareByDifference = 0.35;",
@@ -681,16 +674,16 @@ add("Planning.sample-leaves-the-dark-out", "Private/PlanSample.cxx", "(1.0 - Sha
     "0.0", "PlanSample.LeavesNothingOut")
 add("Planning.lights-for-mirrors", "Private/PlanReference.cxx", "return task.BRDF->IsIsotropic() &&",
     "return task.BRDF->IsIsotropic() ||", "PlanReference.KnowsItsErrorUnder*")
-add("Planning.lights-without-error", "Private/PlanReference.cxx", "comparison.ReferenceError = own + fewer;",
-    "comparison.ReferenceError = 0.0;", "PlanReference.IsNearlyExact")
-add("Planning.between-is-inside", "Private/PlanPoints.cxx", "const double share = Reach * (2.0 * this->Draw() - 1.0);",
-    "const double share = 0.5 * Reach * this->Draw();", "PlanPoints.HaveOthersBetween")
+add("Planning.lights-without-error", "Private/PlanReference.cxx", "error = own + fewer;",
+    "error = 0.0;", "PlanReference.IsNearlyExact")
+add("Planning.between-is-inside", "Private/PlanPairs.cxx", "isFirst ? 0.0 : Reach * (2.0 * this->Draw() - 1.0);",
+    "isFirst ? 0.0 : 0.5 * Reach * this->Draw();", "PlanPoints.HaveOthersBetween")
 add("Planning.memory-without-the-material", "Private/PlanSearch.cxx",
     "candidate.Bytes += static_cast<vtkIdType>(form.GetTextureBytes());", "",
     "Planner.TextureMemoryOfTheMaterial")
 add("Planning.own-methods-stop-the-search", "Private/PlanSearch.cxx",
-    "if (this->Aborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))",
-    "if (this->Aborted() || !candidate.Method.empty())", "RadianceMethods.WhatFailsIsLeftOutWithAWarning")
+    "if (this->Task.IsAborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))",
+    "if (this->Task.IsAborted() || !candidate.Method.empty())", "RadianceMethods.WhatFailsIsLeftOutWithAWarning")
 add("Planning.normals-over-half-a-turn", "Private/PlanPairs.cxx", "const double turn = RadicalInverse(index, 3);",
     "const double turn = 0.5 * RadicalInverse(index, 3);", "PlanSample.CrowdsAboutLamps")
 add("Planning.lamps-without-weights", "Private/PlanPairs.cxx", "const double density = share * lamps.GetDensity(mirror);",
