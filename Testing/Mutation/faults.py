@@ -704,17 +704,15 @@ add("Rendering.stand-in-form-for-nobody", "Private/StandInBRDF.cxx", "made->Mate
     "made->Material = material;\n  made->GetRenderable();", "StandIns.NoFormWhereNoLightNeedsIt")
 add("Rendering.plan-learns-of-no-light", "Private/CurrentPlan.cxx", "this->Job->WantForm();", "",
     "StandIns.LightsThatComeWhileAPlanIsMade")
-add("Rendering.failed-plan-begun-again", "Private/CurrentPlan.cxx", "this->Take(wanted, true, done ? job->GetPlan() : nullptr);",
-    "this->Take(this->Job->GetPlan() ? wanted : PlanInputs(), true, this->Job->GetPlan());",
+add("Rendering.failed-plan-begun-again", "Private/CurrentPlan.cxx", "this->Adopt(wanted, true, done ? job->GetPlan() : nullptr);",
+    "this->Adopt(this->Job->GetPlan() ? wanted : PlanInputs(), true, this->Job->GetPlan());",
     "StandIns.PlansThatFail")
 add("Rendering.failed-stand-in-tried-again", "Private/BRDFTextures.cxx", "if (time <= this->FailureTime)",
     "if (time < 0 * this->FailureTime)", "StandIns.ThoseThatFailAreTriedOnce")
-add("Rendering.plans-beside-stand-ins", "Private/PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->Planning > 0 || this->IsStopped; }",
+add("Rendering.plans-beside-stand-ins", "Private/PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->IsStopped; }",
     "{ return this->Holds < 9; }", "SideBySide.HeldUntilSomebodyWaits")
-add("Rendering.wait-for-what-is-held", "Private/PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->Planning > 0 || this->IsStopped; }",
-    "{ return this->Holds == 0 || this->Planning > 0; }", "SideBySide.HeldUntilSomebodyWaits")
-add("Rendering.held-jobs-wait-for-plans", "Private/CurrentPlan.cxx", "  const PlanJob::Beside beside;\n", "",
-    "SideBySide.HeldJobsRunBesideAThreadThatPlans")
+add("Rendering.wait-for-what-is-held", "Private/PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->IsStopped; }",
+    "{ return this->Holds == 0; }", "SideBySide.HeldUntilSomebodyWaits")
 add("Rendering.refused-occlusion-unsaid", "Private/MaterialDrawingOcclusion.cxx", "if (refused > 0)",
     "if (refused > 9)", "OcclusionBlocks.SomeHaveArrays")
 add("Material.cells-of-one-side-only", "Private/HalfDifferenceFill.cxx",
@@ -728,13 +726,13 @@ add("Material.quick-for-another-tolerance", "Private/RenderableTable.h", "this->
     "this->Table && tolerance > 0.0", "QuickTables.StandInUntilTheRealOneIsMade")
 add("Integration.quick-is-slow", "vtkTableRadianceIntegrator.cxx", "std::make_shared<Precomputation>(this->Quick)",
     "std::make_shared<Precomputation>()", "Tables.QuickOnesEvaluateLittle")
-add("Rendering.plan-key-without-pixels-of-the-light", "Private/SharedPlans.h", "this->Environment, this->PixelsTime,",
+add("Rendering.plan-key-without-pixels-of-the-light", "Private/PlanJob.h", "this->Environment, this->PixelsTime,",
     "this->Environment, vtkMTimeType(0),", "Background.EverythingThatCountsBeginsAnother")
-add("Rendering.plan-key-without-tolerance", "Private/SharedPlans.h", "this->PixelsTime, this->Tolerance,",
+add("Rendering.plan-key-without-tolerance", "Private/PlanJob.h", "this->PixelsTime, this->Tolerance,",
     "this->PixelsTime, 0.0,", "Background.EverythingThatCountsBeginsAnother")
-add("Rendering.seen-pairs-turned-the-other-way", "Private/SharedPlans.cxx", "turned = toWorld * direction;",
+add("Rendering.seen-pairs-turned-the-other-way", "Private/PlanJob.cxx", "turned = toWorld * direction;",
     "turned = direction * toWorld;", "Views.ATurnedLightIsTurnedPixels")
-add("Rendering.plan-without-tolerance", "Private/SharedPlans.cxx", "planner->SetErrorTolerance(inputs.Tolerance);",
+add("Rendering.plan-without-tolerance", "Private/PlanJob.cxx", "planner->SetErrorTolerance(inputs.Tolerance);",
     "", "Background.EverythingThatCountsBeginsAnother|Auto.PlansOnce|Auto.MatchesThePlannedIntegrator")
 add("Rendering.plan-bridges-changed-pixels", "Private/CurrentPlan.cxx",
     "this->Plan->GetEnvironment()->GetPixelsMTime() == this->Times[1];", "this->Times[1] > 0;",
@@ -759,8 +757,8 @@ add("Rendering.what-is-outside-counts", "Private/VisibleSurface.cxx", "if (!eye.
     "Visible.OnlyWhatIsInThePictureCounts")
 add("Rendering.left-tables-go-on", "Private/PlanJob.cxx", "return this->Planner->GetAbort(); });", "return false; });",
     "CurrentPlan.LeavesResamplingInTheMiddle")
-add("Rendering.left-plans-go-on", "Private/PlanJob.cxx", "else\n    {\n      this->Planner->SetAbort(true);\n    }",
-    "", "Background.AChangeStopsWhatIsInTheMaking")
+add("Rendering.left-plans-go-on", "Private/PlanJob.cxx", "job->Planner->SetAbort(true);\n    }\n  }\n\n  /// goesOn", "}\n  }\n\n  /// goesOn",
+    "Background.AChangeStopsWhatIsInTheMaking")
 add("Rendering.changed-materials-are-not-redrawn", "Private/MaterialSettings.cxx", "add(this->BRDF);", "",
     "Mapper.RebuildsExactlyWhenItMust|Scene.RedrawTimeFollowsAppearance")
 add("Rendering.largest-tolerance", "Private/MaterialSettings.h", "LargestTolerance = 1.0;",
@@ -1281,8 +1279,8 @@ add("Rendering.what-throws-is-not-drawn", "Private/vtkMeasuredBRDFMapperMixin.tx
     "tries = false;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
 add("Rendering.shared-created-light-shines", "Private/DrawsColor.cxx", "other->GetLights() == renderer->GetLights() &&",
     "false &&", "MapperShading.LightThatVTKCreated")
-add("Rendering.plans-before-of-gone-renderers", "Private/MapperPlans.cxx", "this->EndIf(this->Before, isGone);", "",
-    "Views.GoWithTheirRenderersAndActors")
+add("Rendering.plans-before-stay", "Private/MapperPlans.cxx", "  if (view.Drawn)", "  if (view.Drawn && view.Looks.size() > 99)",
+    "Views.ForViewIsBridged*")
 add("Rendering.kept-light-does-not-turn", "Private/OcclusionKept.cxx", "add(turn[column]);", "add(0.0 * turn[column]);",
     "OcclusionPointsTest.LightMayTurnAndRestAgain")
 add("Rendering.views-take-each-others-light", "Private/OcclusionPoints.cxx", "state->Of.View == question.View &&", "true &&",
