@@ -8,6 +8,7 @@
 #include "Sizes.h"
 #include "Tool.h"
 #include "TracedSurface.h"
+#include "vtkOcclusionPredictor.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -34,8 +35,15 @@ constexpr int LargestPlannedPicture = 8192;
 constexpr double PlannedFill = 0.9;
 
 //------------------------------------------------------------------------------
-void PrintJSON(
-  vtkRadiancePlanner* planner, const std::string& material, vtkEnvironment* environment)
+// occlusion: null where no mesh is given.
+std::string GetText(vtkRadiancePlanner* planner, vtkOcclusionPredictor* occlusion)
+{
+  return planner->GetPlan() + (occlusion ? "; " + occlusion->GetText() : "");
+}
+
+//------------------------------------------------------------------------------
+void PrintJSON(vtkRadiancePlanner* planner, vtkOcclusionPredictor* occlusion,
+  const std::string& material, vtkEnvironment* environment)
 {
   nlohmann::ordered_json candidates = nlohmann::ordered_json::array();
   for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
@@ -54,18 +62,19 @@ void PrintJSON(
     { "candidates", candidates }, { "choice", planner->GetChoice() },
     { "interactive_choice", planner->GetInteractiveChoice() },
     { "meets_tolerance", planner->GetMeetsTolerance() }, { "reason", planner->GetReason() },
-    { "plan", planner->GetPlan() } };
-  if (planner->GetScene())
+    { "plan", GetText(planner, occlusion) } };
+  if (occlusion)
   {
-    plan["unoccluded_error"] = planner->GetUnoccludedError();
-    plan["unoccluded_uncertainty"] = planner->GetUnoccludedErrorUncertainty();
-    plan["needs_occlusion"] = planner->GetNeedsOcclusion();
+    plan["unoccluded_error"] = occlusion->GetError();
+    plan["unoccluded_uncertainty"] = occlusion->GetUncertainty();
+    plan["needs_occlusion"] = vtkOcclusionPredictor::IsWorthModeling(occlusion->GetError(),
+      planner->GetPredictedError(planner->GetChoice()), planner->GetErrorTolerance());
   }
   tool::PrintOut(plan.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 //------------------------------------------------------------------------------
-void PrintTable(vtkRadiancePlanner* planner)
+void PrintTable(vtkRadiancePlanner* planner, vtkOcclusionPredictor* occlusion)
 {
   char line[160];
   std::snprintf(line, sizeof(line), "  %-10s %-46s %8s %8s %8s %8s %8s %9s\n", "method", "sizes",
@@ -81,7 +90,7 @@ void PrintTable(vtkRadiancePlanner* planner)
       planner->GetSetUpMilliseconds(k));
     text += line;
   }
-  tool::PrintOut(text + "\n" + planner->GetPlan() + "\n");
+  tool::PrintOut(text + "\n" + GetText(planner, occlusion) + "\n");
 }
 
 //------------------------------------------------------------------------------
@@ -114,20 +123,17 @@ void Run(PlanCommandOptions& options, const CLI::App* command)
   }
   const vtkSmartPointer<vtkRadiancePlanner> planner =
     tool::MakePlan(material, environment, options.Plan, options.Plan.ForView ? &seen : nullptr);
+  vtkSmartPointer<vtkOcclusionPredictor> occlusion;
   if (!options.Mesh.empty())
   {
-    planner->SetScene(tool::MakeTracedScene(mesh));
-    if (!planner->Update())
-    {
-      throw tool::Error(options.Mesh + ": " + tool::TakeErrorText());
-    }
+    occlusion = tool::PredictOcclusion(tool::MakeTracedScene(mesh), material.BRDF, environment);
   }
   if (options.JSON)
   {
-    PrintJSON(planner, material.Name, environment);
+    PrintJSON(planner, occlusion, material.Name, environment);
     return;
   }
-  PrintTable(planner);
+  PrintTable(planner, occlusion);
 }
 }
 

@@ -2,35 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadiancePlanner.h"
 
-#include "ClearAtEnd.h"
 #include "EnvironmentPrecomputation.h"
-#include "LightsReference.h"
 #include "MaterialPrecomputation.h"
 #include "MaterialStore.h"
-#include "PlanCandidate.h"
-#include "PlanComparison.h"
-#include "PlanPairs.h"
 #include "PlanReference.h"
-#include "PlanReport.h"
 #include "PlanSample.h"
-#include "PlanSearch.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkObjectFactory.h"
-#include "vtkOcclusionPredictor.h"
 #include "vtkRadianceMethods.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -46,6 +35,22 @@ constexpr vtkIdType MostPairs = 4096;
 // L1 of the smallest table, in the mean of seven materials under three maps. Larger tables and
 // other methods lose 0.0003 to 0.0008 (docs/methods/pixel-cost.md, "The weights of texture units").
 constexpr double FilterWeights = 0.0013;
+
+// Whatever way a run ends, the next one begins without an abort.
+class AbortAtMostOnce
+{
+public:
+  explicit AbortAtMostOnce(std::atomic<bool>& abort)
+    : Abort(abort)
+  {
+  }
+  ~AbortAtMostOnce() { this->Abort = false; }
+  AbortAtMostOnce(const AbortAtMostOnce&) = delete;
+  void operator=(const AbortAtMostOnce&) = delete;
+
+private:
+  std::atomic<bool>& Abort;
+};
 } // namespace
 
 struct vtkRadiancePlanner::Internals
@@ -53,41 +58,23 @@ struct vtkRadiancePlanner::Internals
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
   measuredbrdf::PlanPairs Given; // what a camera sees, if that was said
-  measuredbrdf::PlanTask Task;   // while it plans
   measuredbrdf::Plan Plan;
-  std::string Problem; // that an integrator had
   vtkTimeStamp Time;
 
-  const PlanCandidate* GetCandidate(int index) const
+  // An empty one where the index is out of range.
+  const PlanCandidate& GetCandidate(int index) const
   {
+    static const PlanCandidate& none = *new PlanCandidate; // for threads, too
     return index >= 0 && index < static_cast<int>(this->Plan.Candidates.size())
-             ? &this->Plan.Candidates[static_cast<std::size_t>(index)]
-             : nullptr;
-  }
-
-  vtkMTimeType GetInputsMTime(vtkObject* planner) const
-  {
-    return std::max(
-      { planner->GetMTime(), this->BRDF->GetMTime(), this->Environment->GetPixelsMTime() });
-  }
-
-  measuredbrdf::PlanTask MakeTask(vtkRadiancePlanner* planner) const
-  {
-    measuredbrdf::PlanTask task;
-    task.BRDF = this->BRDF;
-    task.Environment = this->Environment;
-    task.Tolerance = planner->GetErrorTolerance();
-    task.All = planner->GetEvaluateAll();
-    task.MaximumBytes = planner->GetMaximumTextureBytes();
-    task.MaximumCost = planner->GetMaximumCost();
-    return task;
+             ? this->Plan.Candidates[static_cast<std::size_t>(index)]
+             : none;
   }
 
   // Those of a sphere: many of them see a sun or a lamp, which decide for mirror-like materials.
   measuredbrdf::PlanPairs GetSpherePairs(vtkRadiancePlanner* planner) const
   {
     const auto bright = this->Environment->GetParts().GetExtractedEmitters(this->Environment,
-      measuredbrdf::ExtractedEmitters::DefaultShare, measuredbrdf::LightsReference::MaximumSuns,
+      measuredbrdf::ExtractedEmitters::DefaultShare, measuredbrdf::MostReferenceSuns,
       [planner]() { return !planner->GetAbort(); });
     // In the environment's frame, where plans for all views do not depend on its rotation.
     double rows[9];
@@ -184,37 +171,31 @@ vtkIdType vtkRadiancePlanner::GetNumberOfPairs()
 }
 
 //------------------------------------------------------------------------------
-bool vtkRadiancePlanner::Fail()
+bool vtkRadiancePlanner::Fail(const std::string& problem)
 {
-  const std::string problem =
-    this->Impl->Problem.empty() ? "there is no reference to compare with." : this->Impl->Problem;
   vtkErrorMacro("Update: " << (this->Abort ? "aborted." : problem));
   return false;
 }
 
 //------------------------------------------------------------------------------
-bool vtkRadiancePlanner::Choose()
+bool vtkRadiancePlanner::Update()
 {
   Internals& impl = *this->Impl;
-  const measuredbrdf::ClearAtEnd clear(this->Abort, impl.Task);
-  impl.Problem.clear();
+  const AbortAtMostOnce once(this->Abort);
   if (!impl.BRDF || !impl.Environment || impl.Environment->GetPixels().empty())
   {
-    vtkErrorMacro(
-      "Update: " << (impl.BRDF ? "there is no environment, or it is empty." : "there is no BRDF."));
-    return false;
+    return this->Fail(impl.BRDF ? "there is no environment, or it is empty." : "there is no BRDF.");
   }
-  if (impl.Plan.Choice >= 0 && impl.Time > impl.GetInputsMTime(this))
+  if (impl.Plan.Choice < 0 || impl.Time <= std::max({ this->GetMTime(), impl.BRDF->GetMTime(),
+                                             impl.Environment->GetPixelsMTime() }))
   {
-    return true;
+    impl.BRDF->Prepare();
+    if (!this->Search())
+    {
+      return false;
+    }
+    impl.Time.Modified();
   }
-  impl.BRDF->Prepare();
-  impl.Task = impl.MakeTask(this);
-  if (!this->Search())
-  {
-    return false;
-  }
-  impl.Time.Modified();
   return true;
 }
 
@@ -222,56 +203,58 @@ bool vtkRadiancePlanner::Choose()
 bool vtkRadiancePlanner::Search()
 {
   Internals& impl = *this->Impl;
+  measuredbrdf::PlanTask task;
+  task.BRDF = impl.BRDF;
+  task.Environment = impl.Environment;
+  task.Tolerance = this->ErrorTolerance;
+  task.All = this->EvaluateAll;
+  task.MaximumBytes = this->MaximumTextureBytes;
+  task.MaximumCost = this->MaximumCost;
+  task.IsAborted = [this]() { return this->GetAbort(); };
   const std::string material = impl.BRDF->IsIsotropic() ? impl.BRDF->GetContentKey() : "";
-  impl.Task.Shared = measuredbrdf::MaterialStore::Get().Take(material);
+  task.Shared = measuredbrdf::MaterialStore::Get().Take(material);
   if (impl.BRDF->IsIsotropic())
   {
-    impl.Task.Shared->GetViews(impl.BRDF, this->Abort); // which all that follows asks for
+    task.Shared->GetViews(impl.BRDF, this->Abort); // which all that follows asks for
   }
   if (this->Abort)
   {
-    return this->Fail(); // candidates would want the views whole
+    return this->Fail(""); // candidates would want the views whole
   }
+  const std::string bytes = std::to_string(this->MaximumTextureBytes) + " bytes";
   std::string givenUp;
-  std::vector<PlanCandidate> ladder = measuredbrdf::ListCandidates(impl.Task, givenUp);
+  std::vector<PlanCandidate> ladder = measuredbrdf::ListCandidates(task, givenUp);
   if (ladder.empty() && !this->Abort)
   {
     vtkErrorMacro("Update: nothing fits into MaximumTextureBytes, "
-                  << this->MaximumTextureBytes << " bytes, and MaximumCost, " << this->MaximumCost
-                  << ".");
+                  << bytes << ", and MaximumCost, " << this->MaximumCost << ".");
     return false;
   }
-  const measuredbrdf::IsAborted isAborted = [this]() { return this->GetAbort(); };
   measuredbrdf::PlanComparison comparison;
   const bool picture = impl.Given.Normals != nullptr;
   comparison.Pairs = picture ? impl.Given : impl.GetSpherePairs(this);
-  if (!measuredbrdf::SamplePairs(
-        impl.Task, isAborted, ladder, picture, comparison.Pairs, impl.Problem) ||
-      !measuredbrdf::MakeReference(impl.Task, isAborted, this->Abort, comparison, impl.Problem))
+  if (!measuredbrdf::SamplePairs(task, ladder, picture, comparison.Pairs) ||
+      !measuredbrdf::MakeReference(task, comparison))
   {
-    return this->Fail();
+    return this->Fail(
+      task.Problem.empty() ? "there is no reference to compare with." : task.Problem);
   }
   comparison.ReferenceError = std::hypot(comparison.ReferenceError, FilterWeights);
-  measuredbrdf::PlanSearch search(impl.Task, comparison, isAborted);
+  measuredbrdf::PlanSearch search(task, comparison);
   search.Progress = [this](double progress)
   { this->InvokeEvent(vtkCommand::ProgressEvent, &progress); };
   const bool done = search.Run(std::move(ladder));
-  impl.Problem = search.GetProblem();
   if (!search.GetWarnings().empty())
   {
     vtkWarningMacro("Update: left out what could not be prepared: " << search.GetWarnings());
   }
-  if (done && search.GetPlan().Choice < 0 && impl.Problem.empty())
-  {
-    impl.Problem = "nothing fits into MaximumTextureBytes, " +
-                   std::to_string(this->MaximumTextureBytes) +
-                   " bytes, with the textures of the material.";
-  }
   if (!done || search.GetPlan().Choice < 0)
   {
-    return this->Fail();
+    return this->Fail(!task.Problem.empty() ? task.Problem
+                                            : "nothing fits into MaximumTextureBytes, " + bytes +
+                                                ", with the textures of the material.");
   }
-  measuredbrdf::MaterialStore::Get().PutBack(material, impl.Task.Shared);
+  measuredbrdf::MaterialStore::Get().PutBack(material, task.Shared);
   impl.Plan = search.GetPlan();
   impl.Plan.Reason = measuredbrdf::ExplainChoice(impl.Plan, this->ErrorTolerance, givenUp);
   return true;
@@ -286,71 +269,61 @@ int vtkRadiancePlanner::GetNumberOfCandidates()
 //------------------------------------------------------------------------------
 std::string vtkRadiancePlanner::GetMethodName(int index)
 {
-  const PlanCandidate* candidate = this->Impl->GetCandidate(index);
-  return candidate ? candidate->Method : "";
+  return this->Impl->GetCandidate(index).Method;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRadiancePlanner::GetDescription(int index)
 {
-  const PlanCandidate* candidate = this->Impl->GetCandidate(index);
-  return candidate ? candidate->Description : "";
+  return this->Impl->GetCandidate(index).Description;
 }
 
 //------------------------------------------------------------------------------
 double vtkRadiancePlanner::GetPredictedError(int index)
 {
-  const PlanCandidate* candidate = this->Impl->GetCandidate(index);
-  return candidate ? candidate->Error : 0.0;
+  return this->Impl->GetCandidate(index).Error;
 }
 
 //------------------------------------------------------------------------------
 double vtkRadiancePlanner::GetErrorUncertainty(int index)
 {
-  const PlanCandidate* candidate = this->Impl->GetCandidate(index);
-  return candidate ? candidate->Uncertainty : 0.0;
+  return this->Impl->GetCandidate(index).Uncertainty;
 }
 
 //------------------------------------------------------------------------------
 double vtkRadiancePlanner::GetPredictedPercentile95(int index)
 {
-  const PlanCandidate* candidate = this->Impl->GetCandidate(index);
-  return candidate ? candidate->Percentiles[0] : 0.0;
+  return this->Impl->GetCandidate(index).Percentiles[0];
 }
 
 //------------------------------------------------------------------------------
 double vtkRadiancePlanner::GetPredictedPercentile99(int index)
 {
-  const PlanCandidate* candidate = this->Impl->GetCandidate(index);
-  return candidate ? candidate->Percentiles[1] : 0.0;
+  return this->Impl->GetCandidate(index).Percentiles[1];
 }
 
 //------------------------------------------------------------------------------
 double vtkRadiancePlanner::GetPredictedPictureError(int index)
 {
-  const PlanCandidate* candidate = this->Impl->GetCandidate(index);
-  return candidate ? candidate->Picture : 0.0;
+  return this->Impl->GetCandidate(index).Picture;
 }
 
 //------------------------------------------------------------------------------
 double vtkRadiancePlanner::GetPredictedCost(int index)
 {
-  const PlanCandidate* candidate = this->Impl->GetCandidate(index);
-  return candidate ? candidate->Cost : 0.0;
+  return this->Impl->GetCandidate(index).Cost;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkRadiancePlanner::GetTextureBytes(int index)
 {
-  const PlanCandidate* candidate = this->Impl->GetCandidate(index);
-  return candidate ? candidate->Bytes : 0;
+  return this->Impl->GetCandidate(index).Bytes;
 }
 
 //------------------------------------------------------------------------------
 double vtkRadiancePlanner::GetSetUpMilliseconds(int index)
 {
-  const PlanCandidate* candidate = this->Impl->GetCandidate(index);
-  return candidate ? candidate->SetUp : 0.0;
+  return this->Impl->GetCandidate(index).SetUp;
 }
 
 //------------------------------------------------------------------------------
@@ -366,23 +339,16 @@ bool vtkRadiancePlanner::GetMeetsTolerance() { return this->Impl->Plan.Meets; }
 std::string vtkRadiancePlanner::GetReason() { return this->Impl->Plan.Reason; }
 
 //------------------------------------------------------------------------------
-std::string vtkRadiancePlanner::GetPlan()
-{
-  return measuredbrdf::DescribePlan(this->Impl->Plan) + this->DescribeOcclusion();
-}
+std::string vtkRadiancePlanner::GetPlan() { return measuredbrdf::DescribePlan(this->Impl->Plan); }
 
 //------------------------------------------------------------------------------
 vtkRadianceIntegrator* vtkRadiancePlanner::NewIntegrator(int index)
 {
-  const PlanCandidate* candidate = this->Impl->GetCandidate(index);
-  if (!candidate)
-  {
-    return nullptr;
-  }
+  const PlanCandidate& candidate = this->Impl->GetCandidate(index);
   const vtkSmartPointer<vtkRadianceIntegrator> integrator =
-    candidate->Integrator
-      ? candidate->Integrator
-      : measuredbrdf::MakeIntegrator(*candidate, this->Impl->BRDF, this->Impl->Environment);
+    candidate.Integrator
+      ? candidate.Integrator
+      : measuredbrdf::MakeIntegrator(candidate, this->Impl->BRDF, this->Impl->Environment);
   if (integrator)
   {
     integrator->Register(nullptr);
@@ -408,7 +374,6 @@ void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "BRDF: " << this->Impl->BRDF.Get() << "\n";
   os << indent << "Environment: " << this->Impl->Environment.Get() << "\n";
-  os << indent << "Scene: " << this->GetScene() << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "ViewDirection: " << this->ViewDirection[0] << " " << this->ViewDirection[1]
      << " " << this->ViewDirection[2] << "\n";

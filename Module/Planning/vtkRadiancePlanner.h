@@ -38,7 +38,6 @@
 
 #include "vtkMeasuredBRDFModule.h" // for export macro
 #include "vtkObject.h"
-#include "vtkSmartPointer.h" // for BRDF, Environment
 
 #include <atomic> // for Abort
 #include <memory> // for Internals
@@ -47,9 +46,7 @@
 class vtkBRDF;
 class vtkDataArray;
 class vtkEnvironment;
-class vtkOcclusionPredictor;
 class vtkRadianceIntegrator;
-class vtkTracedScene;
 
 class VTKMEASUREDBRDF_EXPORT vtkRadiancePlanner : public vtkObject
 {
@@ -132,27 +129,6 @@ public:
   vtkGetMacro(MaximumCost, double);
   ///@}
 
-  ///@{
-  /**
-   * Surfaces whose occlusion Update predicts, too (vtkOcclusionPredictor): by how much a picture of
-   * them is off in this material and light, as long as occlusion is left out. Null (default): it is
-   * not predicted. The choice does not depend on it.
-   */
-  void SetScene(vtkTracedScene* scene);
-  vtkTracedScene* GetScene();
-  ///@}
-
-  ///@{
-  /**
-   * That error, relative L1, and two standard errors of it (both 0 without a scene); and whether it
-   * exceeds what the tolerance leaves beside the choice's error
-   * (vtkOcclusionPredictor::IsWorthModeling).
-   */
-  double GetUnoccludedError();
-  double GetUnoccludedErrorUncertainty();
-  bool GetNeedsOcclusion();
-  ///@}
-
   /**
    * List candidates and choose, unless nothing changed. Returns false with an error event, the plan
    * unchanged, where something is missing or nothing can be planned. Raises ProgressEvent.
@@ -189,8 +165,7 @@ public:
   ///@}
 
   /**
-   * The plan in words: the choice, its figures and the reason; with a scene also the error of
-   * leaving occlusion out.
+   * The plan in words: the choice, its figures and the reason.
    */
   std::string GetPlan();
 
@@ -228,22 +203,14 @@ private:
   vtkRadiancePlanner(const vtkRadiancePlanner&) = delete;
   void operator=(const vtkRadiancePlanner&) = delete;
 
-  /// Choose, unless nothing changed; false with an error event where that is not possible.
-  bool Choose();
-
   /// Choose anew.
   bool Search();
 
-  /// Predict the error of leaving occlusion out of the scene, where there is one.
-  bool PredictOcclusion();
-  std::string DescribeOcclusion();
-
   /// The error event of a run that can't go on; false.
-  bool Fail();
+  bool Fail(const std::string& problem);
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
-  vtkSmartPointer<vtkOcclusionPredictor> Occlusion; // null: no scene
 };
 
 #endif

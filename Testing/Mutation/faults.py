@@ -639,24 +639,17 @@ add("Planning.reference-is-exact", "Private/PlanComparison.cxx", "/ sum, compari
     "PlanComparison.AddsChanceAndTheReferencesError")
 add("Planning.percentiles-without-weights", "Private/PlanComparison.cxx", "left += share * weights[k];", "left += share;",
     "PlanComparison.AddsChanceAndTheReferencesError")
-add("Planning.old-materials-go-whole", "Private/MaterialStore.cxx", "  this->TrimOldOnes();", "", "MaterialStore.ForgetsWhatFewPlansNeedFirst")
-add("Planning.nothing-between-pixels", "Private/PlanPoints.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.0;",
+add("Planning.nothing-between-pixels", "Private/PlanPairs.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.0;",
     "PlanPoints.HaveOthersBetween")
-add("Planning.pixels-are-centers-of-crowds", "Private/PlanPoints.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.2;",
+add("Planning.pixels-are-centers-of-crowds", "Private/PlanPairs.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.2;",
     "PlanPoints.AreNoCentersOfCrowds")
-add("Planning.pixels-far-apart-are-neighbors", "Private/PlanPoints.cxx", "constexpr double Apart = 0.3;", "constexpr double Apart = 3.0;",
+add("Planning.pixels-far-apart-are-neighbors", "Private/PlanPairs.cxx", "constexpr double Apart = 0.3;", "constexpr double Apart = 3.0;",
     "PlanPoints.HaveOthersBetween")
-add("Planning.pixels-know-their-own-only", "Private/PlanPoints.cxx", "around.Add(about[neighbor]);", "(void)neighbor;",
+add("Planning.pixels-know-their-own-only", "Private/PlanPairs.cxx", "around += about[neighbor];", "(void)neighbor;",
     "PlanPoints.CrowdWhereItVaries")
-add("Planning.crowds-count-as-many", "Private/PlanPoints.cxx", "pairs.Weights.push_back(1.0 / counts[owner]);", "pairs.Weights.push_back(1.0);",
+add("Planning.crowds-count-as-many", "Private/PlanPairs.cxx", "pairs.Weights.push_back(1.0 / counts[owner]);", "pairs.Weights.push_back(1.0);",
     "PlanPoints.CrowdWhereItVaries")
-add("Planning.pictures-without-candidates-know-no-points", "Private/PlanSample.cxx", """    if (points)
-    {
-      points->Weigh(all);
-    }
-    pairs""", "    pairs", "PlanSample.OfPicturesKnowTheirPoints")
-add("Planning.samples-of-pictures-are-not-spread", "Private/PlanSample.cxx", "all.Points.empty() ? OrderByDifference", "true ? OrderByDifference",
-    "PlanSample.IsSpreadOverPictures")
+add("Planning.pictures-know-no-points", "Private/PlanSample.cxx", "points->Weigh(all);", "", "PlanSample.OfPicturesKnowTheirPoints")
 add("Integration.other-half-unmirrored", "Private/DegreeSum.cxx", "getOut(places.Mirror, -m) = sign * (even - odd);",
     "getOut(places.Mirror, -m) = sign * (even + odd);", "FieldSynthesis.IsTheSumOverHarmonics")
 add("Integration.kinds-that-are-none-count", "Private/FieldSynthesis.cxx", "other.Real.tail(beyond) = other.Imaginary.tail(beyond) = 0.0f;", "",
@@ -668,13 +661,13 @@ add("Integration.tiles-without-the-lifted-rings", "Private/TableTiles.cxx", "Lif
     "TableTiles.NeedTheNodesAboutThem")
 add("Integration.azimuths-turn-backwards", "Private/AzimuthSeries.cxx", "gain * std::sin(angle)", "-gain * std::sin(angle)",
     "AzimuthSeries.TurnsEachOrder")
-add("Planning.memory-decides-nothing", "Private/PlanCandidate.cxx", "(a.Cost == b.Cost && a.Bytes < b.Bytes)", "false",
+add("Planning.memory-decides-nothing", "Private/PlanSearch.cxx", "(a.Cost == b.Cost && a.Bytes < b.Bytes)", "false",
     "Planner.EvaluateAllListsEveryMethod")
-add("Planning.pictures-without-their-density", "Private/PlanPictures.cxx", "std::max(std::sin(turned), LeastSine);", "1.0;",
+add("Planning.pictures-without-their-density", "Private/PlanComparison.cxx", "std::max(std::sin(turned), LeastSine);", "1.0;",
     "PlanPictures.AreWhatCamerasSee")
-add("Planning.store-lends-twice", "Private/MaterialStore.cxx", "  Parts parts = std::move(known->Material);\n  this->Entries.erase(known);",
-    "  Parts parts = known->Material;", "MaterialStore.KeepsTheLastOnes")
-add("Planning.store-has-no-bound", "Private/MaterialStore.cxx", "sum > this->Most ?", "false ?", "MaterialStore.KeepsTheLastOnes")
+add("Planning.store-lends-twice", "Private/MaterialStore.cxx", "  Parts parts = std::move(known->second);\n  this->Entries.erase(known);",
+    "  Parts parts = known->second;", "MaterialStore.KeepsTheLastOnes")
+add("Planning.store-has-no-bound", "Private/MaterialStore.cxx", "sum > this->MostBytes ?", "false ?", "MaterialStore.KeepsTheLastOnes")
 add("Planning.sample-without-weights", "Private/PlanSample.cxx", "weights[k] / draws[k]", "weights[k]",
     "PlanSample.LooksWhereMethodsDiffer")
 add("Planning.sample-is-uniform", "Private/PlanSample.cxx", "constexpr double ShareByDifference = 0.35;",
@@ -683,16 +676,16 @@ add("Planning.sample-leaves-the-dark-out", "Private/PlanSample.cxx", "(1.0 - Sha
     "0.0", "PlanSample.LeavesNothingOut")
 add("Planning.lights-for-mirrors", "Private/PlanReference.cxx", "return task.BRDF->IsIsotropic() &&",
     "return task.BRDF->IsIsotropic() ||", "PlanReference.KnowsItsErrorUnder*")
-add("Planning.lights-without-error", "Private/PlanReference.cxx", "comparison.ReferenceError = own + fewer;",
-    "comparison.ReferenceError = 0.0;", "PlanReference.IsNearlyExact")
-add("Planning.between-is-inside", "Private/PlanPoints.cxx", "const double share = Reach * (2.0 * this->Draw() - 1.0);",
-    "const double share = 0.5 * Reach * this->Draw();", "PlanPoints.HaveOthersBetween")
+add("Planning.lights-without-error", "Private/PlanReference.cxx", "error = own + fewer;",
+    "error = 0.0;", "PlanReference.IsNearlyExact")
+add("Planning.between-is-inside", "Private/PlanPairs.cxx", "isFirst ? 0.0 : Reach * (2.0 * this->Draw() - 1.0);",
+    "isFirst ? 0.0 : 0.5 * Reach * this->Draw();", "PlanPoints.HaveOthersBetween")
 add("Planning.memory-without-the-material", "Private/PlanSearch.cxx",
     "candidate.Bytes += static_cast<vtkIdType>(form.GetTextureBytes());", "",
     "Planner.TextureMemoryOfTheMaterial")
 add("Planning.own-methods-stop-the-search", "Private/PlanSearch.cxx",
-    "if (this->Aborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))",
-    "if (this->Aborted() || !candidate.Method.empty())", "RadianceMethods.WhatFailsIsLeftOutWithAWarning")
+    "if (this->Task.IsAborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))",
+    "if (this->Task.IsAborted() || !candidate.Method.empty())", "RadianceMethods.WhatFailsIsLeftOutWithAWarning")
 add("Planning.normals-over-half-a-turn", "Private/PlanPairs.cxx", "const double turn = RadicalInverse(index, 3);",
     "const double turn = 0.5 * RadicalInverse(index, 3);", "PlanSample.CrowdsAboutLamps")
 add("Planning.lamps-without-weights", "Private/PlanPairs.cxx", "const double density = share * lamps.GetDensity(mirror);",
@@ -713,17 +706,15 @@ add("Rendering.stand-in-form-for-nobody", "Private/StandInBRDF.cxx", "made->Mate
     "made->Material = material;\n  made->GetRenderable();", "StandIns.NoFormWhereNoLightNeedsIt")
 add("Rendering.plan-learns-of-no-light", "Private/CurrentPlan.cxx", "this->Job->WantForm();", "",
     "StandIns.LightsThatComeWhileAPlanIsMade")
-add("Rendering.failed-plan-begun-again", "Private/CurrentPlan.cxx", "this->Take(wanted, true, done ? job->GetPlan() : nullptr);",
-    "this->Take(this->Job->GetPlan() ? wanted : PlanInputs(), true, this->Job->GetPlan());",
+add("Rendering.failed-plan-begun-again", "Private/CurrentPlan.cxx", "this->Adopt(wanted, true, done ? job->GetPlan() : nullptr);",
+    "this->Adopt(this->Job->GetPlan() ? wanted : PlanInputs(), true, this->Job->GetPlan());",
     "StandIns.PlansThatFail")
 add("Rendering.failed-stand-in-tried-again", "Private/BRDFTextures.cxx", "if (time <= this->FailureTime)",
     "if (time < 0 * this->FailureTime)", "StandIns.ThoseThatFailAreTriedOnce")
-add("Rendering.plans-beside-stand-ins", "Private/PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->Planning > 0 || this->IsStopped; }",
+add("Rendering.plans-beside-stand-ins", "Private/PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->IsStopped; }",
     "{ return this->Holds < 9; }", "SideBySide.HeldUntilSomebodyWaits")
-add("Rendering.wait-for-what-is-held", "Private/PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->Planning > 0 || this->IsStopped; }",
-    "{ return this->Holds == 0 || this->Planning > 0; }", "SideBySide.HeldUntilSomebodyWaits")
-add("Rendering.held-jobs-wait-for-plans", "Private/CurrentPlan.cxx", "  const PlanJob::Beside beside;\n", "",
-    "SideBySide.HeldJobsRunBesideAThreadThatPlans")
+add("Rendering.wait-for-what-is-held", "Private/PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->IsStopped; }",
+    "{ return this->Holds == 0; }", "SideBySide.HeldUntilSomebodyWaits")
 add("Rendering.refused-occlusion-unsaid", "Private/MaterialDrawingOcclusion.cxx", "if (refused > 0)",
     "if (refused > 9)", "OcclusionBlocks.SomeHaveArrays")
 add("Material.cells-of-one-side-only", "Private/HalfDifferenceFill.cxx",
@@ -737,13 +728,13 @@ add("Material.quick-for-another-tolerance", "Private/RenderableTable.h", "this->
     "this->Table && tolerance > 0.0", "QuickTables.StandInUntilTheRealOneIsMade")
 add("Integration.quick-is-slow", "vtkTableRadianceIntegrator.cxx", "std::make_shared<Precomputation>(this->Quick)",
     "std::make_shared<Precomputation>()", "Tables.QuickOnesEvaluateLittle")
-add("Rendering.plan-key-without-pixels-of-the-light", "Private/SharedPlans.h", "this->Environment, this->PixelsTime,",
+add("Rendering.plan-key-without-pixels-of-the-light", "Private/PlanJob.h", "this->Environment, this->PixelsTime,",
     "this->Environment, vtkMTimeType(0),", "Background.EverythingThatCountsBeginsAnother")
-add("Rendering.plan-key-without-tolerance", "Private/SharedPlans.h", "this->PixelsTime, this->Tolerance,",
+add("Rendering.plan-key-without-tolerance", "Private/PlanJob.h", "this->PixelsTime, this->Tolerance,",
     "this->PixelsTime, 0.0,", "Background.EverythingThatCountsBeginsAnother")
-add("Rendering.seen-pairs-turned-the-other-way", "Private/SharedPlans.cxx", "turned = toWorld * direction;",
+add("Rendering.seen-pairs-turned-the-other-way", "Private/PlanJob.cxx", "turned = toWorld * direction;",
     "turned = direction * toWorld;", "Views.ATurnedLightIsTurnedPixels")
-add("Rendering.plan-without-tolerance", "Private/SharedPlans.cxx", "planner->SetErrorTolerance(inputs.Tolerance);",
+add("Rendering.plan-without-tolerance", "Private/PlanJob.cxx", "planner->SetErrorTolerance(inputs.Tolerance);",
     "", "Background.EverythingThatCountsBeginsAnother|Auto.PlansOnce|Auto.MatchesThePlannedIntegrator")
 add("Rendering.plan-bridges-changed-pixels", "Private/CurrentPlan.cxx",
     "this->Plan->GetEnvironment()->GetPixelsMTime() == this->Times[1];", "this->Times[1] > 0;",
@@ -768,8 +759,8 @@ add("Rendering.what-is-outside-counts", "Private/VisibleSurface.cxx", "if (!eye.
     "Visible.OnlyWhatIsInThePictureCounts")
 add("Rendering.left-tables-go-on", "Private/PlanJob.cxx", "return this->Planner->GetAbort(); });", "return false; });",
     "CurrentPlan.LeavesResamplingInTheMiddle")
-add("Rendering.left-plans-go-on", "Private/PlanJob.cxx", "else\n    {\n      this->Planner->SetAbort(true);\n    }",
-    "", "Background.AChangeStopsWhatIsInTheMaking")
+add("Rendering.left-plans-go-on", "Private/PlanJob.cxx", "job->Planner->SetAbort(true);\n    }\n  }\n\n  /// goesOn", "}\n  }\n\n  /// goesOn",
+    "Background.AChangeStopsWhatIsInTheMaking")
 add("Rendering.changed-materials-are-not-redrawn", "Private/MaterialSettings.cxx", "add(this->BRDF);", "",
     "Mapper.RebuildsExactlyWhenItMust|Scene.RedrawTimeFollowsAppearance")
 add("Rendering.largest-tolerance", "Private/MaterialSettings.h", "LargestTolerance = 1.0;",
@@ -1290,8 +1281,8 @@ add("Rendering.what-throws-is-not-drawn", "Private/vtkMeasuredBRDFMapperMixin.tx
     "tries = false;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
 add("Rendering.shared-created-light-shines", "Private/DrawsColor.cxx", "other->GetLights() == renderer->GetLights() &&",
     "false &&", "MapperShading.LightThatVTKCreated")
-add("Rendering.plans-before-of-gone-renderers", "Private/MapperPlans.cxx", "this->EndIf(this->Before, isGone);", "",
-    "Views.GoWithTheirRenderersAndActors")
+add("Rendering.plans-before-stay", "Private/MapperPlans.cxx", "  if (view.Drawn)", "  if (view.Drawn && view.Looks.size() > 99)",
+    "Views.ForViewIsBridged*")
 add("Rendering.kept-light-does-not-turn", "Private/OcclusionKept.cxx", "add(turn[column]);", "add(0.0 * turn[column]);",
     "OcclusionPointsTest.LightMayTurnAndRestAgain")
 add("Rendering.views-take-each-others-light", "Private/OcclusionPoints.cxx", "state->Of.View == question.View &&", "true &&",

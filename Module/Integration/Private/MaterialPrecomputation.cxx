@@ -131,14 +131,14 @@ vtkSmartPointer<vtkBRDF> MaterialPrecomputation::GetLampForm(
   return form;
 }
 
-void MaterialPrecomputation::Trim(int mostAngles, int mostNodes, bool keepsExpanded)
+void MaterialPrecomputation::Trim(int mostAngles, int mostNodes)
 {
   this->Remainders.clear();
   this->LampForms.clear();
   for (auto it = this->KernelsOf.begin(); it != this->KernelsOf.end();)
   {
     const bool isKept = it->first.first <= mostAngles && it->first.second <= mostNodes;
-    const bool isExpanded = keepsExpanded && !this->Expansions[&it->second].Harmonics.empty();
+    const bool isExpanded = !this->Expansions[&it->second].Harmonics.empty();
     for (const auto& kernel : it->second)
     {
       if (kernel && !isKept && isExpanded)

@@ -85,9 +85,8 @@ public:
     vtkBRDF* brdf, double spread, const std::atomic<bool>& abort);
 
   /// Without what few plans need: what a factored table lacks, and the nodes of kernels at more
-  /// than so many angles or of more than so many nodes. keepsExpanded: whether these kernels'
-  /// harmonics stay.
-  void Trim(int mostAngles, int mostNodes, bool keepsExpanded = true);
+  /// than so many angles or of more than so many nodes. Their harmonics stay.
+  void Trim(int mostAngles, int mostNodes);
 
   /// Of an isotropic material's data on the heap, about.
   std::size_t GetBytes() const;

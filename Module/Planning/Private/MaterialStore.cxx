@@ -3,11 +3,10 @@
 #include "MaterialStore.h"
 
 #include "BackgroundThreads.h"
+#include "MaterialPrecomputation.h"
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
-#include <utility>
 
 namespace measuredbrdf
 {
@@ -21,8 +20,8 @@ MaterialStore& MaterialStore::Get()
 {
   static MaterialStore& store = []() -> MaterialStore&
   {
-    auto* kept = new MaterialStore(MostBytes); // threads may still plan when statics go
-    ReleaseAtExit([kept]() { kept->Clear(); });
+    auto* kept = new MaterialStore(16000000); // threads may still plan when statics go
+    ReleaseAtExit([kept]() { kept->Entries.clear(); });
     return *kept;
   }();
   return store;
@@ -32,72 +31,31 @@ MaterialStore::Parts MaterialStore::Take(const std::string& key)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   const auto known = std::find_if(this->Entries.begin(), this->Entries.end(),
-    [&key](const Entry& entry) { return entry.Key == key; });
-  if (key.empty() || known == this->Entries.end())
+    [&key](const auto& entry) { return entry.first == key; });
+  if (known == this->Entries.end())
   {
     return std::make_shared<vtkRadianceIntegrator::Precomputation>();
   }
-  Parts parts = std::move(known->Material);
+  Parts parts = std::move(known->second);
   this->Entries.erase(known);
   return parts;
 }
 
 void MaterialStore::PutBack(const std::string& key, Parts parts)
 {
-  if (key.empty() || !parts)
+  if (key.empty()) // it does not say what it is
   {
     return;
   }
   parts->Trim(MostAngles, MostNodes);
-  const std::size_t bytes = parts->GetBytes();
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  this->Entries.remove_if([&key](const Entry& entry) { return entry.Key == key; });
-  this->Entries.push_front({ key, std::move(parts), bytes });
-  this->TrimOldOnes();
+  this->Entries.remove_if([&key](const auto& entry) { return entry.first == key; });
+  this->Entries.emplace_front(key, std::move(parts));
   std::size_t sum = 0;
   for (auto it = this->Entries.begin(); it != this->Entries.end();)
   {
-    sum += it->Bytes;
-    it = sum > this->Most ? this->Entries.erase(it) : std::next(it);
+    sum += it->second->GetBytes();
+    it = sum > this->MostBytes ? this->Entries.erase(it) : std::next(it);
   }
-}
-
-void MaterialStore::Clear()
-{
-  const std::lock_guard<std::mutex> lock(this->Mutex);
-  this->Entries.clear();
-}
-
-// Before any material is forgotten: only the last ones, as many as fit into half of the bytes, keep
-// what few plans need.
-void MaterialStore::TrimOldOnes()
-{
-  const auto add = [](std::size_t bytes, const Entry& entry) { return bytes + entry.Bytes; };
-  if (std::accumulate(this->Entries.begin(), this->Entries.end(), std::size_t(0), add) <=
-      this->Most)
-  {
-    return;
-  }
-  std::size_t sum = 0;
-  for (Entry& entry : this->Entries)
-  {
-    sum += entry.Bytes;
-    if (sum > this->Most / 2)
-    {
-      entry.Material->Trim(MostAngles, MostNodes, false);
-      entry.Bytes = entry.Material->GetBytes();
-    }
-  }
-}
-
-std::size_t MaterialStore::GetBytes()
-{
-  const std::lock_guard<std::mutex> lock(this->Mutex);
-  std::size_t sum = 0;
-  for (const Entry& entry : this->Entries)
-  {
-    sum += entry.Bytes;
-  }
-  return sum;
 }
 } // namespace measuredbrdf

@@ -8,7 +8,6 @@
 #ifndef MaterialStore_h
 #define MaterialStore_h
 
-#include "MaterialPrecomputation.h"
 #include "vtkRadianceIntegrator.h"
 
 #include <cstddef>
@@ -16,6 +15,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 
 namespace measuredbrdf
 {
@@ -27,37 +27,25 @@ class MaterialStore
 public:
   using Parts = std::shared_ptr<vtkRadianceIntegrator::Precomputation>;
 
-  /// The program's. It keeps at most so many bytes.
-  static constexpr std::size_t MostBytes = 16000000;
+  /// The program's, released when the process ends. It keeps at most 16 MB.
   static MaterialStore& Get();
 
   explicit MaterialStore(std::size_t mostBytes)
-    : Most(mostBytes)
+    : MostBytes(mostBytes)
   {
   }
 
   /// What is known of it, or nothing yet; never null.
   Parts Take(const std::string& key);
 
-  /// Only whole: nothing that was aborted. Trimmed to what most plans need.
+  /// Only whole: nothing that was aborted. Trimmed to what most plans need. What was put back
+  /// longest ago goes where there is too much.
   void PutBack(const std::string& key, Parts parts);
 
-  std::size_t GetBytes();
-
-  void Clear();
-
 private:
-  struct Entry
-  {
-    std::string Key;
-    Parts Material;
-    std::size_t Bytes;
-  };
-  void TrimOldOnes();
-
+  const std::size_t MostBytes;
   std::mutex Mutex;
-  std::list<Entry> Entries; // the last one first
-  std::size_t Most;
+  std::list<std::pair<std::string, Parts>> Entries; // the last one first
 };
 } // namespace measuredbrdf
 

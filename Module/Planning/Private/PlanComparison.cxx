@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlanComparison.h"
 
-#include "PlanPictures.h"
+#include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,21 +15,21 @@ namespace measuredbrdf
 {
 namespace
 {
+constexpr double LeastSine = 0.05;     // of twice the view's angle: few pairs look from there
 constexpr double StandardErrors = 2.0; // that are added: what is predicted shall hold
 
-constexpr double OwnWidth = 20.0; // PictureSums: fewer pairs than are drawn
+constexpr double OwnWidth = 20.0; // GetPictureRatios: fewer pairs than are drawn
 
 // The largest of the pictures' errors in units of that of all, by the geometric mean of what the
 // candidate has on the few pairs that it was compared on and what a cheap one has on all that were
 // drawn: the first is its own, and the second is nearly without chance (measured on 34 plans:
 // docs/methods/planner.md, "Single pictures").
-double GetLargestRatio(const PictureSums& own, const std::vector<double>& cheap)
+double GetLargestRatio(const std::vector<double>& own, const std::vector<double>& cheap)
 {
-  const std::vector<double> ratios = own.GetRatios();
   double largest = 1.0; // some picture has what all have in the mean
-  for (std::size_t k = 0; k < ratios.size(); ++k)
+  for (std::size_t k = 0; k < own.size(); ++k)
   {
-    largest = std::max(largest, cheap.empty() ? ratios[k] : std::sqrt(ratios[k] * cheap[k]));
+    largest = std::max(largest, cheap.empty() ? own[k] : std::sqrt(own[k] * cheap[k]));
   }
   return largest;
 }
@@ -95,12 +96,47 @@ PlanError Compare(const PlanComparison& comparison, vtkDoubleArray* radiance)
   const double squares = SumSquares(comparison.Pairs.Points, differences, references, error);
   const double uncertainty =
     std::hypot(StandardErrors * std::sqrt(squares) / sum, comparison.ReferenceError);
-  PictureSums pictures(OwnWidth);
-  pictures.Add(comparison.Pairs, differences, references);
+  const std::vector<double> pictures =
+    GetPictureRatios(comparison.Pairs, OwnWidth, differences, references);
   const double mean = sum / std::accumulate(weights.begin(), weights.end(), 0.0);
   return { error + uncertainty, uncertainty,
     GetLargestRatio(pictures, comparison.Pairs.Ratios) * (error + uncertainty),
     { GetPercentile(differences, weights, 0.95) / mean,
       GetPercentile(differences, weights, 0.99) / mean } };
+}
+
+std::vector<double> GetPictureRatios(const PlanPairs& pairs, double width,
+  const std::vector<double>& differences, const std::vector<double>& references)
+{
+  const double sum = std::accumulate(references.begin(), references.end(), 0.0);
+  const double mean = std::accumulate(differences.begin(), differences.end(), 0.0) / sum;
+  std::vector<double> ratios;
+  if (!(mean > 0.0) || !(sum > 0.0))
+  {
+    return ratios;
+  }
+  for (std::size_t c = 0; c < pairs.Cameras.size(); c += 3)
+  {
+    const glm::dvec3 camera = glm::make_vec3(&pairs.Cameras[c]);
+    double difference = 0.0;
+    double reference = 0.0;
+    for (std::size_t k = 0; k < differences.size(); ++k)
+    {
+      const auto tuple = static_cast<vtkIdType>(k);
+      const glm::dvec3 normal = glm::make_vec3(pairs.Normals->GetPointer(3 * tuple));
+      const glm::dvec3 view = glm::make_vec3(pairs.Views->GetPointer(3 * tuple));
+      const double cosine = std::clamp(glm::dot(normal, view), -1.0, 1.0);
+      const glm::dvec3 mirror = 2.0 * cosine * normal - view;
+      const double turned = 2.0 * std::acos(cosine); // from the view to the mirror direction
+      const double density = std::max(std::sin(turned), LeastSine); // of views that do so
+      const double seen = std::acos(std::clamp(glm::dot(mirror, camera), -1.0, 1.0));
+      const double x = (seen - turned) / glm::radians(width);
+      const double share = std::max(1.0 - x * x, 0.0) / density;
+      difference += share * differences[k];
+      reference += share * references[k];
+    }
+    ratios.push_back(reference > 0.0 ? difference / reference / mean : 0.0);
+  }
+  return ratios;
 }
 } // namespace measuredbrdf

@@ -2,14 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlanReference.h"
 
+#include "EnvironmentPrecomputation.h"
 #include "HalfVector.h" // for Pi
-#include "LightsReference.h"
+#include "LightLanes.h"
 #include "LobeViews.h"
+#include "LocalFrame.h"
 #include "MaterialPrecomputation.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
+#include "vtkLightSet.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <iterator>
 
 namespace measuredbrdf
 {
@@ -29,144 +38,212 @@ constexpr double ShareOfTolerance = 0.5; // that the adaptive integral may be of
 constexpr double LargestTolerance = 0.01;
 constexpr double Finer = 0.125; // of that, against which its error is measured
 
-// Some of a comparison's pairs, and what a nearly exact reference says of them.
-class FewPairs
+constexpr int LightCounts[] = { 4096, 2048, 1024, 256 }; // of variance light sets
+constexpr std::size_t LightsAtOnce = 128;                // those above the horizon
+
+// A sum over many lights, for lobes that are broad. Suns and lamps are lights of their own; the
+// rest is a variance light set. How far that is from the integral depends on the material.
+class LightsReference : public vtkRadianceIntegrator
 {
 public:
-  FewPairs(
-    const PlanTask& task, const IsAborted& isAborted, const PlanPairs& all, std::string& problem)
-    : Task(task)
-    , Aborted(isAborted)
-    , Problem(problem)
-  {
-    PlanPairs& pairs = this->Comparison.Pairs;
-    pairs = MakeEmptyPairs();
-    const vtkIdType count = all.Normals->GetNumberOfTuples();
-    const vtkIdType step = std::max<vtkIdType>(count / ProbePairs, 1);
-    for (vtkIdType k = step / 2; k < count; k += step)
-    {
-      pairs.Normals->InsertNextTuple(all.Normals->GetTuple(k));
-      pairs.Views->InsertNextTuple(all.Views->GetTuple(k));
-      if (!all.Weights.empty())
-      {
-        pairs.Weights.push_back(all.Weights[static_cast<std::size_t>(k)]);
-      }
-    }
-  }
+  static LightsReference* New();
+  vtkTypeMacro(LightsReference, vtkRadianceIntegrator);
+  vtkSetMacro(NumberOfLights, int); // one of LightCounts
 
-  /// False, with a problem in words, where that failed or was aborted.
-  bool SetExact(vtkRadianceIntegrator* integrator)
-  {
-    this->Comparison.Reference = vtkSmartPointer<vtkDoubleArray>::New();
-    return this->Integrate(integrator, this->Comparison.Reference);
-  }
-
-  /// How far an integrator is from that, with two standard errors, as Compare has it.
-  bool Measure(vtkRadianceIntegrator* integrator, double& error)
-  {
-    vtkNew<vtkDoubleArray> radiance;
-    const bool integrated = this->Integrate(integrator, radiance);
-    error = integrated ? Compare(this->Comparison, radiance).Error : 0.0;
-    return integrated;
-  }
+protected:
+  bool Begin() override;
+  void IntegratePart(
+    int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
 
 private:
-  bool Integrate(vtkRadianceIntegrator* integrator, vtkDoubleArray* radiance)
-  {
-    integrator->SetBRDF(this->Task.BRDF);
-    integrator->SetEnvironment(this->Task.Environment);
-    const AbortForwarder supervision(this->Aborted, integrator, this->Problem);
-    const PlanPairs& pairs = this->Comparison.Pairs;
-    return integrator->Integrate(pairs.Normals, pairs.Views, radiance);
-  }
-
-  const PlanTask& Task;
-  const IsAborted& Aborted;
-  std::string& Problem;
-  PlanComparison Comparison;
+  int NumberOfLights = LightCounts[0];
+  LightLanes Lanes; // of the material
+  // By index: the material is evaluated for many at a time.
+  std::vector<glm::dvec3> Directions;
+  std::vector<glm::dvec3> Irradiances;
 };
 
-bool MayLightsDo(const PlanTask& task, const std::atomic<bool>& abort)
+vtkStandardNewMacro(LightsReference);
+
+bool LightsReference::Begin()
 {
-  const double light = 4.0 * Pi / LightsReference::GetCounts().front(); // sr
-  return task.BRDF->IsIsotropic() && task.Shared->GetViews(task.BRDF, abort).GetSharpShare(light) <=
+  const auto goOn = [this]() { return this->Report(0.0); };
+  EnvironmentPrecomputation& parts = this->Environment->GetParts();
+  const auto bright = parts.GetExtractedEmitters(
+    this->Environment, ExtractedEmitters::DefaultShare, MostReferenceSuns, goOn);
+  const std::vector<int> counts(std::begin(LightCounts), std::end(LightCounts));
+  const auto sets = bright ? parts.GetLightSets(this->Environment, bright->Rest, counts, goOn)
+                           : std::vector<vtkSmartPointer<vtkLightSet>>();
+  if (sets.empty())
+  {
+    vtkErrorMacro("Integrate: aborted.");
+    return false;
+  }
+  this->Lanes = LightLanes(this->BRDF);
+  this->Directions.clear();
+  this->Irradiances.clear();
+  for (const ExtractedEmitters::Light& sun : bright->Lights)
+  {
+    this->Directions.push_back(sun.Direction);
+    this->Irradiances.push_back(sun.Irradiance);
+  }
+  const auto which = std::find(counts.begin(), counts.end(), this->NumberOfLights);
+  vtkLightSet* others = sets[static_cast<std::size_t>(which - counts.begin())];
+  for (int k = 0; k < others->GetNumberOfLights(); ++k)
+  {
+    glm::dvec3 direction, irradiance;
+    others->GetDirection(k, &direction.x);
+    others->GetIrradiance(k, &irradiance.x);
+    this->Directions.push_back(direction);
+    this->Irradiances.push_back(irradiance);
+  }
+  return true;
+}
+
+void LightsReference::IntegratePart(
+  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
+{
+  const Frame frame = FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
+  const glm::dvec3 view = LiftView(ToLocal(frame, glm::make_vec3(o)));
+  std::array<glm::dvec3, LightsAtOnce> above, irradiances, values;
+  glm::dvec3 sum(0.0);
+  const std::size_t count = this->Directions.size();
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    above[found] = ToLocal(frame, this->Directions[k]);
+    irradiances[found] = this->Irradiances[k];
+    found += above[found].z > 0.0 ? 1 : 0;
+    if (found == LightsAtOnce || k + 1 == count)
+    {
+      this->Lanes.Evaluate(found, above.data(), view, values.data());
+      for (std::size_t j = 0; j < found; ++j)
+      {
+        sum += above[j].z * values[j] * irradiances[j];
+      }
+      found = 0;
+    }
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    radiance[c] += sum[c];
+  }
+}
+
+// Some of the pairs.
+PlanPairs TakeSome(const PlanPairs& all)
+{
+  PlanPairs pairs = MakeEmptyPairs();
+  const vtkIdType count = all.Normals->GetNumberOfTuples();
+  const vtkIdType step = std::max<vtkIdType>(count / ProbePairs, 1);
+  for (vtkIdType k = step / 2; k < count; k += step)
+  {
+    pairs.Normals->InsertNextTuple(all.Normals->GetTuple(k));
+    pairs.Views->InsertNextTuple(all.Views->GetTuple(k));
+    if (!all.Weights.empty())
+    {
+      pairs.Weights.push_back(all.Weights[static_cast<std::size_t>(k)]);
+    }
+  }
+  return pairs;
+}
+
+// What an integrator says of the few pairs becomes what others are compared with.
+bool SetReference(PlanTask& task, vtkRadianceIntegrator* integrator, PlanComparison& few)
+{
+  few.Reference = vtkSmartPointer<vtkDoubleArray>::New();
+  return Integrate(task, integrator, few.Pairs, few.Reference);
+}
+
+// How far an integrator is from that, with two standard errors.
+bool Measure(
+  PlanTask& task, vtkRadianceIntegrator* integrator, const PlanComparison& few, double& error)
+{
+  vtkNew<vtkDoubleArray> radiance;
+  const bool integrated = Integrate(task, integrator, few.Pairs, radiance);
+  error = integrated ? Compare(few, radiance).Error : 0.0;
+  return integrated;
+}
+
+bool MayLightsDo(const PlanTask& task)
+{
+  const double light = 4.0 * Pi / LightCounts[0]; // sr
+  const std::atomic<bool> never{ false };         // the views are known
+  return task.BRDF->IsIsotropic() && task.Shared->GetViews(task.BRDF, never).GetSharpShare(light) <=
                                        std::min(UnseenShare * task.Tolerance, LargestError);
 }
 
 // The fewest lights that do, and how far they are off: what half of all differ from all, and they.
-// Leaves the comparison as it is where all lights do not.
-bool TryLights(const PlanTask& task, FewPairs& few, PlanComparison& comparison)
+// None where all lights do not.
+bool TryLights(PlanTask& task, PlanComparison& few, vtkSmartPointer<vtkRadianceIntegrator>& chosen,
+  double& error)
 {
-  const std::vector<int>& counts = LightsReference::GetCounts();
   const auto lights = vtkSmartPointer<LightsReference>::New();
-  if (!few.SetExact(lights))
+  lights->SetBRDF(task.BRDF);
+  lights->SetEnvironment(task.Environment);
+  if (!SetReference(task, lights, few))
   {
     return false;
   }
   double own = 0.0;
   double fewer = 0.0;
-  int chosen = counts.front();
-  for (std::size_t k = 1; k < counts.size(); ++k)
+  int number = LightCounts[0];
+  for (const int count : LightCounts)
   {
-    double error = 0.0;
-    lights->SetNumberOfLights(counts[k]);
-    if (!few.Measure(lights, error))
+    double other = 0.0;
+    lights->SetNumberOfLights(count);
+    if (count < LightCounts[0] && !Measure(task, lights, few, other))
     {
       return false;
     }
-    own = k == 1 ? error : own;
+    own = count == LightCounts[1] ? other : own;
     if (!(own <= std::min(LightsShare * task.Tolerance, LargestError)))
     {
       return true;
     }
-    if (error > std::min(FewerShare * task.Tolerance, LargestError))
+    if (other > std::min(FewerShare * task.Tolerance, LargestError))
     {
       break;
     }
-    chosen = counts[k];
-    fewer = error;
+    number = count;
+    fewer = other;
   }
-  lights->SetNumberOfLights(chosen);
-  comparison.Integrator = lights;
-  comparison.ReferenceError = own + fewer;
+  lights->SetNumberOfLights(number);
+  chosen = lights;
+  error = own + fewer;
   return true;
 }
 
-bool TakeAdaptive(const PlanTask& task, FewPairs& few, PlanComparison& comparison)
+bool TakeAdaptive(PlanTask& task, PlanComparison& few,
+  vtkSmartPointer<vtkRadianceIntegrator>& chosen, double& error)
 {
   const double tolerance = std::min(ShareOfTolerance * task.Tolerance, LargestTolerance);
   const auto adaptive = vtkSmartPointer<vtkAdaptiveRadianceIntegrator>::New();
+  adaptive->SetBRDF(task.BRDF);
+  adaptive->SetEnvironment(task.Environment);
   adaptive->SetTolerance(Finer * tolerance);
-  if (!few.SetExact(adaptive))
+  if (!SetReference(task, adaptive, few))
   {
     return false;
   }
   adaptive->SetTolerance(tolerance);
-  comparison.Integrator = adaptive;
-  return few.Measure(adaptive, comparison.ReferenceError);
+  chosen = adaptive;
+  return Measure(task, adaptive, few, error);
 }
 }
 
-bool MakeReference(const PlanTask& task, const IsAborted& isAborted, const std::atomic<bool>& abort,
-  PlanComparison& comparison, std::string& problem)
+vtkSmartPointer<vtkRadianceIntegrator> MakeReference(PlanTask& task, PlanComparison& comparison)
 {
-  if (comparison.Reference || !comparison.Pairs.Normals)
+  PlanComparison few;
+  few.Pairs = TakeSome(comparison.Pairs);
+  vtkSmartPointer<vtkRadianceIntegrator> chosen;
+  double& error = comparison.ReferenceError;
+  const bool known = !MayLightsDo(task) || TryLights(task, few, chosen, error);
+  if (!known || (!chosen && !TakeAdaptive(task, few, chosen, error)))
   {
-    return comparison.Reference != nullptr;
+    return nullptr;
   }
-  if (!comparison.Integrator)
-  {
-    FewPairs few(task, isAborted, comparison.Pairs, problem);
-    if ((MayLightsDo(task, abort) && !TryLights(task, few, comparison)) ||
-        (!comparison.Integrator && !TakeAdaptive(task, few, comparison)))
-    {
-      return false;
-    }
-  }
-  const auto& integrator = comparison.Integrator;
-  const AbortForwarder supervision(isAborted, integrator, problem);
   comparison.Reference = vtkSmartPointer<vtkDoubleArray>::New();
-  return integrator->Integrate(
-    comparison.Pairs.Normals, comparison.Pairs.Views, comparison.Reference);
+  return Integrate(task, chosen, comparison.Pairs, comparison.Reference) ? chosen : nullptr;
 }
 } // namespace measuredbrdf

@@ -9,27 +9,24 @@
 #ifndef PlanReference_h
 #define PlanReference_h
 
-#include "PlanCandidate.h"
-#include "PlanComparison.h"
-#include "PlanSearch.h" // for IsAborted
-
-#include <atomic>
-#include <string>
+#include "PlanSearch.h"
 
 namespace measuredbrdf
 {
+/// Largest number of suns and lamps that are lights of their own.
+constexpr int MostReferenceSuns = 64;
+
 /**
- * What the comparison's pairs reflect, by its Integrator. Where it has none, this chooses one and
- * measures on some of the pairs how far it is from the truth (ReferenceError, relative L1 with two
- * standard errors): a sum over lights (LightsReference) for an isotropic material of which nothing
- * is sharper than a light is wide, and which half as many lights reflect nearly alike; else the
- * adaptive integral, each pair to half the tolerance that plans are made for, at most 1 %, against
- * an eighth of that.
+ * Find what the comparison's pairs reflect, and measure on some of them how far that is from the
+ * truth (ReferenceError, relative L1 with two standard errors): by a sum over lights for an
+ * isotropic material of which nothing is sharper than a light is wide, and which half as many
+ * lights reflect nearly alike; else by the adaptive integral, each pair to half the tolerance that
+ * plans are made for, at most 1 %, against an eighth of that.
  *
- * False where there are no pairs or, with a problem in words, where that failed or was aborted.
+ * Returns what computed the comparison's Reference; null, with the task's Problem, where that
+ * failed or was aborted.
  */
-bool MakeReference(const PlanTask& task, const IsAborted& isAborted, const std::atomic<bool>& abort,
-  PlanComparison& comparison, std::string& problem);
+vtkSmartPointer<vtkRadianceIntegrator> MakeReference(PlanTask& task, PlanComparison& comparison);
 } // namespace measuredbrdf
 
 #endif

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlanSample.h"
 
-#include "PlanPictures.h"
-#include "PlanPoints.h"
 #include "vtkNew.h"
 #include "vtkRadianceMethods.h"
 
@@ -33,34 +31,7 @@ constexpr vtkIdType PairsAlike = 4097;
 constexpr int PairsWhereItVaries = 4096;
 constexpr int Rounds = 2;
 
-constexpr double DrawnWidth = 12.0; // PictureSums
-
-// How often each of them is drawn, count in all, but at most once each.
-std::vector<double> LimitToOnce(std::vector<double> draws, int count)
-{
-  for (int round = 0; round < 8; ++round) // each makes up for what the one before cut off
-  {
-    double open = count; // draws that are left for those below one
-    double sum = 0.0;    // that these have
-    for (const double draw : draws)
-    {
-      if (draw < 1.0)
-      {
-        sum += draw;
-      }
-      else
-      {
-        open -= 1.0;
-      }
-    }
-    const double scale = sum > 0.0 ? std::max(open, 0.0) / sum : 0.0;
-    for (double& draw : draws)
-    {
-      draw = draw < 1.0 ? std::min(draw * scale, 1.0) : 1.0;
-    }
-  }
-  return draws;
-}
+constexpr double DrawnWidth = 12.0; // GetPictureRatios
 
 void Append(vtkDoubleArray* from, vtkDoubleArray* to)
 {
@@ -73,15 +44,13 @@ void Append(vtkDoubleArray* from, vtkDoubleArray* to)
 double GetFinite(double value) { return std::isfinite(value) ? value : 0.0; }
 
 // What two cheap candidates say that pairs reflect, more and more of them.
-class CheapPair
+struct CheapPair
 {
-public:
-  CheapPair(const PlanTask& task, const IsAborted& isAborted, PlanCandidate& coarse,
-    PlanCandidate& fine, std::string& problem)
+  PlanCandidate* Candidates[2]; // coarse and fine
+  vtkNew<vtkDoubleArray> Radiances[2];
+
+  CheapPair(PlanCandidate& coarse, PlanCandidate& fine)
     : Candidates{ &coarse, &fine }
-    , Task(task)
-    , Aborted(isAborted)
-    , Problem(problem)
   {
     for (const auto& radiance : this->Radiances)
     {
@@ -90,18 +59,13 @@ public:
   }
 
   // Further pairs.
-  bool Integrate(const PlanPairs& pairs)
+  bool Add(PlanTask& task, const PlanPairs& pairs)
   {
     for (std::size_t which = 0; which < 2; ++which)
     {
       PlanCandidate& candidate = *this->Candidates[which];
-      if (!PrepareCandidate(this->Task, this->Aborted, candidate, this->Problem))
-      {
-        return false;
-      }
-      const AbortForwarder supervision(this->Aborted, candidate.Integrator, this->Problem);
       vtkNew<vtkDoubleArray> radiance;
-      if (!candidate.Integrator->Integrate(pairs.Normals, pairs.Views, radiance))
+      if (!Prepare(task, candidate) || !Integrate(task, candidate.Integrator, pairs, radiance))
       {
         return false;
       }
@@ -109,16 +73,6 @@ public:
     }
     return true;
   }
-
-  vtkDoubleArray* GetCoarse() const { return this->Radiances[0]; }
-  vtkDoubleArray* GetFine() const { return this->Radiances[1]; }
-
-private:
-  PlanCandidate* Candidates[2];
-  vtkNew<vtkDoubleArray> Radiances[2];
-  const PlanTask& Task;
-  const IsAborted& Aborted;
-  std::string& Problem;
 };
 
 // Of each pair: by how much the two differ, and what the second says.
@@ -163,12 +117,12 @@ std::vector<std::size_t> OrderByDifference(
 }
 }
 
-bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
-  std::vector<PlanCandidate>& candidates, bool picture, PlanPairs& pairs, std::string& problem)
+bool SamplePairs(
+  PlanTask& task, std::vector<PlanCandidate>& candidates, bool picture, PlanPairs& pairs)
 {
-  if (pairs.Normals->GetNumberOfTuples() <= PairsToCompare || isAborted())
+  if (pairs.Normals->GetNumberOfTuples() <= PairsToCompare || task.IsAborted())
   {
-    return !isAborted();
+    return !task.IsAborted();
   }
   std::optional<PlanPoints> points;
   if (picture)
@@ -181,27 +135,22 @@ bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
   const auto larger = std::find_if(first, candidates.end(),
     [&first](const PlanCandidate& other)
     { return other.Method == first->Method && other.Sizes > first->Sizes; });
-  if (larger == candidates.end())
+  std::optional<CheapPair> cheap;
+  if (larger != candidates.end())
   {
-    if (points)
+    cheap.emplace(*first, *larger);
+    if (!cheap->Add(task, all))
     {
-      points->Weigh(all);
+      return false;
     }
-    pairs = ChoosePairs(all, nullptr, nullptr, PairsToCompare);
-    return true;
   }
-  CheapPair cheap(task, isAborted, *first, *larger, problem);
-  if (!cheap.Integrate(all))
-  {
-    return false;
-  }
-  for (int round = 0; points && round < Rounds; ++round)
+  for (int round = 0; points && cheap && round < Rounds; ++round)
   {
     std::vector<double> differences, radiances;
-    GetValues(cheap.GetCoarse(), cheap.GetFine(), differences, radiances);
+    GetValues(cheap->Radiances[0], cheap->Radiances[1], differences, radiances);
     const PlanPairs more =
       points->DrawWhereItVaries(differences, radiances, PairsWhereItVaries / Rounds);
-    if (more.Normals->GetNumberOfTuples() > 0 && !cheap.Integrate(more))
+    if (more.Normals->GetNumberOfTuples() > 0 && !cheap->Add(task, more))
     {
       return false;
     }
@@ -212,7 +161,8 @@ bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
   {
     points->Weigh(all);
   }
-  pairs = ChoosePairs(all, cheap.GetCoarse(), cheap.GetFine(), PairsToCompare);
+  pairs = ChoosePairs(all, cheap ? cheap->Radiances[0].Get() : nullptr,
+    cheap ? cheap->Radiances[1].Get() : nullptr, PairsToCompare);
   return true;
 }
 
@@ -245,18 +195,13 @@ PlanPairs ChoosePairs(const PlanPairs& all, vtkDoubleArray* coarse, vtkDoubleArr
     draws[k] = count * (others + shares[0] * differences[k] + shares[1] * radiances[k] +
                          shares[2] * weights[k]);
   }
-  draws = LimitToOnce(draws, count);
-  // In equal steps through the draws of all: of a picture, some of everywhere; of all views, where
-  // two pairs are hardly ever close together, some of every difference.
-  const std::vector<std::size_t> order =
-    all.Points.empty() ? OrderByDifference(differences, weights) : OrderByPlace(all);
+  draws = ScaleToSum(std::move(draws), count, 1.0); // each pair at most once
   PlanPairs chosen = MakeEmptyPairs();
   chosen.Cameras = all.Cameras;
-  PictureSums pictures(DrawnWidth);
-  pictures.Add(all, differences, radiances);
-  chosen.Ratios = pictures.GetRatios();
+  chosen.Ratios = GetPictureRatios(all, DrawnWidth, differences, radiances);
   double at = Start;
-  for (const std::size_t k : order)
+  // In equal steps through the draws of all: so a sample has some of every difference.
+  for (const std::size_t k : OrderByDifference(differences, weights))
   {
     at -= draws[k];
     if (at < 0.0)

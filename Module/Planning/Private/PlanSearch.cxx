@@ -3,6 +3,8 @@
 #include "PlanSearch.h"
 
 #include "MaterialPrecomputation.h"
+#include "NumberText.h"
+#include "TakenError.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkCommand.h"
 #include "vtkNew.h"
@@ -10,7 +12,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstddef>
+#include <cmath>
 #include <utility>
 
 namespace measuredbrdf
@@ -19,43 +21,109 @@ namespace
 {
 // Times a table's pixel: tables and maps beside lamps take less, samples more.
 constexpr double InteractiveCost = 4.0;
-}
 
-AbortForwarder::AbortForwarder(
-  const IsAborted& isAborted, vtkRadianceIntegrator* integrator, std::string& problem)
-  : Aborted(isAborted)
-  , Integrator(integrator)
-  , Problem(problem)
-{
-  this->Tags[0] =
-    integrator->AddObserver(vtkCommand::ProgressEvent, this, &AbortForwarder::OnProgress);
-  this->Tags[1] = integrator->AddObserver(vtkCommand::ErrorEvent, this, &AbortForwarder::OnError);
-}
+std::string Percent(double value) { return NumberText(100.0 * value, 2) + " %"; }
 
-AbortForwarder::~AbortForwarder()
+// While one lives, an integrator at work hears of an abort, and its error becomes the task's.
+class Supervision
 {
-  this->Integrator->RemoveObserver(this->Tags[0]);
-  this->Integrator->RemoveObserver(this->Tags[1]);
-}
-
-void AbortForwarder::OnProgress(vtkObject*, unsigned long, void*)
-{
-  if (this->Aborted())
+public:
+  Supervision(PlanTask& task, vtkRadianceIntegrator* integrator)
+    : Task(task)
+    , Integrator(integrator)
+    , Error(integrator)
+    , Tag(integrator->AddObserver(vtkCommand::ProgressEvent, this, &Supervision::OnProgress))
   {
-    this->Integrator->SetAbort(true);
   }
+  ~Supervision()
+  {
+    this->Integrator->RemoveObserver(this->Tag);
+    const std::string problem = this->Error.GetText();
+    this->Task.Problem = problem.empty() ? this->Task.Problem : problem;
+  }
+  Supervision(const Supervision&) = delete;
+  void operator=(const Supervision&) = delete;
+
+private:
+  void OnProgress(vtkObject*, unsigned long, void*)
+  {
+    if (this->Task.IsAborted())
+    {
+      this->Integrator->SetAbort(true);
+    }
+  }
+
+  PlanTask& Task;
+  vtkSmartPointer<vtkRadianceIntegrator> Integrator;
+  TakenError Error;
+  unsigned long Tag;
+};
 }
 
-void AbortForwarder::OnError(vtkObject*, unsigned long, void* text)
+vtkSmartPointer<vtkRadianceIntegrator> MakeIntegrator(
+  const PlanCandidate& candidate, vtkBRDF* brdf, vtkEnvironment* environment)
 {
-  this->Problem = text ? static_cast<const char*>(text) : "";
+  auto made = vtkSmartPointer<vtkRadianceIntegrator>::Take(
+    vtkRadianceMethods::NewIntegrator(candidate.Method));
+  if (!made || !made->SetSizes(candidate.Sizes))
+  {
+    return nullptr;
+  }
+  made->SetBRDF(brdf);
+  made->SetEnvironment(environment);
+  return made;
 }
 
-bool PrepareCandidate(
-  const PlanTask& task, const IsAborted& isAborted, PlanCandidate& candidate, std::string& problem)
+std::vector<PlanCandidate> ListCandidates(const PlanTask& task, std::string& givenUp)
+{
+  double cheapest = HUGE_VAL; // of what is given up
+  std::vector<PlanCandidate> candidates;
+  for (const vtkSmartPointer<vtkRadianceIntegrator>& method : vtkRadianceMethods::GetMethods())
+  {
+    PlanCandidate candidate;
+    candidate.Method = method->GetMethodName();
+    const auto asked = MakeIntegrator(candidate, task.BRDF, task.Environment);
+    if (!asked)
+    {
+      continue; // taken away by another thread
+    }
+    asked->SetPrecomputation(task.Shared);
+    const std::vector<std::vector<int>> choices = asked->GetCandidateSizes(false);
+    for (const std::vector<int>& sizes : task.All ? asked->GetCandidateSizes(true) : choices)
+    {
+      candidate.Sizes = sizes;
+      candidate.MayBeChosen = std::find(choices.begin(), choices.end(), sizes) != choices.end();
+      candidate.Integrator = MakeIntegrator(candidate, task.BRDF, task.Environment);
+      if (!candidate.Integrator)
+      {
+        continue; // it has said which size is out of range
+      }
+      candidate.Integrator->SetPrecomputation(task.Shared); // for what they ask of the material
+      candidate.Description = candidate.Integrator->GetSizesText();
+      candidate.Cost = candidate.Integrator->EstimateCost();
+      candidate.Bytes = candidate.Integrator->EstimateTextureBytes();
+      candidate.Integrator->SetPrecomputation(nullptr);
+      if (candidate.Cost > task.MaximumCost && candidate.MayBeChosen && candidate.Cost < cheapest)
+      {
+        cheapest = candidate.Cost;
+        givenUp = candidate.Method + ", " + candidate.Description;
+      }
+      if (candidate.Bytes <= task.MaximumBytes && candidate.Cost <= task.MaximumCost)
+      {
+        candidates.push_back(candidate);
+      }
+    }
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+    [](const PlanCandidate& a, const PlanCandidate& b)
+    { return a.Cost < b.Cost || (a.Cost == b.Cost && a.Bytes < b.Bytes); });
+  return candidates;
+}
+
+bool Prepare(PlanTask& task, PlanCandidate& candidate)
 {
   const auto start = std::chrono::steady_clock::now();
-  const AbortForwarder supervision(isAborted, candidate.Integrator, problem);
+  const Supervision supervision(task, candidate.Integrator);
   candidate.Integrator->SetPrecomputation(task.Shared);
   const bool prepared = candidate.Integrator->Prepare();
   candidate.Integrator->SetPrecomputation(nullptr); // it may go to another thread
@@ -64,10 +132,16 @@ bool PrepareCandidate(
   return prepared;
 }
 
-PlanSearch::PlanSearch(const PlanTask& task, const PlanComparison& comparison, IsAborted isAborted)
+bool Integrate(PlanTask& task, vtkRadianceIntegrator* integrator, const PlanPairs& pairs,
+  vtkDoubleArray* radiance)
+{
+  const Supervision supervision(task, integrator);
+  return integrator->Integrate(pairs.Normals, pairs.Views, radiance);
+}
+
+PlanSearch::PlanSearch(PlanTask& task, const PlanComparison& comparison)
   : Task(task)
   , Comparison(comparison)
-  , Aborted(std::move(isAborted))
 {
 }
 
@@ -84,7 +158,7 @@ bool PlanSearch::Run(std::vector<PlanCandidate> ladder)
       done = this->Try(rung);
     }
   }
-  if (!done || this->Aborted())
+  if (!done || this->Task.IsAborted())
   {
     return false;
   }
@@ -138,22 +212,16 @@ bool PlanSearch::Try(std::size_t rung)
 {
   PlanCandidate& candidate = this->Ladder[rung];
   vtkNew<vtkDoubleArray> radiance;
-  bool done = PrepareCandidate(this->Task, this->Aborted, candidate, this->Problem);
-  if (done)
+  if (!Prepare(this->Task, candidate) ||
+      !Integrate(this->Task, candidate.Integrator, this->Comparison.Pairs, radiance))
   {
-    const AbortForwarder supervision(this->Aborted, candidate.Integrator, this->Problem);
-    const PlanPairs& pairs = this->Comparison.Pairs;
-    done = candidate.Integrator->Integrate(pairs.Normals, pairs.Views, radiance);
-  }
-  if (!done)
-  {
-    if (this->Aborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))
+    if (this->Task.IsAborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))
     {
       return false;
     }
     this->Warnings += (this->Warnings.empty() ? "" : "\n") + candidate.Method + ", " +
-                      candidate.Description + ": " + this->Problem;
-    this->Problem.clear();
+                      candidate.Description + ": " + this->Task.Problem;
+    this->Task.Problem.clear();
     return true;
   }
   if (candidate.Integrator->UsesBRDFOnGPU())
@@ -211,5 +279,60 @@ void PlanSearch::Choose()
       plan.Candidates[static_cast<std::size_t>(index)].Integrator = nullptr;
     }
   }
+}
+
+std::string ExplainChoice(const Plan& plan, double tolerance, const std::string& givenUp)
+{
+  const std::size_t choice = static_cast<std::size_t>(plan.Choice);
+  const PlanCandidate& chosen = plan.Candidates[choice];
+  if (!plan.Meets)
+  {
+    return "no method that was tried is within " + Percent(tolerance) +
+           "; this one is the most accurate, with " + Percent(chosen.Error) +
+           (givenUp.empty() ? "" : "; " + givenUp + ", costs more than MaximumCost");
+  }
+  std::string reason = "the cheapest within " + Percent(tolerance);
+  for (std::size_t k = choice; k > 0; --k)
+  {
+    if (plan.Candidates[k - 1].MayBeChosen)
+    {
+      const PlanCandidate& cheaper = plan.Candidates[k - 1];
+      reason +=
+        ": " + cheaper.Method + ", " + cheaper.Description + ", has " + Percent(cheaper.Error);
+      break;
+    }
+  }
+  return reason + (chosen.Picture > tolerance
+                      ? "; that is the mean over all views: a single picture may have up to " +
+                          Percent(chosen.Picture)
+                      : "");
+}
+
+std::string DescribePlan(const Plan& plan)
+{
+  if (plan.Choice < 0)
+  {
+    return "no plan yet";
+  }
+  const PlanCandidate& chosen = plan.Candidates[static_cast<std::size_t>(plan.Choice)];
+  const std::string error = ", error " + Percent(chosen.Error) + " (" +
+                            NumberText(100.0 * (chosen.Error - chosen.Uncertainty), 2) + " + " +
+                            NumberText(100.0 * chosen.Uncertainty, 2) + " for chance)";
+  const std::string percentiles = ", 95 % of the pixels within " + Percent(chosen.Percentiles[0]) +
+                                  ", 99 % within " + Percent(chosen.Percentiles[1]);
+  const std::string costs = ", " + FixedText(1e-6 * static_cast<double>(chosen.Bytes), 1) +
+                            " MB, set up in " + FixedText(chosen.SetUp, 0) + " ms: ";
+  const std::string pictures = chosen.Picture > chosen.Error
+                                 ? ", up to " + Percent(chosen.Picture) + " in a single picture"
+                                 : "";
+  std::string interactive;
+  if (plan.Interactive >= 0 && plan.Interactive != plan.Choice)
+  {
+    const PlanCandidate& other = plan.Candidates[static_cast<std::size_t>(plan.Interactive)];
+    interactive = "; while one interacts: " + other.Method + ", " + other.Description + ", with " +
+                  Percent(other.Error);
+  }
+  return chosen.Method + ", " + chosen.Description + error + percentiles + pictures + costs +
+         plan.Reason + interactive;
 }
 } // namespace measuredbrdf

@@ -2,22 +2,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The climb to the cheapest rung within a tolerance. Private to the module.
+ * A ladder of candidates, the climb to the cheapest within a tolerance, and what is said of it.
+ * Private to the module.
  */
 
 #ifndef PlanSearch_h
 #define PlanSearch_h
 
-#include "PlanCandidate.h"
 #include "PlanComparison.h"
+#include "vtkBRDF.h"
+#include "vtkEnvironment.h"
+#include "vtkRadianceIntegrator.h"
 
+#include <atomic>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace measuredbrdf
 {
+/// What to plan for, while that is done.
+struct PlanTask
+{
+  vtkSmartPointer<vtkBRDF> BRDF;
+  vtkSmartPointer<vtkEnvironment> Environment;
+  double Tolerance = 0.0;
+  bool All = false;           // also list what can't be chosen
+  vtkIdType MaximumBytes = 0; // of textures
+  double MaximumCost = 0.0;   // of a pixel, times a table's
+  std::shared_ptr<vtkRadianceIntegrator::Precomputation> Shared;
+  std::function<bool()> IsAborted = []() { return false; }; // asked now and then
+  std::string Problem;                                      // why something failed
+};
+
+/// A method (vtkRadianceMethods) with its sizes.
+struct PlanCandidate : PlanError
+{
+  std::string Method;
+  std::vector<int> Sizes;
+  std::string Description;                           // the sizes in words
+  double Cost = 0.0;                                 // of a pixel, times a table's
+  bool MayBeChosen = true;                           // else it is only listed
+  vtkIdType Bytes = 0;                               // of textures
+  double SetUp = 0.0;                                // ms
+  vtkSmartPointer<vtkRadianceIntegrator> Integrator; // null: to be made again
+};
+
 /// What a planner has found.
 struct Plan
 {
@@ -28,19 +60,30 @@ struct Plan
   std::string Reason;
 };
 
-/// Asked now and then by the thread that plans; true stops the work.
-using IsAborted = std::function<bool()>;
+/// The candidate's integrator, not prepared; null where its method is not known any more or does
+/// not have these sizes.
+vtkSmartPointer<vtkRadianceIntegrator> MakeIntegrator(
+  const PlanCandidate& candidate, vtkBRDF* brdf, vtkEnvironment* environment);
 
-/// The candidate's integrator prepared with what the task's candidates share; SetUp grows by the
-/// time. False, with a problem in words, where that failed or was aborted.
-bool PrepareCandidate(
-  const PlanTask& task, const IsAborted& isAborted, PlanCandidate& candidate, std::string& problem);
+/// The ladder: rungs in the order of their cost, those of the same cost in the order of their
+/// textures' bytes. Each has its integrator. What costs or takes more than the task allows is left
+/// out; givenUp: the cheapest of what costs too much, in words, or "".
+std::vector<PlanCandidate> ListCandidates(const PlanTask& task, std::string& givenUp);
+
+///@{
+/// Prepare the candidate's integrator with what the task's candidates share (SetUp grows by the
+/// time), and integrate the light of pairs. False, with the task's Problem, where that failed or
+/// was aborted.
+bool Prepare(PlanTask& task, PlanCandidate& candidate);
+bool Integrate(PlanTask& task, vtkRadianceIntegrator* integrator, const PlanPairs& pairs,
+  vtkDoubleArray* radiance);
+///@}
 
 class PlanSearch
 {
 public:
   /// task and comparison stay the caller's.
-  PlanSearch(const PlanTask& task, const PlanComparison& comparison, IsAborted isAborted);
+  PlanSearch(PlanTask& task, const PlanComparison& comparison);
 
   /// Called with the share of the ladder that was tried.
   std::function<void(double)> Progress;
@@ -52,17 +95,14 @@ public:
    * tolerance, and steps down again from there while the next lower one is within it, too. The
    * cheapest rung within the tolerance is the choice; where there is none, the most accurate.
    *
-   * Returns false where it was aborted, or a method of the module failed. A rung of a program's own
-   * that cannot be prepared is left out with a warning. So is one that takes too many bytes with
-   * the textures of its material, without one.
+   * Returns false, with the task's Problem, where it was aborted, or a method of the module failed.
+   * A rung of a program's own that cannot be prepared is left out with a warning. So is one that
+   * takes too many bytes with the textures of its material, without one.
    */
   bool Run(std::vector<PlanCandidate> ladder);
 
   /// Without a reason.
   const Plan& GetPlan() const { return this->Found; }
-
-  /// Why Run returned false, or "".
-  const std::string& GetProblem() const { return this->Problem; }
 
   /// What could not be prepared, one line each.
   const std::string& GetWarnings() const { return this->Warnings; }
@@ -73,35 +113,19 @@ private:
   bool IsWithin(std::size_t rung) const;
   void Choose();
 
-  const PlanTask& Task;
+  PlanTask& Task;
   const PlanComparison& Comparison;
-  IsAborted Aborted;
   std::vector<PlanCandidate> Ladder;
   std::vector<bool> Tried; // and not left out
   Plan Found;
-  std::string Problem;
   std::string Warnings;
 };
 
-/// Hands an abort on to an integrator at work, whose errors it keeps.
-class AbortForwarder
-{
-public:
-  AbortForwarder(
-    const IsAborted& isAborted, vtkRadianceIntegrator* integrator, std::string& problem);
-  ~AbortForwarder();
-  AbortForwarder(const AbortForwarder&) = delete;
-  void operator=(const AbortForwarder&) = delete;
+/// Why the choice was chosen, one line. givenUp: the cheapest method that costs too much, or "".
+std::string ExplainChoice(const Plan& plan, double tolerance, const std::string& givenUp);
 
-private:
-  void OnProgress(vtkObject*, unsigned long, void*);
-  void OnError(vtkObject*, unsigned long, void* text);
-
-  const IsAborted& Aborted;
-  vtkSmartPointer<vtkRadianceIntegrator> Integrator;
-  std::string& Problem;
-  unsigned long Tags[2];
-};
+/// The choice, its figures and the reason; "no plan yet" without a choice.
+std::string DescribePlan(const Plan& plan);
 } // namespace measuredbrdf
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurrentPlan.h"
 
+#include "SharedObjects.h"
 #include "TakenError.h"
 #include "vtkBRDF.h"
 #include "vtkCallbackCommand.h"
@@ -18,6 +19,28 @@ namespace measuredbrdf
 {
 namespace
 {
+// Plans of a material under an environment, of objects or of snapshots, that mappers share.
+using SharedPlans = SharedObjects<std::pair<PlanInputs::Key, bool>, vtkRadiancePlanner>;
+
+// The plan that somebody has; null where nobody has. apart: of snapshots only.
+vtkSmartPointer<vtkRadiancePlanner> FindPlan(const PlanInputs& inputs, bool apart)
+{
+  const auto none = []() { return vtkSmartPointer<vtkRadiancePlanner>(); };
+  vtkSmartPointer<vtkRadiancePlanner> plan =
+    SharedPlans::Get().Find({ inputs.GetKey(), true }, none);
+  return plan || apart ? plan : SharedPlans::Get().Find({ inputs.GetKey(), false }, none);
+}
+
+// Lets others find a plan, for as long as somebody holds it.
+void SharePlan(const PlanInputs& inputs, bool apart, vtkRadiancePlanner* plan)
+{
+  if (!FindPlan(inputs, apart)) // not under two keys: nobody else would be left to hold it
+  {
+    SharedPlans::Get().Find(
+      { inputs.GetKey(), apart }, [plan]() { return vtkSmartPointer<vtkRadiancePlanner>(plan); });
+  }
+}
+
 bool UpdateWithProgress(vtkRadiancePlanner* planner, const CurrentPlan::Progress& progress)
 {
   if (!progress)
@@ -57,7 +80,7 @@ bool CurrentPlan::IsUsable() const
          this->Plan->GetEnvironment()->GetPixelsMTime() == this->Times[1];
 }
 
-void CurrentPlan::Take(
+void CurrentPlan::Adopt(
   const PlanInputs& inputs, bool apart, vtkSmartPointer<vtkRadiancePlanner> plan)
 {
   if (plan)
@@ -70,94 +93,50 @@ void CurrentPlan::Take(
   this->Inputs = inputs;
   this->FromSnapshot = apart;
   this->Uploads.clear();
-  SweepPlans();
+  SharedPlans::Get().Sweep();
 }
 
-void CurrentPlan::TakeOver(const CurrentPlan& other)
+void CurrentPlan::CopyFrom(const CurrentPlan& other)
 {
-  this->Retire();
-  this->Plan = other.Plan;
-  this->Inputs = other.Inputs;
-  this->FromSnapshot = other.FromSnapshot;
+  this->Adopt(other.Inputs, other.FromSnapshot, other.Plan);
   std::copy_n(other.Times, 2, this->Times);
 }
 
 CurrentPlan::~CurrentPlan()
 {
-  this->Stop();
   this->Plan = nullptr;
-  SweepPlans();
+  SharedPlans::Get().Sweep();
 }
 
-void CurrentPlan::LeaveJob()
-{
-  if (this->Job)
-  {
-    this->Job->Leave();
-    this->Job.reset();
-    this->JobInputs = PlanInputs();
-  }
-}
-
-void CurrentPlan::Retire()
-{
-  if (this->Job)
-  {
-    this->Retired.push_back(this->Job); // not to be waited for here
-    this->LeaveJob();
-  }
-  this->HasStopped(); // those that have, go
-}
-
-void CurrentPlan::Clear()
-{
-  this->Retire();
-  this->Take(PlanInputs(), false, nullptr);
-}
-
-void CurrentPlan::Stop()
-{
-  this->LeaveJob();
-  this->Retired.clear();
-}
-
-bool CurrentPlan::HasStopped()
-{
-  this->Retired.erase(std::remove_if(this->Retired.begin(), this->Retired.end(),
-                        [](const std::shared_ptr<PlanJob>& job) { return job->IsDone(); }),
-    this->Retired.end());
-  return !this->Job && this->Retired.empty();
-}
-
-bool CurrentPlan::IsBridged(Timing timing) const
+bool CurrentPlan::CanShowPrevious(Timing timing) const
 {
   return timing == Timing::Always || (timing == Timing::Changes && this->IsUsable());
 }
 
-bool CurrentPlan::NeedsTime(const PlanInputs& wanted, Timing timing) const
+bool CurrentPlan::WouldBlock(const PlanInputs& wanted, Timing timing) const
 {
   const bool background = timing != Timing::Foreground;
-  return !this->IsOf(wanted, background) && !this->IsBridged(timing) &&
+  return !this->IsOf(wanted, background) && !this->CanShowPrevious(timing) &&
          !FindPlan(wanted, background);
 }
 
 void CurrentPlan::Begin(const PlanInputs& wanted)
 {
-  if (this->Job && this->JobInputs.GetKey() != wanted.GetKey())
-  {
-    this->Retire();
-  }
   try
   {
-    if (this->Job && wanted.WithForm)
+    if (!this->Job || this->JobKey != wanted.GetKey())
+    {
+      this->Job = PlanJob::Find(wanted);
+      this->JobKey = wanted.GetKey();
+    }
+    else if (wanted.WithForm)
     {
       this->Job->WantForm(); // a light has come since
     }
-    this->Job = this->Job ? this->Job : PlanJob::Find(wanted);
-    this->JobInputs = wanted;
   }
   catch (const std::exception&) // no memory for snapshots: Update will tell
   {
+    this->Job.reset();
   }
 }
 
@@ -166,65 +145,63 @@ bool CurrentPlan::Update(
 {
   try
   {
-    return this->Bring(wanted, timing, progress, problem);
+    return this->EnsureCurrent(wanted, timing, progress, problem);
   }
   catch (const std::exception& e) // no memory, say
   {
-    this->Retire();
-    this->Take(wanted, timing != Timing::Foreground, nullptr);
+    this->Job.reset();
+    this->Adopt(wanted, timing != Timing::Foreground, nullptr);
     problem = e.what();
     return true;
   }
 }
 
-bool CurrentPlan::Bring(
+bool CurrentPlan::EnsureCurrent(
   const PlanInputs& wanted, Timing timing, const Progress& progress, std::string& problem)
 {
   const bool background = timing != Timing::Foreground;
   if (this->IsOf(wanted, background))
   {
-    this->Retire();
+    this->Job.reset();
     return false;
   }
   if (vtkSmartPointer<vtkRadiancePlanner> shared = FindPlan(wanted, background))
   {
-    this->Retire();
-    this->Take(wanted, background, shared);
+    this->Job.reset();
+    this->Adopt(wanted, background, shared);
     return true;
   }
-  if (this->Job && this->JobInputs.GetKey() != wanted.GetKey())
-  {
-    this->Retire();
-  }
-  const bool bridged = this->IsBridged(timing);
+  const bool bridged = this->CanShowPrevious(timing);
   if (bridged)
   {
     this->Begin(wanted);
   }
-  if (this->Job && !this->Job->IsDone() && bridged)
+  else if (this->JobKey != wanted.GetKey())
+  {
+    this->Job.reset();
+  }
+  if (bridged && this->IsPending() && !this->IsReady())
   {
     if (!this->IsUsable())
     {
-      this->Take(PlanInputs(), false, nullptr);
+      this->Adopt(PlanInputs(), false, nullptr);
     }
     return false;
   }
-  if (this->Job)
+  if (const std::shared_ptr<PlanJob> job = this->Job) // observers of progress may let go of it
   {
-    const std::shared_ptr<PlanJob> job = this->Job; // observers of progress may retire it
     const bool done = job->Wait(progress);
     problem = done ? job->GetProblem() : "aborted";
-    this->Take(wanted, true, done ? job->GetPlan() : nullptr);
-    this->Retire();
+    this->Adopt(wanted, true, done ? job->GetPlan() : nullptr);
+    this->Job.reset();
     return true;
   }
   vtkSmartPointer<vtkRadiancePlanner> planner = NewPlanner(wanted, background);
   planner = planner ? planner : NewPlanner(wanted, false);
   const TakenError reason(planner);
-  const PlanJob::Beside beside;
   const bool planned = UpdateWithProgress(planner, progress);
   problem = planned ? "" : reason.GetText();
-  this->Take(wanted, background, planned ? planner : nullptr);
+  this->Adopt(wanted, background, planned ? planner : nullptr);
   return true;
 }
 } // namespace measuredbrdf

@@ -10,7 +10,6 @@
 #define CurrentPlan_h
 
 #include "PlanJob.h"
-#include "SharedPlans.h"
 
 #include <functional>
 #include <memory>
@@ -45,7 +44,7 @@ public:
     const Progress& progress = nullptr);
 
   /// Whether Update would plan in the calling thread, or wait.
-  bool NeedsTime(const PlanInputs& wanted, Timing timing) const;
+  bool WouldBlock(const PlanInputs& wanted, Timing timing) const;
 
   /// Begin with the plan on another thread, if the material allows that, for an Update to come.
   void Begin(const PlanInputs& wanted);
@@ -54,16 +53,7 @@ public:
   bool IsFor(const PlanInputs& wanted) const { return this->IsOf(wanted, false); }
 
   /// Begin as another one is, without what that has in the making.
-  void TakeOver(const CurrentPlan& other);
-
-  /// No plan any more; what is in the making stops, but is not waited for.
-  void Clear();
-
-  /// What is in the making stops and is waited for.
-  void Stop();
-
-  /// Whether nothing is in the making any more, not even about to stop.
-  bool HasStopped();
+  void CopyFrom(const CurrentPlan& other);
 
   ///@{
   /// The plan to draw by, of the objects or of snapshots of them, and the environment whose
@@ -83,14 +73,12 @@ public:
   std::vector<std::shared_ptr<void>> Uploads;
 
 private:
-  bool Bring(
+  bool EnsureCurrent(
     const PlanInputs& wanted, Timing timing, const Progress& progress, std::string& problem);
-  bool IsBridged(Timing timing) const;
+  bool CanShowPrevious(Timing timing) const;
   bool IsOf(const PlanInputs& wanted, bool apart) const;
-  void LeaveJob();
   bool IsUsable() const;
-  void Take(const PlanInputs& inputs, bool apart, vtkSmartPointer<vtkRadiancePlanner> plan);
-  void Retire();
+  void Adopt(const PlanInputs& inputs, bool apart, vtkSmartPointer<vtkRadiancePlanner> plan);
 
   vtkSmartPointer<vtkRadiancePlanner> Plan; // null: what Inputs ask for can't be planned
   PlanInputs Inputs;                        // of the plan
@@ -98,8 +86,7 @@ private:
   vtkMTimeType Times[2] = { 0, 0 };         // of the plan's own objects when it was taken up
 
   std::shared_ptr<PlanJob> Job;
-  PlanInputs JobInputs;
-  std::vector<std::shared_ptr<PlanJob>> Retired; // aborted, perhaps still about to stop
+  PlanInputs::Key JobKey;
 };
 } // namespace measuredbrdf
 

@@ -46,7 +46,7 @@ struct MapperPlans::View
   {
     std::shared_ptr<const VisibleSurface> Surface;
     vtkMTimeType Time = 0;
-    vtkSmartPointer<vtkRadiancePlanner> Plan; // kept for SharedPlans
+    vtkSmartPointer<vtkRadiancePlanner> Plan; // kept, so that CurrentPlan finds it
   };
   std::vector<Seen> Looks;
   std::size_t Current = 0;
@@ -63,67 +63,42 @@ struct MapperPlans::View
 
 MapperPlans::MapperPlans() = default;
 
-MapperPlans::~MapperPlans() = default;
-
-// What is in the making is not waited for.
-void MapperPlans::End(std::unique_ptr<View> view)
+MapperPlans::~MapperPlans()
 {
-  this->Last = this->Last == view.get() ? nullptr : this->Last;
-  view->Plan.Clear();
-  view->Looks.clear();
-  this->Ended.push_back(std::move(view));
+  this->Clear();
+  PlanJob::WaitForStopped();
 }
 
 template <typename Condition>
-void MapperPlans::EndIf(AllViews& views, const Condition& condition)
+void MapperPlans::EraseIf(const Condition& condition)
 {
-  for (auto it = views.begin(); it != views.end();)
+  for (auto it = this->Views.begin(); it != this->Views.end();)
   {
-    const bool ends = condition(it->first, *it->second);
-    if (ends)
-    {
-      this->End(std::move(it->second));
-    }
-    it = ends ? views.erase(it) : std::next(it);
+    const bool goes = condition(it->first, *it->second);
+    this->Last = goes && this->Last == it->second ? nullptr : this->Last;
+    it = goes ? this->Views.erase(it) : std::next(it);
   }
-}
-
-void MapperPlans::EndAll(AllViews& views)
-{
-  this->EndIf(views, [](const Key&, const View&) { return true; });
 }
 
 void MapperPlans::Clear()
 {
-  this->EndAll(this->Views);
-  this->EndAll(this->Before);
-  this->Last = nullptr;
-  this->Sweep();
+  this->Views.clear();
+  this->Last.reset();
 }
 
 void MapperPlans::Clear(vtkRenderer* renderer)
 {
-  const auto isIts = [renderer](const Key& key, const View&)
-  { return std::get<0>(key) == renderer; };
-  this->EndIf(this->Views, isIts);
-  this->EndIf(this->Before, isIts);
-  this->Last = nullptr;
-  this->Sweep();
+  this->EraseIf([renderer](const Key& key, const View&) { return std::get<0>(key) == renderer; });
 }
 
 void MapperPlans::Keep(const std::set<int>& inUse, const std::set<int>& known)
 {
-  const std::size_t before = this->Ended.size();
-  this->EndIf(this->Views,
+  this->EraseIf(
     [&](const Key& key, const View& view)
     {
       const int slot = std::get<2>(key);
       return known.count(slot) == 0 || (view.Plan.IsPending() && inUse.count(slot) == 0);
     });
-  if (this->Ended.size() > before)
-  {
-    this->Sweep();
-  }
 }
 
 void MapperPlans::ReleaseUploads(vtkWindow* window)
@@ -154,78 +129,41 @@ bool MapperPlans::IsReady() const
     [](const auto& entry) { return entry.second->Bridged && entry.second->Plan.IsReady(); });
 }
 
-// Views only now and then, so that a Render does not look at every view for each.
-void MapperPlans::Sweep()
+// Only now and then looks for views of renderers and actors that are gone, so that a Render does
+// not look at every view for each.
+std::shared_ptr<MapperPlans::View> MapperPlans::FindView(const PlanRequest& request)
 {
-  this->Ended.erase(std::remove_if(this->Ended.begin(), this->Ended.end(),
-                      [](const std::unique_ptr<View>& view) { return view->Plan.HasStopped(); }),
-    this->Ended.end());
-  if (++this->Updates < this->Views.size())
+  if (++this->Updates >= this->Views.size())
   {
-    return;
-  }
-  this->Updates = 0;
-  const auto isGone = [](const Key& key, const View& view) { return view.IsGone(key); };
-  this->EndIf(this->Views, isGone);
-  this->EndIf(this->Before, isGone);
-}
-
-MapperPlans::View& MapperPlans::FindView(const PlanRequest& request)
-{
-  this->Sweep();
-  if (request.ForView != this->ForView)
-  {
-    this->ForView = request.ForView;
-    this->EndAll(this->Before);
-    for (auto& [old, drawn] : this->Views)
-    {
-      auto& kept = this->Before[old];
-      kept = std::make_unique<View>();
-      kept->Renderer = drawn->Renderer;
-      kept->Actor = drawn->Actor;
-      kept->Plan.TakeOver(drawn->Plan); // without what it has in the making
-    }
-    this->EndAll(this->Views);
+    this->Updates = 0;
+    this->EraseIf([](const Key& key, const View& view) { return view.IsGone(key); });
   }
   const Key key(request.Renderer, request.ForView ? request.Actor : nullptr, request.Slot);
-  std::unique_ptr<View>& view = this->Views[key];
-  if (view && view->IsGone(key)) // an address used again
+  std::shared_ptr<View>& view = this->Views[key];
+  if (!view || view->IsGone(key)) // an address used again
   {
-    this->End(std::move(view));
+    auto made = std::make_shared<View>();
+    made->Renderer = request.Renderer;
+    made->Actor = request.ForView ? request.Actor : nullptr;
+    for (const auto& [other, drawn] : this->Views) // before ForView was switched
+    {
+      const vtkActor* actor = std::get<1>(other);
+      if (IsOfOtherKind(other, request) && (!actor || actor == request.Actor) &&
+          !drawn->IsGone(other))
+      {
+        made->Plan.CopyFrom(drawn->Plan);
+      }
+    }
+    view = std::move(made);
   }
-  if (!view)
-  {
-    view = std::make_unique<View>();
-    view->Renderer = request.Renderer;
-    view->Actor = request.ForView ? request.Actor : nullptr;
-    this->TakeOver(*view, request);
-  }
-  return *view;
+  return view;
 }
 
-// What a view was drawn by before ForView was switched stands in. Each renderer comes to it when it
-// is drawn next, and each actor when it is drawn there.
-void MapperPlans::TakeOver(View& view, const PlanRequest& request)
+bool MapperPlans::IsOfOtherKind(const Key& key, const PlanRequest& request)
 {
-  for (auto it = this->Before.begin(); it != this->Before.end();)
-  {
-    const auto& [renderer, actor, slot] = it->first;
-    const bool fits = renderer == request.Renderer && slot == request.Slot &&
-                      (!actor || actor == request.Actor) && !it->second->IsGone(it->first);
-    if (fits)
-    {
-      view.Plan.TakeOver(it->second->Plan);
-    }
-    if (fits && actor) // nobody else's
-    {
-      this->End(std::move(it->second));
-      it = this->Before.erase(it);
-    }
-    else
-    {
-      ++it;
-    }
-  }
+  const auto& [renderer, actor, slot] = key;
+  return renderer == request.Renderer && slot == request.Slot &&
+         (actor != nullptr) != request.ForView;
 }
 
 void MapperPlans::Look(View& view, const PlanRequest& request)
@@ -321,11 +259,11 @@ void MapperPlans::BeginSideBySide(View& view, const PlanInputs& wanted, const Pl
   request.Others(
     [&](MapperPlans& plans, const PlanRequest& other)
     {
-      View& its = plans.FindView(other);
+      View& its = *plans.FindView(other);
       const PlanInputs inputs = GetInputs(its, other);
       const bool outOfView = other.ForView && !inputs.Seen && !its.Everywhere;
       if (!outOfView && inputs.GetKey() != wanted.GetKey() &&
-          its.Plan.NeedsTime(inputs, other.Timing))
+          its.Plan.WouldBlock(inputs, other.Timing))
       {
         others.emplace_back(&its.Plan, inputs);
       }
@@ -342,17 +280,16 @@ void MapperPlans::BeginSideBySide(View& view, const PlanInputs& wanted, const Pl
 
 CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std::string& problem)
 {
-  View& view = this->FindView(request);
-  this->Last = &view;
+  const std::shared_ptr<View> kept = this->FindView(request); // observers of progress may clear all
+  View& view = *kept;
   // The renderer's next frame has begun: all that were drawn in the last one have a plan.
   if (view.Drawn)
   {
-    this->EndIf(this->Before, [&request](const Key& key, const View&)
-      { return std::get<0>(key) == request.Renderer && std::get<2>(key) == request.Slot; });
+    this->EraseIf([&request](const Key& key, const View&) { return IsOfOtherKind(key, request); });
   }
   view.Drawn = true;
   const PlanInputs wanted = GetInputs(view, request);
-  if (request.Others && !view.Plan.IsPending() && view.Plan.NeedsTime(wanted, request.Timing))
+  if (request.Others && !view.Plan.IsPending() && view.Plan.WouldBlock(wanted, request.Timing))
   {
     this->BeginSideBySide(view, wanted, request);
   }
@@ -362,6 +299,7 @@ CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std:
   {
     view.Looks[view.Current].Plan = view.Plan.GetPlan();
   }
+  this->Last = kept;
   return view.Plan;
 }
 } // namespace measuredbrdf

@@ -7,7 +7,7 @@
  *
  * A view is a renderer or, planned for the view, an actor in it. What one view is drawn by is never
  * shown in another, and an old plan stands in for a new one in its own view only. Equal plans are
- * shared (SharedPlans).
+ * shared (CurrentPlan).
  */
 
 #ifndef MapperPlans_h
@@ -104,24 +104,18 @@ private:
   struct View;
   using Key = std::tuple<vtkRenderer*, vtkActor*, int>;
 
-  View& FindView(const PlanRequest& request);
-  void TakeOver(View& view, const PlanRequest& request);
-  void Sweep();
-  void End(std::unique_ptr<View> view);
-  using AllViews = std::map<Key, std::unique_ptr<View>>;
+  std::shared_ptr<View> FindView(const PlanRequest& request);
+  /// Whether the key is of what request's view was drawn by before ForView was switched.
+  static bool IsOfOtherKind(const Key& key, const PlanRequest& request);
   template <typename Condition>
-  void EndIf(AllViews& views, const Condition& condition);
-  void EndAll(AllViews& views);
+  void EraseIf(const Condition& condition);
   static void Look(View& view, const PlanRequest& request);
   static PlanInputs GetInputs(View& view, const PlanRequest& request);
   void BeginSideBySide(View& view, const PlanInputs& wanted, const PlanRequest& request);
 
-  AllViews Views;
-  AllViews Before;                          // ForView was switched: these stand in for new ones
-  std::vector<std::unique_ptr<View>> Ended; // about to stop
-  View* Last = nullptr;
-  bool ForView = false;    // in the last request
-  std::size_t Updates = 0; // since the last sweep
+  std::map<Key, std::shared_ptr<View>> Views;
+  std::shared_ptr<View> Last; // that Update returned
+  std::size_t Updates = 0;    // since the last look for views that are gone
 };
 } // namespace measuredbrdf
 

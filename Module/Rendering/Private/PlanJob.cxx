@@ -6,26 +6,76 @@
 #include "ParallelFor.h"
 #include "vtkBRDF.h"
 #include "vtkCommand.h"
+#include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkRadiancePlanner.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
-#include <functional>
-#include <iterator>
 #include <list>
 #include <map>
 #include <mutex>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace measuredbrdf
 {
 namespace
 {
 constexpr std::chrono::milliseconds ProgressInterval(50); // of a job that is waited for
+
+// From the environment's frame.
+vtkSmartPointer<vtkDoubleArray> ToWorld(
+  const std::vector<glm::dvec3>& directions, vtkEnvironment* environment)
+{
+  double rows[9];
+  environment->GetWorldToEnvironment(rows);
+  const glm::dmat3 toWorld = glm::make_mat3(rows); // glm takes columns: the transpose
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetNumberOfComponents(3);
+  for (const glm::dvec3& direction : directions)
+  {
+    const glm::dvec3 turned = toWorld * direction;
+    array->InsertNextTuple(&turned.x);
+  }
+  return array;
+}
+}
+
+PlanInputs::PlanInputs(vtkBRDF* brdf, vtkEnvironment* environment, double tolerance)
+  : BRDF(brdf)
+  , BRDFTime(brdf->GetMTime())
+  , Environment(environment)
+  , PixelsTime(environment->GetPixelsMTime())
+  , Tolerance(tolerance)
+{
+}
+
+vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool apart)
+{
+  vtkSmartPointer<vtkBRDF> brdf =
+    apart ? vtkSmartPointer<vtkBRDF>::Take(inputs.BRDF->NewSnapshot()) : inputs.BRDF;
+  if (!brdf)
+  {
+    return nullptr;
+  }
+  auto planner = vtkSmartPointer<vtkRadiancePlanner>::New();
+  planner->SetBRDF(brdf);
+  planner->SetEnvironment(
+    apart ? vtkSmartPointer<vtkEnvironment>::Take(inputs.Environment->NewSnapshot())
+          : inputs.Environment);
+  planner->SetErrorTolerance(inputs.Tolerance);
+  if (inputs.Seen)
+  {
+    planner->SetPairs(ToWorld(inputs.Seen->GetNormals(), planner->GetEnvironment()),
+      ToWorld(inputs.Seen->GetViews(), planner->GetEnvironment()));
+  }
+  return planner;
 }
 
 // Its threads end when nothing is left to do, or the process ends. The queue is never destroyed.
@@ -33,36 +83,41 @@ class PlanJob::Queue
 {
 public:
   using Lock = std::unique_lock<std::mutex>;
-
-  int GetLimit() const { return this->Waiters > 0 ? this->Cores : std::max(this->Cores - 1, 1); }
+  using Jobs = std::list<std::shared_ptr<PlanJob>>;
 
   /// Whether there is a thread for it, or will be.
-  bool Add(PlanJob* job, const Lock& lock)
+  bool Add(const std::shared_ptr<PlanJob>& job, const Lock& lock)
   {
-    this->Jobs.push_back(job);
+    this->Waiting.push_back(job);
     this->AddThread(lock);
-    job->Done = this->Running == 0;
-    return !job->Done || !this->Remove(job, lock);
+    if (this->Running == 0)
+    {
+      this->Waiting.pop_back();
+    }
+    return this->Running > 0;
   }
 
-  /// Whether it was still waiting for its turn.
-  bool Remove(PlanJob* job, const Lock&)
+  /// Nobody waits for it any more.
+  void Leave(std::shared_ptr<PlanJob> job)
   {
-    const auto it = std::find(this->Jobs.begin(), this->Jobs.end(), job);
-    const bool found = it != this->Jobs.end();
-    if (found)
+    const Lock lock(this->Mutex);
+    job->IsLeft = true;
+    this->Waiting.remove(job);
+    if (!job->Done)
     {
-      this->Jobs.erase(it);
+      job->Planner->SetAbort(true);
     }
-    return found;
   }
 
   /// goesOn is asked now and then, without the lock. Whether the job is done; false: it said no.
-  bool Wait(PlanJob* job, Lock& lock, const std::function<bool()>& goesOn)
+  bool Wait(const PlanJob* job, const std::function<bool()>& goesOn)
   {
-    if (this->Remove(job, lock))
+    Lock lock(this->Mutex);
+    const auto it = std::find_if(this->Waiting.begin(), this->Waiting.end(),
+      [job](const std::shared_ptr<PlanJob>& other) { return other.get() == job; });
+    if (it != this->Waiting.end())
     {
-      this->Jobs.push_front(job);
+      this->Waiting.splice(this->Waiting.begin(), this->Waiting, it);
     }
     ++this->Waiters;
     this->Released.notify_all();
@@ -82,23 +137,33 @@ public:
     return job->IsDone();
   }
 
-  void Change(int Queue::*count, int change)
+  void WaitForStopped()
+  {
+    Lock lock(this->Mutex);
+    this->Finished.wait(lock,
+      [this]()
+      {
+        return std::none_of(this->Current.begin(), this->Current.end(),
+          [](const std::shared_ptr<PlanJob>& job) { return !job || job->IsLeft; });
+      });
+  }
+
+  void ChangeHolds(int change)
   {
     const Lock lock(this->Mutex);
-    this->*count += change;
+    this->Holds += change;
     this->Released.notify_all();
   }
 
   std::mutex Mutex;
   std::map<PlanInputs::Key, std::weak_ptr<PlanJob>> ByInputs;
-  int Largest = 0; // number of jobs that ran at once
-  int Holds = 0;
-  int Planning = 0; // threads that plan by themselves
 
 private:
+  int GetLimit() const { return this->Waiters > 0 ? this->Cores : std::max(this->Cores - 1, 1); }
+
   void AddThread(const Lock&)
   {
-    if (this->Jobs.empty() || this->Running >= this->GetLimit())
+    if (this->Waiting.empty() || this->Running >= this->GetLimit())
     {
       return;
     }
@@ -110,16 +175,20 @@ private:
   // The process ends.
   void Stop()
   {
+    Jobs dropped; // after the lock
     const Lock lock(this->Mutex);
     this->IsStopped = true;
-    for (PlanJob* job : this->Jobs)
+    dropped.swap(this->Waiting);
+    for (const std::shared_ptr<PlanJob>& job : dropped)
     {
       job->Done = true;
     }
-    this->Jobs.clear();
-    for (PlanJob* job : this->Current)
+    for (const std::shared_ptr<PlanJob>& job : this->Current)
     {
-      job->Planner->SetAbort(true);
+      if (job)
+      {
+        job->Planner->SetAbort(true);
+      }
     }
     this->Released.notify_all();
     this->Finished.notify_all();
@@ -129,32 +198,36 @@ private:
   {
     Lock lock(this->Mutex);
     const auto mayBegin = [this]()
-    { return this->Holds == 0 || this->Waiters > 0 || this->Planning > 0 || this->IsStopped; };
+    { return this->Holds == 0 || this->Waiters > 0 || this->IsStopped; };
     for (this->Released.wait(lock, mayBegin);
-         !this->Jobs.empty() && this->Running <= this->GetLimit();
+         !this->Waiting.empty() && this->Running <= this->GetLimit();
          this->Released.wait(lock, mayBegin))
     {
-      PlanJob* job = this->Jobs.front();
-      this->Largest = std::max(this->Largest, this->Running);
-      this->Current.splice(this->Current.end(), this->Jobs, this->Jobs.begin());
-      const auto current = std::prev(this->Current.end());
+      const auto current = this->Waiting.begin();
+      this->Current.splice(this->Current.end(), this->Waiting, current);
       lock.unlock();
-      job->Run();
+      (*current)->Run();
+      lock.lock();
+      std::shared_ptr<PlanJob> job = std::move(*current);
+      job->Done = true;
+      this->Finished.notify_all();
+      lock.unlock();
+      job.reset(); // with all that it used, where nobody waits for it
       lock.lock();
       this->Current.erase(current);
-      job->Done = true; // and it may be gone when the lock is
       this->Finished.notify_all();
     }
     --this->Running;
   }
 
   const int Cores = std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
-  std::list<PlanJob*> Jobs;    // which wait
-  std::list<PlanJob*> Current; // those that run
+  Jobs Waiting;
+  Jobs Current; // those that run; null: about to be released
   std::condition_variable Finished;
   std::condition_variable Released;
   int Running = 0; // threads
   int Waiters = 0;
+  int Holds = 0;
   bool IsStopped = false;
 };
 
@@ -164,84 +237,58 @@ PlanJob::Queue& PlanJob::GetQueue()
   return queue;
 }
 
-PlanJob::Hold::Hold() { GetQueue().Change(&Queue::Holds, 1); }
+PlanJob::Hold::Hold() { GetQueue().ChangeHolds(1); }
 
-PlanJob::Hold::~Hold() { GetQueue().Change(&Queue::Holds, -1); }
+PlanJob::Hold::~Hold() { GetQueue().ChangeHolds(-1); }
 
-PlanJob::Beside::Beside() { GetQueue().Change(&Queue::Planning, 1); }
-
-PlanJob::Beside::~Beside() { GetQueue().Change(&Queue::Planning, -1); }
-
-int PlanJob::GetLimit()
-{
-  Queue& queue = GetQueue();
-  const Queue::Lock lock(queue.Mutex);
-  return queue.GetLimit();
-}
-
-int PlanJob::TakeLargestNumber()
-{
-  Queue& queue = GetQueue();
-  const Queue::Lock lock(queue.Mutex);
-  return std::exchange(queue.Largest, 0);
-}
-
+// What is handed out is not the job itself, which the queue holds while it runs, but a pointer to
+// it that says when the last one lets go.
 std::shared_ptr<PlanJob> PlanJob::Find(const PlanInputs& inputs)
 {
   Queue& queue = GetQueue();
   const PlanInputs::Key key = inputs.GetKey();
-  // Without the queue's lock: it may be the last to hold what it finds.
-  const auto find = [&](const Queue::Lock&)
-  {
-    for (auto it = queue.ByInputs.begin(); it != queue.ByInputs.end();)
-    {
-      it = it->second.expired() ? queue.ByInputs.erase(it) : std::next(it);
-    }
-    const auto it = queue.ByInputs.find(key);
-    return it == queue.ByInputs.end() ? nullptr : it->second.lock();
-  };
-  std::shared_ptr<PlanJob> job;
   {
     const Queue::Lock lock(queue.Mutex);
-    job = find(lock);
-    if (job && job->Users > 0) // else it is about to stop
+    const auto known = queue.ByInputs.find(key);
+    if (std::shared_ptr<PlanJob> found =
+          known == queue.ByInputs.end() ? nullptr : known->second.lock())
     {
-      job->WithForm = job->WithForm || inputs.WithForm;
-      ++job->Users;
-      return job;
+      found->WithForm = found->WithForm || inputs.WithForm;
+      return found;
     }
   }
-  const vtkSmartPointer<vtkRadiancePlanner> planner = NewPlanner(inputs, true);
-  if (!planner)
+  const auto job = std::make_shared<PlanJob>();
+  job->Planner = NewPlanner(inputs, true);
+  job->WithForm = inputs.WithForm;
+  if (!job->Planner)
   {
     return nullptr;
   }
-  const auto made = std::make_shared<PlanJob>(planner);
-  made->WithForm = inputs.WithForm;
+  const std::shared_ptr<PlanJob> handle(job.get(),
+    [owned = job](PlanJob*) mutable { GetQueue().Leave(std::exchange(owned, nullptr)); });
   const Queue::Lock lock(queue.Mutex);
-  if (!queue.Add(made.get(), lock))
+  for (auto it = queue.ByInputs.begin(); it != queue.ByInputs.end();)
+  {
+    it = it->second.expired() ? queue.ByInputs.erase(it) : std::next(it);
+  }
+  if (!queue.Add(job, lock))
   {
     return nullptr;
   }
-  made->Users = 1;
-  queue.ByInputs[key] = made;
-  return made;
+  queue.ByInputs[key] = handle;
+  return handle;
 }
 
-PlanJob::PlanJob(vtkSmartPointer<vtkRadiancePlanner> planner)
-  : Planner(planner)
+void PlanJob::WaitForStopped() { GetQueue().WaitForStopped(); }
+
+bool PlanJob::Wait(const std::function<bool(double)>& progress)
 {
+  return GetQueue().Wait(this, [&]() { return !progress || progress(this->Share); });
 }
 
-PlanJob::~PlanJob()
+vtkSmartPointer<vtkRadiancePlanner> PlanJob::GetPlan() const
 {
-  Queue& queue = GetQueue();
-  Queue::Lock lock(queue.Mutex);
-  if (!this->Done && !queue.Remove(this, lock))
-  {
-    this->Planner->SetAbort(true);
-    queue.Wait(this, lock, []() { return true; });
-  }
+  return this->Succeeded ? this->Planner : nullptr;
 }
 
 void PlanJob::Run()
@@ -284,35 +331,5 @@ void PlanJob::TakeProgress(vtkObject*, unsigned long, void* share)
 void PlanJob::TakeMessage(vtkObject*, unsigned long, void* text)
 {
   this->Problem = text ? static_cast<const char*>(text) : "";
-}
-
-void PlanJob::Leave()
-{
-  Queue& queue = GetQueue();
-  const Queue::Lock lock(queue.Mutex);
-  if (--this->Users == 0 && !this->Done)
-  {
-    if (queue.Remove(this, lock))
-    {
-      this->Problem = "left before its turn";
-      this->Done = true;
-    }
-    else
-    {
-      this->Planner->SetAbort(true);
-    }
-  }
-}
-
-bool PlanJob::Wait(const std::function<bool(double)>& progress)
-{
-  Queue& queue = GetQueue();
-  Queue::Lock lock(queue.Mutex);
-  return queue.Wait(this, lock, [&]() { return !progress || progress(this->Share); });
-}
-
-vtkSmartPointer<vtkRadiancePlanner> PlanJob::GetPlan() const
-{
-  return this->Succeeded ? this->Planner : nullptr;
 }
 } // namespace measuredbrdf

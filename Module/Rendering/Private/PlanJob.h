@@ -2,49 +2,89 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A plan in the making, on another thread. Private to the rendering room.
+ * What is planned for, and a plan in the making, on another thread. Private to the rendering room.
  *
  * Jobs wait in one queue for the whole program. As many run at once as there are cores while a
  * Render waits for one of them; else one fewer, which is left to drawing.
  *
  * Nothing is shared with a job's thread but the planner: it works on snapshots (NewPlanner, apart)
  * that nobody reads until the job is done, and writes nowhere else. The end of its work is
- * published by Done; what it used is released by whoever holds the job. Reference counts and
- * modification times are atomic in VTK; planning has no global state. (VTK 9.1's vtkSMPTools keeps
- * a plain bool that says whether some thread is in a parallel loop: it decides only whether another
- * loop runs in parallel, too. Jobs side by side thus hardly start more threads than cores.)
+ * published by Done; what it used is released by whoever holds the job last, which is its thread
+ * where it was stopped. Reference counts and modification times are atomic in VTK; planning has no
+ * global state. (VTK 9.1's vtkSMPTools keeps a plain bool that says whether some thread is in a
+ * parallel loop: it decides only whether another loop runs in parallel, too. Jobs side by side thus
+ * hardly start more threads than cores.)
  */
 
 #ifndef PlanJob_h
 #define PlanJob_h
 
-#include "SharedPlans.h"
+#include "VisibleSurface.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
+#include <tuple>
 
+class vtkBRDF;
+class vtkEnvironment;
 class vtkObject;
+class vtkRadiancePlanner;
 
 namespace measuredbrdf
 {
+/// What to plan for, at one moment: it differs from a later one where anything changed since.
+struct PlanInputs
+{
+  PlanInputs() = default;
+  PlanInputs(vtkBRDF* brdf, vtkEnvironment* environment, double tolerance);
+
+  /// The plans' key. Modification times are never used twice: a recycled address does no harm.
+  using Key =
+    std::tuple<vtkBRDF*, vtkMTimeType, vtkEnvironment*, vtkMTimeType, double, vtkMTimeType>;
+  Key GetKey() const
+  {
+    return { this->BRDF, this->BRDFTime, this->Environment, this->PixelsTime, this->Tolerance,
+      this->SeenTime };
+  }
+
+  vtkSmartPointer<vtkBRDF> BRDF;
+  vtkMTimeType BRDFTime = 0;
+  vtkSmartPointer<vtkEnvironment> Environment;
+  vtkMTimeType PixelsTime = 0;
+  double Tolerance = 0.0;
+
+  ///@{
+  /// What the camera sees, in the environment's frame, and a time that no other one has; null, 0:
+  /// a plan for every view.
+  std::shared_ptr<const VisibleSurface> Seen;
+  vtkMTimeType SeenTime = 0;
+  ///@}
+
+  /// Whether whoever plans apart sees to the material's form for shaders, too, because the scene's
+  /// lights need it. It changes nothing about the plan.
+  bool WithForm = false;
+};
+
+/// A plan's planner, not updated yet, of the objects themselves or, apart, of snapshots of its own,
+/// which nobody changes, nor makes them prepare what they make when first asked for. Null where a
+/// material has none.
+vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool apart);
+
 class PlanJob
 {
 public:
   /// The job for these inputs, already queued for another mapper or queued now; null where the
-  /// material has no snapshots, or there are no threads. Whoever has found it has to Leave it.
+  /// material has no snapshots, or there are no threads. It stops when nobody holds it any more;
+  /// whoever lets go of it does not wait for that.
   static std::shared_ptr<PlanJob> Find(const PlanInputs& inputs);
 
-  explicit PlanJob(vtkSmartPointer<vtkRadiancePlanner> planner);
-
-  /// Aborts and waits for that: integrators look at it between the parts of their work.
-  ~PlanJob();
-  PlanJob(const PlanJob&) = delete;
-  void operator=(const PlanJob&) = delete;
-
-  /// One less waits for it; without anybody it stops soon.
-  void Leave();
+  /// Wait until all that were stopped are gone: integrators look at it between the parts of their
+  /// work.
+  static void WaitForStopped();
 
   bool IsDone() const { return this->Done; }
 
@@ -73,22 +113,6 @@ public:
     void operator=(const Hold&) = delete;
   };
 
-  /// While one lives, a thread plans by itself: jobs that are held may run beside it.
-  class Beside
-  {
-  public:
-    Beside();
-    ~Beside();
-    Beside(const Beside&) = delete;
-    void operator=(const Beside&) = delete;
-  };
-
-  ///@{
-  /// How many jobs may run at once, and the largest number that did since the last call: for tests.
-  static int GetLimit();
-  static int TakeLargestNumber();
-  ///@}
-
 private:
   class Queue;
   static Queue& GetQueue();
@@ -98,11 +122,11 @@ private:
   void TakeProgress(vtkObject* caller, unsigned long event, void* share);
 
   vtkSmartPointer<vtkRadiancePlanner> Planner;
-  int Users = 0; // the queue's lock guards it
   std::string Problem;
   bool Succeeded = false;
   std::atomic<bool> WithForm{ false };
-  std::atomic<bool> Done{ true }; // until it is queued
+  std::atomic<bool> Done{ false };
+  bool IsLeft = false; // nobody waits for it any more; the queue's lock guards it
   std::atomic<double> Share{ 0.0 };
 };
 } // namespace measuredbrdf

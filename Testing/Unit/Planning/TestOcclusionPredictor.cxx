@@ -14,7 +14,6 @@
 #include "vtkParametricTorus.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkRadiancePlanner.h"
 #include "vtkSphereSource.h"
 #include "vtkTracedScene.h"
 
@@ -165,34 +164,6 @@ TEST(OcclusionPredictor, Decision)
   EXPECT_TRUE(vtkOcclusionPredictor::IsWorthModeling(0.011, 0.05, 0.02));
   EXPECT_EQ(vtkOcclusionPredictor::FormatText(0.0921, 0.0104),
     "unoccluded light: 9.2 % on this surface (+- 1 %)");
-}
-
-// A planner says it, and whether it is worth modeling.
-TEST(OcclusionPredictor, InThePlan)
-{
-  vtkNew<vtkTracedScene> scene;
-  scene->AddSurface(MakeTorus());
-  vtkNew<vtkLambertBRDF> white;
-  vtkNew<vtkEnvironment> sky;
-  sky->SetToProceduralSky();
-  vtkNew<vtkRadiancePlanner> planner;
-  planner->SetBRDF(white);
-  planner->SetEnvironment(sky);
-  ASSERT_TRUE(planner->Update());
-  EXPECT_EQ(planner->GetUnoccludedError(), 0.0);
-  EXPECT_FALSE(planner->GetNeedsOcclusion());
-  const std::string alone = planner->GetPlan();
-  planner->SetScene(scene);
-  ASSERT_TRUE(planner->Update());
-  EXPECT_NEAR(planner->GetUnoccludedError(), 0.0204, 0.01); // many points: 0.0204
-  EXPECT_GT(planner->GetUnoccludedErrorUncertainty(), 0.0);
-  EXPECT_EQ(planner->GetPlan().find(alone + "; unoccluded light: "), 0u) << planner->GetPlan();
-  planner->SetErrorTolerance(0.01);
-  ASSERT_TRUE(planner->Update());
-  EXPECT_TRUE(planner->GetNeedsOcclusion());
-  planner->SetErrorTolerance(0.2);
-  ASSERT_TRUE(planner->Update());
-  EXPECT_FALSE(planner->GetNeedsOcclusion());
 }
 
 TEST(OcclusionPredictor, NothingToSee)

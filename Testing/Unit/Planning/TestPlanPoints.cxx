@@ -4,7 +4,6 @@
 
 #include "HalfVector.h" // for Pi
 #include "PlanPairs.h"
-#include "PlanPoints.h"
 
 #include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>

@@ -20,7 +20,6 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include <atomic>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -75,12 +74,8 @@ std::vector<glm::dvec3> Refer(
   comparison.Pairs = MakeEmptyPairs();
   comparison.Pairs.Normals = pairs.Normals;
   comparison.Pairs.Views = pairs.Views;
-  const std::atomic<bool> never{ false };
-  std::string problem;
   brdf->Prepare();
-  EXPECT_TRUE(MakeReference(
-    task, []() { return false; }, never, comparison, problem))
-    << problem;
+  EXPECT_TRUE(MakeReference(task, comparison)) << task.Problem;
   stated = comparison.ReferenceError;
   std::vector<glm::dvec3> values;
   for (vtkIdType k = 0; k < comparison.Reference->GetNumberOfTuples(); ++k)

@@ -4,8 +4,6 @@
 // on thousands of other pairs.
 
 #include "HalfVector.h" // for Pi
-#include "PlanPairs.h"
-#include "PlanPictures.h"
 #include "PlanSample.h"
 #include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
@@ -188,44 +186,6 @@ TEST(PlanSample, PredictionsHold)
 }
 
 //------------------------------------------------------------------------------
-// Of a picture's error that varies over it and that no two methods tell, many samples say nearly
-// the same: pairs from everywhere are in each of them. Without that their deviation is 4 %.
-TEST(PlanSample, IsSpreadOverPictures)
-{
-  PlanPairs all = DrawMany();
-  all.Weights.clear();
-  for (std::size_t k = 0; k < Many; ++k)
-  {
-    all.Points.push_back(k / 2);
-  }
-  const auto even = NewRadiance(all.Normals, 1.0, 0.0);
-  double sum = 0.0;
-  double squares = 0.0;
-  constexpr int samples = 40;
-  for (unsigned int index = 0; index < samples; ++index)
-  {
-    const PlanPairs chosen = ChoosePairs(all, even, even, static_cast<int>(512 + index));
-    ASSERT_EQ(chosen.Points.size(), chosen.Weights.size());
-    double error = 0.0;
-    double weights = 0.0;
-    for (std::size_t k = 0; k < chosen.Weights.size(); ++k)
-    {
-      const glm::dvec3 n = glm::make_vec3(chosen.Normals->GetTuple(static_cast<vtkIdType>(k)));
-      const glm::dvec3 o = glm::make_vec3(chosen.Views->GetTuple(static_cast<vtkIdType>(k)));
-      const glm::dvec3 mirror = 2.0 * glm::dot(n, o) * n - o;
-      error += chosen.Weights[k] * std::exp(2.0 * mirror.x);
-      weights += chosen.Weights[k];
-    }
-    sum += error / weights;
-    squares += error / weights * error / weights;
-  }
-  const double mean = sum / samples;
-  const double deviation = std::sqrt(std::max(squares / samples - mean * mean, 0.0)) / mean;
-  std::printf("deviation %.2f %%\n", 100.0 * deviation);
-  EXPECT_LT(deviation, 0.015);
-}
-
-//------------------------------------------------------------------------------
 // What the pairs of all views say of single cameras is what these see: an error that grows towards
 // grazing views, of light from one side.
 TEST(PlanPictures, AreWhatCamerasSee)
@@ -251,10 +211,9 @@ TEST(PlanPictures, AreWhatCamerasSee)
     references.push_back(weight * getLight(normal, view));
     differences.push_back(weight * getError(normal, view));
   }
-  measuredbrdf::PictureSums sums(12.0);
-  EXPECT_TRUE(sums.GetRatios().empty());
-  sums.Add(pairs, differences, references);
-  const std::vector<double> ratios = sums.GetRatios();
+  EXPECT_TRUE(measuredbrdf::GetPictureRatios(pairs, 12.0, {}, {}).empty());
+  const std::vector<double> ratios =
+    measuredbrdf::GetPictureRatios(pairs, 12.0, differences, references);
   ASSERT_EQ(ratios.size(), 14u);
   const double mean = std::accumulate(differences.begin(), differences.end(), 0.0) /
                       std::accumulate(references.begin(), references.end(), 0.0);
@@ -371,15 +330,14 @@ TEST(PlanSample, StopsAndTakesAnything)
   {
     EXPECT_TRUE(std::isfinite(weight));
   }
-  const measuredbrdf::PlanTask task;
+  measuredbrdf::PlanTask task;
   std::vector<measuredbrdf::PlanCandidate> none;
   PlanPairs pairs = all;
-  std::string problem;
-  const measuredbrdf::IsAborted yes = []() { return true; };
-  const measuredbrdf::IsAborted no = []() { return false; };
-  EXPECT_FALSE(measuredbrdf::SamplePairs(task, yes, none, false, pairs, problem));
+  task.IsAborted = []() { return true; };
+  EXPECT_FALSE(measuredbrdf::SamplePairs(task, none, false, pairs));
   EXPECT_EQ(pairs.Normals->GetNumberOfTuples(), Many);
-  ASSERT_TRUE(measuredbrdf::SamplePairs(task, no, none, false, pairs, problem));
+  task.IsAborted = []() { return false; };
+  ASSERT_TRUE(measuredbrdf::SamplePairs(task, none, false, pairs));
   EXPECT_NEAR(pairs.Normals->GetNumberOfTuples(), measuredbrdf::PairsToCompare, 1);
 }
 
@@ -397,7 +355,6 @@ TEST(PlanSample, OfPicturesKnowTheirPoints)
     vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("sky"));
   task.MaximumBytes = 1 << 22;
   task.Shared = std::make_shared<vtkRadianceIntegrator::Precomputation>();
-  const measuredbrdf::IsAborted no = []() { return false; };
   for (const bool hasCandidates : { false, true })
   {
     PlanPairs first[2];
@@ -409,10 +366,8 @@ TEST(PlanSample, OfPicturesKnowTheirPoints)
         std::string givenUp;
         candidates = ListCandidates(task, givenUp);
       }
-      std::string problem;
       first[k] = given;
-      ASSERT_TRUE(measuredbrdf::SamplePairs(task, no, candidates, true, first[k], problem))
-        << problem;
+      ASSERT_TRUE(measuredbrdf::SamplePairs(task, candidates, true, first[k])) << task.Problem;
     }
     for (const PlanPairs& sample : first)
     {

@@ -377,15 +377,16 @@ TEST(CurrentPlan, LeavesResamplingInTheMiddle)
   vtkNew<ResampledBRDF> brdf;
   vtkNew<vtkEnvironment> sky;
   sky->SetPixels(32, 16, std::vector<float>(3 * 32 * 16, 0.5f));
-  CurrentPlan plan;
-  std::string problem;
-  PlanInputs inputs(brdf, sky, 0.3);
-  inputs.WithForm = true;
-  plan.Update(inputs, CurrentPlan::Timing::Always, problem);
-  ASSERT_TRUE(WaitUntil([&]() { return brdf->Door->IsAwaited(); }));
-  plan.Clear();
+  {
+    CurrentPlan plan;
+    std::string problem;
+    PlanInputs inputs(brdf, sky, 0.3);
+    inputs.WithForm = true;
+    plan.Update(inputs, CurrentPlan::Timing::Always, problem);
+    ASSERT_TRUE(WaitUntil([&]() { return brdf->Door->IsAwaited(); }));
+  }
   brdf->Door->OpenUp();
-  EXPECT_TRUE(WaitUntil([&]() { return plan.HasStopped(); }));
+  measuredbrdf::PlanJob::WaitForStopped();
   EXPECT_LT(brdf->Door->TakePasses(), 1 << 14);
 }
 
