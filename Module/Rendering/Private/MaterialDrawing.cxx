@@ -33,12 +33,12 @@ namespace
 {
 // Interactors ask for 15 frames a second while somebody moves what is shown, for one in hours else.
 constexpr double LeastInteractiveRate = 1.0;
-}
 
 bool IsInteracting(vtkRenderer* renderer)
 {
   auto* window = vtkRenderWindow::SafeDownCast(renderer->GetVTKWindow());
   return window && window->GetDesiredUpdateRate() >= LeastInteractiveRate;
+}
 }
 
 MaterialDrawing::MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSettings> settings,
@@ -219,8 +219,8 @@ bool MaterialDrawing::ResolvePlan(
   }
   if (plan)
   {
-    drawn.Integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(plan->NewIntegrator(
-      IsInteracting(state.Renderer) ? plan->GetInteractiveChoice() : plan->GetChoice()));
+    drawn.Integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(
+      plan->NewIntegrator(state.Hurries ? plan->GetInteractiveChoice() : plan->GetChoice()));
     drawn.BRDF = plan->GetBRDF();
     drawn.Environment = current.GetEnvironment();
     drawn.Plan = plan;
@@ -337,7 +337,8 @@ void MaterialDrawing::BeginFrame(
   ViewFrame& frame = this->Frames.Find(renderer, this->IsForView() ? actor : nullptr, part);
   const bool any = std::any_of(
     uses.begin(), uses.end(), [](const MaterialUse& use) { return use.first != nullptr; });
-  const FrameState state = { renderer, actor, any ? this->ResolveEnvironment(renderer) : nullptr };
+  const FrameState state = { renderer, actor, any ? this->ResolveEnvironment(renderer) : nullptr,
+    IsInteracting(renderer) && !this->Sums.HasTime(renderer, actor, part) };
   if (any)
   {
     this->WarnOfLevels(state);
