@@ -350,7 +350,7 @@ add("Integration.filtered-lamps-without-cosine", "vtkFilteredRadianceIntegrator.
 add("Rendering.sum-stays-when-the-view-changes", "Private/SampleSums.cxx",
     "if (view.Key != viewKey ||", "if (", "Samples.BeginAnewWhenTheViewChanges")
 add("Rendering.screenshot-of-a-part-of-the-sum", "Private/SampleSums.cxx",
-    "seen->GetReferenceCount() > 1 || tiles[0]", "tiles[0]", "Samples.PicturesThatTheFilterReadsWait")
+    "seen->GetReferenceCount() > 1", "seen->GetReferenceCount() > 2", "Samples.PicturesThatTheFilterReadsWait")
 add("Rendering.sum-is-not-aborted", "Private/SampleSums.cxx",
     "goesOn = !window->GetAbortRender();", "", "Samples.StopAndGoOn")
 add("Rendering.sum-of-unequal-parts", "Private/BRDFShader.cxx",
