@@ -433,6 +433,9 @@ TEST_F(Samples, AreDrawnWhileOneInteracts)
   EXPECT_TRUE(isDrawn(1.0)) << "it is still known";
   EXPECT_FALSE(isDrawn(Hasty));
   EXPECT_TRUE(isDrawn(Still));
+  this->Mapper->SetMaximumCost(4.0);
+  EXPECT_FALSE(isDrawn(Still));
+  EXPECT_NE(this->Mapper->GetPlan().find("costs more than MaximumCost"), std::string::npos);
 }
 
 //------------------------------------------------------------------------------

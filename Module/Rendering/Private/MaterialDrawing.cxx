@@ -149,6 +149,7 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   request.BRDF = use.first;
   request.Environment = state.Environment;
   request.Tolerance = this->GetTolerance(use.first);
+  request.MaximumCost = this->Settings->MaximumCost;
   request.Timing = timings[this->Settings->PlanningMode];
   request.ForView = this->IsForView();
   request.Slot = this->FindSlot(use.first);
