@@ -96,7 +96,7 @@ void PrintTable(vtkRadiancePlanner* planner, vtkOcclusionPredictor* occlusion)
 //------------------------------------------------------------------------------
 void Run(PlanCommandOptions& options, const CLI::App* command)
 {
-  tool::CheckTolerance(options.Plan.Tolerance);
+  options.Plan.Check();
   options.Plan.All = !options.ChoiceOnly;
   const tool::Size size = tool::ParseSize("--size", options.Size, LargestPlannedPicture);
   const tool::View view = tool::ParseView(options.View);
@@ -148,7 +148,7 @@ void AddPlanCommand(CLI::App& app)
   command->add_option("FILE", options->File, GetMaterialHelp())->required();
   command->add_option("--environment", options->Environment, EnvironmentHelp)->required();
   AddProjectionOption(command);
-  AddToleranceOption(command, options->Plan.Tolerance);
+  options->Plan.AddTo(command);
   options->Plan.AddForViewTo(command);
   command->add_option("--mesh", options->Mesh,
     "Also predict the error of leaving out what this mesh hides of the environment; with "

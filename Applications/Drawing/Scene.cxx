@@ -96,6 +96,7 @@ void Scene::ModelOcclusion(vtkMeasuredBRDFMapper::OcclusionModeType mode, bool b
 void Scene::SetPlan(const PlanOptions& options)
 {
   this->Mapper->SetErrorTolerance(options.Tolerance);
+  this->Mapper->SetMaximumCost(options.MaximumCost);
   this->Mapper->SetPlanForView(options.ForView);
 }
 

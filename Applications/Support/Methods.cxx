@@ -200,7 +200,7 @@ void MethodOptions::AddTo(CLI::App* command, bool onCpu, bool traced)
             description;
   }
   command->add_option("--method", this->Method, help)->check(CLI::IsMember(names));
-  AddToleranceOption(command, this->Plan.Tolerance);
+  this->Plan.AddTo(command);
   command->add_option("--sizes", this->Sizes, "Sizes of --method " + DescribeSizes());
   this->Lights.AddTo(command, "--lights");
   this->Lights.AddSoftTo(command);
@@ -216,8 +216,8 @@ void MethodOptions::Check(const CLI::App* command)
   {
     this->Method = "light-set";
   }
-  CheckTolerance(this->Plan.Tolerance);
-  for (const char* name : { "--tolerance", "--for-view" })
+  this->Plan.Check();
+  for (const char* name : { "--tolerance", "--maximum-cost", "--for-view" })
   {
     if (command->get_option_no_throw(name) && given(name) && this->Method != "auto")
     {
@@ -244,21 +244,29 @@ void PlanOptions::AddForViewTo(CLI::App* command)
 }
 
 //------------------------------------------------------------------------------
-void AddToleranceOption(CLI::App* command, double& tolerance)
+void PlanOptions::AddTo(CLI::App* command)
 {
-  command->add_option("--tolerance", tolerance,
+  command->add_option("--tolerance", this->Tolerance,
     "Error that a plan has to stay below, relative to the mean radiance (relative L1), from 0.001 "
     "to 1 (default " +
-      FormatNumber(tolerance) + ")");
+      FormatNumber(this->Tolerance) + ")");
+  command->add_option("--maximum-cost", this->MaximumCost,
+    "What a pixel of a plan may cost, times a table's, from 1 to 1e6 (default " +
+      FormatNumber(this->MaximumCost) + ", which allows all methods)");
 }
 
 //------------------------------------------------------------------------------
-void CheckTolerance(double tolerance)
+void PlanOptions::Check() const
 {
-  if (!(tolerance >= LeastTolerance && tolerance <= 1.0))
+  if (!(this->Tolerance >= LeastTolerance && this->Tolerance <= 1.0))
   {
     throw UsageError(
-      "--tolerance: " + FormatNumber(tolerance) + " is not between 0.001 and 1, like 0.02");
+      "--tolerance: " + FormatNumber(this->Tolerance) + " is not between 0.001 and 1, like 0.02");
+  }
+  if (!(this->MaximumCost >= 1.0 && this->MaximumCost <= 1e6))
+  {
+    throw UsageError(
+      "--maximum-cost: " + FormatNumber(this->MaximumCost) + " is not between 1 and 1e6, like 150");
   }
 }
 
@@ -284,6 +292,7 @@ vtkSmartPointer<vtkRadiancePlanner> MakePlan(const Material& material, vtkEnviro
   planner->SetBRDF(material.BRDF);
   planner->SetEnvironment(environment);
   planner->SetErrorTolerance(options.Tolerance);
+  planner->SetMaximumCost(options.MaximumCost);
   planner->SetEvaluateAll(options.All);
   if (seen && !planner->SetPairs(seen->Normals, seen->Views))
   {

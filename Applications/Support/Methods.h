@@ -26,8 +26,15 @@ namespace tool
 struct PlanOptions
 {
   double Tolerance = 0.02;
-  bool All = false;     // try every candidate
-  bool ForView = false; // for what a picture shows, instead of for a sphere from everywhere
+  double MaximumCost = 150.0; // of a pixel, times a table's
+  bool All = false;           // try every candidate
+  bool ForView = false;       // for what a picture shows, instead of for a sphere from everywhere
+
+  /// Add --tolerance and --maximum-cost to a subcommand.
+  void AddTo(CLI::App* command);
+
+  /// Throws UsageError where one of these can't be planned for.
+  void Check() const;
 
   /// Add --for-view to a subcommand.
   void AddForViewTo(CLI::App* command);
@@ -59,12 +66,6 @@ struct MethodOptions
   /// Whether it sums over lights: light-set and thesis.
   bool HasLights() const { return this->Method == "light-set" || this->Method == "thesis"; }
 };
-
-/// Add --tolerance to a subcommand.
-void AddToleranceOption(CLI::App* command, double& tolerance);
-
-/// Throws UsageError where it is not one that can be planned for.
-void CheckTolerance(double tolerance);
 
 /// A method made for a material and an environment.
 struct Method

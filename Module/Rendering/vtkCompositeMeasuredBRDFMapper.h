@@ -94,6 +94,8 @@ public:
   vtkRadianceIntegrator* GetIntegrator();
   void SetErrorTolerance(double tolerance);
   double GetErrorTolerance();
+  void SetMaximumCost(double cost);
+  double GetMaximumCost();
   void SetPlanningMode(int mode);
   int GetPlanningMode();
   void SetPlanningModeToForeground() { this->SetPlanningMode(vtkMeasuredBRDFMapper::FOREGROUND); }

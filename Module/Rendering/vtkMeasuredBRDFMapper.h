@@ -133,6 +133,15 @@ public:
   double GetErrorTolerance();
   ///@}
 
+  ///@{
+  /**
+   * What a pixel of a planned method may cost, times a table's (vtkRadiancePlanner::SetMaximumCost;
+   * default 150, in [1, 1e6]). GetPlan says what was given up for it.
+   */
+  void SetMaximumCost(double cost);
+  double GetMaximumCost();
+  ///@}
+
   /**
    * What was planned for the last render, with its predicted error, its size and why; "" if there
    * was no plan.

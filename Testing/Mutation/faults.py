@@ -350,11 +350,17 @@ add("Integration.filtered-lamps-without-cosine", "vtkFilteredRadianceIntegrator.
 add("Rendering.sum-stays-when-the-view-changes", "Private/SampleSums.cxx",
     "if (view.Key != viewKey ||", "if (", "Samples.BeginAnewWhenTheViewChanges")
 add("Rendering.screenshot-of-a-part-of-the-sum", "Private/SampleSums.cxx",
-    "isOther || tiles[0]", "tiles[0]", "Samples.PicturesThatAreReadWait")
+    "seen->GetReferenceCount() > 1", "seen->GetReferenceCount() > 2", "Samples.PicturesThatTheFilterReadsWait")
 add("Rendering.sum-is-not-aborted", "Private/SampleSums.cxx",
-    "!window->CheckAbortStatus();", "true;", "Samples.StopAndGoOn")
+    "goesOn = !window->GetAbortRender();", "", "Samples.StopAndGoOn")
+add("Rendering.sum-of-unequal-parts", "Private/BRDFShader.cxx",
+    "brdfPart.y - brdfPart.x", "1.0", "Samples.ShowTheSameOnPartsWithPlans")
+add("Rendering.samples-never-while-one-interacts", "Private/MaterialDrawing.cxx",
+    "!this->Sums.HasTime(renderer, actor, part)", "true", "Samples.AreDrawnWhileOneInteracts")
+add("Rendering.samples-however-long-they-take", "Private/SampleSums.cxx",
+    "seconds < view.GetBudget()", "seconds < HUGE_VAL", "Samples.AreDrawnWhileOneInteracts")
 add("Rendering.samples-of-a-subframe-twice", "Private/BRDFShader.cxx",
-    "ivec2(brdfPart.x, brdfPart.x + 1) *", "ivec2(brdfPart.x, brdfPart.x + 2) *", "Samples.ShowTheSameAsAllAtOnce")
+    "ivec2(brdfPart.xy) *", "ivec2(brdfPart.x, brdfPart.y + 1.0) *", "Samples.ShowTheSameAsAllAtOnce")
 add("Integration.filtered-keeps-samples-of-the-old-material", "vtkFilteredRadianceIntegrator.cxx",
     "impl.SamplesTime < this->BRDF->GetMTime() ||", "", "FilteredIntegrator.FollowsItsInputs")
 add("Integration.filtered-keeps-the-number-of-samples", "vtkFilteredRadianceIntegrator.cxx",

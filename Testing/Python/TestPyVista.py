@@ -544,9 +544,13 @@ class TestPlotter(PlotterTest):
     def test_copies(self):
         actor = self.plotter.measured.add_mesh(pv.Sphere(), lambert(0.8, 0.5, 0.1), tolerance=0.1)
         self.plotter.measured.set_environment(WHITE)
+        actor.mapper.maximum_cost = 4
         copied = actor.copy()
         self.assertIsNot(copied.mapper, actor.mapper)
         self.assertEqual((copied.mapper.tolerance, copied.mapper.material), (0.1, actor.mapper.material))
+        self.assertEqual(copied.mapper.maximum_cost, 4)
+        with self.assertRaisesRegex(ValueError, "maximum_cost: found 0, expected 1 to 1e6"):
+            actor.mapper.maximum_cost = 0
         self.plotter.clear_actors()
         self.plotter.add_actor(copied)
         self.expect_pixel(self.plotter, (0.8, 0.5, 0.1))

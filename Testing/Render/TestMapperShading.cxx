@@ -183,6 +183,7 @@ TEST(MapperCopy, TakesOverEveryProperty)
   original->SetEnvironment(environment);
   original->SetIntegrator(integrator);
   original->SetErrorTolerance(0.125);
+  original->SetMaximumCost(4.0);
   original->SetPlanningModeToBackground();
   original->PlanForViewOn();
   original->SetScalarColoringMode(vtkMeasuredBRDFMapper::IGNORE_SCALARS);

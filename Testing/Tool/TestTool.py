@@ -1468,6 +1468,7 @@ class Plan(ToolTest):
         self.assertLessEqual(coarse["texture_bytes"], chosen["texture_bytes"])
         self.assertEqual(chosen["cost"], 1)
         self.check(run(*common), 0, "> table", "error %", "within 2 %", " cost ")
+        self.check(run(*common, "--tolerance", "0.001", "--maximum-cost", "1"), 0, "costs more than MaximumCost")
 
     def test_for_view(self):
         common = ["plan", "gold-paint", "--environment", "hall", "--choice-only"]
@@ -1782,10 +1783,10 @@ class PlanErrors(ToolTest):
         common = self.COMPARE
         self.check(run(*common, "--method", "magic"), 2, "--method")
         self.check(run(*common, "--method", "exact"), 2, "--method")
-        for tolerance in ("0", "-1", "nan"):
-            self.check(run(*common, "--tolerance", tolerance), 2, "--tolerance", tolerance)
-            plan = ["plan", "blue-fabric", "--environment", "sky", "--tolerance", tolerance]
-            self.check(run(*plan), 2, "--tolerance", tolerance)
+        for option in ("--tolerance", "--maximum-cost"):
+            for value in ("0", "-1", "nan"):
+                self.check(run(*common, option, value), 2, option, value)
+                self.check(run("plan", "blue-fabric", "--environment", "sky", option, value), 2, option, value)
         self.check(run(*common, "--reference-pixels", "0"), 2, "--reference-pixels")
         self.check(run(*common, "-o", "x.exr"), 2, ".png")
         self.check(run(*common, "-o", self.path("no/x.png")), 1, "no/x.png")

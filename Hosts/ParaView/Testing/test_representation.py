@@ -281,6 +281,7 @@ def test_state_and_trace():
     display.MeasuredMaterial = "violet-rubber"
     display.MeasuredEnvironment = "hall"
     display.ErrorTolerance = 0.05
+    display.MaximumCost = 4
     display.OcclusionMode = "On"
     display.OcclusionBounce = 1
     before = draw(view, "state-before")
@@ -293,6 +294,7 @@ def test_state_and_trace():
         ("MeasuredMaterial", "'violet-rubber'"),
         ("MeasuredEnvironment", "'hall'"),
         ("ErrorTolerance", "0.05"),
+        ("MaximumCost", "4"),
         ("OcclusionMode", "'On'"),
         ("OcclusionBounce", "1"),
     ):

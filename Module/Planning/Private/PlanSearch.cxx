@@ -329,7 +329,7 @@ std::string DescribePlan(const Plan& plan)
   if (plan.Interactive >= 0 && plan.Interactive != plan.Choice)
   {
     const PlanCandidate& other = plan.Candidates[static_cast<std::size_t>(plan.Interactive)];
-    interactive = "; while one interacts: " + other.Method + ", " + other.Description + ", with " +
+    interactive = "; while one interacts and that takes too long: " + other.Method + ", " + other.Description + ", with " +
                   Percent(other.Error);
   }
   return chosen.Method + ", " + chosen.Description + error + percentiles + pictures + costs +

@@ -129,9 +129,9 @@ std::string GetSamplesText(SumStage stage)
 {
   if (stage == SumStage::Add)
   {
-    return "uniform ivec2 brdfPart; // sub-frame x of y\n"
-           "#define BRDF_SAMPLES(count) (ivec2(brdfPart.x, brdfPart.x + 1) * count / brdfPart.y)\n"
-           "#define BRDF_SAMPLES_SHARE float(brdfPart.y)\n";
+    return "uniform vec3 brdfPart; // samples from x to y of z\n"
+           "#define BRDF_SAMPLES(count) (ivec2(brdfPart.xy) * count / int(brdfPart.z))\n"
+           "#define BRDF_SAMPLES_SHARE brdfPart.z\n";
   }
   return std::string(stage == SumStage::Show ? vtkBRDFSampleSum : "") +
          "#define BRDF_SAMPLES(count) ivec2(0, count)\n#define BRDF_SAMPLES_SHARE 1.0\n";
@@ -173,10 +173,10 @@ bool IsOfSum(SumStage stage) { return stage == SumStage::Others || stage == SumS
 
 std::string GetSumOutput(SumStage stage)
 {
-  return stage == SumStage::Add
-           ? "  gl_FragData[0] = vec4(brdfSummand, 1.0);\n  gl_FragData[1] = vec4(0.0);\n"
-           : "  gl_FragData[0] = vec4(0.0);\n"
-             "  gl_FragData[1] = vec4(brdfSummand, gl_FragCoord.z);\n";
+  return stage == SumStage::Add ? "  gl_FragData[0] = vec4(brdfSummand, brdfPart.y - brdfPart.x);\n"
+                                  "  gl_FragData[1] = vec4(0.0);\n"
+                                : "  gl_FragData[0] = vec4(0.0);\n"
+                                  "  gl_FragData[1] = vec4(brdfSummand, gl_FragCoord.z);\n";
 }
 
 std::string GetShaderBody(const ShaderBody& body)

@@ -28,6 +28,7 @@ constexpr std::size_t MostLooks = 4;
 PlanInputs GetInputsForEveryView(const PlanRequest& request)
 {
   PlanInputs inputs(request.BRDF, request.Environment, request.Tolerance);
+  inputs.MaximumCost = request.MaximumCost;
   inputs.WithForm = request.WithForm;
   return inputs;
 }

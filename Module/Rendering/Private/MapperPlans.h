@@ -42,6 +42,7 @@ struct PlanRequest
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
   double Tolerance = 0.0;
+  double MaximumCost = 150.0;
   CurrentPlan::Timing Timing = CurrentPlan::Timing::Foreground;
   bool ForView = false; // or for every view
   int Slot = 0;         // which of the mapper's materials

@@ -31,6 +31,7 @@
   MEASUREDBRDF_PROPERTY(Class, settings, OcclusionBounce, OcclusionBounce, bool)         \
   MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, PlanningMode, int)                      \
   MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, ErrorTolerance, double)                 \
+  MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, MaximumCost, double)                    \
   MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, ScalarColoringMode, int)                \
   MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, OcclusionMode, int)
 

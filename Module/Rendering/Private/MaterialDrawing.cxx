@@ -33,12 +33,12 @@ namespace
 {
 // Interactors ask for 15 frames a second while somebody moves what is shown, for one in hours else.
 constexpr double LeastInteractiveRate = 1.0;
-}
 
 bool IsInteracting(vtkRenderer* renderer)
 {
   auto* window = vtkRenderWindow::SafeDownCast(renderer->GetVTKWindow());
   return window && window->GetDesiredUpdateRate() >= LeastInteractiveRate;
+}
 }
 
 MaterialDrawing::MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSettings> settings,
@@ -149,6 +149,7 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   request.BRDF = use.first;
   request.Environment = state.Environment;
   request.Tolerance = this->GetTolerance(use.first);
+  request.MaximumCost = this->Settings->MaximumCost;
   request.Timing = timings[this->Settings->PlanningMode];
   request.ForView = this->IsForView();
   request.Slot = this->FindSlot(use.first);
@@ -219,8 +220,8 @@ bool MaterialDrawing::ResolvePlan(
   }
   if (plan)
   {
-    drawn.Integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(plan->NewIntegrator(
-      IsInteracting(state.Renderer) ? plan->GetInteractiveChoice() : plan->GetChoice()));
+    drawn.Integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(
+      plan->NewIntegrator(state.Hurries ? plan->GetInteractiveChoice() : plan->GetChoice()));
     drawn.BRDF = plan->GetBRDF();
     drawn.Environment = current.GetEnvironment();
     drawn.Plan = plan;
@@ -337,7 +338,8 @@ void MaterialDrawing::BeginFrame(
   ViewFrame& frame = this->Frames.Find(renderer, this->IsForView() ? actor : nullptr, part);
   const bool any = std::any_of(
     uses.begin(), uses.end(), [](const MaterialUse& use) { return use.first != nullptr; });
-  const FrameState state = { renderer, actor, any ? this->ResolveEnvironment(renderer) : nullptr };
+  const FrameState state = { renderer, actor, any ? this->ResolveEnvironment(renderer) : nullptr,
+    IsInteracting(renderer) && !this->Sums.HasTime(renderer, actor, part) };
   if (any)
   {
     this->WarnOfLevels(state);

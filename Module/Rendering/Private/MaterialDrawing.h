@@ -48,9 +48,6 @@ namespace measuredbrdf
 /// draws them.
 using MaterialUse = std::pair<vtkBRDF*, std::vector<vtkPolyData*>>;
 
-/// Whether the renderer's window wants frames fast now (vtkRenderWindow::GetDesiredUpdateRate).
-bool IsInteracting(vtkRenderer* renderer);
-
 class MaterialDrawing
 {
 public:
@@ -193,6 +190,7 @@ private:
     vtkRenderer* Renderer;
     vtkActor* Actor;
     vtkSmartPointer<vtkEnvironment> Environment; // null: there is none
+    bool Hurries = false; // one interacts, and samples are not known to be drawn in a frame's time
   };
 
   int FindSlot(vtkBRDF* brdf);

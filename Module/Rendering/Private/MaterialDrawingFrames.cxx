@@ -35,7 +35,7 @@ FrameStamp MaterialDrawing::GetStamp(const FrameState& state, const std::vector<
   stamp.SettingsTime = this->Settings->GetMTime();
   stamp.Environment = state.Environment;
   stamp.EnvironmentTime = state.Environment->GetMTime();
-  stamp.IsInteractive = IsInteracting(state.Renderer);
+  stamp.Hurries = state.Hurries;
   stamp.HasLight = HasLight(state.Renderer, state.Environment != nullptr);
   for (const MaterialUse& use : uses)
   {

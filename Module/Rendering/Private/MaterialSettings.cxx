@@ -58,6 +58,11 @@ void MaterialSettings::SetErrorTolerance(vtkObject* self, double tolerance)
     self, "ErrorTolerance", this->ErrorTolerance, tolerance, SmallestTolerance, LargestTolerance);
 }
 
+void MaterialSettings::SetMaximumCost(vtkObject* self, double cost)
+{
+  this->SetClamped(self, "MaximumCost", this->MaximumCost, cost, 1.0, 1e6);
+}
+
 void MaterialSettings::SetScalarColoringMode(vtkObject* self, int mode)
 {
   this->SetMode(self, "ScalarColoringMode", this->ScalarColoringMode, mode, 2);
@@ -102,6 +107,7 @@ void MaterialSettings::Print(ostream& os, vtkIndent indent) const
   os << indent << "Environment: " << this->Environment.Get() << "\n";
   os << indent << "Integrator: " << this->Integrator.Get() << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
+  os << indent << "MaximumCost: " << this->MaximumCost << "\n";
   os << indent << "PlanningMode: " << planning[this->PlanningMode] << "\n";
   os << indent << "PlanForView: " << (this->PlanForView ? "On" : "Off") << "\n";
   os << indent << "ScalarColoringMode: " << (this->ScalarColoringMode ? "modulate" : "ignore")

@@ -34,6 +34,7 @@ struct MaterialSettings
   int PlanningMode = 0;
   bool PlanForView = false;
   double ErrorTolerance = 0.02;
+  double MaximumCost = 150.0;
   int ScalarColoringMode = 1;
   bool UseSceneLights = true;
   int OcclusionMode = 1;
@@ -51,6 +52,7 @@ struct MaterialSettings
   /// refused, numbers out of range are clamped (Setters.h).
   void SetPlanningMode(vtkObject* self, int mode);
   void SetErrorTolerance(vtkObject* self, double tolerance);
+  void SetMaximumCost(vtkObject* self, double cost);
   void SetScalarColoringMode(vtkObject* self, int mode);
   void SetOcclusionMode(vtkObject* self, int mode);
   ///@}

@@ -70,6 +70,7 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool ap
     apart ? vtkSmartPointer<vtkEnvironment>::Take(inputs.Environment->NewSnapshot())
           : inputs.Environment);
   planner->SetErrorTolerance(inputs.Tolerance);
+  planner->SetMaximumCost(inputs.MaximumCost);
   if (inputs.Seen)
   {
     planner->SetPairs(ToWorld(inputs.Seen->GetNormals(), planner->GetEnvironment()),

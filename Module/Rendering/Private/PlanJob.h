@@ -44,11 +44,11 @@ struct PlanInputs
 
   /// The plans' key. Modification times are never used twice: a recycled address does no harm.
   using Key =
-    std::tuple<vtkBRDF*, vtkMTimeType, vtkEnvironment*, vtkMTimeType, double, vtkMTimeType>;
+    std::tuple<vtkBRDF*, vtkMTimeType, vtkEnvironment*, vtkMTimeType, double, double, vtkMTimeType>;
   Key GetKey() const
   {
     return { this->BRDF, this->BRDFTime, this->Environment, this->PixelsTime, this->Tolerance,
-      this->SeenTime };
+      this->MaximumCost, this->SeenTime };
   }
 
   vtkSmartPointer<vtkBRDF> BRDF;
@@ -56,6 +56,7 @@ struct PlanInputs
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkMTimeType PixelsTime = 0;
   double Tolerance = 0.0;
+  double MaximumCost = 150.0;
 
   ///@{
   /// What the camera sees, in the environment's frame, and a time that no other one has; null, 0:

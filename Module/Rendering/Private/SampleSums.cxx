@@ -24,10 +24,12 @@
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
 #include "vtkTextureObject.h"
+#include "vtkTransform.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <map>
 
@@ -35,8 +37,8 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr int SamplesOfSubframe = 4;
 constexpr double LongestFrame = 0.5;     // seconds, of sub-frames while one looks on
+constexpr double LongestSubframe = 0.1;  // after which whoever wants to abort is asked
 constexpr unsigned long Pause = 10;      // milliseconds, for events between frames
 constexpr unsigned long MostPasses = 64; // Renders of a mapper in one picture
 constexpr std::size_t BytesOfPixel = 16 + 16 + 4;
@@ -194,17 +196,25 @@ struct SampleSums::View
   struct Progress
   {
     std::vector<double> Key;
-    int Done = 0;
+    int Done = 0; // samples
     int Count = 1;
-    unsigned long Render = 0; // the last one
+    double Seconds = 0.0;        // that these took
+    double PerSample = HUGE_VAL; // of the last sub-frame
+    unsigned long Render = 0;    // the last one
+
+    // As many samples as take that long, and of the first sub-frame one; what is left is spread
+    // evenly.
+    int GetNext(double seconds) const
+    {
+      const int left = this->Count - this->Done;
+      const double frames = std::ceil(std::min<double>(left * (this->PerSample / seconds), left));
+      return static_cast<int>(std::ceil(left / std::max(frames, 1.0)));
+    }
   };
 
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkWeakPointer<vtkActor> Actor;
   bool IsLeft = true;
-  vtkWeakPointer<vtkCamera> Camera; // of the last picture
-  unsigned long LastRender = 0;
-  bool IsWaiting = false;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer; // null: nothing is kept
   vtkSmartPointer<vtkTextureObject> Radiance;
@@ -212,7 +222,8 @@ struct SampleSums::View
   std::size_t Bytes = 0;
   int Viewport[4] = { 0, 0, 0, 0 };
   std::vector<double> Key;
-  std::map<const void*, Progress> Parts;                // none: the framebuffer is to be cleared
+  std::map<const void*, Progress> Parts; // none: the framebuffer is to be cleared
+  std::map<const void*, double> Seconds; // for all samples of parts, as last measured
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor; // whose timer draws the next picture
   vtkSmartPointer<vtkCallbackCommand> Command;
   SampleSums* Sums = nullptr;
@@ -303,25 +314,17 @@ struct SampleSums::View
     return works;
   }
 
-  // Whether nobody may look at a part of the sum. Screenshots (vtkWindowToImageFilter) have a
-  // camera of their own, while the renderer's is there.
-  bool Waits(unsigned long render)
+  // Whether nobody may look at a part of the sum. Screenshots (vtkWindowToImageFilter) are seen by
+  // a shallow copy of the camera, which shares its transforms.
+  bool Waits() const
   {
-    if (this->LastRender == render) // another part asked
-    {
-      return this->IsWaiting;
-    }
-    this->LastRender = render;
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    const bool isOther = this->Camera && this->Camera != camera;
-    this->Camera = camera;
     vtkRenderWindow* window = this->Renderer->GetRenderWindow();
     const int* tiles = window->GetTileScale();
     vtkRenderWindowInteractor* interactor = window->GetInteractor();
-    this->IsWaiting = isOther || tiles[0] > 1 || tiles[1] > 1 || !window->GetShowWindow() ||
-                      window->GetUseOffScreenBuffers() || !window->GetSwapBuffers() ||
-                      !interactor || !interactor->GetEnabled();
-    return this->IsWaiting;
+    vtkTransform* seen = this->Renderer->GetActiveCamera()->GetModelViewTransformObject();
+    return seen->GetReferenceCount() > 1 || tiles[0] > 1 || tiles[1] > 1 ||
+           !window->GetShowWindow() || window->GetUseOffScreenBuffers() ||
+           !window->GetSwapBuffers() || !interactor || !interactor->GetEnabled();
   }
 
   // For the next picture; false: the interactor has none.
@@ -403,12 +406,12 @@ void SampleSums::Add(const SummedPart& part, const std::vector<DrawnMaterial>& m
   const std::function<void()>& draw)
 {
   const int samples = CountSamples(materials);
-  if ((samples <= SamplesOfSubframe && this->Views.empty()) || materials.empty() || !MayAdd(part))
+  if ((samples < 2 && this->Views.empty()) || materials.empty())
   {
     return;
   }
   View& view = this->FindView(part);
-  if (samples <= SamplesOfSubframe)
+  if (samples < 2)
   {
     view.Parts.erase(part.Who);
     if (view.Parts.empty())
@@ -417,9 +420,11 @@ void SampleSums::Add(const SummedPart& part, const std::vector<DrawnMaterial>& m
     }
     return;
   }
+  view.Seconds.erase(part.Who); // until it is known of this picture
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(part.Renderer->GetRenderWindow());
-  bool waits = view.Waits(this->Renders);
-  if (waits && !view.Framebuffer && !window->HasObserver(vtkCommand::AbortCheckEvent))
+  bool waits = view.Waits();
+  if (!MayAdd(part) ||
+      (waits && !view.Framebuffer && !window->HasObserver(vtkCommand::AbortCheckEvent)))
   {
     return;
   }
@@ -439,13 +444,12 @@ void SampleSums::Add(const SummedPart& part, const std::vector<DrawnMaterial>& m
   View::Progress& progress = view.Parts[part.Who];
   view.Key = std::move(viewKey);
   progress.Key = std::move(key);
-  progress.Count = samples / SamplesOfSubframe;
+  progress.Count = samples;
   progress.Render = this->Renders;
-  this->Count = progress.Count;
   if (progress.Done < progress.Count)
   {
     waits = waits || !view.StartTimer(this);
-    const auto end = this->Start + std::chrono::duration<double>(view.GetBudget());
+    const double budget = view.GetBudget();
     Target target(window->GetState(), view.Framebuffer, view.Viewport);
     if (isFirst)
     {
@@ -459,17 +463,30 @@ void SampleSums::Add(const SummedPart& part, const std::vector<DrawnMaterial>& m
     };
     try
     {
-      if (progress.Done == 0)
-      {
-        drawStage(SumStage::Others);
-      }
       for (bool goesOn = true; goesOn;)
       {
-        this->Subframe = progress.Done++;
+        const auto begin = Clock::now();
+        const int next = progress.GetNext(std::min(budget, LongestSubframe));
+        this->Samples = { static_cast<float>(progress.Done),
+          static_cast<float>(progress.Done + next), static_cast<float>(progress.Count) };
+        if (progress.Done == 0)
+        {
+          drawStage(SumStage::Others);
+        }
+        progress.Done += next;
         drawStage(SumStage::Add);
         window->WaitForCompletion();
-        goesOn = progress.Done < progress.Count && (waits || Clock::now() < end) &&
-                 !window->CheckAbortStatus();
+        const auto end = Clock::now();
+        const double seconds = std::chrono::duration<double>(end - begin).count();
+        progress.PerSample = seconds / next;
+        progress.Seconds += seconds;
+        const std::chrono::duration<double> taken = end - this->Start;
+        goesOn = progress.Done < progress.Count && (waits || taken.count() < budget);
+        if (goesOn) // VTK's own CheckAbortStatus asks five times a second at most
+        {
+          window->InvokeEvent(vtkCommand::AbortCheckEvent);
+          goesOn = !window->GetAbortRender();
+        }
         if (!view.Framebuffer) // whoever was asked had all released
         {
           this->Stage = SumStage::None;
@@ -483,6 +500,7 @@ void SampleSums::Add(const SummedPart& part, const std::vector<DrawnMaterial>& m
       throw;
     }
   }
+  view.Seconds[part.Who] = progress.Seconds + (progress.Count - progress.Done) * progress.PerSample;
   view.Radiance->Activate();
   view.Others->Activate();
   this->Shown = &view;
@@ -504,8 +522,7 @@ void SampleSums::SetUniforms(vtkShaderProgram* program) const
 {
   if (this->Stage == SumStage::Add)
   {
-    const int part[2] = { this->Subframe, this->Count };
-    program->SetUniform2i("brdfPart", part);
+    program->SetUniform3f("brdfPart", this->Samples.data());
   }
   else if (this->Stage == SumStage::Show)
   {
@@ -521,10 +538,26 @@ bool SampleSums::IsPending() const
     [this](const View& view) { return view.IsPending(this->Renders); });
 }
 
+bool SampleSums::HasTime(vtkRenderer* renderer, vtkActor* actor, const void* who) const
+{
+  return std::any_of(this->Views.begin(), this->Views.end(),
+    [&](const View& view)
+    {
+      double seconds = 0.0;
+      for (const auto& part : view.Seconds)
+      {
+        seconds += part.second;
+      }
+      return view.Renderer == renderer && view.Actor == actor && view.Seconds.count(who) > 0 &&
+             seconds < view.GetBudget();
+    });
+}
+
 void SampleSums::Forget(const void* who)
 {
   for (View& view : this->Views)
   {
+    view.Seconds.erase(who);
     if (view.Parts.count(who) > 0)
     {
       view.Parts.clear(); // it hides others there

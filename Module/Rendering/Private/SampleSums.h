@@ -4,7 +4,7 @@
  * @file
  * Pictures whose samples are drawn in sub-frames that add up. Private to the rendering room.
  *
- * Sub-frame j of n has every n-th part of the samples, n times; the mean of all is the light of all
+ * A sub-frame has some of the n samples, n times; the sum of all over n is the light of all
  * samples, since radiance is encoded after that. Each is drawn into a framebuffer of the view's,
  * with depth, where those of the front-most surface add up beside the light that is no sample's;
  * the picture takes its radiance from there (shaders/vtkBRDFSampleSum.glsl).
@@ -17,6 +17,7 @@
 #include "DrawnMaterial.h"
 #include "vtkType.h"
 
+#include <array>
 #include <chrono>
 #include <functional>
 #include <list>
@@ -63,6 +64,9 @@ public:
   /// Whether the last picture of a view was not yet of all samples: the next one goes on.
   bool IsPending() const;
 
+  /// Whether a picture of all samples of a part, which was measured, takes no longer than a frame.
+  bool HasTime(vtkRenderer* renderer, vtkActor* actor, const void* who) const;
+
   ///@{
   /// Of a mapper that draws no more; of a window's views.
   void Forget(const void* who);
@@ -78,8 +82,7 @@ private:
   std::list<View> Views;
   View* Shown = nullptr;
   SumStage Stage = SumStage::None;
-  int Subframe = 0; // added now
-  int Count = 1;    // of sub-frames, of the part that is drawn
+  std::array<float, 3> Samples = {}; // added now: from, to, of how many
   Clock::time_point Start;
   unsigned long Renders = 0;
 };

@@ -32,14 +32,14 @@ struct FrameStamp
   vtkEnvironment* Environment = nullptr;
   vtkMTimeType EnvironmentTime = 0;
   bool HasLight = false;
-  bool IsInteractive = false;
+  bool Hurries = false;
   std::vector<std::pair<vtkBRDF*, double>> Uses; // with tolerances
 
   bool operator==(const FrameStamp& other) const
   {
     return this->SettingsTime == other.SettingsTime && this->Environment == other.Environment &&
            this->EnvironmentTime == other.EnvironmentTime && this->HasLight == other.HasLight &&
-           this->IsInteractive == other.IsInteractive && this->Uses == other.Uses;
+           this->Hurries == other.Hurries && this->Uses == other.Uses;
   }
 };
 

@@ -64,6 +64,17 @@ class _Measured:
         self.SetErrorTolerance(tolerance)
 
     @property
+    def maximum_cost(self: Any) -> float:
+        """What a pixel of a planned method may cost, times a table's, from 1 to 1e6."""
+        return self.GetMaximumCost()
+
+    @maximum_cost.setter
+    def maximum_cost(self: Any, cost: float) -> None:
+        if not 1.0 <= cost <= 1e6:
+            raise ValueError(f"maximum_cost: found {cost}, expected 1 to 1e6")
+        self.SetMaximumCost(cost)
+
+    @property
     def plan(self: Any) -> str:
         """How the last picture was drawn: method, predicted error, sizes and reason; "" before the first one."""
         return self.GetPlan()

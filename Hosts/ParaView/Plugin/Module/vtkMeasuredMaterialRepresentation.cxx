@@ -95,6 +95,7 @@ struct vtkMeasuredMaterialRepresentation::Internals
   double Rotation = 0.0;
   int UpAxis = 1;
   double Tolerance = 0.02;
+  double MaximumCost = 150.0;
   bool Modulate = true;
   bool ViewLights = false;
   bool Background = true;
@@ -407,14 +408,27 @@ void vtkMeasuredMaterialRepresentation::SetMeasuredEnvironmentUpAxis(int axis)
 //------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::SetErrorTolerance(double tolerance)
 {
-  if (!(tolerance >= 0.001 && tolerance <= 1.0)) // said here once, not by the mappers in each frame
+  this->Take("SetErrorTolerance", this->Impl->Tolerance, tolerance, 0.001, 1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetMaximumCost(double cost)
+{
+  this->Take("SetMaximumCost", this->Impl->MaximumCost, cost, 1.0, 1e6);
+}
+
+//------------------------------------------------------------------------------
+// What is wrong is said here once, not by the mappers in each frame.
+void vtkMeasuredMaterialRepresentation::Take(
+  const char* name, double& property, double value, double low, double high)
+{
+  if (!(value >= low && value <= high))
   {
-    vtkErrorMacro("SetErrorTolerance: found "
-                  << tolerance << ", expected a number from 0.001 to 1; " << this->Impl->Tolerance
-                  << " stays.");
+    vtkErrorMacro(<< name << ": found " << value << ", expected a number from " << low << " to "
+                  << high << "; " << property << " stays.");
     return;
   }
-  this->Impl->Tolerance = tolerance;
+  property = value;
 }
 
 //------------------------------------------------------------------------------
@@ -549,6 +563,7 @@ void vtkMeasuredMaterialRepresentation::UpdateMappers(
     mapper->SetBRDF(impl.BRDF);
     mapper->SetEnvironment(environment);
     mapper->SetErrorTolerance(impl.Tolerance);
+    mapper->SetMaximumCost(impl.MaximumCost);
     mapper->SetPlanningMode(mode);
     mapper->SetUseSceneLights(impl.ViewLights || ownLights);
     mapper->SetScalarColoringMode(
@@ -668,6 +683,7 @@ void vtkMeasuredMaterialRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MeasuredEnvironmentRotation: " << impl.Rotation << "\n";
   os << indent << "MeasuredEnvironmentUpAxis: " << impl.UpAxis << "\n";
   os << indent << "ErrorTolerance: " << impl.Tolerance << "\n";
+  os << indent << "MaximumCost: " << impl.MaximumCost << "\n";
   os << indent << "ModulateByScalars: " << impl.Modulate << "\n";
   os << indent << "UseViewLights: " << impl.ViewLights << "\n";
   os << indent << "PlanInBackground: " << impl.Background << "\n";

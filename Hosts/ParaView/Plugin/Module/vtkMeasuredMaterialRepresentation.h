@@ -83,11 +83,13 @@ public:
 
   ///@{
   /**
-   * As vtkMeasuredBRDFMapper has them: the error tolerance in [0.001, 1], default 0.02; whether
-   * scalar colors multiply the radiance (default on); whether the view's lights light the material
-   * beside the environment (default off: ParaView's light kit stands for an environment).
+   * As vtkMeasuredBRDFMapper has them: the error tolerance in [0.001, 1], default 0.02; what a
+   * pixel may cost, times a table's, in [1, 1e6], default 150; whether scalar colors multiply the
+   * radiance (default on); whether the view's lights light the material beside the environment
+   * (default off: ParaView's light kit stands for an environment).
    */
   void SetErrorTolerance(double tolerance);
+  void SetMaximumCost(double cost);
   void SetModulateByScalars(bool modulate);
   void SetUseViewLights(bool use);
   ///@}
@@ -145,6 +147,7 @@ private:
   void operator=(const vtkMeasuredMaterialRepresentation&) = delete;
 
   void NamesChanged();
+  void Take(const char* name, double& property, double value, double low, double high);
   int FindOcclusionMode(vtkDataObject* data, bool interactive);
   void WarnOfParts();
   void UpdateMappers(vtkDataObject* data, vtkDataObject* levelOfDetail);
