@@ -212,7 +212,13 @@ std::vector<std::vector<int>> vtkAnisotropicTableRadianceIntegrator::GetCandidat
   {
     return {};
   }
-  return GetAnisotropicCandidates();
+  std::vector<std::vector<int>> sizes = GetAnisotropicCandidates();
+  const auto goOn = [this]() { return this->Report(0.0); };
+  if (CountPlannedLights(this->Environment, LampAngle, goOn) > 0)
+  {
+    sizes.pop_back(); // tables beside lamps take over
+  }
+  return sizes;
 }
 
 //------------------------------------------------------------------------------

@@ -24,7 +24,7 @@ namespace
 using measuredbrdf::Registry;
 using Methods = Registry<vtkRadianceIntegrator>::Items;
 
-// The module's own. Of candidates at equal cost, planners try those of the first one first.
+// The module's own, in the order in which programs and lists show them.
 Methods MakeOwnMethods()
 {
   Methods methods = Registry<vtkRadianceIntegrator>::Make<vtkTableRadianceIntegrator,

@@ -8,17 +8,16 @@
  * Given a BRDF, an environment and a tolerance, it climbs a ladder of methods and their sizes
  * (vtkRadianceMethods) in the order of what a pixel costs:
  *
- * 1. radiance tables of 17, 33 and 49 rows, and of 201 where the light has no suns or lamps;
- * 2. where it has: tables of 33 and 65 rows with suns and lamps as lights, and eight maps with
+ * 1. radiance tables of 17 and 33 rows, and of 49 and 201 where the light has no suns or lamps;
+ * 2. where it has: tables of 33, 65 and 81 rows with suns and lamps as lights, and eight maps with
  *    these;
  * 3. filtered samples: 16, 64, 256 of the material's lobe with as many of the light.
  *
- * Anisotropic materials have tables of their own, and sets of 64 and 256 lights at the top. The two
- * lowest rungs are tried first. Where both miss the tolerance, the climb goes on at the lowest rung
- * with lamps, or at the next one. It ends at the first rung within the tolerance; then lower ones
- * are tried as long as they are within it, too. The cheapest within the tolerance is the choice,
- * else the most accurate. GetInteractiveChoice is what to draw while somebody interacts: the most
- * accurate of the rungs tried that cost at most four times a table's pixel, so no samples.
+ * Anisotropic materials have tables of their own, and sets of 64 and 256 lights at the top. The
+ * climb ends at the first rung within the tolerance, which is the choice; where there is none, the
+ * most accurate one is. GetInteractiveChoice is what to draw while somebody interacts and the
+ * choice takes too long: the most accurate of the rungs tried that cost at most four times a
+ * table's pixel, so no samples.
  *
  * Errors are relative L1 over a sphere, mean |x - r| / mean r, and are measured: each rung is
  * prepared and compared on about 512 (normal, view) pairs with a nearly exact sum (for broad lobes

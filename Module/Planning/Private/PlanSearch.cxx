@@ -149,62 +149,24 @@ bool PlanSearch::Run(std::vector<PlanCandidate> ladder)
 {
   this->Ladder = std::move(ladder);
   this->Tried.assign(this->Ladder.size(), false);
-  bool done = this->Climb();
-  for (std::size_t rung = 0; done && this->Task.All && rung < this->Ladder.size(); ++rung)
+  bool found = false;
+  for (std::size_t rung = 0; rung < this->Ladder.size() && (!found || this->Task.All); ++rung)
   {
-    if (!this->Tried[rung])
+    PlanCandidate& candidate = this->Ladder[rung];
+    candidate.MayBeChosen = candidate.MayBeChosen && !found; // the choice is the climb's
+    if (!this->Try(rung))
     {
-      this->Ladder[rung].MayBeChosen = false; // the choice is the climb's
-      done = this->Try(rung);
+      return false;
     }
+    found = found ||
+            (candidate.MayBeChosen && this->Tried[rung] && candidate.Error <= this->Task.Tolerance);
   }
-  if (!done || this->Task.IsAborted())
+  if (this->Task.IsAborted())
   {
     return false;
   }
   this->Choose();
   return true;
-}
-
-bool PlanSearch::Climb()
-{
-  std::vector<std::size_t> rungs; // without what is only listed
-  std::size_t lamps = 0;          // the lowest rung that has some; none of the lowest two is
-  for (std::size_t k = 0; k < this->Ladder.size(); ++k)
-  {
-    if (this->Ladder[k].MayBeChosen)
-    {
-      lamps = lamps == 0 && this->Ladder[k].Method == "hybrid" ? rungs.size() : lamps;
-      rungs.push_back(k);
-    }
-  }
-  std::size_t at = 0;
-  while (at < rungs.size())
-  {
-    if (!this->Try(rungs[at]))
-    {
-      return false;
-    }
-    if (this->IsWithin(rungs[at]))
-    {
-      break;
-    }
-    at = at == 1 ? std::max(lamps, at + 1) : at + 1;
-  }
-  for (; at > 0 && at < rungs.size() && this->IsWithin(rungs[at]) && !this->Tried[rungs[at - 1]];
-       --at)
-  {
-    if (!this->Try(rungs[at - 1]))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool PlanSearch::IsWithin(std::size_t rung) const
-{
-  return this->Tried[rung] && this->Ladder[rung].Error <= this->Task.Tolerance;
 }
 
 // Prepare a rung and see how far it is from the reference.
@@ -329,8 +291,8 @@ std::string DescribePlan(const Plan& plan)
   if (plan.Interactive >= 0 && plan.Interactive != plan.Choice)
   {
     const PlanCandidate& other = plan.Candidates[static_cast<std::size_t>(plan.Interactive)];
-    interactive = "; while one interacts and that takes too long: " + other.Method + ", " + other.Description + ", with " +
-                  Percent(other.Error);
+    interactive = "; while one interacts and that takes too long: " + other.Method + ", " +
+                  other.Description + ", with " + Percent(other.Error);
   }
   return chosen.Method + ", " + chosen.Description + error + percentiles + pictures + costs +
          plan.Reason + interactive;

@@ -89,11 +89,8 @@ public:
   std::function<void(double)> Progress;
 
   /**
-   * Try rungs of the ladder, which is in the order of cost. The two lowest come first, which drew
-   * the pairs and are prepared. Where both miss the tolerance, the climb goes on at the lowest rung
-   * that has lamps as lights, if the light has lamps. It ends at the first rung within the
-   * tolerance, and steps down again from there while the next lower one is within it, too. The
-   * cheapest rung within the tolerance is the choice; where there is none, the most accurate.
+   * Try the rungs of the ladder, which is in the order of cost, up to the first one within the
+   * tolerance. That is the choice; where there is none, the most accurate one is.
    *
    * Returns false, with the task's Problem, where it was aborted, or a method of the module failed.
    * A rung of a program's own that cannot be prepared is left out with a warning. So is one that
@@ -108,9 +105,7 @@ public:
   const std::string& GetWarnings() const { return this->Warnings; }
 
 private:
-  bool Climb();
   bool Try(std::size_t rung);
-  bool IsWithin(std::size_t rung) const;
   void Choose();
 
   PlanTask& Task;
