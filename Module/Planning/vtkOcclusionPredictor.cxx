@@ -25,9 +25,7 @@ namespace
 {
 constexpr int FewestPoints = 16;
 constexpr int MostPoints = 1000000;
-constexpr int FewestSamples = 8;
-constexpr int MostSamples = 100000;
-constexpr int MostBounces = 1000;
+constexpr int Samples = 64;          // of each point
 constexpr double SureShare = 0.25;   // of the error, as its uncertainty: sure enough
 constexpr double SmallError = 0.002; // nobody asks how far below it is
 constexpr int Growth = 4;
@@ -81,9 +79,6 @@ measuredbrdfSetFinite3Macro(vtkOcclusionPredictor, ViewDirection);
 measuredbrdfSetClampedMacro(
   vtkOcclusionPredictor, MaximumNumberOfPoints, int, FewestPoints, MostPoints);
 measuredbrdfSetClampedMacro(vtkOcclusionPredictor, NumberOfPoints, int, FewestPoints, MostPoints);
-measuredbrdfSetClampedMacro(
-  vtkOcclusionPredictor, NumberOfSamples, int, FewestSamples, MostSamples);
-measuredbrdfSetClampedMacro(vtkOcclusionPredictor, NumberOfBounces, int, 0, MostBounces);
 
 //------------------------------------------------------------------------------
 vtkTracedScene* vtkOcclusionPredictor::GetScene() { return this->Scene; }
@@ -135,8 +130,7 @@ bool vtkOcclusionPredictor::Predict(int numberOfPoints)
   integrator->SetScene(this->Scene);
   integrator->SetBRDF(this->BRDF);
   integrator->SetEnvironment(this->Environment);
-  integrator->SetNumberOfSamples(this->NumberOfSamples);
-  integrator->SetNumberOfBounces(this->NumberOfBounces);
+  integrator->SetNumberOfSamples(Samples);
   // Both sums of one set of samples: what they have in common cancels.
   integrator->UnoccludedReferenceOff();
   vtkNew<vtkCallbackCommand> follow;
@@ -211,8 +205,6 @@ void vtkOcclusionPredictor::PrintSelf(ostream& os, vtkIndent indent)
      << " " << this->ViewDirection[2] << "\n";
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
   os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
-  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
-  os << indent << "NumberOfBounces: " << this->NumberOfBounces << "\n";
   os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
   os << indent << "Error: " << this->Error << "\n";
   os << indent << "Uncertainty: " << this->Uncertainty << "\n";

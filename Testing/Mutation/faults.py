@@ -629,7 +629,7 @@ add("Planning.climb-never-steps-down", "Private/PlanSearch.cxx", "at > 0 && at <
     "PlanSearch.ClimbsToTheCheapestWithinTheTolerance")
 add("Planning.memory-has-no-bound", "Private/PlanSearch.cxx", "candidate.Bytes <= this->Task.MaximumBytes;", "true;",
     "PlanSearch.PassesOverWhatDoesNotFit")
-add("Planning.interaction-is-as-dear", "Private/PlanSearch.cxx", "candidate.MayBeChosen && candidate.Cost <= InteractiveCost", "candidate.MayBeChosen",
+add("Planning.interaction-is-as-dear", "Private/PlanSearch.cxx", "this->FindBest(InteractiveCost)", "plan.Choice",
     "PlanSearch.ClimbsToTheCheapestWithinTheTolerance")
 add("Planning.pictures-have-the-mean", "Private/PlanComparison.cxx", "GetLargestRatio(pictures, comparison.Pairs.Ratios) * (error", "(error",
     "PlanSearch.EstimatesSinglePictures")
@@ -704,8 +704,8 @@ add("Rendering.stand-in-form-for-nobody", "Private/StandInBRDF.cxx", "made->Mate
     "made->Material = material;\n  made->GetRenderable();", "StandIns.NoFormWhereNoLightNeedsIt")
 add("Rendering.plan-learns-of-no-light", "Private/CurrentPlan.cxx", "this->Job->WantForm();", "",
     "StandIns.LightsThatComeWhileAPlanIsMade")
-add("Rendering.failed-plan-begun-again", "Private/CurrentPlan.cxx", "this->Adopt(wanted, true, done ? job->GetPlan() : nullptr);",
-    "this->Adopt(this->Job->GetPlan() ? wanted : PlanInputs(), true, this->Job->GetPlan());",
+add("Rendering.failed-plan-begun-again", "Private/CurrentPlan.cxx", "this->Adopt(wanted, apart, done ? job->GetPlan() : nullptr);",
+    "this->Adopt(job->GetPlan() ? wanted : PlanInputs(), apart, job->GetPlan());",
     "StandIns.PlansThatFail")
 add("Rendering.failed-stand-in-tried-again", "Private/BRDFTextures.cxx", "if (time <= this->FailureTime)",
     "if (time < 0 * this->FailureTime)", "StandIns.ThoseThatFailAreTriedOnce")
@@ -1345,7 +1345,7 @@ add("Rendering.map-images-are-looked-at-by-the-first", "Private/WeightImages.cxx
     "for (int size : { sizes.front() })", "Parts.ImagesMayDifferInSize")
 add("Rendering.map-images-of-zeros-are-odd", "Private/WeightImages.cxx", "else if (anyLeft)",
     "else if (components > map->GetNumberOfMaterials())", "MaterialMapping.WeightsOfNoMaterialAreSaidUnlessTheyAreZero")
-add("Rendering.map-waits-for-materials-that-left", "Private/MapperPlans.cxx", "inUse.count(slot) == 0", "false",
+add("Rendering.map-waits-for-materials-that-left", "Private/MapperPlans.cxx", "inUse.count(member) == 0", "false",
     "MaterialMapping.PlansOfMaterialsThatLeaveAreGivenUp")
 add("Rendering.map-time-is-not-taken", "vtkMeasuredBRDFMapper.cxx", "this->TimeToDraw = this->Map->Timer.GetSeconds();", "",
     "MaterialMapping.TimeOfAllPartsIsTaken")

@@ -147,49 +147,27 @@ std::vector<double> GetPictureCameras()
   return cameras;
 }
 
-// The view, the normal and the mirror direction lie in one plane, the normal in the middle. Where
-// the view may be any, the mirror direction and the view's cosine are independent; where it is
-// given, the mirror direction says it all.
-PlanPairs DrawSpherePairs(
-  int count, const double wanted[3], const std::vector<ExtractedEmitters::Light>& sources)
+// The view, the normal and the mirror direction lie in one plane, the normal in the middle. The
+// mirror direction and the view's cosine are independent.
+PlanPairs DrawSpherePairs(int count, const std::vector<ExtractedEmitters::Light>& sources)
 {
   const LampDirections lamps(sources);
-  const glm::dvec3 given(wanted[0], wanted[1], wanted[2]);
-  const bool any = !(glm::length(given) > 0.0);
+  const double share = lamps.IsEmpty() ? 0.0 : LampShare;
   PlanPairs pairs = MakeEmptyPairs();
-  pairs.Cameras = any ? GetPictureCameras() : std::vector<double>();
+  pairs.Cameras = GetPictureCameras();
   for (int k = 0; k < count; ++k)
   {
     const unsigned int index = static_cast<unsigned int>(k + 1);
-    const bool atLamp = !lamps.IsEmpty() && RadicalInverse(index, 11) < LampShare;
-    const glm::dvec3 drawn =
-      !atLamp
+    const glm::dvec3 mirror =
+      RadicalInverse(index, 11) >= share
         ? ToDirection(2.0 * RadicalInverse(index, 5) - 1.0, 2.0 * Pi * RadicalInverse(index, 7))
         : lamps.Draw(RadicalInverse(index, 13), RadicalInverse(index, 5), RadicalInverse(index, 7));
-    double c = DrawCosine(RadicalInverse(index, 2));
+    const double c = DrawCosine(RadicalInverse(index, 2));
     const double turn = RadicalInverse(index, 3);
-    glm::dvec3 view, normal, mirror;
-    if (any)
-    {
-      mirror = drawn;
-      normal = FrameAbout(mirror, glm::dvec3(0.0)) * ToDirection(c, 2.0 * Pi * turn);
-      view = 2.0 * c * normal - mirror;
-    }
-    else
-    {
-      view = glm::normalize(given);
-      const glm::dvec3 middle = view + drawn;
-      normal = atLamp && glm::length(middle) > 1e-6
-                 ? glm::normalize(middle)
-                 : FrameAbout(view, glm::dvec3(0.0)) * ToDirection(c, 2.0 * Pi * turn);
-      c = glm::dot(normal, view);
-      mirror = 2.0 * c * normal - view;
-    }
-    const double share = lamps.IsEmpty() ? 0.0 : LampShare;
+    const glm::dvec3 normal = FrameAbout(mirror, glm::dvec3(0.0)) * ToDirection(c, 2.0 * Pi * turn);
+    const glm::dvec3 view = 2.0 * c * normal - mirror;
     const double density = share * lamps.GetDensity(mirror);
-    const double cosines = GetCosineDensity(c);
-    pairs.Weights.push_back(
-      1.0 / (any ? cosines * (1.0 - share + density) : (1.0 - share) * cosines + density));
+    pairs.Weights.push_back(1.0 / (GetCosineDensity(c) * (1.0 - share + density)));
     pairs.Normals->InsertNextTuple(&normal.x);
     pairs.Views->InsertNextTuple(&view.x);
   }

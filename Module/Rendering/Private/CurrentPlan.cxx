@@ -3,12 +3,8 @@
 #include "CurrentPlan.h"
 
 #include "SharedObjects.h"
-#include "TakenError.h"
 #include "vtkBRDF.h"
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
 #include "vtkEnvironment.h"
-#include "vtkNew.h"
 #include "vtkRadiancePlanner.h"
 
 #include <algorithm>
@@ -39,30 +35,6 @@ void SharePlan(const PlanInputs& inputs, bool apart, vtkRadiancePlanner* plan)
     SharedPlans::Get().Find(
       { inputs.GetKey(), apart }, [plan]() { return vtkSmartPointer<vtkRadiancePlanner>(plan); });
   }
-}
-
-bool UpdateWithProgress(vtkRadiancePlanner* planner, const CurrentPlan::Progress& progress)
-{
-  if (!progress)
-  {
-    return planner->Update();
-  }
-  std::pair<vtkRadiancePlanner*, const CurrentPlan::Progress*> both(planner, &progress);
-  vtkNew<vtkCallbackCommand> follow;
-  follow->SetClientData(&both);
-  follow->SetCallback(
-    [](vtkObject*, unsigned long, void* data, void* share)
-    {
-      const auto& [working, tell] = *static_cast<decltype(both)*>(data);
-      if (!(*tell)(*static_cast<double*>(share)))
-      {
-        working->SetAbort(true);
-      }
-    });
-  const unsigned long tag = planner->AddObserver(vtkCommand::ProgressEvent, follow);
-  const bool planned = planner->Update();
-  planner->RemoveObserver(tag);
-  return planned;
 }
 }
 
@@ -188,20 +160,22 @@ bool CurrentPlan::EnsureCurrent(
     }
     return false;
   }
-  if (const std::shared_ptr<PlanJob> job = this->Job) // observers of progress may let go of it
+  const bool apart = background || this->Job;
+  bool done = true;
+  std::shared_ptr<PlanJob> job = this->Job; // observers of progress may let go of it
+  if (job)
   {
-    const bool done = job->Wait(progress);
-    problem = done ? job->GetProblem() : "aborted";
-    this->Adopt(wanted, true, done ? job->GetPlan() : nullptr);
-    this->Job.reset();
-    return true;
+    done = job->Wait(progress);
   }
-  vtkSmartPointer<vtkRadiancePlanner> planner = NewPlanner(wanted, background);
-  planner = planner ? planner : NewPlanner(wanted, false);
-  const TakenError reason(planner);
-  const bool planned = UpdateWithProgress(planner, progress);
-  problem = planned ? "" : reason.GetText();
-  this->Adopt(wanted, background, planned ? planner : nullptr);
+  else
+  {
+    const vtkSmartPointer<vtkRadiancePlanner> planner = NewPlanner(wanted, background);
+    job = std::make_shared<PlanJob>(planner ? planner : NewPlanner(wanted, false));
+    job->Run(progress);
+  }
+  problem = done ? job->GetProblem() : "aborted";
+  this->Adopt(wanted, apart, done ? job->GetPlan() : nullptr);
+  this->Job.reset();
   return true;
 }
 } // namespace measuredbrdf

@@ -11,7 +11,6 @@
 
 #include "PlanJob.h"
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,9 +32,7 @@ public:
     Always      // meanwhile the last plan, or none
   };
 
-  /// Called while a plan is made in the calling thread, with the share that is done; false stops
-  /// it.
-  using Progress = std::function<bool(double)>;
+  using Progress = PlanJob::Progress;
 
   /// Plan for this, or begin to: a new plan takes the place of the last when it is done. Returns
   /// whether it did. problem: why there is none, or what a plan made apart had to warn of, or "".

@@ -24,13 +24,6 @@ namespace
 // An orbit would want another plan every 15 degrees; whoever has shown so many different views gets
 // one for all.
 constexpr std::size_t MostLooks = 4;
-
-PlanInputs GetInputsForEveryView(const PlanRequest& request)
-{
-  PlanInputs inputs(request.BRDF, request.Environment, request.Tolerance);
-  inputs.WithForm = request.WithForm;
-  return inputs;
-}
 }
 
 struct MapperPlans::View
@@ -91,13 +84,13 @@ void MapperPlans::Clear(vtkRenderer* renderer)
   this->EraseIf([renderer](const Key& key, const View&) { return std::get<0>(key) == renderer; });
 }
 
-void MapperPlans::Keep(const std::set<int>& inUse, const std::set<int>& known)
+void MapperPlans::Keep(const std::set<vtkBRDF*>& inUse, const std::set<vtkBRDF*>& known)
 {
   this->EraseIf(
     [&](const Key& key, const View& view)
     {
-      const int slot = std::get<2>(key);
-      return known.count(slot) == 0 || (view.Plan.IsPending() && inUse.count(slot) == 0);
+      vtkBRDF* member = std::get<2>(key);
+      return known.count(member) == 0 || (view.Plan.IsPending() && inUse.count(member) == 0);
     });
 }
 
@@ -138,7 +131,7 @@ std::shared_ptr<MapperPlans::View> MapperPlans::FindView(const PlanRequest& requ
     this->Updates = 0;
     this->EraseIf([](const Key& key, const View& view) { return view.IsGone(key); });
   }
-  const Key key(request.Renderer, request.ForView ? request.Actor : nullptr, request.Slot);
+  const Key key(request.Renderer, request.ForView ? request.Actor : nullptr, request.Member);
   std::shared_ptr<View>& view = this->Views[key];
   if (!view || view->IsGone(key)) // an address used again
   {
@@ -161,8 +154,8 @@ std::shared_ptr<MapperPlans::View> MapperPlans::FindView(const PlanRequest& requ
 
 bool MapperPlans::IsOfOtherKind(const Key& key, const PlanRequest& request)
 {
-  const auto& [renderer, actor, slot] = key;
-  return renderer == request.Renderer && slot == request.Slot &&
+  const auto& [renderer, actor, member] = key;
+  return renderer == request.Renderer && member == request.Member &&
          (actor != nullptr) != request.ForView;
 }
 
@@ -229,7 +222,8 @@ void MapperPlans::Look(View& view, const PlanRequest& request)
 
 PlanInputs MapperPlans::GetInputs(View& view, const PlanRequest& request)
 {
-  PlanInputs inputs = GetInputsForEveryView(request);
+  PlanInputs inputs(request.BRDF, request.Environment, request.Tolerance);
+  inputs.WithForm = request.WithForm;
   if (!request.ForView)
   {
     return inputs;

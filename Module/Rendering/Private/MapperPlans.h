@@ -44,7 +44,9 @@ struct PlanRequest
   double Tolerance = 0.0;
   CurrentPlan::Timing Timing = CurrentPlan::Timing::Foreground;
   bool ForView = false; // or for every view
-  int Slot = 0;         // which of the mapper's materials
+  /// Which of the mapper's materials; null: the one that is set for all, of which one's plan stands
+  /// in for the next one's.
+  vtkBRDF* Member = nullptr;
   vtkRenderer* Renderer = nullptr;
   vtkActor* Actor = nullptr;
   std::vector<vtkPolyData*> Surfaces; // what ForView looks at
@@ -80,9 +82,9 @@ public:
   void Clear(vtkRenderer* renderer);
   ///@}
 
-  /// In all views: materials in other slots than these, in the making or made, go (known), or only
+  /// In all views: plans of other members than these, in the making or made, go (known), or only
   /// what is in the making (inUse).
-  void Keep(const std::set<int>& inUse, const std::set<int>& known);
+  void Keep(const std::set<vtkBRDF*>& inUse, const std::set<vtkBRDF*>& known);
 
   /// Let go of what was uploaded to a window.
   void ReleaseUploads(vtkWindow* window);
@@ -102,7 +104,7 @@ public:
 
 private:
   struct View;
-  using Key = std::tuple<vtkRenderer*, vtkActor*, int>;
+  using Key = std::tuple<vtkRenderer*, vtkActor*, vtkBRDF*>; // the last: of the member
 
   std::shared_ptr<View> FindView(const PlanRequest& request);
   /// Whether the key is of what request's view was drawn by before ForView was switched.
