@@ -832,8 +832,8 @@ add("Integration.sky-density-of-the-whole-map", "Private/SkySampler.cxx", "width
 add("Planning.occlusion-tolerance-adds-up", "vtkOcclusionPredictor.cxx",
     "tolerance * tolerance - planError * planError", "tolerance * tolerance + planError * planError",
     "OcclusionPredictor.Decision")
-add("Planning.occlusion-relative-to-open-light", "vtkOcclusionPredictor.cxx", "values.push_back(r[0] + r[1] + r[2]);",
-    "values.push_back(u[0] + u[1] + u[2]);", "OcclusionPredictor.ABowl")
+add("Planning.occlusion-relative-to-open-light", "vtkOcclusionPredictor.cxx", "traced.Reference = radiance;",
+    "traced.Reference = open;", "OcclusionPredictor.ABowl")
 
 # Shaders
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 
 namespace measuredbrdf
 {
@@ -231,15 +232,6 @@ PlanPoints::PlanPoints(const PlanPairs& given)
           this->FindNearest(static_cast<std::size_t>(k));
       }
     });
-  this->Middles.assign(number, Pair{ glm::dvec3(0.0), glm::dvec3(0.0) });
-  for (std::size_t k = 0; k < number; ++k)
-  {
-    for (const std::size_t neighbor : this->Neighbors[k])
-    {
-      this->Middles[k][0] += this->Points[neighbor][0] / static_cast<double>(Nearest);
-      this->Middles[k][1] += this->Points[neighbor][1] / static_cast<double>(Nearest);
-    }
-  }
 }
 
 // From the closest on: itself where there are not so many.
@@ -275,15 +267,20 @@ double PlanPoints::Draw()
 
 void PlanPoints::AddPairAbout(std::size_t point, PlanPairs& pairs)
 {
-  // About the point in the mean: on a silhouette all neighbors lie to one side.
   Pair pair = this->Points[point];
   const bool isFirst = this->Owners.size() < this->Points.size(); // the point itself
-  for (const std::size_t neighbor : this->Neighbors[point])
+  std::array<double, Nearest> shares = {};
+  for (double& share : shares)
   {
-    const double share = isFirst ? 0.0 : Reach * (2.0 * this->Draw() - 1.0);
+    share = isFirst ? 0.0 : Reach * (2.0 * this->Draw() - 1.0);
+  }
+  // About the point in the mean: on a silhouette all neighbors lie to one side.
+  const double mean = std::accumulate(shares.begin(), shares.end(), 0.0) / Nearest;
+  for (std::size_t k = 0; k < shares.size(); ++k)
+  {
     for (std::size_t d = 0; d < 2; ++d)
     {
-      pair[d] += share * (this->Points[neighbor][d] - this->Middles[point][d]);
+      pair[d] += (shares[k] - mean) * this->Points[this->Neighbors[point][k]][d];
     }
   }
   pair = { glm::normalize(pair[0]), glm::normalize(pair[1]) };

@@ -84,7 +84,6 @@ private:
 
   std::vector<Pair> Points;
   std::vector<std::array<std::size_t, Nearest>> Neighbors;
-  std::vector<Pair> Middles;       // of the neighbors
   std::vector<std::size_t> Owners; // of all pairs: the point that they lie about
   std::mt19937 Engine;
 };
