@@ -704,8 +704,8 @@ add("Rendering.stand-in-form-for-nobody", "Private/StandInBRDF.cxx", "made->Mate
     "made->Material = material;\n  made->GetRenderable();", "StandIns.NoFormWhereNoLightNeedsIt")
 add("Rendering.plan-learns-of-no-light", "Private/CurrentPlan.cxx", "this->Job->WantForm();", "",
     "StandIns.LightsThatComeWhileAPlanIsMade")
-add("Rendering.failed-plan-begun-again", "Private/CurrentPlan.cxx", "this->Adopt(wanted, apart, done ? job->GetPlan() : nullptr);",
-    "this->Adopt(job->GetPlan() ? wanted : PlanInputs(), apart, job->GetPlan());",
+add("Rendering.failed-plan-begun-again", "Private/CurrentPlan.cxx", "this->Adopt(wanted, done ? job->GetPlan() : nullptr);",
+    "this->Adopt(job->GetPlan() ? wanted : PlanInputs(), job->GetPlan());",
     "StandIns.PlansThatFail")
 add("Rendering.failed-stand-in-tried-again", "Private/BRDFTextures.cxx", "if (time <= this->FailureTime)",
     "if (time < 0 * this->FailureTime)", "StandIns.ThoseThatFailAreTriedOnce")

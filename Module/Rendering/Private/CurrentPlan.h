@@ -47,7 +47,7 @@ public:
   void Begin(const PlanInputs& wanted);
 
   /// Whether the plan is the one for this, or is known not to be possible.
-  bool IsFor(const PlanInputs& wanted) const { return this->IsOf(wanted, false); }
+  bool IsFor(const PlanInputs& wanted) const;
 
   /// Begin as another one is, without what that has in the making.
   void CopyFrom(const CurrentPlan& other);
@@ -73,13 +73,11 @@ private:
   bool EnsureCurrent(
     const PlanInputs& wanted, Timing timing, const Progress& progress, std::string& problem);
   bool CanShowPrevious(Timing timing) const;
-  bool IsOf(const PlanInputs& wanted, bool apart) const;
   bool IsUsable() const;
-  void Adopt(const PlanInputs& inputs, bool apart, vtkSmartPointer<vtkRadiancePlanner> plan);
+  void Adopt(const PlanInputs& inputs, vtkSmartPointer<vtkRadiancePlanner> plan);
 
   vtkSmartPointer<vtkRadiancePlanner> Plan; // null: what Inputs ask for can't be planned
   PlanInputs Inputs;                        // of the plan
-  bool FromSnapshot = false;                // whether the plan is of snapshots, if there are any
   vtkMTimeType Times[2] = { 0, 0 };         // of the plan's own objects when it was taken up
 
   std::shared_ptr<PlanJob> Job;
