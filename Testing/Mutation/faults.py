@@ -741,7 +741,7 @@ add("Rendering.view-ignores-the-mesh", "Private/MapperPlans.cxx", "from == view.
     "from == view.From", "Views.WhatIsSeenDependsOn")
 add("Rendering.view-ignores-the-actor", "Private/MapperPlans.cxx", "matrix->GetData() + 16);",
     "matrix->GetData() + (matrix == request.Actor->GetMatrix() ? 0 : 16));", "Views.WhatIsSeenDependsOn")
-add("Rendering.views-of-gone-actors-stay", "Private/MapperPlans.cxx", "(std::get<1>(key) && !this->Actor);", "false;",
+add("Rendering.views-of-gone-actors-stay", "Private/MapperPlans.cxx", "(std::get<2>(key) && !this->Actor);", "false;",
     "Views.GoWithTheirRenderersAndActors")
 add("Rendering.back-is-seen", "Private/VisibleSurface.cxx", "glm::dot(mean, view) > 0.0;",
     "glm::dot(mean, view) < 0.0;", "Visible.ConesShowTheirFlank|Visible.SpheresCoverTheirDiscs")

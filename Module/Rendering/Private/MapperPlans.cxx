@@ -50,7 +50,7 @@ struct MapperPlans::View
 
   bool IsGone(const Key& key) const
   {
-    return !this->Renderer || (std::get<1>(key) && !this->Actor);
+    return !this->Renderer || (std::get<2>(key) && !this->Actor);
   }
 };
 
@@ -89,7 +89,7 @@ void MapperPlans::Keep(const std::set<vtkBRDF*>& inUse, const std::set<vtkBRDF*>
   this->EraseIf(
     [&](const Key& key, const View& view)
     {
-      vtkBRDF* member = std::get<2>(key);
+      vtkBRDF* member = std::get<1>(key);
       return known.count(member) == 0 || (view.Plan.IsPending() && inUse.count(member) == 0);
     });
 }
@@ -131,20 +131,19 @@ std::shared_ptr<MapperPlans::View> MapperPlans::FindView(const PlanRequest& requ
     this->Updates = 0;
     this->EraseIf([](const Key& key, const View& view) { return view.IsGone(key); });
   }
-  const Key key(request.Renderer, request.ForView ? request.Actor : nullptr, request.Member);
+  const Key key(request.Renderer, request.Member, request.ForView ? request.Actor : nullptr);
   std::shared_ptr<View>& view = this->Views[key];
   if (!view || view->IsGone(key)) // an address used again
   {
     auto made = std::make_shared<View>();
     made->Renderer = request.Renderer;
     made->Actor = request.ForView ? request.Actor : nullptr;
-    for (const auto& [other, drawn] : this->Views) // before ForView was switched
+    for (const auto& it : this->FindOfOtherKind(request))
     {
-      const vtkActor* actor = std::get<1>(other);
-      if (IsOfOtherKind(other, request) && (!actor || actor == request.Actor) &&
-          !drawn->IsGone(other))
+      const vtkActor* actor = std::get<2>(it->first);
+      if (!it->second->IsGone(it->first) && (!actor || actor == request.Actor))
       {
-        made->Plan.CopyFrom(drawn->Plan);
+        made->Plan.CopyFrom(it->second->Plan);
       }
     }
     view = std::move(made);
@@ -152,11 +151,23 @@ std::shared_ptr<MapperPlans::View> MapperPlans::FindView(const PlanRequest& requ
   return view;
 }
 
-bool MapperPlans::IsOfOtherKind(const Key& key, const PlanRequest& request)
+// Whatever the number of members is, these are few.
+std::vector<MapperPlans::AllViews::iterator> MapperPlans::FindOfOtherKind(
+  const PlanRequest& request)
 {
-  const auto& [renderer, actor, member] = key;
-  return renderer == request.Renderer && member == request.Member &&
-         (actor != nullptr) != request.ForView;
+  std::vector<AllViews::iterator> found;
+  for (auto it = this->Views.lower_bound(Key(request.Renderer, request.Member, nullptr));
+       it != this->Views.end() && std::get<0>(it->first) == request.Renderer &&
+       std::get<1>(it->first) == request.Member;
+       ++it)
+  {
+    const bool isForView = std::get<2>(it->first) != nullptr;
+    if (isForView != request.ForView)
+    {
+      found.push_back(it);
+    }
+  }
+  return found;
 }
 
 void MapperPlans::Look(View& view, const PlanRequest& request)
@@ -279,7 +290,10 @@ CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std:
   // The renderer's next frame has begun: all that were drawn in the last one have a plan.
   if (view.Drawn)
   {
-    this->EraseIf([&request](const Key& key, const View&) { return IsOfOtherKind(key, request); });
+    for (const auto& it : this->FindOfOtherKind(request))
+    {
+      this->Views.erase(it);
+    }
   }
   view.Drawn = true;
   const PlanInputs wanted = GetInputs(view, request);

@@ -104,18 +104,19 @@ public:
 
 private:
   struct View;
-  using Key = std::tuple<vtkRenderer*, vtkActor*, vtkBRDF*>; // the last: of the member
+  using Key = std::tuple<vtkRenderer*, vtkBRDF*, vtkActor*>; // the member, and for the view
+  using AllViews = std::map<Key, std::shared_ptr<View>>;
 
   std::shared_ptr<View> FindView(const PlanRequest& request);
-  /// Whether the key is of what request's view was drawn by before ForView was switched.
-  static bool IsOfOtherKind(const Key& key, const PlanRequest& request);
+  /// What the request's view was drawn by before ForView was switched.
+  std::vector<AllViews::iterator> FindOfOtherKind(const PlanRequest& request);
   template <typename Condition>
   void EraseIf(const Condition& condition);
   static void Look(View& view, const PlanRequest& request);
   static PlanInputs GetInputs(View& view, const PlanRequest& request);
   void BeginSideBySide(View& view, const PlanInputs& wanted, const PlanRequest& request);
 
-  std::map<Key, std::shared_ptr<View>> Views;
+  AllViews Views;
   std::shared_ptr<View> Last; // that Update returned
   std::size_t Updates = 0;    // since the last look for views that are gone
 };
