@@ -3,6 +3,7 @@
 #include "vtkOcclusionPredictor.h"
 
 #include "NumberText.h"
+#include "PlanComparison.h"
 #include "Setters.h"
 #include "TakenError.h"
 #include "vtkBRDF.h"
@@ -18,53 +19,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <vector>
 
 namespace
 {
 constexpr int FewestPoints = 16;
 constexpr int MostPoints = 1000000;
-constexpr int FewestSamples = 8;
-constexpr int MostSamples = 100000;
-constexpr int MostBounces = 1000;
+constexpr int Samples = 64;          // of each point
 constexpr double SureShare = 0.25;   // of the error, as its uncertainty: sure enough
 constexpr double SmallError = 0.002; // nobody asks how far below it is
 constexpr int Growth = 4;
 constexpr double LeastShare = 0.5; // of the tolerance, left for occlusion whatever the plan's error
-
-/// The ratio of two means, sum of errors / sum of values, and twice its standard error.
-struct Ratio
-{
-  double Value = 0.0;
-  double Uncertainty = 0.0;
-
-  Ratio(const std::vector<double>& errors, const std::vector<double>& values)
-  {
-    double error = 0.0;
-    double value = 0.0;
-    for (std::size_t k = 0; k < errors.size(); ++k)
-    {
-      error += errors[k];
-      value += values[k];
-    }
-    if (!(value > 0.0))
-    {
-      this->Value = this->Uncertainty = error > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
-      return;
-    }
-    this->Value = error / value;
-    double squares = 0.0;
-    for (std::size_t k = 0; k < errors.size(); ++k)
-    {
-      const double rest = errors[k] - this->Value * values[k];
-      squares += rest * rest;
-    }
-    const double count = static_cast<double>(errors.size());
-    this->Uncertainty =
-      count > 1.0 ? 2.0 * std::sqrt(squares * count / (count - 1.0)) / value : this->Value;
-  }
-};
 } // namespace
 
 vtkStandardNewMacro(vtkOcclusionPredictor);
@@ -81,9 +45,6 @@ measuredbrdfSetFinite3Macro(vtkOcclusionPredictor, ViewDirection);
 measuredbrdfSetClampedMacro(
   vtkOcclusionPredictor, MaximumNumberOfPoints, int, FewestPoints, MostPoints);
 measuredbrdfSetClampedMacro(vtkOcclusionPredictor, NumberOfPoints, int, FewestPoints, MostPoints);
-measuredbrdfSetClampedMacro(
-  vtkOcclusionPredictor, NumberOfSamples, int, FewestSamples, MostSamples);
-measuredbrdfSetClampedMacro(vtkOcclusionPredictor, NumberOfBounces, int, 0, MostBounces);
 
 //------------------------------------------------------------------------------
 vtkTracedScene* vtkOcclusionPredictor::GetScene() { return this->Scene; }
@@ -135,8 +96,7 @@ bool vtkOcclusionPredictor::Predict(int numberOfPoints)
   integrator->SetScene(this->Scene);
   integrator->SetBRDF(this->BRDF);
   integrator->SetEnvironment(this->Environment);
-  integrator->SetNumberOfSamples(this->NumberOfSamples);
-  integrator->SetNumberOfBounces(this->NumberOfBounces);
+  integrator->SetNumberOfSamples(Samples);
   // Both sums of one set of samples: what they have in common cancels.
   integrator->UnoccludedReferenceOff();
   vtkNew<vtkCallbackCommand> follow;
@@ -156,20 +116,14 @@ bool vtkOcclusionPredictor::Predict(int numberOfPoints)
   {
     return false;
   }
-  std::vector<double> errors;
-  std::vector<double> values;
-  for (vtkIdType k = 0; k < radiance->GetNumberOfTuples(); ++k)
-  {
-    double r[3];
-    double u[3];
-    radiance->GetTuple(k, r);
-    open->GetTuple(k, u);
-    errors.push_back(std::abs(u[0] - r[0]) + std::abs(u[1] - r[1]) + std::abs(u[2] - r[2]));
-    values.push_back(r[0] + r[1] + r[2]);
-  }
-  const Ratio ratio(errors, values);
-  this->Error = ratio.Value;
-  this->Uncertainty = ratio.Uncertainty;
+  measuredbrdf::PlanComparison traced;
+  measuredbrdf::PlanComparison unoccluded;
+  traced.Reference = radiance;
+  unoccluded.Reference = open;
+  const measuredbrdf::PlanError found = Compare(traced, open);
+  const bool isDark = !(found.Error > 0.0) && Compare(unoccluded, radiance).Error > 0.0;
+  this->Error = isDark ? HUGE_VAL : found.Error - found.Uncertainty;
+  this->Uncertainty = isDark ? HUGE_VAL : found.Uncertainty;
   return true;
 }
 
@@ -211,8 +165,6 @@ void vtkOcclusionPredictor::PrintSelf(ostream& os, vtkIndent indent)
      << " " << this->ViewDirection[2] << "\n";
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
   os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
-  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
-  os << indent << "NumberOfBounces: " << this->NumberOfBounces << "\n";
   os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
   os << indent << "Error: " << this->Error << "\n";
   os << indent << "Uncertainty: " << this->Uncertainty << "\n";

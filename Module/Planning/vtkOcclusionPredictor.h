@@ -12,7 +12,7 @@
  *
  * The uncertainty is two standard errors of that ratio of means over the points (Cochran 1977,
  * "Sampling Techniques", section 6.3), the samples' noise included. What hides a point is taken for
- * black, as long as NumberOfBounces is 0.
+ * black.
  *
  * IsWorthModeling says whether occlusion should be modeled: it is what SetOcclusionModeToAuto of
  * the mappers does.
@@ -63,7 +63,7 @@ public:
 
   ///@{
   /**
-   * Points (default 400, from 16 to 10^6), and directions a point (default 64, from 8 to 10^5).
+   * Points (default 400, from 16 to 10^6), with 64 directions each.
    * Where the uncertainty then exceeds a quarter of the error (and the error, with it, 0.2 %), four
    * times as many points are traced, and again, up to MaximumNumberOfPoints (default 6400):
    * reflections of lamps in gloss are rare. At or below NumberOfPoints it is never more than those.
@@ -72,16 +72,6 @@ public:
   vtkGetMacro(NumberOfPoints, int);
   virtual void SetMaximumNumberOfPoints(int maximumNumberOfPoints);
   vtkGetMacro(MaximumNumberOfPoints, int);
-  virtual void SetNumberOfSamples(int numberOfSamples);
-  vtkGetMacro(NumberOfSamples, int);
-  ///@}
-
-  ///@{
-  /**
-   * As vtkTracedRadianceIntegrator's (default 0): what is hidden reflects.
-   */
-  virtual void SetNumberOfBounces(int numberOfBounces);
-  vtkGetMacro(NumberOfBounces, int);
   ///@}
 
   /**
@@ -130,8 +120,6 @@ protected:
   double ViewDirection[3] = { 0.0, 0.0, 0.0 };
   int NumberOfPoints = 400;
   int MaximumNumberOfPoints = 6400;
-  int NumberOfSamples = 64;
-  int NumberOfBounces = 0;
   double Error = 0.0;
   double Uncertainty = 0.0;
   std::atomic<bool> Abort{ false };

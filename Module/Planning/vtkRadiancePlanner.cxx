@@ -5,6 +5,7 @@
 #include "EnvironmentPrecomputation.h"
 #include "MaterialPrecomputation.h"
 #include "MaterialStore.h"
+#include "NumberText.h"
 #include "PlanReference.h"
 #include "PlanSample.h"
 #include "Setters.h"
@@ -14,8 +15,6 @@
 #include "vtkEnvironment.h"
 #include "vtkObjectFactory.h"
 #include "vtkRadianceMethods.h"
-
-#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -36,27 +35,24 @@ constexpr vtkIdType MostPairs = 4096;
 // other methods lose 0.0003 to 0.0008 (docs/methods/pixel-cost.md, "The weights of texture units").
 constexpr double FilterWeights = 0.0013;
 
-// Whatever way a run ends, the next one begins without an abort.
-class AbortAtMostOnce
+// Those of a sphere: many of them see a sun or a lamp, which decide for mirror-like materials.
+measuredbrdf::PlanPairs DrawPairsOfAllViews(const measuredbrdf::PlanTask& task)
 {
-public:
-  explicit AbortAtMostOnce(std::atomic<bool>& abort)
-    : Abort(abort)
-  {
-  }
-  ~AbortAtMostOnce() { this->Abort = false; }
-  AbortAtMostOnce(const AbortAtMostOnce&) = delete;
-  void operator=(const AbortAtMostOnce&) = delete;
-
-private:
-  std::atomic<bool>& Abort;
-};
+  const auto bright = task.Environment->GetParts().GetExtractedEmitters(task.Environment,
+    measuredbrdf::ExtractedEmitters::DefaultShare, measuredbrdf::MostReferenceSuns,
+    [&task]() { return !task.IsAborted(); });
+  // In the environment's frame, where they do not depend on its rotation.
+  double rows[9];
+  task.Environment->GetWorldToEnvironment(rows);
+  measuredbrdf::PlanPairs pairs = measuredbrdf::DrawSpherePairs(
+    SpherePairs, bright ? bright->Lights : std::vector<measuredbrdf::ExtractedEmitters::Light>());
+  measuredbrdf::Turn(rows, pairs);
+  return pairs;
+}
 } // namespace
 
 struct vtkRadiancePlanner::Internals
 {
-  vtkSmartPointer<vtkBRDF> BRDF;
-  vtkSmartPointer<vtkEnvironment> Environment;
   measuredbrdf::PlanPairs Given; // what a camera sees, if that was said
   measuredbrdf::Plan Plan;
   vtkTimeStamp Time;
@@ -68,22 +64,6 @@ struct vtkRadiancePlanner::Internals
     return index >= 0 && index < static_cast<int>(this->Plan.Candidates.size())
              ? this->Plan.Candidates[static_cast<std::size_t>(index)]
              : none;
-  }
-
-  // Those of a sphere: many of them see a sun or a lamp, which decide for mirror-like materials.
-  measuredbrdf::PlanPairs GetSpherePairs(vtkRadiancePlanner* planner) const
-  {
-    const auto bright = this->Environment->GetParts().GetExtractedEmitters(this->Environment,
-      measuredbrdf::ExtractedEmitters::DefaultShare, measuredbrdf::MostReferenceSuns,
-      [planner]() { return !planner->GetAbort(); });
-    // In the environment's frame, where plans for all views do not depend on its rotation.
-    double rows[9];
-    this->Environment->GetWorldToEnvironment(rows);
-    const glm::dvec3 view = glm::make_vec3(planner->GetViewDirection()) * glm::make_mat3(rows);
-    measuredbrdf::PlanPairs pairs = measuredbrdf::DrawSpherePairs(SpherePairs, &view.x,
-      bright ? bright->Lights : std::vector<measuredbrdf::ExtractedEmitters::Light>());
-    measuredbrdf::Turn(rows, pairs);
-    return pairs;
   }
 };
 
@@ -99,30 +79,10 @@ vtkRadiancePlanner::vtkRadiancePlanner()
 vtkRadiancePlanner::~vtkRadiancePlanner() = default;
 
 //------------------------------------------------------------------------------
-void vtkRadiancePlanner::SetBRDF(vtkBRDF* brdf)
-{
-  if (this->Impl->BRDF != brdf)
-  {
-    this->Impl->BRDF = brdf;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkBRDF* vtkRadiancePlanner::GetBRDF() { return this->Impl->BRDF; }
-
-//------------------------------------------------------------------------------
-void vtkRadiancePlanner::SetEnvironment(vtkEnvironment* environment)
-{
-  if (this->Impl->Environment != environment)
-  {
-    this->Impl->Environment = environment;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkEnvironment* vtkRadiancePlanner::GetEnvironment() { return this->Impl->Environment; }
+vtkCxxSetSmartPointerMacro(vtkRadiancePlanner, BRDF, vtkBRDF);
+vtkCxxSetSmartPointerMacro(vtkRadiancePlanner, Environment, vtkEnvironment);
+vtkBRDF* vtkRadiancePlanner::GetBRDF() { return this->BRDF; }
+vtkEnvironment* vtkRadiancePlanner::GetEnvironment() { return this->Environment; }
 
 //------------------------------------------------------------------------------
 bool vtkRadiancePlanner::SetPairs(vtkDataArray* normals, vtkDataArray* views)
@@ -181,15 +141,18 @@ bool vtkRadiancePlanner::Fail(const std::string& problem)
 bool vtkRadiancePlanner::Update()
 {
   Internals& impl = *this->Impl;
-  const AbortAtMostOnce once(this->Abort);
-  if (!impl.BRDF || !impl.Environment || impl.Environment->GetPixels().empty())
+  // Whatever way this run ends, the next one begins without an abort.
+  const std::shared_ptr<std::atomic<bool>> end(
+    &this->Abort, [](std::atomic<bool>* abort) { *abort = false; });
+  if (!this->BRDF || !this->Environment || this->Environment->GetPixels().empty())
   {
-    return this->Fail(impl.BRDF ? "there is no environment, or it is empty." : "there is no BRDF.");
+    return this->Fail(
+      this->BRDF ? "there is no environment, or it is empty." : "there is no BRDF.");
   }
-  if (impl.Plan.Choice < 0 || impl.Time <= std::max({ this->GetMTime(), impl.BRDF->GetMTime(),
-                                             impl.Environment->GetPixelsMTime() }))
+  if (impl.Plan.Choice < 0 || impl.Time <= std::max({ this->GetMTime(), this->BRDF->GetMTime(),
+                                             this->Environment->GetPixelsMTime() }))
   {
-    impl.BRDF->Prepare();
+    this->BRDF->Prepare();
     if (!this->Search())
     {
       return false;
@@ -204,18 +167,18 @@ bool vtkRadiancePlanner::Search()
 {
   Internals& impl = *this->Impl;
   measuredbrdf::PlanTask task;
-  task.BRDF = impl.BRDF;
-  task.Environment = impl.Environment;
+  task.BRDF = this->BRDF;
+  task.Environment = this->Environment;
   task.Tolerance = this->ErrorTolerance;
   task.All = this->EvaluateAll;
   task.MaximumBytes = this->MaximumTextureBytes;
   task.MaximumCost = this->MaximumCost;
   task.IsAborted = [this]() { return this->GetAbort(); };
-  const std::string material = impl.BRDF->IsIsotropic() ? impl.BRDF->GetContentKey() : "";
+  const std::string material = this->BRDF->IsIsotropic() ? this->BRDF->GetContentKey() : "";
   task.Shared = measuredbrdf::MaterialStore::Get().Take(material);
-  if (impl.BRDF->IsIsotropic())
+  if (this->BRDF->IsIsotropic())
   {
-    task.Shared->GetViews(impl.BRDF, this->Abort); // which all that follows asks for
+    task.Shared->GetViews(this->BRDF, this->Abort); // which all that follows asks for
   }
   if (this->Abort)
   {
@@ -224,15 +187,14 @@ bool vtkRadiancePlanner::Search()
   const std::string bytes = std::to_string(this->MaximumTextureBytes) + " bytes";
   std::string givenUp;
   std::vector<PlanCandidate> ladder = measuredbrdf::ListCandidates(task, givenUp);
-  if (ladder.empty() && !this->Abort)
+  if (ladder.empty())
   {
-    vtkErrorMacro("Update: nothing fits into MaximumTextureBytes, "
-                  << bytes << ", and MaximumCost, " << this->MaximumCost << ".");
-    return false;
+    return this->Fail("nothing fits into MaximumTextureBytes, " + bytes + ", and MaximumCost, " +
+                      measuredbrdf::NumberText(this->MaximumCost) + ".");
   }
   measuredbrdf::PlanComparison comparison;
   const bool picture = impl.Given.Normals != nullptr;
-  comparison.Pairs = picture ? impl.Given : impl.GetSpherePairs(this);
+  comparison.Pairs = picture ? impl.Given : DrawPairsOfAllViews(task);
   if (!measuredbrdf::SamplePairs(task, ladder, picture, comparison.Pairs) ||
       !measuredbrdf::MakeReference(task, comparison))
   {
@@ -346,9 +308,8 @@ vtkRadianceIntegrator* vtkRadiancePlanner::NewIntegrator(int index)
 {
   const PlanCandidate& candidate = this->Impl->GetCandidate(index);
   const vtkSmartPointer<vtkRadianceIntegrator> integrator =
-    candidate.Integrator
-      ? candidate.Integrator
-      : measuredbrdf::MakeIntegrator(candidate, this->Impl->BRDF, this->Impl->Environment);
+    candidate.Integrator ? candidate.Integrator
+                         : measuredbrdf::MakeIntegrator(candidate, this->BRDF, this->Environment);
   if (integrator)
   {
     integrator->Register(nullptr);
@@ -364,7 +325,6 @@ vtkRadianceIntegrator* vtkRadiancePlanner::NewIntegrator()
 
 //------------------------------------------------------------------------------
 measuredbrdfSetClampedMacro(vtkRadiancePlanner, ErrorTolerance, double, 1e-3, 1.0);
-measuredbrdfSetFinite3Macro(vtkRadiancePlanner, ViewDirection);
 measuredbrdfSetInRangeMacro(vtkRadiancePlanner, MaximumTextureBytes, vtkIdType, 0, VTK_ID_MAX);
 measuredbrdfSetClampedMacro(vtkRadiancePlanner, MaximumCost, double, 1.0, 1e6);
 
@@ -372,11 +332,9 @@ measuredbrdfSetClampedMacro(vtkRadiancePlanner, MaximumCost, double, 1.0, 1e6);
 void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "BRDF: " << this->Impl->BRDF.Get() << "\n";
-  os << indent << "Environment: " << this->Impl->Environment.Get() << "\n";
+  os << indent << "BRDF: " << this->BRDF.Get() << "\n";
+  os << indent << "Environment: " << this->Environment.Get() << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
-  os << indent << "ViewDirection: " << this->ViewDirection[0] << " " << this->ViewDirection[1]
-     << " " << this->ViewDirection[2] << "\n";
   os << indent << "Pairs: " << this->GetNumberOfPairs() << "\n";
   os << indent << "EvaluateAll: " << (this->EvaluateAll ? "On" : "Off") << "\n";
   os << indent << "MaximumTextureBytes: " << this->MaximumTextureBytes << "\n";

@@ -37,6 +37,7 @@
 
 #include "vtkMeasuredBRDFModule.h" // for export macro
 #include "vtkObject.h"
+#include "vtkSmartPointer.h" // for BRDF, Environment
 
 #include <atomic> // for Abort
 #include <memory> // for Internals
@@ -71,16 +72,6 @@ public:
    */
   virtual void SetErrorTolerance(double errorTolerance);
   vtkGetMacro(ErrorTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Unit direction from the object to the camera, world coordinates: pairs are drawn as seen from
-   * there. 0, 0, 0 (default): from everywhere.
-   */
-  virtual void SetViewDirection(double x, double y, double z);
-  virtual void SetViewDirection(const double viewDirection[3]);
-  vtkGetVector3Macro(ViewDirection, double);
   ///@}
 
   /**
@@ -194,7 +185,6 @@ protected:
   double ErrorTolerance = 0.02;
   vtkIdType MaximumTextureBytes = 24 << 20;
   double MaximumCost = 150.0;
-  double ViewDirection[3] = { 0.0, 0.0, 0.0 };
   bool EvaluateAll = false;
   std::atomic<bool> Abort{ false };
 
@@ -208,6 +198,8 @@ private:
   /// The error event of a run that can't go on; false.
   bool Fail(const std::string& problem);
 
+  vtkSmartPointer<vtkBRDF> BRDF;
+  vtkSmartPointer<vtkEnvironment> Environment;
   struct Internals;
   std::unique_ptr<Internals> Impl;
 };

@@ -637,7 +637,7 @@ add("Planning.climb-never-steps-down", "Private/PlanSearch.cxx", "at > 0 && at <
     "PlanSearch.ClimbsToTheCheapestWithinTheTolerance")
 add("Planning.memory-has-no-bound", "Private/PlanSearch.cxx", "candidate.Bytes <= this->Task.MaximumBytes;", "true;",
     "PlanSearch.PassesOverWhatDoesNotFit")
-add("Planning.interaction-is-as-dear", "Private/PlanSearch.cxx", "candidate.MayBeChosen && candidate.Cost <= InteractiveCost", "candidate.MayBeChosen",
+add("Planning.interaction-is-as-dear", "Private/PlanSearch.cxx", "this->FindBest(InteractiveCost)", "plan.Choice",
     "PlanSearch.ClimbsToTheCheapestWithinTheTolerance")
 add("Planning.pictures-have-the-mean", "Private/PlanComparison.cxx", "GetLargestRatio(pictures, comparison.Pairs.Ratios) * (error", "(error",
     "PlanSearch.EstimatesSinglePictures")
@@ -712,8 +712,8 @@ add("Rendering.stand-in-form-for-nobody", "Private/StandInBRDF.cxx", "made->Mate
     "made->Material = material;\n  made->GetRenderable();", "StandIns.NoFormWhereNoLightNeedsIt")
 add("Rendering.plan-learns-of-no-light", "Private/CurrentPlan.cxx", "this->Job->WantForm();", "",
     "StandIns.LightsThatComeWhileAPlanIsMade")
-add("Rendering.failed-plan-begun-again", "Private/CurrentPlan.cxx", "this->Adopt(wanted, true, done ? job->GetPlan() : nullptr);",
-    "this->Adopt(this->Job->GetPlan() ? wanted : PlanInputs(), true, this->Job->GetPlan());",
+add("Rendering.failed-plan-begun-again", "Private/CurrentPlan.cxx", "this->Adopt(wanted, done ? job->GetPlan() : nullptr);",
+    "this->Adopt(job->GetPlan() ? wanted : PlanInputs(), job->GetPlan());",
     "StandIns.PlansThatFail")
 add("Rendering.failed-stand-in-tried-again", "Private/BRDFTextures.cxx", "if (time <= this->FailureTime)",
     "if (time < 0 * this->FailureTime)", "StandIns.ThoseThatFailAreTriedOnce")
@@ -749,7 +749,7 @@ add("Rendering.view-ignores-the-mesh", "Private/MapperPlans.cxx", "from == view.
     "from == view.From", "Views.WhatIsSeenDependsOn")
 add("Rendering.view-ignores-the-actor", "Private/MapperPlans.cxx", "matrix->GetData() + 16);",
     "matrix->GetData() + (matrix == request.Actor->GetMatrix() ? 0 : 16));", "Views.WhatIsSeenDependsOn")
-add("Rendering.views-of-gone-actors-stay", "Private/MapperPlans.cxx", "(std::get<1>(key) && !this->Actor);", "false;",
+add("Rendering.views-of-gone-actors-stay", "Private/MapperPlans.cxx", "(std::get<2>(key) && !this->Actor);", "false;",
     "Views.GoWithTheirRenderersAndActors")
 add("Rendering.back-is-seen", "Private/VisibleSurface.cxx", "glm::dot(mean, view) > 0.0;",
     "glm::dot(mean, view) < 0.0;", "Visible.ConesShowTheirFlank|Visible.SpheresCoverTheirDiscs")
@@ -840,8 +840,8 @@ add("Integration.sky-density-of-the-whole-map", "Private/SkySampler.cxx", "width
 add("Planning.occlusion-tolerance-adds-up", "vtkOcclusionPredictor.cxx",
     "tolerance * tolerance - planError * planError", "tolerance * tolerance + planError * planError",
     "OcclusionPredictor.Decision")
-add("Planning.occlusion-relative-to-open-light", "vtkOcclusionPredictor.cxx", "values.push_back(r[0] + r[1] + r[2]);",
-    "values.push_back(u[0] + u[1] + u[2]);", "OcclusionPredictor.ABowl")
+add("Planning.occlusion-relative-to-open-light", "vtkOcclusionPredictor.cxx", "traced.Reference = radiance;",
+    "traced.Reference = open;", "OcclusionPredictor.ABowl")
 
 # Shaders
 
@@ -1353,7 +1353,7 @@ add("Rendering.map-images-are-looked-at-by-the-first", "Private/WeightImages.cxx
     "for (int size : { sizes.front() })", "Parts.ImagesMayDifferInSize")
 add("Rendering.map-images-of-zeros-are-odd", "Private/WeightImages.cxx", "else if (anyLeft)",
     "else if (components > map->GetNumberOfMaterials())", "MaterialMapping.WeightsOfNoMaterialAreSaidUnlessTheyAreZero")
-add("Rendering.map-waits-for-materials-that-left", "Private/MapperPlans.cxx", "inUse.count(slot) == 0", "false",
+add("Rendering.map-waits-for-materials-that-left", "Private/MapperPlans.cxx", "inUse.count(member) == 0", "false",
     "MaterialMapping.PlansOfMaterialsThatLeaveAreGivenUp")
 add("Rendering.map-time-is-not-taken", "vtkMeasuredBRDFMapper.cxx", "this->TimeToDraw = this->Map->Timer.GetSeconds();", "",
     "MaterialMapping.TimeOfAllPartsIsTaken")

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 
 namespace measuredbrdf
 {
@@ -147,49 +148,27 @@ std::vector<double> GetPictureCameras()
   return cameras;
 }
 
-// The view, the normal and the mirror direction lie in one plane, the normal in the middle. Where
-// the view may be any, the mirror direction and the view's cosine are independent; where it is
-// given, the mirror direction says it all.
-PlanPairs DrawSpherePairs(
-  int count, const double wanted[3], const std::vector<ExtractedEmitters::Light>& sources)
+// The view, the normal and the mirror direction lie in one plane, the normal in the middle. The
+// mirror direction and the view's cosine are independent.
+PlanPairs DrawSpherePairs(int count, const std::vector<ExtractedEmitters::Light>& sources)
 {
   const LampDirections lamps(sources);
-  const glm::dvec3 given(wanted[0], wanted[1], wanted[2]);
-  const bool any = !(glm::length(given) > 0.0);
+  const double share = lamps.IsEmpty() ? 0.0 : LampShare;
   PlanPairs pairs = MakeEmptyPairs();
-  pairs.Cameras = any ? GetPictureCameras() : std::vector<double>();
+  pairs.Cameras = GetPictureCameras();
   for (int k = 0; k < count; ++k)
   {
     const unsigned int index = static_cast<unsigned int>(k + 1);
-    const bool atLamp = !lamps.IsEmpty() && RadicalInverse(index, 11) < LampShare;
-    const glm::dvec3 drawn =
-      !atLamp
+    const glm::dvec3 mirror =
+      RadicalInverse(index, 11) >= share
         ? ToDirection(2.0 * RadicalInverse(index, 5) - 1.0, 2.0 * Pi * RadicalInverse(index, 7))
         : lamps.Draw(RadicalInverse(index, 13), RadicalInverse(index, 5), RadicalInverse(index, 7));
-    double c = DrawCosine(RadicalInverse(index, 2));
+    const double c = DrawCosine(RadicalInverse(index, 2));
     const double turn = RadicalInverse(index, 3);
-    glm::dvec3 view, normal, mirror;
-    if (any)
-    {
-      mirror = drawn;
-      normal = FrameAbout(mirror, glm::dvec3(0.0)) * ToDirection(c, 2.0 * Pi * turn);
-      view = 2.0 * c * normal - mirror;
-    }
-    else
-    {
-      view = glm::normalize(given);
-      const glm::dvec3 middle = view + drawn;
-      normal = atLamp && glm::length(middle) > 1e-6
-                 ? glm::normalize(middle)
-                 : FrameAbout(view, glm::dvec3(0.0)) * ToDirection(c, 2.0 * Pi * turn);
-      c = glm::dot(normal, view);
-      mirror = 2.0 * c * normal - view;
-    }
-    const double share = lamps.IsEmpty() ? 0.0 : LampShare;
+    const glm::dvec3 normal = FrameAbout(mirror, glm::dvec3(0.0)) * ToDirection(c, 2.0 * Pi * turn);
+    const glm::dvec3 view = 2.0 * c * normal - mirror;
     const double density = share * lamps.GetDensity(mirror);
-    const double cosines = GetCosineDensity(c);
-    pairs.Weights.push_back(
-      1.0 / (any ? cosines * (1.0 - share + density) : (1.0 - share) * cosines + density));
+    pairs.Weights.push_back(1.0 / (GetCosineDensity(c) * (1.0 - share + density)));
     pairs.Normals->InsertNextTuple(&normal.x);
     pairs.Views->InsertNextTuple(&view.x);
   }
@@ -253,15 +232,6 @@ PlanPoints::PlanPoints(const PlanPairs& given)
           this->FindNearest(static_cast<std::size_t>(k));
       }
     });
-  this->Middles.assign(number, Pair{ glm::dvec3(0.0), glm::dvec3(0.0) });
-  for (std::size_t k = 0; k < number; ++k)
-  {
-    for (const std::size_t neighbor : this->Neighbors[k])
-    {
-      this->Middles[k][0] += this->Points[neighbor][0] / static_cast<double>(Nearest);
-      this->Middles[k][1] += this->Points[neighbor][1] / static_cast<double>(Nearest);
-    }
-  }
 }
 
 // From the closest on: itself where there are not so many.
@@ -297,15 +267,20 @@ double PlanPoints::Draw()
 
 void PlanPoints::AddPairAbout(std::size_t point, PlanPairs& pairs)
 {
-  // About the point in the mean: on a silhouette all neighbors lie to one side.
   Pair pair = this->Points[point];
   const bool isFirst = this->Owners.size() < this->Points.size(); // the point itself
-  for (const std::size_t neighbor : this->Neighbors[point])
+  std::array<double, Nearest> shares = {};
+  for (double& share : shares)
   {
-    const double share = isFirst ? 0.0 : Reach * (2.0 * this->Draw() - 1.0);
+    share = isFirst ? 0.0 : Reach * (2.0 * this->Draw() - 1.0);
+  }
+  // About the point in the mean: on a silhouette all neighbors lie to one side.
+  const double mean = std::accumulate(shares.begin(), shares.end(), 0.0) / Nearest;
+  for (std::size_t k = 0; k < shares.size(); ++k)
+  {
     for (std::size_t d = 0; d < 2; ++d)
     {
-      pair[d] += share * (this->Points[neighbor][d] - this->Middles[point][d]);
+      pair[d] += (shares[k] - mean) * this->Points[this->Neighbors[point][k]][d];
     }
   }
   pair = { glm::normalize(pair[0]), glm::normalize(pair[1]) };

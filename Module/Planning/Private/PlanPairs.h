@@ -40,12 +40,11 @@ PlanPairs MakeEmptyPairs();
 /// cube's faces and corners, three components each.
 std::vector<double> GetPictureCameras();
 
-/// So many normals as a sphere shows them to a distant camera, uniform over its disc, but many of
-/// them near the rim, where radiance is steep, and half of them where its mirror directions see one
-/// of the lamps, the more the closer, down to less than any lobe's width. Weights make up for both.
-/// view: from the object to the camera; 0, 0, 0: from everywhere.
-PlanPairs DrawSpherePairs(
-  int count, const double view[3], const std::vector<ExtractedEmitters::Light>& lamps = {});
+/// So many normals as a sphere shows them to distant cameras everywhere, uniform over its disc, but
+/// many of them near the rim, where radiance is steep, and half of them where its mirror directions
+/// see one of the lamps, the more the closer, down to less than any lobe's width. Weights make up
+/// for both.
+PlanPairs DrawSpherePairs(int count, const std::vector<ExtractedEmitters::Light>& lamps = {});
 
 /// Turned by a rotation, whose columns follow each other.
 void Turn(const double columns[9], PlanPairs& pairs);
@@ -85,7 +84,6 @@ private:
 
   std::vector<Pair> Points;
   std::vector<std::array<std::size_t, Nearest>> Neighbors;
-  std::vector<Pair> Middles;       // of the neighbors
   std::vector<std::size_t> Owners; // of all pairs: the point that they lie about
   std::mt19937 Engine;
 };

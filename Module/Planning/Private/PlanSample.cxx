@@ -43,37 +43,23 @@ void Append(vtkDoubleArray* from, vtkDoubleArray* to)
 
 double GetFinite(double value) { return std::isfinite(value) ? value : 0.0; }
 
-// What two cheap candidates say that pairs reflect, more and more of them.
-struct CheapPair
+// Adds what a candidate says that further pairs reflect.
+bool AddRadiance(PlanTask& task, PlanCandidate& candidate, const PlanPairs& pairs,
+  vtkSmartPointer<vtkDoubleArray>& radiances)
 {
-  PlanCandidate* Candidates[2]; // coarse and fine
-  vtkNew<vtkDoubleArray> Radiances[2];
-
-  CheapPair(PlanCandidate& coarse, PlanCandidate& fine)
-    : Candidates{ &coarse, &fine }
+  vtkNew<vtkDoubleArray> radiance;
+  if (!Prepare(task, candidate) || !Integrate(task, candidate.Integrator, pairs, radiance))
   {
-    for (const auto& radiance : this->Radiances)
-    {
-      radiance->SetNumberOfComponents(3);
-    }
+    return false;
   }
-
-  // Further pairs.
-  bool Add(PlanTask& task, const PlanPairs& pairs)
+  if (!radiances)
   {
-    for (std::size_t which = 0; which < 2; ++which)
-    {
-      PlanCandidate& candidate = *this->Candidates[which];
-      vtkNew<vtkDoubleArray> radiance;
-      if (!Prepare(task, candidate) || !Integrate(task, candidate.Integrator, pairs, radiance))
-      {
-        return false;
-      }
-      Append(radiance, this->Radiances[which]);
-    }
-    return true;
+    radiances = vtkSmartPointer<vtkDoubleArray>::New();
+    radiances->SetNumberOfComponents(3);
   }
-};
+  Append(radiance, radiances);
+  return true;
+}
 
 // Of each pair: by how much the two differ, and what the second says.
 void GetValues(vtkDoubleArray* coarse, vtkDoubleArray* fine, std::vector<double>& differences,
@@ -135,22 +121,22 @@ bool SamplePairs(
   const auto larger = std::find_if(first, candidates.end(),
     [&first](const PlanCandidate& other)
     { return other.Method == first->Method && other.Sizes > first->Sizes; });
-  std::optional<CheapPair> cheap;
-  if (larger != candidates.end())
+  vtkSmartPointer<vtkDoubleArray> coarse, fine;
+  const auto integrate = [&](const PlanPairs& further) {
+    return AddRadiance(task, *first, further, coarse) && AddRadiance(task, *larger, further, fine);
+  };
+  const bool hasTwo = larger != candidates.end();
+  if (hasTwo && !integrate(all))
   {
-    cheap.emplace(*first, *larger);
-    if (!cheap->Add(task, all))
-    {
-      return false;
-    }
+    return false;
   }
-  for (int round = 0; points && cheap && round < Rounds; ++round)
+  for (int round = 0; points && hasTwo && round < Rounds; ++round)
   {
     std::vector<double> differences, radiances;
-    GetValues(cheap->Radiances[0], cheap->Radiances[1], differences, radiances);
+    GetValues(coarse, fine, differences, radiances);
     const PlanPairs more =
       points->DrawWhereItVaries(differences, radiances, PairsWhereItVaries / Rounds);
-    if (more.Normals->GetNumberOfTuples() > 0 && !cheap->Add(task, more))
+    if (more.Normals->GetNumberOfTuples() > 0 && !integrate(more))
     {
       return false;
     }
@@ -161,8 +147,7 @@ bool SamplePairs(
   {
     points->Weigh(all);
   }
-  pairs = ChoosePairs(all, cheap ? cheap->Radiances[0].Get() : nullptr,
-    cheap ? cheap->Radiances[1].Get() : nullptr, PairsToCompare);
+  pairs = ChoosePairs(all, coarse, fine, PairsToCompare);
   return true;
 }
 

@@ -203,42 +203,40 @@ bool PlanSearch::Try(std::size_t rung)
   return true;
 }
 
+int PlanSearch::FindBest(double mostCost) const
+{
+  const std::vector<PlanCandidate>& tried = this->Found.Candidates; // the cheapest first
+  std::size_t best = tried.size();
+  for (std::size_t k = 0; k < tried.size(); ++k)
+  {
+    const bool isBetter = best == tried.size() || (tried[best].Error > this->Task.Tolerance &&
+                                                    tried[k].Error < tried[best].Error);
+    best = tried[k].MayBeChosen && tried[k].Cost <= mostCost && isBetter ? k : best;
+  }
+  return best < tried.size() ? static_cast<int>(best) : -1;
+}
+
 // The integrators of the others go.
 void PlanSearch::Choose()
 {
   Plan& plan = this->Found;
   for (std::size_t rung = 0; rung < this->Ladder.size(); ++rung)
   {
-    if (!this->Tried[rung])
+    if (this->Tried[rung])
     {
-      continue;
-    }
-    const int index = static_cast<int>(plan.Candidates.size());
-    const PlanCandidate& candidate = this->Ladder[rung];
-    plan.Candidates.push_back(candidate);
-    const auto isBetterThan = [&](int other) {
-      return other < 0 || candidate.Error < plan.Candidates[static_cast<std::size_t>(other)].Error;
-    };
-    if (candidate.MayBeChosen && !plan.Meets && isBetterThan(plan.Choice))
-    {
-      plan.Choice = index;
-      plan.Meets = candidate.Error <= this->Task.Tolerance;
-    }
-    if (candidate.MayBeChosen && candidate.Cost <= InteractiveCost &&
-        isBetterThan(plan.Interactive))
-    {
-      plan.Interactive = index;
+      plan.Candidates.push_back(this->Ladder[rung]);
     }
   }
-  const bool isCheap =
-    plan.Choice >= 0 &&
-    plan.Candidates[static_cast<std::size_t>(plan.Choice)].Cost <= InteractiveCost;
-  plan.Interactive = isCheap || plan.Interactive < 0 ? plan.Choice : plan.Interactive;
+  plan.Choice = this->FindBest(HUGE_VAL);
+  const int quick = this->FindBest(InteractiveCost);
+  plan.Interactive = quick < 0 ? plan.Choice : quick;
   for (int index = 0; index < static_cast<int>(plan.Candidates.size()); ++index)
   {
+    PlanCandidate& candidate = plan.Candidates[static_cast<std::size_t>(index)];
+    plan.Meets = plan.Meets || (index == plan.Choice && candidate.Error <= this->Task.Tolerance);
     if (index != plan.Choice && index != plan.Interactive)
     {
-      plan.Candidates[static_cast<std::size_t>(index)].Integrator = nullptr;
+      candidate.Integrator = nullptr;
     }
   }
 }

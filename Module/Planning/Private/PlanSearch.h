@@ -107,6 +107,9 @@ public:
 private:
   bool Try(std::size_t rung);
   void Choose();
+  /// Of what was tried and costs at most so much: the cheapest within the tolerance, or the most
+  /// accurate where there is none; -1 where nothing may be chosen.
+  int FindBest(double mostCost) const;
 
   PlanTask& Task;
   const PlanComparison& Comparison;

@@ -3,12 +3,8 @@
 #include "CurrentPlan.h"
 
 #include "SharedObjects.h"
-#include "TakenError.h"
 #include "vtkBRDF.h"
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
 #include "vtkEnvironment.h"
-#include "vtkNew.h"
 #include "vtkRadiancePlanner.h"
 
 #include <algorithm>
@@ -19,57 +15,20 @@ namespace measuredbrdf
 {
 namespace
 {
-// Plans of a material under an environment, of objects or of snapshots, that mappers share.
-using SharedPlans = SharedObjects<std::pair<PlanInputs::Key, bool>, vtkRadiancePlanner>;
+// Plans of a material under an environment, that mappers share for as long as somebody holds them.
+using SharedPlans = SharedObjects<PlanInputs::Key, vtkRadiancePlanner>;
 
-// The plan that somebody has; null where nobody has. apart: of snapshots only.
-vtkSmartPointer<vtkRadiancePlanner> FindPlan(const PlanInputs& inputs, bool apart)
+// Null where nobody has one.
+vtkSmartPointer<vtkRadiancePlanner> FindPlan(const PlanInputs& inputs)
 {
-  const auto none = []() { return vtkSmartPointer<vtkRadiancePlanner>(); };
-  vtkSmartPointer<vtkRadiancePlanner> plan =
-    SharedPlans::Get().Find({ inputs.GetKey(), true }, none);
-  return plan || apart ? plan : SharedPlans::Get().Find({ inputs.GetKey(), false }, none);
-}
-
-// Lets others find a plan, for as long as somebody holds it.
-void SharePlan(const PlanInputs& inputs, bool apart, vtkRadiancePlanner* plan)
-{
-  if (!FindPlan(inputs, apart)) // not under two keys: nobody else would be left to hold it
-  {
-    SharedPlans::Get().Find(
-      { inputs.GetKey(), apart }, [plan]() { return vtkSmartPointer<vtkRadiancePlanner>(plan); });
-  }
-}
-
-bool UpdateWithProgress(vtkRadiancePlanner* planner, const CurrentPlan::Progress& progress)
-{
-  if (!progress)
-  {
-    return planner->Update();
-  }
-  std::pair<vtkRadiancePlanner*, const CurrentPlan::Progress*> both(planner, &progress);
-  vtkNew<vtkCallbackCommand> follow;
-  follow->SetClientData(&both);
-  follow->SetCallback(
-    [](vtkObject*, unsigned long, void* data, void* share)
-    {
-      const auto& [working, tell] = *static_cast<decltype(both)*>(data);
-      if (!(*tell)(*static_cast<double*>(share)))
-      {
-        working->SetAbort(true);
-      }
-    });
-  const unsigned long tag = planner->AddObserver(vtkCommand::ProgressEvent, follow);
-  const bool planned = planner->Update();
-  planner->RemoveObserver(tag);
-  return planned;
+  return SharedPlans::Get().Find(
+    inputs.GetKey(), []() { return vtkSmartPointer<vtkRadiancePlanner>(); });
 }
 }
 
-bool CurrentPlan::IsOf(const PlanInputs& wanted, bool apart) const
+bool CurrentPlan::IsFor(const PlanInputs& wanted) const
 {
-  return this->Inputs.BRDF && this->Inputs.GetKey() == wanted.GetKey() &&
-         (this->FromSnapshot || !apart);
+  return this->Inputs.BRDF && this->Inputs.GetKey() == wanted.GetKey();
 }
 
 // A plan of objects that changed since prepares them anew where it is drawn; snapshots never
@@ -80,25 +39,23 @@ bool CurrentPlan::IsUsable() const
          this->Plan->GetEnvironment()->GetPixelsMTime() == this->Times[1];
 }
 
-void CurrentPlan::Adopt(
-  const PlanInputs& inputs, bool apart, vtkSmartPointer<vtkRadiancePlanner> plan)
+void CurrentPlan::Adopt(const PlanInputs& inputs, vtkSmartPointer<vtkRadiancePlanner> plan)
 {
   if (plan)
   {
-    SharePlan(inputs, apart, plan);
+    SharedPlans::Get().Find(inputs.GetKey(), [&plan]() { return plan; });
     this->Times[0] = plan->GetBRDF()->GetMTime();
     this->Times[1] = plan->GetEnvironment()->GetPixelsMTime();
   }
   this->Plan = plan;
   this->Inputs = inputs;
-  this->FromSnapshot = apart;
   this->Uploads.clear();
   SharedPlans::Get().Sweep();
 }
 
 void CurrentPlan::CopyFrom(const CurrentPlan& other)
 {
-  this->Adopt(other.Inputs, other.FromSnapshot, other.Plan);
+  this->Adopt(other.Inputs, other.Plan);
   std::copy_n(other.Times, 2, this->Times);
 }
 
@@ -115,9 +72,7 @@ bool CurrentPlan::CanShowPrevious(Timing timing) const
 
 bool CurrentPlan::WouldBlock(const PlanInputs& wanted, Timing timing) const
 {
-  const bool background = timing != Timing::Foreground;
-  return !this->IsOf(wanted, background) && !this->CanShowPrevious(timing) &&
-         !FindPlan(wanted, background);
+  return !this->IsFor(wanted) && !this->CanShowPrevious(timing) && !FindPlan(wanted);
 }
 
 void CurrentPlan::Begin(const PlanInputs& wanted)
@@ -150,7 +105,7 @@ bool CurrentPlan::Update(
   catch (const std::exception& e) // no memory, say
   {
     this->Job.reset();
-    this->Adopt(wanted, timing != Timing::Foreground, nullptr);
+    this->Adopt(wanted, nullptr);
     problem = e.what();
     return true;
   }
@@ -159,16 +114,15 @@ bool CurrentPlan::Update(
 bool CurrentPlan::EnsureCurrent(
   const PlanInputs& wanted, Timing timing, const Progress& progress, std::string& problem)
 {
-  const bool background = timing != Timing::Foreground;
-  if (this->IsOf(wanted, background))
+  if (this->IsFor(wanted))
   {
     this->Job.reset();
     return false;
   }
-  if (vtkSmartPointer<vtkRadiancePlanner> shared = FindPlan(wanted, background))
+  if (vtkSmartPointer<vtkRadiancePlanner> shared = FindPlan(wanted))
   {
     this->Job.reset();
-    this->Adopt(wanted, background, shared);
+    this->Adopt(wanted, shared);
     return true;
   }
   const bool bridged = this->CanShowPrevious(timing);
@@ -184,24 +138,26 @@ bool CurrentPlan::EnsureCurrent(
   {
     if (!this->IsUsable())
     {
-      this->Adopt(PlanInputs(), false, nullptr);
+      this->Adopt(PlanInputs(), nullptr);
     }
     return false;
   }
-  if (const std::shared_ptr<PlanJob> job = this->Job) // observers of progress may let go of it
+  bool done = true;
+  std::shared_ptr<PlanJob> job = this->Job; // observers of progress may let go of it
+  if (job)
   {
-    const bool done = job->Wait(progress);
-    problem = done ? job->GetProblem() : "aborted";
-    this->Adopt(wanted, true, done ? job->GetPlan() : nullptr);
-    this->Job.reset();
-    return true;
+    done = job->Wait(progress);
   }
-  vtkSmartPointer<vtkRadiancePlanner> planner = NewPlanner(wanted, background);
-  planner = planner ? planner : NewPlanner(wanted, false);
-  const TakenError reason(planner);
-  const bool planned = UpdateWithProgress(planner, progress);
-  problem = planned ? "" : reason.GetText();
-  this->Adopt(wanted, background, planned ? planner : nullptr);
+  else
+  {
+    const vtkSmartPointer<vtkRadiancePlanner> planner =
+      NewPlanner(wanted, timing != Timing::Foreground);
+    job = std::make_shared<PlanJob>(planner ? planner : NewPlanner(wanted, false));
+    job->Run(progress);
+  }
+  problem = done ? job->GetProblem() : "aborted";
+  this->Adopt(wanted, done ? job->GetPlan() : nullptr);
+  this->Job.reset();
   return true;
 }
 } // namespace measuredbrdf

@@ -11,7 +11,6 @@
 
 #include "PlanJob.h"
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,9 +32,7 @@ public:
     Always      // meanwhile the last plan, or none
   };
 
-  /// Called while a plan is made in the calling thread, with the share that is done; false stops
-  /// it.
-  using Progress = std::function<bool(double)>;
+  using Progress = PlanJob::Progress;
 
   /// Plan for this, or begin to: a new plan takes the place of the last when it is done. Returns
   /// whether it did. problem: why there is none, or what a plan made apart had to warn of, or "".
@@ -50,7 +47,7 @@ public:
   void Begin(const PlanInputs& wanted);
 
   /// Whether the plan is the one for this, or is known not to be possible.
-  bool IsFor(const PlanInputs& wanted) const { return this->IsOf(wanted, false); }
+  bool IsFor(const PlanInputs& wanted) const;
 
   /// Begin as another one is, without what that has in the making.
   void CopyFrom(const CurrentPlan& other);
@@ -76,13 +73,11 @@ private:
   bool EnsureCurrent(
     const PlanInputs& wanted, Timing timing, const Progress& progress, std::string& problem);
   bool CanShowPrevious(Timing timing) const;
-  bool IsOf(const PlanInputs& wanted, bool apart) const;
   bool IsUsable() const;
-  void Adopt(const PlanInputs& inputs, bool apart, vtkSmartPointer<vtkRadiancePlanner> plan);
+  void Adopt(const PlanInputs& inputs, vtkSmartPointer<vtkRadiancePlanner> plan);
 
   vtkSmartPointer<vtkRadiancePlanner> Plan; // null: what Inputs ask for can't be planned
   PlanInputs Inputs;                        // of the plan
-  bool FromSnapshot = false;                // whether the plan is of snapshots, if there are any
   vtkMTimeType Times[2] = { 0, 0 };         // of the plan's own objects when it was taken up
 
   std::shared_ptr<PlanJob> Job;

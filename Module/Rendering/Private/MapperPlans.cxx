@@ -24,14 +24,6 @@ namespace
 // An orbit would want another plan every 15 degrees; whoever has shown so many different views gets
 // one for all.
 constexpr std::size_t MostLooks = 4;
-
-PlanInputs GetInputsForEveryView(const PlanRequest& request)
-{
-  PlanInputs inputs(request.BRDF, request.Environment, request.Tolerance);
-  inputs.MaximumCost = request.MaximumCost;
-  inputs.WithForm = request.WithForm;
-  return inputs;
-}
 }
 
 struct MapperPlans::View
@@ -58,7 +50,7 @@ struct MapperPlans::View
 
   bool IsGone(const Key& key) const
   {
-    return !this->Renderer || (std::get<1>(key) && !this->Actor);
+    return !this->Renderer || (std::get<2>(key) && !this->Actor);
   }
 };
 
@@ -92,13 +84,13 @@ void MapperPlans::Clear(vtkRenderer* renderer)
   this->EraseIf([renderer](const Key& key, const View&) { return std::get<0>(key) == renderer; });
 }
 
-void MapperPlans::Keep(const std::set<int>& inUse, const std::set<int>& known)
+void MapperPlans::Keep(const std::set<vtkBRDF*>& inUse, const std::set<vtkBRDF*>& known)
 {
   this->EraseIf(
     [&](const Key& key, const View& view)
     {
-      const int slot = std::get<2>(key);
-      return known.count(slot) == 0 || (view.Plan.IsPending() && inUse.count(slot) == 0);
+      vtkBRDF* member = std::get<1>(key);
+      return known.count(member) == 0 || (view.Plan.IsPending() && inUse.count(member) == 0);
     });
 }
 
@@ -139,20 +131,19 @@ std::shared_ptr<MapperPlans::View> MapperPlans::FindView(const PlanRequest& requ
     this->Updates = 0;
     this->EraseIf([](const Key& key, const View& view) { return view.IsGone(key); });
   }
-  const Key key(request.Renderer, request.ForView ? request.Actor : nullptr, request.Slot);
+  const Key key(request.Renderer, request.Member, request.ForView ? request.Actor : nullptr);
   std::shared_ptr<View>& view = this->Views[key];
   if (!view || view->IsGone(key)) // an address used again
   {
     auto made = std::make_shared<View>();
     made->Renderer = request.Renderer;
     made->Actor = request.ForView ? request.Actor : nullptr;
-    for (const auto& [other, drawn] : this->Views) // before ForView was switched
+    for (const auto& it : this->FindOfOtherKind(request))
     {
-      const vtkActor* actor = std::get<1>(other);
-      if (IsOfOtherKind(other, request) && (!actor || actor == request.Actor) &&
-          !drawn->IsGone(other))
+      const vtkActor* actor = std::get<2>(it->first);
+      if (!it->second->IsGone(it->first) && (!actor || actor == request.Actor))
       {
-        made->Plan.CopyFrom(drawn->Plan);
+        made->Plan.CopyFrom(it->second->Plan);
       }
     }
     view = std::move(made);
@@ -160,11 +151,23 @@ std::shared_ptr<MapperPlans::View> MapperPlans::FindView(const PlanRequest& requ
   return view;
 }
 
-bool MapperPlans::IsOfOtherKind(const Key& key, const PlanRequest& request)
+// Whatever the number of members is, these are few.
+std::vector<MapperPlans::AllViews::iterator> MapperPlans::FindOfOtherKind(
+  const PlanRequest& request)
 {
-  const auto& [renderer, actor, slot] = key;
-  return renderer == request.Renderer && slot == request.Slot &&
-         (actor != nullptr) != request.ForView;
+  std::vector<AllViews::iterator> found;
+  for (auto it = this->Views.lower_bound(Key(request.Renderer, request.Member, nullptr));
+       it != this->Views.end() && std::get<0>(it->first) == request.Renderer &&
+       std::get<1>(it->first) == request.Member;
+       ++it)
+  {
+    const bool isForView = std::get<2>(it->first) != nullptr;
+    if (isForView != request.ForView)
+    {
+      found.push_back(it);
+    }
+  }
+  return found;
 }
 
 void MapperPlans::Look(View& view, const PlanRequest& request)
@@ -230,7 +233,9 @@ void MapperPlans::Look(View& view, const PlanRequest& request)
 
 PlanInputs MapperPlans::GetInputs(View& view, const PlanRequest& request)
 {
-  PlanInputs inputs = GetInputsForEveryView(request);
+  PlanInputs inputs(request.BRDF, request.Environment, request.Tolerance);
+  inputs.MaximumCost = request.MaximumCost;
+  inputs.WithForm = request.WithForm;
   if (!request.ForView)
   {
     return inputs;
@@ -286,7 +291,10 @@ CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std:
   // The renderer's next frame has begun: all that were drawn in the last one have a plan.
   if (view.Drawn)
   {
-    this->EraseIf([&request](const Key& key, const View&) { return IsOfOtherKind(key, request); });
+    for (const auto& it : this->FindOfOtherKind(request))
+    {
+      this->Views.erase(it);
+    }
   }
   view.Drawn = true;
   const PlanInputs wanted = GetInputs(view, request);

@@ -45,7 +45,9 @@ struct PlanRequest
   double MaximumCost = 150.0;
   CurrentPlan::Timing Timing = CurrentPlan::Timing::Foreground;
   bool ForView = false; // or for every view
-  int Slot = 0;         // which of the mapper's materials
+  /// Which of the mapper's materials; null: the one that is set for all, of which one's plan stands
+  /// in for the next one's.
+  vtkBRDF* Member = nullptr;
   vtkRenderer* Renderer = nullptr;
   vtkActor* Actor = nullptr;
   std::vector<vtkPolyData*> Surfaces; // what ForView looks at
@@ -81,9 +83,9 @@ public:
   void Clear(vtkRenderer* renderer);
   ///@}
 
-  /// In all views: materials in other slots than these, in the making or made, go (known), or only
+  /// In all views: plans of other members than these, in the making or made, go (known), or only
   /// what is in the making (inUse).
-  void Keep(const std::set<int>& inUse, const std::set<int>& known);
+  void Keep(const std::set<vtkBRDF*>& inUse, const std::set<vtkBRDF*>& known);
 
   /// Let go of what was uploaded to a window.
   void ReleaseUploads(vtkWindow* window);
@@ -103,18 +105,19 @@ public:
 
 private:
   struct View;
-  using Key = std::tuple<vtkRenderer*, vtkActor*, int>;
+  using Key = std::tuple<vtkRenderer*, vtkBRDF*, vtkActor*>; // the member, and for the view
+  using AllViews = std::map<Key, std::shared_ptr<View>>;
 
   std::shared_ptr<View> FindView(const PlanRequest& request);
-  /// Whether the key is of what request's view was drawn by before ForView was switched.
-  static bool IsOfOtherKind(const Key& key, const PlanRequest& request);
+  /// What the request's view was drawn by before ForView was switched.
+  std::vector<AllViews::iterator> FindOfOtherKind(const PlanRequest& request);
   template <typename Condition>
   void EraseIf(const Condition& condition);
   static void Look(View& view, const PlanRequest& request);
   static PlanInputs GetInputs(View& view, const PlanRequest& request);
   void BeginSideBySide(View& view, const PlanInputs& wanted, const PlanRequest& request);
 
-  std::map<Key, std::shared_ptr<View>> Views;
+  AllViews Views;
   std::shared_ptr<View> Last; // that Update returned
   std::size_t Updates = 0;    // since the last look for views that are gone
 };

@@ -59,44 +59,21 @@ MaterialDrawing::SweepAtEnd::~SweepAtEnd()
   SweepCaptures();
 }
 
-// A number that stays with a material, so that plans of one never stand in for another's.
-int MaterialDrawing::FindSlot(vtkBRDF* brdf)
-{
-  if (brdf == this->Settings->BRDF)
-  {
-    return 0;
-  }
-  if (this->Slots.size() > 2 * this->SlotsSwept + 16)
-  {
-    for (auto it = this->Slots.begin(); it != this->Slots.end();)
-    {
-      it = it->second.BRDF ? std::next(it) : this->Slots.erase(it);
-    }
-    this->SlotsSwept = this->Slots.size();
-  }
-  MaterialSlot& slot = this->Slots[brdf];
-  if (!slot.BRDF) // new, or at the address of one that is gone
-  {
-    slot = { brdf, this->NextSlot++ };
-  }
-  return slot.Slot;
-}
-
 void MaterialDrawing::KeepPlansInUse()
 {
-  const bool same = !this->AreUsesNew || this->Slots.empty(); // or there is only its own material
+  const bool same = !this->AreUsesNew || !this->HasMembers;
   this->AreUsesNew = false;
   if (same)
   {
     return;
   }
-  std::set<int> inUse;
-  std::set<int> known = { 0 };
-  const auto add = [this](std::set<int>& slots, vtkBRDF* brdf)
+  std::set<vtkBRDF*> inUse; // as GetMember has them
+  std::set<vtkBRDF*> known = { nullptr };
+  const auto add = [this](std::set<vtkBRDF*>& members, vtkBRDF* brdf)
   {
     if (brdf)
     {
-      slots.insert(this->FindSlot(brdf));
+      members.insert(this->GetMember(brdf));
     }
   };
   for (const MaterialUse& use : this->UsesToCome())
@@ -105,7 +82,7 @@ void MaterialDrawing::KeepPlansInUse()
   }
   if (this->Settings->BRDF)
   {
-    inUse.insert(0); // blocks of it may be there, too
+    inUse.insert(nullptr); // blocks of it may be there, too
   }
   for (const auto& [index, brdf] : this->Settings->BlocksByIndex)
   {
@@ -152,7 +129,8 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   request.MaximumCost = this->Settings->MaximumCost;
   request.Timing = timings[this->Settings->PlanningMode];
   request.ForView = this->IsForView();
-  request.Slot = this->FindSlot(use.first);
+  request.Member = this->GetMember(use.first);
+  this->HasMembers = this->HasMembers || request.Member;
   request.Renderer = state.Renderer;
   request.Actor = state.Actor;
   request.Surfaces = use.second;

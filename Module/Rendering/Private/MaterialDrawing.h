@@ -29,7 +29,6 @@
 #include <memory>
 #include <set>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -178,12 +177,6 @@ public:
   vtkObject* GetOwner() const { return this->Owner; }
 
 private:
-  struct MaterialSlot
-  {
-    vtkWeakPointer<vtkBRDF> BRDF;
-    int Slot;
-  };
-
   /// What all materials of a frame have in common.
   struct FrameState
   {
@@ -193,7 +186,8 @@ private:
     bool Hurries = false; // one interacts, and samples are not known to be drawn in a frame's time
   };
 
-  int FindSlot(vtkBRDF* brdf);
+  /// As plans know a material (PlanRequest::Member).
+  vtkBRDF* GetMember(vtkBRDF* brdf) const { return brdf == this->Settings->BRDF ? nullptr : brdf; }
   PlanRequest GetRequest(const MaterialUse& use, const FrameState& state);
   double GetTolerance(vtkBRDF* brdf) const;
   bool IsForView() const
@@ -235,10 +229,8 @@ private:
   std::function<double(vtkBRDF*)> ToleranceFactor;
   bool PlansMapsForView = true;
   MapperPlans Plans;
-  ViewFrames Frames;                                // each keeps its textures for the next Render
-  std::unordered_map<vtkBRDF*, MaterialSlot> Slots; // in MapperPlans, but of the mapper's material
-  std::size_t SlotsSwept = 0;                       // how many stayed when dead ones were removed
-  int NextSlot = 1;
+  ViewFrames Frames;                // each keeps its textures for the next Render
+  bool HasMembers = false;          // whether others than the mapper's material were planned for
   bool AreUsesNew = true;           // whether materials were looked up since KeepPlansInUse
   const ViewFrame* Frame = nullptr; // drawn now
   vtkWeakPointer<vtkRenderer> LastRenderer;

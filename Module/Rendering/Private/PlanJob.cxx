@@ -4,6 +4,7 @@
 
 #include "BackgroundThreads.h"
 #include "ParallelFor.h"
+#include "TakenError.h"
 #include "vtkBRDF.h"
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
@@ -207,7 +208,7 @@ private:
       const auto current = this->Waiting.begin();
       this->Current.splice(this->Current.end(), this->Waiting, current);
       lock.unlock();
-      (*current)->Run();
+      (*current)->Run(nullptr);
       lock.lock();
       std::shared_ptr<PlanJob> job = std::move(*current);
       job->Done = true;
@@ -258,13 +259,13 @@ std::shared_ptr<PlanJob> PlanJob::Find(const PlanInputs& inputs)
       return found;
     }
   }
-  const auto job = std::make_shared<PlanJob>();
-  job->Planner = NewPlanner(inputs, true);
-  job->WithForm = inputs.WithForm;
-  if (!job->Planner)
+  const vtkSmartPointer<vtkRadiancePlanner> planner = NewPlanner(inputs, true);
+  if (!planner)
   {
     return nullptr;
   }
+  const auto job = std::make_shared<PlanJob>(planner);
+  job->WithForm = inputs.WithForm;
   const std::shared_ptr<PlanJob> handle(job.get(),
     [owned = job](PlanJob*) mutable { GetQueue().Leave(std::exchange(owned, nullptr)); });
   const Queue::Lock lock(queue.Mutex);
@@ -282,7 +283,7 @@ std::shared_ptr<PlanJob> PlanJob::Find(const PlanInputs& inputs)
 
 void PlanJob::WaitForStopped() { GetQueue().WaitForStopped(); }
 
-bool PlanJob::Wait(const std::function<bool(double)>& progress)
+bool PlanJob::Wait(const Progress& progress)
 {
   return GetQueue().Wait(this, [&]() { return !progress || progress(this->Share); });
 }
@@ -292,17 +293,24 @@ vtkSmartPointer<vtkRadiancePlanner> PlanJob::GetPlan() const
   return this->Succeeded ? this->Planner : nullptr;
 }
 
-void PlanJob::Run()
+PlanJob::PlanJob(vtkSmartPointer<vtkRadiancePlanner> planner)
+  : Planner(planner)
 {
+}
+
+void PlanJob::Run(const Progress& progress)
+{
+  this->Tell = progress;
   const vtkSmartPointer<vtkBRDF> brdf = this->Planner->GetBRDF();
-  unsigned long tags[3] = { 0, 0, 0 };
+  unsigned long tags[2] = { 0, 0 };
   try
   {
     // Nobody's output window has to cope with other threads.
-    tags[0] = this->Planner->AddObserver(vtkCommand::ErrorEvent, this, &PlanJob::TakeMessage);
-    tags[1] = brdf->AddObserver(vtkCommand::WarningEvent, this, &PlanJob::TakeMessage);
-    tags[2] = this->Planner->AddObserver(vtkCommand::ProgressEvent, this, &PlanJob::TakeProgress);
+    const TakenError error(this->Planner);
+    tags[0] = brdf->AddObserver(vtkCommand::WarningEvent, this, &PlanJob::TakeWarning);
+    tags[1] = this->Planner->AddObserver(vtkCommand::ProgressEvent, this, &PlanJob::TakeProgress);
     this->Succeeded = this->Planner->Update();
+    this->Problem = this->Succeeded ? this->Problem : error.GetText();
     if (this->Succeeded && this->WithForm && !this->Planner->GetAbort())
     {
       const StoppableLoops loops([this]() { return this->Planner->GetAbort(); });
@@ -319,17 +327,20 @@ void PlanJob::Run()
     this->Succeeded = false;
     this->Problem = "an unknown exception";
   }
-  this->Planner->RemoveObserver(tags[0]);
-  brdf->RemoveObserver(tags[1]);
-  this->Planner->RemoveObserver(tags[2]);
+  brdf->RemoveObserver(tags[0]);
+  this->Planner->RemoveObserver(tags[1]);
 }
 
 void PlanJob::TakeProgress(vtkObject*, unsigned long, void* share)
 {
   this->Share = share ? *static_cast<double*>(share) : 0.0;
+  if (this->Tell && !this->Tell(this->Share))
+  {
+    this->Planner->SetAbort(true);
+  }
 }
 
-void PlanJob::TakeMessage(vtkObject*, unsigned long, void* text)
+void PlanJob::TakeWarning(vtkObject*, unsigned long, void* text)
 {
   this->Problem = text ? static_cast<const char*>(text) : "";
 }

@@ -87,11 +87,19 @@ public:
   /// work.
   static void WaitForStopped();
 
+  explicit PlanJob(vtkSmartPointer<vtkRadiancePlanner> planner);
+
+  /// Called now and then, with the share that is done; false stops the plan, or the wait for it.
+  using Progress = std::function<bool(double)>;
+
+  /// Plan in the calling thread, what can't be planned on another one. progress may be empty.
+  void Run(const Progress& progress);
+
   bool IsDone() const { return this->Done; }
 
-  /// Its turn is next. progress is called now and then, with the share that is done; where it says
-  /// false, this returns false before the job is done. It may be empty.
-  bool Wait(const std::function<bool(double)>& progress);
+  /// Its turn is next. Returns false before the job is done where progress says so, which may be
+  /// empty.
+  bool Wait(const Progress& progress);
 
   ///@{
   /// Once it is done: the plan, null where it failed, and the error, or the plan's last warning, or
@@ -118,11 +126,11 @@ private:
   class Queue;
   static Queue& GetQueue();
 
-  void Run();
-  void TakeMessage(vtkObject* caller, unsigned long event, void* text);
+  void TakeWarning(vtkObject* caller, unsigned long event, void* text);
   void TakeProgress(vtkObject* caller, unsigned long event, void* share);
 
   vtkSmartPointer<vtkRadiancePlanner> Planner;
+  Progress Tell; // may be empty
   std::string Problem;
   bool Succeeded = false;
   std::atomic<bool> WithForm{ false };

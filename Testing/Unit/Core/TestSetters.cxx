@@ -308,7 +308,6 @@ TEST(Setters, OfIntegrators)
 TEST(Setters, OfPlanning)
 {
   CLAMPED(vtkRadiancePlanner, ErrorTolerance, 1e-3, 1.0);
-  FINITE3(vtkRadiancePlanner, ViewDirection);
   REFUSED(vtkRadiancePlanner, MaximumTextureBytes, 0, 1e300);
 }
 

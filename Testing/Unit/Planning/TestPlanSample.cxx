@@ -77,11 +77,7 @@ int CountLamp(const PlanPairs& pairs)
   return count;
 }
 
-PlanPairs DrawMany()
-{
-  const double everywhere[3] = { 0.0, 0.0, 0.0 };
-  return measuredbrdf::DrawSpherePairs(Many, everywhere);
-}
+PlanPairs DrawMany() { return measuredbrdf::DrawSpherePairs(Many); }
 }
 
 //------------------------------------------------------------------------------
@@ -197,8 +193,7 @@ TEST(PlanPictures, AreWhatCamerasSee)
   };
   const auto getError = [](const glm::dvec3& normal, const glm::dvec3& view)
   { return 0.01 + 0.05 * std::pow(1.0 - glm::dot(normal, view), 2.0); };
-  const double everywhere[3] = { 0.0, 0.0, 0.0 };
-  const PlanPairs pairs = measuredbrdf::DrawSpherePairs(Many, everywhere);
+  const PlanPairs pairs = DrawMany();
   const std::vector<double> cameras = measuredbrdf::GetPictureCameras();
   ASSERT_EQ(cameras.size(), 3u * 14u);
   EXPECT_EQ(pairs.Cameras, cameras);
@@ -238,55 +233,50 @@ TEST(PlanPictures, AreWhatCamerasSee)
 
 //------------------------------------------------------------------------------
 // Pairs crowd where they see a lamp, and weights make up for it: shares of pixels whose mirror
-// directions are within some angle of it, for all views and for one.
+// directions are within some angle of it.
 TEST(PlanSample, CrowdsAboutLamps)
 {
   const glm::dvec3 lamp = glm::normalize(glm::dvec3(0.3, 0.5, -0.4));
   const glm::dvec3 aside = glm::normalize(lamp + glm::dvec3(0.0, 0.0, 0.2)); // overlapping
-  const double everywhere[3] = { 0.0, 0.0, 0.0 };
-  const double one[3] = { 0.0, 0.6, 0.8 };
-  for (const double* view : { everywhere, one })
+  const PlanPairs pairs = measuredbrdf::DrawSpherePairs(
+    Many, { { lamp, glm::dvec3(5.0) }, { -lamp, glm::dvec3(0.0) }, { aside, glm::dvec3(1.0) } });
+  double all = 0.0;
+  for (const double weight : pairs.Weights)
   {
-    const PlanPairs pairs = measuredbrdf::DrawSpherePairs(Many, view,
-      { { lamp, glm::dvec3(5.0) }, { -lamp, glm::dvec3(0.0) }, { aside, glm::dvec3(1.0) } });
-    double all = 0.0;
-    for (const double weight : pairs.Weights)
-    {
-      ASSERT_TRUE(std::isfinite(weight));
-      EXPECT_GT(weight, 0.0);
-      all += weight;
-    }
-    EXPECT_NEAR(all / Many, 1.0, 0.02);
-    double cosines = 0.0;
-    for (const double degrees : { 0.2, 1.0, 5.0, 30.0 })
-    {
-      double share = 0.0;
-      int count = 0;
-      cosines = 0.0;
-      for (vtkIdType k = 0; k < Many; ++k)
-      {
-        glm::dvec3 n, o;
-        pairs.Normals->GetTuple(k, &n.x);
-        pairs.Views->GetTuple(k, &o.x);
-        const double weight = pairs.Weights[static_cast<std::size_t>(k)];
-        EXPECT_GE(glm::dot(n, o), -1e-12);
-        cosines += weight * glm::dot(n, o) / all;
-        const double apart = glm::length(2.0 * glm::dot(n, o) * n - o - lamp);
-        if (apart < 2.0 * std::sin(0.5 * glm::radians(degrees)))
-        {
-          ++count;
-          share += weight / all;
-        }
-      }
-      // Mirror directions of a sphere are uniform.
-      const double expected = 0.5 * (1.0 - std::cos(glm::radians(degrees)));
-      std::printf("within %g degrees: %d pairs for %.3g of the pixels, expected %.3g\n", degrees,
-        count, share, expected);
-      EXPECT_NEAR(share, expected, 0.15 * expected);
-      EXPECT_GT(count, 300);
-    }
-    EXPECT_NEAR(cosines, 2.0 / 3.0, 0.02); // a disc's mean
+    ASSERT_TRUE(std::isfinite(weight));
+    EXPECT_GT(weight, 0.0);
+    all += weight;
   }
+  EXPECT_NEAR(all / Many, 1.0, 0.02);
+  double cosines = 0.0;
+  for (const double degrees : { 0.2, 1.0, 5.0, 30.0 })
+  {
+    double share = 0.0;
+    int count = 0;
+    cosines = 0.0;
+    for (vtkIdType k = 0; k < Many; ++k)
+    {
+      glm::dvec3 n, o;
+      pairs.Normals->GetTuple(k, &n.x);
+      pairs.Views->GetTuple(k, &o.x);
+      const double weight = pairs.Weights[static_cast<std::size_t>(k)];
+      EXPECT_GE(glm::dot(n, o), -1e-12);
+      cosines += weight * glm::dot(n, o) / all;
+      const double apart = glm::length(2.0 * glm::dot(n, o) * n - o - lamp);
+      if (apart < 2.0 * std::sin(0.5 * glm::radians(degrees)))
+      {
+        ++count;
+        share += weight / all;
+      }
+    }
+    // Mirror directions of a sphere are uniform.
+    const double expected = 0.5 * (1.0 - std::cos(glm::radians(degrees)));
+    std::printf("within %g degrees: %d pairs for %.3g of the pixels, expected %.3g\n", degrees,
+      count, share, expected);
+    EXPECT_NEAR(share, expected, 0.15 * expected);
+    EXPECT_GT(count, 300);
+  }
+  EXPECT_NEAR(cosines, 2.0 / 3.0, 0.02); // a disc's mean
 }
 
 //------------------------------------------------------------------------------
@@ -347,8 +337,8 @@ TEST(PlanSample, StopsAndTakesAnything)
 TEST(PlanSample, OfPicturesKnowTheirPoints)
 {
   constexpr int number = 600;
-  const double front[3] = { 0.0, 0.0, 1.0 };
-  const PlanPairs given = measuredbrdf::DrawSpherePairs(number, front);
+  PlanPairs given = measuredbrdf::DrawSpherePairs(number);
+  given.Weights.clear(); // as SetPairs has it
   measuredbrdf::PlanTask task;
   task.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("nickel"));
   task.Environment =

@@ -317,8 +317,6 @@ TEST(Planner, PlansAgainExactlyWhenItMust)
   const auto white = NewConstantEnvironment(32, 16, 1.0f);
   planner->SetEnvironment(white);
   expectNew("the environment", true);
-  planner->SetViewDirection(0.0, 0.0, 1.0);
-  expectNew("the view", true);
   SpherePairs pairs;
   pairs.AddRandom(20);
   planner->SetPairs(pairs.Normals, pairs.Views);

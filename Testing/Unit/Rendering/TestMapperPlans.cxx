@@ -169,9 +169,9 @@ TEST_F(Views, EqualViewportsShareOnePlan)
   EXPECT_TRUE(this->Update(this->GetRequest(this->Two, this->Sky)));
   EXPECT_EQ(this->Drawn, first);
   EXPECT_EQ(this->BRDF->Door->TakePasses(), 0);
-  // Of two slots, each keeps its own.
+  // Of two members, each keeps its own.
   PlanRequest other = this->GetRequest(this->One, this->Sky);
-  other.Slot = 1;
+  other.Member = this->BRDF;
   other.Tolerance = 0.25;
   EXPECT_TRUE(this->Update(other));
   EXPECT_NE(this->Drawn, first);
