@@ -353,6 +353,8 @@ add("Rendering.screenshot-of-a-part-of-the-sum", "Private/SampleSums.cxx",
     "seen->GetReferenceCount() > 1", "seen->GetReferenceCount() > 2", "Samples.PicturesThatTheFilterReadsWait")
 add("Rendering.sum-is-not-aborted", "Private/SampleSums.cxx",
     "goesOn = !window->GetAbortRender();", "", "Samples.StopAndGoOn")
+add("Rendering.abort-is-asked-for-now-and-then", "Private/SampleSums.cxx",
+    "window->InvokeEvent(vtkCommand::AbortCheckEvent);", "window->CheckAbortStatus();", "Samples.AskOftenWhetherToStop")
 add("Rendering.sum-of-unequal-parts", "Private/BRDFShader.cxx",
     "brdfPart.y - brdfPart.x", "1.0", "Samples.ShowTheSameOnPartsWithPlans")
 add("Rendering.samples-never-while-one-interacts", "Private/MaterialDrawing.cxx",

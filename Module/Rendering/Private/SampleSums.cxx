@@ -324,11 +324,13 @@ struct SampleSums::View
     this->Timer = 0;
   }
 
-  // Seconds that this actor has in a frame: its share of them, as VTK allots it.
+  // Seconds that this actor has in a frame: its share of them, as VTK allots it (actors inside of
+  // others, of levels of detail say, are allotted nothing).
   double GetBudget() const
   {
     const double rate = this->Renderer->GetRenderWindow()->GetDesiredUpdateRate();
-    return this->Actor->GetAllocatedRenderTime() * std::min(LongestFrame * rate, 1.0);
+    return std::min(this->Actor->GetAllocatedRenderTime() * rate, 1.0) *
+           std::min(LongestFrame, 1.0 / rate);
   }
 };
 
