@@ -1133,7 +1133,7 @@ add("Rendering.map-classes-keep-the-last-numbers", "Private/BRDFTextures.cxx",
 add("Rendering.map-classes-share-cell-colors", "Private/ClassesMapper.cxx",
     "if (program->IsUniformUsed(\"PrimitiveIDOffset\"))", "if (false)",
     "ManyClasses.ColorsOfCellsStayTheirOwn")
-add("Rendering.map-changed-materials-stay", "Private/MaterialDrawingFrames.cxx",
+add("Rendering.map-changed-materials-stay", "Private/MaterialDrawing.cxx",
     "stamp.SettingsTime = this->Settings->GetMTime();", "stamp.SettingsTime = 1;",
     "ManyClasses.FollowEveryChange")
 add("Rendering.map-members-share-instances", "Private/BRDFShader.cxx", "return 100 * member;", "return 0 * member;",

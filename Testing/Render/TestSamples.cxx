@@ -157,6 +157,15 @@ protected:
     return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
   }
 
+  /// By a map of three materials.
+  void DivideSheet()
+  {
+    this->Mapper->SetInputData(this->Sheet);
+    this->AddMaterials(3);
+    this->SetPoints([](vtkIdType k, int) { return (k / 3) % 3; });
+    this->Mapper->SetMaterialMap(this->Map);
+  }
+
   /// A screenshot, for which the filter renders.
   std::vector<unsigned char> ReadByFilter()
   {
@@ -369,15 +378,12 @@ TEST_F(Samples, ShowTheSameWithOcclusion)
 //------------------------------------------------------------------------------
 TEST_F(Samples, ShowTheSameOnMaterialMaps)
 {
-  this->Mapper->SetInputData(this->Sheet);
-  this->AddMaterials(3);
-  this->SetPoints([](vtkIdType k, int) { return (k / 3) % 3; });
-  this->Mapper->SetMaterialMap(this->Map);
+  this->DivideSheet();
   this->ExpectSame(this->Mapper.Get());
 }
 
 //------------------------------------------------------------------------------
-// Parts, of which one is drawn by a table and one waits for its plan, whatever it stands in for.
+// Parts, of which one is drawn by a table and one waits for its plan.
 TEST_F(Samples, ShowTheSameOnPartsWithPlans)
 {
   vtkNew<vtkLambertBRDF> matte;
@@ -540,10 +546,7 @@ TEST_F(Samples, PicturesThatTheFilterReadsWait)
 TEST_F(Samples, PicturesThatAreReadWait)
 {
   this->Renderer->SetPass(nullptr);
-  this->Mapper->SetInputData(this->Sheet); // divided by a map
-  this->AddMaterials(3);
-  this->SetPoints([](vtkIdType k, int) { return (k / 3) % 3; });
-  this->Mapper->SetMaterialMap(this->Map);
+  this->DivideSheet();
   this->Window->Render();
   const std::vector<unsigned char> whole = this->ReadByFilter();
   this->LookOn();
