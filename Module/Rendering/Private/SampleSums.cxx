@@ -83,11 +83,6 @@ bool HasRoom(const std::vector<DrawnMaterial>& materials, vtkOpenGLRenderWindow*
     });
 }
 
-void AddMatrix(std::vector<double>& key, vtkMatrix4x4* matrix)
-{
-  key.insert(key.end(), matrix->GetData(), matrix->GetData() + 16);
-}
-
 // What the surface's place in the picture depends on, and its light.
 std::vector<double> GetViewKey(const SummedPart& part, const int* viewport)
 {
@@ -96,10 +91,12 @@ std::vector<double> GetViewKey(const SummedPart& part, const int* viewport)
   std::vector<double> key(viewport, viewport + 4);
   const auto addTime = [&key](vtkObject* object)
   { key.push_back(object ? static_cast<double>(object->GetMTime()) : 0.0); };
-  AddMatrix(key, camera->GetModelViewTransformMatrix());
-  AddMatrix(key,
-    camera->GetProjectionTransformMatrix(static_cast<double>(viewport[2]) / viewport[3], -1, 1));
-  AddMatrix(key, part.Actor->GetMatrix());
+  const double aspect = static_cast<double>(viewport[2]) / viewport[3];
+  for (vtkMatrix4x4* matrix :
+    { camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1), part.Actor->GetMatrix() })
+  {
+    key.insert(key.end(), matrix->GetData(), matrix->GetData() + 16);
+  }
   key.insert(key.end(), renderer->GetEnvironmentRight(), renderer->GetEnvironmentRight() + 3);
   key.insert(key.end(), renderer->GetEnvironmentUp(), renderer->GetEnvironmentUp() + 3);
   key.push_back(static_cast<double>(part.Time));
