@@ -355,6 +355,8 @@ add("Rendering.sum-is-not-aborted", "Private/SampleSums.cxx",
     "goesOn = !window->GetAbortRender();", "", "Samples.StopAndGoOn")
 add("Rendering.abort-is-asked-for-now-and-then", "Private/SampleSums.cxx",
     "window->InvokeEvent(vtkCommand::AbortCheckEvent);", "window->CheckAbortStatus();", "Samples.AskOftenWhetherToStop")
+add("Rendering.cost-has-no-maximum", "Private/SharedPlans.cxx",
+    "planner->SetMaximumCost(inputs.MaximumCost);", "", "Samples.AreDrawnWhileOneInteracts")
 add("Rendering.sum-of-unequal-parts", "Private/BRDFShader.cxx",
     "brdfPart.y - brdfPart.x", "1.0", "Samples.ShowTheSameOnPartsWithPlans")
 add("Rendering.samples-never-while-one-interacts", "Private/MaterialDrawing.cxx",
