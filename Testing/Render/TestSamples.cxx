@@ -21,6 +21,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkSelection.h"
+#include "vtkShaderProperty.h"
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
 #include "vtkSphereSource.h"
@@ -366,6 +367,15 @@ TEST_F(Samples, ShowTheSameWhereTranslucent)
 {
   this->Actor->GetProperty()->SetOpacity(0.5);
   this->ExpectSame(this->Mapper.Get(), false);
+}
+
+//------------------------------------------------------------------------------
+// What comes after the radiance is no part of the sum.
+TEST_F(Samples, ShowTheSameWithColorsOfAProgram)
+{
+  this->Actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", false,
+    "//VTK::Light::Impl\n  gl_FragData[0].rgb *= vec3(0.5, 0.7, 0.9);\n", false);
+  this->ExpectSame(this->Mapper.Get());
 }
 
 //------------------------------------------------------------------------------
