@@ -390,7 +390,9 @@ QString Side::Describe() const
   }
   vtkRadiancePlanner* planner = this->GetPlanner();
   const int choice = planner ? planner->GetChoice() : -1;
-  if (choice < 0 || this->Mapper->GetPlanPending())
+  // Samples that add up are pending, too.
+  if (choice < 0 ||
+      (this->Mapper->GetPlanPending() && planner->GetMethodName(choice) != "filtered"))
   {
     return tr("%1: planning").arg(name);
   }

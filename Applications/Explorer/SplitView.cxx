@@ -399,6 +399,18 @@ void SplitView::RequestRender()
 }
 
 //------------------------------------------------------------------------------
+// A frame that is not shown is drawn to the end.
+QImage SplitView::Grab()
+{
+  for (const bool shows : { false, true })
+  {
+    this->Window->SetSwapBuffers(shows);
+    this->Window->Render();
+  }
+  return this->grabFramebuffer();
+}
+
+//------------------------------------------------------------------------------
 int SplitView::GetLinePosition() const
 {
   return static_cast<int>(std::lround(this->Model->GetState().Split * this->width()));

@@ -67,6 +67,9 @@ public:
   /// Render soon; many calls make one frame.
   void RequestRender();
 
+  /// What is shown, once all samples are drawn.
+  QImage Grab();
+
   /// Where the line is, in the widget's pixels.
   int GetLinePosition() const;
 

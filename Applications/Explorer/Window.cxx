@@ -284,7 +284,7 @@ void Window::AskForState()
 //------------------------------------------------------------------------------
 bool Window::SavePicture(const QString& path)
 {
-  const QImage image = this->View->grabFramebuffer();
+  const QImage image = this->View->Grab();
   try
   {
     if (tool::Extension(path.toStdString()) != ".png")
@@ -336,7 +336,7 @@ ReportData Window::CollectReport()
       data.Plan = planner->GetPlan();
     }
   }
-  data.Pictures.emplace_back(tr("Picture: A left, B right"), this->View->grabFramebuffer());
+  data.Pictures.emplace_back(tr("Picture: A left, B right"), this->View->Grab());
   const int shown = this->Tabs->currentIndex();
   const std::pair<QString, QWidget*> panels[] = { { tr("Lobe"), this->Lobe },
     { tr("Slices and albedo"), this->Slices }, { tr("Environment"), this->Light } };

@@ -23,6 +23,7 @@
 #include "vtkActorCollection.h"
 #include "vtkBRDFLobeSource.h"
 #include "vtkEmbeddedMaterials.h"
+#include "vtkFilteredRadianceIntegrator.h"
 #include "vtkMath.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkMeasuredBRDFMapper.h"
@@ -661,6 +662,20 @@ void ExplorerWindow::pictureAndReport()
   QCOMPARE(QImage(folder.filePath("picture.png")).height(), height);
   QVERIFY(!window->SavePicture(folder.filePath("none/picture.png")));
   QVERIFY(window->GetMessage().contains("none"));
+
+  // Samples add up until then.
+  vtkActorCollection* actors = window->GetSide(0)->GetRenderer()->GetActors();
+  actors->InitTraversal();
+  auto* mapper = vtkMeasuredBRDFMapper::SafeDownCast(actors->GetNextActor()->GetMapper());
+  vtkNew<vtkFilteredRadianceIntegrator> samples;
+  mapper->SetIntegrator(samples);
+  vtkRenderWindow* shown = window->GetView()->renderWindow();
+  shown->SetDesiredUpdateRate(1e9);
+  shown->Render();
+  QVERIFY(mapper->GetPlanPending());
+  QVERIFY(window->SavePicture(folder.filePath("samples.png")));
+  QVERIFY(!mapper->GetPlanPending());
+  mapper->SetIntegrator(nullptr);
   QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience); // at its new size
   const double errors[2] = { window->GetEvaluation()->GetFigures(0).Error,
     window->GetEvaluation()->GetFigures(1).Error };

@@ -353,6 +353,10 @@ add("Rendering.screenshot-of-a-part-of-the-sum", "Private/SampleSums.cxx",
     "seen->GetReferenceCount() > 1", "seen->GetReferenceCount() > 2", "Samples.PicturesThatTheFilterReadsWait")
 add("Rendering.sum-is-not-aborted", "Private/SampleSums.cxx",
     "goesOn = !window->GetAbortRender();", "", "Samples.StopAndGoOn")
+add("Rendering.abort-is-asked-for-now-and-then", "Private/SampleSums.cxx",
+    "window->InvokeEvent(vtkCommand::AbortCheckEvent);", "window->CheckAbortStatus();", "Samples.AskOftenWhetherToStop")
+add("Rendering.cost-has-no-maximum", "Private/SharedPlans.cxx",
+    "planner->SetMaximumCost(inputs.MaximumCost);", "", "Samples.AreDrawnWhileOneInteracts")
 add("Rendering.sum-of-unequal-parts", "Private/BRDFShader.cxx",
     "brdfPart.y - brdfPart.x", "1.0", "Samples.ShowTheSameOnPartsWithPlans")
 add("Rendering.samples-never-while-one-interacts", "Private/MaterialDrawing.cxx",
@@ -1124,7 +1128,7 @@ add("Rendering.map-classes-keep-the-last-numbers", "Private/BRDFTextures.cxx",
 add("Rendering.map-classes-share-cell-colors", "Private/ClassesMapper.cxx",
     "if (program->IsUniformUsed(\"PrimitiveIDOffset\"))", "if (false)",
     "ManyClasses.ColorsOfCellsStayTheirOwn")
-add("Rendering.map-changed-materials-stay", "Private/MaterialDrawingFrames.cxx",
+add("Rendering.map-changed-materials-stay", "Private/MaterialDrawing.cxx",
     "stamp.SettingsTime = this->Settings->GetMTime();", "stamp.SettingsTime = 1;",
     "ManyClasses.FollowEveryChange")
 add("Rendering.map-members-share-instances", "Private/BRDFShader.cxx", "return 100 * member;", "return 0 * member;",

@@ -34,6 +34,9 @@ namespace
 // Interactors ask for 15 frames a second while somebody moves what is shown, for one in hours else.
 constexpr double LeastInteractiveRate = 1.0;
 
+// A few materials are looked up as fast as compared with the last frame's.
+constexpr std::size_t ManyUses = 8;
+
 bool IsInteracting(vtkRenderer* renderer)
 {
   auto* window = vtkRenderWindow::SafeDownCast(renderer->GetVTKWindow());
@@ -304,6 +307,51 @@ DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState&
   return drawn;
 }
 
+double MaterialDrawing::GetTolerance(vtkBRDF* brdf) const
+{
+  const double factor = this->ToleranceFactor ? this->ToleranceFactor(brdf) : 1.0;
+  return std::min(factor * this->Settings->ErrorTolerance, LargestTolerance);
+}
+
+// Empty where the materials are to be looked up.
+FrameStamp MaterialDrawing::GetStamp(const FrameState& state, const std::vector<MaterialUse>& uses)
+{
+  FrameStamp stamp;
+  if (uses.size() < ManyUses || !state.Environment || !this->IsPlanned() || this->IsForView())
+  {
+    return stamp;
+  }
+  stamp.SettingsTime = this->Settings->GetMTime();
+  stamp.Environment = state.Environment;
+  stamp.EnvironmentTime = state.Environment->GetMTime();
+  stamp.Hurries = state.Hurries;
+  stamp.HasLight = HasLight(state.Renderer, state.Environment != nullptr);
+  for (const MaterialUse& use : uses)
+  {
+    stamp.Uses.emplace_back(use.first, this->GetTolerance(use.first));
+  }
+  return stamp;
+}
+
+void MaterialDrawing::ResolveAll(
+  ViewFrame& frame, const FrameState& state, const std::vector<MaterialUse>& uses)
+{
+  FrameStamp stamp = this->GetStamp(state, uses);
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(state.Renderer->GetVTKWindow());
+  if (frame.Stays(stamp, window))
+  {
+    return;
+  }
+  this->AreUsesNew = true;
+  const PlanJob::Hold hold;             // until what stands in is made
+  std::vector<DrawnMaterial> materials; // the last ones stay until these have their textures
+  for (const MaterialUse& use : uses)
+  {
+    materials.push_back(this->Resolve(use, state));
+  }
+  frame.Materials = std::move(materials);
+  frame.Stamp = this->Plans.IsPending() ? FrameStamp() : std::move(stamp);
+}
 void MaterialDrawing::BeginFrame(
   vtkRenderer* renderer, vtkActor* actor, const void* part, const std::vector<MaterialUse>& uses)
 {

@@ -3,13 +3,12 @@
 #include "SampleSums.h"
 
 #include "vtkActor.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkCommand.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkInformation.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderUtilities.h" // VTK's OpenGL, whichever library it loads it with
@@ -32,6 +31,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <string>
 
 namespace measuredbrdf
 {
@@ -56,6 +56,22 @@ int CountSamples(const std::vector<DrawnMaterial>& materials)
   return count;
 }
 
+// Whether they come after the radiance, which they so do not change.
+bool AreReplacementsLate(vtkShaderProperty* shaders)
+{
+  for (int k = 0; k < shaders->GetNumberOfShaderReplacements(); ++k)
+  {
+    std::string tag, text;
+    bool isFirst, isOfAll;
+    shaders->GetNthShaderReplacement(k, tag, isFirst, text, isOfAll);
+    if (isFirst || tag != "//VTK::Light::Impl")
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 // Passes that draw surfaces in several layers, or whose outputs are of their own, have all samples
 // at once. So have programs' own shaders, whose uniforms need not say when they change.
 bool MayAdd(const SummedPart& part)
@@ -64,7 +80,7 @@ bool MayAdd(const SummedPart& part)
   vtkInformation* keys = part.Actor->GetPropertyKeys();
   const bool hasPasses = keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
   return mapper && !hasPasses && !part.Actor->IsRenderingTranslucentPolygonalGeometry() &&
-         part.Actor->GetShaderProperty()->GetNumberOfShaderReplacements() == 0 &&
+         AreReplacementsLate(part.Actor->GetShaderProperty()) &&
          !mapper->HasObserver(vtkCommand::UpdateShaderEvent);
 }
 
@@ -84,11 +100,6 @@ bool HasRoom(const std::vector<DrawnMaterial>& materials, vtkOpenGLRenderWindow*
     });
 }
 
-void AddMatrix(std::vector<double>& key, vtkMatrix4x4* matrix)
-{
-  key.insert(key.end(), matrix->GetData(), matrix->GetData() + 16);
-}
-
 // What the surface's place in the picture depends on, and its light.
 std::vector<double> GetViewKey(const SummedPart& part, const int* viewport)
 {
@@ -97,10 +108,12 @@ std::vector<double> GetViewKey(const SummedPart& part, const int* viewport)
   std::vector<double> key(viewport, viewport + 4);
   const auto addTime = [&key](vtkObject* object)
   { key.push_back(object ? static_cast<double>(object->GetMTime()) : 0.0); };
-  AddMatrix(key, camera->GetModelViewTransformMatrix());
-  AddMatrix(key,
-    camera->GetProjectionTransformMatrix(static_cast<double>(viewport[2]) / viewport[3], -1, 1));
-  AddMatrix(key, part.Actor->GetMatrix());
+  const double aspect = static_cast<double>(viewport[2]) / viewport[3];
+  for (vtkMatrix4x4* matrix :
+    { camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1), part.Actor->GetMatrix() })
+  {
+    key.insert(key.end(), matrix->GetData(), matrix->GetData() + 16);
+  }
   key.insert(key.end(), renderer->GetEnvironmentRight(), renderer->GetEnvironmentRight() + 3);
   key.insert(key.end(), renderer->GetEnvironmentUp(), renderer->GetEnvironmentUp() + 3);
   key.push_back(static_cast<double>(part.Time));
@@ -131,23 +144,14 @@ std::vector<double> GetKey(const SummedPart& part, const std::vector<DrawnMateri
   return key;
 }
 
-// Restores what it changes, whatever way drawing ends.
+// Restores OpenGL's state, whatever way drawing ends.
 class Target
 {
 public:
   Target(vtkOpenGLState* state, vtkOpenGLFramebufferObject* framebuffer, const int* viewport)
     : State(state)
-    , Viewport(state)
-    , Scissor(state)
-    , ColorMask(state)
-    , DepthMask(state)
-    , DepthFunction(state)
-    , BlendFunction(state)
-    , ClearColor(state)
-    , DepthTest(state, GL_DEPTH_TEST)
-    , Blend(state, GL_BLEND)
   {
-    state->PushFramebufferBindings();
+    state->Push();
     framebuffer->Bind();
     framebuffer->ActivateDrawBuffers(2);
     state->vtkglViewport(0, 0, viewport[2], viewport[3]);
@@ -157,7 +161,7 @@ public:
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglBlendFunc(GL_ONE, GL_ONE);
   }
-  ~Target() { this->State->PopFramebufferBindings(); }
+  ~Target() { this->State->Pop(); }
   Target(const Target&) = delete;
   void operator=(const Target&) = delete;
 
@@ -178,15 +182,6 @@ public:
 
 private:
   vtkOpenGLState* State;
-  vtkOpenGLState::ScopedglViewport Viewport;
-  vtkOpenGLState::ScopedglScissor Scissor;
-  vtkOpenGLState::ScopedglColorMask ColorMask;
-  vtkOpenGLState::ScopedglDepthMask DepthMask;
-  vtkOpenGLState::ScopedglDepthFunc DepthFunction;
-  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunction;
-  vtkOpenGLState::ScopedglClearColor ClearColor;
-  vtkOpenGLState::ScopedglEnableDisable DepthTest;
-  vtkOpenGLState::ScopedglEnableDisable Blend;
 };
 }
 
@@ -217,15 +212,13 @@ struct SampleSums::View
   bool IsLeft = true;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer; // null: nothing is kept
-  vtkSmartPointer<vtkTextureObject> Radiance;
-  vtkSmartPointer<vtkTextureObject> Others;
   std::size_t Bytes = 0;
   int Viewport[4] = { 0, 0, 0, 0 };
   std::vector<double> Key;
   std::map<const void*, Progress> Parts; // none: the framebuffer is to be cleared
   std::map<const void*, double> Seconds; // for all samples of parts, as last measured
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor; // whose timer draws the next picture
-  vtkSmartPointer<vtkCallbackCommand> Command;
+  unsigned long Observer = 0;
   SampleSums* Sums = nullptr;
   int Timer = 0;
 
@@ -253,60 +246,42 @@ struct SampleSums::View
   void Free()
   {
     this->Parts.clear();
-    if (this->Framebuffer && this->Window)
-    {
-      this->Window->PushContext();
-      this->Radiance->ReleaseGraphicsResources(this->Window);
-      this->Others->ReleaseGraphicsResources(this->Window);
-      this->Framebuffer->ReleaseGraphicsResources(this->Window);
-      this->Window->PopContext();
-    }
     this->Framebuffer = nullptr;
-    this->Radiance = nullptr;
-    this->Others = nullptr;
     BytesInUse -= this->Bytes;
     this->Bytes = 0;
+  }
+
+  // 0: of the samples' radiance, 1: of all else.
+  vtkTextureObject* GetTexture(unsigned int which) const
+  {
+    return this->Framebuffer->GetColorAttachmentAsTextureObject(which);
   }
 
   // False: there is no room.
   bool Allocate(vtkOpenGLRenderWindow* window)
   {
-    const auto width = static_cast<unsigned int>(this->Viewport[2]);
-    const auto height = static_cast<unsigned int>(this->Viewport[3]);
-    if (this->Framebuffer && this->Window == window && this->Radiance->GetWidth() == width &&
-        this->Radiance->GetHeight() == height)
+    const int* size = this->Viewport + 2;
+    if (this->Framebuffer && this->Window == window &&
+        std::equal(size, size + 2, this->Framebuffer->GetLastSize()))
     {
       return true;
     }
     this->Free();
-    const std::size_t bytes = BytesOfPixel * width * height;
+    const std::size_t bytes =
+      BytesOfPixel * static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
     if (bytes + BytesInUse > MostSumBytes)
     {
       return false;
     }
     this->Window = window;
     this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
-    this->Radiance = vtkSmartPointer<vtkTextureObject>::New();
-    this->Others = vtkSmartPointer<vtkTextureObject>::New();
     this->Bytes = bytes;
     BytesInUse += bytes;
-    this->Radiance->SetContext(window);
-    this->Others->SetContext(window);
     this->Framebuffer->SetContext(window);
-    bool works = this->Radiance->Allocate2D(width, height, 4, VTK_FLOAT) &&
-                 this->Others->Allocate2D(width, height, 4, VTK_FLOAT);
-    if (works)
-    {
-      window->GetState()->PushFramebufferBindings();
-      this->Framebuffer->Bind();
-      this->Framebuffer->AddColorAttachment(0, this->Radiance);
-      this->Framebuffer->AddColorAttachment(1, this->Others);
-      this->Framebuffer->AddDepthAttachment();
-      const char* problem = nullptr;
-      works = vtkOpenGLFramebufferObject::GetFrameBufferStatus(
-        vtkOpenGLFramebufferObject::GetBothMode(), problem);
-      window->GetState()->PopFramebufferBindings();
-    }
+    window->GetState()->PushFramebufferBindings();
+    const bool works =
+      this->Framebuffer->PopulateFramebuffer(size[0], size[1], true, 2, VTK_FLOAT, true, 24, 0);
+    window->GetState()->PopFramebufferBindings();
     if (!works)
     {
       this->Free();
@@ -335,42 +310,41 @@ struct SampleSums::View
     {
       this->RemoveTimer();
       this->Interactor = interactor;
-      this->Command = vtkSmartPointer<vtkCallbackCommand>::New();
       this->Sums = sums;
-      this->Command->SetClientData(this);
-      this->Command->SetCallback(
-        [](vtkObject* caller, unsigned long, void* self, void* timer)
-        {
-          auto* view = static_cast<View*>(self);
-          if (timer && *static_cast<int*>(timer) == view->Timer)
-          {
-            view->Timer = 0;
-            if (view->IsPending(view->Sums->Renders))
-            {
-              static_cast<vtkRenderWindowInteractor*>(caller)->Render(); // *view may be gone
-            }
-          }
-        });
-      interactor->AddObserver(vtkCommand::TimerEvent, this->Command);
+      this->Observer = interactor->AddObserver(vtkCommand::TimerEvent, this, &View::GoOn);
     }
     this->Timer = this->Timer != 0 ? this->Timer : interactor->CreateOneShotTimer(Pause);
     return this->Timer != 0;
   }
 
+  void GoOn(vtkObject*, unsigned long, void* timer)
+  {
+    if (timer && *static_cast<int*>(timer) == this->Timer)
+    {
+      this->Timer = 0;
+      if (this->IsPending(this->Sums->Renders))
+      {
+        this->Interactor->Render(); // *this may be gone then
+      }
+    }
+  }
+
   void RemoveTimer()
   {
-    if (this->Interactor && this->Command)
+    if (this->Interactor)
     {
-      this->Interactor->RemoveObserver(this->Command);
+      this->Interactor->RemoveObserver(this->Observer);
     }
     this->Timer = 0;
   }
 
-  // Seconds that this actor has in a frame: its share of them, as VTK allots it.
+  // Seconds that this actor has in a frame: its share of them, as VTK allots it (actors inside of
+  // others, of levels of detail say, are allotted nothing).
   double GetBudget() const
   {
     const double rate = this->Renderer->GetRenderWindow()->GetDesiredUpdateRate();
-    return this->Actor->GetAllocatedRenderTime() * std::min(LongestFrame * rate, 1.0);
+    return std::min(this->Actor->GetAllocatedRenderTime() * rate, 1.0) *
+           std::min(LongestFrame, 1.0 / rate);
   }
 };
 
@@ -501,8 +475,8 @@ void SampleSums::Add(const SummedPart& part, const std::vector<DrawnMaterial>& m
     }
   }
   view.Seconds[part.Who] = progress.Seconds + (progress.Count - progress.Done) * progress.PerSample;
-  view.Radiance->Activate();
-  view.Others->Activate();
+  view.GetTexture(0)->Activate();
+  view.GetTexture(1)->Activate();
   this->Shown = &view;
   this->Stage = SumStage::Show;
 }
@@ -511,8 +485,8 @@ void SampleSums::End()
 {
   if (this->Shown && this->Shown->Framebuffer)
   {
-    this->Shown->Radiance->Deactivate();
-    this->Shown->Others->Deactivate();
+    this->Shown->GetTexture(0)->Deactivate();
+    this->Shown->GetTexture(1)->Deactivate();
   }
   this->Shown = nullptr;
   this->Stage = SumStage::None;
@@ -526,8 +500,8 @@ void SampleSums::SetUniforms(vtkShaderProgram* program) const
   }
   else if (this->Stage == SumStage::Show)
   {
-    program->SetUniformi("brdfSum", this->Shown->Radiance->GetTextureUnit());
-    program->SetUniformi("brdfOthers", this->Shown->Others->GetTextureUnit());
+    program->SetUniformi("brdfSum", this->Shown->GetTexture(0)->GetTextureUnit());
+    program->SetUniformi("brdfOthers", this->Shown->GetTexture(1)->GetTextureUnit());
     program->SetUniform2i("brdfSumOrigin", this->Shown->Viewport);
   }
 }
