@@ -769,6 +769,8 @@ add("Rendering.what-is-outside-counts", "Private/VisibleSurface.cxx", "if (!eye.
     "Visible.OnlyWhatIsInThePictureCounts")
 add("Rendering.left-tables-go-on", "Private/PlanJob.cxx", "return this->Planner->GetAbort(); });", "return false; });",
     "CurrentPlan.LeavesResamplingInTheMiddle")
+add("Rendering.left-jobs-are-kept", "Private/PlanJob.cxx", "GetQueue().Leave(std::exchange(owned, nullptr));", "GetQueue().Leave(owned);",
+    "Background.ItsEndLeavesNothing")
 add("Rendering.left-plans-go-on", "Private/PlanJob.cxx", "job->Planner->SetAbort(true);\n    }\n  }\n\n  /// goesOn", "}\n  }\n\n  /// goesOn",
     "Background.AChangeStopsWhatIsInTheMaking")
 add("Rendering.changed-materials-are-not-redrawn", "Private/MaterialSettings.cxx", "add(this->BRDF);", "",
