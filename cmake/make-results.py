@@ -250,7 +250,10 @@ def main():
         results = json.load(file)
     if (results["format"], results["version"]) != ("measured-brdf chart", 1):
         sys.exit(f"{folder}/results.json: not of the format that this script reads")
-    pairs, machine, settings = results["pairs"], results["machine"], results["settings"]
+    machine, settings = results["machine"], results["settings"]
+    pairs = [pair for pair in results["pairs"] if pair["planner"]]
+    if len(pairs) < len(results["pairs"]):
+        print(f"{len(results['pairs']) - len(pairs)} pairs without a plan are left out", file=sys.stderr)
     materials = len({pair["material"] for pair in pairs})
     environments = len({pair["environment"] for pair in pairs})
     tolerances = sorted({figure["tolerance"] for pair in pairs for figure in pair["planner"]})

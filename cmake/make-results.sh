@@ -26,7 +26,7 @@ environments=${RESULTS_ENVIRONMENTS:-$environments}
 cold=("$data"/environments/{interior,sunset}.exr) # the rungs were chosen with one of these, and not with the other
 [ -z "${RESULTS_ENVIRONMENTS:-}" ] || IFS=, read -r -a cold <<<"$environments"
 
-# Of all pixels, the references of 120 pairs would take hours.
+# Of all pixels, the references of 160 pairs would take hours.
 options=()
 for usual in "--sweep full" "--reference-pixels 1024" "--tolerances 0.02,0.05" "--rounds 5"; do
   case " $* " in *" ${usual% *} "*) ;; *) read -r -a words <<<"$usual"; options+=("${words[@]}") ;; esac
@@ -34,13 +34,15 @@ done
 build/bin/measured-brdf chart "${materials[@]}" --environments "$environments" "${options[@]}" "$@" \
   -o output/results
 
-# Set-up in a new process for each pair.
+# Set-up in a new process for each pair, of this build.
 mkdir -p output/results-setup
+reports=()
 for map in "${cold[@]}"; do
   for material in "${materials[@]}"; do
     report=output/results-setup/$(basename "$material").$(basename "$map").json
-    [ -s "$report" ] || build/bin/measured-brdf compare "$material" --environment "$map" \
+    [ "$report" -nt build/bin/measured-brdf ] || build/bin/measured-brdf compare "$material" --environment "$map" \
       --reference-pixels 64 --report "$report"
+    reports+=("$report")
   done
 done
-python3 cmake/make-results.py output/results "${RESULTS_DOCS:-docs}" output/results-setup/*.json
+python3 cmake/make-results.py output/results "${RESULTS_DOCS:-docs}" "${reports[@]}"

@@ -270,7 +270,7 @@ void PrintVerdict(
   }
   char text[200];
   std::snprintf(text, sizeof(text),
-    "The planner's %zu choices: %.0f %% on the front of all that was measured or within %.0f %% of "
+    "The planner's %zu points: %.0f %% on the front of all that was measured or within %.0f %% of "
     "its time.\n",
     figures, 100.0 * tool::GetShareWithin(results, options.Metric, Margin), 100.0 * Margin);
   tool::PrintOut(tool::FormatCount(results.Pairs.size(), "pair") + " in " + options.Folder +

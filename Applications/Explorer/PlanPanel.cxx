@@ -206,7 +206,7 @@ void PlanPanel::UpdatePlan()
   }
   vtkRadiancePlanner* planner = (*planned)->GetPlanner();
   this->Plan->setText(
-    QString("%1%2").arg((*planned)->IsReady() ? QString() : tr("(a new plan is being made) "),
+    QString("%1%2").arg((*planned)->IsReady() ? QString() : tr("(a new plan, or its picture, is being made) "),
       QString::fromStdString(planner->GetReason())));
   this->Candidates->setRowCount(planner->GetNumberOfCandidates());
   for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)

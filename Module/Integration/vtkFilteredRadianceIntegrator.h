@@ -18,7 +18,7 @@
  *
  * What is not exact: the environment's blur (it is as wide as the samples' spacing, also beyond a
  * sharp edge of the lobe; round, where lobes are stretched at grazing views); the lights'
- * directions; the interpolation between 64 views and the map's resolution, at most 1024 x 1024
+ * directions; the interpolation between 128 views and the map's resolution, at most 1024 x 1024
  * texels of equal area. All but the last two vanish as N grows. The samples turn with the view's
  * azimuth: where the view comes along the normal, too few of them show as rays about that point.
  * Views closer to the horizon than 1.1 degrees are taken there, as the shader takes them.

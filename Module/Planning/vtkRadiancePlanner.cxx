@@ -14,7 +14,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkObjectFactory.h"
-#include "vtkRadianceMethods.h"
 
 #include <algorithm>
 #include <cmath>

@@ -103,8 +103,8 @@ public:
   ///@{
   /**
    * Largest texture memory of a plan in bytes, with the material's own textures where a method
-   * needs them (default 24 MiB: all rungs for isotropic materials under maps of up to 2048 x 1024,
-   * whose tables take at most 12 MB; of anisotropic tables those of up to 33 rows, 18 MB).
+   * needs them (default 24 MiB: all rungs under maps of up to 2048 x 1024; tables take at most
+   * 12 MB).
    */
   virtual void SetMaximumTextureBytes(vtkIdType maximumTextureBytes);
   vtkGetMacro(MaximumTextureBytes, vtkIdType);
@@ -133,7 +133,7 @@ public:
   std::string GetMethodName(int index);       // as vtkRadianceMethods knows it, e.g. "table"
   std::string GetDescription(int index);      // sizes
   double GetPredictedError(int index);        // relative L1, that of the sample and what follows
-  double GetErrorUncertainty(int index);      // two standard errors and the reference's
+  double GetErrorUncertainty(int index);      // of chance, the reference and units
   double GetPredictedPercentile95(int index); // what 95 % of the pixels stay within, over the mean
   double GetPredictedPercentile99(int index);
   double GetPredictedPictureError(int index); // estimated: the largest of a sphere from 14 sides
@@ -161,9 +161,9 @@ public:
 
   ///@{
   /**
-   * The integrator of a candidate (the choice), which the caller has to release. The choice's is
-   * the one that was tried, prepared and shared with the planner; others are new. Null where index
-   * is out of range.
+   * The integrator of a candidate (the choice), which the caller has to release. Those of the
+   * choice and of the interactive choice are the ones that were tried, prepared and shared with the
+   * planner; others are new. Null where index is out of range.
    */
   VTK_NEWINSTANCE vtkRadianceIntegrator* NewIntegrator(int index);
   VTK_NEWINSTANCE vtkRadianceIntegrator* NewIntegrator();

@@ -161,7 +161,8 @@ public:
    * of what is set. BACKGROUND: the first Render plans; where the material, the environment, the
    * tolerance or the maximum cost change later, a thread plans and pictures stay as they were,
    * environment and material alike, until a Render finds the new plan made. A change meanwhile
-   * stops that thread's work and begins anew. BACKGROUND_FROM_START: so is the first; until it is
+   * stops that thread's work and begins anew. (Where the plan was made in the FOREGROUND, the
+   * first change after it is waited for.) BACKGROUND_FROM_START: so is the first; until it is
    * made, a quick vtkHybridRadianceIntegrator of 33 x 8 x 8 stands in for it (65 x 8 x 8 for
    * mirror-like materials) or, for anisotropic materials, 64 lights (vtkLightSetRadianceIntegrator
    * as it is made). Lights then see vtkBRDF::NewQuickRenderable, whose error GetResamplingError

@@ -355,7 +355,7 @@ add("Rendering.sum-is-not-aborted", "Private/SampleSums.cxx",
     "goesOn = !window->GetAbortRender();", "", "Samples.StopAndGoOn")
 add("Rendering.abort-is-asked-for-now-and-then", "Private/SampleSums.cxx",
     "window->InvokeEvent(vtkCommand::AbortCheckEvent);", "window->CheckAbortStatus();", "Samples.AskOftenWhetherToStop")
-add("Rendering.cost-has-no-maximum", "Private/SharedPlans.cxx",
+add("Rendering.cost-has-no-maximum", "Private/PlanJob.cxx",
     "planner->SetMaximumCost(inputs.MaximumCost);", "", "Samples.AreDrawnWhileOneInteracts")
 add("Rendering.sum-of-unequal-parts", "Private/BRDFShader.cxx",
     "brdfPart.y - brdfPart.x", "1.0", "Samples.ShowTheSameOnPartsWithPlans")
@@ -635,9 +635,9 @@ add("IO.photograph-upside-down", "vtkPhotographSetReader.cxx", "for (int y = fil
 
 # Planning
 
-add("Planning.climb-begins-at-the-bottom", "Private/PlanSearch.cxx", "at == 1 ? std::max(lamps, at + 1)", "false ? at",
+add("Planning.climb-never-ends", "Private/PlanSearch.cxx", "(!found || this->Task.All)", "true",
     "PlanSearch.ClimbsToTheCheapestWithinTheTolerance")
-add("Planning.climb-never-steps-down", "Private/PlanSearch.cxx", "at > 0 && at < rungs.size()", "at > rungs.size()",
+add("Planning.radiance-need-not-be-finite", "Private/PlanSearch.cxx", "return std::isfinite(value);", "return true;",
     "PlanSearch.ClimbsToTheCheapestWithinTheTolerance")
 add("Planning.memory-has-no-bound", "Private/PlanSearch.cxx", "candidate.Bytes <= this->Task.MaximumBytes;", "true;",
     "PlanSearch.PassesOverWhatDoesNotFit")

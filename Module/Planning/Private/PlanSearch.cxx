@@ -174,8 +174,16 @@ bool PlanSearch::Try(std::size_t rung)
 {
   PlanCandidate& candidate = this->Ladder[rung];
   vtkNew<vtkDoubleArray> radiance;
-  if (!Prepare(this->Task, candidate) ||
-      !Integrate(this->Task, candidate.Integrator, this->Comparison.Pairs, radiance))
+  bool done = Prepare(this->Task, candidate) &&
+              Integrate(this->Task, candidate.Integrator, this->Comparison.Pairs, radiance);
+  if (done)
+  {
+    const double* values = radiance->GetPointer(0);
+    done = std::all_of(values, values + radiance->GetNumberOfValues(),
+      [](double value) { return std::isfinite(value); });
+    this->Task.Problem = done ? this->Task.Problem : "its radiance is not finite";
+  }
+  if (!done)
   {
     if (this->Task.IsAborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))
     {

@@ -14,7 +14,6 @@
 #include "vtkEnvironment.h"
 #include "vtkRadianceIntegrator.h"
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <memory>

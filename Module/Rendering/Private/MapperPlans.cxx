@@ -132,23 +132,23 @@ std::shared_ptr<MapperPlans::View> MapperPlans::FindView(const PlanRequest& requ
     this->EraseIf([](const Key& key, const View& view) { return view.IsGone(key); });
   }
   const Key key(request.Renderer, request.Member, request.ForView ? request.Actor : nullptr);
-  std::shared_ptr<View>& view = this->Views[key];
-  if (!view || view->IsGone(key)) // an address used again
+  const auto known = this->Views.find(key);
+  if (known != this->Views.end() && !known->second->IsGone(key)) // no address used again
   {
-    auto made = std::make_shared<View>();
-    made->Renderer = request.Renderer;
-    made->Actor = request.ForView ? request.Actor : nullptr;
-    for (const auto& it : this->FindOfOtherKind(request))
-    {
-      const vtkActor* actor = std::get<2>(it->first);
-      if (!it->second->IsGone(it->first) && (!actor || actor == request.Actor))
-      {
-        made->Plan.CopyFrom(it->second->Plan);
-      }
-    }
-    view = std::move(made);
+    return known->second;
   }
-  return view;
+  auto made = std::make_shared<View>();
+  made->Renderer = request.Renderer;
+  made->Actor = request.ForView ? request.Actor : nullptr;
+  for (const auto& it : this->FindOfOtherKind(request))
+  {
+    const vtkActor* actor = std::get<2>(it->first);
+    if (!it->second->IsGone(it->first) && (!actor || actor == request.Actor))
+    {
+      made->Plan.CopyFrom(it->second->Plan);
+    }
+  }
+  return this->Views[key] = made;
 }
 
 // Whatever the number of members is, these are few.

@@ -411,6 +411,10 @@ void MaterialDrawing::DropPlans(const FrameState& state, bool anyMaterial)
 void MaterialDrawing::AddSamples(
   vtkRenderer* renderer, vtkActor* actor, const void* part, const std::function<void()>& draw)
 {
+  if (!this->Sums.IsConcerned(this->GetMaterials()))
+  {
+    return;
+  }
   vtkDataObject* input = vtkMapper::SafeDownCast(this->Owner)->GetInputDataObject(0, 0);
   vtkMTimeType time = std::max(this->Settings->GetMTime(), this->StyleTime);
   for (vtkPolyData* surface : GetBlocks(input))

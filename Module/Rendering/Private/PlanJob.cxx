@@ -127,7 +127,17 @@ public:
     while (!job->IsDone())
     {
       lock.unlock();
-      const bool goes = goesOn();
+      bool goes = false;
+      try
+      {
+        goes = goesOn();
+      }
+      catch (...) // of a program's observer
+      {
+        lock.lock();
+        --this->Waiters;
+        throw;
+      }
       lock.lock();
       if (!goes)
       {

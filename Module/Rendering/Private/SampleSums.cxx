@@ -231,10 +231,11 @@ struct SampleSums::View
     this->RemoveTimer();
   }
 
-  // What was not drawn lately is not waited for.
+  // What was not drawn lately is not waited for, nor what the renderer's cullers left out.
   bool IsPending(unsigned long renders) const
   {
     return this->Renderer && this->Actor && this->Actor->GetVisibility() &&
+           this->Actor->GetRenderTimeMultiplier() > 0.0 &&
            std::any_of(this->Parts.begin(), this->Parts.end(),
              [renders](const auto& part)
              {
@@ -338,11 +339,11 @@ struct SampleSums::View
     this->Timer = 0;
   }
 
-  // Seconds that this actor has in a frame: its share of them, as VTK allots it (actors inside of
-  // others, of levels of detail say, are allotted nothing).
+  // Seconds that this actor has in a frame: its share of them, as VTK allots it. Actors inside of
+  // others are allotted nothing and have VTK's default, which may be longer than the frame.
   double GetBudget() const
   {
-    const double rate = this->Renderer->GetRenderWindow()->GetDesiredUpdateRate();
+    const double rate = std::max(this->Renderer->GetRenderWindow()->GetDesiredUpdateRate(), 1e-4);
     return std::min(this->Actor->GetAllocatedRenderTime() * rate, 1.0) *
            std::min(LongestFrame, 1.0 / rate);
   }
@@ -376,14 +377,15 @@ SampleSums::View& SampleSums::FindView(const SummedPart& part)
   return view;
 }
 
+bool SampleSums::IsConcerned(const std::vector<DrawnMaterial>& materials) const
+{
+  return !materials.empty() && (CountSamples(materials) > 1 || !this->Views.empty());
+}
+
 void SampleSums::Add(const SummedPart& part, const std::vector<DrawnMaterial>& materials,
   const std::function<void()>& draw)
 {
   const int samples = CountSamples(materials);
-  if ((samples < 2 && this->Views.empty()) || materials.empty())
-  {
-    return;
-  }
   View& view = this->FindView(part);
   if (samples < 2)
   {

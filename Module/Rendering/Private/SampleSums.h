@@ -51,8 +51,11 @@ public:
   /// A mapper's Render begins, and with it the time that sub-frames have.
   void Begin();
 
-  /// Before a part is drawn, and after that. draw: draws it, which throws what it likes. Where
-  /// nothing is to be added up, nothing is done.
+  /// Whether a part with these is to be added, or was.
+  bool IsConcerned(const std::vector<DrawnMaterial>& materials) const;
+
+  /// Before a part that is concerned is drawn, and after that. draw: draws it, which throws what it
+  /// likes.
   void Add(const SummedPart& part, const std::vector<DrawnMaterial>& materials,
     const std::function<void()>& draw);
   void End();

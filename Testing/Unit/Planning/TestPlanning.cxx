@@ -141,6 +141,50 @@ TEST(Planner, TriesFewOfAllRungs)
 }
 
 //------------------------------------------------------------------------------
+// A material for each rung, under a panel, and with a sun beside it.
+TEST(Planner, ClimbsToEachRung)
+{
+  struct Case
+  {
+    bool Sun;
+    double Exponent;
+    double Tolerance;
+    vtkIdType MaximumBytes;
+    const char* Choice; // how it begins
+  };
+  constexpr vtkIdType enough = 24 << 20;
+  constexpr vtkIdType little = 3500000; // for no table of 49 rows
+  for (const Case& rung : { Case{ false, 30.0, 0.02, enough, "table, 17 rows" },
+         Case{ false, 300.0, 0.02, enough, "table, 33 rows" },
+         Case{ false, 1000.0, 0.02, enough, "table, 49 rows" },
+         Case{ false, 10000.0, 0.02, enough, "table, 201 rows" },
+         Case{ true, 300.0, 0.02, enough, "hybrid, 33 rows" },
+         Case{ true, 1000.0, 0.02, enough, "hybrid, 65 rows" },
+         Case{ true, 3000.0, 0.0155, enough, "hybrid, 81 rows" },
+         Case{ true, 10000.0, 0.044, enough, "hybrid, 320 rows" },
+         Case{ false, 10000.0, 0.05, little, "filtered, 16 samples" },
+         Case{ false, 10000.0, 0.02, little, "filtered, 64 samples" },
+         Case{ false, 10000.0, 0.012, little, "filtered, 256 samples" } })
+  {
+    std::vector<float> pixels(3 * 256 * 128, 0.2f);
+    for (std::size_t k = 0; k < pixels.size(); ++k)
+    {
+      const std::size_t x = k / 3 % 256;
+      const std::size_t y = k / 3 / 256;
+      const bool isPanel = x >= 100 && x < 140 && y >= 70 && y < 95;
+      pixels[k] = rung.Sun && x == 60 && y == 100 ? 2e4f : isPanel ? 8.0f : 0.2f;
+    }
+    vtkNew<vtkEnvironment> environment;
+    environment->SetPixels(256, 128, pixels);
+    const auto planner = NewPlanner(NewPhong(rung.Exponent), environment, rung.Tolerance);
+    planner->SetMaximumTextureBytes(rung.MaximumBytes);
+    ASSERT_TRUE(planner->Update());
+    EXPECT_EQ(planner->GetPlan().rfind(rung.Choice, 0), 0u) << planner->GetPlan();
+    EXPECT_TRUE(planner->GetMeetsTolerance());
+  }
+}
+
+//------------------------------------------------------------------------------
 // A mirror under lamps: nothing is accurate to a thousandth.
 TEST(Planner, SaysWhenItCannot)
 {
