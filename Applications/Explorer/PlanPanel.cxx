@@ -205,9 +205,9 @@ void PlanPanel::UpdatePlan()
     return;
   }
   vtkRadiancePlanner* planner = (*planned)->GetPlanner();
-  this->Plan->setText(
-    QString("%1%2").arg((*planned)->IsReady() ? QString() : tr("(a new plan, or its picture, is being made) "),
-      QString::fromStdString(planner->GetReason())));
+  this->Plan->setText(QString("%1%2").arg(
+    (*planned)->IsReady() ? QString() : tr("(a new plan, or its picture, is being made) "),
+    QString::fromStdString(planner->GetReason())));
   this->Candidates->setRowCount(planner->GetNumberOfCandidates());
   for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
   {
