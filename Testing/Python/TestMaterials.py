@@ -272,8 +272,12 @@ class TestEnvironment(unittest.TestCase):
                 with open(path, "wb") as file:
                     file.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=10\n\n%s\n" % size.encode() + texels)
                 reader = vtkHDRReader()
+                errors = []
+                reader.AddObserver("ErrorEvent", lambda *_, errors=errors: errors.append(1))
                 reader.SetFileName(path)
                 reader.Update()
+                if errors:
+                    self.skipTest("this VTK's own reader does not read such a file")
                 expected = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(3, 6, 3)[::-1]
                 np.testing.assert_allclose(Environment(path).pixels, expected, rtol=1e-6, err_msg=size)
 
