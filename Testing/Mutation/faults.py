@@ -359,6 +359,8 @@ add("Rendering.cost-has-no-maximum", "Private/PlanJob.cxx",
     "planner->SetMaximumCost(inputs.MaximumCost);", "", "Samples.AreDrawnWhileOneInteracts")
 add("Rendering.sum-of-unequal-parts", "Private/BRDFShader.cxx",
     "brdfPart.y - brdfPart.x", "1.0", "Samples.ShowTheSameOnPartsWithPlans")
+add("Rendering.culled-actors-are-waited-for", "Private/SampleSums.cxx",
+    "!(this->Actor && this->Actor->GetRenderTimeMultiplier() > 0.0)", "false", "Samples.AreNotWaitedForOutOfView")
 add("Rendering.samples-never-while-one-interacts", "Private/MaterialDrawing.cxx",
     "!this->Sums.HasTime(renderer, actor, part)", "true", "Samples.AreDrawnWhileOneInteracts")
 add("Rendering.samples-however-long-they-take", "Private/SampleSums.cxx",

@@ -6,6 +6,7 @@
 
 #include "vtkAppendPolyData.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeMeasuredBRDFMapper.h"
 #include "vtkEmbeddedEnvironments.h"
@@ -20,6 +21,7 @@
 #include "vtkPlaneSource.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
 #include "vtkSelection.h"
 #include "vtkShaderProperty.h"
 #include "vtkShadowMapBakerPass.h"
@@ -522,6 +524,28 @@ TEST_F(Samples, BeginAnewWhenTheViewChanges)
     this->Actor->SetMapper(this->Mapper);
     this->Window->SetInteractor(this->Interactor);
   }
+}
+
+//------------------------------------------------------------------------------
+// Whoever draws while samples are pending comes to an end. A second view looks away.
+TEST_F(Samples, AreNotWaitedForOutOfView)
+{
+  this->LookOn();
+  vtkNew<vtkRenderer> away;
+  away->AddActor(this->Actor);
+  away->GetActiveCamera()->SetPosition(0.0, 0.0, 5.0);
+  away->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 10.0);
+  away->SetViewport(0.0, 0.0, 0.2, 0.2);
+  this->Window->AddRenderer(away);
+  this->Window->Render();
+  EXPECT_TRUE(this->Mapper->GetPlanPending()) << "the view that sees it goes on";
+  this->Actor->SetPosition(1000.0, 0.0, 0.0);
+  this->Window->Render();
+  EXPECT_FALSE(this->Mapper->GetPlanPending());
+  this->Actor->SetPosition(0.0, 0.0, 0.0);
+  this->Window->Render();
+  EXPECT_TRUE(this->Mapper->GetPlanPending());
+  this->Window->RemoveRenderer(away);
 }
 
 //------------------------------------------------------------------------------

@@ -42,7 +42,7 @@ struct PlanRequest
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
   double Tolerance = 0.0;
-  double MaximumCost = 150.0;
+  double MaximumCost = 1e6; // no bound
   CurrentPlan::Timing Timing = CurrentPlan::Timing::Foreground;
   bool ForView = false; // or for every view
   /// Which of the mapper's materials; null: the one that is set for all, of which one's plan stands

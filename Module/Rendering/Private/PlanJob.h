@@ -57,7 +57,7 @@ struct PlanInputs
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkMTimeType PixelsTime = 0;
   double Tolerance = 0.0;
-  double MaximumCost = 150.0;
+  double MaximumCost = 1e6; // no bound
 
   ///@{
   /// What the camera sees, in the environment's frame, and a time that no other one has; null, 0:

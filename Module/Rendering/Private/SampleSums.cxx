@@ -210,6 +210,8 @@ struct SampleSums::View
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkWeakPointer<vtkActor> Actor;
   bool IsLeft = true;
+  bool IsCulled = false; // in the renderer's last picture
+  unsigned long EndObserver = 0;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer; // null: nothing is kept
   std::size_t Bytes = 0;
@@ -229,13 +231,22 @@ struct SampleSums::View
   {
     this->Free();
     this->RemoveTimer();
+    if (this->Renderer)
+    {
+      this->Renderer->RemoveObserver(this->EndObserver);
+    }
   }
 
-  // What was not drawn lately is not waited for, nor what the renderer's cullers left out.
+  // Now, since another renderer's cullers write the same.
+  void LookForCulling()
+  {
+    this->IsCulled = !(this->Actor && this->Actor->GetRenderTimeMultiplier() > 0.0);
+  }
+
+  // What was not drawn lately is not waited for, nor what has left the view.
   bool IsPending(unsigned long renders) const
   {
-    return this->Renderer && this->Actor && this->Actor->GetVisibility() &&
-           this->Actor->GetRenderTimeMultiplier() > 0.0 &&
+    return this->Renderer && this->Actor && this->Actor->GetVisibility() && !this->IsCulled &&
            std::any_of(this->Parts.begin(), this->Parts.end(),
              [renders](const auto& part)
              {
@@ -374,6 +385,7 @@ SampleSums::View& SampleSums::FindView(const SummedPart& part)
   view.Renderer = part.Renderer;
   view.Actor = part.Actor;
   view.IsLeft = isLeft;
+  view.EndObserver = part.Renderer->AddObserver(vtkCommand::EndEvent, &view, &View::LookForCulling);
   return view;
 }
 
