@@ -2,121 +2,133 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The small faults that mutate.py puts into the code, one at a time.
 
-A fault changes one behavior and compiles. Its name begins with its room. The old text must occur exactly once in its file.
+A fault changes one behavior and compiles. Its name begins with its component. The old text must occur exactly once in its file.
 The tests are a regular expression for ctest: few and fast tests that cover the place, as Suite.Name, separated by "|".
 A fault that changes nothing that anybody could see is marked with the reason, equivalent="...".
 """
 
 import collections
+import os
 
-ROOMS = ("Core", "Material", "Lighting", "Integration", "Metrics", "Fitting", "IO", "Planning", "Rendering",
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+COMPONENTS = ("Core", "Material", "Lighting", "Integration", "Metrics", "Fitting", "IO", "Planning", "Rendering",
          "Sources", "Visibility", "Shaders", "Export", "Fetch")
 
-# Where the files of a room are, but for the module's.
+# Where the files of a component are, but for the module's.
 FOLDERS = {"Shaders": "shaders/", "Export": "Applications/Export/", "Fetch": "Applications/Fetch/"}
 
 Fault = collections.namedtuple("Fault", "id file old new tests equivalent")
 FAULTS = []
 
 
+def find(folder, name):
+    """The path of the file of this name below a folder, relative to the repository."""
+    for path, _, names in os.walk(os.path.join(ROOT, folder)):
+        if name in names:
+            return os.path.relpath(os.path.join(path, name), ROOT)
+    return os.path.join(folder, name)
+
+
 def add(id, file, old, new, tests, equivalent=""):
-    room = id.split(".")[0]
-    FAULTS.append(Fault(id, FOLDERS.get(room, f"Module/{room}/") + file, old, new, tests, equivalent))
+    component = id.split(".")[0]
+    path = find(FOLDERS.get(component, f"Module/{component}/"), file)
+    FAULTS.append(Fault(id, path, old, new, tests, equivalent))
 
 
 # Core
 
-add("Core.half-vector-difference", "Private/HalfVector.h", "const glm::dvec3 sum = i + o;",
+add("Core.half-vector-difference", "HalfVector.h", "const glm::dvec3 sum = i + o;",
     "const glm::dvec3 sum = i - o;", "BlinnPhong.PaperFormula")
-add("Core.log-cosine-sign", "Private/HalfVector.h", "std::log1p(-s) / s", "std::log1p(s) / s",
+add("Core.log-cosine-sign", "HalfVector.h", "std::log1p(-s) / s", "std::log1p(s) / s",
     "BlinnPhong.PaperFormula")
-add("Core.half-vector-spread-factor", "Private/HalfVector.h", "return spread / (4.0 *", "return spread / (2.0 *",
+add("Core.half-vector-spread-factor", "HalfVector.h", "return spread / (4.0 *", "return spread / (2.0 *",
     "SoftLights.AreTheMeanOverTheLight|SoftTables.AgreeWithTheClosedForm")
-add("Core.whole-file-in-readable-folders", "Private/WholeFile.cxx", "ForNames = O_PATH |", "ForNames = O_RDONLY |",
+add("Core.whole-file-in-readable-folders", "WholeFile.cxx", "ForNames = O_PATH |", "ForNames = O_RDONLY |",
     "WholeFile.NeedsNoFolderThatCanBeRead")
-add("Core.schlick-fourth-power", "Private/HalfVector.h", "f0 + (1.0 - f0) * m2 * m2 * m;",
+add("Core.schlick-fourth-power", "HalfVector.h", "f0 + (1.0 - f0) * m2 * m2 * m;",
     "f0 + (1.0 - f0) * m2 * m2;", "AshikhminShirley.PaperFormula")
-add("Core.dielectric-square", "Private/HalfVector.h", "return 0.5 * a * a * (1.0 + b * b);",
+add("Core.dielectric-square", "HalfVector.h", "return 0.5 * a * a * (1.0 + b * b);",
     "return 0.5 * a * (1.0 + b * b);", "AshikhminShirley.PaperFormula|IOFits.ReadsLow")
-add("Core.half-difference-azimuth", "Private/HalfVector.h", "cosPhi * i.y - sinPhi * i.x;",
+add("Core.half-difference-azimuth", "HalfVector.h", "cosPhi * i.y - sinPhi * i.x;",
     "cosPhi * i.y + sinPhi * i.x;", "Tabulated.InterpolatesTrilinearly|Resampler.ErrorFallsAndIsReported")
-add("Core.sample-cosine-radius", "Private/HalfVector.h", "const double r = std::sqrt(u1);", "const double r = u1;",
+add("Core.sample-cosine-radius", "HalfVector.h", "const double r = std::sqrt(u1);", "const double r = u1;",
     "Sampling.FollowsItsPdf")
-add("Core.gauss-legendre-weight", "Private/GaussLegendre.h", "2.0 / ((1.0 - x * x)", "1.0 / ((1.0 - x * x)",
+add("Core.gauss-legendre-weight", "GaussLegendre.h", "2.0 / ((1.0 - x * x)", "1.0 / ((1.0 - x * x)",
     "GaussLegendre.KnownRules")
-add("Core.legendre-recurrence-sign", "Private/BasisFunctions.h", "x * p1 - k * p0) / (k + 1.0)",
+add("Core.legendre-recurrence-sign", "BasisFunctions.h", "x * p1 - k * p0) / (k + 1.0)",
     "x * p1 + k * p0) / (k + 1.0)", "BasisFunctions.Orthonormal")
-add("Core.azimuth-without-root-two", "Private/BasisFunctions.h",
+add("Core.azimuth-without-root-two", "BasisFunctions.h",
     "const double s = std::sqrt(2.0) * std::sin(m * phi);", "const double s = std::sin(m * phi);",
     "BasisFunctions.Orthonormal")
-add("Core.zone-without-clamp", "Private/BasisFunctions.h",
+add("Core.zone-without-clamp", "BasisFunctions.h",
     "return std::clamp(2.0 * (cosine - this->Far) / (this->Near - this->Far) - 1.0, -1.0, 1.0);",
     "return 2.0 * (cosine - this->Far) / (this->Near - this->Far) - 1.0;",
     "BasisFunctions.Edges|BasisBRDF.ConstantBeyondTheZones")
-add("Core.eigenvectors-in-rows", "Private/SymmetricEigen.cxx", "solver.eigenvectors();",
+add("Core.eigenvectors-in-rows", "SymmetricEigen.cxx", "solver.eigenvectors();",
     "solver.eigenvectors().transpose();", "SymmetricEigen.AscendingPairsOfAMatrix")
-add("Core.negative-weights-count", "Private/Distribution.h", "std::isfinite(w) && w > 0.0 ? w : 0.0",
+add("Core.negative-weights-count", "Distribution.h", "std::isfinite(w) && w > 0.0 ? w : 0.0",
     "std::isfinite(w) ? w : 0.0", "Distribution1D.ProbabilitiesAndInversion|Distribution1D.WithoutWeightUniform")
-add("Core.boundary-belongs-to-the-cell-before", "Private/Distribution.h",
+add("Core.boundary-belongs-to-the-cell-before", "Distribution.h",
     "std::upper_bound(this->Cdf.begin() + 1, this->Cdf.end(), u)",
     "std::lower_bound(this->Cdf.begin() + 1, this->Cdf.end(), u)", "Distribution1D.ProbabilitiesAndInversion")
-add("Core.row-by-the-wrong-number", "Private/Distribution.h", "y = this->Marginal.Invert(v, rv);",
+add("Core.row-by-the-wrong-number", "Distribution.h", "y = this->Marginal.Invert(v, rv);",
     "y = this->Marginal.Invert(u, rv);", "Distribution2D.SamplesFollowTheWeights")
-add("Core.radical-inverse-digits", "Private/LowDiscrepancy.h", "index /= base;\n    digit /= base;",
+add("Core.radical-inverse-digits", "LowDiscrepancy.h", "index /= base;\n    digit /= base;",
     "index /= base;\n    digit /= 2.0;", "LowDiscrepancy.RadicalInverseAndWrap")
-add("Core.wrap-keeps-negative-numbers", "Private/LowDiscrepancy.h", "return x < 0.0 ? x + 1.0 : x;", "return x;",
+add("Core.wrap-keeps-negative-numbers", "LowDiscrepancy.h", "return x < 0.0 ? x + 1.0 : x;", "return x;",
     "LowDiscrepancy.RadicalInverseAndWrap")
-add("Core.left-handed-frame", "Private/LocalFrame.h", "return Frame(p / length, glm::cross(n, p / length), n);",
+add("Core.left-handed-frame", "LocalFrame.h", "return Frame(p / length, glm::cross(n, p / length), n);",
     "return Frame(p / length, glm::cross(p / length, n), n);",
     "Parity.Tables|ExactIntegrator.EqualsAPlainSum|Integrators.RotatingEverythingChangesNothing")
-add("Core.views-are-lifted-too-far", "Private/LocalFrame.h", "MinimumViewCosine = 0.02;", "MinimumViewCosine = 0.05;",
+add("Core.views-are-lifted-too-far", "LocalFrame.h", "MinimumViewCosine = 0.02;", "MinimumViewCosine = 0.05;",
     "MapperShading.GrazingViews|TableIntegrator.GrazingViewsAreLifted")
-add("Core.hash-without-the-last-word", "Private/ContentHash.h", "for (int k = 0; left > 0; ++k)",
+add("Core.hash-without-the-last-word", "ContentHash.h", "for (int k = 0; left > 0; ++k)",
     "for (int k = 0; left > 8; ++k)", "ContentKey.EverythingThatCountsChangesIt")
-add("Core.warp-weights-of-slices", "Private/BilinearWarp.h", "result.Weight[k] *= 1.0 - w;", "result.Weight[k] *= w;",
+add("Core.warp-weights-of-slices", "BilinearWarp.h", "result.Weight[k] *= 1.0 - w;", "result.Weight[k] *= w;",
     "IOTensor.Reads|IOTensor.AgreesWithTheAuthorsCode|Sampling.FollowsItsPdf")
-add("Core.warp-inverts-without-cells", "Private/BilinearWarp.h",
+add("Core.warp-inverts-without-cells", "BilinearWarp.h",
     "density = glm::mix(c0, c1, fraction.x) * this->GetCellsPerSquare();", "density = glm::mix(c0, c1, fraction.x);",
     "IOTensor.AgreesWithTheAuthorsCode|Sampling.FollowsItsPdf")
-add("Material.tabulated-lanes-have-no-sign", "Private/TabulatedLanes.cxx",
+add("Material.tabulated-lanes-have-no-sign", "TabulatedLanes.cxx",
     "const Vector signedTurns = across < zero ? -turns : turns;", "const Vector signedTurns = turns;",
     "TabulatedLanes.AreTheTableInEachForm")
-add("Material.tabulated-lanes-divide-by-no-cosine", "Private/TabulatedLanes.cxx",
+add("Material.tabulated-lanes-divide-by-no-cosine", "TabulatedLanes.cxx",
     "this->CosineWeighted ? 1.0f / view[2] : 1.0f;", "1.0f;", "TabulatedLanes.AreTheTableInEachForm")
-add("Material.packed-rows-are-all-the-first", "Private/PackedWarp.cxx",
+add("Material.packed-rows-are-all-the-first", "PackedWarp.cxx",
     "const Vector whole = total + down * (nextTotal - total);", "const Vector whole = total;",
     "WarpForms.PackedTablesHoldTheSame|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
-add("Material.lanes-half-turn-the-wrong-way", "Private/WarpLanes.cxx",
+add("Material.lanes-half-turn-the-wrong-way", "WarpLanes.cxx",
     "const Vector across = fromX * hY - y * hX;", "const Vector across = y * hX - fromX * hY;",
     "WarpForms.LanesAreTheAnglesOfTheMathematicsLibrary|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
-add("Material.packed-slices-are-not-mixed", "Private/PackedWarp.cxx",
+add("Material.packed-slices-are-not-mixed", "PackedWarp.cxx",
     "const std::size_t next = this->Thetas.size() > 1 ? slice : 0;", "const std::size_t next = 0;",
     "WarpForms.PackedTablesHoldTheSame|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
-add("Material.many-lights-share-an-azimuth", "Private/WarpLanes.cxx",
+add("Material.many-lights-share-an-azimuth", "WarpLanes.cxx",
     "const Vector fromX = size > zero ? x : zero + 1.0f;", "const Vector fromX = zero + 1.0f;",
     "WarpForms.LanesAreTheAnglesOfTheMathematicsLibrary|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
-add("Core.srgb-exponent", "Private/SRGB.h", "1.055, 2.4)", "1.055, 2.2)", "Environment.DecodesSRGB")
-add("Core.periodic-neighbors-do-not-wrap", "Private/Neighbors.h",
+add("Core.srgb-exponent", "SRGB.h", "1.055, 2.4)", "1.055, 2.2)", "Environment.DecodesSRGB")
+add("Core.periodic-neighbors-do-not-wrap", "Neighbors.h",
     "const int first = (static_cast<int>(base) + n) % n;", "const int first = std::max(static_cast<int>(base), 0);",
     "Tabulated.InterpolatesTrilinearly|TableIntegrator.Continuous")
-add("Core.clamped-neighbors-half-a-cell-off", "Private/Neighbors.h", "std::clamp(u * n - 0.5, 0.0, n - 1.0)",
+add("Core.clamped-neighbors-half-a-cell-off", "Neighbors.h", "std::clamp(u * n - 0.5, 0.0, n - 1.0)",
     "std::clamp(u * n, 0.0, n - 1.0)", "Parity.Tables|SoftTables.FollowTheDistribution")
-add("Core.retro-density-factor", "Private/RetroLobe.h", "1.0 / (2.0 * Pi * GetRange()", "1.0 / (Pi * GetRange()",
+add("Core.retro-density-factor", "RetroLobe.h", "1.0 / (2.0 * Pi * GetRange()", "1.0 / (Pi * GetRange()",
     "RetroReflection.AlbedoCountsIt")
-add("Core.refused-numbers-are-taken", "Private/Setters.h", "if (!measuredbrdf::AreFinite(values, 3))",
+add("Core.refused-numbers-are-taken", "Setters.h", "if (!measuredbrdf::AreFinite(values, 3))",
     "if (!measuredbrdf::AreFinite(values, 0))", "Setters.OfMaterials")
 
 # Material
 
-add("Material.array-of-one-tuple-is-walked", "Private/TupleMap.cxx", "== 1 ? 0 : components", "== 0 ? 0 : components",
+add("Material.array-of-one-tuple-is-walked", "TupleMap.cxx", "== 1 ? 0 : components", "== 0 ? 0 : components",
     "Arrays.OneTupleServesForAll")
-add("Material.array-result-overwrites-its-input", "Private/TupleMap.cxx", "this->Inputs[a].Array = this->Copies[a];", "",
+add("Material.array-result-overwrites-its-input", "TupleMap.cxx", "this->Inputs[a].Array = this->Copies[a];", "",
     "Arrays.TheResultMayBeAnInput")
-add("Material.array-sizes-unchecked", "Private/TupleMap.cxx", "count != 1 && this->Count != 1 && count != this->Count",
+add("Material.array-sizes-unchecked", "TupleMap.cxx", "count != 1 && this->Count != 1 && count != this->Count",
     "count < 0", "Arrays.WhatDoesNotFitIsRefused")
-add("Material.array-result-of-any-type", "Private/TupleMap.cxx", "type != VTK_FLOAT && type != VTK_DOUBLE", "type < 0",
+add("Material.array-result-of-any-type", "TupleMap.cxx", "type != VTK_FLOAT && type != VTK_DOUBLE", "type < 0",
     "Arrays.WhatDoesNotFitIsRefused")
-add("Material.array-blocks-lie-on-another", "Private/TupleMap.cxx", "this->Floats + begin * this->Components,\n      [](double",
+add("Material.array-blocks-lie-on-another", "TupleMap.cxx", "this->Floats + begin * this->Components,\n      [](double",
     "this->Floats,\n      [](double", "Arrays.AreTheScalarCalls")
 add("Material.array-sample-with-one-number", "vtkBRDF.cxx", "inputs[1][0], inputs[1][1], result",
     "inputs[1][0], inputs[1][0], result", "Arrays.AreTheScalarCalls")
@@ -145,7 +157,7 @@ add("Material.distribution-keeps-old-levels", "vtkDistributionBRDF.cxx",
 add("Material.distribution-fresnel-unit", "vtkDistributionBRDF.cxx", "ClampedNeighbors(angles.ThetaD * (2.0 / Pi),",
     "ClampedNeighbors(angles.ThetaD,",
     "Distribution.RetroReflectionInvertsToP|Parity.ClosedForms|LossFit.DistributionComesClose")
-add("Material.tabulated-azimuth-range", "Private/VolumeInterpolation.h", "angles.PhiD / (halfTurn ? Pi : 2.0 * Pi)",
+add("Material.tabulated-azimuth-range", "VolumeInterpolation.h", "angles.PhiD / (halfTurn ? Pi : 2.0 * Pi)",
     "angles.PhiD / (halfTurn ? 2.0 * Pi : Pi)", "Tabulated.InterpolatesTrilinearly")
 add("Material.tabulated-divides-by-the-other-cosine", "vtkTabulatedBRDF.cxx",
     "GatherCorners(this->Volume, this->Dimensions, corners), this->CosineWeighted ? o[2]",
@@ -156,9 +168,9 @@ add("Material.tabulated-invalid-cells-are-black", "vtkTabulatedBRDF.cxx",
     "IOMerl.CountsWhatIsNotFinite|Fit.HolesInATableDoNotCount")
 add("Material.tabulated-never-makes-levels", "vtkTabulatedBRDF.cxx",
     "this->WidenedLevels = std::make_shared<Levels>();", "", "SoftTables.AgreeWithTheClosedForm")
-add("Material.tabulated-shared-exponents-of-negative-values", "Private/TabulatedStorage.h", "positive = positive && v >= 0.0f;",
+add("Material.tabulated-shared-exponents-of-negative-values", "TabulatedStorage.h", "positive = positive && v >= 0.0f;",
     "positive = true;", "Tabulated.SharedExponents")
-add("Material.tabulated-half-floats-overflow", "Private/TabulatedStorage.h", "Peak / peak", "4.0f * Peak / peak",
+add("Material.tabulated-half-floats-overflow", "TabulatedStorage.h", "Peak / peak", "4.0f * Peak / peak",
     "Parity.Tables|Parity.EmbeddedMeasurement|Tabulated.PrecisionFollowsTheTolerance")
 add("Material.tabulated-copy-without-cosine", "vtkTabulatedBRDF.cxx", "copy->CosineWeighted = this->CosineWeighted;",
     "", "Snapshots.Tables")
@@ -176,7 +188,7 @@ add("Material.sum-of-the-last-term", "vtkSumBRDF.cxx",
     "Evaluate.KeepsItsPromises|Parity.ClosedForms|Snapshots.SumsCopyTheirTerms|IOFits.ReadsLow")
 add("Material.snapshot-without-source", "vtkBRDF.cxx", "copy->Source = this->Source;", "",
     "Snapshots.ClosedForms|Snapshots.Tables|Snapshots.SumsCopyTheirTerms")
-add("Material.albedo-of-first-squares", "Private/HemisphereIntegral.cxx", "!isEnough() &&", "false &&",
+add("Material.albedo-of-first-squares", "HemisphereIntegral.cxx", "!isEnough() &&", "false &&",
     "ReflectionIntegral.IsWithinItsToleranceForModels|ReflectionIntegral.IsWithinItsToleranceForMeasuredMaterials")
 
 add("Material.photographs-without-cosine", "vtkPhotographSet.cxx",
@@ -192,16 +204,16 @@ add("Lighting.texel-solid-angle", "vtkEnvironment.cxx", "2.0 * Pi / this->Width 
 add("Lighting.azimuth-runs-backwards", "vtkEnvironment.cxx", "direction[2] = std::cos(latitude) * std::sin(phi);",
     "direction[2] = -std::cos(latitude) * std::sin(phi);",
     "Environment.DirectionsFollowVTKsImageBasedLighting|Environment.TexelDirectionsFindTheirTexel")
-add("Core.luminance-red-and-green", "Private/SRGB.h", "0.2126 * rgb[0] + 0.7152 * rgb[1]",
+add("Core.luminance-red-and-green", "SRGB.h", "0.2126 * rgb[0] + 0.7152 * rgb[1]",
     "0.7152 * rgb[0] + 0.2126 * rgb[1]",
     "PictureMetrics.AgreeWithOtherPrograms|Generators.SingleBrightTexel|MedianCut.HalvesAreBalanced")
 add("Lighting.rotation-the-other-way", "vtkEnvironment.cxx", "{ c, 0.0, -s, 0.0, 1.0, 0.0, s, 0.0, c }",
     "{ c, 0.0, s, 0.0, 1.0, 0.0, -s, 0.0, c }", "Environment.Rotation")
 add("Lighting.mirrored-rotation-is-taken", "vtkEnvironment.cxx", "rows[2]) < 0.0)", "rows[2]) < -2.0)",
     "Environment.Rotation")
-add("Lighting.swapped-counts", "Private/RadianceValues.cxx", "found.Negative : found.NotFinite",
+add("Lighting.swapped-counts", "RadianceValues.cxx", "found.Negative : found.NotFinite",
     "found.NotFinite : found.Negative", "Environment.RepairsAndCounts")
-add("Lighting.colors-are-gray", "Private/RadianceValues.cxx", "array->GetNumberOfComponents() == 1 ? 0 : 1;",
+add("Lighting.colors-are-gray", "RadianceValues.cxx", "array->GetNumberOfComponents() == 1 ? 0 : 1;",
     "array->GetNumberOfComponents() == 1 ? 0 : 0;", "Environment.TakesImagesOfAnyType")
 add("Lighting.snapshot-without-rotation", "vtkEnvironment.cxx",
     "std::copy_n(this->WorldToEnvironment, 9, snapshot->WorldToEnvironment);", "", "Snapshots.Environments")
@@ -209,11 +221,11 @@ add("Lighting.new-pixels-old-time", "vtkEnvironment.cxx", "this->PixelsTime.Modi
     "this->Modified();", "Variance.FollowsThePixelsNotTheRotation|Planner.PlansAgainExactlyWhenItMust")
 add("Lighting.cut-up-texels-are-moved", "vtkEnvironment.cxx", "Interpolate(this, (x + 0.5) / width, (y + 0.5) / height, radiance);",
     "Interpolate(this, (x + 1.0) / width, (y + 0.5) / height, radiance);", "CoarseMaps.AreCutUpWithoutChangingTheirLight")
-add("Lighting.seam-is-not-crossed", "Private/TexelInterpolation.h", "first + 1 < size ? first + 1 : 0,",
+add("Lighting.seam-is-not-crossed", "TexelInterpolation.h", "first + 1 < size ? first + 1 : 0,",
     "first + 1 < size ? first + 1 : first,", "Environment.InterpolatesBetweenTexels|EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
-add("Lighting.harmonics-of-point-masses", "Private/EnvironmentHarmonics.cxx", "sinc * sinc));", "1.0));",
+add("Lighting.harmonics-of-point-masses", "EnvironmentHarmonics.cxx", "sinc * sinc));", "1.0));",
     "EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
-add("Lighting.harmonics-of-one-hemisphere", "Private/EnvironmentHarmonics.cxx", "{ north + south, north - south }", "{ north + south, north + south }",
+add("Lighting.harmonics-of-one-hemisphere", "EnvironmentHarmonics.cxx", "{ north + south, north - south }", "{ north + south, north + south }",
     "EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
 add("Lighting.old-light-in-new-pixels", "vtkEnvironment.cxx",
     "this->Parts = vtkEnvironment::MakeParts();\n  this->PixelsTime", "this->PixelsTime",
@@ -226,7 +238,7 @@ add("Lighting.directions-of-any-length", "vtkLightSet.cxx", "light.Direction[c] 
     "light.Direction[c] = direction[c];", "LightSet.AddsAndRefuses")
 add("Lighting.total-of-red", "vtkLightSet.cxx", "rgb[c] += light.Irradiance[c];", "rgb[c] += light.Irradiance[0];",
     "LightSet.AddsAndRefuses|Generators.KeepTheEnergy")
-add("Lighting.lower-half-of-the-octahedron", "Private/EnvironmentPyramid.cxx", "std::swap(u, v);\n    u = 1.0 - u;",
+add("Lighting.lower-half-of-the-octahedron", "EnvironmentPyramid.cxx", "std::swap(u, v);\n    u = 1.0 - u;",
     "u = 1.0 - u;", "EnvironmentPyramid.IsContinuousAcrossAllFourFolds|FilteredIntegrator.MirrorShowsTheEnvironment")
 add("Lighting.tree-for-the-other-rule", "vtkVarianceLightSetGenerator.cxx",
     "environment->GetPixelsMTime(), this->Method,", "environment->GetPixelsMTime(), 0,",
@@ -244,101 +256,101 @@ add("Lighting.importance-weights", "vtkImportanceLightSetGenerator.cxx",
     "Importance.Unbiased|Generators.KeepTheEnergy")
 add("Lighting.importance-ignores-the-seed", "vtkImportanceLightSetGenerator.cxx", "std::mt19937 engine(this->Seed);",
     "std::mt19937 engine(1);", "Importance.SeedsRepeat")
-add("Lighting.lamps-leave-their-light", "Private/ExtractedEmitters.cxx", "irradiance[c] = (value - kept) *",
+add("Lighting.lamps-leave-their-light", "ExtractedEmitters.cxx", "irradiance[c] = (value - kept) *",
     "irradiance[c] = value *", "ExtractedEmitters.LightsAndRestAddUp")
-add("Lighting.faces-upside-down", "Private/ProjectionMaps.cxx", "return { 1.0, -b, a };", "return { 1.0, b, a };",
+add("Lighting.faces-upside-down", "ProjectionMaps.cxx", "return { 1.0, -b, a };", "return { 1.0, b, a };",
     "Probes.MapsAreInverse|Probes.CubeFacesAreOpenGLs")
-add("Lighting.mirror-ball-angle", "Private/ProjectionMaps.cxx",
+add("Lighting.mirror-ball-angle", "ProjectionMaps.cxx",
     "Projections::MIRROR_BALL ? r : std::sin(0.5 * Pi * r)", "Projections::MIRROR_BALL ? r : std::sin(0.25 * Pi * r)",
     "Probes.SolidAnglesAddUpToTheSphere|Probes.ConstantStaysConstant|Probes.EnergyIsKept")
-add("Lighting.harmonics-scale", "Private/EnvironmentHarmonics.cxx", "this->Scales[m] * std::conj(work.Series[m])",
+add("Lighting.harmonics-scale", "EnvironmentHarmonics.cxx", "this->Scales[m] * std::conj(work.Series[m])",
     "this->Scales[m] * work.Series[m]", "EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
 
 # Integration
 
-add("Lighting.parts-are-the-texel", "Private/TexelTree.cxx", "2 * x + 1 - (1 << part)", "2 * x - (1 << part)",
+add("Lighting.parts-are-the-texel", "TexelTree.cxx", "2 * x + 1 - (1 << part)", "2 * x - (1 << part)",
     "TexelTree.PartsAreInterpolated")
-add("Integration.adaptive-stops-at-texels", "Private/AdaptiveSum.cxx",
+add("Integration.adaptive-stops-at-texels", "AdaptiveSum.cxx",
     "if (place.Level == this->Texels->GetLowestLevel())", "if (place.Level <= 0)",
     "AdaptiveIntegrator.KeepsItsToleranceAtEachPair|AdaptiveIntegrator.MissesNothingNarrow")
-add("Integration.adaptive-takes-the-square-for-its-quarters", "Private/AdaptiveSum.cxx",
+add("Integration.adaptive-takes-the-square-for-its-quarters", "AdaptiveSum.cxx",
     "this->Total -= square.Value;", "", "AdaptiveIntegrator.ConvergesWithItsTolerance")
-add("Integration.adaptive-looks-nowhere-first", "Private/FirstSquares.cxx",
+add("Integration.adaptive-looks-nowhere-first", "FirstSquares.cxx",
     "if (reach > 0.0f &&", "if (reach > 1e9f &&",
     "AdaptiveIntegrator.MissesNothingNarrow|AdaptiveIntegrator.IsNotMisledByChance")
-add("Integration.group-has-one-frame", "Private/AdaptiveGroup.cxx",
+add("Integration.group-has-one-frame", "AdaptiveGroup.cxx",
     "step.Turn(count, this->Rows[pair]);", "step.Turn(count, this->Rows[0]);", "AdaptiveGroup.IsWithinItsTolerance")
-add("Integration.group-takes-quarters-for-pairs", "Private/AdaptiveGroup.cxx",
+add("Integration.group-takes-quarters-for-pairs", "AdaptiveGroup.cxx",
     "      Transpose(square.Quarters[c]);\n", "", "AdaptiveGroup.IsWithinItsTolerance")
-add("Integration.middles-that-do-not-count-stay", "Private/SquareMiddles.cxx",
+add("Integration.middles-that-do-not-count-stay", "SquareMiddles.cxx",
     "this->Lights[c][k] = this->Lights[c][this->Numbers[k]];", "this->Lights[c][k] = this->Lights[c][k];",
     "SquareMiddles.TurnsAndWeighsInEachForm")
-add("Integration.queue-sorts-by-octaves", "Private/ErrorQueue.h", "bits >> 21", "bits >> 23",
+add("Integration.queue-sorts-by-octaves", "ErrorQueue.h", "bits >> 21", "bits >> 23",
     "ErrorQueue.GivesTheLargestFirst")
-add("Lighting.quarters-of-a-part-are-the-other-way", "Private/TexelTree.cxx",
+add("Lighting.quarters-of-a-part-are-the-other-way", "TexelTree.cxx",
     "radiances[c][2 + i] = top + down[1] * (bottom - top);",
     "radiances[c][2 + i] = top + down[0] * (bottom - top);", "TexelTree.QuartersAreTheSquaresBelow")
-add("Integration.peaks-of-the-wrong-azimuth", "Private/ReflectionGuide.cxx",
+add("Integration.peaks-of-the-wrong-azimuth", "ReflectionGuide.cxx",
     "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, o.y) / s", "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, -o.y) / s",
     "ReflectionGuide.KnowsPeaks")
-add("Integration.core-takes-the-blur-too", "Private/CoreModes.cxx", "inTable * share[channel] * taken", "0.0",
+add("Integration.core-takes-the-blur-too", "CoreModes.cxx", "inTable * share[channel] * taken", "0.0",
     "FactoredIntegrator.MirrorsInFewMegabytes|FactoredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
-add("Integration.core-turns-backwards", "Private/RadianceCore.cxx", "turn.y * GetCenteredValue(",
+add("Integration.core-turns-backwards", "RadianceCore.cxx", "turn.y * GetCenteredValue(",
     "-turn.y * GetCenteredValue(", "FactoredIntegrator.MapsConverge|Parity.FactoredIntegrator")
-add("Integration.core-of-gray-weights", "Private/CoreModes.cxx", "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low) + c;",
+add("Integration.core-of-gray-weights", "CoreModes.cxx", "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low) + c;",
     "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low);", "FactoredIntegrator.MapsConverge")
-add("Integration.maps-half-a-column-off", "Private/FieldSynthesis.cxx", "std::polar(1.0f, static_cast<float>(-Pi * frequency))",
+add("Integration.maps-half-a-column-off", "FieldSynthesis.cxx", "std::polar(1.0f, static_cast<float>(-Pi * frequency))",
     "std::polar(1.0f, static_cast<float>(Pi * frequency))", "FactoredIntegrator.MapsConverge|FactoredIntegrator.MirrorsInFewMegabytes")
-add("Integration.lamps-ring", "Private/TableSynthesis.h", "const double from = 0.6 * rows;", "const double from = degree;",
+add("Integration.lamps-ring", "TableSynthesis.h", "const double from = 0.6 * rows;", "const double from = degree;",
     "FactoredIntegrator.*|TableIntegrator.*|TableReference.*")
-add("Integration.irradiance-in-one-unit-only", "Private/TableSynthesis.cxx",
+add("Integration.irradiance-in-one-unit-only", "TableSynthesis.cxx",
     "irradiance->Scale = static_cast<float>(PackRadiance(values, irradiance->Texels));",
     "PackRadiance(values, irradiance->Texels);", "LightUnits.ReachFromFaintToStrong")
-add("Integration.table-without-its-blur", "Private/TableSynthesis.cxx", "smoothed[b % size] * static_cast<float>(knot", "static_cast<float>(knot",
+add("Integration.table-without-its-blur", "TableSynthesis.cxx", "smoothed[b % size] * static_cast<float>(knot", "static_cast<float>(knot",
     "FactoredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo|FactoredIntegrator.MirrorsInFewMegabytes")
-add("Integration.no-splines-along-rows", "Private/FieldSynthesis.cxx", "of.Above != MapPart::None && of.Below != MapPart::None", "false", "LinearSpline.*|TableReference.ErrorFallsWithSize*|AnisotropicTable.*")
-add("Integration.tiles-where-nothing-bends", "Private/TableTiles.cxx", "scores[a] > scores[b]", "scores[a] < scores[b]",
+add("Integration.no-splines-along-rows", "FieldSynthesis.cxx", "of.Above != MapPart::None && of.Below != MapPart::None", "false", "LinearSpline.*|TableReference.ErrorFallsWithSize*|AnisotropicTable.*")
+add("Integration.tiles-where-nothing-bends", "TableTiles.cxx", "scores[a] > scores[b]", "scores[a] < scores[b]",
     "TableTiles.*")
-add("Integration.tiles-with-seams", "Private/TableTiles.cxx", "!tile.Inside[static_cast<std::size_t>(k)]", "false",
+add("Integration.tiles-with-seams", "TableTiles.cxx", "!tile.Inside[static_cast<std::size_t>(k)]", "false",
     "TableTiles.NoSeams")
-add("Integration.tiles-of-any-size", "Private/TableTiles.cxx", "std::ceil((others + LeastTileBytes) / BytesStep)", "std::ceil((others + LeastTileBytes) / BytesStep + 1.0)",
+add("Integration.tiles-of-any-size", "TableTiles.cxx", "std::ceil((others + LeastTileBytes) / BytesStep)", "std::ceil((others + LeastTileBytes) / BytesStep + 1.0)",
     "TableTiles.FillWhatIsAllowed")
 add("Integration.tiles-of-few-nodes", "vtkTableRadianceIntegrator.cxx", "constexpr int NodesOfTiles = 2; ", "constexpr int NodesOfTiles = 1; ",
     "TableTiles.KernelsHaveNodesEnough")
-add("Integration.fine-kernels-stay", "Private/MaterialPrecomputation.cxx", " && it->first.second <= mostNodes", "",
+add("Integration.fine-kernels-stay", "MaterialPrecomputation.cxx", " && it->first.second <= mostNodes", "",
     "MaterialPrecomputation.KeepsExpandedKernels")
-add("Integration.forgotten-nodes-stay-so", "Private/MaterialPrecomputation.cxx", "(areNodesWanted && !kernel->HasNodes())", "false",
+add("Integration.forgotten-nodes-stay-so", "MaterialPrecomputation.cxx", "(areNodesWanted && !kernel->HasNodes())", "false",
     "MaterialPrecomputation.MakesForgottenNodesAgain")
-add("Integration.nodes-made-again-for-nothing", "Private/MaterialPrecomputation.cxx", "use.Nodes || known", "true || known",
+add("Integration.nodes-made-again-for-nothing", "MaterialPrecomputation.cxx", "use.Nodes || known", "true || known",
     "MaterialPrecomputation.MakesForgottenNodesAgain")
-add("Integration.rings-end-at-the-seam", "Private/RingLimiter.cxx", "first.FillEnds(row);", "", "RingLimiter.*")
-add("Lighting.sets-of-one-tree-are-one-set", "Private/EnvironmentPrecomputation.cxx", "tree.FillLightSet(count, sets->back());",
+add("Integration.rings-end-at-the-seam", "RingLimiter.cxx", "first.FillEnds(row);", "", "RingLimiter.*")
+add("Lighting.sets-of-one-tree-are-one-set", "EnvironmentPrecomputation.cxx", "tree.FillLightSet(count, sets->back());",
     "tree.FillLightSet(count / 2 + 1, sets->back());", "EnvironmentPrecomputation.SetsOfOneTreeAreThoseOfTheirOwn")
-add("Integration.beyond-the-pole-unturned", "Private/FieldSynthesis.cxx", "order % 2 != 0 ? -1.0f : 1.0f", "order % 2 != 0 ? 1.0f : 1.0f",
+add("Integration.beyond-the-pole-unturned", "FieldSynthesis.cxx", "order % 2 != 0 ? -1.0f : 1.0f", "order % 2 != 0 ? 1.0f : 1.0f",
     "AnisotropicTable.*|TableIntegrator.*|LinearSpline.*")
-add("Integration.products-miss-a-vector", "Private/MatrixProduct.cxx", "this->Second += left[0] * second;", "this->Second += left[0] * first;",
+add("Integration.products-miss-a-vector", "MatrixProduct.cxx", "this->Second += left[0] * second;", "this->Second += left[0] * first;",
     "MatrixProduct.*")
-add("Integration.second-stage-unturned", "Private/RowTransform.cxx", "d.Turn(twice);", "", "RowTransform.*")
-add("Integration.odd-stage-left-out", "Private/RowTransform.cxx", "RunOneStage<Vector>(lines, size, length, turns);", "", "RowTransform.*")
-add("Integration.lanes-begin-at-degree-zero", "Private/WignerLanes.cxx", "Series series{ { out[0] + first, out[1] + first,",
+add("Integration.second-stage-unturned", "RowTransform.cxx", "d.Turn(twice);", "", "RowTransform.*")
+add("Integration.odd-stage-left-out", "RowTransform.cxx", "RunOneStage<Vector>(lines, size, length, turns);", "", "RowTransform.*")
+add("Integration.lanes-begin-at-degree-zero", "WignerLanes.cxx", "Series series{ { out[0] + first, out[1] + first,",
     "Series series{ { out[0], out[1] + first,", "WignerLanes.*")
-add("Integration.expanded-kernels-of-other-orders", "Private/MaterialPrecomputation.cxx", "static_cast<std::ptrdiff_t>(row) * (known.Degree + 1)",
+add("Integration.expanded-kernels-of-other-orders", "MaterialPrecomputation.cxx", "static_cast<std::ptrdiff_t>(row) * (known.Degree + 1)",
     "static_cast<std::ptrdiff_t>(row) * (degree + 1)", "MaterialPrecomputation.KeepsExpandedKernels")
-add("Integration.degrees-left-out", "Private/TableSynthesis.cxx", "constexpr double LeastShare = 1e-4;", "constexpr double LeastShare = 1e9;",
+add("Integration.degrees-left-out", "TableSynthesis.cxx", "constexpr double LeastShare = 1e-4;", "constexpr double LeastShare = 1e9;",
     "TableReference.*|TableIntegrator.*")
-add("Integration.rings-stay", "Private/RingLimiter.cxx", "constexpr float LeastShare = 0.75f;", "constexpr float LeastShare = 0.0f;",
+add("Integration.rings-stay", "RingLimiter.cxx", "constexpr float LeastShare = 0.75f;", "constexpr float LeastShare = 0.0f;",
     "RingLimiter.*")
-add("Integration.edges-bleed", "Private/RingLimiter.cxx", "for (int pass = 0; pass < 2; ++pass) // as far", "for (int pass = 0; pass < 1; ++pass) // as far",
+add("Integration.edges-bleed", "RingLimiter.cxx", "for (int pass = 0; pass < 2; ++pass) // as far", "for (int pass = 0; pass < 1; ++pass) // as far",
     "RingLimiter.*")
-add("Integration.anisotropic-azimuths-from-the-axis", "Private/AnisotropicLobe.cxx", "std::polar(1.0, -k * azimuth)", "std::polar(1.0, k * azimuth)",
+add("Integration.anisotropic-azimuths-from-the-axis", "AnisotropicLobe.cxx", "std::polar(1.0, -k * azimuth)", "std::polar(1.0, k * azimuth)",
     "AnisotropicTable.Converges")
-add("Integration.anisotropic-conjugate-forgotten", "Private/AnisotropicLobe.cxx", "from < 0 ? std::conj(in[l]) : in[l]", "in[l]",
+add("Integration.anisotropic-conjugate-forgotten", "AnisotropicLobe.cxx", "from < 0 ? std::conj(in[l]) : in[l]", "in[l]",
     "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")
-add("Integration.anisotropic-half-turn-forgotten", "Private/AnisotropicTable.cxx", "(again ? 1.0 / this->Periods : 0.0)", "0.0",
+add("Integration.anisotropic-half-turn-forgotten", "AnisotropicTable.cxx", "(again ? 1.0 / this->Periods : 0.0)", "0.0",
     "AnisotropicTable.BrushedMetalInTwelveMegabytes|AnisotropicTable.Converges")
-add("Material.anisotropic-always-half-a-turn", "Private/HalfTurn.cxx", "return difference <= LargestDifference * Probes;",
+add("Material.anisotropic-always-half-a-turn", "HalfTurn.cxx", "return difference <= LargestDifference * Probes;",
     "return true;", "AnisotropicTable.ClothWithANapHasOnePeriod")
-add("Integration.anisotropic-axis-in-the-plane", "Private/AnisotropicSynthesis.cxx", "lobe.Axis.y * out.x - lobe.Axis.x * out.y, w", "0.0, w",
+add("Integration.anisotropic-axis-in-the-plane", "AnisotropicSynthesis.cxx", "lobe.Axis.y * out.x - lobe.Axis.x * out.y, w", "0.0, w",
     "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")
 add("Integration.exact-without-cosine", "vtkExactRadianceIntegrator.cxx", "sum += cosine * f *", "sum += f *",
     "ExactIntegrator.LambertUnderAConstantSkyHasAClosedForm")
@@ -347,25 +359,25 @@ add("Integration.exact-leaves-out-the-last-part", "vtkExactRadianceIntegrator.cx
 add("Integration.filtered-lamps-without-cosine", "vtkFilteredRadianceIntegrator.cxx",
     "return i.z * f;", "return f;",
     "FilteredReference.Converges|Parity.FilteredIntegrator")
-add("Rendering.sum-stays-when-the-view-changes", "Private/SampleSums.cxx",
+add("Rendering.sum-stays-when-the-view-changes", "SampleSums.cxx",
     "if (view.Key != viewKey ||", "if (", "Samples.BeginAnewWhenTheViewChanges")
-add("Rendering.screenshot-of-a-part-of-the-sum", "Private/SampleSums.cxx",
+add("Rendering.screenshot-of-a-part-of-the-sum", "SampleSums.cxx",
     "seen->GetReferenceCount() > 1", "seen->GetReferenceCount() > 2", "Samples.PicturesThatTheFilterReadsWait")
-add("Rendering.sum-is-not-aborted", "Private/SampleSums.cxx",
+add("Rendering.sum-is-not-aborted", "SampleSums.cxx",
     "goesOn = !window->GetAbortRender();", "", "Samples.StopAndGoOn")
-add("Rendering.abort-is-asked-for-now-and-then", "Private/SampleSums.cxx",
+add("Rendering.abort-is-asked-for-now-and-then", "SampleSums.cxx",
     "window->InvokeEvent(vtkCommand::AbortCheckEvent);", "window->CheckAbortStatus();", "Samples.AskOftenWhetherToStop")
-add("Rendering.cost-has-no-maximum", "Private/PlanJob.cxx",
+add("Rendering.cost-has-no-maximum", "PlanJob.cxx",
     "planner->SetMaximumCost(inputs.MaximumCost);", "", "Samples.AreDrawnWhileOneInteracts")
-add("Rendering.sum-of-unequal-parts", "Private/BRDFShader.cxx",
+add("Rendering.sum-of-unequal-parts", "BRDFShader.cxx",
     "brdfPart.y - brdfPart.x", "1.0", "Samples.ShowTheSameOnPartsWithPlans")
-add("Rendering.culled-actors-are-waited-for", "Private/SampleSums.cxx",
+add("Rendering.culled-actors-are-waited-for", "SampleSums.cxx",
     "!(this->Actor && this->Actor->GetRenderTimeMultiplier() > 0.0)", "false", "Samples.AreNotWaitedForOutOfView")
-add("Rendering.samples-never-while-one-interacts", "Private/MaterialDrawing.cxx",
+add("Rendering.samples-never-while-one-interacts", "MaterialDrawing.cxx",
     "!this->Sums.HasTime(renderer, actor, part)", "true", "Samples.AreDrawnWhileOneInteracts")
-add("Rendering.samples-however-long-they-take", "Private/SampleSums.cxx",
+add("Rendering.samples-however-long-they-take", "SampleSums.cxx",
     "seconds < view.GetBudget()", "seconds < HUGE_VAL", "Samples.AreDrawnWhileOneInteracts")
-add("Rendering.samples-of-a-subframe-twice", "Private/BRDFShader.cxx",
+add("Rendering.samples-of-a-subframe-twice", "BRDFShader.cxx",
     "ivec2(brdfPart.xy) *", "ivec2(brdfPart.x, brdfPart.y + 1.0) *", "Samples.ShowTheSameAsAllAtOnce")
 add("Integration.filtered-keeps-samples-of-the-old-material", "vtkFilteredRadianceIntegrator.cxx",
     "impl.SamplesTime < this->BRDF->GetMTime() ||", "", "FilteredIntegrator.FollowsItsInputs")
@@ -380,17 +392,17 @@ add("Integration.filtered-adds-the-sharp-part-twice", "vtkFilteredRadianceIntegr
     "FilteredIntegrator.BroadLobesSeeSmallPanels|Parity.FilteredIntegrator")
 add("Integration.filtered-takes-anisotropic-materials", "vtkFilteredRadianceIntegrator.cxx",
     "if (!this->BRDF->IsIsotropic())", "if (this->BRDF == nullptr)", "FilteredIntegrator.BadInputs")
-add("Integration.samples-see-too-sharply", "Private/ReflectionSamples.cxx", "-0.5 * std::log2(4.0 * Pi * density)",
+add("Integration.samples-see-too-sharply", "ReflectionSamples.cxx", "-0.5 * std::log2(4.0 * Pi * density)",
     "-1.0 * std::log2(4.0 * Pi * density)",
     "FilteredReference.Converges|FilteredIntegrator.RotatingEverythingChangesNothing|FilteredIntegrator.RealSun")
-add("Integration.samples-of-the-whole-material", "Private/ReflectionSamples.cxx", "f * (GetSharpShare(f, limit) / density)",
+add("Integration.samples-of-the-whole-material", "ReflectionSamples.cxx", "f * (GetSharpShare(f, limit) / density)",
     "f * (1.0 / density)", "FilteredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
-add("Integration.samples-do-not-interpolate", "Private/ReflectionSamples.cxx", "a.Weight + t * (b.Weight - a.Weight)",
+add("Integration.samples-do-not-interpolate", "ReflectionSamples.cxx", "a.Weight + t * (b.Weight - a.Weight)",
     "a.Weight", "Parity.FilteredIntegrator|FilteredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
 add("Integration.light-set-without-cosine", "vtkLightSetRadianceIntegrator.cxx",
     "radiance[c] += light.z * f[c] * irradiance[c];", "radiance[c] += f[c] * irradiance[c];",
     "LightSetIntegrator.ConvergesToTheReference")
-add("Integration.spread-is-the-concentration", "Private/LightTexture.cxx",
+add("Integration.spread-is-the-concentration", "LightTexture.cxx",
     "concentration > 0.0 ? 1.0 / concentration : 0.0", "concentration > 0.0 ? concentration : 0.0",
     "SoftLights.LowerTheErrorOfSharpLobes|SoftLights.LowerTheErrorOfTables")
 add("Integration.light-set-changes-unseen", "vtkLightSetRadianceIntegrator.cxx",
@@ -398,36 +410,36 @@ add("Integration.light-set-changes-unseen", "vtkLightSetRadianceIntegrator.cxx",
     "Mapper.RebuildsExactlyWhenItMust|Scene.LightsAreUploadedOnce")
 add("Integration.light-set-copy-is-hard", "vtkLightSetRadianceIntegrator.cxx",
     "this->SetSoftLights(lights->SoftLights);", "", "RadianceMethods.CopiesHaveEveryProperty")
-add("Integration.light-set-last-row", "Private/LightTexture.cxx",
+add("Integration.light-set-last-row", "LightTexture.cxx",
     "(count + LightsPerRow - 1) / LightsPerRow", "count / LightsPerRow",
     "Mapper.ManyLightsAndHugeValues|Mapper.LightSetMatchesCpuPerPixel")
 add("Integration.lights-cost-nothing", "vtkLightSetRadianceIntegrator.cxx",
     "PixelCosts::Light * this->NumberOfLights", "PixelCosts::Light",
     "Planner.CostsAreTimesATables|Planner.AnisotropicMaterialsGetTablesOrLightSets|Planner.EvaluateAllListsEveryMethod")
-add("Integration.table-azimuth-mirrored", "Private/LobePlacement.h",
+add("Integration.table-azimuth-mirrored", "LobePlacement.h",
     "this->Across = glm::dvec3(azimuth.x, 0.0, -azimuth.y);",
     "this->Across = glm::dvec3(-azimuth.x, 0.0, azimuth.y);",
     "TableReference.ErrorFallsWithSize|TableIntegrator.TurningEverythingChangesNothing|Parity.TableIntegrator")
-add("Integration.table-polar-unit", "Private/LobePlacement.h", "this->Polar = std::atan2(sine, d.y) / pi;",
+add("Integration.table-polar-unit", "LobePlacement.h", "this->Polar = std::atan2(sine, d.y) / pi;",
     "this->Polar = std::atan2(sine, d.y) / (2.0 * pi);", "TableReference.ErrorFallsWithSize|Parity.TableIntegrator")
-add("Integration.table-profile-step", "Private/LobePlacement.h", "GetTexel(profile, size * row + low + 1), exact - low);",
+add("Integration.table-profile-step", "LobePlacement.h", "GetTexel(profile, size * row + low + 1), exact - low);",
     "GetTexel(profile, size * row + low), exact - low);",
     "Parity.TableIntegrator|TableReference.ErrorFallsWithSize|TableIntegrator.Continuous")
 add("Integration.hybrid-copy-without-angle", "vtkHybridRadianceIntegrator.cxx",
     "this->SetLightAngle(hybrid->LightAngle);", "", "RadianceMethods.CopiesHaveEveryProperty")
-add("Integration.axes-jump", "Private/LobeViews.cxx", "this->Views[k].Means.Delta = limited[k];", "",
+add("Integration.axes-jump", "LobeViews.cxx", "this->Views[k].Means.Delta = limited[k];", "",
     "LobeViews.AxesMoveSlowly")
-add("Integration.axes-tilt-along-the-normal", "Private/LobeViews.cxx",
+add("Integration.axes-tilt-along-the-normal", "LobeViews.cxx",
     "std::clamp(0.5 * (above + below), -farthest, farthest)", "0.5 * (above + below)", "LobeViews.AxesMoveSlowly")
-add("Core.shared-exponent-rounds-down", "Private/SharedExponent.h",
+add("Core.shared-exponent-rounds-down", "SharedExponent.h",
     "static_cast<std::uint32_t>(value * scale + 0.5f)", "static_cast<std::uint32_t>(value * scale)",
     "SharedExponent.ErrorIsAPartOfTheLargestComponent|SharedExponent.Ends")
-add("Integration.octahedron-folded-once", "Private/LobePlacement.h",
+add("Integration.octahedron-folded-once", "LobePlacement.h",
     "0.5 + 0.5 * (d.y < 0.0 ? side * (1.0 - glm::abs(glm::dvec2(p.y, p.x))) : p)", "0.5 + 0.5 * p",
     "OctahedralMap.ThereAndBack|OctahedralMap.HasNoSeam")
-add("Integration.sharp-share-is-all", "Private/LobeViews.cxx", "cell.Energy - energy / solidAngle * cell.SolidAngle",
+add("Integration.sharp-share-is-all", "LobeViews.cxx", "cell.Energy - energy / solidAngle * cell.SolidAngle",
     "cell.Energy", "LobeViews.TellsSharpFromBroad")
-add("Integration.views-are-not-lifted", "Private/DirectionPairs.h", "LiftView(NormalizeAny(v), normal)",
+add("Integration.views-are-not-lifted", "DirectionPairs.h", "LiftView(NormalizeAny(v), normal)",
     "NormalizeAny(v)", "Integrators.LowViewsAreLifted")
 
 # Metrics
@@ -446,43 +458,43 @@ add("Metrics.rmse-without-root", "vtkRadianceMetrics.cxx", "std::sqrt(squares / 
     "RadianceMetrics.ByHand")
 add("Metrics.coverage-inverted", "vtkRadianceMetrics.cxx", "coverage->GetComponent(k, 0) != 0.0",
     "coverage->GetComponent(k, 0) == 0.0", "PictureMetrics.CoverageAndSize")
-add("Metrics.exposures-do-not-keep-the-largest", "Private/Flip.cxx",
+add("Metrics.exposures-do-not-keep-the-largest", "Flip.cxx",
     "largest[k] = std::max(largest[k], exposed[k]);", "largest[k] = exposed[k];",
     "PictureMetrics.HDRFlipAgreesWithTheAuthors|PictureMetrics.HDRFlipOfABlackBackground")
 add("Metrics.negative-radiance-is-compared", "vtkRadianceMetrics.cxx", "!std::isfinite(value) || value < 0.0",
     "!std::isfinite(value)", "RadianceMetrics.BadInput")
-add("Metrics.itp-constant", "Private/ColorDifference.cxx", "m2 = 2523.0 / 4096.0 * 128.0",
+add("Metrics.itp-constant", "ColorDifference.cxx", "m2 = 2523.0 / 4096.0 * 128.0",
     "m2 = 2523.0 / 4096.0 * 32.0", "RadianceMetrics.DeltaEITP")
-add("Metrics.itp-tritan-weight", "Private/ColorDifference.cxx", "0.5 * (6610.0 * l", "(6610.0 * l",
+add("Metrics.itp-tritan-weight", "ColorDifference.cxx", "0.5 * (6610.0 * l", "(6610.0 * l",
     "RadianceMetrics.DeltaEITP")
-add("Metrics.lab-blue", "Private/ColorDifference.cxx", "200.0 * (t[1] - t[2]) };", "200.0 * (t[2] - t[1]) };",
+add("Metrics.lab-blue", "ColorDifference.cxx", "200.0 * (t[1] - t[2]) };", "200.0 * (t[2] - t[1]) };",
     "PictureMetrics.AgreeWithOtherPrograms|RadianceMetrics.FlipOfFlatPictures")
-add("Metrics.ciede2000-rotation-sign", "Private/ColorDifference.cxx", "+ rotation * c * h", "- rotation * c * h",
+add("Metrics.ciede2000-rotation-sign", "ColorDifference.cxx", "+ rotation * c * h", "- rotation * c * h",
     "PictureMetrics.DeltaE2000OfThePublishedPairs")
-add("Metrics.ciede2000-hue-mean", "Private/ColorDifference.cxx", "std::abs(h1 - h2) > 180.0;",
+add("Metrics.ciede2000-hue-mean", "ColorDifference.cxx", "std::abs(h1 - h2) > 180.0;",
     "std::abs(h1 - h2) > 360.0;", "PictureMetrics.DeltaE2000OfThePublishedPairs")
-add("Metrics.flip-without-features", "Private/Flip.cxx", "Redistribute(HyAB(seenA[k], seenB[k])), 1.0 - feature)",
+add("Metrics.flip-without-features", "Flip.cxx", "Redistribute(HyAB(seenA[k], seenB[k])), 1.0 - feature)",
     "Redistribute(HyAB(seenA[k], seenB[k])), 1.0)",
     "RadianceMetrics.FlipOfDetails|PictureMetrics.AgreeWithOtherPrograms")
-add("Metrics.flip-color-exponent", "Private/Flip.cxx", "ColorExponent = 0.7;", "ColorExponent = 0.8;",
+add("Metrics.flip-color-exponent", "Flip.cxx", "ColorExponent = 0.7;", "ColorExponent = 0.8;",
     "RadianceMetrics.FlipOfFlatPictures|PictureMetrics.AgreeWithOtherPrograms")
-add("Metrics.bytes-are-not-decoded", "Private/PicturePair.cxx",
+add("Metrics.bytes-are-not-decoded", "PicturePair.cxx",
     "std::transform(values.begin(), values.end(), values.begin(), DecodeSRGB);", "",
     "PictureDifference.FiguresByHand|PictureDifference.AgreesWithOtherPrograms")
-add("Metrics.background-shines-through-what-is-opaque", "Private/PicturePair.cxx", "(1.0 - alpha) * background",
+add("Metrics.background-shines-through-what-is-opaque", "PicturePair.cxx", "(1.0 - alpha) * background",
     "alpha * background", "PictureDifference.AlphaOverBlackAndWhite")
-add("Metrics.pictures-over-black-only", "Private/PictureErrors.cxx", "metric.Compute(pair, 1.0)",
+add("Metrics.pictures-over-black-only", "PictureErrors.cxx", "metric.Compute(pair, 1.0)",
     "metric.Compute(pair, 0.0)", "PictureDifference.AlphaOverBlackAndWhite")
-add("Metrics.masks-hide-black-only", "Private/PicturePair.cxx", "mask->GetComponent(k, 0) >= least",
+add("Metrics.masks-hide-black-only", "PicturePair.cxx", "mask->GetComponent(k, 0) >= least",
     "mask->GetComponent(k, 0) > 0.0 * least", "PictureDifference.BorderAndMask")
-add("Metrics.border-of-rows-is-compared", "Private/PicturePair.cxx", "int y = area.Border;", "int y = 0;",
+add("Metrics.border-of-rows-is-compared", "PicturePair.cxx", "int y = area.Border;", "int y = 0;",
     "PictureDifference.BorderOnAllSides")
-add("Metrics.masked-pixels-show-in-their-neighbors", "Private/PicturePair.cxx", "if (isCompared[k])",
+add("Metrics.masked-pixels-show-in-their-neighbors", "PicturePair.cxx", "if (isCompared[k])",
     "if (k < isCompared.size())", "PictureDifference.BorderAndMask")
 add("Metrics.similarities-pass-below-the-threshold", "vtkPictureDifference.cxx",
     "this->Value >= threshold : this->Value <= threshold", "this->Value <= threshold : this->Value <= threshold",
     "PictureDifference.BorderAndMask")
-add("Metrics.ssim-with-cut-windows", "Private/PictureErrors.cxx", "isInside(static_cast<int>(k / width), pair.Height)",
+add("Metrics.ssim-with-cut-windows", "PictureErrors.cxx", "isInside(static_cast<int>(k / width), pair.Height)",
     "true", "PictureDifference.AgreesWithOtherPrograms")
 add("Metrics.heat-map-of-one-scale", "vtkPictureDifference.cxx", "GetMagmaColor(errors[k] / brightest)",
     "GetMagmaColor(errors[k] * brightest)", "PictureDifference.HeatMap")
@@ -502,13 +514,13 @@ add("Metrics.failure-map-least-first", "vtkBRDFFailureMap.cxx", "cells[a].GetErr
 
 # Fitting
 
-add("Fitting.pairs-without-cosine", "Private/FitSamples.cxx", "sample.Weight = sample.O.z / density;",
+add("Fitting.pairs-without-cosine", "FitSamples.cxx", "sample.Weight = sample.O.z / density;",
     "sample.Weight = 1.0 / density;", "Fit.AlbedoIsTheHemispheres|Fit.FiguresAreWhatTheyAreSaidToBe")
-add("Fitting.pairs-density", "Private/FitSamples.cxx", "half * difference / (4.0 * cosD)",
+add("Fitting.pairs-density", "FitSamples.cxx", "half * difference / (4.0 * cosD)",
     "half * difference / (cosD)", "Fit.AlbedoIsTheHemispheres|Fit.FiguresAreWhatTheyAreSaidToBe")
-add("Fitting.holes-count", "Private/FitSamples.cxx", "valid[0] >= 0.5 ? sample.Weight : 0.0",
+add("Fitting.holes-count", "FitSamples.cxx", "valid[0] >= 0.5 ? sample.Weight : 0.0",
     "valid[0] >= 0.5 ? sample.Weight : sample.Weight", "Fit.HolesInATableDoNotCount")
-add("Fitting.cube-root-without-cosine", "Private/FitSamples.cxx", "std::cbrt(f * cosine + CubeRootOffset) -",
+add("Fitting.cube-root-without-cosine", "FitSamples.cxx", "std::cbrt(f * cosine + CubeRootOffset) -",
     "std::cbrt(f + CubeRootOffset) -", "Fit.FiguresAreWhatTheyAreSaidToBe|LossFit.AshikhminShirleyComesBack")
 add("Fitting.figures-of-the-fitted-pairs", "vtkBRDFFitter.cxx", "this->Seed, this->NumberOfSamples,\n    std::max",
     "this->Seed, 0,\n    std::max", "Fit.FiguresAreOfPairsThatTheFitDidNotSee")
@@ -522,12 +534,12 @@ add("Fitting.relative-error-of-the-output", "vtkBRDFFitter.cxx", "total += proje
     "total += projected * f[c] * f[c];", "Fit.RelativeErrorIsRelativeToTheInput")
 add("Fitting.output-without-name", "vtkBRDFFitter.cxx", "result.BRDF->SetName(this->Input->GetName());", "",
     "Fit.OutputIsAMaterialLikeAnyOther")
-add("Fitting.non-negative-gradient", "Private/NonNegativeLeastSquares.cxx", "gradient[k] < -tolerance;",
+add("Fitting.non-negative-gradient", "NonNegativeLeastSquares.cxx", "gradient[k] < -tolerance;",
     "gradient[k] > tolerance;", "LossFit.DistributionComesClose|DistributionFit.AnisotropicTablesComeBack")
-add("Fitting.half-the-cost", "Private/LeastSquares.cxx", "summary.step_is_successful, 2.0 * summary.cost)",
+add("Fitting.half-the-cost", "LeastSquares.cxx", "summary.step_is_successful, 2.0 * summary.cost)",
     "summary.step_is_successful, summary.cost)",
     "Fit.FiguresAreWhatTheyAreSaidToBe|Fit.AshikhminShirleyIsTheLeastOfItsLoss")
-add("Fitting.never-regularized", "Private/ZonalOperators.cxx",
+add("Fitting.never-regularized", "ZonalOperators.cxx",
     "std::sqrt(regularization * total / (4.0 * Pi)) * l * (l + 1.0)", "0.0 * regularization * total * l",
     "Projector.MethodsMinimizeTheirOwnNorm|Projector.ErrorFallsWithTheOrder|Extrapolator.FixedLambda|"
     "Extrapolator.ProblemIsIllPosed")
@@ -542,85 +554,85 @@ add("Fitting.noise-ignores-the-seed", "vtkBRDFAcquisition.cxx", ", Random(seed)"
     "Acquisition.SameSeedSameBits")
 add("Fitting.light-without-cosine", "vtkBRDFAcquisition.cxx", "2.0 * Pi / azimuths * cosine);",
     "2.0 * Pi / azimuths);", "Acquisition.IsTheInnerProduct")
-add("Fitting.pbr-roughness-power", "Private/PBRShading.h", "const double alpha2 = std::pow(roughness, 4);",
+add("Fitting.pbr-roughness-power", "PBRShading.h", "const double alpha2 = std::pow(roughness, 4);",
     "const double alpha2 = std::pow(roughness, 2);", "PropertyFitter.FindsVTKsOwn|PropertyFitter.Gold")
-add("Fitting.pbr-metals-are-diffuse", "Private/PBRShading.h", "(1.0 - p.Metallic) * c * through", "c * through",
+add("Fitting.pbr-metals-are-diffuse", "PBRShading.h", "(1.0 - p.Metallic) * c * through", "c * through",
     "PropertyFitter.FindsVTKsOwn|PropertyFitter.Gold")
 
-add("Fitting.multiplier-is-not-removed", "Private/SimplexLeastSquares.cxx", "this->Z -= this->Multiplier * solved.col(1);", "",
+add("Fitting.multiplier-is-not-removed", "SimplexLeastSquares.cxx", "this->Z -= this->Multiplier * solved.col(1);", "",
     "SimplexLeastSquares.NothingNearbyIsBetter")
-add("Fitting.masked-photographs-count", "Private/TexelSums.cxx", "if (this->IsMasked(k, p) != subtract)",
+add("Fitting.masked-photographs-count", "TexelSums.cxx", "if (this->IsMasked(k, p) != subtract)",
     "if (this->IsMasked(k, p) == subtract)", "MaterialMapFitter.LeavesOutSpoiledPixels")
-add("Fitting.saturated-pixels-count", "Private/PhotographPixels.cxx", "most >= this->Saturation", "most > this->Saturation",
+add("Fitting.saturated-pixels-count", "PhotographPixels.cxx", "most >= this->Saturation", "most > this->Saturation",
     "MaterialMapFitter.IntegersAreSharesOfTheirLargest|MaterialMapFitter.LeavesOutSpoiledPixels")
-add("Fitting.library-without-exchange-of-weights", "Private/TexelWeights.cxx", "solution.Weights.dot(matrix * solution.Weights)",
+add("Fitting.library-without-exchange-of-weights", "TexelWeights.cxx", "solution.Weights.dot(matrix * solution.Weights)",
     "solution.Weights.dot(right)", "MaterialMapFitter.FindsTheMaterialsOfALibraryAndTheirWeights")
-add("Fitting.tables-without-refinement", "Private/TableCompletion.cxx", "cells += smooth(target - model.array().log().matrix());",
+add("Fitting.tables-without-refinement", "TableCompletion.cxx", "cells += smooth(target - model.array().log().matrix());",
     "", "MaterialMapFitter.FindsMaterialsAsTables")
 add("Fitting.noise-without-seed", "vtkSimulatedPhotographSet.cxx", "NormalNumbers noise(this->Seed, index);",
     "NormalNumbers noise(1, index);", "SimulatedPhotographSet.NoiseIsSeededAndHasItsDeviation")
 
 # IO
 
-add("IO.merl-green-and-blue", "Private/MerlFile.cxx", "1.15 / 1500.0, 1.66 / 1500.0 }",
+add("IO.merl-green-and-blue", "MerlFile.cxx", "1.15 / 1500.0, 1.66 / 1500.0 }",
     "1.66 / 1500.0, 1.15 / 1500.0 }", "IOMerl.Reads")
-add("IO.merl-negative-values-are-valid", "Private/MerlFile.cxx", "finite && (!negative || noise);", "finite;",
+add("IO.merl-negative-values-are-valid", "MerlFile.cxx", "finite && (!negative || noise);", "finite;",
     "IOMerl.Reads|IOMerl.CountsWhatIsNotFinite|IOTolerance.MerlNoiseAndPadding")
-add("IO.merl-sizes-in-the-other-order", "Private/MerlFile.cxx",
+add("IO.merl-sizes-in-the-other-order", "MerlFile.cxx",
     "sizes = { dimensions[2], dimensions[1], dimensions[0] };",
     "sizes = { dimensions[0], dimensions[1], dimensions[2] };", "IOMerlRoundTrip.IsExact")
-add("IO.merl-negative-tables-are-written", "Private/MerlFile.cxx", "refused += valid && values[channel] < 0.0f;",
+add("IO.merl-negative-tables-are-written", "MerlFile.cxx", "refused += valid && values[channel] < 0.0f;",
     "refused += 0;", "IOMerlRoundTrip.RefusesOtherTables")
-add("IO.tensor-minor-version", "Private/TensorFile.cxx", "major != 1 || minor != 0", "major != 1",
+add("IO.tensor-minor-version", "TensorFile.cxx", "major != 1 || minor != 0", "major != 1",
     "IOTensor.RefusesBadFiles")
-add("IO.tensor-jacobian-ignored", "Private/TensorFile.cxx", "tables.Jacobian = *field.Data == 1;",
+add("IO.tensor-jacobian-ignored", "TensorFile.cxx", "tables.Jacobian = *field.Data == 1;",
     "tables.Jacobian = true;", "IOTensor.TakesTheJacobianFlag")
-add("IO.tensor-zeros-are-noise", "Private/TensorFile.cxx", "return value < 0.0f && value >= floor;",
+add("IO.tensor-zeros-are-noise", "TensorFile.cxx", "return value < 0.0f && value >= floor;",
     "return value <= 0.0f && value >= floor;", "IOTensor.Reads|IOTolerance.TensorDensitiesWithRoundingNoise")
-add("IO.tensor-overlapping-fields", "Private/TensorFile.cxx", "total += field.second.Bytes;",
+add("IO.tensor-overlapping-fields", "TensorFile.cxx", "total += field.second.Bytes;",
     "total = field.second.Bytes;", "IOTensor.RefusesBadFields")
-add("IO.mbsdf-gray-planes", "Private/MbsdfFile.cxx", "rgb[k] = gray[k / 3];", "rgb[k] = gray[k % cells];",
+add("IO.mbsdf-gray-planes", "MbsdfFile.cxx", "rgb[k] = gray[k / 3];", "rgb[k] = gray[k % cells];",
     "IOMbsdf.Reads")
-add("IO.mbsdf-line-ends-of-dos", "Private/MbsdfFile.cxx",
+add("IO.mbsdf-line-ends-of-dos", "MbsdfFile.cxx",
     "length > 0 && rest[length - 1] == '\\r' ? length - 1 : length", "length", "IOTolerance.MbsdfOfDosAndPadding")
-add("IO.mbsdf-counts-gray-thrice", "Private/MbsdfFile.cxx", "block.Channels == 3 ? 1 : 3;",
+add("IO.mbsdf-counts-gray-thrice", "MbsdfFile.cxx", "block.Channels == 3 ? 1 : 3;",
     "block.Channels == 3 ? 1 : 1;", "IOMbsdf.CountsWhatIsNotFinite|IOMbsdf.Reads")
-add("IO.fits-scale-of-ngan", "Private/FitFile.cxx", "{ 1.0, 1.15, 1.66 }", "{ 1.0, 1.66, 1.15 }", "IOFits.ScalesNgan")
-add("IO.fits-byte-order-mark", "Private/FitFile.cxx", "text.substr(0, mark.size()) == mark ?",
+add("IO.fits-scale-of-ngan", "FitFile.cxx", "{ 1.0, 1.15, 1.66 }", "{ 1.0, 1.66, 1.15 }", "IOFits.ScalesNgan")
+add("IO.fits-byte-order-mark", "FitFile.cxx", "text.substr(0, mark.size()) == mark ?",
     "text.substr(0, 0) == mark ?", "IOTolerance.FitsFromEditors")
-add("IO.fits-low-with-schlick", "Private/FitFile.cxx", "term->SetFresnelModelToDielectric();", "", "IOFits.ReadsLow")
-add("IO.fits-twice-the-same-name", "Private/FitFile.cxx", "if (!inserted.second)", "if (line < 0)",
+add("IO.fits-low-with-schlick", "FitFile.cxx", "term->SetFresnelModelToDielectric();", "", "IOFits.ReadsLow")
+add("IO.fits-twice-the-same-name", "FitFile.cxx", "if (!inserted.second)", "if (line < 0)",
     "IOFits.RefusesBadText")
-add("IO.exr-red-and-blue", "Private/ExrMaterialFile.cxx", '{ "R", "G", "B" }', '{ "B", "G", "R" }',
+add("IO.exr-red-and-blue", "ExrMaterialFile.cxx", '{ "R", "G", "B" }', '{ "B", "G", "R" }',
     "IOExr.ChannelsAreNamedForTheirColors")
-add("IO.exr-half-floats-overflow", "Private/ExrMaterialFile.cxx",
+add("IO.exr-half-floats-overflow", "ExrMaterialFile.cxx",
     "std::isfinite(value) && !rounded.back().isFinite()", "!std::isfinite(value) && !rounded.back().isFinite()",
     "IOHalfFloats.RefusesWhatIsTooLarge")
-add("IO.exr-any-version", "Private/ExrMaterialFile.cxx", "format != JsonFormat || version != JsonVersion",
+add("IO.exr-any-version", "ExrMaterialFile.cxx", "format != JsonFormat || version != JsonVersion",
     "format != JsonFormat", "IOExr.RefusesBadFiles")
-add("IO.exr-terms-under-the-first", "Private/ExrMaterialFile.cxx", "parts, depth + 1));\n    ++index;",
+add("IO.exr-terms-under-the-first", "ExrMaterialFile.cxx", "parts, depth + 1));\n    ++index;",
     "parts, depth + 1));", "IOExrRoundTrip.SumOfSums")
-add("IO.image-alpha-darkens", "Private/ImageDecoder.cxx", '"oiio:UnassociatedAlpha", 1)', '"oiio:UnassociatedAlpha", 0)',
+add("IO.image-alpha-darkens", "ImageDecoder.cxx", '"oiio:UnassociatedAlpha", 1)', '"oiio:UnassociatedAlpha", 0)',
     "IOEnvironment.AlphaOfPngDoesNotDarken")
-add("IO.image-floats-are-encoded", "Private/ImageDecoder.cxx", "image.IsInteger && !SaysLinear(spec);",
+add("IO.image-floats-are-encoded", "ImageDecoder.cxx", "image.IsInteger && !SaysLinear(spec);",
     "!SaysLinear(spec);",
     "IOEnvironment.DecodesIntegerFormats|IOEnvironment.ReadsRadianceFiles")
 add("IO.image-upside-down", "vtkEnvironmentReader.cxx", "for (int y = 0; y < image.Height / 2; ++y)",
     "for (int y = 0; y < image.Height / 4; ++y)", "IOEnvironment.PutsTheTopRowLast")
-add("IO.image-exposure-multiplies", "Private/ImageFile.cxx", "glm::dmat3(1.0 / exposure[0]", "glm::dmat3(exposure[0]",
+add("IO.image-exposure-multiplies", "ImageFile.cxx", "glm::dmat3(1.0 / exposure[0]", "glm::dmat3(exposure[0]",
     "IOImageHeaders.RadianceIsDividedByAllExposures")
-add("IO.image-orders-of-columns", "Private/ImageFile.cxx", "turn % 4 == 1 || turn % 4 == 2", "turn % 4 == 1 || turn % 4 == 3",
+add("IO.image-orders-of-columns", "ImageFile.cxx", "turn % 4 == 1 || turn % 4 == 2", "turn % 4 == 1 || turn % 4 == 3",
     "IOImageHeaders.RadianceHasEightOrders|IOImageHeaders.OrientationTurns")
-add("IO.image-white-is-not-adapted", "Private/Chromaticities.cxx",
+add("IO.image-white-is-not-adapted", "Chromaticities.cxx",
     "GetAdaptation(GetWhite(from), GetWhite(Rec709)) *", "", "IOImageHeaders.ChromaticitiesBecomeRec709")
-add("IO.image-tile-of-any-channels", "Private/ImageFormats.cxx",
+add("IO.image-tile-of-any-channels", "ImageFormats.cxx",
     "static_cast<std::uint64_t>(std::max<std::int64_t>(channels, 1) + 3) / 4", "channels > 0 ? 1 : 1",
     "IOImageHeaders.MemoryFollowsChannelsAndTiles")
-add("IO.image-layer-without-a-name-last", "Private/ImageDecoder.cxx", "layer.ChannelPrefix.empty() ? 1 : 2",
+add("IO.image-layer-without-a-name-last", "ImageDecoder.cxx", "layer.ChannelPrefix.empty() ? 1 : 2",
     "layer.ChannelPrefix.empty() ? 2 : 1", "IOImageHeaders.LayersAreChosenByName")
-add("IO.offset-beyond-the-end", "Private/FileBytes.cxx", "offset > size || count > size - offset",
+add("IO.offset-beyond-the-end", "FileBytes.cxx", "offset > size || count > size - offset",
     "count > size - offset", "IOTensor.RefusesBadFields|IOTensor.RefusesBadFiles|IOTensor.NamesTheFieldAndItsByte")
-add("IO.padding-of-any-length", "Private/FileBytes.cxx", "this->GetRemaining() <= most &&", "",
+add("IO.padding-of-any-length", "FileBytes.cxx", "this->GetRemaining() <= most &&", "",
     "IOTolerance.MerlNoiseAndPadding|IOTolerance.MbsdfOfDosAndPadding|IOMerl.RefusesBadSizes")
 
 add("IO.picture-upside-down", "vtkPictureReader.cxx", "for (int y = file.Height - 1; y >= 0; --y)",
@@ -630,177 +642,177 @@ add("IO.picture-alpha-of-gray", "vtkPictureReader.cxx", "c == colors ? file.Chan
 add("IO.picture-with-nan", "vtkPictureReader.cxx", "return !std::isfinite(value);", "return value > 1e38f;",
     "IOPicture.RefusesBadFiles")
 
-add("IO.photograph-light-is-the-view", "Private/PhotographList.cxx", "angles[2], angles[3], photograph.View",
+add("IO.photograph-light-is-the-view", "PhotographList.cxx", "angles[2], angles[3], photograph.View",
     "angles[0], angles[1], photograph.View", "IOPhotographs.ReadsFoldersNamedAsBonnNamesThem")
 add("IO.photograph-upside-down", "vtkPhotographSetReader.cxx", "for (int y = file.Height - 1; y >= 0; --y)",
     "for (int y = 0; y < file.Height; ++y)", "IOPhotographs.ReadsLists")
 
 # Planning
 
-add("Planning.climb-never-ends", "Private/PlanSearch.cxx", "(!found || this->Task.All)", "true",
+add("Planning.climb-never-ends", "PlanSearch.cxx", "(!found || this->Task.All)", "true",
     "PlanSearch.ClimbsToTheCheapestWithinTheTolerance")
-add("Planning.radiance-need-not-be-finite", "Private/PlanSearch.cxx", "return std::isfinite(value);", "return true;",
+add("Planning.radiance-need-not-be-finite", "PlanSearch.cxx", "return std::isfinite(value);", "return true;",
     "PlanSearch.ClimbsToTheCheapestWithinTheTolerance")
-add("Planning.memory-has-no-bound", "Private/PlanSearch.cxx", "candidate.Bytes <= this->Task.MaximumBytes;", "true;",
+add("Planning.memory-has-no-bound", "PlanSearch.cxx", "candidate.Bytes <= this->Task.MaximumBytes;", "true;",
     "PlanSearch.PassesOverWhatDoesNotFit")
-add("Planning.interaction-is-as-dear", "Private/PlanSearch.cxx", "this->FindBest(InteractiveCost)", "plan.Choice",
+add("Planning.interaction-is-as-dear", "PlanSearch.cxx", "this->FindBest(InteractiveCost)", "plan.Choice",
     "PlanSearch.ClimbsToTheCheapestWithinTheTolerance")
-add("Planning.pictures-have-the-mean", "Private/PlanComparison.cxx", "GetLargestRatio(pictures, comparison.Pairs.Ratios) * (error", "(error",
+add("Planning.pictures-have-the-mean", "PlanComparison.cxx", "GetLargestRatio(pictures, comparison.Pairs.Ratios) * (error", "(error",
     "PlanSearch.EstimatesSinglePictures")
-add("Planning.reference-is-exact", "Private/PlanComparison.cxx", "/ sum, comparison.ReferenceError);", "/ sum, 0.0);",
+add("Planning.reference-is-exact", "PlanComparison.cxx", "/ sum, comparison.ReferenceError);", "/ sum, 0.0);",
     "PlanComparison.AddsChanceAndTheReferencesError")
-add("Planning.percentiles-without-weights", "Private/PlanComparison.cxx", "left += share * weights[k];", "left += share;",
+add("Planning.percentiles-without-weights", "PlanComparison.cxx", "left += share * weights[k];", "left += share;",
     "PlanComparison.AddsChanceAndTheReferencesError")
-add("Planning.nothing-between-pixels", "Private/PlanPairs.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.0;",
+add("Planning.nothing-between-pixels", "PlanPairs.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.0;",
     "PlanPoints.HaveOthersBetween")
-add("Planning.pixels-are-centers-of-crowds", "Private/PlanPairs.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.2;",
+add("Planning.pixels-are-centers-of-crowds", "PlanPairs.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.2;",
     "PlanPoints.AreNoCentersOfCrowds")
-add("Planning.pixels-far-apart-are-neighbors", "Private/PlanPairs.cxx", "constexpr double Apart = 0.3;", "constexpr double Apart = 3.0;",
+add("Planning.pixels-far-apart-are-neighbors", "PlanPairs.cxx", "constexpr double Apart = 0.3;", "constexpr double Apart = 3.0;",
     "PlanPoints.HaveOthersBetween")
-add("Planning.pixels-know-their-own-only", "Private/PlanPairs.cxx", "around += about[neighbor];", "(void)neighbor;",
+add("Planning.pixels-know-their-own-only", "PlanPairs.cxx", "around += about[neighbor];", "(void)neighbor;",
     "PlanPoints.CrowdWhereItVaries")
-add("Planning.crowds-count-as-many", "Private/PlanPairs.cxx", "pairs.Weights.push_back(1.0 / counts[owner]);", "pairs.Weights.push_back(1.0);",
+add("Planning.crowds-count-as-many", "PlanPairs.cxx", "pairs.Weights.push_back(1.0 / counts[owner]);", "pairs.Weights.push_back(1.0);",
     "PlanPoints.CrowdWhereItVaries")
-add("Planning.pictures-know-no-points", "Private/PlanSample.cxx", "points->Weigh(all);", "", "PlanSample.OfPicturesKnowTheirPoints")
-add("Integration.other-half-unmirrored", "Private/DegreeSum.cxx", "getOut(places.Mirror, -m) = sign * (even - odd);",
+add("Planning.pictures-know-no-points", "PlanSample.cxx", "points->Weigh(all);", "", "PlanSample.OfPicturesKnowTheirPoints")
+add("Integration.other-half-unmirrored", "DegreeSum.cxx", "getOut(places.Mirror, -m) = sign * (even - odd);",
     "getOut(places.Mirror, -m) = sign * (even + odd);", "FieldSynthesis.IsTheSumOverHarmonics")
-add("Integration.kinds-that-are-none-count", "Private/FieldSynthesis.cxx", "other.Real.tail(beyond) = other.Imaginary.tail(beyond) = 0.0f;", "",
+add("Integration.kinds-that-are-none-count", "FieldSynthesis.cxx", "other.Real.tail(beyond) = other.Imaginary.tail(beyond) = 0.0f;", "",
     "FieldSynthesis.IsTheSumOverHarmonics")
-add("Integration.panels-miss-a-row", "Private/MatrixProduct.cxx", "this->D += left[3] * of;", "this->D += left[2] * of;",
+add("Integration.panels-miss-a-row", "MatrixProduct.cxx", "this->D += left[3] * of;", "this->D += left[2] * of;",
     "MatrixProduct.PanelsAgreeWithSumsInDouble")
-add("Integration.odd-parts-unturned", "Private/RowTransform.cxx", "turns[j * k % length * (size / length)]", "turns[j * k % length]", "RowTransform.*")
-add("Integration.tiles-without-the-lifted-rings", "Private/TableTiles.cxx", "LiftDarkRingsOfMap(patch.data(), Wide, Wide);", "",
+add("Integration.odd-parts-unturned", "RowTransform.cxx", "turns[j * k % length * (size / length)]", "turns[j * k % length]", "RowTransform.*")
+add("Integration.tiles-without-the-lifted-rings", "TableTiles.cxx", "LiftDarkRingsOfMap(patch.data(), Wide, Wide);", "",
     "TableTiles.NeedTheNodesAboutThem")
-add("Integration.azimuths-turn-backwards", "Private/AzimuthSeries.cxx", "gain * std::sin(angle)", "-gain * std::sin(angle)",
+add("Integration.azimuths-turn-backwards", "AzimuthSeries.cxx", "gain * std::sin(angle)", "-gain * std::sin(angle)",
     "AzimuthSeries.TurnsEachOrder")
-add("Planning.memory-decides-nothing", "Private/PlanSearch.cxx", "(a.Cost == b.Cost && a.Bytes < b.Bytes)", "false",
+add("Planning.memory-decides-nothing", "PlanSearch.cxx", "(a.Cost == b.Cost && a.Bytes < b.Bytes)", "false",
     "Planner.EvaluateAllListsEveryMethod")
-add("Planning.pictures-without-their-density", "Private/PlanComparison.cxx", "std::max(std::sin(turned), LeastSine);", "1.0;",
+add("Planning.pictures-without-their-density", "PlanComparison.cxx", "std::max(std::sin(turned), LeastSine);", "1.0;",
     "PlanPictures.AreWhatCamerasSee")
-add("Planning.store-lends-twice", "Private/MaterialStore.cxx", "  Parts parts = std::move(known->second);\n  this->Entries.erase(known);",
+add("Planning.store-lends-twice", "MaterialStore.cxx", "  Parts parts = std::move(known->second);\n  this->Entries.erase(known);",
     "  Parts parts = known->second;", "MaterialStore.KeepsTheLastOnes")
-add("Planning.store-has-no-bound", "Private/MaterialStore.cxx", "sum > this->MostBytes ?", "false ?", "MaterialStore.KeepsTheLastOnes")
-add("Planning.sample-without-weights", "Private/PlanSample.cxx", "weights[k] / draws[k]", "weights[k]",
+add("Planning.store-has-no-bound", "MaterialStore.cxx", "sum > this->MostBytes ?", "false ?", "MaterialStore.KeepsTheLastOnes")
+add("Planning.sample-without-weights", "PlanSample.cxx", "weights[k] / draws[k]", "weights[k]",
     "PlanSample.LooksWhereMethodsDiffer")
-add("Planning.sample-is-uniform", "Private/PlanSample.cxx", "constexpr double ShareByDifference = 0.35;",
+add("Planning.sample-is-uniform", "PlanSample.cxx", "constexpr double ShareByDifference = 0.35;",
     "constexpr double ShareByDifference = 0.0;", "PlanSample.LooksWhereMethodsDiffer")
-add("Planning.sample-leaves-the-dark-out", "Private/PlanSample.cxx", "(1.0 - ShareByDifference - ShareByRadiance - ShareByWeight)",
+add("Planning.sample-leaves-the-dark-out", "PlanSample.cxx", "(1.0 - ShareByDifference - ShareByRadiance - ShareByWeight)",
     "0.0", "PlanSample.LeavesNothingOut")
-add("Planning.lights-for-mirrors", "Private/PlanReference.cxx", "return task.BRDF->IsIsotropic() &&",
+add("Planning.lights-for-mirrors", "PlanReference.cxx", "return task.BRDF->IsIsotropic() &&",
     "return task.BRDF->IsIsotropic() ||", "PlanReference.KnowsItsErrorUnder*")
-add("Planning.lights-without-error", "Private/PlanReference.cxx", "error = own + fewer;",
+add("Planning.lights-without-error", "PlanReference.cxx", "error = own + fewer;",
     "error = 0.0;", "PlanReference.IsNearlyExact")
-add("Planning.between-is-inside", "Private/PlanPairs.cxx", "isFirst ? 0.0 : Reach * (2.0 * this->Draw() - 1.0);",
+add("Planning.between-is-inside", "PlanPairs.cxx", "isFirst ? 0.0 : Reach * (2.0 * this->Draw() - 1.0);",
     "isFirst ? 0.0 : 0.5 * Reach * this->Draw();", "PlanPoints.HaveOthersBetween")
-add("Planning.memory-without-the-material", "Private/PlanSearch.cxx",
+add("Planning.memory-without-the-material", "PlanSearch.cxx",
     "candidate.Bytes += static_cast<vtkIdType>(form.GetTextureBytes());", "",
     "Planner.TextureMemoryOfTheMaterial")
-add("Planning.own-methods-stop-the-search", "Private/PlanSearch.cxx",
+add("Planning.own-methods-stop-the-search", "PlanSearch.cxx",
     "if (this->Task.IsAborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))",
     "if (this->Task.IsAborted() || !candidate.Method.empty())", "RadianceMethods.WhatFailsIsLeftOutWithAWarning")
-add("Planning.normals-over-half-a-turn", "Private/PlanPairs.cxx", "const double turn = RadicalInverse(index, 3);",
+add("Planning.normals-over-half-a-turn", "PlanPairs.cxx", "const double turn = RadicalInverse(index, 3);",
     "const double turn = 0.5 * RadicalInverse(index, 3);", "PlanSample.CrowdsAboutLamps")
-add("Planning.lamps-without-weights", "Private/PlanPairs.cxx", "const double density = share * lamps.GetDensity(mirror);",
+add("Planning.lamps-without-weights", "PlanPairs.cxx", "const double density = share * lamps.GetDensity(mirror);",
     "const double density = 0.0;", "PlanSample.CrowdsAboutLamps")
-add("Planning.no-pairs-at-lamps", "Private/PlanPairs.cxx", "constexpr double LampShare = 0.5;",
+add("Planning.no-pairs-at-lamps", "PlanPairs.cxx", "constexpr double LampShare = 0.5;",
     "constexpr double LampShare = 0.0;", "PlanSample.CrowdsAboutLamps")
 
 # Rendering
 
-add("Rendering.texture-of-bytes-is-linear", "Private/TextureEnvironment.cxx",
+add("Rendering.texture-of-bytes-is-linear", "TextureEnvironment.cxx",
     "(texture->GetUseSRGBColorSpace() || hasHarmonics)", "texture->GetUseSRGBColorSpace()", "TextureEncoding.IsAsVtkTakesIt")
-add("Rendering.stand-in-of-the-other-kind", "Private/SharedIntegrators.cxx",
+add("Rendering.stand-in-of-the-other-kind", "SharedIntegrators.cxx",
     "IsMirrorLike(brdf) ?", "!IsMirrorLike(brdf) ?", "Background.MoreRowsForMirrorLikeMaterialsUnderPanels")
-add("Rendering.stand-in-is-the-material", "Private/StandInBRDF.cxx",
+add("Rendering.stand-in-is-the-material", "StandInBRDF.cxx",
     "vtkSmartPointer<vtkBRDF>::Take(this->Material->NewQuickRenderable());", "this->Material->GetRenderable();",
     "Background.ACoarseFormForShadersUntilThePlan")
-add("Rendering.stand-in-form-for-nobody", "Private/StandInBRDF.cxx", "made->Material = material;",
+add("Rendering.stand-in-form-for-nobody", "StandInBRDF.cxx", "made->Material = material;",
     "made->Material = material;\n  made->GetRenderable();", "StandIns.NoFormWhereNoLightNeedsIt")
-add("Rendering.plan-learns-of-no-light", "Private/CurrentPlan.cxx", "this->Job->WantForm();", "",
+add("Rendering.plan-learns-of-no-light", "CurrentPlan.cxx", "this->Job->WantForm();", "",
     "StandIns.LightsThatComeWhileAPlanIsMade")
-add("Rendering.failed-plan-begun-again", "Private/CurrentPlan.cxx", "this->Adopt(wanted, done ? job->GetPlan() : nullptr);",
+add("Rendering.failed-plan-begun-again", "CurrentPlan.cxx", "this->Adopt(wanted, done ? job->GetPlan() : nullptr);",
     "this->Adopt(job->GetPlan() ? wanted : PlanInputs(), job->GetPlan());",
     "StandIns.PlansThatFail")
-add("Rendering.failed-stand-in-tried-again", "Private/BRDFTextures.cxx", "if (time <= this->FailureTime)",
+add("Rendering.failed-stand-in-tried-again", "BRDFTextures.cxx", "if (time <= this->FailureTime)",
     "if (time < 0 * this->FailureTime)", "StandIns.ThoseThatFailAreTriedOnce")
-add("Rendering.plans-beside-stand-ins", "Private/PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->IsStopped; }",
+add("Rendering.plans-beside-stand-ins", "PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->IsStopped; }",
     "{ return this->Holds < 9; }", "SideBySide.HeldUntilSomebodyWaits")
-add("Rendering.wait-for-what-is-held", "Private/PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->IsStopped; }",
+add("Rendering.wait-for-what-is-held", "PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->IsStopped; }",
     "{ return this->Holds == 0; }", "SideBySide.HeldUntilSomebodyWaits")
-add("Rendering.refused-occlusion-unsaid", "Private/MaterialDrawingOcclusion.cxx", "if (refused > 0)",
+add("Rendering.refused-occlusion-unsaid", "MaterialDrawingOcclusion.cxx", "if (refused > 0)",
     "if (refused > 9)", "OcclusionBlocks.SomeHaveArrays")
-add("Material.cells-of-one-side-only", "Private/HalfDifferenceFill.cxx",
+add("Material.cells-of-one-side-only", "HalfDifferenceFill.cxx",
     "const bool mirrored = !reciprocal && IsMirroredAtH(input);", "const bool mirrored = !reciprocal;",
     "HalfDifferenceFill.EachCellHoldsItsOwnValue")
-add("Material.cells-slide-too-early", "Private/HalfDifferenceFill.cxx", "cell.IsSlid ? value : nullptr",
+add("Material.cells-slide-too-early", "HalfDifferenceFill.cxx", "cell.IsSlid ? value : nullptr",
     "cell.IsSlid || y > 2 ? value : nullptr", "HalfDifferenceFill.EachCellHoldsItsOwnValue")
 add("Material.resampled-from-seven-corners", "vtkBRDFResampler.cxx", "corner < 8; ++corner", "corner < 7; ++corner",
     "Resampler.ErrorFallsAndIsReported")
-add("Material.quick-for-another-tolerance", "Private/RenderableTable.h", "this->Table && this->Tolerance == tolerance",
+add("Material.quick-for-another-tolerance", "RenderableTable.h", "this->Table && this->Tolerance == tolerance",
     "this->Table && tolerance > 0.0", "QuickTables.StandInUntilTheRealOneIsMade")
 add("Integration.quick-is-slow", "vtkTableRadianceIntegrator.cxx", "std::make_shared<Precomputation>(this->Quick)",
     "std::make_shared<Precomputation>()", "Tables.QuickOnesEvaluateLittle")
-add("Rendering.plan-key-without-pixels-of-the-light", "Private/PlanJob.h", "this->Environment, this->PixelsTime,",
+add("Rendering.plan-key-without-pixels-of-the-light", "PlanJob.h", "this->Environment, this->PixelsTime,",
     "this->Environment, vtkMTimeType(0),", "Background.EverythingThatCountsBeginsAnother")
-add("Rendering.plan-key-without-tolerance", "Private/PlanJob.h", "this->PixelsTime, this->Tolerance,",
+add("Rendering.plan-key-without-tolerance", "PlanJob.h", "this->PixelsTime, this->Tolerance,",
     "this->PixelsTime, 0.0,", "Background.EverythingThatCountsBeginsAnother")
-add("Rendering.seen-pairs-turned-the-other-way", "Private/PlanJob.cxx", "turned = toWorld * direction;",
+add("Rendering.seen-pairs-turned-the-other-way", "PlanJob.cxx", "turned = toWorld * direction;",
     "turned = direction * toWorld;", "Views.ATurnedLightIsTurnedPixels")
-add("Rendering.plan-without-tolerance", "Private/PlanJob.cxx", "planner->SetErrorTolerance(inputs.Tolerance);",
+add("Rendering.plan-without-tolerance", "PlanJob.cxx", "planner->SetErrorTolerance(inputs.Tolerance);",
     "", "Background.EverythingThatCountsBeginsAnother|Auto.PlansOnce|Auto.MatchesThePlannedIntegrator")
-add("Rendering.plan-bridges-changed-pixels", "Private/CurrentPlan.cxx",
+add("Rendering.plan-bridges-changed-pixels", "CurrentPlan.cxx",
     "this->Plan->GetEnvironment()->GetPixelsMTime() == this->Times[1];", "this->Times[1] > 0;",
     "Background.ChangedPixelsAreNotBridgedByAPlanOfThem")
-add("Rendering.view-ignores-the-mesh", "Private/MapperPlans.cxx", "from == view.From && times == view.Times",
+add("Rendering.view-ignores-the-mesh", "MapperPlans.cxx", "from == view.From && times == view.Times",
     "from == view.From", "Views.WhatIsSeenDependsOn")
-add("Rendering.view-ignores-the-actor", "Private/MapperPlans.cxx", "matrix->GetData() + 16);",
+add("Rendering.view-ignores-the-actor", "MapperPlans.cxx", "matrix->GetData() + 16);",
     "matrix->GetData() + (matrix == request.Actor->GetMatrix() ? 0 : 16));", "Views.WhatIsSeenDependsOn")
-add("Rendering.views-of-gone-actors-stay", "Private/MapperPlans.cxx", "(std::get<2>(key) && !this->Actor);", "false;",
+add("Rendering.views-of-gone-actors-stay", "MapperPlans.cxx", "(std::get<2>(key) && !this->Actor);", "false;",
     "Views.GoWithTheirRenderersAndActors")
-add("Rendering.back-is-seen", "Private/VisibleSurface.cxx", "glm::dot(mean, view) > 0.0;",
+add("Rendering.back-is-seen", "VisibleSurface.cxx", "glm::dot(mean, view) > 0.0;",
     "glm::dot(mean, view) < 0.0;", "Visible.ConesShowTheirFlank|Visible.SpheresCoverTheirDiscs")
-add("Rendering.strips-are-not-turned", "Private/VisibleSurface.cxx", "cells.Strips && corner % 2 == 1", "false",
+add("Rendering.strips-are-not-turned", "VisibleSurface.cxx", "cells.Strips && corner % 2 == 1", "false",
     "Visible.StripsAndLargeMeshesAreAlike")
-add("Rendering.far-parts-count-as-near-ones", "Private/VisibleSurface.cxx",
+add("Rendering.far-parts-count-as-near-ones", "VisibleSurface.cxx",
     "this->Parallel ? 1.0 : 1.0 / std::max(glm::dot(away, away), 1e-30);", "1.0 + 0.0 * away.x;",
     "Visible.WhatIsNearCountsForMore")
-add("Rendering.normals-turn-as-points", "Private/VisibleSurface.cxx",
+add("Rendering.normals-turn-as-points", "VisibleSurface.cxx",
     "NormalToWorld(glm::transpose(glm::inverse(glm::dmat3(toWorld))))", "NormalToWorld(glm::dmat3(toWorld))",
     "Visible.ActorsAreTransformed")
-add("Rendering.what-is-outside-counts", "Private/VisibleSurface.cxx", "if (!eye.Sees(point) || ", "if (",
+add("Rendering.what-is-outside-counts", "VisibleSurface.cxx", "if (!eye.Sees(point) || ", "if (",
     "Visible.OnlyWhatIsInThePictureCounts")
-add("Rendering.left-tables-go-on", "Private/PlanJob.cxx", "return this->Planner->GetAbort(); });", "return false; });",
+add("Rendering.left-tables-go-on", "PlanJob.cxx", "return this->Planner->GetAbort(); });", "return false; });",
     "CurrentPlan.LeavesResamplingInTheMiddle")
-add("Rendering.left-jobs-are-kept", "Private/PlanJob.cxx", "GetQueue().Leave(std::exchange(owned, nullptr));", "GetQueue().Leave(owned);",
+add("Rendering.left-jobs-are-kept", "PlanJob.cxx", "GetQueue().Leave(std::exchange(owned, nullptr));", "GetQueue().Leave(owned);",
     "Background.ItsEndLeavesNothing")
-add("Rendering.left-plans-go-on", "Private/PlanJob.cxx", "job->Planner->SetAbort(true);\n    }\n  }\n\n  /// goesOn", "}\n  }\n\n  /// goesOn",
+add("Rendering.left-plans-go-on", "PlanJob.cxx", "job->Planner->SetAbort(true);\n    }\n  }\n\n  /// goesOn", "}\n  }\n\n  /// goesOn",
     "Background.AChangeStopsWhatIsInTheMaking")
-add("Rendering.changed-materials-are-not-redrawn", "Private/MaterialSettings.cxx", "add(this->BRDF);", "",
+add("Rendering.changed-materials-are-not-redrawn", "MaterialSettings.cxx", "add(this->BRDF);", "",
     "Mapper.RebuildsExactlyWhenItMust|Scene.RedrawTimeFollowsAppearance")
-add("Rendering.largest-tolerance", "Private/MaterialSettings.h", "LargestTolerance = 1.0;",
+add("Rendering.largest-tolerance", "MaterialSettings.h", "LargestTolerance = 1.0;",
     "LargestTolerance = 10.0;", "Auto.TolerancesAreClampedWithAWarning")
-add("Rendering.selection-plans", "Private/DrawsColor.cxx", "if (renderer->GetSelector())", "if (!renderer)",
+add("Rendering.selection-plans", "DrawsColor.cxx", "if (renderer->GetSelector())", "if (!renderer)",
     "Views.SelectionNeedsNoPlans")
-add("Rendering.hidden-lines-plan", "Private/DrawsColor.cxx", "return mask[0] || mask[1] || mask[2];", "return true;",
+add("Rendering.hidden-lines-plan", "DrawsColor.cxx", "return mask[0] || mask[1] || mask[2];", "return true;",
     "Views.HiddenLinesNeedNoPlans")
-add("Rendering.cube-faces-upside-down", "Private/TextureEnvironment.cxx", "low < high; low += row",
+add("Rendering.cube-faces-upside-down", "TextureEnvironment.cxx", "low < high; low += row",
     "high < low; low += row", "Mapper.CubeMapTexture")
-add("Rendering.textures-never-repeat", "Private/BRDFTextures.cxx", "texture.Repeat[axis] ? vtkTextureObject::Repeat",
+add("Rendering.textures-never-repeat", "BRDFTextures.cxx", "texture.Repeat[axis] ? vtkTextureObject::Repeat",
     "texture.Repeat[axis] ? vtkTextureObject::ClampToEdge", "Parity.Tables|Parity.TableIntegrator")
-add("Rendering.padding-is-transparent", "Private/BRDFTextures.cxx", "triples[k + 2], 1.0f });",
+add("Rendering.padding-is-transparent", "BRDFTextures.cxx", "triples[k + 2], 1.0f });",
     "triples[k + 2], 0.0f });", "Parity.Tables",
     equivalent="shaders read only red, green and blue of textures that have no fourth component")
-add("Rendering.hard-lights-get-soft-textures", "Private/BRDFTextures.cxx",
+add("Rendering.hard-lights-get-soft-textures", "BRDFTextures.cxx",
     "return FindShared(brdf, softLights, window);", "return FindShared(brdf, true, window);",
     "Mapper.SoftLightsOfTablesCostHardOnesNothing")
-add("Rendering.block-indices-from-one", "Private/BlockMaterials.cxx", "index = this->Next++;",
+add("Rendering.block-indices-from-one", "BlockMaterials.cxx", "index = this->Next++;",
     "index = ++this->Next;", "Composite.MaterialsOfBlocks")
-add("Rendering.block-behind-the-last", "Private/BlockMaterials.cxx", "if (index >= this->Next)",
+add("Rendering.block-behind-the-last", "BlockMaterials.cxx", "if (index >= this->Next)",
     "if (index > this->Next)", "Composite.MissingBlocksAreSaidOnce")
-add("Rendering.blocks-do-not-inherit", "Private/BlockMaterials.cxx", "this->Visit(child, material);",
+add("Rendering.blocks-do-not-inherit", "BlockMaterials.cxx", "this->Visit(child, material);",
     "this->Visit(child, this->Settings.BRDF);", "Composite.MaterialsOfBlocks")
 
-add("Rendering.scene-lights-stay", "Private/MaterialDrawing.cxx",
+add("Rendering.scene-lights-stay", "MaterialDrawing.cxx",
     '(this->Settings->UseSceneLights ? "" : "/environment only")', "std::string()", "MapperShading.SceneLights")
 
 # Sources
@@ -813,37 +825,37 @@ add("Sources.lobe-open-at-its-seam", "vtkBRDFLobeSource.cxx", "(k + 1) % this->C
     "LobeSource.TheSurface")
 add("Sources.slice-range-ends-early", "vtkBRDFSliceSource.cxx", "static_cast<double>(index) / (number - 1)",
     "static_cast<double>(index) / number", "SliceSource.RowsHold")
-add("Sources.phi-h-forgotten", "Private/MaterialSource.h", "const double s = std::sin(phiH * Degree);",
+add("Sources.phi-h-forgotten", "MaterialSource.h", "const double s = std::sin(phiH * Degree);",
     "const double s = 0.0;", "SliceSource.RowsHold")
-add("Sources.below-the-horizon-is-valid", "Private/MaterialSource.h", "i.z > 1e-9 && o.z > 1e-9", "i.z > 1e-9",
+add("Sources.below-the-horizon-is-valid", "MaterialSource.h", "i.z > 1e-9 && o.z > 1e-9", "i.z > 1e-9",
     "SliceSource.RowsHold|ImageSource.Pixels")
 add("Sources.image-at-pixel-corners", "vtkBRDFImageSource.cxx", "(static_cast<double>(extent[0] + k % width) + 0.5)",
     "static_cast<double>(extent[0] + k % width)", "ImageSource.Pixels")
-add("Sources.material-changes-unseen", "Private/MaterialSource.h", "std::max(time, brdf->GetMTime())", "time",
+add("Sources.material-changes-unseen", "MaterialSource.h", "std::max(time, brdf->GetMTime())", "time",
     "Sources.FollowTheirMaterial")
 
 # Visibility
 
-add("Visibility.edges-of-one-sign", "Private/TriangleSet.h", "(u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0",
+add("Visibility.edges-of-one-sign", "TriangleSet.h", "(u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0",
     "(u < 0.0 || v < 0.0 || w < 0.0) || (u > 0.0", "EitherTracer.IsWatertight|EitherTracer.DescribesTheHit")
-add("Visibility.offset-to-the-other-side", "Private/SurfaceTracer.cxx", "origin[c] = point[c] + side * n[c];",
+add("Visibility.offset-to-the-other-side", "SurfaceTracer.cxx", "origin[c] = point[c] + side * n[c];",
     "origin[c] = point[c] - side * n[c];", "EitherTracer.PointsOfASphereSeeOut")
-add("Visibility.strips-turn-over", "Private/TriangleSet.cxx", "{ ids[k - 2], ids[k - 1 + k % 2], ids[k - k % 2] }",
+add("Visibility.strips-turn-over", "TriangleSet.cxx", "{ ids[k - 2], ids[k - 1 + k % 2], ids[k - k % 2] }",
     "{ ids[k - 2], ids[k - 1], ids[k] }", "EitherTracer.ReadsStrips")
-add("Visibility.matrix-by-columns", "Private/TriangleSet.cxx", "m[4 * c + 2] * p.z + m[4 * c + 3]",
+add("Visibility.matrix-by-columns", "TriangleSet.cxx", "m[4 * c + 2] * p.z + m[4 * c + 3]",
     "m[4 * c + 2] * p.z + m[12 + c]", "EitherTracer.DescribesTheHit")
-add("Visibility.farthest-triangle", "Private/TriangleTree.cxx", "ray.Most = t = at;", "t = at;",
+add("Visibility.farthest-triangle", "TriangleTree.cxx", "ray.Most = t = at;", "t = at;",
     "SurfaceTracer.BackendsAgree")
 
-add("Visibility.points-below-the-facet", "Private/vtkTracedSurfaces.cxx", "return from.Position + this->Tracer->GetOffset()",
+add("Visibility.points-below-the-facet", "vtkTracedSurfaces.cxx", "return from.Position + this->Tracer->GetOffset()",
     "return from.Position - this->Tracer->GetOffset()", "Traced.TwoSidedSheets")
-add("Visibility.no-lift-above-facets", "Private/vtkTracedSurfaces.cxx", "point.Position += lift;", "",
+add("Visibility.no-lift-above-facets", "vtkTracedSurfaces.cxx", "point.Position += lift;", "",
     "Traced.ConvexSurfacesHideNothing")
-add("Integration.traced-one-bounce-too-many", "Private/TracedRadiance.cxx", "for (int k = 0; k < bounces; ++k)",
+add("Integration.traced-one-bounce-too-many", "TracedRadiance.cxx", "for (int k = 0; k < bounces; ++k)",
     "for (int k = 0; k <= bounces; ++k)", "Traced.BowlsAndFurnaces")
-add("Integration.traced-density-without-cosine", "Private/TracedRadiance.cxx",
+add("Integration.traced-density-without-cosine", "TracedRadiance.cxx",
     "shares[ByCosine] * draw.Local.z / Pi", "shares[ByCosine] / Pi", "Traced.BowlsAndFurnaces|Traced.AgreesWithMitsuba")
-add("Integration.sky-density-of-the-whole-map", "Private/SkySampler.cxx", "width * height / (2.0 * Pi * Pi * cosine)",
+add("Integration.sky-density-of-the-whole-map", "SkySampler.cxx", "width * height / (2.0 * Pi * Pi * cosine)",
     "width * height / (4.0 * Pi * Pi * cosine)", "Traced.WaysToTraceAgree|Traced.ThinSlits")
 add("Planning.occlusion-tolerance-adds-up", "vtkOcclusionPredictor.cxx",
     "tolerance * tolerance - planError * planError", "tolerance * tolerance + planError * planError",
@@ -887,17 +899,17 @@ add("Shaders.basis-is-not-clamped", "vtkBRDFBasis.glsl", "return max(sum, vec3(0
     "Parity.NegativeSumsAreZeroForEachLight")
 add("Shaders.grazing-views-are-not-lifted", "vtkBRDFBegin.glsl", "brdfLiftView(brdfView * brdfFrame)",
     "brdfView * brdfFrame", "MapperShading.GrazingViews")
-add("Rendering.environment-does-not-turn", "Private/EnvironmentRotation.cxx", "toView->GetElement(column, k) * axes[row][k]",
+add("Rendering.environment-does-not-turn", "EnvironmentRotation.cxx", "toView->GetElement(column, k) * axes[row][k]",
     "(column == k ? axes[row][k] : 0.0)",
     "Mapper.RotatingEverythingChangesNothing")
 add("Shaders.directional-light-without-cosine", "vtkBRDFDirectionalLight.glsl", "* radiance * brdfLight.z;",
     "* radiance;", "Mapper.SceneLights")
-add("Rendering.created-light-shines", "Private/DrawsColor.cxx",
+add("Rendering.created-light-shines", "DrawsColor.cxx",
     "light->GetSwitch() && IsCreated(light, renderer)", "IsCreated(light, renderer) && number < 0", "MapperShading.LightThatVTKCreated")
-add("Rendering.created-light-is-never-on", "Private/DrawsColor.cxx",
+add("Rendering.created-light-is-never-on", "DrawsColor.cxx",
     "isLit ? lights->GetNextLight(it) : nullptr", "lights->GetNextLight(it)",
     "MapperShading.LightThatVTKCreated")
-add("Rendering.left-out-light-is-no-part-of-the-key", "Private/vtkMeasuredBRDFMapperMixin.txx",
+add("Rendering.left-out-light-is-no-part-of-the-key", "vtkMeasuredBRDFMapperMixin.txx",
     "std::to_string(this->FindSuperfluousLight(ren))", 'std::string("x")', "MapperShading.LightThatVTKCreated")
 add("Shaders.headlight-without-cosine", "vtkBRDFHeadlight.glsl", "* radiance * brdfLight.z;", "* radiance;",
     "MapperShading.HeadlightOnATiltedPlane")
@@ -926,47 +938,47 @@ add("Shaders.table-azimuth-slices", "vtkBRDFEnvironmentTable.glsl", "fract(psi) 
     "fract(psi) * (slices - 2.0)", "Parity.TableIntegrator")
 add("Shaders.table-floor-of-another-part", "vtkBRDFEnvironmentTable.glsl", "(pairs.rgb - whole) * brdfTableLambertINSTANCE", "whole * brdfTableLambertINSTANCE",
     "Parity.TableIntegrator")
-add("Integration.shader-profile-of-the-view-before", "Private/ShaderProfile.h", "return static_cast<double>(texel) /",
+add("Integration.shader-profile-of-the-view-before", "ShaderProfile.h", "return static_cast<double>(texel) /",
     "return (static_cast<double>(texel) - 0.5) /",
     "ShaderProfile.HoldsWhatIsInterpolated")
-add("Material.shirley-lanes-of-one-exponent", "Private/AshikhminShirleyLanes.cxx", "this->Exponents[1] * ySquare", "this->Exponents[0] * ySquare",
+add("Material.shirley-lanes-of-one-exponent", "AshikhminShirleyLanes.cxx", "this->Exponents[1] * ySquare", "this->Exponents[0] * ySquare",
     "AshikhminShirleyLanes.AreTheModelInEachForm")
-add("Material.lane-logarithm-near-zero-everywhere", "Private/LanePowers.h", "ratio = s > few ? large : small;", "ratio = small;",
+add("Material.lane-logarithm-near-zero-everywhere", "LanePowers.h", "ratio = s > few ? large : small;", "ratio = small;",
     "LanePowers.AreThoseOfDoublePrecision")
-add("Integration.lanes-of-whoever-derives", "Private/LightLanes.cxx", "brdf && typeid(*brdf) == typeid(BRDF)", "dynamic_cast<BRDF*>(brdf)",
+add("Integration.lanes-of-whoever-derives", "LightLanes.cxx", "brdf && typeid(*brdf) == typeid(BRDF)", "dynamic_cast<BRDF*>(brdf)",
     "LightLanes.AreTheMaterial")
-add("Integration.lanes-of-the-last-term", "Private/LightLanes.cxx", "term > 0 ? sum[k] : 0.0f", "0.0f",
+add("Integration.lanes-of-the-last-term", "LightLanes.cxx", "term > 0 ? sum[k] : 0.0f", "0.0f",
     "LightLanes.AreTheMaterial")
-add("Integration.shader-weights-all-in-the-integral-part", "Private/ShaderWeights.cxx", "1.0 : 1.0 / Fractions", "1.0 : 1.0",
+add("Integration.shader-weights-all-in-the-integral-part", "ShaderWeights.cxx", "1.0 : 1.0 / Fractions", "1.0 : 1.0",
     "ShaderWeights.HoldsThoseOfModes")
-add("Integration.core-weights-of-another-channel", "Private/RadianceCore.cxx", "make_vec3(&this->Units[3 * k])", "vec3(this->Units[3 * k])",
+add("Integration.core-weights-of-another-channel", "RadianceCore.cxx", "make_vec3(&this->Units[3 * k])", "vec3(this->Units[3 * k])",
     "Parity.FactoredIntegrator")
-add("Integration.core-weights-without-their-signs", "Private/ShaderWeights.cxx", '" *= abs(" + low', '" *= (" + low', "Parity.FactoredIntegrator")
+add("Integration.core-weights-without-their-signs", "ShaderWeights.cxx", '" *= abs(" + low', '" *= (" + low', "Parity.FactoredIntegrator")
 add("Shaders.lamps-parts-by-the-count", "vtkBRDFEnvironmentLamps.glsl", "floor(whole.a / COUNT_BASE)", "whole.a - COUNT_BASE * floor(whole.a / COUNT_BASE)",
     "Parity.HybridOfWideLamps")
-add("Integration.lamps-count-one-part-more", "Private/TableLamps.cxx", "CountBase * start + std::max", "CountBase * start + 1 + std::max",
+add("Integration.lamps-count-one-part-more", "TableLamps.cxx", "CountBase * start + std::max", "CountBase * start + 1 + std::max",
     "Parity.HybridOfWideLamps")
-add("Integration.lamps-window-with-an-edge", "Private/LampWindow.h", "x < 1.0 ? root * root : 0.0", "x < 1.0 ? 1.0 : 0.0",
+add("Integration.lamps-window-with-an-edge", "LampWindow.h", "x < 1.0 ? root * root : 0.0", "x < 1.0 ? 1.0 : 0.0",
     "LampWindow.EndsWithoutAnEdge|HybridLamps.NothingShowsWhereTheWindowEnds")
-add("Integration.lamps-in-the-table-again", "Private/LobeHarmonics.cxx", "1.0 - window.GetWeight(i, axis)", "1.0",
+add("Integration.lamps-in-the-table-again", "LobeHarmonics.cxx", "1.0 - window.GetWeight(i, axis)", "1.0",
     "HybridLamps.AddUpToTheLamps")
 add("Integration.lamps-as-points", "vtkHybridRadianceIntegrator.cxx", "lamps ? lamps->GetSpread(", "lamps ? 0.0 * lamps->GetSpread(",
     "HybridLamps.AreAreasForNarrowLobes")
 add("Shaders.lamps-of-one-part", "vtkBRDFEnvironmentLamps.glsl", "isWhole || part >=", "isWhole || part + 8.0 >=",
     "Parity.HybridOfWideLamps")
-add("Integration.lamps-have-no-parts", "Private/MaterialPrecomputation.cxx", "LampBRDF::IsWidthSeen(views, spread)", "LampBRDF::IsWidthSeen(views, 0.0 * spread)",
+add("Integration.lamps-have-no-parts", "MaterialPrecomputation.cxx", "LampBRDF::IsWidthSeen(views, spread)", "LampBRDF::IsWidthSeen(views, 0.0 * spread)",
     "HybridLamps.HaveParts")
 add("Integration.lamps-of-resampled-materials", "vtkHybridRadianceIntegrator.cxx", "!this->BRDF->IsRenderable()", "this->BRDF == nullptr",
     "HybridLamps.MaterialsWithoutGLSLTakeTheTableOfMeans")
-add("Integration.lamps-parts-are-the-first", "Private/TableLamps.cxx", "    first += count;\n", "", "Parity.HybridOfWideLamps")
-add("Integration.lamp-lobes-of-half-a-turn", "Private/LampBRDF.cxx", "FindCorners(2.0 * std::abs(u.x)", "FindCorners(std::abs(u.x)",
+add("Integration.lamps-parts-are-the-first", "TableLamps.cxx", "    first += count;\n", "", "Parity.HybridOfWideLamps")
+add("Integration.lamp-lobes-of-half-a-turn", "LampBRDF.cxx", "FindCorners(2.0 * std::abs(u.x)", "FindCorners(std::abs(u.x)",
     "LampBRDF.IsTheMeanOverALamp")
-add("Integration.lamps-seen-from-the-horizon", "Private/LobeViews.cxx", "GetAngle(k) <= farthest", "GetAngle(k) <= Pi",
+add("Integration.lamps-seen-from-the-horizon", "LobeViews.cxx", "GetAngle(k) <= farthest", "GetAngle(k) <= Pi",
     "LampBRDF.IsForLobesAsNarrowAsLamps")
-add("Lighting.lamps-of-one-texel-are-points", "Private/ExtractedEmitters.cxx", "0.5 * (row * row + column * column) / 6.0", "0.0",
+add("Lighting.lamps-of-one-texel-are-points", "ExtractedEmitters.cxx", "0.5 * (row * row + column * column) / 6.0", "0.0",
     "ExtractedEmitters.LampsAreOneLightEach|HybridLamps.AreAreasForNarrowLobes")
 add("Shaders.lamp-lobes-of-half-a-turn", "vtkBRDFEnvironmentLampLobe.glsl", "u.x = 2.0 * abs", "u.x = abs", "Parity.HybridOfWideLamps")
-add("Integration.lamps-lambert-part-twice", "Private/TableLamps.cxx", "(f - lambert) * part.Irradiance", "f * part.Irradiance",
+add("Integration.lamps-lambert-part-twice", "TableLamps.cxx", "(f - lambert) * part.Irradiance", "f * part.Irradiance",
     "HybridLamps.AddUpToTheLamps|Parity.HybridIntegrator")
 add("Shaders.lamps-only-the-first", "vtkBRDFEnvironmentLamps.glsl", "while (found != 0)", "while (false)",
     "Parity.HybridOfManyLamps")
@@ -984,7 +996,7 @@ add("Material.btdf-sum-not-through-the-surface", "vtkAngleBasisBRDF.cxx", "(view
     "Transmission.SumsMatricesExactly|IOTransmission.TransmittanceIsTheMatrixSum")
 add("Material.btdf-patches-alike", "vtkAngleBasisBRDF.cxx", "Pi * (outer * outer - inner * inner)", "Pi * (outer - inner)",
     "IOTransmission.TransmittanceIsTheMatrixSum")
-add("IO.bsdf-xml-sides-of-transmission", "Private/BsdfXmlFile.cxx", "&lit == &side ? vtkBTDF::FRONT : vtkBTDF::BACK",
+add("IO.bsdf-xml-sides-of-transmission", "BsdfXmlFile.cxx", "&lit == &side ? vtkBTDF::FRONT : vtkBTDF::BACK",
     "&lit != &side ? vtkBTDF::FRONT : vtkBTDF::BACK", "IOTransmission.ReadsMatrices|IOTransmission.AgreesWithRadiance")
 add("IO.bsdf-xml-keeps-the-last-transmission", "vtkBRDFReader.cxx",
     "this->Transmission = content.Transmission;\n    this->Notes", "this->Notes", "IOTransmission.IsOfferedBesideReflection")
@@ -992,7 +1004,7 @@ add("Sources.lobe-of-transmission-above", "vtkBRDFLobeSource.cxx", "{ above.x, a
     "LobeSource.TransmissionIsBelowTheSurface")
 add("Sources.lobe-of-transmission-inside-out", "vtkBRDFLobeSource.cxx", "AddCells(cells, above, true)",
     "AddCells(cells, above, false)", "LobeSource.TransmissionIsBelowTheSurface")
-add("IO.bsdf-xml-rows-as-columns", "Private/BsdfXmlFile.cxx", 'IsSameWord(source.Texts.Structure, "Rows")',
+add("IO.bsdf-xml-rows-as-columns", "BsdfXmlFile.cxx", 'IsSameWord(source.Texts.Structure, "Rows")',
     'IsSameWord(source.Texts.Structure, "Never")', "IOBsdfXml.Reads")
 add("Material.warp-folds-the-other-way", "vtkAdaptiveWarpBRDF.cxx", "along.x + along.y < 0.0", "along.x + along.y > 0.0",
     "AnisotropicWarp.ReadsReducedFiles")
@@ -1062,122 +1074,122 @@ add("Material.map-weights-fall-below-0", "vtkMaterialMap.cxx",
 add("Material.map-parameters-divide-anew", "vtkMaterialMap.cxx", "vtkMTimeType time = this->Superclass::GetMTime();",
     "vtkMTimeType time = this->Materials.empty() || !this->Materials[0].BRDF ? this->Superclass::GetMTime() : "
     "this->Materials[0].BRDF->GetMTime();", "MaterialMap.ParametersOfAMaterialDivideNothingAnew")
-add("Rendering.map-weights-are-not-divided-by-their-sum", "Private/CellMaterials.cxx", "static_cast<float>(weight / sum)",
+add("Rendering.map-weights-are-not-divided-by-their-sum", "CellMaterials.cxx", "static_cast<float>(weight / sum)",
     "static_cast<float>(weight)", "Parts.WeightsAreDividedByTheirSum")
-add("Rendering.map-strips-wind-alternately", "Private/PartSurfaces.cxx", "strip->GetId(c + 1 + c % 2)", "strip->GetId(c + 1)",
+add("Rendering.map-strips-wind-alternately", "PartSurfaces.cxx", "strip->GetId(c + 1 + c % 2)", "strip->GetId(c + 1)",
     "Parts.StripsAreTrianglesOfTheSameClass")
-add("Rendering.map-points-of-two-parts-are-not-doubled", "Private/PartSurfaces.cxx", "if (!mixed || first == owner)",
+add("Rendering.map-points-of-two-parts-are-not-doubled", "PartSurfaces.cxx", "if (!mixed || first == owner)",
     "if (!mixed || first != NoOwner)", "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
-add("Rendering.map-stacks-draw-what-has-no-material", "Private/ClassesMapper.cxx",
+add("Rendering.map-stacks-draw-what-has-no-material", "ClassesMapper.cxx",
     "part.Kind == MixtureKind::Nearest && part.IsRest", "false", "ClassBorders.OfClassesWithoutAMaterialAreTheSame")
-add("Rendering.map-borders-run-off-the-middle", "Private/ClassBorders.cxx", "c < 0 ? 0.5 * sum", "c < 0 ? 0.51 * sum",
+add("Rendering.map-borders-run-off-the-middle", "ClassBorders.cxx", "c < 0 ? 0.5 * sum", "c < 0 ? 0.51 * sum",
     "Parts.BordersBetweenClassesOfPointsAreCut")
-add("Rendering.map-edges-are-cut-twice", "Private/ClassBorders.cxx", "if (isNew)", "if (true)",
+add("Rendering.map-edges-are-cut-twice", "ClassBorders.cxx", "if (isNew)", "if (true)",
     "Parts.BordersBetweenClassesOfPointsAreCut")
-add("Rendering.map-lone-corners-lose-their-class", "Private/ClassBorders.cxx", "this->AddPiece(3, tip, this->GetClass(alone));",
+add("Rendering.map-lone-corners-lose-their-class", "ClassBorders.cxx", "this->AddPiece(3, tip, this->GetClass(alone));",
     "this->AddPiece(3, tip, this->GetClass(a));", "ClassBorders.AreTheSameInAllWays")
-add("Rendering.map-colored-points-are-cut", "Private/PartMappers.cxx", "cellFlag == 0;", "cellFlag == 7;",
+add("Rendering.map-colored-points-are-cut", "PartMappers.cxx", "cellFlag == 0;", "cellFlag == 7;",
     "ClassBorders.ColorsOfPointsKeepPolygonsWhole")
-add("Rendering.map-hidden-skies-are-cut", "Private/PartMappers.cxx", "return settings.OcclusionMode != 0 &&",
+add("Rendering.map-hidden-skies-are-cut", "PartMappers.cxx", "return settings.OcclusionMode != 0 &&",
     "return settings.OcclusionMode > 5 &&", "ClassBorders.HiddenSkiesKeepPolygonsWhole")
-add("Rendering.map-nearest-is-the-first", "Private/MixtureShader.cxx", '" > brdfMost ? "', '" > 2.0 ? "',
+add("Rendering.map-nearest-is-the-first", "MixtureShader.cxx", '" > brdfMost ? "', '" > 2.0 ? "',
     "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
-add("Rendering.map-classes-that-meet-share-a-slot", "Private/PartSets.cxx",
+add("Rendering.map-classes-that-meet-share-a-slot", "PartSets.cxx",
     "slots[cls] = taken.insert(usual.at(cls)).second ? usual.at(cls) : -1;", "slots[cls] = usual.at(cls);",
     "Parts.ClassesThatMeetHaveSlotsOfTheirOwn")
-add("Rendering.map-borders-take-the-last-shader", "Private/ClassesMapper.cxx",
+add("Rendering.map-borders-take-the-last-shader", "ClassesMapper.cxx",
     "ofBorder == this->WasOfBorder ? this->Last : nullptr", "this->Last", "ClassBorders.AreTheSameInAllWays")
-add("Rendering.map-stacked-tables-lie-elsewhere", "Private/StackedTables.cxx", "static_cast<float>(this->Boxes[k][axis] + (",
+add("Rendering.map-stacked-tables-lie-elsewhere", "StackedTables.cxx", "static_cast<float>(this->Boxes[k][axis] + (",
     "static_cast<float>(this->Boxes[0][axis] + (", "ClassStacking.TablesLieSideBySide")
-add("Rendering.map-stacked-tables-do-not-go-around", "Private/StackedTables.cxx", "(this->IsBordered(axis) ? 1 : 0) + size[axis];",
+add("Rendering.map-stacked-tables-do-not-go-around", "StackedTables.cxx", "(this->IsBordered(axis) ? 1 : 0) + size[axis];",
     "(this->IsBordered(axis) ? 2 : 0) + size[axis];", "ClassBorders.OfTablesOfSeveralSizesAreTheSame")
-add("Rendering.map-stacked-tables-waste-memory", "Private/StackedTables.cxx", "MostWaste = 2;", "MostWaste = 90;",
+add("Rendering.map-stacked-tables-waste-memory", "StackedTables.cxx", "MostWaste = 2;", "MostWaste = 90;",
     "ClassStacking.NotMuchMemoryIsLost")
-add("Rendering.map-stacks-with-gaps-are-counted-on", "Private/ClassStack.cxx", "if (numbers.size() > materials.size())",
+add("Rendering.map-stacks-with-gaps-are-counted-on", "ClassStack.cxx", "if (numbers.size() > materials.size())",
     "if (false)", "ClassBorders.OfClassesWithoutAMaterialAreTheSame")
-add("Rendering.map-stacks-share-a-program", "Private/ClassStack.cxx", "this->Drawn.Key += this->Declarations + this->Choice;",
+add("Rendering.map-stacks-share-a-program", "ClassStack.cxx", "this->Drawn.Key += this->Declarations + this->Choice;",
     "", "MaterialStacks.OfTheSameTextHaveNumbersOfTheirOwn")
-add("Rendering.map-stacks-skip-terms", "Private/StackedTerms.cxx", "ones(materials.size(), { 1.0f });",
+add("Rendering.map-stacks-skip-terms", "StackedTerms.cxx", "ones(materials.size(), { 1.0f });",
     "ones(materials.size(), { 0.0f });", "ClassBorders.OfSeveralShadersAreTheSame")
-add("Rendering.map-stacked-triangles-lose-their-numbers", "Private/ClassesMapper.cxx", "this->PrimitiveIDOffset = this->FirstBorder;",
+add("Rendering.map-stacked-triangles-lose-their-numbers", "ClassesMapper.cxx", "this->PrimitiveIDOffset = this->FirstBorder;",
     "this->PrimitiveIDOffset = 0;", "ClassBorders.ColorsOfCellsStayTheirOwn")
-add("Rendering.map-triangles-beside-stacks-lose-their-numbers", "Private/ClassesMapper.cxx",
+add("Rendering.map-triangles-beside-stacks-lose-their-numbers", "ClassesMapper.cxx",
     "this->AreNumbered ? GetNumberedTriangles : GetTriangles", "GetTriangles",
     "MaterialStacks.ColorsOfCellsBetweenThemStayTheirOwn")
-add("Rendering.map-stacks-ignore-numbers", "Private/StackNumbers.cxx",
+add("Rendering.map-stacks-ignore-numbers", "StackNumbers.cxx",
     "column.begin() + static_cast<std::ptrdiff_t>(4 * materials[k]));", "column.begin());",
     "ClassStacking.NumbersThatDifferAreInATexture")
-add("Rendering.map-hats-fall-at-the-ends", "Private/MaterialParts.cxx", "if (k + 1 < knots.size())",
+add("Rendering.map-hats-fall-at-the-ends", "MaterialParts.cxx", "if (k + 1 < knots.size())",
     "if (k + 2 < knots.size())", "MaterialMapping.ValuesBlendInEachPixel")
-add("Rendering.map-the-rest-is-drawn-twice", "Private/MixtureShader.cxx", "if (brdfNearest != brdfSlot)",
+add("Rendering.map-the-rest-is-drawn-twice", "MixtureShader.cxx", "if (brdfNearest != brdfSlot)",
     "if (brdfNearest > 9)", "MaterialMapping.NoMaterialIsTheSuperclass")
-add("Rendering.map-scalars-that-choose-color", "Private/PartMappers.cxx", "if (colored || ",
+add("Rendering.map-scalars-that-choose-color", "PartMappers.cxx", "if (colored || ",
     "if (!colored || ",
     "MaterialMapping.ScalarsThatChooseDoNotColor")
-add("Rendering.map-classes-keep-the-last-textures", "Private/BRDFTextures.cxx",
+add("Rendering.map-classes-keep-the-last-textures", "BRDFTextures.cxx",
     "if (!last.Has(uploaded.Texture.get()))", "if (false)",
     "ManyClasses.OfSeveralShadersUnderALight")
-add("Rendering.map-views-share-stacks", "Private/ClassesMapper.cxx",
+add("Rendering.map-views-share-stacks", "ClassesMapper.cxx",
     "const Place place(vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow()), ren);",
     "const Place place(vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow()), nullptr);",
     "MaterialStacks.OfTwoViewsStay")
-add("Rendering.map-stacks-ignore-constants", "Private/StackedTerms.cxx",
+add("Rendering.map-stacks-ignore-constants", "StackedTerms.cxx",
     'kind += "\\n/" + constant.Name + "=" + constant.Value;', "(void)constant;",
     "ClassStacking.TermsDifferByEachOfTheirTexts")
-add("Rendering.map-classes-released-elsewhere", "Private/ClassesMapper.cxx",
+add("Rendering.map-classes-released-elsewhere", "ClassesMapper.cxx",
     "this->OwnWindow->PushContext();", "", "ManyClasses.LeaveOtherWindowsAlone")
-add("Rendering.map-classes-keep-the-last-numbers", "Private/BRDFTextures.cxx",
+add("Rendering.map-classes-keep-the-last-numbers", "BRDFTextures.cxx",
     "if (last && last->Form.Terms[term].Uniforms[k].Values == uniform.Values)", "if (last)",
     "ManyClasses.OfSeveralShadersUnderALight")
-add("Rendering.map-classes-share-cell-colors", "Private/ClassesMapper.cxx",
+add("Rendering.map-classes-share-cell-colors", "ClassesMapper.cxx",
     "if (program->IsUniformUsed(\"PrimitiveIDOffset\"))", "if (false)",
     "ManyClasses.ColorsOfCellsStayTheirOwn")
-add("Rendering.map-changed-materials-stay", "Private/MaterialDrawing.cxx",
+add("Rendering.map-changed-materials-stay", "MaterialDrawing.cxx",
     "stamp.SettingsTime = this->Settings->GetMTime();", "stamp.SettingsTime = 1;",
     "ManyClasses.FollowEveryChange")
-add("Rendering.map-members-share-instances", "Private/BRDFShader.cxx", "return 100 * member;", "return 0 * member;",
+add("Rendering.map-members-share-instances", "BRDFShader.cxx", "return 100 * member;", "return 0 * member;",
     "MaterialMapping.ValuesBlendInEachPixel")
-add("Rendering.map-divided-blocks-are-drawn-whole", "Private/BlockBatch.cxx",
+add("Rendering.map-divided-blocks-are-drawn-whole", "BlockBatch.cxx",
     "if (this->Uses.size() < 2 && !this->HasDivided)", "if (this->Uses.size() < 2)",
     "MaterialMapping.CompositeDataShowTheSame")
-add("Rendering.map-small-shares-add-up-unseen", "Private/MaterialParts.cxx",
+add("Rendering.map-small-shares-add-up-unseen", "MaterialParts.cxx",
     "smaller += smallestFirst[end].first / sum;", "smaller = smallestFirst[end].first / sum;", "Parts.SmallMaterialsMayBeCoarse")
 add("Material.angular-table-azimuths-end", "vtkAngularTableBRDF.cxx",
     "const std::size_t right = next % count;", "const std::size_t right = std::min(next, count - 1);",
     "IOUtia.InterpolatesAlongAllFourAxes")
-add("IO.utia-blue-first", "Private/UtiaFile.cxx", "rgb[3 * k + c] = stored;", "rgb[3 * k + 2 - c] = stored;",
+add("IO.utia-blue-first", "UtiaFile.cxx", "rgb[3 * k + c] = stored;", "rgb[3 * k + 2 - c] = stored;",
     "IOUtia.InterpolatesAlongAllFourAxes")
 add("Material.angular-table-turned-the-other-way", "vtkAngularTableBRDF.cxx", "i[0] * o[1] - i[1] * o[0])", "i[1] * o[0] - i[0] * o[1])",
     "IOOpenMaterial.AzimuthsRunAboutTheNormal")
 add("Material.angular-table-copy-forgets-the-origin", "vtkAngularTableBRDF.cxx", "  copy->Origin = this->Origin;\n", "",
     "IOOpenMaterial.CopiesAreIsotropic")
-add("IO.gonio-mirrors-about-the-other-plane", "Private/GonioTable.cxx", "mirrored.PhiO = FullTurn - mirrored.PhiO;",
+add("IO.gonio-mirrors-about-the-other-plane", "GonioTable.cxx", "mirrored.PhiO = FullTurn - mirrored.PhiO;",
     "mirrored.PhiO = HalfTurn + mirrored.PhiO;", "IOOpenMaterial.InterpolatesBetweenUnevenAngles")
-add("IO.gonio-extrapolates", "Private/GonioGrid.cxx", "nodes.Theta.back() < Horizon", "nodes.Theta.back() < 0.0f",
+add("IO.gonio-extrapolates", "GonioGrid.cxx", "nodes.Theta.back() < Horizon", "nodes.Theta.back() < 0.0f",
     "IOOpenMaterial.HolesAreFilledAndReported")
-add("IO.gonio-holes-take-one-neighbor", "Private/GonioGrid.cxx", "this->Set(first + p, first + left, first + right, share);",
+add("IO.gonio-holes-take-one-neighbor", "GonioGrid.cxx", "this->Set(first + p, first + left, first + right, share);",
     "this->Set(first + p, first + left, first + left, share);",
     "IOOpenMaterial.HolesAreFilledAndReported")
-add("IO.gonio-scatter-takes-the-nearest", "Private/GonioScatter.cxx", "constexpr int Neighbors = 8;", "constexpr int Neighbors = 1;",
+add("IO.gonio-scatter-takes-the-nearest", "GonioScatter.cxx", "constexpr int Neighbors = 8;", "constexpr int Neighbors = 1;",
     "IOOpenMaterial.ScatteredViewsAreInterpolated")
-add("IO.open-material-swaps-directions", "Private/OpenMaterialFile.cxx",
+add("IO.open-material-swaps-directions", "OpenMaterialFile.cxx",
     "{ angles.ThetaI, angles.ThetaO, angles.PhiO };", "{ angles.ThetaO, angles.ThetaO, angles.PhiO };",
     "IOOpenMaterial.InterpolatesBetweenUnevenAngles")
-add("IO.open-material-any-depth", "Private/OpenMaterialParser.cxx", "constexpr std::size_t DeepestLevel = 32;",
+add("IO.open-material-any-depth", "OpenMaterialParser.cxx", "constexpr std::size_t DeepestLevel = 32;",
     "constexpr std::size_t DeepestLevel = 1u << 30;", "IOOpenMaterial.HostileFilesAreRefusedInLittleMemory")
-add("IO.astm-angles-always-in-degrees", "Private/AstmFile.cxx", "angles[k] = degrees ? angle : angle / Degree;", "angles[k] = angle;",
+add("IO.astm-angles-always-in-degrees", "AstmFile.cxx", "angles[k] = degrees ? angle : angle / Degree;", "angles[k] = angle;",
     "IOAstm.InterpolatesOnAGrid")
-add("IO.astm-other-side-forgotten", "Private/AstmFile.cxx", "      angles[k + 1] += 180.0;\n", "",
+add("IO.astm-other-side-forgotten", "AstmFile.cxx", "      angles[k + 1] += 180.0;\n", "",
     "IOAstm.NegativePolarAnglesAreOnTheOtherSide")
-add("IO.astm-number-of-points-ignored", "Private/AstmParser.cxx", "if (rows == 0 || (this->Points > 0.0 &&", "if (rows == 0 || (false &&",
+add("IO.astm-number-of-points-ignored", "AstmParser.cxx", "if (rows == 0 || (this->Points > 0.0 &&", "if (rows == 0 || (false &&",
     "IOAstm.RefusesBadFiles")
-add("IO.infrared-counts-as-visible", "Private/SpectralChannels.cxx", "wavelength < LastVisible + 0.5;", "wavelength < 2.0 * LastVisible;",
+add("IO.infrared-counts-as-visible", "SpectralChannels.cxx", "wavelength < LastVisible + 0.5;", "wavelength < 2.0 * LastVisible;",
     "IOOpenMaterial.OneWavelengthIsGray")
-add("IO.spectra-under-equal-energy", "Private/SpectralColor.cxx", "const double light = GetEntry(l, 3) * GetEntry(l, j);",
+add("IO.spectra-under-equal-energy", "SpectralColor.cxx", "const double light = GetEntry(l, 3) * GetEntry(l, j);",
     "const double light = GetEntry(l, j);", "IOSpectral.AgreesWithAnotherProgramsSum")
-add("IO.spectra-not-scaled-to-white", "Private/SpectralColor.cxx", "xyz[j] = weight[j] / sums[j] * white;",
+add("IO.spectra-not-scaled-to-white", "SpectralColor.cxx", "xyz[j] = weight[j] / sums[j] * white;",
     "xyz[j] = weight[j] / sums[1] * white;", "IOSpectral.FlatSpectraAreGray")
-add("IO.spectral-planes-in-a-row", "Private/TensorFile.cxx", "sum += weights[k][c] * first[k * texels + texel];",
+add("IO.spectral-planes-in-a-row", "TensorFile.cxx", "sum += weights[k][c] * first[k * texels + texel];",
     "sum += weights[k][c] * first[k + wavelengths.size() * texel];", "IOSpectral.AgreesWithAnotherProgramsSum")
 add("Rendering.legend-shows-the-last-first", "vtkMaterialLegendActor.cxx",
     "const double top = bottom + height - row * grid.Height;", "const double top = bottom + (row + 1) * grid.Height;",
@@ -1207,131 +1219,131 @@ add("Fetch.files-have-no-names", "FetchCatalog.cxx", "return entry.Name == name 
 
 # What surfaces hide
 
-add("Visibility.hidden-rays-without-cosine", "Private/HiddenSky.cxx", "transfer[j] += d.z * values[j];",
+add("Visibility.hidden-rays-without-cosine", "HiddenSky.cxx", "transfer[j] += d.z * values[j];",
     "transfer[j] += values[j];", "HiddenSky.ACraterHidesTheLowSky")
-add("Visibility.panels-hidden-by-slivers", "Private/HiddenSky.cxx", "return this->Trust * (high * high", "return (high * high",
+add("Visibility.panels-hidden-by-slivers", "HiddenSky.cxx", "return this->Trust * (high * high", "return (high * high",
     "HiddenSky.SliversAtTheHorizonHideNoPanel")
-add("Visibility.lobes-beyond-the-horizon", "Private/HiddenSky.cxx", "(e + 0.5) / Elevations * std::exp(across", "std::exp(across",
+add("Visibility.lobes-beyond-the-horizon", "HiddenSky.cxx", "(e + 0.5) / Elevations * std::exp(across", "std::exp(across",
     "HiddenSky.ACraterHidesTheLowSky")
-add("Visibility.margins-of-lamps-cut-off", "Private/HiddenSky.cxx", "-LargestMargin, LargestMargin);", "-0.5, 0.5);",
+add("Visibility.margins-of-lamps-cut-off", "HiddenSky.cxx", "-LargestMargin, LargestMargin);", "-0.5, 0.5);",
     "HiddenSky.MarginsSayHowFarLampsAreFromShadows")
-add("Visibility.sectors-count-backwards", "Private/HiddenSky.cxx", "return SectorWidth * sector;",
+add("Visibility.sectors-count-backwards", "HiddenSky.cxx", "return SectorWidth * sector;",
     "return -SectorWidth * sector;", "OcclusionTest.LobesLackTheirHiddenShare")
-add("Visibility.planes-by-sines", "Private/HiddenSky.cxx", "constexpr double Steepness = 0.96;",
+add("Visibility.planes-by-sines", "HiddenSky.cxx", "constexpr double Steepness = 0.96;",
     "constexpr double Steepness = 0.0;", "HiddenSky.PlanesAreFollowedBetweenSectors")
-add("Visibility.lobes-see-whole-panels", "Private/HiddenSky.cxx", "ends(local.z + rise, seenRadius)", "ends(local.z + 0.0 * rise, seenRadius)",
+add("Visibility.lobes-see-whole-panels", "HiddenSky.cxx", "ends(local.z + rise, seenRadius)", "ends(local.z + 0.0 * rise, seenRadius)",
     "HiddenSky.LobesSeeTheirPartOfAPanel")
-add("Visibility.empty-sectors-at-the-horizon", "Private/HiddenIntervals.cxx", "interval = { place, place };",
+add("Visibility.empty-sectors-at-the-horizon", "HiddenIntervals.cxx", "interval = { place, place };",
     "interval = { 0.0 * place, 0.0 };", "HiddenSky.FloatingBodiesEndBetweenSectors")
-add("Visibility.openings-from-the-horizon", "Private/HiddenIntervals.cxx", "const bool asks = this->Opening &&", "const bool asks = !this->Opening &&",
+add("Visibility.openings-from-the-horizon", "HiddenIntervals.cxx", "const bool asks = this->Opening &&", "const bool asks = !this->Opening &&",
     "HiddenSky.SillsOfOpeningsHideTheHorizon")
-add("Visibility.narrow-slits-are-open", "Private/HiddenSky.cxx", "intervals.IsOpening() && width == 0", "intervals.IsOpening() && width < 0",
+add("Visibility.narrow-slits-are-open", "HiddenSky.cxx", "intervals.IsOpening() && width == 0", "intervals.IsOpening() && width < 0",
     "HiddenSky.NarrowSlitsAreDark")
-add("Visibility.lobes-see-what-openings-show", "Private/HiddenSky.cxx", "return this->Opening ? 1.0 - share : share;", "return share;",
+add("Visibility.lobes-see-what-openings-show", "HiddenSky.cxx", "return this->Opening ? 1.0 - share : share;", "return share;",
     "HiddenSky.HollowsHideFromBothSides")
-add("Visibility.panels-see-what-openings-show", "Private/HiddenSky.cxx", "isRoof != this->Opening", "isRoof",
+add("Visibility.panels-see-what-openings-show", "HiddenSky.cxx", "isRoof != this->Opening", "isRoof",
     "HiddenSky.HollowsHideFromBothSides")
-add("Visibility.hollows-by-what-they-hide", "Private/HiddenIntervals.cxx", "this->Opening = misfit[1] < misfit[0];",
+add("Visibility.hollows-by-what-they-hide", "HiddenIntervals.cxx", "this->Opening = misfit[1] < misfit[0];",
     "this->Opening = false;", "HiddenSky.HollowsHideFromBothSides")
-add("Visibility.strata-without-offset", "Private/HiddenSky.cxx",
+add("Visibility.strata-without-offset", "HiddenSky.cxx",
     "return ReverseBits(static_cast<unsigned>(sector)) + 0.5 / Sectors;", "return 0.5;",
     "SurfaceVisibility.BlocksHideOneAnother")
-add("Visibility.wide-lobes-see-no-light", "Private/HiddenSky.cxx",
+add("Visibility.wide-lobes-see-no-light", "HiddenSky.cxx",
     "const double power = 1.0 / (1.0 + kappa / CorrelationKappa);", "const double power = 0.0 * kappa;",
     "HiddenSky.BrightHiddenSkiesCountMore")
-add("Visibility.origins-on-edges", "Private/SurfacePoints.cxx", "constexpr double Inwards = 0.02;",
+add("Visibility.origins-on-edges", "SurfacePoints.cxx", "constexpr double Inwards = 0.02;",
     "constexpr double Inwards = 0.0;", "SurfaceVisibility.EdgesBelongToTheirOwnSide")
-add("Visibility.key-without-cells", "Private/SurfacePoints.cxx", "hash.AddValues(ids);", "",
+add("Visibility.key-without-cells", "SurfacePoints.cxx", "hash.AddValues(ids);", "",
     "SurfaceVisibility.KeysSeePointsNormalsAndCells")
-add("Visibility.key-without-normals", "Private/SurfacePoints.cxx", "HashArray(hash, surface->GetPointData()->GetNormals());", "",
+add("Visibility.key-without-normals", "SurfacePoints.cxx", "HashArray(hash, surface->GetPointData()->GetNormals());", "",
     "OcclusionTest.BadArraysAreSaidOnceAndNotUsed")
-add("Visibility.rays-begin-below-twisted-quads", "Private/SurfacePoints.cxx", "ForEachFace(surface, Faces::Triangles,",
+add("Visibility.rays-begin-below-twisted-quads", "SurfacePoints.cxx", "ForEachFace(surface, Faces::Triangles,",
     "ForEachFace(surface, Faces::Polygons,", "SurfaceVisibility.TwistedQuadsAreLeftFromTheirTriangles")
-add("Rendering.occlusion-whatever-it-costs", "Private/OcclusionForecast.cxx", "if (!worth || this->IsStopped ||",
+add("Rendering.occlusion-whatever-it-costs", "OcclusionForecast.cxx", "if (!worth || this->IsStopped ||",
     "if (this->IsStopped ||", "OcclusionTest.AutoModelsWhatIsWorthIt")
-add("Rendering.mappers-trace-apart", "Private/SharedTrace.cxx", "found = traces[content].lock();", "found;",
+add("Rendering.mappers-trace-apart", "SharedTrace.cxx", "found = traces[content].lock();", "found;",
     "SharedTraceTest.MappersOfOneSurfaceTraceOnce|SharedTraceTest.OccludersAreNotShared")
-add("Rendering.shared-without-the-bounce", "Private/SharedTrace.h", "(!withBounce || this->HasBounce)", "true",
+add("Rendering.shared-without-the-bounce", "SharedTrace.h", "(!withBounce || this->HasBounce)", "true",
     "SharedTraceTest.MappersOfOneSurfaceTraceOnce")
-add("Rendering.traces-of-others", "Private/OcclusionArrays.cxx", "this->TracedTimes != times",
+add("Rendering.traces-of-others", "OcclusionArrays.cxx", "this->TracedTimes != times",
     "this->TracedTimes.size() != times.size()", "SharedTraceTest.SurfacesThatSharePointsKeepApart")
-add("Rendering.blocks-without-arrays-stay-open", "Private/MaterialDrawingOcclusion.cxx", "this->Given.Blocks == this->Given.All)",
+add("Rendering.blocks-without-arrays-stay-open", "MaterialDrawingOcclusion.cxx", "this->Given.Blocks == this->Given.All)",
     "this->Given.Blocks > 0)", "OcclusionBlocks.SomeHaveArrays")
-add("Rendering.arrays-alone-are-traced", "Private/MaterialDrawingOcclusion.cxx", "const bool make = mode == 2 &&", "const bool make = mode >= 2 &&",
+add("Rendering.arrays-alone-are-traced", "MaterialDrawingOcclusion.cxx", "const bool make = mode == 2 &&", "const bool make = mode >= 2 &&",
     "OcclusionBlocks.SomeHaveArrays")
-add("Rendering.blocks-are-listed-for-each", "Private/SurfaceBlocks.cxx", "this->Other != other ||", "this->Other != nullptr ||",
+add("Rendering.blocks-are-listed-for-each", "SurfaceBlocks.cxx", "this->Other != other ||", "this->Other != nullptr ||",
     "OcclusionBlocks.ManyAreListedOnce")
-add("Rendering.blocks-are-compared-for-each", "Private/OcclusionArrays.cxx", "this->IsTracedChecked && this->TracedInput == input",
+add("Rendering.blocks-are-compared-for-each", "OcclusionArrays.cxx", "this->IsTracedChecked && this->TracedInput == input",
     "!this->IsTracedChecked && this->TracedInput == input", "OcclusionBlocks.ManyAreListedOnce")
-add("Rendering.moved-blocks-hide-where-they-were", "Private/OcclusionArrays.h", "{ this->IsTracedChecked = false; }", "{}",
+add("Rendering.moved-blocks-hide-where-they-were", "OcclusionArrays.h", "{ this->IsTracedChecked = false; }", "{}",
     "OcclusionBlocks.OneThatMovesShowsOnTheOthers")
-add("Rendering.threads-trace-at-once", "Private/SharedTrace.cxx", "while (this->Maker != std::thread::id())", "while (false)",
+add("Rendering.threads-trace-at-once", "SharedTrace.cxx", "while (this->Maker != std::thread::id())", "while (false)",
     "SharedTraceTest.ThreadsWaitForOneAnother")
-add("Rendering.forecasts-outlive-mappers", "Private/OcclusionForecast.cxx", "[this]() { return !this->IsStopped; }",
+add("Rendering.forecasts-outlive-mappers", "OcclusionForecast.cxx", "[this]() { return !this->IsStopped; }",
     "[]() { return true; }", "SharedTraceTest.ForecastsStopWhenTheyGo")
-add("Rendering.levels-are-looked-for-once", "Private/MaterialDrawing.cxx",
+add("Rendering.levels-are-looked-for-once", "MaterialDrawing.cxx",
     'levels && this->WarnOnce("levels of detail")', 'this->WarnOnce("levels of detail") && levels',
     "OcclusionStability.ActorsWithLevelsKeepTheSurfacesArrays")
-add("Rendering.moving-surfaces-are-traced", "Private/OcclusionForecast.cxx", "return this->Changes <= MostChanges;", "return true;",
+add("Rendering.moving-surfaces-are-traced", "OcclusionForecast.cxx", "return this->Changes <= MostChanges;", "return true;",
     "OcclusionTest.ForecastsFollowTheSurface")
-add("Rendering.views-forget-each-other", "Private/OcclusionForecast.cxx", "!this->Known.Find(key) && follows",
+add("Rendering.views-forget-each-other", "OcclusionForecast.cxx", "!this->Known.Find(key) && follows",
     "(!this->Answer || this->Asked != key) && follows", "OcclusionTest.ForecastsFollowTheSurface")
-add("Rendering.views-for-ever", "Private/OcclusionForecast.cxx", "MostAnswers = 1024;", "MostAnswers = 4;",
+add("Rendering.views-for-ever", "OcclusionForecast.cxx", "MostAnswers = 1024;", "MostAnswers = 4;",
     "Forecast.ViewsThatTakeTurnsComeToAnEnd")
-add("Rendering.throws-end-the-thread-unsaid", "Private/OcclusionForecast.cxx",
+add("Rendering.throws-end-the-thread-unsaid", "OcclusionForecast.cxx",
     "this->Found.Most, *problem };", "this->Found.Most, std::string() };", "Forecast.TellsWhatIsThrown")
-add("Core.threads-outlive-the-process", "Private/BackgroundThreads.cxx", "    for (const std::function<void()>& stop : stops)",
+add("Core.threads-outlive-the-process", "BackgroundThreads.cxx", "    for (const std::function<void()>& stop : stops)",
     "    for (const std::function<void()>& stop : std::vector<std::function<void()>>())",
     "EndOfProcess.StopsPlans|EndOfProcess.StopsForecasts")
-add("Core.objects-outlive-the-process", "Private/BackgroundThreads.cxx", "      (*release)();", "",
+add("Core.objects-outlive-the-process", "BackgroundThreads.cxx", "      (*release)();", "",
     "EndOfProcess.LeavesNoObjects")
-add("Rendering.attributes-without-end", "Private/vtkMeasuredBRDFMapperMixinOcclusion.txx",
+add("Rendering.attributes-without-end", "vtkMeasuredBRDFMapperMixinOcclusion.txx",
     "own + needs.Attributes <= this->MostAttributes &&", "", "LimitsTest.DrawsWhatThereIsRoomFor")
-add("Rendering.clipping-takes-no-varyings", "Private/vtkMeasuredBRDFMapperMixin.txx",
+add("Rendering.clipping-takes-no-varyings", "vtkMeasuredBRDFMapperMixin.txx",
     "this->GetNumberOfClippingPlanes() > 0 ? 6 : 0", "0", "LimitsTest.ClippingPlanesAndEdgesTakeVaryings")
-add("Rendering.failures-are-said-once", "Private/MaterialDrawing.cxx",
+add("Rendering.failures-are-said-once", "MaterialDrawing.cxx",
     "this->Failures.count(it->first) == 0;", "this->Failures.count(it->first) == 2;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
-add("Rendering.what-throws-is-not-drawn", "Private/vtkMeasuredBRDFMapperMixin.txx", "tries = !this->IsPlain;",
+add("Rendering.what-throws-is-not-drawn", "vtkMeasuredBRDFMapperMixin.txx", "tries = !this->IsPlain;",
     "tries = false;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
-add("Rendering.shared-created-light-shines", "Private/DrawsColor.cxx", "other->GetLights() == renderer->GetLights() &&",
+add("Rendering.shared-created-light-shines", "DrawsColor.cxx", "other->GetLights() == renderer->GetLights() &&",
     "false &&", "MapperShading.LightThatVTKCreated")
-add("Rendering.plans-before-stay", "Private/MapperPlans.cxx", "  if (view.Drawn)", "  if (view.Drawn && view.Looks.size() > 99)",
+add("Rendering.plans-before-stay", "MapperPlans.cxx", "  if (view.Drawn)", "  if (view.Drawn && view.Looks.size() > 99)",
     "Views.ForViewIsBridged*")
-add("Rendering.kept-light-does-not-turn", "Private/OcclusionKept.cxx", "add(turn[column]);", "add(0.0 * turn[column]);",
+add("Rendering.kept-light-does-not-turn", "OcclusionKept.cxx", "add(turn[column]);", "add(0.0 * turn[column]);",
     "OcclusionPointsTest.LightMayTurnAndRestAgain")
-add("Rendering.views-take-each-others-light", "Private/OcclusionPoints.cxx", "state->Of.View == question.View &&", "true &&",
+add("Rendering.views-take-each-others-light", "OcclusionPoints.cxx", "state->Of.View == question.View &&", "true &&",
     "OcclusionPointsTest.ViewsKeepTheirOwn")
-add("Rendering.kept-light-in-programs-of-depths", "Private/OcclusionPoints.cxx", "if (drawn.Program->IsAttributeUsed(names[k].c_str()))",
+add("Rendering.kept-light-in-programs-of-depths", "OcclusionPoints.cxx", "if (drawn.Program->IsAttributeUsed(names[k].c_str()))",
     "if (true)", "OcclusionPointsTest.PeelingReportsNothing")
-add("Rendering.kept-light-of-several-materials", "Private/vtkMeasuredBRDFMapperMixinOcclusion.txx", "this->Drawing->GetMaterials().size() <= 1 &&",
+add("Rendering.kept-light-of-several-materials", "vtkMeasuredBRDFMapperMixinOcclusion.txx", "this->Drawing->GetMaterials().size() <= 1 &&",
     "", "OcclusionPointsTest.BlocksAreTheSame")
-add("Rendering.kept-light-of-other-codes", "Private/OcclusionPoints.cxx", "state->Of.Time == question.Time &&", "true &&",
+add("Rendering.kept-light-of-other-codes", "OcclusionPoints.cxx", "state->Of.Time == question.Time &&", "true &&",
     "OcclusionPointsTest.WhatChangesIsSeen")
-add("Rendering.hidden-sky-of-the-wrong-side", "Private/OcclusionShader.cxx",
+add("Rendering.hidden-sky-of-the-wrong-side", "OcclusionShader.cxx",
     "dot(normalVCVSOutput, brdfSkyNormalVSOutput) > 0.0", "dot(normalVCVSOutput, brdfSkyNormalVSOutput) < 2.0",
     "OcclusionTest.NormalsMayPointEitherWay")
-add("Rendering.outlines-without-hidden-sky", "Private/OcclusionArrays.cxx", "return -std::sqrt(1.0 - cosine * cosine) - margin;",
+add("Rendering.outlines-without-hidden-sky", "OcclusionArrays.cxx", "return -std::sqrt(1.0 - cosine * cosine) - margin;",
     "return 0.6 * cosine / margin;", "OcclusionTest.NormalsMayPointEitherWay")
-add("Visibility.same-side-twice", "Private/VisibilityTask.cxx", "side == 0 ? 1.0 : -1.0, hidden",
+add("Visibility.same-side-twice", "VisibilityTask.cxx", "side == 0 ? 1.0 : -1.0, hidden",
     "1.0, hidden", "SurfaceVisibility.TheOtherSideHasItsOwnSky")
 add("Visibility.traced-again", "vtkSurfaceVisibilityFilter.cxx",
     "const bool isKnown = key == this->Key;", "const bool isKnown = false;", "SurfaceVisibility.WhatIsKnownIsNotTracedAgain")
-add("Visibility.bounce-beyond-the-sky", "Private/BouncedLight.cxx", "std::floor(root / RootStep)", "std::ceil(root / RootStep)",
+add("Visibility.bounce-beyond-the-sky", "BouncedLight.cxx", "std::floor(root / RootStep)", "std::ceil(root / RootStep)",
     "BouncedLight.CodesKeepTransfers")
-add("Visibility.bounce-of-all-rays", "Private/BounceTracer.cxx", "met > 0.0 ? hidden / met : 0.0", "hidden",
+add("Visibility.bounce-of-all-rays", "BounceTracer.cxx", "met > 0.0 ? hidden / met : 0.0", "hidden",
     "BouncedLight.HollowsGetLighterAndNeverLighterThanTheSky|BouncedLight.BouncesAreThoseOfTracedLight")
-add("Visibility.bounce-of-the-other-side", "Private/BounceTracer.cxx", "== (glm::dot(facet, direction) > 0.0)",
+add("Visibility.bounce-of-the-other-side", "BounceTracer.cxx", "== (glm::dot(facet, direction) > 0.0)",
     "!= (glm::dot(facet, direction) > 0.0)", "BouncedLight.BouncesAreThoseOfTracedLight")
-add("Rendering.bounce-without-albedo", "Private/OcclusionBounce.cxx", "this->Albedo * turned[j] *", "turned[j] *",
+add("Rendering.bounce-without-albedo", "OcclusionBounce.cxx", "this->Albedo * turned[j] *", "turned[j] *",
     "BounceTest.ShadersAgreeWithTheCppForms|BounceTest.PicturesComeNearTracedLight")
 add("Shaders.bounce-by-the-root", "vtkBRDFBouncedLight.glsl", "max(a.x * a.x * sum, vec3(0.0))",
     "max(a.x * sum, vec3(0.0))", "BounceTest.ShadersAgreeWithTheCppForms")
-add("Rendering.stale-visibility", "Private/OcclusionArrays.cxx", "problem = isPart ? \"\" : CheckKey(surface);",
+add("Rendering.stale-visibility", "OcclusionArrays.cxx", "problem = isPart ? \"\" : CheckKey(surface);",
     "problem = \"\";", "OcclusionTest.BadArraysAreSaidOnceAndNotUsed")
-add("Rendering.hidden-light-unturned", "Private/OcclusionAxes.cxx",
+add("Rendering.hidden-light-unturned", "OcclusionAxes.cxx",
     "this->ToEnvironment.push_back(own * toRenderer * turned);",
     "this->ToEnvironment.push_back(own * toRenderer);", "OcclusionTest.ActorsMayBeTurnedMirroredAndScaled")
-add("Rendering.lobes-without-cosine", "Private/OcclusionLobes.cxx", "cell.Cosine * std::exp(", "cell.SolidAngle * std::exp(",
+add("Rendering.lobes-without-cosine", "OcclusionLobes.cxx", "cell.Cosine * std::exp(", "cell.SolidAngle * std::exp(",
     "OcclusionTest.LobesHaveTheKernelsMean")
 add("Shaders.openings-have-roofs-for-walls", "vtkBRDFHiddenSky.glsl", "return opening ? (inside", "return false ? (inside",
     "OcclusionTest.PanelsAreHiddenOneByOne")
@@ -1339,42 +1351,42 @@ add("Shaders.lamps-edges-on-points", "vtkBRDFHiddenSky.glsl", "clamp(max(below, 
     "OcclusionTest.ShadowEdgesCrossTriangles")
 add("Shaders.lamps-in-tables-go-with-the-rest", "vtkBRDFHiddenSky.glsl", "  return 1.0 - root * root;", "  return 0.0;",
     "OcclusionTest.LampsBesideTheAxisTakeTheirPartOfTheLobe")
-add("Rendering.lamps-in-tables-shine-through", "Private/OcclusionLight.cxx", "lost += part * inTable;", "lost += 0.0 * inTable;",
+add("Rendering.lamps-in-tables-shine-through", "OcclusionLight.cxx", "lost += part * inTable;", "lost += 0.0 * inTable;",
     "OcclusionTest.LampsBesideTheAxisTakeTheirPartOfTheLobe")
 add("Shaders.hidden-sky-odds", "vtkBRDFHiddenSky.glsl", "(12.0 / (12.0 + kappa))",
     "(3.0 / (3.0 + kappa))", "OcclusionTest.LobesLackTheirHiddenShare")
 add("Shaders.hidden-irradiance-counts", "vtkBRDFEnvironmentTable.glsl", "sum += BRDF_OPEN_IRRADIANCE(",
     "sum += (", "OcclusionTest.MatteSurfacesLackTheHiddenIrradiance")
 
-add("Rendering.map-bands-of-a-scale-overlap", "Private/MixtureShader.cxx", "brdfAt < brdfBand.x || brdfAt >= brdfBand.y",
+add("Rendering.map-bands-of-a-scale-overlap", "MixtureShader.cxx", "brdfAt < brdfBand.x || brdfAt >= brdfBand.y",
     "brdfAt < brdfBand.x", "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
-add("Rendering.map-values-end-at-points", "Private/CellMaterials.cxx", "-FarOff, FarOff)", "0.0, 1.0)",
+add("Rendering.map-values-end-at-points", "CellMaterials.cxx", "-FarOff, FarOff)", "0.0, 1.0)",
     "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
-add("Rendering.map-colors-blocks-of-one-class", "Private/BlockBatch.cxx",
+add("Rendering.map-colors-blocks-of-one-class", "BlockBatch.cxx",
     "return this->AreColorsOfMap[static_cast<std::size_t>(std::max(this->Shown, 0))];", "return false;",
     "MaterialMapBlocks.ScalarsThatChooseColorNoBlock")
-add("Rendering.map-scalars-hide-blocks-colors", "Private/PartMappers.cxx", "|| this->OverridesColor)", ")",
+add("Rendering.map-scalars-hide-blocks-colors", "PartMappers.cxx", "|| this->OverridesColor)", ")",
     "MaterialMapBlocks.ABlocksColorGoesBeforeScalars")
-add("Rendering.map-second-weight-array-colors", "Private/MapArrays.cxx", "for (int k = 0; k < map->GetNumberOfMaterials(); ++k)",
+add("Rendering.map-second-weight-array-colors", "MapArrays.cxx", "for (int k = 0; k < map->GetNumberOfMaterials(); ++k)",
     "for (int k = 0; k < 1; ++k)", "MaterialMapping.NoneOfSeveralWeightArraysColors")
-add("Rendering.map-images-are-looked-at-by-the-first", "Private/WeightImages.cxx", "for (int size : sizes)",
+add("Rendering.map-images-are-looked-at-by-the-first", "WeightImages.cxx", "for (int size : sizes)",
     "for (int size : { sizes.front() })", "Parts.ImagesMayDifferInSize")
-add("Rendering.map-images-of-zeros-are-odd", "Private/WeightImages.cxx", "else if (anyLeft)",
+add("Rendering.map-images-of-zeros-are-odd", "WeightImages.cxx", "else if (anyLeft)",
     "else if (components > map->GetNumberOfMaterials())", "MaterialMapping.WeightsOfNoMaterialAreSaidUnlessTheyAreZero")
-add("Rendering.map-waits-for-materials-that-left", "Private/MapperPlans.cxx", "inUse.count(member) == 0", "false",
+add("Rendering.map-waits-for-materials-that-left", "MapperPlans.cxx", "inUse.count(member) == 0", "false",
     "MaterialMapping.PlansOfMaterialsThatLeaveAreGivenUp")
 add("Rendering.map-time-is-not-taken", "vtkMeasuredBRDFMapper.cxx", "this->TimeToDraw = this->Map->Timer.GetSeconds();", "",
     "MaterialMapping.TimeOfAllPartsIsTaken")
-add("Rendering.map-nothing-is-highlighted", "Private/PartMappers.cxx", "this->Highlight->SetSelection(selection);", "",
+add("Rendering.map-nothing-is-highlighted", "PartMappers.cxx", "this->Highlight->SetSelection(selection);", "",
     "MaterialMapping.SelectedCellsAreHighlighted")
-add("Rendering.map-names-upload-images", "Private/WeightImages.cxx",
+add("Rendering.map-names-upload-images", "WeightImages.cxx",
     "source.emplace_back(map->GetWeightImage(k), map->GetWeightImage(k)->GetMTime());",
     "source.emplace_back(map->GetWeightImage(k), map->GetMTime());", "MaterialMapping.OnlyChangedImagesAreUploaded")
-add("Integration.tails-of-one-side", "Private/TailRegularity.cxx", "for (const double turn : { azimuth, -azimuth })",
+add("Integration.tails-of-one-side", "TailRegularity.cxx", "for (const double turn : { azimuth, -azimuth })",
     "for (const double turn : { azimuth, azimuth })", "TailRegularity.OfOddTables")
 add("Visibility.occluders-stay", "vtkSurfaceVisibilityFilter.cxx", "occluder.Matrix ? occluder.Matrix->GetMTime() : 0", "0",
     "OcclusionStability.OccludersMayMove")
 add("Visibility.bounce-of-an-earlier-run-stays", "vtkSurfaceVisibilityFilter.cxx",
     "surface->GetPointData()->RemoveArray(name.c_str());", "", "BouncedLight.OfAnEarlierRunGoes")
-add("Visibility.buried-points-darken", "Private/VisibilityTask.cxx", "constexpr double buried = 0.99;",
+add("Visibility.buried-points-darken", "VisibilityTask.cxx", "constexpr double buried = 0.99;",
     "constexpr double buried = 2.0;", "OcclusionStability.PointsInsideOtherBodiesDarkenNothing")

@@ -19,12 +19,12 @@ import subprocess
 import sys
 import time
 
-from faults import FAULTS, FOLDERS, ROOMS
+from faults import COMPONENTS, FAULTS, FOLDERS
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 FEWEST = 100
 SHARE = 0.95
-# As in the test of sizes, what lies in these folders is no source.
+# What lies in these folders is no source.
 SKIPPED = (".git", "__pycache__", "output", "install")
 OPTIONS = ("-DCMAKE_BUILD_TYPE=Release", "-DBUILD_TESTING=ON", "-DMEASUREDBRDF_WRAP_PYTHON=OFF",
            "-DMEASUREDBRDF_BUILD_TOOL=OFF", "-DMEASUREDBRDF_WARNINGS_AS_ERRORS=OFF",
@@ -77,13 +77,13 @@ def find_problems(tests):
         problems.append(f"{len(FAULTS)} faults, expected at least {FEWEST}")
     counts = collections.Counter(fault.id for fault in FAULTS)
     problems += [f"{id}: {count} faults have this name" for id, count in counts.items() if count > 1]
-    rooms = {fault.id.split(".")[0] for fault in FAULTS}
-    problems += [f"{room}: no fault" for room in ROOMS if room not in rooms]
+    components = {fault.id.split(".")[0] for fault in FAULTS}
+    problems += [f"{component}: no fault" for component in COMPONENTS if component not in components]
     for fault in FAULTS:
-        room = fault.id.split(".")[0]
-        folder = FOLDERS.get(room, f"Module/{room}/")
-        if room not in ROOMS or not fault.file.startswith(folder):
-            problems.append(f"{fault.id}: the name begins with the room of its file, one of {', '.join(ROOMS)}")
+        component = fault.id.split(".")[0]
+        folder = FOLDERS.get(component, f"Module/{component}/")
+        if component not in COMPONENTS or not fault.file.startswith(folder):
+            problems.append(f"{fault.id}: the name begins with the component of its file, one of {', '.join(COMPONENTS)}")
         if not os.path.exists(os.path.join(ROOT, fault.file)):
             problems.append(f"{fault.id}: there is no file {fault.file}")
             continue
@@ -221,16 +221,16 @@ def get_failures(copy, faults, tests):
 
 def report(results):
     """Prints the table; the exit status."""
-    print(f"\n{'room':<12} {'faults':>6} {'noticed':>7} {'missed':>6} {'equivalent':>10}")
+    print(f"\n{'component':<12} {'faults':>6} {'noticed':>7} {'missed':>6} {'equivalent':>10}")
     all_counts = collections.Counter()
-    for room in ROOMS:
+    for component in COMPONENTS:
         counts = collections.Counter()
         for fault, verdict in results:
-            if fault.id.split(".")[0] == room:
+            if fault.id.split(".")[0] == component:
                 counts["faults"] += 1
                 counts["equivalent" if fault.equivalent else verdict] += 1
         if counts:
-            print(f"{room:<12} {counts['faults']:>6} {counts['noticed']:>7} {counts['MISSED']:>6} "
+            print(f"{component:<12} {counts['faults']:>6} {counts['noticed']:>7} {counts['MISSED']:>6} "
                   f"{counts['equivalent']:>10}")
         all_counts += counts
     counted = all_counts["noticed"] + all_counts["MISSED"]

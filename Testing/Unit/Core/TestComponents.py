@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rooms of Module/ use the rooms that docs/architecture.md allows them, units form no circles, public headers show no
+"""Components of Module/ use the components that docs/architecture.md allows them, units form no circles, public headers show no
 private type, and no two headers share a name: tests see several folders of them, where the first one found wins.
 
-usage: TestRooms.py REPOSITORY
+usage: TestComponents.py REPOSITORY
 """
 
 import os
@@ -27,14 +27,13 @@ ALLOWED = {
 
 
 def find_files(module):
-    """{file name: (room, path, whether it is private)}"""
+    """{file name: (component, path, whether it is private)}"""
     files = {}
-    for room in ALLOWED:
-        for folder in (room, os.path.join(room, "Private")):
-            path = os.path.join(module, folder)
-            for name in sorted(os.listdir(path)) if os.path.isdir(path) else []:
+    for component in ALLOWED:
+        for path, _, names in os.walk(os.path.join(module, component)):
+            for name in sorted(names):
                 if name.endswith((".h", ".cxx", ".txx")):
-                    files[name] = (room, os.path.join(path, name), folder != room)
+                    files[name] = (component, os.path.join(path, name), "Private" in path)
     return files
 
 
@@ -77,18 +76,18 @@ def find_same_headers(repository):
 
 
 def find_missing_for_fuzzing(repository):
-    """Problems: a room that the fuzz targets' rooms use and their build leaves out; no test compiles it with libFuzzer."""
+    """Problems: a component that the fuzz targets' components use and their build leaves out; no test compiles it with libFuzzer."""
     path = os.path.join(repository, "Testing", "Fuzz", "CMakeLists.txt")
     with open(path, encoding="utf-8") as file:
-        rooms = re.search(r"^set\(rooms ([^)]*)\)", file.read(), re.MULTILINE).group(1).split()
-    return [f"{path}: {room} uses {used}, which is not among the rooms"
-            for room in rooms for used in ALLOWED[room] if used not in rooms]
+        components = re.search(r"^set\(components ([^)]*)\)", file.read(), re.MULTILINE).group(1).split()
+    return [f"{path}: {component} uses {used}, which is not among the components"
+            for component in components for used in ALLOWED[component] if used not in components]
 
 
 def main(repository):
     files = find_files(os.path.join(repository, "Module"))
     problems, uses = find_same_headers(repository) + find_missing_for_fuzzing(repository), {}
-    for name, (room, path, private) in files.items():
+    for name, (component, path, private) in files.items():
         with open(path, encoding="utf-8") as file:
             text = file.read()
         included = re.findall(r'#include "([^"]+)"', text)
@@ -98,20 +97,20 @@ def main(repository):
         for other in included:
             if other not in files:
                 continue
-            other_room, _, other_private = files[other]
-            if other_room != room and other_room not in ALLOWED[room]:
-                problems.append(f"{path}: {room} may not use {other_room} ({other})")
+            other_component, _, other_private = files[other]
+            if other_component != component and other_component not in ALLOWED[component]:
+                problems.append(f"{path}: {component} may not use {other_component} ({other})")
             if name.endswith(".h") and not private and other_private:
                 problems.append(f"{path}: a public header includes the private {other}")
             unit, used = name.split(".")[0], other.split(".")[0]
             if unit != used:
                 uses.setdefault(unit, set()).add(used)
-    for room in ALLOWED:
-        if not os.path.isfile(os.path.join(repository, "Module", room, "README.md")):
-            problems.append(f"Module/{room}: there is no README.md")
+    for component in ALLOWED:
+        if not os.path.isfile(os.path.join(repository, "Module", component, "README.md")):
+            problems.append(f"Module/{component}: there is no README.md")
     for circle in get_circles(uses):
         problems.append("units form a circle: " + ", ".join(circle))
-    print("\n".join(problems) or f"{len(files)} files in {len(ALLOWED)} rooms keep to the directions")
+    print("\n".join(problems) or f"{len(files)} files in {len(ALLOWED)} components keep to the directions")
     return 1 if problems else 0
 
 
