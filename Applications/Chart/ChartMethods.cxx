@@ -132,8 +132,6 @@ static std::vector<ChartMethod> MakeChartMethods()
       { "17,8,8,0", "33,8,8,0", "33,12,16,0", "65,8,8,0", "65,12,16,0", "129,8,8,0", "64,12,8,8",
         "128,12,8,8", "128,12,8,16", "256,12,8,8" },
       ApplySizes("hybrid") },
-    { "basis", "pre-integrated basis", { 0.0, 0.62, 0.45 }, true, { "9", "25", "64" },
-      { "4", "9", "16", "25", "49", "64", "100", "144" }, ApplySizes("basis") },
     { "filtered", "filtered samples", { 0.80, 0.47, 0.65 }, true, { "4", "16", "64" },
       { "4", "8", "16", "32", "64", "128", "256" }, ApplySizes("filtered") },
     { "soft-lights", "soft lights", { 0.90, 0.62, 0.0 }, true, { "16", "64", "256" },

@@ -13,7 +13,6 @@
 #include "vtkBasisBRDF.h"
 #include "vtkBasisExtrapolator.h"
 #include "vtkBasisProjector.h"
-#include "vtkBasisRadianceIntegrator.h"
 #include "vtkLightSet.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -137,29 +136,6 @@ void RunRinging(Context& context)
 }
 
 //------------------------------------------------------------------------------
-// Own functions, pre-integrated over the environment: no clamp per light is possible.
-void RunSignedSum(Context& context)
-{
-  const vtkSmartPointer<vtkEnvironment> environment = context.MakeEnvironment("hall", 64);
-  const Pairs pairs = MakeSpherePairs(200);
-  for (const double exponent : { 5.0, 20.0, 100.0 })
-  {
-    const vtkSmartPointer<vtkBRDF> projected =
-      Project(MakeLobe(exponent), vtkBasisBRDF::LEGENDRE_FOURIER, 6);
-    vtkNew<vtkBasisRadianceIntegrator> integrator;
-    integrator->SetBRDF(projected);
-    integrator->SetEnvironment(environment);
-    integrator->SetUseOwnBasis(true);
-    const std::vector<double> radiance = Integrate(integrator, pairs);
-    context
-      .Add("basis", "error against the clamped sum, exponent " + Say(exponent),
-        GetRelativeL1(radiance, IntegrateReference(projected, environment, pairs)), 0.02)
-      .KnownUpTo(0.5, "negative parts can't be clamped per light");
-    context.Add("basis", "negative radiances, exponent " + Say(exponent), CountBad(radiance), 0.0);
-  }
-}
-
-//------------------------------------------------------------------------------
 void RunExtrapolation(Context& context)
 {
   const double outside[2] = { 57.0, 80.0 };
@@ -246,8 +222,6 @@ void AddBasesCases(std::vector<Case>& cases)
   cases.push_back({ "ringing", "bases", "harmonics of low order on sharp lobes", RunRinging });
   cases.push_back(
     { "zenith", "bases", "light along the normal, where azimuths mean nothing", RunZenith });
-  cases.push_back({ "signed-sum", "bases",
-    "pre-integrated bases, where only the sum can be clamped", RunSignedSum });
   cases.push_back(
     { "extrapolation", "bases", "harmonics beyond the zone that was measured", RunExtrapolation });
 }

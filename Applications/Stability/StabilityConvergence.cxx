@@ -57,10 +57,6 @@ std::vector<Series> GetSeries(bool isShort)
       [](vtkBRDF* brdf, vtkEnvironment* environment, int size, int)
       { return MakeTable(brdf, environment, size, 2 * size / 3, size); },
       100.0 },
-    { "basis", "functions", { 4.0, 8.0, 16.0, 32.0 }, 1.0,
-      "smooth kernels: faster than any power, to the maps' error",
-      [](vtkBRDF* brdf, vtkEnvironment* environment, int size, int)
-      { return MakeBasis(brdf, environment, size); } },
   };
 }
 

@@ -74,8 +74,7 @@ std::vector<Oddity> MakeOddities()
       MakeMaterial(
         [](std::size_t cell, double value) { return value - (Hash(cell) < 0.2 ? 0.3 : 0.0); }),
       { 0.1,
-        { { "thesis", 0.4 }, { "basis", 0.3 }, { "table", 0.4 }, { "factored", 0.4 },
-          { "anisotropic-table", 0.4 } },
+        { { "thesis", 0.4 }, { "table", 0.4 }, { "factored", 0.4 }, { "anisotropic-table", 0.4 } },
         "noise from cell to cell is finer than rows, view angles and functions" } },
     { "missing cells", MakeMaterial([nan](std::size_t cell, double value)
                          { return Hash(cell) < 0.3 ? nan : value; }) },

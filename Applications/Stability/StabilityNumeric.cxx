@@ -207,8 +207,7 @@ void RunPrecision(Context& context)
     { "4096 lights", MakeLightLoop(brdf, environment, MakeLights(environment, "variance", 4096)),
       1e-5 },
     { "256 samples", MakeFiltered(brdf, environment, 256), 1e-3 },
-    { "table", MakeTable(brdf, environment, 65, 12, 16), 2e-3 },
-    { "64 functions", MakeBasis(brdf, environment, 64), 2e-3 }
+    { "table", MakeTable(brdf, environment, 65, 12, 16), 2e-3 }
   };
   for (const Size& size : sizes)
   {

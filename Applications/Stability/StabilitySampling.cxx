@@ -76,12 +76,12 @@ void RunDots(Context& context)
     context.Add(contender.Name, "RMS error, exponent 500", GetRelativeRMS(radiance, reference),
       { 0.1,
         { { "median-cut", 1.0 }, { "importance", 1.0 }, { "variance", 0.4 }, { "thesis", 1.2 },
-          { "basis", 0.6 }, { "filtered", 0.4 } },
+          { "filtered", 0.4 } },
         TooFew });
     context.Add(contender.Name, "median error, exponent 500", GetMedianError(radiance, reference),
       { 0.02,
         { { "median-cut", 0.15 }, { "importance", 0.2 }, { "variance", 0.12 }, { "thesis", 0.5 },
-          { "basis", 0.3 }, { "filtered", 0.2 } },
+          { "filtered", 0.2 } },
         TooFew });
   }
   context.Shown =
@@ -185,7 +185,7 @@ void RunHorizon(Context& context)
       GetRelativeL1(Integrate(contender.Make(brdf, strip), pairs), reference),
       { 0.05,
         { { "median-cut", 0.15 }, { "importance", 0.3 }, { "variance", 0.3 }, { "thesis", 0.3 },
-          { "basis", 0.2 }, { "filtered", 10.0 } },
+          { "filtered", 10.0 } },
         "cells and wide samples carry light across the horizon" });
   }
 }

@@ -199,8 +199,8 @@ void RunMotion(Context& context)
         context.Add(contender.Name, "flicker ratio, " + scene.Name + ", " + motions[m].Name,
           GetFlicker(Play(integrator, motions[m], count), references[m]),
           { Threshold,
-            { { "median-cut", 2.0 }, { "importance", 2.0 }, { "variance", 2.0 }, { "thesis", 4.0 },
-              { "basis", 4.0 } },
+            { { "median-cut", 2.0 }, { "importance", 2.0 }, { "variance", 2.0 },
+              { "thesis", 4.0 } },
             "dots and rings that pass over the surface" });
       }
     }

@@ -8,7 +8,6 @@
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkBasisBRDF.h"
 #include "vtkBasisProjector.h"
-#include "vtkBasisRadianceIntegrator.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
@@ -33,7 +32,6 @@ namespace
 constexpr int Lights = 64;      // of the thesis
 constexpr int SoftLights = 256; // the planner's, for anisotropic materials
 constexpr int Samples = 16;     // the planner's
-constexpr int Functions = 64;
 constexpr int ThesisOrder = 6;
 
 using tool::stability::Vector;
@@ -121,9 +119,6 @@ const std::vector<MethodUnderTest>& GetMethodsUnderTest()
         return MakeLightLoop(
           brdf, environment, MakeLights(environment, "variance", SoftLights), true);
       } },
-    { "basis", false,
-      [](vtkBRDF* brdf, vtkEnvironment* environment)
-      { return MakeBasis(brdf, environment, Functions); } },
     { "filtered", false,
       [](vtkBRDF* brdf, vtkEnvironment* environment)
       { return MakeFiltered(brdf, environment, Samples); } },
@@ -180,16 +175,6 @@ vtkSmartPointer<vtkRadianceIntegrator> MakeFiltered(
 {
   auto integrator = MakeFor<vtkFilteredRadianceIntegrator>(brdf, environment);
   integrator->SetNumberOfSamples(samples);
-  return integrator;
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkRadianceIntegrator> MakeBasis(
-  vtkBRDF* brdf, vtkEnvironment* environment, int functions)
-{
-  auto integrator = MakeFor<vtkBasisRadianceIntegrator>(brdf, environment);
-  integrator->SetTolerance(1e-4);
-  integrator->SetMaximumNumberOfTerms(functions);
   return integrator;
 }
 

@@ -35,8 +35,8 @@ struct MethodUnderTest
 };
 
 /// Every method, the thesis's first: "median-cut", "importance", "variance" (64 hard lights each),
-/// "thesis" (median cut over the material in harmonics of order 6), "soft-lights", "basis",
-/// "filtered", "table", "hybrid", "auto".
+/// "thesis" (median cut over the material in harmonics of order 6), "soft-lights", "filtered",
+///, "table", "hybrid", "auto".
 const std::vector<MethodUnderTest>& GetMethodsUnderTest();
 
 /// The sum over so many lights by median cut, for any material and environment.
@@ -54,8 +54,6 @@ vtkSmartPointer<vtkRadianceIntegrator> MakeTable(
   vtkBRDF* brdf, vtkEnvironment* environment, int rows, int viewAngles, int azimuths);
 vtkSmartPointer<vtkRadianceIntegrator> MakeFiltered(
   vtkBRDF* brdf, vtkEnvironment* environment, int samples);
-vtkSmartPointer<vtkRadianceIntegrator> MakeBasis(
-  vtkBRDF* brdf, vtkEnvironment* environment, int functions);
 ///@}
 
 ///@{

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveRadianceIntegrator.h"
 
-#include "AdaptiveGroup.h"
 #include "AdaptiveSum.h"
 #include "DirectionPairs.h"
 #include "LightLanes.h"
@@ -21,14 +20,14 @@
 #include <array>
 #include <vector>
 
-using measuredbrdf::AdaptiveGroup;
-
 vtkStandardNewMacro(vtkAdaptiveRadianceIntegrator);
 
 namespace
 {
 // How far the mirror directions of a four may be from the first one's, in radians.
 constexpr double MostApart = measuredbrdf::ReflectionGuide::Peaks::GetResolution();
+constexpr int PairsTogether = 4;
+using AdaptiveSumOfFour = measuredbrdf::AdaptiveSum<PairsTogether>;
 constexpr double SingleShare = 0.7; // of the tolerance: one pair is as exact then as four together
 }
 
@@ -99,10 +98,10 @@ void vtkAdaptiveRadianceIntegrator::IntegratePart(
 void vtkAdaptiveRadianceIntegrator::SumPair(const Pair& pair, double tolerance, double* radiance)
 {
   const measuredbrdf::Frame frame = measuredbrdf::FrameAbout(pair.Normal, pair.Tangent);
-  const glm::dvec3 view = measuredbrdf::ToLocal(frame, pair.View);
-  thread_local measuredbrdf::AdaptiveSum sum; // keeps its memory
-  const glm::dvec3 result =
-    sum.Run(this->Prepared->Texels, this->Prepared->Guide, this->BRDF, frame, view, tolerance);
+  const measuredbrdf::AdaptiveSum<1>::Pair one{ frame, measuredbrdf::ToLocal(frame, pair.View) };
+  thread_local measuredbrdf::AdaptiveSum<1> sum; // keeps its memory
+  glm::dvec3 result;
+  sum.Run(this->Prepared->Texels, this->Prepared->Guide, this->BRDF, &one, tolerance, &result);
   this->Evaluations += sum.GetNumberOfEvaluations();
   for (int c = 0; c < 3; ++c)
   {
@@ -113,7 +112,7 @@ void vtkAdaptiveRadianceIntegrator::SumPair(const Pair& pair, double tolerance, 
 //------------------------------------------------------------------------------
 void vtkAdaptiveRadianceIntegrator::IntegrateFour(const Pair* pairs, double* radiance)
 {
-  const bool areNear = std::all_of(pairs, pairs + AdaptiveGroup::Size,
+  const bool areNear = std::all_of(pairs, pairs + PairsTogether,
     [pairs](const Pair& pair)
     {
       const double apart =
@@ -122,7 +121,7 @@ void vtkAdaptiveRadianceIntegrator::IntegrateFour(const Pair* pairs, double* rad
     });
   if (!areNear)
   {
-    for (int k = 0; k < AdaptiveGroup::Size; ++k)
+    for (int k = 0; k < PairsTogether; ++k)
     {
       const Pair& pair = pairs[k];
       const auto isSame = [&pair](const Pair& other)
@@ -139,14 +138,14 @@ void vtkAdaptiveRadianceIntegrator::IntegrateFour(const Pair* pairs, double* rad
     }
     return;
   }
-  std::array<AdaptiveGroup::Pair, AdaptiveGroup::Size> group;
+  std::array<AdaptiveSumOfFour::Pair, PairsTogether> group;
   for (std::size_t k = 0; k < group.size(); ++k)
   {
     const measuredbrdf::Frame frame = measuredbrdf::FrameAbout(pairs[k].Normal, pairs[k].Tangent);
     group[k] = { frame, measuredbrdf::ToLocal(frame, pairs[k].View) };
   }
-  std::array<glm::dvec3, AdaptiveGroup::Size> results;
-  thread_local AdaptiveGroup sum; // keeps its memory
+  std::array<glm::dvec3, PairsTogether> results;
+  thread_local AdaptiveSumOfFour sum; // keeps its memory
   sum.Run(this->Prepared->Texels, this->Prepared->Guide, this->BRDF, group.data(), this->Tolerance,
     results.data());
   this->Evaluations += sum.GetNumberOfEvaluations();
@@ -174,10 +173,10 @@ bool vtkAdaptiveRadianceIntegrator::IntegrateNeighbors(
     return false;
   }
   const vtkIdType count = normals->GetNumberOfTuples();
-  if (count % AdaptiveGroup::Size != 0)
+  if (count % PairsTogether != 0)
   {
     vtkErrorMacro("IntegrateNeighbors: found " << count << " pairs, expected a multiple of "
-                                               << AdaptiveGroup::Size << ".");
+                                               << PairsTogether << ".");
     return false;
   }
   std::vector<Pair> pairs;
@@ -205,13 +204,13 @@ bool vtkAdaptiveRadianceIntegrator::IntegrateNeighbors(
       {
         for (vtkIdType four = begin; four < end && !this->Abort; ++four)
         {
-          const auto at = static_cast<std::size_t>(four * AdaptiveGroup::Size);
+          const auto at = static_cast<std::size_t>(four * PairsTogether);
           this->IntegrateFour(&pairs[at], &sums[3 * at]);
         }
       });
   };
-  if (!measuredbrdf::WorkInBatches(count / AdaptiveGroup::Size, sumBatch,
-        [this](double share) { return this->Report(share); }))
+  if (!measuredbrdf::WorkInBatches(
+        count / PairsTogether, sumBatch, [this](double share) { return this->Report(share); }))
   {
     vtkErrorMacro("IntegrateNeighbors: aborted.");
     return false;

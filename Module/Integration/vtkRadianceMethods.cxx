@@ -6,7 +6,6 @@
 #include "Registry.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAnisotropicTableRadianceIntegrator.h"
-#include "vtkBasisRadianceIntegrator.h"
 #include "vtkExactRadianceIntegrator.h"
 #include "vtkFactoredRadianceIntegrator.h"
 #include "vtkFilteredRadianceIntegrator.h"
@@ -29,8 +28,8 @@ Methods MakeOwnMethods()
 {
   Methods methods = Registry<vtkRadianceIntegrator>::Make<vtkTableRadianceIntegrator,
     vtkHybridRadianceIntegrator, vtkAnisotropicTableRadianceIntegrator,
-    vtkLightSetRadianceIntegrator, vtkFilteredRadianceIntegrator, vtkBasisRadianceIntegrator,
-    vtkFactoredRadianceIntegrator, vtkAdaptiveRadianceIntegrator, vtkExactRadianceIntegrator>();
+    vtkLightSetRadianceIntegrator, vtkFilteredRadianceIntegrator, vtkFactoredRadianceIntegrator,
+    vtkAdaptiveRadianceIntegrator, vtkExactRadianceIntegrator>();
   for (const auto& method : methods)
   {
     if (auto* lights = vtkLightSetRadianceIntegrator::SafeDownCast(method))

@@ -5,11 +5,11 @@
 #include "BilinearWarp.h"
 #include "ContentHash.h"
 #include "HalfVector.h"
+#include "NumberText.h"
 #include "OneByOne.h"
 #include "PackedWarp.h"
 #include "RenderableTable.h"
-#include "WarpChecks.h"
-#include "WarpLanes.h"
+#include "RoundingNoise.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
@@ -17,6 +17,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -62,6 +63,95 @@ struct vtkAdaptiveWarpBRDF::Warps
 
 namespace
 {
+constexpr float AngleNoise = 1e-5f;
+
+// What is wrong with the tables: texts, "" where nothing is. This one repairs angles that were
+// rounded onto or below the one before.
+std::string CheckAxis(const char* name, std::vector<float>& axis)
+{
+  bool ascending = !axis.empty() && std::isfinite(axis.front());
+  const float first = axis.empty() ? 0.0f : axis.front();
+  for (std::size_t k = 1; ascending && k < axis.size(); ++k)
+  {
+    ascending = std::isfinite(axis[k]) && axis[k] >= axis[k - 1] - AngleNoise;
+    axis[k] = std::max(axis[k], std::nextafter(axis[k - 1], HUGE_VALF));
+  }
+  ascending = ascending && (axis.size() == 1 || axis.back() - first > 0.5f * AngleNoise);
+  return ascending ? "" : std::string(name) + ": expected ascending finite angles";
+}
+
+// prefix: the leading axes' sizes; then two sizes of at least 2.
+std::string CheckTable(const char* name, const std::vector<int>& shape,
+  const std::vector<float>& values, const std::vector<int>& prefix)
+{
+  std::size_t count = 1;
+  for (int n : shape)
+  {
+    if (n < 1 || n > (1 << 20) || count > (std::size_t(1) << 40))
+    {
+      return std::string(name) + ": shape out of range";
+    }
+    count *= static_cast<std::size_t>(n);
+  }
+  if (shape.size() != prefix.size() + 2 ||
+      !std::equal(prefix.begin(), prefix.end(), shape.begin()) || shape[prefix.size()] < 2 ||
+      shape[prefix.size() + 1] < 2 || values.size() != count)
+  {
+    return std::string(name) + ": shape does not match theta_i, phi_i or its values";
+  }
+  if (!std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); }))
+  {
+    return std::string(name) + ": expected finite values";
+  }
+  return "";
+}
+
+// A whole turn, half of one or a quarter. One or two azimuths: it is isotropic.
+std::string CheckSpan(const std::vector<float>& phi)
+{
+  if (phi.size() <= 2)
+  {
+    return "";
+  }
+  const double span = static_cast<double>(phi.back()) - phi.front();
+  const double parts = 2.0 * Pi / span;
+  const double whole = std::round(parts);
+  if ((whole != 1.0 && whole != 2.0 && whole != 4.0) || std::abs(parts - whole) > 0.05)
+  {
+    return "phi_i: found a span of " + NumberText(span * 180.0 / Pi) +
+           " degrees, expected 360, 180 or 90";
+  }
+  // Mirrors are the planes of x and y.
+  const double start = phi.front() / (0.5 * Pi);
+  if (whole == 4.0 && std::abs(start - std::round(start)) > 0.05)
+  {
+    return "phi_i: found a quarter turn from " + NumberText(phi.front() * 180.0 / Pi) +
+           " degrees, expected one from a multiple of 90";
+  }
+  return "";
+}
+
+// Of a table that passed CheckTable. Clears rounding noise below 0.
+std::string CheckDensity(
+  const char* name, const std::vector<int>& shape, std::vector<float>& values)
+{
+  const int height = shape[shape.size() - 2];
+  const int width = shape[shape.size() - 1];
+  const std::size_t size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (!ClearNoise(values))
+  {
+    return std::string(name) + ": a density cannot be negative";
+  }
+  for (std::size_t offset = 0; offset < values.size(); offset += size)
+  {
+    if (!(BilinearWarp::GetSum(&values[offset], width, height) > 0.0))
+    {
+      return std::string(name) + ": a density cannot be 0 everywhere";
+    }
+  }
+  return "";
+}
+
 // Polar angle without acos: exact for small angles.
 double Elevation(const glm::dvec3& d)
 {
@@ -236,20 +326,7 @@ void vtkAdaptiveWarpBRDF::EvaluateLights(
     EvaluateLightsOneByOne(this, count, i, o, f);
     return;
   }
-  for (int first = 0; first < count; first += WarpLanes::Most)
-  {
-    const int some = std::min(count - first, WarpLanes::Most);
-    const float* const lights[3] = { i[0] + first, i[1] + first, i[2] + first };
-    WarpLanes lanes;
-    FindWarpLanes(some, lights, o, lanes);
-    float rgb[3][WarpLanes::Most];
-    float* const to[3] = { rgb[0], rgb[1], rgb[2] };
-    this->Warp->Packed->Evaluate(some, lanes, o[2], to);
-    for (int c = 0; c < 3; ++c)
-    {
-      std::copy_n(rgb[c], some, f[c] + first);
-    }
-  }
+  this->Warp->Packed->Evaluate(count, i, o, f);
 }
 
 //------------------------------------------------------------------------------

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAshikhminShirleyBRDF.h"
 
-#include "AshikhminShirleyLanes.h"
 #include "ContentHash.h"
 #include "FiniteFloat.h"
 #include "HalfVector.h"
+#include "LaneMath.h"
 #include "ModuleShader.h"
 #include "Setters.h"
 #include "vtkBRDFAshikhminShirley.h"
@@ -37,6 +37,14 @@ double DiffuseFactor(double c)
 }
 
 constexpr double DiffuseScale = 28.0 / (23.0 * Pi);
+
+// 1 - (1 - c/2)^5, without a difference that loses digits at the horizon.
+template <typename Number>
+MEASUREDBRDF_INLINE Number DiffuseFactorInLanes(Number cosine)
+{
+  const Number x = 0.5f * cosine;
+  return x * (5.0f - x * (10.0f - x * (10.0f - x * (5.0f - x))));
+}
 
 // Of the lobe, without Fresnel and the cosines.
 double GetPeak(double nu, double nv) { return std::sqrt((nu + 1.0) * (nv + 1.0)) / (8.0 * Pi); }
@@ -101,18 +109,55 @@ void vtkAshikhminShirleyBRDF::EvaluateSoftAbove(
 void vtkAshikhminShirleyBRDF::EvaluateLights(
   int count, const float* const i[3], const double o[3], float* const f[3])
 {
-  AshikhminShirleyLanes lanes;
-  lanes.Exponents[0] = ToFloat(this->ExponentU);
-  lanes.Exponents[1] = ToFloat(this->ExponentV);
-  lanes.Index = this->FresnelModel == SCHLICK ? 0.0f : ToFloat(this->IndexOfRefraction);
+  const float exponents[2] = { ToFloat(this->ExponentU), ToFloat(this->ExponentV) };
+  const float index = this->FresnelModel == SCHLICK ? 0.0f : ToFloat(this->IndexOfRefraction);
   const double peak = GetPeak(this->ExponentU, this->ExponentV);
+  const auto viewCosine = static_cast<float>(o[2]);
+  float specular[3], reflectance[3], diffuse[3];
   for (int c = 0; c < 3; ++c)
   {
-    lanes.Specular[c] = ToFloat(this->SpecularScale[c] * peak);
-    lanes.Fresnel[c] = ToFloat(this->Reflectance[c]);
-    lanes.Diffuse[c] = ToFloat(DiffuseScale * this->Diffuse[c] * (1.0 - this->Reflectance[c]));
+    specular[c] = ToFloat(this->SpecularScale[c] * peak);
+    reflectance[c] = ToFloat(this->Reflectance[c]);
+    diffuse[c] = ToFloat(DiffuseScale * this->Diffuse[c] * (1.0 - this->Reflectance[c])) *
+                 DiffuseFactorInLanes(viewCosine);
   }
-  lanes.EvaluateMany(count, i, o, f);
+  struct State : LaneState
+  {
+    LaneDirections Half;
+    Floats Cosine; // of theta_d
+  };
+  EvaluateLanes<State>(
+    count, i, f,
+    [&](State& s) MEASUREDBRDF_INLINED { s.Half = FindHalf(s.Light, FillDirections(o), s.Cosine); },
+    [&](State& s) MEASUREDBRDF_INLINED
+    {
+      const LaneDirections& h = s.Half;
+      const Floats cosine = s.Cosine;
+      const Floats xSquare = h.X * h.X;
+      const Floats ySquare = h.Y * h.Y;
+      const Floats ratio = FindLogCosineRatio(h.Z, Smaller(xSquare + ySquare, Fill(1.0f)));
+      const Floats lobe =
+        FindExp(0.5f * (exponents[0] * xSquare + exponents[1] * ySquare) * ratio) /
+        (cosine * Larger(s.Light.Z, Fill(viewCosine)));
+      const Floats spread = DiffuseFactorInLanes(s.Light.Z);
+      const Floats rest = Larger(1.0f - cosine, Floats{});
+      const Floats fifth = rest * rest * rest * rest * rest;
+      Floats dielectric{};
+      if (index > 0.0f)
+      {
+        const Floats square = cosine * cosine + (index * index - 1.0f);
+        const Floats g = SquareRoot(Larger(square, Floats{}));
+        const Floats a = (g - cosine) / (g + cosine);
+        const Floats b = (cosine * (g + cosine) - 1.0f) / (cosine * (g - cosine) + 1.0f);
+        dielectric = 0.5f * a * a * (1.0f + b * b);
+      }
+      for (int c = 0; c < 3; ++c)
+      {
+        const Floats fresnel =
+          index > 0.0f ? dielectric : reflectance[c] + (1.0f - reflectance[c]) * fifth;
+        s.Color[c] = specular[c] * lobe * fresnel + diffuse[c] * spread;
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -5,13 +5,13 @@
 #include "ContentHash.h"
 #include "HalfVector.h"
 #include "HalfVectorSampler.h"
+#include "LaneMath.h"
 #include "ModuleShader.h"
 #include "Neighbors.h"
 #include "NumberText.h"
 #include "OneByOne.h"
 #include "Setters.h"
 #include "SharedExponent.h"
-#include "TabulatedLanes.h"
 #include "TabulatedLevels.h"
 #include "TabulatedStorage.h"
 #include "VolumeInterpolation.h"
@@ -57,7 +57,7 @@ static_assert(static_cast<int>(TabulatedStorage::Shared) == vtkTabulatedBRDF::SH
               static_cast<int>(TabulatedStorage::Float) == vtkTabulatedBRDF::FLOAT32);
 
 // Invalid cells are premultiplied away: the filter then skips them as Evaluate does.
-void Fill(vtkBRDFShaderInputs::Texture& texture, const std::vector<float>& volume,
+void FillTexture(vtkBRDFShaderInputs::Texture& texture, const std::vector<float>& volume,
   const TabulatedStorage& storage)
 {
   const float scale = storage.Scale;
@@ -121,6 +121,87 @@ glm::dvec3 ToUnit(int parameterization, int azimuthRange, const glm::dvec3& i, c
   }
   return { phi / (half ? Pi : 2.0 * Pi), std::atan2(std::hypot(o.x, o.y), o.z) * (2.0 / Pi),
     std::atan2(std::hypot(i.x, i.y), i.z) * (2.0 / Pi) };
+}
+
+// The same for several lights, to single precision; the azimuth of what lies nearly in its axis is
+// less exact.
+MEASUREDBRDF_INLINE void FindIncidentOutgoingInLanes(
+  const LaneDirections& light, const double o[3], bool isHalfTurn, Floats units[3])
+{
+  const LaneDirections view = FillDirections(o);
+  const Floats along = light.X * view.X + light.Y * view.Y;
+  const Floats across = light.X * view.Y - light.Y * view.X;
+  const Floats turns = FindTurns(along, across);
+  units[0] = isHalfTurn ? 2.0f * turns : (across < 0.0f ? -turns : turns);
+  units[1] = Fill(static_cast<float>(std::atan2(std::hypot(o[0], o[1]), o[2]) * (2.0 / Pi)));
+  units[2] = FindQuarterTurns(FindHalfDistance(light, { Floats{}, Floats{}, Fill(1.0f) }));
+}
+
+MEASUREDBRDF_INLINE void FindHalfDifferenceInLanes(
+  const LaneDirections& light, const LaneDirections& h, bool isHalfTurn, Floats units[3])
+{
+  // The frame of h: along the plane of h and the normal, and across it. Times the sine of theta_h.
+  const Floats square = h.X * h.X + h.Y * h.Y;
+  const Floats x = square > 1e-14f ? h.X : Fill(1.0f);
+  const Floats y = square > 1e-14f ? h.Y : Floats{};
+  const Floats below = square > 1e-14f ? square * light.Z : Floats{};
+  const Floats along = h.Z * (x * light.X + y * light.Y) - below;
+  const Floats across = x * light.Y - y * light.X;
+  const Floats turns = FindTurns(along, across);
+  units[0] = (across < 0.0f ? -turns : turns) * (isHalfTurn ? 2.0f : 1.0f);
+  units[1] = FindQuarterTurns(FindHalfDistance(light, h));
+  units[2] = SquareRoot(FindQuarterTurns(FindHalfDistance(h, { Floats{}, Floats{}, Fill(1.0f) })));
+}
+
+// The samples of an axis about coordinates, as FindCorners finds them.
+struct AxisLanes
+{
+  Integers First, Second;
+  Floats Weight; // of the second
+};
+
+MEASUREDBRDF_INLINE AxisLanes FindAxisLanes(Floats unit, int count, bool periodic)
+{
+  const auto n = static_cast<float>(count);
+  Floats x = unit * n - 0.5f;
+  x = periodic ? x + 2.0f * n : Smaller(Larger(x, Floats{}), Fill(n - 1.0f)); // unit > -1
+  Integers first = ToIntegers(x);
+  const Floats weight = x - ToFloats(first);
+  for (int turn = 0; turn < 3 && periodic; ++turn)
+  {
+    first = first >= count ? first - count : first;
+  }
+  const Integers next = first + 1;
+  const Integers beyond = Integers{} + (periodic ? 0 : count - 1);
+  return { first, next >= count ? beyond : next, weight };
+}
+
+// The volume's value in one lane, of a volume without invalid cells: red, green, blue and a number.
+MEASUREDBRDF_INLINE Float4 InterpolateInLanes(
+  const std::vector<float>& volume, const int dimensions[3], const AxisLanes axes[3], int k)
+{
+  const std::ptrdiff_t x[2] = { axes[0].First[k], axes[0].Second[k] };
+  const std::ptrdiff_t y[2] = { axes[1].First[k], axes[1].Second[k] };
+  const std::ptrdiff_t z[2] = { axes[2].First[k], axes[2].Second[k] };
+  const float u = axes[0].Weight[k];
+  const float v = axes[1].Weight[k];
+  const float w = axes[2].Weight[k];
+  const float weights[4] = { (1.0f - v) * (1.0f - w), v * (1.0f - w), (1.0f - v) * w, v * w };
+  const std::ptrdiff_t last = static_cast<std::ptrdiff_t>(volume.size()) - 4;
+  Float4 sum{};
+  for (int row = 0; row < 4; ++row)
+  {
+    const std::ptrdiff_t start = dimensions[0] * (y[row % 2] + dimensions[1] * z[row / 2]);
+    for (int side = 0; side < 2; ++side)
+    {
+      const std::ptrdiff_t at = 3 * (start + x[side]);
+      const float* const rgb = volume.data() + at;
+      const float weight = weights[row] * (side == 0 ? 1.0f - u : u);
+      const Float4 color = at <= last ? Load<Float4>(rgb) : Float4{ rgb[0], rgb[1], rgb[2], 0.0f };
+      sum += weight * color;
+    }
+  }
+  return sum;
 }
 }
 
@@ -258,10 +339,48 @@ void vtkTabulatedBRDF::EvaluateLights(
     EvaluateLightsOneByOne(this, count, i, o, f);
     return;
   }
-  const TabulatedLanes lanes{ this->Volume, this->Dimensions,
-    this->Parameterization == HALF_DIFFERENCE, this->AzimuthRange == HALF_TURN,
-    this->CosineWeighted };
-  lanes.EvaluateMany(count, i, o, f);
+  const bool isHalfDifference = this->Parameterization == HALF_DIFFERENCE;
+  const bool isHalfTurn = this->AzimuthRange == HALF_TURN;
+  const float scale = this->CosineWeighted ? static_cast<float>(1.0 / o[2]) : 1.0f;
+  struct State : LaneState
+  {
+    LaneDirections Half;
+    AxisLanes Axes[3];
+  };
+  const auto findHalf = [&](State& s) MEASUREDBRDF_INLINED
+  {
+    Floats cosine;
+    s.Half = FindHalf(s.Light, FillDirections(o), cosine);
+  };
+  const auto findPlaces = [&](State& s) MEASUREDBRDF_INLINED
+  {
+    Floats units[3];
+    if (isHalfDifference)
+    {
+      FindHalfDifferenceInLanes(s.Light, s.Half, isHalfTurn, units);
+    }
+    else
+    {
+      FindIncidentOutgoingInLanes(s.Light, o, isHalfTurn, units);
+    }
+    for (int a = 0; a < 3; ++a)
+    {
+      const bool isPeriodic = a == 0 && (isHalfDifference || !isHalfTurn);
+      s.Axes[a] = FindAxisLanes(units[a], this->Dimensions[a], isPeriodic);
+    }
+  };
+  const auto interpolate = [&](State& s) MEASUREDBRDF_INLINED
+  {
+    Float4 colors[LaneCount];
+    for (int k = 0; k < LaneCount; ++k)
+    {
+      colors[k] = scale * InterpolateInLanes(this->Volume, this->Dimensions, s.Axes, k);
+    }
+    Floats columns[4];
+    Transpose(colors, columns);
+    std::copy_n(columns, 3, s.Color);
+  };
+  EvaluateLanes<State>(count, i, f, findHalf, findPlaces, interpolate);
 }
 
 //------------------------------------------------------------------------------
@@ -386,7 +505,7 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 
   const TabulatedStorage storage =
     TabulatedStorage::Choose(this->Precision, this->ResamplingTolerance, this->Volume);
-  Fill(texture, this->Volume, storage);
+  FillTexture(texture, this->Volume, storage);
 
   const bool half = this->AzimuthRange == HALF_TURN;
   if (this->Parameterization == HALF_DIFFERENCE)
@@ -419,7 +538,7 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     wider.Dimensions = levels->Values->GetDimensions();
     wider.Components = texture.Components;
     wider.Repeat = texture.Repeat;
-    Fill(wider, levels->Values->GetVolume(), storage);
+    FillTexture(wider, levels->Values->GetVolume(), storage);
     term.SoftSource = vtkBRDFHalfDifferenceSoft;
     term.Uniforms.push_back(
       { "brdfNumberOfLevels", { static_cast<float>(levels->Values->GetNumberOfLevels()) } });

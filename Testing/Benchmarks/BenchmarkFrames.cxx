@@ -16,7 +16,6 @@
 #include "SquareLayers.h"
 #include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkBRDF.h"
-#include "vtkBasisRadianceIntegrator.h"
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEnvironment.h"
 #include "vtkFilteredRadianceIntegrator.h"
@@ -73,14 +72,6 @@ vtkSmartPointer<vtkRadianceIntegrator> MakeSamples(int number)
   return samples;
 }
 
-vtkSmartPointer<vtkRadianceIntegrator> MakeFunctions(int number)
-{
-  auto functions = vtkSmartPointer<vtkBasisRadianceIntegrator>::New();
-  functions->SetMaximumNumberOfTerms(number);
-  functions->SetTolerance(1e-4);
-  return functions;
-}
-
 vtkSmartPointer<vtkRadianceIntegrator> MakeLights(int number, bool isSoft = false)
 {
   auto lights = vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
@@ -116,7 +107,6 @@ const std::vector<Method>& GetMethods()
     { "table and 16 lamps", nickel, MakeTable({ 33, 12, 16, 0, 0, 12 }, 0, 16) },
     { "table, 16 maps and 16 lamps", nickel, MakeTable({ 128, 12, 8 }, 16, 16) },
     { "anisotropic table, 33 x 8 x 32 x 8", brushed, MakeAnisotropicTable() },
-    { "25 pre-integrated functions", GetEmbedded("red-fabric2"), MakeFunctions(25) },
     { "16 filtered samples", paint, MakeSamples(16) },
     { "64 filtered samples", paint, MakeSamples(64) },
     { "16 lights, closed form", paint, MakeLights(16) },

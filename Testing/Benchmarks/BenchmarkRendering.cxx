@@ -11,7 +11,6 @@
 #include "FrameScene.h"
 #include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkBRDF.h"
-#include "vtkBasisRadianceIntegrator.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkFilteredRadianceIntegrator.h"
@@ -245,31 +244,6 @@ void FilteredSetUp(benchmark::State& state)
   }
 }
 
-// At most so many functions (argument); seconds to prepare them in setup_s.
-void MeasuredPreintegrated(benchmark::State& state)
-{
-  vtkNew<vtkBlinnPhongBRDF> brdf;
-  brdf->SetExponent(20.0);
-  Scene scene;
-  vtkNew<vtkBasisRadianceIntegrator> integrator;
-  integrator->SetMaximumNumberOfTerms(static_cast<int>(state.range(0)));
-  integrator->SetTolerance(1e-4);
-  integrator->SetBRDF(brdf);
-  integrator->SetEnvironment(scene.Sky);
-  const auto start = std::chrono::steady_clock::now();
-  integrator->Prepare();
-  state.counters["setup_s"] =
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  state.counters["terms"] = integrator->GetNumberOfTerms();
-  vtkNew<vtkMeasuredBRDFMapper> mapper;
-  mapper->SetInputConnection(scene.Sphere->GetOutputPort());
-  mapper->SetBRDF(brdf);
-  mapper->SetEnvironment(scene.Sky);
-  mapper->SetIntegrator(integrator);
-  scene.Actor->SetMapper(mapper);
-  scene.Measure(state, integrator->GetNumberOfTerms());
-}
-
 void StockPhong(benchmark::State& state)
 {
   Scene scene;
@@ -335,13 +309,6 @@ BENCHMARK(MeasuredFiltered)
   ->UseRealTime();
 BENCHMARK(FilteredSetUp)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(MeasuredVolume)->Arg(16)->Arg(64)->Arg(256)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(MeasuredPreintegrated)
-  ->Arg(1)
-  ->Arg(9)
-  ->Arg(25)
-  ->Arg(64)
-  ->Unit(benchmark::kMillisecond)
-  ->UseRealTime();
 BENCHMARK(MeasuredBasis)
   ->ArgsProduct({ { 2, 4, 6, 8, 12 }, { 16, 64, 256 } })
   ->Unit(benchmark::kMillisecond)

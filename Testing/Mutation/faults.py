@@ -90,23 +90,23 @@ add("Core.warp-weights-of-slices", "BilinearWarp.h", "result.Weight[k] *= 1.0 - 
 add("Core.warp-inverts-without-cells", "BilinearWarp.h",
     "density = glm::mix(c0, c1, fraction.x) * this->GetCellsPerSquare();", "density = glm::mix(c0, c1, fraction.x);",
     "IOTensor.AgreesWithTheAuthorsCode|Sampling.FollowsItsPdf")
-add("Material.tabulated-lanes-have-no-sign", "TabulatedLanes.cxx",
-    "const Vector signedTurns = across < zero ? -turns : turns;", "const Vector signedTurns = turns;",
-    "TabulatedLanes.AreTheTableInEachForm")
-add("Material.tabulated-lanes-divide-by-no-cosine", "TabulatedLanes.cxx",
-    "this->CosineWeighted ? 1.0f / view[2] : 1.0f;", "1.0f;", "TabulatedLanes.AreTheTableInEachForm")
+add("Material.tabulated-lanes-have-no-sign", "vtkTabulatedBRDF.cxx",
+    "(across < 0.0f ? -turns : turns) *", "turns *", "ManyLights.OfTables")
+add("Material.tabulated-lanes-divide-by-no-cosine", "vtkTabulatedBRDF.cxx",
+    "this->CosineWeighted ? static_cast<float>(1.0 / o[2]) : 1.0f;", "1.0f;", "ManyLights.OfTables")
 add("Material.packed-rows-are-all-the-first", "PackedWarp.cxx",
-    "const Vector whole = total + down * (nextTotal - total);", "const Vector whole = total;",
-    "WarpForms.PackedTablesHoldTheSame|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
-add("Material.lanes-half-turn-the-wrong-way", "WarpLanes.cxx",
-    "const Vector across = fromX * hY - y * hX;", "const Vector across = y * hX - fromX * hY;",
-    "WarpForms.LanesAreTheAnglesOfTheMathematicsLibrary|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
+    "const Floats whole = totals[0] + down * (totals[2] - totals[0]);", "const Floats whole = totals[0];",
+    "ManyLights.OfAdaptiveWarps|ManyLights.OfAMeasuredMaterial")
+add("Material.lanes-half-turn-the-wrong-way", "PackedWarp.cxx",
+    "const Floats across = fromX * s.Half.Y - s.Light.Y * s.Half.X;",
+    "const Floats across = s.Light.Y * s.Half.X - fromX * s.Half.Y;",
+    "ManyLights.OfAdaptiveWarps|ManyLights.OfAMeasuredMaterial")
 add("Material.packed-slices-are-not-mixed", "PackedWarp.cxx",
-    "const std::size_t next = this->Thetas.size() > 1 ? slice : 0;", "const std::size_t next = 0;",
-    "WarpForms.PackedTablesHoldTheSame|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
-add("Material.many-lights-share-an-azimuth", "WarpLanes.cxx",
-    "const Vector fromX = size > zero ? x : zero + 1.0f;", "const Vector fromX = zero + 1.0f;",
-    "WarpForms.LanesAreTheAnglesOfTheMathematicsLibrary|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
+    "const std::ptrdiff_t next = this->Thetas.size() > 1 ? 1 : 0;", "const std::ptrdiff_t next = 0;",
+    "ManyLights.OfAdaptiveWarps|ManyLights.OfAMeasuredMaterial")
+add("Material.many-lights-share-an-azimuth", "PackedWarp.cxx",
+    "const Floats fromX = size > 0.0f ? s.Light.X : Fill(1.0f);", "const Floats fromX = Fill(1.0f);",
+    "ManyLights.OfAdaptiveWarps|ManyLights.OfAMeasuredMaterial")
 add("Core.srgb-exponent", "SRGB.h", "1.055, 2.4)", "1.055, 2.2)", "Environment.DecodesSRGB")
 add("Core.periodic-neighbors-do-not-wrap", "Neighbors.h",
     "const int first = (static_cast<int>(base) + n) % n;", "const int first = std::max(static_cast<int>(base), 0);",
@@ -271,20 +271,20 @@ add("Lighting.harmonics-scale", "EnvironmentHarmonics.cxx", "this->Scales[m] * s
 add("Lighting.parts-are-the-texel", "TexelTree.cxx", "2 * x + 1 - (1 << part)", "2 * x - (1 << part)",
     "TexelTree.PartsAreInterpolated")
 add("Integration.adaptive-stops-at-texels", "AdaptiveSum.cxx",
-    "if (place.Level == this->Texels->GetLowestLevel())", "if (place.Level <= 0)",
+    "if (level == this->Texels->GetLowestLevel())", "if (level <= 0)",
     "AdaptiveIntegrator.KeepsItsToleranceAtEachPair|AdaptiveIntegrator.MissesNothingNarrow")
 add("Integration.adaptive-takes-the-square-for-its-quarters", "AdaptiveSum.cxx",
-    "this->Total -= square.Value;", "", "AdaptiveIntegrator.ConvergesWithItsTolerance")
+    "this->Count(square, -1.0);", "", "AdaptiveIntegrator.ConvergesWithItsTolerance")
 add("Integration.adaptive-looks-nowhere-first", "FirstSquares.cxx",
     "if (reach > 0.0f &&", "if (reach > 1e9f &&",
     "AdaptiveIntegrator.MissesNothingNarrow|AdaptiveIntegrator.IsNotMisledByChance")
-add("Integration.group-has-one-frame", "AdaptiveGroup.cxx",
+add("Integration.group-has-one-frame", "AdaptiveSum.cxx",
     "step.Turn(count, this->Rows[pair]);", "step.Turn(count, this->Rows[0]);", "AdaptiveGroup.IsWithinItsTolerance")
-add("Integration.group-takes-quarters-for-pairs", "AdaptiveGroup.cxx",
-    "      Transpose(square.Quarters[c]);\n", "", "AdaptiveGroup.IsWithinItsTolerance")
+add("Integration.group-takes-the-first-pair-for-all", "AdaptiveSum.cxx",
+    "std::copy_n(this->Steps[pair].Values[c] + at,", "std::copy_n(this->Steps[0].Values[c] + at,", "AdaptiveGroup.IsWithinItsTolerance")
 add("Integration.middles-that-do-not-count-stay", "SquareMiddles.cxx",
     "this->Lights[c][k] = this->Lights[c][this->Numbers[k]];", "this->Lights[c][k] = this->Lights[c][k];",
-    "SquareMiddles.TurnsAndWeighsInEachForm")
+    "SquareMiddles.TurnsAndWeighs")
 add("Integration.queue-sorts-by-octaves", "ErrorQueue.h", "bits >> 21", "bits >> 23",
     "ErrorQueue.GivesTheLargestFirst")
 add("Lighting.quarters-of-a-part-are-the-other-way", "TexelTree.cxx",
@@ -328,12 +328,12 @@ add("Lighting.sets-of-one-tree-are-one-set", "EnvironmentPrecomputation.cxx", "t
     "tree.FillLightSet(count / 2 + 1, sets->back());", "EnvironmentPrecomputation.SetsOfOneTreeAreThoseOfTheirOwn")
 add("Integration.beyond-the-pole-unturned", "FieldSynthesis.cxx", "order % 2 != 0 ? -1.0f : 1.0f", "order % 2 != 0 ? 1.0f : 1.0f",
     "AnisotropicTable.*|TableIntegrator.*|LinearSpline.*")
-add("Integration.products-miss-a-vector", "MatrixProduct.cxx", "this->Second += left[0] * second;", "this->Second += left[0] * first;",
+add("Integration.products-miss-a-vector", "MatrixProduct.cxx", "left.First[row] * of[v];", "left.First[row] * of[0];",
     "MatrixProduct.*")
-add("Integration.second-stage-unturned", "RowTransform.cxx", "d.Turn(twice);", "", "RowTransform.*")
-add("Integration.odd-stage-left-out", "RowTransform.cxx", "RunOneStage<Vector>(lines, size, length, turns);", "", "RowTransform.*")
-add("Integration.lanes-begin-at-degree-zero", "WignerLanes.cxx", "Series series{ { out[0] + first, out[1] + first,",
-    "Series series{ { out[0], out[1] + first,", "WignerLanes.*")
+add("Integration.stage-unturned", "RowTransform.cxx", "difference.AddTurned(other, -turn);", "difference.AddTurned(other, turn);", "RowTransform.*")
+add("Integration.odd-parts-left-out", "RowTransform.cxx", "RunOddParts(lines, size, this->Odd, this->Turns.data());", "", "RowTransform.*")
+add("Integration.lanes-begin-at-degree-zero", "WignerLanes.cxx", "{ out[0] + first, out[1] + first,",
+    "{ out[0], out[1] + first,", "WignerLanes.*")
 add("Integration.expanded-kernels-of-other-orders", "MaterialPrecomputation.cxx", "static_cast<std::ptrdiff_t>(row) * (known.Degree + 1)",
     "static_cast<std::ptrdiff_t>(row) * (degree + 1)", "MaterialPrecomputation.KeepsExpandedKernels")
 add("Integration.degrees-left-out", "TableSynthesis.cxx", "constexpr double LeastShare = 1e-4;", "constexpr double LeastShare = 1e9;",
@@ -678,8 +678,6 @@ add("Integration.other-half-unmirrored", "DegreeSum.cxx", "getOut(places.Mirror,
     "getOut(places.Mirror, -m) = sign * (even + odd);", "FieldSynthesis.IsTheSumOverHarmonics")
 add("Integration.kinds-that-are-none-count", "FieldSynthesis.cxx", "other.Real.tail(beyond) = other.Imaginary.tail(beyond) = 0.0f;", "",
     "FieldSynthesis.IsTheSumOverHarmonics")
-add("Integration.panels-miss-a-row", "MatrixProduct.cxx", "this->D += left[3] * of;", "this->D += left[2] * of;",
-    "MatrixProduct.PanelsAgreeWithSumsInDouble")
 add("Integration.odd-parts-unturned", "RowTransform.cxx", "turns[j * k % length * (size / length)]", "turns[j * k % length]", "RowTransform.*")
 add("Integration.tiles-without-the-lifted-rings", "TableTiles.cxx", "LiftDarkRingsOfMap(patch.data(), Wide, Wide);", "",
     "TableTiles.NeedTheNodesAboutThem")
@@ -926,8 +924,6 @@ add("Shaders.irradiance-without-its-scale", "vtkBRDFEnvironmentTable.glsl",
     "LightUnits8Bit.OfMaterialMaps|Parity.TableIntegrator")
 add("Shaders.encoded-twice", "vtkBRDFEnd.glsl", "pow(brdfRadiance, vec3(1.0 / 2.2))",
     "pow(brdfRadiance, vec3(1.0 / 2.4))", "Mapper.SceneLights|MapperShading.HalfGrayScalars")
-add("Shaders.preintegrated-sine-part", "vtkBRDFEnvironmentBasis.glsl", "sine * angle.x - even * angle.y;",
-    "sine * angle.x + even * angle.y;", "Parity.PreintegratedBasis")
 add("Shaders.filtered-last-view", "vtkBRDFEnvironmentFiltered.glsl", "float last = 0.887158;", "float last = 0.95;",
     "Parity.FilteredIntegrator")
 add("Shaders.octahedron-lower-half", "vtkBRDFEnvironmentPyramid.glsl", "d.z < 0.0 ? 1.0 - uv.yx : uv;",
@@ -941,10 +937,10 @@ add("Shaders.table-floor-of-another-part", "vtkBRDFEnvironmentTable.glsl", "(pai
 add("Integration.shader-profile-of-the-view-before", "ShaderProfile.h", "return static_cast<double>(texel) /",
     "return (static_cast<double>(texel) - 0.5) /",
     "ShaderProfile.HoldsWhatIsInterpolated")
-add("Material.shirley-lanes-of-one-exponent", "AshikhminShirleyLanes.cxx", "this->Exponents[1] * ySquare", "this->Exponents[0] * ySquare",
-    "AshikhminShirleyLanes.AreTheModelInEachForm")
-add("Material.lane-logarithm-near-zero-everywhere", "LanePowers.h", "ratio = s > few ? large : small;", "ratio = small;",
-    "LanePowers.AreThoseOfDoublePrecision")
+add("Material.shirley-lanes-of-one-exponent", "vtkAshikhminShirleyBRDF.cxx", "exponents[1] * ySquare", "exponents[0] * ySquare",
+    "ManyLights.OfAshikhminShirley")
+add("Material.lane-logarithm-near-zero-everywhere", "LaneMath.h", "return s > 0.25f ? large : small;", "return small;",
+    "LaneMath.PowersAreThoseOfDoublePrecision")
 add("Integration.lanes-of-whoever-derives", "LightLanes.cxx", "brdf && typeid(*brdf) == typeid(BRDF)", "dynamic_cast<BRDF*>(brdf)",
     "LightLanes.AreTheMaterial")
 add("Integration.lanes-of-the-last-term", "LightLanes.cxx", "term > 0 ? sum[k] : 0.0f", "0.0f",

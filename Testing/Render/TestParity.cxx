@@ -12,7 +12,6 @@
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFReader.h"
 #include "vtkBasisBRDF.h"
-#include "vtkBasisRadianceIntegrator.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCellArray.h"
 #include "vtkDistributionBRDF.h"
@@ -976,51 +975,5 @@ TEST_F(Parity, TurnedAwayNormalsAreFinite)
   for (float v : image.RGBA)
   {
     ASSERT_TRUE(std::isfinite(v) && v >= 0.0f);
-  }
-}
-
-// Pre-integrated bases: singular vectors, and a material's own (with its sine part).
-TEST_F(Parity, PreintegratedBasis)
-{
-  vtkNew<vtkEnvironment> sky;
-  sky->SetToProceduralSky();
-  sky->SetRotationY(40.0);
-  this->Mapper->SetEnvironment(sky);
-  vtkNew<vtkBlinnPhongBRDF> lobe;
-  lobe->SetExponent(20.0);
-  const auto own = MakeBasis(vtkBasisBRDF::ZONAL, 3, 1);
-  for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(lobe), static_cast<vtkBRDF*>(own) })
-  {
-    vtkNew<vtkBasisRadianceIntegrator> integrator;
-    integrator->UseOwnBasisOn();
-    integrator->SetMapSize(16);
-    integrator->SetBRDF(brdf);
-    integrator->SetEnvironment(sky);
-    this->Mapper->SetBRDF(brdf);
-    this->Mapper->SetIntegrator(integrator);
-    const FloatImage image = this->RenderLinear();
-    const double step = this->GetWeightStep();
-    vtkNew<vtkDoubleArray> radiance;
-    ASSERT_TRUE(integrator->Integrate(this->Normals, this->Views, radiance));
-    double error = 0.0;
-    double largest = 0.0;
-    int front = 0;
-    for (int k = 0; k < Side * Side; ++k)
-    {
-      if (this->Normals->GetComponent(k, 2) > 0.0)
-      {
-        const float* pixel = image.At(4 * (k % Side) + 2, 4 * (k / Side) + 2);
-        for (int c = 0; c < 3; ++c)
-        {
-          error = std::max(error, std::abs(pixel[c] - radiance->GetComponent(k, c)));
-          largest = std::max(largest, radiance->GetComponent(k, c));
-        }
-        ++front;
-      }
-    }
-    std::cout << integrator->GetNumberOfTerms() << " functions, " << front
-              << " pairs, largest difference " << error / largest << " of the largest value\n";
-    EXPECT_GT(front, 200);
-    EXPECT_LE(error, (1e-4 + 0.2 * step) * largest);
   }
 }

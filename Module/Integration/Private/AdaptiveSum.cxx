@@ -2,288 +2,468 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AdaptiveSum.h"
 
-#include "AdaptiveRules.h"
 #include "vtkBRDF.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 namespace measuredbrdf
 {
 namespace
 {
-constexpr int DividedAtOnce = 4;
-using Rules = AdaptiveRules;
+///@{
+/// What may be left where a square and its quarters agree by chance: this share of the change, of
+/// the error of the square that it is a quarter of, and of tolerance times value.
+constexpr float LeastRest = 0.05f;
+constexpr float InheritedShare = 0.03f;
+constexpr float LeastErrorShare = 3.0f;
+///@}
+/// Within texels radiance is smooth: what the quarters leave is not left once it is extrapolated.
+constexpr float PartRest = 0.15f;
+constexpr auto SmoothRest = static_cast<float>(TexelTree::SmoothRest);
+constexpr float PeakTimes = 2.0f;        // of a square's mean f: less is no hidden peak
+constexpr float LargestRest = 1.0f;      // above, a square tells nothing
+constexpr double LargestEstimate = 1e36; // which is finite in single precision
+constexpr float StaleShare = 0.7f;       // of the error for which a square was queued
+constexpr float LeastKey = 1e-30f;
 
-double Sum(const glm::dvec3& rgb) { return rgb.x + rgb.y + rgb.z; }
-float Sum(const glm::vec3& rgb) { return rgb.x + rgb.y + rgb.z; }
+///@{
+/// Hostile values never agree with those of their quarters. A tolerance of 1e-5 may take some
+/// 300,000 squares of one pair.
+constexpr std::size_t MostSquares = 1 << 20;
+constexpr std::size_t MostSquaresOfSeveral = 1 << 16;
+///@}
+
+float SumOf(const float rgb[3]) { return (rgb[0] + rgb[1]) + rgb[2]; }
+
+// Of the sum of squares' errors, and of the sum of their squares: errors of either sign cancel, but
+// for the part that they have in common.
+double EstimateError(double errors, double squares)
+{
+  constexpr double own = 2.0; // standard deviations
+  constexpr double common = 0.1;
+  return own * std::sqrt(std::max(squares, 0.0)) + common * std::max(errors, 0.0);
+}
 }
 
-// Values and cosines of so many middles.
-void AdaptiveSum::Evaluate(int count)
+// The values and cosines of so many middles for each pair.
+template <int Size>
+void AdaptiveSum<Size>::Evaluate(int count)
 {
-  SquareMiddles& step = this->Step;
-  step.Turn(count, this->Rows);
-  this->Evaluations += step.Counting;
-  float f[3][SquareMiddles::Most] = {};
-  const float* const lights[3] = { step.Lights[0], step.Lights[1], step.Lights[2] };
-  float* const to[3] = { f[0], f[1], f[2] };
-  this->Lights.Evaluate(step.Counting, lights, this->View, to);
-  step.Weigh(count, f);
-}
-
-// Values of all that is asked for, by their middles.
-void AdaptiveSum::EvaluatePlaces()
-{
-  SquareMiddles& step = this->Step;
-  for (std::size_t first = 0; first < this->Asked.size(); first += SquareMiddles::Most)
+  for (int pair = 0; pair < Size; ++pair)
   {
-    const int count =
-      static_cast<int>(std::min<std::size_t>(this->Asked.size() - first, SquareMiddles::Most));
-    for (int k = 0; k < count; ++k)
+    SquareMiddles& step = this->Steps[pair];
+    for (int c = 0; c < 3 && pair > 0; ++c)
     {
-      const Place& place = this->Asked[first + static_cast<std::size_t>(k)];
-      const TexelTree::Light light = this->Texels->Get(place.Level, place.X, place.Y);
-      for (int c = 0; c < 3; ++c)
-      {
-        step.Directions[c][k] = static_cast<float>(light.Direction[c]);
-        step.Irradiances[c][k] = static_cast<float>(light.Irradiance[c]);
-      }
+      std::copy_n(this->Steps[0].Directions[c], count, step.Directions[c]);
+      std::copy_n(this->Steps[0].Irradiances[c], count, step.Irradiances[c]);
     }
-    this->Evaluate(count);
-    for (int k = 0; k < count; ++k)
-    {
-      Place& place = this->Asked[first + static_cast<std::size_t>(k)];
-      place.Cosine = step.Cosines[k];
-      place.Value = glm::vec3(step.Values[0][k], step.Values[1][k], step.Values[2][k]);
-    }
+    step.Turn(count, this->Rows[pair]);
+    this->Evaluations += step.Counting;
+    float f[3][SquareMiddles::Most] = {};
+    const float* const lights[3] = { step.Lights[0], step.Lights[1], step.Lights[2] };
+    float* const to[3] = { f[0], f[1], f[2] };
+    this->Lights.Evaluate(step.Counting, lights, this->Pairs[pair].View, to);
+    step.Weigh(count, f);
   }
 }
 
-// What may rise above the horizon where the middle of a square does not.
-float AdaptiveSum::EstimateRising(const Place& place)
+// What may rise above the horizon where a square's middle does not: a quarter of its light, from as
+// high as that quarter's middle can be. Of several pairs, what the highest of these middles may
+// send.
+template <int Size>
+void AdaptiveSum<Size>::AddRisingErrors(Square& square)
 {
-  const double radius = this->Texels->GetLargestRadius(place.Level);
-  if (place.Cosine > 0.0 || place.Cosine + radius <= 0.0)
+  const auto radius = static_cast<float>(this->Texels->GetLargestRadius(square.Level));
+  const auto mayRise = [&](int pair)
+  { return square.Of[pair].Cosine <= 0.0f && square.Of[pair].Cosine + radius > 0.0f; };
+  int highest = -1;
+  for (int pair = 0; pair < Size; ++pair)
   {
-    return 0.0f;
+    if (mayRise(pair) && (highest < 0 || square.Of[pair].Cosine > square.Of[highest].Cosine))
+    {
+      highest = pair;
+    }
   }
-  const TexelTree::Light light = this->Texels->Get(place.Level, place.X, place.Y);
-  const glm::dvec3 i = Rules::Raise(this->Local * light.Direction, radius);
+  if (highest < 0)
+  {
+    return;
+  }
+  const TexelTree::Light light = this->Texels->Get(square.Level, square.X, square.Y);
+  glm::dvec3 i = this->Local[highest] * light.Direction;
+  i.z = 0.5 * (i.z + radius);
+  i = glm::normalize(i);
   glm::dvec3 f;
-  this->BRDF->Evaluate(&i.x, &this->View.x, &f.x);
-  return Rules::GetRising(i.z, glm::dot(f, light.Irradiance));
+  this->BRDF->Evaluate(&i.x, &this->Pairs[highest].View.x, &f.x);
+  const auto rising =
+    static_cast<float>(std::min(0.25 * i.z * glm::dot(f, light.Irradiance), LargestEstimate));
+  for (int pair = 0; pair < Size; ++pair)
+  {
+    square.Of[pair].Error += mayRise(pair) ? rising : 0.0f;
+  }
 }
 
-// What a peak of f adds that lies in the square, but not where its quarters look.
-float AdaptiveSum::EstimateHidden(const Square& square) const
+// What a peak of f adds that lies in the square, but not where its quarters look. The first pair's
+// peaks are the others', too, whose mirror directions are within the peaks' resolution.
+template <int Size>
+void AdaptiveSum<Size>::AddHiddenErrors(Square& square) const
 {
-  const Place& place = square.Whole;
-  if (this->Texels->GetLargestRadius(place.Level) < ReflectionGuide::Peaks::GetResolution())
+  constexpr double resolution = ReflectionGuide::Peaks::GetResolution();
+  if (this->Texels->GetLargestRadius(square.Level) < resolution)
   {
-    return 0.0f;
+    return;
   }
-  const TexelTree::Light light = this->Texels->Get(place.Level, place.X, place.Y);
-  const double irradiance = Sum(light.Irradiance) / 3.0;
+  const TexelTree::Light light = this->Texels->Get(square.Level, square.X, square.Y);
+  const double irradiance = (light.Irradiance.x + light.Irradiance.y + light.Irradiance.z) / 3.0;
   double radius = 0.0;
-  const glm::dvec3 i = this->Local * this->Texels->GetMiddle(place.Level, place.X, place.Y, radius);
-  if (!(irradiance > 0.0) || !(i.z > 0.0) || radius < ReflectionGuide::Peaks::GetResolution())
+  const glm::dvec3 i =
+    this->Local[0] * this->Texels->GetMiddle(square.Level, square.X, square.Y, radius);
+  if (!(irradiance > 0.0) || !(i.z > 0.0) || radius < resolution)
   {
-    return 0.0f;
+    return;
   }
   double solidAngle = 0.0;
   const double peak = i.z * irradiance * this->Peaks.Get(i, radius, solidAngle);
-  const double hidden = peak - Rules::PeakTimes * Sum(square.Value);
-  return hidden > 0.0
-           ? static_cast<float>(
-               std::min(hidden * Rules::GetHiddenShare(solidAngle, radius), Rules::LargestEstimate))
-           : 0.0f;
+  const double share = std::min(2.0 * solidAngle / (radius * radius), 1.0); // filled unseen
+  for (auto& of : square.Of)
+  {
+    const double hidden = peak - PeakTimes * SumOf(of.Value);
+    of.Error += hidden > 0.0 ? static_cast<float>(std::min(hidden * share, LargestEstimate)) : 0.0f;
+  }
 }
 
 // Quarters of all squares that have none yet, which adds squares where one tells nothing.
-void AdaptiveSum::MakeAll()
+template <int Size>
+void AdaptiveSum<Size>::MakeAll()
 {
-  while (this->Made < this->Count)
+  while (this->NumberOfMade < this->NumberOfAll)
   {
-    const std::size_t first = this->Made;
-    this->Made = std::min<std::size_t>(first + SquareMiddles::Most / 4, this->Count);
-    this->Make(first, this->Made);
+    const std::size_t first = this->NumberOfMade;
+    this->NumberOfMade = std::min<std::size_t>(first + SquareMiddles::Most / 4, this->NumberOfAll);
+    this->Make(first, this->NumberOfMade);
   }
 }
 
 // The squares from first on, before last: at most SquareMiddles::Most / 4.
-void AdaptiveSum::Make(std::size_t first, std::size_t last)
+template <int Size>
+void AdaptiveSum<Size>::Make(std::size_t first, std::size_t last)
 {
-  SquareMiddles& step = this->Step;
   for (std::size_t k = first; k < last; ++k)
   {
-    const Place& whole = this->All[k].Whole;
-    step.SetQuarters(4 * (k - first), *this->Texels, whole.Level, whole.X, whole.Y);
+    const Square& square = this->All[k];
+    this->Steps[0].SetQuarters(4 * (k - first), *this->Texels, square.Level, square.X, square.Y);
   }
   this->Evaluate(static_cast<int>(4 * (last - first)));
   for (std::size_t k = first; k < last; ++k)
   {
-    Square& square = this->All[k];
     const std::size_t at = 4 * (k - first);
-    for (int c = 0; c < 3; ++c)
+    for (int pair = 0; pair < Size; ++pair)
     {
-      std::copy_n(step.Values[c] + at, 4, square.Quarters[c]);
+      auto& of = this->All[k].Of[pair];
+      for (int c = 0; c < 3; ++c)
+      {
+        std::copy_n(this->Steps[pair].Values[c] + at, 4, of.Quarters[c]);
+      }
+      std::copy_n(this->Steps[pair].Cosines + at, 4, of.Cosines);
     }
-    std::copy_n(step.Cosines + at, 4, square.Cosines);
     this->Finish(k);
   }
 }
 
-// Value and error from the quarters.
-void AdaptiveSum::Finish(std::size_t index)
+// Values and errors from the quarters.
+template <int Size>
+void AdaptiveSum<Size>::Finish(std::size_t index)
 {
   Square& square = this->All[index];
-  const int level = square.Whole.Level;
-  for (int c = 0; c < 3; ++c)
-  {
-    const float* quarters = square.Quarters[c];
-    square.Value[c] = (quarters[0] + quarters[1]) + (quarters[2] + quarters[3]);
-  }
-  square.Error = 0.0f;
+  const int level = square.Level;
   const bool isLast = level - 1 == this->Texels->GetLowestLevel(); // as exact as can be
-  const glm::vec3 change = square.Value - square.Whole.Value;
-  const float changed = Sum(glm::abs(change));
-  if (level <= 0)
+  const float rest = level > 0 ? this->Texels->GetRest(level, square.X, square.Y) : SmoothRest;
+  const float left = level > 0 ? std::max(rest, LeastRest) : PartRest;
+  for (auto& of : square.Of)
   {
-    if (!isLast)
+    float changed = 0.0f;
+    for (int c = 0; c < 3; ++c)
     {
-      square.Value = glm::max(square.Value + Rules::SmoothRest * change, 0.0f);
-      square.Error = Rules::PartRest * changed + this->EstimateRising(square.Whole);
+      const float* const quarters = of.Quarters[c];
+      const float sum = (quarters[0] + quarters[1]) + (quarters[2] + quarters[3]);
+      const float change = sum - of.Whole[c];
+      changed += std::abs(change);
+      of.Value[c] = isLast ? sum : std::max(sum + rest * change, 0.0f);
     }
-    this->Keep(index);
-    return;
+    of.Error = isLast ? 0.0f : left * changed;
   }
-  const float rest = this->Texels->GetRest(level, square.Whole.X, square.Whole.Y);
   if (!isLast)
   {
-    square.Value = glm::max(square.Value + rest * change, 0.0f);
-    square.Error = std::max(rest, Rules::LeastRest) * changed + this->EstimateRising(square.Whole) +
-                   this->EstimateHidden(square);
-    square.Error = std::max(
-      square.Error, Rules::LeastShare * static_cast<float>(this->Tolerance) * Sum(square.Value));
+    this->AddRisingErrors(square);
   }
-  // Where nearly all light is in one quarter, that agrees with the square whatever it hides.
-  if (rest > Rules::LargestRest)
+  if (!isLast && level > 0)
   {
-    this->AddQuarters(index);
-    return;
+    this->AddHiddenErrors(square);
+    const float share = LeastErrorShare * static_cast<float>(this->Tolerance);
+    for (auto& of : square.Of)
+    {
+      of.Error = std::max(of.Error, share * SumOf(of.Value));
+    }
+    // Where nearly all light is in one quarter, that agrees with the square whatever it hides.
+    if (rest > LargestRest)
+    {
+      this->AddQuarters(index);
+      return;
+    }
   }
   this->Keep(index);
 }
 
-void AdaptiveSum::Keep(std::size_t index)
+// Counts a square.
+template <int Size>
+void AdaptiveSum<Size>::Keep(std::size_t index)
 {
   Square& square = this->All[index];
-  this->Total += square.Value;
-  if (square.Error > 0.0f || Sum(square.Value) > 0.0f)
+  square.Key = 0.0f;
+  for (auto& of : square.Of)
   {
-    square.Error = std::max(square.Error, square.Whole.LeastError);
+    if (of.Error > 0.0f || SumOf(of.Value) > 0.0f)
+    {
+      of.Error = std::max(of.Error, of.LeastError);
+    }
+    square.Key = std::max(square.Key, of.Error);
   }
-  if (square.Error > 0.0f)
+  this->Count(square, 1.0);
+  square.IsQueued = square.Key > 0.0f;
+  if (this->IsQueuing && square.IsQueued)
   {
-    const double error = square.Error;
-    this->Error += error;
-    this->Squares += error * error;
-    this->Queue.Add(square.Error, static_cast<std::uint32_t>(index));
+    square.Key = this->GetKey(square);
+    this->Queue.Add(square.Key, static_cast<std::uint32_t>(index));
   }
 }
 
-// A square to be made; the smallest ones count as they are.
-void AdaptiveSum::Add(const Place& place)
+// Adds a square to the sums, or takes it out.
+template <int Size>
+void AdaptiveSum<Size>::Count(const Square& square, double sign)
 {
-  if (place.Level == this->Texels->GetLowestLevel())
+  for (int pair = 0; pair < Size; ++pair)
   {
-    this->Total += place.Value;
-    return;
+    const auto& of = square.Of[pair];
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Totals[pair][c] += sign * of.Value[c];
+    }
+    const double error = of.Error;
+    this->Errors[pair] += sign * error;
+    this->Squares[pair] += sign * error * error;
   }
-  if (this->Count == this->All.size())
-  {
-    this->All.resize(2 * this->Count + 1024);
-  }
-  this->Texels->Prefetch(place.Level, place.X, place.Y);
-  this->All[this->Count++].Whole = place;
 }
 
-// Unless they are beyond the map's edge.
-void AdaptiveSum::AddQuarters(std::size_t index)
+template <int Size>
+float AdaptiveSum<Size>::GetKey(const Square& square) const
 {
-  const Square square = this->All[index]; // more of them may move it
-  const Place& whole = square.Whole;
-  const int level = whole.Level - 1;
-  const int width = this->Texels->GetWidth(level);
-  const int height = this->Texels->GetHeight(level);
+  float key = LeastKey; // of what is not a number, too
+  for (int pair = 0; pair < Size; ++pair)
+  {
+    key = std::max(key, square.Of[pair].Error * this->Weights[pair]);
+  }
+  return key;
+}
+
+template <int Size>
+typename AdaptiveSum<Size>::Square& AdaptiveSum<Size>::Add(int level, int x, int y)
+{
+  if (this->NumberOfAll == this->All.size())
+  {
+    this->All.resize(2 * this->NumberOfAll + 1024);
+  }
+  this->Texels->Prefetch(level, x, y);
+  Square& square = this->All[this->NumberOfAll++];
+  square.Level = level;
+  square.X = x;
+  square.Y = y;
+  square.IsQueued = false;
+  return square;
+}
+
+// Unless they are beyond the map's edge. The smallest ones count as they are.
+template <int Size>
+void AdaptiveSum<Size>::AddQuarters(std::size_t index)
+{
+  const int level = this->All[index].Level - 1;
+  const int left = 2 * this->All[index].X;
+  const int top = 2 * this->All[index].Y;
+  this->All[index].IsQueued = false;
   for (int k = 0; k < 4; ++k)
   {
-    const int x = 2 * whole.X + k % 2;
-    const int y = 2 * whole.Y + k / 2;
-    if (x < width && y < height)
+    const int x = left + k % 2;
+    const int y = top + k / 2;
+    if (x >= this->Texels->GetWidth(level) || y >= this->Texels->GetHeight(level))
     {
-      this->Add({ level, x, y, Rules::InheritedShare * square.Error,
-        glm::vec3(square.Quarters[0][k], square.Quarters[1][k], square.Quarters[2][k]),
-        square.Cosines[k] });
+      continue;
+    }
+    if (level == this->Texels->GetLowestLevel())
+    {
+      for (int pair = 0; pair < Size; ++pair)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          this->Totals[pair][c] += this->All[index].Of[pair].Quarters[c][k];
+        }
+      }
+      continue;
+    }
+    Square& quarter = this->Add(level, x, y);
+    const Square& square = this->All[index]; // adding may have moved it
+    for (int pair = 0; pair < Size; ++pair)
+    {
+      const auto& from = square.Of[pair];
+      auto& to = quarter.Of[pair];
+      to.LeastError = InheritedShare * from.Error;
+      to.Cosine = from.Cosines[k];
+      for (int c = 0; c < 3; ++c)
+      {
+        to.Whole[c] = from.Quarters[c][k];
+      }
     }
   }
 }
 
-// Squares that are small where the draws are, and large elsewhere.
-void AdaptiveSum::Start(const ReflectionGuide& guide)
+// Squares that are small where the pairs' draws are, and large elsewhere. Of several pairs half of
+// each one's draws: a fourth would be too few where sharp lobes of low views hardly overlap.
+template <int Size>
+void AdaptiveSum<Size>::Start(const ReflectionGuide& guide)
 {
+  constexpr std::size_t step = Size > 1 ? 2 : 1;
   this->First.Clear();
-  this->First.AddDraws(guide, this->Local, this->View);
-  this->Asked.clear();
-  for (const FirstSquares::Square& square : this->First.Find(*this->Texels))
+  for (int pair = 0; pair < Size; ++pair)
   {
-    this->Asked.push_back({ square.Level, square.X, square.Y, 0.0f, glm::vec3(0.0f), 0.0f });
+    this->First.AddDraws(guide, this->Local[pair], this->Pairs[pair].View,
+      static_cast<std::size_t>(pair) % step, step);
   }
-  this->EvaluatePlaces();
-  for (const Place& place : this->Asked)
+  const std::vector<FirstSquares::Square>& places = this->First.Find(*this->Texels);
+  for (std::size_t first = 0; first < places.size(); first += SquareMiddles::Most)
   {
-    this->Add(place);
+    const std::size_t count = std::min<std::size_t>(places.size() - first, SquareMiddles::Most);
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const FirstSquares::Square& place = places[first + k];
+      const TexelTree::Light light = this->Texels->Get(place.Level, place.X, place.Y);
+      for (int c = 0; c < 3; ++c)
+      {
+        this->Steps[0].Directions[c][k] = static_cast<float>(light.Direction[c]);
+        this->Steps[0].Irradiances[c][k] = static_cast<float>(light.Irradiance[c]);
+      }
+    }
+    this->Evaluate(static_cast<int>(count));
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const FirstSquares::Square& place = places[first + k];
+      const bool isLowest = place.Level == this->Texels->GetLowestLevel(); // counts as it is
+      Square* const square = isLowest ? nullptr : &this->Add(place.Level, place.X, place.Y);
+      for (int pair = 0; pair < Size; ++pair)
+      {
+        const SquareMiddles& middles = this->Steps[pair];
+        for (int c = 0; c < 3; ++c)
+        {
+          if (square)
+          {
+            square->Of[pair].Whole[c] = middles.Values[c][k];
+          }
+          else
+          {
+            this->Totals[pair][c] += middles.Values[c][k];
+          }
+        }
+        if (square)
+        {
+          square->Of[pair].LeastError = 0.0f;
+          square->Of[pair].Cosine = middles.Cosines[k];
+        }
+      }
+    }
   }
+  // Errors weigh by the totals, which are known only then.
+  this->IsQueuing = false;
   this->MakeAll();
+  this->FindWeights();
+  this->IsQueuing = true;
+  for (std::size_t k = 0; k < this->NumberOfAll; ++k)
+  {
+    Square& square = this->All[k];
+    if (square.IsQueued)
+    {
+      square.Key = this->GetKey(square);
+      this->Queue.Add(square.Key, static_cast<std::uint32_t>(k));
+    }
+  }
 }
 
-glm::dvec3 AdaptiveSum::Run(const TexelTree& texels, const ReflectionGuide& guide, vtkBRDF* brdf,
-  const Frame& frame, const glm::dvec3& view, double tolerance)
+// Whether a pair is not exact enough.
+template <int Size>
+bool AdaptiveSum<Size>::FindWeights()
 {
+  bool any = false;
+  for (int pair = 0; pair < Size; ++pair)
+  {
+    const glm::dvec3& rgb = this->Totals[pair];
+    const double total = rgb.x + rgb.y + rgb.z;
+    const bool counts =
+      EstimateError(this->Errors[pair], this->Squares[pair]) > this->Tolerance * total;
+    this->Weights[pair] = counts ? static_cast<float>(1.0 / std::max(total, 1e-30)) : 0.0f;
+    any = any || counts;
+  }
+  return any;
+}
+
+template <int Size>
+void AdaptiveSum<Size>::Run(const TexelTree& texels, const ReflectionGuide& guide, vtkBRDF* brdf,
+  const Pair pairs[Size], double tolerance, glm::dvec3 radiance[Size])
+{
+  constexpr std::size_t most = Size > 1 ? MostSquaresOfSeveral : MostSquares;
+  constexpr int dividedAtOnce = Size > 1 ? 8 : 4;
   this->Texels = &texels;
   this->BRDF = brdf;
   this->Lights = LightLanes(brdf);
-  this->Local = glm::transpose(frame);
-  for (int k = 0; k < 9; ++k)
-  {
-    this->Rows[k] = static_cast<float>(frame[k / 3][k % 3]);
-  }
-  this->View = view;
+  this->Peaks = guide.GetPeaks(pairs[0].View);
   this->Tolerance = tolerance;
-  this->Peaks = guide.GetPeaks(view);
-  this->Total = glm::dvec3(0.0);
-  this->Error = 0.0;
-  this->Squares = 0.0;
-  this->Count = 0;
-  this->Made = 0;
+  this->NumberOfAll = 0;
+  this->NumberOfMade = 0;
   this->Evaluations = 0;
   this->Queue.Clear();
-  this->Start(guide);
-  while (!this->Queue.IsEmpty() && this->Count < Rules::MostSquares &&
-         Rules::EstimateError(this->Error, this->Squares) > tolerance * Sum(this->Total))
+  for (int pair = 0; pair < Size; ++pair)
   {
-    for (int k = 0; k < DividedAtOnce && !this->Queue.IsEmpty(); ++k)
+    this->Pairs[pair] = pairs[pair];
+    this->Local[pair] = glm::transpose(pairs[pair].Axes);
+    for (int k = 0; k < 9; ++k)
     {
-      const std::size_t index = this->Queue.Take();
-      const Square& square = this->All[index];
-      const double error = square.Error;
-      this->Total -= square.Value;
-      this->Error -= error;
-      this->Squares -= error * error;
+      this->Rows[pair][k] = static_cast<float>(pairs[pair].Axes[k / 3][k % 3]);
+    }
+    this->Errors[pair] = this->Squares[pair] = 0.0;
+    this->Totals[pair] = glm::dvec3(0.0);
+  }
+  this->Start(guide);
+  while (!this->Queue.IsEmpty() && this->NumberOfAll < most && this->FindWeights())
+  {
+    for (int k = 0; k < dividedAtOnce && !this->Queue.IsEmpty();)
+    {
+      const std::uint32_t index = this->Queue.Take();
+      Square& square = this->All[index];
+      const float key = this->GetKey(square);
+      if (key < StaleShare * square.Key) // it was queued for a pair that is exact by now
+      {
+        square.Key = key;
+        this->Queue.Add(key, index);
+        continue;
+      }
+      this->Count(square, -1.0);
       this->AddQuarters(index);
+      ++k;
     }
     this->MakeAll();
   }
-  return glm::max(this->Total, 0.0);
+  for (int pair = 0; pair < Size; ++pair)
+  {
+    radiance[pair] = glm::max(this->Totals[pair], 0.0);
+  }
 }
+
+template class AdaptiveSum<1>;
+template class AdaptiveSum<4>;
 } // namespace measuredbrdf

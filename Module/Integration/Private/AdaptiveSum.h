@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The integral of one pair for vtkAdaptiveRadianceIntegrator, which says how. Private to the
- * module.
+ * The integral of a pair of normal and view, or of several pairs at once, for
+ * vtkAdaptiveRadianceIntegrator, which says how.
  */
 
 #ifndef AdaptiveSum_h
@@ -20,76 +20,93 @@
 #include <glm/glm.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 class vtkBRDF;
 
 namespace measuredbrdf
 {
-/// Squares are made many at a time, so that f is evaluated for many directions at once.
+/**
+ * The sky's squares are divided where the estimated error is largest, until the sum's error is
+ * within the tolerance. Squares are made many at a time, so that f is evaluated for many directions
+ * at once.
+ *
+ * Several pairs that are nearly the same, as neighboring pixels' are, share their squares: a square
+ * then costs little more than for one pair, but for f, and what one pair needs serves all. Each
+ * pair's error is estimated by itself: all are within the tolerance. Size: the pairs, 1 or 4.
+ */
+template <int Size>
 class AdaptiveSum
 {
 public:
+  struct Pair
+  {
+    Frame Axes;
+    glm::dvec3 View; // local
+  };
+
   /// May be called again, with anything: it only keeps memory.
-  glm::dvec3 Run(const TexelTree& texels, const ReflectionGuide& guide, vtkBRDF* brdf,
-    const Frame& frame, const glm::dvec3& view, double tolerance);
+  void Run(const TexelTree& texels, const ReflectionGuide& guide, vtkBRDF* brdf,
+    const Pair pairs[Size], double tolerance, glm::dvec3 radiance[Size]);
 
   /// How often that evaluated f, about.
   int GetNumberOfEvaluations() const { return this->Evaluations; }
 
 private:
-  /// A place in the tree, and what it sends by its own middle. Single precision: sums of many are
-  /// not.
-  struct Place
+  // A place in the tree, and what it sends to each pair: by its middle, by its quarters, and each
+  // quarter's own. Single precision: sums of many are not.
+  struct Square
   {
     int Level;
     int X;
     int Y;
-    float LeastError; // a square where the larger one was wrong may agree with its quarters
-    glm::vec3 Value;
-    float Cosine; // of theta_i of its middle
-  };
-  struct Square
-  {
-    Place Whole;
-    glm::vec3 Value; // by the quarters
-    float Error;
-    float Quarters[3][4]; // their own, by channel
-    float Cosines[4];
+    float Key;     // in the queue
+    bool IsQueued; // that is, in the totals
+    struct
+    {
+      float LeastError; // a square where the larger one was wrong may agree with its quarters
+      float Cosine;     // of theta_i of its middle
+      float Whole[3];
+      float Value[3];
+      float Error;
+      float Quarters[3][4];
+      float Cosines[4];
+    } Of[Size]; // the pairs
   };
   void Start(const ReflectionGuide& guide);
   void Evaluate(int count);
-  void EvaluatePlaces();
   void MakeAll();
   void Make(std::size_t first, std::size_t last);
   void Finish(std::size_t index);
-  float EstimateRising(const Place& place);
-  float EstimateHidden(const Square& square) const;
+  void AddRisingErrors(Square& square);
+  void AddHiddenErrors(Square& square) const;
   void Keep(std::size_t index);
-  void Add(const Place& place);
+  void Count(const Square& square, double sign);
+  Square& Add(int level, int x, int y);
   void AddQuarters(std::size_t index);
+  bool FindWeights();
+  float GetKey(const Square& square) const;
 
   const TexelTree* Texels = nullptr;
   vtkBRDF* BRDF = nullptr;
-  LightLanes Lights;                  // of it
-  glm::dmat3 Local = glm::dmat3(1.0); // from the environment's frame
-  float Rows[9] = {};                 // its rows
-  glm::dvec3 View = glm::dvec3(0.0, 0.0, 1.0);
+  LightLanes Lights; // of it
+  Pair Pairs[Size];
+  glm::dmat3 Local[Size];       // from the environment's frame
+  float Rows[Size][9] = {};     // their rows
+  ReflectionGuide::Peaks Peaks; // of the first pair
   double Tolerance = 0.0;
   int Evaluations = 0;
-  ReflectionGuide::Peaks Peaks;
-  glm::dvec3 Total = glm::dvec3(0.0);
-  double Error = 0.0;       // sum of the squares' errors
-  double Squares = 0.0;     // of their squares
-  std::vector<Square> All;  // divided ones, too, and room for more
-  std::size_t Count = 0;    // of them
-  std::size_t Made = 0;     // that have quarters
-  ErrorQueue Queue;         // of those that are not divided
-  std::vector<Place> Asked; // where to begin
-  // Within one step.
+  glm::dvec3 Totals[Size] = {};
+  double Errors[Size] = {};  // sums of the squares' errors
+  double Squares[Size] = {}; // of their squares
+  float Weights[Size] = {};  // of errors: 0 of pairs that are exact enough
+  bool IsQueuing = false;
+  std::vector<Square> All;      // divided ones, too, and room for more
+  std::size_t NumberOfAll = 0;  // without that room
+  std::size_t NumberOfMade = 0; // that have quarters
+  ErrorQueue Queue;             // of those that are not divided
   FirstSquares First;
-  SquareMiddles Step;
+  SquareMiddles Steps[Size];
 };
 } // namespace measuredbrdf
 

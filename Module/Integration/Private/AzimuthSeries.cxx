@@ -58,22 +58,23 @@ void AzimuthSeries::Set(int order, const std::array<FieldSynthesis::Field, 3>& f
     });
 }
 
-// What each number of the series counts for at each azimuth: slices x slices, and rows of zeros.
+// What each number of the series counts for at each azimuth: slices x rows, one for each azimuth
+// and some of zeros.
 std::vector<float> AzimuthSeries::GetTurns() const
 {
   const std::size_t slices = this->GetSlices();
-  const std::size_t rows = (slices + ProductRows - 1) / ProductRows * ProductRows;
+  const std::size_t rows = RoundUp(slices, ProductRows);
   std::vector<float> turns(rows * slices, 0.0f);
   for (std::size_t azimuth = 0; azimuth < slices; ++azimuth)
   {
-    float* of = &turns[azimuth * slices];
-    of[0] = 1.0f;
+    turns[azimuth] = 1.0f;
     for (int order = 1; order <= this->GetLastOrder(); ++order)
     {
       const double gain = 2.0 * GetLinearSplineGain(static_cast<double>(order) / this->Azimuths);
       const double angle = 2.0 * Pi * order * static_cast<double>(azimuth) / this->Azimuths;
-      of[2 * order - 1] = static_cast<float>(gain * std::cos(angle));
-      of[2 * order] = static_cast<float>(gain * std::sin(angle));
+      const std::size_t at = 2 * static_cast<std::size_t>(order) * rows + azimuth;
+      turns[at - rows] = static_cast<float>(gain * std::cos(angle));
+      turns[at] = static_cast<float>(gain * std::sin(angle));
     }
   }
   return turns;
@@ -82,13 +83,14 @@ std::vector<float> AzimuthSeries::GetTurns() const
 std::vector<float> AzimuthSeries::TakeRadiance()
 {
   const std::size_t slices = this->GetSlices();
+  const std::size_t rows = RoundUp(slices, ProductRows);
   const std::vector<float> turns = this->GetTurns();
   const std::size_t blocks = (this->Size + Together - 1) / Together;
   measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(blocks) * this->Angles, 16,
     [&](vtkIdType begin, vtkIdType end)
     {
       std::vector<float> series(slices * Together, 0.0f);
-      std::vector<float> radiance(turns.size() / slices * Together);
+      std::vector<float> radiance(rows * Together);
       for (std::size_t k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
       {
         const std::size_t first = k % blocks * Together;
@@ -98,8 +100,8 @@ std::vector<float> AzimuthSeries::TakeRadiance()
         {
           std::copy_n(values + slice * this->Size, count, &series[slice * Together]);
         }
-        Multiply(
-          turns.data(), series.data(), turns.size() / slices, slices, Together, radiance.data());
+        Multiply({ turns.data(), rows }, { series.data(), Together }, rows, slices, Together,
+          radiance.data());
         for (std::size_t slice = 0; slice < slices; ++slice)
         {
           std::copy_n(&radiance[slice * Together], count, values + slice * this->Size);

@@ -116,7 +116,7 @@ void DegreeSum::Run(int order, const std::vector<Part>& parts)
   const Kernels& kernels = parts.front().Of;
   this->Degree = static_cast<int>(kernels[0].rows()) - 1;
   this->Kinds = 3 * static_cast<std::size_t>(kernels[0].cols());
-  this->Width = RoundUp(2 * this->Kinds, PanelStep);
+  this->Width = RoundUp(2 * this->Kinds, ProductColumns);
   this->Orders = 2 * static_cast<std::size_t>(this->Degree) + 1;
   this->Series.resize(this->Wanted * this->Orders * this->Width + Beyond);
   this->Known.assign(this->Wanted * this->Orders, 0);
@@ -152,7 +152,7 @@ void DegreeSum::AddOrders(int m, int order, const std::vector<Part>& parts, cons
   {
     AddLit(parts[part].Light, m, first, packed[part], this->Kinds, this->Width, lit);
   }
-  std::vector<float> turns(PanelRows * size);
+  std::vector<float> turns(ProductRows * size);
   for (const Panel& panel : order > 0 ? this->All : this->North)
   {
     const std::size_t begin = panel.Angles.EvaluateFrom(functions, LeastTurn, turns.data());
@@ -166,24 +166,25 @@ void DegreeSum::AddOrders(int m, int order, const std::vector<Part>& parts, cons
 void DegreeSum::Multiply(const Panel& panel, int m, int order, int first, std::size_t size,
   std::size_t begin, const std::vector<float>& turns, const std::vector<float>& lit)
 {
-  static_assert(PanelRows == WignerLanes::Count, "a panel is what is turned at a time");
+  static_assert(ProductRows == WignerLanes::Count, "a panel is what is turned at a time");
   const std::size_t begins[2] = { begin, begin + 1 };
   const bool isOdd = (first + static_cast<int>(begin) - order) % 2 != 0; // the first l - k
   const float sign = m % 2 != 0 ? -1.0f : 1.0f;
-  float sums[2][PanelRows * PanelColumns];
-  for (std::size_t column = 0; column < this->Width; column += PanelColumns)
+  constexpr std::size_t together = 3 * ProductColumns;
+  float sums[2][ProductRows * together];
+  for (std::size_t column = 0; column < this->Width; column += together)
   {
-    const std::size_t columns = std::min(PanelColumns, this->Width - column);
+    const std::size_t columns = std::min(together, this->Width - column);
     for (std::size_t part = 0; part < 2; ++part)
     {
       const std::size_t from = begins[part];
-      MultiplyPanel({ turns.data() + PanelRows * from, 2 * PanelRows },
-        { lit.data() + from * this->Width + column, 2 * this->Width },
+      measuredbrdf::Multiply({ turns.data() + ProductRows * from, 2 * ProductRows },
+        { lit.data() + from * this->Width + column, 2 * this->Width }, ProductRows,
         from < size ? (size - from + 1) / 2 : 0, columns, sums[part]);
     }
     const Eigen::Index count = static_cast<Eigen::Index>(columns);
     const KnownNumbers conjugate(&this->Conjugate[column], count);
-    for (std::size_t row = 0; row < PanelRows; ++row)
+    for (std::size_t row = 0; row < ProductRows; ++row)
     {
       const KnownNumbers even(&sums[isOdd ? 1 : 0][row * columns], count);
       const KnownNumbers odd(&sums[isOdd ? 0 : 1][row * columns], count);

@@ -249,14 +249,15 @@ std::vector<float> LobeHarmonics::SumAzimuths(std::size_t orders) const
     double cosine = 1.0; // of k times the azimuth, after Chebyshev
     for (std::size_t k = 0; k < rows; ++k)
     {
-      cosines[k * azimuths + a] = static_cast<float>(2.0 * this->Azimuths[a].Weight * cosine);
+      cosines[a * rows + k] = static_cast<float>(2.0 * this->Azimuths[a].Weight * cosine);
       const double next = 2.0 * once * cosine - before;
       before = cosine;
       cosine = next;
     }
   }
   std::vector<float> series(rows * width);
-  Multiply(cosines.data(), kernel.data(), rows, azimuths, width, series.data());
+  Multiply(
+    { cosines.data(), rows }, { kernel.data(), width }, rows, azimuths, width, series.data());
   return series;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RingLimiter.h"
 
-#include "LaneVectors.h"
+#include "Lanes.h"
 #include "ParallelFor.h"
 
 #include <algorithm>
@@ -14,33 +14,12 @@ namespace
 {
 constexpr float LeastShare = 0.75f; // of the blur's least
 
-// Of three neighbors.
-struct Blur
-{
-  template <typename Vector>
-  MEASUREDBRDF_INLINE void operator()(
-    const Vector& a, const Vector& b, const Vector& c, Vector& out) const
-  {
-    out = 0.25f * (a + c) + 0.5f * b;
-  }
-};
-struct Least
-{
-  template <typename Vector>
-  MEASUREDBRDF_INLINE void operator()(
-    const Vector& a, const Vector& b, const Vector& c, Vector& out) const
-  {
-    const Vector first = a < b ? a : b;
-    out = first < c ? first : c;
-  }
-};
-
 // A map whose rows have room for the neighbors left and right of their ends, and for what whole
 // vectors read and write beyond.
-class Grid
+class RingGrid
 {
 public:
-  Grid(std::size_t rows, std::size_t width)
+  RingGrid(std::size_t rows, std::size_t width)
     : Rows(rows)
     , Width(width)
     , Stride(width + Before + Beyond)
@@ -78,92 +57,70 @@ private:
   std::vector<float> Values;
 };
 
-template <typename Vector, typename Combine>
-MEASUREDBRDF_INLINE void CombineRows(const float* a, const float* b, const float* c,
-  std::size_t width, const Combine& combine, float* out)
-{
-  for (std::size_t k = 0; k < width; k += sizeof(Vector) / sizeof(float))
-  {
-    Vector first, second, third, result;
-    Load(a + k, first);
-    Load(b + k, second);
-    Load(c + k, third);
-    combine(first, second, third, result);
-    Store(result, out + k);
-  }
-}
-
-// Each value with its neighbors left and right, then above and below. second: room.
-template <typename Vector, typename Combine>
-MEASUREDBRDF_INLINE void CombineAll(Grid& first, Grid& second, const Combine& combine)
+// Calls combine(a, b, c) with each value between its neighbors left and right, then above and
+// below. second: room.
+template <typename Combine>
+MEASUREDBRDF_INLINE void CombineNeighbors(RingGrid& first, RingGrid& second, const Combine& combine)
 {
   const std::size_t width = first.Width;
+  const auto combineRows = [&](const float* a, const float* b, const float* c, float* out)
+                             MEASUREDBRDF_INLINED
+  {
+    for (std::size_t k = 0; k < width; k += LaneCount)
+    {
+      Store(combine(Load<Floats>(a + k), Load<Floats>(b + k), Load<Floats>(c + k)), out + k);
+    }
+  };
   for (std::size_t row = 0; row < first.Rows; ++row)
   {
     first.FillEnds(row);
     const float* const of = first.GetRow(row);
-    CombineRows<Vector>(of - 3, of, of + 3, width, combine, second.GetRow(row));
+    combineRows(of - 3, of, of + 3, second.GetRow(row));
   }
   const std::size_t last = first.Rows - 1;
   const std::vector<float> above = second.GetBeyondPole(1);
   const std::vector<float> below = second.GetBeyondPole(last - 1);
   for (std::size_t row = 0; row <= last; ++row)
   {
-    CombineRows<Vector>(row > 0 ? second.GetRow(row - 1) : above.data(), second.GetRow(row),
-      row < last ? second.GetRow(row + 1) : below.data(), width, combine, first.GetRow(row));
+    combineRows(row > 0 ? second.GetRow(row - 1) : above.data(), second.GetRow(row),
+      row < last ? second.GetRow(row + 1) : below.data(), first.GetRow(row));
   }
 }
+}
 
-template <typename Vector>
-MEASUREDBRDF_INLINE void Lift(float* radiance, std::size_t rows, std::size_t columns)
+void LiftDarkRingsOfMap(float* radiance, std::size_t rows, std::size_t columns)
 {
-  Grid first(rows, 3 * columns), second(rows, 3 * columns);
+  RingGrid first(rows, 3 * columns), second(rows, 3 * columns);
   for (std::size_t row = 0; row < rows; ++row)
   {
     const float* const of = radiance + row * first.Width;
     std::transform(
       of, of + first.Width, first.GetRow(row), [](float value) { return std::max(value, 0.0f); });
   }
-  for (int pass = 0; pass < 2; ++pass)
-  {
-    CombineAll<Vector>(first, second, Blur());
-  }
-  for (int pass = 0; pass < 2; ++pass) // as far as the blur reaches: edges do not bleed
-  {
-    CombineAll<Vector>(first, second, Least());
-  }
+  RunWidest(
+    [&]() MEASUREDBRDF_INLINED
+    {
+      for (int pass = 0; pass < 2; ++pass)
+      {
+        CombineNeighbors(first, second,
+          [](Floats a, Floats b, Floats c) MEASUREDBRDF_INLINED
+          { return 0.25f * (a + c) + 0.5f * b; });
+      }
+      for (int pass = 0; pass < 2; ++pass) // as far as the blur reaches: edges do not bleed
+      {
+        CombineNeighbors(first, second,
+          [](Floats a, Floats b, Floats c) MEASUREDBRDF_INLINED
+          { return Smaller(Smaller(a, b), c); });
+      }
+    });
   for (std::size_t row = 0; row < rows; ++row)
   {
     // Where that is 0 all around is negative: f is less than the Lambert part.
-    std::transform(first.GetRow(row), first.GetRow(row) + first.Width, radiance + row * first.Width,
-      radiance + row * first.Width,
+    float* const of = radiance + row * first.Width;
+    std::transform(first.GetRow(row), first.GetRow(row) + first.Width, of, of,
       [](float least, float value)
       { return least > 0.0f ? std::max(value, LeastShare * least) : value; });
   }
-}
-
-#ifdef MEASUREDBRDF_HAS_VECTORS
-MEASUREDBRDF_WIDE void LiftWide(float* radiance, std::size_t rows, std::size_t columns)
-{
-  Lift<Float8>(radiance, rows, columns);
-}
-#endif
-}
-
-void LiftDarkRingsOfMap(
-  float* radiance, std::size_t rows, std::size_t columns, [[maybe_unused]] VectorForm form)
-{
-#ifdef MEASUREDBRDF_HAS_VECTORS
-  if (form == VectorForm::Wide)
-  {
-    return LiftWide(radiance, rows, columns);
-  }
-  if (form == VectorForm::Narrow)
-  {
-    return Lift<Float4>(radiance, rows, columns);
-  }
-#endif
-  Lift<float>(radiance, rows, columns);
 }
 
 void LiftDarkRings(std::vector<float>& radiance, std::size_t rows, std::size_t columns)

@@ -8,8 +8,6 @@
 #ifndef RingLimiter_h
 #define RingLimiter_h
 
-#include "WideVectors.h" // for VectorForm
-
 #include <cstddef>
 #include <vector>
 
@@ -28,8 +26,7 @@ void LiftDarkRings(std::vector<float>& radiance, std::size_t rows, std::size_t c
 
 /// The same of one map, on this thread. Four nodes away from the first and the last rows and
 /// columns it does not count what lies beyond these.
-void LiftDarkRingsOfMap(
-  float* radiance, std::size_t rows, std::size_t columns, VectorForm form = GetWidestForm());
+void LiftDarkRingsOfMap(float* radiance, std::size_t rows, std::size_t columns);
 } // namespace measuredbrdf
 
 #endif

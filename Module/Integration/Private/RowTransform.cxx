@@ -3,12 +3,12 @@
 #include "RowTransform.h"
 
 #include "HalfVector.h" // for Pi
-#include "WideVectors.h"
+#include "Lanes.h"
 
 #include <unsupported/Eigen/FFT>
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace measuredbrdf
 {
@@ -18,170 +18,68 @@ constexpr std::size_t Lines = RowTransform::Lines;
 constexpr std::size_t Item = RowTransform::Item;
 constexpr std::size_t MostOdd = 25; // factor; larger ones are better left to Eigen
 
-// Some lanes of a complex number. Vector: of floats, or one.
-template <typename Vector>
-struct Number
+// Eight lines' complex numbers.
+struct ComplexLanes
 {
-  Vector Real, Imaginary;
+  Float8 Real, Imaginary;
 
-  MEASUREDBRDF_INLINE void Load(const float* item)
+  MEASUREDBRDF_INLINE explicit ComplexLanes(const float* item)
+    : Real(Load<Float8>(item))
+    , Imaginary(Load<Float8>(item + Lines))
   {
-    std::memcpy(&this->Real, item, sizeof(Vector));
-    std::memcpy(&this->Imaginary, item + Lines, sizeof(Vector));
   }
-  MEASUREDBRDF_INLINE void Store(float* item) const
+  MEASUREDBRDF_INLINE void StoreTo(float* item) const
   {
-    std::memcpy(item, &this->Real, sizeof(Vector));
-    std::memcpy(item + Lines, &this->Imaginary, sizeof(Vector));
+    Store(this->Real, item);
+    Store(this->Imaginary, item + Lines);
   }
-  MEASUREDBRDF_INLINE void Turn(const std::complex<float>& turn)
+  MEASUREDBRDF_INLINE void AddTurned(const ComplexLanes& other, const std::complex<float>& turn)
   {
-    const Vector real = turn.real() * this->Real - turn.imag() * this->Imaginary;
-    this->Imaginary = turn.real() * this->Imaginary + turn.imag() * this->Real;
-    this->Real = real;
+    this->Real += turn.real() * other.Real - turn.imag() * other.Imaginary;
+    this->Imaginary += turn.real() * other.Imaginary + turn.imag() * other.Real;
   }
 };
 
-// sum = first + second, difference = first - second; both may be the first's and second's places.
-template <typename Vector>
-MEASUREDBRDF_INLINE void Cross(Number<Vector>& first, Number<Vector>& second)
-{
-  const Number<Vector> sum{ first.Real + second.Real, first.Imaginary + second.Imaginary };
-  second.Real = first.Real - second.Real;
-  second.Imaginary = first.Imaginary - second.Imaginary;
-  first = sum;
-}
-
 // Parts of an odd length, each by its definition.
-template <typename Vector>
 MEASUREDBRDF_INLINE void RunOddParts(
   float* lines, std::size_t size, std::size_t length, const std::complex<float>* turns)
 {
+  float sums[MostOdd * Item];
   for (std::size_t part = 0; length > 1 && part < size; part += length)
   {
-    for (std::size_t lane = 0; lane < Lines; lane += sizeof(Vector) / sizeof(float))
+    float* const at = lines + part * Item;
+    for (std::size_t j = 0; j < length; ++j)
     {
-      float* const at = lines + part * Item + lane;
-      Number<Vector> in[MostOdd];
-      for (std::size_t k = 0; k < length; ++k)
+      ComplexLanes sum(at);
+      for (std::size_t k = 1; k < length; ++k)
       {
-        in[k].Load(at + k * Item);
+        sum.AddTurned(ComplexLanes(at + k * Item), turns[j * k % length * (size / length)]);
       }
-      for (std::size_t j = 0; j < length; ++j)
-      {
-        Number<Vector> sum = in[0];
-        for (std::size_t k = 1; k < length; ++k)
-        {
-          const std::complex<float> turn = turns[j * k % length * (size / length)];
-          sum.Real += turn.real() * in[k].Real - turn.imag() * in[k].Imaginary;
-          sum.Imaginary += turn.real() * in[k].Imaginary + turn.imag() * in[k].Real;
-        }
-        sum.Store(at + j * Item);
-      }
+      sum.StoreTo(sums + j * Item);
     }
+    std::copy_n(sums, length * Item, at);
   }
 }
 
 // From parts of `length` numbers to ones of twice as many.
-template <typename Vector>
-MEASUREDBRDF_INLINE void RunOneStage(
+MEASUREDBRDF_INLINE void RunStage(
   float* lines, std::size_t size, std::size_t length, const std::complex<float>* turns)
 {
   for (std::size_t part = 0; part < size; part += 2 * length)
   {
     for (std::size_t k = 0; k < length; ++k)
     {
-      const std::complex<float> once = turns[k * (size / (2 * length))];
-      for (std::size_t lane = 0; lane < Lines; lane += sizeof(Vector) / sizeof(float))
-      {
-        float* const at = lines + (part + k) * Item + lane;
-        Number<Vector> a, b;
-        a.Load(at);
-        b.Load(at + length * Item);
-        b.Turn(once);
-        Cross(a, b);
-        a.Store(at);
-        b.Store(at + length * Item);
-      }
+      float* const at = lines + (part + k) * Item;
+      const ComplexLanes other(at + length * Item);
+      const std::complex<float> turn = turns[k * (size / (2 * length))];
+      ComplexLanes sum(at);
+      ComplexLanes difference = sum;
+      sum.AddTurned(other, turn);
+      difference.AddTurned(other, -turn);
+      sum.StoreTo(at);
+      difference.StoreTo(at + length * Item);
     }
   }
-}
-
-// From parts of `length` numbers to ones of four times as many.
-template <typename Vector>
-MEASUREDBRDF_INLINE void RunTwoStages(
-  float* lines, std::size_t size, std::size_t length, const std::complex<float>* turns)
-{
-  for (std::size_t part = 0; part < size; part += 4 * length)
-  {
-    for (std::size_t k = 0; k < length; ++k)
-    {
-      const std::complex<float> once = turns[k * (size / (2 * length))];
-      const std::complex<float> twice = turns[k * (size / (4 * length))];
-      for (std::size_t lane = 0; lane < Lines; lane += sizeof(Vector) / sizeof(float))
-      {
-        float* const at = lines + (part + k) * Item + lane;
-        Number<Vector> a, b, c, d;
-        a.Load(at);
-        b.Load(at + length * Item);
-        c.Load(at + 2 * length * Item);
-        d.Load(at + 3 * length * Item);
-        b.Turn(once);
-        d.Turn(once);
-        Cross(a, b);
-        Cross(c, d);
-        c.Turn(twice);
-        d.Turn(twice);
-        Cross(a, c);
-        Number<Vector> right{ d.Imaginary, -d.Real }; // by another quarter of a turn
-        Cross(b, right);
-        a.Store(at);
-        b.Store(at + length * Item);
-        c.Store(at + 2 * length * Item);
-        right.Store(at + 3 * length * Item);
-      }
-    }
-  }
-}
-
-template <typename Vector>
-MEASUREDBRDF_INLINE void RunStages(
-  float* lines, std::size_t size, std::size_t odd, const std::complex<float>* turns)
-{
-  RunOddParts<Vector>(lines, size, odd, turns);
-  std::size_t length = odd;
-  for (std::size_t k = size / odd; k > 1; k /= 4)
-  {
-    if (k == 2)
-    {
-      RunOneStage<Vector>(lines, size, length, turns);
-      length *= 2;
-    }
-  }
-  for (; length < size; length *= 4)
-  {
-    RunTwoStages<Vector>(lines, size, length, turns);
-  }
-}
-
-#ifdef MEASUREDBRDF_HAS_VECTORS
-using Vector4 = float __attribute__((vector_size(16)));
-using Vector8 = float __attribute__((vector_size(32)));
-
-__attribute__((target("avx2,fma"))) void RunWide(
-  float* lines, std::size_t size, std::size_t odd, const std::complex<float>* turns)
-{
-  RunStages<Vector8>(lines, size, odd, turns);
-}
-#endif
-
-void RunAnywhere(float* lines, std::size_t size, std::size_t odd, const std::complex<float>* turns)
-{
-#ifdef MEASUREDBRDF_HAS_VECTORS
-  RunStages<Vector4>(lines, size, odd, turns);
-#else
-  RunStages<float>(lines, size, odd, turns);
-#endif
 }
 }
 
@@ -217,13 +115,16 @@ void RowTransform::Run(float* lines) const
   {
     return this->RunLineByLine(lines);
   }
-#ifdef MEASUREDBRDF_HAS_VECTORS
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-  {
-    return RunWide(lines, this->GetSize(), this->Odd, this->Turns.data());
-  }
-#endif
-  RunAnywhere(lines, this->GetSize(), this->Odd, this->Turns.data());
+  RunWidest(
+    [&]() MEASUREDBRDF_INLINED
+    {
+      const std::size_t size = this->GetSize();
+      RunOddParts(lines, size, this->Odd, this->Turns.data());
+      for (std::size_t length = this->Odd; length < size; length *= 2)
+      {
+        RunStage(lines, size, length, this->Turns.data());
+      }
+    });
 }
 
 void RowTransform::RunLineByLine(float* lines) const

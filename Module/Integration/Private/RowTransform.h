@@ -16,8 +16,8 @@
 
 namespace measuredbrdf
 {
-/// Powers of two, times a small odd number, by decimation in time (Cooley, Tukey 1965), two stages
-/// in each pass over the lines; other sizes line by line with Eigen's.
+/// Powers of two, times a small odd number, by decimation in time (Cooley, Tukey 1965); other
+/// sizes line by line with Eigen's.
 class RowTransform
 {
 public:

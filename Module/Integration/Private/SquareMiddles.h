@@ -9,8 +9,6 @@
 #ifndef SquareMiddles_h
 #define SquareMiddles_h
 
-#include "WideVectors.h"
-
 #include <cstddef>
 
 namespace measuredbrdf
@@ -19,7 +17,7 @@ class TexelTree;
 
 struct SquareMiddles
 {
-  static constexpr int Most = 64; // a multiple of every vector's width
+  static constexpr int Most = 64; // a multiple of LaneCount
 
   // To be set: of each middle.
   float Directions[3][Most]; // in the sky's frame
@@ -39,12 +37,11 @@ struct SquareMiddles
   /// Sets those of a square's four quarters, from number at on.
   void SetQuarters(std::size_t at, const TexelTree& texels, int level, int x, int y);
 
-  /// rows: of the matrix from the sky's frame to the local one, 3 by 3. form: one that the
-  /// processor has.
-  void Turn(int count, const float rows[9], VectorForm form = GetWidestForm());
+  /// rows: of the matrix from the sky's frame to the local one, 3 by 3.
+  void Turn(int count, const float rows[9]);
 
   /// f: of those that count, by channel; room for Most each.
-  void Weigh(int count, float f[3][Most], VectorForm form = GetWidestForm());
+  void Weigh(int count, float f[3][Most]);
 };
 } // namespace measuredbrdf
 

@@ -3,10 +3,10 @@
 #include "EnvironmentHarmonics.h"
 
 #include "GaussLegendre.h"
+#include "Lanes.h"
 #include "ParallelFor.h"
 #include "TexelChanges.h"
 #include "TexelInterpolation.h"
-#include "WideVectors.h"
 #include "WignerD.h"
 #include "vtkEnvironment.h"
 
@@ -216,100 +216,53 @@ struct RingGroup
 
 constexpr double LeastFunction = 1e-16; // less adds nothing
 
-template <typename Vector>
-MEASUREDBRDF_INLINE void Load(const RingValues& values, std::size_t lane, Vector& vector)
+MEASUREDBRDF_INLINE bool IsNothing(Double4 value)
 {
-  std::memcpy(&vector, values.data() + lane, sizeof(Vector));
-}
-
-template <typename Vector>
-MEASUREDBRDF_INLINE bool IsNothing(const Vector& value)
-{
-  RingValues values{};
-  std::memcpy(values.data(), &value, sizeof(Vector));
-  return std::all_of(
-    values.begin(), values.end(), [](double x) { return std::abs(x) < LeastFunction; });
-}
-
-template <typename Vector>
-MEASUREDBRDF_INLINE void AddPart(const Vector& first, const RingValues& ofFirst,
-  const Vector& second, const RingValues& ofSecond, std::size_t lane, RingValues& out)
-{
-  Vector sum, one, other;
-  Load(out, lane, sum);
-  Load(ofFirst, lane, one);
-  Load(ofSecond, lane, other);
-  sum += first * one + second * other;
-  std::memcpy(out.data() + lane, &sum, sizeof(Vector));
+  bool isNothing = true;
+  for (std::size_t lane = 0; lane < RingLanes; ++lane)
+  {
+    isNothing = isNothing && std::abs(value[lane]) < LeastFunction;
+  }
+  return isNothing;
 }
 
 // Adds two groups' values times their functions to each degree's sums, by parts.
-template <typename Vector>
-MEASUREDBRDF_INLINE void AddGroups(const std::vector<WignerD::Step>& steps, const RingGroup& first,
+void AddGroups(const std::vector<WignerD::Step>& steps, const RingGroup& first,
   const RingGroup& second, RingValues* sums)
 {
-  for (std::size_t lane = 0; lane < RingLanes; lane += sizeof(Vector) / sizeof(double))
-  {
-    Vector x[2], current[2];
-    Load(first.Cosine, lane, x[0]);
-    Load(second.Cosine, lane, x[1]);
-    Load(first.Start, lane, current[0]);
-    Load(second.Start, lane, current[1]);
-    Vector before[2] = { 0.0 * current[0], 0.0 * current[1] };
-    bool isNothing = true;
-    for (std::size_t k = 0;; ++k)
+  RunWidest(
+    [&]() MEASUREDBRDF_INLINED
     {
-      isNothing = isNothing && IsNothing(current[0]) && IsNothing(current[1]);
-      if (!isNothing)
+      const Double4 x[2] = { Load<Double4>(first.Cosine.data()),
+        Load<Double4>(second.Cosine.data()) };
+      Double4 current[2] = { Load<Double4>(first.Start.data()),
+        Load<Double4>(second.Start.data()) };
+      Double4 before[2] = {};
+      bool isNothing = true;
+      for (std::size_t k = 0;; ++k)
       {
-        const std::array<RingValues, 6>& a = first.Values[k % 2];
-        const std::array<RingValues, 6>& b = second.Values[k % 2];
-        RingValues* const out = sums + 6 * k;
-        AddPart(current[0], a[0], current[1], b[0], lane, out[0]);
-        AddPart(current[0], a[1], current[1], b[1], lane, out[1]);
-        AddPart(current[0], a[2], current[1], b[2], lane, out[2]);
-        AddPart(current[0], a[3], current[1], b[3], lane, out[3]);
-        AddPart(current[0], a[4], current[1], b[4], lane, out[4]);
-        AddPart(current[0], a[5], current[1], b[5], lane, out[5]);
+        isNothing = isNothing && IsNothing(current[0]) && IsNothing(current[1]);
+        for (std::size_t part = 0; part < 6 && !isNothing; ++part)
+        {
+          double* const out = sums[6 * k + part].data();
+          Store(Load<Double4>(out) + current[0] * Load<Double4>(first.Values[k % 2][part].data()) +
+                  current[1] * Load<Double4>(second.Values[k % 2][part].data()),
+            out);
+        }
+        if (k == steps.size())
+        {
+          break;
+        }
+        const WignerD::Step& step = steps[k];
+        for (int group = 0; group < 2; ++group)
+        {
+          const Double4 next =
+            step.A * (x[group] - step.B) * current[group] - step.C * before[group];
+          before[group] = current[group];
+          current[group] = next;
+        }
       }
-      if (k == steps.size())
-      {
-        break;
-      }
-      const WignerD::Step& step = steps[k];
-      const Vector next[2] = { step.A * (x[0] - step.B) * current[0] - step.C * before[0],
-        step.A * (x[1] - step.B) * current[1] - step.C * before[1] };
-      before[0] = current[0];
-      before[1] = current[1];
-      current[0] = next[0];
-      current[1] = next[1];
-    }
-  }
-}
-
-#ifdef MEASUREDBRDF_HAS_VECTORS
-using Vector2 = double __attribute__((vector_size(16)));
-using Vector4 = double __attribute__((vector_size(32)));
-
-__attribute__((target("avx2,fma"))) void AddGroupsWide(const std::vector<WignerD::Step>& steps,
-  const RingGroup& first, const RingGroup& second, RingValues* sums)
-{
-  AddGroups<Vector4>(steps, first, second, sums);
-}
-#endif
-
-void AddGroupsAsWideAsPossible(const std::vector<WignerD::Step>& steps, const RingGroup& first,
-  const RingGroup& second, RingValues* sums)
-{
-#ifdef MEASUREDBRDF_HAS_VECTORS
-  if (GetWidestForm() == VectorForm::Wide)
-  {
-    return AddGroupsWide(steps, first, second, sums);
-  }
-  AddGroups<Vector2>(steps, first, second, sums);
-#else
-  AddGroups<double>(steps, first, second, sums);
-#endif
+    });
 }
 
 // Of one order.
@@ -352,8 +305,7 @@ void SumRings(const Series& rows, const std::vector<Ring>& rings, std::size_t he
   sums.assign(6 * orders, RingValues{});
   for (std::size_t begin = 0; begin < rings.size(); begin += 2 * RingLanes)
   {
-    AddGroupsAsWideAsPossible(functions.GetSteps(),
-      MakeGroup(rows, rings, begin, height, orders, m, functions),
+    AddGroups(functions.GetSteps(), MakeGroup(rows, rings, begin, height, orders, m, functions),
       MakeGroup(rows, rings, begin + RingLanes, height, orders, m, functions), &sums[6 * m]);
   }
 }

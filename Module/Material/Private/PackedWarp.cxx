@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PackedWarp.h"
 
-#include "LaneVectors.h"
+#include "LaneMath.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -12,76 +12,58 @@ namespace measuredbrdf
 {
 namespace
 {
-
-// Four and eight numbers of one light, without vectors.
-template <int Count>
-struct Some
-{
-  float Values[Count];
-  float operator[](int k) const { return this->Values[k]; }
-};
-
-template <int Count>
-MEASUREDBRDF_INLINE void MixIn(Some<Count>& a, const Some<Count>& b, float weight)
-{
-  for (int k = 0; k < Count; ++k)
-  {
-    a.Values[k] += weight * (b.Values[k] - a.Values[k]);
-  }
-}
-
-#ifdef MEASUREDBRDF_HAS_VECTORS
-MEASUREDBRDF_INLINE void MixIn(Float4& a, const Float4& b, float weight) { a += weight * (b - a); }
-MEASUREDBRDF_INLINE void MixIn(Float8& a, const Float8& b, float weight) { a += weight * (b - a); }
-#endif
-
-// Of two slices.
+// A weighted mean of what two slices or rows hold, `next` numbers apart.
 template <typename Vector>
-MEASUREDBRDF_INLINE void LoadMixed(
-  const float* values, std::size_t next, float weight, Vector& vector)
+MEASUREDBRDF_INLINE Vector LoadMixed(const float* values, std::ptrdiff_t next, float weight)
 {
-  Vector other;
-  Load(values, vector);
-  Load(values + next, other);
-  MixIn(vector, other, weight);
+  const Vector first = Load<Vector>(values);
+  return first + weight * (Load<Vector>(values + next) - first);
 }
 
 // Places between the nodes of an axis.
-template <typename Vector>
-MEASUREDBRDF_INLINE void StorePlaces(const Vector& unit, int nodes, int* first, float* fraction)
+struct LanePlaces
 {
-  using Integers = typename LaneIntegers<Vector>::Type;
-  const Vector zero = {};
-  const Vector one = zero + 1.0f;
-  const Integers last = Integers{} + (nodes - 2);
-  const Vector positive = unit > zero ? unit : zero; // not a number: 0
-  const Vector position = (positive < one ? positive : one) * static_cast<float>(nodes - 1);
-  Integers whole;
-  Convert(position, whole);
-  const Integers number = whole < last ? whole : last;
-  Vector begin;
-  Convert(number, begin);
-  const Vector rest = position - begin;
-  Store(number, first);
-  Store(rest, fraction);
-}
+  Integers First;
+  Floats Fraction;
+};
+
+MEASUREDBRDF_INLINE LanePlaces FindPlaces(Floats unit, int nodes)
+{
+  const Floats inside = Smaller(Larger(unit, Floats{}), Fill(1.0f)); // not a number: 0
+  const Floats position = inside * static_cast<float>(nodes - 1);
+  const Integers whole = ToIntegers(position);
+  const Integers first = whole < nodes - 2 ? whole : Integers{} + (nodes - 2);
+  return { first, position - ToFloats(first) };
 }
 
-// What each light needs on its way through the tables, one light beside the other.
-struct PackedWarp::Steps
+// Of several lights: the coordinates in which the tables are looked up, and what is found there.
+struct WarpState : LaneState
 {
-  int At[WarpLanes::Most]; // the slice
-  float Weight[WarpLanes::Most];
-  int Column[WarpLanes::Most], Row[WarpLanes::Most]; // in the warp, then in the colors
-  float Across[WarpLanes::Most], Down[WarpLanes::Most];
-  int NormalColumn[WarpLanes::Most], NormalRow[WarpLanes::Most], AreaColumn[WarpLanes::Most];
-  float NormalAcross[WarpLanes::Most], NormalDown[WarpLanes::Most], AreaAcross[WarpLanes::Most];
-  float Densities[2][WarpLanes::Most],
-    Along[WarpLanes::Most]; // of a row: beside each other, the integral before
-  float Totals[2][WarpLanes::Most], Before[WarpLanes::Most]; // of rows
-  float Normal[4][WarpLanes::Most], Area[2][WarpLanes::Most];
-  float Colors[3][WarpLanes::Most];
+  LaneDirections Half;
+  Floats Theta;                                   // theta_i in radians
+  Floats UnitTheta, UnitThetaH, UnitPhiH;         // in the tables' units; of phi_h - phi_i
+  Integers Slice;                                 // the first of those about theta_i
+  Floats Weight;                                  // of the second
+  LanePlaces Column, Row;                         // in the warp, then among the colors
+  Float4 Densities[LaneCount], Totals[LaneCount]; // a light's nodes and rows of the warp
 };
+
+MEASUREDBRDF_INLINE void FindCoordinates(WarpState& s)
+{
+  const LaneDirections normal{ Floats{}, Floats{}, Fill(1.0f) };
+  const Floats theta = FindQuarterTurns(FindHalfDistance(s.Light, normal));
+  s.Theta = theta * static_cast<float>(0.5 * Pi);
+  s.UnitTheta = SquareRoot(theta);
+  s.UnitThetaH = SquareRoot(FindQuarterTurns(FindHalfDistance(s.Half, normal)));
+  // The azimuth of h from that of the light, which is 0 for an upright light.
+  const Floats size = s.Light.X * s.Light.X + s.Light.Y * s.Light.Y;
+  const Floats fromX = size > 0.0f ? s.Light.X : Fill(1.0f);
+  const Floats along = fromX * s.Half.X + s.Light.Y * s.Half.Y;
+  const Floats across = fromX * s.Half.Y - s.Light.Y * s.Half.X;
+  const Floats phi = FindTurns(along, across);
+  s.UnitPhiH = across < 0.0f ? 0.5f - phi : 0.5f + phi;
+}
+}
 
 PackedWarp::PackedWarp(const Tables& tables)
   : Jacobian(tables.Jacobian)
@@ -122,211 +104,128 @@ PackedWarp::PackedWarp(const Tables& tables)
   }
 }
 
-// Slices, and where to look in the warp, the normals' density and sigma.
-template <typename Vector>
-MEASUREDBRDF_INLINE void PackedWarp::Place(const WarpLanes& lanes, Steps& steps, int k) const
-{
-  using Integers = typename LaneIntegers<Vector>::Type;
-  Vector theta, unit;
-  Load(lanes.Theta + k, theta);
-  const Vector zero = {};
-  const Vector one = zero + 1.0f;
-  Vector begin = zero + this->Thetas[0];
-  Vector inverse = zero + (this->Inverses.empty() ? 0.0f : this->Inverses[0]);
-  Integers at = {};
-  for (std::size_t s = 1; s + 1 < this->Thetas.size(); ++s)
-  {
-    const Vector node = zero + this->Thetas[s];
-    const Integers number = Integers{} + static_cast<int>(s);
-    const Vector step = zero + this->Inverses[s];
-    at = theta >= node ? number : at;
-    inverse = theta >= node ? step : inverse;
-    begin = theta >= node ? node : begin;
-  }
-  Vector weight = (theta - begin) * inverse;
-  weight = weight > zero ? weight : zero;
-  weight = weight < one ? weight : one;
-  Store(at, steps.At + k);
-  Store(weight, steps.Weight + k);
-  Load(lanes.UnitThetaH + k, unit);
-  StorePlaces(unit, this->Warp.Width, steps.Column + k, steps.Across + k);
-  StorePlaces(unit, this->Normal.Width, steps.NormalColumn + k, steps.NormalAcross + k);
-  Load(lanes.UnitPhiH + k, unit);
-  StorePlaces(unit, this->Warp.Height, steps.Row + k, steps.Down + k);
-  StorePlaces(unit, this->Normal.Height, steps.NormalRow + k, steps.NormalDown + k);
-  Load(lanes.UnitTheta + k, unit);
-  StorePlaces(unit, this->SigmaWidth, steps.AreaColumn + k, steps.AreaAcross + k);
-}
-
-// What the warp and the normals' tables hold about one light.
-template <typename Four>
-MEASUREDBRDF_INLINE void PackedWarp::LookUpWarp(Steps& steps, int k) const
-{
-  const std::size_t width = 2 * static_cast<std::size_t>(this->Warp.Width);
-  const std::size_t slice = width * static_cast<std::size_t>(this->Warp.Height);
-  const std::size_t rows = 2 * static_cast<std::size_t>(this->Warp.Height);
-  const std::size_t next = this->Thetas.size() > 1 ? 1 : 0;
-  const auto at = static_cast<std::size_t>(steps.At[k]);
-  const auto y = static_cast<std::size_t>(steps.Row[k]);
-  const float weight = steps.Weight[k];
-  const float* node =
-    &this->Nodes[at * slice + y * width + 2 * static_cast<std::size_t>(steps.Column[k])];
-  Four row, nextRow, totals; // no loop, no array: they stay in registers
-  LoadMixed(node, next * slice, weight, row);
-  LoadMixed(node + width, next * slice, weight, nextRow);
-  MixIn(row, nextRow, steps.Down[k]);
-  LoadMixed(&this->Rows[at * rows + 2 * y], next * rows, weight, totals);
-  steps.Densities[0][k] = row[0];
-  steps.Along[k] = row[1];
-  steps.Densities[1][k] = row[2];
-  steps.Totals[0][k] = totals[0];
-  steps.Before[k] = totals[1];
-  steps.Totals[1][k] = totals[2];
-  if (this->Jacobian)
-  {
-    const auto normalWidth = static_cast<std::size_t>(this->Normal.Width);
-    const float* density = &this->Ndf[static_cast<std::size_t>(steps.NormalRow[k]) * normalWidth +
-                                      static_cast<std::size_t>(steps.NormalColumn[k])];
-    const float* area = &this->Sigma[static_cast<std::size_t>(steps.AreaColumn[k])];
-    steps.Normal[0][k] = density[0];
-    steps.Normal[1][k] = density[1];
-    steps.Normal[2][k] = density[normalWidth];
-    steps.Normal[3][k] = density[normalWidth + 1];
-    steps.Area[0][k] = area[0];
-    steps.Area[1][k] = area[1];
-  }
-}
-
-// The inverse of the warp, as BilinearWarp::Invert, and where that is among the colors.
-template <typename Vector>
-MEASUREDBRDF_INLINE void PackedWarp::Invert(Steps& steps, int k) const
-{
-  const Vector zero = {};
-  Vector first, second, along, across, down, total, nextTotal, before;
-  Load(steps.Densities[0] + k, first);
-  Load(steps.Densities[1] + k, second);
-  Load(steps.Along + k, along);
-  Load(steps.Across + k, across);
-  Load(steps.Down + k, down);
-  Load(steps.Totals[0] + k, total);
-  Load(steps.Totals[1] + k, nextTotal);
-  Load(steps.Before + k, before);
-  along += across * (first + 0.5f * across * (second - first));
-  before += down * (total + 0.5f * down * (nextTotal - total));
-  const Vector whole = total + down * (nextTotal - total);
-  const Vector unit = whole > zero ? along / whole : zero;
-  StorePlaces(unit, this->Color.Width, steps.Column + k, steps.Across + k);
-  StorePlaces(before, this->Color.Height, steps.Row + k, steps.Down + k);
-}
-
-template <typename Four, typename Eight>
-MEASUREDBRDF_INLINE void PackedWarp::LookUpColors(Steps& steps, int k) const
-{
-  const std::size_t width = 4 * static_cast<std::size_t>(this->Color.Width);
-  const std::size_t slice = width * static_cast<std::size_t>(this->Color.Height);
-  const std::size_t next = this->Thetas.size() > 1 ? slice : 0;
-  const float weight = steps.Weight[k];
-  const float* color = &this->Colors[static_cast<std::size_t>(steps.At[k]) * slice +
-                                     static_cast<std::size_t>(steps.Row[k]) * width +
-                                     4 * static_cast<std::size_t>(steps.Column[k])];
-  Eight upper, lower;
-  LoadMixed(color, next, weight, upper);
-  LoadMixed(color + width, next, weight, lower);
-  MixIn(upper, lower, steps.Down[k]);
-  Four halves[2];
-  Load(reinterpret_cast<const float*>(&upper), halves);
-  MixIn(halves[0], halves[1], steps.Across[k]);
-  for (int c = 0; c < 3; ++c)
-  {
-    steps.Colors[c][k] = halves[0][c];
-  }
-}
-
-template <typename Vector>
-MEASUREDBRDF_INLINE void PackedWarp::Scale(
-  Steps& steps, float cosine, float* const f[3], int k) const
-{
-  const Vector zero = {};
-  const Vector largest = zero + std::numeric_limits<float>::max();
-  Vector scale = zero + 1.0f / cosine;
-  if (this->Jacobian)
-  {
-    Vector across, down, areaAcross, corners[4], area, nextArea;
-    Load(steps.NormalAcross + k, across);
-    Load(steps.NormalDown + k, down);
-    Load(steps.AreaAcross + k, areaAcross);
-    for (int corner = 0; corner < 4; ++corner)
-    {
-      Load(steps.Normal[corner] + k, corners[corner]);
-    }
-    Load(steps.Area[0] + k, area);
-    Load(steps.Area[1] + k, nextArea);
-    const Vector above = corners[0] + across * (corners[1] - corners[0]);
-    const Vector below = corners[2] + across * (corners[3] - corners[2]);
-    scale *= (above + down * (below - above)) / (4.0f * (area + areaAcross * (nextArea - area)));
-  }
-  for (int c = 0; c < 3; ++c)
-  {
-    Vector color;
-    Load(steps.Colors[c] + k, color);
-    const Vector value = color > zero ? color * scale : zero; // not a number: 0
-    const Vector finite = value <= largest ? value : zero;
-    Store(finite, f[c] + k);
-  }
-}
-
-template <typename Vector, typename Four, typename Eight>
-MEASUREDBRDF_INLINE void PackedWarp::EvaluateAll(
-  int count, const WarpLanes& lanes, float cosine, float* const f[3]) const
-{
-  constexpr int width = static_cast<int>(sizeof(Vector) / sizeof(float));
-  const int whole = (count + width - 1) / width * width;
-  Steps steps;
-  for (int k = 0; k < whole; k += width)
-  {
-    this->Place<Vector>(lanes, steps, k);
-  }
-  for (int k = 0; k < whole; ++k)
-  {
-    this->LookUpWarp<Four>(steps, k);
-  }
-  for (int k = 0; k < whole; k += width)
-  {
-    this->Invert<Vector>(steps, k);
-  }
-  for (int k = 0; k < whole; ++k)
-  {
-    this->LookUpColors<Four, Eight>(steps, k);
-  }
-  for (int k = 0; k < whole; k += width)
-  {
-    this->Scale<Vector>(steps, cosine, f, k);
-  }
-}
-
-#ifdef MEASUREDBRDF_HAS_VECTORS
-MEASUREDBRDF_WIDE void PackedWarp::EvaluateWide(
-  int count, const WarpLanes& lanes, float cosine, float* const f[3]) const
-{
-  this->EvaluateAll<Float8, Float4, Float8>(count, lanes, cosine, f);
-}
-#endif
-
+// f cos(theta_o) = rgb(s) ndf(h) / (4 sigma(i)), s = vndf^-1(h; i), as in vtkAdaptiveWarpBRDF.
 void PackedWarp::Evaluate(
-  int count, const WarpLanes& lanes, double cosine, float* const f[3], VectorForm form) const
+  int count, const float* const lights[3], const double view[3], float* const f[3]) const
 {
-  const auto c = static_cast<float>(cosine);
-#ifdef MEASUREDBRDF_HAS_VECTORS
-  if (form == VectorForm::Wide)
+  const std::ptrdiff_t warpWidth = 2 * this->Warp.Width;
+  const std::ptrdiff_t warpRows = 2 * this->Warp.Height;
+  const std::ptrdiff_t warpSlice = warpWidth * this->Warp.Height;
+  const std::ptrdiff_t colorWidth = 4 * this->Color.Width;
+  const std::ptrdiff_t colorSlice = colorWidth * this->Color.Height;
+  const std::ptrdiff_t next = this->Thetas.size() > 1 ? 1 : 0; // slice
+
+  const auto findHalf = [&](WarpState& s) MEASUREDBRDF_INLINED
   {
-    return this->EvaluateWide(count, lanes, c, f);
-  }
-  if (form == VectorForm::Narrow)
+    Floats cosine;
+    s.Half = FindHalf(s.Light, FillDirections(view), cosine);
+  };
+
+  const auto findPlaces = [&](WarpState& s) MEASUREDBRDF_INLINED
   {
-    return this->EvaluateAll<Float4, Float4, Float8>(count, lanes, c, f);
-  }
-#endif
-  static_cast<void>(form);
-  this->EvaluateAll<float, Some<4>, Some<8>>(count, lanes, c, f);
+    FindCoordinates(s);
+    Floats begin = Fill(this->Thetas[0]);
+    Floats inverse = Fill(this->Inverses.empty() ? 0.0f : this->Inverses[0]);
+    s.Slice = Integers{};
+    for (std::size_t k = 1; k + 1 < this->Thetas.size(); ++k)
+    {
+      const Integers isBeyond = s.Theta >= this->Thetas[k];
+      s.Slice = isBeyond ? Integers{} + static_cast<int>(k) : s.Slice;
+      inverse = isBeyond ? Fill(this->Inverses[k]) : inverse;
+      begin = isBeyond ? Fill(this->Thetas[k]) : begin;
+    }
+    s.Weight = Smaller(Larger((s.Theta - begin) * inverse, Floats{}), Fill(1.0f));
+    s.Column = FindPlaces(s.UnitThetaH, this->Warp.Width);
+    s.Row = FindPlaces(s.UnitPhiH, this->Warp.Height);
+  };
+
+  const auto lookUpWarp = [&](WarpState& s) MEASUREDBRDF_INLINED
+  {
+    for (int k = 0; k < LaneCount; ++k)
+    {
+      const std::ptrdiff_t slice = s.Slice[k];
+      const std::ptrdiff_t row = s.Row.First[k];
+      const float weight = s.Weight[k];
+      const float* const node =
+        this->Nodes.data() + slice * warpSlice + row * warpWidth + 2 * s.Column.First[k];
+      const Float4 upper = LoadMixed<Float4>(node, next * warpSlice, weight);
+      const Float4 lower = LoadMixed<Float4>(node + warpWidth, next * warpSlice, weight);
+      s.Densities[k] = upper + s.Row.Fraction[k] * (lower - upper);
+      s.Totals[k] =
+        LoadMixed<Float4>(this->Rows.data() + slice * warpRows + 2 * row, next * warpRows, weight);
+    }
+  };
+
+  // As BilinearWarp::Invert: from a row's densities beside the half vector, their integral up to
+  // there, and the integrals of that row, of the next one and of all before.
+  const auto invert = [&](WarpState& s) MEASUREDBRDF_INLINED
+  {
+    Floats densities[4], totals[4];
+    Transpose(s.Densities, densities);
+    Transpose(s.Totals, totals);
+    const Floats across = s.Column.Fraction;
+    const Floats along =
+      densities[1] + across * (densities[0] + 0.5f * across * (densities[2] - densities[0]));
+    const Floats down = s.Row.Fraction;
+    const Floats before = totals[1] + down * (totals[0] + 0.5f * down * (totals[2] - totals[0]));
+    const Floats whole = totals[0] + down * (totals[2] - totals[0]);
+    s.Column = FindPlaces(whole > 0.0f ? along / whole : Floats{}, this->Color.Width);
+    s.Row = FindPlaces(before, this->Color.Height);
+  };
+
+  const auto lookUpColors = [&](WarpState& s) MEASUREDBRDF_INLINED
+  {
+    Float4 colors[LaneCount];
+    for (int k = 0; k < LaneCount; ++k)
+    {
+      const float* const at = this->Colors.data() + s.Slice[k] * colorSlice +
+                              s.Row.First[k] * colorWidth + 4 * s.Column.First[k];
+      const Float8 upper = LoadMixed<Float8>(at, next * colorSlice, s.Weight[k]);
+      const Float8 lower = LoadMixed<Float8>(at + colorWidth, next * colorSlice, s.Weight[k]);
+      const Float8 mixed = upper + s.Row.Fraction[k] * (lower - upper);
+      const Float4 left = __builtin_shufflevector(mixed, mixed, 0, 1, 2, 3);
+      const Float4 right = __builtin_shufflevector(mixed, mixed, 4, 5, 6, 7);
+      colors[k] = left + s.Column.Fraction[k] * (right - left);
+    }
+    Floats ofColors[4];
+    Transpose(colors, ofColors);
+    std::copy_n(ofColors, 3, s.Color);
+  };
+
+  const auto scaleColors = [&](WarpState& s) MEASUREDBRDF_INLINED
+  {
+    Floats scale = Fill(static_cast<float>(1.0 / view[2]));
+    if (this->Jacobian)
+    {
+      const LanePlaces x = FindPlaces(s.UnitThetaH, this->Normal.Width);
+      const LanePlaces y = FindPlaces(s.UnitPhiH, this->Normal.Height);
+      const LanePlaces ofSigma = FindPlaces(s.UnitTheta, this->SigmaWidth);
+      Float4 corners[LaneCount];
+      Floats areas[2];
+      for (int k = 0; k < LaneCount; ++k)
+      {
+        const float* const at =
+          this->Ndf.data() + std::ptrdiff_t{ y.First[k] } * this->Normal.Width + x.First[k];
+        corners[k] = Float4{ at[0], at[1], at[this->Normal.Width], at[this->Normal.Width + 1] };
+        const float* const area = this->Sigma.data() + ofSigma.First[k];
+        areas[0][k] = area[0];
+        areas[1][k] = area[1];
+      }
+      Floats c[4];
+      Transpose(corners, c);
+      const Floats above = c[0] + x.Fraction * (c[1] - c[0]);
+      const Floats below = c[2] + x.Fraction * (c[3] - c[2]);
+      scale *= (above + y.Fraction * (below - above)) /
+               (4.0f * (areas[0] + ofSigma.Fraction * (areas[1] - areas[0])));
+    }
+    for (Floats& color : s.Color)
+    {
+      const Floats value = Larger(color, Floats{}) * scale;
+      color = value <= std::numeric_limits<float>::max() ? value : Floats{};
+    }
+  };
+
+  EvaluateLanes<WarpState>(
+    count, lights, f, findHalf, findPlaces, lookUpWarp, invert, lookUpColors, scaleColors);
 }
 } // namespace measuredbrdf

@@ -3,15 +3,14 @@
 /**
  * @file
  * The tables of vtkAdaptiveWarpBRDF once more, in single precision and in an order in which what a
- * pair looks up lies side by side. For many lights at a time, where nothing depends on the light's
- * azimuth. Private to the module.
+ * pair looks up lies side by side: for many lights at a time, where nothing depends on the light's
+ * azimuth.
  */
 
 #ifndef PackedWarp_h
 #define PackedWarp_h
 
 #include "BilinearWarp.h"
-#include "WarpLanes.h"
 
 #include <cstddef>
 #include <vector>
@@ -33,11 +32,11 @@ public:
   };
   explicit PackedWarp(const Tables& tables);
 
-  /// f of count lights whose coordinates these are: red, green and blue; cosine: of theta_o.
-  /// Numbers up to the next multiple of 8 behind them are written, too. form: one that the
-  /// processor has.
-  void Evaluate(int count, const WarpLanes& lanes, double cosine, float* const f[3],
-    VectorForm form = GetWidestForm()) const;
+  /// f of so many lights for one view, all of them unit vectors above the horizon. lights: x, y and
+  /// z; f: red, green and blue. Angles are exact to 1e-6 rad; where the half vector is nearly the
+  /// normal, its azimuth is less exact.
+  void Evaluate(
+    int count, const float* const lights[3], const double view[3], float* const f[3]) const;
 
 private:
   struct Grid
@@ -45,20 +44,6 @@ private:
     int Width;
     int Height;
   };
-  struct Steps;
-  template <typename Vector>
-  void Place(const WarpLanes& lanes, Steps& steps, int k) const;
-  template <typename Four>
-  void LookUpWarp(Steps& steps, int k) const;
-  template <typename Vector>
-  void Invert(Steps& steps, int k) const;
-  template <typename Four, typename Eight>
-  void LookUpColors(Steps& steps, int k) const;
-  template <typename Vector>
-  void Scale(Steps& steps, float cosine, float* const f[3], int k) const;
-  template <typename Vector, typename Four, typename Eight>
-  void EvaluateAll(int count, const WarpLanes& lanes, float cosine, float* const f[3]) const;
-  void EvaluateWide(int count, const WarpLanes& lanes, float cosine, float* const f[3]) const;
 
   bool Jacobian;
   Grid Warp;

@@ -14,7 +14,6 @@
 #include "vtkBasisBRDF.h"
 #include "vtkBasisExtrapolator.h"
 #include "vtkBasisProjector.h"
-#include "vtkBasisRadianceIntegrator.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkBlinnPhongBRDFFitter.h"
 #include "vtkDistributionBRDF.h"
@@ -282,10 +281,6 @@ TEST(Setters, OfIntegrators)
   CLAMPED(vtkTableRadianceIntegrator, NumberOfAzimuths, 4, 64);
   CLAMPED(vtkTableRadianceIntegrator, HarmonicDegree, 0, 1024);
   CLAMPED(vtkTableRadianceIntegrator, NumberOfNodes, 16, 1024);
-  CLAMPED(vtkBasisRadianceIntegrator, Tolerance, 1e-4, 1.0);
-  CLAMPED(vtkBasisRadianceIntegrator, MaximumNumberOfTerms, 1, 256);
-  CLAMPED(vtkBasisRadianceIntegrator, MapSize, 8, 128);
-  CLAMPED(vtkBasisRadianceIntegrator, NumberOfClusters, 64, 1048576);
   CLAMPED(vtkFilteredRadianceIntegrator, NumberOfSamples, 1, 1024);
   CLAMPED(vtkHybridRadianceIntegrator, NumberOfRows, 9, 513);
   CLAMPED(vtkHybridRadianceIntegrator, NumberOfViewAngles, 2, 64);

@@ -4,6 +4,7 @@
 // queue.
 
 #include "ErrorQueue.h"
+#include "LaneForms.h"
 #include "SquareMiddles.h"
 #include "TexelTree.h"
 #include "vtkEnvironment.h"
@@ -97,86 +98,88 @@ TEST(ErrorQueue, GivesTheLargestFirst)
 }
 
 //------------------------------------------------------------------------------
-// Each form of the calculation, any number of middles, some of which do not count.
-TEST(SquareMiddles, TurnsAndWeighsInEachForm)
+// Each kind of vectors, any number of middles, some of which do not count.
+TEST(SquareMiddles, TurnsAndWeighs)
 {
   std::mt19937 engine(13);
   const auto draw = [&engine] { return static_cast<float>(engine() * 0x1p-31 - 1.0); };
   const float rows[9] = { 0.36f, 0.48f, -0.8f, -0.8f, 0.6f, 0.0f, 0.48f, 0.64f, 0.6f };
-  for (int form = 0; form <= static_cast<int>(GetWidestForm()); ++form)
-  {
-    for (const int count : { 1, 8, 13, 63, 64 })
+  ForEachLaneForm(
+    [&]()
     {
-      SquareMiddles middles = {};
-      float f[3][SquareMiddles::Most];
-      for (int k = 0; k < count; ++k)
+      for (const int count : { 1, 8, 13, 63, 64 })
       {
-        for (int c = 0; c < 3; ++c)
+        SquareMiddles middles = {};
+        float f[3][SquareMiddles::Most];
+        for (int k = 0; k < count; ++k)
         {
-          middles.Directions[c][k] = draw();
-          middles.Irradiances[c][k] = count == 8 ? 1.0f : std::max(draw(), 0.0f);
+          for (int c = 0; c < 3; ++c)
+          {
+            middles.Directions[c][k] = draw();
+            middles.Irradiances[c][k] = count == 8 ? 1.0f : std::max(draw(), 0.0f);
+          }
+          if (count == 8) // all of them count
+          {
+            middles.Directions[0][k] = middles.Directions[1][k] = middles.Directions[2][k] = 1.0f;
+          }
         }
-        if (count == 8) // all of them count
+        middles.Turn(count, rows);
+        for (int k = 0; k < middles.Counting; ++k)
         {
-          middles.Directions[0][k] = middles.Directions[1][k] = middles.Directions[2][k] = 1.0f;
+          for (int c = 0; c < 3; ++c)
+          {
+            f[c][k] = static_cast<float>(c + 1) + middles.Lights[c][k];
+          }
         }
+        middles.Weigh(count, f);
+        int counting = 0;
+        for (int k = 0; k < count; ++k)
+        {
+          glm::vec3 local;
+          float irradiance = 0.0f;
+          for (int c = 0; c < 3; ++c)
+          {
+            local[c] = rows[3 * c] * middles.Directions[0][k] +
+                       rows[3 * c + 1] * middles.Directions[1][k] +
+                       rows[3 * c + 2] * middles.Directions[2][k];
+            irradiance += middles.Irradiances[c][k];
+          }
+          EXPECT_NEAR(middles.Cosines[k], local.z, 1e-6f);
+          const bool counts = local.z > 0.0f && irradiance > 0.0f;
+          counting += counts ? 1 : 0;
+          for (int c = 0; c < 3; ++c)
+          {
+            const float expected =
+              counts ? (static_cast<float>(c + 1) + local[c]) * middles.Irradiances[c][k] * local.z
+                     : 0.0f;
+            EXPECT_NEAR(middles.Values[c][k], expected, 1e-5f) << count << " " << k;
+          }
+        }
+        EXPECT_EQ(middles.Counting, counting);
       }
-      middles.Turn(count, rows, static_cast<VectorForm>(form));
-      for (int k = 0; k < middles.Counting; ++k)
-      {
-        for (int c = 0; c < 3; ++c)
-        {
-          f[c][k] = static_cast<float>(c + 1) + middles.Lights[c][k];
-        }
-      }
-      middles.Weigh(count, f, static_cast<VectorForm>(form));
-      int counting = 0;
-      for (int k = 0; k < count; ++k)
-      {
-        glm::vec3 local;
-        float irradiance = 0.0f;
-        for (int c = 0; c < 3; ++c)
-        {
-          local[c] = rows[3 * c] * middles.Directions[0][k] +
-                     rows[3 * c + 1] * middles.Directions[1][k] +
-                     rows[3 * c + 2] * middles.Directions[2][k];
-          irradiance += middles.Irradiances[c][k];
-        }
-        EXPECT_NEAR(middles.Cosines[k], local.z, 1e-6f);
-        const bool counts = local.z > 0.0f && irradiance > 0.0f;
-        counting += counts ? 1 : 0;
-        for (int c = 0; c < 3; ++c)
-        {
-          const float expected =
-            counts ? (static_cast<float>(c + 1) + local[c]) * middles.Irradiances[c][k] * local.z
-                   : 0.0f;
-          EXPECT_NEAR(middles.Values[c][k], expected, 1e-5f) << form << " " << count << " " << k;
-        }
-      }
-      EXPECT_EQ(middles.Counting, counting);
-    }
-  }
+    });
 }
 
 //------------------------------------------------------------------------------
 TEST(SquareMiddles, StaysFinite)
 {
   const float rows[9] = { 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f };
-  for (int form = 0; form <= static_cast<int>(GetWidestForm()); ++form)
-  {
-    SquareMiddles middles = {};
-    float f[3][SquareMiddles::Most];
-    for (int c = 0; c < 3; ++c)
+  ForEachLaneForm(
+    [&]()
     {
-      middles.Directions[c][0] = c == 2 ? 1.0f : 0.0f;
-      middles.Irradiances[c][0] = 1e38f;
-      f[c][0] = 1e5f;
-    }
-    middles.Turn(1, rows, static_cast<VectorForm>(form));
-    middles.Weigh(1, f, static_cast<VectorForm>(form));
-    for (int c = 0; c < 3; ++c)
-    {
-      EXPECT_EQ(middles.Values[c][0], 1e36f) << form;
-    }
-  }
+      SquareMiddles middles = {};
+      float f[3][SquareMiddles::Most];
+      for (int c = 0; c < 3; ++c)
+      {
+        middles.Directions[c][0] = c == 2 ? 1.0f : 0.0f;
+        middles.Irradiances[c][0] = 1e38f;
+        f[c][0] = 1e5f;
+      }
+      middles.Turn(1, rows);
+      middles.Weigh(1, f);
+      for (int c = 0; c < 3; ++c)
+      {
+        EXPECT_EQ(middles.Values[c][0], 1e36f);
+      }
+    });
 }

@@ -6,6 +6,7 @@
 #include "EnvironmentHarmonics.h"
 #include "FieldSynthesis.h"
 #include "HalfVector.h"
+#include "LaneForms.h"
 #include "MapPart.h"
 #include "RowTransform.h"
 #include "WignerD.h"
@@ -121,103 +122,111 @@ TEST(FieldSynthesis, IsTheSumOverHarmonics)
 // numbers, and others.
 TEST(RowTransform, IsTheSumOverItems)
 {
-  using measuredbrdf::RowTransform;
-  for (const std::size_t size : { 1u, 2u, 4u, 24u, 25u, 32u, 58u, 96u, 256u, 400u })
-  {
-    const RowTransform transform(size);
-    ASSERT_EQ(transform.GetSize(), size);
-    const auto get = [](std::size_t k, std::size_t line)
+  ForEachLaneForm(
+    [&]()
     {
-      const double x = static_cast<double>(k) + 0.3 * static_cast<double>(line);
-      return std::complex<double>(std::sin(1.7 * x), std::cos(2.9 * x));
-    };
-    std::vector<float> lines(size * RowTransform::Item);
-    for (std::size_t k = 0; k < size; ++k)
-    {
-      for (std::size_t line = 0; line < RowTransform::Lines; ++line)
+      using measuredbrdf::RowTransform;
+      for (const std::size_t size : { 1u, 2u, 4u, 24u, 25u, 32u, 58u, 96u, 256u, 400u })
       {
-        float* at = &lines[transform.GetPlace(k) * RowTransform::Item + line];
-        at[0] = static_cast<float>(get(k, line).real());
-        at[RowTransform::Lines] = static_cast<float>(get(k, line).imag());
-      }
-    }
-    transform.Run(lines.data());
-    for (std::size_t j = 0; j < size; ++j)
-    {
-      for (std::size_t line = 0; line < RowTransform::Lines; ++line)
-      {
-        std::complex<double> sum = 0.0;
+        const RowTransform transform(size);
+        ASSERT_EQ(transform.GetSize(), size);
+        const auto get = [](std::size_t k, std::size_t line)
+        {
+          const double x = static_cast<double>(k) + 0.3 * static_cast<double>(line);
+          return std::complex<double>(std::sin(1.7 * x), std::cos(2.9 * x));
+        };
+        std::vector<float> lines(size * RowTransform::Item);
         for (std::size_t k = 0; k < size; ++k)
         {
-          sum += get(k, line) * std::polar(1.0, -2.0 * Pi * static_cast<double>(j * k) /
-                                                  static_cast<double>(size));
+          for (std::size_t line = 0; line < RowTransform::Lines; ++line)
+          {
+            float* at = &lines[transform.GetPlace(k) * RowTransform::Item + line];
+            at[0] = static_cast<float>(get(k, line).real());
+            at[RowTransform::Lines] = static_cast<float>(get(k, line).imag());
+          }
         }
-        const float* at = &lines[j * RowTransform::Item + line];
-        ASSERT_NEAR(at[0], sum.real(), 1e-4) << j << " of " << size << ", line " << line;
-        ASSERT_NEAR(at[RowTransform::Lines], sum.imag(), 1e-4) << j << " of " << size;
+        transform.Run(lines.data());
+        for (std::size_t j = 0; j < size; ++j)
+        {
+          for (std::size_t line = 0; line < RowTransform::Lines; ++line)
+          {
+            std::complex<double> sum = 0.0;
+            for (std::size_t k = 0; k < size; ++k)
+            {
+              sum += get(k, line) * std::polar(1.0, -2.0 * Pi * static_cast<double>(j * k) /
+                                                      static_cast<double>(size));
+            }
+            const float* at = &lines[j * RowTransform::Item + line];
+            ASSERT_NEAR(at[0], sum.real(), 1e-4) << j << " of " << size << ", line " << line;
+            ASSERT_NEAR(at[RowTransform::Lines], sum.imag(), 1e-4) << j << " of " << size;
+          }
+        }
       }
-    }
-  }
+    });
 }
 
 //------------------------------------------------------------------------------
 // Lanes against one angle after the other, poles and degrees below the first included.
 TEST(WignerLanes, AgreeWithOneAngle)
 {
-  using measuredbrdf::WignerLanes;
-  constexpr int last = 40;
-  const WignerLanes::Values theta = { 0.0, 0.4, 2.0, Pi };
-  const WignerLanes lanes(theta);
-  for (const auto& [m, k] : { std::pair(0, 0), std::pair(3, -2), std::pair(-7, 1),
-         std::pair(last, 5), std::pair(last + 1, 0) })
-  {
-    const measuredbrdf::WignerD functions(m, k, last);
-    const std::size_t first = static_cast<std::size_t>(functions.GetFirst());
-    std::vector<float> d(WignerLanes::Count * (last + 2));
-    std::vector<WignerLanes::Values> in(3 * (last + 1)), scaled(3 * (last + 1)),
-      turned(3 * (last + 1));
-    for (std::size_t n = 0; n < in.size(); ++n)
+  ForEachLaneForm(
+    [&]()
     {
-      in[n].fill(1.0 + 0.1 * static_cast<double>(n));
-      scaled[n].fill(5.0);
-      turned[n].fill(7.0);
-    }
-    const WignerLanes::Values factors[3] = { { 1, 2, 3, 4 }, { 2, 2, 2, 2 }, { -1, 0, 1, 3 } };
-    const auto channels = [](std::vector<WignerLanes::Values>& of) {
-      return std::array<WignerLanes::Values*, 3>{ &of[0], &of[last + 1], &of[2 * (last + 1)] };
-    };
-    constexpr double least = 1e-3;
-    const std::size_t begin = lanes.EvaluateFrom(functions, least, d.data());
-    // Five sets of angles, more than are taken at a time; one of them counts.
-    std::vector<std::array<WignerLanes::Values, 3>> ofAngles(5);
-    ofAngles[4] = { factors[0], factors[1], factors[2] };
-    WignerLanes::AddSeries(functions,
-      { WignerLanes({ 1.0, 1.0, 1.0, 1.0 }), lanes, lanes, lanes, lanes }, ofAngles,
-      channels(scaled));
-    lanes.AddTurned(
-      functions, factors[0], { &in[0], &in[last + 1], &in[2 * (last + 1)] }, channels(turned));
-    std::vector<double> one(last + 2);
-    for (std::size_t lane = 0; lane < WignerLanes::Count; ++lane)
-    {
-      functions.Evaluate(theta[lane], one.data());
-      for (std::size_t n = 0; n < scaled.size(); ++n)
+      using measuredbrdf::WignerLanes;
+      constexpr int last = 40;
+      const WignerLanes::Values theta = { 0.0, 0.4, 2.0, Pi };
+      const WignerLanes lanes(theta);
+      for (const auto& [m, k] : { std::pair(0, 0), std::pair(3, -2), std::pair(-7, 1),
+             std::pair(last, 5), std::pair(last + 1, 0) })
       {
-        const std::size_t l = n % (last + 1);
-        const double expected = l >= first ? one[l - first] : 0.0;
-        ASSERT_NEAR(scaled[n][lane], 5.0 + factors[n / (last + 1)][lane] * expected, 1e-11);
-        ASSERT_NEAR(turned[n][lane], 7.0 + factors[0][lane] * expected * in[n][lane], 1e-11);
-        if (l >= first + begin)
+        const measuredbrdf::WignerD functions(m, k, last);
+        const std::size_t first = static_cast<std::size_t>(functions.GetFirst());
+        std::vector<float> d(WignerLanes::Count * (last + 2));
+        std::vector<WignerLanes::Values> in(3 * (last + 1)), scaled(3 * (last + 1)),
+          turned(3 * (last + 1));
+        for (std::size_t n = 0; n < in.size(); ++n)
         {
-          ASSERT_NEAR(d[WignerLanes::Count * (l - first) + lane], expected, 1e-7)
-            << l << " of " << m << ", " << k;
+          in[n].fill(1.0 + 0.1 * static_cast<double>(n));
+          scaled[n].fill(5.0);
+          turned[n].fill(7.0);
         }
-        else
+        const WignerLanes::Values factors[3] = { { 1, 2, 3, 4 }, { 2, 2, 2, 2 }, { -1, 0, 1, 3 } };
+        const auto channels = [](std::vector<WignerLanes::Values>& of) {
+          return std::array<WignerLanes::Values*, 3>{ &of[0], &of[last + 1], &of[2 * (last + 1)] };
+        };
+        constexpr double least = 1e-3;
+        const std::size_t begin = lanes.EvaluateFrom(functions, least, d.data());
+        // Five sets of angles, more than are taken at a time; one of them counts.
+        std::vector<std::array<WignerLanes::Values, 3>> ofAngles(5);
+        ofAngles[4] = { factors[0], factors[1], factors[2] };
+        WignerLanes::AddSeries(functions,
+          { WignerLanes({ 1.0, 1.0, 1.0, 1.0 }), lanes, lanes, lanes, lanes }, ofAngles,
+          channels(scaled));
+        lanes.AddTurned(
+          functions, factors[0], { &in[0], &in[last + 1], &in[2 * (last + 1)] }, channels(turned));
+        std::vector<double> one(last + 2);
+        for (std::size_t lane = 0; lane < WignerLanes::Count; ++lane)
         {
-          ASSERT_LT(std::abs(expected), least) << l << " of " << m << ", " << k;
+          functions.Evaluate(theta[lane], one.data());
+          for (std::size_t n = 0; n < scaled.size(); ++n)
+          {
+            const std::size_t l = n % (last + 1);
+            const double expected = l >= first ? one[l - first] : 0.0;
+            ASSERT_NEAR(scaled[n][lane], 5.0 + factors[n / (last + 1)][lane] * expected, 1e-11);
+            ASSERT_NEAR(turned[n][lane], 7.0 + factors[0][lane] * expected * in[n][lane], 1e-11);
+            if (l >= first + begin)
+            {
+              ASSERT_NEAR(d[WignerLanes::Count * (l - first) + lane], expected, 1e-7)
+                << l << " of " << m << ", " << k;
+            }
+            else
+            {
+              ASSERT_LT(std::abs(expected), least) << l << " of " << m << ", " << k;
+            }
+          }
         }
       }
-    }
-  }
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,6 @@
 
 #include "HalfVector.h" // for Pi
 #include "SpherePairs.h"
-#include "vtkBasisRadianceIntegrator.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkExactRadianceIntegrator.h"
@@ -67,7 +66,6 @@ std::vector<Way> GetWays(vtkBRDF* brdf, vtkEnvironment* environment, bool all = 
   EXPECT_TRUE(hybrid->SetSizes({ 64, 12, 16, 8 }));
   vtkNew<vtkFilteredRadianceIntegrator> filtered;
   filtered->SetNumberOfSamples(256);
-  vtkNew<vtkBasisRadianceIntegrator> basis;
   std::vector<Way> ways;
   ways.push_back({ "exact", vtkSmartPointer<vtkExactRadianceIntegrator>::New(), 1e-3 });
   ways.push_back({ "table", table.Get(), 0.01 });
@@ -75,7 +73,6 @@ std::vector<Way> GetWays(vtkBRDF* brdf, vtkEnvironment* environment, bool all = 
   {
     ways.push_back({ "hybrid", hybrid.Get(), 0.02 });
     ways.push_back({ "filtered", filtered.Get(), 0.02 });
-    ways.push_back({ "basis", basis.Get(), 0.02 });
   }
   ways.push_back({ "variance", NewLoop<vtkVarianceLightSetGenerator>(environment), 0.01 });
   ways.push_back({ "median cut", NewLoop<vtkMedianCutLightSetGenerator>(environment), 0.02 });

@@ -3,6 +3,7 @@
 // What the synthesis of tables is made of: products in wide vectors, and kernels' harmonics that
 // are kept for other sizes.
 
+#include "LaneForms.h"
 #include "LobeHarmonics.h"
 #include "MaterialPrecomputation.h"
 #include "MatrixProduct.h"
@@ -21,53 +22,17 @@
 using namespace measuredbrdf;
 
 //------------------------------------------------------------------------------
-// Memory need not be aligned.
+// Each second item, of columns that fill vectors in all ways; memory need not be aligned.
 TEST(MatrixProduct, AgreesWithSumsInDouble)
 {
-  for (const std::size_t depth : { 1u, 7u, 130u })
-  {
-    const std::size_t rows = 3 * ProductRows;
-    const std::size_t columns = 2 * ProductColumns;
-    std::vector<float> left(rows * depth), right(depth * columns + 1),
-      result(rows * columns + 1, -1.0f);
-    for (std::size_t k = 0; k < left.size(); ++k)
-    {
-      left[k] = static_cast<float>(std::sin(0.7 * static_cast<double>(k)));
-    }
-    for (std::size_t k = 0; k < right.size(); ++k)
-    {
-      right[k] = static_cast<float>(std::cos(1.3 * static_cast<double>(k)));
-    }
-    Multiply(left.data(), right.data() + 1, rows, depth, columns, result.data() + 1);
-    for (std::size_t row = 0; row < rows; ++row)
-    {
-      for (std::size_t column = 0; column < columns; ++column)
-      {
-        double sum = 0.0;
-        for (std::size_t k = 0; k < depth; ++k)
-        {
-          sum += static_cast<double>(left[row * depth + k]) *
-                 static_cast<double>(right[1 + k * columns + column]);
-        }
-        ASSERT_NEAR(static_cast<double>(result[1 + row * columns + column]), sum, 1e-5)
-          << row << " " << column << " of " << depth;
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-// Each second item, of columns that fill vectors in all ways.
-TEST(MatrixProduct, PanelsAgreeWithSumsInDouble)
-{
+  const std::size_t rows = 3 * ProductRows;
   for (const std::size_t columns : { 8u, 16u, 24u, 40u })
   {
     for (const std::size_t depth : { 0u, 1u, 77u })
     {
-      const std::size_t leftStep = 2 * PanelRows;
+      const std::size_t leftStep = 2 * rows;
       const std::size_t rightStep = 2 * columns;
-      std::vector<float> left(2 * PanelRows * depth + 1), right(2 * columns * depth + 1),
-        result(PanelRows * columns + 2, -1.0f);
+      std::vector<float> left(leftStep * depth + 1), right(rightStep * depth + 1);
       for (std::size_t k = 0; k < left.size(); ++k)
       {
         left[k] = static_cast<float>(std::sin(0.7 * static_cast<double>(k)));
@@ -76,24 +41,29 @@ TEST(MatrixProduct, PanelsAgreeWithSumsInDouble)
       {
         right[k] = static_cast<float>(std::cos(1.3 * static_cast<double>(k)));
       }
-      MultiplyPanel({ left.data() + 1, leftStep }, { right.data() + 1, rightStep }, depth, columns,
-        result.data() + 1);
-      for (std::size_t row = 0; row < PanelRows; ++row)
-      {
-        for (std::size_t column = 0; column < columns; ++column)
+      ForEachLaneForm(
+        [&]()
         {
-          double sum = 0.0;
-          for (std::size_t k = 0; k < depth; ++k)
+          std::vector<float> result(rows * columns + 2, -1.0f);
+          Multiply({ left.data() + 1, leftStep }, { right.data() + 1, rightStep }, rows, depth,
+            columns, result.data() + 1);
+          for (std::size_t row = 0; row < rows; ++row)
           {
-            sum += static_cast<double>(left[1 + k * leftStep + row]) *
-                   static_cast<double>(right[1 + k * rightStep + column]);
+            for (std::size_t column = 0; column < columns; ++column)
+            {
+              double sum = 0.0;
+              for (std::size_t k = 0; k < depth; ++k)
+              {
+                sum += static_cast<double>(left[1 + k * leftStep + row]) *
+                       static_cast<double>(right[1 + k * rightStep + column]);
+              }
+              ASSERT_NEAR(static_cast<double>(result[1 + row * columns + column]), sum, 1e-5)
+                << row << " " << column << " of " << columns << ", " << depth;
+            }
           }
-          ASSERT_NEAR(static_cast<double>(result[1 + row * columns + column]), sum, 1e-5)
-            << row << " " << column << " of " << columns << ", " << depth;
-        }
-      }
-      EXPECT_EQ(result.front(), -1.0f);
-      EXPECT_EQ(result.back(), -1.0f);
+          EXPECT_EQ(result.front(), -1.0f);
+          EXPECT_EQ(result.back(), -1.0f);
+        });
     }
   }
 }

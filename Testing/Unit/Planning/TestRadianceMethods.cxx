@@ -3,7 +3,6 @@
 // The list of methods: what each says of itself, copies, and methods of a program's own.
 #include "ErrorCatcher.h"
 #include "vtkAnisotropicTableRadianceIntegrator.h"
-#include "vtkBasisRadianceIntegrator.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
@@ -228,13 +227,6 @@ TEST(RadianceMethods, CopiesHaveEveryProperty)
   vtkNew<vtkFilteredRadianceIntegrator> filtered;
   filtered->SetNumberOfSamples(5);
   ExpectCopied(filtered, { "Extracted lights" });
-  vtkNew<vtkBasisRadianceIntegrator> basis;
-  basis->SetTolerance(0.03);
-  basis->SetMaximumNumberOfTerms(11);
-  basis->SetMapSize(20);
-  basis->SetNumberOfClusters(99);
-  basis->UseOwnBasisOn();
-  ExpectCopied(basis, { "NumberOfTerms", "TruncationError" });
   vtkNew<vtkLightSetRadianceIntegrator> lights;
   lights->SetGenerator(vtkNew<vtkMedianCutLightSetGenerator>());
   lights->SetNumberOfLights(32);
