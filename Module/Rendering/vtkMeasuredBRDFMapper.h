@@ -47,11 +47,11 @@
 #ifndef vtkMeasuredBRDFMapper_h
 #define vtkMeasuredBRDFMapper_h
 
-#include "vtkMeasuredBRDFMapperMixin.h" // superclass, but for wrappers
-#include "vtkMeasuredBRDFModule.h"      // for export macro
-#include "vtkOpenGLPolyDataMapper.h"    // superclass for wrappers
+#include "vtkMeasuredBRDFModule.h" // for export macro
+#include "vtkOpenGLPolyDataMapper.h"
 
-#include <memory> // for Map
+#include <map>    // for shaders
+#include <memory> // for Internals
 #include <string> // for descriptions
 
 class vtkBRDF;
@@ -61,11 +61,6 @@ class vtkMaterialMap;
 class vtkProperty;
 class vtkRadianceIntegrator;
 class vtkRadiancePlanner;
-
-// Wrappers see VTK's class as the superclass (as vtkFloatArray does with its template).
-#ifndef __VTK_WRAP__
-#define vtkOpenGLPolyDataMapper vtkMeasuredBRDFMapperMixin<vtkOpenGLPolyDataMapper>
-#endif
 
 class VTKMEASUREDBRDF_EXPORT vtkMeasuredBRDFMapper : public vtkOpenGLPolyDataMapper
 {
@@ -375,20 +370,33 @@ protected:
   vtkMeasuredBRDFMapper();
   ~vtkMeasuredBRDFMapper() override;
 
-  std::vector<MaterialUse> GetMaterialUses() override;
+  ///@{
+  /// The steps of the superclass in which a material takes part.
+  void RenderPieceStart(vtkRenderer* ren, vtkActor* actor) override;
+  void RenderPieceDraw(vtkRenderer* ren, vtkActor* actor) override;
+  void RenderPieceFinish(vtkRenderer* ren, vtkActor* actor) override;
+  bool GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* actor) override;
+  void BuildBufferObjects(vtkRenderer* ren, vtkActor* actor) override;
+  bool GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
+  void UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
+  void ReplaceShaderValues(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor) override;
+  void ReplaceShaderLight(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor) override;
+  void SetMapperShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
+  void SetPropertyShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
+  ///@}
 
 private:
-  struct MapDrawing; // by a material map
-  bool RenderParts(vtkRenderer* ren, vtkActor* actor);
-
-  std::unique_ptr<MapDrawing> Map;
-
   vtkMeasuredBRDFMapper(const vtkMeasuredBRDFMapper&) = delete;
   void operator=(const vtkMeasuredBRDFMapper&) = delete;
-};
 
-#ifndef __VTK_WRAP__
-#undef vtkOpenGLPolyDataMapper
-#endif
+  bool RenderParts(vtkRenderer* ren, vtkActor* actor);
+
+  struct Internals;
+  std::unique_ptr<Internals> Impl;
+};
 
 #endif

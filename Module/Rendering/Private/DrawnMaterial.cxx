@@ -55,41 +55,4 @@ vtkIdType CountTextureBytes(
   }
   return static_cast<vtkIdType>(bytes);
 }
-
-const vtkBRDFShaderInputs* FindMaterialForm(const DrawnMaterials& materials)
-{
-  for (const DrawnMaterial* drawn : materials)
-  {
-    if (drawn->Material)
-    {
-      return &drawn->Material->GetForm();
-    }
-  }
-  return nullptr;
-}
-
-vtkRadiancePlanner* FindPlanner(const DrawnMaterials& materials)
-{
-  for (const DrawnMaterial* drawn : materials)
-  {
-    if (drawn->Plan)
-    {
-      return drawn->Plan;
-    }
-  }
-  return nullptr;
-}
-
-vtkRadianceIntegrator* FindIntegrator(const DrawnMaterials& materials)
-{
-  for (const DrawnMaterial* drawn : materials)
-  {
-    if (drawn->Integrator)
-    {
-      return drawn->Integrator;
-    }
-  }
-  return nullptr;
-}
-
 } // namespace measuredbrdf

@@ -51,12 +51,25 @@ std::string DescribeMixture(double error);
 vtkIdType CountTextureBytes(
   const DrawnMaterials& materials, std::set<const vtkTextureObject*>& counted);
 
-///@{
-/// Of the first material that has one; null where none has.
-const vtkBRDFShaderInputs* FindMaterialForm(const DrawnMaterials& materials);
-vtkRadiancePlanner* FindPlanner(const DrawnMaterials& materials);
-vtkRadianceIntegrator* FindIntegrator(const DrawnMaterials& materials);
-///@}
+/// What get finds of the first material that has it; null where none has.
+template <typename Get>
+auto FindFirst(const DrawnMaterials& materials, const Get& get) -> decltype(get(*materials.front()))
+{
+  for (const DrawnMaterial* drawn : materials)
+  {
+    if (auto* found = get(*drawn))
+    {
+      return found;
+    }
+  }
+  return nullptr;
+}
+
+inline const vtkBRDFShaderInputs* FindMaterialInputs(const DrawnMaterials& materials)
+{
+  return FindFirst(materials, [](const DrawnMaterial& drawn)
+    { return drawn.Material ? &drawn.Material->GetForm() : nullptr; });
+}
 } // namespace measuredbrdf
 
 #endif

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialDrawing.h"
 
-#include "Drawings.h"
-#include "DrawsColor.h"
 #include "OcclusionPoints.h"
+#include "RenderPassQueries.h"
 #include "RunGuarded.h"
 #include "SharedIntegrators.h"
-#include "StockLevels.h"
 #include "SurfaceBlocks.h"
 #include "TextureEnvironment.h"
 #include "VisibleSurface.h"
@@ -26,6 +24,7 @@
 #include <algorithm>
 #include <exception>
 #include <iterator>
+#include <mutex>
 
 namespace measuredbrdf
 {
@@ -37,6 +36,29 @@ constexpr double LeastInteractiveRate = 1.0;
 // A few materials are looked up as fast as compared with the last frame's.
 constexpr std::size_t ManyUses = 8;
 
+// Those of all mappers, so that one can plan for the others of a renderer. Any thread makes
+// mappers.
+struct ActiveDrawings
+{
+  std::mutex Mutex;
+  std::map<vtkObject*, MaterialDrawing*> ByMapper;
+
+  static ActiveDrawings& Get()
+  {
+    static ActiveDrawings& drawings = *new ActiveDrawings; // mappers may go after statics
+    return drawings;
+  }
+};
+
+// Null: the mapper draws no materials.
+MaterialDrawing* FindDrawing(vtkMapper* mapper)
+{
+  ActiveDrawings& active = ActiveDrawings::Get();
+  const std::lock_guard<std::mutex> lock(active.Mutex);
+  const auto found = active.ByMapper.find(mapper);
+  return found == active.ByMapper.end() ? nullptr : found->second;
+}
+
 bool IsInteracting(vtkRenderer* renderer)
 {
   auto* window = vtkRenderWindow::SafeDownCast(renderer->GetVTKWindow());
@@ -44,16 +66,25 @@ bool IsInteracting(vtkRenderer* renderer)
 }
 }
 
-MaterialDrawing::MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSettings> settings,
-  std::function<std::vector<MaterialUse>()> uses)
+MaterialDrawing::MaterialDrawing(vtkObject* owner, std::function<std::vector<MaterialUse>()> uses)
   : Owner(owner)
-  , Settings(std::move(settings))
   , UsesToCome(std::move(uses))
 {
-  Drawings::Get().Add(owner, this);
+  ActiveDrawings& active = ActiveDrawings::Get();
+  const std::lock_guard<std::mutex> lock(active.Mutex);
+  active.ByMapper[owner] = this;
 }
 
-MaterialDrawing::~MaterialDrawing() { Drawings::Get().Remove(this->Owner, this); }
+MaterialDrawing::~MaterialDrawing()
+{
+  ActiveDrawings& active = ActiveDrawings::Get();
+  const std::lock_guard<std::mutex> lock(active.Mutex);
+  const auto found = active.ByMapper.find(this->Owner);
+  if (found->second == this) // unless a new mapper has the address of the old one
+  {
+    active.ByMapper.erase(found);
+  }
+}
 
 MaterialDrawing::SweepAtEnd::~SweepAtEnd()
 {
@@ -137,7 +168,7 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   request.Renderer = state.Renderer;
   request.Actor = state.Actor;
   request.Surfaces = use.second;
-  request.WithForm =
+  request.WithShaderInputs =
     this->Settings->UseSceneLights && HasLight(state.Renderer, state.Environment != nullptr);
   return request;
 }
@@ -153,7 +184,7 @@ void MaterialDrawing::VisitRequests(vtkRenderer* renderer, const PlanRequest::Vi
     auto* actor = vtkActor::SafeDownCast(prop);
     const bool seen = actor && actor->GetVisibility() && IsShaded(actor);
     vtkMapper* mapper = seen ? actor->GetMapper() : nullptr;
-    MaterialDrawing* drawing = mapper ? Drawings::Get().Find(mapper) : nullptr;
+    MaterialDrawing* drawing = mapper ? FindDrawing(mapper) : nullptr;
     if (!drawing || !drawing->IsPlanned())
     {
       continue;
@@ -240,7 +271,7 @@ void MaterialDrawing::ResolveIntegrator(
   }
 }
 
-std::string MaterialDrawing::UploadForms(DrawnMaterial& drawn, vtkRenderer* renderer)
+std::string MaterialDrawing::UploadInputs(DrawnMaterial& drawn, vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetVTKWindow());
   std::size_t samplers = 0;
@@ -283,7 +314,7 @@ DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState&
   try
   {
     this->ResolveIntegrator(drawn, use, state);
-    problem = this->UploadForms(drawn, state.Renderer);
+    problem = this->UploadInputs(drawn, state.Renderer);
     if (drawn.Current)
     {
       drawn.Current->Uploads = { drawn.Material, drawn.Radiance };

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How a mapper draws measured materials, apart from VTK's three base classes of mappers
- * (vtkMeasuredBRDFMapperMixin): for each frame it finds the light, the plan and the textures of
- * each material, and then gives the shader's text and uniforms. Private to the rendering room.
+ * What a mapper that users know draws with: its properties and, for each frame, the light, the
+ * plan and the textures of each material. MaterialShading makes shader text and uniforms of them.
+ * Private to the rendering component.
  */
 
 #ifndef MaterialDrawing_h
@@ -52,8 +52,7 @@ class MaterialDrawing
 public:
   /// owner: the mapper that users know; warnings are its. uses: what it will draw next, as far as
   /// it knows between its renders.
-  MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSettings> settings,
-    std::function<std::vector<MaterialUse>()> uses);
+  MaterialDrawing(vtkObject* owner, std::function<std::vector<MaterialUse>()> uses);
   ~MaterialDrawing();
   MaterialDrawing(const MaterialDrawing&) = delete;
   void operator=(const MaterialDrawing&) = delete;
@@ -139,7 +138,6 @@ public:
   ///@{
   /// About the last frame of all parts.
   std::vector<const DrawnMaterial*> GetLastFrame() const;
-  const MapperPlans& GetPlans() const { return this->Plans; }
   /// Plans, or what is traced beside them: whether some are in the making; made and not drawn yet.
   bool IsPending() const;
   bool IsReady() const;
@@ -210,7 +208,7 @@ private:
   void ResolveIntegrator(DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state);
   /// Whether one is being made.
   bool ResolvePlan(DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state);
-  std::string UploadForms(DrawnMaterial& drawn, vtkRenderer* renderer);
+  std::string UploadInputs(DrawnMaterial& drawn, vtkRenderer* renderer);
   ///@}
 
   // First, so that it is the last to go: what the others held is released then.
@@ -224,7 +222,7 @@ private:
   SweepAtEnd AtEnd;
 
   vtkObject* Owner;
-  std::shared_ptr<MaterialSettings> Settings;
+  std::unique_ptr<MaterialSettings> Settings = std::make_unique<MaterialSettings>();
   std::function<std::vector<MaterialUse>()> UsesToCome;
   std::function<double(vtkBRDF*)> ToleranceFactor;
   bool PlansMapsForView = true;

@@ -4,16 +4,13 @@
 
 #include "LocalFrame.h"
 #include "MaterialPrecomputation.h"
-#include "PlanReference.h"
-#include "SharedData.h"
+#include "PlanSearch.h"
 #include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
-#include "vtkBRDFReader.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEmbeddedMaterials.h"
-#include "vtkEnvironmentReader.h"
 #include "vtkLambertBRDF.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkSumBRDF.h"
@@ -21,7 +18,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -208,34 +204,6 @@ TEST(PlanReference, IsNearlyExact)
       ExpectAsStated(
         std::string(name) + ", " + map, reference, stated, pairs.Integrate(adaptive), 1e-3);
     }
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(PlanReference, KnowsItsErrorOfMeasuredMaterials)
-{
-  if (!std::filesystem::exists(SharedData))
-  {
-    GTEST_SKIP() << SharedData << " is not there";
-  }
-  SpherePairs pairs;
-  pairs.AddRandom(64);
-  vtkNew<vtkEnvironmentReader> map;
-  map->SetFileName(SharedData + "/environments/interior.exr");
-  ASSERT_TRUE(map->Read());
-  for (const char* name :
-    { "satin_purple", "leaf_maple", "vch_ultra_pink", "cc_ibiza_sunset", "chm_light_blue" })
-  {
-    vtkNew<vtkBRDFReader> reader;
-    reader->SetFileName(SharedData + "/materials/rgl/" + name + "_rgb.bsdf");
-    ASSERT_TRUE(reader->Read());
-    double stated = 0.0;
-    const auto reference = Refer(reader->GetBRDF(), map->GetEnvironment(), pairs, stated);
-    vtkNew<vtkAdaptiveRadianceIntegrator> adaptive;
-    adaptive->SetTolerance(3e-4);
-    adaptive->SetBRDF(reader->GetBRDF());
-    adaptive->SetEnvironment(map->GetEnvironment());
-    ExpectAsStated(name, reference, stated, pairs.Integrate(adaptive), 1e-3);
   }
 }
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockBatch.h"
 
-#include "vtkMeasuredBRDFMapperMixin.txx"
-
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -16,13 +14,11 @@
 #include <map>
 #include <utility>
 
-template class vtkMeasuredBRDFMapperMixin<measuredbrdf::BatchBase>;
-
 namespace measuredbrdf
 {
 vtkStandardNewMacro(BlockBatch);
 
-void BlockBatch::Initialize(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing,
+void BlockBatch::Initialize(std::shared_ptr<MaterialDrawing> drawing,
   const BlockMaterials* materials, BlockParts* parts, std::function<void()> update)
 {
   this->Drawing = std::move(drawing);
@@ -124,8 +120,7 @@ void BlockBatch::AppendOneBufferObject(vtkRenderer* ren, vtkActor* actor, BlockR
 {
   vtkPolyData* surface = GetSurface(record);
   const vtkIdType before = BatchOcclusion::CountVertices(this->VBOs, surface);
-  this->vtkMeasuredBRDFMapperMixin<BatchBase>::AppendOneBufferObject(
-    ren, actor, record, offset, colors, normals);
+  this->ShadedMapper<BatchBase>::AppendOneBufferObject(ren, actor, record, offset, colors, normals);
   if (BatchOcclusion::CountVertices(this->VBOs, surface) != before)
   {
     this->Occlusion.Append(

@@ -16,7 +16,7 @@
 #include "BlockMaterials.h"
 #include "BlockParts.h"
 #include "BlockStyle.h"
-#include "vtkMeasuredBRDFMapperMixin.h"
+#include "ShadedMapper.h"
 
 #include <cstddef>
 #include <functional>
@@ -26,15 +26,15 @@
 namespace measuredbrdf
 {
 /// Those of one material are drawn while the others are invisible.
-class BlockBatch : public vtkMeasuredBRDFMapperMixin<BatchBase>
+class BlockBatch : public ShadedMapper<BatchBase>
 {
 public:
   static BlockBatch* New();
-  vtkTypeMacro(BlockBatch, vtkMeasuredBRDFMapperMixin<BatchBase>);
+  vtkTypeMacro(BlockBatch, ShadedMapper<BatchBase>);
 
   /// update: what brings the blocks' materials up to date.
-  void Initialize(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing,
-    const BlockMaterials* materials, BlockParts* parts, std::function<void()> update);
+  void Initialize(std::shared_ptr<MaterialDrawing> drawing, const BlockMaterials* materials,
+    BlockParts* parts, std::function<void()> update);
 
 protected:
   BlockBatch() = default;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PartMapper.h"
 
-#include "vtkMeasuredBRDFMapperMixin.txx"
-
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"

@@ -67,17 +67,11 @@ void MapperPlans::EraseIf(const Condition& condition)
 {
   for (auto it = this->Views.begin(); it != this->Views.end();)
   {
-    const bool goes = condition(it->first, *it->second);
-    this->Last = goes && this->Last == it->second ? nullptr : this->Last;
-    it = goes ? this->Views.erase(it) : std::next(it);
+    it = condition(it->first, *it->second) ? this->Views.erase(it) : std::next(it);
   }
 }
 
-void MapperPlans::Clear()
-{
-  this->Views.clear();
-  this->Last.reset();
-}
+void MapperPlans::Clear() { this->Views.clear(); }
 
 void MapperPlans::Clear(vtkRenderer* renderer)
 {
@@ -103,11 +97,6 @@ void MapperPlans::ReleaseUploads(vtkWindow* window)
       view->Plan.Uploads.clear();
     }
   }
-}
-
-vtkRadiancePlanner* MapperPlans::GetPlan() const
-{
-  return this->Last ? this->Last->Plan.GetPlan() : nullptr;
 }
 
 bool MapperPlans::IsPending() const
@@ -235,7 +224,7 @@ PlanInputs MapperPlans::GetInputs(View& view, const PlanRequest& request)
 {
   PlanInputs inputs(request.BRDF, request.Environment, request.Tolerance);
   inputs.MaximumCost = request.MaximumCost;
-  inputs.WithForm = request.WithForm;
+  inputs.WithShaderInputs = request.WithShaderInputs;
   if (!request.ForView)
   {
     return inputs;
@@ -308,7 +297,6 @@ CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std:
   {
     view.Looks[view.Current].Plan = view.Plan.GetPlan();
   }
-  this->Last = kept;
   return view.Plan;
 }
 } // namespace measuredbrdf

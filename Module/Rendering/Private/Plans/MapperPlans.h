@@ -51,7 +51,7 @@ struct PlanRequest
   vtkRenderer* Renderer = nullptr;
   vtkActor* Actor = nullptr;
   std::vector<vtkPolyData*> Surfaces; // what ForView looks at
-  bool WithForm = false;              // PlanInputs::WithForm
+  bool WithShaderInputs = false;      // PlanInputs::WithShaderInputs
 
   /// Visits what other mappers of the renderer want to draw by in the same frame (this one may be
   /// among them): where Update has to plan at once, it begins theirs side by side. May be empty.
@@ -90,9 +90,6 @@ public:
   /// Let go of what was uploaded to a window.
   void ReleaseUploads(vtkWindow* window);
 
-  /// The plan that the last Update returned; null where there is none any more.
-  vtkRadiancePlanner* GetPlan() const;
-
   ///@{
   /// Whether some view was drawn by another plan than was wanted, which is in the making; whether
   /// one of these is made and not taken up yet.
@@ -118,8 +115,7 @@ private:
   void BeginSideBySide(View& view, const PlanInputs& wanted, const PlanRequest& request);
 
   AllViews Views;
-  std::shared_ptr<View> Last; // that Update returned
-  std::size_t Updates = 0;    // since the last look for views that are gone
+  std::size_t Updates = 0; // since the last look for views that are gone
 };
 } // namespace measuredbrdf
 

@@ -68,7 +68,7 @@ struct PlanInputs
 
   /// Whether whoever plans apart sees to the material's form for shaders, too, because the scene's
   /// lights need it. It changes nothing about the plan.
-  bool WithForm = false;
+  bool WithShaderInputs = false;
 };
 
 /// A plan's planner, not updated yet, of the objects themselves or, apart, of snapshots of its own,
@@ -110,7 +110,7 @@ public:
   ///@}
 
   /// Make the material's form for shaders, too, if the plan is not done yet.
-  void WantForm() { this->WithForm = true; }
+  void WantShaderInputs() { this->WithShaderInputs = true; }
 
   /// While one lives, no job begins unless somebody waits for one: what a Render makes to stand in
   /// for plans comes first, as it needs the cores.
@@ -127,14 +127,14 @@ private:
   class Queue;
   static Queue& GetQueue();
 
-  void TakeWarning(vtkObject* caller, unsigned long event, void* text);
   void TakeProgress(vtkObject* caller, unsigned long event, void* share);
+  void TakeWarning(vtkObject* caller, unsigned long event, void* text);
 
   vtkSmartPointer<vtkRadiancePlanner> Planner;
   Progress Tell; // may be empty
   std::string Problem;
   bool Succeeded = false;
-  std::atomic<bool> WithForm{ false };
+  std::atomic<bool> WithShaderInputs{ false };
   std::atomic<bool> Done{ false };
   bool IsLeft = false; // nobody waits for it any more; the queue's lock guards it
   std::atomic<double> Share{ 0.0 };

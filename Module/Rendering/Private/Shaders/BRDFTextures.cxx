@@ -2,20 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BRDFTextures.h"
 
+#include "BRDFShader.h"
 #include "ContentHash.h"
-#include "ShaderTest.h"
+#include "Printable.h"
+#include "SharedCache.h"
+#include "SharedObjects.h"
 #include "TakenError.h"
 #include "vtkBRDF.h"
+#include "vtkBRDFCommon.h"
+#include "vtkBRDFEnvironmentPyramid.h"
+#include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRadianceIntegrator.h"
+#include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkTextureUnitManager.h"
 
 #include <algorithm>
 #include <exception>
-#include <map>
-#include <mutex>
 #include <tuple>
 
 namespace measuredbrdf
@@ -142,53 +147,117 @@ std::shared_ptr<vtkTextureObject> FindOrUpload(
   vtkBRDFShaderInputs::Texture& texture, vtkOpenGLRenderWindow* window, std::string& problem)
 {
   using Key = std::pair<std::string, vtkOpenGLRenderWindow*>;
-  static std::map<Key, std::weak_ptr<vtkTextureObject>> shared;
-  static std::mutex mutex; // windows may be drawn by different threads
+  static HeldObjects<Key, vtkTextureObject> held;
   const Key key(GetContent(texture), window);
+  std::shared_ptr<vtkTextureObject> found = held.Find(key);
+  if (!found || IsLost(found.get(), window))
   {
-    const std::lock_guard<std::mutex> lock(mutex);
-    const auto known = shared.find(key);
-    const auto found = known == shared.end() ? nullptr : known->second.lock();
-    if (found && !IsLost(found.get(), window))
-    {
-      return found;
-    }
+    found = Upload(texture, window, problem);
+    held.Add(key, found);
   }
-  std::shared_ptr<vtkTextureObject> uploaded = Upload(texture, window, problem);
-  const std::lock_guard<std::mutex> lock(mutex);
-  for (auto it = shared.begin(); it != shared.end();) // of closed windows, too
-  {
-    it = it->second.expired() ? shared.erase(it) : std::next(it);
-  }
-  if (uploaded)
-  {
-    shared[key] = uploaded;
-  }
-  return uploaded;
+  return found;
 }
 
-// What was uploaded for a source in a window, for as long as somebody holds it.
+// What was uploaded for a source in a window.
 template <typename Source>
 std::shared_ptr<FormTextures> FindShared(
   Source* source, bool softLights, vtkOpenGLRenderWindow* window)
 {
   using Key = std::tuple<Source*, bool, vtkOpenGLRenderWindow*>;
-  static std::map<Key, std::weak_ptr<FormTextures>> shared;
-  static std::mutex mutex; // windows may be drawn by different threads
-  const std::lock_guard<std::mutex> lock(mutex);
+  static HeldObjects<Key, FormTextures> held;
   const Key key(source, softLights, window);
-  const auto known = shared.find(key);
-  std::shared_ptr<FormTextures> found = known == shared.end() ? nullptr : known->second.lock();
+  std::shared_ptr<FormTextures> found = held.Find(key);
   if (!found)
   {
-    for (auto it = shared.begin(); it != shared.end();) // not for each of many actors
-    {
-      it = it->second.expired() ? shared.erase(it) : std::next(it);
-    }
     found = std::make_shared<FormTextures>(softLights);
-    shared[key] = found;
+    held.Add(key, found);
   }
   return found;
+}
+
+constexpr std::size_t LongestCompilerMessage = 2000;
+constexpr std::size_t MostPrograms = 64; // whose results are known
+
+// What a term's text defines.
+enum class TermKind
+{
+  Material,  // brdfTermINSTANCE
+  Integrator // brdfEnvironmentINSTANCE
+};
+
+// The text between what the mapper's shaders put before and after it.
+std::string GetProgram(const vtkBRDFShaderInputs::Term& term, TermKind kind)
+{
+  std::string text = term.Source + term.SoftSource;
+  for (const vtkBRDFShaderInputs::Constant& constant : term.Constants)
+  {
+    vtkShaderProgram::Substitute(text, constant.Name, constant.Value);
+  }
+  vtkShaderProgram::Substitute(text, "INSTANCE", "0");
+  std::string program = std::string("#version 150\n") + vtkBRDFCommon + vtkBRDFEnvironmentPyramid +
+                        GetSamplesText(SumStage::None);
+  if (kind == TermKind::Integrator)
+  {
+    program += "vec3 brdfEvaluate(vec3 i, vec3 o) { return vec3(0.0); }\n"
+               "vec3 brdfEvaluateSoft(vec3 i, vec3 o, float spread) { return vec3(0.0); }\n"
+               "uniform mat3 envMatrix;\nuniform mat3 brdfViewToEnvironment;\n";
+  }
+  const std::string call = kind == TermKind::Material
+                             ? "brdfTerm0(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0))"
+                             : "brdfEnvironment0(mat3(1.0), vec3(0.0, 0.0, 1.0))";
+  return program + text + "\nout vec4 brdfResult;\nvoid main()\n{\n  brdfResult = vec4(" + call +
+         ", 1.0);\n}\n";
+}
+
+std::string Compile(const std::string& program)
+{
+  vtkNew<vtkShader> shader;
+  shader->SetType(vtkShader::Fragment);
+  shader->SetSource(program);
+  const bool works = shader->Compile();
+  const std::string error = shader->GetError();
+  shader->Cleanup();
+  return works ? "" : error.empty() ? "no reason is known" : error;
+}
+
+// Known texts are not compiled again.
+std::string CompileOnce(const std::string& program)
+{
+  static auto& results = SharedCache<std::string, std::string>::MakeForProcess(MostPrograms);
+  std::optional<std::string> result = results.Find(program);
+  if (!result)
+  {
+    result = Compile(program);
+    results.Put(program, *result);
+  }
+  return *result;
+}
+
+// What is wrong with the GLSL text of terms from outside the module, or "". It is tried on its own,
+// since VTK prints a shader that does not compile in full and goes on without one.
+std::string ValidateShaders(const vtkBRDFShaderInputs& inputs, TermKind kind)
+{
+  const std::string wanted =
+    kind == TermKind::Material ? "brdfTermINSTANCE" : "brdfEnvironmentINSTANCE";
+  for (const vtkBRDFShaderInputs::Term& term : inputs.Terms)
+  {
+    if (term.IsTested)
+    {
+      continue;
+    }
+    const std::string place = "GLSL text " + Quote(term.Shader) + ": ";
+    if (term.Source.find(wanted) == std::string::npos)
+    {
+      return place + "there is no function " + wanted + " in its " +
+             std::to_string(term.Source.size()) + " characters";
+    }
+    const std::string error = CompileOnce(GetProgram(term, kind));
+    if (!error.empty())
+    {
+      return place + "does not compile: " + ToPrintable(error, LongestCompilerMessage, true);
+    }
+  }
+  return "";
 }
 }
 
@@ -256,7 +325,7 @@ std::string FormTextures::Update(vtkBRDF* brdf, vtkOpenGLRenderWindow* window)
     [brdf](vtkBRDFShaderInputs& form)
     {
       brdf->GetShaderInputs(form);
-      return TestShaders(form, TermKind::Material);
+      return ValidateShaders(form, TermKind::Material);
     });
 }
 
@@ -267,7 +336,7 @@ std::string FormTextures::Update(vtkRadianceIntegrator* integrator, vtkOpenGLRen
     {
       const TakenError reason(integrator);
       return integrator->GetShaderInputs(form)
-               ? TestShaders(form, TermKind::Integrator)
+               ? ValidateShaders(form, TermKind::Integrator)
                : std::string(integrator->GetClassName()) + " has nothing to draw with" +
                    (reason.GetText().empty() ? "" : ": " + reason.GetText());
     });
