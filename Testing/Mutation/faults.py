@@ -833,20 +833,20 @@ add("Sources.material-changes-unseen", "MaterialSource.h", "std::max(time, brdf-
 
 # Visibility
 
-add("Visibility.edges-of-one-sign", "TriangleSet.h", "(u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0",
-    "(u < 0.0 || v < 0.0 || w < 0.0) || (u > 0.0", "EitherTracer.IsWatertight|EitherTracer.DescribesTheHit")
+add("Visibility.edges-of-one-sign", "SurfaceTracer.cxx", "(u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0",
+    "(u < 0.0 || v < 0.0 || w < 0.0) || (u > 0.0", "SurfaceTracer.IsWatertight|SurfaceTracer.DescribesTheHit")
 add("Visibility.offset-to-the-other-side", "SurfaceTracer.cxx", "origin[c] = point[c] + side * n[c];",
-    "origin[c] = point[c] - side * n[c];", "EitherTracer.PointsOfASphereSeeOut")
-add("Visibility.strips-turn-over", "TriangleSet.cxx", "{ ids[k - 2], ids[k - 1 + k % 2], ids[k - k % 2] }",
-    "{ ids[k - 2], ids[k - 1], ids[k] }", "EitherTracer.ReadsStrips")
-add("Visibility.matrix-by-columns", "TriangleSet.cxx", "m[4 * c + 2] * p.z + m[4 * c + 3]",
-    "m[4 * c + 2] * p.z + m[12 + c]", "EitherTracer.DescribesTheHit")
-add("Visibility.farthest-triangle", "TriangleTree.cxx", "ray.Most = t = at;", "t = at;",
-    "SurfaceTracer.BackendsAgree")
+    "origin[c] = point[c] - side * n[c];", "SurfaceTracer.PointsOfASphereSeeOut")
+add("Visibility.strips-turn-over", "SurfacePoints.h", "ids[n - 1 + n % 2],",
+    "ids[n - 1 + 0 % 2],", "SurfaceTracer.ReadsStrips")
+add("Visibility.matrix-by-columns", "SurfaceTracer.cxx", "m[4 * c + 2] * p.z + m[4 * c + 3]",
+    "m[4 * c + 2] * p.z + m[12 + c]", "SurfaceTracer.DescribesTheHit")
+add("Visibility.farthest-triangle", "SurfaceTracer.cxx", "ray.Most = t = distance;", "t = distance;",
+    "SurfaceTracer.FindsTheNearestTriangle")
 
-add("Visibility.points-below-the-facet", "vtkTracedSurfaces.cxx", "return from.Position + this->Tracer->GetOffset()",
+add("Visibility.points-below-the-facet", "vtkTracedScene.cxx", "return from.Position + this->Tracer->GetOffset()",
     "return from.Position - this->Tracer->GetOffset()", "Traced.TwoSidedSheets")
-add("Visibility.no-lift-above-facets", "vtkTracedSurfaces.cxx", "point.Position += lift;", "",
+add("Visibility.no-lift-above-facets", "vtkTracedScene.cxx", "point.Position += lift;", "",
     "Traced.ConvexSurfacesHideNothing")
 add("Integration.traced-one-bounce-too-many", "TracedRadiance.cxx", "for (int k = 0; k < bounces; ++k)",
     "for (int k = 0; k <= bounces; ++k)", "Traced.BowlsAndFurnaces")
