@@ -193,7 +193,7 @@ vtkIdType vtkMeasuredBRDFMapper::GetTextureBytes()
 {
   std::set<const vtkTextureObject*> counted;
   return CountTextureBytes(this->Drawing->GetLastFrame(), counted) +
-         this->Map->Parts.GetImageBytes() + this->Map->Parts.CountStackBytes(counted);
+         this->Map->Parts.GetImageBytes();
 }
 
 //------------------------------------------------------------------------------
