@@ -335,7 +335,7 @@ vtkIdType vtkCompositeMeasuredBRDFMapper::GetTextureBytes()
 {
   std::set<const vtkTextureObject*> counted;
   return CountTextureBytes(this->Impl->Drawing->GetLastFrame(), counted) +
-         this->Impl->Parts.GetImageBytes() + this->Impl->Parts.CountStackBytes(counted);
+         this->Impl->Parts.GetImageBytes();
 }
 
 //------------------------------------------------------------------------------

@@ -1069,52 +1069,28 @@ add("Material.map-weights-fall-below-0", "vtkMaterialMap.cxx",
 add("Material.map-parameters-divide-anew", "vtkMaterialMap.cxx", "vtkMTimeType time = this->Superclass::GetMTime();",
     "vtkMTimeType time = this->Materials.empty() || !this->Materials[0].BRDF ? this->Superclass::GetMTime() : "
     "this->Materials[0].BRDF->GetMTime();", "MaterialMap.ParametersOfAMaterialDivideNothingAnew")
-add("Rendering.map-weights-are-not-divided-by-their-sum", "CellMaterials.cxx", "static_cast<float>(weight / sum)",
+add("Rendering.map-weights-are-not-divided-by-their-sum", "PolygonMaterials.cxx", "static_cast<float>(weight / sum)",
     "static_cast<float>(weight)", "Parts.WeightsAreDividedByTheirSum")
-add("Rendering.map-strips-wind-alternately", "PartSurfaces.cxx", "strip->GetId(c + 1 + c % 2)", "strip->GetId(c + 1)",
-    "Parts.StripsAreTrianglesOfTheSameClass")
-add("Rendering.map-points-of-two-parts-are-not-doubled", "PartSurfaces.cxx", "if (!mixed || first == owner)",
-    "if (!mixed || first != NoOwner)", "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
-add("Rendering.map-stacks-draw-what-has-no-material", "ClassesMapper.cxx",
-    "part.Kind == MixtureKind::Nearest && part.IsRest", "false", "ClassBorders.OfClassesWithoutAMaterialAreTheSame")
+add("Rendering.map-points-of-two-parts-are-not-doubled", "PartSurfaces.cxx", "if (mixed && first != owner)",
+    "if (mixed && first == NoOwner)", "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
 add("Rendering.map-borders-run-off-the-middle", "ClassBorders.cxx", "c < 0 ? 0.5 * sum", "c < 0 ? 0.51 * sum",
     "Parts.BordersBetweenClassesOfPointsAreCut")
 add("Rendering.map-edges-are-cut-twice", "ClassBorders.cxx", "if (isNew)", "if (true)",
     "Parts.BordersBetweenClassesOfPointsAreCut")
-add("Rendering.map-lone-corners-lose-their-class", "ClassBorders.cxx", "this->AddPiece(3, tip, this->GetClass(alone));",
-    "this->AddPiece(3, tip, this->GetClass(a));", "ClassBorders.AreTheSameInAllWays")
+add("Rendering.map-lone-corners-lose-their-class", "ClassBorders.cxx", "{ other, toA, toB }, this->GetClass(other)", "{ other, toA, toB }, cls",
+    "ClassBorders.AreTheSameInBothWays")
 add("Rendering.map-colored-points-are-cut", "PartMappers.cxx", "cellFlag == 0;", "cellFlag == 7;",
     "ClassBorders.ColorsOfPointsKeepPolygonsWhole")
 add("Rendering.map-hidden-skies-are-cut", "PartMappers.cxx", "return settings.OcclusionMode != 0 &&",
     "return settings.OcclusionMode > 5 &&", "ClassBorders.HiddenSkiesKeepPolygonsWhole")
 add("Rendering.map-nearest-is-the-first", "MixtureShader.cxx", '" > brdfMost ? "', '" > 2.0 ? "',
     "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
-add("Rendering.map-classes-that-meet-share-a-slot", "PartSets.cxx",
-    "slots[cls] = taken.insert(usual.at(cls)).second ? usual.at(cls) : -1;", "slots[cls] = usual.at(cls);",
+add("Rendering.map-classes-that-meet-share-a-slot", "MaterialPartition.cxx", "while (taken[slot])", "while (false)",
+   
     "Parts.ClassesThatMeetHaveSlotsOfTheirOwn")
 add("Rendering.map-borders-take-the-last-shader", "ClassesMapper.cxx",
-    "ofBorder == this->WasOfBorder ? this->Last : nullptr", "this->Last", "ClassBorders.AreTheSameInAllWays")
-add("Rendering.map-stacked-tables-lie-elsewhere", "StackedTables.cxx", "static_cast<float>(this->Boxes[k][axis] + (",
-    "static_cast<float>(this->Boxes[0][axis] + (", "ClassStacking.TablesLieSideBySide")
-add("Rendering.map-stacked-tables-do-not-go-around", "StackedTables.cxx", "(this->IsBordered(axis) ? 1 : 0) + size[axis];",
-    "(this->IsBordered(axis) ? 2 : 0) + size[axis];", "ClassBorders.OfTablesOfSeveralSizesAreTheSame")
-add("Rendering.map-stacked-tables-waste-memory", "StackedTables.cxx", "MostWaste = 2;", "MostWaste = 90;",
-    "ClassStacking.NotMuchMemoryIsLost")
-add("Rendering.map-stacks-with-gaps-are-counted-on", "ClassStack.cxx", "if (numbers.size() > materials.size())",
-    "if (false)", "ClassBorders.OfClassesWithoutAMaterialAreTheSame")
-add("Rendering.map-stacks-share-a-program", "ClassStack.cxx", "this->Drawn.Key += this->Declarations + this->Choice;",
-    "", "MaterialStacks.OfTheSameTextHaveNumbersOfTheirOwn")
-add("Rendering.map-stacks-skip-terms", "StackedTerms.cxx", "ones(materials.size(), { 1.0f });",
-    "ones(materials.size(), { 0.0f });", "ClassBorders.OfSeveralShadersAreTheSame")
-add("Rendering.map-stacked-triangles-lose-their-numbers", "ClassesMapper.cxx", "this->PrimitiveIDOffset = this->FirstBorder;",
-    "this->PrimitiveIDOffset = 0;", "ClassBorders.ColorsOfCellsStayTheirOwn")
-add("Rendering.map-triangles-beside-stacks-lose-their-numbers", "ClassesMapper.cxx",
-    "this->AreNumbered ? GetNumberedTriangles : GetTriangles", "GetTriangles",
-    "MaterialStacks.ColorsOfCellsBetweenThemStayTheirOwn")
-add("Rendering.map-stacks-ignore-numbers", "StackNumbers.cxx",
-    "column.begin() + static_cast<std::ptrdiff_t>(4 * materials[k]));", "column.begin());",
-    "ClassStacking.NumbersThatDifferAreInATexture")
-add("Rendering.map-hats-fall-at-the-ends", "MaterialParts.cxx", "if (k + 1 < knots.size())",
+    "ofBorder == this->WasOfBorder ? this->Last : nullptr", "this->Last", "ClassBorders.AreTheSameInBothWays")
+add("Rendering.map-hats-fall-at-the-ends", "PolygonMaterials.cxx", "if (k + 1 < knots.size())",
     "if (k + 2 < knots.size())", "MaterialMapping.ValuesBlendInEachPixel")
 add("Rendering.map-the-rest-is-drawn-twice", "MixtureShader.cxx", "if (brdfNearest != brdfSlot)",
     "if (brdfNearest > 9)", "MaterialMapping.NoMaterialIsTheSuperclass")
@@ -1124,13 +1100,6 @@ add("Rendering.map-scalars-that-choose-color", "PartMappers.cxx", "if (colored |
 add("Rendering.map-classes-keep-the-last-textures", "BRDFTextures.cxx",
     "if (!last.Has(uploaded.Texture.get()))", "if (false)",
     "ManyClasses.OfSeveralShadersUnderALight")
-add("Rendering.map-views-share-stacks", "ClassesMapper.cxx",
-    "const Place place(vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow()), ren);",
-    "const Place place(vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow()), nullptr);",
-    "MaterialStacks.OfTwoViewsStay")
-add("Rendering.map-stacks-ignore-constants", "StackedTerms.cxx",
-    'kind += "\\n/" + constant.Name + "=" + constant.Value;', "(void)constant;",
-    "ClassStacking.TermsDifferByEachOfTheirTexts")
 add("Rendering.map-classes-released-elsewhere", "ClassesMapper.cxx",
     "this->OwnWindow->PushContext();", "", "ManyClasses.LeaveOtherWindowsAlone")
 add("Rendering.map-classes-keep-the-last-numbers", "BRDFTextures.cxx",
@@ -1355,19 +1324,20 @@ add("Shaders.hidden-irradiance-counts", "vtkBRDFEnvironmentTable.glsl", "sum += 
 
 add("Rendering.map-bands-of-a-scale-overlap", "MixtureShader.cxx", "brdfAt < brdfBand.x || brdfAt >= brdfBand.y",
     "brdfAt < brdfBand.x", "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
-add("Rendering.map-values-end-at-points", "CellMaterials.cxx", "-FarOff, FarOff)", "0.0, 1.0)",
+add("Rendering.map-values-end-at-points", "PolygonMaterials.cxx", "-FarOff, FarOff)", "0.0, 1.0)",
     "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
 add("Rendering.map-colors-blocks-of-one-class", "BlockBatch.cxx",
     "return this->AreColorsOfMap[static_cast<std::size_t>(std::max(this->Shown, 0))];", "return false;",
     "MaterialMapBlocks.ScalarsThatChooseColorNoBlock")
 add("Rendering.map-scalars-hide-blocks-colors", "PartMappers.cxx", "|| this->OverridesColor)", ")",
     "MaterialMapBlocks.ABlocksColorGoesBeforeScalars")
-add("Rendering.map-second-weight-array-colors", "MapArrays.cxx", "for (int k = 0; k < map->GetNumberOfMaterials(); ++k)",
-    "for (int k = 0; k < 1; ++k)", "MaterialMapping.NoneOfSeveralWeightArraysColors")
-add("Rendering.map-images-are-looked-at-by-the-first", "WeightImages.cxx", "for (int size : sizes)",
-    "for (int size : { sizes.front() })", "Parts.ImagesMayDifferInSize")
-add("Rendering.map-images-of-zeros-are-odd", "WeightImages.cxx", "else if (anyLeft)",
-    "else if (components > map->GetNumberOfMaterials())", "MaterialMapping.WeightsOfNoMaterialAreSaidUnlessTheyAreZero")
+add("Rendering.map-second-weight-array-colors", "PolygonMaterials.cxx",
+    "if (own.FindWeights(input, map, k).empty() && own.Array == array)",
+    "if (k == 0 && own.FindWeights(input, map, k).empty() && own.Array == array)", "MaterialMapping.NoneOfSeveralWeightArraysColors")
+add("Rendering.map-images-are-looked-at-by-the-first", "WeightImages.cxx", "width = std::max(width, size[0]);",
+    "width = width > 0 ? width : size[0];", "Parts.ImagesMayDifferInSize")
+add("Rendering.map-images-of-zeros-are-odd", "WeightImages.cxx", "if (anyLeft)",
+    "if (components > map->GetNumberOfMaterials())", "MaterialMapping.WeightsOfNoMaterialAreSaidUnlessTheyAreZero")
 add("Rendering.map-waits-for-materials-that-left", "MapperPlans.cxx", "inUse.count(member) == 0", "false",
     "MaterialMapping.PlansOfMaterialsThatLeaveAreGivenUp")
 add("Rendering.map-time-is-not-taken", "vtkMeasuredBRDFMapper.cxx", "this->TimeToDraw = this->Impl->Timer.GetSeconds();", "",

@@ -91,11 +91,6 @@ public:
   /// Draw with this one from now on, or with several, mixed as the text says; with none.
   void Select(std::size_t material);
   void SelectMixture(const std::vector<std::size_t>& materials, MixtureText text);
-  /// One that stands for several.
-  void SelectMaterial(const DrawnMaterial& material, MixtureText text)
-  {
-    this->Selected.Set({ &material }, std::move(text));
-  }
   void Unselect() { this->Selected.Clear(); }
   ///@}
 

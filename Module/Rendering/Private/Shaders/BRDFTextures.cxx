@@ -131,17 +131,6 @@ std::string GetContent(const vtkBRDFShaderInputs::Texture& texture)
   return hash.GetText();
 }
 
-std::string GetShapeText(const vtkBRDFShaderInputs::Texture& texture)
-{
-  std::string text = texture.Name + ":" + std::to_string(texture.Components) +
-                     (texture.HalfFloat ? "h" : "") + (texture.SharedExponents.empty() ? "" : "e");
-  for (int size : texture.Dimensions)
-  {
-    text += "x" + std::to_string(size);
-  }
-  return text + ";";
-}
-
 // Tables of many materials under one environment have the same map of irradiance.
 std::shared_ptr<vtkTextureObject> FindOrUpload(
   vtkBRDFShaderInputs::Texture& texture, vtkOpenGLRenderWindow* window, std::string& problem)
@@ -346,14 +335,12 @@ std::string FormTextures::Upload(
   vtkBRDFShaderInputs form, vtkMTimeType time, vtkOpenGLRenderWindow* window)
 {
   std::vector<Uploaded> textures;
-  std::string shape;
   for (std::size_t term = 0; term < form.Terms.size(); ++term)
   {
     for (vtkBRDFShaderInputs::Texture& texture : form.Terms[term].Textures)
     {
       std::string problem;
       const std::size_t bytes = texture.GetBytes();
-      shape += GetShapeText(texture);
       const auto uploaded = FindOrUpload(texture, window, problem);
       if (!uploaded)
       {
@@ -368,7 +355,6 @@ std::string FormTextures::Upload(
   }
   this->Form = std::move(form);
   this->Textures = std::move(textures);
-  this->Shape = std::move(shape);
   this->Time = time;
   this->Window = window;
   return "";

@@ -50,18 +50,6 @@ public:
   std::string Update(vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window);
   ///@}
 
-  /// Upload this, which has no source. Returns what went wrong, or "".
-  std::string Set(vtkBRDFShaderInputs form, vtkOpenGLRenderWindow* window)
-  {
-    return this->Upload(std::move(form), 0, window);
-  }
-
-  /// Sizes and formats of the textures.
-  const std::string& GetShape() const { return this->Shape; }
-
-  /// Of the source, when it was uploaded.
-  vtkMTimeType GetTime() const { return this->Time; }
-
   /// Whether all were uploaded to this window, which has not lost them.
   bool IsIn(vtkOpenGLRenderWindow* window) const;
 
@@ -100,7 +88,6 @@ private:
   bool SoftLights;          // what the form is asked for
   vtkBRDFShaderInputs Form; // without the textures' data once they are uploaded
   std::vector<Uploaded> Textures;
-  std::string Shape;
   vtkMTimeType Time = 0;
   vtkMTimeType FailureTime = 0; // of inputs that a source refused, or had no memory for
   std::string Failure;
