@@ -10,7 +10,6 @@
 #include "vtkBRDFReader.h"
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEmbeddedMaterials.h"
-#include "vtkEnvironmentProjection.h"
 #include "vtkEnvironmentReader.h"
 #include "vtkImportanceLightSetGenerator.h"
 #include "vtkMeasuredBRDFConfigure.h"
@@ -27,13 +26,12 @@
 namespace
 {
 const std::map<std::string, int> Projections = { { "auto", vtkEnvironmentReader::AUTOMATIC },
-  { "lat-long", vtkEnvironmentProjection::LAT_LONG },
-  { "angular", vtkEnvironmentProjection::ANGULAR_MAP },
-  { "mirror-ball", vtkEnvironmentProjection::MIRROR_BALL },
-  { "horizontal-cross", vtkEnvironmentProjection::CUBE_HORIZONTAL_CROSS },
-  { "vertical-cross", vtkEnvironmentProjection::CUBE_VERTICAL_CROSS },
-  { "horizontal-strip", vtkEnvironmentProjection::CUBE_HORIZONTAL_STRIP },
-  { "vertical-strip", vtkEnvironmentProjection::CUBE_VERTICAL_STRIP } };
+  { "lat-long", vtkEnvironmentReader::LAT_LONG }, { "angular", vtkEnvironmentReader::ANGULAR_MAP },
+  { "mirror-ball", vtkEnvironmentReader::MIRROR_BALL },
+  { "horizontal-cross", vtkEnvironmentReader::CUBE_HORIZONTAL_CROSS },
+  { "vertical-cross", vtkEnvironmentReader::CUBE_VERTICAL_CROSS },
+  { "horizontal-strip", vtkEnvironmentReader::CUBE_HORIZONTAL_STRIP },
+  { "vertical-strip", vtkEnvironmentReader::CUBE_VERTICAL_STRIP } };
 
 std::string Projection = "auto"; // set by --projection
 std::string Layer;               // set by --layer

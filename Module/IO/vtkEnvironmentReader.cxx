@@ -4,11 +4,9 @@
 
 #include "FileBytes.h"
 #include "ImageFile.h"
+#include "LightProbe.h"
 #include "SRGB.h"
 #include "Setters.h"
-#include "vtkCallbackCommand.h"
-#include "vtkEnvironmentProjection.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -21,7 +19,14 @@ vtkStandardNewMacro(vtkEnvironmentReader);
 
 namespace
 {
+using measuredbrdf::BadValues;
 using measuredbrdf::FileError;
+using measuredbrdf::Projection;
+
+// The maps know the projections by these numbers.
+static_assert(
+  static_cast<int>(Projection::LatLong) == vtkEnvironmentReader::LAT_LONG &&
+  static_cast<int>(Projection::VerticalStrip) == vtkEnvironmentReader::CUBE_VERTICAL_STRIP);
 
 //------------------------------------------------------------------------------
 struct Image
@@ -31,9 +36,7 @@ struct Image
   std::vector<float> Pixels; // RGB, row 0 at the bottom
   measuredbrdf::ImageEnvmap Envmap = measuredbrdf::ImageEnvmap::None;
   std::string Notes;
-  // Values that were set to 0, of probes that had to be converted.
-  vtkIdType NumberOfNegativeValues = 0;
-  vtkIdType NumberOfNonFiniteValues = 0;
+  BadValues Bad; // set to 0, of probes that had to be converted
 
   void AddNote(const std::string& note) { this->Notes += (this->Notes.empty() ? "" : "\n") + note; }
 };
@@ -86,42 +89,37 @@ std::string FormatSize(const Image& image)
 
 //------------------------------------------------------------------------------
 // What an image without a given projection is by its shape.
-int DetectProjection(Image& image)
+Projection DetectProjection(Image& image)
 {
   if (image.Envmap == measuredbrdf::ImageEnvmap::Cube)
   {
-    return vtkEnvironmentProjection::CUBE_VERTICAL_STRIP;
+    return Projection::VerticalStrip;
   }
   if (image.Envmap == measuredbrdf::ImageEnvmap::LatLong)
   {
-    return vtkEnvironmentProjection::LAT_LONG;
+    return Projection::LatLong;
   }
   constexpr int smallestFace = 8;
-  for (const int projection : { vtkEnvironmentProjection::CUBE_HORIZONTAL_CROSS,
-         vtkEnvironmentProjection::CUBE_VERTICAL_CROSS,
-         vtkEnvironmentProjection::CUBE_HORIZONTAL_STRIP,
-         vtkEnvironmentProjection::CUBE_VERTICAL_STRIP })
+  for (const Projection projection : { Projection::HorizontalCross, Projection::VerticalCross,
+         Projection::HorizontalStrip, Projection::VerticalStrip })
   {
     const int longest = std::max(image.Width, image.Height);
-    const int faces = projection <= vtkEnvironmentProjection::CUBE_VERTICAL_CROSS ? 4 : 6;
-    if (longest >= faces * smallestFace &&
-        vtkEnvironmentProjection::FitsSize(projection, image.Width, image.Height))
+    const int faces = projection <= Projection::VerticalCross ? 4 : 6;
+    if (longest >= faces * smallestFace && FitsProjection(projection, image.Width, image.Height))
     {
-      image.AddNote("By its size taken as a " +
-                    vtkEnvironmentProjection::GetProjectionName(projection) + " of cube faces.");
+      image.AddNote("By its size taken as a " + GetProjectionName(projection) + " of cube faces.");
       return projection;
     }
   }
-  return vtkEnvironmentProjection::LAT_LONG;
+  return Projection::LatLong;
 }
 
 //------------------------------------------------------------------------------
 // OpenEXR's envmap attribute says where the axes are (ImfEnvmap.h); elsewhere images follow VTK.
-void AlignWithAxes(int projection, Image& image)
+void AlignWithAxes(Projection projection, Image& image)
 {
   const auto row = 3 * static_cast<std::ptrdiff_t>(image.Width);
-  if (image.Envmap == measuredbrdf::ImageEnvmap::Cube &&
-      projection == vtkEnvironmentProjection::CUBE_VERTICAL_STRIP)
+  if (image.Envmap == measuredbrdf::ImageEnvmap::Cube && projection == Projection::VerticalStrip)
   {
     // The last two faces are +z and -z as they are seen there; in OpenGL's cubes, what is seen
     // towards -z comes first.
@@ -132,8 +130,7 @@ void AlignWithAxes(int projection, Image& image)
         image.Pixels.begin(), image.Pixels.begin() + face, image.Pixels.begin() + face);
     }
   }
-  else if (image.Envmap == measuredbrdf::ImageEnvmap::LatLong &&
-           projection == vtkEnvironmentProjection::LAT_LONG)
+  else if (image.Envmap == measuredbrdf::ImageEnvmap::LatLong && projection == Projection::LatLong)
   {
     // The center is +z and +x is in the middle of the left half; here, the center is +x.
     const std::ptrdiff_t quarter = 3 * ((static_cast<std::ptrdiff_t>(image.Width) + 2) / 4);
@@ -145,30 +142,10 @@ void AlignWithAxes(int projection, Image& image)
 }
 
 //------------------------------------------------------------------------------
-// Run a conversion; its error becomes an exception, its counts go to the image.
-template <typename Run>
-void Convert(const std::string& path, Image& image, const Run& run)
+void FillFromImage(const std::string& path, Projection projection, bool given, Image& image,
+  vtkEnvironment* environment)
 {
-  vtkNew<vtkEnvironmentProjection> converter;
-  std::string error;
-  vtkNew<vtkCallbackCommand> catcher;
-  catcher->SetClientData(&error);
-  catcher->SetCallback([](vtkObject*, unsigned long, void* text, void* said)
-    { *static_cast<std::string*>(text) = static_cast<const char*>(said); });
-  converter->AddObserver(vtkCommand::ErrorEvent, catcher);
-  if (!run(converter.Get()))
-  {
-    throw FileError(path + ": " + error);
-  }
-  image.NumberOfNegativeValues = converter->GetNumberOfNegativeValues();
-  image.NumberOfNonFiniteValues = converter->GetNumberOfNonFiniteValues();
-}
-
-//------------------------------------------------------------------------------
-void FillFromImage(
-  const std::string& path, int projection, bool given, Image& image, vtkEnvironment* environment)
-{
-  if (projection == vtkEnvironmentProjection::LAT_LONG)
+  if (projection == Projection::LatLong)
   {
     if (std::uint64_t(image.Width) != 2 * std::uint64_t(image.Height))
     {
@@ -185,19 +162,14 @@ void FillFromImage(
     }
     return;
   }
-  if (!vtkEnvironmentProjection::FitsSize(projection, image.Width, image.Height))
+  if (!FitsProjection(projection, image.Width, image.Height))
   {
     throw FileError(path + ": image size: found " + FormatSize(image) + ", expected " +
-                    vtkEnvironmentProjection::GetExpectedSize(projection) +
-                    " for a probe of type " +
-                    vtkEnvironmentProjection::GetProjectionName(projection));
+                    GetExpectedSize(projection) + " for a probe of type " +
+                    GetProjectionName(projection));
   }
-  Convert(path, image,
-    [&](vtkEnvironmentProjection* converter)
-    {
-      converter->SetProjection(projection);
-      return converter->Convert(image.Width, image.Height, std::move(image.Pixels), environment);
-    });
+  image.Bad =
+    ConvertProbe(projection, image.Width, image.Height, std::move(image.Pixels), environment);
 }
 
 //------------------------------------------------------------------------------
@@ -247,9 +219,7 @@ void FillFromFaces(
                       FormatSize(first) + " as " + paths.front());
     }
   }
-  Convert(pattern, first,
-    [&](vtkEnvironmentProjection* converter)
-    { return converter->ConvertFaces(first.Width, faces, environment); });
+  first.Bad = measuredbrdf::ConvertCubeFaces(first.Width, faces, environment);
 }
 }
 
@@ -271,15 +241,14 @@ bool vtkEnvironmentReader::Read()
     {
       image = ReadImage(this->FileName, this->Layer);
       const bool given = this->Projection != AUTOMATIC;
-      const int projection = given ? this->Projection : DetectProjection(image);
+      const auto projection =
+        given ? static_cast<::Projection>(this->Projection) : DetectProjection(image);
       AlignWithAxes(projection, image);
       FillFromImage(this->FileName, projection, given, image, environment);
     }
     environment->SetName(measuredbrdf::GetFileStem(this->FileName));
-    const vtkIdType negative =
-      environment->GetNumberOfNegativeValues() + image.NumberOfNegativeValues;
-    const vtkIdType nonFinite =
-      environment->GetNumberOfNonFiniteValues() + image.NumberOfNonFiniteValues;
+    const vtkIdType negative = environment->GetNumberOfNegativeValues() + image.Bad.Negative;
+    const vtkIdType nonFinite = environment->GetNumberOfNonFiniteValues() + image.Bad.NotFinite;
     if (negative > 0 || nonFinite > 0)
     {
       image.AddNote(std::to_string(negative) + " negative and " + std::to_string(nonFinite) +
@@ -302,8 +271,7 @@ bool vtkEnvironmentReader::Read()
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetInRangeMacro(vtkEnvironmentReader, Projection, int, AUTOMATIC,
-  vtkEnvironmentProjection::NUMBER_OF_PROJECTIONS - 1);
+measuredbrdfSetInRangeMacro(vtkEnvironmentReader, Projection, int, AUTOMATIC, CUBE_VERTICAL_STRIP);
 
 //------------------------------------------------------------------------------
 void vtkEnvironmentReader::PrintSelf(ostream& os, vtkIndent indent)

@@ -4,6 +4,7 @@
 
 #include "EnvironmentPrecomputation.h"
 #include "EnvironmentPyramid.h"
+#include "HalfVector.h" // for Pi
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
 #include "ModuleShader.h"
@@ -53,12 +54,6 @@ constexpr float LargestTexel = 32768.0f; // of 16-bit floats, with room to spare
 // parts.
 constexpr double MostContrast = 65536.0;
 
-// The pyramid's level at which one texel is the whole sphere.
-float GetSphereLevel(const EnvironmentPyramid& pyramid)
-{
-  return static_cast<float>(pyramid.GetNumberOfLevels() - 1);
-}
-
 vtkBRDFShaderInputs::Texture NewTexture(const char* name, int components, int width, int height)
 {
   vtkBRDFShaderInputs::Texture texture;
@@ -74,7 +69,7 @@ vtkBRDFShaderInputs::Texture NewTexture(const char* name, int components, int wi
 vtkBRDFShaderInputs::Texture NewPyramidTexture(const EnvironmentPyramid& pyramid, float& scale)
 {
   vtkBRDFShaderInputs::Texture texture =
-    NewTexture("brdfPyramidMap", 3, pyramid.GetSize() + 2, pyramid.GetAtlasHeight());
+    NewTexture("brdfPyramidMap", 3, pyramid.GetAtlasWidth(), pyramid.GetAtlasHeight());
   float peak = 0.0f;
   double sum = 0.0;
   for (const glm::vec4& texel : pyramid.GetAtlas())
@@ -197,7 +192,7 @@ void vtkFilteredRadianceIntegrator::IntegratePart(
 
   const Internals& impl = *this->Impl;
   const double coordinate = ReflectionSamples::GetCoordinate(view);
-  const float level = GetSphereLevel(*impl.Pyramid);
+  const float level = impl.Pyramid->GetLevel(4.0 * Pi);
   const auto reflect = [&](const glm::dvec3& direction) // f cos
   {
     const glm::dvec3 i = ToLocal(frame, direction);
@@ -262,7 +257,7 @@ bool vtkFilteredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   }
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFEnvironmentFiltered", vtkBRDFEnvironmentFiltered);
-  term.Uniforms.push_back({ "brdfLevel", { GetSphereLevel(pyramid) } });
+  term.Uniforms.push_back({ "brdfLevel", { pyramid.GetLevel(4.0 * Pi) } });
   term.Fetches = 6 * count; // direction and level, weight, two levels of the map, a light's two
   term.Evaluations = count;
   const bool half = map.HalfFloat;

@@ -5,7 +5,6 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
-#include "vtkEnvironmentProjection.h"
 #include "vtkExactRadianceIntegrator.h"
 #include "vtkImageData.h"
 #include "vtkImportanceLightSetGenerator.h"
@@ -60,19 +59,6 @@ BENCHMARK(TakeImage)
   ->Arg(VTK_FLOAT)
   ->UseRealTime()
   ->Unit(benchmark::kMillisecond);
-
-void ConvertCube(benchmark::State& state)
-{
-  const int size = static_cast<int>(state.range(0));
-  const std::vector<std::vector<float>> faces(6, std::vector<float>(3 * std::size_t(size) * size));
-  for (auto _ : state)
-  {
-    vtkNew<vtkEnvironment> environment;
-    vtkNew<vtkEnvironmentProjection> converter;
-    converter->ConvertFaces(size, faces, environment);
-  }
-}
-BENCHMARK(ConvertCube)->Arg(512)->Arg(1024)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 void TabulateWidth(benchmark::State& state)
 {

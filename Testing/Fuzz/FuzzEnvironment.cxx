@@ -6,7 +6,6 @@
 #include "FuzzTarget.h"
 
 #include "vtkEnvironment.h"
-#include "vtkEnvironmentProjection.h"
 #include "vtkEnvironmentReader.h"
 #include "vtkNew.h"
 #include "vtkPictureReader.h"
@@ -56,9 +55,9 @@ MEASUREDBRDF_FUZZ_TARGET(Environment)(const std::uint8_t* data, std::size_t size
     image.resize(image.size() / 2 + 1);
   }
   vtkNew<vtkEnvironmentReader> reader;
-  const int projection = small ? data[0] % (vtkEnvironmentProjection::NUMBER_OF_PROJECTIONS + 2) - 1
-                               : static_cast<int>(vtkEnvironmentProjection::LAT_LONG);
-  if (projection == vtkEnvironmentProjection::NUMBER_OF_PROJECTIONS)
+  const int projection = small ? data[0] % (vtkEnvironmentReader::CUBE_VERTICAL_STRIP + 3) - 1
+                               : static_cast<int>(vtkEnvironmentReader::LAT_LONG);
+  if (projection == vtkEnvironmentReader::CUBE_VERTICAL_STRIP + 1)
   {
     for (const char* face : { "px", "nx", "py", "ny", "pz", "nz" })
     {

@@ -258,11 +258,10 @@ add("Lighting.importance-ignores-the-seed", "vtkImportanceLightSetGenerator.cxx"
     "std::mt19937 engine(1);", "Importance.SeedsRepeat")
 add("Lighting.lamps-leave-their-light", "ExtractedEmitters.cxx", "irradiance[c] = (value - kept) *",
     "irradiance[c] = value *", "ExtractedEmitters.LightsAndRestAddUp")
-add("Lighting.faces-upside-down", "ProjectionMaps.cxx", "return { 1.0, -b, a };", "return { 1.0, b, a };",
+add("Lighting.faces-upside-down", "LightProbe.cxx", "return { 1.0, -b, a };", "return { 1.0, b, a };",
     "Probes.MapsAreInverse|Probes.CubeFacesAreOpenGLs")
-add("Lighting.mirror-ball-angle", "ProjectionMaps.cxx",
-    "Projections::MIRROR_BALL ? r : std::sin(0.5 * Pi * r)", "Projections::MIRROR_BALL ? r : std::sin(0.25 * Pi * r)",
-    "Probes.SolidAnglesAddUpToTheSphere|Probes.ConstantStaysConstant|Probes.EnergyIsKept")
+add("Lighting.mirror-ball-angle", "LightProbe.cxx", "ball ? std::sin(0.5 * angle)", "ball ? std::sin(0.25 * angle)",
+    "Probes.MapsAreInverse|Probes.ASmoothSkyIsItself")
 add("Lighting.harmonics-scale", "EnvironmentHarmonics.cxx", "this->Scales[m] * std::conj(work.Series[m])",
     "this->Scales[m] * work.Series[m]", "EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
 
@@ -385,7 +384,7 @@ add("Integration.filtered-keeps-the-number-of-samples", "vtkFilteredRadianceInte
     "impl.Samples->GetNumberOfSamples() != this->NumberOfSamples)", "impl.Samples->GetNumberOfSamples() < 1)",
     "FilteredIntegrator.FollowsItsInputs|FilteredReference.Converges")
 add("Integration.filtered-level-of-the-sphere", "vtkFilteredRadianceIntegrator.cxx",
-    "pyramid.GetNumberOfLevels() - 1)", "pyramid.GetNumberOfLevels() + 1)",
+    "impl.Pyramid->GetLevel(4.0 * Pi)", "impl.Pyramid->GetLevel(16.0 * Pi)",
     "FilteredReference.Converges|FilteredIntegrator.MirrorShowsTheEnvironment")
 add("Integration.filtered-adds-the-sharp-part-twice", "vtkFilteredRadianceIntegrator.cxx",
     "f * (1.0 - ReflectionSamples::GetSharpShare(f, sample.Limit))", "f",

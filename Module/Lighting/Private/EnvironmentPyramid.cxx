@@ -16,7 +16,8 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr int MaximumSize = 1024;
+// Texels a side for the finest maps. 1024 would take more than 12 MB with a material's textures.
+constexpr int MaximumSize = 768;
 
 // Points a side at which an environment's texel is interpolated: at least so many per texel of the
 // map that flat regions stay flat (each texel takes the mean of what falls into it).
@@ -92,14 +93,15 @@ EnvironmentPyramid::EnvironmentPyramid(
 {
   environment = environment->GetSubdivided();
   this->Size = size > 0 ? size : ChooseSize(environment);
-  int rows = 0;
+  int row = 0;
   for (int s = this->Size; s > 0; s /= 2)
   {
-    this->Offsets.push_back(rows);
-    rows += s + 2;
+    this->Origins.push_back(s == this->Size ? glm::ivec2(0) : glm::ivec2(this->Size + 2, row));
+    row += s == this->Size ? 0 : s + 2;
   }
+  this->AtlasHeight = std::max(this->Size + 2, row);
   this->Atlas.assign(
-    static_cast<std::size_t>(rows) * static_cast<std::size_t>(this->Size + 2), glm::vec4(0.0f));
+    static_cast<std::size_t>(this->GetAtlasWidth() * this->AtlasHeight), glm::vec4(0.0f));
   static const TexelChanges& none = *new TexelChanges; // never destroyed: threads use it
   this->Fill(environment, changes ? *changes : none);
   for (int level = 0; level < this->GetNumberOfLevels(); ++level)
@@ -117,29 +119,25 @@ int EnvironmentPyramid::ChooseSize(vtkEnvironment* environment)
   environment = environment->GetSubdivided();
   const double texels =
     static_cast<double>(environment->GetWidth()) * static_cast<double>(environment->GetHeight());
-  const double wanted = std::clamp(std::sqrt(texels) / 1.4, 1.0, static_cast<double>(MaximumSize));
-  // The next power of two; above 512 the nearest one, for 1024 takes 12.8 MB.
-  const double power = std::log2(wanted);
-  return 1 << static_cast<int>(wanted > 512.0 ? std::round(power) : std::ceil(power - 1e-9));
+  const double wanted = std::max(std::sqrt(texels) / 1.4, 1.0);
+  return wanted > 512.0 ? MaximumSize : 1 << static_cast<int>(std::ceil(std::log2(wanted) - 1e-9));
 }
 
 vtkIdType EnvironmentPyramid::EstimateBytes(vtkEnvironment* environment)
 {
   const vtkIdType size = ChooseSize(environment);
-  return 6 * (size + 2) * (2 * size + 24);
+  return 6 * (size + size / 2 + 4) * (size + 20);
 }
 
-int EnvironmentPyramid::GetAtlasHeight() const
+std::size_t EnvironmentPyramid::Locate(int level, int x, int y) const
 {
-  return static_cast<int>(this->Atlas.size()) / (this->Size + 2);
+  const glm::ivec2 place = this->Origins[static_cast<std::size_t>(level)] + glm::ivec2(x, y) + 1;
+  return static_cast<std::size_t>(place.y * this->GetAtlasWidth() + place.x);
 }
 
 glm::vec4& EnvironmentPyramid::At(int level, int x, int y)
 {
-  return this
-    ->Atlas[static_cast<std::size_t>(this->Offsets[static_cast<std::size_t>(level)] + y + 1) *
-              static_cast<std::size_t>(this->Size + 2) +
-            static_cast<std::size_t>(x + 1)];
+  return this->Atlas[this->Locate(level, x, y)];
 }
 
 // Sums of RGB and of weights, by area, of the points that fall into each texel of the map.
@@ -242,14 +240,13 @@ void EnvironmentPyramid::Fill(vtkEnvironment* environment, const TexelChanges& c
 void EnvironmentPyramid::Halve(int level)
 {
   const int size = this->Size >> level;
-  for (int y = 0; y < size; ++y)
+  const int parts = (this->Size >> (level - 1)) / size; // 2; 3 from three texels a side to one
+  for (int y = 0; y < parts * size; ++y)
   {
-    for (int x = 0; x < size; ++x)
+    for (int x = 0; x < parts * size; ++x)
     {
-      this->At(level, x, y) =
-        0.25f *
-        (this->At(level - 1, 2 * x, 2 * y) + this->At(level - 1, 2 * x + 1, 2 * y) +
-          this->At(level - 1, 2 * x, 2 * y + 1) + this->At(level - 1, 2 * x + 1, 2 * y + 1));
+      this->At(level, x / parts, y / parts) +=
+        this->At(level - 1, x, y) / static_cast<float>(parts * parts);
     }
   }
 }
@@ -284,11 +281,8 @@ glm::vec3 EnvironmentPyramid::Bilinear(int level, float u, float v) const
   const float y = v * size + 0.5f;
   const int x0 = static_cast<int>(x);
   const int y0 = static_cast<int>(y);
-  const std::size_t stride = static_cast<std::size_t>(this->Size + 2);
-  const glm::vec4* row =
-    &this->Atlas[static_cast<std::size_t>(this->Offsets[static_cast<std::size_t>(level)] + y0) *
-                   stride +
-                 static_cast<std::size_t>(x0)];
+  const std::size_t stride = static_cast<std::size_t>(this->GetAtlasWidth());
+  const glm::vec4* row = &this->Atlas[this->Locate(level, x0 - 1, y0 - 1)];
   const float right = x - static_cast<float>(x0);
   return glm::vec3(glm::mix(glm::mix(row[0], row[1], right),
     glm::mix(row[stride], row[stride + 1], right), y - static_cast<float>(y0)));

@@ -27,13 +27,12 @@ class EnvironmentPyramid
 public:
   /**
    * From an environment that is not empty, with some texels changed where that is not null. size:
-   * texels a side of the finest level, a power of two; 0: about as fine as the environment, at most
-   * 1024.
+   * texels a side of the finest level, a power of two or 768; 0: as ChooseSize.
    */
   explicit EnvironmentPyramid(
     vtkEnvironment* environment, const TexelChanges* changes = nullptr, int size = 0);
 
-  /// Texels a side of the finest level where nothing is asked for.
+  /// About as fine as the environment: a power of two up to 512, or 768.
   static int ChooseSize(vtkEnvironment* environment);
 
   /// Of its textures in 16 bits, with all levels and their borders.
@@ -46,12 +45,13 @@ public:
   float GetLevel(double solidAngle) const;
 
   int GetSize() const { return this->Size; }
-  int GetNumberOfLevels() const { return static_cast<int>(this->Offsets.size()); }
+  int GetNumberOfLevels() const { return static_cast<int>(this->Origins.size()); }
 
-  /// All levels below each other, each with a border of one texel that continues it across the
-  /// octahedron's edges: width GetSize() + 2, RGBA (A unused).
+  /// The finest level and on its right all others below each other, each with a border of one texel
+  /// that continues it across the octahedron's edges. RGBA (A unused).
   const std::vector<glm::vec4>& GetAtlas() const { return this->Atlas; }
-  int GetAtlasHeight() const;
+  int GetAtlasWidth() const { return this->Size + this->Size / 2 + 4; }
+  int GetAtlasHeight() const { return this->AtlasHeight; }
 
   ///@{
   /// The map: unit direction <-> (u,v) in [0,1]^2.
@@ -60,6 +60,7 @@ public:
   ///@}
 
 private:
+  std::size_t Locate(int level, int x, int y) const;
   glm::vec4& At(int level, int x, int y);
   glm::vec3 Bilinear(int level, float u, float v) const;
   std::vector<glm::dvec4> Gather(vtkEnvironment* environment, const TexelChanges& changes) const;
@@ -68,7 +69,8 @@ private:
   void ContinueBorder(int level);
 
   int Size = 0;
-  std::vector<int> Offsets; // first row of each level
+  int AtlasHeight = 0;
+  std::vector<glm::ivec2> Origins; // the place of each level in the atlas
   std::vector<glm::vec4> Atlas;
 };
 } // namespace measuredbrdf

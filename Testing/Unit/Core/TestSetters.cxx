@@ -20,7 +20,6 @@
 #include "vtkDistributionBRDFFitter.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
-#include "vtkEnvironmentProjection.h"
 #include "vtkEnvironmentReader.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
@@ -260,11 +259,7 @@ TEST(Setters, OfLightingAndReaders)
 {
   REFUSED(vtkVarianceLightSetGenerator, Method, 0, 1);
   CLAMPED(vtkVarianceLightSetGenerator, TreeSize, 1, vtkLightSetGenerator::MaximumNumberOfLights);
-  REFUSED(
-    vtkEnvironmentProjection, Projection, 0, vtkEnvironmentProjection::NUMBER_OF_PROJECTIONS - 1);
-  REFUSED(vtkEnvironmentProjection, Height, 0, 11585, { -1000000 });
-  REFUSED(
-    vtkEnvironmentReader, Projection, -1, vtkEnvironmentProjection::NUMBER_OF_PROJECTIONS - 1);
+  REFUSED(vtkEnvironmentReader, Projection, -1, vtkEnvironmentReader::CUBE_VERTICAL_STRIP);
   vtkNew<vtkEnvironment> environment;
   Listener listener(environment);
   environment->SetRotationY(NaN);

@@ -103,7 +103,7 @@ TEST(EnvironmentHarmonics, AreIntegralsOfTheInterpolatedSky)
 TEST(EnvironmentPyramid, IsContinuousAcrossAllFourFolds)
 {
   const auto environment = NewNoise(256, 128);
-  const EnvironmentPyramid pyramid(environment, 0, 1.0);
+  const EnvironmentPyramid pyramid(environment, nullptr, 768);
   const glm::dvec2 folds[4] = { { -1.0, 0.0 }, { 1.0, 0.0 }, { 0.0, -1.0 }, { 0.0, 1.0 } };
   for (int level = 0; level + 2 < pyramid.GetNumberOfLevels(); ++level)
   {
@@ -136,7 +136,7 @@ TEST(EnvironmentPyramid, IsContinuousAcrossAllFourFolds)
 // On every level and across every edge; the coarsest level is the mean.
 TEST(EnvironmentPyramid, KeepsConstantsAndTheMean)
 {
-  const int sizes[4][2] = { { 1, 1 }, { 8, 4 }, { 37, 18 }, { 256, 128 } };
+  const int sizes[5][2] = { { 1, 1 }, { 8, 4 }, { 37, 18 }, { 256, 128 }, { 1024, 512 } };
   for (const auto& size : sizes)
   {
     vtkNew<vtkEnvironment> environment;

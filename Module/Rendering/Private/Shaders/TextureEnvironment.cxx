@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TextureEnvironment.h"
 
+#include "LightProbe.h"
 #include "SharedCache.h"
 #include "SharedObjects.h"
 #include "TakenError.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkEnvironment.h"
-#include "vtkEnvironmentProjection.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderer.h"
@@ -123,11 +123,7 @@ vtkSmartPointer<vtkEnvironment> MakeFromCube(
   }
   auto environment = vtkSmartPointer<vtkEnvironment>::New();
   const int side = images.front()->GetDimensions()[0];
-  vtkNew<vtkEnvironmentProjection> converter;
-  if (!converter->ConvertFaces(side, faces, environment))
-  {
-    return nullptr;
-  }
+  ConvertCubeFaces(side, faces, environment);
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
   // Face +z is what is seen towards -z since VTK 9.2; before, its skybox showed it towards +z.
   MirrorInZ(environment);
