@@ -9,7 +9,6 @@
 #include "ModelFit.h"
 #include "Progress.h"
 #include "Sizes.h"
-#include "SpherePicture.h"
 #include "Tool.h"
 
 #include "vtkMeasuredBRDFConfigure.h"
