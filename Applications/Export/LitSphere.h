@@ -13,7 +13,7 @@
 #ifndef LitSphere_h
 #define LitSphere_h
 
-#include "Sizes.h"
+#include "Inputs.h"
 #include "Surface.h"
 #include "SurfaceModel.h"
 
