@@ -7,8 +7,7 @@
 #include "ParetoFront.h"
 #include "Progress.h"
 #include "ReferencePicture.h"
-#include "Scene.h"
-#include "StockScene.h"
+#include "Scenes.h"
 #include "Tool.h"
 #include "TracedSurface.h"
 

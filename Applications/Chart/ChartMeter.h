@@ -13,7 +13,7 @@
 #include "ChartResults.h"
 #include "Inputs.h"
 #include "Measuring.h"
-#include "Sizes.h"
+#include "Scenes.h"
 #include "Surface.h"
 
 #include "vtkPolyData.h"

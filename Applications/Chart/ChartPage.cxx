@@ -5,7 +5,7 @@
 #include "Files.h"
 #include "LabelPlaces.h"
 #include "LogAxis.h"
-#include "TextDrawing.h"
+#include "Picture.h"
 #include "Tool.h"
 
 #include "vtkAxis.h"

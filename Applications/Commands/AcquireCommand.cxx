@@ -3,8 +3,7 @@
 #include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
-#include "RunWithProgress.h"
-#include "Sizes.h"
+#include "Progress.h"
 #include "Tool.h"
 
 #include "vtkBRDFAcquisition.h"

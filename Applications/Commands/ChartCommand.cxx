@@ -9,7 +9,6 @@
 #include "Measuring.h"
 #include "Meshes.h"
 #include "Progress.h"
-#include "Sizes.h"
 #include "Tool.h"
 
 #include <CLI/CLI.hpp>

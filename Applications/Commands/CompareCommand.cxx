@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bases.h"
-#include "ComparisonSheet.h"
-#include "ComparisonStrip.h"
 #include "FailureMap.h"
 #include "Files.h"
 #include "Inputs.h"
@@ -10,12 +8,9 @@
 #include "Meshes.h"
 #include "Methods.h"
 #include "Progress.h"
-#include "ReferenceLimit.h"
 #include "ReferencePicture.h"
-#include "RunWithProgress.h"
-#include "Scene.h"
-#include "Sizes.h"
-#include "StockScene.h"
+#include "Scenes.h"
+#include "Sheets.h"
 #include "Surface.h"
 #include "Tool.h"
 #include "TracedSurface.h"

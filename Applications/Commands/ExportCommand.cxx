@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ComparisonSheet.h"
 #include "ExportFiles.h"
 #include "Files.h"
 #include "Inputs.h"
@@ -8,8 +7,7 @@
 #include "Measuring.h"
 #include "ModelFit.h"
 #include "Progress.h"
-#include "Sizes.h"
-#include "SpherePicture.h"
+#include "Sheets.h"
 #include "Tool.h"
 
 #include "vtkMeasuredBRDFConfigure.h"

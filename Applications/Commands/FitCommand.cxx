@@ -3,8 +3,8 @@
 #include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
-#include "RunWithProgress.h"
-#include "Thesis.h"
+#include "Methods.h"
+#include "Progress.h"
 #include "Tool.h"
 
 #include "vtkAshikhminShirleyBRDFFitter.h"

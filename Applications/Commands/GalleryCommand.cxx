@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ContactSheet.h"
 #include "Files.h"
 #include "Inputs.h"
 #include "Meshes.h"
 #include "Picture.h"
 #include "Progress.h"
-#include "Scene.h"
-#include "Sizes.h"
-#include "TextDrawing.h"
+#include "Scenes.h"
+#include "Sheets.h"
 #include "Tool.h"
 
 #include "vtkEmbeddedMaterials.h"

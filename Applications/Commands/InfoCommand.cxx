@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Inputs.h"
 #include "Inspection.h"
-#include "MeshInspection.h"
 #include "Meshes.h"
 #include "Tool.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files.h"
 #include "Inputs.h"
-#include "LightMap.h"
+#include "Sheets.h"
 #include "Tool.h"
 
 #include <CLI/CLI.hpp>

@@ -3,9 +3,8 @@
 #include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
+#include "Progress.h"
 #include "RepresentationRows.h"
-#include "RunWithProgress.h"
-#include "Sizes.h"
 #include "Tool.h"
 
 #include "vtkAdaptiveRadianceIntegrator.h"

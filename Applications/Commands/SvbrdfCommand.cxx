@@ -5,7 +5,7 @@
 #include "MaterialMapFiles.h"
 #include "Measuring.h"
 #include "Picture.h"
-#include "RunWithProgress.h"
+#include "Progress.h"
 #include "Tool.h"
 
 #include "vtkEmbeddedMaterials.h"

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ContactSheet.h"
 #include "Files.h"
 #include "Inputs.h"
-#include "LightMap.h"
 #include "Meshes.h"
-#include "RunWithProgress.h"
-#include "Scene.h"
+#include "Progress.h"
+#include "Scenes.h"
+#include "Sheets.h"
 #include "Tool.h"
 
 #include "vtkBRDFAcquisition.h"

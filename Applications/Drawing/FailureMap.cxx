@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FailureMap.h"
 
-#include "ErrorColors.h"
 #include "Picture.h"
-#include "TextDrawing.h"
 #include "Tool.h"
 
 #include "vtkAxis.h"

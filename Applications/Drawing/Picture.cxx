@@ -11,7 +11,14 @@
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
+#include "vtkStdString.h"
+#include "vtkTextProperty.h"
+#include "vtkTextRenderer.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
 
 #if MEASUREDBRDF_WITH_OPENEXR
 #include <ImfChannelList.h>
@@ -21,9 +28,8 @@
 #include <ImfStdIO.h>
 #endif
 
-#include <algorithm>
-#include <cmath>
-
+namespace tool
+{
 namespace
 {
 // Size that a blurred environment is worked out at.
@@ -64,8 +70,6 @@ std::vector<tool::RGB> Shrink(vtkEnvironment* environment, int width, int height
 }
 }
 
-namespace tool
-{
 //------------------------------------------------------------------------------
 void Picture::Blend(int x, int y, const RGB& rgb, double alpha)
 {
@@ -296,5 +300,131 @@ void Backdrop::Scale(double factor)
   {
     value = static_cast<float>(value * factor);
   }
+}
+
+namespace
+{
+// Pixels per inch at which a font size is a number of pixels.
+constexpr int DPI = 72;
+
+//------------------------------------------------------------------------------
+vtkTextRenderer* GetRenderer()
+{
+  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
+  if (!renderer)
+  {
+    throw tool::Error("this VTK has no font renderer");
+  }
+  return renderer;
+}
+}
+
+//------------------------------------------------------------------------------
+int MeasureText(const std::string& text, int size, bool bold)
+{
+  vtkNew<vtkTextProperty> property;
+  property->SetFontFamilyToArial();
+  property->SetFontSize(size);
+  property->SetBold(bold);
+  int box[4] = { 0, 0, 0, 0 };
+  GetRenderer()->GetBoundingBox(property, text, box, DPI);
+  return box[1] - box[0] + 1;
+}
+
+//------------------------------------------------------------------------------
+void DrawText(
+  Picture& picture, int x, int y, const std::string& text, int size, bool bold, const RGB& color)
+{
+  if (text.empty())
+  {
+    return;
+  }
+  vtkNew<vtkTextProperty> property;
+  property->SetFontFamilyToArial();
+  property->SetFontSize(size);
+  property->SetBold(bold);
+  property->SetColor(1.0, 1.0, 1.0);
+  vtkNew<vtkImageData> image;
+  int size2[2] = { 0, 0 };
+  if (!GetRenderer()->RenderString(property, text, image, size2, DPI))
+  {
+    throw Error("text can't be drawn: " + TakeErrorText());
+  }
+  int extent[6];
+  image->GetExtent(extent);
+  for (int v = 0; v < size2[1] && extent[2] + v <= extent[3]; ++v)
+  {
+    for (int u = 0; u < size2[0] && extent[0] + u <= extent[1]; ++u)
+    {
+      const auto* texel =
+        static_cast<const unsigned char*>(image->GetScalarPointer(extent[0] + u, extent[2] + v, 0));
+      picture.Blend(x + u, y + v, color, texel[3] / 255.0);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string Fit(const std::string& text, int size, bool bold, int width)
+{
+  if (MeasureText(text, size, bold) <= width)
+  {
+    return text;
+  }
+  std::string shorter = text;
+  while (!shorter.empty() && MeasureText(shorter + "...", size, bold) > width)
+  {
+    shorter.pop_back();
+  }
+  return shorter + "...";
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> Wrap(const std::string& text, int size, int width, int lines)
+{
+  std::vector<std::string> result(1);
+  std::istringstream words(text);
+  for (std::string word; words >> word;)
+  {
+    const std::string longer = result.back().empty() ? word : result.back() + " " + word;
+    const bool last = static_cast<int>(result.size()) == lines;
+    if (last || result.back().empty() || MeasureText(longer, size, false) <= width)
+    {
+      result.back() = longer;
+    }
+    else
+    {
+      result.push_back(word);
+    }
+  }
+  for (std::string& line : result)
+  {
+    line = Fit(line, size, false, width);
+  }
+  return result;
+}
+
+namespace
+{
+// Nine colors of viridis at equal steps (S. van der Walt, N. Smith, CC0): even for the eye, and
+// for eyes that tell fewer colors.
+constexpr double Viridis[9][3] = { { 0.267, 0.005, 0.329 }, { 0.279, 0.175, 0.483 },
+  { 0.230, 0.322, 0.546 }, { 0.173, 0.449, 0.558 }, { 0.128, 0.567, 0.551 },
+  { 0.158, 0.684, 0.502 }, { 0.369, 0.789, 0.383 }, { 0.678, 0.864, 0.190 },
+  { 0.993, 0.906, 0.144 } };
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkColorTransferFunction> MakeErrorColors()
+{
+  auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
+  for (int k = 0; k < 9; ++k)
+  {
+    colors->AddRGBPoint(LowestError + (HighestError - LowestError) * k / 8.0, Viridis[k][0],
+      Viridis[k][1], Viridis[k][2]);
+  }
+  colors->SetBelowRangeColor(0.87, 0.87, 0.87);
+  colors->UseBelowRangeColorOn();
+  colors->Build();
+  return colors;
 }
 } // namespace tool

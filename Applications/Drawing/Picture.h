@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Pictures in linear light on the CPU: composing, tone mapping, writing.
+ * Pictures in linear light on the CPU: composing, tone mapping, text with VTK's own font, the
+ * colors of errors, writing.
  */
 
 #ifndef Picture_h
 #define Picture_h
+
+#include "vtkColorTransferFunction.h"
+#include "vtkSmartPointer.h"
 
 #include <array>
 #include <string>
@@ -97,6 +101,25 @@ private:
   int Height = 0;
   std::vector<float> Pixels;
 };
+
+/// Draw one line with its lower left corner at (x, y); size is the font's, in pixels. Throws Error.
+void DrawText(
+  Picture& picture, int x, int y, const std::string& text, int size, bool bold, const RGB& color);
+
+/// Width of a line in pixels.
+int MeasureText(const std::string& text, int size, bool bold);
+
+/// Text cut to a width in pixels, with "..." where something is missing.
+std::string Fit(const std::string& text, int size, bool bold, int width);
+
+/// Text broken between words into lines of a width, at most so many; the last one is cut to fit.
+std::vector<std::string> Wrap(const std::string& text, int size, int width, int lines);
+
+constexpr double LowestError = -3.0; // 0.1 %, as a decimal logarithm
+constexpr double HighestError = 0.0; // 100 %
+
+/// Viridis over the decimal logarithm of the error; light gray below its range.
+vtkSmartPointer<vtkColorTransferFunction> MakeErrorColors();
 } // namespace tool
 
 #endif

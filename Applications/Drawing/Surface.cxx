@@ -3,6 +3,7 @@
 #include "Surface.h"
 
 #include "Progress.h"
+#include "Scenes.h"
 #include "Tool.h"
 
 #include "vtkActor.h"

@@ -9,9 +9,9 @@
 #ifndef Surface_h
 #define Surface_h
 
-#include "OffscreenScene.h"
-#include "Sizes.h"
+#include "Inputs.h"
 
+#include "vtkPolyData.h"
 #include "vtkRadianceIntegrator.h"
 
 #include <vector>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TracedSurface.h"
 
-#include "ComparisonStrip.h"
 #include "Measuring.h"
 #include "Methods.h"
-#include "RunWithProgress.h"
+#include "Progress.h"
+#include "Sheets.h"
 #include "Tool.h"
 
 #include "vtkBRDF.h"

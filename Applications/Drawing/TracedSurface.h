@@ -8,8 +8,8 @@
 #ifndef TracedSurface_h
 #define TracedSurface_h
 
-#include "OffscreenScene.h"
-#include "Sizes.h"
+#include "Inputs.h"
+#include "Scenes.h"
 #include "Surface.h"
 
 #include "vtkOcclusionPredictor.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Comparison.h"
 
-#include "BackgroundWork.h"
 #include "ModelMaterials.h"
+#include "Progress.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves.h"
 
+#include "Inspection.h"
 #include "Tool.h"
-#include "TransmissionInspection.h"
 
 #include "vtkBRDFAnalysis.h"
 #include "vtkBRDFSliceSource.h"

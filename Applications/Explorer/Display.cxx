@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Display.h"
 
-#include "ContactSheet.h"
+#include "Sheets.h"
 
 #include "vtkActor.h"
 #include "vtkEnvironment.h"

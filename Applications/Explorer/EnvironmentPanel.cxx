@@ -4,8 +4,8 @@
 
 #include "Display.h"
 #include "EnvironmentView.h"
-#include "LightMap.h"
 #include "LightPanel.h"
+#include "Sheets.h"
 
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"

@@ -3,9 +3,9 @@
 #include "Evaluation.h"
 
 #include "DirectionalLight.h"
-#include "ErrorColors.h"
+#include "Picture.h"
 #include "ReferencePicture.h"
-#include "StockScene.h"
+#include "Scenes.h"
 #include "Tool.h"
 
 #include "vtkCamera.h"

@@ -8,10 +8,10 @@
 #ifndef Evaluation_h
 #define Evaluation_h
 
+#include "Inputs.h"
 #include "Jobs.h"
 #include "Session.h"
 #include "Side.h"
-#include "Sizes.h"
 #include "Surface.h"
 
 #include "vtkImageData.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Jobs.h"
 
-#include "BackgroundWork.h"
+#include "Progress.h"
 
 #include <QMetaObject>
 

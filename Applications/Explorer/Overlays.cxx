@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Overlays.h"
 
-#include "ErrorColors.h"
+#include "Picture.h"
 
 #include "vtkCellArray.h"
 #include "vtkCoordinate.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PictureBar.h"
 
-#include "ContactSheet.h"
+#include "Sheets.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

@@ -8,7 +8,7 @@
 #ifndef Report_h
 #define Report_h
 
-#include "Sizes.h"
+#include "Inputs.h"
 #include "State.h"
 #include "Surface.h"
 

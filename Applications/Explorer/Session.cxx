@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session.h"
 
-#include "BackgroundWork.h"
 #include "FileKinds.h"
 #include "Files.h"
 #include "Meshes.h"
 #include "ModelMaterials.h"
+#include "Progress.h"
 #include "Tool.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "DirectionalLight.h"
 #include "Display.h"
-#include "Scene.h"
+#include "Scenes.h"
 #include "SideScenes.h"
 #include "Tool.h"
 

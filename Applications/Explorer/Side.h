@@ -8,11 +8,11 @@
 #ifndef Side_h
 #define Side_h
 
+#include "Inputs.h"
 #include "Jobs.h"
 #include "Methods.h"
 #include "Picture.h"
 #include "Session.h"
-#include "Sizes.h"
 
 #include "vtkNew.h"
 #include "vtkRenderer.h"

@@ -9,7 +9,7 @@
 #ifndef SideScenes_h
 #define SideScenes_h
 
-#include "StockScene.h"
+#include "Scenes.h"
 
 #include "vtkActor.h"
 #include "vtkLight.h"

@@ -13,6 +13,8 @@
 #ifndef LitSphere_h
 #define LitSphere_h
 
+#include "Inputs.h"
+#include "Surface.h"
 #include "SurfaceModel.h"
 
 #include <glm/glm.hpp>
@@ -76,6 +78,12 @@ private:
   std::vector<Pixel> Pixels;
   std::vector<std::vector<Energies>> Lights; // by light, by pixel
 };
+
+/// The direction to the viewer of an azimuth and an elevation, as OffscreenScene::SetView has them.
+std::array<double, 3> GetViewDirection(const View& view);
+
+/// Every pixel of a square picture of that size that a sphere covers, which touches its sides.
+Surface MakeSphereSurface(int size, const View& view);
 } // namespace tool
 
 #endif

@@ -22,6 +22,10 @@ inline double Square(double x) { return x * x; }
 /// (1 - x)^5 of Schlick's Fresnel term.
 inline double Schlick(double cosine) { return Square(Square(1.0 - cosine)) * (1.0 - cosine); }
 
+/// Where searches of the core's metallic part and roughness begin.
+const std::vector<double> Metals = { 0, 1, 0, 1, 0, 1, 0, 0.5, 0.5 };
+const std::vector<double> Roughnesses = { 0.9, 0.9, 0.5, 0.5, 0.25, 0.25, 0.12, 0.12, 0.4 };
+
 /// Reflectance at normal incidence of an index of refraction.
 inline double ReflectanceOfIndex(double index) { return Square((index - 1.0) / (index + 1.0)); }
 

@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceModel.h"
 
-#include "GltfModel.h"
-#include "OpenPbrModel.h"
-#include "PreviewSurfaceModel.h"
-#include "StandardSurfaceModel.h"
-#include "VtkPbrModel.h"
+#include "vtkObjectFactory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +10,6 @@
 
 namespace tool
 {
-const std::vector<double> Metals = { 0, 1, 0, 1, 0, 1, 0, 0.5, 0.5 };
-const std::vector<double> Roughnesses = { 0.9, 0.9, 0.5, 0.5, 0.25, 0.25, 0.12, 0.12, 0.4 };
-
-//------------------------------------------------------------------------------
 const char* GetFeatureName(Feature feature)
 {
   static const char* const names[] = { "core", "specular", "coat", "sheen", "anisotropy" };
@@ -37,36 +29,35 @@ Directions::Directions(const glm::dvec3& light, const glm::dvec3& view)
 }
 
 //------------------------------------------------------------------------------
+vtkStandardNewMacro(SurfaceModel);
+
+//------------------------------------------------------------------------------
+SurfaceModel::SurfaceModel() { this->SetModel(GetPbrModels().front()); }
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<SurfaceModel> SurfaceModel::Make(const std::string& name)
 {
-  if (name == "gltf")
+  for (const auto* models : { &GetPbrModels(), &GetMaterialXModels() })
   {
-    return vtkSmartPointer<GltfModel>::New();
-  }
-  if (name == "standard_surface")
-  {
-    return vtkSmartPointer<StandardSurfaceModel>::New();
-  }
-  if (name == "open_pbr")
-  {
-    return vtkSmartPointer<OpenPbrModel>::New();
-  }
-  if (name == "preview_surface")
-  {
-    return vtkSmartPointer<PreviewSurfaceModel>::New();
-  }
-  if (name == "vtk_pbr")
-  {
-    return vtkSmartPointer<VtkPbrModel>::New();
+    for (const ShadingModel& model : *models)
+    {
+      if (model.Name == name)
+      {
+        auto made = vtkSmartPointer<SurfaceModel>::New();
+        made->SetModel(model);
+        return made;
+      }
+    }
   }
   throw std::invalid_argument("no shading model is called " + name);
 }
 
 //------------------------------------------------------------------------------
-void SurfaceModel::SetNeutral()
+void SurfaceModel::SetModel(const ShadingModel& model)
 {
+  this->Model = &model;
   this->Values.clear();
-  for (const ModelParameter& parameter : this->GetParameters())
+  for (const ModelParameter& parameter : model.Parameters)
   {
     this->Values.insert(this->Values.end(), parameter.Size, parameter.Neutral);
   }
@@ -97,12 +88,6 @@ std::size_t SurfaceModel::Find(const std::string& name) const
     k += parameter.Size;
   }
   throw std::invalid_argument(this->GetTitle() + " has no parameter " + name);
-}
-
-//------------------------------------------------------------------------------
-double SurfaceModel::GetNumber(const std::string& name) const
-{
-  return this->Values[this->Find(name)];
 }
 
 //------------------------------------------------------------------------------
@@ -139,7 +124,7 @@ void SurfaceModel::GetBounds(double, double lower[3], double upper[3])
 //------------------------------------------------------------------------------
 glm::dvec3 SurfaceModel::EvaluateDirections(const Directions& directions) const
 {
-  glm::dvec3 f = this->Shade(directions);
+  glm::dvec3 f = this->Model->Shade({ this->Values.data() }, directions);
   for (int c = 0; c < 3; ++c)
   {
     f[c] = std::isfinite(f[c]) ? std::max(f[c], 0.0) : 0.0;
@@ -150,7 +135,8 @@ glm::dvec3 SurfaceModel::EvaluateDirections(const Directions& directions) const
 //------------------------------------------------------------------------------
 void SurfaceModel::EvaluateAbove(const double i[3], const double o[3], double f[3])
 {
-  const glm::dvec3 value = this->Shade(Directions({ i[0], i[1], i[2] }, { o[0], o[1], o[2] }));
+  const glm::dvec3 value = this->Model->Shade(
+    { this->Values.data() }, Directions({ i[0], i[1], i[2] }, { o[0], o[1], o[2] }));
   std::copy_n(&value.x, 3, f);
 }
 } // namespace tool

@@ -49,12 +49,6 @@ struct ModelParameter
   double MostUsual = std::numeric_limits<double>::infinity(); // that people set by hand
 };
 
-///@{
-/// Starts of the core's metallic part and roughness.
-extern const std::vector<double> Metals;
-extern const std::vector<double> Roughnesses;
-///@}
-
 /// Two directions and what the formulas take of them. All unit, in the local frame.
 struct Directions
 {
@@ -64,24 +58,44 @@ struct Directions
   double NdL, NdV, NdH, VdH;
 };
 
+/// The numbers of a model's parameters, one after the other.
+struct ModelNumbers
+{
+  const double* First;
+
+  double operator[](std::size_t k) const { return this->First[k]; }
+  glm::dvec3 Color(std::size_t k) const
+  {
+    return { this->First[k], this->First[k + 1], this->First[k + 2] };
+  }
+};
+
+/// A shading model: its parameters, and f as a function of their numbers.
+struct ShadingModel
+{
+  std::string Name;
+  std::string Title; // what people call it
+  /// Colors first take their red, then green and blue: the order of the numbers. All models begin
+  /// with the core's color, metallic part and roughness.
+  std::vector<ModelParameter> Parameters;
+  glm::dvec3 (*Shade)(const ModelNumbers& numbers, const Directions& directions);
+};
+
 /**
- * A model with the values of its parameters. It has a C++ form only: no GLSL, and no bounds of use
- * to a planner.
+ * A shading model with the values of its parameters. It has a C++ form only: no GLSL, and no bounds
+ * of use to a planner.
  */
 class SurfaceModel : public vtkBRDF
 {
 public:
-  vtkAbstractTypeMacro(SurfaceModel, vtkBRDF);
+  static SurfaceModel* New();
+  vtkTypeMacro(SurfaceModel, vtkBRDF);
 
   /// "gltf", "standard_surface", "open_pbr", "preview_surface" or "vtk_pbr", with neutral values.
   static vtkSmartPointer<SurfaceModel> Make(const std::string& name);
 
-  /// What people call the model.
-  virtual std::string GetTitle() const = 0;
-
-  /// Colors first take their red, then green and blue: the order of the values. All models begin
-  /// with the core's color, metallic part and roughness.
-  virtual const std::vector<ModelParameter>& GetParameters() const = 0;
+  std::string GetTitle() const { return this->Model->Title; }
+  const std::vector<ModelParameter>& GetParameters() const { return this->Model->Parameters; }
 
   ///@{
   /// All numbers of all parameters in that order; as many as there are.
@@ -91,7 +105,7 @@ public:
 
   ///@{
   /// The values of a parameter by its name; it must be one of the model's.
-  double GetNumber(const std::string& name) const;
+  double GetNumber(const std::string& name) const { return this->Values[this->Find(name)]; }
   std::array<double, 3> GetColor(const std::string& name) const;
   ///@}
 
@@ -107,26 +121,23 @@ public:
   bool IsReciprocal() override { return false; } // layers may depend on the view alone
 
 protected:
-  SurfaceModel() = default;
-
-  /// f of the model, from this->Values.
-  virtual glm::dvec3 Shade(const Directions& directions) const = 0;
+  SurfaceModel();
 
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
 
-  /// For constructors: all values neutral.
-  void SetNeutral();
-
-  glm::dvec3 ColorAt(std::size_t k) const
-  {
-    return { this->Values[k], this->Values[k + 1], this->Values[k + 2] };
-  }
-
-  std::vector<double> Values;
-
 private:
+  void SetModel(const ShadingModel& model);
   std::size_t Find(const std::string& name) const;
+
+  const ShadingModel* Model;
+  std::vector<double> Values;
 };
+
+///@{
+/// The models themselves (VTK's, glTF's and USD's in PbrModels.cxx).
+const std::vector<ShadingModel>& GetPbrModels();
+const std::vector<ShadingModel>& GetMaterialXModels();
+///@}
 } // namespace tool
 
 #endif

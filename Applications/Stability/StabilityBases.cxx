@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Stability: what a global basis does to sharp lobes, and beyond the zone that was measured.
-#include "ContactSheet.h"
 #include "Meshes.h"
+#include "Sheets.h"
 #include "Stability.h"
 #include "StabilityErrors.h"
 #include "StabilityRenderer.h"

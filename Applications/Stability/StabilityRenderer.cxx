@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StabilityRenderer.h"
 
-#include "ContactSheet.h"
+#include "Inputs.h"
 #include "Meshes.h"
 #include "Progress.h"
-#include "Sizes.h"
+#include "Scenes.h"
+#include "Sheets.h"
 #include "StabilityErrors.h"
-#include "StockScene.h"
 #include "Surface.h"
 
 #include "vtkActor.h"

@@ -9,7 +9,7 @@
 #ifndef StabilityRenderer_h
 #define StabilityRenderer_h
 
-#include "OffscreenScene.h"
+#include "Scenes.h"
 #include "Stability.h"
 #include "StabilityTools.h"
 

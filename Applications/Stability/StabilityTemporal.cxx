@@ -3,10 +3,10 @@
 // Stability: what moves must move as the reference does. Flicker ratio: the mean change from frame
 // to frame over that of the reference.
 #include "Meshes.h"
+#include "Scenes.h"
 #include "Stability.h"
 #include "StabilityRenderer.h"
 #include "StabilityTools.h"
-#include "StockScene.h"
 #include "Surface.h"
 #include "TracedSurface.h"
 

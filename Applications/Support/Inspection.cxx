@@ -2,24 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Inspection.h"
 
+#include "Inputs.h"
+#include "Meshes.h"
+#include "Progress.h"
 #include "Tool.h"
-#include "TransmissionInspection.h"
+#include "TracedSurface.h"
 
 #include "vtkBRDFAnalysis.h"
 #include "vtkBRDFData.h"
 #include "vtkBRDFModels.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkBasisBRDF.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkEmbeddedEnvironments.h"
+#include "vtkEnvironment.h"
+#include "vtkLambertBRDF.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPolyData.h"
 #include "vtkRepresentationAdvisor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <utility>
 
 using nlohmann::ordered_json;
 
+namespace tool
+{
 namespace
 {
 //------------------------------------------------------------------------------
@@ -148,8 +160,6 @@ std::string FormatModel(const ordered_json& d, const std::string& indent)
 }
 }
 
-namespace tool
-{
 //------------------------------------------------------------------------------
 ordered_json InspectMaterial(const Material& material)
 {
@@ -247,5 +257,175 @@ std::string FormatInspection(const ordered_json& info)
   }
   const std::string notes = info["notes"];
   return text + (notes.empty() ? "" : "\nnotes: " + notes + "\n");
+}
+
+namespace
+{
+constexpr double EnergyLimit = 1.005; // as vtkBRDFAnalysis::GetGainsEnergy: the estimates' error
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> MeasureTransmittance(
+  vtkBTDF* transmission, double degrees, TransmissionRole role)
+{
+  if (BackgroundWork::Get() && BackgroundWork::Get()->IsStopped())
+  {
+    throw Error("interrupted");
+  }
+  const double theta = vtkMath::RadiansFromDegrees(degrees);
+  const int azimuths = transmission->IsIsotropic() ? 1 : 8;
+  std::array<double, 3> mean{};
+  for (int k = 0; k < azimuths; ++k)
+  {
+    const double phi = 2.0 * vtkMath::Pi() * k / azimuths;
+    const double z = std::cos(theta);
+    const double direction[3] = { std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+      role == TransmissionRole::BackLight ? -z : z };
+    double rgb[3];
+    role == TransmissionRole::View ? transmission->GetSkyTransmittance(direction, rgb)
+                                   : transmission->GetTransmittance(direction, rgb);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      mean[c] += rgb[c] / azimuths;
+    }
+  }
+  return mean;
+}
+
+//------------------------------------------------------------------------------
+ordered_json InspectTransmission(vtkBTDF* transmission, const ordered_json& info)
+{
+  const bool both =
+    transmission->GetFolded(vtkBTDF::FRONT) && transmission->GetFolded(vtkBTDF::BACK);
+  ordered_json result = { { "both_sides", both } };
+  if (both)
+  {
+    result["reciprocity_error"] = transmission->GetReciprocityError();
+  }
+  double largest = 0.0;
+  double largestOfBack = 0.0;
+  for (const ordered_json& row : info["reflectance_per_angle"])
+  {
+    const double degrees = row["degrees"];
+    const auto back = MeasureTransmittance(transmission, degrees, TransmissionRole::BackLight);
+    const auto light = MeasureTransmittance(transmission, degrees, TransmissionRole::Light);
+    result["per_angle"].push_back({ { "degrees", degrees },
+      { "view", MeasureTransmittance(transmission, degrees, TransmissionRole::View) },
+      { "light", light }, { "back_light", back } });
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      largest = std::max(largest, light[c] + row["rgb"][c].get<double>());
+      largestOfBack = std::max(largestOfBack, back[c]);
+    }
+  }
+  result["largest_reflectance_and_transmittance"] = largest;
+  // What the back reflects is not here; what it lets through must not be more than what comes.
+  result["largest_transmittance_of_back"] = largestOfBack;
+  result["gains_energy"] = std::max(largest, largestOfBack) > EnergyLimit;
+  return result;
+}
+
+//------------------------------------------------------------------------------
+std::string FormatTransmission(const ordered_json& transmission)
+{
+  std::string text =
+    "\n        transmittance\n"
+    "        (view at that angle,       (light from that angle)    (light from that"
+    " angle,\n"
+    "        a white sky behind)                                    on the back)\n"
+    "  angle      R       G       B         R       G       B         R       G"
+    "       B\n";
+  for (const ordered_json& row : transmission["per_angle"])
+  {
+    char part[64];
+    std::snprintf(part, sizeof(part), "  %4.0f", row["degrees"].get<double>());
+    text += part;
+    for (const char* role : { "view", "light", "back_light" })
+    {
+      const ordered_json& rgb = row[role];
+      std::snprintf(part, sizeof(part), "%s%7.4f %7.4f %7.4f", role[0] == 'v' ? "  " : "   ",
+        rgb[0].get<double>(), rgb[1].get<double>(), rgb[2].get<double>());
+      text += part;
+    }
+    text += "\n";
+  }
+  char line[200];
+  std::snprintf(line, sizeof(line),
+    "  reflected and transmitted together: at most %.4f; light on the back: %.4f transmitted%s\n",
+    transmission["largest_reflectance_and_transmittance"].get<double>(),
+    transmission["largest_transmittance_of_back"].get<double>(),
+    transmission["gains_energy"] ? " (more light than it gets)" : "");
+  text += line;
+  if (!transmission["both_sides"])
+  {
+    return text + "  one side is measured; the other follows by reciprocity\n";
+  }
+  std::snprintf(line, sizeof(line),
+    "  both sides are measured; they differ from reciprocity by %.4g, relative\n",
+    transmission["reciprocity_error"].get<double>());
+  return text + line;
+}
+
+namespace
+{
+constexpr double GlossExponent = 50.0;
+
+//------------------------------------------------------------------------------
+std::string CountLine(const char* label, const ordered_json& count)
+{
+  char line[80];
+  std::snprintf(line, sizeof(line), "%-26s%lld\n", label, count.get<long long>());
+  return line;
+}
+}
+
+//------------------------------------------------------------------------------
+ordered_json InspectMesh(const std::string& file)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = LoadMesh(file);
+  const vtkSmartPointer<vtkTracedScene> traced = MakeTracedScene(mesh);
+  double bounds[6];
+  traced->GetBounds(bounds);
+  ordered_json info = { { "name", file }, { "points", mesh->GetNumberOfPoints() },
+    { "triangles", traced->GetNumberOfTriangles() },
+    { "skipped_triangles", traced->GetNumberOfSkippedTriangles() }, { "bounds", bounds },
+    { "unoccluded", ordered_json::array() } };
+  vtkNew<vtkLambertBRDF> matte;
+  vtkNew<vtkBlinnPhongBRDF> gloss;
+  gloss->SetExponent(GlossExponent);
+  for (int k = 0; k < vtkEmbeddedEnvironments::GetNumberOfEnvironments(); ++k)
+  {
+    const std::string name = vtkEmbeddedEnvironments::GetName(k);
+    const vtkSmartPointer<vtkEnvironment> environment = LoadEnvironment(name);
+    for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(matte), static_cast<vtkBRDF*>(gloss) })
+    {
+      const auto predictor = PredictOcclusion(traced, brdf, environment);
+      info["unoccluded"].push_back(
+        { { "environment", name }, { "material", brdf == matte.Get() ? "diffuse" : "gloss" },
+          { "error", predictor->GetError() }, { "uncertainty", predictor->GetUncertainty() } });
+    }
+  }
+  return info;
+}
+
+//------------------------------------------------------------------------------
+std::string FormatMeshInspection(const ordered_json& info)
+{
+  char name[27];
+  std::snprintf(name, sizeof(name), "%-26s", "mesh");
+  std::string text = name + info["name"].get<std::string>() + "\n";
+  text += CountLine("points", info["points"]) + CountLine("triangles", info["triangles"]) +
+          CountLine("degenerate triangles", info["skipped_triangles"]);
+  text += "\nunoccluded light: error of leaving out what this mesh hides of the environment\n"
+          "  environment   material   relative L1\n";
+  for (const ordered_json& row : info["unoccluded"])
+  {
+    char line[160];
+    std::snprintf(line, sizeof(line), "  %-13s %-10s %5.1f %% +- %.1f %%\n",
+      row["environment"].get<std::string>().c_str(), row["material"].get<std::string>().c_str(),
+      100.0 * row["error"].get<double>(), 100.0 * row["uncertainty"].get<double>());
+    text += line;
+  }
+  return text + "\nAs seen from everywhere; gloss: a Blinn-Phong lobe of exponent 50.\n";
 }
 } // namespace tool

@@ -3,7 +3,7 @@
 #include "Measuring.h"
 
 #include "Methods.h"
-#include "RunWithProgress.h"
+#include "Progress.h"
 #include "Tool.h"
 
 #include "vtkAdaptiveRadianceIntegrator.h"

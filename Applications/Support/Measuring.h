@@ -8,8 +8,8 @@
 #ifndef Measuring_h
 #define Measuring_h
 
+#include "Inputs.h"
 #include "Picture.h"
-#include "Sizes.h"
 #include "Surface.h"
 
 #include "vtkRadianceMetrics.h"

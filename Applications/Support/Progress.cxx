@@ -2,17 +2,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Progress.h"
 
-#include "BackgroundWork.h"
 #include "Tool.h"
 
 #include "vtkBRDFReader.h"
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <iostream>
+#include <unistd.h>
+#include <utility>
+
+namespace tool
+{
+namespace
+{
+thread_local tool::BackgroundWork* Current = nullptr;
+}
+
+//------------------------------------------------------------------------------
+BackgroundWork::BackgroundWork(
+  const std::atomic<bool>& stop, std::function<void(const std::string&, double)> show)
+  : ShowProgress(std::move(show))
+  , Stopped(stop)
+  , Outer(Current)
+{
+  Current = this;
+}
+
+//------------------------------------------------------------------------------
+BackgroundWork::~BackgroundWork() { Current = this->Outer; }
+
+//------------------------------------------------------------------------------
+BackgroundWork* BackgroundWork::Get() { return Current; }
 
 namespace
 {
@@ -20,12 +42,10 @@ volatile std::sig_atomic_t Interrupted = 0;
 void (*Previous)(int) = SIG_DFL;
 int Bars = 0;
 constexpr double LeastElapsed = 5.0; // seconds before the time left is told
-}
 
 extern "C" void MeasuredBRDFToolInterrupt(int) { Interrupted = 1; }
+}
 
-namespace tool
-{
 //------------------------------------------------------------------------------
 Interruptible::Interruptible()
 {

@@ -2,17 +2,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Long work: a progress bar, and a clean stop on Ctrl-C.
+ * Long work: a progress bar, a clean stop on Ctrl-C, and the same on a thread beside a window.
  */
 
 #ifndef Progress_h
 #define Progress_h
 
+#include "vtkCommand.h"
+#include "vtkObject.h"
+
+#include <atomic>
 #include <chrono>
+#include <functional>
 #include <string>
 
 namespace tool
 {
+/**
+ * While one of these lives on a thread, that thread's progress bars go to a function, its errors
+ * and notes stay here instead of going to stderr, and a flag takes the place of Ctrl-C.
+ */
+class BackgroundWork
+{
+public:
+  /// stop: asked from time to time, set by any thread. show: gets what is being done and the share
+  /// of it, on this thread.
+  BackgroundWork(
+    const std::atomic<bool>& stop, std::function<void(const std::string&, double)> show);
+  ~BackgroundWork();
+  BackgroundWork(const BackgroundWork&) = delete;
+  void operator=(const BackgroundWork&) = delete;
+
+  /// This thread's; null where there is none.
+  static BackgroundWork* Get();
+
+  bool IsStopped() const { return this->Stopped; }
+
+  void Show(const std::string& label, double share) const { this->ShowProgress(label, share); }
+
+  std::string Errors; // of VTK, since they were taken
+  std::string Notes;  // one line each
+
+private:
+  std::function<void(const std::string&, double)> ShowProgress;
+  const std::atomic<bool>& Stopped;
+  BackgroundWork* Outer;
+};
+
 class BackgroundWork;
 
 /// While one of these lives, Ctrl-C only sets a flag. On a thread with a BackgroundWork, which
@@ -52,6 +88,49 @@ private:
   std::chrono::steady_clock::time_point Begin;
   int Shown = -1;
 };
+
+///@{
+/**
+ * run(maker), a method of the maker or a function, which raises ProgressEvent (calldata: double*)
+ * and stops at SetAbort(true); show gets the share done, the other form draws a bar of that label.
+ * Returns what run returns; throws Error where Ctrl-C was pressed. Needs an Interruptible.
+ */
+template <typename Maker, typename Run>
+bool RunWithProgress(Maker* maker, Run run, const std::function<void(double)>& show)
+{
+  struct Watcher
+  {
+    Maker* Source;
+    const std::function<void(double)>& Show;
+
+    void OnProgress(vtkObject*, unsigned long, void* data)
+    {
+      if (data)
+      {
+        this->Show(*static_cast<double*>(data));
+      }
+      if (Interruptible::IsInterrupted())
+      {
+        this->Source->SetAbort(true);
+      }
+    }
+  } watcher{ maker, show };
+  const unsigned long tag =
+    maker->AddObserver(vtkCommand::ProgressEvent, &watcher, &Watcher::OnProgress);
+  const bool done = std::invoke(run, maker);
+  maker->RemoveObserver(tag);
+  Interruptible::Check();
+  return done;
+}
+
+template <typename Maker, typename Run>
+bool RunWithProgress(Maker* maker, Run run, const std::string& label)
+{
+  ProgressBar bar(label);
+  return RunWithProgress(
+    maker, run, std::function<void(double)>([&bar](double share) { bar.Update(share); }));
+}
+///@}
 } // namespace tool
 
 #endif

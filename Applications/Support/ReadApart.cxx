@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReadApart.h"
 
-#include "BackgroundWork.h"
 #include "Progress.h"
 #include "Tool.h"
 

@@ -2,22 +2,129 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReferencePicture.h"
 
-#include "BlockTolerance.h"
 #include "Measuring.h"
 #include "Methods.h"
-#include "PixelBlocks.h"
 #include "Progress.h"
-#include "ReferenceSample.h"
+#include "Tool.h"
 
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkBRDF.h"
+#include "vtkDoubleArray.h"
+#include "vtkEnvironment.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkTableRadianceIntegrator.h"
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
+#include <set>
+#include <utility>
+
+namespace tool
+{
+namespace
+{
+using Block = std::array<int, 4>; // pixels of the surface
+
+// That of a pixel; pixels that are not covered are replaced by one that is.
+Block FindBlock(const tool::Surface& surface, int width, const std::vector<int>& places, int pixel)
+{
+  const int place = surface.Pixels[static_cast<std::size_t>(pixel)];
+  const int left = place % width / 2 * 2;
+  const int top = place / width / 2 * 2;
+  Block block{ -1, -1, -1, -1 };
+  int covered = -1;
+  for (int k = 0; k < 4; ++k)
+  {
+    const int x = left + k % 2;
+    const auto at = static_cast<std::size_t>((top + k / 2) * width + x);
+    block[static_cast<std::size_t>(k)] = x < width && at < places.size() ? places[at] : -1;
+    covered = covered < 0 ? block[static_cast<std::size_t>(k)] : covered;
+  }
+  for (int& other : block)
+  {
+    other = other < 0 ? covered : other;
+  }
+  return block;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> IntegratePixels(vtkAdaptiveRadianceIntegrator* integrator,
+  const Surface& surface, const std::vector<int>& pixels, const std::function<void(double)>& show)
+{
+  std::vector<double> normals;
+  std::vector<double> views;
+  for (const int k : pixels)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      normals.push_back(surface.Normals[3 * static_cast<std::size_t>(k) + c]);
+      views.push_back(surface.Views[3 * static_cast<std::size_t>(k) + c]);
+    }
+  }
+  return pixels.empty() ? normals : IntegrateSomePairs(integrator, normals, views, show);
+}
+
+//------------------------------------------------------------------------------
+std::size_t CountInBlocks(const Surface& surface, int width, const std::vector<int>& pixels)
+{
+  std::set<std::pair<int, int>> blocks;
+  for (const int pixel : pixels)
+  {
+    const int place = surface.Pixels[static_cast<std::size_t>(pixel)];
+    blocks.insert({ place % width / 2, place / width / 2 });
+  }
+  return 4 * blocks.size();
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> IntegrateInBlocks(vtkAdaptiveRadianceIntegrator* integrator,
+  const Surface& surface, int width, const std::vector<int>& places, const std::vector<int>& pixels,
+  const std::function<void(double)>& show)
+{
+  std::vector<int> pairs(surface.Pixels.size(), -1); // of each pixel
+  vtkNew<vtkDoubleArray> normals, views, radiance;
+  normals->SetNumberOfComponents(3);
+  views->SetNumberOfComponents(3);
+  for (const int pixel : pixels)
+  {
+    if (pairs[static_cast<std::size_t>(pixel)] >= 0)
+    {
+      continue;
+    }
+    for (const int other : FindBlock(surface, width, places, pixel))
+    {
+      const auto at = static_cast<std::size_t>(other);
+      pairs[at] = static_cast<int>(normals->GetNumberOfTuples());
+      normals->InsertNextTuple(&surface.Normals[3 * at]);
+      views->InsertNextTuple(&surface.Views[3 * at]);
+    }
+  }
+  std::vector<double> result(3 * pixels.size());
+  if (pixels.empty())
+  {
+    return result;
+  }
+  const bool done = RunWithProgress(
+    integrator,
+    [&](vtkAdaptiveRadianceIntegrator* made)
+    { return made->IntegrateNeighbors(normals, views, radiance); },
+    show);
+  if (!done)
+  {
+    throw Error("integrating: " + TakeErrorText());
+  }
+  for (std::size_t k = 0; k < pixels.size(); ++k)
+  {
+    radiance->GetTuple(pairs[static_cast<std::size_t>(pixels[k])], &result[3 * k]);
+  }
+  return result;
+}
 
 namespace
 {
@@ -460,8 +567,6 @@ private:
 };
 }
 
-namespace tool
-{
 //------------------------------------------------------------------------------
 ReferencePicture DrawReference(vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface,
   const Size& size, const ShowReference& show)
@@ -492,5 +597,53 @@ ReferencePicture DrawReference(vtkBRDF* brdf, vtkEnvironment* environment, const
     }
   }
   return picture;
+}
+
+namespace
+{
+constexpr std::size_t TimedPixels = 64;
+}
+
+//------------------------------------------------------------------------------
+double EstimateReferenceSeconds(vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface)
+{
+  vtkNew<vtkAdaptiveRadianceIntegrator> reference;
+  reference->SetBRDF(brdf);
+  reference->SetEnvironment(environment);
+  reference->Prepare();
+  const std::size_t count = surface.Pixels.size();
+  std::vector<double> normals;
+  std::vector<double> views;
+  for (std::size_t k = 0; k < TimedPixels; ++k)
+  {
+    const std::size_t pixel = 3 * ((2 * k + 1) * count / (2 * TimedPixels));
+    normals.insert(normals.end(), &surface.Normals[pixel], &surface.Normals[pixel] + 3);
+    views.insert(views.end(), &surface.Views[pixel], &surface.Views[pixel] + 3);
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  IntegratePairs(reference, normals, views);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  return seconds.count() * static_cast<double>(count) / TimedPixels;
+}
+
+//------------------------------------------------------------------------------
+int LimitReference(vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface,
+  double seconds, const std::string& option)
+{
+  const auto count = static_cast<double>(surface.Pixels.size());
+  const double needed = seconds > 0.0 ? EstimateReferenceSeconds(brdf, environment, surface) : 0.0;
+  if (needed <= seconds)
+  {
+    return static_cast<int>(count);
+  }
+  const int affordable = std::max(1, static_cast<int>(count * seconds / needed));
+  char text[200];
+  std::snprintf(text, sizeof(text),
+    "The reference of %.0f pixels may take %.2g s, more than %s %g: at most %d pixels on a grid "
+    "are "
+    "compared.\n",
+    count, needed, option.c_str(), seconds, affordable);
+  PrintOut(text);
+  return affordable;
 }
 } // namespace tool

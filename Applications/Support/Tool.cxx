@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tool.h"
 
-#include "BackgroundWork.h"
 #include "NumberText.h"
+#include "Progress.h"
 
 #include "vtkBRDFReader.h"
 #include "vtkLogger.h"

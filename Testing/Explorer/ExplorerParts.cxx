@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The explorer's parts that need no window: states, jobs, kinds of files, findings.
-#include "BackgroundWork.h"
 #include "ChartLines.h"
 #include "Comparison.h"
 #include "Curves.h"
 #include "EnvironmentView.h"
 #include "FileKinds.h"
 #include "Findings.h"
+#include "Inspection.h"
 #include "Jobs.h"
+#include "Progress.h"
 #include "Session.h"
 #include "State.h"
 #include "Tool.h"
-#include "TransmissionInspection.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBTDF.h"

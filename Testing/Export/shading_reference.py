@@ -332,7 +332,9 @@ def main():
         "pairs": [{"i": list(light), "o": list(view)} for light, view in pairs], "results": results,
     }
     with open(arguments.output, "w", encoding="ascii") as file:
-        json.dump(record, file, indent=1)
+        # A direction or a color in one line.
+        text = json.dumps(record, indent=1)
+        file.write(re.sub(r"\[\s+(-?[\d.e+-]+),\s+(-?[\d.e+-]+),\s+(-?[\d.e+-]+)\s+\]", r"[\1, \2, \3]", text))
         file.write("\n")
 
 

@@ -1031,20 +1031,20 @@ add("Export.separable-shadowing", "Lobes.h", "return 1.0 / (part(ndl) * part(ndv
     MODELS)
 add("Export.turned-the-other-way", "Lobes.h", "return { c * v.x + s * v.y, c * v.y - s * v.x, v.z };",
     "return { c * v.x - s * v.y, c * v.y + s * v.x, v.z };", MODELS)
-add("Export.gltf-coat-at-the-half-vector", "GltfModel.cxx", "(1.0 - DielectricF0) * Schlick(d.NdV)",
+add("Export.gltf-coat-at-the-half-vector", "PbrModels.cxx", "(1.0 - DielectricF0) * Schlick(d.NdV)",
     "(1.0 - DielectricF0) * Schlick(d.VdH)", MODELS)
-add("Export.gltf-sheen-without-scale", "GltfModel.cxx", "f = f * this->GetSheenScale(d) +", "f = f +", MODELS)
-add("Export.materialx-without-compensation", "MaterialXLobes.cxx",
+add("Export.gltf-sheen-without-scale", "PbrModels.cxx", "f = f * GetSheenScale(v, d) +", "f = f +", MODELS)
+add("Export.materialx-without-compensation", "MaterialXModels.cxx",
     "return dvec3(1.0) + fresnel * ((1.0 - single) / single);", "return dvec3(1.0);", MODELS)
-add("Export.materialx-layer-lets-all-through", "MaterialXLobes.h", "return top.Response + base * top.Throughput;",
+add("Export.materialx-layer-lets-all-through", "MaterialXModels.cxx", "return top.Response + base * top.Throughput;",
     "return top.Response + base;", MODELS)
-add("Export.openpbr-coat-leaves-the-base-smooth", "OpenPbrModel.cxx",
-    "return own + (coated - own) * this->Values[Coat];", "return own;", MODELS)
-add("Export.openpbr-coat-does-not-darken", "OpenPbrModel.cxx", "f * glm::clamp(this->GetDarkening(), 0.0, 1.0)", "f",
+add("Export.openpbr-coat-leaves-the-base-smooth", "MaterialXModels.cxx",
+    "return own + (coated - own) * v[OpenPbr::Coat];", "return own;", MODELS)
+add("Export.openpbr-coat-does-not-darken", "MaterialXModels.cxx", "f * glm::clamp(GetDarkening(v), 0.0, 1.0)", "f",
     MODELS)
-add("Export.preview-surface-clearcoat-index", "PreviewSurfaceModel.cxx",
+add("Export.preview-surface-clearcoat-index", "PbrModels.cxx",
     "coat * (reflectance + (1.0 - reflectance) * s)", "coat * (0.04 + 0.96 * s)", MODELS)
-add("Export.vtk-coat-passed-once", "VtkPbrModel.cxx", "specular * Square(1.0 - coat)", "specular * (1.0 - coat)", MODELS)
+add("Export.vtk-coat-passed-once", "PbrModels.cxx", "specular * Square(1.0 - coat)", "specular * (1.0 - coat)", MODELS)
 add("Export.light-below-the-nodes-is-lost", "LitSphere.cxx", "+= weights[k] / sum * energy;", "+= weights[k] * energy;",
     "ExportLitSphere.KeepsAllLight")
 add("Export.lit-sphere-without-cosine", "LitSphere.cxx", "light.z * solidAngle * rgb", "solidAngle * rgb",
@@ -1057,9 +1057,9 @@ add("Export.lights-count-by-brightness", "ModelFit.cxx", "const double d = (radi
 add("Export.rounded-beyond-the-range", "ExportFiles.cxx",
     "values[at] = rounded <= parameter.Most ? rounded : std::floor(1e4 * values[at]) / 1e4;", "values[at] = rounded;",
     "ExportFiles.NumbersAndNames")
-add("Export.gltf-triangles-inside-out", "GltfFile.cxx", "corner, below, below + 1, corner, below + 1, corner + 1",
+add("Export.gltf-triangles-inside-out", "ExportFiles.cxx", "corner, below, below + 1, corner, below + 1, corner + 1",
     "corner, below + 1, below, corner, corner + 1, below + 1", "ExportFiles.VtkReadsGltf")
-add("Export.gltf-extension-not-declared", "GltfFile.cxx", "    used.push_back(extension);\n", "",
+add("Export.gltf-extension-not-declared", "ExportFiles.cxx", "    used.push_back(extension);\n", "",
     "ExportFiles.GltfHasTheExtensionsThatAreUsed")
 
 add("Material.map-weights-fall-below-0", "vtkMaterialMap.cxx",

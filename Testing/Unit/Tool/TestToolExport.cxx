@@ -5,7 +5,6 @@
 #include "ExportFiles.h"
 #include "LitSphere.h"
 #include "PBRShading.h"
-#include "SpherePicture.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"

@@ -3,14 +3,9 @@
 // The exact picture of a sphere against one that is integrated to a tenth of its tolerance.
 
 #include "AnisotropicWarp.h"
-#include "BackgroundWork.h"
-#include "BlockTolerance.h"
 #include "Methods.h"
-#include "PixelBlocks.h"
 #include "Progress.h"
-#include "ReferenceLimit.h"
 #include "ReferencePicture.h"
-#include "ReferenceSample.h"
 #include "Tool.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAdaptiveWarpBRDF.h"

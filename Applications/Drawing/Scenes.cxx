@@ -1,0 +1,634 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scenes.h"
+
+#include "ParallelFor.h"
+#include "Progress.h"
+#include "Tool.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkDataArrayRange.h"
+#include "vtkEnvironment.h"
+#include "vtkFloatArray.h"
+#include "vtkFramebufferPass.h"
+#include "vtkImageData.h"
+#include "vtkLightSetRadianceIntegrator.h"
+#include "vtkMath.h"
+#include "vtkMeasuredBRDFMapper.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLTexture.h"
+#include "vtkPBRIrradianceTexture.h"
+#include "vtkPBRLUTTexture.h"
+#include "vtkPBRPrefilterTexture.h"
+#include "vtkPixelBufferObject.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+#include "vtkRadianceIntegrator.h"
+#include "vtkRadiancePlanner.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTexture.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <sstream>
+
+namespace tool
+{
+namespace
+{
+// The mapper puts out radiance^(1/2.2), as VTK's own physically based shading does.
+constexpr double OutputGamma = 2.2;
+}
+
+//------------------------------------------------------------------------------
+OffscreenScene::OffscreenScene(vtkOpenGLPolyDataMapper* mapper)
+  : StageMapper(mapper)
+{
+  mapper->ScalarVisibilityOff(); // the material alone, whatever else the mesh holds
+  this->Actor->SetMapper(mapper);
+  this->Renderer->AddActor(this->Actor);
+  this->Renderer->AutomaticLightCreationOff(); // all light comes from the environment
+  this->Renderer->SetBackground(0.0, 0.0, 0.0);
+  this->Renderer->SetBackgroundAlpha(0.0);
+
+  vtkNew<vtkRenderStepsPass> steps;
+  this->Pass->SetDelegatePass(steps);
+  this->Pass->SetColorFormat(vtkTextureObject::Float32);
+  this->Pass->SetDepthFormat(vtkTextureObject::Float32);
+  this->Renderer->SetPass(this->Pass);
+
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetMultiSamples(0);
+  this->Window->AddRenderer(this->Renderer);
+}
+
+//------------------------------------------------------------------------------
+OffscreenScene::~OffscreenScene() = default;
+
+//------------------------------------------------------------------------------
+void OffscreenScene::SetMesh(vtkPolyData* mesh) { this->StageMapper->SetInputData(mesh); }
+
+//------------------------------------------------------------------------------
+void OffscreenScene::SetView(double azimuth, double elevation, double fill, double angle)
+{
+  this->Azimuth = azimuth;
+  this->Elevation = elevation;
+  this->Fill = fill;
+  this->ViewAngle = angle;
+}
+
+//------------------------------------------------------------------------------
+void OffscreenScene::SetCamera(vtkCamera* camera) { this->Camera = camera; }
+
+//------------------------------------------------------------------------------
+void OffscreenScene::PlaceCamera(int width, int height)
+{
+  if (this->Camera)
+  {
+    vtkCamera* active = this->Renderer->GetActiveCamera();
+    active->SetPosition(this->Camera->GetPosition());
+    active->SetFocalPoint(this->Camera->GetFocalPoint());
+    active->SetViewUp(this->Camera->GetViewUp());
+    active->SetViewAngle(this->Camera->GetViewAngle());
+    this->ViewAngle = this->Camera->GetViewAngle();
+    this->Renderer->ResetCameraClippingRange();
+    return;
+  }
+  double bounds[6];
+  this->StageMapper->GetBounds(bounds);
+  double center[3];
+  double radius = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    center[c] = 0.5 * (bounds[2 * c] + bounds[2 * c + 1]);
+  }
+  vtkPolyData* mesh = this->StageMapper->GetInput();
+  for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k)
+  {
+    radius = std::max(radius, vtkMath::Distance2BetweenPoints(mesh->GetPoint(k), center));
+  }
+  radius = std::sqrt(radius);
+
+  const double azimuth = vtkMath::RadiansFromDegrees(this->Azimuth);
+  const double elevation = vtkMath::RadiansFromDegrees(this->Elevation);
+  const double direction[3] = { std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+    std::cos(elevation) * std::cos(azimuth) };
+  // A sphere seen under the angle a has the apparent radius tan(a) = R / sqrt(d^2 - R^2).
+  const double share = this->Fill * std::min(1.0, static_cast<double>(width) / height) *
+                       std::tan(vtkMath::RadiansFromDegrees(0.5 * this->ViewAngle));
+  const double distance = radius * std::sqrt(1.0 + 1.0 / (share * share));
+
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetViewAngle(this->ViewAngle);
+  camera->SetFocalPoint(center);
+  camera->SetPosition(center[0] + distance * direction[0], center[1] + distance * direction[1],
+    center[2] + distance * direction[2]);
+  // Straight from above or below, up is where the azimuth looks to.
+  const double sign = this->Elevation > 0.0 ? -1.0 : 1.0;
+  std::abs(this->Elevation) < 89.9
+    ? camera->SetViewUp(0.0, 1.0, 0.0)
+    : camera->SetViewUp(sign * std::sin(azimuth), 0.0, sign * std::cos(azimuth));
+  camera->SetClippingRange(distance - 1.05 * radius, distance + 1.05 * radius);
+}
+
+//------------------------------------------------------------------------------
+Picture OffscreenScene::Render(int width, int height)
+{
+  this->PlaceCamera(width, height);
+  Picture picture = this->Capture(width, height);
+  Decode(picture);
+  return picture;
+}
+
+//------------------------------------------------------------------------------
+Picture OffscreenScene::Capture(int width, int height)
+{
+  this->Window->SetSize(width, height);
+  this->Window->Render();
+  Interruptible::Check();
+  const std::string errors = TakeErrorText();
+  if (!errors.empty())
+  {
+    throw Error("rendering: " + errors);
+  }
+
+  vtkTextureObject* texture = this->Pass->GetColorTexture();
+  if (!texture || static_cast<int>(texture->GetWidth()) != width ||
+      static_cast<int>(texture->GetHeight()) != height)
+  {
+    throw Error("rendering: this graphics driver can't render " + std::to_string(width) + "x" +
+                std::to_string(height) + " pixels");
+  }
+  Picture picture(width, height);
+  unsigned int size[2] = { static_cast<unsigned int>(width), static_cast<unsigned int>(height) };
+  vtkIdType increments[2] = { 0, 0 };
+  const auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(texture->Download());
+  if (!buffer || !buffer->Download2D(VTK_FLOAT, picture.Pixels.data(), size, 4, increments))
+  {
+    throw Error("rendering: the float picture can't be read back");
+  }
+  return picture;
+}
+
+//------------------------------------------------------------------------------
+void OffscreenScene::Decode(Picture& picture) const
+{
+  const auto unit = static_cast<float>(this->Unit);
+  for (std::size_t k = 0; k < picture.Pixels.size(); ++k)
+  {
+    if (k % 4 != 3)
+    {
+      picture.Pixels[k] =
+        unit * std::pow(std::max(0.0f, picture.Pixels[k]), static_cast<float>(OutputGamma));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+double OffscreenScene::TimeFrame()
+{
+  const auto begin = std::chrono::steady_clock::now();
+  this->Window->Render();
+  this->Window->WaitForCompletion();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+    .count();
+}
+
+//------------------------------------------------------------------------------
+void OffscreenScene::Open(int width, int height)
+{
+  this->Actor->VisibilityOff();
+  this->Window->SetSize(width, height);
+  this->PlaceCamera(width, height);
+  this->TimeFrame();
+  this->Actor->VisibilityOn();
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> OffscreenScene::GetEye() const
+{
+  std::array<double, 3> eye;
+  this->Renderer->GetActiveCamera()->GetPosition(eye.data());
+  return eye;
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> OffscreenScene::GetRay(double x, double y, int width, int height) const
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  double forward[3];
+  double up[3];
+  double right[3];
+  camera->GetDirectionOfProjection(forward);
+  camera->GetViewUp(up);
+  vtkMath::Cross(forward, up, right);
+  vtkMath::Normalize(right);
+  vtkMath::Cross(right, forward, up);
+  const double scale = std::tan(vtkMath::RadiansFromDegrees(0.5 * this->ViewAngle));
+  const double a = scale * (2.0 * x - width) / height;
+  const double b = scale * (2.0 * y - height) / height;
+  std::array<double, 3> ray;
+  for (int c = 0; c < 3; ++c)
+  {
+    ray[c] = forward[c] + a * right[c] + b * up[c];
+  }
+  vtkMath::Normalize(ray.data());
+  return ray;
+}
+
+//------------------------------------------------------------------------------
+std::string OffscreenScene::GetRendererName()
+{
+  return this->GetCapability("OpenGL renderer string");
+}
+
+//------------------------------------------------------------------------------
+std::string OffscreenScene::GetCapability(const std::string& name)
+{
+  std::istringstream lines(this->Window->ReportCapabilities());
+  const std::string key = name + ":";
+  for (std::string line; std::getline(lines, line);)
+  {
+    if (line.compare(0, key.size(), key) == 0)
+    {
+      const std::size_t begin = line.find_first_not_of(' ', key.size());
+      return begin == std::string::npos ? "" : line.substr(begin);
+    }
+  }
+  return "unknown";
+}
+
+namespace
+{
+// Albedos that are tried for each channel.
+constexpr int NumberOfAlbedos = 200;
+constexpr std::size_t HalfBytes = 2;
+
+/// Radiance of one channel of the pixels under albedos 0, 1/2 and 1.
+using Samples = std::array<std::vector<double>, 3>;
+
+//------------------------------------------------------------------------------
+// Least sum |x - r| of a channel over albedos in [0,1], and that albedo.
+double FitAlbedo(
+  const Samples& samples, const std::vector<double>& reference, std::size_t channel, double& best)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k <= NumberOfAlbedos; ++k)
+  {
+    const double a = static_cast<double>(k) / NumberOfAlbedos;
+    const double weights[3] = { (1.0 - a) * (1.0 - 2.0 * a), 4.0 * a * (1.0 - a),
+      a * (2.0 * a - 1.0) };
+    double sum = 0.0;
+    for (std::size_t p = channel; p < reference.size(); p += 3)
+    {
+      sum += std::abs(weights[0] * samples[0][p] + weights[1] * samples[1][p] +
+                      weights[2] * samples[2][p] - reference[p]);
+    }
+    if (sum < least)
+    {
+      least = sum;
+      best = a;
+    }
+  }
+  return least;
+}
+}
+
+//------------------------------------------------------------------------------
+StockLight::StockLight(vtkEnvironment* environment)
+  : Image(vtkSmartPointer<vtkImageData>::Take(environment->NewImageData()))
+{
+  double total[3];
+  environment->GetTotal(total);
+  const double mean = vtkEnvironment::GetLuminance(total) / (4.0 * vtkMath::Pi());
+  this->Unit = mean > 0.0 ? std::exp2(std::round(std::log2(mean))) : 1.0;
+  auto* radiance = vtkFloatArray::SafeDownCast(this->Image->GetPointData()->GetScalars());
+  for (float& value : vtk::DataArrayValueRange(radiance))
+  {
+    value = static_cast<float>(static_cast<double>(value) / this->Unit);
+  }
+}
+
+//------------------------------------------------------------------------------
+StockScene::StockScene()
+  : OffscreenScene(vtkSmartPointer<vtkOpenGLPolyDataMapper>::New())
+{
+  this->Actor->GetProperty()->SetInterpolationToPBR();
+}
+
+//------------------------------------------------------------------------------
+void StockScene::SetLight(vtkEnvironment* environment)
+{
+  const StockLight light(environment);
+  this->Unit = light.Unit;
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(light.Image);
+  texture->SetColorModeToDirectScalars();
+  texture->MipmapOn();
+  texture->InterpolateOn();
+  this->Renderer->UseImageBasedLightingOn();
+  this->Renderer->SetEnvironmentTexture(texture);
+  double rows[9]; // of a rotation from the world: where the environment's axes point
+  environment->GetWorldToEnvironment(rows);
+  this->Renderer->SetEnvironmentRight(rows);
+  this->Renderer->SetEnvironmentUp(rows + 3);
+}
+
+//------------------------------------------------------------------------------
+void StockScene::SetMaterial(const StockMaterial& material)
+{
+  vtkProperty* property = this->Actor->GetProperty();
+  property->SetRoughness(material.Roughness);
+  property->SetMetallic(material.Metallic);
+  const double power = 1.0 / this->ColorExponent;
+  property->SetColor(std::pow(material.Albedo[0], power), std::pow(material.Albedo[1], power),
+    std::pow(material.Albedo[2], power));
+}
+
+//------------------------------------------------------------------------------
+void StockScene::FindColorExponent(const Surface& surface, const Size& size)
+{
+  // Without a metallic part radiance is linear in the albedo.
+  this->ColorExponent = 1.0;
+  double sums[3] = {};
+  for (int k = 0; k < 3; ++k)
+  {
+    StockMaterial material;
+    material.Albedo.fill(0.5 * k);
+    this->SetMaterial(material);
+    const std::vector<double> rgb = Pick(this->Render(size.Width, size.Height), surface);
+    sums[k] = std::accumulate(rgb.begin(), rgb.end(), 0.0);
+  }
+  const double share = (sums[1] - sums[0]) / (sums[2] - sums[0]);
+  this->ColorExponent = share < 0.35 ? 2.2 : 1.0; // 0.22 or 0.5
+}
+
+//------------------------------------------------------------------------------
+StockMaterial StockScene::Fit(
+  const Surface& surface, const Size& size, const std::vector<double>& reference)
+{
+  this->FindColorExponent(surface, size);
+  StockMaterial best;
+  double least = std::numeric_limits<double>::infinity();
+  const auto attempt = [&](double roughness, double metallic)
+  {
+    Interruptible::Check();
+    StockMaterial material{ roughness, metallic, {} };
+    Samples samples;
+    for (int k = 0; k < 3; ++k)
+    {
+      material.Albedo.fill(0.5 * k);
+      this->SetMaterial(material);
+      samples[k] = Pick(this->Render(size.Width, size.Height), surface);
+    }
+    double error = 0.0;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      error += FitAlbedo(samples, reference, c, material.Albedo[c]);
+    }
+    if (error < least)
+    {
+      least = error;
+      best = material;
+    }
+  };
+  ProgressBar bar("fitting VTK's material");
+  for (int k = 0; k <= 5; ++k)
+  {
+    for (const double metallic : { 0.0, 0.5, 1.0 })
+    {
+      attempt(0.2 * k, metallic);
+    }
+    bar.Update((k + 1) / 8.0);
+  }
+  for (const double step : { 0.1, 0.05 })
+  {
+    const StockMaterial center = best;
+    for (const double r : { -step, 0.0, step })
+    {
+      for (const double m : { -2.5 * step, 0.0, 2.5 * step })
+      {
+        const double roughness = center.Roughness + r;
+        const double metallic = center.Metallic + m;
+        if ((r != 0.0 || m != 0.0) && roughness >= 0.0 && roughness <= 1.0 && metallic >= 0.0 &&
+            metallic <= 1.0)
+        {
+          attempt(roughness, metallic);
+        }
+      }
+    }
+    bar.Update(step == 0.1 ? 7.0 / 8.0 : 1.0);
+  }
+  this->SetMaterial(best);
+  return best;
+}
+
+//------------------------------------------------------------------------------
+std::size_t StockScene::GetTextureBytes()
+{
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer);
+  if (!renderer)
+  {
+    return 0;
+  }
+  constexpr std::size_t faces = 6;
+  const auto count = [](vtkOpenGLTexture* texture, std::size_t bytesPerTexel)
+  {
+    vtkTextureObject* object = texture ? texture->GetTextureObject() : nullptr;
+    return object ? bytesPerTexel * object->GetWidth() * object->GetHeight() : 0;
+  };
+  const auto withLevels = [](std::size_t bytes) { return bytes * 4 / 3; };
+  const std::size_t environment = withLevels(count(
+    vtkOpenGLTexture::SafeDownCast(this->Renderer->GetEnvironmentTexture()), 3 * sizeof(float)));
+  const std::size_t table = count(renderer->GetEnvMapLookupTable(), 2 * HalfBytes);
+  const std::size_t prefiltered =
+    withLevels(faces * count(renderer->GetEnvMapPrefiltered(), 3 * HalfBytes));
+  const std::size_t irradiance = renderer->GetUseSphericalHarmonics()
+                                   ? 0
+                                   : faces * count(renderer->GetEnvMapIrradiance(), 3 * HalfBytes);
+  return environment + table + prefiltered + irradiance;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> Pick(const Picture& picture, const Surface& surface)
+{
+  std::vector<double> rgb;
+  for (const int pixel : surface.Pixels)
+  {
+    const float* value = &picture.Pixels[4 * static_cast<std::size_t>(pixel)];
+    rgb.insert(rgb.end(), value, value + 3);
+  }
+  return rgb;
+}
+
+//------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
+Scene::Scene()
+  : Scene(vtkSmartPointer<vtkMeasuredBRDFMapper>::New())
+{
+}
+
+//------------------------------------------------------------------------------
+Scene::Scene(vtkMeasuredBRDFMapper* mapper)
+  : OffscreenScene(mapper)
+  , Mapper(mapper)
+{
+  this->Mapper->AddObserver(vtkCommand::ProgressEvent, this, &Scene::OnProgress);
+}
+
+//------------------------------------------------------------------------------
+Scene::~Scene() = default;
+
+//------------------------------------------------------------------------------
+// VTK's mappers raise it at the end of each frame, too, with 1.
+void Scene::OnProgress(vtkObject*, unsigned long, void* share)
+{
+  const double done = share ? *static_cast<double*>(share) : 1.0;
+  if (done >= 1.0)
+  {
+    this->Bar.reset();
+    return;
+  }
+  if (!this->Bar)
+  {
+    this->Bar = std::make_unique<ProgressBar>("planning");
+  }
+  this->Bar->Update(done);
+  if (Interruptible::IsInterrupted())
+  {
+    this->Mapper->SetAbortPlanning(true);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Scene::SetMaterial(vtkBRDF* brdf) { this->Mapper->SetBRDF(brdf); }
+
+//------------------------------------------------------------------------------
+void Scene::SetLight(vtkEnvironment* environment, vtkRadianceIntegrator* integrator)
+{
+  this->Integrator = integrator;
+  this->Mapper->SetEnvironment(environment);
+  this->Mapper->SetIntegrator(integrator);
+}
+
+//------------------------------------------------------------------------------
+void Scene::SetLight(vtkEnvironment* environment, const LightSetOptions& lights)
+{
+  vtkNew<vtkLightSetRadianceIntegrator> loop;
+  loop->SetLightSet(MakeLightSet(environment, lights));
+  loop->SetSoftLights(lights.Soft);
+  this->SetLight(environment, loop);
+}
+
+//------------------------------------------------------------------------------
+void Scene::SetLightSet(vtkLightSet* lights)
+{
+  vtkNew<vtkLightSetRadianceIntegrator> loop;
+  loop->SetLightSet(lights);
+  this->Mapper->SetIntegrator(lights ? loop : this->Integrator.Get());
+}
+
+//------------------------------------------------------------------------------
+void Scene::ModelOcclusion(vtkMeasuredBRDFMapper::OcclusionModeType mode, bool bounce)
+{
+  this->Mapper->SetOcclusionMode(mode);
+  this->Mapper->SetOcclusionBounce(bounce);
+}
+
+//------------------------------------------------------------------------------
+void Scene::SetPlan(const PlanOptions& options)
+{
+  this->Mapper->SetErrorTolerance(options.Tolerance);
+  this->Mapper->SetMaximumCost(options.MaximumCost);
+  this->Mapper->SetPlanForView(options.ForView);
+}
+
+//------------------------------------------------------------------------------
+void Scene::Begin(Method& method, vtkEnvironment* environment, const PlanOptions& options)
+{
+  if (!method.Integrator)
+  {
+    this->SetPlan(options);
+  }
+  this->SetMaterial(method.BRDF);
+  this->SetLight(environment, method.Integrator);
+  this->TimeFrame();
+  if (method.Integrator)
+  {
+    return;
+  }
+  method.Integrator = this->Mapper->GetCurrentIntegrator();
+  method.Planner = this->Mapper->GetCurrentPlanner();
+  if (!method.Planner)
+  {
+    throw Error("planning: " + TakeErrorText());
+  }
+}
+
+//------------------------------------------------------------------------------
+void Scene::Look(int width, int height, VisiblePairs& seen)
+{
+  this->Open(width, height);
+  this->PlaceCamera(width, height);
+  this->Mapper->GetVisiblePairs(this->Renderer, this->Actor, seen.Normals, seen.Views);
+}
+
+//------------------------------------------------------------------------------
+std::string Scene::GetPlan() { return this->Mapper->GetPlan(); }
+
+//------------------------------------------------------------------------------
+void Scene::HoldPlan(const Method& method, vtkEnvironment* environment)
+{
+  if (this->Mapper->GetOcclusionMode() == vtkMeasuredBRDFMapper::OCCLUSION_AUTO &&
+      this->GetPlan().find(", modeled") != std::string::npos)
+  {
+    this->Mapper->SetOcclusionModeToOn(); // which a method that is not planned does not find
+  }
+  this->SetLight(environment, method.Integrator);
+}
+
+//------------------------------------------------------------------------------
+std::size_t Scene::GetTextureBytes()
+{
+  return static_cast<std::size_t>(this->Mapper->GetTextureBytes());
+}
+
+//------------------------------------------------------------------------------
+void ComposeOver(
+  Picture& picture, const OffscreenScene& scene, const Backdrop& backdrop, double exposure)
+{
+  measuredbrdf::ParallelFor(0, picture.Height,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int y = static_cast<int>(begin); y < end; ++y)
+      {
+        for (int x = 0; x < picture.Width; ++x)
+        {
+          float* pixel = picture.At(x, y);
+          const double alpha = std::clamp<double>(pixel[3], 0.0, 1.0);
+          RGB behind{};
+          if (alpha < 1.0)
+          {
+            behind = backdrop.Look(scene.GetRay(x + 0.5, y + 0.5, picture.Width, picture.Height));
+          }
+          for (int c = 0; c < 3; ++c)
+          {
+            pixel[c] =
+              static_cast<float>(exposure * (alpha * pixel[c] + (1.0 - alpha) * behind[c]));
+          }
+          pixel[3] = 1.0f;
+        }
+      }
+    });
+}
+} // namespace tool
