@@ -47,7 +47,7 @@ if localedef -i de_DE -f UTF-8 "$PWD/build/$locale" 2>/dev/null || [ -d "build/$
 else
   echo "Not run with decimal commas: localedef made no locale $locale (Debian's package locales has it)"
 fi
-export MEASUREDBRDF_FUZZ_SECONDS=8 # each of the readers' fuzz targets
+export MEASUREDBRDF_FUZZ_SECONDS=3 # each of the readers' fuzz targets
 status=0
 xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
   ctest --test-dir build --output-on-failure --output-junit ctest.xml -j "$jobs" "$@" || status=$?

@@ -21,6 +21,7 @@
 #include "vtkSmartPointer.h"
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 
 struct BenchmarkCase
@@ -29,7 +30,6 @@ struct BenchmarkCase
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkNew<vtkDoubleArray> Normals, Views, Reference;
 
-  // Files of the data folder, or embedded ones.
   BenchmarkCase(const std::string& material, const std::string& light)
     : BenchmarkCase(FindBRDF(material), light)
   {
@@ -49,15 +49,15 @@ struct BenchmarkCase
     }
   }
 
+  // The name of an embedded one, or a file: its path, or its name in the data folder.
   static vtkSmartPointer<vtkEnvironment> FindEnvironment(const std::string& light)
   {
     if (light.find('.') == std::string::npos)
     {
       return vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment(light));
     }
-    const std::string folder = MEASUREDBRDF_SHARED_DATA;
     vtkNew<vtkEnvironmentReader> map;
-    map->SetFileName(folder + "/environments/" + light);
+    map->SetFileName(FindFile("environments", light));
     map->GlobalWarningDisplayOff();
     return map->Read() ? map->GetEnvironment() : nullptr;
   }
@@ -68,11 +68,16 @@ struct BenchmarkCase
     {
       return vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
     }
-    const std::string folder = MEASUREDBRDF_SHARED_DATA;
     vtkNew<vtkBRDFReader> reader;
-    reader->SetFileName(folder + "/materials/" + name);
+    reader->SetFileName(FindFile("materials", name));
     reader->GlobalWarningDisplayOff();
     return reader->Read() ? reader->GetBRDF() : nullptr;
+  }
+
+  static std::string FindFile(const std::string& kind, const std::string& name)
+  {
+    const std::string inData = std::string(MEASUREDBRDF_SHARED_DATA "/") + kind + "/" + name;
+    return std::filesystem::exists(inData) ? inData : name;
   }
 
   // Relative L1.

@@ -153,16 +153,6 @@ public:
     this->Renderer->ResetCameraClippingRange();
   }
 
-  // Wall-clock ms until the frame is drawn.
-  double Draw()
-  {
-    const auto begin = std::chrono::steady_clock::now();
-    this->Window->Render();
-    this->Window->WaitForCompletion();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
-      .count();
-  }
-
   std::string GetRendererName()
   {
     this->Draw(); // makes the context
@@ -187,12 +177,6 @@ private:
 };
 
 constexpr double Slowest = 1000.0; // ms: frames beyond are not drawn again
-
-double GetMedian(std::vector<double>& times)
-{
-  std::sort(times.begin(), times.end());
-  return times[times.size() / 2];
-}
 
 // Medians, of pictures drawn in turns; NaN where a frame takes too long.
 std::vector<double> TimeInTurns(std::vector<std::unique_ptr<Picture>>& pictures, int rounds)

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One evaluation of each representation, and how fast files are read.
+// How long it takes to evaluate materials: one pair of directions after the other, and many pairs
+// by one call, which may use several threads.
+#include "BenchmarkCase.h"
 #include "vtkAshikhminShirleyBRDF.h"
-#include "vtkBRDFReader.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDF.h"
 #include "vtkDoubleArray.h"
-#include "vtkEmbeddedMaterials.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -16,10 +16,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <random>
 #include <string>
 #include <vector>
@@ -43,8 +39,58 @@ std::vector<Vector> NewDirections()
   return directions;
 }
 
-void Evaluate(benchmark::State& state, vtkBRDF* brdf)
+vtkSmartPointer<vtkBRDF> NewTable(int parameterization)
 {
+  const int size[3] = { 180, 90, 90 };
+  auto table = vtkSmartPointer<vtkTabulatedBRDF>::New();
+  table->SetVolume(parameterization, vtkTabulatedBRDF::HALF_TURN, size,
+    std::vector<float>(3 * std::size_t(size[0]) * size[1] * size[2], 0.25f));
+  return table;
+}
+
+// Models and tables of MERL's size, embedded materials, or a file of the data folder; null where
+// this build or this machine has none.
+vtkSmartPointer<vtkBRDF> NewMaterial(const std::string& name)
+{
+  if (name == "Lambert")
+  {
+    return vtkSmartPointer<vtkLambertBRDF>::New();
+  }
+  if (name == "Blinn-Phong")
+  {
+    return vtkSmartPointer<vtkBlinnPhongBRDF>::New();
+  }
+  if (name == "Ashikhmin-Shirley")
+  {
+    return vtkSmartPointer<vtkAshikhminShirleyBRDF>::New();
+  }
+  if (name == "distribution")
+  {
+    auto brdf = vtkSmartPointer<vtkDistributionBRDF>::New();
+    const double f0[3] = { 0.04, 0.04, 0.04 };
+    brdf->SetBlinnDistribution(100.0);
+    brdf->SetSchlickFresnel(f0);
+    return brdf;
+  }
+  if (name == "half/difference")
+  {
+    return NewTable(vtkTabulatedBRDF::HALF_DIFFERENCE);
+  }
+  if (name == "incident/outgoing")
+  {
+    return NewTable(vtkTabulatedBRDF::INCIDENT_OUTGOING);
+  }
+  return BenchmarkCase::FindBRDF(name);
+}
+
+void Evaluate(benchmark::State& state, const std::string& name)
+{
+  const vtkSmartPointer<vtkBRDF> brdf = NewMaterial(name);
+  if (!brdf)
+  {
+    state.SkipWithError("there is no such material here");
+    return;
+  }
   brdf->Prepare();
   const std::vector<Vector> directions = NewDirections();
   std::size_t k = 0;
@@ -58,68 +104,11 @@ void Evaluate(benchmark::State& state, vtkBRDF* brdf)
   state.SetItemsProcessed(state.iterations());
 }
 
-template <typename BRDF>
-void EvaluateAnalytic(benchmark::State& state)
-{
-  Evaluate(state, vtkNew<BRDF>());
-}
-BENCHMARK_TEMPLATE(EvaluateAnalytic, vtkLambertBRDF);
-BENCHMARK_TEMPLATE(EvaluateAnalytic, vtkBlinnPhongBRDF);
-BENCHMARK_TEMPLATE(EvaluateAnalytic, vtkAshikhminShirleyBRDF);
-
-void EvaluateDistribution(benchmark::State& state)
-{
-  vtkNew<vtkDistributionBRDF> brdf;
-  const double f0[3] = { 0.04, 0.04, 0.04 };
-  brdf->SetBlinnDistribution(100.0);
-  brdf->SetSchlickFresnel(f0);
-  Evaluate(state, brdf);
-}
-BENCHMARK(EvaluateDistribution);
-
-void EvaluateTable(benchmark::State& state)
-{
-  const int parameterization = static_cast<int>(state.range(0));
-  const int size[3] = { 180, 90, 90 };
-  vtkNew<vtkTabulatedBRDF> brdf;
-  brdf->SetVolume(parameterization, vtkTabulatedBRDF::HALF_TURN, size,
-    std::vector<float>(3 * std::size_t(size[0]) * size[1] * size[2], 0.25f));
-  Evaluate(state, brdf);
-  state.SetLabel(parameterization == vtkTabulatedBRDF::HALF_DIFFERENCE ? "half/difference"
-                                                                       : "incident/outgoing");
-}
-BENCHMARK(EvaluateTable)
-  ->Arg(vtkTabulatedBRDF::HALF_DIFFERENCE)
-  ->Arg(vtkTabulatedBRDF::INCIDENT_OUTGOING);
-
-const char* const AdaptiveFile = MEASUREDBRDF_SHARED_DATA "/materials/rgl/satin_purple_rgb.bsdf";
-
-void EvaluateAdaptiveWarp(benchmark::State& state)
-{
-  vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(AdaptiveFile);
-  if (!std::filesystem::exists(AdaptiveFile) || !reader->Read())
-  {
-    state.SkipWithError("no measured data beside the checkout");
-    return;
-  }
-  Evaluate(state, reader->GetBRDF());
-}
-BENCHMARK(EvaluateAdaptiveWarp);
-
-// Many pairs: one call for each, one call for all (several threads).
 constexpr int Pairs = 1 << 16;
-enum Form
-{
-  SCALAR_LOOP,
-  DOUBLE_ARRAYS,
-  FLOAT_ARRAYS
-};
 
-vtkSmartPointer<vtkDataArray> NewTuples(Form form, std::size_t factor)
+vtkSmartPointer<vtkDataArray> NewTuples(int type, std::size_t factor)
 {
-  auto array = vtkSmartPointer<vtkDataArray>::Take(
-    vtkDataArray::CreateDataArray(form == FLOAT_ARRAYS ? VTK_FLOAT : VTK_DOUBLE));
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
   array->SetNumberOfComponents(3);
   const std::vector<Vector> directions = NewDirections();
   for (std::size_t k = 0; k < Pairs; ++k)
@@ -129,19 +118,24 @@ vtkSmartPointer<vtkDataArray> NewTuples(Form form, std::size_t factor)
   return array;
 }
 
-void EvaluatePairs(benchmark::State& state, vtkBRDF* brdf)
+// The type of the arrays; VTK_VOID: one call for each pair.
+void EvaluatePairs(benchmark::State& state, const std::string& name, int type)
 {
-  const char* const labels[] = { "scalar loop", "double arrays", "float arrays" };
-  const Form form = static_cast<Form>(state.range(0));
-  const auto i = NewTuples(form, 1);
-  const auto o = NewTuples(form, 7);
+  const vtkSmartPointer<vtkBRDF> brdf = NewMaterial(name);
+  if (!brdf)
+  {
+    state.SkipWithError("there is no such material here");
+    return;
+  }
+  const auto i = NewTuples(type == VTK_VOID ? VTK_DOUBLE : type, 1);
+  const auto o = NewTuples(type == VTK_VOID ? VTK_DOUBLE : type, 7);
   auto f = vtkSmartPointer<vtkDataArray>::Take(i->NewInstance());
   f->SetNumberOfComponents(3);
   f->SetNumberOfTuples(Pairs);
   brdf->Prepare();
   for (auto _ : state)
   {
-    if (form != SCALAR_LOOP)
+    if (type != VTK_VOID)
     {
       brdf->EvaluateArray(i, o, f);
       continue;
@@ -155,101 +149,27 @@ void EvaluatePairs(benchmark::State& state, vtkBRDF* brdf)
     }
   }
   state.SetItemsProcessed(state.iterations() * Pairs);
-  state.SetLabel(labels[form]);
 }
 
-void EvaluatePairsLambert(benchmark::State& state)
+[[maybe_unused]] const bool Registered = []()
 {
-  EvaluatePairs(state, vtkNew<vtkLambertBRDF>());
-}
-BENCHMARK(EvaluatePairsLambert)
-  ->DenseRange(SCALAR_LOOP, FLOAT_ARRAYS)
-  ->MeasureProcessCPUTime()
-  ->UseRealTime();
-
-void EvaluatePairsEmbedded(benchmark::State& state, const char* name)
-{
-  const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
-  if (!brdf)
+  for (const std::string name : { "Lambert", "Blinn-Phong", "Ashikhmin-Shirley", "distribution",
+         "half/difference", "incident/outgoing", "rgl/satin_purple_rgb.bsdf" })
   {
-    state.SkipWithError("this build has no such material");
-    return;
+    benchmark::RegisterBenchmark(("Evaluate/" + name).c_str(), Evaluate, name);
   }
-  EvaluatePairs(state, brdf);
-}
-BENCHMARK_CAPTURE(EvaluatePairsEmbedded, fit, "gold-paint")
-  ->DenseRange(SCALAR_LOOP, FLOAT_ARRAYS)
-  ->MeasureProcessCPUTime()
-  ->UseRealTime();
-BENCHMARK_CAPTURE(EvaluatePairsEmbedded, table, "blue-car-paint")
-  ->DenseRange(SCALAR_LOOP, FLOAT_ARRAYS)
-  ->MeasureProcessCPUTime()
-  ->UseRealTime();
-
-void EvaluatePairsAdaptiveWarp(benchmark::State& state)
-{
-  vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(AdaptiveFile);
-  if (!std::filesystem::exists(AdaptiveFile) || !reader->Read())
+  for (const std::string name :
+    { "Lambert", "gold-paint", "blue-car-paint", "rgl/satin_purple_rgb.bsdf" })
   {
-    state.SkipWithError("no measured data beside the checkout");
-    return;
-  }
-  EvaluatePairs(state, reader->GetBRDF());
-}
-BENCHMARK(EvaluatePairsAdaptiveWarp)
-  ->DenseRange(SCALAR_LOOP, FLOAT_ARRAYS)
-  ->MeasureProcessCPUTime()
-  ->UseRealTime();
-
-// A file of MERL's size (90 x 90 x 180 RGB doubles, 35 MB) with made-up values.
-void ReadMERL(benchmark::State& state)
-{
-  const std::string name =
-    (std::filesystem::temp_directory_path() / "vtkMeasuredBRDFBenchmark.binary").string();
-  const std::int32_t size[3] = { 90, 90, 180 };
-  std::vector<double> values(3 * std::size_t(90) * 90 * 180);
-  for (std::size_t k = 0; k < values.size(); ++k)
-  {
-    values[k] = 1.0 + static_cast<double>(k % 1000);
-  }
-  {
-    std::ofstream file(name, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(size), sizeof(size));
-    file.write(reinterpret_cast<const char*>(values.data()),
-      static_cast<std::streamsize>(values.size() * sizeof(double)));
-  }
-  for (auto _ : state)
-  {
-    vtkNew<vtkBRDFReader> reader;
-    reader->SetFileName(name);
-    if (!reader->Read())
+    for (const auto& [type, form] : { std::pair(VTK_VOID, "scalar loop"),
+           std::pair(VTK_DOUBLE, "double arrays"), std::pair(VTK_FLOAT, "float arrays") })
     {
-      state.SkipWithError(reader->GetErrorMessage().c_str());
-      break;
+      benchmark::RegisterBenchmark(
+        ("EvaluatePairs/" + name + "/" + form).c_str(), EvaluatePairs, name, type)
+        ->MeasureProcessCPUTime()
+        ->UseRealTime();
     }
   }
-  state.SetBytesProcessed(
-    state.iterations() * static_cast<std::int64_t>(values.size() * sizeof(double)));
-  std::filesystem::remove(name);
-}
-BENCHMARK(ReadMERL)->UseRealTime()->Unit(benchmark::kMillisecond);
-
-void ReadAdaptiveWarp(benchmark::State& state)
-{
-  if (!std::filesystem::exists(AdaptiveFile))
-  {
-    state.SkipWithError("no measured data beside the checkout");
-    return;
-  }
-  for (auto _ : state)
-  {
-    vtkNew<vtkBRDFReader> reader;
-    reader->SetFileName(AdaptiveFile);
-    reader->Read();
-  }
-  state.SetBytesProcessed(
-    state.iterations() * static_cast<std::int64_t>(std::filesystem::file_size(AdaptiveFile)));
-}
-BENCHMARK(ReadAdaptiveWarp)->UseRealTime()->Unit(benchmark::kMillisecond);
+  return true;
+}();
 } // namespace

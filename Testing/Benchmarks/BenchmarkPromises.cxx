@@ -4,18 +4,14 @@
 // picture, --for-view), and the error of the chosen method in pictures of several shapes, against
 // the reference. A line of CSV for each picture, then how many promises were broken, by how much,
 // and how far the predictions were off. Minutes for each tolerance; errors, not times.
-#include "EverywherePairs.h"
+#include "BenchmarkCase.h"
 #include "OcclusionMeshes.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkBRDF.h"
-#include "vtkBRDFReader.h"
 #include "vtkContourFilter.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkEmbeddedEnvironments.h"
-#include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
-#include "vtkEnvironmentReader.h"
 #include "vtkGenericCell.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -182,28 +178,6 @@ void Look(vtkPolyData* mesh, int count, double turn, Pixels& pixels)
   }
 }
 
-vtkSmartPointer<vtkBRDF> FindBRDF(const std::string& name)
-{
-  if (name.find('/') == std::string::npos)
-  {
-    return vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
-  }
-  vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(name);
-  return reader->Read() ? reader->GetBRDF() : nullptr;
-}
-
-vtkSmartPointer<vtkEnvironment> FindEnvironment(const std::string& name)
-{
-  if (name.find('/') == std::string::npos)
-  {
-    return vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment(name));
-  }
-  vtkNew<vtkEnvironmentReader> reader;
-  reader->SetFileName(name);
-  return reader->Read() ? reader->GetEnvironment() : nullptr;
-}
-
 // Relative L1 of some of a picture's pixels, and its standard error: a few of them can decide.
 struct Error
 {
@@ -349,20 +323,19 @@ int main(int argc, char** argv)
     pictures.emplace_back();
     Picture& picture = pictures.back();
     picture.Name = shape;
-    if (shape == Everywhere)
+    const vtkSmartPointer<vtkPolyData> mesh = shape == Everywhere ? nullptr : MakeMesh(shape);
+    for (const auto& [some, count] : { std::pair(&picture.Compared, pixels),
+           std::pair(&picture.Planned, PlannedPixels), std::pair(&picture.Finer, refine * pixels),
+           std::pair(&picture.Finest, refine * refine * pixels) })
     {
-      AddEverywherePairs(pixels, picture.Compared.Normals, picture.Compared.Views);
-      AddEverywherePairs(PlannedPixels, picture.Planned.Normals, picture.Planned.Views);
-      AddEverywherePairs(refine * pixels, picture.Finer.Normals, picture.Finer.Views);
-      AddEverywherePairs(refine * refine * pixels, picture.Finest.Normals, picture.Finest.Views);
-    }
-    else
-    {
-      const vtkSmartPointer<vtkPolyData> mesh = MakeMesh(shape);
-      Look(mesh, pixels, turn, picture.Compared);
-      Look(mesh, PlannedPixels, turn, picture.Planned);
-      Look(mesh, refine * pixels, turn, picture.Finer);
-      Look(mesh, refine * refine * pixels, turn, picture.Finest);
+      if (mesh)
+      {
+        Look(mesh, count, turn, *some);
+      }
+      else
+      {
+        AddEverywherePairs(count, some->Normals, some->Views);
+      }
     }
   }
   std::printf(
@@ -372,10 +345,10 @@ int main(int argc, char** argv)
   Count all;
   for (const std::string& light : environments)
   {
-    const vtkSmartPointer<vtkEnvironment> environment = FindEnvironment(light);
+    const vtkSmartPointer<vtkEnvironment> environment = BenchmarkCase::FindEnvironment(light);
     for (const std::string& material : materials)
     {
-      const vtkSmartPointer<vtkBRDF> brdf = FindBRDF(material);
+      const vtkSmartPointer<vtkBRDF> brdf = BenchmarkCase::FindBRDF(material);
       if (!environment || !brdf)
       {
         std::fprintf(stderr, "%s, %s: not found\n", material.c_str(), light.c_str());

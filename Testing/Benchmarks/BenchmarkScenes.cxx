@@ -7,12 +7,13 @@
 //
 //   BenchmarkScenes [ROUNDS]      frames of each kind in turns (default 15)
 
+#include "FrameScene.h"
 #include "vtkActor.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCamera.h"
 #include "vtkCompositeMeasuredBRDFMapper.h"
+#include "vtkCompositePolyDataMapper2.h"
 #include "vtkEnvironment.h"
-#include "vtkImageData.h"
 #include "vtkLambertBRDF.h"
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
@@ -21,7 +22,6 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
@@ -29,7 +29,6 @@
 #include "vtkTexture.h"
 #include "vtkVersion.h"
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
-#include "vtkCompositePolyDataMapper2.h"
 #endif
 
 #include <malloc.h>
@@ -52,16 +51,9 @@ using StockComposite = vtkCompositePolyDataMapper2;
 using StockComposite = vtkCompositePolyDataMapper;
 #endif
 
-using Clock = std::chrono::steady_clock;
-
-double GetMilliseconds(Clock::time_point start)
-{
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
 double GetHeapMegabytes() { return 1e-6 * static_cast<double>(mallinfo2().uordblks); }
 
-vtkSmartPointer<vtkPolyData> MakeSphere(int index, int side)
+vtkSmartPointer<vtkPolyData> MakeOneOfMany(int index, int side)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetCenter(index % side, index / side, 0.0);
@@ -91,29 +83,20 @@ std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials(int count)
   return materials;
 }
 
-/// A window, a camera that sees side x side units, and light from a built-in hall.
-struct Scene
+/// A camera that sees side x side units, and light from a built-in hall.
+struct Scene : FrameScene
 {
   explicit Scene(int side)
+    : FrameScene(500, 500, 0.5 * side)
   {
-    this->Window->SetOffScreenRendering(1);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(500, 500);
-    this->Window->AddRenderer(this->Renderer);
-    this->Renderer->SetAutomaticLightCreation(false);
     vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
-    camera->SetParallelScale(0.5 * side);
     camera->SetFocalPoint(0.5 * (side - 1), 0.5 * (side - 1), 0.0);
     camera->SetPosition(0.5 * (side - 1), 0.5 * (side - 1), 10.0);
+    this->Renderer->RemoveActor(this->Actor); // there are many
     vtkNew<vtkEnvironment> hall;
     hall->SetToProceduralHall();
-    const auto image = vtkSmartPointer<vtkImageData>::Take(hall->NewImageData());
-    this->Texture->SetInputData(image);
-    this->Texture->SetColorModeToDirectScalars();
-    this->Texture->MipmapOn();
-    this->Texture->InterpolateOn();
-    this->Renderer->SetEnvironmentTexture(this->Texture);
+    this->ShadeByPBR(hall);
+    this->Renderer->UseImageBasedLightingOff();
   }
 
   void Add(vtkMapper* mapper, bool pbr)
@@ -128,25 +111,7 @@ struct Scene
     }
     this->Renderer->AddActor(actor);
   }
-
-  double Render()
-  {
-    const auto start = Clock::now();
-    this->Window->Render();
-    this->Window->WaitForCompletion();
-    return GetMilliseconds(start);
-  }
-
-  vtkNew<vtkRenderWindow> Window;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkTexture> Texture;
 };
-
-double GetMedian(std::vector<double> values)
-{
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
 
 /// First frames and medians of later ones, taken in turns.
 struct Times
@@ -160,13 +125,13 @@ Times Measure(const std::vector<std::unique_ptr<Scene>>& scenes, int rounds)
   std::vector<std::vector<double>> frames(scenes.size());
   for (const auto& scene : scenes)
   {
-    times.First.push_back(scene->Render());
+    times.First.push_back(scene->Draw());
   }
   for (int round = 0; round < rounds; ++round)
   {
     for (std::size_t k = 0; k < scenes.size(); ++k)
     {
-      frames[k].push_back(scenes[k]->Render());
+      frames[k].push_back(scenes[k]->Draw());
     }
   }
   for (const std::vector<double>& values : frames)
@@ -200,7 +165,7 @@ void MeasureActors(int count, int rounds)
         measured->SetIntegrator(kind == 1 ? nullptr : lights.Get());
         mapper = measured.Get();
       }
-      mapper->SetInputData(MakeSphere(k, side));
+      mapper->SetInputData(MakeOneOfMany(k, side));
       scenes.back()->Add(mapper, kind == 0);
     }
   }
@@ -217,7 +182,7 @@ void MeasureBlocks(int count, int rounds)
   vtkNew<vtkMultiBlockDataSet> blocks;
   for (int k = 0; k < count; ++k)
   {
-    blocks->SetBlock(static_cast<unsigned int>(k), MakeSphere(k, side));
+    blocks->SetBlock(static_cast<unsigned int>(k), MakeOneOfMany(k, side));
   }
   std::vector<std::unique_ptr<Scene>> scenes;
   for (int kind = 0; kind < 3; ++kind)
@@ -256,17 +221,17 @@ void MeasureMaterials(int count)
   {
     vtkNew<vtkMeasuredBRDFMapper> mapper;
     mapper->SetBRDF(materials[k]);
-    mapper->SetInputData(MakeSphere(k, side));
+    mapper->SetInputData(MakeOneOfMany(k, side));
     scene.Add(mapper, false);
   };
   for (int k = 0; k < count; ++k)
   {
     add(k);
   }
-  const double first = scene.Render();
+  const double first = scene.Draw();
   auto* changed = vtkSumBRDF::SafeDownCast(materials[0]);
   vtkBlinnPhongBRDF::SafeDownCast(changed->GetTerm(1))->SetExponent(12.3);
-  const double again = scene.Render();
+  const double again = scene.Draw();
   std::printf(
     "| %d material%s | %.2f | %.0f |\n", count, count == 1 ? "" : "s", 1e-3 * first, again);
 }
@@ -294,9 +259,9 @@ void MeasureMemory(int width)
     vtkNew<vtkMeasuredBRDFMapper> mapper;
     mapper->SetBRDF(materials[k]);
     mapper->SetEnvironment(environment);
-    mapper->SetInputData(MakeSphere(k, 3));
+    mapper->SetInputData(MakeOneOfMany(k, 3));
     scene.Add(mapper, false);
-    scene.Render();
+    scene.Draw();
     tables = 1e-6 * static_cast<double>(mapper->GetTextureBytes());
     heap.push_back(GetHeapMegabytes());
   }

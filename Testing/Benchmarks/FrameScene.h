@@ -29,6 +29,8 @@
 #include "vtkTabulatedBRDF.h"
 #include "vtkTexture.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -68,10 +70,27 @@ struct FrameScene
     this->Renderer->SetEnvironmentTexture(texture);
   }
 
+  /// Milliseconds by the clock until the frame is drawn.
+  double Draw()
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    this->Window->Render();
+    this->Window->WaitForCompletion();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+      .count();
+  }
+
   vtkNew<vtkActor> Actor;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window; // goes first
 };
+
+inline double GetMedian(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 inline vtkSmartPointer<vtkBRDF> GetEmbedded(const std::string& name)
 {

@@ -29,6 +29,7 @@ import argparse
 import datetime
 import json
 import os
+import re
 import sys
 
 import numpy as np
@@ -168,6 +169,17 @@ def numbers(values):
     return [float(f"{value:.8g}") for value in values]
 
 
+def write_record(path, record):
+    """JSON with a line for each pair."""
+
+    def join(match):
+        return re.sub(r"\s+", " ", match[0])
+
+    text = re.sub(r"\[[^][{}]*\]", join, json.dumps(record, indent=1))
+    with open(path, "w", encoding="ascii") as file:
+        file.write(re.sub(r"\{[^{}]*\}", join, text) + "\n")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("data", metavar="DATA", help="folder with materials/rgl and environments")
@@ -220,9 +232,7 @@ def main():
         "samples": RUNS * arguments.samples,
         "results": results,
     }
-    with open(arguments.output, "w", encoding="ascii") as file:
-        json.dump(record, file, indent=1)
-        file.write("\n")
+    write_record(arguments.output, record)
 
 
 if __name__ == "__main__":

@@ -11,20 +11,26 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
+#include "vtkDoubleArray.h"
 #include "vtkFramebufferPass.h"
+#include "vtkLight.h"
 #include "vtkLightsPass.h"
 #include "vtkNew.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkPixelBufferObject.h"
+#include "vtkRadianceIntegrator.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSequencePass.h"
+#include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 #include "vtkTranslucentPass.h"
 #include "vtkVersionMacros.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -46,9 +52,44 @@ struct FloatImage
   const float* At(int x, int y) const { return &this->RGBA[4 * (y * this->Width + x)]; }
 };
 
+inline double GetLargestDifference(const FloatImage& a, const FloatImage& b)
+{
+  double largest = a.RGBA.size() == b.RGBA.size() ? 0.0 : 1e30;
+  for (std::size_t k = 0; largest < 1e30 && k < a.RGBA.size(); ++k)
+  {
+    largest = std::max<double>(largest, std::abs(a.RGBA[k] - b.RGBA[k]));
+  }
+  return largest;
+}
+
+/// The radiance that an integrator finds for one normal, view and, if there is one, tangent.
+inline std::array<double, 3> IntegrateOne(vtkRadianceIntegrator* integrator, const double normal[3],
+  const double view[3], const double* tangent = nullptr)
+{
+  vtkNew<vtkDoubleArray> arrays[3];
+  vtkNew<vtkDoubleArray> radiance;
+  const double* const values[3] = { normal, view, tangent };
+  for (int k = 0; k < 3; ++k)
+  {
+    arrays[k]->SetNumberOfComponents(3);
+    if (values[k])
+    {
+      arrays[k]->InsertNextTuple(values[k]);
+    }
+  }
+  EXPECT_TRUE(
+    integrator->Integrate(arrays[0], arrays[1], radiance, tangent ? arrays[2].Get() : nullptr));
+  std::array<double, 3> rgb{};
+  radiance->GetTuple(0, rgb.data());
+  return rgb;
+}
+
 class RenderFixture : public ::testing::Test
 {
 protected:
+  /// What a test draws; called where there is a window.
+  virtual void SetUpScene() {}
+
   void SetUp() override
   {
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
@@ -74,6 +115,32 @@ protected:
     this->CameraPass->SetDelegatePass(this->Sequence);
     this->Framebuffer->SetDelegatePass(this->CameraPass);
     this->Framebuffer->SetColorFormat(vtkTextureObject::Float32);
+    this->SetUpScene();
+  }
+
+  /// A new light of the renderer, at the camera.
+  vtkSmartPointer<vtkLight> AddHeadlight(
+    double intensity = 1.0, double red = 1.0, double green = 1.0, double blue = 1.0)
+  {
+    auto light = vtkSmartPointer<vtkLight>::New();
+    light->SetLightTypeToHeadlight();
+    light->SetIntensity(intensity);
+    light->SetDiffuseColor(red, green, blue);
+    this->Renderer->AddLight(light);
+    return light;
+  }
+
+  /// A new light of the renderer that shines from a place towards the origin: from far away, or
+  /// from that very place, into a cone (180: everywhere).
+  vtkSmartPointer<vtkLight> AddSceneLight(double x, double y, double z, double coneAngle = 0.0)
+  {
+    auto light = vtkSmartPointer<vtkLight>::New();
+    light->SetLightTypeToSceneLight();
+    light->SetPosition(x, y, z);
+    light->SetPositional(coneAngle > 0.0);
+    light->SetConeAngle(coneAngle > 0.0 ? coneAngle : 30.0);
+    this->Renderer->AddLight(light);
+    return light;
   }
 
   /// VTK's windows that need no display (9.6): no interactor works there, and resources that are

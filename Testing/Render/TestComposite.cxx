@@ -8,8 +8,6 @@
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeMeasuredBRDFMapper.h"
 #include "vtkEnvironment.h"
-#include "vtkHardwareSelector.h"
-#include "vtkInformation.h"
 #include "vtkLambertBRDF.h"
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
@@ -19,8 +17,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 #include "vtkSphereSource.h"
 
 #include <set>
@@ -28,27 +24,12 @@
 
 namespace
 {
-double GetLargestDifference(const FloatImage& a, const FloatImage& b)
-{
-  double largest = 0.0;
-  for (std::size_t k = 0; k < a.RGBA.size(); ++k)
-  {
-    largest = std::max<double>(largest, std::abs(a.RGBA[k] - b.RGBA[k]));
-  }
-  return largest;
-}
-
 /// Four spheres in a row of two, as blocks in a tree.
 class Composite : public RenderFixture
 {
 protected:
-  void SetUp() override
+  void SetUpScene() override
   {
-    RenderFixture::SetUp();
-    if (IsSkipped())
-    {
-      return;
-    }
     for (int k = 0; k < 4; ++k)
     {
       vtkNew<vtkSphereSource> sphere;
@@ -130,16 +111,6 @@ protected:
   vtkNew<vtkCompositeMeasuredBRDFMapper> Mapper;
   vtkNew<vtkActor> Actor;
 };
-}
-
-TEST_F(Composite, OneMaterial)
-{
-  this->Mapper->SetInputDataObject(this->MakeTree());
-  this->Mapper->SetBRDF(this->Gloss);
-  const FloatImage apart =
-    this->RenderApart({ this->Gloss, this->Gloss, this->Gloss, this->Gloss });
-  EXPECT_LE(GetLargestDifference(this->RenderEncoded(), apart), 1e-6);
-  EXPECT_GT(apart.At(16, 16)[0], 0.1f);
 }
 
 // By flat index and by name; a block's own before its parent's, an index before a name.
@@ -293,21 +264,16 @@ TEST_F(Composite, PlansAndRedraw)
   this->Mapper->SetErrorTolerance(0.1);
   this->Mapper->SetInputDataObject(this->MakeTree());
   this->Mapper->SetBRDF(this->Lambert);
-  int plans = 0;
-  vtkNew<vtkCallbackCommand> count;
-  count->SetClientData(&plans);
-  count->SetCallback(
-    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
-  this->Mapper->AddObserver(vtkCommand::UpdateDataEvent, count);
+  EventCounter plans(this->Mapper, vtkCommand::UpdateDataEvent);
   this->RenderEncoded();
-  EXPECT_EQ(plans, 1);
+  EXPECT_EQ(plans.Count, 1);
   vtkNew<vtkLambertBRDF> other;
   other->SetAlbedo(0.1, 0.1, 0.1);
   this->Mapper->SetBlockBRDF(5, other);
   this->Mapper->SetBlockBRDF(6, other);
   this->RenderEncoded();
   this->RenderEncoded();
-  EXPECT_EQ(plans, 2);
+  EXPECT_EQ(plans.Count, 2);
   const std::string text = this->Mapper->GetPlan();
   EXPECT_NE(text.find('\n'), std::string::npos) << text;
   EXPECT_GT(this->Mapper->GetTextureBytes(), 0);
@@ -338,47 +304,4 @@ TEST_F(Composite, PlainMapperNamesThisOne)
   this->RenderEncoded();
   EXPECT_EQ(warnings.Count, 1);
   EXPECT_NE(warnings.Text.find("vtkCompositeMeasuredBRDFMapper"), std::string::npos);
-}
-
-// The stock selector names the blocks that are pickable.
-TEST_F(Composite, Selection)
-{
-  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
-  this->Mapper->SetCompositeDataDisplayAttributes(attributes);
-  vtkSmartPointer<vtkMultiBlockDataSet> tree = this->MakeTree();
-  this->Mapper->SetInputDataObject(tree);
-  this->Mapper->SetBRDF(this->Gloss);
-  this->Mapper->SetBlockBRDF(5, this->Lambert);
-  attributes->SetBlockPickability(this->Blocks[2], false);
-  this->RenderEncoded();
-  this->Renderer->SetPass(nullptr);
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(this->Renderer);
-  selector->SetArea(0, 0, 63, 63);
-  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
-  const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
-  std::set<int> found;
-  for (unsigned int k = 0; k < selection->GetNumberOfNodes(); ++k)
-  {
-    found.insert(selection->GetNode(k)->GetProperties()->Get(vtkSelectionNode::COMPOSITE_INDEX()));
-  }
-  EXPECT_EQ(found, (std::set<int>{ 1, 5, 7 }));
-}
-
-TEST_F(Composite, CopiesAndPrints)
-{
-  this->Mapper->SetBRDF(this->Gloss);
-  this->Mapper->SetBlockBRDF(2, this->Lambert);
-  this->Mapper->SetBlockBRDFByName("x", nullptr);
-  this->Mapper->SetErrorTolerance(0.07);
-  vtkNew<vtkCompositeMeasuredBRDFMapper> copy;
-  copy->ShallowCopy(this->Mapper);
-  EXPECT_EQ(copy->GetBRDF(), this->Gloss);
-  EXPECT_EQ(copy->GetBlockBRDF(2), this->Lambert);
-  EXPECT_TRUE(copy->HasBlockBRDFByName("x"));
-  EXPECT_EQ(copy->GetErrorTolerance(), 0.07);
-  EXPECT_EQ(copy->GetIntegrator(), this->Lights.Get());
-  std::ostringstream text;
-  copy->Print(text);
-  EXPECT_NE(text.str().find("BlockBRDF 2"), std::string::npos);
 }

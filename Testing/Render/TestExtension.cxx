@@ -100,9 +100,8 @@ vtkStandardNewMacro(OwnIntegrator);
 class Extension : public RenderFixture
 {
 protected:
-  void SetUp() override
+  void SetUpScene() override
   {
-    this->RenderFixture::SetUp();
     vtkNew<vtkPlaneSource> plane;
     plane->SetOrigin(-2.0, -2.0, 0.0);
     plane->SetPoint1(2.0, -2.0, 0.0);
@@ -117,10 +116,7 @@ protected:
     const double irradiance[3] = { 2.0, 2.0, 2.0 };
     this->Light->AddLight(direction, irradiance);
     this->Lights->SetLightSet(this->Light);
-    if (!IsSkipped())
-    {
-      this->Stock = this->RenderEncoded();
-    }
+    this->Stock = this->RenderEncoded();
   }
 
   // Three frames of what is wrong: one error with these words, and the picture of no material.

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A stock actor with the fitted property, drawn by VTK's own shading, against the measured
 // material.
+#include "EventCounter.h"
 #include "RenderFixture.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkImageData.h"
@@ -147,19 +147,14 @@ TEST_F(FittedProperty, StockLevelsOfDetailAreSaid)
     {
       mapper->FitProperty(actor->GetProperty());
     }
-    int warnings = 0;
-    vtkNew<vtkCallbackCommand> counter;
-    counter->SetClientData(&warnings);
-    counter->SetCallback(
-      [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
-    mapper->AddObserver(vtkCommand::WarningEvent, counter);
+    EventCounter warnings(mapper, vtkCommand::WarningEvent);
     this->Renderer->AddActor(actor);
     for (int k = 0; k < 3; ++k)
     {
       this->Window->Render();
     }
     this->Renderer->RemoveActor(actor);
-    return warnings;
+    return warnings.Count;
   };
   vtkNew<vtkActor> plain;
   EXPECT_EQ(count(plain, false), 0);

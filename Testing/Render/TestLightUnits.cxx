@@ -30,18 +30,13 @@ namespace
 {
 // Of both decimal units and powers of two: the lights that stand for a map may be others where its
 // digits are rounded otherwise.
-constexpr double Units[] = { LightUnits[0], 1e5, LightUnits[2] };
+constexpr double Units[] = { LightUnits[0], 1e5 };
 
 class LightUnits8Bit : public RenderFixture
 {
 protected:
-  void SetUp() override
+  void SetUpScene() override
   {
-    RenderFixture::SetUp();
-    if (IsSkipped())
-    {
-      return;
-    }
     // A hollow, which hides itself.
     vtkNew<vtkSphereSource> bowl;
     bowl->SetRadius(0.95);
@@ -148,17 +143,12 @@ TEST_F(LightUnits8Bit, ByEveryMethod)
 // A plan's, beside what the hollow hides, and what that sends back.
 TEST_F(LightUnits8Bit, WithSelfShadowing)
 {
-  for (const auto& material : { NewGlossyCoat(300.0), NewGlossyCoat(20000.0, 0.5) })
-  {
-    this->Mapper->SetBRDF(material);
-    this->Mapper->SetOcclusionModeToOff();
-    this->ExpectSamePictures("open");
-    this->Mapper->SetOcclusionModeToOn();
-    this->ExpectSamePictures("shadowed");
-    this->Mapper->OcclusionBounceOn();
-    this->ExpectSamePictures("with a bounce");
-    this->Mapper->OcclusionBounceOff();
-  }
+  this->Mapper->SetOcclusionModeToOn();
+  this->Mapper->SetBRDF(NewGlossyCoat(20000.0, 0.5));
+  this->ExpectSamePictures("shadowed");
+  this->Mapper->SetBRDF(NewGlossyCoat(300.0));
+  this->Mapper->OcclusionBounceOn();
+  this->ExpectSamePictures("with a bounce");
 }
 
 TEST_F(LightUnits8Bit, OfMaterialMaps)

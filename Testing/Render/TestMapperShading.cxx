@@ -9,9 +9,7 @@
 #include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBasisBRDF.h"
-#include "vtkCellArray.h"
 #include "vtkCompositeMeasuredBRDFMapper.h"
-#include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkFloatArray.h"
 #include "vtkLambertBRDF.h"
@@ -46,13 +44,8 @@ const double pi = 3.141592653589793;
 class MapperShading : public RenderFixture
 {
 protected:
-  void SetUp() override
+  void SetUpScene() override
   {
-    RenderFixture::SetUp();
-    if (IsSkipped())
-    {
-      return;
-    }
     this->Plane->SetOrigin(-1.0, -1.0, 0.0);
     this->Plane->SetPoint1(1.0, -1.0, 0.0);
     this->Plane->SetPoint2(-1.0, 1.0, 0.0);
@@ -68,30 +61,24 @@ protected:
   /// A quad across the window with one normal and, if wanted, one tangent.
   void SetQuad(const double normal[3], const double* tangent = nullptr)
   {
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkFloatArray> normals;
-    vtkNew<vtkFloatArray> tangents;
-    normals->SetNumberOfComponents(3);
-    tangents->SetNumberOfComponents(3);
-    const double corners[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
-    for (const double* corner : corners)
-    {
-      points->InsertNextPoint(corner[0], corner[1], 0.0);
-      normals->InsertNextTuple(normal);
-      if (tangent)
-      {
-        tangents->InsertNextTuple(tangent);
-      }
-    }
-    vtkNew<vtkCellArray> quads;
-    quads->InsertNextCell({ 0, 1, 2, 3 });
+    this->Plane->Update();
     vtkNew<vtkPolyData> data;
-    data->SetPoints(points);
-    data->SetPolys(quads);
-    data->GetPointData()->SetNormals(normals);
+    data->SetPoints(this->Plane->GetOutput()->GetPoints());
+    data->SetPolys(this->Plane->GetOutput()->GetPolys());
+    const auto repeat = [](const double* vector)
+    {
+      vtkNew<vtkFloatArray> array;
+      array->SetNumberOfComponents(3);
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        array->InsertNextTuple(vector);
+      }
+      return vtkSmartPointer<vtkFloatArray>(array);
+    };
+    data->GetPointData()->SetNormals(repeat(normal));
     if (tangent)
     {
-      data->GetPointData()->SetTangents(tangents);
+      data->GetPointData()->SetTangents(repeat(tangent));
     }
     this->Mapper->SetInputDataObject(data);
   }
@@ -212,11 +199,7 @@ TEST(MapperCopy, TakesOverEveryProperty)
 TEST_F(MapperShading, HeadlightOnATiltedPlane)
 {
   this->Actor->RotateX(60.0);
-  vtkNew<vtkLight> headlight;
-  headlight->SetLightTypeToHeadlight();
-  headlight->SetIntensity(2.0);
-  headlight->SetDiffuseColor(1.0, 0.5, 0.25);
-  this->Renderer->AddLight(headlight);
+  this->AddHeadlight(2.0, 1.0, 0.5, 0.25);
   const FloatImage image = this->RenderLinear();
   EXPECT_NEAR(image.At(32, 32)[0], 2.0 * 0.9 / pi * 0.5, 2e-3);
   EXPECT_NEAR(image.At(32, 32)[1], 1.0 * 0.6 / pi * 0.5, 2e-3);
@@ -227,9 +210,7 @@ TEST_F(MapperShading, HeadlightOnATiltedPlane)
 // BRDF on the GPU and by one that does not; back and forth without a change of anything else.
 TEST_F(MapperShading, SceneLightsCanBeLeftOut)
 {
-  vtkNew<vtkLight> headlight;
-  headlight->SetLightTypeToHeadlight();
-  this->Renderer->AddLight(headlight);
+  this->AddHeadlight();
   this->Mapper->SetEnvironment(MakeConstant(0.5f));
   for (vtkRadianceIntegrator* integrator : { static_cast<vtkRadianceIntegrator*>(this->Lights),
          static_cast<vtkRadianceIntegrator*>(nullptr) })
@@ -304,14 +285,8 @@ TEST_F(MapperShading, LightThatVTKCreated)
 // Off a spot's axis: exponent, and each term of the attenuation, at a distance that is not 1.
 TEST_F(MapperShading, SpotOffItsAxis)
 {
-  vtkNew<vtkLight> spot;
-  spot->SetLightTypeToSceneLight();
-  spot->PositionalOn();
-  spot->SetPosition(0.0, 0.0, 2.0);
-  spot->SetFocalPoint(0.0, 0.0, 0.0);
-  spot->SetConeAngle(60.0);
+  const auto spot = this->AddSceneLight(0.0, 0.0, 2.0, 60.0);
   spot->SetIntensity(10.0);
-  this->Renderer->AddLight(spot);
   const double attenuations[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
   for (const double exponent : { 0.0, 1.0, 8.0 })
   {
@@ -390,17 +365,13 @@ TEST_F(MapperShading, GrazingViews)
     const double normal[3] = { std::sqrt(1.0 - z * z), 0.0, z };
     this->SetQuad(normal);
     const FloatImage image = this->RenderLinear();
-    vtkNew<vtkDoubleArray> normals, views, radiance;
-    normals->SetNumberOfComponents(3);
-    views->SetNumberOfComponents(3);
-    normals->InsertNextTuple(normal);
-    views->InsertNextTuple3(0.0, 0.0, 1.0);
-    ASSERT_TRUE(integrator->Integrate(normals, views, radiance));
+    const double view[3] = { 0.0, 0.0, 1.0 };
+    const double radiance = IntegrateOne(integrator, normal, view)[0];
     const double cosine = normal[0] * from[0] + z * from[2];
     const double expected = irradiance[0] * cosine / std::max(z, 0.02);
     EXPECT_NEAR(image.At(32, 32)[0], expected, 2e-3 * expected) << "GPU, z = " << z;
     // Nothing is seen from below, in C++: there are no interpolated normals.
-    EXPECT_NEAR(radiance->GetComponent(0, 0), z > 0.0 ? expected : 0.0, 1e-6) << "C++, z = " << z;
+    EXPECT_NEAR(radiance, z > 0.0 ? expected : 0.0, 1e-6) << "C++, z = " << z;
   }
 }
 
@@ -410,10 +381,7 @@ TEST_F(MapperShading, NegativeLightsEndAtZero)
 {
   this->Mapper->SetEnvironment(MakeConstant(0.5f));
   const FloatImage before = this->RenderLinear();
-  vtkNew<vtkLight> dark;
-  dark->SetLightTypeToHeadlight();
-  dark->SetIntensity(-50.0);
-  this->Renderer->AddLight(dark);
+  const auto dark = this->AddHeadlight(-50.0);
   for (int channel = 0; channel < 3; ++channel)
   {
     dark->SetDiffuseColor(channel == 0, channel == 1, channel == 2);
@@ -500,16 +468,7 @@ TEST_F(MapperShading, TangentsFromTextureCoordinatesAndFields)
   const auto getExpected = [&](const double* tangent)
   {
     const double view[3] = { 0.0, 0.0, 1.0 };
-    vtkNew<vtkDoubleArray> n, v, t, radiance;
-    for (vtkDoubleArray* array : { n.Get(), v.Get(), t.Get() })
-    {
-      array->SetNumberOfComponents(3);
-    }
-    n->InsertNextTuple(normal);
-    v->InsertNextTuple(view);
-    t->InsertNextTuple(tangent);
-    EXPECT_TRUE(table->Integrate(n, v, radiance, t));
-    return radiance->GetValue(0);
+    return IntegrateOne(table, normal, view, tangent)[0];
   };
   ASSERT_GT(std::abs(getExpected(along) - getExpected(across)), 0.05 * getExpected(along));
 

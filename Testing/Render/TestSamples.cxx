@@ -13,12 +13,10 @@
 #include "vtkEmbeddedMaterials.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkHardwareSelector.h"
-#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
-#include "vtkPlaneSource.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
@@ -67,16 +65,6 @@ constexpr double Still = 1e-4;    // pictures a second
 constexpr double Hasty = 1e9;     // so that each picture has time for a sub-frame of one sample
 constexpr double Rounding = 4e-5; // of sums of floats, relative to 1
 constexpr double Strict = 0.002;  // tolerance, which only samples come near to for gloss
-
-double GetDifference(const FloatImage& a, const FloatImage& b)
-{
-  double largest = 0.0;
-  for (std::size_t k = 0; k < a.RGBA.size() && a.RGBA.size() == b.RGBA.size(); ++k)
-  {
-    largest = std::max<double>(largest, std::abs(a.RGBA[k] - b.RGBA[k]));
-  }
-  return a.RGBA.size() == b.RGBA.size() ? largest : 1e30;
-}
 
 /// The same of bytes.
 int GetLargest(const std::vector<unsigned char>& a, const std::vector<unsigned char>& b)
@@ -220,9 +208,9 @@ protected:
     this->LookOn();
     const FloatImage first = this->RenderEncoded();
     EXPECT_EQ(mapper->GetPlanPending(), isPending);
-    EXPECT_EQ(GetDifference(first, whole) > 10.0 * Rounding, isPending);
+    EXPECT_EQ(GetLargestDifference(first, whole) > 10.0 * Rounding, isPending);
     EXPECT_EQ(this->DrawToTheEnd(mapper), isPending ? Subframes - 1 : 1);
-    EXPECT_LT(GetDifference(this->Shown, whole), Rounding);
+    EXPECT_LT(GetLargestDifference(this->Shown, whole), Rounding);
   }
 
   vtkNew<vtkFilteredRadianceIntegrator> Filtered;
@@ -314,11 +302,11 @@ TEST_F(Samples, ShowTheSameInTwoWindows)
     window->Render();
     EXPECT_TRUE(this->Mapper->GetPlanPending());
   }
-  EXPECT_LT(GetDifference(this->RenderEncoded(), whole), Rounding);
+  EXPECT_LT(GetLargestDifference(this->RenderEncoded(), whole), Rounding);
   EXPECT_TRUE(this->Mapper->GetPlanPending()) << "in the other window";
   window->Render();
   EXPECT_FALSE(this->Mapper->GetPlanPending());
-  EXPECT_LT(GetDifference(this->RenderEncoded(), whole), Rounding);
+  EXPECT_LT(GetLargestDifference(this->RenderEncoded(), whole), Rounding);
   EXPECT_LE(GetLargest(this->Read(window), alone), 1);
 }
 
@@ -336,19 +324,14 @@ TEST_F(Samples, StayUnderPicking)
   EXPECT_GT(selection->GetNumberOfNodes(), 0u);
   EXPECT_TRUE(this->Mapper->GetPlanPending());
   EXPECT_LT(this->DrawToTheEnd(this->Mapper.Get()), Subframes);
-  EXPECT_LT(GetDifference(this->Shown, whole), Rounding);
+  EXPECT_LT(GetLargestDifference(this->Shown, whole), Rounding);
 }
 
 //------------------------------------------------------------------------------
 // What passes draw more than once is drawn with all samples, and so is what shows through.
 TEST_F(Samples, ShowTheSameUnderShadowMaps)
 {
-  vtkNew<vtkLight> spot;
-  spot->SetLightTypeToSceneLight();
-  spot->PositionalOn();
-  spot->SetConeAngle(40.0);
-  spot->SetPosition(3.0, 2.0, 4.0);
-  this->Renderer->AddLight(spot);
+  this->AddSceneLight(3.0, 2.0, 4.0, 40.0);
   vtkNew<vtkShadowMapPass> shadows;
   vtkNew<vtkOpaquePass> opaque;
   vtkNew<vtkRenderPassCollection> passes;
@@ -428,7 +411,7 @@ TEST_F(Samples, ShowTheSameOnPartsWithPlans)
     EXPECT_NE(this->Mapper->GetPlan().find("table, "), std::string::npos);
     EXPECT_NE(this->Mapper->GetPlan().find("filtered, "), std::string::npos);
     this->Window->SetInteractor(nullptr);
-    EXPECT_LT(GetDifference(added, draw(this->NewMapper())), Rounding);
+    EXPECT_LT(GetLargestDifference(added, draw(this->NewMapper())), Rounding);
     this->Window->SetInteractor(this->Interactor);
   }
 }
@@ -520,7 +503,7 @@ TEST_F(Samples, BeginAnewWhenTheViewChanges)
     const auto other = this->NewMapper();
     this->Actor->SetMapper(other);
     this->Window->SetInteractor(nullptr);
-    EXPECT_LT(GetDifference(this->Shown, this->RenderEncoded()), Rounding);
+    EXPECT_LT(GetLargestDifference(this->Shown, this->RenderEncoded()), Rounding);
     this->Actor->SetMapper(this->Mapper);
     this->Window->SetInteractor(this->Interactor);
   }
@@ -621,7 +604,7 @@ TEST_F(Samples, StopAndGoOn)
   this->Mapper->RemoveObserver(tag);
   this->RenderEncoded();
   EXPECT_FALSE(this->Mapper->GetPlanPending());
-  EXPECT_LT(GetDifference(this->RenderEncoded(), whole), Rounding);
+  EXPECT_LT(GetLargestDifference(this->RenderEncoded(), whole), Rounding);
 }
 
 //------------------------------------------------------------------------------

@@ -6,7 +6,6 @@
 #include "RenderFixture.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
-#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
 #include "vtkFloatArray.h"
@@ -21,12 +20,10 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
-#include "vtkSphereSource.h"
 #include "vtkSumBRDF.h"
 #include "vtkTabulatedBRDF.h"
 #include "vtkTexture.h"
 #include "vtkTransform.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <array>
 #include <string>
@@ -39,13 +36,8 @@ constexpr double Albedo = 0.6;
 class Scene : public RenderFixture
 {
 protected:
-  void SetUp() override
+  void SetUpScene() override
   {
-    RenderFixture::SetUp();
-    if (IsSkipped())
-    {
-      return;
-    }
     this->Plane->SetOrigin(-1.0, -1.0, 0.0);
     this->Plane->SetPoint1(1.0, -1.0, 0.0);
     this->Plane->SetPoint2(-1.0, 1.0, 0.0);
@@ -127,27 +119,6 @@ TEST_F(Scene, TexturesMultiplyLinearly)
   EXPECT_NEAR(middle[2], 0.0, 1e-6);
 }
 
-// Scalars are the colors that they are, whatever coefficient VTK's own shading has for them.
-TEST_F(Scene, ScalarsDoNotCountTheDiffuseCoefficient)
-{
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetNumberOfComponents(3);
-  for (vtkIdType k = 0; k < this->Data->GetNumberOfPoints(); ++k)
-  {
-    colors->InsertNextTuple3(255, 128, 0);
-  }
-  this->Data->GetPointData()->SetScalars(colors);
-  for (double diffuse : { 1.0, 0.3, 0.0 })
-  {
-    this->Actor->GetProperty()->SetDiffuse(diffuse);
-    this->Actor->GetProperty()->SetAmbient(1.0 - diffuse);
-    const std::array<float, 3> middle = this->RenderMiddle();
-    EXPECT_NEAR(middle[0], Albedo, 2e-3) << diffuse;
-    EXPECT_NEAR(middle[1], Albedo * Decode(128.0 / 255.0), 2e-3) << diffuse;
-    EXPECT_NEAR(middle[2], 0.0, 1e-6) << diffuse;
-  }
-}
-
 // Textures of VTK's PBR that cannot color a measured material say so once.
 TEST_F(Scene, TexturesWithoutEffectSaySo)
 {
@@ -173,11 +144,7 @@ TEST_F(Scene, TangentsFollowTheActor)
   brushed->SetSpecularScale(1.0, 1.0, 1.0);
   this->Measured->SetBRDF(brushed);
   this->Measured->SetEnvironment(nullptr);
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToSceneLight();
-  light->SetPosition(2.0, 1.0, 5.0);
-  light->SetFocalPoint(0.0, 0.0, 0.0);
-  this->Renderer->AddLight(light);
+  this->AddSceneLight(2.0, 1.0, 5.0);
 
   // Stretched by 3 along x, a diagonal tangent lies along (3, 1).
   this->AddTangents(1.0, 1.0, 0.0);
@@ -195,33 +162,6 @@ TEST_F(Scene, TangentsFollowTheActor)
   EXPECT_NEAR(stretched[0], expected[0], 1e-3f * expected[0]);
 }
 
-// A property as VTK's own PBR scenes set it: anisotropy, coat, textures, on data with tangents.
-TEST_F(Scene, PropertiesOfPBR)
-{
-  this->AddTangents(1.0, 0.0, 0.0);
-  this->Actor->GetProperty()->SetInterpolationToPBR();
-  this->Actor->GetProperty()->SetAnisotropy(0.8);
-  this->Actor->GetProperty()->SetAnisotropyRotation(0.3);
-  this->Actor->GetProperty()->SetCoatStrength(0.5);
-  EXPECT_NEAR(this->RenderMiddle()[0], Albedo, 2e-3);
-  this->Actor->GetProperty()->SetAnisotropyTexture(MakeTexture(200, 100, 0));
-  this->Actor->GetProperty()->SetNormalTexture(MakeTexture(128, 128, 255));
-  EXPECT_NEAR(this->RenderMiddle()[0], Albedo, 2e-3);
-}
-
-// Seen from behind, an actor with a property for back faces is as opaque as that says.
-TEST_F(Scene, BackFaces)
-{
-  this->Actor->RotateY(180.0);
-  vtkNew<vtkProperty> back;
-  back->SetColor(1.0, 0.0, 0.0);
-  this->Actor->SetBackfaceProperty(back);
-  EXPECT_NEAR(this->RenderMiddle()[1], Albedo, 2e-3);
-  back->SetOpacity(0.5);
-  this->Actor->GetProperty()->SetOpacity(0.5);
-  EXPECT_NEAR(this->RenderEncoded().At(32, 32)[1], 0.5 * std::pow(Albedo, 1.0 / 2.2), 2e-3);
-}
-
 // More textures than a graphics card binds at once: one error, and VTK's own shading.
 TEST_F(Scene, TooManyTextures)
 {
@@ -234,9 +174,7 @@ TEST_F(Scene, TooManyTextures)
       std::vector<float>(24, 0.001f));
     sum->AddTerm(table);
   }
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToHeadlight();
-  this->Renderer->AddLight(light);
+  this->AddHeadlight();
   this->Measured->SetEnvironment(nullptr);
   this->Measured->SetBRDF(sum);
   EventCounter errors(this->Measured, vtkCommand::ErrorEvent);
@@ -318,39 +256,10 @@ TEST_F(Scene, LightsAreUploadedOnce)
   EXPECT_LE(countTextures(), before + 3);
 }
 
-// Edges as tubes are lit as tubes: brightest along their middle.
-TEST_F(Scene, TubesKeepTheirShading)
-{
-  vtkNew<vtkLight> light; // VTK since 9.3 draws tubes in scenes with lights only
-  light->SetLightTypeToHeadlight();
-  this->Renderer->AddLight(light);
-  vtkProperty* property = this->Actor->GetProperty();
-  property->EdgeVisibilityOn();
-  property->RenderLinesAsTubesOn();
-  property->SetEdgeColor(0.0, 1.0, 0.0);
-  property->SetLineWidth(12.0);
-  const FloatImage image = this->RenderEncoded();
-  float darkest = 1e9f;
-  float brightest = 0.0f;
-  for (int x = 0; x < 12; ++x) // across the left edge
-  {
-    const float* pixel = image.At(x, 20);
-    if (pixel[0] < 0.05f && pixel[1] > 0.0f)
-    {
-      darkest = std::min(darkest, pixel[1]);
-      brightest = std::max(brightest, pixel[1]);
-    }
-  }
-  EXPECT_GT(brightest, 0.8f);
-  EXPECT_LT(darkest, 0.9f * brightest);
-}
-
 // A user's own lines after the lighting may read what VTK's lighting would have left there.
 TEST_F(Scene, ReplacementsReadWhatStockShadersHave)
 {
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToHeadlight();
-  this->Renderer->AddLight(light);
+  this->AddHeadlight();
   this->Actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", false,
     "//VTK::Light::Impl\n"
     "  gl_FragData[0] = vec4(0.5 * (diffuse + specular), opacity);\n",

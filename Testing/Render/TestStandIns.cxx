@@ -10,7 +10,6 @@
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
-#include "vtkLight.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkSphereSource.h"
@@ -81,13 +80,8 @@ vtkStandardNewMacro(AskedBRDF);
 class StandIns : public RenderFixture
 {
 protected:
-  void SetUp() override
+  void SetUpScene() override
   {
-    RenderFixture::SetUp();
-    if (IsSkipped())
-    {
-      return;
-    }
     this->Sky->SetPixels(2, 1, { 1.0f, 0.2f, 0.1f, 0.3f, 1.0f, 0.2f }); // no lamp
     this->BRDF->SetExponent(5.0);
     this->BRDF->SetSpecular(0.4, 0.3, 0.2);
@@ -102,13 +96,6 @@ protected:
   void TearDown() override { this->Record().Door.OpenUp(); }
 
   Asked& Record() { return *this->BRDF->Record; }
-
-  void AddLight()
-  {
-    vtkNew<vtkLight> headlight;
-    headlight->SetLightTypeToHeadlight();
-    this->Renderer->AddLight(headlight);
-  }
 
   void WaitUntilReady()
   {
@@ -144,7 +131,7 @@ TEST_F(StandIns, LightsThatComeWhileAPlanIsMade)
   this->Record().Door.Close();
   const FloatImage dark = this->RenderEncoded();
   EXPECT_EQ(this->Record().Here.Forms, 0);
-  this->AddLight();
+  this->AddHeadlight();
   const FloatImage lit = this->RenderEncoded();
   EXPECT_TRUE(this->Measured->GetPlanPending());
   EXPECT_NE(lit.RGBA, dark.RGBA);
@@ -159,7 +146,7 @@ TEST_F(StandIns, LightsThatComeWhileAPlanIsMade)
 // It says why, once, and is drawn by what stood in, which is not made again in every frame.
 TEST_F(StandIns, PlansThatFail)
 {
-  this->AddLight();
+  this->AddHeadlight();
   EventCounter errors(this->Measured, vtkCommand::ErrorEvent);
   this->Record().Apart.Fails = true;
   this->Record().Door.Close();
@@ -173,13 +160,7 @@ TEST_F(StandIns, PlansThatFail)
   EXPECT_NE(errors.Text.find("its own trouble"), std::string::npos) << errors.Text;
   EXPECT_EQ(this->Measured->GetPlan(), "");
   EXPECT_TRUE(this->Measured->GetCurrentIntegrator());
-  double difference = 0.0;
-  for (std::size_t k = 0; k < failed.RGBA.size(); ++k)
-  {
-    difference =
-      std::max(difference, std::abs(static_cast<double>(failed.RGBA[k] - coarse.RGBA[k])));
-  }
-  EXPECT_LT(difference, 0.02);
+  EXPECT_LT(GetLargestDifference(failed, coarse), 0.02);
   const int here = this->Record().Here.Prepared;
   const int apart = this->Record().Apart.Prepared;
   EXPECT_EQ(this->RenderEncoded().RGBA, failed.RGBA);

@@ -6,7 +6,6 @@
 
 #include "vtkActor.h"
 #include "vtkCommand.h"
-#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkLambertBRDF.h"
 #include "vtkMeasuredBRDFMapper.h"

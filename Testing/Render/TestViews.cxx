@@ -3,11 +3,11 @@
 // One mapper in several viewports, windows and passes: each gets its own plan, and only those that
 // show colors get any.
 
+#include "EventCounter.h"
 #include "RenderFixture.h"
 
 #include "../Unit/Support/GatedBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
-#include "vtkCallbackCommand.h"
 #include "vtkEnvironment.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
@@ -33,30 +33,11 @@
 
 namespace
 {
-/// Events of one kind, counted.
-struct Counter
-{
-  Counter(vtkObject* object, unsigned long event)
-  {
-    this->Command->SetClientData(&this->Count);
-    this->Command->SetCallback(
-      [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
-    object->AddObserver(event, this->Command);
-  }
-  vtkNew<vtkCallbackCommand> Command;
-  int Count = 0;
-};
-
 class Views : public RenderFixture
 {
 protected:
-  void SetUp() override
+  void SetUpScene() override
   {
-    RenderFixture::SetUp();
-    if (IsSkipped())
-    {
-      return;
-    }
     this->BRDF->SetSpecular(0.4, 0.3, 0.2);
     this->BRDF->SetExponent(5.0);
     this->Measured->SetInputConnection(this->Sphere->GetOutputPort());
@@ -101,12 +82,12 @@ protected:
     window->SetSize(64, 64);
   }
 
-  void SetUpRenderer(vtkRenderer* renderer, vtkTexture* light)
+  void SetUpRenderer(vtkRenderer* renderer, vtkTexture* light, vtkActor* actor)
   {
     renderer->SetAutomaticLightCreation(false);
     renderer->SetActiveCamera(this->Renderer->GetActiveCamera());
     renderer->SetEnvironmentTexture(light);
-    renderer->AddActor(this->Actor);
+    renderer->AddActor(actor);
   }
 
   /// What a fresh mapper shows under this light.
@@ -119,14 +100,9 @@ protected:
     SetUpWindow(window);
     window->SetSize(32, 64);
     window->AddRenderer(renderer);
-    renderer->SetAutomaticLightCreation(false);
-    renderer->SetActiveCamera(this->Renderer->GetActiveCamera());
-    renderer->SetEnvironmentTexture(light);
-    mapper->SetInputConnection(this->Sphere->GetOutputPort());
-    mapper->SetBRDF(this->BRDF);
-    mapper->SetErrorTolerance(0.3);
+    mapper->ShallowCopy(this->Measured);
     actor->SetMapper(mapper);
-    renderer->AddActor(actor);
+    this->SetUpRenderer(renderer, light, actor);
     window->Render();
     return Read(window);
   }
@@ -150,8 +126,8 @@ TEST_F(Views, TwoViewportsTwoLights)
   this->Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
   right->SetViewport(0.5, 0.0, 1.0, 1.0);
   this->Renderer->SetEnvironmentTexture(this->Textures[0]);
-  this->SetUpRenderer(right, this->Textures[1]);
-  const Counter plans(this->Measured, vtkCommand::UpdateDataEvent);
+  this->SetUpRenderer(right, this->Textures[1], this->Actor);
+  const EventCounter plans(this->Measured, vtkCommand::UpdateDataEvent);
   for (const bool background : { false, true })
   {
     this->Measured->SetPlanningMode(
@@ -190,7 +166,7 @@ TEST_F(Views, TwoWindowsGetTheirBackgroundPlan)
   SetUpWindow(window);
   window->AddRenderer(renderer);
   this->Renderer->SetEnvironmentTexture(this->Textures[0]);
-  this->SetUpRenderer(renderer, this->Textures[0]);
+  this->SetUpRenderer(renderer, this->Textures[0], this->Actor);
   this->Measured->SetPlanningModeToBackground();
   this->Window->Render();
   window->Render();
@@ -233,13 +209,7 @@ TEST_F(Views, ShadowMapsNeedNoPlans)
   unseen->SetPosition(0.0, 4.0, 0.0); // above the picture
   this->Renderer->AddActor(unseen);
   this->Renderer->SetEnvironmentTexture(this->Textures[0]);
-  vtkNew<vtkLight> spot;
-  spot->SetLightTypeToSceneLight();
-  spot->PositionalOn();
-  spot->SetConeAngle(40.0);
-  spot->SetPosition(8.0, 2.0, 0.0); // from the side
-  spot->SetFocalPoint(0.0, 0.0, 0.0);
-  this->Renderer->AddLight(spot);
+  this->AddSceneLight(8.0, 2.0, 0.0, 40.0); // from the side
   this->Measured->PlanForViewOn();
 
   vtkNew<vtkShadowMapPass> shadows;
@@ -247,8 +217,8 @@ TEST_F(Views, ShadowMapsNeedNoPlans)
   this->Passes->AddItem(shadows->GetShadowMapBakerPass());
   this->Passes->AddItem(shadows);
   this->Renderer->SetPass(this->CameraPass);
-  const Counter plans(this->Measured, vtkCommand::UpdateDataEvent);
-  const Counter unseenPlans(unseenMapper, vtkCommand::UpdateDataEvent);
+  const EventCounter plans(this->Measured, vtkCommand::UpdateDataEvent);
+  const EventCounter unseenPlans(unseenMapper, vtkCommand::UpdateDataEvent);
   for (int frame = 0; frame < 3; ++frame)
   {
     this->Actor->SetPosition(0.01 * frame, 0.0, 0.0); // or the maps stay as they are
@@ -262,7 +232,7 @@ TEST_F(Views, ShadowMapsNeedNoPlans)
 TEST_F(Views, SelectionNeedsNoPlans)
 {
   this->Renderer->SetEnvironmentTexture(this->Textures[0]);
-  const Counter plans(this->Measured, vtkCommand::UpdateDataEvent);
+  const EventCounter plans(this->Measured, vtkCommand::UpdateDataEvent);
   this->Window->SetSize(64, 64);
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(this->Renderer);
@@ -297,8 +267,8 @@ TEST_F(Views, HiddenLinesNeedNoPlans)
   mapper->SetErrorTolerance(0.3);
   plain->SetMapper(mapper);
   this->Renderer->AddActor(plain);
-  const Counter plans(mapper, vtkCommand::UpdateDataEvent);
-  const Counter none(this->Measured, vtkCommand::UpdateDataEvent);
+  const EventCounter plans(mapper, vtkCommand::UpdateDataEvent);
+  const EventCounter none(this->Measured, vtkCommand::UpdateDataEvent);
   this->Window->Render();
   EXPECT_EQ(plans.Count, 1);
   EXPECT_EQ(none.Count, 0);
@@ -332,15 +302,13 @@ TEST_F(Views, WithoutMemoryRenderSaysSoOnce)
 {
   vtkNew<Hungry> hungry;
   this->Measured->SetBRDF(hungry);
-  const Counter errors(this->Measured, vtkCommand::ErrorEvent);
+  const EventCounter errors(this->Measured, vtkCommand::ErrorEvent);
   for (const bool lit : { true, false })
   {
     // Planning, or the material's own textures for a light.
     if (!lit)
     {
-      vtkNew<vtkLight> headlight;
-      headlight->SetLightTypeToHeadlight();
-      this->Renderer->AddLight(headlight);
+      this->AddHeadlight();
     }
     this->Renderer->SetEnvironmentTexture(lit ? this->Textures[0].Get() : nullptr);
     ASSERT_NO_THROW(this->Window->Render());

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the scenes have in common: a small window, a factory of mappers, and what a picture must show.
 
-A scene is a function that takes a factory and returns a View. It is drawn with four factories:
+A scene is a function that fills a View, whose mappers a factory makes. It is drawn with these factories:
 stock      VTK's own mappers
 plain      ours without a material: the same picture and depth, bit by bit
 furnace    ours with a Lambert material in a constant environment, scene lights off: the right answer is known
@@ -10,10 +10,12 @@ material   ours with a measured material in a varied environment, the scene's li
 brushed    the same with an anisotropic material over a set of lights
 """
 
+import functools
 import math
 from array import array
 from collections import Counter
 
+import vtkmeasuredbrdf as measured
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2 as opengl
 from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkFloatArray, vtkUnsignedCharArray
@@ -21,11 +23,22 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
-import vtkmeasuredbrdf as measured
-
 ALBEDO = (0.8, 0.5, 0.2)
 BACKGROUND = (0.1, 0.2, 0.4)  # in no picture by chance
 SIZE = (120, 90)
+
+
+def made(cls, **properties):
+    """An object of VTK with properties: made(vtkTexture, Interpolate=True)."""
+    made = cls()
+    set_all(made, properties)
+    return made
+
+
+def set_all(target, properties):
+    for name, value in properties.items():
+        setter = getattr(target, "Set" + name)
+        setter(*value) if isinstance(value, tuple) else setter(value)
 
 
 def encode(linear):
@@ -38,6 +51,8 @@ def mix(a, b, share):
 
 
 FURNACE = encode(ALBEDO)  # under radiance 1 from everywhere
+MAGENTA = (1.0, 0.0, 1.0)
+SMOOTH = {"expect": (), "others": 1.0}  # colors run across the surface: no palette, but nothing black
 
 
 class View:
@@ -89,9 +104,7 @@ class View:
             connect(mapper, source if source is not None else sphere())
         actor = vtkActor()
         actor.SetMapper(mapper)
-        for name, value in properties.items():
-            setter = getattr(actor.GetProperty(), "Set" + name)
-            setter(*value) if isinstance(value, tuple) else setter(value)
+        set_all(actor.GetProperty(), properties)
         (renderer or self.renderer).AddActor(actor)
         self.actors.append(actor)
         self.mappers.append(mapper)
@@ -118,36 +131,26 @@ def connect(mapper, source):
 
 
 def sphere(resolution=12, radius=0.7, center=(0.0, 0.0, 0.0)):
-    source = vtkSphereSource()
-    source.SetThetaResolution(resolution)
-    source.SetPhiResolution(resolution)
-    source.SetRadius(radius)
-    source.SetCenter(*center)
-    return source
+    return made(vtkSphereSource, ThetaResolution=resolution, PhiResolution=resolution, Radius=radius, Center=center)
 
 
-def constant_environment(radiance=1.0):
-    image = vtkImageData()
-    image.SetDimensions(64, 32, 1)
-    image.AllocateScalars(VTK_FLOAT, 3)
-    image.GetPointData().GetScalars().Fill(radiance)
-    environment = measured.vtkEnvironment()
-    assert environment.SetImage(image)
-    return environment
-
-
-def varied_environment():
-    """Blue above, brown below, brighter on one side: nothing is black."""
-    image = vtkImageData()
-    image.SetDimensions(64, 32, 1)
+def make_environment(radiance):
+    """An environment of the radiance of a column, row and channel."""
+    image = made(vtkImageData, Dimensions=(64, 32, 1))
     image.AllocateScalars(VTK_FLOAT, 3)
     for y in range(32):
         for x in range(64):
-            for c, (low, high) in enumerate(((0.5, 0.3), (0.3, 0.6), (0.2, 1.0))):
-                image.SetScalarComponentFromDouble(x, y, 0, c, (low + (high - low) * y / 31) * (1.5 if x < 20 else 1.0))
+            for c in range(3):
+                image.SetScalarComponentFromDouble(x, y, 0, c, radiance(x, y, c))
     environment = measured.vtkEnvironment()
     assert environment.SetImage(image)
     return environment
+
+
+def varied_radiance(x, y, c):
+    """Blue above, brown below, brighter on one side: nothing is black."""
+    low, high = ((0.5, 0.3), (0.3, 0.6), (0.2, 1.0))[c]
+    return (low + (high - low) * y / 31) * (1.5 if x < 20 else 1.0)
 
 
 class Stock:
@@ -182,15 +185,13 @@ class Dark(Stock):
 class Plain(Stock):
     """Ours without a material."""
 
+    # VTK's mappers hide nothing of the furnace.
+
     def mapper(self):
-        mapper = measured.vtkMeasuredBRDFMapper()
-        mapper.SetOcclusionModeToOff()  # VTK's mappers hide nothing of the furnace
-        return mapper
+        return made(measured.vtkMeasuredBRDFMapper, OcclusionMode=measured.vtkMeasuredBRDFMapper.OCCLUSION_OFF)
 
     def composite(self):
-        mapper = measured.vtkCompositeMeasuredBRDFMapper()
-        mapper.SetOcclusionModeToOff()  # VTK's mappers hide nothing of the furnace
-        return mapper
+        return made(measured.vtkCompositeMeasuredBRDFMapper, OcclusionMode=measured.vtkMeasuredBRDFMapper.OCCLUSION_OFF)
 
 
 class Material(Plain):
@@ -201,7 +202,7 @@ class Material(Plain):
 
     def __init__(self):
         self.brdf = measured.vtkEmbeddedMaterials.NewBRDF("gold-paint")
-        self.environment = varied_environment()
+        self.environment = make_environment(varied_radiance)
 
     def _set(self, mapper):
         mapper.SetBRDF(self.brdf)
@@ -242,7 +243,7 @@ class Furnace(Material):
     def __init__(self):
         self.brdf = measured.vtkLambertBRDF()
         self.brdf.SetAlbedo(*ALBEDO)
-        self.environment = constant_environment()
+        self.environment = make_environment(lambda x, y, c: 1.0)
 
 
 def check_picture(view, pixels):
@@ -311,11 +312,31 @@ def is_finite(view):
 SCENES = {}
 
 
-def scene(function):
-    """Registers a scene under its function's name."""
-    assert function.__name__ not in SCENES, function.__name__
-    SCENES[function.__name__] = function
-    return function
+def scene(function=None, **settings):
+    """Registers a scene under its function's name: see add_scene."""
+    if function is None:
+        return functools.partial(scene, **settings)
+    return add_scene(function.__name__, function, **settings)
+
+
+def add_scene(name, function, lights=True, multisamples=0, **settings):
+    """Registers a scene: a function that fills a view. The settings are members of View, set behind it."""
+    assert name not in SCENES, name
+
+    def fill(view):
+        function(view)
+        for member, value in settings.items():
+            assert hasattr(view, member), member
+            setattr(view, member, value)
+
+    def make(factory):
+        view = View(factory, lights=lights, multisamples=multisamples)
+        fill(view)
+        return view
+
+    make.__module__ = function.__module__
+    SCENES[name] = make
+    return fill
 
 
 class Unavailable(Exception):

@@ -112,7 +112,7 @@ TEST(LightUnits, ScaleEveryMethodsRadiance)
       }
     }
   }
-  EXPECT_GE(tried, 3 * 10);
+  EXPECT_GE(tried, 2 * 10);
 }
 
 //------------------------------------------------------------------------------

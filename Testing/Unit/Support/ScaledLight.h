@@ -16,7 +16,7 @@
 
 /// What a map's radiance is multiplied by, 7e-9 to 1e8: maps are in cd/m2, in counts or relative to
 /// white. Powers of two leave every digit as it is, so that nothing else may change.
-constexpr double LightUnits[] = { 0x1p-27, 0x1p17, 0x1p27 };
+constexpr double LightUnits[] = { 0x1p-27, 0x1p27 };
 
 inline vtkSmartPointer<vtkEnvironment> NewScaledLight(vtkEnvironment* environment, double factor)
 {
