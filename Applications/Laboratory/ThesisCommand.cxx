@@ -3,6 +3,7 @@
 #include "ContactSheet.h"
 #include "Files.h"
 #include "Inputs.h"
+#include "Laboratory.h"
 #include "LightMap.h"
 #include "Meshes.h"
 #include "RunWithProgress.h"
@@ -399,7 +400,7 @@ void AddThesisCommand(CLI::App& app)
     ->add_option(
       "-o,--output", options->Output, "Folder for materials.png, ringing.png and lights.png")
     ->required();
-  command->footer("Example:\n  measured-brdf thesis -o output/thesis\n\n"
+  command->footer("Example:\n  measured-brdf-lab thesis -o output/thesis\n\n"
                   "Needs OpenGL; without a screen, put 'xvfb-run -a' before it.");
   command->callback([options]() { Run(*options); });
 }
