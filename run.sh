@@ -1,5 +1,5 @@
 #!/bin/bash
-# Builds everything and draws measured materials: output/gallery.png, output/thesis/*.png, output/chart.png. See
+# Builds and draws measured materials: output/gallery.png first, then output/chart.png and output/thesis/*.png. See
 # ./run.sh --help.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -9,9 +9,10 @@ usage() {
 usage: ./run.sh [--environment ENV] [-o IMAGE] [FILE...]
 
 Installs what is missing (Debian packages, as root or through sudo), builds, and draws a gallery of measured materials
-under a high-dynamic-range environment, and (without FILE) the figures of the thesis that this project builds:
-output/thesis/materials.png, ringing.png, lights.png, and output/chart.png: speed against accuracy on this machine, from
-a small sweep of the methods (all of it in output/charts). A second run only draws.
+under a high-dynamic-range environment. Without FILE it goes on once the gallery is there: it draws output/chart.png,
+speed against accuracy on this machine from a small sweep of the methods (all of it in output/charts), builds the
+laboratory, and draws the figures of the thesis that this project builds: output/thesis/materials.png, ringing.png,
+lights.png. A second run only draws.
 
   FILE...            your own BRDF files (MERL .binary, RGL .bsdf, NVIDIA .mbsdf, published fits) or names of built-in
                      materials (build/bin/measured-brdf list). Default: built-in materials.
@@ -56,9 +57,9 @@ step "2/3 build"
 mkdir -p build
 if ! {
   if [ -f build/CMakeCache.txt ]; then
-    cmake -S . -B build -DMEASUREDBRDF_BUILD_TOOL=ON
+    cmake -S . -B build -DMEASUREDBRDF_BUILD_TOOL=ON -DMEASUREDBRDF_BUILD_LABORATORY=ON
   else
-    cmake --preset release -B build -DMEASUREDBRDF_WRAP_PYTHON=OFF
+    cmake --preset release -B build -DMEASUREDBRDF_WRAP_PYTHON=OFF -DMEASUREDBRDF_BUILD_LABORATORY=ON
   fi
 } >build/configure.log 2>&1; then
   tail -n 30 build/configure.log >&2
@@ -91,12 +92,15 @@ if [ -z "${DISPLAY:-}" ]; then
 fi
 mkdir -p "$(dirname "$image")"
 "${display[@]}" build/bin/measured-brdf gallery "${files[@]}" --environment "$environment" -o "$image"
-made=$image
+show() { # IMAGE
+  if [ -t 1 ] && [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] && command -v xdg-open >/dev/null; then
+    xdg-open "$1" >/dev/null 2>&1 &
+  fi
+}
+printf '\nDone: %s\n' "$image"
+show "$image"
+
 if [ ${#files[@]} -eq 0 ]; then
-  echo "Drawing the thesis's figures (two minutes without a graphics card) ..."
-  other=$environment
-  [ "$other" != hall ] || other=sky
-  "${display[@]}" build/bin/measured-brdf thesis --environment hall --environment "$other" -o output/thesis
   echo "Measuring the methods on this machine (two minutes without a graphics card) ..."
   chart() {
     "${display[@]}" build/bin/measured-brdf chart pink-felt gold-paint --size 200x200 --reference-pixels 256 \
@@ -106,10 +110,11 @@ if [ ${#files[@]} -eq 0 ]; then
   # leaves it.
   chart || { rm -f output/charts/results.json && chart; }
   cp output/charts/summary.png output/chart.png
-  made="$image, output/thesis/materials.png, ringing.png, lights.png, output/chart.png"
-fi
-
-printf '\nDone: %s\n' "$made"
-if [ -t 1 ] && [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] && command -v xdg-open >/dev/null; then
-  xdg-open "$image" >/dev/null 2>&1 &
+  step "the laboratory"
+  cmake --build build --target measured-brdf-lab
+  echo "Drawing the thesis's figures (two minutes without a graphics card) ..."
+  other=$environment
+  [ "$other" != hall ] || other=sky
+  "${display[@]}" build/bin/measured-brdf-lab thesis --environment hall --environment "$other" -o output/thesis
+  printf '\nDone: %s\n' "output/chart.png, output/thesis/materials.png, ringing.png, lights.png"
 fi

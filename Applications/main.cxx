@@ -2,46 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // measured-brdf: measured materials from the command line, over the module's public API.
 
-#include "Meshes.h"
-#include "ReadApart.h"
-#include "Tool.h"
-
 #include "MeasuredBRDFToolVersion.h"
-#include "vtkBRDFReader.h"
-
-#include <CLI/CLI.hpp>
-
-#include <csignal>
-#include <cstdio>
-#include <exception>
-#include <iostream>
-#include <sstream>
+#include "Program.h"
+#include "Tool.h"
 
 namespace
 {
 //------------------------------------------------------------------------------
-// CLI11 prints a description as it is: break it between words.
-std::string Wrap(const std::string& text)
-{
-  constexpr std::size_t width = 62;
-  std::istringstream words(text);
-  std::string result;
-  std::size_t column = 0;
-  for (std::string word; words >> word;)
-  {
-    const bool fits = column + 1 + word.size() <= width;
-    result += column == 0 ? "" : (fits ? " " : "\n");
-    column = fits && column > 0 ? column + 1 + word.size() : word.size();
-    result += word;
-  }
-  return result;
-}
-
-//------------------------------------------------------------------------------
 void AddCommands(CLI::App& app)
 {
   tool::AddListCommand(app);
+#if MEASUREDBRDF_WITH_CURL
   tool::AddFetchCommand(app);
+#else
+  tool::AddAbsentCommand(
+    app, "fetch", "this build has no libcurl (MEASUREDBRDF_WITH_CURL), so it downloads nothing");
+#endif
   tool::AddInfoCommand(app);
   tool::AddEvaluateCommand(app);
   tool::AddIntegrateCommand(app);
@@ -54,95 +30,30 @@ void AddCommands(CLI::App& app)
   tool::AddChartCommand(app);
   tool::AddGalleryCommand(app);
   tool::AddConvertCommand(app);
-  tool::AddAcquireCommand(app);
-  tool::AddPhotographCommand(app);
   tool::AddSvbrdfCommand(app);
-  tool::AddProjectCommand(app);
-  tool::AddRepresentationsCommand(app);
-  tool::AddThesisCommand(app);
-  tool::AddStabilityCommand(app);
   tool::AddFitCommand(app);
   tool::AddExportCommand(app);
-}
-
-//------------------------------------------------------------------------------
-int Run(int argc, char* argv[])
-{
-  tool::RedirectMessages();
-  if (argc == 3 && std::string(argv[1]) == tool::ReadMeshOption)
+  for (const std::string name :
+    { "acquire", "photograph", "project", "representations", "stability", "thesis" })
   {
-    return tool::AnswerLoadMesh(argv[2]);
-  }
-
-  CLI::App app("Measured materials (BRDFs): look into them, evaluate them, light them with an HDR\n"
-               "environment, render and convert them.",
-    "measured-brdf");
-#if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 5
-  // From 2.5 on CLI11 fills paragraphs; these have their line breaks already.
-  app.get_formatter()->enable_description_formatting(false);
-  app.get_formatter()->enable_footer_formatting(false);
-#endif
-  app.require_subcommand(1);
-  app.set_version_flag("--version", "measured-brdf " MEASUREDBRDF_VERSION);
-  app.footer("Start with:\n"
-             "  measured-brdf list                      the materials that come with the tool\n"
-             "  measured-brdf gallery -o gallery.png    a picture of them\n"
-             "  measured-brdf render gold-paint --environment sky -o gold.png\n"
-             "  measured-brdf COMMAND --help            what a command does and its options\n\n"
-             "Exit status: 0 done, 1 failed (a bad file, say), 2 called the wrong way.");
-
-  AddCommands(app);
-
-  for (CLI::App* command : app.get_subcommands({}))
-  {
-    for (CLI::Option* option : command->get_options())
-    {
-      option->description(Wrap(option->get_description()));
-    }
-  }
-
-  if (argc == 1)
-  {
-    std::cerr << app.help();
-    return 2;
-  }
-  try
-  {
-    app.parse(argc, argv);
-    return 0;
-  }
-  catch (const CLI::ParseError& e)
-  {
-    std::ostringstream out, err; // which quote the arguments
-    const int status = app.exit(e, out, err);
-    std::cout << vtkBRDFReader::GetPrintable(out.str()) << std::flush;
-    std::cerr << vtkBRDFReader::GetPrintable(err.str()) << std::flush;
-    return status == 0 ? 0 : 2; // 0: --help, --version
-  }
-  catch (const tool::UsageError& e)
-  {
-    std::cerr << "measured-brdf: " << vtkBRDFReader::GetPrintable(e.what())
-              << "\nRun with --help for more information." << std::endl;
-    return 2;
-  }
-  catch (const std::exception& e)
-  {
-    std::cerr << "measured-brdf: error: " << vtkBRDFReader::GetPrintable(e.what()) << std::endl;
-    return dynamic_cast<const tool::InputError*>(&e) ? 2 : 1;
+    tool::AddAbsentCommand(app, name,
+      "this command is in the program measured-brdf-lab, which the build makes with "
+      "MEASUREDBRDF_BUILD_LABORATORY=ON: measured-brdf-lab " +
+        name + " ...");
   }
 }
 }
 
 int main(int argc, char* argv[])
 {
-  std::signal(SIGXFSZ, SIG_IGN); // a limit of file sizes is an error with a message
-  try
-  {
-    return Run(argc, argv);
-  }
-  catch (const std::exception& e) // before there was a command: no memory, say
-  {
-    std::fprintf(stderr, "measured-brdf: error: %s\n", e.what());
-    return 1;
-  }
+  return tool::RunProgram(argc, argv,
+    { "measured-brdf",
+      "Measured materials (BRDFs): look into them, evaluate them, light them with an HDR\n"
+      "environment, render and convert them.",
+      "Start with:\n"
+      "  measured-brdf list                      the materials that come with the tool\n"
+      "  measured-brdf gallery -o gallery.png    a picture of them\n"
+      "  measured-brdf render gold-paint --environment sky -o gold.png\n"
+      "  measured-brdf COMMAND --help            what a command does and its options",
+      AddCommands });
 }

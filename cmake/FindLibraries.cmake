@@ -31,7 +31,8 @@ if (MEASUREDBRDF_BUILD_TOOL)
   option(MEASUREDBRDF_WITH_CURL "Download materials and environments (needs libcurl)" ON)
   measuredbrdf_find_optional(CURL libcurl4-openssl-dev)
   if (MEASUREDBRDF_WITH_CURL)
-    find_package(ZLIB REQUIRED) # which libcurl and VTK use, too
+    find_package(OpenSSL REQUIRED) # for SHA-256; Debian: libssl-dev
+    find_package(ZLIB REQUIRED)    # which libcurl and VTK use, too
   endif ()
 endif ()
 

@@ -59,7 +59,7 @@ struct CompareOptions
 // where they take longer than this in all, in ms.
 constexpr int NumberOfFrames = 21;
 constexpr int WarmUp = 3;
-constexpr double FrameBudget = 2000.0;
+constexpr double MeasuringBudget = 2000.0;
 constexpr int LargestComparedPicture = 4096;
 constexpr int TracedPixels = 4096; // by default: rays take a millisecond of a core for each
 // Share of the picture's smaller side that the mesh takes.
@@ -276,12 +276,12 @@ void TimeFrames(tool::OffscreenScene& scene, tool::OffscreenScene& stock, Compar
   std::vector<double> frames;
   std::vector<double> stockFrames;
   double spent = 0.0;
-  for (int k = 0; k < WarmUp + NumberOfFrames && (spent < FrameBudget || frames.empty()); ++k)
+  for (int k = 0; k < WarmUp + NumberOfFrames && (spent < MeasuringBudget || frames.empty()); ++k)
   {
     const double frame = scene.TimeFrame();
     const double stockFrame = stock.TimeFrame();
     spent += frame + stockFrame;
-    if (k >= WarmUp || spent >= FrameBudget)
+    if (k >= WarmUp || spent >= MeasuringBudget)
     {
       frames.push_back(frame);
       stockFrames.push_back(stockFrame);

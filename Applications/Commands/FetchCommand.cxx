@@ -1,17 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FetchJob.h"
-#include "FetchTable.h"
+#include "Download.h"
+#include "FetchFile.h"
 #include "Progress.h"
-#include "Sha256.h"
 #include "Tool.h"
 
 #include "vtkBRDFReader.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <iostream>
 #include <memory>
@@ -20,10 +22,97 @@
 
 namespace
 {
+using Entries = std::vector<const tool::FetchEntry*>;
+using Row = std::array<std::string, 5>;
+
+//------------------------------------------------------------------------------
+Entries SelectEntries(const std::vector<std::string>& parts)
+{
+  Entries selected;
+  for (const tool::FetchEntry& entry : tool::GetFetchCatalog())
+  {
+    const auto isPart = [&entry](const std::string& part)
+    { return entry.Name.find(part) != std::string::npos; };
+    if (parts.empty() || std::any_of(parts.begin(), parts.end(), isPart))
+    {
+      selected.push_back(&entry);
+    }
+  }
+  return selected;
+}
+
+//------------------------------------------------------------------------------
+std::string FormatCatalogJson(const Entries& entries)
+{
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  const auto orNull = [](const std::string& text)
+  { return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text); };
+  for (const tool::FetchEntry* entry : entries)
+  {
+    nlohmann::ordered_json item = { { "name", entry->Name }, { "kind", entry->Collection->Kind },
+      { "source", entry->Collection->Title }, { "page", entry->Page }, { "file", entry->File },
+      { "url", entry->Url }, { "member", orNull(entry->Member) },
+      { "size", entry->Size == 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(entry->Size) },
+      { "limit", entry->Limit }, { "sha256", orNull(entry->Sha256) },
+      { "sum", orNull(entry->SumKind) }, { "licence", entry->Collection->Licence },
+      { "needs_agreement", entry->Collection->NeedsAgreement },
+      { "fetched", orNull(tool::FindFetchedFile(*entry)) } };
+    list.push_back(std::move(item));
+  }
+  return list.dump(2) + "\n";
+}
+
+//------------------------------------------------------------------------------
+Row MakeCatalogRow(const tool::FetchEntry& entry)
+{
+  return { entry.Name,
+    entry.Size > 0 ? std::to_string(entry.Size) : "<= " + std::to_string(entry.Limit),
+    entry.Collection->Licence + (entry.Collection->NeedsAgreement ? " (agree)" : ""),
+    entry.Sha256.empty() ? "not known" : entry.SumKind,
+    tool::FindFetchedFile(entry).empty() ? "" : "yes" };
+}
+
+//------------------------------------------------------------------------------
+std::string FormatCatalogTable(const Entries& entries)
+{
+  std::vector<Row> rows = { { "NAME", "BYTES", "LICENCE", "SHA-256", "HERE" } };
+  for (const tool::FetchEntry* entry : entries)
+  {
+    rows.push_back(MakeCatalogRow(*entry));
+  }
+  std::array<std::size_t, std::tuple_size<Row>::value> widths{};
+  for (const Row& row : rows)
+  {
+    for (std::size_t k = 0; k < row.size(); ++k)
+    {
+      widths[k] = std::max(widths[k], row[k].size());
+    }
+  }
+  std::string text;
+  for (std::size_t r = 0; r < rows.size(); ++r)
+  {
+    if (r > 0 && (r == 1 || entries[r - 1]->Collection != entries[r - 2]->Collection))
+    {
+      text += "\n" + entries[r - 1]->Collection->Title + ":\n";
+    }
+    std::string line;
+    for (std::size_t k = 0; k < rows[r].size(); ++k)
+    {
+      std::string cell = rows[r][k];
+      cell.resize(widths[k], ' ');
+      line += cell + "  ";
+    }
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text +
+         "\nSHA-256: published = by people who downloaded the file there; copy = of a copy "
+         "that came from\nelsewhere; not known = give it by --sha256, or say --trust-first.\n";
+}
+
+//------------------------------------------------------------------------------
 struct FetchCommandOptions : tool::FetchOptions
 {
   std::vector<std::string> Names;
-  std::string Folder; // "": the cache
   bool List = false;
   bool Json = false;
   bool AcceptLicence = false;
@@ -96,29 +185,6 @@ void ShowLicence(const tool::FetchEntry& entry, bool accepted)
 }
 
 //------------------------------------------------------------------------------
-// Brings one file; its path.
-std::string FetchOne(const tool::FetchEntry& entry, const FetchCommandOptions& options,
-  const tool::FetchFolder& folder, std::set<std::string>& shown)
-{
-  std::unique_ptr<tool::FetchFolder> cache;
-  if (!folder.IsCache() && !tool::FindFetchedFile(entry).empty())
-  {
-    cache = std::make_unique<tool::FetchFolder>(tool::FetchFolder::OpenCache());
-  }
-  tool::FetchJob job(entry, options, folder, cache.get());
-  if (!job.IsDone())
-  {
-    job.CheckSumIsKnown();
-    if (shown.insert(entry.Collection->Id).second)
-    {
-      ShowLicence(entry, options.AcceptLicence);
-    }
-    job.Run();
-  }
-  return folder.GetPath(entry.File);
-}
-
-//------------------------------------------------------------------------------
 void FetchAll(const FetchCommandOptions& options)
 {
   std::vector<const tool::FetchEntry*> entries;
@@ -129,16 +195,20 @@ void FetchAll(const FetchCommandOptions& options)
   // A closed connection is an error with a message, no end.
   std::signal(SIGPIPE, SIG_IGN);
   const tool::Interruptible interruptible;
-  const tool::FetchFolder folder = options.Folder.empty()
-                                     ? tool::FetchFolder::OpenCache()
-                                     : tool::FetchFolder::OpenOther(options.Folder);
   std::set<std::string> shown;
   std::size_t failures = 0;
   for (const tool::FetchEntry* entry : entries)
   {
     try
     {
-      tool::PrintOut(FetchOne(*entry, options, folder, shown) + "\n");
+      const auto agree = [&]()
+      {
+        if (shown.insert(entry->Collection->Id).second)
+        {
+          ShowLicence(*entry, options.AcceptLicence);
+        }
+      };
+      tool::PrintOut(tool::FetchFile(*entry, options, agree) + "\n");
     }
     catch (const tool::Error& e)
     {
@@ -162,7 +232,12 @@ void Run(const FetchCommandOptions& options)
 {
   if (options.List || options.Json)
   {
-    tool::PrintFetchCatalog(options.Names, options.Json);
+    const Entries entries = SelectEntries(options.Names);
+    if (entries.empty())
+    {
+      throw tool::Error("fetch: nothing in the list has such a name");
+    }
+    tool::PrintOut(options.Json ? FormatCatalogJson(entries) : FormatCatalogTable(entries));
     return;
   }
   Check(options);

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FetchCatalog.h"
-#include "FetchFolder.h"
 #include "MeasuredBRDFToolVersion.h"
 #include "Tool.h"
 

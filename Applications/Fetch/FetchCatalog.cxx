@@ -3,13 +3,18 @@
 #include "FetchCatalog.h"
 
 #include "FetchCatalogData.h" // made of FetchCatalog.json
+#include "MeasuredBRDFToolVersion.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <numeric>
 #include <utility>
+
+namespace fs = std::filesystem;
 
 namespace
 {
@@ -63,7 +68,7 @@ void Catalog::Add(const Json& data)
   collection->BeginsWith = data.value("begins_with", "");
   for (const Json& file : data.at("files"))
   {
-    const std::string name = file.at("name");
+    const std::string name = file.is_string() ? file : file.at("name");
     tool::FetchEntry entry;
     entry.Name = Fill(data.at("entry"), name);
     entry.File = Fill(data.at("file"), name);
@@ -71,10 +76,14 @@ void Catalog::Add(const Json& data)
     entry.Page = Fill(data.at("page"), name);
     entry.Member = Fill(data.value("member", ""), name);
     entry.ArchiveSize = data.value("archive_size", std::uint64_t(0));
-    entry.Size = file.value("size", std::uint64_t(0));
     entry.Limit = data.at("limit");
-    entry.Sha256 = file.value("sha256", "");
-    entry.SumKind = file.value("sum", "");
+    entry.Size = data.value("size", std::uint64_t(0));
+    if (file.is_object())
+    {
+      entry.Size = file.value("size", entry.Size);
+      entry.Sha256 = file.value("sha256", "");
+      entry.SumKind = file.value("sum", "");
+    }
     entry.Collection = collection.get();
     this->Entries.push_back(std::move(entry));
   }
@@ -144,5 +153,61 @@ std::vector<std::string> FindNearFetchNames(const std::string& name, std::size_t
     names.push_back(near[k].second);
   }
   return names;
+}
+
+//------------------------------------------------------------------------------
+std::string GetFetchCache()
+{
+  const std::string subfolder = "/vtkMeasuredBRDF/vtkMeasuredBRDF-files";
+  const char* cache = std::getenv("XDG_CACHE_HOME");
+  if (cache && *cache == '/') // its specification demands an absolute path
+  {
+    return cache + subfolder;
+  }
+  const char* home = std::getenv("HOME");
+  return home && *home ? std::string(home) + "/.cache" + subfolder : "";
+}
+
+//------------------------------------------------------------------------------
+std::string FindFetchedFile(const FetchEntry& entry)
+{
+  const std::string folder = GetFetchCache();
+  const std::string path = folder + "/" + entry.File;
+  std::error_code ignored;
+  const bool there = !folder.empty() && fs::is_regular_file(fs::symlink_status(path, ignored));
+  return there ? path : "";
+}
+
+//------------------------------------------------------------------------------
+std::string ResolveFetched(const std::string& argument, const std::string& kind)
+{
+  std::error_code ignored;
+  const FetchEntry* entry = FindFetchEntry(argument);
+  if (!entry || entry->Name != argument || entry->Collection->Kind != kind ||
+      fs::exists(argument, ignored))
+  {
+    return argument;
+  }
+  const std::string path = FindFetchedFile(*entry);
+  return path.empty() ? argument : path;
+}
+
+//------------------------------------------------------------------------------
+std::string GetFetchAdvice(const std::string& argument, const std::string& kind)
+{
+  std::error_code ignored;
+  const FetchEntry* entry = FindFetchEntry(fs::path(argument).filename().string());
+  if (!entry || entry->Collection->Kind != kind || fs::exists(argument, ignored))
+  {
+    return "";
+  }
+  if (!FindFetchedFile(*entry).empty())
+  {
+    return " It was fetched: say " + entry->Name;
+  }
+  return MEASUREDBRDF_WITH_CURL
+           ? " 'measured-brdf fetch " + entry->Name + "' downloads it (" +
+               entry->Collection->Licence + ")"
+           : " It can be downloaded: " + entry->Page + " (" + entry->Collection->Licence + ")";
 }
 } // namespace tool

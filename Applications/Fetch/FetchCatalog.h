@@ -52,6 +52,23 @@ const FetchEntry* FindFetchEntry(const std::string& name);
 
 /// Names that look like this one, the nearest first, at most that many.
 std::vector<std::string> FindNearFetchNames(const std::string& name, std::size_t count);
+
+/// The folder that files are downloaded to unless the user names another one:
+/// vtkMeasuredBRDF/vtkMeasuredBRDF-files in $XDG_CACHE_HOME or $HOME/.cache. "" where there is no
+/// such folder; makes nothing.
+std::string GetFetchCache();
+
+/// The path of a file that was downloaded to that folder, or "".
+std::string FindFetchedFile(const FetchEntry& entry);
+
+/// The file to read for an argument of another command: the downloaded one where the argument is a
+/// name of the catalog, of that kind ("material", "environment"), and no file of that name is
+/// there; else the argument.
+std::string ResolveFetched(const std::string& argument, const std::string& kind);
+
+/// Where an argument names no file: how to get the published one of that name, as a sentence that
+/// begins with a blank; "" where there is none.
+std::string GetFetchAdvice(const std::string& argument, const std::string& kind);
 } // namespace tool
 
 #endif

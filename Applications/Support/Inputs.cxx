@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Inputs.h"
 
-#include "FetchAdvice.h"
+#include "FetchCatalog.h"
 #include "Files.h"
 #include "Tool.h"
 

@@ -73,13 +73,7 @@ void AddDiffCommand(CLI::App& app);
 void AddChartCommand(CLI::App& app);
 void AddGalleryCommand(CLI::App& app);
 void AddConvertCommand(CLI::App& app);
-void AddAcquireCommand(CLI::App& app);
-void AddPhotographCommand(CLI::App& app);
 void AddSvbrdfCommand(CLI::App& app);
-void AddProjectCommand(CLI::App& app);
-void AddRepresentationsCommand(CLI::App& app);
-void AddThesisCommand(CLI::App& app);
-void AddStabilityCommand(CLI::App& app);
 void AddFitCommand(CLI::App& app);
 void AddExportCommand(CLI::App& app);
 ///@}

@@ -1161,20 +1161,13 @@ add("Rendering.legend-shows-the-last-first", "vtkMaterialLegendActor.cxx",
 
 # Fetch
 
-add("Fetch.sum-turns-a-word-too-far", "Sha256.cxx", "Rotate(w[t - 2], 17)", "Rotate(w[t - 2], 18)", "Sha256.KnownSums")
-add("Fetch.sum-without-a-waiting-block", "Sha256.cxx", "if (waiting + taken == BlockSize)",
-    "if (waiting + taken > BlockSize)", "Sha256.PiecesDoNotMatter|Sha256.KnownSums")
-add("Fetch.http-from-anywhere", "WebAddress.cxx", "return scheme == \"http\" && IsThisMachine(",
-    "return scheme == \"http\" || IsThisMachine(", "WebAddress.OnlyHttpsElsewhere")
-add("Fetch.name-and-password", "WebAddress.cxx", ".find('@') != std::string::npos", ".find('@') == 0",
-    "WebAddress.OnlyHttpsElsewhere|WebAddress.UserNames")
-add("Fetch.range-beyond-the-end", "WebAddress.cxx", "range.Last >= range.Total", "range.Last > range.Total",
-    "WebAddress.Ranges")
-add("Fetch.weak-tag-counts", "WebAddress.cxx", "tag.front() == '\"'", "tag.back() == '\"'", "WebAddress.Ranges")
-add("Fetch.member-larger-than-it-says", "ZipMember.cxx", "if (count > this->Member.Size - this->Done)",
-    "if (count > 2 * this->Member.Size)", "ZipMember.RefusesWhatIsWrong")
-add("Fetch.member-with-any-checksum", "ZipMember.cxx", "if (this->Crc != this->Member.Crc)", "if (this->Crc == 0)",
-    "ZipMember.RefusesWhatIsWrong")
+add("Fetch.http-from-anywhere", "Download.cxx", "(scheme == \"http\" && isThisMachine)", "scheme == \"http\"",
+    "Download.OnlyHttpsElsewhere")
+add("Fetch.name-and-password", "Download.cxx", "get(CURLUPART_USER).empty() && get(CURLUPART_PASSWORD).empty() &&",
+    "get(CURLUPART_PASSWORD).empty() &&", "Download.OnlyHttpsElsewhere")
+add("Fetch.member-of-another-size", "ZipMember.cxx", "if (content.size() != member.Size)",
+    "if (content.empty())", "ZipMember.RefusesWhatIsWrong")
+add("Fetch.member-with-any-checksum", "ZipMember.cxx", "!= member.Crc)", "== 0)", "ZipMember.RefusesWhatIsWrong")
 add("Fetch.encrypted-member", "ZipMember.cxx", "(Get(directory, at + 8, 2) & 1) != 0", "(Get(directory, at + 8, 2) & 1) > 1",
     "ZipMember.RefusesWhatIsWrong")
 add("Fetch.files-have-no-names", "FetchCatalog.cxx", "return entry.Name == name || entry.File == name;",

@@ -15,21 +15,18 @@ class Resource:
     cut: the connection ends after so many bytes of an answer's body, in the first `cuts` answers that are longer.
     pause: seconds of silence after those bytes, instead of an end.
     status: answers with this status, in the first `failures` answers (all: None).
-    redirect: where to; endless: with a text that never ends. date: Last-Modified. encoding: Content-Encoding. ignores_range, ignores_if_range, without_length, without_tag: as they say.
+    redirect: where to. ignores_range, without_length: as they say.
     extra: bytes that are sent beyond what was announced (no length is announced then).
-    range_shift: serves another range than the one asked for.
+    delay: seconds before the answer.
     """
 
-    def __init__(self, content, tag='"one"', **faults):
+    def __init__(self, content, **faults):
         self.content = content
-        self.tag = tag
-        self.cut = self.status = self.redirect = self.failures = self.encoding = self.date = None
-        self.pause = self.range_shift = 0
+        self.cut = self.status = self.redirect = self.failures = None
+        self.pause = self.delay = 0
         self.cuts = 1
         self.extra = b""
-        self.delay = 0.0
-        self.endless = False
-        self.ignores_range = self.ignores_if_range = self.without_length = self.without_tag = False
+        self.ignores_range = self.without_length = False
         for name, value in faults.items():
             assert hasattr(self, name), name
             setattr(self, name, value)
@@ -48,26 +45,12 @@ class Handler(http.server.BaseHTTPRequestHandler):
             resource = server.resources.get(self.path)
         if resource is None:
             return self.answer(404, b"<html>no such page</html>")
-        if resource.redirect and resource.endless:
-            return self.move_endlessly(resource)
         if resource.redirect:
             return self.answer(302, b"moved", [("Location", resource.redirect)])
         if resource.status and (resource.failures is None or resource.failures > 0):
             resource.failures = resource.failures and resource.failures - 1
             return self.answer(resource.status, b"<html>an error</html>")
         return self.serve(resource)
-
-    def move_endlessly(self, resource):
-        self.close_connection = True
-        self.send_response(302)
-        self.send_header("Location", resource.redirect)
-        self.send_header("Connection", "close")
-        self.end_headers()
-        try:
-            while not self.server.owner.stop.wait(0.001):
-                self.wfile.write(b"moved " * 1000)
-        except OSError:
-            pass
 
     def answer(self, status, body, headers=()):
         self.send_response(status)
@@ -82,10 +65,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
         match = re.fullmatch(r"bytes=(\d+)-(\d*)", self.headers.get("Range", ""))
         if not match or resource.ignores_range:
             return None
-        condition = self.headers.get("If-Range")
-        if condition and condition not in (resource.tag, resource.date) and not resource.ignores_if_range:
-            return None
-        first = int(match.group(1)) + resource.range_shift
+        first = int(match.group(1))
         last = int(match.group(2) or len(resource.content) - 1)
         return first, min(last, len(resource.content) - 1)
 
@@ -99,12 +79,6 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.send_response(206 if span else 200)
         if span:
             self.send_header("Content-Range", f"bytes {span[0]}-{span[1]}/{total}")
-        if not resource.without_tag:
-            self.send_header("ETag", resource.tag)
-        if resource.date:
-            self.send_header("Last-Modified", resource.date)
-        if resource.encoding:
-            self.send_header("Content-Encoding", resource.encoding)
         if not (resource.without_length or resource.extra):
             self.send_header("Content-Length", str(len(body)))
         else:

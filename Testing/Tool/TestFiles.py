@@ -120,7 +120,7 @@ class Depth(unittest.TestCase):
                 path = os.path.join(folder, "map.json")
                 with open(path, "w", encoding="utf-8") as file:
                     file.write(text)
-                result = subprocess.run([PROGRAM, "photograph", path, "--format", "png", "-o", folder + "/out"],
+                result = subprocess.run([PROGRAM + "-lab", "photograph", path, "--format", "png", "-o", folder + "/out"],
                                         capture_output=True, text=True, timeout=120, check=False)
                 self.assertEqual(result.returncode, 1, result.stderr[-300:])
                 self.assertIn("nested deeper", result.stderr)

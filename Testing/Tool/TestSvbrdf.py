@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Drives `measured-brdf photograph` and `svbrdf`: TestSvbrdf.py PROGRAM [unittest arguments]."""
+"""Drives `measured-brdf svbrdf`, and `measured-brdf-lab photograph` beside it: TestSvbrdf.py PROGRAM [unittest arguments]."""
 
 import json
 import os
@@ -19,7 +19,8 @@ SIDE = 16
 
 
 def run(*arguments):
-    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+    program = PROGRAM + "-lab" if arguments[0] == "photograph" else PROGRAM
+    return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, timeout=300)
 
 
 def read_png16(path):

@@ -3,6 +3,7 @@
 #include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
+#include "Laboratory.h"
 #include "Progress.h"
 #include "RepresentationRows.h"
 #include "Tool.h"
@@ -408,7 +409,7 @@ void AddRepresentationsCommand(CLI::App& app)
     "continued over the hemisphere by harmonics; spherical harmonics: over the hemisphere.\n"
     "Image errors: mean |x - r| / mean r over a sphere under the environment at 128 texels "
     "width.\n\n"
-    "Example:\n  measured-brdf representations satin_purple_rgb.bsdf --orders 4,8");
+    "Example:\n  measured-brdf-lab representations satin_purple_rgb.bsdf --orders 4,8");
   command->callback([options]() { Run(*options); });
 }
 } // namespace tool

@@ -3,6 +3,7 @@
 #include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
+#include "Laboratory.h"
 #include "Progress.h"
 #include "Tool.h"
 
@@ -113,7 +114,8 @@ void AddAcquireCommand(CLI::App& app)
   command->footer(
     "The stack of coefficients is a material like any other: use it with 'info', 'render', ...\n"
     "'project OUT.exr --extrapolate' extends it beyond the zone.\n\n"
-    "Example:\n  measured-brdf acquire gold-paint --order 6 --noise 0.01 --bits 12 -o stack.exr");
+    "Example:\n  measured-brdf-lab acquire gold-paint --order 6 --noise 0.01 --bits 12 -o "
+    "stack.exr");
   command->callback([options, command]() { Run(*options, command); });
 }
 } // namespace tool

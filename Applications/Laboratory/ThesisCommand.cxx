@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files.h"
 #include "Inputs.h"
+#include "Laboratory.h"
 #include "Meshes.h"
 #include "Progress.h"
 #include "Scenes.h"
@@ -398,7 +399,7 @@ void AddThesisCommand(CLI::App& app)
     ->add_option(
       "-o,--output", options->Output, "Folder for materials.png, ringing.png and lights.png")
     ->required();
-  command->footer("Example:\n  measured-brdf thesis -o output/thesis\n\n"
+  command->footer("Example:\n  measured-brdf-lab thesis -o output/thesis\n\n"
                   "Needs OpenGL; without a screen, put 'xvfb-run -a' before it.");
   command->callback([options]() { Run(*options); });
 }

@@ -3,6 +3,7 @@
 #include "Files.h"
 
 #include "Inputs.h"
+#include "Laboratory.h"
 #include "MaterialMapFiles.h"
 #include "NumberText.h"
 #include "Picture.h"
@@ -171,7 +172,7 @@ void Run(const PhotographOptions& options, const CLI::App* command)
   const bool isBonn = options.Pairs.empty() && options.Directions == "bonn";
   const std::string ending = encode || options.Bits > 0 ? ".png" : ".exr";
   ordered_json list = {
-    { "comment", "SIMULATED by measured-brdf photograph: no photographs of anything real" },
+    { "comment", "SIMULATED by measured-brdf-lab photograph: no photographs of anything real" },
     { "irradiance", set->GetIrradiance() }, { "transfer", encode ? "srgb" : "linear" },
     { "photographs", ordered_json::array() }
   };
@@ -250,7 +251,7 @@ void AddPhotographCommand(CLI::App& app)
   command->add_option("-o,--output", options->Output, "Folder for the images and photographs.json")
     ->required();
   command->footer("Nothing of it was photographed: photographs.json says so, too.\n\n"
-                  "Example:\n  measured-brdf photograph nickel red-fabric2 --weights rust.png "
+                  "Example:\n  measured-brdf-lab photograph nickel red-fabric2 --weights rust.png "
                   "--noise 0.005 -o photos\n"
                   "  measured-brdf svbrdf photos/photographs.json -o found");
   command->callback([options, command]() { Run(*options, command); });

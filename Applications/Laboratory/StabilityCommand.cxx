@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files.h"
 #include "Inputs.h"
+#include "Laboratory.h"
 #include "Progress.h"
 #include "Stability.h"
 #include "Tool.h"
@@ -270,7 +271,7 @@ void AddStabilityCommand(CLI::App& app)
       "-o,--output", options->Output, "Folder for stability.json and the cases' pictures")
     ->required();
   command->footer("Exit status 1 where a figure is beyond its threshold and not a known limit.\n\n"
-                  "Example:\n  measured-brdf stability --case temporal -o stability\n\n"
+                  "Example:\n  measured-brdf-lab stability --case temporal -o stability\n\n"
                   "Needs OpenGL; without a screen, put 'xvfb-run -a' before it.");
   command->callback([options]() { Run(*options); });
 }

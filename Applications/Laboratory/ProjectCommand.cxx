@@ -3,6 +3,7 @@
 #include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
+#include "Laboratory.h"
 #include "Progress.h"
 #include "Tool.h"
 
@@ -224,8 +225,8 @@ void AddProjectCommand(CLI::App& app)
     "An extrapolation whose residual inside the zone is too large is refused with exit status 1:\n"
     "use 'fit' for such materials.\n\n"
     "Examples:\n"
-    "  measured-brdf project blue-fabric --basis legendre-fourier --order 6 -o blue.exr\n"
-    "  measured-brdf project stack.exr --extrapolate -o whole.exr");
+    "  measured-brdf-lab project blue-fabric --basis legendre-fourier --order 6 -o blue.exr\n"
+    "  measured-brdf-lab project stack.exr --extrapolate -o whole.exr");
   command->callback([options, command]() { Run(*options, command); });
 }
 } // namespace tool
