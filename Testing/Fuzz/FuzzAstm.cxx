@@ -2,13 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FuzzTarget.h"
 
-#include "AstmFile.h"
-
 MEASUREDBRDF_FUZZ_TARGET(Astm)(const std::uint8_t* data, std::size_t size)
 {
   // One file in sixteen is asked for a wavelength.
   const std::string name = size > 0 && data[size - 1] % 16 == 0 ? "550nm" : "";
-  fuzz::ReadMaterial(data, size,
-    [&name](const measuredbrdf::FileBytes& file) { return measuredbrdf::ReadAstm(file, name); });
-  return 0;
+  return fuzz::ReadFormat(measuredbrdf::AstmFormat, data, size, name);
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FuzzTarget.h"
 
-#include "BsdfXmlFile.h"
 #include "vtkLambertBRDF.h"
 
 MEASUREDBRDF_FUZZ_TARGET(BsdfXml)(const std::uint8_t* data, std::size_t size)
@@ -10,7 +9,7 @@ MEASUREDBRDF_FUZZ_TARGET(BsdfXml)(const std::uint8_t* data, std::size_t size)
   fuzz::ReadMaterial(data, size,
     [](const measuredbrdf::FileBytes& file)
     {
-      measuredbrdf::MaterialFile read = measuredbrdf::ReadBsdfXml(file, "");
+      measuredbrdf::MaterialFile read = measuredbrdf::BsdfXmlFormat.Read(file, "");
       fuzz::Require(read.BRDF || read.Transmission);
       if (read.Transmission)
       {

@@ -2,23 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FuzzTarget.h"
 
-#include "FitFile.h"
-
 MEASUREDBRDF_FUZZ_TARGET(Fit)(const std::uint8_t* data, std::size_t size)
 {
-  const fuzz::Silence silence;
+  const auto file = measuredbrdf::FileBytes::View("file", fuzz::ToView(data, size));
   try
   {
-    const measuredbrdf::FitFile file("file", fuzz::ToView(data, size));
-    for (const std::string& name : file.GetNames())
+    for (const std::string& name : measuredbrdf::FitFormat.ListMaterials(file))
     {
-      try
-      {
-        fuzz::Use(file.GetMaterial(name).BRDF, fuzz::IsRare(data, size));
-      }
-      catch (const measuredbrdf::FileError&)
-      {
-      }
+      fuzz::ReadFormat(measuredbrdf::FitFormat, data, size, name);
     }
   }
   catch (const measuredbrdf::FileError&)

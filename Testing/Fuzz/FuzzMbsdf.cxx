@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FuzzTarget.h"
 
-#include "MbsdfFile.h"
-
 MEASUREDBRDF_FUZZ_TARGET(Mbsdf)(const std::uint8_t* data, std::size_t size)
 {
-  fuzz::ReadMaterial(data, size, measuredbrdf::ReadMbsdf);
-  return 0;
+  return fuzz::ReadFormat(measuredbrdf::MbsdfFormat, data, size);
 }

@@ -11,7 +11,7 @@
 #ifndef FuzzTarget_h
 #define FuzzTarget_h
 
-#include "FileBytes.h"
+#include "MaterialFormat.h"
 #include "vtkBRDF.h"
 #include "vtkBTDF.h"
 #include "vtkObject.h"
@@ -161,7 +161,7 @@ inline bool IsRare(const std::uint8_t* data, std::size_t size)
   return std::accumulate(data, data + size, 0u) % 32 == 0;
 }
 
-/// Read a material's file by a function of the IO room. FileError is how it refuses; any other
+/// Read a material's file by a function of a format. FileError is how it refuses; any other
 /// exception is a fault: what was not checked before it was used or allocated.
 template <typename Reader>
 void ReadMaterial(const std::uint8_t* data, std::size_t size, Reader reader)
@@ -174,6 +174,15 @@ void ReadMaterial(const std::uint8_t* data, std::size_t size, Reader reader)
   catch (const measuredbrdf::FileError&)
   {
   }
+}
+
+/// The same by a format, of the material of that name.
+inline int ReadFormat(const measuredbrdf::MaterialFormat& format, const std::uint8_t* data,
+  std::size_t size, const std::string& name = "")
+{
+  ReadMaterial(
+    data, size, [&](const measuredbrdf::FileBytes& file) { return format.Read(file, name); });
+  return 0;
 }
 } // namespace fuzz
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FuzzTarget.h"
 
-#include "UtiaFile.h"
-
 MEASUREDBRDF_FUZZ_TARGET(Utia)(const std::uint8_t* data, std::size_t size)
 {
   // The first byte says how; a file is large, and one in eight is made of the others again and
@@ -20,7 +18,6 @@ MEASUREDBRDF_FUZZ_TARGET(Utia)(const std::uint8_t* data, std::size_t size)
     bytes += bytes.substr(0, measuredbrdf::UtiaBytes - bytes.size());
   }
   const std::string name = data[0] % 3 == 0 ? "display" : "";
-  fuzz::ReadMaterial(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(),
-    [&name](const measuredbrdf::FileBytes& file) { return measuredbrdf::ReadUtia(file, name); });
-  return 0;
+  return fuzz::ReadFormat(measuredbrdf::UtiaFormat,
+    reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), name);
 }

@@ -2,21 +2,406 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistributionFit.h"
 
-#include "DistributionChannel.h"
 #include "HalfVector.h"
+#include "LinearLeastSquares.h"
+#include "Neighbors.h"
 #include "ParallelFor.h"
 #include "vtkBRDF.h"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
 #include <random>
+#include <vector>
 
 namespace measuredbrdf
 {
 namespace
 {
+/// The positions of the samples in the tables, shared by the channels. The unknowns of p are its
+/// cells (theta fastest), then the Lambert part.
+class DistributionGeometry
+{
+public:
+  DistributionGeometry(const FitSamples& samples, const DistributionSize& size);
+
+  struct Place
+  {
+    std::array<int, 5> Unknowns; // neighbors in p, then the Lambert part
+    std::array<double, 4> Weights;
+    Neighbors D;  // in F
+    double Scale; // 1 / (4 (cos_i + cos_o - cos_i cos_o))
+  };
+
+  int GetNumberOfCells() const { return this->NumberOfCells; }
+  int GetNumberOfNeighbors() const { return this->NumberOfNeighbors; } // 2 or, anisotropic, 4
+  const Place& GetPlace(std::size_t sample) const { return this->Places[sample]; }
+
+  /// Pairs of neighboring cells, the larger number first.
+  const std::vector<std::array<int, 2>>& GetTies() const { return this->Ties; }
+
+  /// Zeros at all pairs of unknowns that a sample or a tie links (lower triangle).
+  const Eigen::SparseMatrix<double>& GetPattern() const { return this->Pattern; }
+
+  /// Positions of a sample's unknowns (a, b), b <= a, in the pattern's values; b fastest.
+  const int* GetPositions(std::size_t sample) const;
+
+private:
+  Place FindPlace(const FitSample& sample, const DistributionSize& size) const;
+  void FindTies(int nTheta);
+  void MakePattern();
+  int FindPosition(int row, int column) const;
+  template <typename Use>
+  void ForPairs(const Use& use) const;
+
+  int NumberOfCells;
+  int NumberOfNeighbors;
+  std::vector<Place> Places;
+  std::vector<std::array<int, 2>> Ties;
+  Eigen::SparseMatrix<double> Pattern;
+  std::vector<int> Positions;
+};
+
+//------------------------------------------------------------------------------
+DistributionGeometry::DistributionGeometry(const FitSamples& samples, const DistributionSize& size)
+  : NumberOfCells(size.NumberOfTheta * size.NumberOfPhi)
+  , NumberOfNeighbors(size.NumberOfPhi > 1 ? 4 : 2)
+{
+  for (const FitSample& sample : samples)
+  {
+    this->Places.push_back(this->FindPlace(sample, size));
+  }
+  this->FindTies(size.NumberOfTheta);
+  this->MakePattern();
+}
+
+//------------------------------------------------------------------------------
+DistributionGeometry::Place DistributionGeometry::FindPlace(
+  const FitSample& sample, const DistributionSize& size) const
+{
+  const HalfDifference angles = ToHalfDifference(sample.I, sample.O);
+  const Neighbors t = ClampedNeighbors(ThetaHToUnit(angles.ThetaH), size.NumberOfTheta);
+  const Neighbors p =
+    PeriodicNeighbors(std::atan2(sample.H.y, sample.H.x) / (2.0 * Pi), size.NumberOfPhi);
+  Place place;
+  place.D = ClampedNeighbors(angles.ThetaD * (2.0 / Pi), size.NumberOfFresnel);
+  place.Scale = 0.25 / (sample.I.z + sample.O.z - sample.I.z * sample.O.z);
+  place.Unknowns.fill(this->NumberOfCells);
+  place.Weights.fill(0.0);
+  for (int k = 0; k < this->NumberOfNeighbors; ++k)
+  {
+    const bool second = k >= 2; // along phi
+    const double share = this->NumberOfNeighbors == 2 ? 1.0 : (second ? p.Weight : 1.0 - p.Weight);
+    place.Unknowns[k] =
+      (second ? p.Second : p.First) * size.NumberOfTheta + (k % 2 == 0 ? t.First : t.Second);
+    place.Weights[k] = share * (k % 2 == 0 ? 1.0 - t.Weight : t.Weight);
+  }
+  return place;
+}
+
+//------------------------------------------------------------------------------
+void DistributionGeometry::FindTies(int nTheta)
+{
+  for (int cell = 0; cell < this->NumberOfCells; ++cell)
+  {
+    const int beside = (cell + nTheta) % this->NumberOfCells;
+    if (cell % nTheta + 1 < nTheta)
+    {
+      this->Ties.push_back({ cell + 1, cell });
+    }
+    if (beside != cell)
+    {
+      this->Ties.push_back({ std::max(cell, beside), std::min(cell, beside) });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void DistributionGeometry::MakePattern()
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int k = 0; k <= this->NumberOfCells; ++k)
+  {
+    entries.emplace_back(k, k, 0.0);
+  }
+  for (const auto& tie : this->Ties)
+  {
+    entries.emplace_back(tie[0], tie[1], 0.0);
+  }
+  this->ForPairs([&entries](int row, int column) { entries.emplace_back(row, column, 0.0); });
+  this->Pattern.resize(this->NumberOfCells + 1, this->NumberOfCells + 1);
+  this->Pattern.setFromTriplets(entries.begin(), entries.end());
+  this->ForPairs(
+    [this](int row, int column) { this->Positions.push_back(this->FindPosition(row, column)); });
+}
+
+//------------------------------------------------------------------------------
+const int* DistributionGeometry::GetPositions(std::size_t sample) const
+{
+  const int pairs = (this->NumberOfNeighbors + 1) * (this->NumberOfNeighbors + 2) / 2;
+  return &this->Positions[sample * static_cast<std::size_t>(pairs)];
+}
+
+//------------------------------------------------------------------------------
+int DistributionGeometry::FindPosition(int row, int column) const
+{
+  const int* rows = this->Pattern.innerIndexPtr();
+  const int* columns = this->Pattern.outerIndexPtr();
+  return static_cast<int>(
+    std::lower_bound(rows + columns[column], rows + columns[column + 1], row) - rows);
+}
+
+//------------------------------------------------------------------------------
+template <typename Use>
+void DistributionGeometry::ForPairs(const Use& use) const
+{
+  for (const Place& place : this->Places)
+  {
+    for (int a = 0; a <= this->NumberOfNeighbors; ++a)
+    {
+      for (int b = 0; b <= a; ++b)
+      {
+        use(std::max(place.Unknowns[a], place.Unknowns[b]),
+          std::min(place.Unknowns[a], place.Unknowns[b]));
+      }
+    }
+  }
+}
+
+/// f = Lambert + p F / (4 (cos_i + cos_o - cos_i cos_o)).
+struct DistributionTables
+{
+  Eigen::VectorXd P;
+  Eigen::VectorXd F;
+  double Lambert = 0.0; // albedo / pi
+};
+
+/// One channel of a D-BRDF with a Lambert part, and the steps that fit it to the samples.
+class DistributionChannel
+{
+public:
+  /**
+   * basis: F is a non-negative sum of its columns. tieFresnel: for tables, whose samples may lie
+   * where there are no data. The arguments must outlive this object.
+   */
+  DistributionChannel(const FitSamples& samples, const DistributionGeometry& geometry,
+    const Eigen::MatrixXd& basis, bool tieFresnel, int channel);
+
+  DistributionTables Tables;
+
+  /// This channel's part of the weighted mean square over RGB.
+  double GetMeanSquare() const { return this->MeanSquare(this->Tables); }
+
+  /**
+   * Improve p, then F, each with the Lambert part: linearize T about the current model
+   * (Gauss-Newton), solve by non-negative least squares, and choose a step length that lowers the
+   * mean square.
+   */
+  void Sweep();
+
+private:
+  double DistributionAt(const DistributionGeometry::Place& place, const Eigen::VectorXd& p) const;
+  double MeanSquare(const DistributionTables& tables) const;
+  void Linearize(const FitSample& sample, double f, double& weight, double& target) const;
+  void SolveDistribution();
+  void SolveFresnel();
+  void Search(const DistributionTables& goal);
+
+  const FitSamples& Samples;
+  const DistributionGeometry& Geometry;
+  const Eigen::MatrixXd& Basis;
+  bool TieFresnel;
+  int Index;
+};
+
+// The changes of neighboring cells are tied by this share of what the data say about the better
+// known of them: cells that no sample touches move with their neighbors, and where the data are
+// fitted nothing moves.
+constexpr double Tie = 1e-3;
+
+double FresnelAt(const DistributionGeometry::Place& place, const Eigen::VectorXd& f)
+{
+  return (1.0 - place.D.Weight) * f[place.D.First] + place.D.Weight * f[place.D.Second];
+}
+
+//------------------------------------------------------------------------------
+DistributionChannel::DistributionChannel(const FitSamples& samples,
+  const DistributionGeometry& geometry, const Eigen::MatrixXd& basis, bool tieFresnel, int channel)
+  : Samples(samples)
+  , Geometry(geometry)
+  , Basis(basis)
+  , TieFresnel(tieFresnel)
+  , Index(channel)
+{
+}
+
+//------------------------------------------------------------------------------
+void DistributionChannel::Sweep()
+{
+  this->SolveDistribution();
+  this->SolveFresnel();
+}
+
+//------------------------------------------------------------------------------
+double DistributionChannel::DistributionAt(
+  const DistributionGeometry::Place& place, const Eigen::VectorXd& p) const
+{
+  double value = 0.0;
+  for (int k = 0; k < this->Geometry.GetNumberOfNeighbors(); ++k)
+  {
+    value += place.Weights[k] * p[place.Unknowns[k]];
+  }
+  return value;
+}
+
+//------------------------------------------------------------------------------
+double DistributionChannel::MeanSquare(const DistributionTables& tables) const
+{
+  const FitLoss& loss = this->Samples.GetLoss();
+  double sum = 0.0;
+  for (std::size_t k = 0; k < this->Samples.size(); ++k)
+  {
+    const FitSample& sample = this->Samples[k];
+    const DistributionGeometry::Place& place = this->Geometry.GetPlace(k);
+    const double f = tables.Lambert + this->DistributionAt(place, tables.P) *
+                                        FresnelAt(place, tables.F) * place.Scale;
+    const double t = loss.Value(f, sample.I.z) - loss.Value(sample.F[this->Index], sample.I.z);
+    sum += sample.Weight * t * t / 3.0;
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+// Weight and right-hand side of the linearized least squares at a sample.
+void DistributionChannel::Linearize(
+  const FitSample& sample, double f, double& weight, double& target) const
+{
+  const FitLoss& loss = this->Samples.GetLoss();
+  const double slope = loss.Slope(f, sample.I.z);
+  const double t = loss.Value(sample.F[this->Index], sample.I.z) - loss.Value(f, sample.I.z);
+  weight = sample.Weight * slope * slope;
+  target = f + t / slope;
+}
+
+//------------------------------------------------------------------------------
+void DistributionChannel::SolveDistribution()
+{
+  const int n = this->Geometry.GetNumberOfNeighbors();
+  const int cells = this->Geometry.GetNumberOfCells();
+  const DistributionTables& now = this->Tables;
+  Eigen::SparseMatrix<double> H = this->Geometry.GetPattern();
+  Eigen::VectorXd g = Eigen::VectorXd::Zero(cells + 1);
+  for (std::size_t k = 0; k < this->Samples.size(); ++k)
+  {
+    const DistributionGeometry::Place& place = this->Geometry.GetPlace(k);
+    const double factor = FresnelAt(place, now.F) * place.Scale;
+    double weight, target;
+    this->Linearize(
+      this->Samples[k], now.Lambert + this->DistributionAt(place, now.P) * factor, weight, target);
+    double row[5];
+    for (int a = 0; a <= n; ++a)
+    {
+      row[a] = a < n ? factor * place.Weights[a] : 1.0;
+      g[place.Unknowns[a]] += weight * target * row[a];
+    }
+    const int* position = this->Geometry.GetPositions(k);
+    for (int a = 0; a <= n; ++a)
+    {
+      for (int b = 0; b <= a; ++b)
+      {
+        H.valuePtr()[*position++] += weight * row[a] * row[b];
+      }
+    }
+  }
+  const Eigen::VectorXd known = H.diagonal();
+  const double least = 1e-12 * known.mean();
+  for (const auto& tie : this->Geometry.GetTies())
+  {
+    const double strength = Tie * std::max({ known[tie[0]], known[tie[1]], least });
+    const double pull = strength * (now.P[tie[0]] - now.P[tie[1]]);
+    H.coeffRef(tie[0], tie[0]) += strength;
+    H.coeffRef(tie[1], tie[1]) += strength;
+    H.coeffRef(tie[0], tie[1]) -= strength;
+    g[tie[0]] += pull;
+    g[tie[1]] -= pull;
+  }
+  Eigen::VectorXd x(cells + 1);
+  x << now.P, now.Lambert;
+  SolveNonNegative(H, g, x);
+  this->Search({ x.head(cells), now.F, x[cells] });
+}
+
+//------------------------------------------------------------------------------
+void DistributionChannel::SolveFresnel()
+{
+  const Eigen::Index n = this->Basis.rows();
+  const Eigen::Index columns = this->Basis.cols();
+  const DistributionTables& now = this->Tables;
+  // Over the table's samples first (and the Lambert part last), then over the basis.
+  Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n + 1, n + 1);
+  Eigen::VectorXd m = Eigen::VectorXd::Zero(n + 1);
+  for (std::size_t k = 0; k < this->Samples.size(); ++k)
+  {
+    const DistributionGeometry::Place& place = this->Geometry.GetPlace(k);
+    const double factor = this->DistributionAt(place, now.P) * place.Scale;
+    double weight, target;
+    this->Linearize(
+      this->Samples[k], now.Lambert + FresnelAt(place, now.F) * factor, weight, target);
+    const Eigen::Index unknowns[3] = { place.D.First, place.D.Second, n };
+    const double row[3] = { factor * (1.0 - place.D.Weight), factor * place.D.Weight, 1.0 };
+    for (int a = 0; a < 3; ++a)
+    {
+      m[unknowns[a]] += weight * target * row[a];
+      for (int b = 0; b < 3; ++b)
+      {
+        M(unknowns[a], unknowns[b]) += weight * row[a] * row[b];
+      }
+    }
+  }
+  const Eigen::VectorXd known = M.diagonal();
+  const double least = 1e-12 * known.head(n).mean();
+  for (Eigen::Index k = 0; this->TieFresnel && k + 1 < n; ++k)
+  {
+    const double strength = Tie * std::max({ known[k], known[k + 1], least });
+    const double pull = strength * (now.F[k] - now.F[k + 1]);
+    M(k, k) += strength;
+    M(k + 1, k + 1) += strength;
+    M(k, k + 1) -= strength;
+    M(k + 1, k) -= strength;
+    m[k] += pull;
+    m[k + 1] -= pull;
+  }
+  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(n + 1, columns + 1);
+  B.topLeftCorner(n, columns) = this->Basis;
+  B(n, columns) = 1.0;
+  const Eigen::MatrixXd H = B.transpose() * M * B;
+  Eigen::VectorXd x = Eigen::VectorXd::Ones(columns + 1);
+  SolveNonNegative(H.sparseView(), B.transpose() * m, x);
+  this->Search({ now.P, this->Basis * x.head(columns), x[columns] });
+}
+
+//------------------------------------------------------------------------------
+// All the way to the goal, or half, ..., or nowhere: means of valid tables are valid.
+void DistributionChannel::Search(const DistributionTables& goal)
+{
+  const DistributionTables from = this->Tables;
+  const double now = this->MeanSquare(from);
+  for (double t = 1.0; t > 0.01; t *= 0.5)
+  {
+    const DistributionTables next = { (1.0 - t) * from.P + t * goal.P,
+      (1.0 - t) * from.F + t * goal.F, (1.0 - t) * from.Lambert + t * goal.Lambert };
+    if (this->MeanSquare(next) < now)
+    {
+      this->Tables = next;
+      return;
+    }
+  }
+}
+
 using Vector = Eigen::VectorXd;
 using Channels = std::vector<DistributionChannel>;
 

@@ -8,7 +8,7 @@
 #ifndef DistributionFit_h
 #define DistributionFit_h
 
-#include "DistributionGeometry.h"
+#include "FitSamples.h"
 
 #include <functional>
 #include <vector>
@@ -17,6 +17,13 @@ class vtkBRDF;
 
 namespace measuredbrdf
 {
+struct DistributionSize
+{
+  int NumberOfTheta;
+  int NumberOfPhi; // 1: isotropic
+  int NumberOfFresnel;
+};
+
 enum class FresnelShape
 {
   Monotone, // a table that never falls towards grazing

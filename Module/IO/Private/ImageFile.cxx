@@ -9,6 +9,7 @@
 #include "NumberText.h"
 #include "RadianceHeader.h"
 #include "RadianceValues.h"
+#include "vtkImageData.h"
 
 #include <glm/glm.hpp>
 
@@ -208,6 +209,30 @@ DecodedImage ReadRadiancePicture(ImageSource& source)
   }
   return image;
 }
+
+//------------------------------------------------------------------------------
+// Top row first -> bottom row first.
+template <typename Value>
+void FillScalars(const ImageFile& file, double scale, int colors, void* scalars)
+{
+  auto* values = static_cast<Value*>(scalars);
+  const auto width = static_cast<std::size_t>(file.Width);
+  const std::size_t texels = width * static_cast<std::size_t>(file.Height);
+  const std::size_t stored = file.Pixels.size() / texels;
+  for (int y = file.Height - 1; y >= 0; --y)
+  {
+    for (std::size_t x = 0; x < width; ++x)
+    {
+      const float* texel = &file.Pixels[stored * (static_cast<std::size_t>(y) * width + x)];
+      for (int c = 0; c < colors + (file.HasAlpha ? 1 : 0); ++c)
+      {
+        // Alpha follows the color's values.
+        const float value = texel[c == colors ? file.Channels : c % file.Channels];
+        *values++ = static_cast<Value>(scale > 1.0 ? std::lround(scale * value) : value);
+      }
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -233,6 +258,32 @@ ImageFile ReadImageFile(const std::string& path, ImageValues values, const std::
     ConvertColors(source, from, image);
   }
   Turn(GetValuesPerTexel(values), image);
+  return image;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> MakeImageData(const ImageFile& file, bool isInteger, bool keepsGray)
+{
+  const int colors = keepsGray && file.Channels == 1 ? 1 : 3;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(file.Width, file.Height, 1);
+  image->AllocateScalars(!isInteger      ? VTK_FLOAT
+                         : file.HasBytes ? VTK_UNSIGNED_CHAR
+                                         : VTK_UNSIGNED_SHORT,
+    colors + (file.HasAlpha ? 1 : 0));
+  void* scalars = image->GetScalarPointer();
+  if (!isInteger)
+  {
+    FillScalars<float>(file, 1.0, colors, scalars);
+  }
+  else if (file.HasBytes)
+  {
+    FillScalars<unsigned char>(file, 255.0, colors, scalars);
+  }
+  else
+  {
+    FillScalars<unsigned short>(file, 65535.0, colors, scalars);
+  }
   return image;
 }
 } // namespace measuredbrdf

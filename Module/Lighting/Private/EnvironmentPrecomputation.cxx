@@ -128,7 +128,7 @@ std::vector<vtkSmartPointer<vtkLightSet>> EnvironmentPrecomputation::GetLightSet
       return nullptr;
     }
     vtkEnvironment* subdivided = environment->GetSubdivided();
-    LightTree tree(subdivided, LightTree::Rule::Greedy, false, rest);
+    LightTree tree(subdivided, rest);
     if (!tree.Grow(subdivided, counts.front(), [&goOn](double) { return goOn(); }))
     {
       return nullptr;
