@@ -28,10 +28,12 @@
 #include <string>
 #include <string_view>
 
-#ifdef MEASUREDBRDF_LIBFUZZER
-#define MEASUREDBRDF_FUZZ_TARGET(name) extern "C" int LLVMFuzzerTestOneInput
-#else
-#define MEASUREDBRDF_FUZZ_TARGET(name) int Fuzz##name
+#ifdef MEASUREDBRDF_LIBFUZZER // the program's target
+int MEASUREDBRDF_LIBFUZZER(const std::uint8_t* data, std::size_t size);
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  return MEASUREDBRDF_LIBFUZZER(data, size);
+}
 #endif
 
 namespace fuzz

@@ -618,7 +618,7 @@ add("IO.image-exposure-multiplies", "ImageFile.cxx", "glm::dmat3(1.0 / exposure[
     "IOImageHeaders.RadianceIsDividedByAllExposures")
 add("IO.image-orders-of-columns", "ImageFile.cxx", "turn % 4 == 1 || turn % 4 == 2", "turn % 4 == 1 || turn % 4 == 3",
     "IOImageHeaders.RadianceHasEightOrders|IOImageHeaders.OrientationTurns")
-add("IO.image-white-is-not-adapted", "Chromaticities.cxx",
+add("IO.image-white-is-not-adapted", "ImageFile.cxx",
     "GetAdaptation(GetWhite(from), GetWhite(Rec709)) *", "", "IOImageHeaders.ChromaticitiesBecomeRec709")
 add("IO.image-tile-of-any-channels", "ImageFormats.cxx",
     "static_cast<std::uint64_t>(std::max<std::int64_t>(channels, 1) + 3) / 4", "channels > 0 ? 1 : 1",
@@ -1168,8 +1168,8 @@ add("IO.gonio-scatter-takes-the-nearest", "GonioTable.cxx", "constexpr int Neigh
 add("IO.open-material-swaps-directions", "OpenMaterialFile.cxx",
     "{ angles.ThetaI, angles.ThetaO, angles.PhiO };", "{ angles.ThetaO, angles.ThetaO, angles.PhiO };",
     "IOOpenMaterial.InterpolatesBetweenUnevenAngles")
-add("IO.open-material-any-depth", "OpenMaterialFile.cxx", "constexpr std::size_t DeepestLevel = 32;",
-    "constexpr std::size_t DeepestLevel = 1u << 30;", "IOOpenMaterial.HostileFilesAreRefusedInLittleMemory")
+add("IO.open-material-any-depth", "OpenMaterialFile.cxx", "constexpr int DeepestLevel = 32;",
+    "constexpr int DeepestLevel = 1 << 30;", "IOOpenMaterial.HostileFilesAreRefusedInLittleMemory")
 add("IO.astm-angles-always-in-degrees", "AstmFile.cxx", "angles[k] = degrees ? angle : angle / Degree;", "angles[k] = angle;",
     "IOAstm.InterpolatesOnAGrid")
 add("IO.astm-other-side-forgotten", "AstmFile.cxx", "      angles[k + 1] += 180.0;\n", "",

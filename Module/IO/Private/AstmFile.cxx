@@ -490,19 +490,13 @@ MaterialFile ReadAstm(const FileBytes& file, const std::string& material)
     result.AddNote(std::to_string(result.NumberOfNegativeValues) +
                    " values are negative: kept, clamped at 0 after interpolation.");
   }
-  GonioTable table;
-  const std::string problem = table.Make(std::move(readings));
+  const std::string problem = MakeGonioTable(std::move(readings), result);
   if (!problem.empty())
   {
     Fail(file, "rows", problem);
   }
-  for (const std::string& note : table.Notes)
-  {
-    result.AddNote(note);
-  }
-  table.BRDF->SetName(GetFileStem(file.GetPath()) + (material.empty() ? "" : " " + material));
-  table.BRDF->SetSource("ASTM E1392 text file " + GetFileTitle(file.GetPath()));
-  result.BRDF = table.BRDF;
+  result.BRDF->SetName(GetFileStem(file.GetPath()) + (material.empty() ? "" : " " + material));
+  result.BRDF->SetSource("ASTM E1392 text file " + GetFileTitle(file.GetPath()));
   return result;
 }
 

@@ -23,10 +23,12 @@
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace measuredbrdf
@@ -228,10 +230,8 @@ private:
     if (element == "ScatteringData")
     {
       this->Block.Values.swap(this->Text);
-      return;
     }
-    const std::string text = Trim(this->Text);
-    if (element == "WavelengthDataBlock")
+    else if (element == "WavelengthDataBlock")
     {
       ++this->Texts.NumberOfBlocks;
       if (IsWanted(this->Block, this->Wavelength))
@@ -241,67 +241,30 @@ private:
       }
       this->Block = {};
     }
-    else if (element == "Wavelength")
+    else if (std::string* const text = this->FindText(element))
     {
-      this->Wavelength = text;
-    }
-    else if (element == "WavelengthDataDirection")
-    {
-      this->Block.Direction = text;
-    }
-    else if (element == "ColumnAngleBasis")
-    {
-      this->Block.ColumnBasis = text;
-    }
-    else if (element == "RowAngleBasis")
-    {
-      this->Block.RowBasis = text;
-    }
-    else if (element == "IncidentDataStructure")
-    {
-      this->Texts.Structure = text;
-    }
-    else if (element == "Name" && this->IsIn("Material"))
-    {
-      this->Texts.Name = text;
-    }
-    else if (element == "Manufacturer")
-    {
-      this->Texts.Manufacturer = text;
-    }
-    else
-    {
-      this->TakeOfBasis(element, text);
+      *text = Trim(this->Text);
     }
   }
 
-  void TakeOfBasis(const std::string& element, const std::string& text)
+  // Where an element's text belongs, or null.
+  std::string* FindText(const std::string& element)
   {
-    if (this->Texts.Bases.empty())
-    {
-      return;
-    }
-    BsdfXmlBasis& basis = this->Texts.Bases.back();
-    if (element == "AngleBasisName")
-    {
-      basis.Name = text;
-    }
-    if (basis.Rings.empty())
-    {
-      return;
-    }
-    if (element == "LowerTheta")
-    {
-      basis.Rings.back().Lower = text;
-    }
-    else if (element == "UpperTheta")
-    {
-      basis.Rings.back().Upper = text;
-    }
-    else if (element == "nPhis")
-    {
-      basis.Rings.back().Patches = text;
-    }
+    BsdfXmlBasis* const basis = this->Texts.Bases.empty() ? nullptr : &this->Texts.Bases.back();
+    BsdfXmlRing* const ring = basis && !basis->Rings.empty() ? &basis->Rings.back() : nullptr;
+    const std::pair<const char*, std::string*> places[] = { { "Wavelength", &this->Wavelength },
+      { "WavelengthDataDirection", &this->Block.Direction },
+      { "ColumnAngleBasis", &this->Block.ColumnBasis }, { "RowAngleBasis", &this->Block.RowBasis },
+      { "IncidentDataStructure", &this->Texts.Structure },
+      { "Name", this->IsIn("Material") ? &this->Texts.Name : nullptr },
+      { "Manufacturer", &this->Texts.Manufacturer },
+      { "AngleBasisName", basis ? &basis->Name : nullptr },
+      { "LowerTheta", ring ? &ring->Lower : nullptr },
+      { "UpperTheta", ring ? &ring->Upper : nullptr },
+      { "nPhis", ring ? &ring->Patches : nullptr } };
+    const auto* const found = std::find_if(std::begin(places), std::end(places),
+      [&element](const auto& place) { return element == place.first; });
+    return found == std::end(places) ? nullptr : found->second;
   }
 
   std::vector<std::string> Path;

@@ -79,21 +79,165 @@ public:
   /// The text of all comments so far.
   const std::string& GetComments() const { return this->Comments; }
 
-  bool IsAtEnd();
+  bool IsAtEnd()
+  {
+    this->SkipSpace();
+    return this->Place >= this->Text.size();
+  }
 
   /// what: how an error calls it.
-  std::string ReadName(const std::string& what);
+  std::string ReadName(const std::string& what)
+  {
+    this->SkipSpace();
+    const std::size_t begin = this->Place;
+    while (this->Place < this->Text.size() && IsNameCharacter(this->Text[this->Place]))
+    {
+      ++this->Place;
+    }
+    if (this->Place == begin)
+    {
+      this->Expected(what);
+    }
+    return std::string(this->Text.substr(begin, this->Place - begin));
+  }
 
-  void Expect(char character);
+  void Expect(char character)
+  {
+    if (!this->Accept(character))
+    {
+      this->Expected(std::string("'") + character + "'");
+    }
+  }
 
-  FitCall ReadCall(int depth = 0);
+  FitCall ReadCall(int depth = 0)
+  {
+    if (depth > MaximumDepth)
+    {
+      FailAtLine(this->Path, this->Line, "models are nested too deeply");
+    }
+    FitCall call;
+    call.Model = this->ReadName("a model's name");
+    call.Line = this->Line;
+    this->Expect('(');
+    if (this->Accept(')'))
+    {
+      return call;
+    }
+    do
+    {
+      const std::size_t begin = this->Place;
+      const int line = this->Line;
+      const std::string name = this->ReadName("an attribute or a model");
+      if (name[0] >= '0' && name[0] <= '9')
+      {
+        FailAtLine(this->Path, this->Line,
+          "expected an attribute or a model, found " + Quote(name) +
+            " (decimals follow a point, not a comma)");
+      }
+      if (this->Accept('='))
+      {
+        if (!call.Attributes.emplace(name, this->ReadValue(name)).second)
+        {
+          FailAtLine(this->Path, this->Line, "attribute " + Quote(name) + " appears twice");
+        }
+      }
+      else
+      {
+        this->Place = begin;
+        this->Line = line;
+        call.Terms.push_back(this->ReadCall(depth + 1));
+      }
+    } while (this->Accept(','));
+    this->Expect(')');
+    return call;
+  }
 
 private:
-  void SkipSpace();
-  bool Accept(char character);
-  double ReadNumber(const std::string& attribute);
-  std::vector<double> ReadValue(const std::string& attribute);
-  [[noreturn]] void Expected(const std::string& what);
+  void SkipSpace()
+  {
+    for (; this->Place < this->Text.size(); ++this->Place)
+    {
+      const char c = this->Text[this->Place];
+      if (c == '#')
+      {
+        const std::size_t end = std::min(this->Text.find('\n', this->Place), this->Text.size());
+        // A comment inside a call is met twice where ReadCall goes back: taken once.
+        if (this->Place >= this->CommentsEnd)
+        {
+          this->Comments.append(this->Text.substr(this->Place + 1, end - this->Place - 1));
+          this->CommentsEnd = end;
+        }
+        this->Place = end;
+        if (end == this->Text.size())
+        {
+          return;
+        }
+      }
+      if (this->Text[this->Place] == '\n')
+      {
+        ++this->Line;
+      }
+      else if (c != ' ' && c != '\t' && c != '\r')
+      {
+        return;
+      }
+    }
+  }
+
+  bool Accept(char character)
+  {
+    this->SkipSpace();
+    if (this->Place < this->Text.size() && this->Text[this->Place] == character)
+    {
+      ++this->Place;
+      return true;
+    }
+    return false;
+  }
+
+  double ReadNumber(const std::string& attribute)
+  {
+    this->SkipSpace();
+    this->Place += this->Place < this->Text.size() && this->Text[this->Place] == '+';
+    const char* begin = this->Text.data() + this->Place;
+    double value = 0.0;
+    // Not strtod: its decimal sign follows the locale.
+    const auto result = std::from_chars(begin, this->Text.data() + this->Text.size(), value);
+    if (result.ec != std::errc() || !std::isfinite(value))
+    {
+      this->Expected("a finite number for attribute " + Quote(attribute));
+    }
+    this->Place += static_cast<std::size_t>(result.ptr - begin);
+    return value;
+  }
+
+  std::vector<double> ReadValue(const std::string& attribute)
+  {
+    std::vector<double> values;
+    if (!this->Accept('['))
+    {
+      values.push_back(this->ReadNumber(attribute));
+      return values;
+    }
+    do
+    {
+      values.push_back(this->ReadNumber(attribute));
+    } while (this->Accept(','));
+    this->Expect(']');
+    return values;
+  }
+
+  [[noreturn]] void Expected(const std::string& what)
+  {
+    this->SkipSpace();
+    std::string found = "the end of the file";
+    if (this->Place < this->Text.size())
+    {
+      const std::string_view rest = this->Text.substr(this->Place, 24);
+      found = Quote(rest.substr(0, rest.find_first_of("\r\n")));
+    }
+    FailAtLine(this->Path, this->Line, "expected " + what + ", found " + found);
+  }
 
   const std::string& Path;
   std::string_view Text;
@@ -102,173 +246,6 @@ private:
   std::string Comments;
   std::size_t CommentsEnd = 0;
 };
-
-//------------------------------------------------------------------------------
-bool FitParser::IsAtEnd()
-{
-  this->SkipSpace();
-  return this->Place >= this->Text.size();
-}
-
-//------------------------------------------------------------------------------
-std::string FitParser::ReadName(const std::string& what)
-{
-  this->SkipSpace();
-  const std::size_t begin = this->Place;
-  while (this->Place < this->Text.size() && IsNameCharacter(this->Text[this->Place]))
-  {
-    ++this->Place;
-  }
-  if (this->Place == begin)
-  {
-    this->Expected(what);
-  }
-  return std::string(this->Text.substr(begin, this->Place - begin));
-}
-
-//------------------------------------------------------------------------------
-void FitParser::Expect(char character)
-{
-  if (!this->Accept(character))
-  {
-    this->Expected(std::string("'") + character + "'");
-  }
-}
-
-//------------------------------------------------------------------------------
-FitCall FitParser::ReadCall(int depth)
-{
-  if (depth > MaximumDepth)
-  {
-    FailAtLine(this->Path, this->Line, "models are nested too deeply");
-  }
-  FitCall call;
-  call.Model = this->ReadName("a model's name");
-  call.Line = this->Line;
-  this->Expect('(');
-  if (this->Accept(')'))
-  {
-    return call;
-  }
-  do
-  {
-    const std::size_t begin = this->Place;
-    const int line = this->Line;
-    const std::string name = this->ReadName("an attribute or a model");
-    if (name[0] >= '0' && name[0] <= '9')
-    {
-      FailAtLine(this->Path, this->Line,
-        "expected an attribute or a model, found " + Quote(name) +
-          " (decimals follow a point, not a comma)");
-    }
-    if (this->Accept('='))
-    {
-      if (!call.Attributes.emplace(name, this->ReadValue(name)).second)
-      {
-        FailAtLine(this->Path, this->Line, "attribute " + Quote(name) + " appears twice");
-      }
-    }
-    else
-    {
-      this->Place = begin;
-      this->Line = line;
-      call.Terms.push_back(this->ReadCall(depth + 1));
-    }
-  } while (this->Accept(','));
-  this->Expect(')');
-  return call;
-}
-
-//------------------------------------------------------------------------------
-void FitParser::SkipSpace()
-{
-  for (; this->Place < this->Text.size(); ++this->Place)
-  {
-    const char c = this->Text[this->Place];
-    if (c == '#')
-    {
-      const std::size_t end = std::min(this->Text.find('\n', this->Place), this->Text.size());
-      // A comment inside a call is met twice where ReadCall goes back: taken once.
-      if (this->Place >= this->CommentsEnd)
-      {
-        this->Comments.append(this->Text.substr(this->Place + 1, end - this->Place - 1));
-        this->CommentsEnd = end;
-      }
-      this->Place = end;
-      if (end == this->Text.size())
-      {
-        return;
-      }
-    }
-    if (this->Text[this->Place] == '\n')
-    {
-      ++this->Line;
-    }
-    else if (c != ' ' && c != '\t' && c != '\r')
-    {
-      return;
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-bool FitParser::Accept(char character)
-{
-  this->SkipSpace();
-  if (this->Place < this->Text.size() && this->Text[this->Place] == character)
-  {
-    ++this->Place;
-    return true;
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
-double FitParser::ReadNumber(const std::string& attribute)
-{
-  this->SkipSpace();
-  this->Place += this->Place < this->Text.size() && this->Text[this->Place] == '+';
-  const char* begin = this->Text.data() + this->Place;
-  double value = 0.0;
-  // Not strtod: its decimal sign follows the locale.
-  const auto result = std::from_chars(begin, this->Text.data() + this->Text.size(), value);
-  if (result.ec != std::errc() || !std::isfinite(value))
-  {
-    this->Expected("a finite number for attribute " + Quote(attribute));
-  }
-  this->Place += static_cast<std::size_t>(result.ptr - begin);
-  return value;
-}
-
-//------------------------------------------------------------------------------
-std::vector<double> FitParser::ReadValue(const std::string& attribute)
-{
-  std::vector<double> values;
-  if (!this->Accept('['))
-  {
-    values.push_back(this->ReadNumber(attribute));
-    return values;
-  }
-  do
-  {
-    values.push_back(this->ReadNumber(attribute));
-  } while (this->Accept(','));
-  this->Expect(']');
-  return values;
-}
-
-//------------------------------------------------------------------------------
-void FitParser::Expected(const std::string& what)
-{
-  this->SkipSpace();
-  std::string found = "the end of the file";
-  if (this->Place < this->Text.size())
-  {
-    const std::string_view rest = this->Text.substr(this->Place, 24);
-    found = Quote(rest.substr(0, rest.find_first_of("\r\n")));
-  }
-  FailAtLine(this->Path, this->Line, "expected " + what + ", found " + found);
-}
 
 // Ngan et al. fitted MERL's data without its color scale (1, 1.15, 1.66)/1500 (MerlFile.cxx)
 // relative to red, so their figures need it; Low et al. applied it.
@@ -464,13 +441,80 @@ class FitFile
 {
 public:
   /// path: what errors call the text.
-  FitFile(const std::string& path, std::string_view text);
+  FitFile(const std::string& path, std::string_view text)
+    : Path(path)
+  {
+    constexpr std::string_view mark = "\xef\xbb\xbf"; // that some editors begin UTF-8 with
+    FitParser parser(path, text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text);
+    std::map<std::string, int> lines;
+    while (!parser.IsAtEnd())
+    {
+      Entry entry;
+      const int line = parser.GetLine();
+      entry.Name = parser.ReadName("a material's name");
+      parser.Expect('=');
+      entry.Expression = parser.ReadCall();
+      const auto inserted = lines.emplace(entry.Name, line);
+      if (!inserted.second)
+      {
+        FailAtLine(path, line,
+          "material " + Quote(entry.Name) + " was already given in line " +
+            std::to_string(inserted.first->second));
+      }
+      this->Entries.push_back(std::move(entry));
+    }
+    if (this->Entries.empty())
+    {
+      FailAtLine(path, parser.GetLine(), "no material; expected lines 'name = Aggregate(...)'");
+    }
+    this->Comments = parser.GetComments();
+  }
 
   /// In the order of the text.
-  std::vector<std::string> GetNames() const;
+  std::vector<std::string> GetNames() const
+  {
+    std::vector<std::string> names;
+    for (const Entry& entry : this->Entries)
+    {
+      names.push_back(entry.Name);
+    }
+    return names;
+  }
 
   /// The material of that name; empty: the only one. Throws where there is no such one.
-  MaterialFile GetMaterial(const std::string& name) const;
+  MaterialFile GetMaterial(const std::string& name) const
+  {
+    const Entry& entry = this->Find(name);
+    const bool ngan =
+      AnyModel(entry.Expression, "Ngan") ||
+      (!AnyModel(entry.Expression, "Low") && this->Comments.find("Ngan") != std::string::npos);
+    const bool low = AnyModel(entry.Expression, "Low");
+    const double one[3] = { 1.0, 1.0, 1.0 };
+
+    MaterialFile result;
+    vtkNew<vtkSumBRDF> sum;
+    Builder(this->Path, entry.Name, ngan ? NganScale : one, result).AddTerms(entry.Expression, sum);
+    sum->SetName(entry.Name);
+
+    std::string models;
+    for (const FitCall& term : entry.Expression.Terms)
+    {
+      models += (models.empty() ? "" : " + ") + term.Model;
+    }
+    sum->SetSource((models.empty() ? entry.Expression.Model : models) + " fit" +
+                   (ngan   ? " by Ngan et al. 2005"
+                     : low ? " by Low et al. 2012"
+                           : "") +
+                   ", " + GetFileTitle(this->Path));
+
+    if (ngan)
+    {
+      result.AddNote("Ngan's figures lack MERL's color scale: albedos were multiplied by 1.00, "
+                     "1.15, 1.66 (R, G, B).");
+    }
+    result.BRDF = sum;
+    return result;
+  }
 
 private:
   struct Entry
@@ -478,112 +522,34 @@ private:
     std::string Name;
     FitCall Expression;
   };
-  const Entry& Find(const std::string& name) const;
+
+  const Entry& Find(const std::string& name) const
+  {
+    if (name.empty() && this->Entries.size() == 1)
+    {
+      return this->Entries.front();
+    }
+    const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
+      [&](const Entry& entry) { return entry.Name == name; });
+    if (found != this->Entries.end())
+    {
+      return *found;
+    }
+    std::string some;
+    for (std::size_t k = 0; k < std::min<std::size_t>(3, this->Entries.size()); ++k)
+    {
+      some += (k ? ", " : "") + ToPrintable(this->Entries[k].Name, LongestName);
+    }
+    throw FileError(this->Path + ": " + FitFormatName + ": " +
+                    (name.empty() ? "choose one with #name" : "no material " + Quote(name)) +
+                    " among its " + std::to_string(this->Entries.size()) + " materials (" + some +
+                    (this->Entries.size() > 3 ? ", ...)" : ")"));
+  }
 
   std::string Path;
   std::string Comments;
   std::vector<Entry> Entries;
 };
-
-//------------------------------------------------------------------------------
-FitFile::FitFile(const std::string& path, std::string_view text)
-  : Path(path)
-{
-  constexpr std::string_view mark = "\xef\xbb\xbf"; // that some editors begin UTF-8 with
-  FitParser parser(path, text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text);
-  std::map<std::string, int> lines;
-  while (!parser.IsAtEnd())
-  {
-    Entry entry;
-    const int line = parser.GetLine();
-    entry.Name = parser.ReadName("a material's name");
-    parser.Expect('=');
-    entry.Expression = parser.ReadCall();
-    const auto inserted = lines.emplace(entry.Name, line);
-    if (!inserted.second)
-    {
-      FailAtLine(path, line,
-        "material " + Quote(entry.Name) + " was already given in line " +
-          std::to_string(inserted.first->second));
-    }
-    this->Entries.push_back(std::move(entry));
-  }
-  if (this->Entries.empty())
-  {
-    FailAtLine(path, parser.GetLine(), "no material; expected lines 'name = Aggregate(...)'");
-  }
-  this->Comments = parser.GetComments();
-}
-
-//------------------------------------------------------------------------------
-std::vector<std::string> FitFile::GetNames() const
-{
-  std::vector<std::string> names;
-  for (const Entry& entry : this->Entries)
-  {
-    names.push_back(entry.Name);
-  }
-  return names;
-}
-
-//------------------------------------------------------------------------------
-const FitFile::Entry& FitFile::Find(const std::string& name) const
-{
-  if (name.empty() && this->Entries.size() == 1)
-  {
-    return this->Entries.front();
-  }
-  const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
-    [&](const Entry& entry) { return entry.Name == name; });
-  if (found != this->Entries.end())
-  {
-    return *found;
-  }
-  std::string some;
-  for (std::size_t k = 0; k < std::min<std::size_t>(3, this->Entries.size()); ++k)
-  {
-    some += (k ? ", " : "") + ToPrintable(this->Entries[k].Name, LongestName);
-  }
-  throw FileError(this->Path + ": " + FitFormatName + ": " +
-                  (name.empty() ? "choose one with #name" : "no material " + Quote(name)) +
-                  " among its " + std::to_string(this->Entries.size()) + " materials (" + some +
-                  (this->Entries.size() > 3 ? ", ...)" : ")"));
-}
-
-//------------------------------------------------------------------------------
-MaterialFile FitFile::GetMaterial(const std::string& name) const
-{
-  const Entry& entry = this->Find(name);
-  const bool ngan =
-    AnyModel(entry.Expression, "Ngan") ||
-    (!AnyModel(entry.Expression, "Low") && this->Comments.find("Ngan") != std::string::npos);
-  const bool low = AnyModel(entry.Expression, "Low");
-  const double one[3] = { 1.0, 1.0, 1.0 };
-
-  MaterialFile result;
-  vtkNew<vtkSumBRDF> sum;
-  Builder(this->Path, entry.Name, ngan ? NganScale : one, result).AddTerms(entry.Expression, sum);
-  sum->SetName(entry.Name);
-
-  std::string models;
-  for (const FitCall& term : entry.Expression.Terms)
-  {
-    models += (models.empty() ? "" : " + ") + term.Model;
-  }
-  sum->SetSource((models.empty() ? entry.Expression.Model : models) + " fit" +
-                 (ngan   ? " by Ngan et al. 2005"
-                   : low ? " by Low et al. 2012"
-                         : "") +
-                 ", " + GetFileTitle(this->Path));
-
-  if (ngan)
-  {
-    result.AddNote("Ngan's figures lack MERL's color scale: albedos were multiplied by 1.00, "
-                   "1.15, 1.66 (R, G, B).");
-  }
-  result.BRDF = sum;
-  return result;
-}
 
 //------------------------------------------------------------------------------
 // ASCII or UTF-8 without control characters, judged by the first bytes.

@@ -272,7 +272,6 @@ GonioGrid FindGonioGrid(const std::vector<GonioAngles>& readings)
   return grid;
 }
 
-//------------------------------------------------------------------------------
 // The node of the light that a reading has.
 std::size_t FindGonioLight(const GonioGrid& grid, const GonioAngles& reading)
 {
@@ -280,99 +279,58 @@ std::size_t FindGonioLight(const GonioGrid& grid, const GonioAngles& reading)
          FindNode(grid.Light.Phi, reading.PhiI);
 }
 
-//------------------------------------------------------------------------------
-// For each light that is not known, the known ones' views of it, in the same way; size: values of a
-// light. Returns the number of lights, those along the normal aside.
-std::size_t FillGonioLights(
-  const GonioGrid& grid, std::size_t size, float* values, std::vector<char> known)
+// A channel's values at the nodes; counts what it filled and averaged.
+std::vector<float> FillChannel(
+  const GonioGrid& grid, const GonioReadings& readings, std::size_t channel, GonioValues& result)
 {
-  return HoleFiller(grid.Light, size, values, std::move(known)).Fill();
+  const std::size_t size = grid.GetSize();
+  const std::size_t views = grid.GetViews();
+  std::vector<float> values(size, 0.0f);
+  std::vector<char> known(size, 0);
+  std::vector<unsigned int> counts(size, 0);
+  for (std::size_t k = 0; k < readings.Angles.size(); ++k)
+  {
+    const GonioAngles& reading = readings.Angles[k];
+    const float value = readings.Values[k * readings.Channels + channel];
+    if (!std::isnan(value))
+    {
+      const std::size_t at = FindGonioLight(grid, reading) * views +
+                             FindNode(grid.View.Theta, reading.ThetaO) * grid.View.Phi.size() +
+                             FindNode(grid.View.Phi, reading.PhiO);
+      ++counts[at];
+      values[at] += (value - values[at]) / static_cast<float>(counts[at]); // the mean so far
+      result.Repeated += known[at];
+      known[at] = 1;
+    }
+  }
+  std::vector<char> lights(size / views, 0);
+  for (std::size_t light = 0; light < lights.size(); ++light)
+  {
+    const auto first = known.begin() + static_cast<std::ptrdiff_t>(light * views);
+    const auto last = first + static_cast<std::ptrdiff_t>(views);
+    lights[light] = std::any_of(first, last, [](char is) { return is != 0; });
+    result.Filled +=
+      HoleFiller(grid.View, 1, &values[light * views], std::vector<char>(first, last)).Fill();
+  }
+  result.Filled += views * HoleFiller(grid.Light, views, values.data(), lights).Fill();
+  return values;
 }
 
-// Values where the readings are, and between them.
-class GridFiller
-{
-public:
-  GridFiller(const GonioGrid& grid, const GonioReadings& readings)
-    : At(grid)
-    , Readings(readings)
-  {
-    const std::size_t azimuths = grid.View.Phi.size();
-    for (const GonioAngles& reading : readings.Angles)
-    {
-      this->Places.push_back(FindGonioLight(grid, reading) * grid.GetViews() +
-                             FindNode(grid.View.Theta, reading.ThetaO) * azimuths +
-                             FindNode(grid.View.Phi, reading.PhiO));
-    }
-  }
-
-  GonioValues Fill()
-  {
-    std::vector<float>& rgb = this->Result.RGB;
-    rgb.assign(3 * this->At.GetSize(), 0.0f);
-    for (std::size_t channel = 0; channel < this->Readings.Channels; ++channel)
-    {
-      const std::vector<float> values = this->FillChannel(channel);
-      for (std::size_t k = 0; k < rgb.size(); ++k)
-      {
-        rgb[k] += static_cast<float>(this->Readings.Weights[channel][k % 3] * values[k / 3]);
-      }
-    }
-    return std::move(this->Result);
-  }
-
-private:
-  std::vector<float> FillChannel(std::size_t channel)
-  {
-    const std::size_t size = this->At.GetSize();
-    std::vector<float> values(size, 0.0f);
-    std::vector<char> known(size, 0);
-    std::vector<unsigned int> counts(size, 0);
-    for (std::size_t k = 0; k < this->Places.size(); ++k)
-    {
-      const float value = this->Readings.Values[k * this->Readings.Channels + channel];
-      if (!std::isnan(value))
-      {
-        const std::size_t at = this->Places[k];
-        ++counts[at];
-        values[at] += (value - values[at]) / static_cast<float>(counts[at]); // the mean so far
-        this->Result.Repeated += known[at];
-        known[at] = 1;
-      }
-    }
-    const std::size_t views = this->At.GetViews();
-    std::vector<char> lights(size / views, 0);
-    for (std::size_t light = 0; light < lights.size(); ++light)
-    {
-      const auto first = known.begin() + static_cast<std::ptrdiff_t>(light * views);
-      const auto last = first + static_cast<std::ptrdiff_t>(views);
-      lights[light] = std::any_of(first, last, [](char is) { return is != 0; });
-      this->Result.Filled +=
-        HoleFiller(this->At.View, 1, &values[light * views], std::vector<char>(first, last)).Fill();
-    }
-    this->Result.Filled += views * FillGonioLights(this->At, views, values.data(), lights);
-    return values;
-  }
-
-  const GonioGrid& At;
-  const GonioReadings& Readings;
-  std::vector<std::size_t> Places;
-  GonioValues Result;
-};
-
-//------------------------------------------------------------------------------
 // Holes are filled linearly around the circle of the same polar angle, empty circles from their
 // neighbors.
 GonioValues FillGonioGrid(const GonioGrid& grid, const GonioReadings& readings)
 {
-  return GridFiller(grid, readings).Fill();
-}
-
-//------------------------------------------------------------------------------
-void CloseGonioGrid(GonioGrid& grid, bool isotropic, std::vector<float>& rgb)
-{
-  AveragePoles(grid, isotropic, rgb);
-  AddHorizon(grid, rgb);
+  GonioValues result;
+  result.RGB.assign(3 * grid.GetSize(), 0.0f);
+  for (std::size_t channel = 0; channel < readings.Channels; ++channel)
+  {
+    const std::vector<float> values = FillChannel(grid, readings, channel, result);
+    for (std::size_t k = 0; k < result.RGB.size(); ++k)
+    {
+      result.RGB[k] += static_cast<float>(readings.Weights[channel][k % 3] * values[k / 3]);
+    }
+  }
+  return result;
 }
 
 constexpr double Degree = 3.14159265358979323846 / 180.0;
@@ -542,7 +500,7 @@ std::string ScatterGonioReadings(
       known[light] = 1;
     }
   }
-  FillGonioLights(grid, views, rgb.data(), known);
+  HoleFiller(grid.Light, views, rgb.data(), known).Fill(); // from the known lights' views
   return "";
 }
 
@@ -670,17 +628,17 @@ double GetError(vtkBRDF* brdf, const GonioReadings& readings)
 }
 
 //------------------------------------------------------------------------------
-std::string GonioTable::Make(GonioReadings readings)
+std::string MakeGonioTable(GonioReadings readings, MaterialFile& result)
 {
   if (readings.Angles.empty())
   {
     return "found no readings";
   }
-  this->Notes.push_back(DescribeAngles(readings));
+  result.AddNote(DescribeAngles(readings));
   const bool isotropic = TurnAzimuths(readings.Angles);
   if (isotropic && Mirror(readings))
   {
-    this->Notes.emplace_back("Views lie on one side of the plane of incidence: mirrored.");
+    result.AddNote("Views lie on one side of the plane of incidence: mirrored.");
   }
   GonioGrid grid = FindGonioGrid(readings.Angles);
   const double lights = double(grid.Light.Theta.size()) * double(grid.Light.Phi.size());
@@ -697,14 +655,13 @@ std::string GonioTable::Make(GonioReadings readings)
     rgb = std::move(values.RGB);
     if (values.Filled > 0)
     {
-      this->Notes.push_back(std::to_string(values.Filled) +
-                            " values are missing in the grid of angles: filled from their "
-                            "neighbors.");
+      result.AddNote(std::to_string(values.Filled) +
+                     " values are missing in the grid of angles: filled from their "
+                     "neighbors.");
     }
     if (values.Repeated > 0)
     {
-      this->Notes.push_back(
-        std::to_string(values.Repeated) + " values repeat others' angles: averaged.");
+      result.AddNote(std::to_string(values.Repeated) + " values repeat others' angles: averaged.");
     }
   }
   else
@@ -715,7 +672,8 @@ std::string GonioTable::Make(GonioReadings readings)
       return problem;
     }
   }
-  CloseGonioGrid(grid, isotropic, rgb);
+  AveragePoles(grid, isotropic, rgb);
+  AddHorizon(grid, rgb);
   vtkNew<vtkAngularTableBRDF> table;
   const std::string problem = table->SetValues(grid.Light, grid.View, std::move(rgb),
     isotropic ? vtkAngularTableBRDF::LIGHT : vtkAngularTableBRDF::TANGENT);
@@ -725,18 +683,18 @@ std::string GonioTable::Make(GonioReadings readings)
   }
   if (!isGrid)
   {
-    this->Notes.push_back("The views are scattered: interpolated onto " +
-                          std::to_string(grid.View.Theta.size()) + " x " +
-                          std::to_string(grid.View.Phi.size()) +
-                          " even nodes, whose relative RMS difference from the readings is " +
-                          NumberText(GetError(table, readings), 3) + ".");
+    result.AddNote("The views are scattered: interpolated onto " +
+                   std::to_string(grid.View.Theta.size()) + " x " +
+                   std::to_string(grid.View.Phi.size()) +
+                   " even nodes, whose relative RMS difference from the readings is " +
+                   NumberText(GetError(table, readings), 3) + ".");
   }
   const std::string albedo = DescribeAlbedo(table);
   if (!albedo.empty())
   {
-    this->Notes.push_back(albedo);
+    result.AddNote(albedo);
   }
-  this->BRDF = table;
+  result.BRDF = table;
   return "";
 }
 } // namespace measuredbrdf

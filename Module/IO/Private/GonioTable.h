@@ -9,8 +9,7 @@
 #ifndef GonioTable_h
 #define GonioTable_h
 
-#include "vtkAngularTableBRDF.h"
-#include "vtkSmartPointer.h"
+#include "MaterialFormat.h"
 
 #include <algorithm>
 #include <array>
@@ -73,17 +72,10 @@ struct GonioReadings
  * Where PhiI is the same in all, the material is taken to be isotropic. One whose azimuths are all
  * in [0, 180] is mirrored. Its value for light or view along the normal is the mean over azimuths.
  * Angles less than 0.01 degrees apart are one; readings of the same directions are averaged. Beyond
- * the last polar angle the value is constant.
+ * the last polar angle the value is constant. Notes are for people: angles, repairs, an albedo that
+ * cannot be. Returns an empty string, or what is wrong with the readings.
  */
-class GonioTable
-{
-public:
-  /// Empty, or what is wrong with the readings. The table has at most MaximumGonioNodes.
-  std::string Make(GonioReadings readings);
-
-  vtkSmartPointer<vtkAngularTableBRDF> BRDF;
-  std::vector<std::string> Notes; // for people: angles, repairs, an albedo that cannot be
-};
+std::string MakeGonioTable(GonioReadings readings, MaterialFile& result);
 } // namespace measuredbrdf
 
 #endif

@@ -24,11 +24,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -40,255 +42,178 @@ using Json = nlohmann::json;
 
 constexpr const char* OpenMaterialFormatName = "OpenMATERIAL 3D";
 
+using Row = std::array<double, 5>;
+
 struct OpenMaterialTexts
 {
   std::map<std::string, std::string> Metadata; // its texts, and lists of texts joined by ", "
-  std::vector<double> Wavelengths;             // m; as listed
   /// Wavelength (m), zenith angle of incidence, of exit, azimuth of exit from incidence (rad), f
   /// (1/sr). Rows that hold a null are left out.
-  std::vector<std::array<double, 5>> Rows;
+  std::vector<Row> Rows;
   std::size_t Nulls = 0; // rows left out
 };
 
-constexpr std::size_t DeepestLevel = 32;
-constexpr std::size_t RowSize = 5;
+constexpr int DeepestLevel = 32;
 constexpr std::size_t LongestText = 1000; // of the metadata, in bytes
-
-const char* const TableName = "lookupTable";
+constexpr const char* TableName = "lookupTable";
+constexpr const char* MetadataNames[] = { "name", "sources", "authors", "copyrights", "license" };
 
 [[noreturn]] void Fail(const FileBytes& file, const std::string& field, const std::string& what)
 {
   throw FileError(file.GetPath() + ": " + OpenMaterialFormatName + ", " + field + ": " + what);
 }
 
-/// Takes what is known, wherever it stands in the right place, and steps over everything else.
-class Handler : public nlohmann::json_sax<Json>
+/// Takes what is known, wherever it stands in the right place, as the parser comes by; of the
+/// document nothing but a row is kept.
+class OpenMaterialParser
 {
 public:
-  explicit Handler(const FileBytes& file)
-    : Reader(file, OpenMaterialFormatName)
+  explicit OpenMaterialParser(const FileBytes& file)
+    : File(file)
   {
   }
 
-  OpenMaterialTexts Texts;
-  bool HasBrdf = false;
-  bool HasReadings = false;
-
-  [[noreturn]] void Fail(const std::string& field, const std::string& what) const
+  // Throws FileError where it is no JSON, is nested deeper than 32 levels, has no "brdf" with a
+  // "lookupTable" of rows of five numbers, or has one twice.
+  OpenMaterialTexts Parse()
   {
-    measuredbrdf::Fail(this->Reader.GetFile(), field, what);
-  }
-
-  bool null() override
-  {
-    this->Add(0.0, true);
-    return true;
-  }
-  bool boolean(bool) override { return this->Refuse("a truth value"); }
-  bool number_integer(std::int64_t value) override { return this->Add(double(value), false); }
-  bool number_unsigned(std::uint64_t value) override { return this->Add(double(value), false); }
-  bool number_float(double value, const std::string&) override { return this->Add(value, false); }
-  bool binary(Json::binary_t&) override { return this->Refuse("bytes"); }
-
-  bool string(std::string& value) override
-  {
-    const bool isListed = this->Levels.size() == 3 && this->Levels[2] == Array;
-    if (this->Top == "metadata" && (this->Levels.size() == 2 || isListed))
+    try
     {
-      std::string& text = this->Texts.Metadata[this->Second];
-      if (text.size() + value.size() < LongestText)
-      {
-        text += (text.empty() ? "" : ", ") + value;
-      }
+      const char* bytes = this->File.GetData();
+      const auto take = [this](int depth, Json::parse_event_t event, const Json& value)
+      { return this->Take(depth, event, value); };
+      std::ignore = Json::parse(bytes, bytes + this->File.GetSize(), take);
     }
-    return this->Refuse("a text");
-  }
-
-  bool key(std::string& name) override
-  {
-    if (this->Levels.size() == 1)
+    catch (const Json::exception& problem)
     {
-      this->Top = name;
+      this->FailToParse(problem);
     }
-    else if (this->Levels.size() == 2)
+    if (!this->HasBrdf)
     {
-      this->Second = name;
-      if (this->Top == "metadata" && this->Texts.Metadata.size() >= DeepestLevel)
-      {
-        this->Second.clear(); // more names than the format has: left out together
-      }
+      Fail(this->File, "brdf",
+        "is missing: expected the look-up table of a BRDF (NAME_brdf.xompt), not another property");
     }
-    return true;
-  }
-
-  bool start_object(std::size_t) override
-  {
-    this->Refuse("an object");
-    if (this->Levels.size() == 1 && this->Top == "brdf")
+    if (!this->HasTable)
     {
-      this->HasBrdf = true;
+      Fail(this->File, TableName, "is missing in 'brdf'");
     }
-    return this->Enter(Object);
-  }
-  bool end_object() override { return this->Leave(); }
-
-  bool start_array(std::size_t) override
-  {
-    if (this->Levels.size() == 2 && this->IsIn(TableName))
-    {
-      if (this->HasReadings)
-      {
-        this->Fail(TableName, "appears twice");
-      }
-      this->HasReadings = true;
-    }
-    else if (this->IsInRow())
-    {
-      this->Refuse("a list");
-    }
-    else if (this->IsInTable())
-    {
-      this->Count = 0;
-      this->HasNull = false;
-    }
-    return this->Enter(Array);
-  }
-
-  bool end_array() override
-  {
-    if (this->IsInRow())
-    {
-      if (this->Count != RowSize)
-      {
-        this->Fail(this->GetRow(), "found " + std::to_string(this->Count) +
-                                     " numbers, expected 5: wavelength, three angles, value");
-      }
-      if (this->HasNull)
-      {
-        ++this->Texts.Nulls;
-      }
-      else
-      {
-        this->Texts.Rows.push_back(this->Row);
-      }
-    }
-    return this->Leave();
-  }
-
-  bool parse_error(
-    std::size_t position, const std::string&, const nlohmann::detail::exception& problem) override
-  {
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ..."
-    const std::string text = problem.what();
-    const std::size_t bracket = text.find("] ");
-    this->Reader.FailAt(
-      position, "JSON", bracket == std::string::npos ? text : text.substr(bracket + 2));
+    return std::move(this->Texts);
   }
 
 private:
-  enum Level : char
+  // Whether to keep what the event is of; depth: of levels around it.
+  bool Take(int depth, Json::parse_event_t event, const Json& value)
   {
-    Object,
-    Array
-  };
-
-  bool IsIn(const char* name) const { return this->Top == "brdf" && this->Second == name; }
-  bool IsInTable() const
-  {
-    return this->Levels.size() == 3 && this->Levels[2] == Array && this->IsIn(TableName);
-  }
-  bool IsInRow() const
-  {
-    return this->Levels.size() == 4 && this->Levels[2] == Array && this->IsIn(TableName);
-  }
-  std::string GetRow() const
-  {
-    return std::string(TableName) + ", row " +
-           std::to_string(this->Texts.Rows.size() + this->Texts.Nulls + 1);
-  }
-
-  // What must not be among the table's numbers.
-  bool Refuse(const char* what) const
-  {
-    if (this->IsInRow() || this->IsInTable())
+    using Event = Json::parse_event_t;
+    const bool begins = event == Event::object_start || event == Event::array_start;
+    if (begins && depth >= DeepestLevel)
     {
-      this->Fail(this->GetRow(), std::string("found ") + what + ", expected five numbers");
+      Fail(this->File, "JSON", "is nested deeper than " + std::to_string(DeepestLevel) + " levels");
     }
-    return true;
-  }
-
-  bool Add(double value, bool isNull)
-  {
-    if (this->IsInRow())
+    if (event == Event::key && depth == 1)
     {
-      if (this->Count < RowSize)
+      this->Top = value.get<std::string>();
+      this->Second.clear();
+      return this->Top == "metadata" || this->Top == "brdf";
+    }
+    const bool isTable = this->Top == "brdf" && this->Second == TableName;
+    if (event == Event::key && depth == 2)
+    {
+      this->Second = value.get<std::string>();
+      return this->Top == "brdf" ? this->Second == TableName
+                                 : std::find(std::begin(MetadataNames), std::end(MetadataNames),
+                                     this->Second) != std::end(MetadataNames);
+    }
+    if (event == Event::value && value.is_string() && this->Top == "metadata")
+    {
+      std::string& text = this->Texts.Metadata[this->Second];
+      const std::string more = (text.empty() ? "" : ", ") + value.get<std::string>();
+      text += text.size() + more.size() <= LongestText ? more : "";
+    }
+    else if (isTable && depth == 3 && !begins && event != Event::key)
+    {
+      this->TakeRow(value);
+      return false;
+    }
+    this->HasBrdf =
+      this->HasBrdf || (event == Event::object_start && depth == 1 && this->Top == "brdf");
+    if (isTable && event == Event::array_start && depth == 2)
+    {
+      if (this->HasTable)
       {
-        this->Row[this->Count] = value;
+        Fail(this->File, TableName, "appears twice");
       }
-      ++this->Count;
-      this->HasNull = this->HasNull || isNull;
+      this->HasTable = true;
     }
-    else if (this->IsInTable())
-    {
-      this->Refuse("a number alone");
-    }
-    else if (this->Levels.size() == 3 && this->IsIn("wavelengths") && !isNull)
-    {
-      this->Texts.Wavelengths.push_back(value);
-    }
-    return true;
+    return isTable || (event == Event::object_start ? depth <= 1 : begins && depth == 2);
   }
 
-  bool Enter(Level level)
+  void TakeRow(const Json& value)
   {
-    if (this->Levels.size() == DeepestLevel)
+    const auto fail = [this](const std::string& what)
     {
-      this->Fail("JSON", "is nested deeper than " + std::to_string(DeepestLevel) + " levels");
+      Fail(this->File,
+        std::string(TableName) + ", row " +
+          std::to_string(this->Texts.Rows.size() + this->Texts.Nulls + 1),
+        "found " + what);
+    };
+    const auto expectNumbers = [&fail](const Json& found)
+    {
+      const char* const what = found.is_object()    ? "an object"
+                               : found.is_array()   ? "a list"
+                               : found.is_string()  ? "a text"
+                               : found.is_boolean() ? "a truth value"
+                                                    : "a number alone";
+      fail(std::string(what) + ", expected five numbers");
+    };
+    if (!value.is_array())
+    {
+      expectNumbers(value);
     }
-    this->Levels.push_back(level);
-    return true;
+    for (const Json& number : value)
+    {
+      if (!number.is_number() && !number.is_null())
+      {
+        expectNumbers(number);
+      }
+    }
+    Row row = {};
+    if (value.size() != row.size())
+    {
+      fail(std::to_string(value.size()) + " numbers, expected 5: wavelength, three angles, value");
+    }
+    if (std::any_of(value.begin(), value.end(), [](const Json& one) { return one.is_null(); }))
+    {
+      ++this->Texts.Nulls;
+      return;
+    }
+    std::transform(
+      value.begin(), value.end(), row.begin(), [](const Json& one) { return one.get<double>(); });
+    this->Texts.Rows.push_back(row);
   }
 
-  bool Leave()
+  [[noreturn]] void FailToParse(const Json::exception& problem) const
   {
-    this->Levels.pop_back();
-    if (this->Levels.size() < 3)
-    {
-      (this->Levels.size() < 2 ? this->Top : this->Second).clear();
-    }
-    return true;
+    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ..."; or of a
+    // number that is too large, in quotes, without its place.
+    const std::string text = problem.what();
+    const auto* parse = dynamic_cast<const Json::parse_error*>(&problem);
+    const std::size_t quote = text.find('\'');
+    const std::string number =
+      quote == std::string::npos ? "" : text.substr(quote + 1, text.rfind('\'') - quote - 1);
+    const std::size_t at = parse ? parse->byte : this->File.GetView().find(number);
+    const std::size_t bracket = text.find("] ");
+    ByteReader(this->File, OpenMaterialFormatName)
+      .FailAt(at, "JSON", bracket == std::string::npos ? text : text.substr(bracket + 2));
   }
 
-  ByteReader Reader;
-  std::vector<Level> Levels; // of which the place is inside
-  std::string Top;           // key in the file's object
-  std::string Second;        // key in that
-  std::array<double, RowSize> Row = {};
-  std::size_t Count = 0; // of the row's numbers
-  bool HasNull = false;
+  const FileBytes& File;
+  OpenMaterialTexts Texts;
+  std::string Top;    // key in the file's object
+  std::string Second; // key in that
+  bool HasBrdf = false;
+  bool HasTable = false;
 };
-
-//------------------------------------------------------------------------------
-// Without building a tree: memory is at most five times the file's size. Throws FileError where it
-// is no JSON, is nested deeper than 32 levels, has no "brdf" with a "lookupTable" of rows of five
-// numbers, or has one twice.
-OpenMaterialTexts ParseOpenMaterial(const FileBytes& file)
-{
-  Handler handler(file);
-  const char* bytes = file.GetData();
-  Json::sax_parse(bytes, bytes + file.GetSize(), &handler);
-  if (!handler.HasBrdf)
-  {
-    handler.Fail("brdf",
-      "is missing: expected the look-up table of a BRDF (NAME_brdf.xompt), not another property");
-  }
-  if (!handler.HasReadings)
-  {
-    handler.Fail(TableName, "is missing in 'brdf'");
-  }
-  return std::move(handler.Texts);
-}
-using Row = std::array<double, 5>;
 
 constexpr double Degree = 3.14159265358979323846 / 180.0;
 constexpr double Nanometer = 1e-9;
@@ -427,12 +352,12 @@ GonioReadings Arrange(const FileBytes& file, const std::vector<Row>& rows,
 std::string DescribeSource(const FileBytes& file, const OpenMaterialTexts& texts)
 {
   std::string source = "OpenMATERIAL 3D file " + GetFileTitle(file.GetPath());
-  for (const char* field : { "sources", "authors", "copyrights", "license" })
+  for (const std::string field : MetadataNames)
   {
     const auto found = texts.Metadata.find(field);
-    if (found != texts.Metadata.end() && !found->second.empty())
+    if (field != "name" && found != texts.Metadata.end() && !found->second.empty())
     {
-      source += std::string("; ") + field + ": " + found->second;
+      source += "; " + field + ": " + found->second;
     }
   }
   return source;
@@ -440,7 +365,7 @@ std::string DescribeSource(const FileBytes& file, const OpenMaterialTexts& texts
 //------------------------------------------------------------------------------
 MaterialFile ReadOpenMaterial(const FileBytes& file, const std::string& material)
 {
-  const OpenMaterialTexts texts = ParseOpenMaterial(file);
+  const OpenMaterialTexts texts = OpenMaterialParser(file).Parse();
   if (texts.Rows.empty())
   {
     Fail(file, "lookupTable", "found no row without a null");
@@ -466,15 +391,10 @@ MaterialFile ReadOpenMaterial(const FileBytes& file, const std::string& material
   }
   GonioReadings readings = Arrange(file, texts.Rows, wavelengths, chosen);
   readings.Weights = channels.Weights;
-  GonioTable table;
-  const std::string problem = table.Make(std::move(readings));
+  const std::string problem = MakeGonioTable(std::move(readings), result);
   if (!problem.empty())
   {
     Fail(file, "lookupTable", problem);
-  }
-  for (const std::string& note : table.Notes)
-  {
-    result.AddNote(note);
   }
   if (texts.Nulls > 0)
   {
@@ -482,10 +402,9 @@ MaterialFile ReadOpenMaterial(const FileBytes& file, const std::string& material
   }
   const auto name = texts.Metadata.find("name");
   const bool named = name != texts.Metadata.end() && !name->second.empty();
-  table.BRDF->SetName((named ? name->second : GetFileStem(file.GetPath())) +
-                      (material.empty() ? "" : " " + material));
-  table.BRDF->SetSource(DescribeSource(file, texts));
-  result.BRDF = table.BRDF;
+  result.BRDF->SetName((named ? name->second : GetFileStem(file.GetPath())) +
+                       (material.empty() ? "" : " " + material));
+  result.BRDF->SetSource(DescribeSource(file, texts));
   return result;
 }
 
@@ -505,7 +424,8 @@ bool CanReadOpenMaterial(const vtkBRDFFormat::File& file)
 std::vector<std::string> ListOpenMaterialWavelengths(const FileBytes& file)
 {
   std::vector<std::string> names;
-  for (const double wavelength : ToNanometers(FindWavelengths(file, ParseOpenMaterial(file).Rows)))
+  for (const double wavelength :
+    ToNanometers(FindWavelengths(file, OpenMaterialParser(file).Parse().Rows)))
   {
     names.push_back(GetWavelengthName(wavelength));
   }

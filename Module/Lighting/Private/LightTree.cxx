@@ -214,11 +214,12 @@ bool LightTree::Grow(
     this->Nodes.push_back({ 0, 0, this->Width, this->Height });
     const Moments sum = cutter.GetSum(this->Nodes.back());
     this->Total = sum.w;
+    this->Residuals.push_back(sum.w > 0.0 ? measuredbrdf::GetVariance(sum) / sum.w : 0.0);
     this->Push(0, sum);
   }
-  const int before = static_cast<int>(this->Nodes.size() / 2) + 1;
+  const int begin = this->GetNumberOfCells();
   std::int64_t visited = 0;
-  for (int count = before; count < cells && !this->Queue.empty(); ++count)
+  for (int count = begin; count < cells && !this->Queue.empty(); ++count)
   {
     const Candidate next = this->Queue.top();
     this->Queue.pop();
@@ -231,10 +232,16 @@ bool LightTree::Grow(
     this->Nodes[next.Node].Split = static_cast<int>(this->Nodes.size() / 2) + 1;
     this->Push(this->Nodes.size() - 2, sums[0]);
     this->Push(this->Nodes.size() - 1, sums[1]);
+    const double before = this->Residuals.back();
+    const double gain =
+      next.Variance - measuredbrdf::GetVariance(sums[0]) - measuredbrdf::GetVariance(sums[1]);
+    const bool isRounding = this->Queue.empty();
+    this->Residuals.push_back(
+      isRounding ? 0.0 : std::clamp(before - gain / this->Total, 0.0, before));
     if (visited >= TexelsPerReport)
     {
       visited = 0;
-      if (!progress(static_cast<double>(count - before) / (cells - before)))
+      if (!progress(static_cast<double>(count - begin) / (cells - begin)))
       {
         return false;
       }
@@ -306,7 +313,6 @@ void LightTree::Gather(vtkEnvironment* environment, std::size_t firstNode)
       }
     }
   }
-  this->MeasureResiduals();
 }
 
 //------------------------------------------------------------------------------
@@ -337,29 +343,4 @@ void LightTree::GatherLeaf(
   }
 }
 
-//------------------------------------------------------------------------------
-void LightTree::MeasureResiduals()
-{
-  const double energy = this->Nodes[0].Luminance;
-  if (this->Residuals.empty())
-  {
-    this->Residuals.push_back(energy > 0.0 ? this->Nodes[0].GetVariance() / energy : 0.0);
-  }
-  std::vector<std::size_t> parents(this->Nodes.size() / 2 + 2, 0); // by number of cells
-  for (std::size_t k = 0; k < this->Nodes.size(); ++k)
-  {
-    if (this->Nodes[k].Split != INT_MAX)
-    {
-      parents[static_cast<std::size_t>(this->Nodes[k].Split)] = k;
-    }
-  }
-  for (std::size_t cells = this->Residuals.size() + 1; cells <= this->Nodes.size() / 2 + 1; ++cells)
-  {
-    const double gain = this->Nodes[parents[cells]].GetVariance() -
-                        this->Nodes[2 * cells - 3].GetVariance() -
-                        this->Nodes[2 * cells - 2].GetVariance();
-    const double before = this->Residuals.back();
-    this->Residuals.push_back(energy > 0.0 ? std::clamp(before - gain / energy, 0.0, before) : 0.0);
-  }
-}
 } // namespace measuredbrdf

@@ -81,7 +81,6 @@ private:
   void Gather(vtkEnvironment* environment, std::size_t firstNode);
   /// From the pixels themselves, not from differences of sums: a leaf's energy is exact.
   void GatherLeaf(vtkEnvironment* environment, const TexelDirections& directions, Node& node) const;
-  void MeasureResiduals();
 
   struct Candidate
   {

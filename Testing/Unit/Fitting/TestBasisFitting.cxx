@@ -3,13 +3,13 @@
 // vtkBasisProjector and vtkBasisExtrapolator, against materials inside and outside a basis's span.
 #include "BasisFunctions.h"
 #include "ErrorCatcher.h"
+#include "ExpectStops.h"
 #include "TestBasisHelpers.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBasisExtrapolator.h"
 #include "vtkBasisProjector.h"
 #include "vtkBlinnPhongBRDF.h"
-#include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 
 #include <Eigen/Dense>
@@ -289,31 +289,9 @@ TEST(Projector, ProgressAndAbort)
   projector->SetOrder(2);
   projector->SetNumberOfTheta(64);
   projector->SetNumberOfNodes(8);
-  ErrorCatcher errors(projector);
-  std::vector<double> progress;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&progress);
-  observer->SetCallback([](vtkObject*, unsigned long, void* data, void* call)
-    { static_cast<std::vector<double>*>(data)->push_back(*static_cast<double*>(call)); });
-  projector->AddObserver(vtkCommand::ProgressEvent, observer);
-  ASSERT_TRUE(projector->Project());
-  ASSERT_GE(progress.size(), 3u);
-  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
-  EXPECT_EQ(progress.back(), 1.0);
-  const vtkSmartPointer<vtkBasisBRDF> before = projector->GetOutput();
-
-  vtkNew<vtkCallbackCommand> abort;
-  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
-    { static_cast<vtkBasisProjector*>(caller)->AbortOn(); });
-  const unsigned long tag = projector->AddObserver(vtkCommand::ProgressEvent, abort);
-  progress.clear();
-  EXPECT_FALSE(projector->Project());
-  EXPECT_EQ(progress.size(), 1u);
-  EXPECT_EQ(projector->GetOutput(), before);
-  EXPECT_EQ(errors.Take(), 0);
-  projector->RemoveObserver(tag);
-  EXPECT_TRUE(projector->Project()); // the flag does not stay
-  EXPECT_NE(projector->GetOutput(), before);
+  ExpectStops(
+    projector.Get(), [&]() { return projector->Project(); },
+    [&]() { return projector->GetOutput(); });
 }
 
 //------------------------------------------------------------------------------
@@ -553,15 +531,9 @@ TEST(Extrapolator, ErrorsAndAbort)
   EXPECT_EQ(extrapolator->GetOutput(), nullptr);
 
   extrapolator->SetInput(Project(MakePhong(5.0), 3, 4, Zone, Zone));
-  EXPECT_TRUE(extrapolator->Extrapolate());
-  const vtkSmartPointer<vtkBasisBRDF> before = extrapolator->GetOutput();
-  vtkNew<vtkCallbackCommand> abort;
-  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
-    { static_cast<vtkBasisExtrapolator*>(caller)->AbortOn(); });
-  extrapolator->AddObserver(vtkCommand::ProgressEvent, abort);
-  EXPECT_FALSE(extrapolator->Extrapolate());
-  EXPECT_EQ(extrapolator->GetOutput(), before);
-  EXPECT_EQ(errors.Take(), 0);
+  ExpectStops(
+    extrapolator.Get(), [&]() { return extrapolator->Extrapolate(); },
+    [&]() { return extrapolator->GetOutput(); });
 
   // Zones of i and o that share nothing are looked at, too.
   vtkNew<vtkBasisExtrapolator> apart;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Known parameters come back, figures are what they are said to be, and bad input is refused.
 #include "ErrorCatcher.h"
+#include "ExpectStops.h"
 #include "HalfVector.h"
 #include "NeedsLibrary.h"
 #include "TestIOHelpers.h"
@@ -714,31 +715,6 @@ TEST(Fit, BadOptionsAreRefused)
 }
 
 //------------------------------------------------------------------------------
-namespace
-{
-struct Stopper
-{
-  vtkBRDFFitter* Fitter;
-  double At;
-  double Last = -1.0;
-  int Events = 0;
-
-  void OnProgress(vtkObject*, unsigned long, void* data)
-  {
-    const double share = *static_cast<double*>(data);
-    EXPECT_GE(share, 0.0);
-    EXPECT_LE(share, 1.0);
-    EXPECT_GE(share, this->Last);
-    this->Last = share;
-    ++this->Events;
-    if (share >= this->At)
-    {
-      this->Fitter->AbortOn();
-    }
-  }
-};
-}
-
 TEST(Fit, ProgressAndAbort)
 {
   NEEDS_CERES();
@@ -751,28 +727,10 @@ TEST(Fit, ProgressAndAbort)
     { static_cast<vtkBRDFFitter*>(phong.Get()), static_cast<vtkBRDFFitter*>(distribution.Get()) })
   {
     SCOPED_TRACE(fitter->GetModelName());
-    ErrorCatcher errors(fitter);
-    Stopper stopper{ fitter, 2.0 };
-    fitter->AddObserver(vtkCommand::ProgressEvent, &stopper, &Stopper::OnProgress);
     fitter->SetInput(input);
-    ASSERT_TRUE(fitter->Fit());
-    EXPECT_EQ(stopper.Last, 1.0);
-    EXPECT_GT(stopper.Events, 3);
-    vtkBRDF* before = fitter->GetOutput();
-    for (const double at : { 0.0, 0.2, 0.29 })
-    {
-      stopper.At = at;
-      stopper.Last = -1.0;
-      EXPECT_FALSE(fitter->Fit());
-      EXPECT_EQ(errors.Take(), 1);
-      EXPECT_NE(errors.GetText().find("abort"), std::string::npos) << errors.GetText();
-      EXPECT_EQ(fitter->GetOutput(), before);
-      EXPECT_LT(stopper.Last, 1.0);
-    }
-    stopper.At = 2.0;
-    stopper.Last = -1.0;
-    EXPECT_TRUE(fitter->Fit());
-    fitter->RemoveObservers(vtkCommand::ProgressEvent);
+    ExpectStops(
+      fitter, [&]() { return fitter->Fit(); }, [&]() { return fitter->GetOutput(); }, 1,
+      { 0.0, 0.2, 0.29 });
   }
 }
 

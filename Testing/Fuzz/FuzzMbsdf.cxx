@@ -1,8 +1,0 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
-// SPDX-License-Identifier: BSD-3-Clause
-#include "FuzzTarget.h"
-
-MEASUREDBRDF_FUZZ_TARGET(Mbsdf)(const std::uint8_t* data, std::size_t size)
-{
-  return fuzz::ReadFormat(measuredbrdf::MbsdfFormat, data, size);
-}
