@@ -282,9 +282,9 @@ void LightSetOptions::AddTo(CLI::App* command, const std::string& countName)
   command
     ->add_option("--light-set", this->Method,
       "How the lights are chosen: median-cut (regions of equal energy, one light each; default), "
-      "variance (regions of small spread: the widest is always split next), minimum-variance (the "
-      "published method of that kind) or importance (drawn at random in proportion to the energy)")
-    ->check(CLI::IsMember({ "median-cut", "variance", "minimum-variance", "importance" }));
+      "variance (regions of small spread: the widest is always split next) or importance (drawn at "
+      "random in proportion to the energy)")
+    ->check(CLI::IsMember({ "median-cut", "variance", "importance" }));
   command->add_option("--seed", this->Seed,
     "Seed of --light-set importance (default 1); the same seed gives the same lights");
 }
@@ -324,11 +324,7 @@ vtkSmartPointer<vtkLightSet> MakeLightSet(
   }
   else if (!options.IsImportance())
   {
-    auto variance = vtkSmartPointer<vtkVarianceLightSetGenerator>::New();
-    variance->SetMethod(options.Method == "variance"
-                          ? vtkVarianceLightSetGenerator::GREEDY
-                          : vtkVarianceLightSetGenerator::MINIMUM_VARIANCE);
-    generator = variance;
+    generator = vtkSmartPointer<vtkVarianceLightSetGenerator>::New();
   }
   else
   {

@@ -2,21 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBRDFFormats.h"
 
-#include "AstmFile.h"
-#include "BsdfXmlFile.h"
-#include "FitFile.h"
-#include "MbsdfFile.h"
-#include "MerlFile.h"
-#include "OpenMaterialFile.h"
+#include "MaterialFormat.h"
 #include "Registry.h"
-#include "TensorFile.h"
-#include "UtiaFile.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkObjectFactory.h"
-
-#if MEASUREDBRDF_WITH_OPENEXR
-#include "ExrMaterialFile.h"
-#endif
 
 #include <algorithm>
 #include <functional>
@@ -31,13 +20,18 @@ using Formats = Registry<vtkBRDFFormat>;
 // The module's own, in the order in which they are asked: those that any bytes might be come last.
 Formats::Items MakeOwnFormats()
 {
+  Formats::Items items;
+  for (const MaterialFormat* format : {
+         &TensorFormat, &MbsdfFormat,
 #if MEASUREDBRDF_WITH_OPENEXR
-  return Formats::Make<TensorFormat, MbsdfFormat, ExrFormat, BsdfXmlFormat, OpenMaterialFormat,
-    AstmFormat, FitFormat, UtiaFormat, MerlFormat>();
-#else
-  return Formats::Make<TensorFormat, MbsdfFormat, BsdfXmlFormat, OpenMaterialFormat, AstmFormat,
-    FitFormat, UtiaFormat, MerlFormat>();
+           &ExrMaterialFormat,
 #endif
+           &BsdfXmlFormat, &OpenMaterialFormat, &AstmFormat, &FitFormat, &UtiaFormat, &MerlFormat
+       })
+  {
+    items.push_back(BuiltInFormat::Make(*format));
+  }
+  return items;
 }
 
 Formats& GetRegistry()

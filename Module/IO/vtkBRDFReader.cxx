@@ -136,51 +136,46 @@ bool vtkBRDFReader::Read()
   const auto report = [this](double progress)
   { this->InvokeEvent(vtkCommand::ProgressEvent, &progress); };
 
-  try
-  {
-    report(0.0);
-    const Path path = SplitPath(this->FileName);
-    const FileBytes bytes(path.File);
-    report(0.3);
-    const vtkBRDFFormat::File file{ path.File, path.Material, bytes.GetView() };
-    const auto format = FindFormat(file);
-    this->FormatName = format->GetName();
-    vtkBRDFFormat::Content content;
-    std::string error;
-    if (!format->Read(file, content, error))
+  const bool done = measuredbrdf::CatchFileError(this->FileName, this->ErrorMessage,
+    [&]()
     {
-      throw FileError(error);
-    }
-    if (!content.BRDF)
-    {
-      if (content.Transmission)
+      report(0.0);
+      const Path path = SplitPath(this->FileName);
+      const FileBytes bytes(path.File);
+      report(0.3);
+      const vtkBRDFFormat::File file{ path.File, path.Material, bytes.GetView() };
+      const auto format = FindFormat(file);
+      this->FormatName = format->GetName();
+      vtkBRDFFormat::Content content;
+      std::string error;
+      if (!format->Read(file, content, error))
       {
-        this->Transmission = content.Transmission;
-        this->Notes = content.Notes;
+        throw FileError(error);
       }
-      throw FileError(
-        path.File + ": " + this->FormatName +
-        (content.Transmission ? ": the file holds transmission only; expected reflection, too"
-                              : " gave no material"));
-    }
-    this->BRDF = content.BRDF;
-    this->Transmission = content.Transmission;
-    this->Notes = content.Notes;
-    this->NumberOfNegativeValues = content.NumberOfNegativeValues;
-    this->NumberOfInvalidValues = content.NumberOfInvalidValues;
-    report(1.0);
-    return true;
-  }
-  catch (const FileError& e)
+      if (!content.BRDF)
+      {
+        if (content.Transmission)
+        {
+          this->Transmission = content.Transmission;
+          this->Notes = content.Notes;
+        }
+        throw FileError(
+          path.File + ": " + this->FormatName +
+          (content.Transmission ? ": the file holds transmission only; expected reflection, too"
+                                : " gave no material"));
+      }
+      this->BRDF = content.BRDF;
+      this->Transmission = content.Transmission;
+      this->Notes = content.Notes;
+      this->NumberOfNegativeValues = content.NumberOfNegativeValues;
+      this->NumberOfInvalidValues = content.NumberOfInvalidValues;
+      report(1.0);
+    });
+  if (!done)
   {
-    this->ErrorMessage = e.what();
+    vtkErrorMacro(<< this->ErrorMessage);
   }
-  catch (const std::exception& e) // out of memory, say
-  {
-    this->ErrorMessage = ToPrintable(this->FileName + ": " + e.what());
-  }
-  vtkErrorMacro(<< this->ErrorMessage);
-  return false;
+  return done;
 }
 
 //------------------------------------------------------------------------------

@@ -27,45 +27,40 @@ bool vtkBRDFWriter::Write()
 {
   using namespace measuredbrdf;
   this->ErrorMessage.clear();
-  try
+  const bool done = measuredbrdf::CatchFileError(this->FileName, this->ErrorMessage,
+    [&]()
+    {
+      if (this->FileName.empty())
+      {
+        throw FileError("no file name was given");
+      }
+      if (!this->BRDF)
+      {
+        throw FileError(this->FileName + ": there is no material to write");
+      }
+      const std::string extension = vtksys::SystemTools::LowerCase(
+        vtksys::SystemTools::GetFilenameLastExtension(this->FileName));
+      const auto format = vtkBRDFFormats::FindForWriting(extension);
+      if (!format && !MEASUREDBRDF_WITH_OPENEXR && extension == ".exr")
+      {
+        throw FileError(this->FileName + ": " + NoOpenEXR + ".exr materials cannot be written");
+      }
+      if (!format)
+      {
+        throw FileError(this->FileName + ": found extension " + Quote(extension) + ", expected " +
+                        vtkBRDFFormats::GetExtensions(true));
+      }
+      std::string error;
+      if (!format->Write(this->BRDF, this->FileName, this->HalfFloats, error))
+      {
+        throw FileError(error);
+      }
+    });
+  if (!done)
   {
-    if (this->FileName.empty())
-    {
-      throw FileError("no file name was given");
-    }
-    if (!this->BRDF)
-    {
-      throw FileError(this->FileName + ": there is no material to write");
-    }
-    const std::string extension =
-      vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(this->FileName));
-    const auto format = vtkBRDFFormats::FindForWriting(extension);
-    if (!format && !MEASUREDBRDF_WITH_OPENEXR && extension == ".exr")
-    {
-      throw FileError(this->FileName + ": " + NoOpenEXR + ".exr materials cannot be written");
-    }
-    if (!format)
-    {
-      throw FileError(this->FileName + ": found extension " + Quote(extension) + ", expected " +
-                      vtkBRDFFormats::GetExtensions(true));
-    }
-    std::string error;
-    if (!format->Write(this->BRDF, this->FileName, this->HalfFloats, error))
-    {
-      throw FileError(error);
-    }
-    return true;
+    vtkErrorMacro(<< this->ErrorMessage);
   }
-  catch (const FileError& e)
-  {
-    this->ErrorMessage = e.what();
-  }
-  catch (const std::exception& e) // out of memory, say
-  {
-    this->ErrorMessage = ToPrintable(this->FileName + ": " + e.what());
-  }
-  vtkErrorMacro(<< this->ErrorMessage);
-  return false;
+  return done;
 }
 
 //------------------------------------------------------------------------------

@@ -10,10 +10,16 @@
 
 #if MEASUREDBRDF_WITH_OPENEXR
 #include "EmbeddedRoom.h" // made of EmbeddedRoom.exr
-#include "ExrImage.h"
-#include "FileBytes.h"
+#include "ExrStream.h"
+
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
 #endif
 
+#include <algorithm>
+#include <cstddef>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -43,8 +49,29 @@ bool ReadRoom(vtkEnvironment* environment)
 #if MEASUREDBRDF_WITH_OPENEXR
   const auto file = measuredbrdf::FileBytes::View("embedded room",
     std::string_view(reinterpret_cast<const char*>(EmbeddedRoom), sizeof(EmbeddedRoom)));
-  measuredbrdf::ExrImage image = measuredbrdf::ReadExrImage(file);
-  return environment->SetPixels(image.Width, image.Height, std::move(image.Pixels));
+  measuredbrdf::ExrStream stream(file);
+  Imf::MultiPartInputFile input(stream, 0, false);
+  Imf::InputPart part(input, 0);
+  const Imath::Box2i window = part.header().dataWindow();
+  const int width = window.max.x - window.min.x + 1;
+  const int height = window.max.y - window.min.y + 1;
+  const std::size_t row = 3 * static_cast<std::size_t>(width);
+  std::vector<float> pixels(row * static_cast<std::size_t>(height));
+  Imf::FrameBuffer buffer;
+  const char* const names[] = { "R", "G", "B" };
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    buffer.insert(names[c],
+      Imf::Slice::Make(Imf::FLOAT, &pixels[c], window, 3 * sizeof(float), row * sizeof(float)));
+  }
+  part.setFrameBuffer(buffer);
+  part.readPixels(window.min.y, window.max.y);
+  for (int y = 0; y < height / 2; ++y) // files begin with the top row
+  {
+    float* low = &pixels[row * static_cast<std::size_t>(y)];
+    std::swap_ranges(low, low + row, &pixels[row * static_cast<std::size_t>(height - 1 - y)]);
+  }
+  return environment->SetPixels(width, height, std::move(pixels));
 #else
   static_cast<void>(environment);
   const vtkNew<vtkEmbeddedEnvironments> self; // an object to complain

@@ -4,8 +4,7 @@
 
 #include "AbsentLibraries.h"
 #include "EmbeddedFits.h" // made of EmbeddedFits.fit
-#include "FileBytes.h"
-#include "FitFile.h"
+#include "MaterialFormat.h"
 #include "Printable.h"
 #include "vtkBRDF.h"
 #include "vtkMeasuredBRDFConfigure.h"
@@ -14,7 +13,6 @@
 
 #if MEASUREDBRDF_WITH_OPENEXR
 #include "EmbeddedCarPaint.h" // made of EmbeddedCarPaint.exr
-#include "ExrMaterialFile.h"
 #endif
 
 #include <algorithm>
@@ -109,11 +107,11 @@ vtkSmartPointer<vtkBRDF> MakeMaterial(const std::string& name)
   {
     const auto file = measuredbrdf::FileBytes::View("embedded " + name,
       std::string_view(reinterpret_cast<const char*>(EmbeddedCarPaint), sizeof(EmbeddedCarPaint)));
-    return measuredbrdf::ReadExrMaterial(file).BRDF;
+    return measuredbrdf::ExrMaterialFormat.Read(file, "").BRDF;
   }
 #endif
-  static const measuredbrdf::FitFile fits("embedded materials", EmbeddedFits);
-  const vtkSmartPointer<vtkBRDF> brdf = fits.GetMaterial(name).BRDF;
+  const auto fits = measuredbrdf::FileBytes::View("embedded materials", EmbeddedFits);
+  const vtkSmartPointer<vtkBRDF> brdf = measuredbrdf::FitFormat.Read(fits, name).BRDF;
   brdf->SetSource("MERL sample " + name + ", " + brdf->GetSource());
   return brdf;
 }

@@ -228,46 +228,41 @@ bool vtkEnvironmentReader::Read()
 {
   this->ErrorMessage.clear();
   this->Notes.clear();
-  try
-  {
-    Image image;
-    const auto environment = vtkSmartPointer<vtkEnvironment>::New();
-    if (this->FileName.find("%s") != std::string::npos &&
-        !vtksys::SystemTools::FileExists(this->FileName)) // "80%sky.hdr" is a name, too
+  const bool done = measuredbrdf::CatchFileError(this->FileName, this->ErrorMessage,
+    [&]()
     {
-      FillFromFaces(this->FileName, this->Layer, image, environment);
-    }
-    else
-    {
-      image = ReadImage(this->FileName, this->Layer);
-      const bool given = this->Projection != AUTOMATIC;
-      const auto projection =
-        given ? static_cast<::Projection>(this->Projection) : DetectProjection(image);
-      AlignWithAxes(projection, image);
-      FillFromImage(this->FileName, projection, given, image, environment);
-    }
-    environment->SetName(measuredbrdf::GetFileStem(this->FileName));
-    const vtkIdType negative = environment->GetNumberOfNegativeValues() + image.Bad.Negative;
-    const vtkIdType nonFinite = environment->GetNumberOfNonFiniteValues() + image.Bad.NotFinite;
-    if (negative > 0 || nonFinite > 0)
-    {
-      image.AddNote(std::to_string(negative) + " negative and " + std::to_string(nonFinite) +
-                    " non-finite values were set to 0.");
-    }
-    this->Notes = image.Notes;
-    this->Environment = environment;
-    return true;
-  }
-  catch (const FileError& e)
+      Image image;
+      const auto environment = vtkSmartPointer<vtkEnvironment>::New();
+      if (this->FileName.find("%s") != std::string::npos &&
+          !vtksys::SystemTools::FileExists(this->FileName)) // "80%sky.hdr" is a name, too
+      {
+        FillFromFaces(this->FileName, this->Layer, image, environment);
+      }
+      else
+      {
+        image = ReadImage(this->FileName, this->Layer);
+        const bool given = this->Projection != AUTOMATIC;
+        const auto projection =
+          given ? static_cast<::Projection>(this->Projection) : DetectProjection(image);
+        AlignWithAxes(projection, image);
+        FillFromImage(this->FileName, projection, given, image, environment);
+      }
+      environment->SetName(measuredbrdf::GetFileStem(this->FileName));
+      const vtkIdType negative = environment->GetNumberOfNegativeValues() + image.Bad.Negative;
+      const vtkIdType nonFinite = environment->GetNumberOfNonFiniteValues() + image.Bad.NotFinite;
+      if (negative > 0 || nonFinite > 0)
+      {
+        image.AddNote(std::to_string(negative) + " negative and " + std::to_string(nonFinite) +
+                      " non-finite values were set to 0.");
+      }
+      this->Notes = image.Notes;
+      this->Environment = environment;
+    });
+  if (!done)
   {
-    this->ErrorMessage = e.what();
+    vtkErrorMacro(<< this->ErrorMessage);
   }
-  catch (const std::exception& e) // out of memory, say
-  {
-    this->ErrorMessage = measuredbrdf::ToPrintable(this->FileName + ": " + e.what());
-  }
-  vtkErrorMacro(<< this->ErrorMessage);
-  return false;
+  return done;
 }
 
 //------------------------------------------------------------------------------

@@ -11,7 +11,6 @@
 #include "vtkPhotographSet.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 vtkStandardNewMacro(vtkPhotographSetReader);
@@ -20,26 +19,6 @@ using namespace measuredbrdf;
 
 namespace
 {
-//------------------------------------------------------------------------------
-// RGB, top row first -> three scalars, bottom row first.
-template <typename Value>
-void Fill(const ImageFile& file, float scale, Value* values)
-{
-  const auto width = static_cast<std::size_t>(file.Width);
-  for (int y = file.Height - 1; y >= 0; --y)
-  {
-    for (std::size_t x = 0; x < width; ++x)
-    {
-      const float* texel = &file.Pixels[3 * (static_cast<std::size_t>(y) * width + x)];
-      for (int c = 0; c < 3; ++c)
-      {
-        const float value = texel[c % file.Channels];
-        *values++ = static_cast<Value>(scale > 1.0f ? std::round(scale * value) : value);
-      }
-    }
-  }
-}
-
 //------------------------------------------------------------------------------
 // Photographs in files, each read when it is asked for.
 class FilePhotographSet : public vtkPhotographSet
@@ -95,25 +74,8 @@ private:
                       ": the file says that its integers are linear, while 'automatic' takes "
                       "integers by sRGB's curve: set the transfer to linear or srgb");
     }
-    vtkImageData* picture = vtkImageData::New();
-    picture->SetDimensions(file.Width, file.Height, 1);
-    const int type = !file.IsInteger ? VTK_FLOAT
-                     : file.HasBytes ? VTK_UNSIGNED_CHAR
-                                     : VTK_UNSIGNED_SHORT;
-    picture->AllocateScalars(type, 3);
-    void* values = picture->GetScalarPointer();
-    if (type == VTK_FLOAT)
-    {
-      Fill(file, 1.0f, static_cast<float*>(values));
-    }
-    else if (type == VTK_UNSIGNED_CHAR)
-    {
-      Fill(file, 255.0f, static_cast<unsigned char*>(values));
-    }
-    else
-    {
-      Fill(file, 65535.0f, static_cast<unsigned short*>(values));
-    }
+    const auto picture = MakeImageData(file, file.IsInteger);
+    picture->Register(nullptr); // the caller's
     return picture;
   }
 };
@@ -154,38 +116,33 @@ vtkPhotographSet* vtkPhotographSetReader::GetPhotographs() { return this->Photog
 bool vtkPhotographSetReader::Read()
 {
   this->ErrorMessage.clear();
-  try
-  {
-    std::size_t ignored = 0;
-    std::error_code error;
-    if (std::filesystem::is_directory(this->FileName, error))
+  const bool done = measuredbrdf::CatchFileError(this->FileName, this->ErrorMessage,
+    [&]()
     {
-      this->Photographs = MakeSet(ListPhotographFolder(this->FileName, ignored), {});
-    }
-    else
-    {
-      if (CheckFile(this->FileName) > MostListBytes)
+      std::size_t ignored = 0;
+      std::error_code error;
+      if (std::filesystem::is_directory(this->FileName, error))
       {
-        throw FileError(this->FileName + ": expected a list of at most " +
-                        std::to_string(MostListBytes) + " bytes");
+        this->Photographs = MakeSet(ListPhotographFolder(this->FileName, ignored), {});
       }
-      const FileBytes file(this->FileName);
-      this->Photographs =
-        MakeSet(ParsePhotographList(file), std::filesystem::path(this->FileName).parent_path());
-    }
-    this->NumberOfIgnoredFiles = static_cast<vtkIdType>(ignored);
-    return true;
-  }
-  catch (const FileError& e)
+      else
+      {
+        if (CheckFile(this->FileName) > MostListBytes)
+        {
+          throw FileError(this->FileName + ": expected a list of at most " +
+                          std::to_string(MostListBytes) + " bytes");
+        }
+        const FileBytes file(this->FileName);
+        this->Photographs =
+          MakeSet(ParsePhotographList(file), std::filesystem::path(this->FileName).parent_path());
+      }
+      this->NumberOfIgnoredFiles = static_cast<vtkIdType>(ignored);
+    });
+  if (!done)
   {
-    this->ErrorMessage = e.what();
+    vtkErrorMacro(<< this->ErrorMessage);
   }
-  catch (const std::exception& e) // out of memory, say
-  {
-    this->ErrorMessage = ToPrintable(this->FileName + ": " + e.what());
-  }
-  vtkErrorMacro(<< this->ErrorMessage);
-  return false;
+  return done;
 }
 
 //------------------------------------------------------------------------------

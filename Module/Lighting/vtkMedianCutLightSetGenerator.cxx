@@ -4,7 +4,6 @@
 
 #include "HalfVector.h" // for Pi
 #include "ParallelFor.h"
-#include "SummedAreaTable.h"
 #include "TexelDirections.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
@@ -23,6 +22,44 @@ namespace
 struct Region
 {
   int X0, Y0, X1, Y1;
+};
+
+// The luminance times solid angle of any rectangle of texels from four look-ups (Crow 1984).
+class SummedAreaTable
+{
+public:
+  explicit SummedAreaTable(vtkEnvironment* environment)
+    : Stride(static_cast<std::size_t>(environment->GetWidth()) + 1)
+    , Sums(Stride * (static_cast<std::size_t>(environment->GetHeight()) + 1), 0.0)
+  {
+    const float* pixel = environment->GetPixels().data();
+    for (int y = 0; y < environment->GetHeight(); ++y)
+    {
+      const double solidAngle = environment->GetTexelSolidAngle(y);
+      double row = 0.0;
+      for (int x = 0; x < environment->GetWidth(); ++x, pixel += 3)
+      {
+        const double rgb[3] = { pixel[0], pixel[1], pixel[2] };
+        row += solidAngle * vtkEnvironment::GetLuminance(rgb);
+        this->At(x + 1, y + 1) = this->At(x + 1, y) + row;
+      }
+    }
+  }
+
+  double GetSum(const Region& r)
+  {
+    return (this->At(r.X1, r.Y1) - this->At(r.X0, r.Y1)) -
+           (this->At(r.X1, r.Y0) - this->At(r.X0, r.Y0));
+  }
+
+private:
+  double& At(int x, int y)
+  {
+    return this->Sums[this->Stride * static_cast<std::size_t>(y) + static_cast<std::size_t>(x)];
+  }
+
+  std::size_t Stride;
+  std::vector<double> Sums;
 };
 
 // What a region's light is made of.
@@ -59,26 +96,30 @@ int FindCut(int first, int last, double total, Lower&& lower)
 
 // Both halves of a region, across its longer side (Debevec 2005: the width shrinks with the cosine
 // of the middle row's latitude).
-void Split(const Region& r, const measuredbrdf::SummedAreaTable& table, int width, int height,
-  std::vector<Region>& halves)
+void Split(
+  const Region& r, SummedAreaTable& table, int width, int height, std::vector<Region>& halves)
 {
   const double latitude = Pi * (0.5 * (r.Y0 + r.Y1) / height - 0.5);
   const double extentX = 2.0 * Pi * (r.X1 - r.X0) / width * std::cos(latitude);
   const double extentY = Pi * (r.Y1 - r.Y0) / height;
   const bool canX = r.X1 - r.X0 > 1;
   const bool canY = r.Y1 - r.Y0 > 1;
-  const double total = table.GetSum(r.X0, r.Y0, r.X1, r.Y1);
+  const double total = table.GetSum(r);
   if (canX && (extentX >= extentY || !canY))
   {
-    const int cut =
-      FindCut(r.X0 + 1, r.X1 - 1, total, [&](int x) { return table.GetSum(r.X0, r.Y0, x, r.Y1); });
+    const int cut = FindCut(r.X0 + 1, r.X1 - 1, total,
+      [&](int x) {
+        return table.GetSum({ r.X0, r.Y0, x, r.Y1 });
+      });
     halves.push_back({ r.X0, r.Y0, cut, r.Y1 });
     halves.push_back({ cut, r.Y0, r.X1, r.Y1 });
   }
   else if (canY)
   {
-    const int cut =
-      FindCut(r.Y0 + 1, r.Y1 - 1, total, [&](int y) { return table.GetSum(r.X0, r.Y0, r.X1, y); });
+    const int cut = FindCut(r.Y0 + 1, r.Y1 - 1, total,
+      [&](int y) {
+        return table.GetSum({ r.X0, r.Y0, r.X1, y });
+      });
     halves.push_back({ r.X0, r.Y0, r.X1, cut });
     halves.push_back({ r.X0, cut, r.X1, r.Y1 });
   }
@@ -160,18 +201,7 @@ bool vtkMedianCutLightSetGenerator::Generate(
   environment = environment->GetSubdivided();
   const int width = environment->GetWidth();
   const int height = environment->GetHeight();
-  const measuredbrdf::SummedAreaTable table(width, height,
-    [&](int y, double* values)
-    {
-      const double solidAngle = environment->GetTexelSolidAngle(y);
-      const float* pixel = &environment->GetPixels()[3 * static_cast<std::size_t>(y) * width];
-      for (int x = 0; x < width; ++x, pixel += 3)
-      {
-        const double rgb[3] = { pixel[0], pixel[1], pixel[2] };
-        values[x] = solidAngle * vtkEnvironment::GetLuminance(rgb);
-      }
-    });
-
+  SummedAreaTable table(environment);
   std::vector<Region> regions(1, Region{ 0, 0, width, height });
   for (int made = 1; made < count; made *= 2)
   {

@@ -3,22 +3,25 @@
 #include "vtkVarianceLightSetGenerator.h"
 
 #include "LightTree.h"
-#include "Setters.h"
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
-#include <tuple>
+#include <utility>
 
 vtkStandardNewMacro(vtkVarianceLightSetGenerator);
+
+namespace
+{
+constexpr int LeastTreeSize = 1024; // lights, for which a tree is made at first
+}
 
 struct vtkVarianceLightSetGenerator::Internals
 {
   // What the tree was made from. Modification times are never used twice: a recycled address does
   // no harm.
-  using Key = std::tuple<vtkEnvironment*, vtkMTimeType, int, bool>;
-  Key MadeFrom;
+  std::pair<vtkEnvironment*, vtkMTimeType> MadeFrom;
   std::unique_ptr<measuredbrdf::LightTree> Tree;
 };
 
@@ -36,15 +39,11 @@ bool vtkVarianceLightSetGenerator::Grow(vtkEnvironment* environment, int count)
 {
   using measuredbrdf::LightTree;
   environment = environment->GetSubdivided();
-  const bool greedy = this->Method == GREEDY;
-  const Internals::Key key{ environment, environment->GetPixelsMTime(), this->Method,
-    greedy && this->ExtractedEmitters };
+  const std::pair key(environment, environment->GetPixelsMTime());
   std::unique_ptr<LightTree>& tree = this->Impl->Tree;
   if (!tree || this->Impl->MadeFrom != key)
   {
-    tree = std::make_unique<LightTree>(environment,
-      greedy ? LightTree::Rule::Greedy : LightTree::Rule::MinimumVariance,
-      greedy && this->ExtractedEmitters);
+    tree = std::make_unique<LightTree>(environment);
     this->Impl->MadeFrom = key;
   }
   else if (count <= tree->GetNumberOfCells() || tree->IsComplete())
@@ -53,7 +52,7 @@ bool vtkVarianceLightSetGenerator::Grow(vtkEnvironment* environment, int count)
   }
   // Each growth goes over all nodes: few and large ones.
   const int size = std::max(
-    { count, this->TreeSize, std::min(2 * tree->GetNumberOfCells(), MaximumNumberOfLights) });
+    { count, LeastTreeSize, std::min(2 * tree->GetNumberOfCells(), MaximumNumberOfLights) });
   const bool grown = tree->Grow(environment, size,
     [this](double progress)
     {
@@ -112,16 +111,9 @@ int vtkVarianceLightSetGenerator::GetNumberOfLightsForVariance(
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetInRangeMacro(vtkVarianceLightSetGenerator, Method, int, GREEDY, MINIMUM_VARIANCE);
-measuredbrdfSetClampedMacro(vtkVarianceLightSetGenerator, TreeSize, int, 1, MaximumNumberOfLights);
-
-//------------------------------------------------------------------------------
 void vtkVarianceLightSetGenerator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Method: " << (this->Method == GREEDY ? "greedy" : "minimum variance") << "\n";
-  os << indent << "ExtractedEmitters: " << (this->ExtractedEmitters ? "On" : "Off") << "\n";
-  os << indent << "TreeSize: " << this->TreeSize << "\n";
   os << indent << "ResidualVariance: " << this->ResidualVariance << "\n";
   os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
 }

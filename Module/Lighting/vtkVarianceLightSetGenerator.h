@@ -10,10 +10,6 @@
  * sum V. Splitting the cell of largest V, along either axis at the cut that leaves the least V1 +
  * V2, brings that sum down greedily.
  *
- * MINIMUM_VARIANCE is Viriyothai and Debevec 2009 ("Variance Minimization Light Probe Sampling"),
- * for comparison. It works level by level and splits every cell across its longer side, at the cut
- * whose larger V is least. Between powers of two it splits only some cells of the last level.
- *
  * The splits are made once for each environment and are valid for every number of lights: N + 1
  * lights differ from N by one split. A cell's light has the exact RGB sum of its texels as
  * irradiance, the direction P/|P|, and the concentration that follows from V/E. Cells without
@@ -41,44 +37,6 @@ public:
   static vtkVarianceLightSetGenerator* New();
   vtkTypeMacro(vtkVarianceLightSetGenerator, vtkLightSetGenerator);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  enum MethodType
-  {
-    GREEDY = 0,
-    MINIMUM_VARIANCE = 1
-  };
-
-  ///@{
-  /**
-   * How cells are split; default greedy.
-   */
-  virtual void SetMethod(int method);
-  vtkGetMacro(Method, int);
-  void SetMethodToGreedy() { this->SetMethod(GREEDY); }
-  void SetMethodToMinimumVariance() { this->SetMethod(MINIMUM_VARIANCE); }
-  ///@}
-
-  ///@{
-  /**
-   * Whether the greedy method first makes up to four outstandingly bright texels (100 times the
-   * mean radiance, 5 % of the energy) lights of their own, and then splits the rest. Default off,
-   * because the splits find such texels by themselves where that reduces the error. In a
-   * measurement with 64 lights on four maps with a sun or lamps, the RMS error of lobes of exponent
-   * 500 fell by a quarter under two low suns; no other error fell.
-   */
-  vtkSetMacro(ExtractedEmitters, bool);
-  vtkGetMacro(ExtractedEmitters, bool);
-  vtkBooleanMacro(ExtractedEmitters, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Number of lights for which the tree is made at first; it grows when more are requested. Default
-   * 1024, in [1, MaximumNumberOfLights].
-   */
-  virtual void SetTreeSize(int treeSize);
-  vtkGetMacro(TreeSize, int);
-  ///@}
 
   bool Generate(vtkEnvironment* environment, int count, vtkLightSet* output) override;
 
@@ -109,9 +67,6 @@ protected:
   vtkVarianceLightSetGenerator();
   ~vtkVarianceLightSetGenerator() override;
 
-  int Method = GREEDY;
-  bool ExtractedEmitters = false;
-  int TreeSize = 1024;
   double ResidualVariance = 0.0;
   std::atomic<bool> Abort{ false };
 

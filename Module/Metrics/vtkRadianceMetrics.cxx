@@ -4,18 +4,19 @@
 
 #include "ColorDifference.h"
 #include "Flip.h"
-#include "SRGB.h"
-#include "StructuralSimilarity.h"
+#include "PictureErrors.h"
 
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkEnvironment.h"
 #include "vtkObjectFactory.h"
+#include "vtkPictureDifference.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -44,108 +45,62 @@ double GetPercentile(std::vector<double>& values, double share)
 }
 
 //------------------------------------------------------------------------------
-Color GetColor(const std::vector<double>& rgb, std::size_t k, double scale = 1.0)
-{
-  return { scale * rgb[3 * k], scale * rgb[3 * k + 1], scale * rgb[3 * k + 2] };
-}
-
-//------------------------------------------------------------------------------
-// Two pictures and where they count.
-struct Pictures
-{
-  int Width;
-  int Height;
-  std::vector<double> Picture;   // RGB, black where nothing is covered
-  std::vector<double> Reference; // the same
-  std::vector<std::size_t> Covered;
-
-  /// The same with every value mapped.
-  template <typename Map>
-  Pictures Apply(Map map) const
-  {
-    Pictures mapped = *this;
-    std::transform(mapped.Picture.begin(), mapped.Picture.end(), mapped.Picture.begin(), map);
-    std::transform(mapped.Reference.begin(), mapped.Reference.end(), mapped.Reference.begin(), map);
-    return mapped;
-  }
-
-  double GetCoveredMean(const std::vector<double>& values) const
-  {
-    double sum = 0.0;
-    for (const std::size_t k : this->Covered)
-    {
-      sum += values[k];
-    }
-    return sum / static_cast<double>(this->Covered.size());
-  }
-
-  std::vector<double> GetFlip() const
-  {
-    return ComputeFlip(this->Width, this->Height, this->Picture, this->Reference);
-  }
-};
-
-//------------------------------------------------------------------------------
-Pictures MakePictures(
+// Both are black where nothing is covered, and compared elsewhere.
+PicturePair MakePair(
   int width, int height, vtkDataArray* radiance, vtkDataArray* reference, vtkDataArray* coverage)
 {
-  Pictures pictures{ width, height, {}, {}, {} };
+  PicturePair pair;
+  pair.Width = width;
+  pair.Height = height;
   for (vtkIdType k = 0; k < reference->GetNumberOfTuples(); ++k)
   {
     const bool covered = !coverage || coverage->GetComponent(k, 0) != 0.0;
     for (int c = 0; c < 3; ++c)
     {
-      pictures.Picture.push_back(covered ? radiance->GetComponent(k, c) : 0.0);
-      pictures.Reference.push_back(covered ? reference->GetComponent(k, c) : 0.0);
+      pair.Picture.Color.push_back(covered ? radiance->GetComponent(k, c) : 0.0);
+      pair.Reference.Color.push_back(covered ? reference->GetComponent(k, c) : 0.0);
     }
     if (covered)
     {
-      pictures.Covered.push_back(static_cast<std::size_t>(k));
+      pair.Compared.push_back(static_cast<std::size_t>(k));
     }
   }
-  return pictures;
+  return pair;
 }
 
 //------------------------------------------------------------------------------
-double GetMeanSimilarity(const Pictures& encoded)
+// As a display shows them, with white at a radiance.
+PicturePair Encode(PicturePair pair, double white)
 {
-  const auto toLuma = [&](const std::vector<double>& rgb)
+  for (PictureValues* values : { &pair.Picture, &pair.Reference })
   {
-    Plane plane{ encoded.Width, encoded.Height, {} };
-    for (std::size_t k = 0; k < rgb.size(); k += 3)
+    values->IsEncoded = true;
+    for (double& value : values->Color)
     {
-      plane.Values.push_back(vtkEnvironment::GetLuminance(&rgb[k]));
-    }
-    return plane;
-  };
-  const Plane similarity = ComputeSimilarity(toLuma(encoded.Picture), toLuma(encoded.Reference));
-  const auto isInside = [](int at, int size)
-  { return at >= SimilarityRadius && at < size - SimilarityRadius; };
-  double sum = 0.0;
-  double count = 0.0;
-  for (const std::size_t k : encoded.Covered)
-  {
-    const int x = static_cast<int>(k) % encoded.Width;
-    const int y = static_cast<int>(k) / encoded.Width;
-    if (isInside(x, encoded.Width) && isInside(y, encoded.Height))
-    {
-      sum += similarity.Values[k];
-      count += 1.0;
+      value = std::pow(std::min(value / white, 1.0), 1.0 / 2.2);
     }
   }
-  return count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+  return pair;
 }
 
 //------------------------------------------------------------------------------
-double GetMeanDeltaE2000(const Pictures& linear)
+double GetFigure(int metric, const PicturePair& pair)
 {
-  double sum = 0.0;
-  for (const std::size_t k : linear.Covered)
+  return ComputePictureError(GetPictureMetrics()[static_cast<std::size_t>(metric)], pair).Value;
+}
+
+//------------------------------------------------------------------------------
+// Not a number where no window lies within the picture.
+double GetSimilarity(const PicturePair& pair)
+{
+  try
   {
-    sum += GetDeltaE2000(ToLab(ToRelativeXYZ(GetColor(linear.Picture, k))),
-      ToLab(ToRelativeXYZ(GetColor(linear.Reference, k))));
+    return GetFigure(vtkPictureDifference::SSIM, pair);
   }
-  return sum / static_cast<double>(linear.Covered.size());
+  catch (const std::invalid_argument&)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
 }
 }
 
@@ -272,14 +227,14 @@ bool vtkRadianceMetrics::ComparePictures(
     return false;
   }
   this->Abort = false;
-  const Pictures pictures = MakePictures(width, height, radiance, reference, coverage);
+  const PicturePair pair = MakePair(width, height, radiance, reference, coverage);
   std::vector<double> channels;
   std::vector<double> luminances;
-  for (const std::size_t k : pictures.Covered)
+  for (const std::size_t k : pair.Compared)
   {
-    const Color color = GetColor(pictures.Reference, k);
-    channels.insert(channels.end(), color.begin(), color.end());
-    luminances.push_back(vtkEnvironment::GetLuminance(color.data()));
+    const double* color = &pair.Reference.Color[3 * k];
+    channels.insert(channels.end(), color, color + 3);
+    luminances.push_back(vtkEnvironment::GetLuminance(color));
   }
   const double white = GetPercentile(channels, 0.99);
   if (!(white > 0.0))
@@ -287,22 +242,19 @@ bool vtkRadianceMetrics::ComparePictures(
     vtkErrorMacro("The reference is black: nothing to set the exposure by.");
     return false;
   }
-  const Pictures encoded = pictures.Apply(
-    [white](double value) { return std::pow(std::min(value / white, 1.0), 1.0 / 2.2); });
-  const Pictures displayed = encoded.Apply(DecodeSRGB);
-  const double flip = displayed.GetCoveredMean(displayed.GetFlip());
-
-  const std::vector<double> largest = ComputeHDRFlip(width, height, pictures.Picture,
-    pictures.Reference, FindExposures(std::move(luminances)),
+  const PicturePair encoded = Encode(pair, white);
+  const double flip = GetFigure(vtkPictureDifference::FLIP, encoded);
+  const std::vector<double> largest = ComputeHDRFlip(width, height, pair.Picture.Color,
+    pair.Reference.Color, FindExposures(std::move(luminances)),
     [this](double share) { return this->ReportProgress(share); });
   if (largest.empty() || !this->ReportProgress(1.0))
   {
     return false;
   }
   this->FLIP = flip;
-  this->HDRFLIP = pictures.GetCoveredMean(largest);
-  this->SSIM = GetMeanSimilarity(encoded);
-  this->DeltaE2000 = GetMeanDeltaE2000(displayed);
+  this->HDRFLIP = pair.GetMean(largest);
+  this->SSIM = GetSimilarity(encoded);
+  this->DeltaE2000 = GetFigure(vtkPictureDifference::DELTA_E_2000, encoded);
   return true;
 }
 

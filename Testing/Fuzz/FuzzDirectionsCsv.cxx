@@ -6,7 +6,7 @@
 #include "Files.h"
 #include "Tool.h"
 
-MEASUREDBRDF_FUZZ_TARGET(DirectionsCsv)(const std::uint8_t* data, std::size_t size)
+int FuzzDirectionsCsv(const std::uint8_t* data, std::size_t size)
 {
   static const fuzz::ScratchFolder folder;
   const std::string path = folder.Write("pairs.csv", fuzz::ToView(data, size));

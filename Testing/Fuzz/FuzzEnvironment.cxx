@@ -28,7 +28,7 @@ std::string MakeImage(
 }
 }
 
-MEASUREDBRDF_FUZZ_TARGET(Environment)(const std::uint8_t* data, std::size_t size)
+int FuzzEnvironment(const std::uint8_t* data, std::size_t size)
 {
   if (size < 6)
   {

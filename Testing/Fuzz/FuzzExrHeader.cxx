@@ -5,7 +5,7 @@
 #include "ExrHeader.h"
 
 // Behind the magic, which the caller has seen.
-MEASUREDBRDF_FUZZ_TARGET(ExrHeader)(const std::uint8_t* data, std::size_t size)
+int FuzzExrHeader(const std::uint8_t* data, std::size_t size)
 {
   const std::string bytes = measuredbrdf::ExrMagic + std::string(fuzz::ToView(data, size));
   try

@@ -139,7 +139,7 @@ bool Fill(vtkBRDFData& material)
 }
 }
 
-MEASUREDBRDF_FUZZ_TARGET(MaterialData)(const std::uint8_t* data, std::size_t size)
+int FuzzMaterialData(const std::uint8_t* data, std::size_t size)
 {
   static const std::vector<vtkBRDFData>& good = *new std::vector<vtkBRDFData>(fuzz::MakeData());
   const fuzz::Silence silence;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
-MEASUREDBRDF_FUZZ_TARGET(PhotographList)(const std::uint8_t* data, std::size_t size)
+int FuzzPhotographList(const std::uint8_t* data, std::size_t size)
 {
   const fuzz::Silence silence;
   const auto check = [](const measuredbrdf::ListedPhotograph& photograph)

@@ -27,7 +27,7 @@
 #include "vtkTensorTreeBRDF.h"
 
 #if MEASUREDBRDF_WITH_OPENEXR
-#include "ExrMaterialFile.h"
+#include "MaterialFormat.h"
 #endif
 
 namespace fuzz
@@ -98,7 +98,7 @@ Seeds MakeExrMaterials()
   Seeds seeds;
   for (const auto& material : MakeMaterials())
   {
-    measuredbrdf::WriteExrMaterial(material, path, seeds.size() % 2 == 1);
+    measuredbrdf::ExrMaterialFormat.Write(material, path, seeds.size() % 2 == 1);
     seeds.emplace_back(measuredbrdf::FileBytes(path).GetView());
   }
   return seeds;

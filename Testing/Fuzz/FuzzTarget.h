@@ -11,7 +11,7 @@
 #ifndef FuzzTarget_h
 #define FuzzTarget_h
 
-#include "FileBytes.h"
+#include "MaterialFormat.h"
 #include "vtkBRDF.h"
 #include "vtkBTDF.h"
 #include "vtkObject.h"
@@ -28,10 +28,12 @@
 #include <string>
 #include <string_view>
 
-#ifdef MEASUREDBRDF_LIBFUZZER
-#define MEASUREDBRDF_FUZZ_TARGET(name) extern "C" int LLVMFuzzerTestOneInput
-#else
-#define MEASUREDBRDF_FUZZ_TARGET(name) int Fuzz##name
+#ifdef MEASUREDBRDF_LIBFUZZER // the program's target
+int MEASUREDBRDF_LIBFUZZER(const std::uint8_t* data, std::size_t size);
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  return MEASUREDBRDF_LIBFUZZER(data, size);
+}
 #endif
 
 namespace fuzz
@@ -161,7 +163,7 @@ inline bool IsRare(const std::uint8_t* data, std::size_t size)
   return std::accumulate(data, data + size, 0u) % 32 == 0;
 }
 
-/// Read a material's file by a function of the IO room. FileError is how it refuses; any other
+/// Read a material's file by a function of a format. FileError is how it refuses; any other
 /// exception is a fault: what was not checked before it was used or allocated.
 template <typename Reader>
 void ReadMaterial(const std::uint8_t* data, std::size_t size, Reader reader)
@@ -174,6 +176,15 @@ void ReadMaterial(const std::uint8_t* data, std::size_t size, Reader reader)
   catch (const measuredbrdf::FileError&)
   {
   }
+}
+
+/// The same by a format, of the material of that name.
+inline int ReadFormat(const measuredbrdf::MaterialFormat& format, const std::uint8_t* data,
+  std::size_t size, const std::string& name = "")
+{
+  ReadMaterial(
+    data, size, [&](const measuredbrdf::FileBytes& file) { return format.Read(file, name); });
+  return 0;
 }
 } // namespace fuzz
 

@@ -223,7 +223,7 @@ add("Lighting.cut-up-texels-are-moved", "vtkEnvironment.cxx", "Interpolate(this,
     "Interpolate(this, (x + 1.0) / width, (y + 0.5) / height, radiance);", "CoarseMaps.AreCutUpWithoutChangingTheirLight")
 add("Lighting.seam-is-not-crossed", "TexelInterpolation.h", "first + 1 < size ? first + 1 : 0,",
     "first + 1 < size ? first + 1 : first,", "Environment.InterpolatesBetweenTexels|EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
-add("Lighting.harmonics-of-point-masses", "EnvironmentHarmonics.cxx", "sinc * sinc));", "1.0));",
+add("Lighting.harmonics-of-point-masses", "EnvironmentHarmonics.cxx", "* sinc * sinc, half)", ", half)",
     "EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
 add("Lighting.harmonics-of-one-hemisphere", "EnvironmentHarmonics.cxx", "{ north + south, north - south }", "{ north + south, north + south }",
     "EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
@@ -240,10 +240,6 @@ add("Lighting.total-of-red", "vtkLightSet.cxx", "rgb[c] += light.Irradiance[c];"
     "LightSet.AddsAndRefuses|Generators.KeepTheEnergy")
 add("Lighting.lower-half-of-the-octahedron", "EnvironmentPyramid.cxx", "std::swap(u, v);\n    u = 1.0 - u;",
     "u = 1.0 - u;", "EnvironmentPyramid.IsContinuousAcrossAllFourFolds|FilteredIntegrator.MirrorShowsTheEnvironment")
-add("Lighting.tree-for-the-other-rule", "vtkVarianceLightSetGenerator.cxx",
-    "environment->GetPixelsMTime(), this->Method,", "environment->GetPixelsMTime(), 0,",
-    "Variance.KeepsTheEnergy|Variance.SetsAreNested|Variance.FollowsThePixelsNotTheRotation|"
-    "Variance.RefusesAndAborts")
 add("Lighting.variance-of-another-number", "vtkVarianceLightSetGenerator.cxx",
     "tree.GetResidual(std::min(count, tree.GetNumberOfCells()))", "tree.GetResidual(tree.GetNumberOfCells())",
     "Variance.ClosedFormIsTheDefinition|Variance.NumberForVariance|Variance.SetsAreNested")
@@ -262,8 +258,8 @@ add("Lighting.faces-upside-down", "LightProbe.cxx", "return { 1.0, -b, a };", "r
     "Probes.MapsAreInverse|Probes.CubeFacesAreOpenGLs")
 add("Lighting.mirror-ball-angle", "LightProbe.cxx", "ball ? std::sin(0.5 * angle)", "ball ? std::sin(0.25 * angle)",
     "Probes.MapsAreInverse|Probes.ASmoothSkyIsItself")
-add("Lighting.harmonics-scale", "EnvironmentHarmonics.cxx", "this->Scales[m] * std::conj(work.Series[m])",
-    "this->Scales[m] * work.Series[m]", "EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
+add("Lighting.harmonics-scale", "EnvironmentHarmonics.cxx", "factors[m] * std::conj(series[m % columns])",
+    "factors[m] * series[m % columns]", "EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
 
 # Integration
 
@@ -477,18 +473,18 @@ add("Metrics.flip-without-features", "Flip.cxx", "Redistribute(HyAB(seenA[k], se
     "RadianceMetrics.FlipOfDetails|PictureMetrics.AgreeWithOtherPrograms")
 add("Metrics.flip-color-exponent", "Flip.cxx", "ColorExponent = 0.7;", "ColorExponent = 0.8;",
     "RadianceMetrics.FlipOfFlatPictures|PictureMetrics.AgreeWithOtherPrograms")
-add("Metrics.bytes-are-not-decoded", "PicturePair.cxx",
+add("Metrics.bytes-are-not-decoded", "PictureErrors.cxx",
     "std::transform(values.begin(), values.end(), values.begin(), DecodeSRGB);", "",
     "PictureDifference.FiguresByHand|PictureDifference.AgreesWithOtherPrograms")
-add("Metrics.background-shines-through-what-is-opaque", "PicturePair.cxx", "(1.0 - alpha) * background",
+add("Metrics.background-shines-through-what-is-opaque", "PictureErrors.cxx", "(1.0 - alpha) * background",
     "alpha * background", "PictureDifference.AlphaOverBlackAndWhite")
 add("Metrics.pictures-over-black-only", "PictureErrors.cxx", "metric.Compute(pair, 1.0)",
     "metric.Compute(pair, 0.0)", "PictureDifference.AlphaOverBlackAndWhite")
-add("Metrics.masks-hide-black-only", "PicturePair.cxx", "mask->GetComponent(k, 0) >= least",
+add("Metrics.masks-hide-black-only", "PictureErrors.cxx", "mask->GetComponent(k, 0) >= least",
     "mask->GetComponent(k, 0) > 0.0 * least", "PictureDifference.BorderAndMask")
-add("Metrics.border-of-rows-is-compared", "PicturePair.cxx", "int y = area.Border;", "int y = 0;",
+add("Metrics.border-of-rows-is-compared", "PictureErrors.cxx", "int y = area.Border;", "int y = 0;",
     "PictureDifference.BorderOnAllSides")
-add("Metrics.masked-pixels-show-in-their-neighbors", "PicturePair.cxx", "if (isCompared[k])",
+add("Metrics.masked-pixels-show-in-their-neighbors", "PictureErrors.cxx", "if (isCompared[k])",
     "if (k < isCompared.size())", "PictureDifference.BorderAndMask")
 add("Metrics.similarities-pass-below-the-threshold", "vtkPictureDifference.cxx",
     "this->Value >= threshold : this->Value <= threshold", "this->Value <= threshold : this->Value <= threshold",
@@ -533,9 +529,9 @@ add("Fitting.relative-error-of-the-output", "vtkBRDFFitter.cxx", "total += proje
     "total += projected * f[c] * f[c];", "Fit.RelativeErrorIsRelativeToTheInput")
 add("Fitting.output-without-name", "vtkBRDFFitter.cxx", "result.BRDF->SetName(this->Input->GetName());", "",
     "Fit.OutputIsAMaterialLikeAnyOther")
-add("Fitting.non-negative-gradient", "NonNegativeLeastSquares.cxx", "gradient[k] < -tolerance;",
+add("Fitting.non-negative-gradient", "LinearLeastSquares.cxx", "gradient[k] < -tolerance;",
     "gradient[k] > tolerance;", "LossFit.DistributionComesClose|DistributionFit.AnisotropicTablesComeBack")
-add("Fitting.half-the-cost", "LeastSquares.cxx", "summary.step_is_successful, 2.0 * summary.cost)",
+add("Fitting.half-the-cost", "LobeFit.cxx", "summary.step_is_successful, 2.0 * summary.cost)",
     "summary.step_is_successful, summary.cost)",
     "Fit.FiguresAreWhatTheyAreSaidToBe|Fit.AshikhminShirleyIsTheLeastOfItsLoss")
 add("Fitting.never-regularized", "ZonalOperators.cxx",
@@ -558,7 +554,7 @@ add("Fitting.pbr-roughness-power", "PBRShading.h", "const double alpha2 = std::p
 add("Fitting.pbr-metals-are-diffuse", "PBRShading.h", "(1.0 - p.Metallic) * c * through", "c * through",
     "PropertyFitter.FindsVTKsOwn|PropertyFitter.Gold")
 
-add("Fitting.multiplier-is-not-removed", "SimplexLeastSquares.cxx", "this->Z -= this->Multiplier * solved.col(1);", "",
+add("Fitting.multiplier-is-not-removed", "LinearLeastSquares.cxx", "this->Z -= this->Multiplier * solved.col(1);", "",
     "SimplexLeastSquares.NothingNearbyIsBetter")
 add("Fitting.masked-photographs-count", "TexelSums.cxx", "if (this->IsMasked(k, p) != subtract)",
     "if (this->IsMasked(k, p) == subtract)", "MaterialMapFitter.LeavesOutSpoiledPixels")
@@ -622,7 +618,7 @@ add("IO.image-exposure-multiplies", "ImageFile.cxx", "glm::dmat3(1.0 / exposure[
     "IOImageHeaders.RadianceIsDividedByAllExposures")
 add("IO.image-orders-of-columns", "ImageFile.cxx", "turn % 4 == 1 || turn % 4 == 2", "turn % 4 == 1 || turn % 4 == 3",
     "IOImageHeaders.RadianceHasEightOrders|IOImageHeaders.OrientationTurns")
-add("IO.image-white-is-not-adapted", "Chromaticities.cxx",
+add("IO.image-white-is-not-adapted", "ImageFile.cxx",
     "GetAdaptation(GetWhite(from), GetWhite(Rec709)) *", "", "IOImageHeaders.ChromaticitiesBecomeRec709")
 add("IO.image-tile-of-any-channels", "ImageFormats.cxx",
     "static_cast<std::uint64_t>(std::max<std::int64_t>(channels, 1) + 3) / 4", "channels > 0 ? 1 : 1",
@@ -634,17 +630,15 @@ add("IO.offset-beyond-the-end", "FileBytes.cxx", "offset > size || count > size 
 add("IO.padding-of-any-length", "FileBytes.cxx", "this->GetRemaining() <= most &&", "",
     "IOTolerance.MerlNoiseAndPadding|IOTolerance.MbsdfOfDosAndPadding|IOMerl.RefusesBadSizes")
 
-add("IO.picture-upside-down", "vtkPictureReader.cxx", "for (int y = file.Height - 1; y >= 0; --y)",
-    "for (int y = 0; y < file.Height; ++y)", "IOPicture.KeepsIntegersAsTheyAre")
-add("IO.picture-alpha-of-gray", "vtkPictureReader.cxx", "c == colors ? file.Channels :", "c == 3 ? 3 :",
+add("IO.picture-upside-down", "ImageFile.cxx", "for (int y = file.Height - 1; y >= 0; --y)",
+    "for (int y = 0; y < file.Height; ++y)", "IOPicture.KeepsIntegersAsTheyAre|IOPhotographs.ReadsLists")
+add("IO.picture-alpha-of-gray", "ImageFile.cxx", "c == colors ? file.Channels :", "c == 3 ? 3 :",
     "IOPicture.KeepsIntegersAsTheyAre")
 add("IO.picture-with-nan", "vtkPictureReader.cxx", "return !std::isfinite(value);", "return value > 1e38f;",
     "IOPicture.RefusesBadFiles")
 
 add("IO.photograph-light-is-the-view", "PhotographList.cxx", "angles[2], angles[3], photograph.View",
     "angles[0], angles[1], photograph.View", "IOPhotographs.ReadsFoldersNamedAsBonnNamesThem")
-add("IO.photograph-upside-down", "vtkPhotographSetReader.cxx", "for (int y = file.Height - 1; y >= 0; --y)",
-    "for (int y = 0; y < file.Height; ++y)", "IOPhotographs.ReadsLists")
 
 # Planning
 
@@ -993,7 +987,7 @@ add("Material.btdf-patches-alike", "vtkAngleBasisBRDF.cxx", "Pi * (outer * outer
 add("IO.bsdf-xml-sides-of-transmission", "BsdfXmlFile.cxx", "&lit == &side ? vtkBTDF::FRONT : vtkBTDF::BACK",
     "&lit != &side ? vtkBTDF::FRONT : vtkBTDF::BACK", "IOTransmission.ReadsMatrices|IOTransmission.AgreesWithRadiance")
 add("IO.bsdf-xml-keeps-the-last-transmission", "vtkBRDFReader.cxx",
-    "this->Transmission = content.Transmission;\n    this->Notes", "this->Notes", "IOTransmission.IsOfferedBesideReflection")
+    "this->Transmission = content.Transmission;\n      this->Notes", "this->Notes", "IOTransmission.IsOfferedBesideReflection")
 add("Sources.lobe-of-transmission-above", "vtkBRDFLobeSource.cxx", "{ above.x, above.y, -above.z }", "above",
     "LobeSource.TransmissionIsBelowTheSurface")
 add("Sources.lobe-of-transmission-inside-out", "vtkBRDFLobeSource.cxx", "AddCells(cells, above, true)",
@@ -1128,25 +1122,25 @@ add("Material.angular-table-copy-forgets-the-origin", "vtkAngularTableBRDF.cxx",
     "IOOpenMaterial.CopiesAreIsotropic")
 add("IO.gonio-mirrors-about-the-other-plane", "GonioTable.cxx", "mirrored.PhiO = FullTurn - mirrored.PhiO;",
     "mirrored.PhiO = HalfTurn + mirrored.PhiO;", "IOOpenMaterial.InterpolatesBetweenUnevenAngles")
-add("IO.gonio-extrapolates", "GonioGrid.cxx", "nodes.Theta.back() < Horizon", "nodes.Theta.back() < 0.0f",
+add("IO.gonio-extrapolates", "GonioTable.cxx", "nodes.Theta.back() < Horizon", "nodes.Theta.back() < 0.0f",
     "IOOpenMaterial.HolesAreFilledAndReported")
-add("IO.gonio-holes-take-one-neighbor", "GonioGrid.cxx", "this->Set(first + p, first + left, first + right, share);",
+add("IO.gonio-holes-take-one-neighbor", "GonioTable.cxx", "this->Set(first + p, first + left, first + right, share);",
     "this->Set(first + p, first + left, first + left, share);",
     "IOOpenMaterial.HolesAreFilledAndReported")
-add("IO.gonio-scatter-takes-the-nearest", "GonioScatter.cxx", "constexpr int Neighbors = 8;", "constexpr int Neighbors = 1;",
+add("IO.gonio-scatter-takes-the-nearest", "GonioTable.cxx", "constexpr int Neighbors = 8;", "constexpr int Neighbors = 1;",
     "IOOpenMaterial.ScatteredViewsAreInterpolated")
 add("IO.open-material-swaps-directions", "OpenMaterialFile.cxx",
     "{ angles.ThetaI, angles.ThetaO, angles.PhiO };", "{ angles.ThetaO, angles.ThetaO, angles.PhiO };",
     "IOOpenMaterial.InterpolatesBetweenUnevenAngles")
-add("IO.open-material-any-depth", "OpenMaterialParser.cxx", "constexpr std::size_t DeepestLevel = 32;",
-    "constexpr std::size_t DeepestLevel = 1u << 30;", "IOOpenMaterial.HostileFilesAreRefusedInLittleMemory")
+add("IO.open-material-any-depth", "OpenMaterialFile.cxx", "constexpr int DeepestLevel = 32;",
+    "constexpr int DeepestLevel = 1 << 30;", "IOOpenMaterial.HostileFilesAreRefusedInLittleMemory")
 add("IO.astm-angles-always-in-degrees", "AstmFile.cxx", "angles[k] = degrees ? angle : angle / Degree;", "angles[k] = angle;",
     "IOAstm.InterpolatesOnAGrid")
 add("IO.astm-other-side-forgotten", "AstmFile.cxx", "      angles[k + 1] += 180.0;\n", "",
     "IOAstm.NegativePolarAnglesAreOnTheOtherSide")
-add("IO.astm-number-of-points-ignored", "AstmParser.cxx", "if (rows == 0 || (this->Points > 0.0 &&", "if (rows == 0 || (false &&",
+add("IO.astm-number-of-points-ignored", "AstmFile.cxx", "if (rows == 0 || (this->Points > 0.0 &&", "if (rows == 0 || (false &&",
     "IOAstm.RefusesBadFiles")
-add("IO.infrared-counts-as-visible", "SpectralChannels.cxx", "wavelength < LastVisible + 0.5;", "wavelength < 2.0 * LastVisible;",
+add("IO.infrared-counts-as-visible", "SpectralColor.cxx", "wavelength < LastVisible + 0.5;", "wavelength < 2.0 * LastVisible;",
     "IOOpenMaterial.OneWavelengthIsGray")
 add("IO.spectra-under-equal-energy", "SpectralColor.cxx", "const double light = GetEntry(l, 3) * GetEntry(l, j);",
     "const double light = GetEntry(l, j);", "IOSpectral.AgreesWithAnotherProgramsSum")

@@ -417,7 +417,7 @@ class IntegrateTest(ToolTest):
 class IntegrateMethods(IntegrateTest):
     def test_light_sets_approach_the_sum(self):
         exact = self.integrate("gold-paint", "sky")
-        for light_set in ("median-cut", "variance", "minimum-variance", "importance"):
+        for light_set in ("median-cut", "variance", "importance"):
             lights = ["--lights", 1024, "--light-set", light_set, "--seed", 3]
             values = self.integrate("gold-paint", "sky", "--method", "light-set", *lights)
             for value, wanted in zip(values, exact):
@@ -506,7 +506,7 @@ class Lights(ToolTest):
     def test_totals(self):
         environment = self.write_constant_environment()
         weights = (0.2126, 0.7152, 0.0722)
-        for light_set in ("median-cut", "variance", "minimum-variance", "importance"):
+        for light_set in ("median-cut", "variance", "importance"):
             rows = self.lights(environment, "--count", 64, "--light-set", light_set)
             self.assertEqual(len(rows), 64)
             total = sum(w * v for row in rows for w, v in zip(weights, rgb(row)))

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ConvexFactorization.h"
 
+#include "LinearLeastSquares.h"
 #include "ParallelFor.h"
-#include "SimplexLeastSquares.h"
 #include "SymmetricEigen.h"
 
 #include <Eigen/QR>

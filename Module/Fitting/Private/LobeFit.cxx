@@ -3,14 +3,19 @@
 #include "LobeFit.h"
 
 #include "HalfVector.h"
-#include "LeastSquares.h"
-#include "NonNegativeLeastSquares.h"
+#include "LinearLeastSquares.h"
+#include "vtkMeasuredBRDFConfigure.h"
+
+#if MEASUREDBRDF_WITH_CERES
+#include <ceres/ceres.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <random>
+#include <string>
 
 namespace measuredbrdf
 {
@@ -339,26 +344,93 @@ std::vector<Start> Screen(
   return starts;
 }
 
-LeastSquaresResult Refine(const FitSamples& samples, const Layout& layout, Start& start,
+// What the solver said of a refinement.
+struct Refinement
+{
+  bool Converged = false;
+  bool Usable = false;
+  std::string Message;
+};
+
+#if MEASUREDBRDF_WITH_CERES
+class LobeCost : public ceres::CostFunction
+{
+public:
+  LobeCost(const LobeResiduals& residuals, int numberOfResiduals, std::size_t size)
+    : Residuals(residuals)
+  {
+    this->set_num_residuals(numberOfResiduals);
+    this->mutable_parameter_block_sizes()->push_back(static_cast<int>(size));
+  }
+  bool Evaluate(
+    double const* const* parameters, double* residuals, double** jacobians) const override
+  {
+    this->Residuals.Evaluate(parameters[0], residuals, jacobians ? jacobians[0] : nullptr);
+    return true;
+  }
+
+private:
+  const LobeResiduals& Residuals;
+};
+
+class LobeCallback : public ceres::IterationCallback
+{
+public:
+  explicit LobeCallback(LobeWatcher& watcher)
+    : Watcher(watcher)
+  {
+  }
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override
+  {
+    // Ceres' cost is half the sum of squares.
+    return this->Watcher.Proceed(summary.iteration, summary.step_is_successful, 2.0 * summary.cost)
+             ? ceres::SOLVER_CONTINUE
+             : ceres::SOLVER_ABORT;
+  }
+
+private:
+  LobeWatcher& Watcher;
+};
+
+// By Ceres' Levenberg-Marquardt within bounds.
+Refinement Refine(const FitSamples& samples, const Layout& layout, Start& start,
   LobeWatcher& watcher, int iterations, double tolerance)
 {
-  const std::size_t size = start.Parameters.size();
   const LobeResiduals residuals(samples, layout);
-  LeastSquaresProblem problem;
-  problem.NumberOfResiduals = static_cast<int>(3 * samples.size());
-  problem.Lower.assign(size, 0.0);
-  problem.Upper.assign(size, std::numeric_limits<double>::max());
-  std::fill_n(problem.Upper.begin(), layout.GetNumberOfExponents(), std::log1p(MaximumExponent));
-  problem.Evaluate = [&residuals](const double* parameters, double* values, double* jacobian)
-  { residuals.Evaluate(parameters, values, jacobian); };
-  problem.Proceed = [&watcher](int iteration, bool successful, double mean)
-  { return watcher.Proceed(iteration, successful, mean); };
-  problem.MaximumNumberOfIterations = iterations;
-  problem.Tolerance = tolerance;
-  LeastSquaresResult result = SolveLeastSquares(problem, start.Parameters);
-  start.MeanSquare = result.Sum;
-  return result;
+  double* parameters = start.Parameters.data();
+  ceres::Problem problem;
+  problem.AddResidualBlock(
+    new LobeCost(residuals, static_cast<int>(3 * samples.size()), start.Parameters.size()), nullptr,
+    parameters);
+  for (int k = 0; k < layout.GetSize(); ++k)
+  {
+    problem.SetParameterLowerBound(parameters, k, 0.0);
+    if (k < layout.GetNumberOfExponents())
+    {
+      problem.SetParameterUpperBound(parameters, k, std::log1p(MaximumExponent));
+    }
+  }
+  LobeCallback callback(watcher);
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+  options.num_threads = 1; // the same sums in the same order: the same result
+  options.max_num_iterations = iterations;
+  options.function_tolerance = tolerance;
+  options.parameter_tolerance = 1e-10;
+  options.logging_type = ceres::SILENT;
+  options.callbacks.push_back(&callback);
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  start.MeanSquare = 2.0 * summary.final_cost;
+  return { summary.termination_type == ceres::CONVERGENCE, summary.IsSolutionUsable(),
+    summary.message };
 }
+#else
+Refinement Refine(const FitSamples&, const Layout&, Start&, LobeWatcher&, int, double)
+{
+  return {};
+}
+#endif
 
 LobeFitResult Unpack(const Layout& layout, const std::vector<double>& parameters)
 {
@@ -393,11 +465,11 @@ LobeFitResult FitLobes(
   const FitSamples& samples, const LobeModel& model, const LobeFitOptions& options)
 {
   constexpr double screened = 0.2, refined = 0.6; // of the progress
-  const std::string absence = GetLeastSquaresAbsence();
-  if (!absence.empty())
+  if (!MEASUREDBRDF_WITH_CERES)
   {
     LobeFitResult result;
-    result.Failure = absence;
+    result.Failure = "this build has no Ceres (MEASUREDBRDF_WITH_CERES): Blinn-Phong and "
+                     "Ashikhmin-Shirley lobes cannot be fitted";
     return result;
   }
   const Layout layout(model);
@@ -425,7 +497,7 @@ LobeFitResult FitLobes(
   Start best = *std::min_element(starts.begin(), starts.end(),
     [](const Start& a, const Start& b) { return a.MeanSquare < b.MeanSquare; });
   LobeWatcher watcher(options, refined, 1.0, options.MaximumNumberOfIterations);
-  const LeastSquaresResult solved =
+  const Refinement solved =
     Refine(samples, layout, best, watcher, options.MaximumNumberOfIterations, options.Tolerance);
   LobeFitResult result = Unpack(layout, best.Parameters);
   result.History = watcher.History;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapFindings.h"
 
+#include "LinearLeastSquares.h"
 #include "NumberText.h"
-#include "SimplexLeastSquares.h"
 
 #include <algorithm>
 #include <cmath>

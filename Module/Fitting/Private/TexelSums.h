@@ -8,8 +8,8 @@
 #ifndef TexelSums_h
 #define TexelSums_h
 
+#include "LinearLeastSquares.h"
 #include "PhotographPixels.h"
-#include "SimplexLeastSquares.h"
 
 #include <Eigen/Core>
 

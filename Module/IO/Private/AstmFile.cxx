@@ -1,26 +1,247 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "AstmFile.h"
+/**
+ * @file
+ * Text of goniometers after ASTM E1392, "Angle resolved optical scatter measurements on specular or
+ * diffuse surfaces", in the form of Cornell's Light Measurement Laboratory (.astm): lines of a key
+ * and its value, NUM_POINTS among them, up to the line VARS, which names the columns; then a row of
+ * numbers, with commas between, for each reading.
+ *
+ * Columns, in any order: theta_i, phi_i of the light and theta_s, phi_s of the view in one frame
+ * (phi_i may be absent: 0), in radians, or in degrees where a polar angle exceeds pi/2; and f in
+ * 1/sr as R,G,B (linear Rec. 709), as X,Y,Z (CIE 1931 under D65), at wavelengths (550nm,
+ * SpectralColor.h; FILE#550nm picks one), or in one column of any name (gray). A negative polar
+ * angle is on the other side of the normal. Where phi_i is the same in all rows the material is
+ * isotropic (GonioTable.h).
+ *
+ * Not read: E1392's other sections and codes, transmission, polarization, readings without phi_s.
+ */
 
-#include "AstmParser.h"
 #include "GonioTable.h"
+#include "MaterialFormat.h"
 #include "NumberText.h"
-#include "SpectralChannels.h"
+#include "SpectralColor.h"
 #include "XYZColor.h"
-#include "vtkObjectFactory.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace measuredbrdf
 {
 namespace
 {
+constexpr const char* AstmFormatName = "ASTM E1392 text";
+
+struct AstmTexts
+{
+  std::vector<std::string> Header;  // lines before VARS
+  std::vector<std::string> Columns; // that VARS names
+  std::vector<double> Numbers;      // row by row
+  std::vector<std::size_t> Lines;   // of the rows in the file, from 1
+
+  std::size_t GetNumberOfRows() const { return this->Lines.size(); }
+};
+
+constexpr std::size_t MostColumns = 4096 + 4;
+constexpr std::size_t LongestHeader = 65536; // bytes
+constexpr std::string_view Blanks = " \t\r";
+
+std::string_view Trim(std::string_view text)
+{
+  const std::size_t first = text.find_first_not_of(Blanks);
+  return first == std::string_view::npos
+           ? std::string_view()
+           : text.substr(first, text.find_last_not_of(Blanks) - first + 1);
+}
+
+// The value of a line "KEY value", or null where it has another key.
+bool HasKey(std::string_view line, std::string_view key, std::string_view& value)
+{
+  if (line.substr(0, key.size()) != key ||
+      (line.size() > key.size() && Blanks.find(line[key.size()]) == std::string_view::npos))
+  {
+    return false;
+  }
+  value = Trim(line.substr(key.size()));
+  return true;
+}
+
+// Up to the separator, which is stepped over with it.
+std::string_view Take(std::string_view& text, char separator)
+{
+  const std::size_t length = std::min(text.find(separator), text.size());
+  const std::string_view part = text.substr(0, length);
+  text.remove_prefix(std::min(length + 1, text.size()));
+  return part;
+}
+
+void SkipMark(std::string_view& text) // of byte order
+{
+  if (text.substr(0, 3) == "\xef\xbb\xbf")
+  {
+    text.remove_prefix(3);
+  }
+}
+
+/// Throws FileError where VARS or NUM_POINTS is wrong or missing, or a row has another number of
+/// numbers.
+class AstmParser
+{
+public:
+  explicit AstmParser(const FileBytes& file)
+    : Path(file.GetPath())
+    , Rest(file.GetView())
+  {
+    SkipMark(this->Rest);
+  }
+
+  /// onlyHeader: leave out the rows.
+  AstmTexts Parse(bool onlyHeader = false)
+  {
+    this->ReadHeader();
+    if (!onlyHeader)
+    {
+      this->ReadRows();
+    }
+    return std::move(this->Texts);
+  }
+
+private:
+  [[noreturn]] void Fail(const std::string& field, const std::string& what) const
+  {
+    throw FileError(this->Path + ": " + AstmFormatName + ", line " + std::to_string(this->Line) +
+                    ", " + field + ": " + what);
+  }
+
+  std::string_view TakeLine()
+  {
+    ++this->Line;
+    return Trim(Take(this->Rest, '\n'));
+  }
+
+  void ReadHeader()
+  {
+    const std::size_t whole = this->Rest.size();
+    while (!this->Rest.empty() && whole - this->Rest.size() < LongestHeader)
+    {
+      const std::string_view line = this->TakeLine();
+      std::string_view value;
+      if (HasKey(line, "VARS", value))
+      {
+        this->ReadColumns(value);
+        return;
+      }
+      if (HasKey(line, "NUM_POINTS", value))
+      {
+        double points = 0.0;
+        if (!ParseNumber(value, points) || points < 1.0 || points != std::floor(points))
+        {
+          this->Fail("NUM_POINTS", "found " + Quote(value) + ", expected a whole number from 1");
+        }
+        this->Points = points;
+      }
+      else if (!line.empty())
+      {
+        this->Texts.Header.emplace_back(line);
+      }
+    }
+    this->Fail("VARS", "no such line in the first " + std::to_string(LongestHeader) +
+                         " bytes, expected the names of the columns");
+  }
+
+  void ReadColumns(std::string_view names)
+  {
+    while (!names.empty())
+    {
+      const std::string_view name = Trim(Take(names, ','));
+      if (name.empty() || this->Texts.Columns.size() == MostColumns)
+      {
+        this->Fail(
+          "VARS", "expected 1 to " + std::to_string(MostColumns) + " names with commas between");
+      }
+      this->Texts.Columns.emplace_back(name);
+    }
+    if (this->Texts.Columns.empty())
+    {
+      this->Fail("VARS", "names no column");
+    }
+  }
+
+  void ReadRows()
+  {
+    const std::size_t columns = this->Texts.Columns.size();
+    while (!this->Rest.empty())
+    {
+      std::string_view line = this->TakeLine();
+      // What editors and transfers add at the end.
+      if (line.find_first_not_of(std::string_view("\0\x1a", 2)) == std::string_view::npos)
+      {
+        continue;
+      }
+      std::size_t count = 0;
+      for (; !line.empty(); ++count)
+      {
+        const std::string_view word = Trim(Take(line, ','));
+        double number = 0.0;
+        if (!ParseNumber(word, number))
+        {
+          this->Fail("number " + std::to_string(count + 1),
+            "found " + Quote(word) + ", expected a finite number");
+        }
+        if (count < columns)
+        {
+          this->Texts.Numbers.push_back(number);
+        }
+      }
+      this->Texts.Lines.push_back(this->Line);
+      if (count != columns)
+      {
+        this->Fail("row", "found " + std::to_string(count) + " numbers, expected the " +
+                            std::to_string(columns) + " that VARS names");
+      }
+    }
+    const std::size_t rows = this->Texts.GetNumberOfRows();
+    if (rows == 0 || (this->Points > 0.0 && this->Points != static_cast<double>(rows)))
+    {
+      const std::string points = this->Points > 0.0 ? NumberText(this->Points, 15) : "at least 1";
+      this->Fail("end", "found " + std::to_string(rows) + " rows, expected " + points +
+                          (this->Points > 0.0 ? " (NUM_POINTS)" : ""));
+    }
+  }
+
+  std::string Path;
+  std::string_view Rest;
+  std::size_t Line = 0;
+  double Points = 0.0; // 0: not said
+  AstmTexts Texts;
+};
+
+//------------------------------------------------------------------------------
+// Whether a line of the text's beginning is VARS.
+bool HasAstmColumns(std::string_view text)
+{
+  std::string_view rest = text.substr(0, LongestHeader);
+  SkipMark(rest);
+  while (!rest.empty())
+  {
+    std::string_view value;
+    if (HasKey(Trim(Take(rest, '\n')), "VARS", value) &&
+        value.find("theta_") != std::string_view::npos)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 constexpr double Degree = 3.14159265358979323846 / 180.0;
 constexpr double RightAngle = 90.0;
 constexpr double Rounding = 1e-3; // of angles, degrees
@@ -247,12 +468,10 @@ GonioReadings Arrange(
   }
   return readings;
 }
-}
-
 //------------------------------------------------------------------------------
 MaterialFile ReadAstm(const FileBytes& file, const std::string& material)
 {
-  const AstmTexts texts = ParseAstm(file, AstmFormatName);
+  const AstmTexts texts = AstmParser(file).Parse();
   MaterialFile result;
   Columns columns = FindColumns(file, texts.Columns);
   const SpectralChannels channels = FindChannels(file, texts.Columns, columns, material);
@@ -271,58 +490,32 @@ MaterialFile ReadAstm(const FileBytes& file, const std::string& material)
     result.AddNote(std::to_string(result.NumberOfNegativeValues) +
                    " values are negative: kept, clamped at 0 after interpolation.");
   }
-  GonioTable table;
-  const std::string problem = table.Make(std::move(readings));
+  const std::string problem = MakeGonioTable(std::move(readings), result);
   if (!problem.empty())
   {
     Fail(file, "rows", problem);
   }
-  for (const std::string& note : table.Notes)
-  {
-    result.AddNote(note);
-  }
-  table.BRDF->SetName(GetFileStem(file.GetPath()) + (material.empty() ? "" : " " + material));
-  table.BRDF->SetSource("ASTM E1392 text file " + GetFileTitle(file.GetPath()));
-  result.BRDF = table.BRDF;
+  result.BRDF->SetName(GetFileStem(file.GetPath()) + (material.empty() ? "" : " " + material));
+  result.BRDF->SetSource("ASTM E1392 text file " + GetFileTitle(file.GetPath()));
   return result;
 }
 
 //------------------------------------------------------------------------------
-vtkStandardNewMacro(AstmFormat);
-
-//------------------------------------------------------------------------------
-bool AstmFormat::CanRead(const File& file)
+std::vector<std::string> ListAstmWavelengths(const FileBytes& file)
 {
-  std::string end = file.Path.size() < 5 ? "" : file.Path.substr(file.Path.size() - 5);
-  std::transform(end.begin(), end.end(), end.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return end == ".astm" || HasAstmColumns(file.Bytes);
-}
-
-//------------------------------------------------------------------------------
-std::vector<std::string> AstmFormat::GetMaterialNames(const File& file)
-{
+  const AstmTexts texts = AstmParser(file).Parse(true);
+  Columns columns = FindColumns(file, texts.Columns);
   std::vector<std::string> names;
-  try
+  for (const double wavelength : FindWavelengths(file, texts.Columns, columns))
   {
-    const FileBytes bytes = FileBytes::View(file.Path, file.Bytes);
-    const AstmTexts texts = ParseAstm(bytes, AstmFormatName, true);
-    Columns columns = FindColumns(bytes, texts.Columns);
-    for (const double wavelength : FindWavelengths(bytes, texts.Columns, columns))
-    {
-      names.push_back(GetWavelengthName(wavelength));
-    }
-  }
-  catch (const std::exception&)
-  {
-    names.clear(); // Read says what is wrong
+    names.push_back(GetWavelengthName(wavelength));
   }
   return names;
 }
-
-//------------------------------------------------------------------------------
-MaterialFile AstmFormat::DoRead(const FileBytes& file, const std::string& material)
-{
-  return ReadAstm(file, material);
 }
+
+const MaterialFormat AstmFormat = { AstmFormatName, "ASTM E1392 .astm (as Cornell's)", ".astm",
+  [](const vtkBRDFFormat::File& file)
+  { return HasExtension(file.Path, ".astm") || HasAstmColumns(file.Bytes); },
+  ReadAstm, ListAstmWavelengths };
 } // namespace measuredbrdf

@@ -1,15 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ExrMaterialFile.h"
+/**
+ * @file
+ * This project's material format: an OpenEXR file whose first part's string attribute
+ * "measuredBRDF" holds JSON (names, model, numbers; vtkBRDFData), and whose parts hold
+ * the tables as 32-bit or 16-bit floats, ZIP-compressed (lossless). Part "volume" or, in term 1 of
+ * a sum, "1.volume": width = fastest axis, height = product of the others, channels R, G, B or Y. A
+ * material without tables has one part "header" of one texel.
+ */
 
 #include "BoundedJson.h"
 #include "ExrHeader.h"
 #include "ExrStream.h"
-#include "FileBytes.h"
+#include "MaterialFormat.h"
 #include "NumberText.h"
 #include "vtkBRDFData.h"
 #include "vtkBRDFModels.h"
-#include "vtkObjectFactory.h"
 
 #include <Iex.h>
 #include <ImfChannelList.h>
@@ -37,6 +43,7 @@ namespace
 {
 using nlohmann::json;
 
+constexpr const char* ExrFormatName = "OpenEXR material";
 constexpr const char* AttributeName = "measuredBRDF";
 constexpr const char* JsonFormat = "measured-brdf";
 constexpr int JsonVersion = 1;
@@ -372,10 +379,8 @@ void CountValues(const vtkBRDFData& data, MaterialFile& result)
     CountValues(term, result);
   }
 }
-}
-
 //------------------------------------------------------------------------------
-MaterialFile ReadExrMaterial(const FileBytes& file)
+MaterialFile ReadExrMaterial(const FileBytes& file, const std::string&)
 {
   CheckExrHeader(file, ExrFormatName);
   const std::string place = file.GetPath() + ": " + ExrFormatName + ", ";
@@ -429,6 +434,7 @@ MaterialFile ReadExrMaterial(const FileBytes& file)
 }
 
 //------------------------------------------------------------------------------
+// halfFloats: tables as 16-bit floats, a rounding of 2^-11; else 32-bit ones, bit by bit.
 void WriteExrMaterial(vtkBRDF* brdf, const std::string& path, bool halfFloats)
 {
   try
@@ -476,24 +482,10 @@ void WriteExrMaterial(vtkBRDF* brdf, const std::string& path, bool halfFloats)
   }
 }
 
-//------------------------------------------------------------------------------
-vtkStandardNewMacro(ExrFormat);
-
-//------------------------------------------------------------------------------
-bool ExrFormat::CanRead(const File& file)
-{
-  return HasMagic(file, std::string_view(ExrMagic, sizeof(ExrMagic) - 1));
 }
 
-//------------------------------------------------------------------------------
-MaterialFile ExrFormat::DoRead(const FileBytes& file, const std::string&)
-{
-  return ReadExrMaterial(file);
-}
-
-//------------------------------------------------------------------------------
-void ExrFormat::DoWrite(vtkBRDF* brdf, const std::string& path, bool halfFloats)
-{
-  WriteExrMaterial(brdf, path, halfFloats);
-}
+const MaterialFormat ExrMaterialFormat = { ExrFormatName, "this project's .exr", ".exr",
+  [](const vtkBRDFFormat::File& file)
+  { return HasMagic(file, std::string_view(ExrMagic, sizeof(ExrMagic) - 1)); },
+  ReadExrMaterial, nullptr, WriteExrMaterial };
 } // namespace measuredbrdf

@@ -24,6 +24,25 @@ using FilePointer = std::unique_ptr<std::FILE, FileCloser>;
 }
 
 //------------------------------------------------------------------------------
+bool CatchFileError(const std::string& path, std::string& error, const std::function<void()>& run)
+{
+  try
+  {
+    run();
+    return true;
+  }
+  catch (const FileError& e)
+  {
+    error = e.what();
+  }
+  catch (const std::exception& e)
+  {
+    error = ToPrintable(path + ": " + e.what());
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 std::uintmax_t CheckFile(const std::string& path)
 {
   if (path.empty())

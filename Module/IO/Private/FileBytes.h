@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -33,6 +34,10 @@ public:
   {
   }
 };
+
+/// Whether run() came back. If not, error says what it threw, and names the file: a FileError, or
+/// anything else, such as that memory ran out.
+bool CatchFileError(const std::string& path, std::string& error, const std::function<void()>& run);
 
 /**
  * Size of a regular, readable file; throws FileError for what is missing, a directory, a device,

@@ -72,7 +72,7 @@ struct DecodedImage : ImageFile
   int DisplayWidth = 0;
   int DisplayHeight = 0;
   int Orientation = 1;                // as EXIF numbers it
-  std::vector<double> Chromaticities; // empty, or as in Chromaticities.h
+  std::vector<double> Chromaticities; // empty, or 8: ImageFile.cxx
 };
 
 /// Throws FileError.

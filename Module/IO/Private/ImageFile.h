@@ -11,8 +11,11 @@
 #define ImageFile_h
 
 #include "ImageDecoder.h"
+#include "vtkSmartPointer.h"
 
 #include <string>
+
+class vtkImageData;
 
 namespace measuredbrdf
 {
@@ -23,6 +26,12 @@ namespace measuredbrdf
  */
 ImageFile ReadImageFile(
   const std::string& path, ImageValues values = ImageValues::Color, const std::string& layer = "");
+
+/// The image as VTK has images, row 0 at the bottom: RGB, with alpha where the file has it.
+/// isInteger: as unsigned char or unsigned short, else as floats. keepsGray: gray stays one
+/// component.
+vtkSmartPointer<vtkImageData> MakeImageData(
+  const ImageFile& file, bool isInteger, bool keepsGray = false);
 } // namespace measuredbrdf
 
 #endif

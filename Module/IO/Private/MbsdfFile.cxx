@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MbsdfFile.h"
+/**
+ * @file
+ * NVIDIA's `.mbsdf` (MDL specification, appendix B): a magic line, lines of key="value", then a
+ * block of values over (theta_in, theta_out, phi), phi fastest. Only reflection is read.
+ */
 
-#include "FileBytes.h"
+#include "MaterialFormat.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkTabulatedBRDF.h"
 
 #include <cmath>
@@ -17,7 +20,8 @@ namespace
 {
 constexpr std::uint32_t LargestSide = 2048; // vtkTabulatedBRDF's
 
-constexpr std::string_view Magic(MbsdfMagic, sizeof(MbsdfMagic) - 1);
+constexpr const char* MbsdfFormatName = "NVIDIA MBSDF";
+constexpr std::string_view Magic = "NVIDIA ARC MBSDF V1"; // a line
 
 struct Block
 {
@@ -122,11 +126,7 @@ void ReadRest(ByteReader& reader, MaterialFile& result)
     }
     result.AddNote("The file's transmission is left out.");
   }
-  if (reader.GetRemaining() > 0)
-  {
-    result.AddNote(
-      std::to_string(reader.GetRemaining()) + " bytes of padding behind the values were left out.");
-  }
+  NotePadding(reader, result);
 }
 
 //------------------------------------------------------------------------------
@@ -170,10 +170,8 @@ void CountValues(const std::vector<float>& rgb, const Block& block, MaterialFile
                    " values are negative: kept, clamped at 0 after interpolation.");
   }
 }
-}
-
 //------------------------------------------------------------------------------
-MaterialFile ReadMbsdf(const FileBytes& file)
+MaterialFile ReadMbsdf(const FileBytes& file, const std::string&)
 {
   ByteReader reader(file, MbsdfFormatName);
   MaterialFile result;
@@ -198,15 +196,8 @@ MaterialFile ReadMbsdf(const FileBytes& file)
   return result;
 }
 
-//------------------------------------------------------------------------------
-vtkStandardNewMacro(MbsdfFormat);
-
-//------------------------------------------------------------------------------
-bool MbsdfFormat::CanRead(const File& file) { return HasMagic(file, Magic); }
-
-//------------------------------------------------------------------------------
-MaterialFile MbsdfFormat::DoRead(const FileBytes& file, const std::string&)
-{
-  return ReadMbsdf(file);
 }
+
+const MaterialFormat MbsdfFormat = { MbsdfFormatName, "NVIDIA .mbsdf", ".mbsdf",
+  [](const vtkBRDFFormat::File& file) { return HasMagic(file, Magic); }, ReadMbsdf };
 } // namespace measuredbrdf

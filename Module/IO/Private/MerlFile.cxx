@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MerlFile.h"
+/**
+ * @file
+ * MERL `.binary` (Matusik et al. 2003; layout: the database's BRDFRead.cpp): int32 n_theta_h,
+ * n_theta_d, n_phi_d, then float64, three planes R, G, B with phi_d fastest and theta_h slowest.
+ * Values are scaled by (1, 1.15, 1.66)/1500; a cell with a negative channel was not measured.
+ */
 
-#include "FileBytes.h"
+#include "MaterialFormat.h"
 #include "vtkBRDFResampler.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkTabulatedBRDF.h"
 
 #include <algorithm>
@@ -18,6 +22,7 @@ namespace measuredbrdf
 {
 namespace
 {
+constexpr const char* MerlFormatName = "MERL binary";
 constexpr int MaximumSize = 2048; // vtkTabulatedBRDF's
 
 // The database's BRDFRead.cpp: RED_SCALE, GREEN_SCALE, BLUE_SCALE.
@@ -108,35 +113,27 @@ Cells ScaleValues(const char* bytes, std::size_t count, MaterialFile& result)
   }
   return cells;
 }
-}
-
 //------------------------------------------------------------------------------
-bool LooksLikeMerl(std::string_view bytes)
+// Whether the first twelve bytes could be the three sizes; these need not match the file's.
+bool CanReadMerl(const vtkBRDFFormat::File& file)
 {
-  if (bytes.size() < 12)
+  if (file.Bytes.size() < 12)
   {
     return false;
   }
   std::array<std::int32_t, 3> sizes;
-  ByteReader::Copy(sizes.data(), bytes.data(), 3);
-  for (const std::int32_t size : sizes)
-  {
-    if (size < 1 || size > MaximumSize)
-    {
-      return false;
-    }
-  }
-  return true;
+  ByteReader::Copy(sizes.data(), file.Bytes.data(), 3);
+  return std::all_of(
+    sizes.begin(), sizes.end(), [](std::int32_t size) { return size >= 1 && size <= MaximumSize; });
 }
 
 //------------------------------------------------------------------------------
-MaterialFile ReadMerl(const FileBytes& file)
+MaterialFile ReadMerl(const FileBytes& file, const std::string&)
 {
   ByteReader reader(file, MerlFormatName);
   const std::array<int, 3> sizes = ReadSizes(reader);
   const std::size_t count = std::size_t(sizes[0]) * sizes[1] * sizes[2];
   const char* bytes = TakeValues(reader, sizes, count);
-  const std::size_t padding = reader.GetRemaining();
   MaterialFile result;
   Cells cells = ScaleValues(bytes, count, result);
 
@@ -154,10 +151,7 @@ MaterialFile ReadMerl(const FileBytes& file)
   {
     result.AddNote(std::to_string(cells.Rounded) + " values are negative by rounding: taken as 0.");
   }
-  if (padding > 0)
-  {
-    result.AddNote(std::to_string(padding) + " bytes of padding behind the values were left out.");
-  }
+  NotePadding(reader, result);
   if (cells.Invalid > 0)
   {
     result.AddNote(
@@ -169,8 +163,13 @@ MaterialFile ReadMerl(const FileBytes& file)
 }
 
 //------------------------------------------------------------------------------
-void WriteMerl(vtkTabulatedBRDF* table, const std::string& path)
+void WriteMerl(vtkBRDF* brdf, const std::string& path, bool halfFloats)
 {
+  if (halfFloats)
+  {
+    throw FileError(path + ": a MERL table holds 64-bit floats; 16-bit ones need .exr");
+  }
+  auto* table = vtkTabulatedBRDF::SafeDownCast(brdf);
   if (!table || !table->IsReciprocal()) // half/difference over half a turn, without cosine
   {
     throw FileError(
@@ -219,29 +218,7 @@ void WriteMerl(vtkTabulatedBRDF* table, const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-vtkStandardNewMacro(MerlFormat);
-
-//------------------------------------------------------------------------------
-bool MerlFormat::CanRead(const File& file) { return LooksLikeMerl(file.Bytes); }
-
-//------------------------------------------------------------------------------
-MaterialFile MerlFormat::DoRead(const FileBytes& file, const std::string&)
-{
-  return ReadMerl(file);
-}
-
-//------------------------------------------------------------------------------
-void MerlFormat::DoWrite(vtkBRDF* brdf, const std::string& path, bool halfFloats)
-{
-  if (halfFloats)
-  {
-    throw FileError(path + ": a MERL table holds 64-bit floats; 16-bit ones need .exr");
-  }
-  WriteMerl(vtkTabulatedBRDF::SafeDownCast(brdf), path);
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkBRDF> MerlFormat::Convert(vtkBRDF* brdf, std::string& error)
+vtkSmartPointer<vtkBRDF> ConvertToMerl(vtkBRDF* brdf, std::string& error)
 {
   auto* table = vtkTabulatedBRDF::SafeDownCast(brdf);
   if (table && table->GetParameterization() == vtkTabulatedBRDF::HALF_DIFFERENCE &&
@@ -264,4 +241,8 @@ vtkSmartPointer<vtkBRDF> MerlFormat::Convert(vtkBRDF* brdf, std::string& error)
   resampled->SetSource(brdf->GetSource());
   return resampled;
 }
+}
+
+const MaterialFormat MerlFormat = { MerlFormatName, "MERL .binary", ".binary", CanReadMerl,
+  ReadMerl, nullptr, WriteMerl, ConvertToMerl };
 } // namespace measuredbrdf

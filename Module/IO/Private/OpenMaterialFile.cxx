@@ -1,26 +1,219 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OpenMaterialFile.h"
+/**
+ * @file
+ * ASAM OpenMATERIAL 3D's BRDF look-up tables (.xompt; schema material_brdf_schema.json of versions
+ * 1.0 and 1.1): JSON with "metadata" and "brdf". "brdf" holds rows of wavelength (m), zenith angles
+ * of incidence and exit, azimuth of exit from incidence (rad), and f (1/sr). The material is
+ * isotropic. An azimuth of 0 is on the side from which the light comes; azimuths run
+ * counterclockwise, seen from above the surface (the standard does not say).
+ *
+ * Several visible wavelengths become RGB (SpectralColor.h). A single one, or wavelengths of which
+ * fewer than two are visible, give gray, by the first of them; `path#905nm` picks one.
+ */
 
 #include "GonioTable.h"
+#include "MaterialFormat.h"
 #include "NumberText.h"
-#include "SpectralChannels.h"
+#include "SpectralColor.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace measuredbrdf
 {
 namespace
 {
+using Json = nlohmann::json;
+
+constexpr const char* OpenMaterialFormatName = "OpenMATERIAL 3D";
+
 using Row = std::array<double, 5>;
+
+struct OpenMaterialTexts
+{
+  std::map<std::string, std::string> Metadata; // its texts, and lists of texts joined by ", "
+  /// Wavelength (m), zenith angle of incidence, of exit, azimuth of exit from incidence (rad), f
+  /// (1/sr). Rows that hold a null are left out.
+  std::vector<Row> Rows;
+  std::size_t Nulls = 0; // rows left out
+};
+
+constexpr int DeepestLevel = 32;
+constexpr std::size_t LongestText = 1000; // of the metadata, in bytes
+constexpr const char* TableName = "lookupTable";
+constexpr const char* MetadataNames[] = { "name", "sources", "authors", "copyrights", "license" };
+
+[[noreturn]] void Fail(const FileBytes& file, const std::string& field, const std::string& what)
+{
+  throw FileError(file.GetPath() + ": " + OpenMaterialFormatName + ", " + field + ": " + what);
+}
+
+/// Takes what is known, wherever it stands in the right place, as the parser comes by; of the
+/// document nothing but a row is kept.
+class OpenMaterialParser
+{
+public:
+  explicit OpenMaterialParser(const FileBytes& file)
+    : File(file)
+  {
+  }
+
+  // Throws FileError where it is no JSON, is nested deeper than 32 levels, has no "brdf" with a
+  // "lookupTable" of rows of five numbers, or has one twice.
+  OpenMaterialTexts Parse()
+  {
+    try
+    {
+      const char* bytes = this->File.GetData();
+      const auto take = [this](int depth, Json::parse_event_t event, const Json& value)
+      { return this->Take(depth, event, value); };
+      std::ignore = Json::parse(bytes, bytes + this->File.GetSize(), take);
+    }
+    catch (const Json::exception& problem)
+    {
+      this->FailToParse(problem);
+    }
+    if (!this->HasBrdf)
+    {
+      Fail(this->File, "brdf",
+        "is missing: expected the look-up table of a BRDF (NAME_brdf.xompt), not another property");
+    }
+    if (!this->HasTable)
+    {
+      Fail(this->File, TableName, "is missing in 'brdf'");
+    }
+    return std::move(this->Texts);
+  }
+
+private:
+  // Whether to keep what the event is of; depth: of levels around it.
+  bool Take(int depth, Json::parse_event_t event, const Json& value)
+  {
+    using Event = Json::parse_event_t;
+    const bool begins = event == Event::object_start || event == Event::array_start;
+    if (begins && depth >= DeepestLevel)
+    {
+      Fail(this->File, "JSON", "is nested deeper than " + std::to_string(DeepestLevel) + " levels");
+    }
+    if (event == Event::key && depth == 1)
+    {
+      this->Top = value.get<std::string>();
+      this->Second.clear();
+      return this->Top == "metadata" || this->Top == "brdf";
+    }
+    const bool isTable = this->Top == "brdf" && this->Second == TableName;
+    if (event == Event::key && depth == 2)
+    {
+      this->Second = value.get<std::string>();
+      return this->Top == "brdf" ? this->Second == TableName
+                                 : std::find(std::begin(MetadataNames), std::end(MetadataNames),
+                                     this->Second) != std::end(MetadataNames);
+    }
+    if (event == Event::value && value.is_string() && this->Top == "metadata")
+    {
+      std::string& text = this->Texts.Metadata[this->Second];
+      const std::string more = (text.empty() ? "" : ", ") + value.get<std::string>();
+      text += text.size() + more.size() <= LongestText ? more : "";
+    }
+    else if (isTable && depth == 3 && !begins && event != Event::key)
+    {
+      this->TakeRow(value);
+      return false;
+    }
+    this->HasBrdf =
+      this->HasBrdf || (event == Event::object_start && depth == 1 && this->Top == "brdf");
+    if (isTable && event == Event::array_start && depth == 2)
+    {
+      if (this->HasTable)
+      {
+        Fail(this->File, TableName, "appears twice");
+      }
+      this->HasTable = true;
+    }
+    return isTable || (event == Event::object_start ? depth <= 1 : begins && depth == 2);
+  }
+
+  void TakeRow(const Json& value)
+  {
+    const auto fail = [this](const std::string& what)
+    {
+      Fail(this->File,
+        std::string(TableName) + ", row " +
+          std::to_string(this->Texts.Rows.size() + this->Texts.Nulls + 1),
+        "found " + what);
+    };
+    const auto expectNumbers = [&fail](const Json& found)
+    {
+      const char* const what = found.is_object()    ? "an object"
+                               : found.is_array()   ? "a list"
+                               : found.is_string()  ? "a text"
+                               : found.is_boolean() ? "a truth value"
+                                                    : "a number alone";
+      fail(std::string(what) + ", expected five numbers");
+    };
+    if (!value.is_array())
+    {
+      expectNumbers(value);
+    }
+    for (const Json& number : value)
+    {
+      if (!number.is_number() && !number.is_null())
+      {
+        expectNumbers(number);
+      }
+    }
+    Row row = {};
+    if (value.size() != row.size())
+    {
+      fail(std::to_string(value.size()) + " numbers, expected 5: wavelength, three angles, value");
+    }
+    if (std::any_of(value.begin(), value.end(), [](const Json& one) { return one.is_null(); }))
+    {
+      ++this->Texts.Nulls;
+      return;
+    }
+    std::transform(
+      value.begin(), value.end(), row.begin(), [](const Json& one) { return one.get<double>(); });
+    this->Texts.Rows.push_back(row);
+  }
+
+  [[noreturn]] void FailToParse(const Json::exception& problem) const
+  {
+    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ..."; or of a
+    // number that is too large, in quotes, without its place.
+    const std::string text = problem.what();
+    const auto* parse = dynamic_cast<const Json::parse_error*>(&problem);
+    const std::size_t quote = text.find('\'');
+    const std::string number =
+      quote == std::string::npos ? "" : text.substr(quote + 1, text.rfind('\'') - quote - 1);
+    const std::size_t at = parse ? parse->byte : this->File.GetView().find(number);
+    const std::size_t bracket = text.find("] ");
+    ByteReader(this->File, OpenMaterialFormatName)
+      .FailAt(at, "JSON", bracket == std::string::npos ? text : text.substr(bracket + 2));
+  }
+
+  const FileBytes& File;
+  OpenMaterialTexts Texts;
+  std::string Top;    // key in the file's object
+  std::string Second; // key in that
+  bool HasBrdf = false;
+  bool HasTable = false;
+};
 
 constexpr double Degree = 3.14159265358979323846 / 180.0;
 constexpr double Nanometer = 1e-9;
@@ -31,11 +224,6 @@ constexpr double Rounding = 1e-5;
 // Cells of angles and wavelengths for each row; small tables may be emptier.
 constexpr std::size_t CellsPerRow = 4;
 constexpr std::size_t SmallTable = 4096;
-
-[[noreturn]] void Fail(const FileBytes& file, const std::string& field, const std::string& what)
-{
-  throw FileError(file.GetPath() + ": " + OpenMaterialFormatName + ", " + field + ": " + what);
-}
 
 //------------------------------------------------------------------------------
 void CheckRow(const FileBytes& file, const Row& row, std::size_t number)
@@ -164,22 +352,20 @@ GonioReadings Arrange(const FileBytes& file, const std::vector<Row>& rows,
 std::string DescribeSource(const FileBytes& file, const OpenMaterialTexts& texts)
 {
   std::string source = "OpenMATERIAL 3D file " + GetFileTitle(file.GetPath());
-  for (const char* field : { "sources", "authors", "copyrights", "license" })
+  for (const std::string field : MetadataNames)
   {
     const auto found = texts.Metadata.find(field);
-    if (found != texts.Metadata.end() && !found->second.empty())
+    if (field != "name" && found != texts.Metadata.end() && !found->second.empty())
     {
-      source += std::string("; ") + field + ": " + found->second;
+      source += "; " + field + ": " + found->second;
     }
   }
   return source;
 }
-}
-
 //------------------------------------------------------------------------------
 MaterialFile ReadOpenMaterial(const FileBytes& file, const std::string& material)
 {
-  const OpenMaterialTexts texts = ParseOpenMaterial(file);
+  const OpenMaterialTexts texts = OpenMaterialParser(file).Parse();
   if (texts.Rows.empty())
   {
     Fail(file, "lookupTable", "found no row without a null");
@@ -205,15 +391,10 @@ MaterialFile ReadOpenMaterial(const FileBytes& file, const std::string& material
   }
   GonioReadings readings = Arrange(file, texts.Rows, wavelengths, chosen);
   readings.Weights = channels.Weights;
-  GonioTable table;
-  const std::string problem = table.Make(std::move(readings));
+  const std::string problem = MakeGonioTable(std::move(readings), result);
   if (!problem.empty())
   {
     Fail(file, "lookupTable", problem);
-  }
-  for (const std::string& note : table.Notes)
-  {
-    result.AddNote(note);
   }
   if (texts.Nulls > 0)
   {
@@ -221,54 +402,37 @@ MaterialFile ReadOpenMaterial(const FileBytes& file, const std::string& material
   }
   const auto name = texts.Metadata.find("name");
   const bool named = name != texts.Metadata.end() && !name->second.empty();
-  table.BRDF->SetName((named ? name->second : GetFileStem(file.GetPath())) +
-                      (material.empty() ? "" : " " + material));
-  table.BRDF->SetSource(DescribeSource(file, texts));
-  result.BRDF = table.BRDF;
+  result.BRDF->SetName((named ? name->second : GetFileStem(file.GetPath())) +
+                       (material.empty() ? "" : " " + material));
+  result.BRDF->SetSource(DescribeSource(file, texts));
   return result;
 }
 
 //------------------------------------------------------------------------------
-vtkStandardNewMacro(OpenMaterialFormat);
-
-//------------------------------------------------------------------------------
 // The extension, or JSON with the names that the format's files begin with.
-bool OpenMaterialFormat::CanRead(const File& file)
+bool CanReadOpenMaterial(const vtkBRDFFormat::File& file)
 {
-  std::string extension = file.Path.size() < 6 ? "" : file.Path.substr(file.Path.size() - 6);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const std::string_view start = file.Bytes.substr(0, 4096);
   const std::size_t first = start.find_first_not_of(std::string_view("\xef\xbb\xbf \t\r\n", 7));
-  return extension == ".xompt" ||
+  return HasExtension(file.Path, ".xompt") ||
          (first != std::string_view::npos && start[first] == '{' &&
            (start.find("OpenMATERIAL-3D") != std::string_view::npos ||
              start.find("openMaterial3dVersion") != std::string_view::npos));
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> OpenMaterialFormat::GetMaterialNames(const File& file)
+std::vector<std::string> ListOpenMaterialWavelengths(const FileBytes& file)
 {
   std::vector<std::string> names;
-  try
+  for (const double wavelength :
+    ToNanometers(FindWavelengths(file, OpenMaterialParser(file).Parse().Rows)))
   {
-    const FileBytes bytes = FileBytes::View(file.Path, file.Bytes);
-    for (const double wavelength :
-      ToNanometers(FindWavelengths(bytes, ParseOpenMaterial(bytes).Rows)))
-    {
-      names.push_back(GetWavelengthName(wavelength));
-    }
-  }
-  catch (const std::exception&)
-  {
-    names.clear(); // Read says what is wrong
+    names.push_back(GetWavelengthName(wavelength));
   }
   return names;
 }
-
-//------------------------------------------------------------------------------
-MaterialFile OpenMaterialFormat::DoRead(const FileBytes& file, const std::string& material)
-{
-  return ReadOpenMaterial(file, material);
 }
+
+const MaterialFormat OpenMaterialFormat = { OpenMaterialFormatName, "OpenMATERIAL 3D .xompt",
+  ".xompt", CanReadOpenMaterial, ReadOpenMaterial, ListOpenMaterialWavelengths };
 } // namespace measuredbrdf

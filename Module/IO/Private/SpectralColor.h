@@ -21,6 +21,8 @@
 #define SpectralColor_h
 
 #include <array>
+#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace measuredbrdf
@@ -31,6 +33,23 @@ constexpr double LastVisible = 780.0;
 /// RGB = sum over k of weights[k] f(wavelengths[k]); wavelengths: nm, ascending, at least one. The
 /// weights of each component add up to 1.
 std::vector<std::array<double, 3>> GetSpectralWeights(const std::vector<double>& wavelengths);
+
+/// "905nm", as in `path#905nm`.
+std::string GetWavelengthName(double nanometers);
+
+struct SpectralChannels
+{
+  std::vector<std::size_t> Chosen;            // of the wavelengths
+  std::vector<std::array<double, 3>> Weights; // RGB = sum of weights * value, of each chosen one
+  std::string Note;
+
+  /**
+   * The visible wavelengths, as SpectralColor.h sums them; fewer than two of them: the first
+   * wavelength alone, gray. name: empty, or which wavelength, gray. Returns an empty string, or
+   * that there is no such one. wavelengths: nm, ascending, at least one.
+   */
+  std::string Choose(const std::vector<double>& wavelengths, const std::string& name);
+};
 } // namespace measuredbrdf
 
 #endif

@@ -1,13 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TensorFile.h"
+/**
+ * @file
+ * The RGL-EPFL database's "tensor_file" (Dupuy and Jakob 2018; layout after the authors' loader
+ * github.com/rgl-epfl/brdf-loader): 12 bytes of magic, version 1.0, then named fields with type,
+ * shape and the offset of their data. Both forms are read: NAME_rgb.bsdf, and NAME_spec.bsdf, whose
+ * field "spectra" has one f cos(theta_o) for each of the field "wavelengths" (nm). Spectra become
+ * RGB as SpectralColor.h says: sums over the CIE 1931 color-matching functions under D65.
+ */
 
-#include "FileBytes.h"
+#include "MaterialFormat.h"
 #include "NumberText.h"
 #include "RoundingNoise.h"
 #include "SpectralColor.h"
 #include "vtkAdaptiveWarpBRDF.h"
-#include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -22,6 +28,9 @@ namespace measuredbrdf
 {
 namespace
 {
+constexpr const char* TensorFormatName = "RGL tensor file";
+constexpr const char TensorMagic[] = "tensor_file"; // with its terminating zero
+
 enum DataType : int
 {
   UInt8 = 1,
@@ -347,10 +356,8 @@ std::string GetDescription(const Fields& fields)
   }
   return description;
 }
-}
-
 //------------------------------------------------------------------------------
-MaterialFile ReadTensor(const FileBytes& file)
+MaterialFile ReadTensor(const FileBytes& file, const std::string&)
 {
   ByteReader reader(file, TensorFormatName);
   const Fields fields = ReadFields(reader);
@@ -395,18 +402,10 @@ MaterialFile ReadTensor(const FileBytes& file)
   return result;
 }
 
-//------------------------------------------------------------------------------
-vtkStandardNewMacro(TensorFormat);
-
-//------------------------------------------------------------------------------
-bool TensorFormat::CanRead(const File& file)
-{
-  return HasMagic(file, std::string_view(TensorMagic, sizeof(TensorMagic))); // its zero, too
 }
 
-//------------------------------------------------------------------------------
-MaterialFile TensorFormat::DoRead(const FileBytes& file, const std::string&)
-{
-  return ReadTensor(file);
-}
+const MaterialFormat TensorFormat = { TensorFormatName, "RGL .bsdf (RGB or spectral)", ".bsdf",
+  [](const vtkBRDFFormat::File& file)
+  { return HasMagic(file, std::string_view(TensorMagic, sizeof(TensorMagic))); }, // its zero, too
+  ReadTensor };
 } // namespace measuredbrdf

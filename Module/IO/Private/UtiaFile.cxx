@@ -1,26 +1,33 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "UtiaFile.h"
+/**
+ * @file
+ * The UTIA database's .bin (Filip and Vavra 2014): anisotropic materials, no header. 3 planes (red
+ * first) of 288 x 288 doubles, little-endian. A row for each direction of the light, a column for
+ * each of the view: polar angles 0, 15, ..., 75 degrees, in each of them azimuths 0, 7.5, ...,
+ * 352.5 degrees.
+ *
+ * FILE.bin#display takes the values for display colors (sRGB) of f / 100 in units of 140, as
+ * Dupuy's dj_brdf takes the database's files; else they are in 1/sr, as they are. Colors are
+ * decoded at the nodes, and interpolation is linear in f; dj_brdf interpolates first, and changes
+ * from sRGB's line to its curve at 0.0375 instead of 0.04045.
+ */
 
-#include "MerlFile.h"
+#include "MaterialFormat.h"
 #include "NumberText.h"
 #include "SRGB.h"
 #include "vtkAngularTableBRDF.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <utility>
 
 namespace measuredbrdf
 {
-vtkStandardNewMacro(UtiaFormat);
-
 namespace
 {
-const char* const Name = "UTIA binary";
+constexpr const char* Name = "UTIA binary";
 const char* const Display = "display";
 constexpr int PolarAngles = 6;
 constexpr float PolarStep = 15.0f; // degrees
@@ -31,14 +38,6 @@ constexpr std::size_t Plane = Side * Side;
 // dj_brdf (Dupuy 2015), which has them from the database's authors.
 constexpr double DisplayUnit = 140.0;
 constexpr double DisplayScale = 100.0;
-
-bool HasExtension(const std::string& path)
-{
-  std::string end = path.size() < 4 ? "" : path.substr(path.size() - 4);
-  std::transform(end.begin(), end.end(), end.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return end == ".bin";
-}
 
 // f = 100 sRGB^-1(v / 140).
 double DecodeDisplay(double value)
@@ -61,8 +60,6 @@ std::string DescribeAlbedo(vtkBRDF* brdf)
          " times the light at 30 degrees: its values are scaled in some way, or display colors "
          "(FILE.bin#display).";
 }
-}
-
 //------------------------------------------------------------------------------
 MaterialFile ReadUtia(const FileBytes& file, const std::string& material)
 {
@@ -128,11 +125,7 @@ MaterialFile ReadUtia(const FileBytes& file, const std::string& material)
       " values are negative: " +
       (material == Display ? "taken as 0." : "kept, clamped at 0 after interpolation."));
   }
-  if (reader.GetRemaining() > 0)
-  {
-    result.AddNote(
-      std::to_string(reader.GetRemaining()) + " bytes of padding behind the values were left out.");
-  }
+  NotePadding(reader, result);
   const std::string albedo = DescribeAlbedo(table);
   if (!albedo.empty())
   {
@@ -143,21 +136,14 @@ MaterialFile ReadUtia(const FileBytes& file, const std::string& material)
 }
 
 //------------------------------------------------------------------------------
-std::string UtiaFormat::GetName() { return Name; }
-
-//------------------------------------------------------------------------------
 // There is no magic. What MERL's files with this extension begin with are three small integers.
-bool UtiaFormat::CanRead(const File& file)
+bool CanReadUtia(const vtkBRDFFormat::File& file)
 {
-  return HasExtension(file.Path) && (file.Bytes.size() == UtiaBytes || !LooksLikeMerl(file.Bytes));
+  return HasExtension(file.Path, ".bin") &&
+         (file.Bytes.size() == UtiaBytes || !MerlFormat.CanRead(file));
+}
 }
 
-//------------------------------------------------------------------------------
-std::vector<std::string> UtiaFormat::GetMaterialNames(const File&) { return { Display }; }
-
-//------------------------------------------------------------------------------
-MaterialFile UtiaFormat::DoRead(const FileBytes& file, const std::string& material)
-{
-  return ReadUtia(file, material);
-}
+const MaterialFormat UtiaFormat = { Name, "UTIA .bin (FILE.bin#display for display colors)", ".bin",
+  CanReadUtia, ReadUtia, [](const FileBytes&) { return std::vector<std::string>{ Display }; } };
 } // namespace measuredbrdf

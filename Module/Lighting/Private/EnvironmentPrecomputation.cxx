@@ -6,6 +6,7 @@
 #include "LightTree.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetGenerator.h"
+#include "vtkObjectFactory.h"
 
 #include <algorithm>
 #include <iterator>
@@ -13,6 +14,8 @@
 
 namespace measuredbrdf
 {
+vtkStandardNewMacro(LampSet);
+
 namespace
 {
 // Harmonics come up to these degrees, so that tables of several sizes share them.
@@ -128,7 +131,7 @@ std::vector<vtkSmartPointer<vtkLightSet>> EnvironmentPrecomputation::GetLightSet
       return nullptr;
     }
     vtkEnvironment* subdivided = environment->GetSubdivided();
-    LightTree tree(subdivided, LightTree::Rule::Greedy, false, rest);
+    LightTree tree(subdivided, rest);
     if (!tree.Grow(subdivided, counts.front(), [&goOn](double) { return goOn(); }))
     {
       return nullptr;

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -39,12 +38,6 @@ constexpr std::int64_t TexelsPerReport = 1 << 20;
 // Large cells are summed in so many parts, side by side.
 constexpr int Parts = 16;
 constexpr std::int64_t LargeCell = 1 << 14;
-
-// Texels that become cells before anything is cut. Each costs the rest a light: with a share of 1 %
-// and 16 texels the sum of variances of 64 lights grows by up to 29 %, with these by up to 7 %.
-constexpr double BrightRadiance = 100.0; // times the mean
-constexpr double BrightShare = 0.05;     // of the energy
-constexpr std::size_t MaximumExtractedEmitters = 4;
 } // namespace
 
 // Finds cuts from sums over the columns and rows of a cell, made anew for each: a table of all sums
@@ -54,24 +47,9 @@ class LightTree::Cutter
 public:
   Cutter(vtkEnvironment* environment, const LightTree& tree)
     : Environment(environment)
-    , SplitRule(tree.SplitRule)
-    , Height(tree.Height)
-    , Width(tree.Width)
+    , Changes(*tree.Changes)
     , Directions(tree.Width, tree.Height)
   {
-    // Bright texels are cells already.
-    for (const std::size_t texel : tree.Bright)
-    {
-      this->Changes.Texels.push_back({ texel, glm::vec3(0.0f) });
-    }
-    if (tree.Changes)
-    {
-      const auto isCell = [&tree](const TexelChanges::Texel& texel)
-      { return std::binary_search(tree.Bright.begin(), tree.Bright.end(), texel.Index); };
-      std::remove_copy_if(tree.Changes->Texels.begin(), tree.Changes->Texels.end(),
-        std::back_inserter(this->Changes.Texels), isCell);
-      std::sort(this->Changes.Texels.begin(), this->Changes.Texels.end());
-    }
   }
 
   Moments GetSum(const Node& n)
@@ -83,14 +61,7 @@ public:
   /// The halves and their sums.
   void Cut(const Node& n, Node (&halves)[2], Moments (&sums)[2])
   {
-    bool tryX = n.X1 - n.X0 > 1;
-    bool tryY = n.Y1 - n.Y0 > 1;
-    if (this->SplitRule == Rule::MinimumVariance && tryX && tryY)
-    {
-      tryX = this->IsWide(n);
-      tryY = !tryX;
-    }
-    this->SumUp(n, tryX, tryY);
+    this->SumUp(n, n.X1 - n.X0 > 1, n.Y1 - n.Y0 > 1);
     double best = std::numeric_limits<double>::infinity();
     const auto findBest = [&](const std::vector<Moments>& slices, const auto& cut)
     {
@@ -99,8 +70,10 @@ public:
       for (std::size_t k = 1; k < slices.size(); ++k)
       {
         part += slices[k - 1];
-        if (this->Improve(part, sum, best))
+        const double cost = measuredbrdf::GetVariance(part) + measuredbrdf::GetVariance(sum - part);
+        if (cost < best)
         {
+          best = cost;
           cut(static_cast<int>(k));
           sums[0] = part;
           sums[1] = sum - part;
@@ -193,30 +166,9 @@ private:
     }
   }
 
-  // Debevec 2005: the width shrinks with the cosine of the middle row's latitude.
-  bool IsWide(const Node& n) const
-  {
-    const double latitude = Pi * (0.5 * (n.Y0 + n.Y1) / this->Height - 0.5);
-    return 2.0 * (n.X1 - n.X0) / this->Width * std::cos(latitude) >=
-           1.0 * (n.Y1 - n.Y0) / this->Height;
-  }
-
-  bool Improve(const Moments& part, const Moments& sum, double& best) const
-  {
-    const double first = measuredbrdf::GetVariance(part);
-    const double second = measuredbrdf::GetVariance(sum - part);
-    const double cost = this->SplitRule == Rule::Greedy ? first + second : std::max(first, second);
-    const bool better = cost < best;
-    best = better ? cost : best;
-    return better;
-  }
-
   vtkEnvironment* Environment;
-  Rule SplitRule;
-  int Height;
-  int Width;
+  const TexelChanges& Changes;
   TexelDirections Directions;
-  TexelChanges Changes;
   std::vector<Moments> Columns; // of the last cell
   std::vector<Moments> Rows;
   std::vector<glm::dvec3> Sums;
@@ -229,77 +181,21 @@ double LightTree::Node::GetVariance() const
 }
 
 //------------------------------------------------------------------------------
-LightTree::LightTree(vtkEnvironment* environment, Rule rule, bool brightTexels,
-  std::shared_ptr<const TexelChanges> changes)
-  : SplitRule(rule)
-  , Width(environment->GetWidth())
+LightTree::LightTree(vtkEnvironment* environment, std::shared_ptr<const TexelChanges> changes)
+  : Width(environment->GetWidth())
   , Height(environment->GetHeight())
-  , Changes(std::move(changes))
+  , Changes(changes ? std::move(changes) : std::make_shared<TexelChanges>())
 {
-  if (brightTexels)
-  {
-    this->FindExtractedEmitters(environment);
-  }
 }
 
 //------------------------------------------------------------------------------
-const float* LightTree::GetRow(
-  vtkEnvironment* environment, int y, int x0, int x1, std::vector<float>& room) const
-{
-  static const TexelChanges& none = *new TexelChanges; // never destroyed: threads use it
-  return (this->Changes ? *this->Changes : none).GetRow(environment, y, x0, x1, room);
-}
-
-//------------------------------------------------------------------------------
-void LightTree::FindExtractedEmitters(vtkEnvironment* environment)
-{
-  double total[3];
-  environment->GetTotal(total);
-  const double energy = vtkEnvironment::GetLuminance(total);
-  const double radiance = BrightRadiance * energy / (4.0 * Pi);
-  std::vector<std::pair<double, std::size_t>> found;
-  std::vector<float> room;
-  for (int y = 0; y < this->Height; ++y)
-  {
-    const double least =
-      std::max(radiance, BrightShare * energy / environment->GetTexelSolidAngle(y));
-    const float* row = this->GetRow(environment, y, 0, this->Width, room);
-    for (int x = 0; x < this->Width; ++x)
-    {
-      const std::size_t texel =
-        static_cast<std::size_t>(y) * static_cast<std::size_t>(this->Width) +
-        static_cast<std::size_t>(x);
-      const double luminance = GetLuminance(row + 3 * x);
-      if (luminance > least)
-      {
-        found.emplace_back(-luminance * environment->GetTexelSolidAngle(y), texel);
-      }
-    }
-  }
-  std::sort(found.begin(), found.end());
-  found.resize(std::min(found.size(), MaximumExtractedEmitters));
-  for (const auto& entry : found)
-  {
-    this->Bright.push_back(entry.second);
-  }
-}
-
-//------------------------------------------------------------------------------
-void LightTree::AddChildren(std::size_t parent, const Node& first, const Node& second)
-{
-  this->Nodes.push_back(first);
-  this->Nodes.push_back(second);
-  this->Nodes[parent].Split = static_cast<int>(this->Nodes.size() / 2) + 1;
-}
-
-//------------------------------------------------------------------------------
-void LightTree::Push(std::size_t node, const glm::dvec4& sum, int depth)
+void LightTree::Push(std::size_t node, const glm::dvec4& sum)
 {
   const double variance = measuredbrdf::GetVariance(sum);
   if (!this->Nodes[node].IsTexel() &&
       variance > std::max(OwnRounding * sum.w, MapRounding * this->Total))
   {
-    this->Queue.push({ this->SplitRule == Rule::Greedy ? variance : -depth, node, depth });
+    this->Queue.push({ variance, node });
   }
 }
 
@@ -312,28 +208,18 @@ bool LightTree::Grow(
   {
     return false;
   }
+  Cutter cutter(environment, *this);
   if (this->Nodes.empty())
   {
-    const Node whole{ 0, 0, this->Width, this->Height };
-    this->Nodes.push_back(whole);
-    for (const std::size_t texel : this->Bright)
-    {
-      const int x = static_cast<int>(texel % static_cast<std::size_t>(this->Width));
-      const int y = static_cast<int>(texel / static_cast<std::size_t>(this->Width));
-      this->AddChildren(this->Nodes.size() - 1, Node{ x, y, x + 1, y + 1 }, whole);
-    }
-    std::sort(this->Bright.begin(), this->Bright.end());
-  }
-  Cutter cutter(environment, *this);
-  if (firstNode == 0)
-  {
+    this->Nodes.push_back({ 0, 0, this->Width, this->Height });
     const Moments sum = cutter.GetSum(this->Nodes.back());
     this->Total = sum.w;
-    this->Push(this->Nodes.size() - 1, sum, 0);
+    this->Residuals.push_back(sum.w > 0.0 ? measuredbrdf::GetVariance(sum) / sum.w : 0.0);
+    this->Push(0, sum);
   }
-  const int before = static_cast<int>(this->Nodes.size() / 2) + 1;
+  const int begin = this->GetNumberOfCells();
   std::int64_t visited = 0;
-  for (int count = before; count < cells && !this->Queue.empty(); ++count)
+  for (int count = begin; count < cells && !this->Queue.empty(); ++count)
   {
     const Candidate next = this->Queue.top();
     this->Queue.pop();
@@ -342,13 +228,20 @@ bool LightTree::Grow(
     const Node& whole = this->Nodes[next.Node];
     visited += static_cast<std::int64_t>(whole.X1 - whole.X0) * (whole.Y1 - whole.Y0);
     cutter.Cut(whole, halves, sums);
-    this->AddChildren(next.Node, halves[0], halves[1]);
-    this->Push(this->Nodes.size() - 2, sums[0], next.Depth + 1);
-    this->Push(this->Nodes.size() - 1, sums[1], next.Depth + 1);
+    this->Nodes.insert(this->Nodes.end(), { halves[0], halves[1] });
+    this->Nodes[next.Node].Split = static_cast<int>(this->Nodes.size() / 2) + 1;
+    this->Push(this->Nodes.size() - 2, sums[0]);
+    this->Push(this->Nodes.size() - 1, sums[1]);
+    const double before = this->Residuals.back();
+    const double gain =
+      next.Variance - measuredbrdf::GetVariance(sums[0]) - measuredbrdf::GetVariance(sums[1]);
+    const bool isRounding = this->Queue.empty();
+    this->Residuals.push_back(
+      isRounding ? 0.0 : std::clamp(before - gain / this->Total, 0.0, before));
     if (visited >= TexelsPerReport)
     {
       visited = 0;
-      if (!progress(static_cast<double>(count - before) / (cells - before)))
+      if (!progress(static_cast<double>(count - begin) / (cells - begin)))
       {
         return false;
       }
@@ -420,7 +313,6 @@ void LightTree::Gather(vtkEnvironment* environment, std::size_t firstNode)
       }
     }
   }
-  this->MeasureResiduals();
 }
 
 //------------------------------------------------------------------------------
@@ -430,23 +322,11 @@ void LightTree::GatherLeaf(
   std::vector<float> room;
   for (int y = node.Y0; y < node.Y1; ++y)
   {
-    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(this->Width);
-    auto bright = node.IsTexel() ? this->Bright.end()
-                                 : std::lower_bound(this->Bright.begin(), this->Bright.end(),
-                                     row + static_cast<std::size_t>(node.X0));
-    const float* texels = this->GetRow(environment, y, node.X0, node.X1, room);
+    const float* texels = this->Changes->GetRow(environment, y, node.X0, node.X1, room);
     glm::dvec3 rgb(0.0);
     glm::dvec2 moment(0.0);
-    int skipped = 0;
     for (int x = node.X0; x < node.X1; ++x)
     {
-      const std::size_t texel = row + static_cast<std::size_t>(x);
-      if (bright != this->Bright.end() && *bright == texel)
-      {
-        ++bright;
-        ++skipped;
-        continue;
-      }
       const float* pixel = texels + 3 * (x - node.X0);
       const glm::dvec3 radiance(pixel[0], pixel[1], pixel[2]);
       rgb += radiance;
@@ -459,33 +339,8 @@ void LightTree::GatherLeaf(
     node.Luminance += solidAngle * luminance;
     node.Moment +=
       solidAngle * glm::dvec3(latitude.x * moment.x, latitude.y * luminance, latitude.x * moment.y);
-    node.SolidAngle += solidAngle * (node.X1 - node.X0 - skipped);
+    node.SolidAngle += solidAngle * (node.X1 - node.X0);
   }
 }
 
-//------------------------------------------------------------------------------
-void LightTree::MeasureResiduals()
-{
-  const double energy = this->Nodes[0].Luminance;
-  if (this->Residuals.empty())
-  {
-    this->Residuals.push_back(energy > 0.0 ? this->Nodes[0].GetVariance() / energy : 0.0);
-  }
-  std::vector<std::size_t> parents(this->Nodes.size() / 2 + 2, 0); // by number of cells
-  for (std::size_t k = 0; k < this->Nodes.size(); ++k)
-  {
-    if (this->Nodes[k].Split != INT_MAX)
-    {
-      parents[static_cast<std::size_t>(this->Nodes[k].Split)] = k;
-    }
-  }
-  for (std::size_t cells = this->Residuals.size() + 1; cells <= this->Nodes.size() / 2 + 1; ++cells)
-  {
-    const double gain = this->Nodes[parents[cells]].GetVariance() -
-                        this->Nodes[2 * cells - 3].GetVariance() -
-                        this->Nodes[2 * cells - 2].GetVariance();
-    const double before = this->Residuals.back();
-    this->Residuals.push_back(energy > 0.0 ? std::clamp(before - gain / energy, 0.0, before) : 0.0);
-  }
-}
 } // namespace measuredbrdf

@@ -3,7 +3,8 @@
 /**
  * @file
  * An environment's texels as a binary tree: a list of splits whose first N - 1 make N cells, for
- * every N. Private to the lighting room.
+ * every N. The cell of largest variance is split next, at the least sum of both parts' variances.
+ * Private to the module.
  */
 
 #ifndef LightTree_h
@@ -31,15 +32,9 @@ struct TexelDirections;
 class LightTree
 {
 public:
-  enum class Rule
-  {
-    Greedy,         // the cell of largest variance next, at the least sum of both variances
-    MinimumVariance // level by level, across the longer side, at the least larger variance
-  };
-
   struct Node
   {
-    // Texels [X0,X1) x [Y0,Y1), without the bright ones that are cells of their own.
+    // Texels [X0,X1) x [Y0,Y1).
     int X0, Y0, X1, Y1;
     int Split = INT_MAX; // the set of this many cells is the first without this one
     double Luminance = 0.0;
@@ -53,10 +48,9 @@ public:
     double GetVariance() const;
   };
 
-  /// Tree of an environment with some texels changed. brightTexels: whether outstandingly bright
-  /// texels become cells before the rest is split.
-  LightTree(vtkEnvironment* environment, Rule rule, bool brightTexels,
-    std::shared_ptr<const TexelChanges> changes = nullptr);
+  /// Tree of an environment with some texels changed where that is not null.
+  explicit LightTree(
+    vtkEnvironment* environment, std::shared_ptr<const TexelChanges> changes = nullptr);
 
   /// Split until there are `cells` cells or no cell can be split. Returns false if progress (called
   /// with this call's share in [0,1]) returned false; the tree must then not be used any more.
@@ -83,36 +77,28 @@ private:
     return static_cast<int>((k + 1) / 2) < cells && cells < this->Nodes[k].Split;
   }
 
-  const float* GetRow(
-    vtkEnvironment* environment, int y, int x0, int x1, std::vector<float>& room) const;
-  void FindExtractedEmitters(vtkEnvironment* environment);
-  void AddChildren(std::size_t parent, const Node& first, const Node& second);
-  void Push(std::size_t node, const glm::dvec4& sum, int depth);
+  void Push(std::size_t node, const glm::dvec4& sum);
   void Gather(vtkEnvironment* environment, std::size_t firstNode);
   /// From the pixels themselves, not from differences of sums: a leaf's energy is exact.
   void GatherLeaf(vtkEnvironment* environment, const TexelDirections& directions, Node& node) const;
-  void MeasureResiduals();
 
   struct Candidate
   {
-    double Priority;
+    double Variance;
     std::size_t Node;
-    int Depth;
     bool operator<(const Candidate& other) const
     {
-      return std::make_pair(this->Priority, other.Node) <
-             std::make_pair(other.Priority, this->Node);
+      return std::make_pair(this->Variance, other.Node) <
+             std::make_pair(other.Variance, this->Node);
     }
   };
 
-  Rule SplitRule;
   int Width;
   int Height;
-  std::shared_ptr<const TexelChanges> Changes; // null: none
-  double Total = 0.0;                          // luminance without the bright texels
-  std::vector<std::size_t> Bright;             // texels, in the order of the pixels
-  std::vector<Node> Nodes;                     // in the order in which they were made: 1 + 2 splits
-  std::vector<double> Residuals;               // by number of cells, from 1
+  std::shared_ptr<const TexelChanges> Changes;
+  double Total = 0.0;            // luminance
+  std::vector<Node> Nodes;       // in the order in which they were made: 1 + 2 splits
+  std::vector<double> Residuals; // by number of cells, from 1
   std::priority_queue<Candidate> Queue;
 };
 } // namespace measuredbrdf

@@ -4,10 +4,13 @@
 
 #include "ColorDifference.h"
 #include "Flip.h"
-#include "PicturePair.h"
-#include "StructuralSimilarity.h"
-
+#include "NumberText.h"
+#include "SRGB.h"
+#include "SeparableFilter.h"
+#include "vtkDataArray.h"
 #include "vtkEnvironment.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +18,245 @@
 
 namespace measuredbrdf
 {
+namespace
+{
+// FLIP takes some 200 bytes for each.
+constexpr vtkIdType MaximumPixels = vtkIdType(1) << 25;
+constexpr double MaskThreshold = 0.5;
+
+//------------------------------------------------------------------------------
+[[noreturn]] void Refuse(const std::string& name, const std::string& problem)
+{
+  throw std::invalid_argument(name + ": " + problem);
+}
+
+//------------------------------------------------------------------------------
+std::string FormatSize(const int* dimensions)
+{
+  return std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]);
+}
+
+//------------------------------------------------------------------------------
+// The largest value of a type of integers; 0 for floats.
+double GetLargest(const std::string& name, vtkDataArray* scalars)
+{
+  switch (scalars->GetDataType())
+  {
+    case VTK_UNSIGNED_CHAR:
+      return 255.0;
+    case VTK_UNSIGNED_SHORT:
+      return 65535.0;
+    case VTK_FLOAT:
+    case VTK_DOUBLE:
+      return 0.0;
+    default:
+      Refuse(name, std::string("type of values: found ") + scalars->GetDataTypeAsString() +
+                     ", expected unsigned char, unsigned short, float or double");
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* GetScalars(const std::string& name, vtkImageData* image)
+{
+  if (!image)
+  {
+    Refuse(name, "there is none");
+  }
+  const int* size = image->GetDimensions();
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  if (!scalars || size[0] < 1 || size[1] < 1 || size[2] != 1 ||
+      scalars->GetNumberOfTuples() != static_cast<vtkIdType>(size[0]) * size[1])
+  {
+    Refuse(name, "expected an image of one slice with a value for each pixel");
+  }
+  if (scalars->GetNumberOfTuples() > MaximumPixels)
+  {
+    Refuse(name, "size: found " + FormatSize(size) + ", expected at most " +
+                   std::to_string(MaximumPixels) + " pixels");
+  }
+  if (scalars->GetNumberOfComponents() > 4)
+  {
+    Refuse(name, "channels: found " + std::to_string(scalars->GetNumberOfComponents()) +
+                   ", expected 1 to 4: gray, gray and alpha, RGB, RGBA");
+  }
+  return scalars;
+}
+
+//------------------------------------------------------------------------------
+PictureValues ReadValues(const std::string& name, vtkImageData* image, bool ignoreAlpha)
+{
+  vtkDataArray* scalars = GetScalars(name, image);
+  const double largest = GetLargest(name, scalars);
+  const double scale = largest > 0.0 ? 1.0 / largest : 1.0;
+  const int components = scalars->GetNumberOfComponents();
+  const int colors = components < 3 ? 1 : 3;
+  const int width = image->GetDimensions()[0];
+  PictureValues values;
+  values.IsEncoded = largest > 0.0;
+  values.Color.reserve(3 * static_cast<std::size_t>(scalars->GetNumberOfTuples()));
+  values.Alpha.reserve(static_cast<std::size_t>(scalars->GetNumberOfTuples()));
+  double tuple[4];
+  for (vtkIdType k = 0; k < scalars->GetNumberOfTuples(); ++k)
+  {
+    scalars->GetTuple(k, tuple);
+    for (int c = 0; c < components; ++c)
+    {
+      if (!std::isfinite(tuple[c]) || tuple[c] < 0.0)
+      {
+        Refuse(name, "pixel (" + std::to_string(k % width) + ", " + std::to_string(k / width) +
+                       ") from the bottom left, channel " + std::to_string(c) + ": found " +
+                       NumberText(tuple[c]) + ", expected a finite value of at least 0");
+      }
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      values.Color.push_back(scale * tuple[c % colors]);
+    }
+    const bool opaque = ignoreAlpha || components == colors;
+    values.Alpha.push_back(opaque ? 1.0 : std::min(1.0, scale * tuple[colors]));
+    values.HasTransparency = values.HasTransparency || values.Alpha.back() < 1.0;
+  }
+  return values;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::size_t> FindCompared(const int* size, const PictureArea& area)
+{
+  vtkDataArray* mask = nullptr;
+  double least = 0.0;
+  if (area.Mask)
+  {
+    mask = GetScalars("mask", area.Mask);
+    const int* found = area.Mask->GetDimensions();
+    if (!std::equal(size, size + 2, found))
+    {
+      Refuse("mask",
+        "size: found " + FormatSize(found) + ", expected " + FormatSize(size) + " as the pictures");
+    }
+    const double largest = GetLargest("mask", mask);
+    least = MaskThreshold * (largest > 0.0 ? largest : 1.0);
+  }
+  std::vector<std::size_t> compared;
+  for (int y = area.Border; y < size[1] - area.Border; ++y)
+  {
+    for (int x = area.Border; x < size[0] - area.Border; ++x)
+    {
+      const vtkIdType k = static_cast<vtkIdType>(y) * size[0] + x;
+      if (!mask || mask->GetComponent(k, 0) >= least)
+      {
+        compared.push_back(static_cast<std::size_t>(k));
+      }
+    }
+  }
+  if (compared.empty())
+  {
+    throw std::invalid_argument("the border and the mask leave no pixel to compare");
+  }
+  return compared;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> PictureValues::Lay(double background) const
+{
+  std::vector<double> laid = this->Color;
+  if (this->HasTransparency)
+  {
+    for (std::size_t k = 0; k < laid.size(); ++k)
+    {
+      const double alpha = this->Alpha[k / 3];
+      laid[k] = (this->IsEncoded ? alpha * laid[k] : laid[k]) + (1.0 - alpha) * background;
+    }
+  }
+  return laid;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> PictureValues::GetLinear(double background) const
+{
+  std::vector<double> values = this->Lay(background);
+  if (this->IsEncoded)
+  {
+    std::transform(values.begin(), values.end(), values.begin(), DecodeSRGB);
+  }
+  return values;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> PictureValues::GetDisplayed(double background) const
+{
+  std::vector<double> values = this->Lay(background);
+  if (!this->IsEncoded)
+  {
+    std::transform(values.begin(), values.end(), values.begin(),
+      [](double value) { return EncodeSRGB(std::min(value, 1.0)); });
+  }
+  return values;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> PictureValues::GetDisplayedLight(double background) const
+{
+  std::vector<double> values = this->GetLinear(background);
+  std::transform(values.begin(), values.end(), values.begin(),
+    [](double value) { return std::min(value, 1.0); });
+  return values;
+}
+
+//------------------------------------------------------------------------------
+double PicturePair::GetMean(const std::vector<double>& map) const
+{
+  double sum = 0.0;
+  for (const std::size_t k : this->Compared)
+  {
+    sum += map[k];
+  }
+  return sum / static_cast<double>(this->Compared.size());
+}
+
+//------------------------------------------------------------------------------
+PicturePair MakePicturePair(vtkImageData* picture, vtkImageData* reference, const PictureArea& area)
+{
+  GetScalars("picture", picture);
+  GetScalars("reference", reference);
+  const int* size = reference->GetDimensions();
+  if (!std::equal(size, size + 2, picture->GetDimensions()))
+  {
+    Refuse("picture", "size: found " + FormatSize(picture->GetDimensions()) + ", expected " +
+                        FormatSize(size) + " as the reference");
+  }
+  PicturePair pair;
+  pair.Width = size[0];
+  pair.Height = size[1];
+  pair.Picture = ReadValues("picture", picture, area.IgnoreAlpha);
+  pair.Reference = ReadValues("reference", reference, area.IgnoreAlpha);
+  pair.Compared = FindCompared(size, area);
+  // What is not compared must not show in the filters of its neighbors.
+  std::vector<bool> isCompared(pair.Reference.Alpha.size(), false);
+  for (const std::size_t k : pair.Compared)
+  {
+    isCompared[k] = true;
+  }
+  pair.Picture.HasTransparency |= pair.Reference.HasTransparency;
+  const bool alike = pair.Picture.IsEncoded == pair.Reference.IsEncoded;
+  for (std::size_t k = 0; k < isCompared.size(); ++k)
+  {
+    if (isCompared[k])
+    {
+      continue;
+    }
+    pair.Picture.Alpha[k] = pair.Reference.Alpha[k];
+    for (std::size_t c = 3 * k; c < 3 * k + 3; ++c)
+    {
+      const double value = pair.Reference.Color[c];
+      pair.Picture.Color[c] = alike                    ? value
+                              : pair.Picture.IsEncoded ? EncodeSRGB(std::min(value, 1.0))
+                                                       : DecodeSRGB(value);
+    }
+  }
+  return pair;
+}
+
 namespace
 {
 //------------------------------------------------------------------------------

@@ -30,7 +30,6 @@
 #include "vtkRepresentationAdvisor.h"
 #include "vtkTableRadianceIntegrator.h"
 #include "vtkTabulatedBRDF.h"
-#include "vtkVarianceLightSetGenerator.h"
 
 #include <cmath>
 #include <limits>
@@ -257,8 +256,6 @@ TEST(Setters, OfMaterials)
 
 TEST(Setters, OfLightingAndReaders)
 {
-  REFUSED(vtkVarianceLightSetGenerator, Method, 0, 1);
-  CLAMPED(vtkVarianceLightSetGenerator, TreeSize, 1, vtkLightSetGenerator::MaximumNumberOfLights);
   REFUSED(vtkEnvironmentReader, Projection, -1, vtkEnvironmentReader::CUBE_VERTICAL_STRIP);
   vtkNew<vtkEnvironment> environment;
   Listener listener(environment);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkBRDFAcquisition against vtkBasisProjector's inner products; its noise, rounding, refusals.
 #include "ErrorCatcher.h"
+#include "ExpectStops.h"
 #include "TestBasisHelpers.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFAcquisition.h"
 #include "vtkBasisProjector.h"
 #include "vtkBlinnPhongBRDF.h"
-#include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 
 #include <gtest/gtest.h>
@@ -278,41 +278,11 @@ TEST(Acquisition, RefusesAndKeeps)
 }
 
 //------------------------------------------------------------------------------
-TEST(Acquisition, ProgressAndAbort)
+TEST(Acquisition, ProgressAndAbort) // at once, and between photographs
 {
   const auto acquisition = MakeAcquisition(MakeColoredPhong(5.0), 2);
   acquisition->SetNumberOfTheta(40);
-  ErrorCatcher errors(acquisition);
-  std::vector<double> progress;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&progress);
-  observer->SetCallback([](vtkObject*, unsigned long, void* data, void* call)
-    { static_cast<std::vector<double>*>(data)->push_back(*static_cast<double*>(call)); });
-  acquisition->AddObserver(vtkCommand::ProgressEvent, observer);
-  const auto before = Acquire(acquisition);
-  ASSERT_EQ(progress.size(), 3u + 9u);
-  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
-  EXPECT_EQ(progress.back(), 1.0);
-
-  // At once, and between photographs.
-  for (const double when : { 0.0, 0.6 })
-  {
-    static double limit;
-    limit = when;
-    vtkNew<vtkCallbackCommand> abort;
-    abort->SetCallback(
-      [](vtkObject* caller, unsigned long, void*, void* call)
-      {
-        if (*static_cast<double*>(call) > limit)
-        {
-          static_cast<vtkBRDFAcquisition*>(caller)->AbortOn();
-        }
-      });
-    const unsigned long tag = acquisition->AddObserver(vtkCommand::ProgressEvent, abort);
-    EXPECT_FALSE(acquisition->Acquire());
-    EXPECT_EQ(acquisition->GetOutput(), before);
-    EXPECT_EQ(errors.Take(), 0);
-    acquisition->RemoveObserver(tag);
-  }
-  EXPECT_NE(Acquire(acquisition), before);
+  ExpectStops(
+    acquisition.Get(), [&]() { return acquisition->Acquire(); },
+    [&]() { return acquisition->GetOutput(); }, 0, { 0.0, 0.6 });
 }

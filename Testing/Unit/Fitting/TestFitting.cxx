@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Known parameters come back, figures are what they are said to be, and bad input is refused.
 #include "ErrorCatcher.h"
+#include "ExpectStops.h"
 #include "HalfVector.h"
 #include "NeedsLibrary.h"
 #include "TestIOHelpers.h"
@@ -13,7 +14,6 @@
 #include "vtkBlinnPhongBRDFFitter.h"
 #include "vtkDistributionBRDF.h"
 #include "vtkDistributionBRDFFitter.h"
-#include "vtkEmbeddedMaterials.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -28,13 +28,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <functional>
 #include <initializer_list>
-#include <iomanip>
 #include <iostream>
 #include <limits>
-#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -240,27 +237,6 @@ INSTANTIATE_TEST_SUITE_P(Losses, LossFit,
     vtkBRDFFitter::LOG_COSINE, vtkBRDFFitter::CUBE_ROOT_COSINE, vtkBRDFFitter::SQUARED));
 
 //------------------------------------------------------------------------------
-TEST(AshikhminShirleyFit, TwoLobesComeBack)
-{
-  NEEDS_CERES();
-  const Color wide = { 0.6, 0.5, 0.4 }, sharp = { 0.3, 0.3, 0.3 };
-  const Color low = { 0.1, 0.2, 0.05 }, high = { 0.5, 0.4, 0.3 };
-  const auto input = Sum({ MakeLambert({ 0.1, 0.2, 0.3 }), MakeAshikhmin(8.0, 8.0, wide, low),
-    MakeAshikhmin(800.0, 800.0, sharp, high) });
-  vtkNew<vtkAshikhminShirleyBRDFFitter> fitter;
-  fitter->SetNumberOfLobes(2);
-  ExpectFit(fitter, input);
-  auto* first = Term<vtkAshikhminShirleyBRDF>(fitter, 1);
-  auto* second = Term<vtkAshikhminShirleyBRDF>(fitter, 2);
-  ExpectClose(first->GetExponentU(), 8.0, 0.01, "first exponent");
-  ExpectClose(second->GetExponentU(), 800.0, 0.01, "second exponent");
-  ExpectClose(first->GetSpecularScale(), wide, 0.01, "first scale");
-  ExpectClose(second->GetSpecularScale(), sharp, 0.01, "second scale");
-  ExpectClose(first->GetReflectance(), low, 0.01, "first reflectance");
-  ExpectClose(second->GetReflectance(), high, 0.01, "second reflectance");
-}
-
-//------------------------------------------------------------------------------
 TEST(AshikhminShirleyFit, AnisotropyComesBack)
 {
   NEEDS_CERES();
@@ -447,32 +423,6 @@ TEST(Fit, LambertAloneComesBack)
 }
 
 //------------------------------------------------------------------------------
-TEST(Fit, NoiseOfTwoPercentMovesParametersLess)
-{
-  NEEDS_CERES();
-  const Color albedo = { 0.3, 0.2, 0.1 }, scale = { 0.8, 0.7, 0.6 };
-  const Color reflectance = { 0.1, 0.2, 0.3 };
-  const auto clean = Sum({ MakeLambert(albedo), MakeAshikhmin(60.0, 60.0, scale, reflectance) });
-  vtkNew<vtkAshikhminShirleyBRDFFitter> fitter;
-  ExpectFit(fitter, MakeNoisy(clean, 0.02));
-  auto* lobe = Term<vtkAshikhminShirleyBRDF>(fitter, 1);
-  ExpectClose(lobe->GetExponentU(), 60.0, 0.01, "exponent");
-  ExpectClose(lobe->GetSpecularScale(), scale, 0.01, "scale");
-  ExpectClose(lobe->GetReflectance(), reflectance, 0.01, "reflectance");
-  ExpectClose(Term<vtkLambertBRDF>(fitter, 0)->GetAlbedo(), albedo, 0.01, "albedo");
-  // What is left is the noise: uniform in +-2 % has a standard deviation of 1.15 %.
-  EXPECT_NEAR(fitter->GetRelativeL2Error(), 0.02 / std::sqrt(3.0), 0.002);
-
-  vtkNew<vtkDistributionBRDFFitter> tables;
-  const auto truth = MakeDistribution(128, 1, 32);
-  ExpectFit(tables, MakeNoisy(truth, 0.02));
-  for (int c = 0; c < 3; ++c)
-  {
-    EXPECT_LT(DistributionError(truth, Term<vtkDistributionBRDF>(tables, 1), c), 0.02) << c;
-  }
-}
-
-//------------------------------------------------------------------------------
 TEST(Fit, SameSeedSameResult)
 {
   NEEDS_CERES();
@@ -497,38 +447,6 @@ TEST(Fit, SameSeedSameResult)
     ExpectFit(fitter, input);
     EXPECT_NE(residual, fitter->GetResidual());
     EXPECT_NEAR(residual, fitter->GetResidual(), 0.1 * residual);
-  }
-}
-
-//------------------------------------------------------------------------------
-// Where there is one optimum, random starts end at the one that the fitter's own find; they differ.
-TEST(Fit, RandomStartsEndAtTheSameOptimum)
-{
-  NEEDS_CERES();
-  auto input = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
-  vtkNew<vtkAshikhminShirleyBRDFFitter> lobe;
-  vtkNew<vtkDistributionBRDFFitter> distribution;
-  for (vtkBRDFFitter* fitter : std::initializer_list<vtkBRDFFitter*>{ lobe, distribution })
-  {
-    fitter->SetInput(input);
-    fitter->SetNumberOfSamples(4096);
-    ASSERT_TRUE(fitter->Fit());
-    const double own = fitter->GetResidual();
-    fitter->SetNumberOfStarts(1);
-    std::set<double> residuals;
-    for (unsigned int seed = 1; seed <= 4; ++seed)
-    {
-      fitter->SetStartSeed(seed);
-      ASSERT_TRUE(fitter->Fit());
-      std::printf("%s, start %u: residual %g, own %g\n", fitter->GetClassName(), seed,
-        fitter->GetResidual(), own);
-      EXPECT_LT(fitter->GetResidual(), 1.05 * own + 1e-6);
-      residuals.insert(fitter->GetResidual());
-    }
-    EXPECT_GT(residuals.size(), 1u);
-    const double last = fitter->GetResidual();
-    ASSERT_TRUE(fitter->Fit());
-    EXPECT_EQ(fitter->GetResidual(), last) << "the same seed, the same result";
   }
 }
 
@@ -797,31 +715,6 @@ TEST(Fit, BadOptionsAreRefused)
 }
 
 //------------------------------------------------------------------------------
-namespace
-{
-struct Stopper
-{
-  vtkBRDFFitter* Fitter;
-  double At;
-  double Last = -1.0;
-  int Events = 0;
-
-  void OnProgress(vtkObject*, unsigned long, void* data)
-  {
-    const double share = *static_cast<double*>(data);
-    EXPECT_GE(share, 0.0);
-    EXPECT_LE(share, 1.0);
-    EXPECT_GE(share, this->Last);
-    this->Last = share;
-    ++this->Events;
-    if (share >= this->At)
-    {
-      this->Fitter->AbortOn();
-    }
-  }
-};
-}
-
 TEST(Fit, ProgressAndAbort)
 {
   NEEDS_CERES();
@@ -834,28 +727,10 @@ TEST(Fit, ProgressAndAbort)
     { static_cast<vtkBRDFFitter*>(phong.Get()), static_cast<vtkBRDFFitter*>(distribution.Get()) })
   {
     SCOPED_TRACE(fitter->GetModelName());
-    ErrorCatcher errors(fitter);
-    Stopper stopper{ fitter, 2.0 };
-    fitter->AddObserver(vtkCommand::ProgressEvent, &stopper, &Stopper::OnProgress);
     fitter->SetInput(input);
-    ASSERT_TRUE(fitter->Fit());
-    EXPECT_EQ(stopper.Last, 1.0);
-    EXPECT_GT(stopper.Events, 3);
-    vtkBRDF* before = fitter->GetOutput();
-    for (const double at : { 0.0, 0.2, 0.29 })
-    {
-      stopper.At = at;
-      stopper.Last = -1.0;
-      EXPECT_FALSE(fitter->Fit());
-      EXPECT_EQ(errors.Take(), 1);
-      EXPECT_NE(errors.GetText().find("abort"), std::string::npos) << errors.GetText();
-      EXPECT_EQ(fitter->GetOutput(), before);
-      EXPECT_LT(stopper.Last, 1.0);
-    }
-    stopper.At = 2.0;
-    stopper.Last = -1.0;
-    EXPECT_TRUE(fitter->Fit());
-    fitter->RemoveObservers(vtkCommand::ProgressEvent);
+    ExpectStops(
+      fitter, [&]() { return fitter->Fit(); }, [&]() { return fitter->GetOutput(); }, 1,
+      { 0.0, 0.2, 0.29 });
   }
 }
 
@@ -900,51 +775,3 @@ TEST(Fit, SaysThatCeresIsMissing)
     EXPECT_FALSE(fitter->GetOutput());
   }
 }
-
-//------------------------------------------------------------------------------
-class RealMaterialFit : public testing::TestWithParam<const char*>
-{
-};
-
-TEST_P(RealMaterialFit, TablesBeatOneLobe)
-{
-  NEEDS_CERES();
-  auto input = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(GetParam()));
-  if (!input)
-  {
-    const std::string path = SharedData + "/materials/" + GetParam();
-    if (!std::filesystem::exists(path))
-    {
-      GTEST_SKIP() << "no file " << path;
-    }
-    input = testio::Read(path);
-  }
-  vtkNew<vtkBlinnPhongBRDFFitter> phong;
-  vtkNew<vtkAshikhminShirleyBRDFFitter> one;
-  vtkNew<vtkAshikhminShirleyBRDFFitter> two;
-  two->SetNumberOfLobes(2);
-  vtkNew<vtkDistributionBRDFFitter> distribution;
-  vtkBRDFFitter* fitters[] = { phong, one, two, distribution };
-  std::cout << std::setprecision(3) << std::left;
-  for (vtkBRDFFitter* fitter : fitters)
-  {
-    ExpectFit(fitter, input);
-    std::cout << std::setw(20) << fitter->GetModelName() << std::setw(10) << fitter->GetResidual()
-              << std::setw(10) << fitter->GetRelativeL2Error() << fitter->GetNumberOfIterations()
-              << "\n";
-    // Energy: a fit of the logarithm keeps the albedo of what is not mirror-like.
-    for (int c = 0; c < 3; ++c)
-    {
-      EXPECT_GT(fitter->GetOutputAlbedo()[c], 0.4 * fitter->GetInputAlbedo()[c]);
-      EXPECT_LT(fitter->GetOutputAlbedo()[c], 1.3 * fitter->GetInputAlbedo()[c] + 0.02);
-    }
-  }
-  EXPECT_LT(distribution->GetResidual(), phong->GetResidual());
-  EXPECT_LT(two->GetResidual(), 1.02 * one->GetResidual());
-  EXPECT_LT(distribution->GetResidual(), 0.05);
-}
-
-INSTANTIATE_TEST_SUITE_P(Shared, RealMaterialFit,
-  testing::Values(
-    "rgl/acrylic_felt_white_rgb.bsdf", "rgl/satin_purple_rgb.bsdf", "rgl/chm_light_blue_rgb.bsdf"));
-INSTANTIATE_TEST_SUITE_P(Embedded, RealMaterialFit, testing::Values("blue-car-paint"));

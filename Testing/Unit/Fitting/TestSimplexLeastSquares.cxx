@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Small least squares under constraints, against what is near their solutions and closed forms.
 
-#include "SimplexLeastSquares.h"
+#include "LinearLeastSquares.h"
 
 #include <algorithm>
 #include <cmath>

@@ -201,41 +201,6 @@ TEST(IOAstm, LightsOfSeveralAzimuthsAreAnisotropic)
 }
 
 //------------------------------------------------------------------------------
-// As Cornell's: the views evenly over the hemisphere, other ones for each light.
-TEST(IOAstm, ScatteredViewsAreInterpolated)
-{
-  const Folder folder;
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> number(0.0, 1.0);
-  std::string rows;
-  for (const double i : { 0.0, 20.0, 40.0, 60.0, 80.0 })
-  {
-    for (int k = 0; k < 500; ++k)
-    {
-      const double o = measuredbrdf::ToDegrees(std::acos(number(random)));
-      const double phi = 360.0 * number(random) - 180.0;
-      rows += measuredbrdf::FixedText(measuredbrdf::ToRadians(i), 6) + ",0," +
-              measuredbrdf::FixedText(measuredbrdf::ToRadians(o), 6) + "," +
-              measuredbrdf::FixedText(measuredbrdf::ToRadians(phi), 6) + "," +
-              measuredbrdf::FixedText(Shape(i, o, phi), 6) + "\n";
-    }
-  }
-  WriteBytes(folder("a.astm"), "VARS theta_i,phi_i,theta_s,phi_s,Integrated\n" + rows);
-  vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(folder("a.astm"));
-  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
-  EXPECT_NE(reader->GetNotes().find("The views are scattered"), std::string::npos)
-    << reader->GetNotes();
-  const double gray[3] = { 1.0, 1.0, 1.0 };
-  double largest = 0.0;
-  double rms = 0.0;
-  Compare(reader->GetBRDF(), gray, 80.0, largest, rms); // f is up to 0.22
-  std::printf("scattered: largest difference %.4f, RMS %.5f\n", largest, rms);
-  EXPECT_LT(largest, 0.009);
-  EXPECT_LT(rms, 0.0009); // the nearest reading alone: 0.0012
-}
-
-//------------------------------------------------------------------------------
 TEST(IOAstm, RefusesBadFiles)
 {
   const Folder folder;

@@ -390,55 +390,6 @@ TEST(IOEnvironment, ReadsInBlocks)
 }
 
 //------------------------------------------------------------------------------
-TEST(IOEnvironment, ReadsMeasuredSkies)
-{
-  const std::filesystem::path environments =
-    std::string(MEASUREDBRDF_SHARED_DATA) + "/environments";
-  if (!std::filesystem::is_directory(environments))
-  {
-    GTEST_SKIP() << "no environments at " << environments;
-  }
-  int files = 0;
-  vtkIdType negative = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(environments))
-  {
-    SCOPED_TRACE(entry.path().filename().string());
-    const auto environment = ReadEnvironment(entry.path().string());
-    ASSERT_TRUE(environment);
-    EXPECT_EQ(environment->GetWidth(), 1024);
-    EXPECT_EQ(environment->GetHeight(), 512);
-    EXPECT_EQ(environment->GetNumberOfNonFiniteValues(), 0);
-    negative += environment->GetNumberOfNegativeValues();
-    if (entry.path().stem() == "pmndrs_sunrise")
-    {
-      const auto& pixels = environment->GetPixels();
-      EXPECT_NEAR(*std::max_element(pixels.begin(), pixels.end()), 222208.0, 1.0);
-    }
-    ++files;
-  }
-  EXPECT_EQ(files, 13);
-  EXPECT_GT(negative, 0); // DWA compression leaves some
-}
-
-//------------------------------------------------------------------------------
-// A short file that promises 4096 x 8192 texels: refused when its rows end, without their memory.
-TEST(IOEnvironment, MemoryFollowsTheFile)
-{
-  const Folder folder;
-  const std::string path = folder("lies.hdr");
-  WriteBytes(
-    path, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4096 +X 8192\n" + std::string(200000, '\x02'));
-  const double before = GetPeakMemory();
-  vtkNew<vtkEnvironmentReader> reader;
-  reader->SetFileName(path);
-  vtkObject::GlobalWarningDisplayOff();
-  EXPECT_FALSE(reader->Read());
-  vtkObject::GlobalWarningDisplayOn();
-  EXPECT_NE(reader->GetErrorMessage().find(path), std::string::npos) << reader->GetErrorMessage();
-  EXPECT_LT(GetPeakMemory() - before, 1e8); // all texels would take 400 MB
-}
-
-//------------------------------------------------------------------------------
 // A bright square where the projection shows a direction lights that direction.
 TEST(IOEnvironment, ReadsProbesOfEveryProjection)
 {

@@ -312,23 +312,6 @@ TEST(IOOpenMaterial, HostileFilesAreRefusedInLittleMemory)
 }
 
 //------------------------------------------------------------------------------
-TEST(IOOpenMaterial, KeptInOpenEXR)
-{
-  NEEDS_OPENEXR();
-  const Folder folder;
-  WriteBytes(folder("a.xompt"),
-    MakeOpenMaterial({ 905.0 }, { 0.0, 90.0 }, { 0.0, 50.0 }, { 0.0, 60.0, 180.0 },
-      [](double, double i, double o, double p) { return Shape(i, o, p); }));
-  const auto brdf = Read(folder("a.xompt"));
-  ASSERT_TRUE(brdf);
-  Write(brdf, folder("a.exr"));
-  const auto back = Read(folder("a.exr"));
-  ASSERT_TRUE(vtkAngularTableBRDF::SafeDownCast(back));
-  EXPECT_TRUE(back->IsIsotropic());
-  ExpectSameValues(brdf, back);
-}
-
-//------------------------------------------------------------------------------
 // The standard's own examples.
 TEST(IOOpenMaterial, ReadsMeasuredAsphalt)
 {

@@ -190,30 +190,4 @@ TEST(IOUtia, TablesAreChecked)
     one, one, { 0.0f, std::numeric_limits<float>::infinity(), 0.0f }, "number 1 is not finite");
 }
 
-TEST(IOUtia, KeptInOpenEXR)
-{
-  NEEDS_OPENEXR();
-  const Folder folder;
-  vtkNew<vtkAngularTableBRDF> table;
-  std::vector<float> values;
-  for (int k = 0; k < 3 * 4 * 6; ++k)
-  {
-    values.push_back(0.01f * static_cast<float>(k) - 0.02f);
-  }
-  ASSERT_EQ(table->SetValues({ { 0.0f, 40.0f }, { 0.0f, 180.0f } },
-              { { 5.0f, 50.0f }, { 0.0f, 90.0f, 250.0f } }, values),
-    "");
-  vtkNew<vtkBRDFWriter> writer;
-  writer->SetFileName(folder("a.exr"));
-  writer->SetBRDF(table);
-  ASSERT_TRUE(writer->Write());
-  vtkNew<vtkBRDFReader> reader;
-  const auto back = ReadUtia(folder("a.exr"), reader);
-  auto* same = vtkAngularTableBRDF::SafeDownCast(back);
-  ASSERT_TRUE(same) << reader->GetErrorMessage();
-  EXPECT_EQ(same->GetValues(), values);
-  EXPECT_EQ(same->GetLightNodes().Theta, table->GetLightNodes().Theta);
-  EXPECT_EQ(same->GetViewNodes().Phi, table->GetViewNodes().Phi);
-  EXPECT_EQ(same->GetAzimuthOrigin(), vtkAngularTableBRDF::TANGENT);
-}
 }

@@ -3,7 +3,6 @@
 #include "Distribution.h"
 #include "LowDiscrepancy.h"
 #include "RandomLight.h"
-#include "SummedAreaTable.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +12,6 @@
 
 using measuredbrdf::Distribution1D;
 using measuredbrdf::Distribution2D;
-using measuredbrdf::SummedAreaTable;
 
 namespace
 {
@@ -212,48 +210,4 @@ TEST(LowDiscrepancy, RadicalInverseAndWrap)
   EXPECT_DOUBLE_EQ(measuredbrdf::RadicalInverse(5, 3), 7.0 / 9.0);
   EXPECT_DOUBLE_EQ(measuredbrdf::Wrap01(1.25), 0.25);
   EXPECT_DOUBLE_EQ(measuredbrdf::Wrap01(-0.25), 0.75);
-}
-
-//------------------------------------------------------------------------------
-TEST(SummedAreaTable, EqualsTheDirectSum)
-{
-  std::mt19937 engine(3);
-  const int sizes[][2] = { { 1, 1 }, { 1, 9 }, { 300, 1 }, { 257, 31 } };
-  for (const auto& size : sizes)
-  {
-    const int width = size[0];
-    const int height = size[1];
-    std::vector<double> values(std::size_t(width) * height);
-    for (double& value : values)
-    {
-      value = Uniform(engine);
-    }
-    const SummedAreaTable table(width, height,
-      [&](int y, double* row)
-      { std::copy_n(&values[std::size_t(y) * width], std::size_t(width), row); });
-    for (int k = 0; k < 200; ++k)
-    {
-      int x0 = static_cast<int>(engine() % (width + 1u));
-      int x1 = static_cast<int>(engine() % (width + 1u));
-      int y0 = static_cast<int>(engine() % (height + 1u));
-      int y1 = static_cast<int>(engine() % (height + 1u));
-      if (x0 > x1)
-      {
-        std::swap(x0, x1);
-      }
-      if (y0 > y1)
-      {
-        std::swap(y0, y1);
-      }
-      double direct = 0.0;
-      for (int y = y0; y < y1; ++y)
-      {
-        for (int x = x0; x < x1; ++x)
-        {
-          direct += values[std::size_t(y) * width + x];
-        }
-      }
-      ASSERT_NEAR(table.GetSum(x0, y0, x1, y1), direct, 1e-10);
-    }
-  }
 }

@@ -341,38 +341,6 @@ TEST(MedianCut, HalvesAreBalanced)
 }
 
 //------------------------------------------------------------------------------
-TEST(MedianCut, FirstCutIsTheBestOne)
-{
-  const int width = 128;
-  const int height = 64;
-  vtkNew<vtkEnvironment> environment;
-  SetRandom(environment, width, height, 5);
-  vtkNew<vtkMedianCutLightSetGenerator> generator;
-  vtkNew<vtkLightSet> lights;
-  ASSERT_TRUE(generator->Generate(environment, 2, lights));
-  int region[4];
-  ASSERT_TRUE(lights->GetRegion(0, region));
-  // A whole map is wider (2 pi) than high (pi): cut in x.
-  EXPECT_EQ(region[1], 0);
-  EXPECT_EQ(region[3], height);
-  const int whole[4] = { 0, 0, width, height };
-  const double total = GetLuminanceSum(environment, whole);
-  double best = total;
-  int bestCut = 0;
-  for (int cut = 1; cut < width; ++cut)
-  {
-    const int left[4] = { 0, 0, cut, height };
-    const double imbalance = std::abs(2.0 * GetLuminanceSum(environment, left) - total);
-    if (imbalance < best)
-    {
-      best = imbalance;
-      bestCut = cut;
-    }
-  }
-  EXPECT_EQ(region[2], bestCut);
-}
-
-//------------------------------------------------------------------------------
 TEST(MedianCut, PolarRegionsAreCutInLatitude)
 {
   // Constant map, 8 regions: halves, quarters in x (pi x pi -> pi/2 x pi), then each
@@ -419,20 +387,6 @@ TEST(MedianCut, PolarRegionsAreCutInLatitude)
     rows.insert({ region[1], region[3] });
   }
   EXPECT_EQ(rows, (std::set<std::pair<int, int>>{ { 0, 21 }, { 21, 32 }, { 32, 43 }, { 43, 64 } }));
-}
-
-//------------------------------------------------------------------------------
-TEST(MedianCut, OneLightOfAConstantMapPointsSomewhere)
-{
-  vtkNew<vtkEnvironment> environment;
-  ASSERT_TRUE(environment->SetPixels(16, 8, std::vector<float>(16 * 8 * 3, 1.0f)));
-  vtkNew<vtkMedianCutLightSetGenerator> generator;
-  vtkNew<vtkLightSet> lights;
-  ASSERT_TRUE(generator->Generate(environment, 1, lights));
-  ASSERT_EQ(lights->GetNumberOfLights(), 1);
-  double d[3];
-  lights->GetDirection(0, d);
-  EXPECT_NEAR(d[0], 1.0, 1e-12); // the map's middle
 }
 
 //------------------------------------------------------------------------------
@@ -548,34 +502,4 @@ TEST(Importance, Unbiased)
     EXPECT_NEAR(mean, expected[k], 5.0 * error) << "moment " << k;
     EXPECT_GT(error, 0.0);
   }
-}
-
-//------------------------------------------------------------------------------
-TEST(Importance, SunOfManyTimesTheMean)
-{
-  const int width = 128;
-  const int height = 64;
-  vtkNew<vtkEnvironment> environment;
-  SetSingle(environment, width, height, 100, 50, { 2e5, 1.8e5, 1.5e5 }, 1.0f);
-  const int region[4] = { 100, 50, 101, 51 };
-  const double share = GetLuminanceSum(environment, region) /
-                       vtkEnvironment::GetLuminance(GetTotal(environment).data());
-  ASSERT_GT(share, 0.8);
-  vtkNew<vtkImportanceLightSetGenerator> generator;
-  vtkNew<vtkLightSet> lights;
-  const int count = 1000;
-  ASSERT_TRUE(generator->Generate(environment, count, lights));
-  ExpectSameLuminance(environment, lights);
-  int inSun = 0;
-  for (int k = 0; k < count; ++k)
-  {
-    double d[3];
-    double u;
-    double v;
-    lights->GetDirection(k, d);
-    vtkEnvironment::GetCoordinates(d, u, v);
-    inSun += static_cast<int>(u * width) == 100 && static_cast<int>(v * height) == 50;
-  }
-  // Rows are stratified, columns nearly so: closer than binomial scatter (about 10).
-  EXPECT_NEAR(inSun, share * count, 5.0);
 }

@@ -3,6 +3,7 @@
 // Where one BRDF fails to be another, on materials whose difference is known in closed form.
 
 #include "ErrorCatcher.h"
+#include "ExpectStops.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFFailureMap.h"
@@ -204,26 +205,13 @@ TEST(BRDFFailureMap, BadInput)
 
 TEST(BRDFFailureMap, StopsWhereItIsAborted)
 {
-  struct Observer
-  {
-    vtkBRDFFailureMap* Map;
-    int Events = 0;
-
-    void Look(vtkObject*, unsigned long, void*) { this->Map->SetAbort(++this->Events == 2); }
-  };
   vtkNew<vtkLambertBRDF> lambert;
   vtkNew<vtkBRDFFailureMap> map;
   map->SetReference(lambert);
   map->SetBRDF(lambert);
-  ErrorCatcher errors(map);
-  Observer observer{ map };
-  map->AddObserver(vtkCommand::ProgressEvent, &observer, &Observer::Look);
-  EXPECT_FALSE(map->Update());
-  EXPECT_EQ(errors.Take(), 1);
-  EXPECT_EQ(observer.Events, 2);
-  EXPECT_EQ(map->GetIncidentOutgoing()->GetNumberOfPoints(), 0);
-  EXPECT_TRUE(map->Update());
-  EXPECT_EQ(map->GetRelativeL1(), 0.0);
+  ExpectStops(
+    map.Get(), [&]() { return map->Update(); },
+    [&]() { return map->GetIncidentOutgoing()->GetMTime(); }, 1);
 }
 
 // sqrt of the integral over c in [0,1] of (ln(1 + a c / pi) - ln(1 + b c / pi))^2, by quadrature.

@@ -145,33 +145,6 @@ TEST(PictureDifference, FiguresByHand)
   EXPECT_NEAR(Compare(difference, vtkPictureDifference::MAX_DIFFERENCE, words, gray), 0.0, 1e-12);
 }
 
-TEST(PictureDifference, HDRFlipIsThatOfRadianceMetrics)
-{
-  std::vector<double> first, second;
-  vtkNew<vtkDoubleArray> radiance, reference;
-  radiance->SetNumberOfComponents(3);
-  reference->SetNumberOfComponents(3);
-  for (int k = 0; k < Width * Height; ++k)
-  {
-    const double value = std::exp2(k % 11 - 5.0);
-    for (const double scale : { 1.0, 0.7, 0.5 })
-    {
-      second.push_back(value * scale);
-      first.push_back(value * scale * (1.0 + 0.01 * (k % 7)));
-    }
-    radiance->InsertNextTuple(&first[3 * static_cast<std::size_t>(k)]);
-    reference->InsertNextTuple(&second[3 * static_cast<std::size_t>(k)]);
-  }
-  vtkNew<vtkRadianceMetrics> metrics;
-  ASSERT_TRUE(metrics->ComparePictures(Width, Height, radiance, reference));
-  vtkNew<vtkPictureDifference> difference;
-  EXPECT_NEAR(Compare(difference, vtkPictureDifference::HDR_FLIP,
-                MakeImage(VTK_DOUBLE, Width, Height, 3, first),
-                MakeImage(VTK_DOUBLE, Width, Height, 3, second)),
-    metrics->GetHDRFLIP(), 1e-12);
-  EXPECT_GT(difference->GetValue(), 0.01);
-}
-
 TEST(PictureDifference, BorderAndMask)
 {
   vtkNew<vtkPictureDifference> difference;

@@ -5,6 +5,7 @@
 // of scikit-image 0.26.0, on small pictures made by formula.
 
 #include "ErrorCatcher.h"
+#include "ExpectStops.h"
 
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
@@ -225,30 +226,11 @@ TEST(PictureMetrics, CoverageAndSize)
 
 TEST(PictureMetrics, StopsWhereItIsAborted)
 {
-  struct Observer
-  {
-    vtkRadianceMetrics* Metrics;
-    double Last = 0.0;
-    int Events = 0;
-
-    void Look(vtkObject*, unsigned long, void* data)
-    {
-      const double share = *static_cast<double*>(data);
-      EXPECT_GT(share, this->Last);
-      this->Last = share;
-      this->Metrics->SetAbort(++this->Events == 3);
-    }
-  };
   vtkNew<vtkRadianceMetrics> metrics;
-  ErrorCatcher errors(metrics);
-  Observer observer{ metrics };
-  const auto tag = metrics->AddObserver(vtkCommand::ProgressEvent, &observer, &Observer::Look);
-  EXPECT_FALSE(metrics->ComparePictures(Width, Height, Draw(SunMoved), Draw(Sun)));
-  EXPECT_EQ(errors.Take(), 1);
-  EXPECT_EQ(observer.Events, 3);
-  EXPECT_EQ(metrics->GetFLIP(), 0.0);
-  metrics->RemoveObserver(tag);
-  EXPECT_TRUE(metrics->ComparePictures(Width, Height, Draw(SunMoved), Draw(Sun)));
+  ExpectStops(
+    metrics.Get(),
+    [&]() { return metrics->ComparePictures(Width, Height, Draw(SunMoved), Draw(Sun)); },
+    [&]() { return metrics->GetFLIP(); }, 1);
   EXPECT_GT(metrics->GetFLIP(), 0.0);
 }
 

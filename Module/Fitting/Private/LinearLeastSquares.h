@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Small linear least squares with unknowns >= 0, or >= 0 with a sum of 1, from the normal
- * equations.
+ * Linear least squares from the normal equations with constraints: small problems with unknowns >=
+ * 0, or >= 0 with a sum of 1; large sparse ones with unknowns >= 0.
  */
 
-#ifndef SimplexLeastSquares_h
-#define SimplexLeastSquares_h
+#ifndef LinearLeastSquares_h
+#define LinearLeastSquares_h
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 namespace measuredbrdf
 {
@@ -39,6 +40,14 @@ SmallVector SolveConstrained(const SmallMatrix& H, const SmallVector& g, Unknown
 /// The variances of shares, for residuals of variance 1, where all of them are free: the diagonal
 /// of the inverse of H on the plane of constant sum. Infinite where H has no inverse there.
 SmallVector GetShareVariances(const SmallMatrix& H);
+
+/**
+ * The x >= 0 that minimizes x'Hx/2 - g'x, by block principal pivoting (Portugal, Judice, Vicente
+ * 1994). H is symmetric positive semidefinite; only its lower triangle is read. On input, x says
+ * which unknowns are probably free (> 0). Unknowns without an effect become 0.
+ */
+void SolveNonNegative(
+  const Eigen::SparseMatrix<double>& H, const Eigen::VectorXd& g, Eigen::VectorXd& x);
 } // namespace measuredbrdf
 
 #endif

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The module's own formats of materials: each is a row of functions, in the file that its name says
+ * (MerlFormat in MerlFile.cxx). They throw FileError, or any std::exception; BuiltInFormat, which
+ * vtkBRDFFormats lists, makes error texts of these. Private to the component IO.
+ */
+
+#ifndef MaterialFormat_h
+#define MaterialFormat_h
+
+#include "FileBytes.h"
+#include "vtkBRDFFormat.h"
+#include "vtkSmartPointer.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace measuredbrdf
+{
+using MaterialFile = vtkBRDFFormat::Content;
+
+/// What vtkBRDFFormat's methods of the same names say and do.
+struct MaterialFormat
+{
+  const char* Name;
+  const char* Description;
+  const char* Extension;
+  bool (*CanRead)(const vtkBRDFFormat::File& file);
+  /// material: what stands after '#' in `path#name`; empty where ListMaterials is null.
+  MaterialFile (*Read)(const FileBytes& file, const std::string& material);
+  /// Null: a file holds one material. May throw: then the file has no names.
+  std::vector<std::string> (*ListMaterials)(const FileBytes& file) = nullptr;
+  /// Null: read only.
+  void (*Write)(vtkBRDF* brdf, const std::string& path, bool halfFloats) = nullptr;
+  /// Null: writes any material as it is.
+  vtkSmartPointer<vtkBRDF> (*Convert)(vtkBRDF* brdf, std::string& error) = nullptr;
+};
+
+extern const MaterialFormat AstmFormat;
+extern const MaterialFormat BsdfXmlFormat;
+extern const MaterialFormat ExrMaterialFormat; // of builds with OpenEXR
+extern const MaterialFormat FitFormat;
+extern const MaterialFormat MbsdfFormat;
+extern const MaterialFormat MerlFormat;
+extern const MaterialFormat OpenMaterialFormat;
+extern const MaterialFormat TensorFormat;
+extern const MaterialFormat UtiaFormat;
+
+/// Bytes that an UTIA file has, exactly.
+constexpr std::size_t UtiaBytes = 3u * 288u * 288u * 8u;
+
+/// A format of the table as vtkBRDFFormats registers it.
+class BuiltInFormat : public vtkBRDFFormat
+{
+public:
+  static BuiltInFormat* New();
+  vtkTypeMacro(BuiltInFormat, vtkBRDFFormat);
+
+  static vtkSmartPointer<vtkBRDFFormat> Make(const MaterialFormat& format);
+
+  std::string GetName() override { return this->Format->Name; }
+  std::string GetDescription() override { return this->Format->Description; }
+  std::vector<std::string> GetExtensions() override { return { this->Format->Extension }; }
+  bool CanRead(const File& file) override { return this->Format->CanRead(file); }
+  bool Read(const File& file, Content& content, std::string& error) override;
+  std::vector<std::string> GetMaterialNames(const File& file) override;
+  bool CanWrite() override { return this->Format->Write != nullptr; }
+  vtkSmartPointer<vtkBRDF> Convert(vtkBRDF* brdf, std::string& error) override;
+  bool Write(vtkBRDF* brdf, const std::string& path, bool halfFloats, std::string& error) override;
+
+protected:
+  BuiltInFormat() = default;
+  ~BuiltInFormat() override = default;
+
+private:
+  BuiltInFormat(const BuiltInFormat&) = delete;
+  void operator=(const BuiltInFormat&) = delete;
+
+  const MaterialFormat* Format = nullptr;
+};
+
+/// Whether a file begins with the magic, or is too short for it but begins like it.
+bool HasMagic(const vtkBRDFFormat::File& file, std::string_view magic);
+
+/// Whether a path ends so, whatever the case; extension: lower case, with the dot.
+bool HasExtension(const std::string& path, std::string_view extension);
+
+/// Bytes of padding that a reader left out, as a note; nothing where there are none.
+void NotePadding(const ByteReader& reader, MaterialFile& result);
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The formats of materials, each a target.
+#include "FuzzTarget.h"
+
+#include "vtkLambertBRDF.h"
+#include "vtkMeasuredBRDFConfigure.h"
+
+namespace
+{
+// One file in sixteen is asked for a wavelength.
+std::string ChooseWavelength(const std::uint8_t* data, std::size_t size, const char* wavelength)
+{
+  return size > 0 && data[size - 1] % 16 == 0 ? wavelength : "";
+}
+}
+
+int FuzzAstm(const std::uint8_t* data, std::size_t size)
+{
+  return fuzz::ReadFormat(
+    measuredbrdf::AstmFormat, data, size, ChooseWavelength(data, size, "550nm"));
+}
+
+int FuzzBsdfXml(const std::uint8_t* data, std::size_t size)
+{
+  fuzz::ReadMaterial(data, size,
+    [](const measuredbrdf::FileBytes& file)
+    {
+      measuredbrdf::MaterialFile read = measuredbrdf::BsdfXmlFormat.Read(file, "");
+      fuzz::Require(read.BRDF || read.Transmission);
+      if (read.Transmission)
+      {
+        fuzz::Use(read.Transmission);
+      }
+      if (!read.BRDF) // of transmission only
+      {
+        read.BRDF = vtkSmartPointer<vtkLambertBRDF>::New();
+      }
+      return read;
+    });
+  return 0;
+}
+
+#if MEASUREDBRDF_WITH_OPENEXR
+int FuzzExrMaterial(const std::uint8_t* data, std::size_t size)
+{
+  return fuzz::ReadFormat(measuredbrdf::ExrMaterialFormat, data, size);
+}
+#endif
+
+int FuzzFit(const std::uint8_t* data, std::size_t size)
+{
+  const auto file = measuredbrdf::FileBytes::View("file", fuzz::ToView(data, size));
+  try
+  {
+    for (const std::string& name : measuredbrdf::FitFormat.ListMaterials(file))
+    {
+      fuzz::ReadFormat(measuredbrdf::FitFormat, data, size, name);
+    }
+  }
+  catch (const measuredbrdf::FileError&)
+  {
+  }
+  return 0;
+}
+
+int FuzzMbsdf(const std::uint8_t* data, std::size_t size)
+{
+  return fuzz::ReadFormat(measuredbrdf::MbsdfFormat, data, size);
+}
+
+int FuzzMerl(const std::uint8_t* data, std::size_t size)
+{
+  return fuzz::ReadFormat(measuredbrdf::MerlFormat, data, size);
+}
+
+int FuzzOpenMaterial(const std::uint8_t* data, std::size_t size)
+{
+  return fuzz::ReadFormat(
+    measuredbrdf::OpenMaterialFormat, data, size, ChooseWavelength(data, size, "905nm"));
+}
+
+int FuzzTensor(const std::uint8_t* data, std::size_t size)
+{
+  return fuzz::ReadFormat(measuredbrdf::TensorFormat, data, size);
+}
+
+int FuzzUtia(const std::uint8_t* data, std::size_t size)
+{
+  // The first byte says how; a file is large, and one in eight is made of the others again and
+  // again.
+  if (size < 2)
+  {
+    return 0;
+  }
+  // These take long, and are alike.
+  const bool whole = std::accumulate(data, data + size, 0u) % 8 == 0;
+  std::string bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
+  while (whole && bytes.size() < measuredbrdf::UtiaBytes)
+  {
+    bytes += bytes.substr(0, measuredbrdf::UtiaBytes - bytes.size());
+  }
+  const std::string name = data[0] % 3 == 0 ? "display" : "";
+  return fuzz::ReadFormat(measuredbrdf::UtiaFormat,
+    reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), name);
+}
