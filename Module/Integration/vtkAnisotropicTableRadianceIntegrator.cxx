@@ -151,17 +151,6 @@ glm::dvec3 AnisotropicTable::Evaluate(
   return glm::max(sum, glm::dvec3(0.0));
 }
 
-/// The table's radiance, of its kernels up to a harmonic degree. goOn gets the share that is done;
-/// where it says false, the table is not complete, and the result is 0. Else it is what undoes the
-/// radiance's scaling.
-double SynthesizeAnisotropic(const EnvironmentHarmonics& environment,
-  const MaterialPrecomputation::AnisotropicKernels& knots, int degree,
-  const std::function<bool(double)>& goOn, AnisotropicTable& table);
-
-/// A table's profile over all views; scale: what undoes its radiance's scaling.
-void MakeAnisotropicProfile(const AnisotropicViews& views,
-  const MaterialPrecomputation::AnisotropicKernels& knots, double scale, AnisotropicTable& table);
-
 namespace
 {
 using Kernels = MaterialPrecomputation::AnisotropicKernels;
@@ -243,6 +232,9 @@ void AddOrder(int order, int angle, const std::array<FieldSynthesis::Field, 3>& 
 }
 }
 
+// The table's radiance, of its kernels up to a harmonic degree. goOn gets the share that is done;
+// where it says false, the table is not complete, and the result is 0. Else it is what undoes the
+// radiance's scaling.
 double SynthesizeAnisotropic(const EnvironmentHarmonics& environment, const Kernels& knots,
   int degree, const std::function<bool(double)>& goOn, AnisotropicTable& table)
 {
@@ -270,6 +262,7 @@ double SynthesizeAnisotropic(const EnvironmentHarmonics& environment, const Kern
   return PackRadiance(radiance, table.Radiance);
 }
 
+// A table's profile over all views; scale: what undoes its radiance's scaling.
 void MakeAnisotropicProfile(
   const AnisotropicViews& views, const Kernels& knots, double scale, AnisotropicTable& table)
 {

@@ -38,17 +38,9 @@
 
 namespace measuredbrdf
 {
+/// How textures store a table's values.
 struct TabulatedStorage
 {
-  /// What is asked for; the same numbers as vtkTabulatedBRDF::PrecisionType.
-  enum Precision
-  {
-    Automatic = 0,
-    Half = 1,
-    Float = 2,
-    Shared = 3
-  };
-
   ///@{
   /// Largest relative errors of stored values.
   static constexpr double HalfRounding = 1.0 / 2048.0;
@@ -74,7 +66,8 @@ struct TabulatedStorage
                                  : (this->HalfFloat ? "16-bit float" : "32-bit float");
   }
 
-  /// precision: a Precision; tolerance: of resampling; volume: RGB, NaN where a cell is invalid.
+  /// precision: a vtkTabulatedBRDF::PrecisionType; tolerance: of resampling; volume: RGB, NaN where
+  /// a cell is invalid.
   static TabulatedStorage Choose(int precision, double tolerance, const std::vector<float>& volume)
   {
     float peak = 0.0f;
@@ -86,9 +79,11 @@ struct TabulatedStorage
     }
     const double most = ShareOfTolerance * tolerance;
     TabulatedStorage storage;
-    storage.SharedExponents = precision == Shared && positive && SharedRounding <= most;
-    storage.HalfFloat = !storage.SharedExponents &&
-                        (precision == Half || (precision != Float && HalfRounding <= most));
+    storage.SharedExponents =
+      precision == vtkTabulatedBRDF::SHARED_EXPONENT && positive && SharedRounding <= most;
+    const bool mayBeHalf = precision != vtkTabulatedBRDF::FLOAT32 && HalfRounding <= most;
+    storage.HalfFloat =
+      !storage.SharedExponents && (precision == vtkTabulatedBRDF::FLOAT16 || mayBeHalf);
     if ((storage.SharedExponents || storage.HalfFloat) && peak > 1e-30f)
     {
       storage.Scale = Peak / peak;
@@ -98,6 +93,8 @@ struct TabulatedStorage
 };
 
 /**
+ * A half/difference volume at growing widths along theta_h, for soft lights.
+ *
  * Level k is the volume's values, for every phi_d and theta_d, convolved over the sphere of half
  * vectors with a von Mises-Fisher distribution of variance (1/kappa) s (2^k - 1), s the variance of
  * the volume's own lobe: each level is twice as wide (in variance) as the one before. Between
@@ -406,10 +403,6 @@ struct vtkTabulatedBRDF::Levels
 
 namespace
 {
-static_assert(static_cast<int>(TabulatedStorage::Shared) == vtkTabulatedBRDF::SHARED_EXPONENT &&
-              static_cast<int>(TabulatedStorage::Half) == vtkTabulatedBRDF::FLOAT16 &&
-              static_cast<int>(TabulatedStorage::Float) == vtkTabulatedBRDF::FLOAT32);
-
 // Invalid cells are premultiplied away: the filter then skips them as Evaluate does.
 void FillTexture(vtkBRDFShaderInputs::Texture& texture, const std::vector<float>& volume,
   const TabulatedStorage& storage)

@@ -13,17 +13,6 @@
 
 namespace measuredbrdf
 {
-/**
- * A table of f cos(theta_o) whose relative L2 error (vtkBRDFResampler::GetRelativeL2Error) is
- * within the tolerance, or the best of seven sizes, the largest of 1.8 million cells (10.6 MB as
- * 16-bit RGB; half as many where half a turn changes nothing). Its ResamplingError holds the error,
- * of pairs that chose nothing.
- */
-vtkSmartPointer<vtkAnisotropicTabulatedBRDF> ResampleAnisotropic(vtkBRDF* source, double tolerance);
-
-/// The smallest of these sizes; its error is not measured.
-vtkSmartPointer<vtkAnisotropicTabulatedBRDF> ResampleAnisotropicQuickly(vtkBRDF* source);
-
 namespace
 {
 // phi_d, theta_d, phi_h over a full turn, theta_h: even ones first, then for what is steep at the
@@ -33,7 +22,7 @@ constexpr int Ladder[][4] = { { 12, 8, 24, 24 }, { 16, 12, 32, 32 }, { 16, 16, 4
 constexpr int ChoosingPairs = 1 << 13;
 constexpr int ReportingPairs = 1 << 15;
 
-vtkSmartPointer<vtkAnisotropicTabulatedBRDF> MakeTable(
+vtkSmartPointer<vtkAnisotropicTabulatedBRDF> MakeAnisotropicTable(
   vtkBRDF* source, const int step[4], bool half)
 {
   const int size[4] = { step[0], step[1], half ? step[2] / 2 : step[2], step[3] };
@@ -42,8 +31,11 @@ vtkSmartPointer<vtkAnisotropicTabulatedBRDF> MakeTable(
     half ? vtkAnisotropicTabulatedBRDF::HALF_TURN : vtkAnisotropicTabulatedBRDF::FULL_TURN, size);
   return table;
 }
-}
 
+// A table of f cos(theta_o) whose relative L2 error (vtkBRDFResampler::GetRelativeL2Error) is
+// within the tolerance, or the best of seven sizes, the largest of 1.8 million cells (10.6 MB as
+// 16-bit RGB; half as many where half a turn changes nothing). Its ResamplingError holds the error,
+// of pairs that chose nothing.
 vtkSmartPointer<vtkAnisotropicTabulatedBRDF> ResampleAnisotropic(vtkBRDF* source, double tolerance)
 {
   const bool half = IsSameAfterHalfATurn(source);
@@ -51,7 +43,7 @@ vtkSmartPointer<vtkAnisotropicTabulatedBRDF> ResampleAnisotropic(vtkBRDF* source
   double least = 0.0;
   for (const int* step : Ladder)
   {
-    const auto table = MakeTable(source, step, half);
+    const auto table = MakeAnisotropicTable(source, step, half);
     const double error = vtkBRDFResampler::GetRelativeL2Error(source, table, ChoosingPairs);
     if (!best || error < least)
     {
@@ -67,13 +59,6 @@ vtkSmartPointer<vtkAnisotropicTabulatedBRDF> ResampleAnisotropic(vtkBRDF* source
   return best;
 }
 
-vtkSmartPointer<vtkAnisotropicTabulatedBRDF> ResampleAnisotropicQuickly(vtkBRDF* source)
-{
-  return MakeTable(source, Ladder[0], IsSameAfterHalfATurn(source));
-}
-
-namespace
-{
 // phi_d, theta_d, theta_h: fine where lobes are sharp.
 constexpr int QuickSize[3] = { 16, 16, 128 };
 
@@ -162,7 +147,7 @@ vtkBRDF* RenderableTable::NewQuick(vtkBRDF* material)
   }
   else
   {
-    table = ResampleAnisotropicQuickly(material);
+    table = MakeAnisotropicTable(material, Ladder[0], IsSameAfterHalfATurn(material));
   }
   NameAfter(material, table);
   table->Register(nullptr);
