@@ -7,6 +7,11 @@ find_package(Eigen3 CONFIG REQUIRED)
 if (NOT TARGET Eigen3::Eigen)
   include("${Eigen3_DIR}/Eigen3Targets.cmake")
 endif ()
+find_path(MEASUREDBRDF_XXHASH_INCLUDE xxhash.h) # which is all that is needed of it
+mark_as_advanced(MEASUREDBRDF_XXHASH_INCLUDE)
+if (NOT MEASUREDBRDF_XXHASH_INCLUDE)
+  message(FATAL_ERROR "xxHash was not found. Install it (Debian: libxxhash-dev).")
+endif ()
 
 # Three more are optional. OFF: the module builds, and says when it is used what it lacks.
 option(MEASUREDBRDF_WITH_CERES "Fit Blinn-Phong and Ashikhmin-Shirley lobes (needs Ceres)" ON)

@@ -2,13 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAnisotropicTableRadianceIntegrator.h"
 
-#include "AnisotropicSynthesis.h"
-#include "AnisotropicTable.h"
+#include "AnisotropicViews.h"
+#include "EnvironmentHarmonics.h"
 #include "EnvironmentPrecomputation.h"
+#include "FieldSynthesis.h"
 #include "HalfVector.h" // for Pi
+#include "LinearSpline.h"
+#include "LobePlacement.h"
 #include "MaterialPrecomputation.h"
 #include "ModuleShader.h"
+#include "ParallelFor.h"
 #include "PixelCosts.h"
+#include "RadianceTable.h"
+#include "RingLimiter.h"
 #include "Setters.h"
 #include "TableCandidates.h"
 #include "TableSynthesis.h"
@@ -18,11 +24,295 @@
 #include "vtkEnvironment.h"
 #include "vtkObjectFactory.h"
 
+#include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
+#include <cstddef>
+#include <functional>
+#include <memory>
 #include <utility>
+#include <vector>
+
+namespace measuredbrdf
+{
+struct AnisotropicTable
+{
+  AnisotropicTable(int rows, int angles, int azimuths, int viewAzimuths)
+    : Rows(rows)
+    , Columns(2 * (rows - 1))
+    , Angles(angles)
+    , Azimuths(azimuths)
+    , ViewAzimuths(viewAzimuths)
+  {
+  }
+
+  int Rows;
+  int Columns;
+  int Angles;
+  int Azimuths;
+  int ViewAzimuths; // over the period
+  int Periods = 1;  // of f in a turn, 1 or 2
+  bool HasFloor = false;
+  // RGB, AnisotropicViews::Angles x Azimuths x 3: (the axis' parts along and across the view's part
+  // along the surface, view angle); share; c
+  std::vector<float> Profile;
+  // Columns x (Rows ViewAzimuths) x (Angles (Azimuths + 1)): psi's first value comes again after
+  // the last.
+  RadianceTable::Texels Radiance;
+  std::shared_ptr<const ScaledTexels> Irradiance; // as RadianceTable's
+
+  std::size_t GetNumberOfTexels() const
+  {
+    return static_cast<std::size_t>(this->Columns) * static_cast<std::size_t>(this->Rows);
+  }
+
+  /// Where the map of a view angle, an azimuth psi and a view's azimuth begins, in texels.
+  std::size_t GetMap(int angle, int azimuth, int viewAzimuth) const
+  {
+    return static_cast<std::size_t>(
+             (angle * (this->Azimuths + 1) + azimuth) * this->ViewAzimuths + viewAzimuth) *
+           this->GetNumberOfTexels();
+  }
+
+  /// Radiance towards o about the normal n, as the shader looks it up; t: a unit tangent or zero.
+  glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t) const;
+
+private:
+  glm::dvec3 GetProfile(int layer, double u, double period) const;
+};
+
+// u: as profiles over theta_o are read; period: of the view's azimuth, in [0,1].
+glm::dvec3 AnisotropicTable::GetProfile(int layer, double u, double period) const
+{
+  constexpr int angles = AnisotropicViews::Angles;
+  constexpr int azimuths = AnisotropicViews::Azimuths;
+  const double exact = u * (angles - 1);
+  const int low = std::min(static_cast<int>(exact), angles - 2);
+  return MixTexels(this->Profile, angles,
+    static_cast<std::size_t>(layer) * static_cast<std::size_t>(angles * azimuths),
+    { low, low + 1, exact - low }, PeriodicNeighbors(period + 0.5 / azimuths, azimuths));
+}
+
+glm::dvec3 AnisotropicTable::Evaluate(
+  const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t) const
+{
+  Frame frame = FrameAbout(n, t);
+  glm::dvec3 view = LiftView(ToLocal(frame, o));
+  if (this->Periods == 2 && view.y < 0.0) // the same after half a turn
+  {
+    frame[0] = -frame[0];
+    frame[1] = -frame[1];
+    view = glm::dvec3(-view.x, -view.y, view.z);
+  }
+  const double sine = std::hypot(view.x, view.y);
+  const glm::dvec2 azimuth = sine > 1e-6 ? glm::dvec2(view) / sine : glm::dvec2(1.0, 0.0);
+  double phi = std::atan2(azimuth.y, azimuth.x) / (2.0 * Pi);
+  phi = this->Periods * (phi - std::floor(phi));
+  const double u = GetProfilePosition(std::atan2(sine, view.z));
+
+  // The axis, and the tangent carried there by the smallest rotation.
+  const glm::dvec3 parts = this->GetProfile(0, u, phi);
+  const glm::dvec2 level(
+    parts.x * azimuth.x - parts.y * azimuth.y, parts.x * azimuth.y + parts.y * azimuth.x);
+  const double up = std::sqrt(std::max(1.0 - glm::dot(level, level), 0.0));
+  const glm::dvec3 axis = glm::normalize(frame * glm::dvec3(level, up));
+  const glm::dvec3 along = frame * glm::dvec3(1.0 - level.x * level.x / (1.0 + up),
+                                     -level.x * level.y / (1.0 + up), -level.x);
+  const MapPosition at(axis);
+  const double psi = std::atan2(glm::dot(along, at.Across), glm::dot(along, at.Along)) / (2.0 * Pi);
+
+  const double w = std::clamp(parts.z, 0.0, this->Angles - 1.0);
+  const int angle = std::min(static_cast<int>(w), this->Angles - 2);
+  const double p = phi * this->ViewAzimuths;
+  const int first = std::min(static_cast<int>(p), this->ViewAzimuths - 1);
+  const auto value = [&](int k, int viewAzimuth)
+  {
+    // After the last azimuth the first one comes again, in a frame that is turned by the period.
+    const bool again = viewAzimuth == this->ViewAzimuths;
+    const Neighbors turn = PeriodicNeighbors(
+      psi + (again ? 1.0 / this->Periods : 0.0) + 0.5 / this->Azimuths, this->Azimuths);
+    const auto map = [&](int psiIndex)
+    { return this->GetMap(k, psiIndex, again ? 0 : viewAzimuth); };
+    return MixTexels(this->Radiance, this->Columns, { map(turn.First), map(turn.Second) },
+      GetMapColumns(this->Columns, at), GetMapRows(this->Rows, at), turn.Weight);
+  };
+  const auto between = [&](int k)
+  { return glm::mix(value(k, first), value(k, first + 1), p - first); };
+  glm::dvec3 sum = glm::mix(between(angle), between(angle + 1), w - angle);
+  sum *= this->GetProfile(1, u, phi);
+  if (this->HasFloor)
+  {
+    sum += this->GetProfile(2, u, phi) * RadianceTable::GetIrradiance(*this->Irradiance, n);
+  }
+  return glm::max(sum, glm::dvec3(0.0));
+}
+
+namespace
+{
+using Kernels = MaterialPrecomputation::AnisotropicKernels;
+using Expanded = std::vector<std::vector<std::complex<float>>>;
+
+Expanded ExpandKernels(const Kernels& knots, int degree, int orders)
+{
+  Expanded kernels(knots.size());
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(knots.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        const std::size_t knot = static_cast<std::size_t>(k);
+        kernels[knot] = knots[knot]->Expand(degree, orders);
+      }
+    });
+  return kernels;
+}
+
+// One order's kernels of one view angle, by channel: degrees x (real part, imaginary part of each
+// azimuth of the view).
+std::array<FieldSynthesis::Matrix, 3> PickOrder(
+  const Expanded& kernels, std::size_t first, int count, int order, int degree, int rows)
+{
+  std::array<FieldSynthesis::Matrix, 3> matrices;
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    FieldSynthesis::Matrix& matrix = matrices[static_cast<std::size_t>(channel)];
+    matrix.resize(degree + 1, 2 * count);
+    for (int k = 0; k < count; ++k)
+    {
+      const std::complex<float>* in =
+        &kernels[first + static_cast<std::size_t>(k)]
+                [static_cast<std::size_t>((3 * order + channel) * (degree + 1))];
+      for (int l = 0; l <= degree; ++l)
+      {
+        const float taper = static_cast<float>(GetTaper(l, degree, rows));
+        matrix(l, 2 * k) = taper * in[l].real();
+        matrix(l, 2 * k + 1) = taper * in[l].imag();
+      }
+    }
+  }
+  return matrices;
+}
+
+// One order's fields of one view angle, turned to each psi.
+void AddOrder(int order, int angle, const std::array<FieldSynthesis::Field, 3>& fields,
+  const AnisotropicTable& table, std::vector<float>& radiance)
+{
+  const std::size_t texels = table.GetNumberOfTexels();
+  measuredbrdf::ParallelFor(0, table.Azimuths + 1, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int azimuth = static_cast<int>(begin); azimuth < static_cast<int>(end); ++azimuth)
+      {
+        const double gain = GetLinearSplineGain(static_cast<double>(order) / table.Azimuths);
+        const std::complex<float> turn =
+          std::polar(static_cast<float>(order == 0 ? 1.0 : 2.0 * gain),
+            static_cast<float>(-2.0 * Pi * order * static_cast<double>(azimuth) / table.Azimuths));
+        for (int view = 0; view < table.ViewAzimuths; ++view)
+        {
+          float* out = &radiance[3 * table.GetMap(angle, azimuth, view)];
+          for (std::size_t channel = 0; channel < 3; ++channel)
+          {
+            const std::complex<float>* real =
+              &fields[channel][2 * static_cast<std::size_t>(view) * texels];
+            const std::complex<float>* imaginary = real + texels;
+            for (std::size_t texel = 0; texel < texels; ++texel)
+            {
+              const float re = real[texel].real() - imaginary[texel].imag();
+              const float im = real[texel].imag() + imaginary[texel].real();
+              out[3 * texel + channel] += turn.real() * re - turn.imag() * im;
+            }
+          }
+        }
+      }
+    });
+}
+}
+
+// The table's radiance, of its kernels up to a harmonic degree. goOn gets the share that is done;
+// where it says false, the table is not complete, and the result is 0. Else it is what undoes the
+// radiance's scaling.
+double SynthesizeAnisotropic(const EnvironmentHarmonics& environment, const Kernels& knots,
+  int degree, const std::function<bool(double)>& goOn, AnisotropicTable& table)
+{
+  const int orders = std::min(table.Azimuths / 2, degree); // as many as the azimuths can tell apart
+  const Expanded kernels = ExpandKernels(knots, degree, orders);
+  std::vector<float> radiance(3 * table.GetMap(table.Angles, 0, 0));
+  FieldSynthesis synthesis(environment, table.Rows, table.Columns, MapNodes::Poles);
+  for (int angle = 0; angle < table.Angles; ++angle)
+  {
+    const std::size_t first = static_cast<std::size_t>(angle * table.ViewAzimuths);
+    for (int order = 0; order <= orders; ++order)
+    {
+      std::array<FieldSynthesis::Field, 3> fields;
+      synthesis.Run(
+        order, PickOrder(kernels, first, table.ViewAzimuths, order, degree, table.Rows), fields);
+      AddOrder(order, angle, fields, table, radiance);
+      if (!goOn((angle * (orders + 1.0) + order + 1.0) / (table.Angles * (orders + 1.0))))
+      {
+        return 0.0;
+      }
+    }
+  }
+  LiftDarkRings(
+    radiance, static_cast<std::size_t>(table.Rows), static_cast<std::size_t>(table.Columns));
+  return PackRadiance(radiance, table.Radiance);
+}
+
+// A table's profile over all views; scale: what undoes its radiance's scaling.
+void MakeAnisotropicProfile(
+  const AnisotropicViews& views, const Kernels& knots, double scale, AnisotropicTable& table)
+{
+  table.Periods = views.GetPeriods();
+  const int count = AnisotropicViews::Angles * AnisotropicViews::Azimuths;
+  table.Profile.resize(3 * 3 * static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k)
+  {
+    const int angleIndex = k % AnisotropicViews::Angles;
+    const int azimuthIndex = k / AnisotropicViews::Angles;
+    const LobeMeans& lobe = views.Get(angleIndex, azimuthIndex);
+    // What interpolation between the kernels misses of the directional albedo goes to the rest.
+    const double w =
+      LobeViews::GetKnotPosition(AnisotropicViews::GetAngle(angleIndex), table.Angles);
+    const int low = std::min(static_cast<int>(w), table.Angles - 2);
+    const double p =
+      static_cast<double>(azimuthIndex * table.ViewAzimuths) / AnisotropicViews::Azimuths;
+    const int from = static_cast<int>(p);
+    LobeMeans between;
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      const int angle = low + corner % 2;
+      const int azimuth = (from + corner / 2) % table.ViewAzimuths;
+      between.Add(knots[static_cast<std::size_t>(angle * table.ViewAzimuths + azimuth)]->GetMeans(),
+        (corner % 2 ? w - low : 1.0 - w + low) * (corner / 2 ? p - from : 1.0 - p + from));
+    }
+    glm::dvec3 share(0.0);
+    for (int c = 0; c < 3; ++c)
+    {
+      const double wanted = lobe.Amplitude[c] + Pi * (lobe.Floor[c] - between.Floor[c]);
+      share[c] = between.Amplitude[c] > 0.0 ? std::max(wanted, 0.0) / between.Amplitude[c] : 0.0;
+    }
+    const double phi = views.GetAzimuth(azimuthIndex);
+    const glm::dvec2 out(std::cos(phi), std::sin(phi));
+    const glm::dvec3 layers[3] = { { lobe.Axis.x * out.x + lobe.Axis.y * out.y,
+                                     lobe.Axis.y * out.x - lobe.Axis.x * out.y, w },
+      share * scale, between.Floor };
+    for (int layer = 0; layer < 3; ++layer)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        table
+          .Profile[3 * static_cast<std::size_t>(layer * count + k) + static_cast<std::size_t>(c)] =
+          static_cast<float>(layers[layer][c]);
+      }
+    }
+    table.HasFloor = table.HasFloor || between.Floor != glm::dvec3(0.0);
+  }
+}
+} // namespace measuredbrdf
 
 using namespace measuredbrdf;
 

@@ -6,15 +6,18 @@
 #include "HalfVector.h"
 #include "HemisphereIntegral.h"
 #include "LocalFrame.h"
+#include "ParallelFor.h"
 #include "Printable.h"
 #include "Setters.h"
-#include "TupleMap.h"
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <vector>
 
 using namespace measuredbrdf;
 
@@ -22,6 +25,114 @@ namespace
 {
 // Fewer directions are not worth a thread; an albedo alone is.
 constexpr vtkIdType Grain = 512;
+
+// An array of tuples, at most three numbers each.
+struct Tuples
+{
+  const char* Name; // for messages
+  vtkDataArray* Array;
+  int Components;
+};
+
+// How many tuples inputs have together, where one tuple serves for all; what is wrong, or "".
+std::string CountTuples(const std::vector<Tuples>& inputs, vtkIdType& count)
+{
+  count = 1;
+  const char* longest = "";
+  for (const Tuples& input : inputs)
+  {
+    const std::string name = input.Name;
+    const std::string expected =
+      std::to_string(input.Components) + (input.Components == 1 ? " component" : " components");
+    if (!input.Array)
+    {
+      return name + ": found no array, expected one of " + expected + ".";
+    }
+    const int components = input.Array->GetNumberOfComponents();
+    if (components != input.Components)
+    {
+      return name + ": found tuples of " + std::to_string(components) + ", expected " + expected +
+             ".";
+    }
+    const vtkIdType tuples = input.Array->GetNumberOfTuples();
+    if (tuples != 1 && count != 1 && tuples != count)
+    {
+      return name + ": found " + std::to_string(tuples) + " tuples, expected " +
+             std::to_string(count) + ", as " + longest + " has, or 1.";
+    }
+    if (tuples != 1)
+    {
+      count = tuples;
+      longest = input.Name;
+    }
+  }
+  return "";
+}
+
+/**
+ * Resizes the result, of floats or doubles, and lets function(const double* const inputs[2],
+ * double* result) fill its tuples, on several threads, each of at least `grain` of them. The result
+ * may be one of the one or two inputs. Returns what is wrong with the arrays, or "".
+ */
+template <typename Function>
+std::string MapTuples(
+  std::vector<Tuples> inputs, const Tuples& result, vtkIdType grain, const Function& function)
+{
+  vtkIdType count = 0;
+  const std::string problem = CountTuples(inputs, count);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  vtkDataArray* const to = result.Array;
+  if (!to)
+  {
+    return std::string(result.Name) + ": found no array, expected one to fill.";
+  }
+  if (to->GetDataType() != VTK_FLOAT && to->GetDataType() != VTK_DOUBLE)
+  {
+    return std::string(result.Name) + ": found an array of type " + to->GetDataTypeAsString() +
+           ", expected float or double.";
+  }
+  std::vector<vtkSmartPointer<vtkDataArray>> copies; // of an input that is the result, too
+  for (Tuples& input : inputs)
+  {
+    if (input.Array == to)
+    {
+      copies.push_back(vtkSmartPointer<vtkDataArray>::Take(to->NewInstance()));
+      copies.back()->DeepCopy(to);
+      input.Array = copies.back();
+    }
+  }
+  // Memory of another owner (vtkDataArray::SetVoidArray) stays in use where it has the right size.
+  if (to->GetNumberOfComponents() != result.Components)
+  {
+    to->Initialize(); // or vtkSOADataArrayTemplate does not allocate the new components
+    to->SetNumberOfComponents(result.Components);
+  }
+  if (to->GetNumberOfTuples() != count)
+  {
+    to->SetNumberOfTuples(count);
+  }
+  measuredbrdf::ParallelFor(0, count, grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      double from[2][3];
+      double value[3];
+      const double* const pointers[2] = { from[0], from[1] };
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        for (std::size_t a = 0; a < inputs.size(); ++a)
+        {
+          inputs[a].Array->GetTuple(inputs[a].Array->GetNumberOfTuples() == 1 ? 0 : k, from[a]);
+        }
+        function(pointers, value);
+        to->SetTuple(k, value);
+      }
+    });
+  to->Modified();
+  return "";
+}
 
 void Clean(double f[3])
 {
@@ -168,61 +279,57 @@ double vtkBRDF::Pdf(const double i[3], const double o[3])
 //------------------------------------------------------------------------------
 bool vtkBRDF::EvaluateArray(vtkDataArray* i, vtkDataArray* o, vtkDataArray* f)
 {
-  TupleMap map({ { "i", i, 3 }, { "o", o, 3 } }, { "f", f, 3 });
-  if (!map.GetProblem().empty())
-  {
-    vtkErrorMacro("EvaluateArray: " << map.GetProblem());
-    return false;
-  }
   this->Prepare();
-  map.Run(Grain, [this](const double* const inputs[2], double* result)
+  const std::string problem = MapTuples({ { "i", i, 3 }, { "o", o, 3 } }, { "f", f, 3 }, Grain,
+    [this](const double* const inputs[2], double* result)
     { this->Evaluate(inputs[0], inputs[1], result); });
-  return true;
+  if (!problem.empty())
+  {
+    vtkErrorMacro("EvaluateArray: " << problem);
+  }
+  return problem.empty();
 }
 
 //------------------------------------------------------------------------------
 bool vtkBRDF::SampleArray(vtkDataArray* o, vtkDataArray* u, vtkDataArray* i)
 {
-  TupleMap map({ { "o", o, 3 }, { "u", u, 2 } }, { "i", i, 3 });
-  if (!map.GetProblem().empty())
-  {
-    vtkErrorMacro("SampleArray: " << map.GetProblem());
-    return false;
-  }
   this->Prepare();
-  map.Run(Grain, [this](const double* const inputs[2], double* result)
+  const std::string problem = MapTuples({ { "o", o, 3 }, { "u", u, 2 } }, { "i", i, 3 }, Grain,
+    [this](const double* const inputs[2], double* result)
     { this->Sample(inputs[0], inputs[1][0], inputs[1][1], result); });
-  return true;
+  if (!problem.empty())
+  {
+    vtkErrorMacro("SampleArray: " << problem);
+  }
+  return problem.empty();
 }
 
 //------------------------------------------------------------------------------
 bool vtkBRDF::PdfArray(vtkDataArray* i, vtkDataArray* o, vtkDataArray* pdf)
 {
-  TupleMap map({ { "i", i, 3 }, { "o", o, 3 } }, { "pdf", pdf, 1 });
-  if (!map.GetProblem().empty())
-  {
-    vtkErrorMacro("PdfArray: " << map.GetProblem());
-    return false;
-  }
   this->Prepare();
-  map.Run(Grain, [this](const double* const inputs[2], double* result)
+  const std::string problem = MapTuples({ { "i", i, 3 }, { "o", o, 3 } }, { "pdf", pdf, 1 }, Grain,
+    [this](const double* const inputs[2], double* result)
     { *result = this->Pdf(inputs[0], inputs[1]); });
-  return true;
+  if (!problem.empty())
+  {
+    vtkErrorMacro("PdfArray: " << problem);
+  }
+  return problem.empty();
 }
 
 //------------------------------------------------------------------------------
 bool vtkBRDF::GetDirectionalAlbedoArray(vtkDataArray* o, vtkDataArray* albedo)
 {
-  TupleMap map({ { "o", o, 3 } }, { "albedo", albedo, 3 });
-  if (!map.GetProblem().empty())
-  {
-    vtkErrorMacro("GetDirectionalAlbedoArray: " << map.GetProblem());
-    return false;
-  }
   this->Prepare();
-  map.Run(1, [this](const double* const inputs[2], double* result)
+  const std::string problem = MapTuples({ { "o", o, 3 } }, { "albedo", albedo, 3 }, 1,
+    [this](const double* const inputs[2], double* result)
     { this->GetDirectionalAlbedo(inputs[0], result); });
-  return true;
+  if (!problem.empty())
+  {
+    vtkErrorMacro("GetDirectionalAlbedoArray: " << problem);
+  }
+  return problem.empty();
 }
 
 //------------------------------------------------------------------------------

@@ -3,11 +3,11 @@
 #include "vtkBasisBRDF.h"
 
 #include "BasisFunctions.h"
-#include "BasisTables.h"
 #include "ContentHash.h"
 #include "HalfVector.h" // for angles
 #include "HalfVectorSampler.h"
 #include "LocalFrame.h"
+#include "LowDiscrepancy.h"
 #include "ModuleShader.h"
 #include "NumberText.h"
 #include "Setters.h"
@@ -24,6 +24,276 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
+
+namespace measuredbrdf
+{
+/// Two neighboring samples of an axis and the weight of the second.
+struct Interval
+{
+  int First;
+  int Second;
+  double Weight;
+};
+
+/// Samples at u = k / (n-1).
+inline Interval OnAxis(double u, int n)
+{
+  const double x = std::clamp(u, 0.0, 1.0) * (n - 1);
+  const int first = std::min(static_cast<int>(x), n - 2);
+  return { first, first + 1, x - first };
+}
+
+/// Samples at u = k / n, periodic.
+inline Interval OnCircle(double u, int n)
+{
+  const double x = (u - std::floor(u)) * n;
+  const int first = static_cast<int>(x) % n;
+  return { first, (first + 1) % n, x - std::floor(x) };
+}
+
+/// Four neighbors in the basis table and their weights.
+struct BasisCorners
+{
+  const float* Rows[4];
+  double Weights[4];
+
+  double Interpolate(std::size_t k) const
+  {
+    return this->Weights[0] * this->Rows[0][k] + this->Weights[1] * this->Rows[1][k] +
+           this->Weights[2] * this->Rows[2][k] + this->Weights[3] * this->Rows[3][k];
+  }
+};
+
+/// Values of all basis functions at equal steps of acos(x) and of the azimuth, and coefficients,
+/// both with k fastest.
+struct BasisTables
+{
+  /**
+   * gammaRange: acos(x) at the last row. tolerance: relative error of the interpolated sums, which
+   * sets the steps. coefficients: RGB triples, k slowest, as vtkBasisBRDF holds them.
+   */
+  BasisTables(const BasisFunctions& functions, double gammaRange, double tolerance,
+    const std::vector<float>& coefficients);
+
+  BasisCorners GetCorners(double x, double turn) const
+  {
+    const Interval g = OnAxis(std::acos(x) / this->GammaRange, this->NumberOfGamma);
+    const Interval p = OnCircle(turn, this->NumberOfPhi);
+    const auto row = [this](int gamma, int phi)
+    {
+      const std::size_t k =
+        static_cast<std::size_t>(gamma) * static_cast<std::size_t>(this->NumberOfPhi) +
+        static_cast<std::size_t>(phi);
+      return &this->Basis[k * static_cast<std::size_t>(this->Functions.GetNumberOfFunctions())];
+    };
+    return { { row(g.First, p.First), row(g.First, p.Second), row(g.Second, p.First),
+               row(g.Second, p.Second) },
+      { (1.0 - g.Weight) * (1.0 - p.Weight), (1.0 - g.Weight) * p.Weight,
+        g.Weight * (1.0 - p.Weight), g.Weight * p.Weight } };
+  }
+
+  /// Adds weight times the sum of basis functions with the coefficients of one sample of o.
+  void AddView(int view, const BasisCorners& corners, double weight, double f[3]) const;
+
+  /**
+   * interpolation: relative L2 error of the sums by the basis table's steps, directions weighted by
+   * the cosine. amplification: how much independent rounding errors of the stored values grow in
+   * the sum, sqrt(sum (C_k B_k)^2) / |sum C_k B_k|, RMS.
+   */
+  void Measure(double& interpolation, double& amplification) const;
+
+  /// Upper bounds of what the sums are, over a divisor: sum |C_k| max |B_k|.
+  void GetBounds(double divisor, double upper[3]) const;
+
+  /// The basis values for a shader, k slowest.
+  vtkBRDFShaderInputs::Texture MakeTexture(bool halfFloat) const;
+
+  BasisFunctions Functions;
+  double GammaRange;
+  int NumberOfGamma;
+  int NumberOfPhi;
+  std::vector<float> Basis;        // [gamma][phi][k]
+  std::vector<float> Coefficients; // [theta_o][phi_o][channel][k]
+};
+
+/// Coefficients as vtkBasisBRDF holds them for a shader, times `scale`, which uses the range of
+/// 16-bit floats.
+vtkBRDFShaderInputs::Texture MakeCoefficientTexture(
+  const std::vector<float>& coefficients, int nPhi, int nTheta, bool halfFloat, float& scale);
+
+namespace
+{
+constexpr int LargestSide = 256; // of the basis table
+}
+
+//------------------------------------------------------------------------------
+BasisTables::BasisTables(const BasisFunctions& functions, double gammaRange, double tolerance,
+  const std::vector<float>& coefficients)
+  : Functions(functions)
+  , GammaRange(gammaRange)
+{
+  // Linear interpolation of cos(m t) at steps h has an RMS error of 0.09 (m h)^2, per axis.
+  const double step =
+    std::sqrt(tolerance / 0.18) / std::max(static_cast<double>(functions.GetOrder()), 1.0);
+  const auto getSamples = [step](double range)
+  { return std::clamp(static_cast<int>(std::ceil(range / step)), 1, LargestSide - 1) + 1; };
+  this->NumberOfGamma = getSamples(gammaRange);
+  this->NumberOfPhi = functions.GetOrder() == 0 ? 1 : getSamples(2.0 * Pi);
+  const std::size_t count = static_cast<std::size_t>(functions.GetNumberOfFunctions());
+  std::vector<double> values(count);
+  for (int g = 0; g < this->NumberOfGamma; ++g)
+  {
+    const double gamma = gammaRange * g / (this->NumberOfGamma - 1.0);
+    const double cosine = functions.ToCosine(std::cos(gamma));
+    for (int p = 0; p < this->NumberOfPhi; ++p)
+    {
+      functions.Evaluate(cosine, 2.0 * Pi * p / this->NumberOfPhi, values.data());
+      this->Basis.insert(this->Basis.end(), values.begin(), values.end());
+    }
+  }
+  const std::size_t views = coefficients.size() / (3 * count);
+  this->Coefficients.resize(coefficients.size());
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    for (std::size_t v = 0; v < views; ++v)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        this->Coefficients[(3 * v + c) * count + k] = coefficients[3 * (k * views + v) + c];
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void BasisTables::AddView(int view, const BasisCorners& corners, double weight, double f[3]) const
+{
+  const std::size_t n = static_cast<std::size_t>(this->Functions.GetNumberOfFunctions());
+  const float* r = &this->Coefficients[3 * static_cast<std::size_t>(view) * n];
+  double sum[3] = { 0.0, 0.0, 0.0 };
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    const double b = corners.Interpolate(k);
+    sum[0] += b * r[k];
+    sum[1] += b * r[n + k];
+    sum[2] += b * r[2 * n + k];
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    f[c] += weight * sum[c];
+  }
+}
+
+//------------------------------------------------------------------------------
+void BasisTables::Measure(double& interpolation, double& amplification) const
+{
+  const std::size_t n = static_cast<std::size_t>(this->Functions.GetNumberOfFunctions());
+  const std::size_t views = this->Coefficients.size() / (3 * n);
+  std::vector<double> exact(n);
+  double difference = 0.0;
+  double absolute = 0.0;
+  double plain = 0.0;
+  for (std::uint32_t sample = 1; sample <= 2000; ++sample)
+  {
+    const std::size_t view = static_cast<std::size_t>(RadicalInverse(sample, 2) * views);
+    const double cosine = std::sqrt(RadicalInverse(sample, 3));
+    const double turn = RadicalInverse(sample, 5);
+    const double x = this->Functions.ToX(cosine);
+    this->Functions.Evaluate(this->Functions.ToCosine(x), 2.0 * Pi * turn, exact.data());
+    const BasisCorners corners = this->GetCorners(x, turn);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      double sum = 0.0;
+      double error = 0.0;
+      double magnitude = 0.0;
+      for (std::size_t k = 0; k < n; ++k)
+      {
+        const double coefficient = this->Coefficients[(3 * view + c) * n + k];
+        sum += coefficient * exact[k];
+        error += coefficient * (corners.Interpolate(k) - exact[k]);
+        magnitude += coefficient * exact[k] * coefficient * exact[k];
+      }
+      plain += sum * sum;
+      difference += error * error;
+      absolute += magnitude;
+    }
+  }
+  interpolation = plain > 0.0 ? std::sqrt(difference / plain) : 0.0;
+  amplification = plain > 0.0 ? std::sqrt(absolute / plain) : 1.0;
+}
+
+//------------------------------------------------------------------------------
+void BasisTables::GetBounds(double divisor, double upper[3]) const
+{
+  std::fill_n(upper, 3, 0.0);
+  const std::size_t n = static_cast<std::size_t>(this->Functions.GetNumberOfFunctions());
+  std::vector<float> largest(n, 0.0f);
+  for (std::size_t k = 0; k < this->Basis.size(); ++k)
+  {
+    largest[k % n] = std::max(largest[k % n], std::abs(this->Basis[k]));
+  }
+  for (std::size_t row = 0; row < this->Coefficients.size() / n; ++row)
+  {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < n; ++k)
+    {
+      sum += static_cast<double>(std::abs(this->Coefficients[row * n + k])) * largest[k];
+    }
+    sum /= divisor;
+    upper[row % 3] = std::max(upper[row % 3], sum);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkBRDFShaderInputs::Texture BasisTables::MakeTexture(bool halfFloat) const
+{
+  const int n = this->Functions.GetNumberOfFunctions();
+  vtkBRDFShaderInputs::Texture texture;
+  texture.Name = "brdfBasis";
+  texture.ThreeD = true;
+  texture.Components = 1;
+  texture.Dimensions = { this->NumberOfPhi, this->NumberOfGamma, n };
+  texture.Repeat = { true, false, false };
+  texture.HalfFloat = halfFloat;
+  const std::size_t lights = this->Basis.size() / static_cast<std::size_t>(n);
+  texture.Data.reserve(this->Basis.size());
+  for (int k = 0; k < n; ++k)
+  {
+    for (std::size_t light = 0; light < lights; ++light)
+    {
+      texture.Data.push_back(
+        this->Basis[light * static_cast<std::size_t>(n) + static_cast<std::size_t>(k)]);
+    }
+  }
+  return texture;
+}
+
+//------------------------------------------------------------------------------
+vtkBRDFShaderInputs::Texture MakeCoefficientTexture(
+  const std::vector<float>& coefficients, int nPhi, int nTheta, bool halfFloat, float& scale)
+{
+  vtkBRDFShaderInputs::Texture texture;
+  texture.Name = "brdfCoefficients";
+  texture.ThreeD = true;
+  const std::size_t views = static_cast<std::size_t>(nPhi) * static_cast<std::size_t>(nTheta);
+  texture.Dimensions = { nPhi, nTheta, static_cast<int>(coefficients.size() / (3 * views)) };
+  texture.Repeat = { true, false, false };
+  texture.HalfFloat = halfFloat;
+  float peak = 0.0f;
+  for (const float v : coefficients)
+  {
+    peak = std::max(peak, std::abs(v));
+  }
+  scale = halfFloat && peak > 1e-30f ? 32768.0f / peak : 1.0f;
+  texture.Data.reserve(coefficients.size());
+  for (const float v : coefficients)
+  {
+    texture.Data.push_back(v * scale);
+  }
+  return texture;
+}
+} // namespace measuredbrdf
 
 using namespace measuredbrdf;
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTensorTreeBRDF.h"
 
+#include "ConcentricMap.h"
 #include "ContentHash.h"
-#include "HalfVector.h" // for Pi
 #include "RenderableTable.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"
@@ -28,37 +28,12 @@ using Tree = vtkTensorTreeBRDF::Tree;
 constexpr int LargestSide = 1 << 10;
 constexpr int DeepestTree = 64;
 
-// From the unit disk, by concentric rings (Shirley, Chiu 1997), inverted.
-void ToSquare(double x, double y, double square[2])
+// From the unit disc to [0,1]^2.
+void ToUnitSquare(double x, double y, double square[2])
 {
-  const double r = std::min(std::hypot(x, y), 1.0);
-  double phi = std::atan2(y, x);
-  constexpr double quarter = Pi / 4.0;
-  phi = phi < -quarter ? phi + 2.0 * Pi : phi;
-  double a = 0.0;
-  double b = 0.0;
-  if (phi < quarter)
-  {
-    a = r;
-    b = phi * r / quarter;
-  }
-  else if (phi < 3.0 * quarter)
-  {
-    a = (0.5 * Pi - phi) * r / quarter;
-    b = r;
-  }
-  else if (phi < 5.0 * quarter)
-  {
-    a = -r;
-    b = (Pi - phi) * r / quarter;
-  }
-  else
-  {
-    a = (phi - 1.5 * Pi) * r / quarter;
-    b = -r;
-  }
-  square[0] = 0.5 * (a + 1.0);
-  square[1] = 0.5 * (b + 1.0);
+  const glm::dvec2 p = DiscToSquare({ x, y });
+  square[0] = 0.5 * (p.x + 1.0);
+  square[1] = 0.5 * (p.y + 1.0);
 }
 
 // Where a pair lies, each coordinate in [0, 1).
@@ -67,8 +42,8 @@ std::array<double, 4> GetPlace(const Tree& tree, const double i[3], const double
   std::array<double, 4> place{};
   if (tree.Dimensions == 4)
   {
-    ToSquare(-o[0], -o[1], &place[0]);
-    ToSquare(i[0], i[1], &place[2]);
+    ToUnitSquare(-o[0], -o[1], &place[0]);
+    ToUnitSquare(i[0], i[1], &place[2]);
   }
   else
   {
@@ -76,7 +51,7 @@ std::array<double, 4> GetPlace(const Tree& tree, const double i[3], const double
     const double c = radius > 1e-12 ? -o[0] / radius : 1.0;
     const double s = radius > 1e-12 ? -o[1] / radius : 0.0;
     place[0] = std::min(0.5 - 0.5 * radius, 0.5 - 1e-9); // trees hold nothing beyond
-    ToSquare(c * i[0] + s * i[1], c * i[1] - s * i[0], &place[1]);
+    ToUnitSquare(c * i[0] + s * i[1], c * i[1] - s * i[0], &place[1]);
   }
   for (double& coordinate : place)
   {

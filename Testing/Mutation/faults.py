@@ -83,8 +83,8 @@ add("Core.left-handed-frame", "LocalFrame.h", "return Frame(p / length, glm::cro
     "Parity.Tables|ExactIntegrator.EqualsAPlainSum|Integrators.RotatingEverythingChangesNothing")
 add("Core.views-are-lifted-too-far", "LocalFrame.h", "MinimumViewCosine = 0.02;", "MinimumViewCosine = 0.05;",
     "MapperShading.GrazingViews|TableIntegrator.GrazingViewsAreLifted")
-add("Core.hash-without-the-last-word", "ContentHash.h", "for (int k = 0; left > 0; ++k)",
-    "for (int k = 0; left > 8; ++k)", "ContentKey.EverythingThatCountsChangesIt")
+add("Core.hash-of-the-last-piece", "ContentHash.cxx", "{ this->State[0], this->State[1], piece.low64",
+    "{ 0, 0, piece.low64", "ContentKey.EverythingThatCountsChangesIt")
 add("Core.warp-weights-of-slices", "BilinearWarp.h", "result.Weight[k] *= 1.0 - w;", "result.Weight[k] *= w;",
     "IOTensor.Reads|IOTensor.AgreesWithTheAuthorsCode|Sampling.FollowsItsPdf")
 add("Core.warp-inverts-without-cells", "BilinearWarp.h",
@@ -120,16 +120,14 @@ add("Core.refused-numbers-are-taken", "Setters.h", "if (!measuredbrdf::AreFinite
 
 # Material
 
-add("Material.array-of-one-tuple-is-walked", "TupleMap.cxx", "== 1 ? 0 : components", "== 0 ? 0 : components",
+add("Material.array-of-one-tuple-is-walked", "vtkBRDF.cxx", "GetNumberOfTuples() == 1 ? 0 : k", "GetNumberOfTuples() == 0 ? 0 : k",
     "Arrays.OneTupleServesForAll")
-add("Material.array-result-overwrites-its-input", "TupleMap.cxx", "this->Inputs[a].Array = this->Copies[a];", "",
+add("Material.array-result-overwrites-its-input", "vtkBRDF.cxx", "input.Array = copies.back();", "",
     "Arrays.TheResultMayBeAnInput")
-add("Material.array-sizes-unchecked", "TupleMap.cxx", "count != 1 && this->Count != 1 && count != this->Count",
-    "count < 0", "Arrays.WhatDoesNotFitIsRefused")
-add("Material.array-result-of-any-type", "TupleMap.cxx", "type != VTK_FLOAT && type != VTK_DOUBLE", "type < 0",
-    "Arrays.WhatDoesNotFitIsRefused")
-add("Material.array-blocks-lie-on-another", "TupleMap.cxx", "this->Floats + begin * this->Components,\n      [](double",
-    "this->Floats,\n      [](double", "Arrays.AreTheScalarCalls")
+add("Material.array-sizes-unchecked", "vtkBRDF.cxx", "tuples != 1 && count != 1 && tuples != count",
+    "tuples != 1 && count != 1 && tuples < 0", "Arrays.WhatDoesNotFitIsRefused")
+add("Material.array-result-of-any-type", "vtkBRDF.cxx", "to->GetDataType() != VTK_FLOAT && to->GetDataType() != VTK_DOUBLE",
+    "to->GetDataType() < 0", "Arrays.WhatDoesNotFitIsRefused")
 add("Material.array-sample-with-one-number", "vtkBRDF.cxx", "inputs[1][0], inputs[1][1], result",
     "inputs[1][0], inputs[1][0], result", "Arrays.AreTheScalarCalls")
 add("Material.lambert-without-pi", "vtkLambertBRDF.cxx", "f[c] = this->Albedo[c] / measuredbrdf::Pi;",
@@ -168,9 +166,9 @@ add("Material.tabulated-invalid-cells-are-black", "vtkTabulatedBRDF.cxx",
     "IOMerl.CountsWhatIsNotFinite|Fit.HolesInATableDoNotCount")
 add("Material.tabulated-never-makes-levels", "vtkTabulatedBRDF.cxx",
     "this->WidenedLevels = std::make_shared<Levels>();", "", "SoftTables.AgreeWithTheClosedForm")
-add("Material.tabulated-shared-exponents-of-negative-values", "TabulatedStorage.h", "positive = positive && v >= 0.0f;",
+add("Material.tabulated-shared-exponents-of-negative-values", "vtkTabulatedBRDF.cxx", "positive = positive && v >= 0.0f;",
     "positive = true;", "Tabulated.SharedExponents")
-add("Material.tabulated-half-floats-overflow", "TabulatedStorage.h", "Peak / peak", "4.0f * Peak / peak",
+add("Material.tabulated-half-floats-overflow", "vtkTabulatedBRDF.cxx", "Peak / peak", "4.0f * Peak / peak",
     "Parity.Tables|Parity.EmbeddedMeasurement|Tabulated.PrecisionFollowsTheTolerance")
 add("Material.tabulated-copy-without-cosine", "vtkTabulatedBRDF.cxx", "copy->CosineWeighted = this->CosineWeighted;",
     "", "Snapshots.Tables")
@@ -270,7 +268,7 @@ add("Integration.adaptive-stops-at-texels", "AdaptiveSum.cxx",
     "AdaptiveIntegrator.KeepsItsToleranceAtEachPair|AdaptiveIntegrator.MissesNothingNarrow")
 add("Integration.adaptive-takes-the-square-for-its-quarters", "AdaptiveSum.cxx",
     "this->Count(square, -1.0);", "", "AdaptiveIntegrator.ConvergesWithItsTolerance")
-add("Integration.adaptive-looks-nowhere-first", "FirstSquares.cxx",
+add("Integration.adaptive-looks-nowhere-first", "AdaptiveSum.cxx",
     "if (reach > 0.0f &&", "if (reach > 1e9f &&",
     "AdaptiveIntegrator.MissesNothingNarrow|AdaptiveIntegrator.IsNotMisledByChance")
 add("Integration.group-has-one-frame", "AdaptiveSum.cxx",
@@ -288,11 +286,11 @@ add("Lighting.quarters-of-a-part-are-the-other-way", "TexelTree.cxx",
 add("Integration.peaks-of-the-wrong-azimuth", "ReflectionGuide.cxx",
     "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, o.y) / s", "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, -o.y) / s",
     "ReflectionGuide.KnowsPeaks")
-add("Integration.core-takes-the-blur-too", "CoreModes.cxx", "inTable * share[channel] * taken", "0.0",
+add("Integration.core-takes-the-blur-too", "RadianceCore.cxx", "inTable * share[channel] * taken", "0.0",
     "FactoredIntegrator.MirrorsInFewMegabytes|FactoredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
 add("Integration.core-turns-backwards", "RadianceCore.cxx", "turn.y * GetCenteredValue(",
     "-turn.y * GetCenteredValue(", "FactoredIntegrator.MapsConverge|Parity.FactoredIntegrator")
-add("Integration.core-of-gray-weights", "CoreModes.cxx", "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low) + c;",
+add("Integration.core-of-gray-weights", "RadianceCore.cxx", "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low) + c;",
     "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low);", "FactoredIntegrator.MapsConverge")
 add("Integration.maps-half-a-column-off", "FieldSynthesis.cxx", "std::polar(1.0f, static_cast<float>(-Pi * frequency))",
     "std::polar(1.0f, static_cast<float>(Pi * frequency))", "FactoredIntegrator.MapsConverge|FactoredIntegrator.MirrorsInFewMegabytes")
@@ -341,11 +339,11 @@ add("Integration.anisotropic-azimuths-from-the-axis", "AnisotropicLobe.cxx", "st
     "AnisotropicTable.Converges")
 add("Integration.anisotropic-conjugate-forgotten", "AnisotropicLobe.cxx", "from < 0 ? std::conj(in[l]) : in[l]", "in[l]",
     "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")
-add("Integration.anisotropic-half-turn-forgotten", "AnisotropicTable.cxx", "(again ? 1.0 / this->Periods : 0.0)", "0.0",
+add("Integration.anisotropic-half-turn-forgotten", "vtkAnisotropicTableRadianceIntegrator.cxx", "(again ? 1.0 / this->Periods : 0.0)", "0.0",
     "AnisotropicTable.BrushedMetalInTwelveMegabytes|AnisotropicTable.Converges")
 add("Material.anisotropic-always-half-a-turn", "HalfTurn.cxx", "return difference <= LargestDifference * Probes;",
     "return true;", "AnisotropicTable.ClothWithANapHasOnePeriod")
-add("Integration.anisotropic-axis-in-the-plane", "AnisotropicSynthesis.cxx", "lobe.Axis.y * out.x - lobe.Axis.x * out.y, w", "0.0, w",
+add("Integration.anisotropic-axis-in-the-plane", "vtkAnisotropicTableRadianceIntegrator.cxx", "lobe.Axis.y * out.x - lobe.Axis.x * out.y, w", "0.0, w",
     "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")
 add("Integration.exact-without-cosine", "vtkExactRadianceIntegrator.cxx", "sum += cosine * f *", "sum += f *",
     "ExactIntegrator.LambertUnderAConstantSkyHasAClosedForm")
@@ -387,12 +385,12 @@ add("Integration.filtered-adds-the-sharp-part-twice", "vtkFilteredRadianceIntegr
     "FilteredIntegrator.BroadLobesSeeSmallPanels|Parity.FilteredIntegrator")
 add("Integration.filtered-takes-anisotropic-materials", "vtkFilteredRadianceIntegrator.cxx",
     "if (!this->BRDF->IsIsotropic())", "if (this->BRDF == nullptr)", "FilteredIntegrator.BadInputs")
-add("Integration.samples-see-too-sharply", "ReflectionSamples.cxx", "-0.5 * std::log2(4.0 * Pi * density)",
+add("Integration.samples-see-too-sharply", "vtkFilteredRadianceIntegrator.cxx", "-0.5 * std::log2(4.0 * Pi * density)",
     "-1.0 * std::log2(4.0 * Pi * density)",
     "FilteredReference.Converges|FilteredIntegrator.RotatingEverythingChangesNothing|FilteredIntegrator.RealSun")
-add("Integration.samples-of-the-whole-material", "ReflectionSamples.cxx", "f * (GetSharpShare(f, limit) / density)",
+add("Integration.samples-of-the-whole-material", "vtkFilteredRadianceIntegrator.cxx", "f * (GetSharpShare(f, limit) / density)",
     "f * (1.0 / density)", "FilteredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
-add("Integration.samples-do-not-interpolate", "ReflectionSamples.cxx", "a.Weight + t * (b.Weight - a.Weight)",
+add("Integration.samples-do-not-interpolate", "vtkFilteredRadianceIntegrator.cxx", "a.Weight + t * (b.Weight - a.Weight)",
     "a.Weight", "Parity.FilteredIntegrator|FilteredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
 add("Integration.light-set-without-cosine", "vtkLightSetRadianceIntegrator.cxx",
     "radiance[c] += light.z * f[c] * irradiance[c];", "radiance[c] += f[c] * irradiance[c];",
@@ -667,7 +665,7 @@ add("Planning.pixels-know-their-own-only", "PlanPairs.cxx", "around += about[nei
 add("Planning.crowds-count-as-many", "PlanPairs.cxx", "pairs.Weights.push_back(1.0 / counts[owner]);", "pairs.Weights.push_back(1.0);",
     "PlanPoints.CrowdWhereItVaries")
 add("Planning.pictures-know-no-points", "PlanSample.cxx", "points->Weigh(all);", "", "PlanSample.OfPicturesKnowTheirPoints")
-add("Integration.other-half-unmirrored", "DegreeSum.cxx", "getOut(places.Mirror, -m) = sign * (even - odd);",
+add("Integration.other-half-unmirrored", "FieldSynthesis.cxx", "getOut(places.Mirror, -m) = sign * (even - odd);",
     "getOut(places.Mirror, -m) = sign * (even + odd);", "FieldSynthesis.IsTheSumOverHarmonics")
 add("Integration.kinds-that-are-none-count", "FieldSynthesis.cxx", "other.Real.tail(beyond) = other.Imaginary.tail(beyond) = 0.0f;", "",
     "FieldSynthesis.IsTheSumOverHarmonics")
@@ -841,11 +839,11 @@ add("Visibility.points-below-the-facet", "vtkTracedScene.cxx", "return from.Posi
     "return from.Position - this->Tracer->GetOffset()", "Traced.TwoSidedSheets")
 add("Visibility.no-lift-above-facets", "vtkTracedScene.cxx", "point.Position += lift;", "",
     "Traced.ConvexSurfacesHideNothing")
-add("Integration.traced-one-bounce-too-many", "TracedRadiance.cxx", "for (int k = 0; k < bounces; ++k)",
+add("Integration.traced-one-bounce-too-many", "vtkTracedRadianceIntegrator.cxx", "for (int k = 0; k < bounces; ++k)",
     "for (int k = 0; k <= bounces; ++k)", "Traced.BowlsAndFurnaces")
-add("Integration.traced-density-without-cosine", "TracedRadiance.cxx",
+add("Integration.traced-density-without-cosine", "vtkTracedRadianceIntegrator.cxx",
     "shares[ByCosine] * draw.Local.z / Pi", "shares[ByCosine] / Pi", "Traced.BowlsAndFurnaces|Traced.AgreesWithMitsuba")
-add("Integration.sky-density-of-the-whole-map", "SkySampler.cxx", "width * height / (2.0 * Pi * Pi * cosine)",
+add("Integration.sky-density-of-the-whole-map", "vtkTracedRadianceIntegrator.cxx", "width * height / (2.0 * Pi * Pi * cosine)",
     "width * height / (4.0 * Pi * Pi * cosine)", "Traced.WaysToTraceAgree|Traced.ThinSlits")
 add("Planning.occlusion-tolerance-adds-up", "vtkOcclusionPredictor.cxx",
     "tolerance * tolerance - planError * planError", "tolerance * tolerance + planError * planError",

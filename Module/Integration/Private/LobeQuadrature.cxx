@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LobeQuadrature.h"
 
+#include "ConcentricMap.h"
 #include "LightLanes.h"
 #include "LowDiscrepancy.h"
 #include "RetroLobe.h"
@@ -23,49 +24,6 @@ constexpr int PointsPerSide = 4; // of a cell, at their centers
 constexpr int KnownLevels = 6;
 constexpr int Levels = 14; // deepest cells: 0.009 degrees a side
 
-// Shirley and Chiu 1997's concentric map to the disc, lifted to the hemisphere so that areas on the
-// square [-1,1]^2 are solid angles (4 <-> 2 pi).
-glm::dvec3 ToHemisphere(double a, double b)
-{
-  double r = a;
-  double phi = 0.0;
-  if (std::abs(a) > std::abs(b))
-  {
-    phi = Pi / 4.0 * b / a;
-  }
-  else if (b != 0.0)
-  {
-    r = b;
-    phi = Pi / 2.0 - Pi / 4.0 * a / b;
-  }
-  const double s = r * std::sqrt(std::max(2.0 - r * r, 0.0));
-  return glm::dvec3(s * std::cos(phi), s * std::sin(phi), 1.0 - r * r);
-}
-
-glm::dvec2 ToSquare(const glm::dvec3& d)
-{
-  const double r = std::sqrt(std::max(1.0 - d.z, 0.0));
-  double phi = std::atan2(d.y, d.x); // of the side x > |y|, turned there from the other three
-  int side = 0;
-  while (phi > Pi / 4.0 || phi < -Pi / 4.0)
-  {
-    side += phi > 0.0 ? 1 : -1;
-    phi -= std::copysign(Pi / 2.0, phi);
-  }
-  const double t = r * phi * 4.0 / Pi;
-  switch ((side + 4) % 4)
-  {
-    case 0:
-      return glm::dvec2(r, t);
-    case 1:
-      return glm::dvec2(-t, r);
-    case 2:
-      return glm::dvec2(-r, -t);
-    default:
-      return glm::dvec2(t, -r);
-  }
-}
-
 using Points = std::array<glm::dvec3, PointsPerSide * PointsPerSide>;
 
 Points MakePoints(double a, double b, double side)
@@ -74,8 +32,8 @@ Points MakePoints(double a, double b, double side)
   for (int k = 0; k < PointsPerSide * PointsPerSide; ++k)
   {
     points[static_cast<std::size_t>(k)] =
-      ToHemisphere(a + side * (k % PointsPerSide + 0.5) / PointsPerSide,
-        b + side * (k / PointsPerSide + 0.5) / PointsPerSide);
+      SquareToHemisphere({ a + side * (k % PointsPerSide + 0.5) / PointsPerSide,
+        b + side * (k / PointsPerSide + 0.5) / PointsPerSide });
   }
   return points;
 }
@@ -213,7 +171,7 @@ int SplitWhereLobesAre(
       continue;
     }
     const double wanted = 8.0 / (seeds * std::max(brdf->Pdf(&i.x, &o.x), 1e-3));
-    const glm::dvec2 p = ToSquare(i);
+    const glm::dvec2 p = HemisphereToSquare(i);
     for (int leaf = tree.FindLeaf(p); leaves < most; leaf = tree.FindLeaf(p))
     {
       const Node& node = tree.Nodes[static_cast<std::size_t>(leaf)];
@@ -236,7 +194,7 @@ int SplitTowardsTheViewer(vtkBRDF* brdf, const glm::dvec3& o, int leaves, int mo
     glm::dvec3 f;
     brdf->Evaluate(&i.x, &o.x, &f.x);
     const double peak = f.x + f.y + f.z;
-    const glm::dvec2 p = ToSquare(i);
+    const glm::dvec2 p = HemisphereToSquare(i);
     for (int leaf = tree.FindLeaf(p); peak > 3.0 * RetroLobe::LeastPeak / Pi && leaves < most;
          leaf = tree.FindLeaf(p))
     {

@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RadianceCore.h"
 
+#include "ClampedCosine.h"
 #include "FieldSynthesis.h"
+#include "LobeHarmonics.h"
 #include "LobePlacement.h"
 #include "ParallelFor.h"
+#include "SymmetricEigen.h"
+#include "TableSynthesis.h"
+#include "WignerD.h"
 
 #include <glm/gtc/packing.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -14,10 +19,234 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace measuredbrdf
 {
+namespace
+{
+constexpr int LargestOrder = CoreMode::LargestOrder;
+constexpr double LeastEnergy = 1e-12; // of the mean radiance's: less is rounding
+constexpr double LeastWeight = 1e-3;  // of views along the normal and the horizon
+
+// Exponent of the environment's power by degree. 1 makes the squared error least; more serves its
+// absolute value better (docs/methods/factored.md).
+constexpr double PowerExponent = 1.5;
+
+// Mean square of the environment's harmonics of each degree, all channels.
+std::vector<double> GetPower(const EnvironmentHarmonics& environment, int degree)
+{
+  std::vector<double> power;
+  for (int l = 0; l <= degree; ++l)
+  {
+    double sum = 0.0;
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      for (int m = 0; m <= l; ++m)
+      {
+        sum += (m > 0 ? 2.0 : 1.0) * std::norm(environment.Get(channel, l, m));
+      }
+    }
+    power.push_back(sum / (2.0 * l + 1.0));
+  }
+  return power;
+}
+
+// How much of a sphere's disc is seen at a view angle, for the singular values.
+double GetViewWeight(double theta)
+{
+  return std::sqrt(std::cos(theta) * std::sin(theta) + LeastWeight);
+}
+
+std::size_t GetIndex(int order, int channel, int degree, int l)
+{
+  return static_cast<std::size_t>(3 * order + channel) * static_cast<std::size_t>(degree + 1) +
+         static_cast<std::size_t>(l);
+}
+
+// The clamped cosine's harmonics about an axis delta from the normal, as GetIndex(order, 0, ...).
+std::vector<double> TurnCosine(double delta, int degree)
+{
+  std::vector<double> turned(GetIndex(LargestOrder + 1, 0, degree, 0), 0.0);
+  std::vector<double> d(static_cast<std::size_t>(degree) + 1);
+  for (int order = 0; order <= LargestOrder; ++order)
+  {
+    const WignerD functions(order, 0, degree);
+    functions.Evaluate(std::abs(delta), d.data());
+    const double sign = delta < 0.0 && order % 2 != 0 ? -1.0 : 1.0;
+    for (int l = functions.GetFirst(); l <= degree; ++l)
+    {
+      turned[GetIndex(order, 0, degree, l)] =
+        sign * d[static_cast<std::size_t>(l - functions.GetFirst())] * GetClampedCosine(l);
+    }
+  }
+  return turned;
+}
+
+using Matrices = MaterialPrecomputation::Matrices; // by order: degrees x (knots x channels)
+
+// What the table, as it is interpolated, lacks of a knot's kernel about the axis that pixels look
+// at: of the lobe, and of the Lambert part.
+void ExpandKnot(const CoreKernels& kernels, const std::vector<std::vector<float>>& table,
+  std::size_t knot, const std::vector<float>& whole, Matrices& result)
+{
+  const int degree = kernels.Degree;
+  const double u = GetProfilePosition(kernels.GetViewAngle(knot));
+  const glm::dvec3 share = GetProfileValue(kernels.Table.Profile, 1, u);
+  const glm::dvec3 floor = GetProfileValue(kernels.Table.Profile, 2, u);
+  const double place = LobeViews::GetKnotPosition(kernels.GetViewAngle(knot), kernels.Table.Angles);
+  const std::size_t low = std::min(static_cast<std::size_t>(place), table.size() - 2);
+  const double between = place - static_cast<double>(low);
+  const LobeHarmonics& lobe = *kernels.Knots[knot];
+  const std::vector<double> cosine = TurnCosine(kernels.GetAxis(knot), degree);
+  for (int order = 0; order <= LargestOrder; ++order)
+  {
+    // As many orders as the table's azimuths can tell apart.
+    const double inTable = order <= kernels.Table.Azimuths / 2 ? 1.0 : 0.0;
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      const double amplitude = lobe.GetMeans().Amplitude[channel];
+      const double lambert = lobe.GetMeans().Floor[channel] - floor[channel];
+      const Eigen::Index column = 3 * static_cast<Eigen::Index>(knot) + channel;
+      for (int l = order; l <= degree; ++l)
+      {
+        const std::size_t k = GetIndex(order, channel, degree, l);
+        const double taken =
+          glm::mix(table[low][k], table[low + 1][k], static_cast<float>(between));
+        result[static_cast<std::size_t>(order)](l, column) =
+          GetTaper(l, degree, kernels.Rows) *
+          (whole[k] * amplitude + lambert * cosine[GetIndex(order, 0, degree, l)] -
+            inTable * share[channel] * taken);
+      }
+    }
+  }
+}
+
+Matrices ExpandKernels(const CoreKernels& kernels)
+{
+  // The table is smoothed, so that its harmonics end by themselves: none of those within the
+  // degree is to fade.
+  const std::vector<std::vector<float>> table = ExpandTableKernels(kernels.Known, kernels.Views,
+    kernels.TableKnots, kernels.Degree, LargestOrder, kernels.Smoothing, kernels.Degree);
+  const std::vector<std::vector<float>> whole =
+    kernels.Known.GetExpanded(kernels.Knots, kernels.Degree, LargestOrder);
+  Matrices result(LargestOrder + 1,
+    Eigen::MatrixXd::Zero(kernels.Degree + 1, 3 * static_cast<Eigen::Index>(kernels.Knots.size())));
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(kernels.Knots.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType knot = begin; knot < end; ++knot)
+      {
+        const std::size_t at = static_cast<std::size_t>(knot);
+        ExpandKnot(kernels, table, at, whole[at], result);
+      }
+    });
+  return result;
+}
+
+// The modes of one order: eigenvectors of the Gram matrix are the right singular vectors.
+void Decompose(int order, const Eigen::MatrixXd& kernels, const std::vector<double>& power,
+  const Eigen::VectorXd& weights, double least, std::vector<CoreMode>& modes)
+{
+  Eigen::MatrixXd weighted = kernels;
+  for (Eigen::Index l = 0; l < weighted.rows(); ++l)
+  {
+    weighted.row(l) *= std::pow(power[static_cast<std::size_t>(l)], 0.5 * PowerExponent);
+  }
+  weighted = weighted * weights.asDiagonal();
+  const SymmetricEigen eigen(weighted.transpose() * weighted);
+  for (Eigen::Index k = weighted.cols() - 1; k >= 0; --k) // eigenvalues ascend
+  {
+    const double energy = eigen.Values[k];
+    if (!(energy > least))
+    {
+      break;
+    }
+    const Eigen::VectorXd right = eigen.Vectors.col(k);
+    CoreMode mode;
+    mode.Order = order;
+    mode.Energy = energy; // twice that of 2 Re(e^(-i m psi) G), which takes two fields
+    mode.Function = kernels * weights.asDiagonal() * right;
+    mode.Weights = right.cwiseQuotient(weights);
+    modes.push_back(std::move(mode));
+  }
+}
+}
+
+double CoreKernels::GetViewAngle(std::size_t knot) const
+{
+  return LobeViews::GetKnotAngle(static_cast<int>(knot), static_cast<int>(this->Knots.size()));
+}
+
+double CoreKernels::GetAxis(std::size_t knot) const
+{
+  return this->Views.GetAxis(this->GetViewAngle(knot));
+}
+
+glm::dvec3 CoreMode::GetWeight(const CoreKernels& kernels, double theta) const
+{
+  const double exact = LobeViews::GetKnotPosition(theta, static_cast<int>(kernels.Knots.size()));
+  const double low = std::min(std::floor(exact), static_cast<double>(kernels.Knots.size()) - 2.0);
+  glm::dvec3 weight;
+  for (int c = 0; c < 3; ++c)
+  {
+    const Eigen::Index at = 3 * static_cast<Eigen::Index>(low) + c;
+    weight[c] = glm::mix(this->Weights[at], this->Weights[at + 3], exact - low);
+  }
+  return weight;
+}
+
+std::vector<CoreMode> ChooseModes(
+  const EnvironmentHarmonics& environment, const CoreKernels& kernels, int fields)
+{
+  const std::vector<double> power = GetPower(environment, kernels.Degree);
+  Eigen::VectorXd weights(3 * static_cast<Eigen::Index>(kernels.Knots.size()));
+  double total = 0.0;
+  for (std::size_t knot = 0; knot < kernels.Knots.size(); ++knot)
+  {
+    const double weight = GetViewWeight(kernels.GetViewAngle(knot));
+    weights.segment<3>(3 * static_cast<Eigen::Index>(knot)).setConstant(weight);
+    const glm::dvec3 seen = weight * kernels.Knots[knot]->GetMeans().Amplitude;
+    total += glm::dot(seen, seen);
+  }
+  const Matrices& expanded = kernels.Known.GetRemainders(
+    { static_cast<double>(kernels.Knots.size()), static_cast<double>(kernels.TableKnots.size()),
+      static_cast<double>(kernels.Table.Azimuths), static_cast<double>(kernels.Degree),
+      kernels.Smoothing },
+    [&kernels]() { return ExpandKernels(kernels); });
+  const double least = LeastEnergy * std::pow(power[0], PowerExponent) * total;
+  std::array<std::vector<CoreMode>, LargestOrder + 1> byOrder;
+  measuredbrdf::ParallelFor(0, LargestOrder + 1, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int order = static_cast<int>(begin); order < static_cast<int>(end); ++order)
+      {
+        const std::size_t at = static_cast<std::size_t>(order);
+        Decompose(order, expanded[at], power, weights, least, byOrder[at]);
+      }
+    });
+  std::vector<CoreMode> modes;
+  for (std::vector<CoreMode>& of : byOrder)
+  {
+    std::move(of.begin(), of.end(), std::back_inserter(modes));
+  }
+  std::stable_sort(modes.begin(), modes.end(),
+    [](const CoreMode& a, const CoreMode& b) { return a.Energy > b.Energy; });
+  std::vector<CoreMode> chosen;
+  for (CoreMode& mode : modes)
+  {
+    if (CoreMode::CountFields(mode.Order) <= fields)
+    {
+      fields -= CoreMode::CountFields(mode.Order);
+      chosen.push_back(std::move(mode));
+    }
+  }
+  std::stable_sort(chosen.begin(), chosen.end(),
+    [](const CoreMode& a, const CoreMode& b) { return a.Order < b.Order; });
+  return chosen;
+}
+
 namespace
 {
 constexpr float LargestValue = 32768.0f; // of a 16-bit texture, with room to spare

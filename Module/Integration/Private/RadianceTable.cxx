@@ -22,10 +22,8 @@ struct SlicePlace
 
   SlicePlace(const RadianceTable& table, const MapPosition& at)
   {
-    const double exact = at.Polar * (table.Rows - 1);
-    const int low = std::min(static_cast<int>(exact), table.Rows - 2);
-    this->Y = { low, low + 1, exact - low };
-    this->X = PeriodicNeighbors(at.Azimuth + 0.5 / table.Columns, table.Columns);
+    this->X = GetMapColumns(table.Columns, at);
+    this->Y = GetMapRows(table.Rows, at);
     const TableTiles& tiles = table.Tiles;
     if (tiles.Places.empty())
     {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReflectionGuide.h"
 
+#include "ConcentricMap.h"
 #include "HalfVector.h" // for Pi
 #include "LobeSampler.h"
 #include "LowDiscrepancy.h"
@@ -50,8 +51,8 @@ double GetArcTangent(double t)
   return t * (0.9998660 + s * (-0.3302995 + s * (0.1801410 + s * (-0.0851330 + s * 0.0208351))));
 }
 
-// The disc's concentric map (Shirley, Chiu 1997), the disc being the hemisphere by area.
-glm::dvec2 ToSquare(const glm::dvec3& d)
+// HemisphereToSquare to 1e-5, which sums call at each step, to [0,1]^2.
+glm::dvec2 ToPeakSquare(const glm::dvec3& d)
 {
   const double r = std::sqrt(std::max(1.0 - d.z, 0.0));
   const double ax = std::abs(d.x);
@@ -60,18 +61,6 @@ glm::dvec2 ToSquare(const glm::dvec3& d)
   const double a = largest > 0.0 ? r * GetArcTangent(std::min(ax, ay) / largest) * 4.0 / Pi : 0.0;
   const glm::dvec2 p = ax > ay ? glm::dvec2(r, a) : glm::dvec2(a, r);
   return glm::dvec2(std::copysign(p.x, d.x), std::copysign(p.y, d.y)) * 0.5 + 0.5;
-}
-
-glm::dvec3 ToHemisphere(const glm::dvec2& uv)
-{
-  const glm::dvec2 p = 2.0 * uv - 1.0;
-  const bool alongX = std::abs(p.x) > std::abs(p.y);
-  const double r = alongX ? p.x : p.y;
-  const double phi = r == 0.0 ? 0.0
-                     : alongX ? 0.25 * Pi * p.y / p.x
-                              : 0.5 * Pi - 0.25 * Pi * p.x / p.y;
-  const double s = r * std::sqrt(std::max(2.0 - r * r, 0.0));
-  return glm::dvec3(s * std::cos(phi), s * std::sin(phi), 1.0 - r * r);
 }
 }
 
@@ -120,8 +109,8 @@ void ReflectionGuide::TabulatePeaks()
         float* fine = &this->PeakCells[static_cast<std::size_t>(view) * PeakCellsOfView];
         for (int k = 0; k < PeakSize * PeakSize; ++k)
         {
-          const glm::dvec3 i = ToHemisphere(
-            (glm::dvec2(k % PeakSize, k / PeakSize) + 0.5) / static_cast<double>(PeakSize));
+          const glm::dvec3 i = SquareToHemisphere(
+            (glm::dvec2(k % PeakSize, k / PeakSize) + 0.5) * (2.0 / PeakSize) - 1.0);
           glm::dvec3 f;
           this->BRDF->Evaluate(&i.x, o, &f.x);
           fine[k] = static_cast<float>(f.x + f.y + f.z);
@@ -172,7 +161,7 @@ double ReflectionGuide::Peaks::Get(const glm::dvec3& i, double radius, double& s
     ++level;
   }
   const int size = PeakSize >> level;
-  const glm::dvec2 uv = ToSquare(glm::dvec3(this->Azimuth.x * i.x + this->Azimuth.y * i.y,
+  const glm::dvec2 uv = ToPeakSquare(glm::dvec3(this->Azimuth.x * i.x + this->Azimuth.y * i.y,
                           this->Azimuth.x * i.y - this->Azimuth.y * i.x, i.z)) *
                           static_cast<double>(size) -
                         0.5;

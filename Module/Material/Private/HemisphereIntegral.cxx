@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HemisphereIntegral.h"
 
-#include "HalfVector.h"
+#include "ConcentricMap.h"
 #include "RetroLobe.h"
 
 #include <algorithm>
@@ -25,26 +25,6 @@ constexpr double InheritedError = 0.125;
 // Of the spread of a first square's quarters: a straight edge, as of a tree's cell, near a square's
 // middle lies between the same points of the square and of its quarters, which agree then.
 constexpr double UnseenEdge = 0.2;
-
-// The point of the unit disc that the square [-1,1]^2 has there: the same areas on both.
-glm::dvec2 SquareToDisc(double a, double b)
-{
-  const bool flat = std::abs(a) > std::abs(b);
-  const double radius = flat ? a : b;
-  const double phi = radius == 0.0 ? 0.0 : 0.25 * Pi * (flat ? b / a : 2.0 - a / b);
-  return { radius * std::cos(phi), radius * std::sin(phi) };
-}
-
-glm::dvec2 DiscToSquare(const glm::dvec3& d)
-{
-  const double radius = std::min(std::hypot(d.x, d.y), 1.0);
-  const bool flat = std::abs(d.x) > std::abs(d.y);
-  const double angle = std::atan2(
-    flat ? std::abs(d.y) : std::abs(d.x), flat ? std::abs(d.x) : std::abs(d.y)); // to the axis
-  const double other = radius * angle * 4.0 / Pi;
-  return flat ? glm::dvec2(std::copysign(radius, d.x), std::copysign(other, d.y))
-              : glm::dvec2(std::copysign(other, d.x), std::copysign(radius, d.y));
-}
 
 class Cubature
 {
@@ -74,7 +54,7 @@ public:
       return;
     }
     const double peak = Brightness(this->Evaluate(d));
-    const glm::dvec2 p = 0.5 * (DiscToSquare(d) + 1.0);
+    const glm::dvec2 p = 0.5 * (DiscToSquare(glm::dvec2(d)) + 1.0);
     const auto find = [&p](int level)
     {
       const int side = 1 << level;
@@ -206,7 +186,7 @@ private:
     {
       const double a = (x + 0.5 + (k % 2 == 0 ? -offset : offset)) * side - 1.0;
       const double b = (y + 0.5 + (k / 2 == 0 ? -offset : offset)) * side - 1.0;
-      const glm::dvec2 p = SquareToDisc(a, b);
+      const glm::dvec2 p = SquareToDisc({ a, b });
       const double z = std::sqrt(std::max(1.0 - glm::dot(p, p), 0.0));
       sum += this->Evaluate(glm::dvec3(p, z));
     }

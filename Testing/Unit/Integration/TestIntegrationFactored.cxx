@@ -100,20 +100,9 @@ TEST(FactoredIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
   const auto gloss = NewGloss(50.0);
   for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(gloss), chrome.Get() })
   {
-    SpherePairs pairs;
-    std::vector<glm::dvec3> expected;
-    for (const double degrees : { 0.0, 30.0, 60.0, 80.0 })
-    {
-      const double theta = degrees * 3.14159265358979 / 180.0;
-      const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
-      pairs.Add(glm::dvec3(0.0, 0.0, 1.0), o);
-      glm::dvec3 albedo;
-      brdf->Prepare();
-      brdf->GetDirectionalAlbedo(&o.x, &albedo.x);
-      expected.push_back(2.0 * albedo);
-    }
-    EXPECT_LT(
-      GetRelativeError(pairs.Integrate(NewFactored(brdf, environment, { 64, 6 })), expected), 0.01);
+    const FurnacePairs pairs(brdf, 2.0, { 0.0, 30.0, 60.0, 80.0 });
+    const auto factored = NewFactored(brdf, environment, { 64, 6 });
+    EXPECT_LT(GetRelativeError(pairs.Integrate(factored), pairs.Expected), 0.01);
   }
 }
 
@@ -123,18 +112,9 @@ TEST(FactoredIntegrator, FollowsARotation)
 {
   const auto environment = NewSmallEnvironment(true);
   const auto factored = NewFactored(NewGloss(300.0), environment, { 128, 6 });
-  SpherePairs pairs, turned;
+  SpherePairs pairs;
   pairs.AddRandom(40);
-  for (vtkIdType k = 0; k < pairs.Normals->GetNumberOfTuples(); ++k)
-  {
-    glm::dvec3 n, v;
-    pairs.Normals->GetTuple(k, &n.x);
-    pairs.Views->GetTuple(k, &v.x);
-    turned.Add(glm::dvec3(n.z, n.y, -n.x), glm::dvec3(v.z, v.y, -v.x));
-  }
-  const auto before = pairs.Integrate(factored);
-  environment->SetRotationY(90.0);
-  EXPECT_LT(GetRelativeError(turned.Integrate(factored), before), 1e-9);
+  ExpectTurnsWithItsEnvironment(factored, pairs);
 }
 
 //------------------------------------------------------------------------------

@@ -343,18 +343,9 @@ TEST(HybridIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
   for (const char* name : { "blue-fabric", "nickel", "violet-rubber" })
   {
     const auto brdf = NewEmbedded(name);
-    SpherePairs pairs;
-    std::vector<glm::dvec3> expected;
-    for (const double degrees : { 0.0, 17.0, 41.0, 63.0, 78.0, 85.0 })
-    {
-      const double theta = degrees * Pi / 180.0;
-      const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
-      pairs.Add(glm::dvec3(0.0, 0.0, 1.0), o);
-      glm::dvec3 albedo;
-      brdf->GetDirectionalAlbedo(&o.x, &albedo.x);
-      expected.push_back(2.0 * albedo);
-    }
-    const double error = GetRelativeError(pairs.Integrate(NewHybrid(brdf, environment)), expected);
+    const FurnacePairs pairs(brdf, 2.0, { 0.0, 17.0, 41.0, 63.0, 78.0, 85.0 });
+    const double error =
+      GetRelativeError(pairs.Integrate(NewHybrid(brdf, environment)), pairs.Expected);
     std::printf("%s: %.2e\n", name, error);
     EXPECT_LT(error, 0.01);
   }
@@ -437,23 +428,9 @@ TEST(HybridIntegrator, TurningEverythingChangesNothing)
 {
   const auto brdf = NewCoated(500.0);
   const auto environment = NewSunny(2e4f, 2);
-  const auto hybrid = NewHybrid(brdf, environment);
-  SpherePairs pairs, turned;
+  SpherePairs pairs;
   pairs.AddRandom(30);
-  for (vtkIdType k = 0; k < 30; ++k)
-  {
-    glm::dvec3 d[2];
-    pairs.Normals->GetTuple(k, &d[0].x);
-    pairs.Views->GetTuple(k, &d[1].x);
-    for (glm::dvec3& v : d)
-    {
-      v = glm::dvec3(v.z, v.y, -v.x); // 90 degrees about y
-    }
-    turned.Add(d[0], d[1]);
-  }
-  const auto before = pairs.Integrate(hybrid);
-  environment->SetRotationY(90.0);
-  EXPECT_LT(GetRelativeError(turned.Integrate(hybrid), before), 1e-9);
+  ExpectTurnsWithItsEnvironment(NewHybrid(brdf, environment), pairs);
 }
 
 //------------------------------------------------------------------------------

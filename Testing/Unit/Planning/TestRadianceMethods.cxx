@@ -149,7 +149,7 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner()
 TEST(RadianceMethods, SayWhatTheyAre)
 {
   EXPECT_EQ(vtkRadianceMethods::GetNames(),
-    "table, hybrid, anisotropic-table, light-set, filtered, basis, factored, reference or exact");
+    "table, hybrid, anisotropic-table, light-set, filtered, factored, reference or exact");
   for (const auto& method : vtkRadianceMethods::GetMethods())
   {
     const std::string name = method->GetMethodName();

@@ -9,6 +9,7 @@
 #ifndef SpherePairs_h
 #define SpherePairs_h
 
+#include "vtkBRDF.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkExactRadianceIntegrator.h"
@@ -62,6 +63,18 @@ struct SpherePairs
     }
   }
 
+  /// All of them about the origin.
+  void AddTurned(const SpherePairs& others, const glm::dmat3& turn)
+  {
+    for (vtkIdType k = 0; k < others.Normals->GetNumberOfTuples(); ++k)
+    {
+      glm::dvec3 n, v;
+      others.Normals->GetTuple(k, &n.x);
+      others.Views->GetTuple(k, &v.x);
+      this->Add(turn * n, turn * v);
+    }
+  }
+
   std::vector<glm::dvec3> Integrate(vtkRadianceIntegrator* integrator) const
   {
     vtkNew<vtkDoubleArray> radiance;
@@ -105,6 +118,60 @@ inline double GetRelativeError(
     }
   }
   return difference / sum;
+}
+
+/// One normal seen at some polar angles, in degrees, under the same radiance from everywhere: the
+/// material's albedo times that.
+struct FurnacePairs : SpherePairs
+{
+  FurnacePairs(vtkBRDF* brdf, double value,
+    const std::vector<double>& degrees = { 0.0, 17.0, 41.0, 63.0, 78.0, 85.0, 88.0 })
+  {
+    brdf->Prepare();
+    for (const double angle : degrees)
+    {
+      const double theta = angle * 3.14159265358979323846 / 180.0;
+      const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
+      this->Add(glm::dvec3(0.0, 0.0, 1.0), o);
+      glm::dvec3 albedo;
+      brdf->GetDirectionalAlbedo(&o.x, &albedo.x);
+      this->Expected.push_back(value * albedo);
+    }
+  }
+
+  /// The largest error of a channel relative to what is expected, or to 0.05.
+  double GetLargestError(vtkRadianceIntegrator* integrator) const
+  {
+    const std::vector<glm::dvec3> radiance = this->Integrate(integrator);
+    double largest = 0.0;
+    for (std::size_t k = 0; k < radiance.size(); ++k)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const double expected = this->Expected[k][c];
+        largest = std::max(largest, std::abs(radiance[k][c] - expected) / std::max(expected, 0.05));
+      }
+    }
+    return largest;
+  }
+
+  std::vector<glm::dvec3> Expected;
+};
+
+/// Turning everything with the environment changes nothing; turning the environment alone does.
+inline void ExpectTurnsWithItsEnvironment(
+  vtkRadianceIntegrator* integrator, const SpherePairs& pairs, double tolerance = 1e-9)
+{
+  const glm::dvec3 x = glm::normalize(glm::dvec3(0.3, -0.5, 0.8));
+  const glm::dvec3 y = glm::normalize(glm::cross(x, glm::dvec3(0.9, 0.1, 0.4)));
+  const glm::dmat3 turn(x, y, glm::cross(x, y));
+  const std::vector<glm::dvec3> before = pairs.Integrate(integrator);
+  SpherePairs turned;
+  turned.AddTurned(pairs, turn);
+  // Rows of the inverse: columns of the turn.
+  integrator->GetEnvironment()->SetWorldToEnvironment(&turn[0][0]);
+  EXPECT_LT(GetRelativeError(turned.Integrate(integrator), before), tolerance);
+  EXPECT_GT(GetRelativeError(pairs.Integrate(integrator), before), 1e-2);
 }
 
 /// The same light in width x height texels, which divide the environment's.
