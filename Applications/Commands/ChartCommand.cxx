@@ -8,6 +8,7 @@
 #include "Inputs.h"
 #include "Measuring.h"
 #include "Meshes.h"
+#include "Program.h"
 #include "Progress.h"
 #include "Sizes.h"
 #include "Tool.h"
@@ -171,15 +172,12 @@ std::vector<vtkSmartPointer<vtkEnvironment>> LoadEnvironments(const std::string&
 void MakeChartFolder(const std::string& folder)
 {
   std::error_code error;
-  fs::create_directories(folder + "/exact", error);
+  fs::create_directories(folder, error);
   if (error)
   {
     throw tool::Error(folder + ": can't be made: " + error.message());
   }
-  for (const char* name : { "/results.json", "/exact/x" })
-  {
-    tool::CheckWritable(folder + name);
-  }
+  tool::CheckWritable(folder + "/results.json");
 }
 
 //------------------------------------------------------------------------------
@@ -320,7 +318,7 @@ void Run(const ChartOptions& options)
     options.ReferencePixels > 0 ? options.ReferencePixels : std::numeric_limits<int>::max(),
     options.Rounds, options.Slowest
   };
-  tool::ChartMeter meter(scene, sizes, options.Folder + "/exact");
+  tool::ChartMeter meter(scene, sizes);
   nlohmann::ordered_json machine = tool::DescribeMachine();
   machine.update(meter.DescribeRenderer());
   const nlohmann::ordered_json settings = { { "methods", Join(methods) },

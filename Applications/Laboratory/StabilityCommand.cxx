@@ -3,18 +3,13 @@
 #include "Files.h"
 #include "Inputs.h"
 #include "Laboratory.h"
+#include "Program.h"
 #include "Progress.h"
 #include "Stability.h"
 #include "Tool.h"
 
-#include "MeasuredBRDFToolVersion.h"
-
-#include "vtkVersion.h"
-
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
-
-#include <sys/utsname.h>
 
 #include <algorithm>
 #include <chrono>
@@ -22,9 +17,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <thread>
 
 using tool::stability::Case;
 using tool::stability::Context;
@@ -51,26 +44,6 @@ struct Outcome
 };
 
 constexpr char ReportName[] = "stability.json";
-
-//------------------------------------------------------------------------------
-std::string GetMachine()
-{
-  std::string processor = "unknown processor";
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-  {
-    const std::size_t colon = line.find(": ");
-    if (line.compare(0, 10, "model name") == 0 && colon != std::string::npos)
-    {
-      processor = line.substr(colon + 2);
-      break;
-    }
-  }
-  utsname system{};
-  uname(&system);
-  return processor + ", " + std::to_string(std::thread::hardware_concurrency()) + " threads, " +
-         system.sysname + " " + system.machine;
-}
 
 //------------------------------------------------------------------------------
 // The wanted cases in their own order. Names are of cases or of groups.
@@ -167,8 +140,10 @@ nlohmann::ordered_json MakeReport(
   {
     seconds[outcome.Source->Name] = std::round(100.0 * outcome.Seconds) / 100.0;
   }
-  return { { "version", MEASUREDBRDF_VERSION }, { "vtk", vtkVersion::GetVTKVersion() },
-    { "machine", GetMachine() },
+  const nlohmann::ordered_json machine = tool::DescribeMachine();
+  return { { "version", machine["program"] }, { "vtk", machine["vtk"] },
+    { "machine", machine["processor"].get<std::string>() + ", " + machine["threads"].dump() +
+                   " threads, " + machine["system"].get<std::string>() },
     { "renderer", inputs.Renderer.empty() ? "none: no case drew" : inputs.Renderer },
     { "short", options.Short },
     { "material", options.File.empty() ? "each case's own" : options.File },

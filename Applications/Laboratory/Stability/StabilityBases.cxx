@@ -4,9 +4,6 @@
 #include "ContactSheet.h"
 #include "Meshes.h"
 #include "Stability.h"
-#include "StabilityErrors.h"
-#include "StabilityRenderer.h"
-#include "StabilityTools.h"
 #include "Tool.h"
 
 #include "vtkBRDFResampler.h"

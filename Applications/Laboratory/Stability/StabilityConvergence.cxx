@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stability: does the error fall with size as theory has it?
 #include "Stability.h"
-#include "StabilityErrors.h"
-#include "StabilityTools.h"
 
 #include "vtkLightSet.h"
 

@@ -3,9 +3,6 @@
 // Stability: materials that no sample can be.
 #include "FilledTable.h"
 #include "Stability.h"
-#include "StabilityErrors.h"
-#include "StabilityRenderer.h"
-#include "StabilityTools.h"
 #include "Tool.h"
 
 #include "vtkBRDFAnalysis.h"

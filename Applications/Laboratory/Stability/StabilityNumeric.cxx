@@ -3,8 +3,6 @@
 // Stability: conditioning, local optima, precision.
 #include "Progress.h"
 #include "Stability.h"
-#include "StabilityErrors.h"
-#include "StabilityTools.h"
 #include "Surface.h"
 #include "Tool.h"
 

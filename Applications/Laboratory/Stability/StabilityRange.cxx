@@ -3,9 +3,6 @@
 // Stability: very large and very small values, in textures and in sums.
 #include "FilledTable.h"
 #include "Stability.h"
-#include "StabilityErrors.h"
-#include "StabilityRenderer.h"
-#include "StabilityTools.h"
 #include "Surface.h"
 
 #include "vtkBlinnPhongBRDF.h"

@@ -4,8 +4,6 @@
 // to frame over that of the reference.
 #include "Meshes.h"
 #include "Stability.h"
-#include "StabilityRenderer.h"
-#include "StabilityTools.h"
 #include "StockScene.h"
 #include "Surface.h"
 #include "TracedSurface.h"
