@@ -8,7 +8,6 @@
 #include "Tool.h"
 
 #include "vtkAxis.h"
-#include "vtkChartLegend.h"
 #include "vtkChartXY.h"
 #include "vtkContext2D.h"
 #include "vtkContextActor.h"
@@ -49,7 +48,7 @@ constexpr int Smooth = 2;
 constexpr int Width = 1600;
 constexpr int Height = 1000;
 constexpr int Left = 130;
-constexpr int Right = 60;
+constexpr int Right = 340; // with the names of the curves
 constexpr int Bottom = 120;
 constexpr int Top = 190;
 constexpr int PlotWidth = Width - Left - Right;
@@ -165,8 +164,8 @@ public:
 
 private:
   void SetUpAxis(vtkAxis* axis, const tool::LogAxis& scale, int length, tool::Unit unit) const;
-  vtkPlotPoints* AddPlot(int type, const std::vector<tool::PagePoint>& points, const RGB& color,
-    double width, const std::string& label = "");
+  vtkPlotPoints* AddPlot(
+    int type, const std::vector<tool::PagePoint>& points, const RGB& color, double width);
   void AddMethods();
   void DrawTexts(vtkContext2D* painter) const;
 
@@ -227,9 +226,8 @@ void Painter::SetUpAxis(
 }
 
 //------------------------------------------------------------------------------
-// A line or points; in the legend where it has a label.
-vtkPlotPoints* Painter::AddPlot(int type, const std::vector<tool::PagePoint>& points,
-  const RGB& color, double width, const std::string& label)
+vtkPlotPoints* Painter::AddPlot(
+  int type, const std::vector<tool::PagePoint>& points, const RGB& color, double width)
 {
   vtkNew<vtkTable> table;
   vtkNew<vtkDoubleArray> columns[2];
@@ -254,24 +252,17 @@ vtkPlotPoints* Painter::AddPlot(int type, const std::vector<tool::PagePoint>& po
   plot->SetColor(ToByte(color[0]), ToByte(color[1]), ToByte(color[2]), 255);
   plot->SetWidth(static_cast<float>(Smooth * width));
   plot->SetMarkerStyle(type == vtkChart::LINE ? vtkPlotPoints::NONE : vtkPlotPoints::CIRCLE);
-  plot->SetLegendVisibility(!label.empty());
-  plot->SetLabel(label);
   return plot;
 }
 
 //------------------------------------------------------------------------------
 void Painter::AddMethods()
 {
-  if (!this->Page.Front.empty())
-  {
-    this->AddPlot(
-      vtkChart::LINE, this->Page.Front, Band, 24.0, "nothing is both cheaper and better");
-  }
+  this->AddPlot(vtkChart::LINE, this->Page.Front, Band, 24.0);
   for (const tool::PageCurve& curve : this->Page.Curves)
   {
     this->AddPlot(vtkChart::LINE, curve.Line, curve.Color, 4.0);
-    this->AddPlot(vtkChart::POINTS, curve.Points, curve.Color, 4.0, curve.Label)
-      ->SetMarkerSize(Smooth * 16.0f);
+    this->AddPlot(vtkChart::POINTS, curve.Points, curve.Color, 4.0)->SetMarkerSize(Smooth * 16.0f);
   }
   for (const tool::PageMark& mark : this->Page.Marks)
   {
@@ -284,13 +275,25 @@ void Painter::AddMethods()
 //------------------------------------------------------------------------------
 void Painter::DrawTexts(vtkContext2D* painter) const
 {
-  const int width = Width - Right - 30;
+  const int width = Width - 60;
   DrawText(painter, 30, Height - 72, tool::Fit(this->Page.Title, TitleFont, true, width), TitleFont,
     Ink, true);
   DrawText(
     painter, 30, Height - 114, tool::Fit(this->Page.Subtitle, Font, false, width), Font, Faint);
   DrawText(painter, 30, Height - Top + 16, this->Page.YLabel, Font, Ink, true);
   DrawText(painter, Width - Right, 24, this->Page.XLabel, Font, Ink, true, true);
+  const int names = Width - Right + 30;
+  int line = Height - Top - 30;
+  for (const tool::PageCurve& curve : this->Page.Curves)
+  {
+    DrawText(painter, names, line, curve.Label, Font, curve.Color, true);
+    line -= 40;
+  }
+  if (!this->Page.Front.empty())
+  {
+    DrawText(painter, names, line, "band: nothing is both", SmallFont, Faint);
+    DrawText(painter, names, line - 28, "cheaper and better", SmallFont, Faint);
+  }
   for (const tool::PageMark& mark : this->Page.Marks)
   {
     if (IsDrawn(mark.Point))
@@ -313,11 +316,7 @@ void Painter::Write(const std::string& stem)
   this->SetUpAxis(chart->GetAxis(vtkAxis::BOTTOM), this->X, PlotWidth, this->Page.XUnit);
   this->SetUpAxis(chart->GetAxis(vtkAxis::LEFT), this->Y, PlotHeight, this->Page.YUnit);
   this->AddMethods();
-  chart->SetShowLegend(true);
-  chart->GetLegend()->GetLabelProperties()->SetFontFamilyToArial();
-  chart->GetLegend()->SetLabelSize(Smooth * SmallFont);
-  chart->GetLegend()->SetSymbolWidth(Smooth * 40);
-  chart->GetLegend()->SetPadding(Smooth * 6);
+  chart->SetShowLegend(false);
   vtkNew<Overlay> overlay;
   overlay->Draw = [this](vtkContext2D* painter) { this->DrawTexts(painter); };
 

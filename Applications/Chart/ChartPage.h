@@ -24,7 +24,7 @@ struct PagePoint
 
 struct PageCurve
 {
-  std::string Label;             // in the legend
+  std::string Label;             // beside the chart
   RGB Color;                     // sRGB in [0,1]
   std::vector<PagePoint> Points; // dots
   std::vector<PagePoint> Line;   // joined in their order; empty: none

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Program.h"
 
+#include "Meshes.h"
 #include "ReadApart.h"
 #include "Tool.h"
 
