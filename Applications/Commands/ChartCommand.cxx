@@ -6,6 +6,7 @@
 #include "ChartResults.h"
 #include "Files.h"
 #include "Inputs.h"
+#include "MaterialMapFiles.h"
 #include "Measuring.h"
 #include "Meshes.h"
 #include "Program.h"
@@ -169,18 +170,6 @@ std::vector<vtkSmartPointer<vtkEnvironment>> LoadEnvironments(const std::string&
 }
 
 //------------------------------------------------------------------------------
-void MakeChartFolder(const std::string& folder)
-{
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-  {
-    throw tool::Error(folder + ": can't be made: " + error.message());
-  }
-  tool::CheckWritable(folder + "/results.json");
-}
-
-//------------------------------------------------------------------------------
 struct Task
 {
   const tool::Material* Material;
@@ -307,7 +296,8 @@ void Run(const ChartOptions& options)
     throw tool::UsageError(
       "--slowest: " + tool::FormatNumber(options.Slowest) + " is not a time above 0 in ms");
   }
-  MakeChartFolder(options.Folder);
+  tool::MakeFolder(options.Folder);
+  tool::CheckWritable(options.Folder + "/results.json");
   const tool::Interruptible interruptible;
   const std::vector<tool::Material> materials =
     LoadMaterials(options.Files.empty() ? DefaultMaterials : options.Files);

@@ -17,6 +17,7 @@
 #include "vtkBasisProjector.h"
 #include "vtkDistributionBRDFFitter.h"
 #include "vtkEmbeddedMaterials.h"
+#include "vtkMath.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkRepresentationAdvisor.h"
@@ -25,6 +26,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -59,6 +61,20 @@ struct RepresentationRow
   std::vector<double> Images; // error for each environment
   std::size_t Bytes = 0;
 };
+
+//------------------------------------------------------------------------------
+// Of a sphere seen from +z, evenly over its disc (Vogel's spiral).
+tool::stability::Pairs MakeDiscPairs()
+{
+  tool::stability::Pairs pairs;
+  for (int k = 0; k < NumberOfPixels; ++k)
+  {
+    const double r = 0.99 * std::sqrt((k + 0.5) / NumberOfPixels);
+    const double phi = k * vtkMath::Pi() * (3.0 - std::sqrt(5.0));
+    pairs.Add({ r * std::cos(phi), r * std::sin(phi), std::sqrt(1.0 - r * r) }, { 0.0, 0.0, 1.0 });
+  }
+  return pairs;
+}
 
 //------------------------------------------------------------------------------
 // Makes the candidates of one material, measures and forgets them.
@@ -181,7 +197,7 @@ private:
   const tool::Material& Material;
   const Environments& Lights;
   const double Zone[2];
-  const tool::stability::Pairs Pairs = tool::stability::MakeSpherePairs(NumberOfPixels);
+  const tool::stability::Pairs Pairs = MakeDiscPairs();
   std::vector<std::vector<double>> References;
   std::vector<RepresentationRow> Rows;
 };

@@ -3,6 +3,7 @@
 #include "Files.h"
 #include "Inputs.h"
 #include "Laboratory.h"
+#include "MaterialMapFiles.h"
 #include "Program.h"
 #include "Progress.h"
 #include "Stability.h"
@@ -152,22 +153,12 @@ nlohmann::ordered_json MakeReport(
 }
 
 //------------------------------------------------------------------------------
-void MakeReportFolder(const std::string& path)
-{
-  std::error_code problem;
-  std::filesystem::create_directories(path, problem);
-  if (!std::filesystem::is_directory(path))
-  {
-    throw tool::Error(path + ": can't be made a folder: " + problem.message());
-  }
-  tool::CheckWritable((std::filesystem::path(path) / ReportName).string());
-}
-
-//------------------------------------------------------------------------------
 void Run(const StabilityOptions& options)
 {
   const std::vector<Case> cases = Select(options.Cases);
-  MakeReportFolder(options.Output);
+  const std::filesystem::path folder(options.Output);
+  tool::MakeFolder(options.Output);
+  tool::CheckWritable((folder / ReportName).string());
   const tool::Interruptible interruptible;
   Context inputs;
   inputs.Short = options.Short;
@@ -205,7 +196,6 @@ void Run(const StabilityOptions& options)
       ++counts[status == "pass" ? 0 : (status == "fail" ? 2 : 1)];
     }
   }
-  const std::filesystem::path folder(options.Output);
   for (const auto& [name, picture] : pictures)
   {
     tool::WritePNG((folder / name).string(), picture, tool::EncodeSRGB);

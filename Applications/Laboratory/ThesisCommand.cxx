@@ -5,6 +5,7 @@
 #include "Inputs.h"
 #include "Laboratory.h"
 #include "LightMap.h"
+#include "MaterialMapFiles.h"
 #include "Meshes.h"
 #include "RunWithProgress.h"
 #include "Scene.h"
@@ -335,12 +336,7 @@ private:
 //------------------------------------------------------------------------------
 void Run(const ThesisCommandOptions& options)
 {
-  std::error_code problem;
-  std::filesystem::create_directories(options.Output, problem);
-  if (!std::filesystem::is_directory(options.Output))
-  {
-    throw tool::Error(options.Output + ": can't be made a folder: " + problem.message());
-  }
+  tool::MakeFolder(options.Output);
   const tool::Interruptible interruptible;
   Gallery gallery(options);
   const std::filesystem::path folder(options.Output);
