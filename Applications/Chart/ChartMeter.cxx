@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChartMeter.h"
 
-#include "BoundedJson.h"
-#include "Files.h"
 #include "ParetoFront.h"
 #include "Progress.h"
 #include "ReferencePicture.h"
@@ -25,7 +23,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <memory>
 #include <utility>
 
@@ -156,7 +153,7 @@ namespace tool
 //------------------------------------------------------------------------------
 struct ChartMeter::Timed
 {
-  std::shared_ptr<OffscreenScene> Window;
+  std::unique_ptr<OffscreenScene> Window;
   ChartPoint Point;
   std::vector<double> Frames;
   double Expected = 0.0; // ms
@@ -189,11 +186,9 @@ int ChartMeter::FindAlike(const std::vector<Timed>& all, const Timed& timed)
 }
 
 //------------------------------------------------------------------------------
-ChartMeter::ChartMeter(
-  const ChartScene& scene, const std::vector<ChartSize>& sizes, std::string folder)
+ChartMeter::ChartMeter(const ChartScene& scene, const std::vector<ChartSize>& sizes)
   : Scene(scene)
   , Sizes(sizes)
-  , Folder(std::move(folder))
   , Visible(
       FindSurface(scene.Mesh, scene.Camera, MeasuredFill, scene.Picture, scene.ReferencePixels))
 {
@@ -230,32 +225,6 @@ std::string ChartMeter::GetFingerprint(const Material& material, vtkEnvironment*
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> ChartMeter::GetExactSums(
-  const Material& material, vtkEnvironment* environment, const std::string& fingerprint) const
-{
-  const std::string path = this->Folder + "/" + fingerprint + ".json";
-  std::ifstream file(path);
-  nlohmann::json kept;
-  try
-  {
-    kept = measuredbrdf::ParseJson<nlohmann::json>(file);
-  }
-  catch (const std::exception&)
-  {
-    // There is none, or one that was cut off: worked out below.
-  }
-  if (kept.is_array() && kept.size() == this->Visible.Normals.size() &&
-      std::all_of(kept.begin(), kept.end(), [](const auto& value) { return value.is_number(); }))
-  {
-    return kept.get<std::vector<double>>();
-  }
-  const std::vector<double> rgb =
-    DrawReference(material.BRDF, environment, this->Visible, this->Scene.Picture).Radiance;
-  WriteWhole(path, nlohmann::json(rgb).dump() + "\n");
-  return rgb;
-}
-
-//------------------------------------------------------------------------------
 void ChartMeter::Place(OffscreenScene& stage) const
 {
   stage.SetMesh(this->Scene.Mesh);
@@ -282,40 +251,6 @@ double ChartMeter::FillErrors(
 }
 
 //------------------------------------------------------------------------------
-// The thesis's representation of a material is made once for all environments and counts each time.
-Method ChartMeter::Make(const ChartSize& size, const Material& material,
-  vtkEnvironment* environment, double& milliseconds)
-{
-  const auto begin = std::chrono::steady_clock::now();
-  if (size.Options.Method != "thesis")
-  {
-    Method made = MakeMethod(size.Options, material, environment);
-    milliseconds = GetElapsed(begin);
-    return made;
-  }
-  const int order = size.Options.Thesis.Order;
-  if (this->RepresentedFile != material.File)
-  {
-    this->Represented.clear();
-    this->RepresentedFile = material.File;
-  }
-  if (this->Represented.count(order) == 0)
-  {
-    const Representation made = Represent(material, order);
-    this->Represented[order] = { made, GetElapsed(begin) };
-  }
-  const Representative& stand = this->Represented.at(order);
-  Material represented = material;
-  represented.BRDF = stand.Made.BRDF;
-  MethodOptions options = size.Options;
-  options.Method = "light-set";
-  const auto lights = std::chrono::steady_clock::now();
-  Method made = MakeMethod(options, represented, environment);
-  milliseconds = stand.Milliseconds + GetElapsed(lights);
-  return made;
-}
-
-//------------------------------------------------------------------------------
 ChartMeter::Timed ChartMeter::Begin(const ChartSize& size, const Material& material,
   vtkEnvironment* environment, const std::vector<double>& reference, vtkRadiancePlanner* plan)
 {
@@ -324,6 +259,7 @@ ChartMeter::Timed ChartMeter::Begin(const ChartSize& size, const Material& mater
   scene->ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_OFF, false); // as the reference
   this->Place(*scene);
   Method method;
+  const auto begin = std::chrono::steady_clock::now();
   if (plan)
   {
     method.BRDF = plan->GetBRDF();
@@ -331,11 +267,17 @@ ChartMeter::Timed ChartMeter::Begin(const ChartSize& size, const Material& mater
   }
   else
   {
-    method = this->Make(size, material, environment, timed.Point.SetUp);
+    Material drawn = material;
+    MethodOptions options = size.Options;
+    if (options.Method == ThesisMethod)
+    {
+      drawn.BRDF = Represent(material, options.Thesis.Order).BRDF;
+      options.Method = "light-set";
+    }
+    method = MakeMethod(options, drawn, environment);
   }
-  const auto begin = std::chrono::steady_clock::now();
   scene->Begin(method, environment, size.Options.Plan);
-  timed.Point.SetUp += GetElapsed(begin);
+  timed.Point.SetUp = GetElapsed(begin);
   timed.Planner = method.Planner;
   if (vtkRadiancePlanner* planner = plan ? plan : method.Planner.Get())
   {
@@ -362,24 +304,18 @@ ChartMeter::Timed ChartMeter::BeginStock(
   vtkEnvironment* environment, const std::vector<double>& reference)
 {
   Timed timed;
-  auto& [stock, setUp] = this->Stocks[environment];
-  if (!stock)
-  {
-    auto made = std::make_shared<StockScene>();
-    this->Place(*made);
-    const auto begin = std::chrono::steady_clock::now();
-    made->SetLight(environment);
-    made->SetMaterial(StockMaterial());
-    made->TimeFrame();
-    setUp = GetElapsed(begin);
-    stock = made;
-  }
-  timed.Point.SetUp = setUp;
+  auto stock = std::make_unique<StockScene>();
+  this->Place(*stock);
+  const auto begin = std::chrono::steady_clock::now();
+  stock->SetLight(environment);
+  stock->SetMaterial(StockMaterial());
+  stock->TimeFrame();
+  timed.Point.SetUp = GetElapsed(begin);
   stock->Fit(this->Visible, this->Scene.Picture, reference);
   timed.Point.Bytes = static_cast<double>(stock->GetTextureBytes());
   timed.Point.Fetches = StockFetches;
   timed.Expected = this->FillErrors(timed.Point, *stock, reference);
-  timed.Window = stock;
+  timed.Window = std::move(stock);
   return timed;
 }
 
@@ -422,7 +358,8 @@ ChartPair ChartMeter::Measure(
     PredictOcclusion(MakeTracedScene(this->Scene.Mesh), material.BRDF, environment);
   pair.UnoccludedError = occlusion->GetError();
   pair.UnoccludedUncertainty = occlusion->GetUncertainty();
-  const std::vector<double> reference = this->GetExactSums(material, environment, pair.Fingerprint);
+  const std::vector<double> reference =
+    DrawReference(material.BRDF, environment, this->Visible, this->Scene.Picture).Radiance;
   show(ReferenceShare);
 
   std::vector<Timed> all;

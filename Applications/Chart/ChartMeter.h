@@ -22,17 +22,15 @@
 #include <nlohmann/json.hpp>
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 class vtkRadiancePlanner;
 
 namespace tool
 {
-class StockScene;
+class OffscreenScene;
 
 /// What is drawn and how long it is timed.
 struct ChartScene
@@ -48,8 +46,7 @@ struct ChartScene
 class ChartMeter
 {
 public:
-  /// Reference radiance is kept in that folder. Throws Error.
-  ChartMeter(const ChartScene& scene, const std::vector<ChartSize>& sizes, std::string folder);
+  ChartMeter(const ChartScene& scene, const std::vector<ChartSize>& sizes);
 
   /// Which pixels are compared, for people.
   std::string DescribePixels() const;
@@ -73,34 +70,18 @@ private:
 
   static int FindAlike(const std::vector<Timed>& all, const Timed& timed);
 
-  std::vector<double> GetExactSums(
-    const Material& material, vtkEnvironment* environment, const std::string& fingerprint) const;
   // plan: of what is drawn while somebody interacts, or null.
   Timed Begin(const ChartSize& size, const Material& material, vtkEnvironment* environment,
     const std::vector<double>& reference, vtkRadiancePlanner* plan);
   Timed BeginStock(vtkEnvironment* environment, const std::vector<double>& reference);
   void TimeFrames(std::vector<Timed>& all, const std::function<void(double)>& show) const;
-  Method Make(const ChartSize& size, const Material& material, vtkEnvironment* environment,
-    double& milliseconds);
   void Place(OffscreenScene& stage) const;
   double FillErrors( // returns what its frame took, in ms
     ChartPoint& point, OffscreenScene& stage, const std::vector<double>& reference) const;
 
   ChartScene Scene;
   std::vector<ChartSize> Sizes;
-  std::string Folder;
   Surface Visible;
-
-  struct Representative
-  {
-    Representation Made;
-    double Milliseconds;
-  };
-  std::string RepresentedFile;               // the material's that these stand for
-  std::map<int, Representative> Represented; // by order
-
-  // VTK's own shading, set up once for all materials, and how long that took in ms.
-  std::map<vtkEnvironment*, std::pair<std::shared_ptr<StockScene>, double>> Stocks;
 };
 } // namespace tool
 

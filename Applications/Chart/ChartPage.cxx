@@ -3,13 +3,11 @@
 #include "ChartPage.h"
 
 #include "Files.h"
-#include "LabelPlaces.h"
 #include "LogAxis.h"
 #include "Picture.h"
 #include "Tool.h"
 
 #include "vtkAxis.h"
-#include "vtkBrush.h"
 #include "vtkChartXY.h"
 #include "vtkContext2D.h"
 #include "vtkContextActor.h"
@@ -19,7 +17,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPen.h"
-#include "vtkPlot.h"
+#include "vtkPlotPoints.h"
 #include "vtkRect.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -32,7 +30,7 @@
 
 #include <stdlib.h> // mkdtemp
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -50,19 +48,14 @@ constexpr int Smooth = 2;
 constexpr int Width = 1600;
 constexpr int Height = 1000;
 constexpr int Left = 130;
-constexpr int Right = 60;
+constexpr int Right = 340; // with the names of the curves
 constexpr int Bottom = 120;
 constexpr int Top = 190;
 constexpr int PlotWidth = Width - Left - Right;
 constexpr int PlotHeight = Height - Bottom - Top;
 constexpr int TitleFont = 40;
 constexpr int Font = 26;
-constexpr int LabelFont = 28;
-constexpr int SmallFont = 19;
-constexpr double LineWidth = 4.0;
-constexpr double DotRadius = 8.0;
-constexpr double RingRadius = 17.0;
-constexpr double BandWidth = 24.0;
+constexpr int SmallFont = 20;
 
 constexpr RGB Ink = { 0.1, 0.1, 0.1 };
 constexpr RGB Faint = { 0.4, 0.4, 0.4 };
@@ -90,12 +83,6 @@ protected:
   ~Overlay() override = default;
 };
 vtkStandardNewMacro(Overlay);
-
-//------------------------------------------------------------------------------
-unsigned char ToByte(double value)
-{
-  return static_cast<unsigned char>(std::lround(255.0 * value));
-}
 
 //------------------------------------------------------------------------------
 // With the size that it is meant for, and a box that lets viewers scale it.
@@ -141,71 +128,78 @@ std::string MakeSVG(vtkRenderWindow* window, const std::string& title)
 }
 
 //------------------------------------------------------------------------------
+void DrawText(vtkContext2D* painter, double x, double y, const std::string& text, int size,
+  const RGB& color, bool bold = false, bool right = false)
+{
+  vtkTextProperty* property = painter->GetTextProp();
+  property->SetFontFamilyToArial();
+  property->SetFontSize(Smooth * size);
+  property->SetBold(bold);
+  property->SetColor(color[0], color[1], color[2]);
+  property->SetJustification(right ? VTK_TEXT_RIGHT : VTK_TEXT_LEFT);
+  property->SetVerticalJustificationToBottom();
+  painter->DrawString(
+    static_cast<float>(Smooth * x), static_cast<float>(Smooth * y), vtkStdString(text));
+}
+
+//------------------------------------------------------------------------------
+unsigned char ToByte(double value)
+{
+  return static_cast<unsigned char>(std::lround(255.0 * value));
+}
+
+//------------------------------------------------------------------------------
 bool IsDrawn(const tool::PagePoint& point)
 {
   return point.X > 0.0 && point.Y > 0.0 && std::isfinite(point.X) && std::isfinite(point.Y);
 }
 
 //------------------------------------------------------------------------------
+// Draws one page. The chart's own coordinates are pixels: VTK's SVG would stretch its lines else.
 class Painter
 {
 public:
-  explicit Painter(const tool::Page& page)
-    : Page(page)
-  {
-    for (const tool::PageCurve& curve : page.Curves)
-    {
-      for (const tool::PagePoint& point : curve.Points)
-      {
-        this->Take(point);
-      }
-    }
-    for (const tool::PageMark& mark : page.Marks)
-    {
-      this->Take(mark.Point);
-    }
-    this->X.Widen();
-    this->Y.Widen();
-  }
-
+  explicit Painter(const tool::Page& page);
   void Write(const std::string& stem);
 
 private:
-  using Place = std::array<double, 2>;
+  void SetUpAxis(vtkAxis* axis, const tool::LogAxis& scale, int length, tool::Unit unit) const;
+  vtkPlotPoints* AddPlot(
+    int type, const std::vector<tool::PagePoint>& points, const RGB& color, double width);
+  void AddMethods();
+  void DrawTexts(vtkContext2D* painter) const;
 
-  void Take(const tool::PagePoint& point)
+  const tool::Page& Page;
+  tool::LogAxis X;
+  tool::LogAxis Y;
+  vtkNew<vtkChartXY> Chart;
+};
+
+//------------------------------------------------------------------------------
+Painter::Painter(const tool::Page& page)
+  : Page(page)
+{
+  const auto take = [this](const tool::PagePoint& point)
   {
     if (IsDrawn(point))
     {
       this->X.Take(point.X);
       this->Y.Take(point.Y);
     }
-  }
-
-  // In pixels of the finished picture.
-  Place Find(const tool::PagePoint& point) const
+  };
+  for (const tool::PageCurve& curve : page.Curves)
   {
-    return { Left + this->X.Find(point.X) * PlotWidth,
-      Bottom + this->Y.Find(point.Y) * PlotHeight };
+    std::for_each(curve.Points.begin(), curve.Points.end(), take);
   }
-
-  void SetUpAxis(vtkAxis* axis, const tool::LogAxis& scale, int length, tool::Unit unit) const;
-  void AddLine(vtkChartXY* chart, const std::vector<tool::PagePoint>& points, const RGB& color,
-    double width) const;
-  void DrawText(vtkContext2D* painter, double x, double y, const std::string& text, int size,
-    const RGB& color, bool bold = false, bool right = false) const;
-  void DrawOver(vtkContext2D* painter) const;
-  void DrawDots(vtkContext2D* painter, tool::LabelPlaces& places) const;
-  void DrawLabels(vtkContext2D* painter, tool::LabelPlaces& places) const;
-  void DrawHeading(vtkContext2D* painter) const;
-
-  const tool::Page& Page;
-  tool::LogAxis X;
-  tool::LogAxis Y;
-};
+  for (const tool::PageMark& mark : page.Marks)
+  {
+    take(mark.Point);
+  }
+  this->X.Widen();
+  this->Y.Widen();
+}
 
 //------------------------------------------------------------------------------
-// The chart's own coordinates are pixels: its lines would come out stretched as SVG else.
 void Painter::SetUpAxis(
   vtkAxis* axis, const tool::LogAxis& scale, int length, tool::Unit unit) const
 {
@@ -232,8 +226,8 @@ void Painter::SetUpAxis(
 }
 
 //------------------------------------------------------------------------------
-void Painter::AddLine(vtkChartXY* chart, const std::vector<tool::PagePoint>& points,
-  const RGB& color, double width) const
+vtkPlotPoints* Painter::AddPlot(
+  int type, const std::vector<tool::PagePoint>& points, const RGB& color, double width)
 {
   vtkNew<vtkTable> table;
   vtkNew<vtkDoubleArray> columns[2];
@@ -247,193 +241,84 @@ void Painter::AddLine(vtkChartXY* chart, const std::vector<tool::PagePoint>& poi
       columns[1]->InsertNextValue(this->Y.Find(point.Y) * PlotHeight);
     }
   }
-  if (columns[0]->GetNumberOfTuples() < 2)
+  if (type == vtkChart::LINE && columns[0]->GetNumberOfTuples() < 2)
   {
-    return; // a dot
+    return nullptr; // a dot
   }
   table->AddColumn(columns[0]);
   table->AddColumn(columns[1]);
-  vtkPlot* plot = chart->AddPlot(vtkChart::LINE);
+  auto* plot = vtkPlotPoints::SafeDownCast(this->Chart->AddPlot(type));
   plot->SetInputData(table, 0, 1);
   plot->SetColor(ToByte(color[0]), ToByte(color[1]), ToByte(color[2]), 255);
   plot->SetWidth(static_cast<float>(Smooth * width));
+  plot->SetMarkerStyle(type == vtkChart::LINE ? vtkPlotPoints::NONE : vtkPlotPoints::CIRCLE);
+  return plot;
 }
 
 //------------------------------------------------------------------------------
-void Painter::DrawText(vtkContext2D* painter, double x, double y, const std::string& text, int size,
-  const RGB& color, bool bold, bool right) const
+void Painter::AddMethods()
 {
-  vtkTextProperty* property = painter->GetTextProp();
-  property->SetFontFamilyToArial();
-  property->SetFontSize(Smooth * size);
-  property->SetBold(bold);
-  property->SetColor(color[0], color[1], color[2]);
-  property->SetJustification(right ? VTK_TEXT_RIGHT : VTK_TEXT_LEFT);
-  property->SetVerticalJustificationToBottom();
-  painter->DrawString(
-    static_cast<float>(Smooth * x), static_cast<float>(Smooth * y), vtkStdString(text));
-}
-
-//------------------------------------------------------------------------------
-void Painter::DrawHeading(vtkContext2D* painter) const
-{
-  const int room = Width - Right - 30;
-  this->DrawText(painter, 30, Height - 72, tool::Fit(this->Page.Title, TitleFont, true, room),
-    TitleFont, Ink, true);
-  this->DrawText(
-    painter, 30, Height - 114, tool::Fit(this->Page.Subtitle, Font, false, room), Font, Faint);
-  this->DrawText(painter, 30, Height - Top + 16, this->Page.YLabel, Font, Ink, true);
-  this->DrawText(painter, Width - Right, 24, this->Page.XLabel, Font, Ink, true, true);
-  if (!this->Page.Front.empty())
-  {
-    const std::string text = "nothing is both cheaper and better";
-    const int width = tool::MeasureText(text, Font, false);
-    painter->GetPen()->SetLineType(vtkPen::NO_PEN);
-    painter->GetBrush()->SetColorF(Band[0], Band[1], Band[2], 1.0);
-    painter->DrawRect(Smooth * (Width - Right - width - 70.0f), Smooth * (Height - Top + 22.0f),
-      Smooth * 54.0f, Smooth * static_cast<float>(BandWidth));
-    this->DrawText(painter, Width - Right, Height - Top + 16, text, Font, Faint, false, true);
-  }
-}
-
-//------------------------------------------------------------------------------
-void Painter::DrawDots(vtkContext2D* painter, tool::LabelPlaces& places) const
-{
-  const auto at = [&painter](const Place& place, double radius)
-  {
-    painter->DrawEllipse(static_cast<float>(Smooth * place[0]),
-      static_cast<float>(Smooth * place[1]), static_cast<float>(Smooth * radius),
-      static_cast<float>(Smooth * radius));
-  };
+  this->AddPlot(vtkChart::LINE, this->Page.Front, Band, 24.0);
   for (const tool::PageCurve& curve : this->Page.Curves)
   {
-    painter->GetPen()->SetLineType(vtkPen::NO_PEN);
-    painter->GetBrush()->SetColorF(curve.Color[0], curve.Color[1], curve.Color[2], 1.0);
-    for (const tool::PagePoint& point : curve.Points)
-    {
-      if (IsDrawn(point))
-      {
-        const Place place = this->Find(point);
-        at(place, DotRadius);
-        places.AvoidDot(place[0], place[1], DotRadius);
-      }
-    }
-    for (std::size_t k = 1; k < curve.Line.size(); ++k)
-    {
-      if (IsDrawn(curve.Line[k - 1]) && IsDrawn(curve.Line[k]))
-      {
-        const Place from = this->Find(curve.Line[k - 1]);
-        const Place to = this->Find(curve.Line[k]);
-        places.AvoidLine(from[0], from[1], to[0], to[1]);
-      }
-    }
+    this->AddPlot(vtkChart::LINE, curve.Line, curve.Color, 4.0);
+    this->AddPlot(vtkChart::POINTS, curve.Points, curve.Color, 4.0)->SetMarkerSize(Smooth * 16.0f);
   }
   for (const tool::PageMark& mark : this->Page.Marks)
   {
-    if (!IsDrawn(mark.Point))
-    {
-      continue;
-    }
-    const Place place = this->Find(mark.Point);
-    if (mark.Ring)
-    {
-      // A ring: its edge as a polygon, which every device draws as thick as it should be.
-      painter->GetPen()->SetLineType(vtkPen::NO_PEN);
-      painter->GetBrush()->SetColorF(0.0, 0.0, 0.0, 1.0);
-      painter->DrawEllipseWedge(static_cast<float>(Smooth * place[0]),
-        static_cast<float>(Smooth * place[1]), Smooth * RingRadius, Smooth * RingRadius,
-        Smooth * (RingRadius - LineWidth), Smooth * (RingRadius - LineWidth), 0.0f, 360.0f);
-    }
-    else
-    {
-      painter->GetPen()->SetLineType(vtkPen::NO_PEN);
-      painter->GetBrush()->SetColorF(0.0, 0.0, 0.0, 1.0);
-      const float side = static_cast<float>(Smooth * 2.4 * DotRadius);
-      painter->DrawRect(static_cast<float>(Smooth * place[0]) - 0.5f * side,
-        static_cast<float>(Smooth * place[1]) - 0.5f * side, side, side);
-    }
-    places.AvoidDot(place[0], place[1], mark.Ring ? RingRadius : 1.2 * DotRadius);
+    vtkPlotPoints* plot = this->AddPlot(vtkChart::POINTS, { mark.Point }, Ink, 4.0);
+    plot->SetMarkerSize(Smooth * 24.0f);
+    plot->SetMarkerStyle(mark.Diamond ? vtkPlotPoints::DIAMOND : vtkPlotPoints::SQUARE);
   }
 }
 
 //------------------------------------------------------------------------------
-void Painter::DrawLabels(vtkContext2D* painter, tool::LabelPlaces& places) const
+void Painter::DrawTexts(vtkContext2D* painter) const
 {
-  const auto measure = [](const std::string& text, int size, bool bold)
-  { return static_cast<double>(tool::MeasureText(text, size, bold)); };
-  // The most important first: they get the best places.
+  const int width = Width - 60;
+  DrawText(painter, 30, Height - 72, tool::Fit(this->Page.Title, TitleFont, true, width), TitleFont,
+    Ink, true);
+  DrawText(
+    painter, 30, Height - 114, tool::Fit(this->Page.Subtitle, Font, false, width), Font, Faint);
+  DrawText(painter, 30, Height - Top + 16, this->Page.YLabel, Font, Ink, true);
+  DrawText(painter, Width - Right, 24, this->Page.XLabel, Font, Ink, true, true);
+  const int names = Width - Right + 30;
+  int line = Height - Top - 30;
+  for (const tool::PageCurve& curve : this->Page.Curves)
+  {
+    DrawText(painter, names, line, curve.Label, Font, curve.Color, true);
+    line -= 40;
+  }
+  if (!this->Page.Front.empty())
+  {
+    DrawText(painter, names, line, "band: nothing is both", SmallFont, Faint);
+    DrawText(painter, names, line - 28, "cheaper and better", SmallFont, Faint);
+  }
   for (const tool::PageMark& mark : this->Page.Marks)
   {
     if (IsDrawn(mark.Point))
     {
-      const Place at = this->Find(mark.Point);
-      const tool::LabelPlace place = places.Put({ { at[0], at[1] } }, RingRadius + 4.0,
-        measure(mark.Point.Name, LabelFont, true), LabelFont, true);
-      this->DrawText(painter, place.X, place.Y, mark.Point.Name, LabelFont, Ink, true);
+      // Above the mark, to its right, or to its left where the page ends.
+      const double x = Left + this->X.Find(mark.Point.X) * PlotWidth;
+      const bool left = x + tool::MeasureText(mark.Name, Font, true) > Width - Right;
+      DrawText(painter, x, Bottom + this->Y.Find(mark.Point.Y) * PlotHeight + 14, mark.Name, Font,
+        Ink, true, left);
     }
   }
-  for (const tool::PageCurve& curve : this->Page.Curves)
-  {
-    std::vector<Place> dots;
-    for (const tool::PagePoint& point : curve.Points)
-    {
-      if (IsDrawn(point))
-      {
-        dots.insert(dots.begin(), this->Find(point)); // the largest size first
-      }
-    }
-    if (dots.empty())
-    {
-      continue;
-    }
-    const tool::LabelPlace place =
-      places.Put(dots, DotRadius + 6.0, measure(curve.Label, LabelFont, true), LabelFont, true);
-    this->DrawText(painter, place.X, place.Y, curve.Label, LabelFont, curve.Color, true);
-  }
-  for (const tool::PageCurve& curve : this->Page.Curves)
-  {
-    for (const tool::PagePoint& point : curve.Points)
-    {
-      if (!IsDrawn(point) || point.Name.empty())
-      {
-        continue;
-      }
-      const Place at = this->Find(point);
-      const tool::LabelPlace place = places.Put({ { at[0], at[1] } }, DotRadius + 2.0,
-        measure(point.Name, SmallFont, false), SmallFont, false);
-      if (place.Free)
-      {
-        this->DrawText(painter, place.X, place.Y, point.Name, SmallFont, curve.Color);
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void Painter::DrawOver(vtkContext2D* painter) const
-{
-  tool::LabelPlaces places(Left + 4, Bottom + 4, Width - 6, Height - Top + 10);
-  this->DrawHeading(painter);
-  this->DrawDots(painter, places);
-  this->DrawLabels(painter, places);
 }
 
 //------------------------------------------------------------------------------
 void Painter::Write(const std::string& stem)
 {
-  vtkNew<vtkChartXY> chart;
+  vtkChartXY* chart = this->Chart;
   chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
   chart->SetSize(vtkRectf(Smooth * Left, Smooth * Bottom, Smooth * PlotWidth, Smooth * PlotHeight));
-  chart->SetShowLegend(false);
   this->SetUpAxis(chart->GetAxis(vtkAxis::BOTTOM), this->X, PlotWidth, this->Page.XUnit);
   this->SetUpAxis(chart->GetAxis(vtkAxis::LEFT), this->Y, PlotHeight, this->Page.YUnit);
-  this->AddLine(chart, this->Page.Front, Band, BandWidth);
-  for (const tool::PageCurve& curve : this->Page.Curves)
-  {
-    this->AddLine(chart, curve.Line, curve.Color, LineWidth);
-  }
+  this->AddMethods();
+  chart->SetShowLegend(false);
   vtkNew<Overlay> overlay;
-  overlay->Draw = [this](vtkContext2D* painter) { this->DrawOver(painter); };
+  overlay->Draw = [this](vtkContext2D* painter) { this->DrawTexts(painter); };
 
   vtkNew<vtkContextActor> actor;
   actor->GetScene()->AddItem(chart);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A chart on logarithmic axes whose curves carry their names, drawn by VTK's charts.
+ * A chart on logarithmic axes, drawn by VTK's charts.
  */
 
 #ifndef ChartPage_h
@@ -20,22 +20,22 @@ struct PagePoint
 {
   double X; // in the axis' unit, positive
   double Y;
-  std::string Name; // beside it, where there is room; may be empty
 };
 
 struct PageCurve
 {
-  std::string Label;
+  std::string Label;             // beside the chart
   RGB Color;                     // sRGB in [0,1]
-  std::vector<PagePoint> Points; // dots; the label prefers the last ones
+  std::vector<PagePoint> Points; // dots
   std::vector<PagePoint> Line;   // joined in their order; empty: none
 };
 
 /// A point to be found at once.
 struct PageMark
 {
-  PagePoint Point; // its name is always written
-  bool Ring;       // a black ring, else a black square
+  PagePoint Point;
+  std::string Name; // beside it
+  bool Diamond;     // black, else a black square
 };
 
 struct Page

@@ -105,17 +105,16 @@ void AddMark(tool::Page& page, const Dot& dot)
   const bool planner = dot.Method == tool::PlannerMethod;
   for (tool::PageMark& mark : page.Marks)
   {
-    if (planner && mark.Ring && std::abs(std::log10(mark.Point.X / dot.Cost)) < SamePlace &&
+    if (planner && mark.Diamond && std::abs(std::log10(mark.Point.X / dot.Cost)) < SamePlace &&
         std::abs(std::log10(mark.Point.Y / dot.Error)) < SamePlace)
     {
-      mark.Point.Name += ", " + FormatTolerance(dot.Size);
+      mark.Name += ", " + FormatTolerance(dot.Size);
       return;
     }
   }
   const std::string name = tool::FindChartMethod(dot.Method).Label;
-  page.Marks.push_back(
-    { { dot.Cost, dot.Error, planner ? name + " at " + FormatTolerance(dot.Size) : name },
-      planner });
+  page.Marks.push_back({ { dot.Cost, dot.Error },
+    planner ? name + " at " + FormatTolerance(dot.Size) : name, planner });
 }
 
 //------------------------------------------------------------------------------
@@ -136,10 +135,6 @@ std::vector<tool::PagePoint> MakeLine(const std::vector<tool::PagePoint>& points
 }
 
 //------------------------------------------------------------------------------
-// Of those of a size, which have commas between them.
-std::string GetFirstNumber(const std::string& size) { return size.substr(0, size.find(',')); }
-
-//------------------------------------------------------------------------------
 void Fill(tool::Page& page, const std::vector<Dot>& dots, const tool::Metric& metric)
 {
   std::vector<tool::CostPoint> costs;
@@ -156,7 +151,7 @@ void Fill(tool::Page& page, const std::vector<Dot>& dots, const tool::Metric& me
     {
       page.Curves.push_back({ method.Label, method.Color, {}, {} });
     }
-    page.Curves.back().Points.push_back({ dot.Cost, dot.Error, GetFirstNumber(dot.Size) });
+    page.Curves.back().Points.push_back({ dot.Cost, dot.Error });
   }
   for (tool::PageCurve& curve : page.Curves)
   {
@@ -164,7 +159,7 @@ void Fill(tool::Page& page, const std::vector<Dot>& dots, const tool::Metric& me
   }
   for (const std::size_t k : tool::FindFront(costs))
   {
-    page.Front.push_back({ dots[k].Cost, dots[k].Error, "" });
+    page.Front.push_back({ dots[k].Cost, dots[k].Error });
   }
   page.YLabel = metric.Label + ", smaller is better";
   page.YUnit = metric.Relative ? tool::Unit::Share : tool::Unit::Number;

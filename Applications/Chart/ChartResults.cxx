@@ -5,14 +5,9 @@
 #include "BoundedJson.h"
 #include "ChartMethods.h"
 #include "Files.h"
-#include "MeasuredBRDFToolVersion.h"
 #include "Measuring.h"
 #include "ParetoFront.h"
 #include "Tool.h"
-
-#include "vtkVersion.h"
-
-#include <sys/utsname.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -22,7 +17,6 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 
 namespace
 {
@@ -257,27 +251,6 @@ const ChartPair* ChartResults::Find(
     [&](const ChartPair& pair)
     { return pair.Material == material && pair.Environment == environment; });
   return found == this->Pairs.end() ? nullptr : &*found;
-}
-
-//------------------------------------------------------------------------------
-nlohmann::ordered_json DescribeMachine()
-{
-  std::string processor = "unknown";
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-  {
-    const std::size_t colon = line.find(": ");
-    if (line.compare(0, 10, "model name") == 0 && colon != std::string::npos)
-    {
-      processor = line.substr(colon + 2);
-      break;
-    }
-  }
-  utsname system{};
-  uname(&system);
-  return { { "processor", processor }, { "threads", std::thread::hardware_concurrency() },
-    { "system", std::string(system.sysname) + " " + system.machine },
-    { "vtk", vtkVersion::GetVTKVersion() }, { "program", MEASUREDBRDF_VERSION } };
 }
 
 //------------------------------------------------------------------------------

@@ -73,9 +73,6 @@ struct ChartResults
   const ChartPair* Find(const std::string& material, const std::string& environment) const;
 };
 
-/// What identifies this machine: processor, threads, system, VTK, and this program.
-nlohmann::ordered_json DescribeMachine();
-
 /// Processes that run or wait, the mean of the last minute; -1 where the system does not say.
 double GetLoad();
 

@@ -6,8 +6,10 @@
 #include "ChartResults.h"
 #include "Files.h"
 #include "Inputs.h"
+#include "MaterialMapFiles.h"
 #include "Measuring.h"
 #include "Meshes.h"
+#include "Program.h"
 #include "Progress.h"
 #include "Tool.h"
 
@@ -167,21 +169,6 @@ std::vector<vtkSmartPointer<vtkEnvironment>> LoadEnvironments(const std::string&
 }
 
 //------------------------------------------------------------------------------
-void MakeChartFolder(const std::string& folder)
-{
-  std::error_code error;
-  fs::create_directories(folder + "/exact", error);
-  if (error)
-  {
-    throw tool::Error(folder + ": can't be made: " + error.message());
-  }
-  for (const char* name : { "/results.json", "/exact/x" })
-  {
-    tool::CheckWritable(folder + name);
-  }
-}
-
-//------------------------------------------------------------------------------
 struct Task
 {
   const tool::Material* Material;
@@ -308,7 +295,8 @@ void Run(const ChartOptions& options)
     throw tool::UsageError(
       "--slowest: " + tool::FormatNumber(options.Slowest) + " is not a time above 0 in ms");
   }
-  MakeChartFolder(options.Folder);
+  tool::MakeFolder(options.Folder);
+  tool::CheckWritable(options.Folder + "/results.json");
   const tool::Interruptible interruptible;
   const std::vector<tool::Material> materials =
     LoadMaterials(options.Files.empty() ? DefaultMaterials : options.Files);
@@ -319,7 +307,7 @@ void Run(const ChartOptions& options)
     options.ReferencePixels > 0 ? options.ReferencePixels : std::numeric_limits<int>::max(),
     options.Rounds, options.Slowest
   };
-  tool::ChartMeter meter(scene, sizes, options.Folder + "/exact");
+  tool::ChartMeter meter(scene, sizes);
   nlohmann::ordered_json machine = tool::DescribeMachine();
   machine.update(meter.DescribeRenderer());
   const nlohmann::ordered_json settings = { { "methods", Join(methods) },

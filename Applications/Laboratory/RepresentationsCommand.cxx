@@ -4,18 +4,17 @@
 #include "Files.h"
 #include "Inputs.h"
 #include "Laboratory.h"
+#include "NumberText.h"
 #include "Progress.h"
-#include "RepresentationRows.h"
+#include "Stability.h"
 #include "Tool.h"
 
-#include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDFFitter.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkBasisExtrapolator.h"
 #include "vtkBasisProjector.h"
 #include "vtkDistributionBRDFFitter.h"
-#include "vtkDoubleArray.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkMath.h"
 #include "vtkMeasuredBRDFConfigure.h"
@@ -27,12 +26,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <functional>
+#include <cstdio>
 #include <memory>
 
 namespace
 {
-constexpr int MapWidth = 128; // the environments' size for the comparison
+using Environments = std::vector<vtkSmartPointer<vtkEnvironment>>;
+
+constexpr int MapWidth = 128; // the comparison wants the same smooth light for all, soon
 constexpr int NumberOfPixels = 96;
 constexpr int NumberOfErrorPairs = 1 << 15;
 
@@ -45,157 +46,108 @@ struct RepresentationsOptions
   std::string Output;
 };
 
-//------------------------------------------------------------------------------
-// The environment at MapWidth: the comparison wants the same smooth-ish light for all, soon.
-vtkSmartPointer<vtkEnvironment> Shrink(vtkEnvironment* environment)
+/// A representation of a material, and what it costs.
+struct RepresentationRow
 {
-  const int factor = std::max(environment->GetWidth() / MapWidth, 1);
-  const int width = environment->GetWidth() / factor;
-  const int height = std::max(environment->GetHeight() / factor, 1);
-  std::vector<float> rgb;
-  for (int y = 0; y < height; ++y)
-  {
-    for (int x = 0; x < width; ++x)
-    {
-      double sum[3] = { 0.0, 0.0, 0.0 };
-      double weights = 0.0;
-      for (int k = 0; k < factor * factor; ++k)
-      {
-        const int row = y * factor + k / factor;
-        double pixel[3];
-        environment->GetPixel(x * factor + k % factor, row, pixel);
-        const double weight = environment->GetTexelSolidAngle(row);
-        weights += weight;
-        for (int c = 0; c < 3; ++c)
-        {
-          sum[c] += weight * pixel[c];
-        }
-      }
-      for (double channel : sum)
-      {
-        rgb.push_back(static_cast<float>(channel / weights));
-      }
-    }
-  }
-  auto small = vtkSmartPointer<vtkEnvironment>::New();
-  small->SetPixels(width, height, std::move(rgb));
-  small->SetName(environment->GetName());
-  return small;
-}
+  std::string Material;
+  std::string Representation;
+  bool Recommended = false;
+  double Seconds = 0.0;
+  int Functions = 0; // 0: no basis
+  double NegativeMass = 0.0;
+  double Zone = 0.0;
+  double Hemisphere = 0.0;
+  std::vector<double> Images; // error for each environment
+  std::size_t Bytes = 0;
+};
 
 //------------------------------------------------------------------------------
-// Normals of a sphere seen from +z, evenly over its disc (Vogel's spiral).
-vtkSmartPointer<vtkDoubleArray> MakeNormals()
+// Of a sphere seen from +z, evenly over its disc (Vogel's spiral).
+tool::stability::Pairs MakeDiscPairs()
 {
-  auto normals = vtkSmartPointer<vtkDoubleArray>::New();
-  normals->SetNumberOfComponents(3);
+  tool::stability::Pairs pairs;
   for (int k = 0; k < NumberOfPixels; ++k)
   {
     const double r = 0.99 * std::sqrt((k + 0.5) / NumberOfPixels);
     const double phi = k * vtkMath::Pi() * (3.0 - std::sqrt(5.0));
-    normals->InsertNextTuple3(r * std::cos(phi), r * std::sin(phi), std::sqrt(1.0 - r * r));
+    pairs.Add({ r * std::cos(phi), r * std::sin(phi), std::sqrt(1.0 - r * r) }, { 0.0, 0.0, 1.0 });
   }
-  return normals;
+  return pairs;
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDoubleArray> DrawSphere(vtkBRDF* brdf, vtkEnvironment* environment)
-{
-  const vtkSmartPointer<vtkDoubleArray> normals = MakeNormals();
-  vtkNew<vtkDoubleArray> views;
-  views->SetNumberOfComponents(3);
-  for (int k = 0; k < NumberOfPixels; ++k)
-  {
-    views->InsertNextTuple3(0.0, 0.0, 1.0);
-  }
-  vtkNew<vtkAdaptiveRadianceIntegrator> integrator;
-  integrator->SetBRDF(brdf);
-  integrator->SetEnvironment(environment);
-  auto radiance = vtkSmartPointer<vtkDoubleArray>::New();
-  if (!integrator->Integrate(normals, views, radiance))
-  {
-    throw tool::Error(tool::TakeErrorText());
-  }
-  return radiance;
-}
-
-//------------------------------------------------------------------------------
-// mean |x - r| / mean r
-double GetRelativeL1(vtkDoubleArray* image, vtkDoubleArray* reference)
-{
-  double difference = 0.0;
-  double total = 0.0;
-  for (vtkIdType k = 0; k < reference->GetNumberOfValues(); ++k)
-  {
-    difference += std::abs(image->GetValue(k) - reference->GetValue(k));
-    total += reference->GetValue(k);
-  }
-  return total > 0.0 ? difference / total : 0.0;
-}
-
-//------------------------------------------------------------------------------
-// One material's rows: every candidate is made, measured and forgotten.
-class Table
+// Makes the candidates of one material, measures and forgets them.
+class Comparison
 {
 public:
-  Table(const RepresentationsOptions& options, const tool::Material& material,
-    const std::vector<vtkSmartPointer<vtkEnvironment>>& environments, const tool::Range& zone)
+  Comparison(const RepresentationsOptions& options, const tool::Material& material,
+    const Environments& environments, const tool::Range& zone)
     : Settings(options)
     , Material(material)
-    , Environments(environments)
-    , Zone(zone)
+    , Lights(environments)
+    , Zone{ zone.Begin, zone.End }
   {
     for (vtkEnvironment* environment : environments)
     {
-      this->References.push_back(DrawSphere(material.BRDF, environment));
+      this->References.push_back(
+        tool::stability::IntegrateReference(material.BRDF, environment, this->Pairs));
     }
   }
 
-  std::vector<tool::RepresentationRow> Make(const std::function<void(double)>& progress)
+  std::vector<RepresentationRow> Make()
   {
-    this->Progress = progress;
-    this->Steps = 4.0 * this->Settings.Orders.size() + (MEASUREDBRDF_WITH_CERES ? 4.0 : 2.0);
     vtkNew<vtkRepresentationAdvisor> advisor;
     advisor->SetInput(this->Material.BRDF);
-    advisor->SetZone(this->Zone.Begin, this->Zone.End);
-    this->RunWithProgress(advisor.Get(), &vtkRepresentationAdvisor::Update);
-    this->FinishStep();
+    advisor->SetZone(this->Zone[0], this->Zone[1]);
+    this->RunMaker(advisor.Get(), &vtkRepresentationAdvisor::Update);
     const bool basis = advisor->GetRecommendation() == vtkRepresentationAdvisor::BASIS;
     for (const int order : this->Settings.Orders)
     {
-      vtkSmartPointer<vtkBRDF> zonal;
+      const std::string number = " " + std::to_string(order);
+      vtkSmartPointer<vtkBasisBRDF> zonal;
       for (const int kind :
         { vtkBasisBRDF::ZONAL, vtkBasisBRDF::LEGENDRE_FOURIER, vtkBasisBRDF::SPHERICAL_HARMONICS })
       {
-        const vtkSmartPointer<vtkBRDF> made =
-          this->Add(vtkBasisBRDF::GetBasisName(kind) + " " + std::to_string(order),
-            [&] { return this->Project(kind, order); });
-        zonal = kind == vtkBasisBRDF::ZONAL ? made : zonal;
-        this->Rows.back().Recommended =
-          basis && kind == vtkBasisBRDF::SPHERICAL_HARMONICS && order == advisor->GetOrder();
+        vtkNew<vtkBasisProjector> projector;
+        projector->SetInput(this->Material.BRDF);
+        projector->SetBasis(kind);
+        projector->SetOrder(order);
+        if (kind != vtkBasisBRDF::SPHERICAL_HARMONICS)
+        {
+          projector->SetIncidentZone(this->Zone[0], this->Zone[1]);
+          projector->SetOutgoingZone(this->Zone[0], this->Zone[1]);
+        }
+        this->Add(vtkBasisBRDF::GetBasisName(kind) + number, projector.Get(),
+          &vtkBasisProjector::Project,
+          basis && kind == vtkBasisBRDF::SPHERICAL_HARMONICS && order == advisor->GetOrder());
+        zonal = kind == vtkBasisBRDF::ZONAL ? projector->GetOutput() : zonal.Get();
       }
-      this->Add(
-        "zonal " + std::to_string(order) + ", extended", [&] { return this->Extend(zonal); });
+      // What the extrapolator's gate refuses is taken, too: the table shows why.
+      vtkNew<vtkBasisExtrapolator> extrapolator;
+      extrapolator->SetInput(zonal);
+      this->Add("zonal" + number + ", extended", extrapolator.Get(),
+        &vtkBasisExtrapolator::Extrapolate, false);
     }
     vtkNew<vtkDistributionBRDFFitter> distribution;
-    this->AddFit("D-BRDF", distribution);
-    this->Rows.back().Recommended = !basis;
+    distribution->SetInput(this->Material.BRDF);
+    this->Add("D-BRDF", distribution.Get(), &vtkBRDFFitter::Fit, !basis);
     for (int lobes = 1; MEASUREDBRDF_WITH_CERES && lobes <= 2; ++lobes)
     {
-      vtkNew<vtkAshikhminShirleyBRDFFitter> ashikhmin;
-      ashikhmin->SetNumberOfLobes(lobes);
-      this->AddFit("Ashikhmin-Shirley " + std::to_string(lobes), ashikhmin);
+      vtkNew<vtkAshikhminShirleyBRDFFitter> fitter;
+      fitter->SetInput(this->Material.BRDF);
+      fitter->SetNumberOfLobes(lobes);
+      this->Add(
+        "Ashikhmin-Shirley " + std::to_string(lobes), fitter.Get(), &vtkBRDFFitter::Fit, false);
     }
     return this->Rows;
   }
 
 private:
-  // A part of the current step. Throws Error where it failed.
+  // Throws Error where it failed; without an error it only refused.
   template <typename Maker, typename Method>
-  void RunWithProgress(Maker* maker, Method run)
+  void RunMaker(Maker* maker, Method run)
   {
-    const bool done = tool::RunWithProgress(
-      maker, run, [this](double share) { this->Progress((this->Step + share) / this->Steps); });
+    const bool done = tool::RunWithProgress(maker, run, this->Material.Name);
     const std::string said = tool::TakeErrorText();
     if (!done && !said.empty())
     {
@@ -203,56 +155,17 @@ private:
     }
   }
 
-  void FinishStep()
+  template <typename Maker, typename Method>
+  void Add(const std::string& name, Maker* maker, Method run, bool recommended)
   {
-    tool::Interruptible::Check();
-    this->Progress(++this->Step / this->Steps);
-  }
-
-  vtkSmartPointer<vtkBRDF> Project(int basis, int order)
-  {
-    vtkNew<vtkBasisProjector> projector;
-    projector->SetInput(this->Material.BRDF);
-    projector->SetBasis(basis);
-    projector->SetOrder(order);
-    if (basis != vtkBasisBRDF::SPHERICAL_HARMONICS)
-    {
-      projector->SetIncidentZone(this->Zone.Begin, this->Zone.End);
-      projector->SetOutgoingZone(this->Zone.Begin, this->Zone.End);
-    }
-    this->RunWithProgress(projector.Get(), &vtkBasisProjector::Project);
-    return projector->GetOutput();
-  }
-
-  vtkSmartPointer<vtkBRDF> Extend(vtkBRDF* zonal)
-  {
-    vtkNew<vtkBasisExtrapolator> extrapolator;
-    extrapolator->SetInput(vtkBasisBRDF::SafeDownCast(zonal));
-    // What the gate refuses, without an error, is taken too: the table shows why.
-    this->RunWithProgress(extrapolator.Get(), &vtkBasisExtrapolator::Extrapolate);
-    return extrapolator->GetOutput();
-  }
-
-  void AddFit(const std::string& name, vtkBRDFFitter* fitter)
-  {
-    fitter->SetInput(this->Material.BRDF);
-    this->Add(name,
-      [&]() -> vtkSmartPointer<vtkBRDF>
-      {
-        this->RunWithProgress(fitter, &vtkBRDFFitter::Fit);
-        return fitter->GetOutput();
-      });
-  }
-
-  vtkSmartPointer<vtkBRDF> Add(
-    const std::string& name, const std::function<vtkSmartPointer<vtkBRDF>()>& make)
-  {
-    tool::RepresentationRow row;
+    RepresentationRow row;
     row.Material = this->Material.Name;
     row.Representation = name;
+    row.Recommended = recommended;
     const auto begin = std::chrono::steady_clock::now();
-    const vtkSmartPointer<vtkBRDF> brdf = make();
+    this->RunMaker(maker, run);
     row.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    vtkBRDF* brdf = maker->GetOutput();
     if (!brdf)
     {
       throw tool::Error(name + ": nothing came out");
@@ -263,39 +176,110 @@ private:
       row.Functions = basis->GetNumberOfFunctions();
       row.NegativeMass = tool::GetNegativeMass(basis);
     }
-    const double zone[2] = { this->Zone.Begin, this->Zone.End };
     row.Zone = vtkBRDFResampler::GetZoneRelativeL2Error(
-      this->Material.BRDF, brdf, zone, zone, NumberOfErrorPairs);
+      this->Material.BRDF, brdf, this->Zone, this->Zone, NumberOfErrorPairs);
     row.Hemisphere =
       vtkBRDFResampler::GetRelativeL2Error(this->Material.BRDF, brdf, NumberOfErrorPairs);
-    for (std::size_t k = 0; k < this->Environments.size(); ++k)
+    for (std::size_t k = 0; k < this->Lights.size(); ++k)
     {
-      tool::Interruptible::Check();
-      row.Images.push_back(
-        GetRelativeL1(DrawSphere(brdf, this->Environments[k]), this->References[k]));
+      row.Images.push_back(tool::stability::GetRelativeL1(
+        tool::stability::IntegrateReference(brdf, this->Lights[k], this->Pairs),
+        this->References[k]));
     }
     vtkBRDFShaderInputs form;
     brdf->GetShaderInputs(form);
     row.Bytes = form.GetTextureBytes();
     this->Rows.push_back(row);
-    this->FinishStep();
-    return brdf;
   }
 
   const RepresentationsOptions& Settings;
   const tool::Material& Material;
-  const std::vector<vtkSmartPointer<vtkEnvironment>>& Environments;
-  tool::Range Zone;
-  std::vector<vtkSmartPointer<vtkDoubleArray>> References;
-  std::vector<tool::RepresentationRow> Rows;
-  std::function<void(double)> Progress;
-  double Step = 0.0;
-  double Steps = 1.0;
+  const Environments& Lights;
+  const double Zone[2];
+  const tool::stability::Pairs Pairs = MakeDiscPairs();
+  std::vector<std::vector<double>> References;
+  std::vector<RepresentationRow> Rows;
 };
 
 //------------------------------------------------------------------------------
+// A cell of text: quoted, quotes in it doubled (RFC 4180).
+std::string QuoteCell(const std::string& text)
+{
+  std::string cell = "\"";
+  for (const char c : text)
+  {
+    cell += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return cell + "\"";
+}
+
+//------------------------------------------------------------------------------
+std::string FormatRepresentationsCSV(
+  const std::vector<RepresentationRow>& rows, const std::vector<std::string>& environments)
+{
+  std::string text = "material,representation,functions,relative_l2_zone,relative_l2_hemisphere,"
+                     "negative_mass";
+  for (const std::string& name : environments)
+  {
+    text += "," + QuoteCell("image_" + name);
+  }
+  text += ",texture_bytes,seconds,recommended\n";
+  for (const RepresentationRow& row : rows)
+  {
+    text += QuoteCell(row.Material) + "," + QuoteCell(row.Representation) + "," +
+            std::to_string(row.Functions) + "," + measuredbrdf::FixedText(row.Zone, 4) + "," +
+            measuredbrdf::FixedText(row.Hemisphere, 4) + "," +
+            measuredbrdf::FixedText(row.NegativeMass, 5);
+    for (const double image : row.Images)
+    {
+      text += "," + measuredbrdf::FixedText(image, 4);
+    }
+    text += "," + std::to_string(row.Bytes) + "," + measuredbrdf::FixedText(row.Seconds, 2) + "," +
+            (row.Recommended ? "1" : "0") + "\n";
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string FormatRepresentations(
+  const std::vector<RepresentationRow>& rows, const std::vector<std::string>& environments)
+{
+  std::string text =
+    "                               relative L2       negative   image, relative L1\n"
+    "representation              zone   hemisphere     mass  ";
+  for (const std::string& name : environments)
+  {
+    char cell[32];
+    std::snprintf(cell, sizeof(cell), " %12.12s", name.c_str());
+    text += cell;
+  }
+  text += "     bytes  seconds\n";
+  std::string material;
+  for (const RepresentationRow& row : rows)
+  {
+    if (row.Material != material)
+    {
+      material = row.Material;
+      text += material + "\n";
+    }
+    char figures[200];
+    std::snprintf(figures, sizeof(figures), "%s %-24.24s %6.1f %%   %7.1f %%  %6.2f %%",
+      row.Recommended ? ">" : " ", row.Representation.c_str(), 100.0 * row.Zone,
+      100.0 * row.Hemisphere, 100.0 * row.NegativeMass);
+    text += figures;
+    for (const double image : row.Images)
+    {
+      std::snprintf(figures, sizeof(figures), "   %8.2f %%", 100.0 * image);
+      text += figures;
+    }
+    std::snprintf(figures, sizeof(figures), " %9zu %8.2f\n", row.Bytes, row.Seconds);
+    text += figures;
+  }
+  return text + "> marks what the advisor recommends\n";
+}
+//------------------------------------------------------------------------------
 // The environments' names; a number tells those of the same name apart.
-std::vector<std::string> GetNames(const std::vector<vtkSmartPointer<vtkEnvironment>>& environments)
+std::vector<std::string> GetNames(const Environments& environments)
 {
   std::vector<std::string> names;
   for (vtkEnvironment* environment : environments)
@@ -311,16 +295,15 @@ std::vector<std::string> GetNames(const std::vector<vtkSmartPointer<vtkEnvironme
 }
 
 //------------------------------------------------------------------------------
-// A material's rows. Throws Error naming the file.
-std::vector<tool::RepresentationRow> Compare(const RepresentationsOptions& options,
-  const std::string& file, const std::vector<vtkSmartPointer<vtkEnvironment>>& environments,
-  const tool::Range& zone, const std::function<void(double)>& progress)
+// Throws Error naming the file.
+std::vector<RepresentationRow> CompareMaterial(const RepresentationsOptions& options,
+  const std::string& file, const Environments& environments, const tool::Range& zone)
 {
   const tool::Material material = tool::LoadMaterial(file); // its errors name the file
   try
   {
     material.BRDF->Prepare();
-    return Table(options, material, environments, zone).Make(progress);
+    return Comparison(options, material, environments, zone).Make();
   }
   catch (const tool::Error& error)
   {
@@ -342,21 +325,20 @@ void Run(const RepresentationsOptions& options)
   {
     files.push_back(vtkEmbeddedMaterials::GetName(k));
   }
-  std::vector<vtkSmartPointer<vtkEnvironment>> environments;
+  Environments environments;
   for (const std::string& name :
     options.Environments.empty() ? std::vector<std::string>{ "sky", "hall" } : options.Environments)
   {
-    environments.push_back(Shrink(tool::LoadEnvironment(name)));
+    environments.push_back(tool::stability::Shrink(tool::LoadEnvironment(name), MapWidth));
   }
-  std::vector<tool::RepresentationRow> rows;
+  std::vector<RepresentationRow> rows;
   std::size_t failures = 0;
   for (std::size_t k = 0; k < files.size(); ++k)
   {
     try
     {
-      tool::ProgressBar bar("measuring");
-      const std::vector<tool::RepresentationRow> more = Compare(options, files[k], environments,
-        zone, [&](double share) { bar.Update((static_cast<double>(k) + share) / files.size()); });
+      const std::vector<RepresentationRow> more =
+        CompareMaterial(options, files[k], environments, zone);
       rows.insert(rows.end(), more.begin(), more.end());
     }
     catch (const tool::Error& error)
@@ -368,12 +350,12 @@ void Run(const RepresentationsOptions& options)
     }
     if (!options.Output.empty()) // what is done is kept
     {
-      tool::WriteWhole(options.Output, tool::FormatCSV(rows, GetNames(environments)));
+      tool::WriteWhole(options.Output, FormatRepresentationsCSV(rows, GetNames(environments)));
     }
   }
   if (options.Output.empty() && !rows.empty())
   {
-    tool::PrintOut(tool::FormatText(rows, GetNames(environments)));
+    tool::PrintOut(FormatRepresentations(rows, GetNames(environments)));
   }
   if (failures > 0)
   {

@@ -3,18 +3,14 @@
 #include "Files.h"
 #include "Inputs.h"
 #include "Laboratory.h"
+#include "MaterialMapFiles.h"
+#include "Program.h"
 #include "Progress.h"
 #include "Stability.h"
 #include "Tool.h"
 
-#include "MeasuredBRDFToolVersion.h"
-
-#include "vtkVersion.h"
-
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
-
-#include <sys/utsname.h>
 
 #include <algorithm>
 #include <chrono>
@@ -22,9 +18,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <thread>
 
 using tool::stability::Case;
 using tool::stability::Context;
@@ -51,26 +45,6 @@ struct Outcome
 };
 
 constexpr char ReportName[] = "stability.json";
-
-//------------------------------------------------------------------------------
-std::string GetMachine()
-{
-  std::string processor = "unknown processor";
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-  {
-    const std::size_t colon = line.find(": ");
-    if (line.compare(0, 10, "model name") == 0 && colon != std::string::npos)
-    {
-      processor = line.substr(colon + 2);
-      break;
-    }
-  }
-  utsname system{};
-  uname(&system);
-  return processor + ", " + std::to_string(std::thread::hardware_concurrency()) + " threads, " +
-         system.sysname + " " + system.machine;
-}
 
 //------------------------------------------------------------------------------
 // The wanted cases in their own order. Names are of cases or of groups.
@@ -167,8 +141,10 @@ nlohmann::ordered_json MakeReport(
   {
     seconds[outcome.Source->Name] = std::round(100.0 * outcome.Seconds) / 100.0;
   }
-  return { { "version", MEASUREDBRDF_VERSION }, { "vtk", vtkVersion::GetVTKVersion() },
-    { "machine", GetMachine() },
+  const nlohmann::ordered_json machine = tool::DescribeMachine();
+  return { { "version", machine["program"] }, { "vtk", machine["vtk"] },
+    { "machine", machine["processor"].get<std::string>() + ", " + machine["threads"].dump() +
+                   " threads, " + machine["system"].get<std::string>() },
     { "renderer", inputs.Renderer.empty() ? "none: no case drew" : inputs.Renderer },
     { "short", options.Short },
     { "material", options.File.empty() ? "each case's own" : options.File },
@@ -177,22 +153,12 @@ nlohmann::ordered_json MakeReport(
 }
 
 //------------------------------------------------------------------------------
-void MakeReportFolder(const std::string& path)
-{
-  std::error_code problem;
-  std::filesystem::create_directories(path, problem);
-  if (!std::filesystem::is_directory(path))
-  {
-    throw tool::Error(path + ": can't be made a folder: " + problem.message());
-  }
-  tool::CheckWritable((std::filesystem::path(path) / ReportName).string());
-}
-
-//------------------------------------------------------------------------------
 void Run(const StabilityOptions& options)
 {
   const std::vector<Case> cases = Select(options.Cases);
-  MakeReportFolder(options.Output);
+  const std::filesystem::path folder(options.Output);
+  tool::MakeFolder(options.Output);
+  tool::CheckWritable((folder / ReportName).string());
   const tool::Interruptible interruptible;
   Context inputs;
   inputs.Short = options.Short;
@@ -230,7 +196,6 @@ void Run(const StabilityOptions& options)
       ++counts[status == "pass" ? 0 : (status == "fail" ? 2 : 1)];
     }
   }
-  const std::filesystem::path folder(options.Output);
   for (const auto& [name, picture] : pictures)
   {
     tool::WritePNG((folder / name).string(), picture, tool::EncodeSRGB);

@@ -3,10 +3,12 @@
 #include "Files.h"
 #include "Inputs.h"
 #include "Laboratory.h"
+#include "MaterialMapFiles.h"
 #include "Meshes.h"
 #include "Progress.h"
 #include "Scenes.h"
 #include "Sheets.h"
+#include "Stability.h"
 #include "Tool.h"
 
 #include "vtkBRDFAcquisition.h"
@@ -14,7 +16,6 @@
 #include "vtkBasisProjector.h"
 #include "vtkDistributionBRDFFitter.h"
 #include "vtkEmbeddedMaterials.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkRepresentationAdvisor.h"
 
@@ -88,6 +89,20 @@ std::string FormatErrorPercent(double value)
 }
 
 //------------------------------------------------------------------------------
+// Whether it made something; where it only refused, without an error, it did not. Throws Error.
+template <typename Maker, typename Method>
+bool RunMaker(Maker* maker, Method run, const std::string& name)
+{
+  const bool made = tool::RunWithProgress(maker, run, name);
+  const std::string said = tool::TakeErrorText();
+  if (!said.empty())
+  {
+    throw tool::Error(name + ": " + said);
+  }
+  return made;
+}
+
+//------------------------------------------------------------------------------
 // Measured by the simulated device and continued over the hemisphere where its basis suits; the
 // D-BRDF fit else.
 Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor, int order)
@@ -98,10 +113,7 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
   vtkNew<vtkRepresentationAdvisor> advisor;
   advisor->SetInput(material.BRDF);
   advisor->SetOrder(order);
-  if (!tool::RunWithProgress(advisor.Get(), &vtkRepresentationAdvisor::Update, material.Name))
-  {
-    throw tool::Error(material.Name + ": " + tool::TakeErrorText());
-  }
+  RunMaker(advisor.Get(), &vtkRepresentationAdvisor::Update, material.Name);
   if (advisor->GetRecommendation() == vtkRepresentationAdvisor::BASIS)
   {
     vtkNew<vtkBRDFAcquisition> device;
@@ -110,19 +122,9 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
     device->SetNoise(Noise);
     device->SetBits(Bits);
     vtkNew<vtkBasisExtrapolator> extrapolator;
-    if (!tool::RunWithProgress(device.Get(), &vtkBRDFAcquisition::Acquire, material.Name))
-    {
-      throw tool::Error(material.Name + ": " + tool::TakeErrorText());
-    }
+    RunMaker(device.Get(), &vtkBRDFAcquisition::Acquire, material.Name);
     extrapolator->SetInput(device->GetOutput());
-    const bool accepted =
-      tool::RunWithProgress(extrapolator.Get(), &vtkBasisExtrapolator::Extrapolate, material.Name);
-    const std::string said = tool::TakeErrorText();
-    if (!said.empty())
-    {
-      throw tool::Error(material.Name + ": " + said);
-    }
-    if (accepted)
+    if (RunMaker(extrapolator.Get(), &vtkBasisExtrapolator::Extrapolate, material.Name))
     {
       exhibit.BRDF = extrapolator->GetOutput();
       exhibit.Note = begin + "Simulated acquisition (zonal, order " + std::to_string(order) +
@@ -132,10 +134,7 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
   }
   vtkNew<vtkDistributionBRDFFitter> fitter;
   fitter->SetInput(material.BRDF);
-  if (!tool::RunWithProgress(fitter.Get(), &vtkDistributionBRDFFitter::Fit, material.Name))
-  {
-    throw tool::Error(material.Name + ": " + tool::TakeErrorText());
-  }
+  RunMaker(fitter.Get(), &vtkDistributionBRDFFitter::Fit, material.Name);
   exhibit.BRDF = fitter->GetOutput();
   exhibit.Note = begin + "D-BRDF of the " + GetOrigin(material) + "; basis residual " +
                  FormatErrorPercent(advisor->GetInZoneResidual());
@@ -149,23 +148,6 @@ tool::Picture Finish(tool::Picture tile, const tool::OffscreenScene& scene,
   tool::ComposeOver(tile, scene, backdrop, exposure);
   tool::RollOff(tile);
   return tool::Downsample(tile, Smooth);
-}
-
-//------------------------------------------------------------------------------
-// mean |x - r| / mean r where the object is.
-double GetRelativeL1(const tool::Picture& image, const tool::Picture& reference)
-{
-  double difference = 0.0;
-  double total = 0.0;
-  for (std::size_t k = 0; k < reference.Pixels.size(); ++k)
-  {
-    if (k % 4 != 3 && reference.Pixels[k - k % 4 + 3] > 0.0f)
-    {
-      difference += std::abs(image.Pixels[k] - reference.Pixels[k]);
-      total += reference.Pixels[k];
-    }
-  }
-  return total > 0.0 ? difference / total : 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -243,19 +225,13 @@ public:
       projector->SetInput(material.BRDF);
       projector->SetBasis(vtkBasisBRDF::SPHERICAL_HARMONICS);
       projector->SetOrder(order);
-      if (!tool::RunWithProgress(projector.Get(), &vtkBasisProjector::Project, "ringing"))
-      {
-        throw tool::Error(material.Name + ": " + tool::TakeErrorText());
-      }
+      RunMaker(projector.Get(), &vtkBasisProjector::Project, material.Name);
       exhibits.push_back({ projector->GetOutput(), "harmonics, order " + std::to_string(order),
         std::to_string((order + 1) * (order + 1)) + " functions, " });
     }
     vtkNew<vtkDistributionBRDFFitter> fitter;
     fitter->SetInput(material.BRDF);
-    if (!tool::RunWithProgress(fitter.Get(), &vtkDistributionBRDFFitter::Fit, "ringing"))
-    {
-      throw tool::Error(material.Name + ": " + tool::TakeErrorText());
-    }
+    RunMaker(fitter.Get(), &vtkDistributionBRDFFitter::Fit, material.Name);
     exhibits.push_back({ fitter->GetOutput(), "D-BRDF fit", "" });
 
     tool::ContactSheet sheet(
@@ -287,8 +263,8 @@ public:
         std::string note = "the material itself";
         if (reference)
         {
-          note =
-            exhibit.Note + "image error " + FormatErrorPercent(GetRelativeL1(picture, *reference));
+          note = exhibit.Note + "image error " +
+                 FormatErrorPercent(tool::stability::GetPictureDifference(picture, *reference));
         }
         else
         {
@@ -359,12 +335,7 @@ private:
 //------------------------------------------------------------------------------
 void Run(const ThesisCommandOptions& options)
 {
-  std::error_code problem;
-  std::filesystem::create_directories(options.Output, problem);
-  if (!std::filesystem::is_directory(options.Output))
-  {
-    throw tool::Error(options.Output + ": can't be made a folder: " + problem.message());
-  }
+  tool::MakeFolder(options.Output);
   const tool::Interruptible interruptible;
   Gallery gallery(options);
   const std::filesystem::path folder(options.Output);

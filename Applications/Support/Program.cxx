@@ -2,19 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Program.h"
 
+#include "Meshes.h"
 #include "ReadApart.h"
 #include "Tool.h"
 
 #include "MeasuredBRDFToolVersion.h"
 #include "vtkBRDFReader.h"
+#include "vtkVersion.h"
 
 #include <CLI/CLI.hpp>
+
+#include <sys/utsname.h>
 
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <fstream>
 #include <iostream>
 #include <sstream>
+#include <thread>
 
 namespace
 {
@@ -112,6 +118,27 @@ int RunProgram(int argc, char* argv[], const Program& program)
     std::fprintf(stderr, "%s: error: %s\n", program.Name.c_str(), e.what());
     return 1;
   }
+}
+
+//------------------------------------------------------------------------------
+nlohmann::ordered_json DescribeMachine()
+{
+  std::string processor = "unknown";
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+  {
+    const std::size_t colon = line.find(": ");
+    if (line.compare(0, 10, "model name") == 0 && colon != std::string::npos)
+    {
+      processor = line.substr(colon + 2);
+      break;
+    }
+  }
+  utsname system{};
+  uname(&system);
+  return { { "processor", processor }, { "threads", std::thread::hardware_concurrency() },
+    { "system", std::string(system.sysname) + " " + system.machine },
+    { "vtk", vtkVersion::GetVTKVersion() }, { "program", MEASUREDBRDF_VERSION } };
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,8 @@
 #ifndef Program_h
 #define Program_h
 
+#include <nlohmann/json.hpp>
+
 #include <functional>
 #include <string>
 
@@ -29,6 +31,9 @@ struct Program
 
 /// The exit status.
 int RunProgram(int argc, char* argv[], const Program& program);
+
+/// What identifies this machine: processor, threads, system, VTK, and the version of the program.
+nlohmann::ordered_json DescribeMachine();
 
 /// A command that is not in this program, nor in its help, and says why.
 void AddAbsentCommand(CLI::App& app, const std::string& name, const std::string& reason);

@@ -134,19 +134,19 @@ void DrawOcclusionMethods(const std::vector<OcclusionMethodMean>& means, const s
       const bool isMean = mean.Mesh.empty();
       if ((isMean ? mean.Method : GetName(mean.Method)) == name)
       {
-        const tool::PagePoint point = { mean.Frame, mean.Error, isMean ? curve.Label : "" };
-        isMean ? page.Marks.push_back({ point, name == "on" }) : curve.Points.push_back(point);
+        const tool::PagePoint point = { mean.Frame, mean.Error };
+        isMean ? page.Marks.push_back({ point, curve.Label, name == "on" })
+               : curve.Points.push_back(point);
         count = isMean ? mean.Count : count;
       }
     }
-    curve.Label.clear();
     page.Curves.push_back(curve);
   }
   // What is better than all that is cheaper.
   std::vector<tool::PagePoint> cheaper;
   for (const tool::PageMark& mark : page.Marks)
   {
-    cheaper.push_back({ mark.Point.X, mark.Point.Y, "" });
+    cheaper.push_back(mark.Point);
   }
   std::sort(cheaper.begin(), cheaper.end(),
     [](const tool::PagePoint& a, const tool::PagePoint& b) { return a.X < b.X; });
@@ -158,7 +158,7 @@ void DrawOcclusionMethods(const std::vector<OcclusionMethodMean>& means, const s
     }
   }
   page.Subtitle = std::to_string(count) +
-                  " pictures: a dot for each mesh, a square for the mean of all; llvmpipe, 500x500";
+                  " pictures: a dot for each mesh, a mark for the mean of all; llvmpipe, 500x500";
   page.XLabel = "processor time of a frame, over one without occlusion";
   page.XUnit = tool::Unit::Number;
   page.YLabel = "relative L1 error, of occlusion alone";

@@ -8,11 +8,11 @@ import shutil
 import struct
 import subprocess
 import sys
-import tempfile
 import unittest
-import zlib
 
-PROGRAM = ""
+import TestTool
+from TestTool import ToolTest, make_png
+
 WIDTH, HEIGHT = 64, 48
 CTEST = ("CTEST_INTERACTIVE_DEBUG_MODE", "DASHBOARD_TEST_FROM_CTEST")  # how CTest is recognized
 
@@ -34,30 +34,15 @@ def rounded(x, y):
     return tuple(value + ((7 * x + 13 * y + 3 * c) % 10 == 0) for c, value in enumerate(stripes(x, y)))
 
 
-class DiffTest(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.mkdtemp()
-        self.addCleanup(shutil.rmtree, self.folder)
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
-
+class DiffTest(ToolTest):
     def write(self, name, content):
-        with open(self.path(name), "wb") as file:
-            file.write(content)
+        super().write(name, content)
         return name
 
     def draw(self, name, formula, width=WIDTH, height=HEIGHT, alpha=None):
-        """Writes an 8-bit PNG."""
-        rows = b""
-        for y in range(height):
-            pixels = [(*formula(x, y), *([] if alpha is None else [alpha(x, y)])) for x in range(width)]
-            rows += b"\0" + bytes(value for pixel in pixels for value in pixel)
-        chunks = b"\x89PNG\r\n\x1a\n"
-        head = struct.pack(">2I5B", width, height, 8, 2 if alpha is None else 6, 0, 0, 0)
-        for kind, data in ((b"IHDR", head), (b"IDAT", zlib.compress(rows)), (b"IEND", b"")):
-            chunks += struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-        return self.write(name, chunks)
+        pixel = lambda x, y: (*formula(x, y), *([] if alpha is None else [alpha(x, y)]))
+        rows = [[pixel(x, y) for x in range(width)] for y in range(height)]
+        return self.write(name, make_png(rows, 3 if alpha is None else 4))
 
     def draw_floats(self, name, values):
         """Writes a gray TIFF of one row of 32-bit floats."""
@@ -72,16 +57,10 @@ class DiffTest(unittest.TestCase):
         environment = {k: v for k, v in os.environ.items() if k not in CTEST}
         if ctest:
             environment["CTEST_INTERACTIVE_DEBUG_MODE"] = "0"
-        command = [PROGRAM, "diff", *map(str, arguments)]
+        command = [TestTool.PROGRAM, "diff", *map(str, arguments)]
         return subprocess.run(
             command, capture_output=True, text=True, timeout=120, cwd=self.folder, env=environment, check=False
         )
-
-    def check(self, result, status, *words):
-        """The status, and words in what it prints: on stdout where it passes, on stderr else."""
-        self.assertEqual(result.returncode, status, result.stdout + result.stderr)
-        for word in words:
-            self.assertIn(word, result.stderr if status else result.stdout)
 
     def value(self, result, metric):
         return float(re.search(rf"\b{metric}=([-+.e0-9]+) ", result.stdout).group(1))
@@ -176,7 +155,7 @@ class DiffForCTest(DiffTest):
         self.draw("a.png", stripes)
         self.draw("out.png", moved)
         self.write("DartConfiguration.tcl", b"SourceDirectory: .\nBuildDirectory: .\n")
-        test = f'add_test(diff "{PROGRAM}" "diff" "{self.path("out.png")}" "{self.path("a.png")}")\n'
+        test = f'add_test(diff "{TestTool.PROGRAM}" "diff" "{self.path("out.png")}" "{self.path("a.png")}")\n'
         self.write("CTestTestfile.cmake", test.encode())
         environment = {k: v for k, v in os.environ.items() if k not in CTEST}
         command = [ctest, "-D", "ExperimentalTest"]
@@ -238,5 +217,5 @@ class DiffBadInput(DiffTest):
 
 
 if __name__ == "__main__":
-    PROGRAM = os.path.abspath(sys.argv[1])
+    TestTool.PROGRAM = os.path.abspath(sys.argv[1])
     unittest.main(argv=sys.argv[:1] + sys.argv[2:])

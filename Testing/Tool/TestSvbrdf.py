@@ -4,48 +4,13 @@
 
 import json
 import os
-import shutil
-import signal
-import struct
-import subprocess
 import sys
-import tempfile
-import time
 import unittest
-import zlib
 
-PROGRAM = ""
+import TestTool
+from TestTool import ToolTest, make_png, read_png, run
+
 SIDE = 16
-
-
-def run(*arguments):
-    program = PROGRAM + "-lab" if arguments[0] == "photograph" else PROGRAM
-    return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, timeout=300)
-
-
-def read_png16(path):
-    """Rows of RGB values, top first, of a 16-bit RGB PNG."""
-    with open(path, "rb") as file:
-        data = file.read()
-    width, height, depth, color = struct.unpack(">2I2B", data[16:26])
-    assert (depth, color) == (16, 2)
-    packed, at = b"", 8
-    while at < len(data):
-        length = struct.unpack(">I", data[at:at + 4])[0]
-        packed += data[at + 8:at + 8 + length] if data[at + 4:at + 8] == b"IDAT" else b""
-        at += 12 + length
-    raw, step = zlib.decompress(packed), 6 * width
-    rows, above = [], bytes(step)
-    for y in range(height):
-        kind, row = raw[y * (step + 1)], bytearray(raw[y * (step + 1) + 1:(y + 1) * (step + 1)])
-        for x in range(step):
-            a, b, c = (row[x - 6] if x >= 6 else 0), above[x], (above[x - 6] if x >= 6 else 0)
-            p = a + b - c
-            paeth = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
-            row[x] = (row[x] + (0, a, b, (a + b) // 2, paeth)[kind]) & 255
-        rows.append(struct.unpack(f">{3 * width}H", bytes(row)))
-        above = bytes(row)
-    return rows
 
 
 def share(x, y):
@@ -53,27 +18,10 @@ def share(x, y):
     return min(255, max(0, 24 * (x - 3) + 3 * y))
 
 
-class SvbrdfTest(unittest.TestCase):
+class SvbrdfTest(ToolTest):
     def setUp(self):
-        self.folder = tempfile.mkdtemp()
-        self.addCleanup(shutil.rmtree, self.folder)
-        rows = b"".join(b"\0" + b"".join(bytes((255 - share(x, y), share(x, y), 0)) for x in range(SIDE))
-                        for y in range(SIDE))
-        chunks = b"\x89PNG\r\n\x1a\n"
-        head = struct.pack(">2I5B", SIDE, SIDE, 8, 2, 0, 0, 0)
-        for kind, data in ((b"IHDR", head), (b"IDAT", zlib.compress(rows)), (b"IEND", b"")):
-            chunks += struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-        with open(self.path("weights.png"), "wb") as file:
-            file.write(chunks)
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
-
-    def check(self, result, status, *words):
-        said = result.stdout if status == 0 else result.stderr
-        self.assertEqual(result.returncode, status, result.stdout + result.stderr)
-        for word in words:
-            self.assertIn(word, said)
+        super().setUp()
+        self.write("weights.png", make_png([[(255 - share(x, y), share(x, y), 0) for x in range(SIDE)] for y in range(SIDE)]))
 
     def photograph(self, *options):
         self.check(run("photograph", "red-fabric2", "nickel", "--weights", self.path("weights.png"), "-o",
@@ -88,7 +36,7 @@ class SvbrdfTest(unittest.TestCase):
             return file.read()
 
     def check_weights(self, tolerance):
-        rows = read_png16(self.path("found/weights-1.png"))
+        rows = read_png(self.path("found/weights-1.png"))
         self.assertEqual(len(rows), SIDE)
         for y, row in enumerate(rows):
             for x in range(SIDE):
@@ -147,19 +95,9 @@ class Tables(SvbrdfTest):
 
     def test_interrupted(self):
         self.photograph("--count", 200)
-        command = [PROGRAM, "svbrdf", self.path("photos/photographs.json"), "-o", self.path("found")]
-        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
-            while process.poll() is None:
-                with open(f"/proc/{process.pid}/status", encoding="ascii") as file:
-                    caught = [line for line in file if line.startswith("SigCgt")]
-                if caught and int(caught[0].split()[1], 16) & (1 << (signal.SIGINT - 1)):
-                    break
-                time.sleep(0.02)
-            if process.poll() is not None:
-                self.skipTest("skipped: finished too soon to be interrupted")
-            process.send_signal(signal.SIGINT)
-            said = process.communicate(timeout=120)[1]
-        self.assertEqual(process.returncode, 1)
+        command = [TestTool.PROGRAM, "svbrdf", self.path("photos/photographs.json"), "-o", self.path("found")]
+        status, said = self.interrupt(command)
+        self.assertEqual(status, 1)
         self.assertIn("interrupted", said)
         self.assertFalse(os.path.exists(self.path("found/map.json")))
 
@@ -200,5 +138,5 @@ class Errors(SvbrdfTest):
 
 
 if __name__ == "__main__":
-    PROGRAM = os.path.abspath(sys.argv[1])
+    TestTool.PROGRAM = os.path.abspath(sys.argv[1])
     unittest.main(argv=sys.argv[:1] + sys.argv[2:])

@@ -15,7 +15,7 @@ cmake/install-packages.sh --only clang-tidy-14
 build=build-tidy
 mkdir -p "$build"
 if ! cmake -S . -B "$build" -G Ninja -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo \
-  -DBUILD_TESTING=OFF -DMEASUREDBRDF_WRAP_PYTHON=OFF -DMEASUREDBRDF_BUILD_TOOL=ON \
+  -DBUILD_TESTING=OFF -DMEASUREDBRDF_WRAP_PYTHON=OFF -DMEASUREDBRDF_BUILD_TOOL=ON -DMEASUREDBRDF_BUILD_LABORATORY=ON \
   -DMEASUREDBRDF_COMPILE_IN_GROUPS=OFF >"$build/configure.log" 2>&1; then
   tail -n 30 "$build/configure.log" >&2
   exit 1

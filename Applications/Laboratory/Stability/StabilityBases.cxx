@@ -4,9 +4,6 @@
 #include "Meshes.h"
 #include "Sheets.h"
 #include "Stability.h"
-#include "StabilityErrors.h"
-#include "StabilityRenderer.h"
-#include "StabilityTools.h"
 #include "Tool.h"
 
 #include "vtkBRDFResampler.h"

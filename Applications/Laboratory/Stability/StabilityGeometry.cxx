@@ -3,9 +3,6 @@
 // Stability: directions and meshes at their limits.
 #include "Meshes.h"
 #include "Stability.h"
-#include "StabilityErrors.h"
-#include "StabilityRenderer.h"
-#include "StabilityTools.h"
 #include "Surface.h"
 
 #include "vtkCellArray.h"

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stability: too few lights, too few samples, samples in the wrong place.
 #include "Stability.h"
-#include "StabilityErrors.h"
-#include "StabilityRenderer.h"
-#include "StabilityTools.h"
 #include "Surface.h"
 
 #include "vtkBRDFShaderInputs.h"

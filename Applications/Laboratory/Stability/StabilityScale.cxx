@@ -4,10 +4,6 @@
 #include "Meshes.h"
 #include "Progress.h"
 #include "Stability.h"
-#include "StabilityErrors.h"
-#include "StabilityMemory.h"
-#include "StabilityRenderer.h"
-#include "StabilityTools.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -19,6 +15,9 @@
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
 #include "vtkTabulatedBRDF.h"
+
+#include <dlfcn.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <chrono>
@@ -37,6 +36,84 @@ constexpr int WarmUpFrames = 3;
 // Small blocks that threads keep for themselves count as in use. A leak of 100 materials' textures
 // is 20 MB a frame.
 constexpr double LargestGrowth = 1.0; // MB
+
+// OpenGL's names are small numbers, and drivers give those that are free again.
+constexpr unsigned int LargestName = 1 << 14;
+
+//------------------------------------------------------------------------------
+// VTK's own loader of OpenGL has another name in each of its versions, so the library is asked.
+void* FindOpenGLFunction(const char* name)
+{
+  for (const char* library : { "libOpenGL.so.0", "libGL.so.1" })
+  {
+    void* handle = dlopen(library, RTLD_LAZY | RTLD_LOCAL); // kept: it stays loaded anyway
+    void* function = handle ? dlsym(handle, name) : nullptr;
+    if (function)
+    {
+      return function;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+// MB that are allocated and not freed, in all threads; 0 where the C library does not tell. On a
+// software renderer textures are among them. The size of the process would also follow the
+// allocator, the driver's threads and what else the machine does.
+double GetHeapInUse()
+{
+#if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd) * 1e-6;
+#else
+  return 0.0;
+#endif
+}
+
+//------------------------------------------------------------------------------
+// MB by which the heap grows while something is repeated, from what was in use at the beginning and
+// after each repetition. A leak adds in every part of the run; what the C library, the driver or
+// its threads set up at a time of their own adds in one. So the run is cut into up to five equal
+// parts, and the median of their growths counts for each.
+double GetGrowth(const std::vector<double>& inUse)
+{
+  const std::size_t repetitions = inUse.empty() ? 0 : inUse.size() - 1;
+  const std::size_t parts = std::min<std::size_t>(repetitions, 5);
+  std::vector<double> growths;
+  for (std::size_t k = 0; k < parts; ++k)
+  {
+    growths.push_back(inUse[(k + 1) * repetitions / parts] - inUse[k * repetitions / parts]);
+  }
+  if (growths.empty())
+  {
+    return 0.0;
+  }
+  const auto median = growths.begin() + static_cast<std::ptrdiff_t>(parts / 2);
+  std::nth_element(growths.begin(), median, growths.end());
+  return *median * static_cast<double>(parts);
+}
+
+//------------------------------------------------------------------------------
+// Textures, buffers, framebuffers, renderbuffers, vertex arrays, programs and shaders of the
+// current OpenGL context; -1 where that can't be asked.
+int CountOpenGLObjects()
+{
+  int count = 0;
+  for (const char* name : { "glIsTexture", "glIsBuffer", "glIsFramebuffer", "glIsRenderbuffer",
+         "glIsVertexArray", "glIsProgram", "glIsShader" })
+  {
+    const auto is = reinterpret_cast<unsigned char (*)(unsigned int)>(FindOpenGLFunction(name));
+    if (!is)
+    {
+      return -1;
+    }
+    for (unsigned int k = 1; k <= LargestName; ++k)
+    {
+      count += is(k) != 0;
+    }
+  }
+  return count;
+}
 
 //------------------------------------------------------------------------------
 void RunEnvironmentSizes(Context& context)
@@ -222,7 +299,7 @@ void RunMaterialChanges(Context& context)
     vtkMeasuredBRDFMapper* mapper = offscreen.GetMapper();
     mapper->SetEnvironment(environment);
     mapper->SetIntegrator(kind.Plans ? nullptr : MakeLightLoop(16).Get());
-    HeapGrowth heap;
+    std::vector<double> heap;
     int objects = 0;
     std::vector<double> times;
     std::set<vtkIdType> bytes;
@@ -241,12 +318,12 @@ void RunMaterialChanges(Context& context)
       }
       if (k >= kind.Changes / 2)
       {
-        heap.Add();
+        heap.push_back(GetHeapInUse());
       }
     }
     const std::string what =
       "the second half of " + std::to_string(kind.Changes) + " material changes adds";
-    context.Add(kind.Name, "MB in use that " + what, heap.Get(), LargestGrowth,
+    context.Add(kind.Name, "MB in use that " + what, GetGrowth(heap), LargestGrowth,
       std::to_string(*bytes.rbegin()) + " bytes of textures at most");
     context.Add(kind.Name, "OpenGL objects that " + what, CountOpenGLObjects() - objects, 0.0,
       std::to_string(objects) + " objects");
@@ -307,13 +384,13 @@ double DrawCrowd(Context& context, int actors, int materials, int frames,
     bad += offscreen.GetNumberOfBad();
   }
   const int objects = CountOpenGLObjects();
-  HeapGrowth heap;
-  heap.Add();
+  std::vector<double> heap;
+  heap.push_back(GetHeapInUse());
   for (int k = 0; k < frames; ++k)
   {
     offscreen.DrawAsIs(128, 128);
     bad += offscreen.GetNumberOfBad();
-    heap.Add();
+    heap.push_back(GetHeapInUse());
   }
   for (const auto& mapper : mappers)
   {
@@ -327,7 +404,7 @@ double DrawCrowd(Context& context, int actors, int materials, int frames,
     std::to_string(actors) + " actors, " + std::to_string(materials) +
       " materials: OpenGL objects that later frames add",
     CountOpenGLObjects() - objects, 0.0, std::to_string(objects) + " objects");
-  return heap.Get();
+  return GetGrowth(heap);
 }
 
 //------------------------------------------------------------------------------

@@ -5,8 +5,6 @@
 #include "Meshes.h"
 #include "Scenes.h"
 #include "Stability.h"
-#include "StabilityRenderer.h"
-#include "StabilityTools.h"
 #include "Surface.h"
 #include "TracedSurface.h"
 

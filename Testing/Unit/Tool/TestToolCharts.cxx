@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The tool's arithmetic of costs and errors, and where a chart's labels go.
-#include "LabelPlaces.h"
+// The tool's arithmetic of costs and errors.
 #include "ParetoFront.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -76,52 +74,4 @@ TEST(ParetoFront, Means)
   EXPECT_DOUBLE_EQ(tool::GetQuantile({ 5.0, 1.0, 3.0 }, 1.0), 5.0);
   EXPECT_DOUBLE_EQ(tool::GetQuantile({ 5.0 }, 0.75), 5.0);
   EXPECT_TRUE(std::isnan(tool::GetQuantile({}, 0.5)));
-}
-
-//------------------------------------------------------------------------------
-TEST(LabelPlaces, NothingIsCovered)
-{
-  tool::LabelPlaces places(0.0, 0.0, 400.0, 400.0);
-  std::vector<std::array<double, 2>> dots;
-  for (int k = 0; k < 6; ++k)
-  {
-    dots.push_back({ 60.0 + 50.0 * k, 330.0 - 50.0 * k });
-    places.AvoidDot(dots.back()[0], dots.back()[1], 5.0);
-  }
-  std::vector<std::array<double, 4>> boxes; // left, bottom, right, top
-  for (const std::array<double, 2>& dot : dots)
-  {
-    const tool::LabelPlace place = places.Put({ dot }, 8.0, 60.0, 20.0, true);
-    EXPECT_TRUE(place.Free);
-    EXPECT_GE(place.X, 0.0);
-    EXPECT_LE(place.X + 60.0, 400.0);
-    EXPECT_GE(place.Y, 0.0);
-    EXPECT_LE(place.Y + 20.0, 400.0);
-    boxes.push_back({ place.X, place.Y, place.X + 60.0, place.Y + 20.0 });
-  }
-  for (const auto& a : boxes)
-  {
-    for (const auto& b : boxes)
-    {
-      EXPECT_TRUE(&a == &b || a[2] <= b[0] || b[2] <= a[0] || a[3] <= b[1] || b[3] <= a[1]);
-    }
-    for (const auto& dot : dots)
-    {
-      EXPECT_FALSE(dot[0] > a[0] && dot[0] < a[2] && dot[1] > a[1] && dot[1] < a[3]);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(LabelPlaces, LinesAreCrossedOnlyIfNeedBe)
-{
-  tool::LabelPlaces places(0.0, 0.0, 400.0, 400.0);
-  places.AvoidLine(200.0, 200.0, 400.0, 200.0); // where the first place would be
-  const tool::LabelPlace place = places.Put({ { 200.0, 200.0 } }, 8.0, 60.0, 20.0, false);
-  EXPECT_TRUE(place.Free);
-  EXPECT_GE(place.Y, 200.0);
-
-  tool::LabelPlaces narrow(0.0, 0.0, 80.0, 30.0);
-  narrow.AvoidDot(40.0, 15.0, 100.0);
-  EXPECT_FALSE(narrow.Put({ { 10.0, 15.0 } }, 8.0, 60.0, 20.0, true).Free);
 }
