@@ -286,5 +286,4 @@ void vtkMaterialMap::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "WeightImages: " << this->WeightImages.size() << "\n";
   os << indent << "RepeatWeightImages: " << (this->RepeatWeightImages ? "On" : "Off") << "\n";
-  os << indent << "StackClasses: " << (this->StackClasses ? "On" : "Off") << "\n";
 }

@@ -137,17 +137,6 @@ public:
   vtkBooleanMacro(RepeatWeightImages, bool);
   ///@}
 
-  ///@{
-  /**
-   * Whether classes of points that meet within polygons are drawn at once where that is possible,
-   * from textures that hold all their tables a second time (default: on). Off saves this memory;
-   * frames of many narrow classes take longer.
-   */
-  vtkSetMacro(StackClasses, bool);
-  vtkGetMacro(StackClasses, bool);
-  vtkBooleanMacro(StackClasses, bool);
-  ///@}
-
   /**
    * The material's weight in the mixture at a value of the scale (VALUES), or 1 where the value is
    * its class (CLASSES); 0 for NaN.
@@ -190,7 +179,6 @@ private:
   std::vector<int> ByValue; // materials' numbers, in the order of their values
   std::vector<vtkSmartPointer<vtkImageData>> WeightImages;
   bool RepeatWeightImages = true;
-  bool StackClasses = true;
 };
 
 #endif

@@ -22,7 +22,7 @@ using namespace measuredbrdf;
 
 struct vtkCompositeMeasuredBRDFMapper::Internals
 {
-  explicit Internals(vtkObject* self)
+  explicit Internals(vtkMapper* self)
     : Drawing(std::make_shared<MaterialDrawing>(self, [this]() { return this->GetUsesToCome(); }))
     , Settings(Drawing->GetSettings())
     , Parts(Drawing)
@@ -335,7 +335,7 @@ vtkIdType vtkCompositeMeasuredBRDFMapper::GetTextureBytes()
 {
   std::set<const vtkTextureObject*> counted;
   return CountTextureBytes(this->Impl->Drawing->GetLastFrame(), counted) +
-         this->Impl->Parts.GetImageBytes() + this->Impl->Parts.CountStackBytes(counted);
+         this->Impl->Parts.GetImageBytes();
 }
 
 //------------------------------------------------------------------------------

@@ -353,7 +353,7 @@ vtkIdType vtkMeasuredBRDFMapper::GetTextureBytes()
 {
   std::set<const vtkTextureObject*> counted;
   return CountTextureBytes(this->Impl->Drawing->GetLastFrame(), counted) +
-         this->Impl->Parts.GetImageBytes() + this->Impl->Parts.CountStackBytes(counted);
+         this->Impl->Parts.GetImageBytes();
 }
 
 //------------------------------------------------------------------------------

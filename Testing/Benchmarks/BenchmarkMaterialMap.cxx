@@ -146,18 +146,15 @@ public:
       this->AddClasses(classes, false);
     }
     this->AddColoredClasses(64);
-    this->AddUnstackedClasses(64, true);
-    this->AddUnstackedClasses(64, false);
+    this->AddUncutClasses(64);
     this->Materials.swap(this->SharperMaterials);
     this->NameEnd = ", tables of several sizes";
     this->AddClasses(64, false);
-    this->AddUnstackedClasses(64, true);
     this->Materials.swap(this->SharperMaterials);
     this->Materials.swap(this->OtherMaterials);
     this->NameEnd = ", tables of 17 to 129 rows";
     this->AddClasses(64, false);
-    this->AddUnstackedClasses(64, true);
-    this->AddUnstackedClasses(64, false);
+    this->AddUncutClasses(64);
     this->Materials.swap(this->OtherMaterials);
     this->NameEnd.clear();
     this->AddInSun();
@@ -191,7 +188,6 @@ public:
       this->Kinds.back().Mapper->SetBRDF(this->Materials[0]);
     }
     this->AddClasses(64, false);
-    this->AddUnstackedClasses(64, true);
     for (std::size_t k = before; k < this->Kinds.size(); ++k)
     {
       vtkNew<vtkHybridRadianceIntegrator> hybrid;
@@ -291,22 +287,15 @@ private:
       sphere, this->NewMap(vtkMaterialMap::CLASSES, classes));
   }
 
-  // Polygons are cut along the borders, or drawn once for each class: vertices have an attribute
-  // that a program might read.
-  void AddUnstackedClasses(int classes, bool cut)
+  // Polygons are drawn once for each class: vertices have an attribute that a program might read.
+  void AddUncutClasses(int classes)
   {
     const std::size_t before = this->Kinds.size();
     this->AddClasses(classes, false);
-    if (this->Kinds.size() == before)
+    if (this->Kinds.size() > before)
     {
-      return;
-    }
-    Kind& kind = this->Kinds.back();
-    kind.Name += cut ? ", cut" : ", drawn for each class";
-    kind.Mapper->GetMaterialMap()->StackClassesOff();
-    if (!cut)
-    {
-      kind.Mapper->MapDataArrayToVertexAttribute(
+      this->Kinds.back().Name += ", drawn for each class";
+      this->Kinds.back().Mapper->MapDataArrayToVertexAttribute(
         "unused", "data", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
     }
   }

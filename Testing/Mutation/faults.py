@@ -732,7 +732,7 @@ add("Rendering.plan-learns-of-no-light", "CurrentPlan.cxx", "this->Job->WantShad
 add("Rendering.failed-plan-begun-again", "CurrentPlan.cxx", "this->Adopt(wanted, done ? job->GetPlan() : nullptr);",
     "this->Adopt(job->GetPlan() ? wanted : PlanInputs(), job->GetPlan());",
     "StandIns.PlansThatFail")
-add("Rendering.failed-stand-in-tried-again", "BRDFTextures.cxx", "if (time <= this->FailureTime)",
+add("Rendering.failed-stand-in-tried-again", "ShaderTextures.cxx", "if (time <= this->FailureTime)",
     "if (time < 0 * this->FailureTime)", "StandIns.ThoseThatFailAreTriedOnce")
 add("Rendering.plans-beside-stand-ins", "PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->IsStopped; }",
     "{ return this->Holds < 9; }", "SideBySide.HeldUntilSomebodyWaits")
@@ -762,8 +762,8 @@ add("Rendering.plan-without-tolerance", "PlanJob.cxx", "planner->SetErrorToleran
 add("Rendering.plan-bridges-changed-pixels", "CurrentPlan.cxx",
     "this->Plan->GetEnvironment()->GetPixelsMTime() == this->Times[1];", "this->Times[1] > 0;",
     "Background.ChangedPixelsAreNotBridgedByAPlanOfThem")
-add("Rendering.view-ignores-the-mesh", "MapperPlans.cxx", "from == view.From && times == view.Times",
-    "from == view.From", "Views.WhatIsSeenDependsOn")
+add("Rendering.view-ignores-the-mesh", "MapperPlans.cxx",
+    "    from.push_back(static_cast<double>(surface->GetMTime()));", "    (void)surface;", "Views.WhatIsSeenDependsOn")
 add("Rendering.view-ignores-the-actor", "MapperPlans.cxx", "matrix->GetData() + 16);",
     "matrix->GetData() + (matrix == request.Actor->GetMatrix() ? 0 : 16));", "Views.WhatIsSeenDependsOn")
 add("Rendering.views-of-gone-actors-stay", "MapperPlans.cxx", "(std::get<2>(key) && !this->Actor);", "false;",
@@ -796,13 +796,13 @@ add("Rendering.hidden-lines-plan", "RenderPassQueries.cxx", "return mask[0] || m
     "Views.HiddenLinesNeedNoPlans")
 add("Rendering.cube-faces-upside-down", "TextureEnvironment.cxx", "low < high; low += row",
     "high < low; low += row", "Mapper.CubeMapTexture")
-add("Rendering.textures-never-repeat", "BRDFTextures.cxx", "texture.Repeat[axis] ? vtkTextureObject::Repeat",
+add("Rendering.textures-never-repeat", "ShaderTextures.cxx", "texture.Repeat[axis] ? vtkTextureObject::Repeat",
     "texture.Repeat[axis] ? vtkTextureObject::ClampToEdge", "Parity.Tables|Parity.TableIntegrator")
-add("Rendering.padding-is-transparent", "BRDFTextures.cxx", "triples[k + 2], 1.0f });",
+add("Rendering.padding-is-transparent", "ShaderTextures.cxx", "triples[k + 2], 1.0f });",
     "triples[k + 2], 0.0f });", "Parity.Tables",
     equivalent="shaders read only red, green and blue of textures that have no fourth component")
-add("Rendering.hard-lights-get-soft-textures", "BRDFTextures.cxx",
-    "return FindShared(brdf, softLights, window);", "return FindShared(brdf, true, window);",
+add("Rendering.hard-lights-get-soft-textures", "ShaderTextures.cxx",
+    "FindShared(brdf, softLights, window);", "FindShared(brdf, true, window);",
     "Mapper.SoftLightsOfTablesCostHardOnesNothing")
 add("Rendering.block-indices-from-one", "BlockMaterials.cxx", "index = this->Next++;",
     "index = ++this->Next;", "Composite.MaterialsOfBlocks")
@@ -1073,72 +1073,41 @@ add("Material.map-weights-fall-below-0", "vtkMaterialMap.cxx",
 add("Material.map-parameters-divide-anew", "vtkMaterialMap.cxx", "vtkMTimeType time = this->Superclass::GetMTime();",
     "vtkMTimeType time = this->Materials.empty() || !this->Materials[0].BRDF ? this->Superclass::GetMTime() : "
     "this->Materials[0].BRDF->GetMTime();", "MaterialMap.ParametersOfAMaterialDivideNothingAnew")
-add("Rendering.map-weights-are-not-divided-by-their-sum", "CellMaterials.cxx", "static_cast<float>(weight / sum)",
+add("Rendering.map-weights-are-not-divided-by-their-sum", "PolygonMaterials.cxx", "static_cast<float>(weight / sum)",
     "static_cast<float>(weight)", "Parts.WeightsAreDividedByTheirSum")
-add("Rendering.map-strips-wind-alternately", "PartSurfaces.cxx", "strip->GetId(c + 1 + c % 2)", "strip->GetId(c + 1)",
-    "Parts.StripsAreTrianglesOfTheSameClass")
-add("Rendering.map-points-of-two-parts-are-not-doubled", "PartSurfaces.cxx", "if (!mixed || first == owner)",
-    "if (!mixed || first != NoOwner)", "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
-add("Rendering.map-stacks-draw-what-has-no-material", "ClassesMapper.cxx",
-    "part.Kind == MixtureKind::Nearest && part.IsRest", "false", "ClassBorders.OfClassesWithoutAMaterialAreTheSame")
+add("Rendering.map-points-of-two-parts-are-not-doubled", "PartSurfaces.cxx", "if (mixed && first != owner)",
+    "if (mixed && first == NoOwner)", "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
 add("Rendering.map-borders-run-off-the-middle", "ClassBorders.cxx", "c < 0 ? 0.5 * sum", "c < 0 ? 0.51 * sum",
     "Parts.BordersBetweenClassesOfPointsAreCut")
 add("Rendering.map-edges-are-cut-twice", "ClassBorders.cxx", "if (isNew)", "if (true)",
     "Parts.BordersBetweenClassesOfPointsAreCut")
-add("Rendering.map-lone-corners-lose-their-class", "ClassBorders.cxx", "this->AddPiece(3, tip, this->GetClass(alone));",
-    "this->AddPiece(3, tip, this->GetClass(a));", "ClassBorders.AreTheSameInAllWays")
+add("Rendering.map-lone-corners-lose-their-class", "ClassBorders.cxx", "{ other, toA, toB }, this->GetClass(other)", "{ other, toA, toB }, cls",
+    "ClassBorders.AreTheSameInBothWays")
 add("Rendering.map-colored-points-are-cut", "PartMappers.cxx", "cellFlag == 0;", "cellFlag == 7;",
     "ClassBorders.ColorsOfPointsKeepPolygonsWhole")
 add("Rendering.map-hidden-skies-are-cut", "PartMappers.cxx", "return settings.OcclusionMode != 0 &&",
     "return settings.OcclusionMode > 5 &&", "ClassBorders.HiddenSkiesKeepPolygonsWhole")
 add("Rendering.map-nearest-is-the-first", "MixtureShader.cxx", '" > brdfMost ? "', '" > 2.0 ? "',
     "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
-add("Rendering.map-classes-that-meet-share-a-slot", "PartSets.cxx",
-    "slots[cls] = taken.insert(usual.at(cls)).second ? usual.at(cls) : -1;", "slots[cls] = usual.at(cls);",
+add("Rendering.map-classes-that-meet-share-a-slot", "MaterialPartition.cxx", "while (taken[slot])", "while (false)",
+   
     "Parts.ClassesThatMeetHaveSlotsOfTheirOwn")
 add("Rendering.map-borders-take-the-last-shader", "ClassesMapper.cxx",
-    "ofBorder == this->WasOfBorder ? this->Last : nullptr", "this->Last", "ClassBorders.AreTheSameInAllWays")
-add("Rendering.map-stacked-tables-lie-elsewhere", "StackedTables.cxx", "static_cast<float>(this->Boxes[k][axis] + (",
-    "static_cast<float>(this->Boxes[0][axis] + (", "ClassStacking.TablesLieSideBySide")
-add("Rendering.map-stacked-tables-do-not-go-around", "StackedTables.cxx", "(this->IsBordered(axis) ? 1 : 0) + size[axis];",
-    "(this->IsBordered(axis) ? 2 : 0) + size[axis];", "ClassBorders.OfTablesOfSeveralSizesAreTheSame")
-add("Rendering.map-stacked-tables-waste-memory", "StackedTables.cxx", "MostWaste = 2;", "MostWaste = 90;",
-    "ClassStacking.NotMuchMemoryIsLost")
-add("Rendering.map-stacks-with-gaps-are-counted-on", "ClassStack.cxx", "if (numbers.size() > materials.size())",
-    "if (false)", "ClassBorders.OfClassesWithoutAMaterialAreTheSame")
-add("Rendering.map-stacks-share-a-program", "ClassStack.cxx", "this->Drawn.Key += this->Declarations + this->Choice;",
-    "", "MaterialStacks.OfTheSameTextHaveNumbersOfTheirOwn")
-add("Rendering.map-stacks-skip-terms", "StackedTerms.cxx", "ones(materials.size(), { 1.0f });",
-    "ones(materials.size(), { 0.0f });", "ClassBorders.OfSeveralShadersAreTheSame")
-add("Rendering.map-stacked-triangles-lose-their-numbers", "ClassesMapper.cxx", "this->PrimitiveIDOffset = this->FirstBorder;",
-    "this->PrimitiveIDOffset = 0;", "ClassBorders.ColorsOfCellsStayTheirOwn")
-add("Rendering.map-triangles-beside-stacks-lose-their-numbers", "ClassesMapper.cxx",
-    "this->AreNumbered ? GetNumberedTriangles : GetTriangles", "GetTriangles",
-    "MaterialStacks.ColorsOfCellsBetweenThemStayTheirOwn")
-add("Rendering.map-stacks-ignore-numbers", "StackNumbers.cxx",
-    "column.begin() + static_cast<std::ptrdiff_t>(4 * materials[k]));", "column.begin());",
-    "ClassStacking.NumbersThatDifferAreInATexture")
-add("Rendering.map-hats-fall-at-the-ends", "MaterialParts.cxx", "if (k + 1 < knots.size())",
+    "ofBorder == this->WasOfBorder ? this->Last : nullptr", "this->Last", "ClassBorders.AreTheSameInBothWays")
+add("Rendering.map-hats-fall-at-the-ends", "PolygonMaterials.cxx", "if (k + 1 < knots.size())",
     "if (k + 2 < knots.size())", "MaterialMapping.ValuesBlendInEachPixel")
 add("Rendering.map-the-rest-is-drawn-twice", "MixtureShader.cxx", "if (brdfNearest != brdfSlot)",
     "if (brdfNearest > 9)", "MaterialMapping.NoMaterialIsTheSuperclass")
 add("Rendering.map-scalars-that-choose-color", "PartMappers.cxx", "if (colored || ",
     "if (!colored || ",
     "MaterialMapping.ScalarsThatChooseDoNotColor")
-add("Rendering.map-classes-keep-the-last-textures", "BRDFTextures.cxx",
+add("Rendering.map-classes-keep-the-last-textures", "ShaderTextures.cxx",
     "if (!last.Has(uploaded.Texture.get()))", "if (false)",
     "ManyClasses.OfSeveralShadersUnderALight")
-add("Rendering.map-views-share-stacks", "ClassesMapper.cxx",
-    "const Place place(vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow()), ren);",
-    "const Place place(vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow()), nullptr);",
-    "MaterialStacks.OfTwoViewsStay")
-add("Rendering.map-stacks-ignore-constants", "StackedTerms.cxx",
-    'kind += "\\n/" + constant.Name + "=" + constant.Value;', "(void)constant;",
-    "ClassStacking.TermsDifferByEachOfTheirTexts")
 add("Rendering.map-classes-released-elsewhere", "ClassesMapper.cxx",
     "this->OwnWindow->PushContext();", "", "ManyClasses.LeaveOtherWindowsAlone")
-add("Rendering.map-classes-keep-the-last-numbers", "BRDFTextures.cxx",
-    "if (last && last->Form.Terms[term].Uniforms[k].Values == uniform.Values)", "if (last)",
+add("Rendering.map-classes-keep-the-last-numbers", "ShaderTextures.cxx",
+    "if (last && last->Inputs.Terms[term].Uniforms[k].Values == uniform.Values)", "if (last)",
     "ManyClasses.OfSeveralShadersUnderALight")
 add("Rendering.map-classes-share-cell-colors", "ClassesMapper.cxx",
     "if (program->IsUniformUsed(\"PrimitiveIDOffset\"))", "if (false)",
@@ -1300,7 +1269,7 @@ add("Rendering.attributes-without-end", "MaterialShading.cxx",
     "own + needs.Attributes <= this->MostAttributes &&", "", "LimitsTest.DrawsWhatThereIsRoomFor")
 add("Rendering.clipping-takes-no-varyings", "MaterialShading.cxx",
     "this->Mapper->GetNumberOfClippingPlanes() > 0 ? 6 : 0", "0", "LimitsTest.ClippingPlanesAndEdgesTakeVaryings")
-add("Rendering.failures-are-said-once", "MaterialDrawing.cxx",
+add("Rendering.failures-are-said-once", "RenderReports.h",
     "this->Failures.count(it->first) == 0;", "this->Failures.count(it->first) == 2;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
 add("Rendering.what-throws-is-not-drawn", "MaterialShading.cxx", "tries = !this->IsPlain;",
     "tries = false;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
@@ -1359,19 +1328,20 @@ add("Shaders.hidden-irradiance-counts", "vtkBRDFEnvironmentTable.glsl", "sum += 
 
 add("Rendering.map-bands-of-a-scale-overlap", "MixtureShader.cxx", "brdfAt < brdfBand.x || brdfAt >= brdfBand.y",
     "brdfAt < brdfBand.x", "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
-add("Rendering.map-values-end-at-points", "CellMaterials.cxx", "-FarOff, FarOff)", "0.0, 1.0)",
+add("Rendering.map-values-end-at-points", "PolygonMaterials.cxx", "-FarOff, FarOff)", "0.0, 1.0)",
     "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
 add("Rendering.map-colors-blocks-of-one-class", "BlockBatch.cxx",
     "return this->AreColorsOfMap[static_cast<std::size_t>(std::max(this->Shown, 0))];", "return false;",
     "MaterialMapBlocks.ScalarsThatChooseColorNoBlock")
 add("Rendering.map-scalars-hide-blocks-colors", "PartMappers.cxx", "|| this->OverridesColor)", ")",
     "MaterialMapBlocks.ABlocksColorGoesBeforeScalars")
-add("Rendering.map-second-weight-array-colors", "MapArrays.cxx", "for (int k = 0; k < map->GetNumberOfMaterials(); ++k)",
-    "for (int k = 0; k < 1; ++k)", "MaterialMapping.NoneOfSeveralWeightArraysColors")
-add("Rendering.map-images-are-looked-at-by-the-first", "WeightImages.cxx", "for (int size : sizes)",
-    "for (int size : { sizes.front() })", "Parts.ImagesMayDifferInSize")
-add("Rendering.map-images-of-zeros-are-odd", "WeightImages.cxx", "else if (anyLeft)",
-    "else if (components > map->GetNumberOfMaterials())", "MaterialMapping.WeightsOfNoMaterialAreSaidUnlessTheyAreZero")
+add("Rendering.map-second-weight-array-colors", "PolygonMaterials.cxx",
+    "if (own.FindWeights(input, map, k).empty() && own.Array == array)",
+    "if (k == 0 && own.FindWeights(input, map, k).empty() && own.Array == array)", "MaterialMapping.NoneOfSeveralWeightArraysColors")
+add("Rendering.map-images-are-looked-at-by-the-first", "WeightImages.cxx", "width = std::max(width, size[0]);",
+    "width = width > 0 ? width : size[0];", "Parts.ImagesMayDifferInSize")
+add("Rendering.map-images-of-zeros-are-odd", "WeightImages.cxx", "if (anyLeft)",
+    "if (components > map->GetNumberOfMaterials())", "MaterialMapping.WeightsOfNoMaterialAreSaidUnlessTheyAreZero")
 add("Rendering.map-waits-for-materials-that-left", "MapperPlans.cxx", "inUse.count(member) == 0", "false",
     "MaterialMapping.PlansOfMaterialsThatLeaveAreGivenUp")
 add("Rendering.map-time-is-not-taken", "vtkMeasuredBRDFMapper.cxx", "this->TimeToDraw = this->Impl->Timer.GetSeconds();", "",

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Classes of points: polygons show the same whether their pixels choose from a stack of materials,
-// whether they are drawn for each class, or whether they are cut along the borders; and they are
-// not stacked or cut where that could not show the same.
+// Classes of points: polygons show the same whether they are cut along the borders or drawn once
+// for each class; and they are not cut where that could not show the same.
 
 #include "MaterialMapFixture.h"
 
@@ -29,8 +28,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -43,8 +40,7 @@ protected:
   enum class Way
   {
     Cut,
-    Each, // most or all of them once for each class
-    Stacked
+    Each // whole, once for each class
   };
 
   static constexpr int Count = 8; // three bits
@@ -70,11 +66,10 @@ protected:
       {
         const std::string text =
           static_cast<vtkShaderProgram*>(program)->GetFragmentShader()->GetSource();
-        Way& way = static_cast<ClassBorders*>(self)->Seen;
-        const bool stacked = text.find("brdfClassHere") != std::string::npos;
-        const bool each = text.find("brdfSlot") != std::string::npos;
-        static_cast<ClassBorders*>(self)->AnyStacked |= stacked;
-        way = each ? Way::Each : stacked && way == Way::Cut ? Way::Stacked : way;
+        if (text.find("brdfSlot") != std::string::npos)
+        {
+          static_cast<ClassBorders*>(self)->Seen = Way::Each;
+        }
       });
     this->Mapper->AddObserver(vtkCommand::UpdateShaderEvent, this->Events);
   }
@@ -90,12 +85,9 @@ protected:
       });
   }
 
-  /// In the second frame: the first one shows that it is better to cut.
   FloatImage Render(Way wanted, const char* what)
   {
-    this->RenderEncoded();
     this->Seen = Way::Cut;
-    this->AnyStacked = false;
     const FloatImage picture = this->RenderEncoded();
     EXPECT_EQ(this->Seen, wanted) << what;
     return picture;
@@ -137,23 +129,14 @@ protected:
     EXPECT_GT(seen, Pixels * Pixels / 3) << what;
   }
 
-  void ExpectSameWhenCut(const FloatImage& picture, const char* what)
+  void ExpectSameInBothWays(const char* what)
   {
     this->Sheet->Modified();
-    this->ExpectSame(this->Render(Way::Cut, what), picture, what);
+    const FloatImage picture = this->Render(Way::Cut, what);
     this->ForbidCuts();
     this->ExpectSame(this->Render(Way::Each, what), picture, what);
     this->Mapper->RemoveAllVertexAttributeMappings();
-  }
-
-  /// first: what is seen where all that can be stacked is.
-  void ExpectSameInAllWays(const char* what, Way first = Way::Stacked)
-  {
-    const FloatImage picture = this->Render(first, what);
-    EXPECT_TRUE(this->AnyStacked) << what;
-    this->Map->StackClassesOff();
-    this->ExpectSameWhenCut(picture, what);
-    this->Map->StackClassesOn();
+    this->Sheet->Modified();
   }
 
   void AddTexture()
@@ -193,22 +176,21 @@ protected:
 
   vtkNew<vtkCallbackCommand> Events;
   Way Seen = Way::Cut;
-  bool AnyStacked = false;
 };
 
-TEST_F(ClassBorders, AreTheSameInAllWays)
+TEST_F(ClassBorders, AreTheSameInBothWays)
 {
-  this->ExpectSameInAllWays("triangles");
+  this->ExpectSameInBothWays("triangles");
   this->AddTexture();
-  this->ExpectSameInAllWays("texture");
+  this->ExpectSameInBothWays("texture");
   this->Actor->GetProperty()->SetOpacity(0.5); // what is drawn twice or not at all shows
-  this->ExpectSameInAllWays("translucent");
+  this->ExpectSameInBothWays("translucent");
   this->Actor->GetProperty()->SetOpacity(1.0);
   this->Actor->GetProperty()->SetInterpolationToFlat();
-  this->ExpectSameInAllWays("flat");
+  this->ExpectSameInBothWays("flat");
   this->Actor->GetProperty()->SetInterpolationToGouraud();
   this->Sheet->GetPointData()->SetNormals(nullptr);
-  this->ExpectSameInAllWays("without normals");
+  this->ExpectSameInBothWays("without normals");
 }
 
 // The first of the classes, one between others, and the last: their pixels are the superclass's.
@@ -221,7 +203,7 @@ TEST_F(ClassBorders, OfClassesWithoutAMaterialAreTheSame)
   for (const int without : { 0, 3, Count - 1 })
   {
     this->Map->SetBRDF(without, nullptr);
-    this->ExpectSameInAllWays(("without " + std::to_string(without)).c_str(), Way::Each);
+    this->ExpectSameInBothWays(("without " + std::to_string(without)).c_str());
     this->Map->SetBRDF(without, this->Materials[static_cast<std::size_t>(without)]);
   }
 }
@@ -235,7 +217,7 @@ TEST_F(ClassBorders, OfStripsAndOfPolygonsOfManyCorners)
   this->Sheet->SetPolys(nullptr);
   this->Sheet->SetStrips(stripper->GetOutput()->GetStrips());
   ASSERT_GT(this->Sheet->GetNumberOfStrips(), 0);
-  this->ExpectSameInAllWays("strips");
+  this->ExpectSameInBothWays("strips");
   // The rims of two squares beside each other, bent.
   vtkNew<vtkCellArray> polygons;
   for (vtkIdType y = 0; y < Side; ++y)
@@ -257,44 +239,12 @@ TEST_F(ClassBorders, OfStripsAndOfPolygonsOfManyCorners)
     this->Sheet->GetPoints()->SetPoint(p, at);
   }
   this->Sheet->GetPoints()->Modified();
-  this->ExpectSameInAllWays("polygons of six corners");
+  this->ExpectSameInBothWays("polygons of six corners");
   this->ColorCells();
-  this->ExpectSameInAllWays("polygons of six corners, colors of cells");
+  this->ExpectSameInBothWays("polygons of six corners, colors of cells");
   this->Mapper->ScalarVisibilityOff();
   this->Actor->GetProperty()->EdgeVisibilityOn();
-  const FloatImage edges = this->Render(Way::Stacked, "edges of polygons of six corners");
-  this->Map->StackClassesOff();
-  this->ExpectSame(this->Render(Way::Each, "their edges, not stacked"), edges, "their edges");
-}
-
-// Pixels skip the terms of other shaders.
-TEST_F(ClassBorders, OfSeveralShadersAreTheSame)
-{
-  this->AddOtherShaders();
-  this->ExpectSameInAllWays("several shaders");
-}
-
-// Tables of several sizes, which lie beside each other in stacks. The sheet faces the map's seam.
-TEST_F(ClassBorders, OfTablesOfSeveralSizesAreTheSame)
-{
-  this->Mapper->SetIntegrator(nullptr);
-  for (std::size_t k = 0; k < this->Materials.size(); ++k)
-  {
-    vtkBlinnPhongBRDF::SafeDownCast(this->Materials[k]->GetTerm(1))
-      ->SetExponent(std::pow(8.0, 1.0 + static_cast<double>(k % 3)));
-  }
-  this->Render(Way::Stacked, "plan");
-  std::set<std::string> sizes; // of tables, a line each
-  std::istringstream lines(this->Mapper->GetPlan());
-  for (std::string line; std::getline(lines, line);)
-  {
-    if (line.compare(0, 7, "table, ") == 0)
-    {
-      sizes.insert(line.substr(0, line.find(", error")));
-    }
-  }
-  EXPECT_GE(sizes.size(), 2u) << this->Mapper->GetPlan();
-  this->ExpectSameInAllWays("tables of several sizes");
+  this->Render(Way::Each, "edges of polygons of six corners");
 }
 
 // Lights evaluate the materials, each with its own terms.
@@ -310,22 +260,21 @@ TEST_F(ClassBorders, OfSeveralShadersUnderSunsAreTheSame)
   hybrid->SetNumberOfRows(17);
   this->Mapper->SetIntegrator(hybrid);
   this->AddOtherShaders();
-  this->ExpectSameInAllWays("suns");
+  this->ExpectSameInBothWays("suns");
   this->Renderer->RemoveAllLights();
-  this->ExpectSameInAllWays("suns alone");
+  this->ExpectSameInBothWays("suns alone");
 }
 
-// They are found by the numbers of triangles, of those that are stacked, too.
+// They are found by the numbers of triangles.
 TEST_F(ClassBorders, ColorsOfCellsStayTheirOwn)
 {
-  this->Render(Way::Stacked, "no colors");
   this->ColorCells();
-  this->ExpectSameInAllWays("colors of cells");
-  this->Map->SetBRDF(3, nullptr); // so that some polygons are not stacked
+  this->ExpectSameInBothWays("colors of cells");
+  this->Map->SetBRDF(3, nullptr);
   vtkNew<vtkLight> light;
   light->SetLightTypeToHeadlight();
   this->Renderer->AddLight(light);
-  this->ExpectSameInAllWays("colors of cells, a class without a material", Way::Each);
+  this->ExpectSameInBothWays("colors of cells, a class without a material");
 }
 
 // Flat ones, which are not those of the points.
@@ -339,29 +288,16 @@ TEST_F(ClassBorders, NormalsOfCellsStayTheirOwn)
     normals->InsertNextTuple3(0.4 * std::sin(turn), 0.4 * std::cos(turn), 0.82);
   }
   this->Sheet->GetPointData()->SetNormals(nullptr);
-  const FloatImage plain = this->Render(Way::Stacked, "no normals");
+  const FloatImage plain = this->Render(Way::Cut, "no normals");
   this->Sheet->GetCellData()->SetNormals(normals);
-  this->ExpectSameInAllWays("normals of cells");
-  EXPECT_NE(this->Render(Way::Stacked, "normals of cells").RGBA, plain.RGBA);
-}
-
-// VTK leaves out triangles of which two corners are in one place, so that numbers are not known.
-TEST_F(ClassBorders, ColoredCellsWithoutAnAreaAreNotStacked)
-{
-  double at[3];
-  this->Sheet->GetPoint(3, at);
-  this->Sheet->GetPoints()->SetPoint(2, at);
-  this->Sheet->GetPoints()->Modified();
-  this->Render(Way::Stacked, "no colors");
-  this->ColorCells();
-  this->ForbidCuts();
-  this->Render(Way::Each, "colors of cells");
+  this->ExpectSameInBothWays("normals of cells");
+  EXPECT_NE(this->Render(Way::Cut, "normals of cells").RGBA, plain.RGBA);
 }
 
 // New points could not have them: a table of colors is not linear.
 TEST_F(ClassBorders, ColorsOfPointsKeepPolygonsWhole)
 {
-  const FloatImage plain = this->Render(Way::Stacked, "no colors");
+  const FloatImage plain = this->Render(Way::Cut, "no colors");
   vtkNew<vtkUnsignedCharArray> gray;
   gray->SetName("gray");
   gray->SetNumberOfComponents(3);
@@ -371,14 +307,12 @@ TEST_F(ClassBorders, ColorsOfPointsKeepPolygonsWhole)
   this->Mapper->ScalarVisibilityOn();
   this->Mapper->SetScalarModeToUsePointFieldData();
   this->Mapper->SelectColorArray("gray");
-  FloatImage bright = this->Render(Way::Stacked, "colors");
+  FloatImage bright = this->Render(Way::Each, "colors");
   for (std::size_t k = 0; k < bright.RGBA.size(); ++k)
   {
     bright.RGBA[k] /= k % 4 == 3 ? 1.0f : 0.4f;
   }
   this->ExpectSame(bright, plain, "colors");
-  this->Map->StackClassesOff();
-  this->Render(Way::Each, "colors, not stacked");
   // Those that choose the materials color none; but a class without a material.
   this->Mapper->SelectColorArray("data");
   this->Mapper->SetBRDF(this->Materials[0]);
@@ -391,12 +325,9 @@ TEST_F(ClassBorders, ColorsOfPointsKeepPolygonsWhole)
 // The edges are the polygons', and what is selected covers them.
 TEST_F(ClassBorders, EdgesAndSelectionsKeepPolygonsWhole)
 {
-  const FloatImage surface = this->Render(Way::Stacked, "a surface");
+  const FloatImage surface = this->Render(Way::Cut, "a surface");
   this->Actor->GetProperty()->EdgeVisibilityOn();
-  const FloatImage edges = this->Render(Way::Stacked, "edges");
-  EXPECT_NE(edges.RGBA, surface.RGBA);
-  this->Map->StackClassesOff();
-  this->ExpectSame(this->Render(Way::Each, "edges, not stacked"), edges, "edges");
+  EXPECT_NE(this->Render(Way::Each, "edges").RGBA, surface.RGBA);
   this->Actor->GetProperty()->EdgeVisibilityOff();
   this->Render(Way::Each, "no edges: whole until something changes");
   this->SetClasses(1);
@@ -426,12 +357,13 @@ TEST_F(ClassBorders, HiddenSkiesKeepPolygonsWhole)
   filter->Update();
   this->Sheet->ShallowCopy(filter->GetOutput());
   this->Mapper->SetOcclusionModeToOff();
-  const FloatImage off = this->Render(Way::Stacked, "off");
+  const FloatImage off = this->Render(Way::Cut, "off");
   this->Mapper->SetOcclusionModeToOn();
   // The sheet hides hardly anything.
   this->ExpectSame(this->Render(Way::Each, "on"), off, "on", 0.02);
   this->Mapper->SetOcclusionModeToOff();
-  this->ExpectSame(this->Render(Way::Stacked, "off again"), off, "off again");
+  this->Sheet->Modified();
+  this->ExpectSame(this->Render(Way::Cut, "off again"), off, "off again");
 }
 
 // Integers would be rounded.
@@ -445,8 +377,6 @@ TEST_F(ClassBorders, NormalsOfIntegersKeepPolygonsWhole)
   }
   this->Sheet->GetPointData()->SetNormals(normals);
   this->Sheet->Modified();
-  this->Render(Way::Stacked, "normals of integers");
-  this->Map->StackClassesOff();
-  this->Render(Way::Each, "normals of integers, not stacked");
+  this->Render(Way::Each, "normals of integers");
 }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What vtkMaterialLegendActor consists of on the screen. Private to the rendering room.
+ * What vtkMaterialLegendActor consists of on the screen. Private to the rendering component.
  */
 
 #ifndef LegendShapes_h

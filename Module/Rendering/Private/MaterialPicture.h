@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A picture of a sphere of a material, computed on the CPU. Private to the rendering room.
+ * A picture of a sphere of a material, computed on the CPU. Private to the rendering component.
  */
 
 #ifndef MaterialPicture_h

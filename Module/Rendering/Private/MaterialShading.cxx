@@ -203,8 +203,8 @@ std::vector<ShaderMember> GetShaderMembers(
   for (std::size_t k = 0; k < materials.size(); ++k)
   {
     const DrawnMaterial& drawn = *materials[k];
-    members.push_back({ drawn.Material ? &drawn.Material->GetForm() : nullptr,
-      drawn.Radiance ? &drawn.Radiance->GetForm() : nullptr, k < slots.size() ? slots[k] : 0,
+    members.push_back({ drawn.Material ? &drawn.Material->GetInputs() : nullptr,
+      drawn.Radiance ? &drawn.Radiance->GetInputs() : nullptr, k < slots.size() ? slots[k] : 0,
       k < lights.size() ? lights[k] : nullptr });
   }
   return members;

@@ -3,7 +3,8 @@
 // How a material map divides a surface: which materials meet where, and how much of it is of each.
 
 #include "MaterialParts.h"
-#include "PartArrays.h"
+#include "PartSurfaces.h"
+#include "PolygonMaterials.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -167,7 +168,6 @@ TEST_F(Parts, PointsOfDifferentClassesMeetInTheCellsBetween)
   ASSERT_EQ(this->Update(), "");
   ASSERT_EQ(this->Divided.Get().size(), 4u);
   std::set<int> slots;
-  std::set<std::vector<vtkIdType>> polygons;
   for (const MaterialPart& part : this->Divided.Get())
   {
     if (part.Kind == MixtureKind::Nearest)
@@ -175,11 +175,9 @@ TEST_F(Parts, PointsOfDifferentClassesMeetInTheCellsBetween)
       EXPECT_EQ(part.Members.size(), 1u);
       EXPECT_EQ(part.Surface->GetNumberOfPolys(), Side);
       slots.insert(part.Slot);
-      polygons.insert(part.Polygons);
     }
   }
   EXPECT_EQ(slots.size(), 2u);
-  EXPECT_EQ(polygons.size(), 1u);
   EXPECT_NEAR(this->GetShare(0), 0.55, 1e-6);
 }
 
@@ -200,52 +198,50 @@ TEST_F(Parts, WhereNoMaterialMeetsOneTheRestIsDrawnApart)
   EXPECT_EQ(rest, 1);
 }
 
-// In each polygon each class has a slot of its own, and each corner a weight in its class's slot.
+// In each polygon each class has a slot of its own, and each corner one weight, in its class's
+// slot.
 TEST_F(Parts, ClassesThatMeetHaveSlotsOfTheirOwn)
 {
   this->AddMaterials(16);
   this->SetPoints([](vtkIdType point)
     { return static_cast<double>((2654435761u * static_cast<unsigned int>(point)) >> 28); });
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName("polygon");
+  for (int k = 0; k < Side * Side; ++k)
+  {
+    numbers->InsertNextValue(k);
+  }
+  this->Plane->GetCellData()->AddArray(numbers);
   ASSERT_EQ(this->Update(), "");
-  std::map<vtkIdType, std::map<int, int>> slots; // of a polygon's classes
+  std::map<double, std::set<int>> slots; // of a polygon's classes
+  std::map<double, std::size_t> classes;
+  vtkNew<vtkIdList> corners;
   for (const MaterialPart& part : this->Divided.Get())
   {
-    for (vtkIdType polygon : part.Polygons)
+    for (vtkIdType k = 0; k < part.Surface->GetNumberOfPolys() && part.Kind == MixtureKind::Nearest;
+         ++k)
     {
-      slots[polygon][part.Class] = part.Slot;
+      const double polygon = part.Surface->GetCellData()->GetArray("polygon")->GetTuple1(k);
+      slots[polygon].insert(part.Slot);
+      ++classes[polygon];
+      EXPECT_LT(part.Slot, 4);
+      part.Surface->GetPolys()->GetCellAtId(k, corners);
+      vtkPointData* data = part.Surface->GetPointData();
+      for (vtkIdType c = 0; c < corners->GetNumberOfIds(); ++c)
+      {
+        const double cls = data->GetArray("data")->GetTuple1(corners->GetId(c));
+        const bool own = part.Members[0] == this->Materials[static_cast<std::size_t>(cls)];
+        const double* weights = data->GetArray(measuredbrdf::partarrays::GetWeights(0).c_str())
+                                  ->GetTuple(corners->GetId(c));
+        EXPECT_EQ(weights[part.Slot], own ? 1.0 : 0.0);
+        EXPECT_EQ(weights[0] + weights[1] + weights[2] + weights[3], 1.0);
+      }
     }
   }
   EXPECT_GT(slots.size(), 80u);
-  for (const auto& [polygon, known] : slots)
+  for (const auto& [polygon, distinct] : slots)
   {
-    std::set<int> distinct;
-    for (const auto& [cls, slot] : known)
-    {
-      distinct.insert(slot);
-      EXPECT_LT(slot, 4);
-    }
-    EXPECT_EQ(distinct.size(), known.size()) << polygon;
-  }
-  for (const MaterialPart& part : this->Divided.Get())
-  {
-    vtkNew<vtkIdList> corners;
-    for (std::size_t k = 0; k < part.Polygons.size(); ++k)
-    {
-      part.Surface->GetPolys()->GetCellAtId(static_cast<vtkIdType>(k), corners);
-      for (vtkIdType c = 0; c < corners->GetNumberOfIds(); ++c)
-      {
-        vtkPointData* data = part.Surface->GetPointData();
-        const int cls = static_cast<int>(
-          data->GetArray(measuredbrdf::partarrays::Class)->GetComponent(corners->GetId(c), 0));
-        const int slot = slots[part.Polygons[k]].at(cls);
-        for (int other = 0; other < 4; ++other)
-        {
-          EXPECT_EQ(data->GetArray(measuredbrdf::partarrays::GetWeights(0).c_str())
-                      ->GetComponent(corners->GetId(c), other),
-            other == slot ? 1.0 : 0.0);
-        }
-      }
-    }
+    EXPECT_EQ(distinct.size(), classes[polygon]) << polygon;
   }
 }
 
@@ -546,10 +542,9 @@ TEST_F(Parts, BordersBetweenClassesOfPointsAreCut)
   this->Plane->SetPolys(square);
   this->Plane->GetPointData()->SetNormals(normals);
   this->SetPoints([](vtkIdType point) { return std::max(static_cast<double>(point) - 1.0, 0.0); });
-  this->Divided.SetMayCut(true);
   this->Update();
   EXPECT_EQ(this->CountPolygons(), 3); // whole, once for each class
-  this->Divided.WantCut();
+  this->Divided.SetMayCut(true);
   // Triangles 0 1 2 of classes 0 0 1, and 0 2 3 of classes 0 1 2.
   ASSERT_EQ(this->Update(), "");
   ASSERT_EQ(this->Divided.Get().size(), 3u);
@@ -583,10 +578,6 @@ TEST_F(Parts, BordersBetweenClassesOfPointsAreCut)
   this->Plane->Modified();
   this->Update();
   EXPECT_EQ(this->CountPolygons(), 5);
-  // Of another map nobody has said that it should be cut.
-  this->Map->SetBRDF(0, this->Materials[5]);
-  this->Update();
-  EXPECT_EQ(this->CountPolygons(), 3);
 }
 
 TEST_F(Parts, StripsAreTrianglesOfTheSameClass)

@@ -3,7 +3,7 @@
 /**
  * @file
  * Draws blocks of composite data that VTK's composite mapper draws from common buffers. Private to
- * the rendering room.
+ * the rendering component.
  */
 
 #ifndef BlockBatch_h
@@ -11,20 +11,62 @@
 
 #include "vtkColor.h" // which VTK's header takes for included
 
-#include "BatchBase.h"
-#include "BatchOcclusion.h"
 #include "BlockMaterials.h"
 #include "BlockParts.h"
 #include "BlockStyle.h"
+#include "OcclusionArrays.h"
+#include "OcclusionShader.h"
 #include "ShadedMapper.h"
+#include "vtkVersionMacros.h"
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#include "vtkOpenGLBatchedPolyDataMapper.h"
+#include "vtkOpenGLCompositePolyDataMapperDelegator.h"
+#else
+using GLenum = unsigned int; // which the next header takes for declared
+#include "vtkCompositeMapperHelper2.h"
+#endif
 
 #include <cstddef>
 #include <functional>
 #include <memory>
 #include <vector>
 
+class vtkOpenGLVertexBufferObjectGroup;
+
 namespace measuredbrdf
 {
+// What VTK calls the mapper of a batch of blocks, and its record of a block.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+using BatchBase = vtkOpenGLBatchedPolyDataMapper;
+using BlockRecord = vtkOpenGLBatchedPolyDataMapper::GLBatchElement;
+inline vtkPolyData* GetSurface(BlockRecord* record) { return record->Parent.PolyData; }
+#else
+using BatchBase = vtkCompositeMapperHelper2;
+using BlockRecord = vtkCompositeMapperHelperData;
+inline vtkPolyData* GetSurface(BlockRecord* record) { return record->Data; }
+#endif
+
+/// Hidden skies of blocks that share buffers: where one block has some, all get attributes.
+class BatchOcclusion
+{
+public:
+  void Clear();
+
+  /// What one of the blocks has, all of them before the first Append; null: it is all open.
+  void Announce(const std::shared_ptr<OcclusionArrays>& arrays);
+
+  const OcclusionSides& GetSides() const { return this->Sides; }
+
+  /// Beside a block's other attributes.
+  void Append(vtkOpenGLVertexBufferObjectGroup* buffers, vtkIdType points,
+    const std::shared_ptr<OcclusionArrays>& arrays);
+
+private:
+  bool Any = false;
+  OcclusionSides Sides;
+  std::vector<std::shared_ptr<OcclusionArrays>> Kept; // until the buffers are built
+};
 /// Those of one material are drawn while the others are invisible.
 class BlockBatch : public ShadedMapper<BatchBase>
 {

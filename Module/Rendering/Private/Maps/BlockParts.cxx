@@ -129,16 +129,6 @@ vtkIdType BlockParts::GetImageBytes() const
   return bytes;
 }
 
-vtkIdType BlockParts::CountStackBytes(std::set<const vtkTextureObject*>& counted) const
-{
-  vtkIdType bytes = 0;
-  for (const auto& [surface, block] : this->Blocks)
-  {
-    bytes += block.Parts->CountStackBytes(counted);
-  }
-  return bytes;
-}
-
 void BlockParts::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (const auto& [surface, block] : this->Blocks)

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The blocks of a composite data set that a material map divides. Private to the rendering room.
+ * The blocks of a composite data set that a material map divides. Private to the rendering
+ * component.
  */
 
 #ifndef BlockParts_h
@@ -64,8 +65,6 @@ public:
   /// Of the images of weights on the graphics card.
   vtkIdType GetImageBytes() const;
 
-  /// Of stacks of materials that are not counted yet.
-  vtkIdType CountStackBytes(std::set<const vtkTextureObject*>& counted) const;
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:

@@ -4,7 +4,7 @@
 
 #include "vtkMapper.h"
 
-#include <algorithm>
+#include <tuple>
 
 namespace measuredbrdf
 {
@@ -42,11 +42,12 @@ void ScalarStyle::Write(vtkMapper* mapper) const
 
 bool ScalarStyle::operator==(const ScalarStyle& other) const
 {
-  return this->Visibility == other.Visibility && this->UsesTableRange == other.UsesTableRange &&
-         this->InterpolatesFirst == other.InterpolatesFirst && this->ColorMode == other.ColorMode &&
-         this->ScalarMode == other.ScalarMode && this->ArrayAccessMode == other.ArrayAccessMode &&
-         this->ArrayComponent == other.ArrayComponent && this->ArrayId == other.ArrayId &&
-         this->ArrayName == other.ArrayName && this->FieldDataTupleId == other.FieldDataTupleId &&
-         std::equal(this->Range, this->Range + 2, other.Range) && this->Table == other.Table;
+  const auto tie = [](const ScalarStyle& style)
+  {
+    return std::tie(style.Visibility, style.UsesTableRange, style.InterpolatesFirst,
+      style.ColorMode, style.ScalarMode, style.ArrayAccessMode, style.ArrayComponent, style.ArrayId,
+      style.ArrayName, style.FieldDataTupleId, style.Range[0], style.Range[1], style.Table);
+  };
+  return tie(*this) == tie(other);
 }
 } // namespace measuredbrdf

@@ -3,10 +3,10 @@
 #include "ClassBorders.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -69,23 +69,22 @@ ClassBorders::ClassBorders(vtkPolyData* surface, vtkCellArray* polygons,
   : Classes(classes)
   , FirstNew(surface->GetNumberOfPoints())
 {
-  const auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(polygons->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType k = 0; k < polygons->GetNumberOfCells(); ++k)
   {
-    vtkIdType count = 0;
-    const vtkIdType* corners = nullptr;
-    it->GetCurrentCell(count, corners);
-    this->Cell = cells[static_cast<std::size_t>(it->GetCurrentCellId())];
-    const int cls = count > 0 ? this->GetClass(corners[0]) : 0;
-    const bool whole = std::all_of(
-      corners, corners + count, [&](vtkIdType point) { return this->GetClass(point) == cls; });
-    if (whole)
+    polygons->GetCellAtId(k, corners);
+    const std::vector<vtkIdType> polygon(corners->begin(), corners->end());
+    const vtkIdType cell = cells[static_cast<std::size_t>(k)];
+    const int cls = polygon.empty() ? 0 : this->GetClass(polygon.front());
+    if (std::all_of(polygon.begin(), polygon.end(),
+          [&](vtkIdType point) { return this->GetClass(point) == cls; }))
     {
-      this->AddPiece(count, corners, cls);
+      this->AddPiece(cell, polygon, cls);
+      continue;
     }
-    for (vtkIdType c = 2; c < count && !whole; ++c)
+    for (std::size_t c = 2; c < polygon.size(); ++c)
     {
-      this->Cut({ corners[0], corners[c - 1], corners[c] });
+      this->Cut(cell, { polygon[0], polygon[c - 1], polygon[c] });
     }
   }
 }
@@ -109,48 +108,42 @@ vtkIdType ClassBorders::FindMiddle(vtkIdType a, vtkIdType b)
   return place->second;
 }
 
-void ClassBorders::AddPiece(vtkIdType count, const vtkIdType* corners, int cls)
+void ClassBorders::AddPiece(vtkIdType cell, const std::vector<vtkIdType>& corners, int cls)
 {
-  this->Polygons->InsertNextCell(count, corners);
-  this->Cells.push_back(this->Cell);
+  this->Polygons->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+  this->Cells.push_back(cell);
   this->ClassOfPolygon.push_back(cls);
 }
 
-void ClassBorders::Cut(const Parents& triangle)
+void ClassBorders::Cut(vtkIdType cell, const Parents& triangle)
 {
-  bool differs[3]; // a corner from the next one
-  std::size_t last = 0;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    differs[k] = this->GetClass(triangle[k]) != this->GetClass(triangle[(k + 1) % 3]);
-    last = differs[k] ? last : k;
-  }
-  const auto count = std::count(differs, differs + 3, true);
-  if (count == 0)
-  {
-    this->AddPiece(3, triangle.data(), this->GetClass(triangle[0]));
-    return;
-  }
-  if (count == 2) // one corner is alone: the one that is not on the edge of one class
-  {
-    const vtkIdType a = triangle[last];
-    const vtkIdType b = triangle[(last + 1) % 3];
-    const vtkIdType alone = triangle[(last + 2) % 3];
-    const vtkIdType toB = this->FindMiddle(b, alone);
-    const vtkIdType toA = this->FindMiddle(alone, a);
-    const vtkIdType tip[3] = { alone, toA, toB };
-    const vtkIdType rest[4] = { a, b, toB, toA };
-    this->AddPiece(3, tip, this->GetClass(alone));
-    this->AddPiece(4, rest, this->GetClass(a));
-    return;
+    const vtkIdType a = triangle[k];
+    const vtkIdType b = triangle[(k + 1) % 3];
+    const vtkIdType other = triangle[(k + 2) % 3];
+    const int cls = this->GetClass(a);
+    if (this->GetClass(b) == cls)
+    {
+      if (this->GetClass(other) == cls)
+      {
+        this->AddPiece(cell, { a, b, other }, cls);
+        return;
+      }
+      const vtkIdType toB = this->FindMiddle(b, other);
+      const vtkIdType toA = this->FindMiddle(other, a);
+      this->AddPiece(cell, { other, toA, toB }, this->GetClass(other));
+      this->AddPiece(cell, { a, b, toB, toA }, cls);
+      return;
+    }
   }
   const vtkIdType center = this->AddPoint(triangle);
   for (std::size_t k = 0; k < 3; ++k)
   {
     const vtkIdType corner = triangle[k];
-    const vtkIdType piece[4] = { corner, this->FindMiddle(corner, triangle[(k + 1) % 3]), center,
-      this->FindMiddle(triangle[(k + 2) % 3], corner) };
-    this->AddPiece(4, piece, this->GetClass(corner));
+    const vtkIdType next = this->FindMiddle(corner, triangle[(k + 1) % 3]);
+    const vtkIdType last = this->FindMiddle(triangle[(k + 2) % 3], corner);
+    this->AddPiece(cell, { corner, next, center, last }, this->GetClass(corner));
   }
 }
 

@@ -3,7 +3,7 @@
 /**
  * @file
  * Cuts a surface's polygons along the borders between classes of points. Private to the rendering
- * room.
+ * component.
  *
  * A place of a triangle is of the class whose corners have the largest share of it (barycentric
  * coordinates, summed for each class). So borders are straight: between two classes from one edge's
@@ -44,12 +44,10 @@ public:
   ClassBorders(const ClassBorders&) = delete;
   void operator=(const ClassBorders&) = delete;
 
-  ///@{
-  /// The pieces, and polygons that no border crosses; the surface's cell and the class of each.
-  vtkCellArray* GetPolygons() const { return this->Polygons; }
-  const std::vector<vtkIdType>& GetCells() const { return this->Cells; }
-  const std::vector<int>& GetClasses() const { return this->ClassOfPolygon; }
-  ///@}
+  // The pieces, and polygons that no border crosses; the surface's cell and the class of each.
+  vtkNew<vtkCellArray> Polygons;
+  std::vector<vtkIdType> Cells;
+  std::vector<int> ClassOfPolygon;
 
   /// The surface without its cells, with the new points after its own. Of its point data it has
   /// those that CanInterpolate names.
@@ -62,15 +60,11 @@ private:
   int GetClass(vtkIdType point) const { return this->Classes[static_cast<std::size_t>(point)]; }
   vtkIdType FindMiddle(vtkIdType a, vtkIdType b);
   vtkIdType AddPoint(const Parents& parents);
-  void AddPiece(vtkIdType count, const vtkIdType* corners, int cls);
-  void Cut(const Parents& triangle);
+  void AddPiece(vtkIdType cell, const std::vector<vtkIdType>& corners, int cls);
+  void Cut(vtkIdType cell, const Parents& triangle);
 
   const std::vector<int>& Classes;
   vtkIdType FirstNew;
-  vtkIdType Cell = 0; // whose pieces are added
-  vtkNew<vtkCellArray> Polygons;
-  std::vector<vtkIdType> Cells;
-  std::vector<int> ClassOfPolygon;
   std::vector<Parents> NewPoints;
   std::unordered_map<long long, vtkIdType> Middles;
 };

@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClassesMapper.h"
 
-#include "ClassTriangles.h"
-#include "PartArrays.h"
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkIdList.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLIndexBufferObject.h"
@@ -18,9 +15,7 @@
 #include "vtkProperty.h"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
-#include <unordered_set>
 #include <utility>
 
 namespace measuredbrdf
@@ -31,18 +26,40 @@ namespace
 {
 constexpr std::size_t MostShaders = 64; // plans that change over time leave some behind
 
-// Values need not be copied.
-template <typename Value>
-void Exchange(std::map<const vtkOpenGLHelper*, Value>& values, const vtkOpenGLHelper* a,
-  const vtkOpenGLHelper* b)
+// The cells of all surfaces, in their order. They have the points in common.
+vtkSmartPointer<vtkPolyData> JoinCells(const std::vector<vtkPolyData*>& surfaces)
 {
-  values[a];
-  values[b];
-  auto first = values.extract(a);
-  auto second = values.extract(b);
-  std::swap(first.key(), second.key());
-  values.insert(std::move(first));
-  values.insert(std::move(second));
+  auto whole = vtkSmartPointer<vtkPolyData>::New();
+  whole->SetPoints(surfaces.front()->GetPoints());
+  whole->GetPointData()->ShallowCopy(surfaces.front()->GetPointData());
+  whole->GetFieldData()->ShallowCopy(surfaces.front()->GetFieldData());
+  vtkNew<vtkCellArray> polygons;
+  vtkCellData* data = whole->GetCellData();
+  data->CopyAllOn();
+  data->CopyAllocate(surfaces.front()->GetCellData());
+  for (vtkPolyData* surface : surfaces)
+  {
+    data->CopyData(
+      surface->GetCellData(), polygons->GetNumberOfCells(), surface->GetNumberOfCells(), 0);
+    polygons->Append(surface->GetPolys(), 0);
+  }
+  whole->SetPolys(polygons);
+  return whole;
+}
+
+// The triangles as VTK draws them, in the current context.
+vtkSmartPointer<vtkOpenGLIndexBufferObject> MakeIndices(vtkPolyData* surface)
+{
+  std::vector<unsigned int> triangles;
+  vtkOpenGLIndexBufferObject::AppendTriangleIndexBuffer(
+    triangles, surface->GetPolys(), surface->GetPoints(), 0, nullptr, nullptr);
+  auto indices = vtkSmartPointer<vtkOpenGLIndexBufferObject>::New();
+  indices->IndexCount = triangles.size();
+  if (!triangles.empty())
+  {
+    indices->Upload(triangles, vtkOpenGLIndexBufferObject::ElementArrayBuffer);
+  }
+  return indices;
 }
 }
 
@@ -78,10 +95,6 @@ void ClassesMapper::ReleaseIndices()
           one.Indices->ReleaseGraphicsResources();
         }
       }
-      for (const auto& indices : this->StackIndices)
-      {
-        indices->ReleaseGraphicsResources();
-      }
     });
   this->AreBuilt = false;
 }
@@ -114,8 +127,6 @@ void ClassesMapper::SetParts(
     if (part.Kind == MixtureKind::Nearest)
     {
       classes.back().Slot = part.Slot;
-      classes.back().Number = part.Class;
-      classes.back().Polygons = part.Polygons;
       all.Kind = part.Kind;
       all.NumberOfWeights = part.NumberOfWeights;
     }
@@ -127,69 +138,17 @@ void ClassesMapper::SetParts(
   {
     this->ReleaseIndices();
     this->Classes = std::move(classes);
-    this->SetBorders();
-    if (this->Borders)
-    {
-      surfaces.push_back(this->Borders);
-    }
-    this->StacksOf.Clear();
-    this->Stacks = nullptr;
-    this->StackIndices.clear();
   }
-  this->HasClassWithoutMaterial = std::any_of(parts->Get().begin(), parts->Get().end(),
-    [](const MaterialPart& part) { return part.Kind == MixtureKind::Nearest && part.IsRest; });
   all.Surface = same ? vtkSmartPointer<vtkPolyData>(this->GetInput()) : JoinCells(surfaces);
-  const bool hasBorders = all.Kind == MixtureKind::Nearest;
   this->SetPart(parts, std::move(all), map);
-  if (hasBorders)
-  {
-    this->MapDataArrayToVertexAttribute(
-      partarrays::Class, partarrays::Class, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
-  }
-}
-
-// Each polygon as the first of its classes has it, so that triangles of stacks have numbers by
-// which colors and normals of cells are found.
-void ClassesMapper::SetBorders()
-{
-  this->Borders = nullptr;
-  this->BorderPolygons.clear();
-  std::unordered_set<vtkIdType> known;
-  vtkNew<vtkIdList> corners;
-  for (const Class& one : this->Classes)
-  {
-    if (one.Slot < 0)
-    {
-      continue;
-    }
-    if (!this->Borders)
-    {
-      this->Borders = vtkSmartPointer<vtkPolyData>::New();
-      this->Borders->SetPoints(one.Surface->GetPoints());
-      this->Borders->SetPolys(vtkNew<vtkCellArray>());
-      this->Borders->GetCellData()->CopyAllOn();
-      this->Borders->GetCellData()->CopyAllocate(one.Surface->GetCellData());
-    }
-    for (std::size_t k = 0; k < one.Polygons.size(); ++k)
-    {
-      const auto cell = static_cast<vtkIdType>(k);
-      if (known.insert(one.Polygons[k]).second)
-      {
-        one.Surface->GetPolys()->GetCellAtId(cell, corners);
-        this->Borders->GetCellData()->CopyData(
-          one.Surface->GetCellData(), cell, this->Borders->GetPolys()->InsertNextCell(corners));
-        this->BorderPolygons.push_back(one.Polygons[k]);
-      }
-    }
-  }
 }
 
 // Instead of the superclass's, which would be of all classes together.
 void ClassesMapper::BuildIBO(vtkRenderer* ren, vtkActor* actor, vtkPolyData* surface)
 {
-  this->HasEdges = actor->GetProperty()->GetEdgeVisibility();
-  if (this->HasEdges) // which edges are those of polygons, by the numbers of all triangles
+  if (actor->GetProperty()->GetEdgeVisibility())
   {
+    // Which edges are those of polygons: VTK finds that by the numbers of all triangles.
     this->Superclass::BuildIBO(ren, actor, surface);
   }
   if (this->AreBuilt)
@@ -198,129 +157,31 @@ void ClassesMapper::BuildIBO(vtkRenderer* ren, vtkActor* actor, vtkPolyData* sur
   }
   this->OwnWindow = vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow());
   int first = 0;
-  this->Stacks = nullptr;
   for (Class& one : this->Classes)
   {
+    one.Indices = MakeIndices(one.Surface);
     one.FirstPrimitive = first;
-    first += CountTriangles(one.Surface);
+    first += static_cast<int>(one.Indices->IndexCount / 3);
   }
-  this->FirstBorder = first;
-  vtkCellArray* all = this->GetInput()->GetPolys();
-  this->MayBeNumbered = CountTriangles(this->GetInput()) ==
-                        all->GetNumberOfConnectivityIds() - 2 * all->GetNumberOfCells();
-  this->MakeAllIndices();
   this->AreBuilt = true;
 }
 
-// Of all that each class draws itself, and each stack.
-void ClassesMapper::MakeAllIndices()
-{
-  const auto get = this->AreNumbered ? GetNumberedTriangles : GetTriangles;
-  for (Class& one : this->Classes)
-  {
-    one.Indices = MakeIndices(
-      one.Slot < 0 || !this->Stacks
-        ? GetTriangles(one.Surface, [](vtkIdType) { return true; })
-        : get(one.Surface, [&](vtkIdType k)
-            { return this->Stacks->FindStack(one.Polygons[static_cast<std::size_t>(k)]) < 0; }));
-  }
-  this->StackIndices.clear();
-  for (int stack = 0; this->Stacks && stack < static_cast<int>(this->Stacks->Get().size()); ++stack)
-  {
-    this->StackIndices.push_back(MakeIndices(get(this->Borders,
-      [&](vtkIdType k) {
-        return this->Stacks->FindStack(this->BorderPolygons[static_cast<std::size_t>(k)]) == stack;
-      })));
-  }
-}
-
-// Views of the same materials have the same stacks.
-std::shared_ptr<ClassStacks>& ClassesMapper::FindStacks(
-  const Place& place, const DrawnMaterials& materials)
-{
-  std::shared_ptr<ClassStacks>& own = this->StacksOf[place];
-  if (own && own->IsOf(materials, place.first))
-  {
-    return own;
-  }
-  for (const auto& [other, stacks] : this->StacksOf)
-  {
-    if (other.first == place.first && stacks && stacks->IsOf(materials, place.first))
-    {
-      own = stacks;
-      return own;
-    }
-  }
-  if (!own || own.use_count() > (own == this->Stacks ? 2 : 1)) // another view has it, too
-  {
-    own = std::make_shared<ClassStacks>();
-  }
-  return own;
-}
-
-// Shadows have numbers of each material.
-void ClassesMapper::UpdateStacks(vtkRenderer* ren)
-{
-  std::vector<ClassBorder> borders;
-  DrawnMaterials materials;
-  const bool may = this->Borders && this->GetMap()->GetStackClasses() && !this->HasOcclusion() &&
-                   (this->MayBeNumbered || !this->NeedsNumbers());
-  for (std::size_t k = 0; k < this->Classes.size() && may; ++k)
-  {
-    const Class& one = this->Classes[k];
-    if (one.Slot >= 0)
-    {
-      borders.push_back({ one.Number, &one.Polygons });
-      materials.push_back(&this->Drawing->GetMaterials()[k]);
-    }
-  }
-  const Place place(vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow()), ren);
-  if (borders.empty())
-  {
-    this->StacksOf.RemoveIf([&place](const Place& key, const auto&) { return key == place; });
-    if (this->Stacks)
-    {
-      this->Stacks = nullptr;
-      this->MakeAllIndices();
-    }
-    this->AreBordersLoose = this->GetText() != nullptr && !this->Drawing->IsPending();
-    return;
-  }
-  const std::shared_ptr<ClassStacks>& stacks = this->FindStacks(place, materials);
-  if (!stacks->Update(borders, materials, this->HasClassWithoutMaterial, place.first) &&
-      this->Stacks == stacks && this->AreNumbered == this->NeedsNumbers())
-  {
-    return;
-  }
-  this->Stacks = stacks;
-  this->AreNumbered = this->NeedsNumbers();
-  // What stands in for plans does not decide.
-  this->AreBordersLoose = this->Stacks->AreMostLoose() && !this->Drawing->IsPending();
-  this->MakeAllIndices();
-}
-
-// Null: those of the superclass again.
-void ClassesMapper::ShowIndices(vtkOpenGLIndexBufferObject* indices)
+void ClassesMapper::ShowOnly(int material)
 {
   vtkOpenGLHelper& polygons = this->Primitives[PrimitiveTris];
   if (!this->Whole)
   {
     this->Whole = polygons.IBO;
   }
-  polygons.IBO = indices ? indices : this->Whole;
-  this->Whole = indices ? this->Whole : nullptr;
-}
-
-void ClassesMapper::ShowOnly(int material)
-{
   if (material < 0)
   {
-    this->ShowIndices(nullptr);
+    polygons.IBO = this->Whole;
+    this->Whole = nullptr;
     this->Slot = -1;
     return;
   }
   const Class& shown = this->Classes[static_cast<std::size_t>(material)];
-  this->ShowIndices(shown.Indices);
+  polygons.IBO = shown.Indices;
   this->PrimitiveIDOffset = shown.FirstPrimitive;
   this->Slot = shown.Slot;
 }
@@ -328,7 +189,6 @@ void ClassesMapper::ShowOnly(int material)
 void ClassesMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* actor)
 {
   this->Last = nullptr;
-  this->InStack = false;
   const std::vector<DrawnMaterial>& materials = this->Drawing->GetMaterials();
   // Those of one shader after the other, borders last.
   std::vector<std::size_t> order(materials.size());
@@ -340,12 +200,17 @@ void ClassesMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* actor)
       const bool bIsBorder = this->Classes[b].Slot >= 0;
       return aIsBorder == bIsBorder ? materials[a].Key < materials[b].Key : bIsBorder;
     });
-  this->UpdateStacks(ren);
   for (std::size_t k : order)
   {
-    this->DrawClass(k, ren, actor);
+    this->ShowOnly(static_cast<int>(k));
+    MixtureText text;
+    if (this->Slot >= 0)
+    {
+      text = { this->GetText()->GetDeclarations(), this->GetText()->GetImplementation({}), {} };
+    }
+    this->Drawing->SelectMixture({ k }, std::move(text));
+    this->vtkOpenGLPolyDataMapper::RenderPieceDraw(ren, actor);
   }
-  this->DrawStacks(ren, actor);
   this->Drawing->Unselect();
   this->ShowOnly(-1);
   this->Last = nullptr;
@@ -353,52 +218,6 @@ void ClassesMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* actor)
   {
     this->DropShaders(ren->GetVTKWindow());
   }
-}
-
-void ClassesMapper::DrawClass(std::size_t number, vtkRenderer* ren, vtkActor* actor)
-{
-  if (this->Classes[number].Indices->IndexCount == 0) // stacks draw all of it
-  {
-    return;
-  }
-  this->ShowOnly(static_cast<int>(number));
-  MixtureText text;
-  if (this->Slot >= 0)
-  {
-    text = { this->GetText()->GetDeclarations(), this->GetText()->GetImplementation({}), {} };
-  }
-  this->Drawing->SelectMixture({ number }, std::move(text));
-  this->vtkOpenGLPolyDataMapper::RenderPieceDraw(ren, actor);
-}
-
-void ClassesMapper::DrawStacks(vtkRenderer* ren, vtkActor* actor)
-{
-  this->InStack = true;
-  this->Slot = -1;
-  for (std::size_t k = 0; this->Stacks && k < this->Stacks->Get().size(); ++k)
-  {
-    const ClassStack& stack = *this->Stacks->Get()[k];
-    this->ShowIndices(this->StackIndices[k]);
-    this->PrimitiveIDOffset = this->FirstBorder;
-    this->Drawing->SelectMaterial(
-      stack.Get(), { this->GetText()->GetStackDeclarations() + stack.GetDeclarations(),
-                     this->GetText()->GetStackImplementation() + stack.GetChoice(), {} });
-    this->vtkOpenGLPolyDataMapper::RenderPieceDraw(ren, actor);
-  }
-  this->InStack = false;
-}
-
-// Each slot has its class times its weight, so that their quotient is the class all over a polygon.
-void ClassesMapper::ReplaceShaderPositionVC(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor)
-{
-  if (this->InStack && this->UsesMaterial(this->LastBoundBO))
-  {
-    AddVarying(
-      shaders, { "vec4", MixtureShader::ClassAttribute, std::string("float ") + partarrays::Class,
-                 std::string(partarrays::Class) + " * " + partarrays::GetWeights(0) });
-  }
-  this->Superclass::ReplaceShaderPositionVC(shaders, ren, actor);
 }
 
 // The superclass knows one shader at a time and would make the text of each anew in every frame.
@@ -420,8 +239,14 @@ void ClassesMapper::UseShadersOf(const std::string& key)
   std::swap(polygons.ShaderSourceTime, other->ShaderSourceTime);
   std::swap(polygons.AttributeUpdateTime, other->AttributeUpdateTime);
   std::swap(polygons.ShaderChangeValue, other->ShaderChangeValue);
-  Exchange(this->PrimitiveInfo, &polygons, other.get());
-  Exchange(this->ShaderKeys, &polygons, other.get());
+  this->PrimitiveInfo[&polygons];
+  this->PrimitiveInfo[other.get()];
+  auto first = this->PrimitiveInfo.extract(&polygons); // the values cannot be copied
+  auto second = this->PrimitiveInfo.extract(other.get());
+  std::swap(first.key(), second.key());
+  this->PrimitiveInfo.insert(std::move(first));
+  this->PrimitiveInfo.insert(std::move(second));
+  std::swap(this->ShaderKeys[&polygons], this->ShaderKeys[other.get()]);
   this->OtherShaders[this->ShadersInUse] = std::move(other);
   this->ShadersInUse = key;
 }
@@ -486,12 +311,6 @@ void ClassesMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->ReleaseIndices();
   this->InOwnWindow([this]() { this->DropShaders(this->OwnWindow); });
-  if (this->RenderDepth == 0)
-  {
-    this->Stacks = nullptr;
-    this->StacksOf.RemoveIf(
-      [window](const Place& place, const auto&) { return place.first == window; });
-  }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 } // namespace measuredbrdf

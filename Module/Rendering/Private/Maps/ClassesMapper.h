@@ -3,7 +3,7 @@
 /**
  * @file
  * Draws all parts of a divided surface that show a single material each. Private to the rendering
- * room.
+ * component.
  *
  * They have the points and the shaders in common. So a further class costs its textures, the
  * numbers in which it differs from the last one, and a draw call, but not what VTK sets for each
@@ -13,7 +13,6 @@
 #ifndef ClassesMapper_h
 #define ClassesMapper_h
 
-#include "ClassStacks.h"
 #include "DrawnMaterial.h"
 #include "PartMapper.h"
 #include "vtkSmartPointer.h"
@@ -50,16 +49,6 @@ public:
   void SetParts(
     const MaterialParts* parts, const std::vector<std::size_t>& numbers, vtkMaterialMap* map);
 
-  /// Of what is drawn by stacks in the window drawn last, not counted yet.
-  vtkIdType CountStackBytes(std::set<const vtkTextureObject*>& counted) const
-  {
-    return this->Stacks ? static_cast<vtkIdType>(this->Stacks->CountBytes(counted)) : 0;
-  }
-
-  /// Whether the last frame drew most polygons between classes of points once for each class: then
-  /// it is cheaper to cut them.
-  bool HasLooseBorders() const { return this->AreBordersLoose; }
-
   void RenderPieceDraw(vtkRenderer* ren, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -71,9 +60,7 @@ protected:
   void UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
   void ShowOnly(int material) override;
   int GetSlot() const override { return this->Slot; }
-  bool HasWeights() const override { return this->Slot >= 0 || this->InStack; }
-  void ReplaceShaderPositionVC(
-    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor) override;
+  bool HasWeights() const override { return this->Slot >= 0; }
 
 private:
   ClassesMapper(const ClassesMapper&) = delete;
@@ -84,13 +71,8 @@ private:
     vtkSmartPointer<vtkPolyData> Surface;
     vtkSmartPointer<vtkOpenGLIndexBufferObject> Indices; // of its triangles
     int FirstPrimitive = 0;                              // counted over all classes
-    int Slot = -1;                                       // of a border between classes,
-    int Number = -1;                                     // the class's number there
-    std::vector<vtkIdType> Polygons;                     // and its polygons'
+    int Slot = -1;                                       // of a border between classes
   };
-
-  // Materials are a renderer's in a window.
-  using Place = std::pair<vtkOpenGLRenderWindow*, vtkRenderer*>;
 
   // Deletes OpenGL objects in the window that they are in, whichever is current.
   template <typename Release>
@@ -99,35 +81,10 @@ private:
   void UseShadersOf(const std::string& key);
   void DropShaders(vtkWindow* window);
   bool FollowOn(vtkShaderProgram* program);
-  void DrawClass(std::size_t number, vtkRenderer* ren, vtkActor* actor);
-  void DrawStacks(vtkRenderer* ren, vtkActor* actor);
-  void UpdateStacks(vtkRenderer* ren);
-  std::shared_ptr<ClassStacks>& FindStacks(const Place& place, const DrawnMaterials& materials);
-  void ShowIndices(vtkOpenGLIndexBufferObject* indices);
-  void SetBorders();
-  void MakeAllIndices();
-  bool NeedsNumbers() const
-  {
-    return this->HaveCellScalars || this->HaveCellNormals || this->HasEdges;
-  }
-
-  static constexpr std::size_t MostPlaces = 64; // windows and renderers whose stacks stay
 
   std::vector<Class> Classes;
-  int Slot = -1;        // of the class that is shown
-  bool InStack = false; // whether a stack is shown
-  bool AreBordersLoose = false;
-  bool HasClassWithoutMaterial = false; // in polygons that meet others
-  RecentlyUsed<Place, std::shared_ptr<ClassStacks>> StacksOf{ MostPlaces };
-  std::shared_ptr<ClassStacks> Stacks; // of the window that is drawn, while polygons are stacked
-  std::vector<vtkSmartPointer<vtkOpenGLIndexBufferObject>> StackIndices;
-  vtkSmartPointer<vtkPolyData> Borders;  // each polygon of several classes once, after the classes
-  std::vector<vtkIdType> BorderPolygons; // their numbers
-  int FirstBorder = 0;                   // primitive
-  bool HasEdges = false;                 // visible ones
-  bool MayBeNumbered = false;            // whether VTK leaves out no triangle
-  bool AreNumbered = false;              // whether indices keep triangles' numbers
-  bool AreBuilt = false;                 // the classes' indices
+  int Slot = -1;                                   // of the class that is shown
+  bool AreBuilt = false;                           // the classes' indices
   vtkWeakPointer<vtkOpenGLRenderWindow> OwnWindow; // in which they and the shaders are
   vtkOpenGLIndexBufferObject* Whole = nullptr;     // the superclass's, while a class is shown
   // What the superclass keeps for shaders that are not in use now; the key of the one that is.

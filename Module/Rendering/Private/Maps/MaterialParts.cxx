@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialParts.h"
 
-#include "CellMaterials.h"
-#include "PartSets.h"
+#include "MaterialPartition.h"
 #include "PartSurfaces.h"
-#include "WeightImages.h"
+#include "PolygonMaterials.h"
 #include "vtkCellArray.h"
 #include "vtkMaterialMap.h"
 #include "vtkPolyData.h"
@@ -23,79 +22,74 @@ namespace
 constexpr double CoarseShare = 0.025;
 constexpr double CoarseFactor = 3.0;
 
-// What is drawn in the pixels of a set of materials.
+// What is drawn in the pixels of a group.
 MaterialPart MakePart(
-  const CellMaterials& cells, const CellMaterials::Set& set, vtkMaterialMap* map, bool isBand)
+  const PolygonMaterials& materials, const MaterialPartition::Group& group, vtkMaterialMap* map)
 {
-  const std::vector<vtkBRDF*>& brdfs = cells.GetBRDFs();
   MaterialPart part;
+  const PolygonMaterials::Set& set = group.Materials;
   for (int material : set)
   {
-    vtkBRDF* brdf = brdfs[static_cast<std::size_t>(material)];
+    vtkBRDF* brdf = materials.BRDFs[static_cast<std::size_t>(material)];
     part.HasRest = part.HasRest || !brdf;
     if (brdf)
     {
       part.Members.push_back(brdf);
     }
   }
+  if (group.Slot >= 0)
+  {
+    part.Kind = MixtureKind::Nearest;
+    part.HasRest = false;
+    part.IsRest = part.Members.empty();
+    part.Slot = group.Slot;
+    return part;
+  }
   const bool alone =
     set.size() == 1 ||
     (!part.HasRest &&
       std::set<vtkSmartPointer<vtkBRDF>>(part.Members.begin(), part.Members.end()).size() == 1);
-  if (alone && !isBand)
+  if (alone && !group.IsBand)
   {
     part.Members.resize(std::min<std::size_t>(part.Members.size(), 1));
     part.HasRest = false;
     return part;
   }
-  switch (map->GetMode())
-  {
-    case vtkMaterialMap::WEIGHTS:
-      part.Kind = MixtureKind::Weights;
-      break;
-    case vtkMaterialMap::VALUES:
-      part.Kind = MixtureKind::Value;
-      for (int material : set)
-      {
-        part.Knots.push_back(cells.GetKnots()[static_cast<std::size_t>(material - 1)]);
-      }
-      part.IsBand = isBand;
-      part.Band[0] = set.front() > 1 ? static_cast<float>(part.Knots.front()) : part.Band[0];
-      part.Band[1] = set.back() < static_cast<int>(cells.GetKnots().size())
-                       ? static_cast<float>(part.Knots.back())
-                       : part.Band[1];
-      break;
-    default:
-      part.Kind = MixtureKind::Images;
-      for (int material : set)
-      {
-        if (material > 0 || !part.HasRest)
-        {
-          part.Components.push_back(material - 1); // -1: the rest, where there are no weights
-        }
-      }
-  }
   part.NumberOfWeights = static_cast<int>(part.Members.size()) + (part.HasRest ? 1 : 0);
+  part.Kind = MixtureKind::Weights;
+  if (map->GetMode() == vtkMaterialMap::VALUES)
+  {
+    part.Kind = MixtureKind::Value;
+    for (int material : set)
+    {
+      part.Knots.push_back(materials.Knots[static_cast<std::size_t>(material - 1)]);
+    }
+    part.IsBand = group.IsBand;
+    part.Band[0] = set.front() > 1 ? static_cast<float>(part.Knots.front()) : part.Band[0];
+    part.Band[1] = set.back() < static_cast<int>(materials.Knots.size())
+                     ? static_cast<float>(part.Knots.back())
+                     : part.Band[1];
+  }
+  else if (map->GetMode() == vtkMaterialMap::TEXTURES)
+  {
+    part.Kind = MixtureKind::Images;
+    for (int material : set)
+    {
+      if (material > 0 || !part.HasRest)
+      {
+        part.Components.push_back(material - 1); // -1: the rest, where there are no weights
+      }
+    }
+  }
   return part;
 }
 }
 
-std::array<float, 4> MakeHat(const std::vector<double>& knots, std::size_t k)
+void MaterialParts::Drop()
 {
-  std::array<float, 4> hat = { 1.0f, 0.0f, 1.0f, 0.0f };
-  if (k > 0)
-  {
-    const double slope = 1.0 / (knots[k] - knots[k - 1]);
-    hat[0] = static_cast<float>(-knots[k - 1] * slope);
-    hat[1] = static_cast<float>(slope);
-  }
-  if (k + 1 < knots.size())
-  {
-    const double slope = 1.0 / (knots[k + 1] - knots[k]);
-    hat[2] = static_cast<float>(knots[k + 1] * slope);
-    hat[3] = static_cast<float>(-slope);
-  }
-  return hat;
+  this->Parts.clear();
+  this->BRDFs.clear();
+  this->Uses.clear();
 }
 
 void MaterialParts::Clear()
@@ -113,13 +107,11 @@ void MaterialParts::Clear()
 std::string MaterialParts::Update(
   vtkPolyData* input, vtkMaterialMap* map, vtkBRDF* others, std::string& warning)
 {
-  const bool isMapNew = map != this->Map || map->GetDivisionMTime() != this->MapTime;
-  const bool isNew = isMapNew || input != this->Input || input->GetMTime() != this->InputTime ||
+  const bool isNew = map != this->Map || map->GetDivisionMTime() != this->MapTime ||
+                     input != this->Input || input->GetMTime() != this->InputTime ||
                      others != this->Others;
-  // Not to and fro: actors and windows that share a mapper may differ in whether borders are cut.
-  this->IsCutForbidden = !this->MayCut || (this->IsCutForbidden && !isNew);
-  this->IsCutWanted = this->IsCutWanted && !isMapNew;
-  const bool cut = this->IsCutWanted && !this->IsCutForbidden;
+  this->IsCutForbidden = this->IsCutForbidden && !(isNew && this->MayCut);
+  const bool cut = this->MayCut && !this->IsCutForbidden;
   if (isNew || cut != this->IsCut)
   {
     this->IsCut = cut;
@@ -129,9 +121,7 @@ std::string MaterialParts::Update(
     this->MapTime = map->GetDivisionMTime();
     this->Others = others;
     ++this->Revision;
-    this->Parts.clear();
-    this->BRDFs.clear();
-    this->Uses.clear();
+    this->Drop();
     this->Warning.clear();
     try
     {
@@ -139,9 +129,7 @@ std::string MaterialParts::Update(
     }
     catch (const std::exception& e) // no memory, say: the next frame tries again
     {
-      this->Parts.clear();
-      this->BRDFs.clear();
-      this->Uses.clear();
+      this->Drop();
       this->Input = nullptr;
       this->InputTime = 0;
       this->Problem = e.what();
@@ -154,21 +142,21 @@ std::string MaterialParts::Update(
 std::string MaterialParts::Divide(vtkPolyData* input, vtkMaterialMap* map, vtkBRDF* others)
 {
   PartSurfaces surfaces(input);
-  CellMaterials cells;
+  PolygonMaterials materials;
   const auto find = [&]()
   {
-    return cells.Find(
-      input, map, others, surfaces.GetPolygons(), surfaces.GetCells(), this->Warning);
+    materials = PolygonMaterials();
+    return materials.Find(
+      { input, surfaces.GetPolygons(), surfaces.GetCells() }, map, others, this->Warning);
   };
   std::string problem = find();
-  if (problem.empty() && !cells.GetPointClasses().empty() && this->IsCut)
+  if (problem.empty() && !materials.PointClasses.empty() && this->IsCut)
   {
-    surfaces.CutBorders(cells);
+    surfaces.CutBorders(materials);
   }
-  else if (problem.empty() && !cells.GetPointClasses().empty() &&
-           surfaces.SplitPolygons(cells, PartSets::MaximumNumberOfSlots))
+  else if (problem.empty() && !materials.PointClasses.empty() &&
+           surfaces.SplitPolygons(materials, MaterialPartition::MaximumNumberOfSlots))
   {
-    cells = CellMaterials();
     problem = find();
   }
   if (!problem.empty())
@@ -176,29 +164,21 @@ std::string MaterialParts::Divide(vtkPolyData* input, vtkMaterialMap* map, vtkBR
     return problem;
   }
   const bool onScale = map->GetMode() == vtkMaterialMap::VALUES;
-  const PartSets sets(
-    cells, onScale ? MaximumNumberInBand : MaximumNumberOfWeights, WantedNumberOfParts);
-  if (sets.GetNumberOfDropped() > 0)
+  const MaterialPartition partition(
+    materials, onScale ? MaximumNumberInBand : MaximumNumberOfWeights, WantedNumberOfParts);
+  if (partition.Dropped > 0)
   {
-    this->Warning += (this->Warning.empty() ? "in " : "; in ") +
-                     std::to_string(sets.GetNumberOfDropped()) + " polygons more than " +
-                     std::to_string(MaximumNumberOfWeights) +
+    this->Warning += (this->Warning.empty() ? "in " : "; in ") + std::to_string(partition.Dropped) +
+                     " polygons more than " + std::to_string(MaximumNumberOfWeights) +
                      " materials meet: those of the least weights are left out there";
   }
-  surfaces.Distribute(cells, sets);
-  for (std::size_t k = 0; k < sets.Get().size(); ++k)
+  const auto distributed = surfaces.Distribute(materials, partition);
+  for (std::size_t k = 0; k < distributed.size(); ++k)
   {
-    MaterialPart part = MakePart(cells, sets.Get()[k], map, sets.IsBand(k));
-    if (sets.IsBorder(k))
-    {
-      part.Kind = MixtureKind::Nearest;
-      part.IsRest = part.Members.empty();
-      part.Class = sets.Get()[k].front();
-      part.Slot = sets.GetSlot(k);
-      part.Polygons = surfaces.GetPolygonsOf(k);
-      part.NumberOfWeights = sets.GetNumberOfSlots();
-    }
-    part.Surface = surfaces.GetSurface(k);
+    MaterialPart part = MakePart(materials, partition.Groups[k], map);
+    part.NumberOfWeights =
+      part.Kind == MixtureKind::Nearest ? partition.NumberOfSlots : part.NumberOfWeights;
+    part.Surface = distributed[k];
     this->AddPart(part);
     if (part.HasRest)
     {
@@ -208,13 +188,13 @@ std::string MaterialParts::Divide(vtkPolyData* input, vtkMaterialMap* map, vtkBR
       this->AddPart(std::move(part));
     }
   }
-  if (vtkPolyData* verticesAndLines = surfaces.GetVerticesAndLines())
+  if (vtkSmartPointer<vtkPolyData> verticesAndLines = surfaces.MakeVerticesAndLines())
   {
     MaterialPart part;
     part.Surface = verticesAndLines;
     this->AddPart(std::move(part));
   }
-  this->MeasureShares(surfaces.GetAreas(cells));
+  this->MeasureShares(surfaces.GetAreas(materials));
   return "";
 }
 
@@ -241,11 +221,6 @@ const MaterialParts::Use& MaterialParts::Find(vtkBRDF* brdf) const
   static const Use none;
   const auto found = this->Uses.find(brdf);
   return found == this->Uses.end() ? none : found->second;
-}
-
-const std::vector<vtkPolyData*>& MaterialParts::GetSurfaces(vtkBRDF* brdf) const
-{
-  return this->Find(brdf).Surfaces;
 }
 
 void MaterialParts::MeasureShares(const std::map<vtkBRDF*, double>& areas)

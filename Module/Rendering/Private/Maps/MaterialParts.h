@@ -3,7 +3,7 @@
 /**
  * @file
  * A surface in parts, so that the same few materials meet in all pixels of a part. Private to the
- * rendering room.
+ * rendering component.
  *
  * Each part is drawn by a shader with its own materials only: a class map costs what one material
  * costs, whatever the number of classes, and a blend what the materials that meet cost.
@@ -45,19 +45,12 @@ struct MaterialPart
   bool HasRest = false; // Images: some pixels have no material; they are another part's,
   bool IsRest = false;  // that is drawn by the superclass, this one
   int NumberOfWeights = 0;
-  int Class = -1; // Nearest: as the points' array partarrays::Class has it
-  std::vector<vtkIdType>
-    Polygons;   // Nearest: numbers of the surface's, as other parts have them, too
   int Slot = 0; // Nearest: the weight that is the largest where the pixel is this part's
   std::vector<double> Knots; // Value: each member's place on the scale, from 0 to 1, rising
   bool IsBand = false;       // Value: places out of Band are another part's, its end, too
   std::array<float, 2> Band = { -1e30f, 1e30f };
   std::vector<int> Components; // Images: each member's, counted over all images
 };
-
-/// min(a + b v, c + d v), clamped to [0, 1], is the weight of a material on a scale of values: a
-/// hat that ends at its neighbors. At the ends of the scale it does not fall again.
-std::array<float, 4> MakeHat(const std::vector<double>& knots, std::size_t k);
 
 class MaterialParts
 {
@@ -66,19 +59,20 @@ public:
   static constexpr int MaximumNumberOfWeights = 32;
 
   /// The same on a scale of values, so that their textures fit into the 16 units that every
-  /// graphics card has. Polygons of more of them are drawn in bands (PartSets).
+  /// graphics card has. Polygons of more of them are drawn in bands (MaterialPartition).
   static constexpr int MaximumNumberInBand = 5;
 
   /// Parts are merged, where weights allow that, until there are no more of them than this.
   static constexpr int WantedNumberOfParts = 32;
 
-  ///@{
-  /// Whether polygons may be cut along the borders between classes of points (ClassBorders); where
-  /// they once may not, they stay whole until the input or the map change. And whether they should
-  /// be: what is wanted stays so until the map changes. Default: false.
-  void SetMayCut(bool may) { this->MayCut = may; }
-  void WantCut() { this->IsCutWanted = true; }
-  ///@}
+  /// Whether polygons are cut along the borders between classes of points (ClassBorders). Until
+  /// this is called they stay whole. Where they once may not be cut, they stay whole until the
+  /// input or the map change: actors and windows that share a mapper may differ in it.
+  void SetMayCut(bool may)
+  {
+    this->MayCut = may;
+    this->IsCutForbidden = this->IsCutForbidden || !may;
+  }
 
   /// Divide anew if the input, the map or the material for the rest changed. Returns why the map
   /// cannot be used (there are no parts then), or "". warning: what is odd about the data, or "".
@@ -107,11 +101,15 @@ public:
   double GetToleranceFactor(vtkBRDF* brdf) const { return this->Find(brdf).ToleranceFactor; }
 
   /// All surfaces on which a material may be seen.
-  const std::vector<vtkPolyData*>& GetSurfaces(vtkBRDF* brdf) const;
+  const std::vector<vtkPolyData*>& GetSurfaces(vtkBRDF* brdf) const
+  {
+    return this->Find(brdf).Surfaces;
+  }
 
 private:
   std::string Divide(vtkPolyData* input, vtkMaterialMap* map, vtkBRDF* others);
   void AddPart(MaterialPart part);
+  void Drop();
   void MeasureShares(const std::map<vtkBRDF*, double>& areas);
 
   // Looked up in every frame.
@@ -135,7 +133,6 @@ private:
   vtkSmartPointer<vtkBRDF> Others;
   unsigned long Revision = 0;
   bool MayCut = false;
-  bool IsCutWanted = false;
   bool IsCutForbidden = false;
   bool IsCut = false; // as was wanted and allowed
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MixtureShader.h"
 
-#include "PartArrays.h"
+#include "PartSurfaces.h"
 #include "WeightImages.h"
 
 #include <algorithm>
@@ -95,37 +95,21 @@ std::string MixtureShader::GetWeight(int slot) const
   }
 }
 
-// Of several weights that are the largest the first one counts, so that each pixel is of one part.
-std::string MixtureShader::FindNearest() const
-{
-  std::string text = "  int brdfNearest = 0;\n  float brdfMost = " + this->GetWeight(0) + ";\n";
-  for (int slot = 1; slot < this->Part.NumberOfWeights; ++slot)
-  {
-    const std::string weight = this->GetWeight(slot);
-    text += "  brdfNearest = " + weight + " > brdfMost ? " + std::to_string(slot) +
-            " : brdfNearest;\n  brdfMost = max(brdfMost, " + weight + ");\n";
-  }
-  return text;
-}
-
-// Each slot has its class times its weight.
-std::string MixtureShader::GetStackDeclarations() const
-{
-  return "in vec4 " + VaryingOf(partarrays::GetWeights(0)) + ";\nin vec4 " +
-         VaryingOf(ClassAttribute) + ";\n";
-}
-
-std::string MixtureShader::GetStackImplementation() const
-{
-  return this->FindNearest() + "  float brdfClassHere = " + VaryingOf(ClassAttribute) +
-         "[brdfNearest] / max(brdfMost, 1e-6);\n";
-}
-
 std::string MixtureShader::GetImplementation(const std::vector<bool>& drawn) const
 {
   if (this->Part.Kind == MixtureKind::Nearest)
   {
-    return this->FindNearest() + "  if (brdfNearest != brdfSlot)\n  {\n    discard;\n  }\n";
+    // Of several weights that are the largest the first one counts, so that each pixel is of one
+    // part.
+    std::string nearest =
+      "  int brdfNearest = 0;\n  float brdfMost = " + this->GetWeight(0) + ";\n";
+    for (int slot = 1; slot < this->Part.NumberOfWeights; ++slot)
+    {
+      const std::string weight = this->GetWeight(slot);
+      nearest += "  brdfNearest = " + weight + " > brdfMost ? " + std::to_string(slot) +
+                 " : brdfNearest;\n  brdfMost = max(brdfMost, " + weight + ");\n";
+    }
+    return nearest + "  if (brdfNearest != brdfSlot)\n  {\n    discard;\n  }\n";
   }
   const int count = this->Part.NumberOfWeights;
   std::string text;

@@ -3,7 +3,7 @@
 /**
  * @file
  * The shader's text that finds the weights of the materials that meet in a pixel. Private to the
- * rendering room. C++ twins: vtkMaterialMap::GetWeight and linear interpolation.
+ * rendering component. C++ twins: vtkMaterialMap::GetWeight and linear interpolation.
  */
 
 #ifndef MixtureShader_h
@@ -37,17 +37,8 @@ public:
   std::string GetImplementation(const std::vector<bool>& drawn) const;
   ///@}
 
-  ///@{
-  /// The same where a stack of materials is drawn: statements find the float brdfClassHere, the
-  /// class of the largest weight. It comes from an attribute that ClassAttribute names.
-  static constexpr const char* ClassAttribute = "brdfClasses";
-  std::string GetStackDeclarations() const;
-  std::string GetStackImplementation() const;
-  ///@}
-
 private:
   std::string GetWeight(int slot) const;
-  std::string FindNearest() const;
 
   const MaterialPart& Part;
   std::vector<int> ImageComponents;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PartMapper.h"
 
+#include "PolygonMaterials.h"
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
@@ -165,45 +166,35 @@ bool PartMapper::NeedsWeights(const vtkOpenGLHelper* cellBO)
   return this->HasWeights() && (this->UsesMaterial(cellBO) || this->IsOthers(cellBO));
 }
 
-// Through the stages beside the positions, as tangents go.
-void PartMapper::AddVarying(
-  std::map<vtkShader::Type, vtkShader*>& shaders, const VaryingText& varying)
-{
-  const auto& [type, name, attribute, value] = varying;
-  std::string vertex = shaders[vtkShader::Vertex]->GetSource();
-  std::string geometry = shaders[vtkShader::Geometry]->GetSource();
-  vtkShaderProgram::Substitute(vertex, "//VTK::PositionVC::Dec",
-    "//VTK::PositionVC::Dec\nin " + attribute + ";\nout " + type + " " + name + "VCVSOutput;\n",
-    false);
-  vtkShaderProgram::Substitute(vertex, "//VTK::PositionVC::Impl",
-    "//VTK::PositionVC::Impl\n  " + name + "VCVSOutput = " + value + ";\n", false);
-  vtkShaderProgram::Substitute(geometry, "//VTK::PositionVC::Dec",
-    "//VTK::PositionVC::Dec\nin " + type + " " + name + "VCVSOutput[];\nout " + type + " " + name +
-      "VCGSOutput;\n",
-    false);
-  vtkShaderProgram::Substitute(geometry, "//VTK::PositionVC::Impl",
-    "//VTK::PositionVC::Impl\n  " + name + "VCGSOutput = " + name + "VCVSOutput[i];\n", false);
-  shaders[vtkShader::Vertex]->SetSource(vertex);
-  shaders[vtkShader::Geometry]->SetSource(geometry);
-}
-
+// The weights go through the shader stages beside the positions, as tangents do.
 void PartMapper::ReplaceShaderPositionVC(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor)
 {
+  const auto add = [&shaders](
+                     vtkShader::Type stage, const std::string& place, const std::string& text)
+  {
+    std::string source = shaders[stage]->GetSource();
+    const std::string mark = "//VTK::PositionVC::" + place;
+    vtkShaderProgram::Substitute(source, mark, mark + "\n" + text, false);
+    shaders[stage]->SetSource(source);
+  };
   if (this->NeedsWeights(this->LastBoundBO))
   {
     for (const auto& [name, type] : this->Text->GetAttributes())
     {
-      AddVarying(shaders, { type, name, type + " " + name, name });
+      const std::string vertex = name + "VCVSOutput";
+      const std::string geometry = name + "VCGSOutput";
+      add(vtkShader::Vertex, "Dec",
+        "in " + type + " " + name + ";\nout " + type + " " + vertex + ";\n");
+      add(vtkShader::Vertex, "Impl", "  " + vertex + " = " + name + ";\n");
+      add(vtkShader::Geometry, "Dec",
+        "in " + type + " " + vertex + "[];\nout " + type + " " + geometry + ";\n");
+      add(vtkShader::Geometry, "Impl", "  " + geometry + " = " + vertex + "[i];\n");
     }
     if (this->IsOthers(this->LastBoundBO))
     {
-      std::string fragment = shaders[vtkShader::Fragment]->GetSource();
-      vtkShaderProgram::Substitute(fragment, "//VTK::PositionVC::Dec",
-        "//VTK::PositionVC::Dec\n" + this->Text->GetDeclarations(), false);
-      vtkShaderProgram::Substitute(fragment, "//VTK::PositionVC::Impl",
-        "//VTK::PositionVC::Impl\n" + this->Text->GetImplementation({}), false);
-      shaders[vtkShader::Fragment]->SetSource(fragment);
+      add(vtkShader::Fragment, "Dec", this->Text->GetDeclarations());
+      add(vtkShader::Fragment, "Impl", this->Text->GetImplementation({}));
     }
   }
   this->Superclass::ReplaceShaderPositionVC(shaders, ren, actor);

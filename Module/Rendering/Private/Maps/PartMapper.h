@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Draws a part of a surface that a material map divides. Private to the rendering room.
+ * Draws a part of a surface that a material map divides. Private to the rendering component.
  */
 
 #ifndef PartMapper_h
@@ -63,19 +63,6 @@ protected:
 
   /// Of parts of several members, or of the Nearest kind; null: one material, or none.
   const MixtureShader* GetText() const { return this->Text.get(); }
-
-  /// What vertices hand to fragments: a value that is made of an attribute.
-  struct VaryingText
-  {
-    std::string Type;
-    std::string Name;
-    std::string Attribute; // its type and name
-    std::string Value;
-  };
-  static void AddVarying(
-    std::map<vtkShader::Type, vtkShader*>& shaders, const VaryingText& varying);
-
-  vtkMaterialMap* GetMap() const { return this->Map; }
 
   PartMapper() = default;
   ~PartMapper() override = default;

@@ -3,10 +3,13 @@
 #include "PartMappers.h"
 
 #include "ClassBorders.h"
-#include "MapArrays.h"
+#include "PolygonMaterials.h"
 #include "ReflectionIntegral.h"
 #include "vtkActor.h"
 #include "vtkCommand.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLIndexBufferObject.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -24,6 +27,27 @@ namespace measuredbrdf
 {
 namespace
 {
+// Draws what vtkMapper::SetSelection highlights on a surface, and nothing else of it: the surface
+// itself is drawn part by part.
+class HighlightMapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static HighlightMapper* New();
+  vtkTypeMacro(HighlightMapper, vtkOpenGLPolyDataMapper);
+
+protected:
+  // The superclass leaves out primitives without indices; what is selected has indices of its own.
+  void BuildBufferObjects(vtkRenderer* ren, vtkActor* actor) override
+  {
+    this->Superclass::BuildBufferObjects(ren, actor);
+    for (vtkOpenGLHelper& primitive : this->Primitives)
+    {
+      primitive.IBO->IndexCount = 0;
+    }
+  }
+};
+vtkStandardNewMacro(HighlightMapper);
+
 // Not of the input, nor of what VTK 9.1 calls deprecated.
 void CopySettings(vtkOpenGLPolyDataMapper* from, vtkOpenGLPolyDataMapper* to)
 {
@@ -76,7 +100,7 @@ bool AreColorsOfMap(const ScalarStyle& colors, vtkPolyData* input, vtkMaterialMa
 {
   int cellFlag = 0;
   return map && colors.Visibility &&
-         MapArray::IsRead(input, map,
+         IsReadByMap(input, map,
            vtkAbstractMapper::GetAbstractScalars(input, colors.ScalarMode, colors.ArrayAccessMode,
              colors.ArrayId, colors.ArrayName.c_str(), cellFlag));
 }
@@ -99,6 +123,7 @@ void PartMappers::Expect(vtkPolyData* input, vtkActor* actor, vtkOpenGLPolyDataM
 {
   const MaterialSettings& settings = this->Drawing->GetSettings();
   vtkSelection* selection = host->GetSelection();
+  this->IsExpected = true;
   this->MayCut =
     settings.MaterialMap && input && ClassesMapper::CanDraw(actor) &&
     !actor->GetProperty()->GetEdgeVisibility() && !hasOwnAttributes &&
@@ -116,8 +141,11 @@ bool PartMappers::Divide(vtkPolyData* input)
   }
   std::string warning;
   const vtkSmartPointer<vtkPolyData> whole = this->Drawing->FindWhole(input);
-  this->Parts.SetMayCut(
-    this->MayCut && !ReadsVisibility(settings, whole) && ClassBorders::CanInterpolate(whole));
+  if (this->IsExpected)
+  {
+    this->Parts.SetMayCut(
+      this->MayCut && !ReadsVisibility(settings, whole) && ClassBorders::CanInterpolate(whole));
+  }
   const std::string problem =
     this->Parts.Update(whole, settings.MaterialMap, settings.BRDF, warning);
   for (const std::string& text : { problem, warning })
@@ -237,10 +265,6 @@ void PartMappers::Render(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLPolyDa
       mapper->SetStyle(this->Style.get());
       mapper->RenderPiece(renderer, actor);
     });
-  if (this->Classes && this->Classes->HasLooseBorders())
-  {
-    this->Parts.WantCut();
-  }
   this->RenderHighlight(renderer, actor, host);
 }
 

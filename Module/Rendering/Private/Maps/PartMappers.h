@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Draws a surface by a material map, part by part. Private to the rendering room.
+ * Draws a surface by a material map, part by part. Private to the rendering component.
  */
 
 #ifndef PartMappers_h
 #define PartMappers_h
 
 #include "ClassesMapper.h"
-#include "HighlightMapper.h"
 #include "MaterialDrawing.h"
 #include "MaterialParts.h"
 #include "PartMapper.h"
@@ -78,12 +77,6 @@ public:
   /// Of the images of weights on the graphics card.
   vtkIdType GetImageBytes() const;
 
-  /// Of stacks of materials that are not counted yet.
-  vtkIdType CountStackBytes(std::set<const vtkTextureObject*>& counted) const
-  {
-    return this->Classes ? this->Classes->CountStackBytes(counted) : 0;
-  }
-
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
@@ -100,14 +93,15 @@ private:
   vtkSmartPointer<ClassesMapper> Classes;           // of all single parts; null: each has its own
   std::vector<vtkSmartPointer<PartMapper>> Mappers; // of each other part
   bool Together = false;                            // whether single parts have one, where possible
-  vtkSmartPointer<HighlightMapper> Highlight;       // null: nothing was ever selected
-  vtkMTimeType HighlightTime = 0;                   // of its input
+  vtkSmartPointer<vtkOpenGLPolyDataMapper> Highlight; // null: nothing was ever selected
+  vtkMTimeType HighlightTime = 0;                     // of its input
   vtkSmartPointer<vtkPolyData> Input;
   std::unique_ptr<BlockStyle> Style;
   unsigned long Revision = 0;
   vtkMTimeType HostTime = 0;
   const void* Host = nullptr; // only compared
   bool OverridesColor = false;
+  bool IsExpected = false; // whether Expect was called
   bool MayCut = false;
   ScalarStyle Scalars; // of the block
 };

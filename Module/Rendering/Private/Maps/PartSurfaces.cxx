@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PartSurfaces.h"
 
-#include "CellMaterials.h"
 #include "ClassBorders.h"
-#include "PartArrays.h"
-#include "PartSets.h"
+#include "MaterialPartition.h"
+#include "PolygonMaterials.h"
 #include "vtkBRDF.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -14,13 +13,15 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkTriangleStrip.h"
 
 #include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <limits>
-#include <unordered_map>
+#include <numeric>
+#include <utility>
 
 namespace measuredbrdf
 {
@@ -29,15 +30,15 @@ namespace
 constexpr std::size_t NoOwner = std::numeric_limits<std::size_t>::max();
 using partarrays::WeightsPerGroup;
 
-double GetArea(vtkPoints* points, vtkIdType count, const vtkIdType* corners)
+double GetArea(vtkPoints* points, vtkIdList* corners)
 {
   glm::dvec3 first;
   glm::dvec3 last;
   glm::dvec3 next;
   glm::dvec3 normal(0.0);
-  for (vtkIdType k = 0; k < count; ++k)
+  for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
   {
-    points->GetPoint(corners[k], &next.x);
+    points->GetPoint(corners->GetId(k), &next.x);
     if (k == 0)
     {
       first = next;
@@ -48,21 +49,19 @@ double GetArea(vtkPoints* points, vtkIdType count, const vtkIdType* corners)
   return 0.5 * glm::length(normal);
 }
 
-// Copies rows of all arrays, also those that VTK leaves out by default.
+// Copies these rows of all arrays, also of those that VTK leaves out by default.
 template <typename Attributes>
-void CopyTuples(
-  Attributes* from, Attributes* to, const std::vector<vtkIdType>& tuples, vtkIdType first)
+void CopyTuples(Attributes* from, Attributes* to, const std::vector<vtkIdType>& tuples)
 {
+  const auto count = static_cast<vtkIdType>(tuples.size());
   vtkNew<vtkIdList> source;
   vtkNew<vtkIdList> target;
-  const auto count = static_cast<vtkIdType>(tuples.size());
   source->SetNumberOfIds(count);
   target->SetNumberOfIds(count);
-  std::copy(tuples.begin(), tuples.end(), source->GetPointer(0));
-  for (vtkIdType k = 0; k < count; ++k)
-  {
-    target->SetId(k, first + k);
-  }
+  std::copy(tuples.begin(), tuples.end(), source->begin());
+  std::iota(target->begin(), target->end(), 0);
+  to->CopyAllOn();
+  to->CopyAllocate(from, count);
   to->CopyData(from, source, target);
 }
 }
@@ -71,118 +70,92 @@ PartSurfaces::PartSurfaces(vtkPolyData* input)
   : Input(input)
 {
   this->Polygons->DeepCopy(input->GetPolys());
-  const vtkIdType first = input->GetNumberOfVerts() + input->GetNumberOfLines();
-  for (vtkIdType k = 0; k < input->GetNumberOfPolys(); ++k)
+  vtkIdType cell = input->GetNumberOfVerts() + input->GetNumberOfLines();
+  this->Cells.resize(static_cast<std::size_t>(input->GetNumberOfPolys()));
+  std::iota(this->Cells.begin(), this->Cells.end(), cell);
+  cell += input->GetNumberOfPolys();
+  vtkNew<vtkIdList> strip;
+  for (vtkIdType k = 0; k < input->GetNumberOfStrips(); ++k)
   {
-    this->Cells.push_back(first + k);
+    input->GetStrips()->GetCellAtId(k, strip);
+    vtkTriangleStrip::DecomposeStrip(
+      static_cast<int>(strip->GetNumberOfIds()), strip->GetPointer(0), this->Polygons);
+    this->Cells.resize(static_cast<std::size_t>(this->Polygons->GetNumberOfCells()), cell + k);
   }
-  this->DecomposeStrips();
-  this->MakeVerticesAndLines();
 }
 
 PartSurfaces::~PartSurfaces() = default;
 
-void PartSurfaces::DecomposeStrips()
-{
-  vtkIdType cell = this->Input->GetNumberOfVerts() + this->Input->GetNumberOfLines() +
-                   this->Input->GetNumberOfPolys();
-  vtkCellArray* strips = this->Input->GetStrips();
-  vtkNew<vtkIdList> strip;
-  for (vtkIdType k = 0; k < strips->GetNumberOfCells(); ++k, ++cell)
-  {
-    strips->GetCellAtId(k, strip);
-    for (vtkIdType c = 0; c + 2 < strip->GetNumberOfIds(); ++c)
-    {
-      const vtkIdType triangle[3] = { strip->GetId(c), strip->GetId(c + 1 + c % 2),
-        strip->GetId(c + 2 - c % 2) };
-      this->Polygons->InsertNextCell(3, triangle);
-      this->Cells.push_back(cell);
-    }
-  }
-}
-
-void PartSurfaces::MakeVerticesAndLines()
+vtkSmartPointer<vtkPolyData> PartSurfaces::MakeVerticesAndLines() const
 {
   const vtkIdType count = this->Input->GetNumberOfVerts() + this->Input->GetNumberOfLines();
   if (count == 0)
   {
-    return;
+    return nullptr;
   }
-  this->Others = vtkSmartPointer<vtkPolyData>::New();
-  this->Others->SetPoints(this->Input->GetPoints());
-  this->Others->GetPointData()->ShallowCopy(this->Input->GetPointData());
-  this->Others->SetVerts(this->Input->GetVerts());
-  this->Others->SetLines(this->Input->GetLines());
+  auto others = vtkSmartPointer<vtkPolyData>::New();
+  others->SetPoints(this->Input->GetPoints());
+  others->GetPointData()->ShallowCopy(this->Input->GetPointData());
+  others->SetVerts(this->Input->GetVerts());
+  others->SetLines(this->Input->GetLines());
   std::vector<vtkIdType> cells(static_cast<std::size_t>(count));
-  for (vtkIdType k = 0; k < count; ++k)
-  {
-    cells[static_cast<std::size_t>(k)] = k;
-  }
-  vtkCellData* data = this->Others->GetCellData();
-  data->CopyAllOn();
-  data->CopyAllocate(this->Input->GetCellData(), count);
-  CopyTuples(this->Input->GetCellData(), data, cells, 0);
+  std::iota(cells.begin(), cells.end(), 0);
+  CopyTuples(this->Input->GetCellData(), others->GetCellData(), cells);
+  return others;
 }
 
-void PartSurfaces::CutBorders(CellMaterials& cells)
+void PartSurfaces::CutBorders(PolygonMaterials& materials)
 {
-  const ClassBorders borders(this->Input, this->Polygons, this->Cells, cells.GetPointClasses());
-  cells.SetClasses(borders.GetClasses());
-  this->Polygons->ShallowCopy(borders.GetPolygons());
-  this->Cells = borders.GetCells();
+  ClassBorders borders(this->Input, this->Polygons, this->Cells, materials.PointClasses);
+  this->Polygons->ShallowCopy(borders.Polygons);
+  this->Cells = std::move(borders.Cells);
   this->Input = borders.MakeSurface(this->Input);
+  materials.SetClasses(borders.ClassOfPolygon);
 }
 
-bool PartSurfaces::SplitPolygons(const CellMaterials& cells, std::size_t most)
+bool PartSurfaces::SplitPolygons(const PolygonMaterials& materials, std::size_t most)
 {
-  const auto isCrowded = [&](vtkIdType polygon)
-  {
-    const int set = cells.GetSetOfPolygon()[static_cast<std::size_t>(polygon)];
-    return cells.GetSets()[static_cast<std::size_t>(set)].size() > most;
-  };
   vtkNew<vtkCellArray> polygons;
-  std::vector<vtkIdType> numbers;
+  std::vector<vtkIdType> cells;
   vtkNew<vtkIdList> corners;
   for (vtkIdType k = 0; k < this->Polygons->GetNumberOfCells(); ++k)
   {
     this->Polygons->GetCellAtId(k, corners);
-    if (!isCrowded(k))
+    if (materials.GetSet(k).size() <= most)
     {
       polygons->InsertNextCell(corners);
-      numbers.push_back(this->Cells[static_cast<std::size_t>(k)]);
-      continue;
     }
-    for (vtkIdType c = 2; c < corners->GetNumberOfIds(); ++c) // as VTK draws it
+    else
     {
-      const vtkIdType triangle[3] = { corners->GetId(0), corners->GetId(c - 1), corners->GetId(c) };
-      polygons->InsertNextCell(3, triangle);
-      numbers.push_back(this->Cells[static_cast<std::size_t>(k)]);
+      for (vtkIdType c = 2; c < corners->GetNumberOfIds(); ++c) // as VTK draws it
+      {
+        polygons->InsertNextCell({ corners->GetId(0), corners->GetId(c - 1), corners->GetId(c) });
+      }
     }
+    cells.resize(static_cast<std::size_t>(polygons->GetNumberOfCells()),
+      this->Cells[static_cast<std::size_t>(k)]);
   }
   const bool any = polygons->GetNumberOfCells() > this->Polygons->GetNumberOfCells();
   if (any)
   {
     this->Polygons->ShallowCopy(polygons);
-    this->Cells = std::move(numbers);
+    this->Cells = std::move(cells);
   }
   return any;
 }
 
-std::map<vtkBRDF*, double> PartSurfaces::GetAreas(const CellMaterials& cells) const
+std::map<vtkBRDF*, double> PartSurfaces::GetAreas(const PolygonMaterials& materials) const
 {
   std::map<vtkBRDF*, double> areas;
   vtkNew<vtkIdList> corners;
   for (vtkIdType k = 0; k < this->Polygons->GetNumberOfCells(); ++k)
   {
     this->Polygons->GetCellAtId(k, corners);
-    const vtkIdType count = corners->GetNumberOfIds();
-    const vtkIdType* points = corners->GetPointer(0);
-    const double area = GetArea(this->Input->GetPoints(), count, points);
-    const int set = cells.GetSetOfPolygon()[static_cast<std::size_t>(k)];
-    for (int material : cells.GetSets()[static_cast<std::size_t>(set)])
+    const double area = GetArea(this->Input->GetPoints(), corners);
+    for (int material : materials.GetSet(k))
     {
-      areas[cells.GetBRDFs()[static_cast<std::size_t>(material)]] +=
-        area * cells.GetShare(k, count, points, material);
+      areas[materials.BRDFs[static_cast<std::size_t>(material)]] +=
+        area * materials.GetShare(k, corners->GetNumberOfIds(), corners->GetPointer(0), material);
     }
   }
   return areas;
@@ -192,52 +165,49 @@ std::map<vtkBRDF*, double> PartSurfaces::GetAreas(const CellMaterials& cells) co
 // the number of materials: a point has weights for one part. On a border between classes it has one
 // weight, in a slot that may differ from polygon to polygon. A polygon's own value is that of its
 // own corners.
-void PartSurfaces::NumberCorners(const CellMaterials& cells, const PartSets& sets)
+void PartSurfaces::NumberCorners(
+  const PolygonMaterials& materials, const MaterialPartition& partition)
 {
-  const vtkIdType points = this->Input->GetNumberOfPoints();
-  this->FirstOwners.assign(static_cast<std::size_t>(points), NoOwner);
-  std::vector<std::unordered_map<vtkIdType, vtkIdType>> added(
-    std::max(sets.Get().size(), PartSets::MaximumNumberOfSlots));
+  const auto points = static_cast<std::size_t>(this->Input->GetNumberOfPoints());
+  this->Originals.resize(points);
+  std::iota(this->Originals.begin(), this->Originals.end(), 0);
+  this->Owners.assign(points, NoOwner);
+  const bool ofPolygon = !materials.PolygonValues.empty();
+  std::map<std::pair<vtkIdType, std::size_t>, vtkIdType> added; // of a point and an owner
   vtkNew<vtkIdList> corners;
   for (vtkIdType k = 0; k < this->Polygons->GetNumberOfCells(); ++k)
   {
     this->Polygons->GetCellAtId(k, corners);
+    const auto set = static_cast<std::size_t>(materials.SetOfPolygon[static_cast<std::size_t>(k)]);
     // Bands do not differ in what they need.
-    const int setOfCells = cells.GetSetOfPolygon()[static_cast<std::size_t>(k)];
-    const auto set = static_cast<std::size_t>(sets.Find(setOfCells).front());
-    const bool ofPolygon = !cells.GetPolygonValues().empty();
-    const bool ofBorder = sets.IsBorder(set);
+    const auto place = static_cast<std::size_t>(partition.GroupsOf[set].front());
+    const MaterialPartition::Group& group = partition.Groups[place];
+    const bool ofBorder = group.Slot >= 0;
     const bool mixed =
-      ofBorder || (sets.Get()[set].size() > 1 && (ofPolygon || cells.HasPointWeights()));
-    std::size_t owner = ofPolygon ? static_cast<std::size_t>(k) : set;
-    for (vtkIdType c = 0; c < corners->GetNumberOfIds(); ++c)
+      ofBorder || (group.Materials.size() > 1 && (ofPolygon || materials.HasPointWeights()));
+    for (vtkIdType point : *corners)
     {
-      const vtkIdType point = corners->GetId(c);
+      std::size_t owner = ofPolygon ? static_cast<std::size_t>(k) : place;
       if (ofBorder)
       {
-        owner = static_cast<std::size_t>(
-          sets.FindSlot(setOfCells, cells.GetPointClasses()[static_cast<std::size_t>(point)]));
+        const int cls = materials.PointClasses[static_cast<std::size_t>(point)];
+        owner = static_cast<std::size_t>(partition.SlotOfClass[set].at(cls));
       }
-      std::size_t& first = this->FirstOwners[static_cast<std::size_t>(point)];
+      std::size_t& first = this->Owners[static_cast<std::size_t>(point)];
       if (mixed && first == NoOwner)
       {
         first = owner;
       }
-      if (!mixed || first == owner)
+      vtkIdType number = point;
+      if (mixed && first != owner)
       {
-        this->Corners.push_back(point);
-        continue;
-      }
-      const vtkIdType next = points + static_cast<vtkIdType>(this->Originals.size());
-      vtkIdType number = next;
-      if (!ofPolygon)
-      {
-        number = added[owner].try_emplace(point, next).first->second;
-      }
-      if (number == next)
-      {
-        this->Originals.push_back(point);
-        this->Owners.push_back(owner);
+        const auto next = static_cast<vtkIdType>(this->Originals.size());
+        number = ofPolygon ? next : added.try_emplace({ point, owner }, next).first->second;
+        if (number == next)
+        {
+          this->Originals.push_back(point);
+          this->Owners.push_back(owner);
+        }
       }
       this->Corners.push_back(number);
     }
@@ -247,178 +217,119 @@ void PartSurfaces::NumberCorners(const CellMaterials& cells, const PartSets& set
 void PartSurfaces::CopyPoints()
 {
   vtkPointData* data = this->Base->GetPointData();
-  if (this->Originals.empty())
+  if (static_cast<vtkIdType>(this->Originals.size()) == this->Input->GetNumberOfPoints())
   {
     this->Base->SetPoints(this->Input->GetPoints());
     data->ShallowCopy(this->Input->GetPointData());
     return;
   }
-  const vtkIdType count = this->Input->GetNumberOfPoints();
-  const vtkIdType total = count + static_cast<vtkIdType>(this->Originals.size());
   vtkNew<vtkPoints> points;
   points->SetDataType(this->Input->GetPoints()->GetDataType());
-  points->GetData()->DeepCopy(this->Input->GetPoints()->GetData());
-  points->GetData()->Resize(total);
+  points->Allocate(static_cast<vtkIdType>(this->Originals.size()));
   for (vtkIdType original : this->Originals)
   {
     points->InsertNextPoint(this->Input->GetPoint(original));
   }
   this->Base->SetPoints(points);
-  std::vector<vtkIdType> tuples(static_cast<std::size_t>(count));
-  for (vtkIdType p = 0; p < count; ++p)
-  {
-    tuples[static_cast<std::size_t>(p)] = p;
-  }
-  tuples.insert(tuples.end(), this->Originals.begin(), this->Originals.end());
-  data->CopyAllOn();
-  data->CopyAllocate(this->Input->GetPointData(), total);
-  CopyTuples(this->Input->GetPointData(), data, tuples, 0);
+  CopyTuples(this->Input->GetPointData(), data, this->Originals);
 }
 
-void PartSurfaces::AddWeights(const CellMaterials& cells, const PartSets& sets)
+void PartSurfaces::AddWeights(const PolygonMaterials& materials, const MaterialPartition& partition)
 {
-  const bool ofClasses = !cells.GetPointClasses().empty();
-  std::size_t most = static_cast<std::size_t>(sets.GetNumberOfSlots());
-  for (const CellMaterials::Set& set : sets.Get())
+  const bool ofClasses = !materials.PointClasses.empty();
+  auto most = static_cast<std::size_t>(partition.NumberOfSlots);
+  for (const MaterialPartition::Group& group : partition.Groups)
   {
-    most = std::max(most, set.size());
+    most = std::max(most, group.Materials.size());
   }
-  if (most < 2)
-  {
-    return;
-  }
-  const int groups = static_cast<int>(most + WeightsPerGroup - 1) / WeightsPerGroup;
-  const vtkIdType points = this->Input->GetNumberOfPoints();
-  for (int group = 0; group < groups; ++group)
+  const std::size_t groupSize = WeightsPerGroup;
+  for (std::size_t begin = 0; begin < most && most > 1; begin += groupSize)
   {
     vtkNew<vtkFloatArray> array;
-    array->SetName(partarrays::GetWeights(group).c_str());
+    array->SetName(partarrays::GetWeights(static_cast<int>(begin / groupSize)).c_str());
     array->SetNumberOfComponents(WeightsPerGroup);
     array->SetNumberOfTuples(this->Base->GetNumberOfPoints());
     array->FillValue(0.0f);
-    for (vtkIdType p = 0; p < this->Base->GetNumberOfPoints(); ++p)
+    for (std::size_t p = 0; p < this->Owners.size(); ++p)
     {
-      const auto k = static_cast<std::size_t>(p < points ? p : p - points);
-      const std::size_t owner = p < points ? this->FirstOwners[k] : this->Owners[k];
-      const vtkIdType original = p < points ? p : this->Originals[k];
-      for (int c = 0; owner != NoOwner && c < WeightsPerGroup; ++c)
+      const std::size_t owner = this->Owners[p];
+      for (std::size_t slot = begin; owner != NoOwner && slot < begin + groupSize; ++slot)
       {
-        const int slot = WeightsPerGroup * group + c;
-        if (ofClasses)
+        float weight = ofClasses && owner == slot ? 1.0f : 0.0f;
+        if (!ofClasses && slot < partition.Groups[owner].Materials.size())
         {
-          array->SetTypedComponent(p, c, owner == static_cast<std::size_t>(slot) ? 1.0f : 0.0f);
-          continue;
+          weight = materials.GetWeight(this->Originals[p], partition.Groups[owner].Materials[slot]);
         }
-        const int material = cells.GetMember(sets.Get()[owner], slot);
-        if (material >= 0)
-        {
-          array->SetTypedComponent(p, c, cells.GetWeight(original, material));
-        }
+        array->SetTypedComponent(static_cast<vtkIdType>(p), static_cast<int>(slot - begin), weight);
       }
     }
     this->Base->GetPointData()->AddArray(array);
   }
 }
 
-void PartSurfaces::AddClasses(const CellMaterials& cells)
-{
-  vtkNew<vtkFloatArray> array;
-  array->SetName(partarrays::Class);
-  const vtkIdType points = this->Input->GetNumberOfPoints();
-  array->SetNumberOfTuples(this->Base->GetNumberOfPoints());
-  for (vtkIdType p = 0; p < this->Base->GetNumberOfPoints(); ++p)
-  {
-    const vtkIdType original =
-      p < points ? p : this->Originals[static_cast<std::size_t>(p - points)];
-    array->SetValue(
-      p, static_cast<float>(cells.GetPointClasses()[static_cast<std::size_t>(original)]));
-  }
-  this->Base->GetPointData()->AddArray(array);
-}
-
-void PartSurfaces::AddValues(const CellMaterials& cells)
+void PartSurfaces::AddValues(const PolygonMaterials& materials)
 {
   vtkNew<vtkFloatArray> array;
   array->SetName(partarrays::Value);
-  const vtkIdType points = this->Input->GetNumberOfPoints();
-  array->SetNumberOfTuples(this->Base->GetNumberOfPoints());
-  for (vtkIdType p = 0; p < this->Base->GetNumberOfPoints(); ++p)
+  for (std::size_t p = 0; p < this->Owners.size(); ++p)
   {
-    const auto k = static_cast<std::size_t>(p < points ? p : p - points);
-    float value = 0.0f;
-    if (!cells.GetPointValues().empty())
-    {
-      value = cells.GetPointValues()[k];
-    }
-    else
-    {
-      const std::size_t owner = p < points ? this->FirstOwners[k] : this->Owners[k];
-      value = owner == NoOwner ? 0.0f : cells.GetPolygonValues()[owner];
-    }
-    array->SetValue(p, value);
+    const std::size_t owner = this->Owners[p];
+    array->InsertNextValue(!materials.PointValues.empty()
+                             ? materials.PointValues[static_cast<std::size_t>(this->Originals[p])]
+                             : (owner == NoOwner ? 0.0f : materials.PolygonValues[owner]));
   }
   this->Base->GetPointData()->AddArray(array);
 }
 
-void PartSurfaces::AddCoordinates()
+std::vector<vtkSmartPointer<vtkPolyData>> PartSurfaces::Distribute(
+  const PolygonMaterials& materials, const MaterialPartition& partition)
 {
-  vtkDataArray* coordinates = this->Base->GetPointData()->GetTCoords();
-  const auto named = vtkSmartPointer<vtkDataArray>::Take(coordinates->NewInstance());
-  named->ShallowCopy(coordinates);
-  named->SetName(partarrays::Coordinates);
-  this->Base->GetPointData()->AddArray(named);
-}
-
-void PartSurfaces::Distribute(const CellMaterials& cells, const PartSets& sets)
-{
-  this->NumberCorners(cells, sets);
+  this->NumberCorners(materials, partition);
   this->CopyPoints();
-  if (cells.HasPointWeights())
+  if (materials.HasPointWeights())
   {
-    this->AddWeights(cells, sets);
-    if (sets.GetNumberOfSlots() > 0)
-    {
-      this->AddClasses(cells);
-    }
+    this->AddWeights(materials, partition);
   }
-  else if (!cells.GetKnots().empty())
+  else if (!materials.Knots.empty())
   {
-    this->AddValues(cells);
+    this->AddValues(materials);
   }
-  else if (cells.HasImages())
+  else if (!materials.ImageShares.empty())
   {
-    this->AddCoordinates();
+    vtkDataArray* coordinates = this->Base->GetPointData()->GetTCoords();
+    const auto named = vtkSmartPointer<vtkDataArray>::Take(coordinates->NewInstance());
+    named->ShallowCopy(coordinates);
+    named->SetName(partarrays::Coordinates);
+    this->Base->GetPointData()->AddArray(named);
   }
-  std::vector<std::vector<vtkIdType>> source(sets.Get().size()); // the input's cells
-  this->PolygonsOf.resize(sets.Get().size());
-  for (std::size_t k = 0; k < sets.Get().size(); ++k)
+  const std::size_t groups = partition.Groups.size();
+  std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
+  for (std::size_t k = 0; k < groups; ++k)
   {
-    this->Surfaces.push_back(vtkSmartPointer<vtkPolyData>::New());
-    this->Surfaces[k]->SetPoints(this->Base->GetPoints());
-    this->Surfaces[k]->GetPointData()->ShallowCopy(this->Base->GetPointData());
-    vtkNew<vtkCellArray> polygons;
-    this->Surfaces[k]->SetPolys(polygons);
+    surfaces.push_back(vtkSmartPointer<vtkPolyData>::New());
+    surfaces[k]->SetPoints(this->Base->GetPoints());
+    surfaces[k]->GetPointData()->ShallowCopy(this->Base->GetPointData());
+    surfaces[k]->SetPolys(vtkNew<vtkCellArray>());
   }
+  std::vector<std::vector<vtkIdType>> source(groups); // the input's cells
   const vtkIdType* corner = this->Corners.data();
-  for (vtkIdType k = 0; k < this->Polygons->GetNumberOfCells(); ++k)
+  for (std::size_t k = 0; k < this->Cells.size(); ++k)
   {
-    const vtkIdType count = this->Polygons->GetCellSize(k);
-    for (int place : sets.Find(cells.GetSetOfPolygon()[static_cast<std::size_t>(k)]))
+    const vtkIdType count = this->Polygons->GetCellSize(static_cast<vtkIdType>(k));
+    const auto set = static_cast<std::size_t>(materials.SetOfPolygon[k]);
+    for (int group : partition.GroupsOf[set])
     {
-      const auto set = static_cast<std::size_t>(place);
-      this->Surfaces[set]->GetPolys()->InsertNextCell(count, corner);
-      source[set].push_back(this->Cells[static_cast<std::size_t>(k)]);
-      this->PolygonsOf[set].push_back(k);
+      const auto place = static_cast<std::size_t>(group);
+      surfaces[place]->GetPolys()->InsertNextCell(count, corner);
+      source[place].push_back(this->Cells[k]);
     }
     corner += count;
   }
-  for (std::size_t k = 0; k < source.size(); ++k)
+  for (std::size_t k = 0; k < groups; ++k)
   {
-    vtkCellData* data = this->Surfaces[k]->GetCellData();
-    data->CopyAllOn();
-    data->CopyAllocate(this->Input->GetCellData(), static_cast<vtkIdType>(source[k].size()));
-    CopyTuples(this->Input->GetCellData(), data, source[k], 0);
-    this->Surfaces[k]->GetFieldData()->ShallowCopy(this->Input->GetFieldData());
+    CopyTuples(this->Input->GetCellData(), surfaces[k]->GetCellData(), source[k]);
+    surfaces[k]->GetFieldData()->ShallowCopy(this->Input->GetFieldData());
   }
+  return surfaces;
 }
 } // namespace measuredbrdf

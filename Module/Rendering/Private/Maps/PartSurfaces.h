@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The surfaces of a surface's parts. Private to the rendering room.
+ * The surfaces of a surface's parts. Private to the rendering component.
  *
  * All parts share one array of points: they get one vertex buffer, and where they meet their edges
  * are the same to the last bit. A point where several parts need weights of their own stands in
@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <map>
+#include <string>
 #include <vector>
 
 class vtkBRDF;
@@ -26,8 +27,24 @@ class vtkPolyData;
 
 namespace measuredbrdf
 {
-class CellMaterials;
-class PartSets;
+struct MaterialPartition;
+struct PolygonMaterials;
+
+/// Names of the point arrays of a surface's parts, and of the vertex attributes that they become.
+namespace partarrays
+{
+/// Weights in an array: components of a vertex attribute.
+constexpr int WeightsPerGroup = 4;
+
+/// The weights of slots from WeightsPerGroup times group on.
+inline std::string GetWeights(int group) { return "brdfWeights" + std::to_string(group); }
+
+/// The place on a map's scale of values: 0 is its first, 1 its last.
+constexpr const char* Value = "brdfValue";
+
+/// Texture coordinates of weights in images.
+constexpr const char* Coordinates = "brdfCoordinates";
+} // namespace partarrays
 
 class PartSurfaces
 {
@@ -44,51 +61,37 @@ public:
   ///@}
 
   /// Cut the polygons along the borders between classes of points, so that each is of one class.
-  void CutBorders(CellMaterials& cells);
+  void CutBorders(PolygonMaterials& materials);
 
   /// Decompose polygons in which more than so many materials meet into triangles. Returns whether
   /// there are any: the materials of polygons are to be found anew then.
-  bool SplitPolygons(const CellMaterials& cells, std::size_t most);
+  bool SplitPolygons(const PolygonMaterials& materials, std::size_t most);
 
   /// The area of each material.
-  std::map<vtkBRDF*, double> GetAreas(const CellMaterials& cells) const;
+  std::map<vtkBRDF*, double> GetAreas(const PolygonMaterials& materials) const;
 
-  /// Make the surfaces.
-  void Distribute(const CellMaterials& cells, const PartSets& sets);
-
-  /// That of a set, after Distribute.
-  vtkPolyData* GetSurface(std::size_t set) const { return this->Surfaces[set]; }
-
-  /// Which of all polygons it has, after Distribute.
-  const std::vector<vtkIdType>& GetPolygonsOf(std::size_t set) const
-  {
-    return this->PolygonsOf[set];
-  }
+  /// The surface of each group of the partition.
+  std::vector<vtkSmartPointer<vtkPolyData>> Distribute(
+    const PolygonMaterials& materials, const MaterialPartition& partition);
 
   /// The input's vertices and lines, which no material draws; null: it has none.
-  vtkPolyData* GetVerticesAndLines() const { return this->Others; }
+  vtkSmartPointer<vtkPolyData> MakeVerticesAndLines() const;
 
 private:
-  void DecomposeStrips();
-  void NumberCorners(const CellMaterials& cells, const PartSets& sets);
+  // Number the corners as parts have them: doubled points come after the input's.
+  void NumberCorners(const PolygonMaterials& materials, const MaterialPartition& partition);
   void CopyPoints();
-  void AddClasses(const CellMaterials& cells);
-  void AddWeights(const CellMaterials& cells, const PartSets& sets);
-  void AddValues(const CellMaterials& cells);
-  void AddCoordinates();
-  void MakeVerticesAndLines();
+  void AddWeights(const PolygonMaterials& materials, const MaterialPartition& partition);
+  void AddValues(const PolygonMaterials& materials);
 
   vtkSmartPointer<vtkPolyData> Input;
   vtkNew<vtkCellArray> Polygons;
   std::vector<vtkIdType> Cells;
-  std::vector<vtkIdType> Corners;       // the polygons' points, numbered as the parts have them
-  std::vector<vtkIdType> Originals;     // the input's point of each added one
-  std::vector<std::size_t> Owners;      // the set, slot or polygon that an added point belongs to
-  std::vector<std::size_t> FirstOwners; // the same for the input's points
-  vtkNew<vtkPolyData> Base;             // the parts' points and point data
-  std::vector<vtkSmartPointer<vtkPolyData>> Surfaces;
-  std::vector<std::vector<vtkIdType>> PolygonsOf;
-  vtkSmartPointer<vtkPolyData> Others;
+  std::vector<vtkIdType> Corners;   // the polygons' points, numbered as the parts have them
+  std::vector<vtkIdType> Originals; // the input's point of each of the parts' points
+  // Whose weights a point of the parts has: those of a group, a slot or a polygon, by its number.
+  std::vector<std::size_t> Owners;
+  vtkNew<vtkPolyData> Base; // the parts' points and point data
 };
 } // namespace measuredbrdf
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The materials that primitives are being drawn with. Private to the rendering room.
+ * The materials that primitives are being drawn with. Private to the rendering component.
  */
 
 #ifndef SelectedMaterials_h
@@ -52,7 +52,7 @@ private:
   bool FollowOn(const DrawnMaterials& materials, const MixtureText& text);
 
   DrawnMaterials Materials;
-  std::vector<FormTextures*> Textures; // of the materials, those that several share once
+  std::vector<ShaderTextures*> Textures; // of the materials, those that several share once
   MixtureText Mixture;
 };
 } // namespace measuredbrdf

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The surfaces of a mapper's input: itself, or its blocks. Private to the rendering room.
+ * The surfaces of a mapper's input: itself, or its blocks. Private to the rendering component.
  */
 
 #ifndef SurfaceBlocks_h

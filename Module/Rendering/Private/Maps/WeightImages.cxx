@@ -24,18 +24,9 @@ namespace
 vtkDataArray* GetScalars(vtkImageData* image) { return image->GetPointData()->GetScalars(); }
 
 bool IsInteger(int type) { return type != VTK_FLOAT && type != VTK_DOUBLE; }
-}
 
-WeightImages::WeightImages(vtkMaterialMap* map)
-{
-  this->Check(map);
-  if (this->Problem.empty())
-  {
-    this->Measure(map);
-  }
-}
-
-void WeightImages::Check(vtkMaterialMap* map)
+// Why the images cannot be used, or "". warning: what is odd about them.
+std::string Check(vtkMaterialMap* map, std::string& warning)
 {
   int components = 0;
   bool anyLeft = false; // weights of no material
@@ -48,17 +39,15 @@ void WeightImages::Check(vtkMaterialMap* map)
     image->GetDimensions(dimensions);
     if (!scalars || dimensions[2] != 1 || image->GetNumberOfPoints() == 0)
     {
-      this->Problem = name + " is not an image of one slice with scalars";
-      return;
+      return name + " is not an image of one slice with scalars";
     }
     if (scalars->GetNumberOfComponents() > 4 ||
         scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
     {
-      this->Problem = name + " has " + std::to_string(scalars->GetNumberOfComponents()) +
-                      " components and " + std::to_string(scalars->GetNumberOfTuples()) +
-                      " tuples, expected 1 to 4 components and " +
-                      std::to_string(image->GetNumberOfPoints()) + " tuples";
-      return;
+      return name + " has " + std::to_string(scalars->GetNumberOfComponents()) +
+             " components and " + std::to_string(scalars->GetNumberOfTuples()) +
+             " tuples, expected 1 to 4 components and " +
+             std::to_string(image->GetNumberOfPoints()) + " tuples";
     }
     for (int c = 0; c < scalars->GetNumberOfComponents(); ++c)
     {
@@ -72,17 +61,19 @@ void WeightImages::Check(vtkMaterialMap* map)
   }
   if (components < map->GetNumberOfMaterials())
   {
-    this->Problem = "its weight images have " + std::to_string(components) + " components for " +
-                    std::to_string(map->GetNumberOfMaterials()) + " materials";
+    return "its weight images have " + std::to_string(components) + " components for " +
+           std::to_string(map->GetNumberOfMaterials()) + " materials";
   }
-  else if (anyLeft) // image files often have three components for two materials
+  if (anyLeft) // image files often have three components for two materials
   {
-    this->Warning = "the last " + std::to_string(components - map->GetNumberOfMaterials()) +
-                    " components of the weight images belong to no material";
+    warning = "the last " + std::to_string(components - map->GetNumberOfMaterials()) +
+              " components of the weight images belong to no material";
   }
+  return "";
 }
 
-std::vector<float> WeightImages::GetValues(vtkImageData* image, std::size_t& bad)
+// Values as floats, at least 0; bad is raised by the number of others.
+std::vector<float> GetValues(vtkImageData* image, std::size_t& bad)
 {
   vtkDataArray* scalars = GetScalars(image);
   const int components = scalars->GetNumberOfComponents();
@@ -102,48 +93,15 @@ std::vector<float> WeightImages::GetValues(vtkImageData* image, std::size_t& bad
   return values;
 }
 
-namespace
-{
-// Where a line across the images is looked at: at the centers of all texels. Between these weights
-// are linear, so that nothing is missed that is seen anywhere.
-struct Samples
-{
-  Samples(std::vector<int> sizes, bool repeats)
-  {
-    std::sort(sizes.begin(), sizes.end());
-    sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
-    for (int size : sizes)
-    {
-      for (int k = 0; k < size; ++k)
-      {
-        this->At.push_back((k + 0.5) / size);
-      }
-    }
-    std::sort(this->At.begin(), this->At.end());
-    this->At.erase(std::unique(this->At.begin(), this->At.end()), this->At.end());
-    for (std::size_t k = 0; k < this->At.size(); ++k)
-    {
-      const double before =
-        k > 0 ? this->At[k - 1] : (repeats ? this->At.back() - 1.0 : -this->At[0]);
-      const double after = k + 1 < this->At.size()
-                             ? this->At[k + 1]
-                             : (repeats ? this->At[0] + 1.0 : 2.0 - this->At.back());
-      this->Shares.push_back(0.5 * (after - before));
-    }
-  }
-
-  std::vector<double> At;     // from 0 to 1
-  std::vector<double> Shares; // of the line; their sum is 1
-};
-
-// The texels of an image that a sample lies between, as textures are interpolated.
+// The texels of a line of an image that the center of a texel of a finer line lies between, as
+// textures are interpolated.
 struct Between
 {
-  Between(double at, int size, bool repeats)
+  Between(int texel, int count, int size, bool repeats)
   {
-    const double texel = at * size - 0.5;
-    const double below = std::floor(texel + Exact);
-    this->Share = texel - below < Exact ? 0.0 : texel - below;
+    const double at = (texel + 0.5) * size / count - 0.5;
+    const double below = std::floor(at + Exact);
+    this->Share = at - below < Exact ? 0.0 : at - below;
     const auto limit = [size, repeats](double k)
     {
       const double turned =
@@ -172,96 +130,92 @@ struct MeasuredImage
   {
     const Between& x = this->Columns[column];
     const Between& y = this->Rows[row];
-    const auto texel = [&](std::size_t at, std::size_t line)
+    const auto line = [&](std::size_t at)
     {
-      return static_cast<double>(
-        this->Values[(line * this->Width + at) * this->Components + component]);
+      const float* texels = &this->Values[at * this->Width * this->Components + component];
+      return texels[x.Low * this->Components] * (1.0 - x.Share) +
+             texels[x.High * this->Components] * x.Share;
     };
-    const double low = texel(x.Low, y.Low) * (1.0 - x.Share) + texel(x.High, y.Low) * x.Share;
-    const double high = texel(x.Low, y.High) * (1.0 - x.Share) + texel(x.High, y.High) * x.Share;
-    return low * (1.0 - y.Share) + high * y.Share;
+    return line(y.Low) * (1.0 - y.Share) + line(y.High) * y.Share;
   }
 };
 }
 
-void WeightImages::Measure(vtkMaterialMap* map)
+// Weights are looked at where the texels of the finest image have their centers: a texel of a
+// coarser one is seen there, too.
+WeightShares MeasureWeightImages(vtkMaterialMap* map)
 {
+  WeightShares shares;
+  shares.Problem = Check(map, shares.Warning);
+  if (!shares.Problem.empty())
+  {
+    return shares;
+  }
   const auto materials = static_cast<std::size_t>(map->GetNumberOfMaterials());
-  const bool repeats = map->GetRepeatWeightImages();
-  std::vector<int> sizes[2];
+  int width = 0;
+  int height = 0;
   for (int k = 0; k < map->GetNumberOfWeightImages(); ++k)
   {
-    int size[3];
-    map->GetWeightImage(k)->GetDimensions(size);
-    sizes[0].push_back(size[0]);
-    sizes[1].push_back(size[1]);
+    const int* size = map->GetWeightImage(k)->GetDimensions();
+    width = std::max(width, size[0]);
+    height = std::max(height, size[1]);
   }
-  const Samples columns(sizes[0], repeats);
-  const Samples rows(sizes[1], repeats);
   std::size_t bad = 0;
   std::vector<MeasuredImage> images;
   for (int k = 0; k < map->GetNumberOfWeightImages(); ++k)
   {
     vtkImageData* image = map->GetWeightImage(k);
-    const auto place = static_cast<std::size_t>(k);
-    MeasuredImage measured;
-    measured.Values = GetValues(image, bad);
-    measured.Width = static_cast<std::size_t>(sizes[0][place]);
-    measured.Components = static_cast<std::size_t>(GetScalars(image)->GetNumberOfComponents());
-    for (double at : columns.At)
+    const int* size = image->GetDimensions();
+    images.push_back({ GetValues(image, bad), static_cast<std::size_t>(size[0]),
+      static_cast<std::size_t>(GetScalars(image)->GetNumberOfComponents()), {}, {} });
+    for (int x = 0; x < width; ++x)
     {
-      measured.Columns.emplace_back(at, sizes[0][place], repeats);
+      images.back().Columns.emplace_back(x, width, size[0], map->GetRepeatWeightImages());
     }
-    for (double at : rows.At)
+    for (int y = 0; y < height; ++y)
     {
-      measured.Rows.emplace_back(at, sizes[1][place], repeats);
+      images.back().Rows.emplace_back(y, height, size[1], map->GetRepeatWeightImages());
     }
-    images.push_back(std::move(measured));
   }
-  // Of each row: the materials' means, then the share without any.
-  std::vector<double> sums(rows.At.size() * (materials + 1), 0.0);
-  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(rows.At.size()),
+  const std::size_t columns = materials + 1;
+  std::vector<double> sums(static_cast<std::size_t>(height) * columns, 0.0); // of each row
+  ParallelFor(0, height,
     [&](vtkIdType begin, vtkIdType end)
     {
-      std::vector<double> weights(materials);
+      std::vector<double> weights(columns);
       for (auto row = static_cast<std::size_t>(begin); row < static_cast<std::size_t>(end); ++row)
       {
-        double* means = &sums[row * (materials + 1)];
-        for (std::size_t column = 0; column < columns.At.size(); ++column)
+        for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x)
         {
           std::size_t material = 0;
           double sum = 0.0;
           for (const MeasuredImage& image : images)
           {
-            for (std::size_t c = 0; c < image.Components && material < materials; ++c, ++material)
+            for (std::size_t c = 0; c < image.Components && material < materials; ++c)
             {
-              weights[material] = image.Get(column, row, c);
+              weights[++material] = image.Get(x, row, c);
               sum += weights[material];
             }
           }
-          const double share = columns.Shares[column] * rows.Shares[row];
-          means[materials] += sum > 0.0 ? 0.0 : share;
-          for (std::size_t k = 0; k < materials && sum > 0.0; ++k)
+          sums[row * columns] += sum > 0.0 ? 0.0 : 1.0;
+          for (std::size_t k = 1; k < columns && sum > 0.0; ++k)
           {
-            means[k] += share * weights[k] / sum;
+            sums[row * columns + k] += weights[k] / sum;
           }
         }
       }
     });
-  this->Means.assign(materials, 0.0);
-  for (std::size_t row = 0; row < rows.At.size(); ++row)
+  shares.Means.assign(columns, 0.0);
+  for (std::size_t k = 0; k < sums.size(); ++k)
   {
-    for (std::size_t k = 0; k < materials; ++k)
-    {
-      this->Means[k] += sums[row * (materials + 1) + k];
-    }
-    this->Empty += sums[row * (materials + 1) + materials];
+    shares.Means[k % columns] += sums[k] / (static_cast<double>(width) * height);
   }
   if (bad > 0)
   {
-    this->Warning += (this->Warning.empty() ? "" : "; ") + std::to_string(bad) +
-                     " weights in images are negative, infinite or NaN and count as 0";
+    shares.Warning += (shares.Warning.empty() ? "" : "; ") + std::to_string(bad) +
+                      " weights in images are negative, infinite or NaN and count as 0";
   }
+  return shares;
 }
 
 std::shared_ptr<WeightTextures> WeightTextures::Find(
@@ -312,7 +266,7 @@ std::string WeightTextures::Update(vtkMaterialMap* map, vtkOpenGLRenderWindow* w
       return "weight image " + std::to_string(k) + " is larger than this graphics card's limit";
     }
     std::size_t bad = 0; // reported when the surface was divided
-    std::vector<float> values = WeightImages::GetValues(image, bad);
+    std::vector<float> values = GetValues(image, bad);
     auto texture = vtkSmartPointer<vtkTextureObject>::New();
     texture->SetContext(window);
     const int wrap = repeats ? vtkTextureObject::Repeat : vtkTextureObject::ClampToEdge;

@@ -3,7 +3,7 @@
 /**
  * @file
  * The images of weights of a material map: checked, and on a window's GPU. Private to the rendering
- * room.
+ * component.
  */
 
 #ifndef WeightImages_h
@@ -26,36 +26,16 @@ class vtkTextureObject;
 
 namespace measuredbrdf
 {
-/// What is in them, with the weights of a place divided by their sum. Images may differ in size.
-class WeightImages
+/// What is in a map's images of weights, with the weights of a place divided by their sum.
+struct WeightShares
 {
-public:
-  explicit WeightImages(vtkMaterialMap* map);
-
-  ///@{
-  /// Why they cannot be used, or ""; what is odd about them, or "".
-  const std::string& GetProblem() const { return this->Problem; }
-  const std::string& GetWarning() const { return this->Warning; }
-  ///@}
-
-  /// The mean of a material's weight.
-  double GetMean(int material) const { return this->Means[static_cast<std::size_t>(material)]; }
-
-  /// The share of texels without any weight.
-  double GetEmptyShare() const { return this->Empty; }
-
-  /// Values of an image as floats, at least 0, of as many components as it has.
-  static std::vector<float> GetValues(vtkImageData* image, std::size_t& bad);
-
-private:
-  void Check(vtkMaterialMap* map);
-  void Measure(vtkMaterialMap* map);
-
-  std::string Problem;
-  std::string Warning;
-  std::vector<double> Means;
-  double Empty = 0.0;
+  std::string Problem;       // why they cannot be used, or ""
+  std::string Warning;       // what is odd about them, or ""
+  std::vector<double> Means; // the share of places without any weight, then each material's mean
 };
+
+/// Images may differ in size.
+WeightShares MeasureWeightImages(vtkMaterialMap* map);
 
 /// Shared by all that draw by the map in a window.
 class WeightTextures
