@@ -80,6 +80,10 @@ struct LegendGrid
   }
 };
 
+}
+
+namespace measuredbrdf
+{
 // A rectangle in pixels: its edges, or filled, with or without a texture.
 struct LegendRectangle
 {
@@ -131,6 +135,10 @@ struct LegendRectangle
   vtkNew<vtkTexturedActor2D> Actor;
 };
 
+} // namespace measuredbrdf
+
+namespace
+{
 // As much of a text as is not wider, with dots where some is missing.
 void CutToWidth(vtkTextActor* actor, const std::string& text, vtkViewport* viewport, double width)
 {
