@@ -561,9 +561,9 @@ add("Fitting.pbr-metals-are-diffuse", "PBRShading.h", "(1.0 - p.Metallic) * c * 
 
 add("Fitting.multiplier-is-not-removed", "SimplexLeastSquares.cxx", "this->Z -= this->Multiplier * solved.col(1);", "",
     "SimplexLeastSquares.NothingNearbyIsBetter")
-add("Fitting.masked-photographs-count", "TexelSums.cxx", "if (this->IsMasked(k, p) != subtract)",
+add("Fitting.masked-photographs-count", "TexelWeights.cxx", "if (this->IsMasked(k, p) != subtract)",
     "if (this->IsMasked(k, p) == subtract)", "MaterialMapFitter.LeavesOutSpoiledPixels")
-add("Fitting.saturated-pixels-count", "PhotographPixels.cxx", "most >= this->Saturation", "most > this->Saturation",
+add("Fitting.saturated-pixels-count", "PhotographPasses.cxx", "most >= this->Saturation", "most > this->Saturation",
     "MaterialMapFitter.IntegersAreSharesOfTheirLargest|MaterialMapFitter.LeavesOutSpoiledPixels")
 add("Fitting.library-without-exchange-of-weights", "TexelWeights.cxx", "solution.Weights.dot(matrix * solution.Weights)",
     "solution.Weights.dot(right)", "MaterialMapFitter.FindsTheMaterialsOfALibraryAndTheirWeights")
