@@ -7,8 +7,6 @@
 #define vtkMeasuredBRDFMapperMixinOcclusion_txx
 
 #include "MaterialDrawing.h"
-#include "OcclusionAxes.h"
-#include "OcclusionKept.h"
 #include "OcclusionPoints.h"
 #include "OcclusionShader.h"
 #include "ShaderLimits.h"
