@@ -26,18 +26,6 @@ measuredbrdf_find_optional(Ceres libceres-dev)
 measuredbrdf_find_optional(OpenEXR libopenexr-dev)
 measuredbrdf_find_optional(OpenImageIO "libopenimageio-dev openimageio-tools")
 
-# Embree is only faster than the module's own code: nothing is lost where it is not found. Versions 3
-# and 4 have packages of one name.
-option(MEASUREDBRDF_WITH_EMBREE "Trace rays with Embree 3 or 4, where it is found" ON)
-if (MEASUREDBRDF_WITH_EMBREE)
-  find_package(embree QUIET)
-  set(embree_major "${EMBREE_VERSION_MAJOR}")
-  if (NOT embree_FOUND OR NOT TARGET embree OR NOT embree_major MATCHES "^[34]$")
-    message(STATUS "Embree 3 or 4 was not found (Debian: libembree-dev).")
-    set(MEASUREDBRDF_WITH_EMBREE OFF) # of this folder and its own; the option stays
-  endif ()
-endif ()
-
 # One is optional for the command line tool.
 if (MEASUREDBRDF_BUILD_TOOL)
   option(MEASUREDBRDF_WITH_CURL "Download materials and environments (needs libcurl)" ON)

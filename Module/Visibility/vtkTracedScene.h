@@ -9,9 +9,7 @@
  * occlusion is off. Polygons and strips hide from both sides; vertices and lines hide nothing.
  * Triangles without area, or with coordinates that are not finite, are left out and counted.
  *
- * A scene takes 54 to 89 bytes a triangle of a closed mesh, and 12 a point with normals. Rays
- * are traced by Embree where the build has it (vtkMeasuredBRDFConfigure.h), else by the module's
- * own code, with the same results.
+ * A scene takes about 54 bytes a triangle of a closed mesh, and 12 a point with normals.
  */
 
 #ifndef vtkTracedScene_h
@@ -51,16 +49,6 @@ public:
   void RemoveAllSurfaces();
 
   int GetNumberOfSurfaces();
-
-  ///@{
-  /**
-   * Trace by Embree where the build has it (default on); and whether this scene does.
-   */
-  void SetUseEmbree(bool useEmbree);
-  vtkGetMacro(UseEmbree, bool);
-  vtkBooleanMacro(UseEmbree, bool);
-  bool IsTracedByEmbree();
-  ///@}
 
   /**
    * Make ready for rays what was added since the last call. All that trace do so themselves.
@@ -113,8 +101,6 @@ public:
 protected:
   vtkTracedScene();
   ~vtkTracedScene() override;
-
-  bool UseEmbree = true;
 
 private:
   vtkTracedScene(const vtkTracedScene&) = delete;

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Rays of a scene: processor time to build, bytes a triangle, and occlusion rays a second of one
-// core, by Embree, where the build has it, and without. Heights over a plane; rays leave from
-// places on it in all upward directions.
+// core. Heights over a plane; rays leave from places on it in all upward directions.
 #include "SurfaceTracer.h"
 #include "vtkCellArray.h"
 #include "vtkNew.h"
@@ -55,10 +54,10 @@ vtkSmartPointer<vtkPolyData> MakeHeights(int steps)
   return surface;
 }
 
-void Measure(vtkPolyData* surface, SurfaceTracer::Backend backend)
+void Measure(vtkPolyData* surface)
 {
   const double start = GetSeconds();
-  SurfaceTracer tracer(backend);
+  SurfaceTracer tracer;
   tracer.AddSurface(surface);
   tracer.Build();
   const double built = GetSeconds();
@@ -79,9 +78,8 @@ void Measure(vtkPolyData* surface, SurfaceTracer::Backend backend)
       tracer.IsOccluded(origin, direction, 0.0, std::numeric_limits<double>::infinity()) ? 1 : 0;
   }
   const double traced = GetSeconds() - built;
-  std::printf("%s,%lld,%.2f,%.1f,%.2f,%.3f\n",
-    backend == SurfaceTracer::Backend::Own ? "own" : "embree",
-    static_cast<long long>(tracer.GetNumberOfTriangles()), built - start,
+  std::printf("%lld,%.2f,%.1f,%.2f,%.3f\n", static_cast<long long>(tracer.GetNumberOfTriangles()),
+    built - start,
     static_cast<double>(tracer.GetBytes()) / static_cast<double>(tracer.GetNumberOfTriangles()),
     1e-6 * rays / traced, static_cast<double>(hidden) / rays);
   std::fflush(stdout);
@@ -100,14 +98,10 @@ int main(int argc, char** argv)
       all.push_back(std::atoi(argv[k]));
     }
   }
-  std::printf("tracer,triangles,build CPU s,bytes a triangle,million rays a CPU s,hidden\n");
+  std::printf("triangles,build CPU s,bytes a triangle,million rays a CPU s,hidden\n");
   for (const int steps : all)
   {
-    const auto surface = MakeHeights(steps);
-    for (const auto backend : { SurfaceTracer::Backend::Own, SurfaceTracer::Backend::Embree })
-    {
-      Measure(surface, backend);
-    }
+    Measure(MakeHeights(steps));
   }
   return 0;
 }

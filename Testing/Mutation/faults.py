@@ -835,20 +835,20 @@ add("Sources.material-changes-unseen", "MaterialSource.h", "std::max(time, brdf-
 
 # Visibility
 
-add("Visibility.edges-of-one-sign", "TriangleSet.h", "(u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0",
-    "(u < 0.0 || v < 0.0 || w < 0.0) || (u > 0.0", "EitherTracer.IsWatertight|EitherTracer.DescribesTheHit")
+add("Visibility.edges-of-one-sign", "SurfaceTracer.cxx", "(u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0",
+    "(u < 0.0 || v < 0.0 || w < 0.0) || (u > 0.0", "SurfaceTracer.IsWatertight|SurfaceTracer.DescribesTheHit")
 add("Visibility.offset-to-the-other-side", "SurfaceTracer.cxx", "origin[c] = point[c] + side * n[c];",
-    "origin[c] = point[c] - side * n[c];", "EitherTracer.PointsOfASphereSeeOut")
-add("Visibility.strips-turn-over", "TriangleSet.cxx", "{ ids[k - 2], ids[k - 1 + k % 2], ids[k - k % 2] }",
-    "{ ids[k - 2], ids[k - 1], ids[k] }", "EitherTracer.ReadsStrips")
-add("Visibility.matrix-by-columns", "TriangleSet.cxx", "m[4 * c + 2] * p.z + m[4 * c + 3]",
-    "m[4 * c + 2] * p.z + m[12 + c]", "EitherTracer.DescribesTheHit")
-add("Visibility.farthest-triangle", "TriangleTree.cxx", "ray.Most = t = at;", "t = at;",
-    "SurfaceTracer.BackendsAgree")
+    "origin[c] = point[c] - side * n[c];", "SurfaceTracer.PointsOfASphereSeeOut")
+add("Visibility.strips-turn-over", "SurfacePoints.h", "ids[n - 1 + n % 2],",
+    "ids[n - 1 + 0 % 2],", "SurfaceTracer.ReadsStrips")
+add("Visibility.matrix-by-columns", "SurfaceTracer.cxx", "m[4 * c + 2] * p.z + m[4 * c + 3]",
+    "m[4 * c + 2] * p.z + m[12 + c]", "SurfaceTracer.DescribesTheHit")
+add("Visibility.farthest-triangle", "SurfaceTracer.cxx", "ray.Most = t = distance;", "t = distance;",
+    "SurfaceTracer.FindsTheNearestTriangle")
 
-add("Visibility.points-below-the-facet", "vtkTracedSurfaces.cxx", "return from.Position + this->Tracer->GetOffset()",
+add("Visibility.points-below-the-facet", "vtkTracedScene.cxx", "return from.Position + this->Tracer->GetOffset()",
     "return from.Position - this->Tracer->GetOffset()", "Traced.TwoSidedSheets")
-add("Visibility.no-lift-above-facets", "vtkTracedSurfaces.cxx", "point.Position += lift;", "",
+add("Visibility.no-lift-above-facets", "vtkTracedScene.cxx", "point.Position += lift;", "",
     "Traced.ConvexSurfacesHideNothing")
 add("Integration.traced-one-bounce-too-many", "TracedRadiance.cxx", "for (int k = 0; k < bounces; ++k)",
     "for (int k = 0; k <= bounces; ++k)", "Traced.BowlsAndFurnaces")
@@ -1187,38 +1187,21 @@ add("Fetch.files-have-no-names", "FetchCatalog.cxx", "return entry.Name == name 
 
 # What surfaces hide
 
-add("Visibility.hidden-rays-without-cosine", "HiddenSky.cxx", "transfer[j] += d.z * values[j];",
+add("Visibility.hidden-rays-without-cosine", "HorizonCode.cxx", "transfer[j] += d.z * values[j];",
     "transfer[j] += values[j];", "HiddenSky.ACraterHidesTheLowSky")
-add("Visibility.panels-hidden-by-slivers", "HiddenSky.cxx", "return this->Trust * (high * high", "return (high * high",
-    "HiddenSky.SliversAtTheHorizonHideNoPanel")
-add("Visibility.lobes-beyond-the-horizon", "HiddenSky.cxx", "(e + 0.5) / Elevations * std::exp(across", "std::exp(across",
-    "HiddenSky.ACraterHidesTheLowSky")
-add("Visibility.margins-of-lamps-cut-off", "HiddenSky.cxx", "-LargestMargin, LargestMargin);", "-0.5, 0.5);",
-    "HiddenSky.MarginsSayHowFarLampsAreFromShadows")
-add("Visibility.sectors-count-backwards", "HiddenSky.cxx", "return SectorWidth * sector;",
+add("Visibility.sectors-count-backwards", "HorizonCode.cxx", "return SectorWidth * sector;",
     "return -SectorWidth * sector;", "OcclusionTest.LobesLackTheirHiddenShare")
-add("Visibility.planes-by-sines", "HiddenSky.cxx", "constexpr double Steepness = 0.96;",
-    "constexpr double Steepness = 0.0;", "HiddenSky.PlanesAreFollowedBetweenSectors")
-add("Visibility.lobes-see-whole-panels", "HiddenSky.cxx", "ends(local.z + rise, seenRadius)", "ends(local.z + 0.0 * rise, seenRadius)",
-    "HiddenSky.LobesSeeTheirPartOfAPanel")
-add("Visibility.empty-sectors-at-the-horizon", "HiddenIntervals.cxx", "interval = { place, place };",
+add("Visibility.empty-sectors-at-the-horizon", "HorizonCode.cxx", "interval = { place, place };",
     "interval = { 0.0 * place, 0.0 };", "HiddenSky.FloatingBodiesEndBetweenSectors")
-add("Visibility.openings-from-the-horizon", "HiddenIntervals.cxx", "const bool asks = this->Opening &&", "const bool asks = !this->Opening &&",
+add("Visibility.openings-from-the-horizon", "HorizonCode.cxx", "const bool asks = this->Opening &&", "const bool asks = !this->Opening &&",
     "HiddenSky.SillsOfOpeningsHideTheHorizon")
-add("Visibility.narrow-slits-are-open", "HiddenSky.cxx", "intervals.IsOpening() && width == 0", "intervals.IsOpening() && width < 0",
+add("Visibility.narrow-slits-are-open", "HorizonCode.cxx", "intervals.IsOpening() && width == 0", "intervals.IsOpening() && width < 0",
     "HiddenSky.NarrowSlitsAreDark")
-add("Visibility.lobes-see-what-openings-show", "HiddenSky.cxx", "return this->Opening ? 1.0 - share : share;", "return share;",
-    "HiddenSky.HollowsHideFromBothSides")
-add("Visibility.panels-see-what-openings-show", "HiddenSky.cxx", "isRoof != this->Opening", "isRoof",
-    "HiddenSky.HollowsHideFromBothSides")
-add("Visibility.hollows-by-what-they-hide", "HiddenIntervals.cxx", "this->Opening = misfit[1] < misfit[0];",
+add("Visibility.hollows-by-what-they-hide", "HorizonCode.cxx", "this->Opening = misfit[1] < misfit[0];",
     "this->Opening = false;", "HiddenSky.HollowsHideFromBothSides")
-add("Visibility.strata-without-offset", "HiddenSky.cxx",
+add("Visibility.strata-without-offset", "HorizonCode.cxx",
     "return ReverseBits(static_cast<unsigned>(sector)) + 0.5 / Sectors;", "return 0.5;",
     "SurfaceVisibility.BlocksHideOneAnother")
-add("Visibility.wide-lobes-see-no-light", "HiddenSky.cxx",
-    "const double power = 1.0 / (1.0 + kappa / CorrelationKappa);", "const double power = 0.0 * kappa;",
-    "HiddenSky.BrightHiddenSkiesCountMore")
 add("Visibility.origins-on-edges", "SurfacePoints.cxx", "constexpr double Inwards = 0.02;",
     "constexpr double Inwards = 0.0;", "SurfaceVisibility.EdgesBelongToTheirOwnSide")
 add("Visibility.key-without-cells", "SurfacePoints.cxx", "hash.AddValues(ids);", "",
@@ -1277,7 +1260,7 @@ add("Rendering.shared-created-light-shines", "RenderPassQueries.cxx", "other->Ge
     "false &&", "MapperShading.LightThatVTKCreated")
 add("Rendering.plans-before-stay", "MapperPlans.cxx", "  if (view.Drawn)", "  if (view.Drawn && view.Looks.size() > 99)",
     "Views.ForViewIsBridged*")
-add("Rendering.kept-light-does-not-turn", "OcclusionKept.cxx", "add(turn[column]);", "add(0.0 * turn[column]);",
+add("Rendering.kept-light-does-not-turn", "OcclusionShader.cxx", "add(turn[column]);", "add(0.0 * turn[column]);",
     "OcclusionPointsTest.LightMayTurnAndRestAgain")
 add("Rendering.views-take-each-others-light", "OcclusionPoints.cxx", "state->Of.View == question.View &&", "true &&",
     "OcclusionPointsTest.ViewsKeepTheirOwn")
@@ -1292,34 +1275,36 @@ add("Rendering.hidden-sky-of-the-wrong-side", "OcclusionShader.cxx",
     "OcclusionTest.NormalsMayPointEitherWay")
 add("Rendering.outlines-without-hidden-sky", "OcclusionArrays.cxx", "return -std::sqrt(1.0 - cosine * cosine) - margin;",
     "return 0.6 * cosine / margin;", "OcclusionTest.NormalsMayPointEitherWay")
-add("Visibility.same-side-twice", "VisibilityTask.cxx", "side == 0 ? 1.0 : -1.0, hidden",
-    "1.0, hidden", "SurfaceVisibility.TheOtherSideHasItsOwnSky")
+add("Visibility.same-side-twice", "VisibilityTask.cxx", "side == 0 ? 1.0 : -1.0, hidden));",
+    "1.0, hidden));", "SurfaceVisibility.TheOtherSideHasItsOwnSky")
 add("Visibility.traced-again", "vtkSurfaceVisibilityFilter.cxx",
     "const bool isKnown = key == this->Key;", "const bool isKnown = false;", "SurfaceVisibility.WhatIsKnownIsNotTracedAgain")
-add("Visibility.bounce-beyond-the-sky", "BouncedLight.cxx", "std::floor(root / RootStep)", "std::ceil(root / RootStep)",
+add("Visibility.bounce-beyond-the-sky", "HorizonCode.cxx", "std::floor(root / RootStep)", "std::ceil(root / RootStep)",
     "BouncedLight.CodesKeepTransfers")
-add("Visibility.bounce-of-all-rays", "BounceTracer.cxx", "met > 0.0 ? hidden / met : 0.0", "hidden",
+add("Visibility.bounce-of-all-rays", "VisibilityTask.cxx", "met > 0.0 ? hidden / met : 0.0", "hidden",
     "BouncedLight.HollowsGetLighterAndNeverLighterThanTheSky|BouncedLight.BouncesAreThoseOfTracedLight")
-add("Visibility.bounce-of-the-other-side", "BounceTracer.cxx", "== (glm::dot(facet, direction) > 0.0)",
+add("Visibility.bounce-of-the-other-side", "VisibilityTask.cxx", "== (glm::dot(facet, direction) > 0.0)",
     "!= (glm::dot(facet, direction) > 0.0)", "BouncedLight.BouncesAreThoseOfTracedLight")
-add("Rendering.bounce-without-albedo", "OcclusionBounce.cxx", "this->Albedo * turned[j] *", "turned[j] *",
+add("Rendering.bounce-without-albedo", "OcclusionShader.cxx", "light.Bounce->Albedo * turned[j] *", "turned[j] *",
     "BounceTest.ShadersAgreeWithTheCppForms|BounceTest.PicturesComeNearTracedLight")
 add("Shaders.bounce-by-the-root", "vtkBRDFBouncedLight.glsl", "max(a.x * a.x * sum, vec3(0.0))",
     "max(a.x * sum, vec3(0.0))", "BounceTest.ShadersAgreeWithTheCppForms")
 add("Rendering.stale-visibility", "OcclusionArrays.cxx", "problem = isPart ? \"\" : CheckKey(surface);",
     "problem = \"\";", "OcclusionTest.BadArraysAreSaidOnceAndNotUsed")
-add("Rendering.hidden-light-unturned", "OcclusionAxes.cxx",
-    "this->ToEnvironment.push_back(own * toRenderer * turned);",
-    "this->ToEnvironment.push_back(own * toRenderer);", "OcclusionTest.ActorsMayBeTurnedMirroredAndScaled")
-add("Rendering.lobes-without-cosine", "OcclusionLobes.cxx", "cell.Cosine * std::exp(", "cell.SolidAngle * std::exp(",
+add("Rendering.hidden-light-unturned", "OcclusionShader.cxx",
+    "own * glm::transpose(columns) * turned);",
+    "own * glm::transpose(columns));", "OcclusionTest.ActorsMayBeTurnedMirroredAndScaled")
+add("Rendering.lobes-see-what-openings-show", "OcclusionShader.cxx", "brdfSkyOpening ? 1.0 - brdfShareOf#M : brdfShareOf#M",
+    "brdfShareOf#M", "OcclusionTest.LobesLackTheirHiddenShare")
+add("Rendering.lamps-in-tables-shine-through", "OcclusionShader.cxx", "clamp(0.5 - #MARGIN, 0.0, 1.0) * light;",
+    "0.0 * light;", "OcclusionTest.LampsBesideTheAxisTakeTheirPartOfTheLobe")
+add("Rendering.lobes-without-cosine", "OcclusionLight.cxx", "cell.Cosine * std::exp(", "cell.SolidAngle * std::exp(",
     "OcclusionTest.LobesHaveTheKernelsMean")
 add("Shaders.openings-have-roofs-for-walls", "vtkBRDFHiddenSky.glsl", "return opening ? (inside", "return false ? (inside",
     "OcclusionTest.PanelsAreHiddenOneByOne")
 add("Shaders.lamps-edges-on-points", "vtkBRDFHiddenSky.glsl", "clamp(max(below, above), -3.0, 3.0)", "clamp(max(below, above), -0.5, 0.5)",
     "OcclusionTest.ShadowEdgesCrossTriangles")
 add("Shaders.lamps-in-tables-go-with-the-rest", "vtkBRDFHiddenSky.glsl", "  return 1.0 - root * root;", "  return 0.0;",
-    "OcclusionTest.LampsBesideTheAxisTakeTheirPartOfTheLobe")
-add("Rendering.lamps-in-tables-shine-through", "OcclusionLight.cxx", "lost += part * inTable;", "lost += 0.0 * inTable;",
     "OcclusionTest.LampsBesideTheAxisTakeTheirPartOfTheLobe")
 add("Shaders.hidden-sky-odds", "vtkBRDFHiddenSky.glsl", "(12.0 / (12.0 + kappa))",
     "(3.0 / (3.0 + kappa))", "OcclusionTest.LobesLackTheirHiddenShare")
@@ -1356,6 +1341,6 @@ add("Integration.tails-of-one-side", "TailRegularity.cxx", "for (const double tu
 add("Visibility.occluders-stay", "vtkSurfaceVisibilityFilter.cxx", "occluder.Matrix ? occluder.Matrix->GetMTime() : 0", "0",
     "OcclusionStability.OccludersMayMove")
 add("Visibility.bounce-of-an-earlier-run-stays", "vtkSurfaceVisibilityFilter.cxx",
-    "surface->GetPointData()->RemoveArray(name.c_str());", "", "BouncedLight.OfAnEarlierRunGoes")
+    "    data->RemoveArray(name.c_str());", "", "BouncedLight.OfAnEarlierRunGoes")
 add("Visibility.buried-points-darken", "VisibilityTask.cxx", "constexpr double buried = 0.99;",
     "constexpr double buried = 2.0;", "OcclusionStability.PointsInsideOtherBodiesDarkenNothing")

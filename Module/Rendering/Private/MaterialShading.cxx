@@ -3,8 +3,6 @@
 #include "MaterialShading.h"
 
 #include "BRDFShader.h"
-#include "OcclusionAxes.h"
-#include "OcclusionKept.h"
 #include "OcclusionShader.h"
 #include "RenderPassQueries.h"
 #include "ShaderLimits.h"

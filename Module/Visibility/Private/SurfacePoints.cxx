@@ -3,12 +3,14 @@
 #include "SurfacePoints.h"
 
 #include "ContentHash.h"
-#include "PolygonTriangles.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolygon.h"
 
 #include <algorithm>
 #include <array>
@@ -59,58 +61,6 @@ Face MakeFace(vtkPolyData* surface, const vtkIdType* ids, vtkIdType count)
   return face;
 }
 
-enum class Faces
-{
-  Polygons, // and each triangle of strips
-  Triangles // that rays meet; polygons need not be flat
-};
-
-// visit(face, ids, count).
-template <typename Visit>
-void ForEachFace(vtkPolyData* surface, Faces faces, const Visit& visit)
-{
-  std::vector<vtkIdType> triangles;
-  const vtkIdType points = surface->GetNumberOfPoints();
-  const auto isValid = [points](const vtkIdType* ids, vtkIdType count)
-  {
-    return std::all_of(ids, ids + count, [points](vtkIdType id) { return id >= 0 && id < points; });
-  };
-  const auto go = [&](vtkCellArray* cells, bool strips)
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    for (vtkIdType cell = 0; cells && cell < cells->GetNumberOfCells(); ++cell)
-    {
-      cells->GetCellAtId(cell, count, ids);
-      if (count < 3 || !isValid(ids, count))
-      {
-        continue;
-      }
-      for (vtkIdType k = 0; strips && k + 2 < count; ++k)
-      {
-        const std::array<vtkIdType, 3> corners = { ids[k], ids[k + 1 + k % 2], ids[k + 2 - k % 2] };
-        visit(MakeFace(surface, corners.data(), 3), corners.data(), 3);
-      }
-      if (!strips && (count == 3 || faces == Faces::Polygons))
-      {
-        visit(MakeFace(surface, ids, count), ids, count);
-        continue;
-      }
-      triangles.clear();
-      if (!strips)
-      {
-        TriangulatePolygon(surface, count, ids, triangles);
-      }
-      for (std::size_t k = 0; k + 2 < triangles.size(); k += 3)
-      {
-        visit(MakeFace(surface, &triangles[k], 3), &triangles[k], 3);
-      }
-    }
-  };
-  go(surface->GetPolys(), false);
-  go(surface->GetStrips(), true);
-}
-
 void HashArray(ContentHash& hash, vtkDataArray* array)
 {
   std::vector<double> values;
@@ -132,6 +82,61 @@ void HashArray(ContentHash& hash, vtkDataArray* array)
 }
 }
 
+void TriangulatePolygon(
+  vtkPolyData* surface, vtkIdType count, const vtkIdType* corners, std::vector<vtkIdType>& result)
+{
+  result.clear();
+  if (count == 3)
+  {
+    result.assign(corners, corners + 3);
+    return;
+  }
+  if (count == 4)
+  {
+    glm::dvec3 p[4];
+    for (int k = 0; k < 4; ++k)
+    {
+      p[k] = GetPoint(surface, corners[k]);
+    }
+    for (int k = 0; k < 2; ++k) // the cut from k to k + 2
+    {
+      const glm::dvec3 cut = p[k + 2] - p[k];
+      const glm::dvec3 one = glm::cross(p[k + 1] - p[k], cut);
+      const glm::dvec3 other = glm::cross(cut, p[(k + 3) % 4] - p[k]);
+      if (glm::dot(one, other) >= 0.0)
+      {
+        result = { corners[k], corners[k + 1], corners[k + 2], corners[k], corners[k + 2],
+          corners[(k + 3) % 4] };
+        return;
+      }
+    }
+  }
+  vtkNew<vtkPolygon> polygon;
+  polygon->GetPoints()->SetDataTypeToDouble();
+  polygon->GetPoints()->SetNumberOfPoints(count);
+  polygon->GetPointIds()->SetNumberOfIds(count);
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    const glm::dvec3 position = GetPoint(surface, corners[k]);
+    polygon->GetPoints()->SetPoint(k, &position.x);
+    polygon->GetPointIds()->SetId(k, corners[k]);
+  }
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkPoints> points;
+  vtkCell* cell = polygon;
+  if (cell->Triangulate(0, ids, points) && ids->GetNumberOfIds() % 3 == 0)
+  {
+    result.assign(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfIds());
+  }
+  if (result.empty()) // a polygon that crosses itself, or has no plane
+  {
+    for (vtkIdType k = 2; k < count; ++k)
+    {
+      result.insert(result.end(), { corners[0], corners[k - 1], corners[k] });
+    }
+  }
+}
+
 std::vector<SurfaceVertex> FindSurfacePoints(vtkPolyData* surface)
 {
   std::vector<SurfaceVertex> points(static_cast<std::size_t>(surface->GetNumberOfPoints()));
@@ -144,8 +149,9 @@ std::vector<SurfaceVertex> FindSurfacePoints(vtkPolyData* surface)
                      normals->GetNumberOfTuples() >= surface->GetNumberOfPoints();
   std::vector<char> used(points.size(), 0);
   ForEachFace(surface, Faces::Polygons,
-    [&](const Face& face, const vtkIdType* ids, vtkIdType count)
+    [&](const vtkIdType* ids, vtkIdType count, vtkIdType)
     {
+      const Face face = MakeFace(surface, ids, count);
       for (vtkIdType k = 0; IsFinite(face.Area) && k < count; ++k)
       {
         points[static_cast<std::size_t>(ids[k])].Normal += face.Area;
@@ -171,8 +177,9 @@ std::vector<SurfaceVertex> FindSurfacePoints(vtkPolyData* surface)
   // The triangle that turns most towards the normal; of several, the largest.
   std::vector<double> best(points.size(), 0.0);
   ForEachFace(surface, Faces::Triangles,
-    [&](const Face& face, const vtkIdType* ids, vtkIdType count)
+    [&](const vtkIdType* ids, vtkIdType count, vtkIdType)
     {
+      const Face face = MakeFace(surface, ids, count);
       const double area = glm::length(face.Area);
       for (vtkIdType k = 0; area > 0.0 && std::isfinite(area) && k < count; ++k)
       {
@@ -196,8 +203,9 @@ double GetLeastCosine(vtkPolyData* surface, const std::vector<glm::dvec3>& norma
   std::array<double, steps + 1> areas{}; // of polygons, by their least cosine
   double all = 0.0;
   ForEachFace(surface, Faces::Polygons,
-    [&](const Face& face, const vtkIdType* ids, vtkIdType count)
+    [&](const vtkIdType* ids, vtkIdType count, vtkIdType)
     {
+      const Face face = MakeFace(surface, ids, count);
       const double area = glm::length(face.Area);
       double least = area > 0.0 && std::isfinite(area) ? 1.0 : -1.0;
       for (vtkIdType k = 0; least >= 0.0 && k < count; ++k)

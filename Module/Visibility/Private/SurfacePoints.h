@@ -2,24 +2,86 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where rays leave the points of a surface: normals, and origins beside edges. Private to the
- * module.
+ * The faces of a surface as rays meet them, and where rays leave its points: normals, and origins
+ * beside edges. Private to the module.
  */
 
 #ifndef SurfacePoints_h
 #define SurfacePoints_h
 
+#include "vtkCellArray.h"
+#include "vtkPolyData.h"
 #include "vtkType.h"
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
-class vtkPolyData;
-
 namespace measuredbrdf
 {
+/// Corners of a polygon's triangles, three each, as points of the surface. Quads are cut where both
+/// halves face the same way; other polygons, and quads where no cut does so, as VTK triangulates
+/// them.
+void TriangulatePolygon(
+  vtkPolyData* surface, vtkIdType count, const vtkIdType* corners, std::vector<vtkIdType>& result);
+
+enum class Faces
+{
+  Polygons, // and each triangle of strips
+  Triangles // that rays meet; polygons need not be flat
+};
+
+/// visit(corners, count, cell) of each face of polygons and strips; cells count as vtkPolyData
+/// counts them. Returns how many have fewer than three corners, or corners that are no points of
+/// the surface: these are left out.
+template <typename Visit>
+vtkIdType ForEachFace(vtkPolyData* surface, Faces faces, const Visit& visit)
+{
+  vtkIdType skipped = 0;
+  std::vector<vtkIdType> triangles;
+  const vtkIdType points = surface->GetNumberOfPoints();
+  vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
+  {
+    for (vtkIdType k = 0; cells && k < cells->GetNumberOfCells(); ++k, ++cell)
+    {
+      vtkIdType count = 0;
+      const vtkIdType* ids = nullptr;
+      cells->GetCellAtId(k, count, ids);
+      if (count < 3 ||
+          std::any_of(ids, ids + count, [points](vtkIdType id) { return id < 0 || id >= points; }))
+      {
+        ++skipped;
+      }
+      else if (cells == surface->GetStrips())
+      {
+        for (vtkIdType n = 2; n < count; ++n)
+        {
+          const std::array<vtkIdType, 3> turned = { ids[n - 2], ids[n - 1 + n % 2],
+            ids[n - n % 2] };
+          visit(turned.data(), 3, cell);
+        }
+      }
+      else if (count == 3 || faces == Faces::Polygons)
+      {
+        visit(ids, count, cell);
+      }
+      else
+      {
+        TriangulatePolygon(surface, count, ids, triangles);
+        for (std::size_t n = 0; n + 2 < triangles.size(); n += 3)
+        {
+          visit(&triangles[n], 3, cell);
+        }
+      }
+    }
+  }
+  return skipped;
+}
+
 struct SurfaceVertex
 {
   glm::dvec3 Normal = glm::dvec3(0.0);     // unit; zero: the point is of no polygon

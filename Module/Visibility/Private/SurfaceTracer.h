@@ -4,14 +4,10 @@
  * @file
  * Rays against surfaces: what hides what. Private to the module.
  *
- * Add surfaces, build once, then ask from any number of threads. Two backends give the same
- * answers: Embree, where the build has it, and this project's own bounding volume hierarchy
- * (TriangleTree.h). Both test the same triangles, with coordinates in single precision relative to
- * the middle of the scene. They may differ only where a ray meets an edge or a corner within
- * rounding, about 1e-7 of the scene's size: none of 100,000 rays through 20,000 loose triangles
- * did. The own one computes in double precision and is watertight: no ray passes between two
- * triangles that share an edge. Of rays aimed at a corner itself Embree lets one in some thousands
- * pass. A test measures both.
+ * Add surfaces, build once, then ask from any number of threads. Triangles are kept with
+ * coordinates in single precision relative to the middle of the scene, in a tree of boxes with four
+ * children each. Whether a ray meets a triangle is computed in double precision and is watertight:
+ * no ray passes between two triangles that share an edge.
  *
  * All triangles hide from both sides. Vertices and lines hide nothing. Triangles without area and
  * those with coordinates that are not finite are left out and counted.
@@ -32,13 +28,6 @@ namespace measuredbrdf
 class SurfaceTracer
 {
 public:
-  enum class Backend
-  {
-    Best, // Embree where the build has it
-    Embree,
-    Own
-  };
-
   /// Where a ray meets a surface.
   struct Hit
   {
@@ -51,14 +40,10 @@ public:
                             // (a mirroring matrix turns it over); either side may face the ray
   };
 
-  /// Backend::Embree in a build without Embree means Own; GetBackend tells.
-  explicit SurfaceTracer(Backend backend = Backend::Best);
+  SurfaceTracer();
   ~SurfaceTracer();
   SurfaceTracer(const SurfaceTracer&) = delete;
   void operator=(const SurfaceTracer&) = delete;
-
-  static bool HasEmbree();
-  Backend GetBackend() const;
 
   /**
    * Copy the polygons and strips of a surface; larger polygons are triangulated. matrix16: 4 x 4,
@@ -68,7 +53,7 @@ public:
    */
   int AddSurface(vtkPolyData* surface, const double* matrix16 = nullptr);
 
-  /// Once, after the last surface and before the first ray. Uses several threads with Embree.
+  /// Once, after the last surface and before the first ray.
   void Build();
 
   /**
