@@ -3,7 +3,7 @@
 #include "vtkMaterialMapFitter.h"
 
 #include "MaterialMapFit.h"
-#include "PhotographPixels.h"
+#include "PhotographPasses.h"
 #include "Printable.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
@@ -59,7 +59,31 @@ vtkSmartPointer<vtkMaterialMap> MakeMap(const MapFitResult& result)
 }
 
 //------------------------------------------------------------------------------
-vtkMaterialMapFitter::vtkMaterialMapFitter() = default;
+struct vtkMaterialMapFitter::Results : MapFitResult
+{
+  Results() { this->Converged = false; } // before the first Fit
+
+  vtkIdType Count(PixelState state) const
+  {
+    return static_cast<vtkIdType>(this->PixelCounts[static_cast<std::size_t>(state)]);
+  }
+
+  // Of a material; zeros where there is none of that number.
+  MapMaterial Get(int material) const
+  {
+    const bool exists =
+      material >= 0 && static_cast<std::size_t>(material) < this->Materials.size();
+    return exists ? this->Materials[static_cast<std::size_t>(material)] : MapMaterial();
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkMaterialMapFitter::vtkMaterialMapFitter()
+  : Found(new Results)
+{
+}
+
+//------------------------------------------------------------------------------
 vtkMaterialMapFitter::~vtkMaterialMapFitter() = default;
 
 //------------------------------------------------------------------------------
@@ -127,31 +151,24 @@ void vtkMaterialMapFitter::RemoveAllMaterials()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkMaterialMapFitter::FindProblem()
+bool vtkMaterialMapFitter::Fit()
 {
   if (!this->Photographs || this->Photographs->GetNumberOfPhotographs() == 0)
   {
-    return "no photographs";
+    vtkErrorMacro("Fit: no photographs.");
+    return false;
   }
-  return this->Method == LIBRARY && this->Library.empty() ? "no material in the library"
-                                                          : std::string();
-}
-
-//------------------------------------------------------------------------------
-bool vtkMaterialMapFitter::Fit()
-{
-  const std::string before = this->FindProblem();
-  if (!before.empty())
+  if (this->Method == LIBRARY && this->Library.empty())
   {
-    vtkErrorMacro("Fit: " << before << ".");
+    vtkErrorMacro("Fit: no material in the library.");
     return false;
   }
   this->Abort = false;
   MapFitOptions options;
   options.FindsTables = this->Method == TABLES;
-  for (const LibraryMaterial& material : this->Library)
+  for (const auto& [brdf, name] : this->Library)
   {
-    options.Library.push_back({ material.BRDF, material.Name });
+    options.Library.push_back({ brdf, name });
   }
   options.Most = this->MaximumNumberOfMaterials;
   options.Tolerance = this->Tolerance;
@@ -166,7 +183,7 @@ bool vtkMaterialMapFitter::Fit()
     this->InvokeEvent(vtkCommand::ProgressEvent, &share);
     return !this->Abort;
   };
-  const MapFitResult result = FitMaterialMap(this->Photographs, options);
+  MapFitResult result = FitMaterialMap(this->Photographs, options);
   if (result.Stopped)
   {
     return false;
@@ -180,58 +197,77 @@ bool vtkMaterialMapFitter::Fit()
   this->ErrorImage = NewImage(result.Width, result.Height, 1);
   std::copy(result.Errors.begin(), result.Errors.end(),
     static_cast<float*>(this->ErrorImage->GetScalarPointer()));
-  this->MeanError = result.MeanError;
-  this->Error95 = result.Error95;
-  this->WorstError = result.WorstError;
   this->WorstTexel[0] = static_cast<int>(result.WorstTexel) % result.Width;
   this->WorstTexel[1] = static_cast<int>(result.WorstTexel) / result.Width;
-  const auto count = [&](PixelState state)
-  { return static_cast<vtkIdType>(result.PixelCounts[static_cast<std::size_t>(state)]); };
-  this->NumberOfSaturatedPixels = count(PixelState::Saturated);
-  this->NumberOfBlackPixels = count(PixelState::Black);
-  this->NumberOfInvalidPixels = count(PixelState::Invalid);
-  this->NumberOfTexelsWithoutData = static_cast<vtkIdType>(result.TexelsWithoutData);
-  this->FactorizationError = result.FactorError;
-  this->SeenShare = result.SeenShare;
-  this->NumberOfIterations = result.Iterations;
-  this->Converged = result.Converged;
-  this->NumberOfPasses = result.Passes;
-  this->Findings = result.Findings;
-  this->MaterialFigures.clear();
-  for (const MapMaterial& material : result.Materials)
-  {
-    this->MaterialFigures.push_back(
-      { material.Coverage, material.LargestWeight, material.Uncertainty });
-  }
+  result.Weights.clear(); // they are in the images
+  result.Errors.clear();
+  static_cast<MapFitResult&>(*this->Found) = std::move(result);
   return true;
+}
+
+//------------------------------------------------------------------------------
+double vtkMaterialMapFitter::GetMeanError() { return this->Found->MeanError; }
+double vtkMaterialMapFitter::GetError95() { return this->Found->Error95; }
+double vtkMaterialMapFitter::GetWorstError() { return this->Found->WorstError; }
+double vtkMaterialMapFitter::GetFactorizationError() { return this->Found->FactorError; }
+double vtkMaterialMapFitter::GetSeenShare() { return this->Found->SeenShare; }
+int vtkMaterialMapFitter::GetNumberOfIterations() { return this->Found->Iterations; }
+bool vtkMaterialMapFitter::GetConverged() { return this->Found->Converged; }
+int vtkMaterialMapFitter::GetNumberOfPasses() { return this->Found->Passes; }
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMaterialMapFitter::GetNumberOfSaturatedPixels()
+{
+  return this->Found->Count(PixelState::Saturated);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMaterialMapFitter::GetNumberOfBlackPixels()
+{
+  return this->Found->Count(PixelState::Black);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMaterialMapFitter::GetNumberOfInvalidPixels()
+{
+  return this->Found->Count(PixelState::Invalid);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMaterialMapFitter::GetNumberOfTexelsWithoutData()
+{
+  return static_cast<vtkIdType>(this->Found->TexelsWithoutData);
 }
 
 //------------------------------------------------------------------------------
 double vtkMaterialMapFitter::GetCoverage(int material)
 {
-  const bool exists = material >= 0 && material < static_cast<int>(this->MaterialFigures.size());
-  return exists ? this->MaterialFigures[static_cast<std::size_t>(material)].Coverage : 0.0;
+  return this->Found->Get(material).Coverage;
 }
 
 //------------------------------------------------------------------------------
 double vtkMaterialMapFitter::GetLargestWeight(int material)
 {
-  const bool exists = material >= 0 && material < static_cast<int>(this->MaterialFigures.size());
-  return exists ? this->MaterialFigures[static_cast<std::size_t>(material)].LargestWeight : 0.0;
+  return this->Found->Get(material).LargestWeight;
 }
 
 //------------------------------------------------------------------------------
 double vtkMaterialMapFitter::GetUncertainty(int material)
 {
-  const bool exists = material >= 0 && material < static_cast<int>(this->MaterialFigures.size());
-  return exists ? this->MaterialFigures[static_cast<std::size_t>(material)].Uncertainty : 0.0;
+  return this->Found->Get(material).Uncertainty;
+}
+
+//------------------------------------------------------------------------------
+int vtkMaterialMapFitter::GetNumberOfFindings()
+{
+  return static_cast<int>(this->Found->Findings.size());
 }
 
 //------------------------------------------------------------------------------
 std::string vtkMaterialMapFitter::GetFinding(int index)
 {
   return index >= 0 && index < this->GetNumberOfFindings()
-           ? this->Findings[static_cast<std::size_t>(index)]
+           ? this->Found->Findings[static_cast<std::size_t>(index)]
            : std::string();
 }
 
@@ -254,18 +290,18 @@ void vtkMaterialMapFitter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
-  os << indent << "MeanError: " << this->MeanError << "\n";
-  os << indent << "Error95: " << this->Error95 << "\n";
-  os << indent << "WorstError: " << this->WorstError << "\n";
+  os << indent << "MeanError: " << this->GetMeanError() << "\n";
+  os << indent << "Error95: " << this->GetError95() << "\n";
+  os << indent << "WorstError: " << this->GetWorstError() << "\n";
   os << indent << "WorstTexel: " << this->WorstTexel[0] << " " << this->WorstTexel[1] << "\n";
-  os << indent << "NumberOfSaturatedPixels: " << this->NumberOfSaturatedPixels << "\n";
-  os << indent << "NumberOfBlackPixels: " << this->NumberOfBlackPixels << "\n";
-  os << indent << "NumberOfInvalidPixels: " << this->NumberOfInvalidPixels << "\n";
-  os << indent << "NumberOfTexelsWithoutData: " << this->NumberOfTexelsWithoutData << "\n";
-  os << indent << "FactorizationError: " << this->FactorizationError << "\n";
-  os << indent << "SeenShare: " << this->SeenShare << "\n";
-  os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
-  os << indent << "Converged: " << (this->Converged ? "On" : "Off") << "\n";
-  os << indent << "NumberOfPasses: " << this->NumberOfPasses << "\n";
-  os << indent << "NumberOfFindings: " << this->Findings.size() << "\n";
+  os << indent << "NumberOfSaturatedPixels: " << this->GetNumberOfSaturatedPixels() << "\n";
+  os << indent << "NumberOfBlackPixels: " << this->GetNumberOfBlackPixels() << "\n";
+  os << indent << "NumberOfInvalidPixels: " << this->GetNumberOfInvalidPixels() << "\n";
+  os << indent << "NumberOfTexelsWithoutData: " << this->GetNumberOfTexelsWithoutData() << "\n";
+  os << indent << "FactorizationError: " << this->GetFactorizationError() << "\n";
+  os << indent << "SeenShare: " << this->GetSeenShare() << "\n";
+  os << indent << "NumberOfIterations: " << this->GetNumberOfIterations() << "\n";
+  os << indent << "Converged: " << (this->GetConverged() ? "On" : "Off") << "\n";
+  os << indent << "NumberOfPasses: " << this->GetNumberOfPasses() << "\n";
+  os << indent << "NumberOfFindings: " << this->GetNumberOfFindings() << "\n";
 }

@@ -35,8 +35,10 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for members
 
-#include <string> // for names
-#include <vector> // for materials
+#include <memory>  // for results
+#include <string>  // for names
+#include <utility> // for materials
+#include <vector>  // for materials
 
 class vtkBRDF;
 class vtkImageData;
@@ -188,9 +190,9 @@ public:
    * Mean, 95th percentile and largest of the texels' errors, and where that is (x, y from the lower
    * left).
    */
-  vtkGetMacro(MeanError, double);
-  vtkGetMacro(Error95, double);
-  vtkGetMacro(WorstError, double);
+  double GetMeanError();
+  double GetError95();
+  double GetWorstError();
   vtkGetVector2Macro(WorstTexel, int);
   ///@}
 
@@ -198,10 +200,10 @@ public:
   /**
    * Pixels of all photographs that were left out, and texels without any valid one.
    */
-  vtkGetMacro(NumberOfSaturatedPixels, vtkIdType);
-  vtkGetMacro(NumberOfBlackPixels, vtkIdType);
-  vtkGetMacro(NumberOfInvalidPixels, vtkIdType);
-  vtkGetMacro(NumberOfTexelsWithoutData, vtkIdType);
+  vtkIdType GetNumberOfSaturatedPixels();
+  vtkIdType GetNumberOfBlackPixels();
+  vtkIdType GetNumberOfInvalidPixels();
+  vtkIdType GetNumberOfTexelsWithoutData();
   ///@}
 
   ///@{
@@ -220,21 +222,21 @@ public:
    * TABLES: relative error of the factorization on the sample, before the values became tables;
    * share of the tables' cells that the photographs touch; iterations, and whether they converged.
    */
-  vtkGetMacro(FactorizationError, double);
-  vtkGetMacro(SeenShare, double);
-  vtkGetMacro(NumberOfIterations, int);
-  vtkGetMacro(Converged, bool);
+  double GetFactorizationError();
+  double GetSeenShare();
+  int GetNumberOfIterations();
+  bool GetConverged();
   ///@}
 
   /// How often all photographs were read.
-  vtkGetMacro(NumberOfPasses, int);
+  int GetNumberOfPasses();
 
   ///@{
   /**
    * What the photographs leave open, a sentence each: materials that look alike, weights that are
    * hardly determined, materials that are nowhere pure, another brightness.
    */
-  int GetNumberOfFindings() { return static_cast<int>(this->Findings.size()); }
+  int GetNumberOfFindings();
   std::string GetFinding(int index);
   ///@}
 
@@ -255,38 +257,15 @@ protected:
   int MemoryLimit = 1024;
   unsigned int Seed = 1;
   bool Abort = false;
-
-  double MeanError = 0.0;
-  double Error95 = 0.0;
-  double WorstError = 0.0;
   int WorstTexel[2] = { 0, 0 };
-  vtkIdType NumberOfSaturatedPixels = 0;
-  vtkIdType NumberOfBlackPixels = 0;
-  vtkIdType NumberOfInvalidPixels = 0;
-  vtkIdType NumberOfTexelsWithoutData = 0;
-  double FactorizationError = 0.0;
-  double SeenShare = 0.0;
-  int NumberOfIterations = 0;
-  bool Converged = false;
-  int NumberOfPasses = 0;
-  std::vector<std::string> Findings;
 
 private:
   vtkMaterialMapFitter(const vtkMaterialMapFitter&) = delete;
   void operator=(const vtkMaterialMapFitter&) = delete;
 
-  struct LibraryMaterial
-  {
-    vtkSmartPointer<vtkBRDF> BRDF;
-    std::string Name;
-  };
-  struct Figures
-  {
-    double Coverage, LargestWeight, Uncertainty;
-  };
-  std::string FindProblem(); // in the input; "" if none
-  std::vector<LibraryMaterial> Library;
-  std::vector<Figures> MaterialFigures;
+  struct Results;
+  std::vector<std::pair<vtkSmartPointer<vtkBRDF>, std::string>> Library;
+  std::unique_ptr<Results> Found; // by the last Fit that succeeded
 };
 
 #endif

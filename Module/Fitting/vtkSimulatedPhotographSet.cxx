@@ -5,16 +5,19 @@
 #include "HalfVector.h"
 #include "LowDiscrepancy.h"
 #include "Setters.h"
-#include "WeightTexels.h"
 #include "vtkBRDF.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMaterialMap.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
+#include <string>
+#include <utility>
 #include <vector>
 
 using namespace measuredbrdf;
@@ -48,6 +51,88 @@ public:
 
 private:
   std::mt19937 Random;
+};
+
+std::string FormatSize(const int dimensions[3])
+{
+  return std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]);
+}
+
+// What keeps a map from having weights for each texel; "" if nothing.
+std::string FindWeightProblem(vtkMaterialMap* map)
+{
+  if (map->GetMode() != vtkMaterialMap::TEXTURES || map->GetNumberOfWeightImages() == 0)
+  {
+    return "the material map has no weight images";
+  }
+  int components = 0;
+  const int* first = map->GetWeightImage(0)->GetDimensions();
+  for (int k = 0; k < map->GetNumberOfWeightImages(); ++k)
+  {
+    vtkImageData* image = map->GetWeightImage(k);
+    const int* size = image->GetDimensions();
+    vtkDataArray* values = image->GetPointData()->GetScalars();
+    if (!values || image->GetNumberOfPoints() == 0 || size[2] != 1)
+    {
+      return "weight image " + std::to_string(k) + " has no values, or more than one slice";
+    }
+    if (size[0] != first[0] || size[1] != first[1])
+    {
+      return "weight image " + std::to_string(k) + ": found " + FormatSize(size) +
+             " texels, expected the first image's " + FormatSize(first);
+    }
+    components += values->GetNumberOfComponents();
+  }
+  if (map->GetNumberOfMaterials() == 0 || components < map->GetNumberOfMaterials())
+  {
+    return std::to_string(map->GetNumberOfMaterials()) + " materials with " +
+           std::to_string(components) +
+           " components of weight images; expected a component for each";
+  }
+  return std::string();
+}
+
+// The weights of a material map's images, texel by texel. The map must have no such problem, and
+// must not change meanwhile.
+class WeightTexels
+{
+public:
+  explicit WeightTexels(vtkMaterialMap* map)
+    : Materials(map->GetNumberOfMaterials())
+  {
+    for (int k = 0; k < map->GetNumberOfWeightImages(); ++k)
+    {
+      vtkDataArray* values = map->GetWeightImage(k)->GetPointData()->GetScalars();
+      const bool isInteger =
+        values->GetDataType() != VTK_FLOAT && values->GetDataType() != VTK_DOUBLE;
+      this->Images.emplace_back(values, isInteger ? values->GetDataTypeMax() : 1.0);
+    }
+  }
+
+  // The materials' weights there, divided by their sum as vtkMaterialMap has it; all 0 where none
+  // is positive.
+  void Get(vtkIdType texel, double* weights) const
+  {
+    int material = 0;
+    double sum = 0.0;
+    for (const auto& [values, divisor] : this->Images)
+    {
+      for (int c = 0; c < values->GetNumberOfComponents() && material < this->Materials; ++c)
+      {
+        const double weight = values->GetComponent(texel, c) / divisor;
+        weights[material] = std::isfinite(weight) && weight > 0.0 ? weight : 0.0;
+        sum += weights[material++];
+      }
+    }
+    for (int k = 0; k < this->Materials && sum > 0.0; ++k)
+    {
+      weights[k] /= sum;
+    }
+  }
+
+private:
+  std::vector<std::pair<vtkSmartPointer<vtkDataArray>, double>> Images;
+  int Materials;
 };
 }
 
@@ -179,16 +264,12 @@ void vtkSimulatedPhotographSet::SetBits(int bits)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkSimulatedPhotographSet::FindProblem()
-{
-  return this->MaterialMap ? FindWeightProblem(this->MaterialMap) : "no material map";
-}
-
-//------------------------------------------------------------------------------
 vtkImageData* vtkSimulatedPhotographSet::NewPicture(int index)
 {
   const Photograph* photograph = this->Find(index);
-  const std::string problem = photograph ? this->FindProblem() : "there is no such photograph";
+  const std::string problem = !photograph         ? "there is no such photograph"
+                              : this->MaterialMap ? FindWeightProblem(this->MaterialMap)
+                                                  : "no material map";
   if (!problem.empty())
   {
     vtkErrorMacro("NewPicture: photograph " << index << ": " << problem << ".");
@@ -204,14 +285,14 @@ vtkImageData* vtkSimulatedPhotographSet::NewPicture(int index)
   }
   const WeightTexels weights(this->MaterialMap);
   vtkImageData* picture = vtkImageData::New();
-  picture->SetDimensions(weights.GetWidth(), weights.GetHeight(), 1);
+  picture->SetDimensions(this->MaterialMap->GetWeightImage(0)->GetDimensions());
   picture->AllocateScalars(this->Bits > 0 ? VTK_UNSIGNED_SHORT : VTK_FLOAT, 3);
   auto* codes = static_cast<unsigned short*>(picture->GetScalarPointer());
   auto* floats = static_cast<float*>(picture->GetScalarPointer());
   NormalNumbers noise(this->Seed, index);
   const double levels = std::exp2(this->Bits) - 1.0;
   std::vector<double> shares(values.size());
-  for (vtkIdType texel = 0; texel < weights.GetNumberOfTexels(); ++texel)
+  for (vtkIdType texel = 0; texel < picture->GetNumberOfPoints(); ++texel)
   {
     weights.Get(texel, shares.data());
     for (std::size_t c = 0; c < 3; ++c)

@@ -105,7 +105,6 @@ private:
   void operator=(const vtkSimulatedPhotographSet&) = delete;
 
   double GetBrightest(const Photograph& photograph); // f times cosine of the brightest material
-  std::string FindProblem();                         // in the map; "" if none
 };
 
 #endif

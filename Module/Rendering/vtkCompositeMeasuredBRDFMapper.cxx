@@ -22,7 +22,7 @@ using namespace measuredbrdf;
 
 struct vtkCompositeMeasuredBRDFMapper::Internals
 {
-  explicit Internals(vtkObject* self)
+  explicit Internals(vtkMapper* self)
     : Drawing(std::make_shared<MaterialDrawing>(self, [this]() { return this->GetUsesToCome(); }))
     , Settings(Drawing->GetSettings())
     , Parts(Drawing)

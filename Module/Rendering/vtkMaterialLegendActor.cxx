@@ -2,36 +2,221 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMaterialLegendActor.h"
 
-#include "LegendShapes.h"
-#include "MaterialPicture.h"
 #include "NumberText.h"
 #include "RunGuarded.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMaterialMap.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper2D.h"
 #include "vtkProperty2D.h"
+#include "vtkRadianceIntegrator.h"
+#include "vtkRadiancePlanner.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
+#include "vtkTexture.h"
+#include "vtkTexturedActor2D.h"
 #include "vtkViewport.h"
 #include "vtkWindow.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 using namespace measuredbrdf;
 
 namespace
 {
-constexpr double Tolerance = 0.05;   // of the pictures
-constexpr double LargestText = 0.33; // of a sphere's diameter, for a name beside it
-constexpr double TitleShare = 0.1;   // of the legend's height, at most
-constexpr int SmallestText = 9;      // pixels
-constexpr double TitleTimes = 1.2;   // as large as the names, at most
+constexpr double Tolerance = 0.05;       // of the pictures
+constexpr double LargestText = 0.33;     // of a sphere's diameter, for a name beside it
+constexpr double TitleShare = 0.1;       // of the legend's height, at most
+constexpr int SmallestText = 9;          // pixels
+constexpr double TitleTimes = 1.2;       // as large as the names, at most
+constexpr double LegendGap = 0.06;       // between entries, as a share of their size
+constexpr double LegendNameShare = 0.25; // of an entry's height, for a name below its sphere
+constexpr double SphereShare = 0.5;      // of an entry's width, at most
+constexpr double NarrowShare = 0.25;     // the same in several columns
+
+// How entries are laid out: in equal cells, in pixels.
+struct LegendGrid
+{
+  int Columns = 1;
+  int Rows = 1;
+  double Width = 0.0; // of a cell
+  double Height = 0.0;
+  double Sphere = 0.0; // diameter
+
+  // The one with the largest spheres.
+  static LegendGrid Find(int count, double width, double height, bool horizontal)
+  {
+    LegendGrid best;
+    for (int lines = 1; lines <= count; ++lines) // columns, or rows where they stand side by side
+    {
+      const int others = (count + lines - 1) / lines;
+      LegendGrid grid;
+      grid.Columns = horizontal ? others : lines;
+      grid.Rows = horizontal ? lines : others;
+      grid.Width = width / grid.Columns;
+      grid.Height = height / grid.Rows;
+      grid.Sphere =
+        (1.0 - LegendGap) *
+        (horizontal ? std::min(grid.Width, (1.0 - LegendNameShare) * grid.Height)
+                    : std::min((lines > 1 ? NarrowShare : SphereShare) * grid.Width, grid.Height));
+      best = grid.Sphere > best.Sphere ? grid : best;
+    }
+    return best;
+  }
+};
+
+}
+
+namespace measuredbrdf
+{
+// A rectangle in pixels: its edges, or filled, with or without a texture.
+struct LegendRectangle
+{
+  explicit LegendRectangle(bool filled)
+  {
+    const float corners[4][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
+    vtkNew<vtkFloatArray> coordinates;
+    coordinates->SetNumberOfComponents(2);
+    for (const float* corner : corners)
+    {
+      coordinates->InsertNextTuple(corner);
+    }
+    this->Points->SetNumberOfPoints(4);
+    const vtkIdType ids[5] = { 0, 1, 2, 3, 0 };
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell(filled ? 4 : 5, ids);
+    vtkNew<vtkPolyData> shape;
+    shape->SetPoints(this->Points);
+    shape->GetPointData()->SetTCoords(coordinates);
+    filled ? shape->SetPolys(cells) : shape->SetLines(cells);
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(shape);
+    this->Actor->SetMapper(mapper);
+  }
+
+  void Place(double left, double bottom, double width, double height)
+  {
+    this->Points->SetPoint(0, left, bottom, 0.0);
+    this->Points->SetPoint(1, left + width, bottom, 0.0);
+    this->Points->SetPoint(2, left + width, bottom + height, 0.0);
+    this->Points->SetPoint(3, left, bottom + height, 0.0);
+    this->Points->Modified();
+    this->Points->GetData()->Modified();
+  }
+
+  void SetPicture(vtkImageData* picture)
+  {
+    if (!this->Actor->GetTexture())
+    {
+      vtkNew<vtkTexture> texture;
+      texture->InterpolateOn();
+      texture->SetColorModeToDirectScalars();
+      this->Actor->SetTexture(texture);
+    }
+    this->Actor->GetTexture()->SetInputDataObject(picture);
+  }
+
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkTexturedActor2D> Actor;
+};
+
+} // namespace measuredbrdf
+
+namespace
+{
+// As much of a text as is not wider, with dots where some is missing.
+void CutToWidth(vtkTextActor* actor, const std::string& text, vtkViewport* viewport, double width)
+{
+  double size[2];
+  for (std::size_t length = text.size();; --length)
+  {
+    while (length > 0 && length < text.size() && (text[length] & 0xC0) == 0x80)
+    {
+      --length; // within a character of UTF-8
+    }
+    actor->SetInput((length == text.size() ? text : text.substr(0, length) + "...").c_str());
+    actor->GetSize(viewport, size);
+    if (size[0] <= width || length == 0)
+    {
+      return;
+    }
+  }
+}
+
+// A picture of a sphere of a material, RGBA in floats, radiance^(1/2.2), transparent around the
+// sphere. Seen along -z from a great distance. Null where there is nothing to integrate with.
+vtkSmartPointer<vtkImageData> MakeMaterialPicture(
+  vtkBRDF* brdf, vtkEnvironment* environment, int pixels)
+{
+  vtkNew<vtkRadiancePlanner> planner;
+  planner->SetBRDF(brdf);
+  planner->SetEnvironment(environment);
+  planner->SetErrorTolerance(Tolerance);
+  if (!planner->Update())
+  {
+    return nullptr;
+  }
+  const auto integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator());
+  vtkNew<vtkDoubleArray> normals;
+  vtkNew<vtkDoubleArray> views;
+  vtkNew<vtkDoubleArray> radiance;
+  for (vtkDoubleArray* array : { normals.Get(), views.Get() })
+  {
+    array->SetNumberOfComponents(3);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(pixels) * pixels);
+  }
+  const double radius = 0.5 * pixels - 1.0; // room for a soft edge
+  std::vector<double> coverage;
+  for (int y = 0; y < pixels; ++y)
+  {
+    for (int x = 0; x < pixels; ++x)
+    {
+      double u = (x + 0.5 - 0.5 * pixels) / radius;
+      double v = (y + 0.5 - 0.5 * pixels) / radius;
+      const double r = std::hypot(u, v);
+      coverage.push_back(std::clamp((1.0 - r) * radius + 0.5, 0.0, 1.0));
+      const double inside = std::min(1.0, 0.999 / std::max(r, 1e-9));
+      u *= inside;
+      v *= inside;
+      const vtkIdType k = static_cast<vtkIdType>(y) * pixels + x;
+      normals->SetTuple3(k, u, v, std::sqrt(std::max(1.0 - u * u - v * v, 0.0)));
+      views->SetTuple3(k, 0.0, 0.0, 1.0);
+    }
+  }
+  if (!integrator || !integrator->Integrate(normals, views, radiance))
+  {
+    return nullptr;
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(pixels, pixels, 1);
+  image->AllocateScalars(VTK_FLOAT, 4);
+  auto* rgba = static_cast<float*>(image->GetScalarPointer());
+  for (std::size_t k = 0; k < coverage.size(); ++k)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const double value = radiance->GetComponent(static_cast<vtkIdType>(k), c);
+      *rgba++ = static_cast<float>(std::pow(std::max(value, 0.0), 1.0 / 2.2));
+    }
+    *rgba++ = static_cast<float>(coverage[k]);
+  }
+  return image;
+}
 }
 
 struct vtkMaterialLegendActor::Internals
@@ -43,7 +228,7 @@ struct vtkMaterialLegendActor::Internals
     vtkSmartPointer<vtkImageData> Picture; // null: it could not be made
     vtkMTimeType Time = 0;                 // of what it was made of
     int Resolution = 0;
-    std::shared_ptr<LegendSphere> Square;
+    std::shared_ptr<LegendRectangle> Square;
     vtkSmartPointer<vtkTextActor> Text;
   };
 
@@ -201,7 +386,7 @@ void vtkMaterialLegendActor::UpdateEntries()
     }
     if (!entry.Square)
     {
-      entry.Square = std::make_shared<LegendSphere>();
+      entry.Square = std::make_shared<LegendRectangle>(true);
       entry.Text = vtkSmartPointer<vtkTextActor>::New();
     }
     const vtkMTimeType time = std::max(brdf->GetMTime(), light->GetMTime());
@@ -214,12 +399,12 @@ void vtkMaterialLegendActor::UpdateEntries()
         [brdf](const Internals::Entry& other) { return other.BRDF == brdf; });
       entry.Picture = same != entries.end()
                         ? same->Picture
-                        : MakeMaterialPicture(brdf, light, this->SphereResolution, Tolerance);
+                        : MakeMaterialPicture(brdf, light, this->SphereResolution);
       if (!entry.Picture)
       {
         vtkErrorMacro("There is no picture of material " << k << ".");
       }
-      entry.Square->Texture->SetInputDataObject(entry.Picture);
+      entry.Square->SetPicture(entry.Picture);
     }
     entry.Label = map->GetName(k).empty() ? NumberText(map->GetValue(k)) : map->GetName(k);
     entries.push_back(entry);
@@ -249,8 +434,8 @@ void vtkMaterialLegendActor::UpdateLayout(vtkViewport* viewport)
   this->UpdateEntries();
   this->Impl->HasBackground = this->DrawBackground;
   this->Impl->HasFrame = this->DrawFrame;
-  this->Impl->Background.Place(left, bottom, left + width, bottom + height);
-  this->Impl->Frame.Place(left, bottom, left + width, bottom + height);
+  this->Impl->Background.Place(left, bottom, width, height);
+  this->Impl->Frame.Place(left, bottom, width, height);
   if (this->Impl->Entries.empty())
   {
     return;
@@ -302,7 +487,7 @@ void vtkMaterialLegendActor::PlaceEntries(
     if (this->Horizontal)
     {
       const double middle = x + 0.5 * grid.Width;
-      entry.Square->Place(middle - 0.5 * sphere, top - sphere, sphere);
+      entry.Square->Place(middle - 0.5 * sphere, top - sphere, sphere, sphere);
       text->SetJustificationToCentered();
       text->SetVerticalJustificationToTop();
       entry.Text->SetPosition(middle, top - (1.0 + LegendGap) * sphere);
@@ -310,7 +495,7 @@ void vtkMaterialLegendActor::PlaceEntries(
     else
     {
       const double middle = top - 0.5 * grid.Height;
-      entry.Square->Place(x, middle - 0.5 * sphere, sphere);
+      entry.Square->Place(x, middle - 0.5 * sphere, sphere, sphere);
       text->SetJustificationToLeft();
       text->SetVerticalJustificationToCentered();
       entry.Text->SetPosition(x + (1.0 + LegendGap) * sphere, middle);

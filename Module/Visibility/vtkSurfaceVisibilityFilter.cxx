@@ -3,12 +3,10 @@
 #include "vtkSurfaceVisibilityFilter.h"
 
 #include "ContentHash.h"
-#include "HiddenSky.h"
 #include "RunGuarded.h"
 #include "Setters.h"
 #include "SurfacePoints.h"
 #include "SurfaceTracer.h"
-#include "VisibilityArrays.h"
 #include "VisibilityTask.h"
 #include "vtkActor.h"
 #include "vtkCompositeDataIterator.h"
@@ -37,34 +35,27 @@ using namespace measuredbrdf;
 
 namespace
 {
-constexpr const char* BackSuffix = "Back";
-
-SideNames GetNames(const std::string& suffix)
-{
-  return { vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName() + suffix,
-    vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() + suffix,
-    vtkSurfaceVisibilityFilter::GetBouncedLightArrayName() + suffix };
-}
-
 // In place of all that an earlier run left there: the key speaks for all of them.
 void AddArrays(vtkPolyData* surface, const SurfaceArrays& arrays, bool bounce)
 {
-  for (const char* suffix : { "", BackSuffix })
+  vtkPointData* data = surface->GetPointData();
+  const auto replace = [data](const std::string& name, vtkUnsignedCharArray* array)
   {
-    const SideNames names = GetNames(suffix);
-    for (const std::string& name : { names.Sky, names.Light, names.Bounced })
+    data->RemoveArray(name.c_str());
+    if (array)
     {
-      surface->GetPointData()->RemoveArray(name.c_str());
+      array->SetName(name.c_str());
+      data->AddArray(array);
     }
-  }
-  for (const SideArrays& side : arrays.Sides)
+  };
+  for (std::size_t k = 0; k < 2; ++k)
   {
-    surface->GetPointData()->AddArray(side.Sky);
-    surface->GetPointData()->AddArray(side.Light);
-    if (bounce)
-    {
-      surface->GetPointData()->AddArray(side.Bounced);
-    }
+    const std::string suffix = k == 0 ? "" : "Back";
+    const SideArrays side = k < arrays.Sides.size() ? arrays.Sides[k] : SideArrays();
+    replace(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName() + suffix, side.Sky);
+    replace(vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() + suffix, side.Light);
+    replace(vtkSurfaceVisibilityFilter::GetBouncedLightArrayName() + suffix,
+      bounce ? side.Bounced : nullptr);
   }
   vtkNew<vtkStringArray> key;
   key->SetName(vtkSurfaceVisibilityFilter::GetKeyArrayName());
@@ -157,12 +148,7 @@ struct vtkSurfaceVisibilityFilter::Internals
   {
     SurfaceTracer tracer;
     this->Build(self, surfaces, tracer);
-    std::vector<SideNames> sides = { GetNames("") };
-    if (self->BothSides)
-    {
-      sides.push_back(GetNames(BackSuffix));
-    }
-    const VisibilityTask::Settings settings = { self->NumberOfRays, sides, self->SelfOcclusion,
+    const VisibilitySettings settings = { self->NumberOfRays, self->BothSides, self->SelfOcclusion,
       self->MaximumDistance > 0.0 ? self->MaximumDistance
                                   : std::numeric_limits<double>::infinity() };
     VisibilityTask task(tracer, surfaces, settings, (withSky ? 1 : 0) + (self->Bounce ? 1 : 0),
@@ -235,7 +221,7 @@ void vtkSurfaceVisibilityFilter::SetNumberOfRays(int numberOfRays)
     vtkWarningMacro("SetNumberOfRays: " << numberOfRays << " is not from 64 to 4096; " << clamped
                                         << " is taken.");
   }
-  const int rounded = clamped / HiddenSky::Sectors * HiddenSky::Sectors;
+  const int rounded = clamped / HorizonCode::Sectors * HorizonCode::Sectors;
   measuredbrdfAssignMacro(NumberOfRays, rounded);
 }
 

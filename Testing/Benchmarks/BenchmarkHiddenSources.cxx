@@ -10,7 +10,7 @@
 #include "OcclusionMeshes.h"
 #include "SurfacePoints.h"
 #include "SurfaceTracer.h"
-#include "VisibilityArrays.h"
+#include "VisibilityTask.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSurfaceVisibilityFilter.h"

@@ -5,14 +5,9 @@
 
 #include "MappedSample.h"
 
-#include "vtkBRDF.h"
-#include "vtkDataArray.h"
-#include "vtkMaterialMapFitter.h"
-#include "vtkPointData.h"
-
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
-#include <random>
 
 namespace
 {
@@ -20,49 +15,6 @@ const std::vector<std::string> Samples[] = { { "nickel", "red-fabric2", "blue-ru
   { "gold-paint", "delrin", "white-marble", "hematite" },
   { "blue-fabric", "pink-felt", "yellow-matte-plastic" } };
 
-//------------------------------------------------------------------------------
-/// Relative L1 difference of the photographs that two maps give, at directions up to 60 degrees
-/// that no fit has: half of them anywhere, half near the mirror direction. Photographs count alike.
-double Compare(vtkMaterialMap* found, vtkMaterialMap* original, bool mirror)
-{
-  vtkNew<vtkSimulatedPhotographSet> sets[2];
-  sets[0]->SetMaterialMap(found);
-  sets[1]->SetMaterialMap(original);
-  std::mt19937 random(3);
-  const auto number = [&](double from, double to)
-  { return from + (to - from) * static_cast<double>(random()) * 0x1p-32; };
-  for (int k = 0; k < 100; ++k)
-  {
-    double light[3], view[3];
-    const double theta = number(0.0, 60.0), phi = number(0.0, 360.0);
-    vtkPhotographSet::GetDirection(theta, phi, light);
-    vtkPhotographSet::GetDirection(mirror ? theta + number(0.0, 8.0) : number(0.0, 60.0),
-      mirror ? phi + number(175.0, 185.0) : number(0.0, 360.0), view);
-    sets[0]->AddDirections(light, view);
-    sets[1]->AddDirections(light, view);
-  }
-  double sum = 0.0;
-  for (int k = 0; k < 100; ++k)
-  {
-    const auto a = vtkSmartPointer<vtkImageData>::Take(sets[0]->NewPicture(k));
-    const auto b = vtkSmartPointer<vtkImageData>::Take(sets[1]->NewPicture(k));
-    vtkDataArray* x = a->GetPointData()->GetScalars();
-    vtkDataArray* r = b->GetPointData()->GetScalars();
-    double difference = 0.0, whole = 0.0;
-    for (vtkIdType texel = 0; texel < x->GetNumberOfTuples(); ++texel)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        difference += std::abs(x->GetComponent(texel, c) - r->GetComponent(texel, c));
-        whole += r->GetComponent(texel, c);
-      }
-    }
-    sum += difference / whole / 100.0;
-  }
-  return sum;
-}
-
-//------------------------------------------------------------------------------
 double FitInSeconds(vtkMaterialMapFitter* fitter) // CPU time
 {
   const std::clock_t begin = std::clock();
@@ -73,45 +25,6 @@ double FitInSeconds(vtkMaterialMapFitter* fitter) // CPU time
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
-//------------------------------------------------------------------------------
-void AddLibrary(vtkMaterialMapFitter* fitter)
-{
-  for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
-  {
-    const std::string name = vtkEmbeddedMaterials::GetName(k);
-    const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
-    fitter->AddMaterial(brdf, name);
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Mean difference of weights; -1 where the materials are not the sample's.
-double CompareWeights(vtkMaterialMap* found, vtkMaterialMap* original)
-{
-  double sum = 0.0;
-  const int texels = static_cast<int>(original->GetWeightImage(0)->GetNumberOfPoints());
-  for (int k = 0; k < original->GetNumberOfMaterials(); ++k)
-  {
-    int number = 0;
-    while (number < found->GetNumberOfMaterials() && found->GetName(number) != original->GetName(k))
-    {
-      ++number;
-    }
-    for (int texel = 0; texel < texels && number < found->GetNumberOfMaterials(); ++texel)
-    {
-      sum += std::abs(GetWeight(found, number, texel) - GetWeight(original, k, texel));
-    }
-    if (number == found->GetNumberOfMaterials())
-    {
-      return -1.0;
-    }
-  }
-  return found->GetNumberOfMaterials() == original->GetNumberOfMaterials()
-           ? sum / texels / original->GetNumberOfMaterials()
-           : -1.0;
-}
-
-//------------------------------------------------------------------------------
 void PrintLibrary()
 {
   std::printf("sample | photographs | noise | error of a texel, mean | 95 %% | mean difference of "
@@ -130,16 +43,16 @@ void PrintLibrary()
         fitter->SetMaximumNumberOfMaterials(8);
         AddLibrary(fitter);
         const double seconds = FitInSeconds(fitter);
+        const WeightDifference difference = CompareWeights(fitter->GetOutput(), original);
         std::printf("%s ... | %d | %g | %.5f | %.5f | %.5f | %.2f\n", names[0].c_str(), count,
           noise, fitter->GetMeanError(), fitter->GetError95(),
-          CompareWeights(fitter->GetOutput(), original), seconds);
+          difference.AreOthers ? -1.0 : difference.Mean, seconds);
         std::fflush(stdout);
       }
     }
   }
 }
 
-//------------------------------------------------------------------------------
 void PrintTables()
 {
   std::printf(
@@ -167,8 +80,9 @@ void PrintTables()
           std::printf("%s ... | %s | %d | %g | %.4f | %.4f | %.4f | %.4f | %.4f | %.3f | %.2f\n",
             names[0].c_str(), half ? "half vector" : "Bonn", count, noise,
             fitter->GetFactorizationError(), fitter->GetMeanError(), fitter->GetError95(),
-            Compare(fitter->GetOutput(), original, false),
-            Compare(fitter->GetOutput(), original, true), fitter->GetSeenShare(), seconds);
+            ComparePhotographs(fitter->GetOutput(), original, false),
+            ComparePhotographs(fitter->GetOutput(), original, true), fitter->GetSeenShare(),
+            seconds);
           std::fflush(stdout);
         }
       }
@@ -176,7 +90,6 @@ void PrintTables()
   }
 }
 
-//------------------------------------------------------------------------------
 void PrintSize()
 {
   std::printf("texels | photographs | method | passes | CPU s of the fit | of the photographs\n");

@@ -554,9 +554,9 @@ add("Fitting.pbr-metals-are-diffuse", "PBRShading.h", "(1.0 - p.Metallic) * c * 
 
 add("Fitting.multiplier-is-not-removed", "LinearLeastSquares.cxx", "this->Z -= this->Multiplier * solved.col(1);", "",
     "SimplexLeastSquares.NothingNearbyIsBetter")
-add("Fitting.masked-photographs-count", "TexelSums.cxx", "if (this->IsMasked(k, p) != subtract)",
+add("Fitting.masked-photographs-count", "TexelWeights.cxx", "if (this->IsMasked(k, p) != subtract)",
     "if (this->IsMasked(k, p) == subtract)", "MaterialMapFitter.LeavesOutSpoiledPixels")
-add("Fitting.saturated-pixels-count", "PhotographPixels.cxx", "most >= this->Saturation", "most > this->Saturation",
+add("Fitting.saturated-pixels-count", "PhotographPasses.cxx", "most >= this->Saturation", "most > this->Saturation",
     "MaterialMapFitter.IntegersAreSharesOfTheirLargest|MaterialMapFitter.LeavesOutSpoiledPixels")
 add("Fitting.library-without-exchange-of-weights", "TexelWeights.cxx", "solution.Weights.dot(matrix * solution.Weights)",
     "solution.Weights.dot(right)", "MaterialMapFitter.FindsTheMaterialsOfALibraryAndTheirWeights")
@@ -721,7 +721,7 @@ add("Rendering.plan-learns-of-no-light", "CurrentPlan.cxx", "this->Job->WantShad
 add("Rendering.failed-plan-begun-again", "CurrentPlan.cxx", "this->Adopt(wanted, done ? job->GetPlan() : nullptr);",
     "this->Adopt(job->GetPlan() ? wanted : PlanInputs(), job->GetPlan());",
     "StandIns.PlansThatFail")
-add("Rendering.failed-stand-in-tried-again", "BRDFTextures.cxx", "if (time <= this->FailureTime)",
+add("Rendering.failed-stand-in-tried-again", "ShaderTextures.cxx", "if (time <= this->FailureTime)",
     "if (time < 0 * this->FailureTime)", "StandIns.ThoseThatFailAreTriedOnce")
 add("Rendering.plans-beside-stand-ins", "PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->IsStopped; }",
     "{ return this->Holds < 9; }", "SideBySide.HeldUntilSomebodyWaits")
@@ -751,8 +751,8 @@ add("Rendering.plan-without-tolerance", "PlanJob.cxx", "planner->SetErrorToleran
 add("Rendering.plan-bridges-changed-pixels", "CurrentPlan.cxx",
     "this->Plan->GetEnvironment()->GetPixelsMTime() == this->Times[1];", "this->Times[1] > 0;",
     "Background.ChangedPixelsAreNotBridgedByAPlanOfThem")
-add("Rendering.view-ignores-the-mesh", "MapperPlans.cxx", "from == view.From && times == view.Times",
-    "from == view.From", "Views.WhatIsSeenDependsOn")
+add("Rendering.view-ignores-the-mesh", "MapperPlans.cxx",
+    "    from.push_back(static_cast<double>(surface->GetMTime()));", "    (void)surface;", "Views.WhatIsSeenDependsOn")
 add("Rendering.view-ignores-the-actor", "MapperPlans.cxx", "matrix->GetData() + 16);",
     "matrix->GetData() + (matrix == request.Actor->GetMatrix() ? 0 : 16));", "Views.WhatIsSeenDependsOn")
 add("Rendering.views-of-gone-actors-stay", "MapperPlans.cxx", "(std::get<2>(key) && !this->Actor);", "false;",
@@ -785,13 +785,13 @@ add("Rendering.hidden-lines-plan", "RenderPassQueries.cxx", "return mask[0] || m
     "Views.HiddenLinesNeedNoPlans")
 add("Rendering.cube-faces-upside-down", "TextureEnvironment.cxx", "low < high; low += row",
     "high < low; low += row", "Mapper.CubeMapTexture")
-add("Rendering.textures-never-repeat", "BRDFTextures.cxx", "texture.Repeat[axis] ? vtkTextureObject::Repeat",
+add("Rendering.textures-never-repeat", "ShaderTextures.cxx", "texture.Repeat[axis] ? vtkTextureObject::Repeat",
     "texture.Repeat[axis] ? vtkTextureObject::ClampToEdge", "Parity.Tables|Parity.TableIntegrator")
-add("Rendering.padding-is-transparent", "BRDFTextures.cxx", "triples[k + 2], 1.0f });",
+add("Rendering.padding-is-transparent", "ShaderTextures.cxx", "triples[k + 2], 1.0f });",
     "triples[k + 2], 0.0f });", "Parity.Tables",
     equivalent="shaders read only red, green and blue of textures that have no fourth component")
-add("Rendering.hard-lights-get-soft-textures", "BRDFTextures.cxx",
-    "return FindShared(brdf, softLights, window);", "return FindShared(brdf, true, window);",
+add("Rendering.hard-lights-get-soft-textures", "ShaderTextures.cxx",
+    "FindShared(brdf, softLights, window);", "FindShared(brdf, true, window);",
     "Mapper.SoftLightsOfTablesCostHardOnesNothing")
 add("Rendering.block-indices-from-one", "BlockMaterials.cxx", "index = this->Next++;",
     "index = ++this->Next;", "Composite.MaterialsOfBlocks")
@@ -1088,13 +1088,13 @@ add("Rendering.map-the-rest-is-drawn-twice", "MixtureShader.cxx", "if (brdfNeare
 add("Rendering.map-scalars-that-choose-color", "PartMappers.cxx", "if (colored || ",
     "if (!colored || ",
     "MaterialMapping.ScalarsThatChooseDoNotColor")
-add("Rendering.map-classes-keep-the-last-textures", "BRDFTextures.cxx",
+add("Rendering.map-classes-keep-the-last-textures", "ShaderTextures.cxx",
     "if (!last.Has(uploaded.Texture.get()))", "if (false)",
     "ManyClasses.OfSeveralShadersUnderALight")
 add("Rendering.map-classes-released-elsewhere", "ClassesMapper.cxx",
     "this->OwnWindow->PushContext();", "", "ManyClasses.LeaveOtherWindowsAlone")
-add("Rendering.map-classes-keep-the-last-numbers", "BRDFTextures.cxx",
-    "if (last && last->Form.Terms[term].Uniforms[k].Values == uniform.Values)", "if (last)",
+add("Rendering.map-classes-keep-the-last-numbers", "ShaderTextures.cxx",
+    "if (last && last->Inputs.Terms[term].Uniforms[k].Values == uniform.Values)", "if (last)",
     "ManyClasses.OfSeveralShadersUnderALight")
 add("Rendering.map-classes-share-cell-colors", "ClassesMapper.cxx",
     "if (program->IsUniformUsed(\"PrimitiveIDOffset\"))", "if (false)",
@@ -1167,38 +1167,21 @@ add("Fetch.files-have-no-names", "FetchCatalog.cxx", "return entry.Name == name 
 
 # What surfaces hide
 
-add("Visibility.hidden-rays-without-cosine", "HiddenSky.cxx", "transfer[j] += d.z * values[j];",
+add("Visibility.hidden-rays-without-cosine", "HorizonCode.cxx", "transfer[j] += d.z * values[j];",
     "transfer[j] += values[j];", "HiddenSky.ACraterHidesTheLowSky")
-add("Visibility.panels-hidden-by-slivers", "HiddenSky.cxx", "return this->Trust * (high * high", "return (high * high",
-    "HiddenSky.SliversAtTheHorizonHideNoPanel")
-add("Visibility.lobes-beyond-the-horizon", "HiddenSky.cxx", "(e + 0.5) / Elevations * std::exp(across", "std::exp(across",
-    "HiddenSky.ACraterHidesTheLowSky")
-add("Visibility.margins-of-lamps-cut-off", "HiddenSky.cxx", "-LargestMargin, LargestMargin);", "-0.5, 0.5);",
-    "HiddenSky.MarginsSayHowFarLampsAreFromShadows")
-add("Visibility.sectors-count-backwards", "HiddenSky.cxx", "return SectorWidth * sector;",
+add("Visibility.sectors-count-backwards", "HorizonCode.cxx", "return SectorWidth * sector;",
     "return -SectorWidth * sector;", "OcclusionTest.LobesLackTheirHiddenShare")
-add("Visibility.planes-by-sines", "HiddenSky.cxx", "constexpr double Steepness = 0.96;",
-    "constexpr double Steepness = 0.0;", "HiddenSky.PlanesAreFollowedBetweenSectors")
-add("Visibility.lobes-see-whole-panels", "HiddenSky.cxx", "ends(local.z + rise, seenRadius)", "ends(local.z + 0.0 * rise, seenRadius)",
-    "HiddenSky.LobesSeeTheirPartOfAPanel")
-add("Visibility.empty-sectors-at-the-horizon", "HiddenIntervals.cxx", "interval = { place, place };",
+add("Visibility.empty-sectors-at-the-horizon", "HorizonCode.cxx", "interval = { place, place };",
     "interval = { 0.0 * place, 0.0 };", "HiddenSky.FloatingBodiesEndBetweenSectors")
-add("Visibility.openings-from-the-horizon", "HiddenIntervals.cxx", "const bool asks = this->Opening &&", "const bool asks = !this->Opening &&",
+add("Visibility.openings-from-the-horizon", "HorizonCode.cxx", "const bool asks = this->Opening &&", "const bool asks = !this->Opening &&",
     "HiddenSky.SillsOfOpeningsHideTheHorizon")
-add("Visibility.narrow-slits-are-open", "HiddenSky.cxx", "intervals.IsOpening() && width == 0", "intervals.IsOpening() && width < 0",
+add("Visibility.narrow-slits-are-open", "HorizonCode.cxx", "intervals.IsOpening() && width == 0", "intervals.IsOpening() && width < 0",
     "HiddenSky.NarrowSlitsAreDark")
-add("Visibility.lobes-see-what-openings-show", "HiddenSky.cxx", "return this->Opening ? 1.0 - share : share;", "return share;",
-    "HiddenSky.HollowsHideFromBothSides")
-add("Visibility.panels-see-what-openings-show", "HiddenSky.cxx", "isRoof != this->Opening", "isRoof",
-    "HiddenSky.HollowsHideFromBothSides")
-add("Visibility.hollows-by-what-they-hide", "HiddenIntervals.cxx", "this->Opening = misfit[1] < misfit[0];",
+add("Visibility.hollows-by-what-they-hide", "HorizonCode.cxx", "this->Opening = misfit[1] < misfit[0];",
     "this->Opening = false;", "HiddenSky.HollowsHideFromBothSides")
-add("Visibility.strata-without-offset", "HiddenSky.cxx",
+add("Visibility.strata-without-offset", "HorizonCode.cxx",
     "return ReverseBits(static_cast<unsigned>(sector)) + 0.5 / Sectors;", "return 0.5;",
     "SurfaceVisibility.BlocksHideOneAnother")
-add("Visibility.wide-lobes-see-no-light", "HiddenSky.cxx",
-    "const double power = 1.0 / (1.0 + kappa / CorrelationKappa);", "const double power = 0.0 * kappa;",
-    "HiddenSky.BrightHiddenSkiesCountMore")
 add("Visibility.origins-on-edges", "SurfacePoints.cxx", "constexpr double Inwards = 0.02;",
     "constexpr double Inwards = 0.0;", "SurfaceVisibility.EdgesBelongToTheirOwnSide")
 add("Visibility.key-without-cells", "SurfacePoints.cxx", "hash.AddValues(ids);", "",
@@ -1249,7 +1232,7 @@ add("Rendering.attributes-without-end", "MaterialShading.cxx",
     "own + needs.Attributes <= this->MostAttributes &&", "", "LimitsTest.DrawsWhatThereIsRoomFor")
 add("Rendering.clipping-takes-no-varyings", "MaterialShading.cxx",
     "this->Mapper->GetNumberOfClippingPlanes() > 0 ? 6 : 0", "0", "LimitsTest.ClippingPlanesAndEdgesTakeVaryings")
-add("Rendering.failures-are-said-once", "MaterialDrawing.cxx",
+add("Rendering.failures-are-said-once", "RenderReports.h",
     "this->Failures.count(it->first) == 0;", "this->Failures.count(it->first) == 2;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
 add("Rendering.what-throws-is-not-drawn", "MaterialShading.cxx", "tries = !this->IsPlain;",
     "tries = false;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
@@ -1257,7 +1240,7 @@ add("Rendering.shared-created-light-shines", "RenderPassQueries.cxx", "other->Ge
     "false &&", "MapperShading.LightThatVTKCreated")
 add("Rendering.plans-before-stay", "MapperPlans.cxx", "  if (view.Drawn)", "  if (view.Drawn && view.Looks.size() > 99)",
     "Views.ForViewIsBridged*")
-add("Rendering.kept-light-does-not-turn", "OcclusionKept.cxx", "add(turn[column]);", "add(0.0 * turn[column]);",
+add("Rendering.kept-light-does-not-turn", "OcclusionShader.cxx", "add(turn[column]);", "add(0.0 * turn[column]);",
     "OcclusionPointsTest.LightMayTurnAndRestAgain")
 add("Rendering.views-take-each-others-light", "OcclusionPoints.cxx", "state->Of.View == question.View &&", "true &&",
     "OcclusionPointsTest.ViewsKeepTheirOwn")
@@ -1272,34 +1255,36 @@ add("Rendering.hidden-sky-of-the-wrong-side", "OcclusionShader.cxx",
     "OcclusionTest.NormalsMayPointEitherWay")
 add("Rendering.outlines-without-hidden-sky", "OcclusionArrays.cxx", "return -std::sqrt(1.0 - cosine * cosine) - margin;",
     "return 0.6 * cosine / margin;", "OcclusionTest.NormalsMayPointEitherWay")
-add("Visibility.same-side-twice", "VisibilityTask.cxx", "side == 0 ? 1.0 : -1.0, hidden",
-    "1.0, hidden", "SurfaceVisibility.TheOtherSideHasItsOwnSky")
+add("Visibility.same-side-twice", "VisibilityTask.cxx", "side == 0 ? 1.0 : -1.0, hidden));",
+    "1.0, hidden));", "SurfaceVisibility.TheOtherSideHasItsOwnSky")
 add("Visibility.traced-again", "vtkSurfaceVisibilityFilter.cxx",
     "const bool isKnown = key == this->Key;", "const bool isKnown = false;", "SurfaceVisibility.WhatIsKnownIsNotTracedAgain")
-add("Visibility.bounce-beyond-the-sky", "BouncedLight.cxx", "std::floor(root / RootStep)", "std::ceil(root / RootStep)",
+add("Visibility.bounce-beyond-the-sky", "HorizonCode.cxx", "std::floor(root / RootStep)", "std::ceil(root / RootStep)",
     "BouncedLight.CodesKeepTransfers")
-add("Visibility.bounce-of-all-rays", "BounceTracer.cxx", "met > 0.0 ? hidden / met : 0.0", "hidden",
+add("Visibility.bounce-of-all-rays", "VisibilityTask.cxx", "met > 0.0 ? hidden / met : 0.0", "hidden",
     "BouncedLight.HollowsGetLighterAndNeverLighterThanTheSky|BouncedLight.BouncesAreThoseOfTracedLight")
-add("Visibility.bounce-of-the-other-side", "BounceTracer.cxx", "== (glm::dot(facet, direction) > 0.0)",
+add("Visibility.bounce-of-the-other-side", "VisibilityTask.cxx", "== (glm::dot(facet, direction) > 0.0)",
     "!= (glm::dot(facet, direction) > 0.0)", "BouncedLight.BouncesAreThoseOfTracedLight")
-add("Rendering.bounce-without-albedo", "OcclusionBounce.cxx", "this->Albedo * turned[j] *", "turned[j] *",
+add("Rendering.bounce-without-albedo", "OcclusionShader.cxx", "light.Bounce->Albedo * turned[j] *", "turned[j] *",
     "BounceTest.ShadersAgreeWithTheCppForms|BounceTest.PicturesComeNearTracedLight")
 add("Shaders.bounce-by-the-root", "vtkBRDFBouncedLight.glsl", "max(a.x * a.x * sum, vec3(0.0))",
     "max(a.x * sum, vec3(0.0))", "BounceTest.ShadersAgreeWithTheCppForms")
 add("Rendering.stale-visibility", "OcclusionArrays.cxx", "problem = isPart ? \"\" : CheckKey(surface);",
     "problem = \"\";", "OcclusionTest.BadArraysAreSaidOnceAndNotUsed")
-add("Rendering.hidden-light-unturned", "OcclusionAxes.cxx",
-    "this->ToEnvironment.push_back(own * toRenderer * turned);",
-    "this->ToEnvironment.push_back(own * toRenderer);", "OcclusionTest.ActorsMayBeTurnedMirroredAndScaled")
-add("Rendering.lobes-without-cosine", "OcclusionLobes.cxx", "cell.Cosine * std::exp(", "cell.SolidAngle * std::exp(",
+add("Rendering.hidden-light-unturned", "OcclusionShader.cxx",
+    "own * glm::transpose(columns) * turned);",
+    "own * glm::transpose(columns));", "OcclusionTest.ActorsMayBeTurnedMirroredAndScaled")
+add("Rendering.lobes-see-what-openings-show", "OcclusionShader.cxx", "brdfSkyOpening ? 1.0 - brdfShareOf#M : brdfShareOf#M",
+    "brdfShareOf#M", "OcclusionTest.LobesLackTheirHiddenShare")
+add("Rendering.lamps-in-tables-shine-through", "OcclusionShader.cxx", "clamp(0.5 - #MARGIN, 0.0, 1.0) * light;",
+    "0.0 * light;", "OcclusionTest.LampsBesideTheAxisTakeTheirPartOfTheLobe")
+add("Rendering.lobes-without-cosine", "OcclusionLight.cxx", "cell.Cosine * std::exp(", "cell.SolidAngle * std::exp(",
     "OcclusionTest.LobesHaveTheKernelsMean")
 add("Shaders.openings-have-roofs-for-walls", "vtkBRDFHiddenSky.glsl", "return opening ? (inside", "return false ? (inside",
     "OcclusionTest.PanelsAreHiddenOneByOne")
 add("Shaders.lamps-edges-on-points", "vtkBRDFHiddenSky.glsl", "clamp(max(below, above), -3.0, 3.0)", "clamp(max(below, above), -0.5, 0.5)",
     "OcclusionTest.ShadowEdgesCrossTriangles")
 add("Shaders.lamps-in-tables-go-with-the-rest", "vtkBRDFHiddenSky.glsl", "  return 1.0 - root * root;", "  return 0.0;",
-    "OcclusionTest.LampsBesideTheAxisTakeTheirPartOfTheLobe")
-add("Rendering.lamps-in-tables-shine-through", "OcclusionLight.cxx", "lost += part * inTable;", "lost += 0.0 * inTable;",
     "OcclusionTest.LampsBesideTheAxisTakeTheirPartOfTheLobe")
 add("Shaders.hidden-sky-odds", "vtkBRDFHiddenSky.glsl", "(12.0 / (12.0 + kappa))",
     "(3.0 / (3.0 + kappa))", "OcclusionTest.LobesLackTheirHiddenShare")
@@ -1336,6 +1321,6 @@ add("Integration.tails-of-one-side", "TailRegularity.cxx", "for (const double tu
 add("Visibility.occluders-stay", "vtkSurfaceVisibilityFilter.cxx", "occluder.Matrix ? occluder.Matrix->GetMTime() : 0", "0",
     "OcclusionStability.OccludersMayMove")
 add("Visibility.bounce-of-an-earlier-run-stays", "vtkSurfaceVisibilityFilter.cxx",
-    "surface->GetPointData()->RemoveArray(name.c_str());", "", "BouncedLight.OfAnEarlierRunGoes")
+    "    data->RemoveArray(name.c_str());", "", "BouncedLight.OfAnEarlierRunGoes")
 add("Visibility.buried-points-darken", "VisibilityTask.cxx", "constexpr double buried = 0.99;",
     "constexpr double buried = 2.0;", "OcclusionStability.PointsInsideOtherBodiesDarkenNothing")

@@ -16,7 +16,9 @@
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkLambertBRDF.h"
+#include "vtkLight.h"
 #include "vtkMaterialMap.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkPointData.h"
@@ -29,6 +31,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
 #include <vector>
 
 constexpr int Side = 8;       // squares along an edge; 8 x 8 pixels each
@@ -182,6 +185,114 @@ protected:
     this->SetArray(this->Sheet->GetPointData(), (Side + 1) * (Side + 1), components, value);
   }
 
+  /// Cells in turns of each of the classes.
+  void SetClassesOfCells(int count)
+  {
+    this->SetCells([count](vtkIdType cell, int) { return static_cast<double>(cell % count); });
+  }
+
+  /// Cells in turns of materials: the weights of a place that ExpectMixture wants.
+  static double GetWeightInTurns(const Place& place, int material, int count)
+  {
+    return place.OnDiagonal ? -1.0 : (place.Cell % count == material ? 1.0 : 0.0);
+  }
+
+  /// An array of points for each material.
+  void AddWeightArrays(const std::function<double(vtkIdType, int)>& weight)
+  {
+    this->Map->SetModeToWeights();
+    for (int k = 0; k < this->Map->GetNumberOfMaterials(); ++k)
+    {
+      this->SetPoints([&](vtkIdType point, int) { return weight(point, k); });
+      const std::string name = "weight " + std::to_string(k);
+      this->Sheet->GetPointData()->GetArray("data")->SetName(name.c_str());
+      this->Map->SetWeightArrayName(k, name);
+    }
+  }
+
+  /// weight: of a texel's column and row and a component.
+  vtkSmartPointer<vtkImageData> AddWeightImage(
+    int side, int components, int type, const std::function<double(int, int, int)>& weight)
+  {
+    this->Map->SetModeToTextures();
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(side, side, 1);
+    image->AllocateScalars(type, components);
+    for (int k = 0; k < side * side * components; ++k)
+    {
+      const int texel = k / components;
+      image->SetScalarComponentFromDouble(texel % side, texel / side, 0, k % components,
+        weight(texel % side, texel / side, k % components));
+    }
+    this->Map->AddWeightImage(image);
+    return image;
+  }
+
+  /// Values of points on the map's scale, and the mixture that they make.
+  void SetPointValues(const std::function<double(vtkIdType)>& value)
+  {
+    this->Map->SetModeToValues();
+    this->SetPoints([value](vtkIdType point, int) { return value(point); });
+    this->ValueOf = value;
+  }
+  void ExpectValuesBlend(double tolerance = 1e-4)
+  {
+    this->ExpectMixture([this](const Place& place, int k)
+      { return this->Map->GetWeight(k, place.Interpolate(this->ValueOf)); },
+      tolerance);
+  }
+
+  /// Active scalars of cells that the map does not read: all of the lookup table's first color,
+  /// red.
+  void ColorCellsRed()
+  {
+    vtkNew<vtkFloatArray> other;
+    other->SetName("other");
+    other->SetNumberOfTuples(2 * Side * Side);
+    other->FillValue(0.0f);
+    this->Sheet->GetCellData()->SetScalars(other);
+    this->Sheet->Modified();
+  }
+
+  void AddLight()
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->SetPosition(1.0, 2.0, 4.0);
+    this->Renderer->AddLight(light);
+  }
+  void AddHeadlight()
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToHeadlight();
+    this->Renderer->AddLight(light);
+  }
+
+  /// Of a diffuse part, of gloss, of both: three shaders.
+  void RemoveSomeTerms()
+  {
+    for (std::size_t k = 0; k < this->Materials.size(); ++k)
+    {
+      if (k % 3 != 0)
+      {
+        const vtkSmartPointer<vtkBRDF> term =
+          this->Materials[k]->GetTerm(static_cast<int>(k % 3) - 1);
+        this->Materials[k]->RemoveAllTerms();
+        this->Materials[k]->AddTerm(term);
+      }
+    }
+  }
+
+  static void ExpectSame(
+    const FloatImage& a, const FloatImage& b, const std::string& what, double tolerance = Same)
+  {
+    for (std::size_t k = 0; k < a.RGBA.size(); ++k)
+    {
+      ASSERT_NEAR(a.RGBA[k], b.RGBA[k], tolerance)
+        << what << ": " << k / 4 % Pixels << " " << k / 4 / Pixels;
+    }
+  }
+
   /// What each material shows alone.
   void RenderAlone()
   {
@@ -241,6 +352,7 @@ protected:
   vtkNew<vtkActor> Actor;
   std::vector<vtkSmartPointer<vtkSumBRDF>> Materials;
   std::vector<FloatImage> Alone;
+  std::function<double(vtkIdType)> ValueOf;
 };
 
 #endif

@@ -5,14 +5,11 @@
 #include "MaterialMapFixture.h"
 
 #include "vtkHybridRadianceIntegrator.h"
-#include "vtkImageData.h"
-#include "vtkLight.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 namespace
@@ -69,20 +66,16 @@ TEST_F(MaterialMapping, ValuesBlendInEachPixel)
 {
   this->AddMaterials(4);
   this->Map->RemoveAllMaterials();
-  this->Map->SetModeToValues();
   const double knots[4] = { -2.0, 1.0, 1.5, 9.0 };
   for (std::size_t k = 0; k < 4; ++k)
   {
     this->Map->AddMaterial(this->Materials[k], knots[k]);
   }
   // Steep: several of them within one triangle.
-  const auto valueOf = [](vtkIdType point)
-  { return 4.0 * std::sin(0.7 * static_cast<double>(point)) + 2.0; };
-  this->SetPoints([&](vtkIdType point, int) { return valueOf(point); });
+  this->SetPointValues(
+    [](vtkIdType point) { return 4.0 * std::sin(0.7 * static_cast<double>(point)) + 2.0; });
   this->RenderAlone();
-  this->ExpectMixture([&](const Place& place, int k)
-    { return this->Map->GetWeight(k, place.Interpolate(valueOf)); },
-    1e-4);
+  this->ExpectValuesBlend();
 }
 
 TEST_F(MaterialMapping, ValuesOfCells)
@@ -124,56 +117,16 @@ TEST_F(MaterialMapping, WeightsOfPoints)
     1e-4);
 }
 
-TEST_F(MaterialMapping, WeightsOfSingleArrays)
-{
-  this->AddMaterials(2);
-  this->Map->SetModeToWeights();
-  for (int k = 0; k < 2; ++k)
-  {
-    this->SetPoints(
-      [k](vtkIdType point, int) { return k == 0 ? 1.0 : 0.1 * static_cast<double>(point % 7); });
-    const std::string name = "weight " + std::to_string(k);
-    this->Sheet->GetPointData()->GetArray("data")->SetName(name.c_str());
-    this->Map->SetWeightArrayName(k, name);
-  }
-  this->RenderAlone();
-  this->ExpectMixture(
-    [&](const Place& place, int k)
-    {
-      return place.Interpolate(
-        [k](vtkIdType point)
-        {
-          const double other = 0.1 * static_cast<double>(point % 7);
-          return (k == 0 ? 1.0 : other) / (1.0 + other);
-        });
-    },
-    1e-4);
-}
-
 // Images as large as the window: a texel each pixel, so nothing is interpolated.
 TEST_F(MaterialMapping, WeightsOfImages)
 {
   this->AddMaterials(5);
-  this->Map->SetModeToTextures();
   const auto weightOf = [](int x, int y, int k)
   { return k == (x / 5 + y / 3) % 5 ? 200 : (k == x % 5 ? 55 : 0); };
   for (int first : { 0, 3 })
   {
-    const int components = first == 0 ? 3 : 2;
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(Pixels, Pixels, 1);
-    image->AllocateScalars(VTK_UNSIGNED_CHAR, components);
-    for (int y = 0; y < Pixels; ++y)
-    {
-      for (int x = 0; x < Pixels; ++x)
-      {
-        for (int c = 0; c < components; ++c)
-        {
-          image->SetScalarComponentFromDouble(x, y, 0, c, weightOf(x, y, first + c));
-        }
-      }
-    }
-    this->Map->AddWeightImage(image);
+    this->AddWeightImage(Pixels, first == 0 ? 3 : 2, VTK_UNSIGNED_CHAR,
+      [&](int x, int y, int c) { return weightOf(x, y, first + c); });
   }
   this->RenderAlone();
   this->ExpectMixture(
@@ -195,17 +148,10 @@ TEST_F(MaterialMapping, WeightsOfImages)
 TEST_F(MaterialMapping, SceneLights)
 {
   this->AddMaterials(2);
-  this->Map->SetModeToValues();
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToSceneLight();
-  light->SetPosition(1.0, 2.0, 4.0);
-  this->Renderer->AddLight(light);
-  const auto valueOf = [](vtkIdType point) { return 0.1 * static_cast<double>(point % 11); };
-  this->SetPoints([&](vtkIdType point, int) { return valueOf(point); });
+  this->AddLight();
+  this->SetPointValues([](vtkIdType point) { return 0.1 * static_cast<double>(point % 11); });
   this->RenderAlone();
-  this->ExpectMixture([&](const Place& place, int k)
-    { return this->Map->GetWeight(k, place.Interpolate(valueOf)); },
-    1e-4);
+  this->ExpectValuesBlend();
 }
 
 // Of lamps that lobes see as areas each material has a table of its own beside the hybrid's: where
@@ -213,15 +159,13 @@ TEST_F(MaterialMapping, SceneLights)
 TEST_F(MaterialMapping, LampsAsAreas)
 {
   this->AddMaterials(3);
-  this->Map->SetModeToValues();
   for (int k = 0; k < 3; ++k)
   {
     auto* gloss = vtkBlinnPhongBRDF::SafeDownCast(this->Materials[k]->GetTerm(1));
     gloss->SetExponent(1500.0 * (k + 1));
     gloss->SetSpecular(0.02 * (k + 1), 0.02, 0.01);
   }
-  const auto valueOf = [](vtkIdType point) { return 0.2 * static_cast<double>(point % 11); };
-  this->SetPoints([&](vtkIdType point, int) { return valueOf(point); });
+  this->SetPointValues([](vtkIdType point) { return 0.2 * static_cast<double>(point % 11); });
   vtkNew<vtkHybridRadianceIntegrator> hybrid;
   hybrid->SetSizes({ 17, 8, 8, 0, 16 });
   this->Mapper->SetIntegrator(hybrid);
@@ -245,9 +189,7 @@ TEST_F(MaterialMapping, LampsAsAreas)
     this->Mapper->SetMaterialMap(nullptr);
     this->Alone.clear();
     this->RenderAlone();
-    this->ExpectMixture([&](const Place& place, int k)
-      { return this->Map->GetWeight(k, place.Interpolate(valueOf)); },
-      1e-4);
+    this->ExpectValuesBlend();
     float brightest = 0.0f;
     for (std::size_t p = 0; p < this->Alone[2].RGBA.size(); p += 4)
     {

@@ -35,16 +35,16 @@ protected:
     this->Composite->SetInputDataObject(this->Blocks);
   }
 
-  /// Of a pixel's material and channel, the radiance relative to the material alone.
-  void ExpectScaled(const FloatImage& image, const std::function<int(const Place&)>& material,
-    const std::function<double(int)>& scale)
+  /// Of cells in turns of the classes and of a channel, the radiance relative to the material
+  /// alone.
+  void ExpectScaled(const FloatImage& image, int classes, const std::function<double(int)>& scale)
   {
     for (int y = 0; y < Pixels; ++y)
     {
       for (int x = 0; x < Pixels; ++x)
       {
         const Place place(x, y);
-        const auto k = static_cast<std::size_t>(material(place));
+        const auto k = static_cast<std::size_t>(place.Cell % classes);
         for (int c = 0; c < 3 && !place.OnDiagonal; ++c)
         {
           ASSERT_NEAR(image.At(x, y)[c], scale(c) * this->Alone[k].At(x, y)[c], 1e-4)
@@ -70,23 +70,16 @@ TEST_F(MaterialMapBlocks, ScalarsThatChooseColorNoBlock)
   this->Actor->SetMapper(this->Composite);
   for (const int classes : { 1, 2 })
   {
-    const auto classOf = [classes](vtkIdType cell) { return static_cast<int>(cell % classes); };
-    this->SetCells([&](vtkIdType cell, int) { return static_cast<double>(classOf(cell)); });
+    this->SetClassesOfCells(classes);
     this->Sheet->GetCellData()->SetActiveScalars("data");
     this->Blocks->Modified();
-    this->ExpectScaled(
-      this->RenderLinear(), [&](const Place& place) { return classOf(place.Cell); },
-      [](int) { return 1.0; });
+    this->ExpectScaled(this->RenderLinear(), classes, [](int) { return 1.0; });
   }
   // Other scalars color both.
-  vtkNew<vtkFloatArray> other;
-  other->SetName("other");
-  other->SetNumberOfTuples(2 * Side * Side);
-  other->FillValue(0.0f);
-  this->Sheet->GetCellData()->SetScalars(other);
+  this->ColorCellsRed();
   for (const int classes : { 1, 2 })
   {
-    this->SetCells([classes](vtkIdType cell, int) { return static_cast<double>(cell % classes); });
+    this->SetClassesOfCells(classes);
     this->Blocks->Modified();
     const FloatImage red = this->RenderLinear(); // the lookup table's first color
     EXPECT_LT(red.At(20, 30)[1], 0.01 * this->Alone[0].At(20, 30)[1]) << classes;
@@ -98,11 +91,7 @@ TEST_F(MaterialMapBlocks, ABlocksColorGoesBeforeScalars)
 {
   this->AddMaterials(2);
   this->RenderAlone();
-  vtkNew<vtkFloatArray> other;
-  other->SetName("other");
-  other->SetNumberOfTuples(2 * Side * Side);
-  other->FillValue(0.0f);
-  this->Sheet->GetCellData()->SetScalars(other);
+  this->ColorCellsRed();
   this->Blocks->SetBlock(0, this->Sheet);
   this->Actor->SetMapper(this->Composite);
   const double color[3] = { 0.9, 0.5, 0.7 };
@@ -115,13 +104,11 @@ TEST_F(MaterialMapBlocks, ABlocksColorGoesBeforeScalars)
   this->Composite->SetMaterialMap(this->Map);
   for (const int classes : { 1, 2 })
   {
-    const auto classOf = [classes](vtkIdType cell) { return static_cast<int>(cell % classes); };
-    this->SetCells([&](vtkIdType cell, int) { return static_cast<double>(classOf(cell)); });
+    this->SetClassesOfCells(classes);
     this->Blocks->Modified();
     this->RenderLinear(); // colored by scalars before
     this->Composite->SetBlockColor(1, color);
-    this->ExpectScaled(
-      this->RenderLinear(), [&](const Place& place) { return classOf(place.Cell); },
+    this->ExpectScaled(this->RenderLinear(), classes,
       [&](int c) { return isFirst ? std::pow(color[c], 2.2) : (c == 0 ? 1.0 : 0.0); });
     this->Composite->RemoveBlockColor(1);
     EXPECT_LT(this->RenderLinear().At(20, 30)[1], 0.01 * this->Alone[0].At(20, 30)[1]) << classes;

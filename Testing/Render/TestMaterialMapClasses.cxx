@@ -6,7 +6,6 @@
 #include "MaterialMapFixture.h"
 
 #include "vtkActor.h"
-#include "vtkLight.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
@@ -32,30 +31,10 @@ protected:
     }
   }
 
-  /// Three shaders: with a diffuse part, with gloss, with both.
   void AddMaterialsOfSeveralShaders()
   {
     this->AddMaterials(Count);
-    for (std::size_t k = 0; k < Count; ++k)
-    {
-      vtkNew<vtkLambertBRDF> diffuse;
-      diffuse->SetAlbedo(0.05 * static_cast<double>(k), 0.3, 0.2);
-      vtkNew<vtkBlinnPhongBRDF> gloss;
-      gloss->SetSpecular(0.2, 0.1, 0.02 * static_cast<double>(k));
-      if (k % 3 != 0)
-      {
-        this->Materials[k]->RemoveAllTerms();
-        this->Materials[k]->AddTerm(k % 3 == 1 ? static_cast<vtkBRDF*>(diffuse) : gloss);
-      }
-    }
-  }
-
-  void AddLight()
-  {
-    vtkNew<vtkLight> light;
-    light->SetLightTypeToSceneLight();
-    light->SetPosition(1.0, 2.0, 4.0);
-    this->Renderer->AddLight(light);
+    this->RemoveSomeTerms();
   }
 
   void ExpectEachAlone()
@@ -78,20 +57,6 @@ protected:
     const FloatImage picture = this->RenderLinear();
     this->Actor->SetMapper(this->Mapper);
     return picture;
-  }
-
-  void ExpectSame(const FloatImage& a, const FloatImage& b, const char* what)
-  {
-    for (int y = 0; y < Pixels; ++y)
-    {
-      for (int x = 0; x < Pixels; ++x)
-      {
-        for (int c = 0; c < 3; ++c)
-        {
-          ASSERT_NEAR(a.At(x, y)[c], b.At(x, y)[c], Same) << what << ": " << x << " " << y;
-        }
-      }
-    }
   }
 };
 

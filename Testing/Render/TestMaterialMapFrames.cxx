@@ -20,7 +20,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -32,36 +31,40 @@ TEST_F(MaterialMapping, ManyMaterialsOfAScaleInOneTriangle)
 {
   constexpr int count = 14;
   this->AddMaterials(count);
-  this->Map->SetModeToValues();
-  const auto valueOf = [](vtkIdType point)
-  {
-    const vtkIdType corner = (point + point / (Side + 1)) % 3;
-    return corner == 0 ? -1.0 : (corner == 1 ? 0.5 * count : count + 1.0);
-  };
-  this->SetPoints([&](vtkIdType point, int) { return valueOf(point); });
+  this->SetPointValues(
+    [](vtkIdType point)
+    {
+      const vtkIdType corner = (point + point / (Side + 1)) % 3;
+      return corner == 0 ? -1.0 : (corner == 1 ? 0.5 * count : count + 1.0);
+    });
   this->RenderAlone();
-  this->ExpectMixture([&](const Place& place, int k)
-    { return this->Map->GetWeight(k, place.Interpolate(valueOf)); },
-    2e-4);
+  this->ExpectValuesBlend(2e-4);
 }
 
+// An array for each material; whichever of them is the active scalars.
 TEST_F(MaterialMapping, NoneOfSeveralWeightArraysColors)
 {
-  this->AddMaterials(2);
-  this->Map->SetModeToWeights();
-  for (int k = 0; k < 2; ++k)
-  {
-    this->SetPoints([k](vtkIdType, int) { return k == 0 ? 1.0 : 3.0; });
-    const std::string name = "weight " + std::to_string(k);
-    this->Sheet->GetPointData()->GetArray("data")->SetName(name.c_str());
-    this->Map->SetWeightArrayName(k, name);
-  }
+  this->AddMaterials(3);
+  const auto weightOf = [](vtkIdType point, int k)
+  { return k == 0 ? 1.0 : 0.1 * k * static_cast<double>(point % 7); };
+  this->AddWeightArrays(weightOf);
   this->RenderAlone();
-  for (const char* scalars : { "weight 0", "weight 1" })
+  for (int scalars = 0; scalars < 3; ++scalars)
   {
-    this->Sheet->GetPointData()->SetActiveScalars(scalars);
+    this->Sheet->GetPointData()->SetActiveScalars(("weight " + std::to_string(scalars)).c_str());
     this->Sheet->Modified();
-    this->ExpectMixture([](const Place&, int k) { return k == 0 ? 0.25 : 0.75; }, 1e-4);
+    SCOPED_TRACE(scalars);
+    this->ExpectMixture(
+      [&](const Place& place, int k)
+      {
+        return place.Interpolate(
+          [&](vtkIdType point)
+          {
+            const double sum = weightOf(point, 0) + weightOf(point, 1) + weightOf(point, 2);
+            return weightOf(point, k) / sum;
+          });
+      },
+      1e-4);
   }
 }
 
@@ -69,24 +72,10 @@ TEST_F(MaterialMapping, NoneOfSeveralWeightArraysColors)
 TEST_F(MaterialMapping, WeightImagesOfDifferentSizes)
 {
   this->AddMaterials(3);
-  this->Map->SetModeToTextures();
-  const auto addImage = [this](int side, const std::function<double(int, int)>& value)
-  {
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(side, side, 1);
-    image->AllocateScalars(VTK_FLOAT, 1);
-    for (int y = 0; y < side; ++y)
-    {
-      for (int x = 0; x < side; ++x)
-      {
-        image->SetScalarComponentFromDouble(x, y, 0, 0, value(x, y));
-      }
-    }
-    this->Map->AddWeightImage(image);
-  };
-  addImage(2, [](int, int) { return 1.0; });
-  addImage(Pixels, [](int x, int) { return x % 2 == 1 ? 3.0 : 0.0; }); // no column of the first's
-  addImage(2, [](int, int) { return 0.0; });
+  this->AddWeightImage(2, 1, VTK_FLOAT, [](int, int, int) { return 1.0; });
+  this->AddWeightImage(Pixels, 1, VTK_FLOAT,
+    [](int x, int, int) { return x % 2 == 1 ? 3.0 : 0.0; }); // no column of the first's
+  this->AddWeightImage(2, 1, VTK_FLOAT, [](int, int, int) { return 0.0; });
   this->RenderAlone();
   this->ExpectMixture(
     [](const Place& place, int k)
@@ -100,12 +89,7 @@ TEST_F(MaterialMapping, WeightImagesOfDifferentSizes)
 TEST_F(MaterialMapping, OnlyChangedImagesAreUploaded)
 {
   this->AddMaterials(2);
-  this->Map->SetModeToTextures();
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(4, 4, 1);
-  image->AllocateScalars(VTK_FLOAT, 2);
-  image->GetPointData()->GetScalars()->Fill(1.0);
-  this->Map->AddWeightImage(image);
+  const auto image = this->AddWeightImage(4, 2, VTK_FLOAT, [](int, int, int) { return 1.0; });
   this->Mapper->SetMaterialMap(this->Map);
   this->Window->Render();
   const auto textures = measuredbrdf::WeightTextures::Find(
@@ -138,7 +122,7 @@ TEST_F(MaterialMapping, PlansOfMaterialsThatLeaveAreGivenUp)
   this->AddMaterials(1);
   vtkNew<GatedBRDF> gated;
   this->Map->AddMaterial(gated);
-  this->SetCells([](vtkIdType cell, int) { return static_cast<double>(cell % 2); });
+  this->SetClassesOfCells(2);
   this->Mapper->SetIntegrator(nullptr);
   this->Mapper->SetErrorTolerance(0.1);
   this->Mapper->SetMaterialMap(this->Map);
@@ -178,7 +162,7 @@ TEST_F(MaterialMapping, PlansOfMaterialsThatLeaveAreGivenUp)
 TEST_F(MaterialMapping, TimeOfAllPartsIsTaken)
 {
   this->AddMaterials(2);
-  this->SetCells([](vtkIdType cell, int) { return static_cast<double>(cell % 2); });
+  this->SetClassesOfCells(2);
   this->Mapper->SetMaterialMap(this->Map);
   this->Window->Render();
   const double before = this->Mapper->GetTimeToDraw();
@@ -231,7 +215,7 @@ TEST_F(MaterialMapping, SelectedCellsAreHighlighted)
 TEST_F(MaterialMapping, ShaderEventsAreTheMappers)
 {
   this->AddMaterials(2);
-  this->SetCells([](vtkIdType cell, int) { return static_cast<double>(cell % 2); });
+  this->SetClassesOfCells(2);
   this->Mapper->SetMaterialMap(this->Map);
   EventCounter events(this->Mapper, vtkCommand::UpdateShaderEvent);
   this->Window->Render();
@@ -242,7 +226,7 @@ TEST_F(MaterialMapping, ShaderEventsAreTheMappers)
 TEST_F(MaterialMapping, NothingStaysOfAMapThatFitsNoMore)
 {
   this->AddMaterials(3);
-  this->SetCells([](vtkIdType cell, int) { return static_cast<double>(cell % 3); });
+  this->SetClassesOfCells(3);
   this->Mapper->SetIntegrator(nullptr);
   this->Mapper->SetErrorTolerance(0.1);
   this->Mapper->SetMaterialMap(this->Map);
@@ -275,14 +259,9 @@ TEST_F(MaterialMapping, OddDataAreSaidOnce)
 TEST_F(MaterialMapping, WeightsOfNoMaterialAreSaidUnlessTheyAreZero)
 {
   this->AddMaterials(2);
-  this->Map->SetModeToTextures();
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(4, 4, 1);
-  image->AllocateScalars(VTK_FLOAT, 3);
+  const auto image =
+    this->AddWeightImage(4, 3, VTK_FLOAT, [](int, int, int c) { return c < 2 ? 1.0 : 0.0; });
   vtkDataArray* weights = image->GetPointData()->GetScalars();
-  weights->Fill(1.0);
-  weights->FillComponent(2, 0.0);
-  this->Map->AddWeightImage(image);
   this->Mapper->SetMaterialMap(this->Map);
   EventCounter warnings(this->Mapper, vtkCommand::WarningEvent);
   this->Window->Render();
@@ -299,12 +278,7 @@ TEST_F(MaterialMapping, WeightsOfNoMaterialAreSaidUnlessTheyAreZero)
 TEST_F(MaterialMapping, TwoWindowsKeepTheirImages)
 {
   this->AddMaterials(2);
-  this->Map->SetModeToTextures();
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(4, 4, 1);
-  image->AllocateScalars(VTK_FLOAT, 2);
-  image->GetPointData()->GetScalars()->Fill(1.0);
-  this->Map->AddWeightImage(image);
+  this->AddWeightImage(4, 2, VTK_FLOAT, [](int, int, int) { return 1.0; });
   this->Mapper->SetMaterialMap(this->Map);
   vtkNew<vtkRenderer> otherRenderer;
   vtkNew<vtkRenderWindow> other;

@@ -8,10 +8,8 @@
 #include "vtkCommand.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeMeasuredBRDFMapper.h"
-#include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
-#include "vtkLight.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -30,9 +28,7 @@ namespace
 // A class without a material is drawn as VTK's mapper draws it, between points, too.
 TEST_F(MaterialMapping, NoMaterialIsTheSuperclass)
 {
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToHeadlight();
-  this->Renderer->AddLight(light);
+  this->AddHeadlight();
   this->Actor->GetProperty()->SetColor(0.9, 0.3, 0.2);
   this->AddMaterials(1);
   this->Map->AddMaterial(nullptr, 1.0);
@@ -46,7 +42,7 @@ TEST_F(MaterialMapping, NoMaterialIsTheSuperclass)
     this->Sheet->GetCellData()->RemoveArray("data");
     if (cells)
     {
-      this->SetCells([](vtkIdType cell, int) { return static_cast<double>(cell % 2); });
+      this->SetClassesOfCells(2);
     }
     else
     {
@@ -132,58 +128,12 @@ TEST_F(MaterialMapping, ScalarsThatChooseDoNotColor)
 {
   this->AddMaterials(2);
   this->RenderAlone();
-  this->SetCells([](vtkIdType cell, int) { return static_cast<double>(cell % 2); });
+  this->SetClassesOfCells(2);
   this->Sheet->GetCellData()->SetActiveScalars("data");
-  this->ExpectMixture([](const Place& place, int k)
-    { return place.OnDiagonal ? -1.0 : (place.Cell % 2 == k ? 1.0 : 0.0); });
-  // Other scalars do.
-  vtkNew<vtkFloatArray> other;
-  other->SetName("other");
-  other->SetNumberOfTuples(2 * Side * Side);
-  other->FillValue(0.0f);
-  this->Sheet->GetCellData()->SetScalars(other);
-  this->Sheet->Modified();
-  const FloatImage colored = this->RenderLinear(); // the lookup table's first color is red
+  this->ExpectMixture([](const Place& place, int k) { return GetWeightInTurns(place, k, 2); });
+  this->ColorCellsRed(); // other scalars do
+  const FloatImage colored = this->RenderLinear();
   EXPECT_LT(colored.At(20, 30)[1], 0.01 * this->Alone[0].At(20, 30)[1]);
-}
-
-// Each of several arrays of weights.
-TEST_F(MaterialMapping, ScalarsThatWeighDoNotColor)
-{
-  this->AddMaterials(3);
-  this->RenderAlone();
-  this->Map->SetModeToWeights();
-  for (int k = 0; k < 3; ++k)
-  {
-    this->SetPoints([k](vtkIdType, int) { return k + 1.0; });
-    const std::string name = "weight " + std::to_string(k);
-    this->Sheet->GetPointData()->GetArray("data")->SetName(name.c_str());
-    this->Map->SetWeightArrayName(k, name);
-  }
-  for (int k = 0; k < 3; ++k)
-  {
-    this->Sheet->GetPointData()->SetActiveScalars(("weight " + std::to_string(k)).c_str());
-    this->Sheet->Modified();
-    SCOPED_TRACE(k);
-    this->ExpectMixture([](const Place&, int material) { return (material + 1.0) / 6.0; }, 1e-4);
-  }
-}
-
-TEST_F(MaterialMapping, DataAndMaterialsMayChange)
-{
-  this->AddMaterials(3);
-  this->RenderAlone();
-  this->SetCells([](vtkIdType, int) { return 0.0; });
-  EXPECT_NEAR(this->RenderLinear().At(9, 9)[0], this->Alone[0].At(9, 9)[0], Same);
-  this->SetCells([](vtkIdType, int) { return 2.0; });
-  EXPECT_NEAR(this->RenderLinear().At(9, 9)[0], this->Alone[2].At(9, 9)[0], Same);
-  this->Map->SetBRDF(2, this->Materials[1]);
-  EXPECT_NEAR(this->RenderLinear().At(9, 9)[0], this->Alone[1].At(9, 9)[0], Same);
-  this->Materials[1]->RemoveAllTerms();
-  EXPECT_NEAR(this->RenderLinear().At(9, 9)[0], 0.0, Same);
-  this->Mapper->SetMaterialMap(nullptr);
-  this->Mapper->SetBRDF(this->Materials[0]);
-  EXPECT_NEAR(this->RenderLinear().At(9, 9)[0], this->Alone[0].At(9, 9)[0], Same);
 }
 
 // The parts are drawn, the whole is picked.
@@ -213,8 +163,7 @@ TEST_F(MaterialMapping, SelectionFindsTheInputsCells)
 TEST_F(MaterialMapping, Plans)
 {
   this->AddMaterials(3);
-  this->Map->SetModeToValues();
-  this->SetPoints([](vtkIdType point, int) { return 0.2 * static_cast<double>(point % 11); });
+  this->SetPointValues([](vtkIdType point) { return 0.2 * static_cast<double>(point % 11); });
   this->Mapper->SetIntegrator(nullptr);
   this->Mapper->SetMaterialMap(this->Map);
   this->Window->Render();
@@ -237,8 +186,7 @@ TEST_F(MaterialMapping, Plans)
 TEST_F(MaterialMapping, CompositeDataShowTheSame)
 {
   this->AddMaterials(3);
-  this->Map->SetModeToValues();
-  this->SetPoints([](vtkIdType point, int) { return 0.2 * static_cast<double>(point % 11); });
+  this->SetPointValues([](vtkIdType point) { return 0.2 * static_cast<double>(point % 11); });
   this->RenderAlone();
   const FloatImage plain = this->RenderLinear();
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -251,41 +199,19 @@ TEST_F(MaterialMapping, CompositeDataShowTheSame)
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   composite->SetCompositeDataDisplayAttributes(attributes);
   this->Actor->SetMapper(composite);
-  const FloatImage image = this->RenderLinear();
-  for (std::size_t k = 0; k < image.RGBA.size(); ++k)
-  {
-    ASSERT_NEAR(image.RGBA[k], plain.RGBA[k], Same);
-  }
+  this->ExpectSame(this->RenderLinear(), plain, "opaque");
   this->Actor->SetMapper(this->Mapper);
   this->Actor->GetProperty()->SetOpacity(0.5);
   const FloatImage thin = this->RenderEncoded();
   this->Actor->GetProperty()->SetOpacity(1.0);
   this->Actor->SetMapper(composite);
   composite->SetBlockOpacity(1, 0.5);
-  const FloatImage thinBlock = this->RenderEncoded();
-  for (std::size_t k = 0; k < thin.RGBA.size(); ++k)
-  {
-    ASSERT_NEAR(thinBlock.RGBA[k], thin.RGBA[k], Same);
-  }
+  this->ExpectSame(this->RenderEncoded(), thin, "translucent");
   composite->RemoveBlockOpacity(1);
   composite->SetBlockBRDF(1, this->Materials[0]);
   EXPECT_NEAR(this->RenderLinear().At(30, 30)[0], this->Alone[0].At(30, 30)[0], Same);
   composite->RemoveBlockBRDFs();
   composite->SetBlockVisibility(1, false);
   EXPECT_EQ(this->RenderLinear().At(30, 30)[0], 0.0f);
-}
-
-TEST_F(MaterialMapping, WindowsComeAndGo)
-{
-  this->AddMaterials(2);
-  this->RenderAlone();
-  this->SetCells([](vtkIdType cell, int) { return static_cast<double>(cell % 2); });
-  const FloatImage first = this->RenderLinear();
-  this->Mapper->ReleaseGraphicsResources(this->Window);
-  const FloatImage second = this->RenderLinear();
-  for (std::size_t k = 0; k < first.RGBA.size(); ++k)
-  {
-    ASSERT_EQ(first.RGBA[k], second.RGBA[k]);
-  }
 }
 }

@@ -3,11 +3,10 @@
 // Shading with what surfaces hide from themselves: the shaders against HiddenSky in C++, and the
 // mappers' use of vtkSurfaceVisibilityFilter's arrays.
 #include "EnvironmentPrecomputation.h"
-#include "HiddenSky.h"
 #include "OcclusionArrays.h"
-#include "OcclusionAxes.h"
 #include "OcclusionForecast.h"
-#include "OcclusionLight.h"
+#include "OcclusionReference.h"
+#include "OcclusionShader.h"
 #include "OcclusionTools.h"
 #include "RenderFixture.h"
 #include "vtkBlinnPhongBRDF.h"
@@ -154,7 +153,7 @@ protected:
     const measuredbrdf::OcclusionLight light(brdf, this->Environment, integrator);
     const measuredbrdf::OcclusionAxes axes(this->Renderer, this->Actor, { this->Environment });
     const HiddenSky sky(GetCode(this->Surface, 4));
-    const auto hidden = light.GetHidden(sky, view, axes.ToEnvironment[0]);
+    const ReferenceHidden hidden = GetReferenceHidden(light, sky, view, axes.ToEnvironment[0]);
     Expected expected = { hidden.Irradiance, hidden.Lobe, {} };
     for (const glm::dvec3& lamp : light.Lamps)
     {
@@ -301,8 +300,8 @@ TEST_F(OcclusionTest, LobesLackTheirHiddenShare)
 TEST_F(OcclusionTest, LobesHaveTheKernelsMean)
 {
   vtkNew<vtkLambertBRDF> matte; // whole, as one lobe: p is 0
-  const measuredbrdf::OcclusionLobes flat(matte, true);
-  for (const auto& lobe : flat.GetLobes())
+  const measuredbrdf::OcclusionLobes flat = measuredbrdf::FindOcclusionLobes(matte, true);
+  for (const auto& lobe : flat)
   {
     EXPECT_LT(std::hypot(lobe.Across, lobe.Along), 0.05);
     EXPECT_NEAR(lobe.Integral, vtkMath::Pi(), 0.1);
@@ -310,13 +309,13 @@ TEST_F(OcclusionTest, LobesHaveTheKernelsMean)
   vtkNew<vtkBlinnPhongBRDF> gloss;
   gloss->SetSpecular(0.5, 0.5, 0.5);
   gloss->SetExponent(20.0);
-  const measuredbrdf::OcclusionLobes lobes(gloss, false);
+  const measuredbrdf::OcclusionLobes lobes = measuredbrdf::FindOcclusionLobes(gloss, false);
   for (const double degrees : { 0.0, 30.0, 60.0, 80.0 })
   {
     const double theta = vtkMath::RadiansFromDegrees(degrees);
     const glm::dvec3 view(std::sin(theta), 0.0, std::cos(theta));
-    const auto lobe = lobes.Get(view.z);
-    const glm::dvec3 slope = lobe.GetSlope({ 0.0, 0.0, 1.0 }, view);
+    const ReferenceLobe lobe(lobes, { 0.0, 0.0, 1.0 }, view);
+    const glm::dvec3 slope = lobe.Slope;
     glm::dvec3 kernel(0.0);
     glm::dvec3 model(0.0);
     double energy = 0.0;
@@ -337,7 +336,7 @@ TEST_F(OcclusionTest, LobesHaveTheKernelsMean)
       integral += part;
     }
     EXPECT_LT(glm::length(model / integral - kernel / energy), 0.01) << degrees;
-    EXPECT_NEAR(lobe.Integral * rows * rows / (2.0 * vtkMath::Pi() * integral), 1.0, 0.05)
+    EXPECT_NEAR(lobe.Lobe.Integral * rows * rows / (2.0 * vtkMath::Pi() * integral), 1.0, 0.05)
       << degrees;
   }
 }
@@ -496,10 +495,8 @@ TEST_F(OcclusionTest, OddsOfLobesAreInterpolated)
   const auto getHidden = [&](vtkIdType point)
   {
     const glm::dvec3 view = 5.0 * this->GetView() - glm::make_vec3(this->Surface->GetPoint(point));
-    return light
-      .GetHidden(
-        HiddenSky(GetCode(this->Surface, point)), glm::normalize(view), axes.ToEnvironment[0])
-      .Lobe.x;
+    const HiddenSky sky(GetCode(this->Surface, point));
+    return GetReferenceHidden(light, sky, glm::normalize(view), axes.ToEnvironment[0]).Lobe.x;
   };
   const double few = getHidden(4);
   const double many = getHidden(5);

@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // One bounce of what surfaces hide from themselves (SetOcclusionBounce): the shaders against
-// BouncedLight and OcclusionBounce in C++, pictures against traced light, and bad arrays.
-#include "BouncedLight.h"
-#include "HiddenSky.h"
-#include "OcclusionAxes.h"
-#include "OcclusionBounce.h"
-#include "OcclusionLight.h"
+// their reference in C++, pictures against traced light, and bad arrays.
+#include "OcclusionReference.h"
+#include "OcclusionShader.h"
 #include "OcclusionTools.h"
 #include "RenderFixture.h"
 #include "vtkBlinnPhongBRDF.h"
@@ -144,18 +141,10 @@ protected:
     BouncedLight::Code bounced;
     std::copy_n(GetBytes(this->Surface, BouncedName)->GetPointer(point * BouncedLight::Bytes),
       BouncedLight::Bytes, bounced.begin());
-    const HiddenSky sky(code);
     glm::dvec3 view;
     this->Renderer->GetActiveCamera()->GetPosition(&view.x);
-    view = glm::normalize(view);
-    const glm::dvec3 n = sky.GetNormal();
-    const auto lobe = light.Lobes.Get(glm::dot(n, view));
-    const double share = sky.GetHiddenShare(lobe.GetSlope(n, view));
-    const glm::dvec3 irradiance =
-      light.Bounce->GetAlbedo() * BouncedLight(bounced).GetIrradiance(measuredbrdf::sky::Rotate(
-                                    light.Bounce->GetLight(), axes.ToEnvironment[0]));
-    return measuredbrdf::OcclusionBounce::GetRadiance(
-      irradiance, lobe.Lambert, lobe.Albedo, share, sky.GetHiddenCosine());
+    return GetReferenceBounce(
+      light, HiddenSky(code), BouncedLight(bounced), glm::normalize(view), axes.ToEnvironment[0]);
   }
 
   vtkSmartPointer<vtkEnvironment> Environment;

@@ -3,8 +3,6 @@
 // What rests while the light does is kept for each point (OcclusionPoints): the picture is that of
 // shaders that make it for each vertex, whatever moves, and it is made no more often than it has to
 // be.
-#include "OcclusionKept.h"
-#include "OcclusionLight.h"
 #include "OcclusionPoints.h"
 #include "RenderFixture.h"
 #include "ShaderLimits.h"
@@ -417,8 +415,9 @@ TEST_F(OcclusionPointsTest, AttributesAreCounted)
   const OcclusionLight sky(this->BRDF, this->Environment, this->Integrator);
   const OcclusionLight hall(this->BRDF, MakeEnvironment("hall"), this->Integrator);
   OcclusionLayout layout;
+  layout.Kept = true;
   const auto count = [&layout](const measuredbrdf::OcclusionLights& lights)
-  { return measuredbrdf::CountKeptAttributes(lights, layout); };
+  { return measuredbrdf::CountOcclusionNeeds(lights, layout).Attributes; };
   // Of the code three; light and the rest's irradiance in whole floats, the others in halves.
   const auto expected = [](const OcclusionLight& light)
   {

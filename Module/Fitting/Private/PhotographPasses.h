@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Passes over all photographs of a set, one picture in memory at a time; and what materials look
- * like in them.
+ * Passes over all photographs of a set, one picture in memory at a time, as linear values with what
+ * each pixel is good for.
  */
 
 #ifndef PhotographPasses_h
 #define PhotographPasses_h
-
-#include "MapFitData.h"
-#include "PhotographPixels.h"
-#include "TexelSums.h"
 
 #include <array>
 #include <cstdint>
@@ -20,8 +16,31 @@
 #include <string>
 #include <vector>
 
+class vtkPhotographSet;
+
 namespace measuredbrdf
 {
+enum class PixelState : std::uint8_t
+{
+  Valid,
+  Saturated,
+  Black,
+  Invalid // not finite
+};
+
+struct PhotographPixels
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<float> Values;      // RGB, linear, row 0 at the bottom; 0 where a pixel is not valid
+  std::vector<PixelState> States; // of each pixel
+
+  std::array<std::uint64_t, 4> CountStates() const;
+};
+
+/// Make a photograph's picture and decode it. Returns "", or what is wrong, without its name.
+std::string ReadPhotograph(vtkPhotographSet* set, int index, PhotographPixels& pixels);
+
 /// A photograph cannot be used; names it.
 struct PhotographError : std::runtime_error
 {
@@ -61,17 +80,6 @@ private:
   bool Stopped = false;
   std::array<std::uint64_t, 4> PixelCounts{};
 };
-
-/**
- * Materials' linear values in the photographs, over each photograph's unit of error. scales: these
- * units; empty: made from the materials, as their geometric mean plus NoiseFloor.
- */
-MaterialValues EvaluateMaterials(vtkPhotographSet* set, const std::vector<NamedMaterial>& materials,
-  const std::vector<double>& scales);
-
-/// A photograph's unit of error is what it shows on the average plus this, as a linear value (1:
-/// full scale): photographs count alike, but for those too dark to say much.
-constexpr double NoiseFloor = 0.01;
 } // namespace measuredbrdf
 
 #endif

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TableMaterials.h"
 
-#include "PhotographPasses.h"
 #include "TableCompletion.h"
 #include "vtkPhotographSet.h"
 #include "vtkTabulatedBRDF.h"
@@ -15,7 +14,6 @@
 
 namespace measuredbrdf
 {
-//------------------------------------------------------------------------------
 TableMaterials::TableMaterials(
   vtkPhotographSet* set, const MapFitOptions& options, std::size_t sampleSize)
   : Set(set)
@@ -27,7 +25,6 @@ TableMaterials::TableMaterials(
 {
 }
 
-//------------------------------------------------------------------------------
 void TableMaterials::Add(
   int photograph, const PhotographPixels& pixels, const std::vector<std::size_t>& sample)
 {
@@ -63,7 +60,6 @@ void TableMaterials::Add(
   }
 }
 
-//------------------------------------------------------------------------------
 std::string TableMaterials::Find(const std::function<bool(double)>& proceed)
 {
   if (std::all_of(this->Means.begin(), this->Means.end(), [](double mean) { return mean < 0.0; }))
@@ -86,7 +82,6 @@ std::string TableMaterials::Find(const std::function<bool(double)>& proceed)
   return this->Factors.Stopped ? std::string() : this->MakeTables();
 }
 
-//------------------------------------------------------------------------------
 std::string TableMaterials::MakeTables()
 {
   std::vector<TablePoint> points;

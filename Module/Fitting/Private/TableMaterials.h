@@ -9,8 +9,7 @@
 #define TableMaterials_h
 
 #include "ConvexFactorization.h"
-#include "MapFitData.h"
-#include "PhotographPixels.h"
+#include "TexelWeights.h"
 
 #include <Eigen/Core>
 

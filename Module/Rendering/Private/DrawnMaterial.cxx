@@ -48,7 +48,7 @@ vtkIdType CountTextureBytes(
   std::size_t bytes = 0;
   for (const DrawnMaterial* drawn : materials)
   {
-    for (const std::shared_ptr<FormTextures>& textures : { drawn->Material, drawn->Radiance })
+    for (const std::shared_ptr<ShaderTextures>& textures : { drawn->Material, drawn->Radiance })
     {
       bytes += textures ? textures->CountBytes(counted) : 0;
     }

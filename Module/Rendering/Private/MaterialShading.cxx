@@ -3,8 +3,6 @@
 #include "MaterialShading.h"
 
 #include "BRDFShader.h"
-#include "OcclusionAxes.h"
-#include "OcclusionKept.h"
 #include "OcclusionShader.h"
 #include "RenderPassQueries.h"
 #include "ShaderLimits.h"
@@ -203,8 +201,8 @@ std::vector<ShaderMember> GetShaderMembers(
   for (std::size_t k = 0; k < materials.size(); ++k)
   {
     const DrawnMaterial& drawn = *materials[k];
-    members.push_back({ drawn.Material ? &drawn.Material->GetForm() : nullptr,
-      drawn.Radiance ? &drawn.Radiance->GetForm() : nullptr, k < slots.size() ? slots[k] : 0,
+    members.push_back({ drawn.Material ? &drawn.Material->GetInputs() : nullptr,
+      drawn.Radiance ? &drawn.Radiance->GetInputs() : nullptr, k < slots.size() ? slots[k] : 0,
       k < lights.size() ? lights[k] : nullptr });
   }
   return members;

@@ -45,7 +45,6 @@ protected:
     this->StartPiece(
       ren, actor, [&]() { this->Base::RenderPieceStart(ren, actor); },
       [&]() { this->RenderPieceDraw(ren, actor); });
-    this->PrimitiveIDOffset = 0;
   }
   void RenderPieceDraw(vtkRenderer* ren, vtkActor* actor) override
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Objects made once and shared by all mappers that hold them. Private to the rendering room.
+ * Objects made once and shared by all mappers that hold them. Private to the rendering component.
  */
 
 #ifndef SharedObjects_h

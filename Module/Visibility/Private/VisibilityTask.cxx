@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VisibilityTask.h"
 
-#include "BounceTracer.h"
-#include "HiddenSky.h"
 #include "LocalFrame.h"
 #include "ParallelFor.h"
 #include "SurfacePoints.h"
@@ -11,6 +9,8 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -24,39 +24,122 @@ constexpr std::chrono::milliseconds ChunkTime(50);
 constexpr vtkIdType LeastChunk = 64;
 constexpr vtkIdType MostChunk = 1 << 16;
 
-// Two passes over the same points write the same bytes: threads share nothing but the tracer.
-struct PointTask
+vtkSmartPointer<vtkUnsignedCharArray> MakeBytes(vtkIdType points, int components)
 {
-  const SurfaceTracer& Tracer;
-  const HiddenSky::Rays& Rays;
-  double Farthest;
+  auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(points);
+  return array;
+}
 
-  HiddenSky::Code Trace(const SurfaceVertex& point, double side, std::vector<char>& hidden) const
+// Just above the triangle beside a point, on one of its sides (1: that of its normal; or -1).
+glm::dvec3 Leave(const SurfaceTracer& tracer, const SurfaceVertex& point, double side)
+{
+  const glm::dvec3 face = side * point.FaceNormal;
+  glm::dvec3 origin;
+  tracer.OffsetOrigin(&point.Origin.x, &face.x, &face.x, &origin.x);
+  return origin;
+}
+
+// The code of a point's side. hidden: memory for its rays. Two passes over the same points give the
+// same bytes: threads share nothing but the tracer.
+HorizonCode::Code TracePoint(const SurfaceTracer& tracer, double farthest,
+  const HorizonCode::Rays& rays, const SurfaceVertex& point, double side, std::vector<char>& hidden)
+{
+  const glm::dvec3 normal = side * point.Normal;
+  if (glm::dot(normal, normal) == 0.0)
   {
-    const glm::dvec3 normal = side * point.Normal;
-    if (glm::dot(normal, normal) == 0.0)
-    {
-      return HiddenSky::MakeOpen({ 0.0, 0.0, 1.0 });
-    }
-    std::uint8_t packed[3];
-    HiddenSky::PackNormal(normal, packed);
-    const glm::dmat3 frame = FrameAbout(HiddenSky::UnpackNormal(packed));
-    const glm::dvec3 face = side * point.FaceNormal;
-    glm::dvec3 origin;
-    this->Tracer.OffsetOrigin(&point.Origin.x, &face.x, &face.x, &origin.x);
-    const auto test = [&](const glm::dvec3& direction)
-    {
-      const glm::dvec3 d = frame * direction;
-      return this->Tracer.IsOccluded(&origin.x, &d.x, 0.0, this->Farthest);
-    };
-    hidden.clear();
-    for (const glm::dvec3& direction : this->Rays.GetDirections())
-    {
-      hidden.push_back(test(direction) ? 1 : 0);
-    }
-    return HiddenSky::Encode(normal, this->Rays, hidden, test);
+    return HorizonCode::MakeOpen({ 0.0, 0.0, 1.0 });
   }
-};
+  std::uint8_t packed[3];
+  HorizonCode::PackNormal(normal, packed);
+  const glm::dmat3 frame = FrameAbout(HorizonCode::UnpackNormal(packed));
+  const glm::dvec3 origin = Leave(tracer, point, side);
+  const auto test = [&](const glm::dvec3& direction)
+  {
+    const glm::dvec3 d = frame * direction;
+    return tracer.IsOccluded(&origin.x, &d.x, 0.0, farthest);
+  };
+  hidden.clear();
+  for (const glm::dvec3& direction : rays.GetDirections())
+  {
+    hidden.push_back(test(direction) ? 1 : 0);
+  }
+  return HorizonCode::Encode(normal, rays, hidden, test);
+}
+
+// The irradiance at what a ray has met, on the side that it came from.
+BounceCode::Transfer GetVisible(const std::vector<SurfaceArrays>& surfaces,
+  const SurfaceTracer::Hit& hit, const glm::dvec3& direction)
+{
+  BounceCode::Transfer sum{};
+  const auto surface = static_cast<std::size_t>(hit.Surface);
+  if (surface >= surfaces.size())
+  {
+    return sum; // an occluder, of which nothing is known: it stays dark
+  }
+  const std::vector<SideArrays>& sides = surfaces[surface].Sides;
+  const glm::dvec3 facet = glm::make_vec3(hit.Normal);
+  HorizonCode::Code codes[3];
+  glm::dvec3 normal(0.0);
+  for (int k = 0; k < 3; ++k)
+  {
+    codes[k] = sides[0].Get(hit.Points[k]);
+    normal += HorizonCode::UnpackNormal(codes[k].data());
+  }
+  const bool isBack = (glm::dot(normal, facet) > 0.0) == (glm::dot(facet, direction) > 0.0);
+  if (isBack && sides.size() < 2)
+  {
+    return sum;
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    const BounceCode::Transfer corner =
+      BounceCode::GetVisible(isBack ? sides[1].Get(hit.Points[k]) : codes[k]);
+    for (std::size_t j = 0; j < sum.size(); ++j)
+    {
+      sum[j] += hit.Barycentrics[k] * corner[j];
+    }
+  }
+  return sum;
+}
+
+// What comes back to a point's side with this code from the surfaces that hide the sky from it,
+// whose arrays say what each of their points sees.
+BounceCode::Code TraceBounced(const SurfaceTracer& tracer, double farthest,
+  const HorizonCode::Rays& rays, const std::vector<SurfaceArrays>& surfaces,
+  const SurfaceVertex& point, double side, const HorizonCode::Code& code)
+{
+  const double hidden = HorizonCode::GetHiddenCosine(code);
+  if (hidden <= 0.0 || glm::dot(point.Normal, point.Normal) == 0.0)
+  {
+    return BounceCode::MakeDark();
+  }
+  const glm::dmat3 frame = FrameAbout(HorizonCode::UnpackNormal(code.data()));
+  const glm::dvec3 origin = Leave(tracer, point, side);
+  BounceCode::Transfer sum{};
+  double met = 0.0;
+  for (const glm::dvec3& ray : rays.GetDirections())
+  {
+    const glm::dvec3 direction = frame * ray;
+    SurfaceTracer::Hit hit;
+    if (tracer.Intersect(&origin.x, &direction.x, 0.0, farthest, hit))
+    {
+      const BounceCode::Transfer visible = GetVisible(surfaces, hit, direction);
+      for (std::size_t j = 0; j < sum.size(); ++j)
+      {
+        sum[j] += ray.z * visible[j];
+      }
+      met += ray.z;
+    }
+  }
+  // The mean over what these rays meet, of the share that all rays found to be hidden.
+  for (double& value : sum)
+  {
+    value *= met > 0.0 ? hidden / met : 0.0;
+  }
+  return BounceCode::Encode(sum);
+}
 
 // Points inside another body see nothing. Where a polygon of theirs sticks out, what is seen of it
 // would darken towards them: they take what the most hidden of its other points has, which is the
@@ -68,7 +151,7 @@ void OpenBuriedPoints(vtkPolyData* surface, SideArrays& side)
   std::vector<vtkIdType> sources;
   for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k)
   {
-    hidden.push_back(HiddenSky(side.Get(k)).GetHiddenCosine());
+    hidden.push_back(HorizonCode::GetHiddenCosine(side.Get(k)));
     sources.push_back(k);
   }
   const auto isMoreHidden = [&hidden](vtkIdType a, vtkIdType b)
@@ -115,12 +198,30 @@ void OpenBuriedPoints(vtkPolyData* surface, SideArrays& side)
 }
 }
 
+HorizonCode::Code SideArrays::Get(vtkIdType point) const
+{
+  HorizonCode::Code code;
+  std::copy_n(this->Sky->GetPointer(point * HorizonCode::SectorBytes), HorizonCode::SectorBytes,
+    code.begin());
+  std::copy_n(this->Light->GetPointer(point * HorizonCode::TransferBytes),
+    HorizonCode::TransferBytes, code.begin() + HorizonCode::SectorBytes);
+  return code;
+}
+
+void SideArrays::Set(vtkIdType point, const HorizonCode::Code& code) const
+{
+  std::copy_n(code.begin(), HorizonCode::SectorBytes,
+    this->Sky->GetPointer(point * HorizonCode::SectorBytes));
+  std::copy_n(code.begin() + HorizonCode::SectorBytes, HorizonCode::TransferBytes,
+    this->Light->GetPointer(point * HorizonCode::TransferBytes));
+}
+
 VisibilityTask::VisibilityTask(const SurfaceTracer& tracer,
-  const std::vector<vtkPolyData*>& surfaces, const Settings& settings, int passes,
+  const std::vector<vtkPolyData*>& surfaces, const VisibilitySettings& settings, int passes,
   std::function<bool(double)> report)
   : Tracer(tracer)
   , Surfaces(surfaces)
-  , Options(settings)
+  , Settings(settings)
   , Report(std::move(report))
 {
   for (vtkPolyData* surface : surfaces)
@@ -166,17 +267,17 @@ bool VisibilityTask::ForEach(vtkIdType count, const Visit& visit)
 
 bool VisibilityTask::TraceSky(std::vector<SurfaceArrays>& traced)
 {
-  const HiddenSky::Rays rays(this->Options.NumberOfRays / HiddenSky::Sectors);
-  const PointTask task = { this->Tracer, rays, this->Options.Farthest };
+  const HorizonCode::Rays rays(this->Settings.NumberOfRays / HorizonCode::Sectors);
   for (vtkPolyData* surface : this->Surfaces)
   {
     SurfaceArrays arrays;
     arrays.Key = GetSurfaceKey(surface);
     const vtkIdType count = surface->GetNumberOfPoints();
     const std::vector<SurfaceVertex> points = FindSurfacePoints(surface);
-    for (const SideNames& names : this->Options.Sides)
+    for (int side = 0; side < (this->Settings.BothSides ? 2 : 1); ++side)
     {
-      arrays.Sides.emplace_back(count, names);
+      arrays.Sides.push_back({ MakeBytes(count, HorizonCode::SectorBytes),
+        MakeBytes(count, HorizonCode::TransferBytes), nullptr, {} });
     }
     const bool whole = this->ForEach(count,
       [&](vtkIdType k)
@@ -185,7 +286,8 @@ bool VisibilityTask::TraceSky(std::vector<SurfaceArrays>& traced)
         for (std::size_t side = 0; side < arrays.Sides.size(); ++side)
         {
           arrays.Sides[side].Set(
-            k, task.Trace(points[static_cast<std::size_t>(k)], side == 0 ? 1.0 : -1.0, hidden));
+            k, TracePoint(this->Tracer, this->Settings.Farthest, rays,
+                 points[static_cast<std::size_t>(k)], side == 0 ? 1.0 : -1.0, hidden));
         }
       });
     if (!whole)
@@ -204,27 +306,30 @@ bool VisibilityTask::TraceSky(std::vector<SurfaceArrays>& traced)
 bool VisibilityTask::TraceBounce(std::vector<SurfaceArrays>& traced)
 {
   // Half of the rays: what they add up varies less than what is hidden.
-  const int elevations = std::max(this->Options.NumberOfRays / HiddenSky::Sectors / 2, 4);
+  const HorizonCode::Rays rays(std::max(this->Settings.NumberOfRays / HorizonCode::Sectors / 2, 4));
   static const std::vector<SurfaceArrays> none;
-  const BounceTracer bounces(
-    this->Tracer, this->Options.SelfOcclusion ? traced : none, elevations, this->Options.Farthest);
+  const std::vector<SurfaceArrays>& known = this->Settings.SelfOcclusion ? traced : none;
   for (std::size_t s = 0; s < this->Surfaces.size(); ++s)
   {
+    const vtkIdType count = this->Surfaces[s]->GetNumberOfPoints();
     const std::vector<SurfaceVertex> points = FindSurfacePoints(this->Surfaces[s]);
     std::vector<SideArrays>& sides = traced[s].Sides;
     for (SideArrays& side : sides)
     {
-      side.AddBounced();
+      side.Bounced = MakeBytes(count, BounceCode::Bytes);
     }
-    const bool whole = this->ForEach(this->Surfaces[s]->GetNumberOfPoints(),
+    const bool whole = this->ForEach(count,
       [&](vtkIdType k)
       {
         for (std::size_t side = 0; side < sides.size(); ++side)
         {
           const auto source = sides[side].Sources.find(k); // a buried point has another's
           const vtkIdType from = source == sides[side].Sources.end() ? k : source->second;
-          sides[side].SetBounced(k, bounces.Trace(points[static_cast<std::size_t>(from)],
-                                      side == 0 ? 1.0 : -1.0, sides[side].Get(from)));
+          const BounceCode::Code code = TraceBounced(this->Tracer, this->Settings.Farthest, rays,
+            known, points[static_cast<std::size_t>(from)], side == 0 ? 1.0 : -1.0,
+            sides[side].Get(from));
+          std::copy(
+            code.begin(), code.end(), sides[side].Bounced->GetPointer(k * BounceCode::Bytes));
         }
       });
     if (!whole)

@@ -2,16 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * vtkSurfaceVisibilityFilter's passes over all points of its surfaces. Private to the module.
+ * vtkSurfaceVisibilityFilter's point arrays, and the passes over all points of its surfaces that
+ * fill them. Private to the module.
  */
 
 #ifndef VisibilityTask_h
 #define VisibilityTask_h
 
+#include "HorizonCode.h"
 #include "SurfaceTracer.h"
-#include "VisibilityArrays.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <functional>
+#include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,20 +24,38 @@ class vtkPolyData;
 
 namespace measuredbrdf
 {
+/// Of one side of a surface: the front, or the back.
+struct SideArrays
+{
+  vtkSmartPointer<vtkUnsignedCharArray> Sky;
+  vtkSmartPointer<vtkUnsignedCharArray> Light;
+  vtkSmartPointer<vtkUnsignedCharArray> Bounced;
+  std::map<vtkIdType, vtkIdType> Sources; // of points that have what another point sees
+
+  HorizonCode::Code Get(vtkIdType point) const;
+  void Set(vtkIdType point, const HorizonCode::Code& code) const;
+};
+
+struct SurfaceArrays
+{
+  std::vector<SideArrays> Sides;
+  std::string Key; // of the points, normals and cells
+};
+
+struct VisibilitySettings
+{
+  int NumberOfRays;
+  bool BothSides;
+  bool SelfOcclusion; // whether the tracer has the surfaces as its first ones
+  double Farthest;
+};
+
 class VisibilityTask
 {
 public:
-  struct Settings
-  {
-    int NumberOfRays;
-    std::vector<SideNames> Sides; // one or two: the front, the back
-    bool SelfOcclusion;           // whether the tracer has the surfaces as its first ones
-    double Farthest;
-  };
-
   /// passes: how many will be made. report: what share of all is done; returns whether to go on.
   VisibilityTask(const SurfaceTracer& tracer, const std::vector<vtkPolyData*>& surfaces,
-    const Settings& settings, int passes, std::function<bool(double)> report);
+    const VisibilitySettings& settings, int passes, std::function<bool(double)> report);
 
   ///@{
   /// Return whether they were not stopped. What is hidden of the sky, of each surface:
@@ -47,7 +70,7 @@ private:
 
   const SurfaceTracer& Tracer;
   const std::vector<vtkPolyData*>& Surfaces;
-  Settings Options;
+  VisibilitySettings Settings;
   std::function<bool(double)> Report;
   vtkIdType All = 1;
   vtkIdType Done = 0;

@@ -4,14 +4,9 @@
 
 #include "MappedSample.h"
 
-#include "vtkDataArray.h"
 #include "vtkLambertBRDF.h"
-#include "vtkMaterialMapFitter.h"
-#include "vtkPointData.h"
 
 #include <iostream>
-#include <map>
-#include <random>
 
 #include <gtest/gtest.h>
 
@@ -19,92 +14,8 @@ namespace
 {
 const std::vector<std::string> Three = { "nickel", "red-fabric2", "blue-rubber" };
 
-/// All built-in materials.
-void AddLibrary(vtkMaterialMapFitter* fitter)
-{
-  for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
-  {
-    const std::string name = vtkEmbeddedMaterials::GetName(k);
-    const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
-    fitter->AddMaterial(brdf, name);
-  }
 }
 
-/// Largest and mean difference of weights, by the materials' names.
-struct WeightDifference
-{
-  double Largest = 0.0;
-  double Mean = 0.0;
-};
-
-WeightDifference CompareWeights(vtkMaterialMap* found, vtkMaterialMap* original)
-{
-  std::map<std::string, int> numbers;
-  for (int k = 0; k < found->GetNumberOfMaterials(); ++k)
-  {
-    numbers[found->GetName(k)] = k;
-  }
-  WeightDifference result;
-  const int texels = static_cast<int>(original->GetWeightImage(0)->GetNumberOfPoints());
-  for (int k = 0; k < original->GetNumberOfMaterials(); ++k)
-  {
-    const auto number = numbers.find(original->GetName(k));
-    for (int texel = 0; texel < texels; ++texel)
-    {
-      const double weight = number == numbers.end() ? 0.0 : GetWeight(found, number->second, texel);
-      const double difference = std::abs(weight - GetWeight(original, k, texel));
-      result.Largest = std::max(result.Largest, difference);
-      result.Mean += difference / (texels * original->GetNumberOfMaterials());
-    }
-  }
-  return result;
-}
-
-/// Relative L1 difference of the photographs that two maps give, at directions that no fit here
-/// has: half of them anywhere, half near the mirror direction.
-double ComparePhotographs(vtkMaterialMap* found, vtkMaterialMap* original)
-{
-  vtkNew<vtkSimulatedPhotographSet> sets[2];
-  sets[0]->SetMaterialMap(found);
-  sets[1]->SetMaterialMap(original);
-  std::mt19937 random(3);
-  const auto number = [&](double from, double to)
-  { return from + (to - from) * random() * 0x1p-32; };
-  for (int k = 0; k < 60; ++k)
-  {
-    double light[3], view[3];
-    const double theta = number(0.0, 60.0), phi = number(0.0, 360.0);
-    vtkPhotographSet::GetDirection(theta, phi, light);
-    const bool mirror = k % 2 == 1;
-    vtkPhotographSet::GetDirection(mirror ? theta + number(0.0, 8.0) : number(0.0, 60.0),
-      mirror ? phi + number(175.0, 185.0) : number(0.0, 360.0), view);
-    sets[0]->AddDirections(light, view);
-    sets[1]->AddDirections(light, view);
-  }
-  double difference = 0.0, sum = 0.0;
-  for (int k = 0; k < sets[0]->GetNumberOfPhotographs(); ++k)
-  {
-    const auto a = vtkSmartPointer<vtkImageData>::Take(sets[0]->NewPicture(k));
-    const auto b = vtkSmartPointer<vtkImageData>::Take(sets[1]->NewPicture(k));
-    vtkDataArray* x = a->GetPointData()->GetScalars();
-    vtkDataArray* r = b->GetPointData()->GetScalars();
-    double pictureDifference = 0.0, pictureSum = 0.0;
-    for (vtkIdType texel = 0; texel < x->GetNumberOfTuples(); ++texel)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        pictureDifference += std::abs(x->GetComponent(texel, c) - r->GetComponent(texel, c));
-        pictureSum += r->GetComponent(texel, c);
-      }
-    }
-    difference += pictureDifference / pictureSum; // photographs count alike
-    sum += 1.0;
-  }
-  return difference / sum;
-}
-}
-
-//------------------------------------------------------------------------------
 TEST(MaterialMapFitter, FindsTheMaterialsOfALibraryAndTheirWeights)
 {
   const auto original = NewMappedSample(Three, 24);
@@ -121,7 +32,6 @@ TEST(MaterialMapFitter, FindsTheMaterialsOfALibraryAndTheirWeights)
   std::cout << "largest difference of weights " << difference.Largest << "\n";
 }
 
-//------------------------------------------------------------------------------
 // The true deviations of weights against those that the fitter says; half with four times the
 // photographs.
 TEST(MaterialMapFitter, NoiseMakesWeightsAsUncertainAsItSays)
@@ -167,7 +77,6 @@ TEST(MaterialMapFitter, NoiseMakesWeightsAsUncertainAsItSays)
   }
 }
 
-//------------------------------------------------------------------------------
 TEST(MaterialMapFitter, FindsMaterialsAsTables)
 {
   const auto original = NewMappedSample(Three, 32);
@@ -180,7 +89,8 @@ TEST(MaterialMapFitter, FindsMaterialsAsTables)
   fitter->SetMaximumNumberOfMaterials(3);
   ASSERT_TRUE(fitter->Fit());
   ASSERT_EQ(fitter->GetOutput()->GetNumberOfMaterials(), 3);
-  const double unseen = ComparePhotographs(fitter->GetOutput(), original);
+  const double unseen = 0.5 * (ComparePhotographs(fitter->GetOutput(), original, false) +
+                                ComparePhotographs(fitter->GetOutput(), original, true));
   std::cout << "factors " << fitter->GetFactorizationError() << ", mean " << fitter->GetMeanError()
             << ", 95 % " << fitter->GetError95() << ", worst " << fitter->GetWorstError()
             << ", seen " << fitter->GetSeenShare() << ", iterations "
@@ -192,7 +102,6 @@ TEST(MaterialMapFitter, FindsMaterialsAsTables)
   EXPECT_EQ(fitter->GetNumberOfFindings(), 0) << fitter->GetFinding(0);
 }
 
-//------------------------------------------------------------------------------
 TEST(MaterialMapFitter, SaysWhatThePhotographsLeaveOpen)
 {
   vtkNew<vtkLambertBRDF> a, b, c;

@@ -512,51 +512,10 @@ protected:
       .GetPlan();
   }
 
-  static std::string Describe(vtkRadiancePlanner* plan)
-  {
-    const int choice = plan->GetChoice();
-    return plan->GetMethodName(choice) + ", " + plan->GetDescription(choice) + ", " +
-           std::to_string(plan->GetPredictedError(choice)) + plan->GetReason();
-  }
-
   std::vector<vtkSmartPointer<GatedBRDF>> Materials;
   std::vector<std::unique_ptr<MapperPlans>> Mappers;
   int Visits = 0;
 };
-}
-
-//------------------------------------------------------------------------------
-TEST_F(SideBySide, TheFirstFrameBeginsAll)
-{
-  // The second waits at its gate while the first frame asks for the first only.
-  this->Materials[1]->Door->Close();
-  ASSERT_TRUE(this->Update(0));
-  EXPECT_EQ(this->Problem, "");
-  ASSERT_TRUE(WaitUntil([this]() { return this->Materials[1]->Door->IsAwaited(); }));
-  for (int k = 1; k < Count; ++k)
-  {
-    EXPECT_FALSE(this->Mappers[static_cast<std::size_t>(k)]->IsPending()); // not drawn yet
-  }
-  this->Materials[1]->Door->OpenUp();
-  std::vector<std::string> plans;
-  for (int k = 0; k < Count; ++k)
-  {
-    vtkRadiancePlanner* plan = this->Update(k);
-    ASSERT_TRUE(plan);
-    plans.push_back(Describe(plan));
-  }
-  EXPECT_EQ(this->Visits, 1);
-
-  // One after the other they are the same.
-  for (int k = 0; k < Count; ++k)
-  {
-    vtkNew<vtkRadiancePlanner> alone;
-    alone->SetBRDF(this->Materials[static_cast<std::size_t>(k)]);
-    alone->SetEnvironment(this->Sky);
-    alone->SetErrorTolerance(0.3);
-    ASSERT_TRUE(alone->Update());
-    EXPECT_EQ(plans[static_cast<std::size_t>(k)], Describe(alone));
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -618,7 +577,7 @@ TEST_F(SideBySide, HeldUntilSomebodyWaits)
 }
 
 //------------------------------------------------------------------------------
-// What the render room shares may be looked up by threads that draw different windows.
+// What the rendering component shares may be looked up by threads that draw different windows.
 TEST(TwoThreads, ShareWhatTheyFind)
 {
   measuredbrdf::SharedObjects<int, vtkObject> shared;

@@ -46,10 +46,7 @@ class Parts : public testing::Test
 protected:
   void SetUp() override
   {
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetResolution(Side, Side);
-    plane->Update();
-    this->Plane->ShallowCopy(plane->GetOutput());
+    this->SetResolution(Side);
     for (int k = 0; k < 40; ++k)
     {
       this->Materials.push_back(vtkSmartPointer<vtkLambertBRDF>::New());
@@ -79,6 +76,38 @@ protected:
   void SetPoints(const Function& value)
   {
     this->SetData(this->Plane->GetPointData(), this->Plane->GetNumberOfPoints(), value);
+  }
+  /// Of each point and component.
+  template <typename Function>
+  void SetWeights(int components, const Function& value)
+  {
+    vtkNew<vtkFloatArray> weights;
+    weights->SetName("data");
+    weights->SetNumberOfComponents(components);
+    weights->SetNumberOfTuples(this->Plane->GetNumberOfPoints());
+    for (vtkIdType k = 0; k < weights->GetNumberOfValues(); ++k)
+    {
+      weights->SetValue(k, static_cast<float>(value(k / components, k % components)));
+    }
+    this->Plane->GetPointData()->AddArray(weights);
+    this->Map->SetModeToWeights();
+    this->AddMaterials(components);
+  }
+  void SetResolution(int side)
+  {
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetResolution(side, side);
+    plane->Update();
+    this->Plane->ShallowCopy(plane->GetOutput());
+  }
+  /// On a scale of values.
+  void AddMaterials(int count, double step)
+  {
+    this->Map->SetModeToValues();
+    for (int k = 0; k < count; ++k)
+    {
+      this->Map->AddMaterial(this->Materials[static_cast<std::size_t>(k % 40)], step * k);
+    }
   }
   void AddMaterials(int count)
   {
@@ -272,11 +301,7 @@ TEST_F(Parts, ValuesMeetWhereTheirHatsOverlap)
 {
   // From 0 to 10 across: materials at 0, 5 and 10.
   this->SetPoints([](vtkIdType point) { return static_cast<double>(point % (Side + 1)); });
-  this->Map->SetModeToValues();
-  for (int k = 0; k < 3; ++k)
-  {
-    this->Map->AddMaterial(this->Materials[static_cast<std::size_t>(k)], 5.0 * k);
-  }
+  this->AddMaterials(3, 5.0);
   ASSERT_EQ(this->Update(), "");
   ASSERT_EQ(this->Divided.Get().size(), 2u);
   for (const MaterialPart& part : this->Divided.Get())
@@ -316,16 +341,9 @@ TEST_F(Parts, ManyMaterialsOfAScaleInOnePolygonAreDrawnInBands)
 // Hundreds of sets of neighbors on a scale: parts are no more than bands.
 TEST_F(Parts, ManySetsOnAScaleAreBands)
 {
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetResolution(30, 30);
-  plane->Update();
-  this->Plane->ShallowCopy(plane->GetOutput());
+  this->SetResolution(30);
   this->SetPoints([](vtkIdType point) { return 1.3 * static_cast<double>((7 * point) % 310); });
-  this->Map->SetModeToValues();
-  for (int k = 0; k < 400; ++k)
-  {
-    this->Map->AddMaterial(this->Materials[static_cast<std::size_t>(k % 40)], k);
-  }
+  this->AddMaterials(400, 1.0);
   ASSERT_EQ(this->Update(), "");
   EXPECT_LE(this->Divided.Get().size(), 140u);
 }
@@ -395,11 +413,7 @@ TEST_F(Parts, ImagesMayDifferInSize)
 TEST_F(Parts, AllOnOneKnotIsOneMaterial)
 {
   this->SetPoints([](vtkIdType) { return 5.0; });
-  this->Map->SetModeToValues();
-  for (int k = 0; k < 3; ++k)
-  {
-    this->Map->AddMaterial(this->Materials[static_cast<std::size_t>(k)], 5.0 * k);
-  }
+  this->AddMaterials(3, 5.0);
   ASSERT_EQ(this->Update(), "");
   ASSERT_EQ(this->Divided.Get().size(), 1u);
   EXPECT_EQ(this->Divided.Get()[0].Kind, MixtureKind::Single);
@@ -408,16 +422,8 @@ TEST_F(Parts, AllOnOneKnotIsOneMaterial)
 
 TEST_F(Parts, WeightsAreDividedByTheirSum)
 {
-  vtkNew<vtkFloatArray> weights;
-  weights->SetName("data");
-  weights->SetNumberOfComponents(2);
-  for (vtkIdType p = 0; p < this->Plane->GetNumberOfPoints(); ++p)
-  {
-    weights->InsertNextTuple2(3.0, p == 0 ? -1.0 : 1.0);
-  }
-  this->Plane->GetPointData()->AddArray(weights);
-  this->Map->SetModeToWeights();
-  this->AddMaterials(2);
+  this->SetWeights(
+    2, [](vtkIdType p, vtkIdType k) { return k == 0 ? 3.0 : (p == 0 ? -1.0 : 1.0); });
   ASSERT_EQ(this->Update(), "");
   EXPECT_NE(this->Warning.find("1 weights"), std::string::npos) << this->Warning;
   ASSERT_EQ(this->Divided.Get().size(), 1u);
@@ -432,25 +438,17 @@ TEST_F(Parts, WeightsAreDividedByTheirSum)
 // 30 materials in random threes: 4,060 sets.
 TEST_F(Parts, ManySetsAreMerged)
 {
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetResolution(40, 40);
-  plane->Update();
-  this->Plane->ShallowCopy(plane->GetOutput());
-  vtkNew<vtkFloatArray> weights;
-  weights->SetName("data");
-  weights->SetNumberOfComponents(30);
-  weights->SetNumberOfTuples(this->Plane->GetNumberOfPoints());
-  weights->FillValue(0.0f);
-  for (vtkIdType p = 0; p < this->Plane->GetNumberOfPoints(); ++p)
-  {
-    for (int k = 0; k < 3; ++k)
+  this->SetResolution(40);
+  this->SetWeights(30,
+    [](vtkIdType p, vtkIdType material)
     {
-      weights->SetComponent(p, static_cast<int>((7 * p * p + 11 * k * p + 3 * k) % 30), 1.0);
-    }
-  }
-  this->Plane->GetPointData()->AddArray(weights);
-  this->Map->SetModeToWeights();
-  this->AddMaterials(30);
+      double weight = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        weight = (7 * p * p + 11 * k * p + 3 * k) % 30 == material ? 1.0 : weight;
+      }
+      return weight;
+    });
   ASSERT_EQ(this->Update(), "");
   EXPECT_LE(
     this->Divided.Get().size(), static_cast<std::size_t>(MaterialParts::WantedNumberOfParts));
@@ -482,15 +480,7 @@ TEST_F(Parts, ManySetsAreMerged)
 
 TEST_F(Parts, TooManyWeightsInOnePlaceAreCutAndSaid)
 {
-  vtkNew<vtkFloatArray> weights;
-  weights->SetName("data");
-  weights->SetNumberOfComponents(40);
-  weights->SetNumberOfTuples(this->Plane->GetNumberOfPoints());
-  weights->FillValue(1.0f);
-  weights->FillComponent(39, 5.0);
-  this->Plane->GetPointData()->AddArray(weights);
-  this->Map->SetModeToWeights();
-  this->AddMaterials(40);
+  this->SetWeights(40, [](vtkIdType, vtkIdType k) { return k == 39 ? 5.0 : 1.0; });
   ASSERT_EQ(this->Update(), "");
   EXPECT_NE(this->Warning.find("more than 32"), std::string::npos) << this->Warning;
   ASSERT_EQ(this->Divided.Get().size(), 1u);

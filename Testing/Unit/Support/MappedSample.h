@@ -8,15 +8,20 @@
 #ifndef MappedSample_h
 #define MappedSample_h
 
+#include "vtkBRDF.h"
+#include "vtkDataArray.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkImageData.h"
 #include "vtkMaterialMap.h"
+#include "vtkMaterialMapFitter.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkSimulatedPhotographSet.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -79,6 +84,91 @@ inline double GetWeight(vtkMaterialMap* map, int material, int texel)
   vtkImageData* image = map->GetWeightImage(material / 4);
   const int width = image->GetDimensions()[0];
   return image->GetScalarComponentAsDouble(texel % width, texel / width, 0, material % 4);
+}
+
+/// All built-in materials.
+inline void AddLibrary(vtkMaterialMapFitter* fitter)
+{
+  for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
+  {
+    const std::string name = vtkEmbeddedMaterials::GetName(k);
+    const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
+    fitter->AddMaterial(brdf, name);
+  }
+}
+
+/// Differences of weights, by the materials' names.
+struct WeightDifference
+{
+  double Largest = 0.0;
+  double Mean = 0.0;
+  bool AreOthers = false; // the materials are not the original's
+};
+
+inline WeightDifference CompareWeights(vtkMaterialMap* found, vtkMaterialMap* original)
+{
+  WeightDifference result;
+  result.AreOthers = found->GetNumberOfMaterials() != original->GetNumberOfMaterials();
+  const int texels = static_cast<int>(original->GetWeightImage(0)->GetNumberOfPoints());
+  for (int k = 0; k < original->GetNumberOfMaterials(); ++k)
+  {
+    int number = 0;
+    while (number < found->GetNumberOfMaterials() && found->GetName(number) != original->GetName(k))
+    {
+      ++number;
+    }
+    const bool has = number < found->GetNumberOfMaterials();
+    result.AreOthers = result.AreOthers || !has;
+    for (int texel = 0; texel < texels; ++texel)
+    {
+      const double weight = has ? GetWeight(found, number, texel) : 0.0;
+      const double difference = std::abs(weight - GetWeight(original, k, texel));
+      result.Largest = std::max(result.Largest, difference);
+      result.Mean += difference / (texels * original->GetNumberOfMaterials());
+    }
+  }
+  return result;
+}
+
+/// Relative L1 difference of the photographs that two maps give, at directions up to 60 degrees
+/// that no fit has: anywhere, or near the mirror direction. Photographs count alike.
+inline double ComparePhotographs(vtkMaterialMap* found, vtkMaterialMap* original, bool mirror)
+{
+  constexpr int count = 100;
+  vtkNew<vtkSimulatedPhotographSet> sets[2];
+  sets[0]->SetMaterialMap(found);
+  sets[1]->SetMaterialMap(original);
+  std::mt19937 random(3);
+  const auto number = [&](double from, double to)
+  { return from + (to - from) * static_cast<double>(random()) * 0x1p-32; };
+  double sum = 0.0;
+  for (int k = 0; k < count; ++k)
+  {
+    double light[3], view[3];
+    const double theta = number(0.0, 60.0), phi = number(0.0, 360.0);
+    vtkPhotographSet::GetDirection(theta, phi, light);
+    vtkPhotographSet::GetDirection(mirror ? theta + number(0.0, 8.0) : number(0.0, 60.0),
+      mirror ? phi + number(175.0, 185.0) : number(0.0, 360.0), view);
+    vtkSmartPointer<vtkImageData> pictures[2];
+    for (int of = 0; of < 2; ++of)
+    {
+      sets[of]->AddDirections(light, view);
+      pictures[of].TakeReference(sets[of]->NewPicture(k));
+    }
+    vtkDataArray* x = pictures[0]->GetPointData()->GetScalars();
+    vtkDataArray* r = pictures[1]->GetPointData()->GetScalars();
+    double difference = 0.0, whole = 0.0;
+    for (vtkIdType texel = 0; texel < x->GetNumberOfTuples(); ++texel)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        difference += std::abs(x->GetComponent(texel, c) - r->GetComponent(texel, c));
+        whole += r->GetComponent(texel, c);
+      }
+    }
+    sum += difference / whole / count;
+  }
+  return sum;
 }
 
 #endif

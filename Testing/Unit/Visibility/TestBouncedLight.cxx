@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One bounce of what is hidden: its code, and what vtkSurfaceVisibilityFilter finds, against traced
 // light.
-#include "BouncedLight.h"
 #include "HalfVector.h"
 #include "HiddenSky.h"
 #include "SkyHarmonics.h"
 #include "TraceSurface.h"
-#include "VisibilityArrays.h"
+#include "VisibilityTask.h"
 #include "vtkSurfaceVisibilityFilter.h"
 
 #include "vtkCallbackCommand.h"

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OcclusionArrays.h"
 
-#include "BouncedLight.h"
-#include "HiddenSky.h"
+#include "HorizonCode.h"
 #include "SharedTrace.h"
 #include "SurfacePoints.h"
 #include "vtkCellArray.h"
@@ -36,9 +35,9 @@ OcclusionArrays::Side MakeSide(vtkIdType points)
   return side;
 }
 
-void SetCode(const OcclusionArrays::Side& side, vtkIdType point, const HiddenSky::Code& code)
+void SetCode(const OcclusionArrays::Side& side, vtkIdType point, const HorizonCode::Code& code)
 {
-  static_assert(HiddenSky::Bytes == 3 * 4 * OcclusionArrays::Attributes, "three bytes a float");
+  static_assert(HorizonCode::Bytes == 3 * 4 * OcclusionArrays::Attributes, "three bytes a float");
   for (std::size_t k = 0; 3 * k < code.size(); ++k)
   {
     const int packed = code[3 * k] + 256 * code[3 * k + 1] + 65536 * code[3 * k + 2];
@@ -80,14 +79,14 @@ vtkUnsignedCharArray* FindArray(
 vtkSmartPointer<vtkFloatArray> MakeBounce(vtkIdType points)
 {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
-  array->SetNumberOfComponents(BouncedLight::Bytes / 3);
+  array->SetNumberOfComponents(BounceCode::Bytes / 3);
   array->SetNumberOfTuples(points);
   return array;
 }
 
 void SetBounce(vtkFloatArray* array, vtkIdType point, const unsigned char* code)
 {
-  for (int k = 0; k < BouncedLight::Bytes / 3; ++k)
+  for (int k = 0; k < BounceCode::Bytes / 3; ++k)
   {
     const int packed = code[3 * k] + 256 * code[3 * k + 1] + 65536 * code[3 * k + 2];
     array->SetTypedComponent(point, k, static_cast<float>(packed));
@@ -99,7 +98,7 @@ vtkSmartPointer<vtkFloatArray> ReadBounceSide(
   vtkPolyData* surface, const std::string& suffix, std::string& problem)
 {
   vtkUnsignedCharArray* bytes = FindArray(surface,
-    vtkSurfaceVisibilityFilter::GetBouncedLightArrayName() + suffix, BouncedLight::Bytes, problem);
+    vtkSurfaceVisibilityFilter::GetBouncedLightArrayName() + suffix, BounceCode::Bytes, problem);
   if (!bytes)
   {
     return nullptr;
@@ -107,7 +106,7 @@ vtkSmartPointer<vtkFloatArray> ReadBounceSide(
   vtkSmartPointer<vtkFloatArray> array = MakeBounce(surface->GetNumberOfPoints());
   for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k)
   {
-    SetBounce(array, k, bytes->GetPointer(k * BouncedLight::Bytes));
+    SetBounce(array, k, bytes->GetPointer(k * BounceCode::Bytes));
   }
   return array;
 }
@@ -115,11 +114,12 @@ vtkSmartPointer<vtkFloatArray> ReadBounceSide(
 bool ReadSide(vtkPolyData* surface, const std::string& suffix, OcclusionArrays::Side& side,
   std::string& problem)
 {
-  vtkUnsignedCharArray* sky = FindArray(surface,
-    vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName() + suffix, HiddenSky::SectorBytes, problem);
+  vtkUnsignedCharArray* sky =
+    FindArray(surface, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName() + suffix,
+      HorizonCode::SectorBytes, problem);
   vtkUnsignedCharArray* light =
     sky ? FindArray(surface, vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() + suffix,
-            HiddenSky::TransferBytes, problem)
+            HorizonCode::TransferBytes, problem)
         : nullptr;
   if (!light)
   {
@@ -127,12 +127,13 @@ bool ReadSide(vtkPolyData* surface, const std::string& suffix, OcclusionArrays::
   }
   const vtkIdType points = surface->GetNumberOfPoints();
   side = MakeSide(points);
-  HiddenSky::Code code;
+  HorizonCode::Code code;
   for (vtkIdType k = 0; k < points; ++k)
   {
-    std::copy_n(sky->GetPointer(k * HiddenSky::SectorBytes), HiddenSky::SectorBytes, code.begin());
-    std::copy_n(light->GetPointer(k * HiddenSky::TransferBytes), HiddenSky::TransferBytes,
-      code.begin() + HiddenSky::SectorBytes);
+    std::copy_n(
+      sky->GetPointer(k * HorizonCode::SectorBytes), HorizonCode::SectorBytes, code.begin());
+    std::copy_n(light->GetPointer(k * HorizonCode::TransferBytes), HorizonCode::TransferBytes,
+      code.begin() + HorizonCode::SectorBytes);
     SetCode(side, k, code);
   }
   return true;
@@ -150,8 +151,8 @@ bool IsClosed(vtkPolyData* surface, const std::string& suffix)
     {
       return false;
     }
-    const unsigned char* bytes = sky->GetPointer(point * HiddenSky::SectorBytes);
-    for (int s = 0; s < HiddenSky::Sectors; ++s)
+    const unsigned char* bytes = sky->GetPointer(point * HorizonCode::SectorBytes);
+    for (int s = 0; s < HorizonCode::Sectors; ++s)
     {
       if (bytes[3 + 2 * s] != 0 || bytes[4 + 2 * s] != 255)
       {
@@ -185,7 +186,7 @@ double FindLeastCosine(vtkPolyData* surface)
   std::vector<glm::dvec3> normals;
   for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k)
   {
-    normals.push_back(HiddenSky::UnpackNormal(sky->GetPointer(k * HiddenSky::SectorBytes)));
+    normals.push_back(HorizonCode::UnpackNormal(sky->GetPointer(k * HorizonCode::SectorBytes)));
   }
   constexpr double margin = 0.05; // views differ within a triangle
   const double cosine = GetLeastCosine(surface, normals);
@@ -215,12 +216,12 @@ std::shared_ptr<OcclusionArrays> OcclusionArrays::MakeOpen(vtkIdType points)
 {
   auto arrays = std::make_shared<OcclusionArrays>();
   arrays->Front = MakeSide(points);
-  const HiddenSky::Code open = HiddenSky::MakeOpen({ 0.0, 0.0, 1.0 });
+  const HorizonCode::Code open = HorizonCode::MakeOpen({ 0.0, 0.0, 1.0 });
   for (vtkIdType k = 0; k < points; ++k)
   {
     SetCode(arrays->Front, k, open);
   }
-  const BouncedLight::Code dark = BouncedLight::MakeDark();
+  const BounceCode::Code dark = BounceCode::MakeDark();
   arrays->BounceFront = MakeBounce(points);
   for (vtkIdType k = 0; k < points; ++k)
   {

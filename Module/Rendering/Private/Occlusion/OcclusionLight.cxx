@@ -4,8 +4,10 @@
 
 #include "EnvironmentPrecomputation.h"
 #include "HalfVector.h" // for Pi
-#include "HiddenSky.h"
-#include "LampWindow.h"
+#include "HorizonCode.h"
+#include "LobeMeans.h"
+#include "LobeQuadrature.h"
+#include "LocalFrame.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkFactoredRadianceIntegrator.h"
@@ -22,6 +24,68 @@ namespace measuredbrdf
 {
 namespace
 {
+constexpr int Cells = 512; // of a view's quadrature
+constexpr int Steps = 30;  // of Newton's method, at most
+constexpr double Enough = 1e-4;
+
+// Of the view that a lobe is for.
+double GetViewAngle(std::size_t k)
+{
+  return std::acos(MinimumViewCosine) * static_cast<double>(k) / (OcclusionViews - 1);
+}
+
+// In the plane of the view: across is away from it.
+glm::dvec2 Project(const glm::dvec3& d) { return { -d.x, d.z }; }
+
+glm::dvec2 Limit(const glm::dvec2& p, double most)
+{
+  const double length = glm::length(p);
+  return length > most ? p * (most / length) : p;
+}
+
+// cos(theta) exp(p . d - |p|): its integral, mean direction, and covariance.
+struct Moments
+{
+  double Integral = 0.0;
+  glm::dvec2 Mean = glm::dvec2(0.0);
+  glm::dmat2 Covariance = glm::dmat2(0.0);
+
+  Moments(const LobeQuadrature& quadrature, const glm::dvec2& p)
+  {
+    const double kappa = glm::length(p);
+    for (const LobeQuadrature::Cell& cell : quadrature.GetCells())
+    {
+      const glm::dvec2 d = Project(cell.Direction);
+      const double part = cell.Cosine * std::exp(glm::dot(p, d) - kappa);
+      this->Integral += part;
+      this->Mean += part * d;
+      this->Covariance += part * glm::outerProduct(d, d);
+    }
+    const double all = std::max(this->Integral, 1e-30);
+    this->Mean /= all;
+    this->Covariance = this->Covariance / all - glm::outerProduct(this->Mean, this->Mean);
+  }
+};
+
+// The p that has this mean direction, from another on: Newton's method, whose steps are no longer
+// than p allows.
+glm::dvec2 Fit(const LobeQuadrature& quadrature, const glm::dvec2& mean, glm::dvec2 p)
+{
+  for (int k = 0; k < Steps; ++k)
+  {
+    const Moments moments(quadrature, p);
+    const glm::dmat2 regular = moments.Covariance + glm::dmat2(1e-6);
+    const glm::dvec2 step =
+      Limit(glm::inverse(regular) * (mean - moments.Mean), 0.5 * (1.0 + glm::length(p)));
+    p = Limit(p + step, HorizonCode::LargestKappa);
+    if (glm::length(step) < Enough)
+    {
+      break;
+    }
+  }
+  return p;
+}
+
 // The real harmonics of an environment in its own axes. EnvironmentHarmonics' frame has the
 // environment's (z, x, y) as its axes.
 sky::Colors MakeLight(vtkEnvironment* environment, const EnvironmentPrecomputation::Rest& rest)
@@ -72,6 +136,51 @@ void Subtract(const EnvironmentPanels::Panel& panel, sky::Colors& light)
     }
   }
 }
+
+// The mean of directional albedos, views weighted by their cosine and solid angle.
+glm::dvec3 GetAlbedo(const OcclusionLobes& lobes)
+{
+  glm::dvec3 sum(0.0);
+  double all = 0.0;
+  for (std::size_t k = 0; k < lobes.size(); ++k)
+  {
+    const double weight = std::sin(2.0 * GetViewAngle(k));
+    sum += weight * (Pi * lobes[k].Lambert + lobes[k].Albedo);
+    all += weight;
+  }
+  return glm::clamp(sum / all, 0.0, 1.0);
+}
+}
+
+OcclusionLobes FindOcclusionLobes(vtkBRDF* brdf, bool withFloor)
+{
+  OcclusionLobes lobes;
+  brdf->Prepare();
+  glm::dvec2 p(0.0, 2.0);
+  for (std::size_t k = 0; k < lobes.size(); ++k)
+  {
+    const double theta = GetViewAngle(k);
+    const LobeQuadrature quadrature(brdf, glm::dvec3(std::sin(theta), 0.0, std::cos(theta)), Cells);
+    const LobeMeans means(quadrature);
+    const glm::dvec3 floor = withFloor ? glm::dvec3(0.0) : means.Floor;
+    glm::dvec2 mean(0.0);
+    double all = 0.0;
+    for (const LobeQuadrature::Cell& cell : quadrature.GetCells())
+    {
+      const double energy = LobeQuadrature::GetEnergy(cell, floor);
+      all += energy;
+      mean += energy * Project(cell.Direction);
+    }
+    p = all > 0.0 ? Fit(quadrature, mean / all, p) : p;
+    OcclusionLobe& lobe = lobes[k];
+    lobe.Across = p.x;
+    lobe.Along = p.y;
+    lobe.Integral = Moments(quadrature, p).Integral;
+    lobe.Delta = means.Delta;
+    lobe.Lambert = floor;
+    lobe.Albedo = means.Amplitude + Pi * (means.Floor - floor);
+  }
+  return lobes;
 }
 
 OcclusionLight::OcclusionLight(
@@ -81,9 +190,9 @@ OcclusionLight::OcclusionLight(
   this->IsSplit =
     brdf->IsIsotropic() && (hybrid || vtkTableRadianceIntegrator::SafeDownCast(integrator) ||
                              vtkFactoredRadianceIntegrator::SafeDownCast(integrator));
-  this->Lobes = OcclusionLobes(brdf, !this->IsSplit);
-  this->HasLobe = std::any_of(this->Lobes.GetLobes().begin(), this->Lobes.GetLobes().end(),
-    [](const OcclusionLobes::Lobe& lobe)
+  this->Lobes = FindOcclusionLobes(brdf, !this->IsSplit);
+  this->HasLobe = std::any_of(this->Lobes.begin(), this->Lobes.end(),
+    [](const OcclusionLobe& lobe)
     { return glm::any(glm::greaterThan(lobe.Albedo, glm::dvec3(0.0))); }); // LobeMeans rounds to 0
   EnvironmentPrecomputation::Rest rest;
   if (hybrid && this->IsSplit)
@@ -106,15 +215,8 @@ OcclusionLight::OcclusionLight(
   this->Light = MakeLight(environment, rest);
   if (withBounce)
   {
-    static_assert(OcclusionBounce::Views == OcclusionLobes::Views, "the same views");
-    std::vector<glm::dvec3> lambert;
-    std::vector<glm::dvec3> albedos;
-    for (const OcclusionLobes::Lobe& lobe : this->Lobes.GetLobes())
-    {
-      lambert.push_back(lobe.Lambert);
-      albedos.push_back(lobe.Albedo);
-    }
-    this->Bounce = std::make_shared<OcclusionBounce>(lambert, albedos, MakeLight(environment, {}));
+    this->Bounce = std::make_unique<OcclusionBounce>(
+      OcclusionBounce{ GetAlbedo(this->Lobes), MakeLight(environment, {}) });
   }
   const auto panels = environment->GetParts().GetPanels(environment, rest, []() { return true; });
   for (std::size_t k = 0; panels && k < panels->GetPanels().size(); ++k)
@@ -138,81 +240,8 @@ sky::Colors OcclusionLight::GetLight(const glm::dmat3& toEnvironment, std::size_
   return sky::Rotate(light, toEnvironment);
 }
 
-OcclusionLight::Hidden OcclusionLight::GetHidden(
-  const HiddenSky& sky, const glm::dvec3& view, const glm::dmat3& toEnvironment) const
-{
-  const glm::dvec3 n = sky.GetNormal();
-  const OcclusionLobes::Lobe lobe = this->Lobes.Get(glm::dot(n, view));
-  const glm::dvec3 slope = lobe.GetSlope(n, view);
-  const double kappa = glm::length(slope);
-  const sky::Colors light = this->GetLight(toEnvironment);
-  const glm::dvec3 irradiance = sky::GetIrradiance(light, n);
-  Hidden hidden = { sky.GetHiddenIrradiance(light), glm::dvec3(0.0) };
-  const glm::dvec3 share =
-    sky.GetHiddenLight(sky.GetHiddenShare(slope), kappa, hidden.Irradiance, irradiance);
-  // Radiance in the lobe: of the rest, then of panels, and of what the table has of lamps.
-  glm::dvec3 all = glm::max(irradiance, glm::dvec3(1e-30)) / Pi;
-  glm::dvec3 lost = share * all;
-  for (const EnvironmentPanels::Panel& panel : this->Panels)
-  {
-    const glm::dvec3 d = glm::transpose(toEnvironment) * panel.Direction;
-    const double radius = GetPanelRadius(panel);
-    const double z = glm::dot(d, n);
-    const double rise = std::max(z + radius, 0.0);
-    const double cosine = z > radius ? z : rise * rise / (4.0 * radius);
-    const double part = sky.GetHiddenPanel(d, radius);
-    hidden.Irradiance += part * cosine * panel.Irradiance;
-    // The mean of exp(slope . d) over a concentrated von Mises-Fisher lobe.
-    const double both = std::max(glm::length(slope + panel.Concentration * d), 1e-3);
-    const double mean = panel.Concentration / both * std::exp(both - panel.Concentration - kappa);
-    const glm::dvec3 inLobe = panel.Irradiance * (cosine * mean / lobe.Integral);
-    // The middle of both lobes' product.
-    const double up = (glm::dot(slope, n) + panel.Concentration * z) / both - z;
-    all += inLobe;
-    // One standard deviation of the product, for lobes may be sharper than kappa says.
-    lost += sky.GetHiddenPanel(d, radius, std::sqrt(1.0 / both), up) * inLobe;
-  }
-  const LampWindow window;
-  const glm::dvec3 axis = lobe.GetAxis(n, view);
-  for (std::size_t k = 0; k < std::min(this->LampLight.size(), MaximumLamps); ++k)
-  {
-    const glm::dvec3 d = glm::transpose(toEnvironment) * this->Lamps[k];
-    const double part = 1.0 - sky.GetVisibleLamp(d);
-    hidden.Irradiance += part * std::max(glm::dot(d, n), 0.0) * this->LampLight[k];
-    const glm::dvec3 inTable =
-      (1.0 - window.GetWeight(d, axis)) * lobe.GetShine(n, slope, d) * this->LampLight[k];
-    all += inTable;
-    lost += part * inTable;
-  }
-  hidden.Lobe = lost / all;
-  return hidden;
-}
-
 double GetPanelRadius(const EnvironmentPanels::Panel& panel)
 {
   return std::sqrt(3.0 / panel.Concentration);
-}
-
-glm::mat4 GetIrradianceForm(const sky::Colors& light, int channel)
-{
-  const auto a = [&](int j) { return light[static_cast<std::size_t>(j)][channel]; };
-  // The polynomials of sky::Evaluate up to degree 2, times what each degree makes of irradiance.
-  const double c0 = Pi * 0.282094791773878140;
-  const double c1 = 2.0 * Pi / 3.0 * 0.488602511902919920;
-  const double c2 = Pi / 4.0 * 1.092548430592079200;
-  const double c20 = Pi / 4.0 * 0.946174695757560080;
-  const double c22 = Pi / 4.0 * 0.546274215296039590;
-  glm::dmat4 form(0.0);
-  form[0][0] = c22 * a(8);
-  form[1][1] = -c22 * a(8);
-  form[2][2] = c20 * a(6);
-  form[3][3] = c0 * a(0) - c20 / 3.0 * a(6);
-  form[0][1] = form[1][0] = c22 * a(4);
-  form[1][2] = form[2][1] = -0.5 * c2 * a(5);
-  form[0][2] = form[2][0] = -0.5 * c2 * a(7);
-  form[1][3] = form[3][1] = -0.5 * c1 * a(1);
-  form[2][3] = form[3][2] = 0.5 * c1 * a(2);
-  form[0][3] = form[3][0] = -0.5 * c1 * a(3);
-  return glm::mat4(form);
 }
 } // namespace measuredbrdf

@@ -2,21 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What shading with hidden skies (HiddenSky.h) needs of a material and its light. Private to the
- * rendering room.
+ * What shading with horizon codes (HorizonCode.h) needs of a material and its light. Private to the
+ * rendering component.
  */
 
 #ifndef OcclusionLight_h
 #define OcclusionLight_h
 
 #include "EnvironmentPanels.h"
-#include "OcclusionBounce.h"
-#include "OcclusionLobes.h"
 #include "SkyHarmonics.h"
-#include "vtkSmartPointer.h"
 
 #include <glm/glm.hpp>
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -26,7 +25,37 @@ class vtkRadianceIntegrator;
 
 namespace measuredbrdf
 {
-class HiddenSky;
+/**
+ * A material's gloss, seen from one polar angle: the kernel f cos(theta), less what the integrator
+ * reflects as a Lambert surface does, as cos(theta) exp(p . d). The von Mises-Fisher lobe is f, so
+ * that the lobe ends at the horizon, as the kernel does. p is the one with the kernel's mean
+ * direction, which is the most likely one of an exponential family.
+ */
+struct OcclusionLobe
+{
+  // p is (-Across, 0, Along) seen from (sin theta, 0, cos theta).
+  double Across = 0.0;
+  double Along = 1.0;
+  double Integral = 1.0;                // of cos(theta) exp(p . d - |p|) over the hemisphere
+  double Delta = 0.0;                   // to the axis of a table's lobe, as LobeMeans has it
+  glm::dvec3 Lambert = glm::dvec3(0.0); // what is left out, in 1/sr
+  glm::dvec3 Albedo = glm::dvec3(0.0);  // directional, of the lobe
+};
+
+/// Seen from polar angles that are evenly spaced, from the normal to acos(MinimumViewCosine).
+constexpr std::size_t OcclusionViews = 16;
+using OcclusionLobes = std::array<OcclusionLobe, OcclusionViews>;
+
+/// withFloor: the Lambert part belongs to the lobe.
+OcclusionLobes FindOcclusionLobes(vtkBRDF* brdf, bool withFloor);
+
+/// What is hidden reflects: all that hides is taken to be of the material itself, and to reflect as
+/// a Lambert surface with its albedo does.
+struct OcclusionBounce
+{
+  glm::dvec3 Albedo; // hemispherical, at most 1
+  sky::Colors Light; // all of it, lamps included, in the environment's frame
+};
 
 struct OcclusionLight
 {
@@ -44,27 +73,15 @@ struct OcclusionLight
   std::vector<EnvironmentPanels::Panel> Panels;
   bool HasLobe = true;  // whether there is more than the Lambert part, which IsSplit leaves out
   bool IsSplit = false; // whether the integrator tells Lambert part, lobe and lamps apart
-  std::shared_ptr<const OcclusionBounce> Bounce; // null: what is hidden is black
+  std::unique_ptr<const OcclusionBounce> Bounce; // null: what is hidden is black
 
   /// Light for a surface whose axes the matrix turns into the environment's, of which the first
   /// lamps are tested. Others stay in it where E(n) holds them.
   sky::Colors GetLight(const glm::dmat3& toEnvironment, std::size_t tested = MaximumLamps) const;
-
-  /// What a point hides, seen from a unit direction in the surface's axes: irradiance, and the
-  /// share of the lobe's light. Lamps' own lobes apart. C++ twin of what OcclusionShader writes.
-  struct Hidden
-  {
-    glm::dvec3 Irradiance, Lobe;
-  };
-  Hidden GetHidden(
-    const HiddenSky& sky, const glm::dvec3& view, const glm::dmat3& toEnvironment) const;
 };
 
 /// Half of the width of an even strip that has the panel's variance, in radians.
 double GetPanelRadius(const EnvironmentPanels::Panel& panel);
-
-/// Irradiance as a quadratic form of (n, 1), for a channel; by columns.
-glm::mat4 GetIrradianceForm(const sky::Colors& light, int channel);
 } // namespace measuredbrdf
 
 #endif

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OcclusionPoints.h"
 
-#include "OcclusionKept.h"
 #include "SharedObjects.h"
 #include "vtkOpenGLRenderUtilities.h" // VTK's OpenGL, whichever library it loads it with
 #include "vtkOpenGLShaderCache.h"

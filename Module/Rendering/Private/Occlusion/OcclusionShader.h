@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Shader text and uniforms for shading with hidden skies. The vertex shader evaluates a point's
- * code for each material; the fragment shader interpolates. Private to the rendering room.
+ * The shader builder: GLSL text and uniforms for shading with what a surface hides from itself. The
+ * vertex shader evaluates a point's horizon code (HorizonCode.h) for each material that meets
+ * there; the fragment shader interpolates what it found. Functions whose text is fixed are in
+ * shaders/vtkBRDFHiddenSky.glsl and vtkBRDFBouncedLight.glsl. Private to the rendering component.
  */
 
 #ifndef OcclusionShader_h
 #define OcclusionShader_h
 
 #include "OcclusionArrays.h"
-#include "OcclusionLayout.h"
+#include "OcclusionLight.h"
 
 #include <glm/glm.hpp>
 
@@ -19,14 +21,31 @@
 #include <string>
 #include <vector>
 
+class vtkActor;
+class vtkEnvironment;
+class vtkRenderer;
 class vtkShaderProgram;
 
 namespace measuredbrdf
 {
+/// More materials, mixed in one shader, would need too many varyings.
+constexpr std::size_t MaximumOccludedMembers = 4;
+
+/// For each material of a shader; null: it is not occluded.
+using OcclusionLights = std::vector<const OcclusionLight*>;
+
+/// Which vertex attributes there are.
+struct OcclusionLayout
+{
+  bool TwoSided = false;
+  bool Bounced = false; // what comes back from what is hidden
+  bool Kept = false; // what rests while the light does, from the vertex cache (OcclusionPoints.h)
+};
+
 /// Same key, same text. "" without any.
 std::string GetOcclusionKey(const OcclusionLights& lights, const OcclusionLayout& layout);
 
-/// In which direction a value goes through the stages.
+/// Text for each stage; code of the fragment shader goes before anything is integrated.
 struct OcclusionText
 {
   std::string VertexDeclarations;
@@ -34,8 +53,10 @@ struct OcclusionText
   std::string GeometryDeclarations;
   std::string GeometryCode;
   std::string FragmentDeclarations;
-  std::string FragmentCode; // before anything is integrated
+  std::string FragmentCode;
 };
+OcclusionText MakeOcclusionText(const OcclusionLights& lights, const OcclusionLayout& layout);
+
 /// Vertex attributes that this text reads, and components of what its stages hand on, in whole
 /// vectors of four: not every driver packs them.
 struct OcclusionNeeds
@@ -45,16 +66,35 @@ struct OcclusionNeeds
 };
 OcclusionNeeds CountOcclusionNeeds(const OcclusionLights& lights, const OcclusionLayout& layout);
 
-OcclusionText MakeOcclusionText(const OcclusionLights& lights, const OcclusionLayout& layout);
-
 /// The macros that the environment's terms of a member use; light null: for no occlusion.
 std::string DefineOcclusion(const OcclusionLight* light, std::size_t member);
+
+///@{
+/// The vertex shader that fills the vertex cache; names of its outputs, attributes of four floats
+/// each of the shader that draws; and all numbers that they depend on, but for the codes.
+std::string MakeKeptShader(const OcclusionLights& lights, const OcclusionLayout& layout);
+std::vector<std::string> GetKeptNames(const OcclusionLights& lights, const OcclusionLayout& layout);
+std::vector<double> GetKeptInputs(const OcclusionLights& lights, const OcclusionLayout& layout,
+  const std::vector<glm::dmat3>& toEnvironment);
+///@}
+
+/// How a surface, the view and environments are turned against each other.
+struct OcclusionAxes
+{
+  OcclusionAxes(
+    vtkRenderer* renderer, vtkActor* actor, const std::vector<vtkEnvironment*>& environments);
+
+  glm::dmat3 ToModel; // of directions in view coordinates; it turns, stretches and mirrors
+  // From the model's axes, each: the nearest orthogonal matrix, exact for turned, mirrored and
+  // evenly scaled actors.
+  std::vector<glm::dmat3> ToEnvironment;
+};
 
 /// What the buffers hold.
 struct OcclusionSides
 {
   bool Both = false;
-  bool Bounced = false;      // what comes back from what is hidden
+  bool Bounced = false;
   bool IsOtherClosed = true; // one side: whether the other one sees nothing, or all of its sky
   double LeastCosine = 1.0;  // OcclusionArrays'
 
@@ -67,8 +107,7 @@ struct OcclusionSides
   }
 };
 
-/// Uniforms. toModel: directions of the view's axes to the model's; parallel: the projection;
-/// toEnvironment, of each material: the model's axes to the environment's, orthogonal.
+/// Uniforms. toModel and toEnvironment: OcclusionAxes'; parallel: the projection.
 void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& lights,
   const OcclusionSides& sides, const glm::dmat3& toModel, bool parallel,
   const std::vector<glm::dmat3>& toEnvironment);

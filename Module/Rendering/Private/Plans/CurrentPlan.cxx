@@ -48,7 +48,6 @@ void CurrentPlan::Adopt(const PlanInputs& inputs, vtkSmartPointer<vtkRadiancePla
   }
   this->Plan = plan;
   this->Inputs = inputs;
-  this->Uploads.clear();
   SharedPlans::Get().Sweep();
 }
 

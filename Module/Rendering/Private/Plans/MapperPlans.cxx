@@ -43,10 +43,9 @@ struct MapperPlans::View
   };
   std::vector<Seen> Looks;
   std::size_t Current = 0;
-  bool Everywhere = false;         // for every view instead
-  std::vector<double> From;        // what the last look depended on
-  std::vector<vtkMTimeType> Times; // of the surfaces then
-  PlanInputs::Key Inputs;          // of the kept plans, but for what is seen
+  bool Everywhere = false;  // for every view instead
+  std::vector<double> From; // what the last look depended on
+  PlanInputs::Key Inputs;   // of the kept plans, but for what is seen
 
   bool IsGone(const Key& key) const
   {
@@ -86,17 +85,6 @@ void MapperPlans::Keep(const std::set<vtkBRDF*>& inUse, const std::set<vtkBRDF*>
       vtkBRDF* member = std::get<1>(key);
       return known.count(member) == 0 || (view.Plan.IsPending() && inUse.count(member) == 0);
     });
-}
-
-void MapperPlans::ReleaseUploads(vtkWindow* window)
-{
-  for (const auto& [key, view] : this->Views)
-  {
-    if (!view->Renderer || view->Renderer->GetVTKWindow() == window)
-    {
-      view->Plan.Uploads.clear();
-    }
-  }
 }
 
 bool MapperPlans::IsPending() const
@@ -177,17 +165,15 @@ void MapperPlans::Look(View& view, const PlanRequest& request)
     from.insert(from.end(), matrix->GetData(), matrix->GetData() + 16);
   }
   from.insert(from.end(), { static_cast<double>(size[0]), static_cast<double>(size[1]) });
-  std::vector<vtkMTimeType> times;
   for (vtkPolyData* surface : request.Surfaces)
   {
-    times.push_back(surface->GetMTime());
+    from.push_back(static_cast<double>(surface->GetMTime()));
   }
-  if (from == view.From && times == view.Times)
+  if (from == view.From)
   {
     return;
   }
   view.From = from;
-  view.Times = times;
   if (view.Everywhere)
   {
     return;

@@ -3,7 +3,7 @@
 /**
  * @file
  * The integrators that mappers draw with where a program has set one. Private to the rendering
- * room.
+ * component.
  */
 
 #ifndef SharedIntegrators_h

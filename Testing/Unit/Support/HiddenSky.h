@@ -1,180 +1,168 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "HiddenSky.h"
+/**
+ * @file
+ * What a horizon code (HorizonCode.h) does to the light that its point reflects, in C++: the
+ * reference for shaders/vtkBRDFHiddenSky.glsl and vtkBRDFBouncedLight.glsl.
+ */
+
+#ifndef HiddenSky_h
+#define HiddenSky_h
 
 #include "HalfVector.h" // for Pi
+#include "HorizonCode.h"
 #include "LocalFrame.h"
 
+#include <glm/glm.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdlib>
 #include <utility>
 
 namespace measuredbrdf
 {
-namespace
-{
-constexpr int NormalSteps = 4096; // of each side of the octahedron
-
 // What a degree of the light makes of irradiance (Ramamoorthi, Hanrahan 2001, eq. 8); the higher
 // ones make less than 1 %.
-constexpr double CosineBand[] = { Pi, 2.0 * Pi / 3.0, Pi / 4.0 };
+inline constexpr double CosineBand[] = { Pi, 2.0 * Pi / 3.0, Pi / 4.0 };
 
 // Lobes narrower than this do not feel what the sky beside them is like.
-constexpr double CorrelationKappa = 12.0;
-constexpr double LargestOdds = 50.0;
+inline constexpr double CorrelationKappa = 12.0;
+inline constexpr double LargestOdds = 50.0;
 
 // Cosines of elevation of a lobe's nodes: whole steps apart, so that the shader makes the
 // exponentials of a sector by multiplication. Their sines are within 0.006 of the middles of even
 // steps.
-constexpr double NodeCosine = 0.3948;
-constexpr double NodeStep = 0.0301;
-constexpr int NodeSteps[HiddenSky::Elevations] = { 20, 19, 17, 14, 9, 0 };
+inline constexpr double NodeCosine = 0.3948;
+inline constexpr double NodeStep = 0.0301;
+inline constexpr int NodeSteps[6] = { 20, 19, 17, 14, 9, 0 };
 
 // Of elevations. The tangent below which a plane through a point hides the sky is a cosine of the
 // azimuth: so tangents are interpolated between sectors. Nearly tangents: these end at 5, so that a
 // bound at the zenith does not decide alone.
-constexpr double Steepness = 0.96;
-double GetTangent(double sine) { return sine / std::sqrt(1.0 - Steepness * sine * sine); }
-double GetSine(double tangent) { return tangent / std::sqrt(1.0 + Steepness * tangent * tangent); }
-
-constexpr double SectorWidth = 2.0 * Pi / HiddenSky::Sectors;
-
-double GetAzimuth(int sector) { return SectorWidth * sector; }
-
-// Base 2, from the last bit on (van der Corput).
-double ReverseBits(unsigned k)
+inline constexpr double Steepness = 0.96;
+inline double GetTangent(double sine) { return sine / std::sqrt(1.0 - Steepness * sine * sine); }
+inline double GetSine(double tangent)
 {
-  double value = 0.0;
-  for (double place = 0.5; k > 0; k >>= 1, place *= 0.5)
-  {
-    value += (k & 1u) ? place : 0.0;
-  }
-  return value;
-}
+  return tangent / std::sqrt(1.0 + Steepness * tangent * tangent);
 }
 
-void HiddenSky::PackNormal(const glm::dvec3& normal, std::uint8_t bytes[3])
+inline constexpr double SectorWidth = 2.0 * Pi / HorizonCode::Sectors;
+
+inline double GetSectorAzimuth(std::size_t sector)
 {
-  const glm::dvec3 n = normal / (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
-  glm::dvec2 p(n);
-  if (n.z < 0.0)
-  {
-    p = { (1.0 - std::abs(n.y)) * (n.x < 0.0 ? -1.0 : 1.0),
-      (1.0 - std::abs(n.x)) * (n.y < 0.0 ? -1.0 : 1.0) };
-  }
-  unsigned cell[2];
-  for (int c = 0; c < 2; ++c)
-  {
-    cell[c] = static_cast<unsigned>(
-      std::clamp(std::floor((0.5 * p[c] + 0.5) * NormalSteps), 0.0, NormalSteps - 1.0));
-  }
-  bytes[0] = static_cast<std::uint8_t>(cell[0] & 255u);
-  bytes[1] = static_cast<std::uint8_t>((cell[0] >> 8u) | ((cell[1] & 15u) << 4u));
-  bytes[2] = static_cast<std::uint8_t>(cell[1] >> 4u);
+  return SectorWidth * static_cast<double>(sector);
 }
 
-glm::dvec3 HiddenSky::UnpackNormal(const std::uint8_t bytes[3])
+class HiddenSky : public HorizonCode
 {
-  // Every step up to the square root is exact in single precision, too: the shader sees the same
-  // sign of z, which decides on the frame.
-  const double u = bytes[0] + 256.0 * (bytes[1] % 16);
-  const double v = bytes[1] / 16 + 16.0 * bytes[2];
-  glm::dvec3 n((2.0 * u + 1.0) / NormalSteps - 1.0, (2.0 * v + 1.0) / NormalSteps - 1.0, 0.0);
-  n.z = 1.0 - std::abs(n.x) - std::abs(n.y);
-  if (n.z < 0.0)
+public:
+  /// Between two sines of elevation. What is within half a byte's step of the horizon or the zenith
+  /// reaches it.
+  struct Interval
   {
-    n = { (1.0 - std::abs(n.y)) * (n.x < 0.0 ? -1.0 : 1.0),
-      (1.0 - std::abs(n.x)) * (n.y < 0.0 ? -1.0 : 1.0), n.z };
-  }
-  return glm::normalize(n);
-}
+    double Low = 0.0;
+    double High = 0.0;
+    bool IsEmpty() const { return !(this->High > this->Low); }
+    bool IsFromHorizon() const { return this->Low < 0.5 / 255.0; }
+    bool IsToZenith() const { return this->High > 254.5 / 255.0; }
+  };
 
-HiddenSky::Code HiddenSky::MakeOpen(const glm::dvec3& normal)
-{
-  Code code{};
-  PackNormal(normal, code.data());
-  std::fill(code.begin() + SectorBytes, code.end(), static_cast<std::uint8_t>(OpenTransfer));
-  return code;
-}
+  /// A code to evaluate.
+  explicit HiddenSky(const Code& code);
 
-HiddenSky::Rays::Rays(int elevations)
-  : Elevations(elevations)
+  const glm::dvec3& GetNormal() const { return this->Frame[2]; }
+
+  /// Share of pi that is hidden: of the irradiance from a uniform sky, 0 to 1.
+  double GetHiddenCosine() const;
+
+  /// Hidden irradiance under light of these harmonics, in the surface's axes.
+  glm::dvec3 GetHiddenIrradiance(const sky::Colors& light) const;
+
+  /// Hidden share, 0 to 1, of a lobe cos(theta) exp(slope . d) above the horizon; in the surface's
+  /// axes, no longer than LargestKappa.
+  double GetHiddenShare(const glm::dvec3& slope) const;
+
+  /// How far a small lamp in this unit direction is from what is hidden of its azimuth, in widths
+  /// of a shadow's edge: positive where it is visible. No larger than LargestMargin, nor less than
+  /// its negative. Between points margins are interpolated, not what is visible: shadows' edges
+  /// then lie where they should across triangles.
+  double GetLampMargin(const glm::dvec3& direction) const;
+
+  /// Visible share of the lamp at such a margin, 0 to 1.
+  double GetVisibleLamp(const glm::dvec3& direction) const;
+
+  /// Hidden share, 0 to 1, of a panel about this unit direction: an even strip that reaches radius
+  /// (radians) to each side. A lobe sees a part of it, which reaches seenRadius about a middle that
+  /// is higher by rise (in the sine of elevation).
+  ///@{
+  double GetHiddenPanel(const glm::dvec3& direction, double radius) const;
+  double GetHiddenPanel(
+    const glm::dvec3& direction, double radius, double seenRadius, double rise) const;
+  ///@}
+
+  /// Hidden share of the light in a lobe, per channel: the lobe's hidden share, and where the lobe
+  /// is wide, how much brighter than the rest the hidden part of the sky is. irradiance: of the
+  /// whole sky of light's harmonics about the normal.
+  glm::dvec3 GetHiddenLight(double hiddenShare, double kappa, const glm::dvec3& hiddenIrradiance,
+    const glm::dvec3& irradiance) const;
+
+  static constexpr int Elevations = 6; // nodes of a lobe in each sector
+
+private:
+  // Low to High in the azimuth of a direction of the code's frame, between the sectors whose
+  // azimuths' cosine to it is above last.
+  Interval GetBounds(const glm::dvec3& local, double last) const;
+  double GetCovered(const glm::dvec3& local, double last, const Interval& ends) const;
+
+  glm::dmat3 Frame; // columns
+  std::array<double, Sectors> Low;
+  std::array<double, Sectors> High;
+  bool Opening = false; // what is between them is visible, not hidden
+  std::array<double, sky::Harmonics> Transfer;
+  // How much less the harmonics say is hidden than the sectors, whose lowest rays may hit the
+  // point's own facets: 0 to 1.
+  double Trust;
+};
+
+/// What comes back to a point, by its code.
+class BouncedLight : public BounceCode
 {
-  for (int s = 0; s < Sectors; ++s)
+public:
+  explicit BouncedLight(const Code& code)
   {
-    for (int k = 0; k < elevations; ++k)
+    this->Values[0] = std::pow(code[0] * RootStep, 2.0);
+    for (std::size_t j = 1; j < Harmonics; ++j)
     {
-      const double z = (k + GetOffset(s)) / elevations;
-      const double across = ReverseBits(static_cast<unsigned>(k)) - 0.5 + 0.5 / elevations;
-      this->Directions.push_back(Make(s, across, z));
+      this->Values[j] = this->Values[0] * (code[j] - Middle) * RatioStep;
     }
   }
-}
 
-glm::dvec3 HiddenSky::Rays::Make(int sector, double across, double z)
-{
-  const double azimuth = GetAzimuth(sector) + across * SectorWidth;
-  const double sine = std::sqrt(std::max(1.0 - z * z, 0.0));
-  return { sine * std::cos(azimuth), sine * std::sin(azimuth), z };
-}
+  const Transfer& GetTransfer() const { return this->Values; }
 
-double HiddenSky::Rays::GetOffset(int sector)
-{
-  return ReverseBits(static_cast<unsigned>(sector)) + 0.5 / Sectors;
-}
-
-double HiddenSky::Rays::GetSolidAngle() const { return 2.0 * Pi / (Sectors * this->Elevations); }
-
-HiddenSky::Code HiddenSky::Encode(
-  const glm::dvec3& normal, const Rays& rays, const std::vector<char>& hidden, const Test& test)
-{
-  Code code = MakeOpen(normal);
-  const glm::dmat3 frame = FrameAbout(UnpackNormal(code.data()));
-  const int elevations = rays.GetElevations();
-  const HiddenIntervals intervals(hidden, elevations, Rays::GetOffset,
-    [&test](int sector, double sine) { return test(Rays::Make(sector, 0.0, sine)); });
-  std::array<double, sky::Harmonics> transfer{};
-  int width = 0;
-  for (int s = 0; s < Sectors; ++s)
+  /// Irradiance for an albedo of 1, from light of these harmonics in the surface's axes; never
+  /// negative.
+  glm::dvec3 GetIrradiance(const sky::Colors& light) const
   {
-    for (int k = 0; k < elevations; ++k)
+    glm::dvec3 sum(0.0);
+    for (std::size_t j = 0; j < Harmonics; ++j)
     {
-      const auto ray = static_cast<std::size_t>(s * elevations + k);
-      if (hidden[ray])
-      {
-        const glm::dvec3& d = rays.GetDirections()[ray];
-        const sky::Values values = sky::Evaluate(frame * d);
-        for (std::size_t j = 0; j < values.size(); ++j)
-        {
-          transfer[j] += d.z * values[j];
-        }
-      }
+      sum += this->Values[j] * light[j];
     }
-    const auto low = static_cast<std::size_t>(intervals.IsOpening() ? 4 + 2 * s : 3 + 2 * s);
-    const auto high = static_cast<std::size_t>(intervals.IsOpening() ? 3 + 2 * s : 4 + 2 * s);
-    code[low] = static_cast<std::uint8_t>(std::lround(255.0 * intervals.Get(s).Low));
-    code[high] = static_cast<std::uint8_t>(std::lround(255.0 * intervals.Get(s).High));
-    width += std::abs(code[high] - code[low]);
+    return glm::max(sum, glm::dvec3(0.0));
   }
-  if (intervals.IsOpening() && width == 0) // narrower than a byte: all is hidden
-  {
-    for (std::size_t s = 0; s < Sectors; ++s)
-    {
-      code[3 + 2 * s] = 0;
-      code[4 + 2 * s] = 255;
-    }
-  }
-  for (std::size_t j = 0; j < transfer.size(); ++j)
-  {
-    const double step = std::round(transfer[j] * rays.GetSolidAngle() / TransferStep);
-    code[SectorBytes + j] = static_cast<std::uint8_t>(std::clamp(OpenTransfer + step, 0.0, 255.0));
-  }
-  return code;
+
+private:
+  Transfer Values;
+};
+
+namespace sky
+{
+/// Irradiance about a unit normal under light of these harmonics (Ramamoorthi, Hanrahan 2001).
+glm::dvec3 GetIrradiance(const Colors& light, const glm::dvec3& normal);
 }
 
-HiddenSky::HiddenSky(const Code& code)
+inline HiddenSky::HiddenSky(const Code& code)
   : Frame(FrameAbout(UnpackNormal(code.data())))
 {
   int span = 0;
@@ -203,12 +191,12 @@ HiddenSky::HiddenSky(const Code& code)
   this->Trust = std::clamp(this->GetHiddenCosine() / std::max(inSectors, 1e-6), 0.0, 1.0);
 }
 
-double HiddenSky::GetHiddenCosine() const
+inline double HiddenSky::GetHiddenCosine() const
 {
   return std::clamp(this->Transfer[0] * std::sqrt(4.0 * Pi) / Pi, 0.0, 1.0);
 }
 
-glm::dvec3 HiddenSky::GetHiddenIrradiance(const sky::Colors& light) const
+inline glm::dvec3 HiddenSky::GetHiddenIrradiance(const sky::Colors& light) const
 {
   glm::dvec3 sum(0.0);
   for (std::size_t j = 0; j < sky::Harmonics; ++j)
@@ -218,7 +206,7 @@ glm::dvec3 HiddenSky::GetHiddenIrradiance(const sky::Colors& light) const
   return glm::max(sum, glm::dvec3(0.0));
 }
 
-double HiddenSky::GetHiddenShare(const glm::dvec3& slope) const
+inline double HiddenSky::GetHiddenShare(const glm::dvec3& slope) const
 {
   const glm::dvec3 local = ToLocal(this->Frame, slope);
   const double kappa = glm::length(slope);
@@ -226,7 +214,7 @@ double HiddenSky::GetHiddenShare(const glm::dvec3& slope) const
   double all = 0.0;
   for (std::size_t s = 0; s < Sectors; ++s)
   {
-    const double azimuth = GetAzimuth(static_cast<int>(s));
+    const double azimuth = GetSectorAzimuth(s);
     const double across = local.x * std::cos(azimuth) + local.y * std::sin(azimuth);
     const double low = this->Low[s] * Elevations;
     const double high = this->High[s] * Elevations;
@@ -244,7 +232,7 @@ double HiddenSky::GetHiddenShare(const glm::dvec3& slope) const
   return this->Opening ? 1.0 - share : share;
 }
 
-HiddenSky::Interval HiddenSky::GetBounds(const glm::dvec3& local, double last) const
+inline HiddenSky::Interval HiddenSky::GetBounds(const glm::dvec3& local, double last) const
 {
   const double sine = std::max(std::hypot(local.x, local.y), 1e-6);
   double sum = 0.0;
@@ -252,7 +240,7 @@ HiddenSky::Interval HiddenSky::GetBounds(const glm::dvec3& local, double last) c
   double high = 0.0;
   for (std::size_t s = 0; s < Sectors; ++s)
   {
-    const double azimuth = GetAzimuth(static_cast<int>(s));
+    const double azimuth = GetSectorAzimuth(s);
     const double cosine =
       (local.x * std::cos(azimuth) + local.y * std::sin(azimuth)) / sine; // of the azimuths
     const double weight = std::max(cosine - last, 0.0);
@@ -264,7 +252,7 @@ HiddenSky::Interval HiddenSky::GetBounds(const glm::dvec3& local, double last) c
   return { GetSine(low / sum), GetSine(high / sum) };
 }
 
-double HiddenSky::GetLampMargin(const glm::dvec3& direction) const
+inline double HiddenSky::GetLampMargin(const glm::dvec3& direction) const
 {
   const glm::dvec3 local = ToLocal(this->Frame, direction);
   const Interval bounds = this->GetBounds(local, std::cos(SectorWidth));
@@ -279,17 +267,17 @@ double HiddenSky::GetLampMargin(const glm::dvec3& direction) const
   return this->Opening ? -outside : outside;
 }
 
-double HiddenSky::GetVisibleLamp(const glm::dvec3& direction) const
+inline double HiddenSky::GetVisibleLamp(const glm::dvec3& direction) const
 {
   return std::clamp(this->GetLampMargin(direction) + 0.5, 0.0, 1.0);
 }
 
-double HiddenSky::GetHiddenPanel(const glm::dvec3& direction, double radius) const
+inline double HiddenSky::GetHiddenPanel(const glm::dvec3& direction, double radius) const
 {
   return this->GetHiddenPanel(direction, radius, radius, 0.0);
 }
 
-double HiddenSky::GetHiddenPanel(
+inline double HiddenSky::GetHiddenPanel(
   const glm::dvec3& direction, double radius, double seenRadius, double rise) const
 {
   const glm::dvec3 local = ToLocal(this->Frame, direction);
@@ -335,14 +323,15 @@ double HiddenSky::GetHiddenPanel(
 
 // Share of the irradiance between two sines of elevation that is within the bounds of sectors about
 // an azimuth.
-double HiddenSky::GetCovered(const glm::dvec3& local, double last, const Interval& ends) const
+inline double HiddenSky::GetCovered(
+  const glm::dvec3& local, double last, const Interval& ends) const
 {
   const double sine = std::max(std::hypot(local.x, local.y), 1e-6);
   double sum = 0.0;
   double inside = 0.0;
   for (std::size_t s = 0; s < Sectors; ++s)
   {
-    const double azimuth = GetAzimuth(static_cast<int>(s));
+    const double azimuth = GetSectorAzimuth(s);
     const double cosine = (local.x * std::cos(azimuth) + local.y * std::sin(azimuth)) / sine;
     const double weight = std::max(cosine - last, 0.0);
     sum += weight;
@@ -354,7 +343,7 @@ double HiddenSky::GetCovered(const glm::dvec3& local, double last, const Interva
   return std::clamp(inside / std::max(all, 1e-6), 0.0, 1.0);
 }
 
-glm::dvec3 HiddenSky::GetHiddenLight(double hiddenShare, double kappa,
+inline glm::dvec3 HiddenSky::GetHiddenLight(double hiddenShare, double kappa,
   const glm::dvec3& hiddenIrradiance, const glm::dvec3& irradiance) const
 {
   const double cosine = this->GetHiddenCosine();
@@ -372,7 +361,7 @@ glm::dvec3 HiddenSky::GetHiddenLight(double hiddenShare, double kappa,
   return result;
 }
 
-glm::dvec3 sky::GetIrradiance(const Colors& light, const glm::dvec3& normal)
+inline glm::dvec3 sky::GetIrradiance(const Colors& light, const glm::dvec3& normal)
 {
   const Values values = Evaluate(normal);
   glm::dvec3 sum(0.0);
@@ -387,3 +376,5 @@ glm::dvec3 sky::GetIrradiance(const Colors& light, const glm::dvec3& normal)
   return glm::max(sum, glm::dvec3(0.0));
 }
 } // namespace measuredbrdf
+
+#endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BRDFTextures.h"
+#include "ShaderTextures.h"
 
 #include "BRDFShader.h"
 #include "ContentHash.h"
@@ -149,16 +149,16 @@ std::shared_ptr<vtkTextureObject> FindOrUpload(
 
 // What was uploaded for a source in a window.
 template <typename Source>
-std::shared_ptr<FormTextures> FindShared(
+std::shared_ptr<ShaderTextures> FindShared(
   Source* source, bool softLights, vtkOpenGLRenderWindow* window)
 {
   using Key = std::tuple<Source*, bool, vtkOpenGLRenderWindow*>;
-  static HeldObjects<Key, FormTextures> held;
+  static HeldObjects<Key, ShaderTextures> held;
   const Key key(source, softLights, window);
-  std::shared_ptr<FormTextures> found = held.Find(key);
+  std::shared_ptr<ShaderTextures> found = held.Find(key);
   if (!found)
   {
-    found = std::make_shared<FormTextures>(softLights);
+    found = std::make_shared<ShaderTextures>(softLights);
     held.Add(key, found);
   }
   return found;
@@ -250,24 +250,7 @@ std::string ValidateShaders(const vtkBRDFShaderInputs& inputs, TermKind kind)
 }
 }
 
-std::shared_ptr<FormTextures> FormTextures::Find(
-  vtkBRDF* brdf, bool softLights, vtkOpenGLRenderWindow* window)
-{
-  return FindShared(brdf, softLights, window);
-}
-
-std::shared_ptr<FormTextures> FormTextures::Find(
-  vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window)
-{
-  return FindShared(integrator, false, window);
-}
-
-bool FormTextures::IsCurrent(vtkMTimeType time, vtkOpenGLRenderWindow* window) const
-{
-  return this->Time >= time && this->IsIn(window);
-}
-
-bool FormTextures::IsIn(vtkOpenGLRenderWindow* window) const
+bool ShaderTextures::IsIn(vtkOpenGLRenderWindow* window) const
 {
   return this->Window == window &&
          std::none_of(this->Textures.begin(), this->Textures.end(),
@@ -275,10 +258,10 @@ bool FormTextures::IsIn(vtkOpenGLRenderWindow* window) const
 }
 
 template <typename Make>
-std::string FormTextures::UpdateAt(
-  vtkMTimeType time, vtkOpenGLRenderWindow* window, const Make& makeForm)
+std::string ShaderTextures::Update(
+  vtkMTimeType time, vtkOpenGLRenderWindow* window, const Make& makeInputs)
 {
-  if (this->IsCurrent(time, window))
+  if (this->Time >= time && this->IsIn(window))
   {
     return "";
   }
@@ -288,56 +271,58 @@ std::string FormTextures::UpdateAt(
   }
   try
   {
-    vtkBRDFShaderInputs form;
-    form.SoftLights = this->SoftLights;
-    this->Failure = makeForm(form);
+    vtkBRDFShaderInputs inputs;
+    inputs.SoftLights = this->SoftLights;
+    this->Failure = makeInputs(inputs);
     if (this->Failure.empty())
     {
-      this->Failure = this->Upload(std::move(form), time, window);
-    }
-    if (this->Failure.empty())
-    {
-      return "";
+      this->Failure = this->Upload(std::move(inputs), time, window);
     }
   }
   catch (const std::exception& e) // no memory, say
   {
     this->Failure = e.what();
   }
-  this->FailureTime = time;
+  this->FailureTime = this->Failure.empty() ? this->FailureTime : time;
   return this->Failure;
 }
 
-std::string FormTextures::Update(vtkBRDF* brdf, vtkOpenGLRenderWindow* window)
+std::shared_ptr<ShaderTextures> ShaderTextures::Find(
+  vtkBRDF* brdf, bool softLights, vtkOpenGLRenderWindow* window, std::string& problem)
 {
-  return this->UpdateAt(brdf->GetMTime(), window,
-    [brdf](vtkBRDFShaderInputs& form)
+  const std::shared_ptr<ShaderTextures> found = FindShared(brdf, softLights, window);
+  problem = found->Update(brdf->GetMTime(), window,
+    [brdf](vtkBRDFShaderInputs& inputs)
     {
-      brdf->GetShaderInputs(form);
-      return ValidateShaders(form, TermKind::Material);
+      brdf->GetShaderInputs(inputs);
+      return ValidateShaders(inputs, TermKind::Material);
     });
+  return found;
 }
 
-std::string FormTextures::Update(vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window)
+std::shared_ptr<ShaderTextures> ShaderTextures::Find(
+  vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window, std::string& problem)
 {
-  return this->UpdateAt(integrator->GetInputsMTime(), window,
-    [integrator](vtkBRDFShaderInputs& form)
+  const std::shared_ptr<ShaderTextures> found = FindShared(integrator, false, window);
+  problem = found->Update(integrator->GetInputsMTime(), window,
+    [integrator](vtkBRDFShaderInputs& inputs)
     {
       const TakenError reason(integrator);
-      return integrator->GetShaderInputs(form)
-               ? ValidateShaders(form, TermKind::Integrator)
+      return integrator->GetShaderInputs(inputs)
+               ? ValidateShaders(inputs, TermKind::Integrator)
                : std::string(integrator->GetClassName()) + " has nothing to draw with" +
                    (reason.GetText().empty() ? "" : ": " + reason.GetText());
     });
+  return found;
 }
 
-std::string FormTextures::Upload(
-  vtkBRDFShaderInputs form, vtkMTimeType time, vtkOpenGLRenderWindow* window)
+std::string ShaderTextures::Upload(
+  vtkBRDFShaderInputs inputs, vtkMTimeType time, vtkOpenGLRenderWindow* window)
 {
   std::vector<Uploaded> textures;
-  for (std::size_t term = 0; term < form.Terms.size(); ++term)
+  for (std::size_t term = 0; term < inputs.Terms.size(); ++term)
   {
-    for (vtkBRDFShaderInputs::Texture& texture : form.Terms[term].Textures)
+    for (vtkBRDFShaderInputs::Texture& texture : inputs.Terms[term].Textures)
     {
       std::string problem;
       const std::size_t bytes = texture.GetBytes();
@@ -349,18 +334,18 @@ std::string FormTextures::Upload(
       textures.push_back({ texture.Name, term, uploaded, bytes });
     }
   }
-  for (vtkBRDFShaderInputs::Term& term : form.Terms)
+  for (vtkBRDFShaderInputs::Term& term : inputs.Terms)
   {
     term.Textures.clear();
   }
-  this->Form = std::move(form);
+  this->Inputs = std::move(inputs);
   this->Textures = std::move(textures);
   this->Time = time;
   this->Window = window;
   return "";
 }
 
-void FormTextures::Activate()
+void ShaderTextures::Activate()
 {
   for (Uploaded& uploaded : this->Textures)
   {
@@ -369,7 +354,7 @@ void FormTextures::Activate()
   }
 }
 
-void FormTextures::Deactivate()
+void ShaderTextures::Deactivate()
 {
   for (const Uploaded& uploaded : this->Textures)
   {
@@ -377,14 +362,14 @@ void FormTextures::Deactivate()
   }
 }
 
-bool FormTextures::Has(const vtkTextureObject* texture) const
+bool ShaderTextures::Has(const vtkTextureObject* texture) const
 {
   return std::any_of(this->Textures.begin(), this->Textures.end(),
     [texture](const Uploaded& uploaded) { return uploaded.Texture.get() == texture; });
 }
 
-// A texture may stand for several samplers of either form.
-void FormTextures::ActivateAfter(const FormTextures& last)
+// A texture may stand for several samplers of either.
+void ShaderTextures::ActivateAfter(const ShaderTextures& last)
 {
   for (const Uploaded& uploaded : last.Textures)
   {
@@ -403,7 +388,7 @@ void FormTextures::ActivateAfter(const FormTextures& last)
   }
 }
 
-std::size_t FormTextures::CountBytes(std::set<const vtkTextureObject*>& counted) const
+std::size_t ShaderTextures::CountBytes(std::set<const vtkTextureObject*>& counted) const
 {
   std::size_t bytes = 0;
   for (const Uploaded& uploaded : this->Textures)
@@ -413,8 +398,8 @@ std::size_t FormTextures::CountBytes(std::set<const vtkTextureObject*>& counted)
   return bytes;
 }
 
-void FormTextures::SetUniforms(
-  vtkShaderProgram* program, std::size_t firstInstance, const FormTextures* last) const
+void ShaderTextures::SetUniforms(
+  vtkShaderProgram* program, std::size_t firstInstance, const ShaderTextures* last) const
 {
   const auto numbered = [firstInstance](const std::string& name, std::size_t term)
   { return name + std::to_string(firstInstance + term); };
@@ -426,13 +411,13 @@ void FormTextures::SetUniforms(
       program->SetUniformi(numbered(uploaded.Sampler, uploaded.Term).c_str(), uploaded.Unit);
     }
   }
-  for (std::size_t term = 0; term < this->Form.Terms.size(); ++term)
+  for (std::size_t term = 0; term < this->Inputs.Terms.size(); ++term)
   {
-    const auto& uniforms = this->Form.Terms[term].Uniforms;
+    const auto& uniforms = this->Inputs.Terms[term].Uniforms;
     for (std::size_t k = 0; k < uniforms.size(); ++k)
     {
       const vtkBRDFShaderInputs::Uniform& uniform = uniforms[k];
-      if (last && last->Form.Terms[term].Uniforms[k].Values == uniform.Values)
+      if (last && last->Inputs.Terms[term].Uniforms[k].Values == uniform.Values)
       {
         continue;
       }
