@@ -809,8 +809,8 @@ add("Rendering.block-indices-from-one", "BlockMaterials.cxx", "index = this->Nex
     "index = ++this->Next;", "Composite.MaterialsOfBlocks")
 add("Rendering.block-behind-the-last", "BlockMaterials.cxx", "if (index >= this->Next)",
     "if (index > this->Next)", "Composite.MissingBlocksAreSaidOnce")
-add("Rendering.blocks-do-not-inherit", "BlockMaterials.cxx", "this->Visit(child, material);",
-    "this->Visit(child, this->Settings.BRDF);", "Composite.MaterialsOfBlocks")
+add("Rendering.blocks-do-not-inherit", "BlockMaterials.cxx", "childName, material);",
+    "childName, { this->Settings.BRDF, false });", "Composite.MaterialsOfBlocks")
 
 add("Rendering.scene-lights-stay", "MaterialDrawing.cxx",
     '(this->Settings->UseSceneLights ? "" : "/environment only")', "std::string()", "MapperShading.SceneLights")
