@@ -4,11 +4,10 @@
 
 #include "EnvironmentPrecomputation.h"
 #include "MaterialPrecomputation.h"
-#include "MaterialStore.h"
 #include "NumberText.h"
-#include "PlanReference.h"
-#include "PlanSample.h"
+#include "PlanSearch.h"
 #include "Setters.h"
+#include "SharedCache.h"
 #include "vtkBRDF.h"
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
@@ -33,6 +32,21 @@ constexpr vtkIdType MostPairs = 4096;
 // L1 of the smallest table, in the mean of seven materials under three maps. Larger tables and
 // other methods lose 0.0003 to 0.0008 (docs/methods/pixel-cost.md, "The weights of texture units").
 constexpr double FilterWeights = 0.0013;
+
+// What plans of one material have in common is kept for the next plan of it: views and kernels,
+// about 1 MB once they are trimmed to what most plans need.
+using MaterialParts = std::shared_ptr<vtkRadianceIntegrator::Precomputation>;
+constexpr std::size_t MostMaterials = 12;
+constexpr int MostAngles = 12; // of views that kernels are kept for
+constexpr int MostNodes = 64;  // but those of large tables
+
+// By the materials' content. A planner takes the parts, so that they are nobody else's meanwhile.
+measuredbrdf::SharedCache<std::string, MaterialParts>& GetKnownMaterials()
+{
+  static auto& known =
+    measuredbrdf::SharedCache<std::string, MaterialParts>::MakeForProcess(MostMaterials);
+  return known;
+}
 
 // Those of a sphere: many of them see a sun or a lamp, which decide for mirror-like materials.
 measuredbrdf::PlanPairs DrawPairsOfAllViews(const measuredbrdf::PlanTask& task)
@@ -174,7 +188,8 @@ bool vtkRadiancePlanner::Search()
   task.MaximumCost = this->MaximumCost;
   task.IsAborted = [this]() { return this->GetAbort(); };
   const std::string material = this->BRDF->IsIsotropic() ? this->BRDF->GetContentKey() : "";
-  task.Shared = measuredbrdf::MaterialStore::Get().Take(material);
+  task.Shared = GetKnownMaterials().Take(material).value_or(
+    std::make_shared<vtkRadianceIntegrator::Precomputation>());
   if (this->BRDF->IsIsotropic())
   {
     task.Shared->GetViews(this->BRDF, this->Abort); // which all that follows asks for
@@ -201,22 +216,25 @@ bool vtkRadiancePlanner::Search()
       task.Problem.empty() ? "there is no reference to compare with." : task.Problem);
   }
   comparison.ReferenceError = std::hypot(comparison.ReferenceError, FilterWeights);
-  measuredbrdf::PlanSearch search(task, comparison);
-  search.Progress = [this](double progress)
-  { this->InvokeEvent(vtkCommand::ProgressEvent, &progress); };
-  const bool done = search.Run(std::move(ladder));
-  if (!search.GetWarnings().empty())
+  measuredbrdf::Plan plan;
+  const bool done = measuredbrdf::Climb(task, comparison, std::move(ladder), plan,
+    [this](double progress) { this->InvokeEvent(vtkCommand::ProgressEvent, &progress); });
+  if (!plan.Warnings.empty())
   {
-    vtkWarningMacro("Update: left out what could not be prepared: " << search.GetWarnings());
+    vtkWarningMacro("Update: left out what could not be prepared: " << plan.Warnings);
   }
-  if (!done || search.GetPlan().Choice < 0)
+  if (!done || plan.Choice < 0)
   {
     return this->Fail(!task.Problem.empty() ? task.Problem
                                             : "nothing fits into MaximumTextureBytes, " + bytes +
                                                 ", with the textures of the material.");
   }
-  measuredbrdf::MaterialStore::Get().PutBack(material, task.Shared);
-  impl.Plan = search.GetPlan();
+  if (!material.empty()) // it says what it is; and nothing was aborted
+  {
+    task.Shared->Trim(MostAngles, MostNodes);
+    GetKnownMaterials().Put(material, task.Shared);
+  }
+  impl.Plan = std::move(plan);
   impl.Plan.Reason = measuredbrdf::ExplainChoice(impl.Plan, this->ErrorTolerance, givenUp);
   return true;
 }

@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCompositeMeasuredBRDFMapper.h"
 
-#include "vtkMeasuredBRDFMapperMixin.txx"
-
 #include "BlockBatch.h"
 #include "BlockMaterials.h"
 #include "BlockParts.h"
 #include "DrawTimer.h"
-#include "MapperProperties.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkObjectFactory.h"
 #include "vtkPBRPropertyFitter.h"
@@ -23,32 +20,29 @@
 
 using namespace measuredbrdf;
 
-namespace
-{
-using BatchDrawing = vtkMeasuredBRDFMapperInternals;
-}
-
 struct vtkCompositeMeasuredBRDFMapper::Internals
 {
-  std::shared_ptr<MaterialSettings> Settings = std::make_shared<MaterialSettings>();
-  std::shared_ptr<BatchDrawing> Drawing; // shared with the batches
-  BlockMaterials Blocks;
-  std::unique_ptr<BlockParts> Parts; // of blocks of several materials
-  DrawTimer Timer;
+  explicit Internals(vtkMapper* self)
+    : Drawing(std::make_shared<MaterialDrawing>(self, [this]() { return this->GetUsesToCome(); }))
+    , Settings(Drawing->GetSettings())
+    , Parts(Drawing)
+  {
+    this->Drawing->SetPlansMapsForView(false); // blocks would plan one after the other
+  }
 
   // Each material once; which blocks have it shows while they are drawn, and plans for a view with
   // that.
   std::vector<MaterialUse> GetUsesToCome() const
   {
     std::set<vtkBRDF*> brdfs;
-    if (!this->Settings->PlanForView)
+    if (!this->Settings.PlanForView)
     {
-      brdfs.insert(this->Settings->BRDF);
-      for (const auto& [index, brdf] : this->Settings->BlocksByIndex)
+      brdfs.insert(this->Settings.BRDF);
+      for (const auto& [index, brdf] : this->Settings.BlocksByIndex)
       {
         brdfs.insert(brdf);
       }
-      for (const auto& [name, brdf] : this->Settings->BlocksByName)
+      for (const auto& [name, brdf] : this->Settings.BlocksByName)
       {
         brdfs.insert(brdf);
       }
@@ -58,7 +52,7 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
     {
       uses.push_back({ brdf, {} });
     }
-    for (const MaterialUse& use : this->Parts->GetUses())
+    for (const MaterialUse& use : this->Parts.GetUses())
     {
       if (brdfs.insert(use.first).second)
       {
@@ -72,14 +66,27 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
   void UpdateBlocks(vtkAlgorithm* mapper)
   {
     const std::string missing =
-      this->Blocks.Update(mapper->GetInputDataObject(0, 0), *this->Settings);
+      this->Blocks.Update(mapper->GetInputDataObject(0, 0), this->Settings);
     if (!missing.empty() && this->Drawing->WarnOnce("blocks: " + missing))
     {
       vtkWarningWithObjectMacro(
         mapper, << "Materials are set for blocks that the data do not have: " << missing << ".");
     }
-    this->Parts->Update(this->Blocks);
+    this->Parts.Update(this->Blocks);
   }
+
+  void Initialize(BlockBatch* batch, vtkAlgorithm* mapper)
+  {
+    batch->Initialize(
+      this->Drawing, &this->Blocks, &this->Parts, [this, mapper]() { this->UpdateBlocks(mapper); });
+  }
+
+  std::shared_ptr<MaterialDrawing> Drawing; // shared with the batches
+  MaterialSettings& Settings;
+  BlockMaterials Blocks;
+  BlockParts Parts; // of blocks of several materials
+  DrawTimer Timer;
+  int RenderDepth = 0; // greater than 0 inside of Render
 };
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -107,12 +114,8 @@ vtkStandardNewMacro(vtkCompositeMeasuredBRDFMapper);
 
 //------------------------------------------------------------------------------
 vtkCompositeMeasuredBRDFMapper::vtkCompositeMeasuredBRDFMapper()
-  : Impl(new Internals)
+  : Impl(std::make_unique<Internals>(this))
 {
-  this->Impl->Drawing = std::make_shared<BatchDrawing>(
-    this, this->Impl->Settings, [this]() { return this->Impl->GetUsesToCome(); });
-  this->Impl->Drawing->SetPlansMapsForView(false); // blocks would plan one after the other
-  this->Impl->Parts = std::make_unique<BlockParts>(this->Impl->Drawing);
 }
 
 //------------------------------------------------------------------------------
@@ -123,8 +126,7 @@ vtkCompositeMeasuredBRDFMapper::~vtkCompositeMeasuredBRDFMapper() = default;
 vtkCompositePolyDataMapperDelegator* vtkCompositeMeasuredBRDFMapper::CreateADelegator()
 {
   vtkNew<BlockBatch> batch;
-  batch->Initialize(this->Impl->Drawing, &this->Impl->Blocks, this->Impl->Parts.get(),
-    [this]() { this->Impl->UpdateBlocks(this); });
+  this->Impl->Initialize(batch, this);
   Delegator* delegator = Delegator::New();
   delegator->SetBatch(batch);
   return delegator;
@@ -133,76 +135,168 @@ vtkCompositePolyDataMapperDelegator* vtkCompositeMeasuredBRDFMapper::CreateADele
 vtkCompositeMapperHelper2* vtkCompositeMeasuredBRDFMapper::CreateHelper()
 {
   BlockBatch* batch = BlockBatch::New();
-  batch->Initialize(this->Impl->Drawing, &this->Impl->Blocks, this->Impl->Parts.get(),
-    [this]() { this->Impl->UpdateBlocks(this); });
+  this->Impl->Initialize(batch, this);
   return batch;
 }
 #endif
 
-// Strings come by value, as VTK's macros take them:
-// NOLINTNEXTLINE(performance-unnecessary-value-param)
-MEASUREDBRDF_MAPPER_PROPERTIES(vtkCompositeMeasuredBRDFMapper, *this->Impl->Settings)
+//------------------------------------------------------------------------------
+void vtkCompositeMeasuredBRDFMapper::SetBRDF(vtkBRDF* brdf)
+{
+  this->Impl->Settings.Set(this->Impl->Settings.BRDF, brdf);
+}
+vtkBRDF* vtkCompositeMeasuredBRDFMapper::GetBRDF() { return this->Impl->Settings.BRDF; }
+
+void vtkCompositeMeasuredBRDFMapper::SetMaterialMap(vtkMaterialMap* map)
+{
+  this->Impl->Settings.Set(this->Impl->Settings.MaterialMap, map);
+}
+vtkMaterialMap* vtkCompositeMeasuredBRDFMapper::GetMaterialMap()
+{
+  return this->Impl->Settings.MaterialMap;
+}
+
+void vtkCompositeMeasuredBRDFMapper::SetEnvironment(vtkEnvironment* environment)
+{
+  this->Impl->Settings.Set(this->Impl->Settings.Environment, environment);
+}
+vtkEnvironment* vtkCompositeMeasuredBRDFMapper::GetEnvironment()
+{
+  return this->Impl->Settings.Environment;
+}
+
+void vtkCompositeMeasuredBRDFMapper::SetIntegrator(vtkRadianceIntegrator* integrator)
+{
+  this->Impl->Settings.Set(this->Impl->Settings.Integrator, integrator);
+}
+vtkRadianceIntegrator* vtkCompositeMeasuredBRDFMapper::GetIntegrator()
+{
+  return this->Impl->Settings.Integrator;
+}
+
+void vtkCompositeMeasuredBRDFMapper::SetPlanForView(bool value)
+{
+  this->Impl->Settings.Set(this->Impl->Settings.PlanForView, value);
+}
+bool vtkCompositeMeasuredBRDFMapper::GetPlanForView() { return this->Impl->Settings.PlanForView; }
+
+void vtkCompositeMeasuredBRDFMapper::SetUseSceneLights(bool value)
+{
+  this->Impl->Settings.Set(this->Impl->Settings.UseSceneLights, value);
+}
+bool vtkCompositeMeasuredBRDFMapper::GetUseSceneLights()
+{
+  return this->Impl->Settings.UseSceneLights;
+}
+
+void vtkCompositeMeasuredBRDFMapper::SetOcclusionBounce(bool value)
+{
+  this->Impl->Settings.Set(this->Impl->Settings.OcclusionBounce, value);
+}
+bool vtkCompositeMeasuredBRDFMapper::GetOcclusionBounce()
+{
+  return this->Impl->Settings.OcclusionBounce;
+}
+
+void vtkCompositeMeasuredBRDFMapper::SetPlanningMode(int mode)
+{
+  this->Impl->Settings.SetPlanningMode(this, mode);
+}
+int vtkCompositeMeasuredBRDFMapper::GetPlanningMode() { return this->Impl->Settings.PlanningMode; }
+
+void vtkCompositeMeasuredBRDFMapper::SetErrorTolerance(double value)
+{
+  this->Impl->Settings.SetErrorTolerance(this, value);
+}
+double vtkCompositeMeasuredBRDFMapper::GetErrorTolerance()
+{
+  return this->Impl->Settings.ErrorTolerance;
+}
+
+void vtkCompositeMeasuredBRDFMapper::SetMaximumCost(double value)
+{
+  this->Impl->Settings.SetMaximumCost(this, value);
+}
+double vtkCompositeMeasuredBRDFMapper::GetMaximumCost() { return this->Impl->Settings.MaximumCost; }
+
+void vtkCompositeMeasuredBRDFMapper::SetScalarColoringMode(int mode)
+{
+  this->Impl->Settings.SetScalarColoringMode(this, mode);
+}
+int vtkCompositeMeasuredBRDFMapper::GetScalarColoringMode()
+{
+  return this->Impl->Settings.ScalarColoringMode;
+}
+
+void vtkCompositeMeasuredBRDFMapper::SetOcclusionMode(int mode)
+{
+  this->Impl->Settings.SetOcclusionMode(this, mode);
+}
+int vtkCompositeMeasuredBRDFMapper::GetOcclusionMode()
+{
+  return this->Impl->Settings.OcclusionMode;
+}
 
 //------------------------------------------------------------------------------
 void vtkCompositeMeasuredBRDFMapper::SetBlockBRDF(unsigned int flatIndex, vtkBRDF* brdf)
 {
-  this->Impl->Settings->BlocksByIndex[flatIndex] = brdf;
-  this->Impl->Settings->Time.Modified();
+  this->Impl->Settings.BlocksByIndex[flatIndex] = brdf;
+  this->Impl->Settings.Time.Modified();
 }
 
 //------------------------------------------------------------------------------
 vtkBRDF* vtkCompositeMeasuredBRDFMapper::GetBlockBRDF(unsigned int flatIndex)
 {
-  const auto found = this->Impl->Settings->BlocksByIndex.find(flatIndex);
-  return found == this->Impl->Settings->BlocksByIndex.end() ? nullptr : found->second.Get();
+  const auto found = this->Impl->Settings.BlocksByIndex.find(flatIndex);
+  return found == this->Impl->Settings.BlocksByIndex.end() ? nullptr : found->second.Get();
 }
 
 //------------------------------------------------------------------------------
 bool vtkCompositeMeasuredBRDFMapper::HasBlockBRDF(unsigned int flatIndex)
 {
-  return this->Impl->Settings->BlocksByIndex.count(flatIndex) > 0;
+  return this->Impl->Settings.BlocksByIndex.count(flatIndex) > 0;
 }
 
 //------------------------------------------------------------------------------
 void vtkCompositeMeasuredBRDFMapper::RemoveBlockBRDF(unsigned int flatIndex)
 {
-  this->Impl->Settings->BlocksByIndex.erase(flatIndex);
-  this->Impl->Settings->Time.Modified();
+  this->Impl->Settings.BlocksByIndex.erase(flatIndex);
+  this->Impl->Settings.Time.Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkCompositeMeasuredBRDFMapper::SetBlockBRDFByName(const std::string& name, vtkBRDF* brdf)
 {
-  this->Impl->Settings->BlocksByName[name] = brdf;
-  this->Impl->Settings->Time.Modified();
+  this->Impl->Settings.BlocksByName[name] = brdf;
+  this->Impl->Settings.Time.Modified();
 }
 
 //------------------------------------------------------------------------------
 vtkBRDF* vtkCompositeMeasuredBRDFMapper::GetBlockBRDFByName(const std::string& name)
 {
-  const auto found = this->Impl->Settings->BlocksByName.find(name);
-  return found == this->Impl->Settings->BlocksByName.end() ? nullptr : found->second.Get();
+  const auto found = this->Impl->Settings.BlocksByName.find(name);
+  return found == this->Impl->Settings.BlocksByName.end() ? nullptr : found->second.Get();
 }
 
 //------------------------------------------------------------------------------
 bool vtkCompositeMeasuredBRDFMapper::HasBlockBRDFByName(const std::string& name)
 {
-  return this->Impl->Settings->BlocksByName.count(name) > 0;
+  return this->Impl->Settings.BlocksByName.count(name) > 0;
 }
 
 //------------------------------------------------------------------------------
 void vtkCompositeMeasuredBRDFMapper::RemoveBlockBRDFByName(const std::string& name)
 {
-  this->Impl->Settings->BlocksByName.erase(name);
-  this->Impl->Settings->Time.Modified();
+  this->Impl->Settings.BlocksByName.erase(name);
+  this->Impl->Settings.Time.Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkCompositeMeasuredBRDFMapper::RemoveBlockBRDFs()
 {
-  this->Impl->Settings->BlocksByIndex.clear();
-  this->Impl->Settings->BlocksByName.clear();
-  this->Impl->Settings->Time.Modified();
+  this->Impl->Settings.BlocksByIndex.clear();
+  this->Impl->Settings.BlocksByName.clear();
+  this->Impl->Settings.Time.Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -241,7 +335,7 @@ vtkIdType vtkCompositeMeasuredBRDFMapper::GetTextureBytes()
 {
   std::set<const vtkTextureObject*> counted;
   return CountTextureBytes(this->Impl->Drawing->GetLastFrame(), counted) +
-         this->Impl->Parts->GetImageBytes();
+         this->Impl->Parts.GetImageBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -253,7 +347,7 @@ void vtkCompositeMeasuredBRDFMapper::ShallowCopy(vtkAbstractMapper* mapper)
   }
   if (auto* other = vtkCompositeMeasuredBRDFMapper::SafeDownCast(mapper))
   {
-    this->Impl->Settings->Copy(*other->Impl->Settings);
+    this->Impl->Settings.Copy(other->Impl->Settings);
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -265,8 +359,8 @@ void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* act
   {
     return; // the superclass wants both
   }
-  const Depth inside(this->RenderDepth);
-  this->Impl->Parts->Begin();
+  const Depth inside(this->Impl->RenderDepth);
+  this->Impl->Parts.Begin();
   vtkDataObject* input = this->GetInputDataObject(0, 0);
   this->Impl->Timer.Start(input ? input->GetNumberOfElements(vtkDataObject::CELL) : 0);
   vtkObject* style = this->GetCompositeDataDisplayAttributes();
@@ -275,7 +369,7 @@ void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* act
     [&]()
     {
       this->Superclass::Render(renderer, actor);
-      this->Impl->Parts->Render(renderer, actor);
+      this->Impl->Parts.Render(renderer, actor);
     },
     style ? style->GetMTime() : 0);
   this->Impl->Timer.Stop();
@@ -285,9 +379,9 @@ void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* act
 //------------------------------------------------------------------------------
 void vtkCompositeMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->RenderDepth == 0)
+  if (this->Impl->RenderDepth == 0)
   {
-    this->Impl->Parts->ReleaseGraphicsResources(window);
+    this->Impl->Parts.ReleaseGraphicsResources(window);
     this->Impl->Timer.ReleaseGraphicsResources();
   }
   this->Superclass::ReleaseGraphicsResources(window);
@@ -298,19 +392,20 @@ vtkMTimeType vtkCompositeMeasuredBRDFMapper::GetMTime()
 {
   // While drawing, the superclass asks whether its batches are out of date.
   const vtkMTimeType time = this->Superclass::GetMTime();
-  return this->RenderDepth > 0 ? time : std::max(time, this->Impl->Drawing->GetAppearanceMTime());
+  return this->Impl->RenderDepth > 0 ? time
+                                     : std::max(time, this->Impl->Drawing->GetAppearanceMTime());
 }
 
 //------------------------------------------------------------------------------
 void vtkCompositeMeasuredBRDFMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  this->Impl->Settings->Print(os, indent);
-  for (const auto& [index, brdf] : this->Impl->Settings->BlocksByIndex)
+  this->Impl->Settings.Print(os, indent);
+  for (const auto& [index, brdf] : this->Impl->Settings.BlocksByIndex)
   {
     os << indent << "BlockBRDF " << index << ": " << brdf.Get() << "\n";
   }
-  for (const auto& [name, brdf] : this->Impl->Settings->BlocksByName)
+  for (const auto& [name, brdf] : this->Impl->Settings.BlocksByName)
   {
     os << indent << "BlockBRDF \"" << name << "\": " << brdf.Get() << "\n";
   }

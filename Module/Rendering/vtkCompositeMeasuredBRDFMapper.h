@@ -166,8 +166,6 @@ protected:
   vtkCompositeMapperHelper2* CreateHelper() override;
 #endif
 
-  int RenderDepth = 0; // greater than 0 inside of Render
-
 private:
   vtkCompositeMeasuredBRDFMapper(const vtkCompositeMeasuredBRDFMapper&) = delete;
   void operator=(const vtkCompositeMeasuredBRDFMapper&) = delete;

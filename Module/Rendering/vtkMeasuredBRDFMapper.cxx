@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeasuredBRDFMapper.h"
 
-#include "vtkMeasuredBRDFMapperMixin.txx"
-
 #include "DrawTimer.h"
-#include "DrawsColor.h"
-#include "MapperProperties.h"
+#include "MaterialShading.h"
 #include "PartMappers.h"
+#include "RenderPassQueries.h"
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkObjectFactory.h"
@@ -19,87 +17,163 @@
 
 using namespace measuredbrdf;
 
-template class vtkMeasuredBRDFMapperMixin<vtkOpenGLPolyDataMapper>;
-
 vtkStandardNewMacro(vtkMeasuredBRDFMapper);
 
 //------------------------------------------------------------------------------
-struct vtkMeasuredBRDFMapper::MapDrawing
+struct vtkMeasuredBRDFMapper::Internals : public MaterialShading
 {
-  explicit MapDrawing(const std::shared_ptr<vtkMeasuredBRDFMapperInternals>& drawing)
-    : Parts(drawing)
+  explicit Internals(vtkMeasuredBRDFMapper* self)
+    : MaterialShading(
+        self, std::make_shared<MaterialDrawing>(self, [this]() { return this->GetUsesToCome(); }))
+    , Self(self)
+    , Parts(Drawing)
+    , Settings(Drawing->GetSettings())
   {
+    this->Drawing->SetToleranceFactor(
+      [this](vtkBRDF* brdf) {
+        return this->Settings.MaterialMap ? this->Parts.GetParts().GetToleranceFactor(brdf) : 1.0;
+      });
   }
-  PartMappers Parts;
-  DrawTimer Timer;
+
+  std::vector<MaterialUse> GetUsesToCome()
+  {
+    vtkPolyData* surface = this->Self->GetInput();
+    if (!surface) // composite data, of which nothing is drawn
+    {
+      return {};
+    }
+    if (this->Settings.MaterialMap)
+    {
+      if (!this->Self->Static)
+      {
+        this->Self->Update();
+      }
+      if (this->Parts.Divide(surface))
+      {
+        return this->Parts.GetUses();
+      }
+    }
+    return { { this->Settings.BRDF, { surface } } };
+  }
+
+  std::vector<MaterialUse> GetMaterialUses() override
+  {
+    return { { this->Settings.BRDF, { this->Self->CurrentInput } } };
+  }
+
+  vtkMeasuredBRDFMapper* Self;
+  PartMappers Parts; // of a surface that a material map divides
+  MaterialSettings& Settings;
+  DrawTimer Timer; // of these
 };
 
 //------------------------------------------------------------------------------
 vtkMeasuredBRDFMapper::vtkMeasuredBRDFMapper()
+  : Impl(std::make_unique<Internals>(this))
 {
-  this->Drawing =
-    std::make_shared<vtkMeasuredBRDFMapperInternals>(this, std::make_shared<MaterialSettings>(),
-      [this]() -> std::vector<MaterialUse>
-      {
-        vtkPolyData* surface = this->GetInput();
-        if (!surface) // composite data, of which nothing is drawn
-        {
-          return {};
-        }
-        if (this->Drawing->GetSettings().MaterialMap)
-        {
-          if (!this->Static)
-          {
-            this->Update();
-          }
-          if (this->Map->Parts.Divide(surface))
-          {
-            return this->Map->Parts.GetUses();
-          }
-        }
-        return { { this->Drawing->GetSettings().BRDF, { surface } } };
-      });
-  this->Map = std::make_unique<MapDrawing>(this->Drawing);
-  this->Drawing->SetToleranceFactor(
-    [this](vtkBRDF* brdf)
-    {
-      return this->Drawing->GetSettings().MaterialMap
-               ? this->Map->Parts.GetParts().GetToleranceFactor(brdf)
-               : 1.0;
-    });
 }
 
 //------------------------------------------------------------------------------
 vtkMeasuredBRDFMapper::~vtkMeasuredBRDFMapper() = default;
 
 //------------------------------------------------------------------------------
-std::vector<vtkMeasuredBRDFMapper::MaterialUse> vtkMeasuredBRDFMapper::GetMaterialUses()
-{
-  return { { this->Drawing->GetSettings().BRDF, { this->CurrentInput } } };
-}
-
 // The properties do not call Modified(): that would rebuild vertex buffers and shaders. Every
 // render compares what it used last with what is asked for.
-// Strings come by value, as VTK's macros take them:
-// NOLINTNEXTLINE(performance-unnecessary-value-param)
-MEASUREDBRDF_MAPPER_PROPERTIES(vtkMeasuredBRDFMapper, this->Drawing->GetSettings())
+void vtkMeasuredBRDFMapper::SetBRDF(vtkBRDF* brdf)
+{
+  this->Impl->Settings.Set(this->Impl->Settings.BRDF, brdf);
+}
+vtkBRDF* vtkMeasuredBRDFMapper::GetBRDF() { return this->Impl->Settings.BRDF; }
+
+void vtkMeasuredBRDFMapper::SetMaterialMap(vtkMaterialMap* map)
+{
+  this->Impl->Settings.Set(this->Impl->Settings.MaterialMap, map);
+}
+vtkMaterialMap* vtkMeasuredBRDFMapper::GetMaterialMap() { return this->Impl->Settings.MaterialMap; }
+
+void vtkMeasuredBRDFMapper::SetEnvironment(vtkEnvironment* environment)
+{
+  this->Impl->Settings.Set(this->Impl->Settings.Environment, environment);
+}
+vtkEnvironment* vtkMeasuredBRDFMapper::GetEnvironment() { return this->Impl->Settings.Environment; }
+
+void vtkMeasuredBRDFMapper::SetIntegrator(vtkRadianceIntegrator* integrator)
+{
+  this->Impl->Settings.Set(this->Impl->Settings.Integrator, integrator);
+}
+vtkRadianceIntegrator* vtkMeasuredBRDFMapper::GetIntegrator()
+{
+  return this->Impl->Settings.Integrator;
+}
+
+void vtkMeasuredBRDFMapper::SetPlanForView(bool value)
+{
+  this->Impl->Settings.Set(this->Impl->Settings.PlanForView, value);
+}
+bool vtkMeasuredBRDFMapper::GetPlanForView() { return this->Impl->Settings.PlanForView; }
+
+void vtkMeasuredBRDFMapper::SetUseSceneLights(bool value)
+{
+  this->Impl->Settings.Set(this->Impl->Settings.UseSceneLights, value);
+}
+bool vtkMeasuredBRDFMapper::GetUseSceneLights() { return this->Impl->Settings.UseSceneLights; }
+
+void vtkMeasuredBRDFMapper::SetOcclusionBounce(bool value)
+{
+  this->Impl->Settings.Set(this->Impl->Settings.OcclusionBounce, value);
+}
+bool vtkMeasuredBRDFMapper::GetOcclusionBounce() { return this->Impl->Settings.OcclusionBounce; }
+
+void vtkMeasuredBRDFMapper::SetPlanningMode(int mode)
+{
+  this->Impl->Settings.SetPlanningMode(this, mode);
+}
+int vtkMeasuredBRDFMapper::GetPlanningMode() { return this->Impl->Settings.PlanningMode; }
+
+void vtkMeasuredBRDFMapper::SetErrorTolerance(double value)
+{
+  this->Impl->Settings.SetErrorTolerance(this, value);
+}
+double vtkMeasuredBRDFMapper::GetErrorTolerance() { return this->Impl->Settings.ErrorTolerance; }
+
+void vtkMeasuredBRDFMapper::SetMaximumCost(double value)
+{
+  this->Impl->Settings.SetMaximumCost(this, value);
+}
+double vtkMeasuredBRDFMapper::GetMaximumCost() { return this->Impl->Settings.MaximumCost; }
+
+void vtkMeasuredBRDFMapper::SetScalarColoringMode(int mode)
+{
+  this->Impl->Settings.SetScalarColoringMode(this, mode);
+}
+int vtkMeasuredBRDFMapper::GetScalarColoringMode()
+{
+  return this->Impl->Settings.ScalarColoringMode;
+}
+
+void vtkMeasuredBRDFMapper::SetOcclusionMode(int mode)
+{
+  this->Impl->Settings.SetOcclusionMode(this, mode);
+}
+int vtkMeasuredBRDFMapper::GetOcclusionMode() { return this->Impl->Settings.OcclusionMode; }
 
 //------------------------------------------------------------------------------
 std::string vtkMeasuredBRDFMapper::GetPlan()
 {
-  const DrawnMaterials materials = this->Drawing->GetLastFrame();
+  const DrawnMaterials materials = this->Impl->Drawing->GetLastFrame();
   const double error =
-    this->Drawing->GetSettings().MaterialMap ? this->Map->Parts.PredictError(materials) : -1.0;
-  return DescribePlans(materials) + DescribeMixture(error) + this->Drawing->DescribeOcclusion();
+    this->Impl->Settings.MaterialMap ? this->Impl->Parts.PredictError(materials) : -1.0;
+  return DescribePlans(materials) + DescribeMixture(error) +
+         this->Impl->Drawing->DescribeOcclusion();
 }
 
 //------------------------------------------------------------------------------
 // The parts are drawn instead of the whole where materials are.
 bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
 {
-  if (!this->Drawing->GetSettings().MaterialMap)
+  if (!this->Impl->Settings.MaterialMap)
   {
-    this->Map->Parts.Clear();
+    this->Impl->Parts.Clear();
     return false;
   }
   if (!DrawsColor(ren, actor) || !IsShaded(actor) || this->GetNumberOfInputConnections(0) == 0)
@@ -113,14 +187,14 @@ bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
   vtkPolyData* input = this->GetInput();
   ScalarStyle scalars;
   scalars.Read(this);
-  this->Map->Parts.Expect(input, actor, this, scalars, !this->ExtraAttributes.empty());
-  if (!this->Map->Parts.Divide(input))
+  this->Impl->Parts.Expect(input, actor, this, scalars, !this->ExtraAttributes.empty());
+  if (!this->Impl->Parts.Divide(input))
   {
     return false;
   }
-  this->Drawing->Forget(this); // what the whole was drawn with
-  this->Map->Timer.Start(input->GetNumberOfCells());
-  this->Map->Parts.Render(ren, actor, this, this->vtkOpenGLPolyDataMapper::GetMTime(),
+  this->Impl->Drawing->Forget(this); // what the whole was drawn with
+  this->Impl->Timer.Start(input->GetNumberOfCells());
+  this->Impl->Parts.Render(ren, actor, this, this->Superclass::GetMTime(),
     [this](vtkPolyDataMapper* mapper)
     {
       for (const auto& [name, attribute] : this->ExtraAttributes)
@@ -137,8 +211,8 @@ bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
         }
       }
     });
-  this->Map->Timer.Stop();
-  this->TimeToDraw = this->Map->Timer.GetSeconds();
+  this->Impl->Timer.Stop();
+  this->TimeToDraw = this->Impl->Timer.GetSeconds();
   return true;
 }
 
@@ -149,18 +223,19 @@ void vtkMeasuredBRDFMapper::RenderPiece(vtkRenderer* ren, vtkActor* actor)
   {
     return; // the superclass wants both
   }
-  const Depth inside(this->RenderDepth);
-  this->Drawing->Render(ren, actor,
+  const Depth inside(this->Impl->RenderDepth);
+  this->Impl->Drawing->Render(ren, actor,
     [&]()
     {
       bool drawn = false;
-      if (!this->Drawing->Try([&]() { drawn = this->RenderParts(ren, actor); }))
+      if (!this->Impl->Drawing->Try([&]() { drawn = this->RenderParts(ren, actor); }))
       {
-        this->Map->Timer.Stop();
+        this->Impl->Timer.Stop();
       }
       if (!drawn)
       {
-        this->Superclass::RenderPiece(ren, actor);
+        this->Impl->DrawPiece([&]() { this->Superclass::RenderPiece(ren, actor); },
+          [&]() { this->Superclass::RenderPieceFinish(ren, actor); });
       }
     });
 }
@@ -168,19 +243,104 @@ void vtkMeasuredBRDFMapper::RenderPiece(vtkRenderer* ren, vtkActor* actor)
 //------------------------------------------------------------------------------
 void vtkMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->RenderDepth == 0)
+  if (this->Impl->RenderDepth == 0)
   {
-    this->Map->Parts.ReleaseGraphicsResources(window);
-    this->Map->Timer.ReleaseGraphicsResources();
+    this->Impl->Parts.ReleaseGraphicsResources(window);
+    this->Impl->Timer.ReleaseGraphicsResources();
   }
+  this->Impl->ReleaseMaterials(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
 //------------------------------------------------------------------------------
-bool vtkMeasuredBRDFMapper::GetPlanPending() { return this->Drawing->IsPending(); }
+void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
+{
+  this->Impl->StartPiece(
+    ren, actor, [&]() { this->Superclass::RenderPieceStart(ren, actor); },
+    [&]() { this->RenderPieceDraw(ren, actor); });
+}
 
 //------------------------------------------------------------------------------
-bool vtkMeasuredBRDFMapper::GetPlanReady() { return this->Drawing->IsReady(); }
+void vtkMeasuredBRDFMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* actor)
+{
+  this->Impl->DrawMaterials([&]() { this->Superclass::RenderPieceDraw(ren, actor); });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::RenderPieceFinish(vtkRenderer* ren, vtkActor* actor)
+{
+  this->Impl->FinishPiece([&]() { this->Superclass::RenderPieceFinish(ren, actor); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeasuredBRDFMapper::GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* actor)
+{
+  return this->Superclass::GetNeedToRebuildBufferObjects(ren, actor) ||
+         this->Impl->AreBuffersOutdated();
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* actor)
+{
+  this->Impl->PrepareBuffers(ren);
+  this->Superclass::BuildBufferObjects(ren, actor);
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeasuredBRDFMapper::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
+{
+  const bool rebuild = this->Superclass::GetNeedToRebuildShaders(cellBO, ren, actor);
+  return this->Impl->AreShadersOutdated(cellBO, ren) || rebuild;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::UpdateShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
+{
+  this->Impl->PrepareShaders(cellBO, ren, actor);
+  this->Superclass::UpdateShaders(cellBO, ren, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::ReplaceShaderValues(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor)
+{
+  this->Impl->ReplaceValues(
+    shaders, actor, [&]() { this->Superclass::ReplaceShaderValues(shaders, ren, actor); });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::ReplaceShaderLight(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor)
+{
+  if (!this->Impl->ReplaceLight(shaders, ren, actor))
+  {
+    this->Superclass::ReplaceShaderLight(shaders, ren, actor);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(cellBO, ren, actor);
+  this->Impl->SetMapperUniforms(cellBO, ren, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::SetPropertyShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
+{
+  this->Superclass::SetPropertyShaderParameters(cellBO, ren, actor);
+  this->Impl->SetPropertyUniforms(cellBO, actor);
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeasuredBRDFMapper::GetPlanPending() { return this->Impl->Drawing->IsPending(); }
+
+//------------------------------------------------------------------------------
+bool vtkMeasuredBRDFMapper::GetPlanReady() { return this->Impl->Drawing->IsReady(); }
 
 //------------------------------------------------------------------------------
 double vtkMeasuredBRDFMapper::FitProperty(vtkProperty* property)
@@ -192,20 +352,22 @@ double vtkMeasuredBRDFMapper::FitProperty(vtkProperty* property)
 vtkIdType vtkMeasuredBRDFMapper::GetTextureBytes()
 {
   std::set<const vtkTextureObject*> counted;
-  return CountTextureBytes(this->Drawing->GetLastFrame(), counted) +
-         this->Map->Parts.GetImageBytes();
+  return CountTextureBytes(this->Impl->Drawing->GetLastFrame(), counted) +
+         this->Impl->Parts.GetImageBytes();
 }
 
 //------------------------------------------------------------------------------
 vtkRadianceIntegrator* vtkMeasuredBRDFMapper::GetCurrentIntegrator()
 {
-  return FindIntegrator(this->Drawing->GetLastFrame());
+  return FindFirst(this->Impl->Drawing->GetLastFrame(),
+    [](const DrawnMaterial& drawn) { return drawn.Integrator.Get(); });
 }
 
 //------------------------------------------------------------------------------
 vtkRadiancePlanner* vtkMeasuredBRDFMapper::GetCurrentPlanner()
 {
-  return FindPlanner(this->Drawing->GetLastFrame());
+  return FindFirst(this->Impl->Drawing->GetLastFrame(),
+    [](const DrawnMaterial& drawn) { return drawn.Plan.Get(); });
 }
 
 //------------------------------------------------------------------------------
@@ -218,34 +380,37 @@ void vtkMeasuredBRDFMapper::GetVisiblePairs(
     return;
   }
   this->Update();
-  this->Drawing->GetVisiblePairs(renderer, actor, normals, views);
+  this->Impl->Drawing->GetVisiblePairs(renderer, actor, normals, views);
 }
 
 //------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::SetAbortPlanning(bool abort) { this->Drawing->SetAbortPlanning(abort); }
+void vtkMeasuredBRDFMapper::SetAbortPlanning(bool abort)
+{
+  this->Impl->Drawing->SetAbortPlanning(abort);
+}
 
 //------------------------------------------------------------------------------
-bool vtkMeasuredBRDFMapper::GetAbortPlanning() { return this->Drawing->GetAbortPlanning(); }
+bool vtkMeasuredBRDFMapper::GetAbortPlanning() { return this->Impl->Drawing->GetAbortPlanning(); }
 
 //------------------------------------------------------------------------------
 std::string vtkMeasuredBRDFMapper::GetMaterialDescription()
 {
-  const vtkBRDFShaderInputs* form = FindMaterialForm(this->Drawing->GetLastFrame());
-  return form ? form->Description : "";
+  const vtkBRDFShaderInputs* inputs = FindMaterialInputs(this->Impl->Drawing->GetLastFrame());
+  return inputs ? inputs->Description : "";
 }
 
 //------------------------------------------------------------------------------
 double vtkMeasuredBRDFMapper::GetResamplingError()
 {
-  const vtkBRDFShaderInputs* form = FindMaterialForm(this->Drawing->GetLastFrame());
-  return form ? form->ResamplingError : 0.0;
+  const vtkBRDFShaderInputs* inputs = FindMaterialInputs(this->Impl->Drawing->GetLastFrame());
+  return inputs ? inputs->ResamplingError : 0.0;
 }
 
 //------------------------------------------------------------------------------
 double vtkMeasuredBRDFMapper::GetQuantizationError()
 {
-  const vtkBRDFShaderInputs* form = FindMaterialForm(this->Drawing->GetLastFrame());
-  return form ? form->QuantizationError : 0.0;
+  const vtkBRDFShaderInputs* inputs = FindMaterialInputs(this->Impl->Drawing->GetLastFrame());
+  return inputs ? inputs->QuantizationError : 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -253,7 +418,7 @@ double* vtkMeasuredBRDFMapper::GetBounds()
 {
   double* bounds = this->Superclass::GetBounds();
   if (vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)) &&
-      this->Drawing->WarnOnce("composite"))
+      this->Impl->Drawing->WarnOnce("composite"))
   {
     vtkWarningMacro("The input is composite data, of which this mapper draws nothing: use "
                     "vtkCompositeMeasuredBRDFMapper.");
@@ -270,7 +435,7 @@ void vtkMeasuredBRDFMapper::ShallowCopy(vtkAbstractMapper* m)
   }
   if (vtkMeasuredBRDFMapper* other = vtkMeasuredBRDFMapper::SafeDownCast(m))
   {
-    this->Drawing->GetSettings().Copy(other->Drawing->GetSettings());
+    this->Impl->Settings.Copy(other->Impl->Settings);
   }
   this->Superclass::ShallowCopy(m);
 }
@@ -280,13 +445,14 @@ vtkMTimeType vtkMeasuredBRDFMapper::GetMTime()
 {
   // While drawing, the superclass asks whether buffers and shaders are out of date.
   const vtkMTimeType time = this->Superclass::GetMTime();
-  return this->RenderDepth > 0 ? time : std::max(time, this->Drawing->GetAppearanceMTime());
+  return this->Impl->RenderDepth > 0 ? time
+                                     : std::max(time, this->Impl->Drawing->GetAppearanceMTime());
 }
 
 //------------------------------------------------------------------------------
 void vtkMeasuredBRDFMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  this->Drawing->GetSettings().Print(os, indent);
+  this->Impl->Settings.Print(os, indent);
   os << indent << "Plan: " << this->GetPlan() << "\n";
 }

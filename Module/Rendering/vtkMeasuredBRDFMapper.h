@@ -47,11 +47,11 @@
 #ifndef vtkMeasuredBRDFMapper_h
 #define vtkMeasuredBRDFMapper_h
 
-#include "vtkMeasuredBRDFMapperMixin.h" // superclass, but for wrappers
-#include "vtkMeasuredBRDFModule.h"      // for export macro
-#include "vtkOpenGLPolyDataMapper.h"    // superclass for wrappers
+#include "vtkMeasuredBRDFModule.h" // for export macro
+#include "vtkOpenGLPolyDataMapper.h"
 
-#include <memory> // for Map
+#include <map>    // for shaders
+#include <memory> // for Internals
 #include <string> // for descriptions
 
 class vtkBRDF;
@@ -61,11 +61,6 @@ class vtkMaterialMap;
 class vtkProperty;
 class vtkRadianceIntegrator;
 class vtkRadiancePlanner;
-
-// Wrappers see VTK's class as the superclass (as vtkFloatArray does with its template).
-#ifndef __VTK_WRAP__
-#define vtkOpenGLPolyDataMapper vtkMeasuredBRDFMapperMixin<vtkOpenGLPolyDataMapper>
-#endif
 
 class VTKMEASUREDBRDF_EXPORT vtkMeasuredBRDFMapper : public vtkOpenGLPolyDataMapper
 {
@@ -157,19 +152,19 @@ public:
 
   ///@{
   /**
-   * When planning is done. FOREGROUND (default): Render plans, so that every picture is
-   * of what is set. BACKGROUND: the first Render plans; where the material, the environment, the
-   * tolerance or the maximum cost change later, a thread plans and pictures stay as they were,
-   * environment and material alike, until a Render finds the new plan made. A change meanwhile
-   * stops that thread's work and begins anew. (Where the plan was made in the FOREGROUND, the
-   * first change after it is waited for.) BACKGROUND_FROM_START: so is the first; until it is
-   * made, a quick vtkHybridRadianceIntegrator of 33 x 8 x 8 stands in for it (65 x 8 x 8 for
-   * mirror-like materials) or, for anisotropic materials, 64 lights (vtkLightSetRadianceIntegrator
-   * as it is made). Lights then see vtkBRDF::NewQuickRenderable, whose error GetResamplingError
-   * leaves out.
+   * When plans are made.
+   * - FOREGROUND (default): Render plans, so every picture is of what is set. Where it has to plan
+   *   for several mappers of a renderer, it does so side by side, on all cores.
+   * - BACKGROUND: the first Render plans. Where the material, the environment, the tolerance or the
+   *   maximum cost change later, a thread plans, and pictures stay as they were until a Render
+   *   finds the new plan made. Another change stops that thread's work and begins anew. (Where the
+   *   plan was made in the FOREGROUND, the first change after it is waited for.)
+   * - BACKGROUND_FROM_START: a thread makes the first plan, too. Until then a quick
+   *   vtkHybridRadianceIntegrator stands in for it, of 33 x 8 x 8 (65 x 8 x 8 for mirror-like
+   *   materials); for anisotropic materials, 64 lights. Lights of the scene then see
+   *   vtkBRDF::NewQuickRenderable, whose error GetResamplingError leaves out.
    *
-   * A mapper does not bring about a Render for a plan, and programs that change a material and
-   * write one picture want the new one: hence the default. Interactive programs choose BACKGROUND
+   * A mapper does not render by itself when a plan is ready. Interactive programs choose BACKGROUND
    * and look for the plan in a timer of their event loop:
    *
    * @code
@@ -177,11 +172,9 @@ public:
    *   window->Render();
    * @endcode
    *
-   * A still picture in between is right with FOREGROUND, which waits for the plan in the making.
-   * Threads work on snapshots (vtkBRDF::NewSnapshot): a material that has none is planned for in
-   * the foreground. The destructor stops the thread and waits for that. Where a Render has to plan
-   * for several mappers of a renderer, it does so side by side, on as many threads as there are
-   * cores; in the background, one fewer.
+   * A still picture is right with FOREGROUND, which waits for the plan in the making. Threads work
+   * on snapshots (vtkBRDF::NewSnapshot): Render plans for a material that has none. The destructor
+   * stops the thread and waits for that.
    */
   void SetPlanningMode(int mode);
   int GetPlanningMode();
@@ -289,23 +282,23 @@ public:
 
   ///@{
   /**
-   * Whether the surface hides the environment from itself. OCCLUSION_AUTO (default): where it has
-   * the point arrays of vtkSurfaceVisibilityFilter; and where it has none, but a plan is made
-   * (SetIntegrator is null), where the predicted error of leaving occlusion out exceeds what the
-   * tolerance leaves (vtkOcclusionPredictor::IsWorthModeling): GetPlan then ends with "unoccluded
-   * light: 9 % on this surface (+- 2 %), modeled". The arrays are made before the frame for up to
-   * 20,000 points (2 s of a core), on a thread for up to two million where plans are made in the
-   * background, and else not, as GetPlan says. Nothing is predicted for more than two million. A
-   * rotation changes nothing about the answer. A surface that changes in each of four frames is
-   * drawn without until it rests; one that a material map divides, always. OCCLUSION_ON: whatever
-   * the error; the first Render and each one after a change of the surface then run that filter
-   * (seconds for half a million triangles). OCCLUSION_ARRAYS: where it has the point arrays, and
-   * only there: nothing is predicted or traced. OCCLUSION_OFF: never. Of composite data, blocks
-   * that have the arrays keep them; the others are treated as above, and GetPlan says how many have
-   * some.
+   * Whether the surface hides the environment from itself.
+   * - OCCLUSION_OFF: never.
+   * - OCCLUSION_ARRAYS: where it has the point arrays of vtkSurfaceVisibilityFilter.
+   * - OCCLUSION_ON: always. Where there are no arrays, the first Render and each one after a change
+   *   of the surface run that filter (seconds for half a million triangles).
+   * - OCCLUSION_AUTO (default): where it has the arrays. Where it has none, but a plan is made, the
+   *   error of leaving occlusion out is predicted. If that exceeds what the tolerance leaves
+   *   (vtkOcclusionPredictor::IsWorthModeling), the mapper makes the arrays: before the frame for
+   *   up to 20,000 points (2 s of a core), on a thread for up to two million where plans are made
+   *   in the background, else not. GetPlan then ends with "unoccluded light: 9 % on this surface
+   *   (+- 2 %), modeled". A surface that changes in each of four frames is drawn without until it
+   *   rests; one that a material map divides, always.
+   *
+   * Of composite data, blocks that have the arrays keep them; GetPlan says how many have some.
    * Arrays of another surface, or damaged ones, are reported once and not used. vtkLights are not
-   * hidden: vtkShadowMapPass does that. The environment's rotation changes at the cost that it has
-   * without; a new environment takes some 0.03 s more. Methods that tell a material's matte part
+   * hidden: vtkShadowMapPass does that. The environment's rotation costs as much as without
+   * occlusion; a new environment takes some 0.03 s more. Methods that tell a material's matte part
    * and its lobe apart (table, factored, hybrid; what plans choose) are the most accurate; others
    * take what is reflected as one lobe.
    */
@@ -375,20 +368,33 @@ protected:
   vtkMeasuredBRDFMapper();
   ~vtkMeasuredBRDFMapper() override;
 
-  std::vector<MaterialUse> GetMaterialUses() override;
+  ///@{
+  /// The steps of the superclass in which a material takes part.
+  void RenderPieceStart(vtkRenderer* ren, vtkActor* actor) override;
+  void RenderPieceDraw(vtkRenderer* ren, vtkActor* actor) override;
+  void RenderPieceFinish(vtkRenderer* ren, vtkActor* actor) override;
+  bool GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* actor) override;
+  void BuildBufferObjects(vtkRenderer* ren, vtkActor* actor) override;
+  bool GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
+  void UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
+  void ReplaceShaderValues(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor) override;
+  void ReplaceShaderLight(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor) override;
+  void SetMapperShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
+  void SetPropertyShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
+  ///@}
 
 private:
-  struct MapDrawing; // by a material map
-  bool RenderParts(vtkRenderer* ren, vtkActor* actor);
-
-  std::unique_ptr<MapDrawing> Map;
-
   vtkMeasuredBRDFMapper(const vtkMeasuredBRDFMapper&) = delete;
   void operator=(const vtkMeasuredBRDFMapper&) = delete;
-};
 
-#ifndef __VTK_WRAP__
-#undef vtkOpenGLPolyDataMapper
-#endif
+  bool RenderParts(vtkRenderer* ren, vtkActor* actor);
+
+  struct Internals;
+  std::unique_ptr<Internals> Impl;
+};
 
 #endif

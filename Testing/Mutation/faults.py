@@ -649,13 +649,13 @@ add("IO.photograph-upside-down", "vtkPhotographSetReader.cxx", "for (int y = fil
 
 # Planning
 
-add("Planning.climb-never-ends", "PlanSearch.cxx", "(!found || this->Task.All)", "true",
+add("Planning.climb-never-ends", "PlanSearch.cxx", "(!found || task.All)", "true",
     "PlanSearch.ClimbsToTheCheapestWithinTheTolerance")
 add("Planning.radiance-need-not-be-finite", "PlanSearch.cxx", "return std::isfinite(value);", "return true;",
     "PlanSearch.ClimbsToTheCheapestWithinTheTolerance")
-add("Planning.memory-has-no-bound", "PlanSearch.cxx", "candidate.Bytes <= this->Task.MaximumBytes;", "true;",
+add("Planning.memory-has-no-bound", "PlanSearch.cxx", "candidate.Bytes <= task.MaximumBytes;", "true;",
     "PlanSearch.PassesOverWhatDoesNotFit")
-add("Planning.interaction-is-as-dear", "PlanSearch.cxx", "this->FindBest(InteractiveCost)", "plan.Choice",
+add("Planning.interaction-is-as-dear", "PlanSearch.cxx", "FindBest(plan.Candidates, task.Tolerance, InteractiveCost)", "plan.Choice",
     "PlanSearch.ClimbsToTheCheapestWithinTheTolerance")
 add("Planning.pictures-have-the-mean", "PlanComparison.cxx", "GetLargestRatio(pictures, comparison.Pairs.Ratios) * (error", "(error",
     "PlanSearch.EstimatesSinglePictures")
@@ -689,9 +689,8 @@ add("Planning.memory-decides-nothing", "PlanSearch.cxx", "(a.Cost == b.Cost && a
     "Planner.EvaluateAllListsEveryMethod")
 add("Planning.pictures-without-their-density", "PlanComparison.cxx", "std::max(std::sin(turned), LeastSine);", "1.0;",
     "PlanPictures.AreWhatCamerasSee")
-add("Planning.store-lends-twice", "MaterialStore.cxx", "  Parts parts = std::move(known->second);\n  this->Entries.erase(known);",
-    "  Parts parts = known->second;", "MaterialStore.KeepsTheLastOnes")
-add("Planning.store-has-no-bound", "MaterialStore.cxx", "sum > this->MostBytes ?", "false ?", "MaterialStore.KeepsTheLastOnes")
+add("Core.cache-lends-twice", "SharedCache.h", "{ return other == key; }", "{ (void)other; return false; }",
+    "SharedCache.LendsToOneAndKeepsTheLastOnes")
 add("Planning.sample-without-weights", "PlanSample.cxx", "weights[k] / draws[k]", "weights[k]",
     "PlanSample.LooksWhereMethodsDiffer")
 add("Planning.sample-is-uniform", "PlanSample.cxx", "constexpr double ShareByDifference = 0.35;",
@@ -705,11 +704,11 @@ add("Planning.lights-without-error", "PlanReference.cxx", "error = own + fewer;"
 add("Planning.between-is-inside", "PlanPairs.cxx", "isFirst ? 0.0 : Reach * (2.0 * this->Draw() - 1.0);",
     "isFirst ? 0.0 : 0.5 * Reach * this->Draw();", "PlanPoints.HaveOthersBetween")
 add("Planning.memory-without-the-material", "PlanSearch.cxx",
-    "candidate.Bytes += static_cast<vtkIdType>(form.GetTextureBytes());", "",
+    "candidate.Bytes += static_cast<vtkIdType>(inputs.GetTextureBytes());", "",
     "Planner.TextureMemoryOfTheMaterial")
 add("Planning.own-methods-stop-the-search", "PlanSearch.cxx",
-    "if (this->Task.IsAborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))",
-    "if (this->Task.IsAborted() || !candidate.Method.empty())", "RadianceMethods.WhatFailsIsLeftOutWithAWarning")
+    "if (task.IsAborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))",
+    "if (task.IsAborted() || !candidate.Method.empty())", "RadianceMethods.WhatFailsIsLeftOutWithAWarning")
 add("Planning.normals-over-half-a-turn", "PlanPairs.cxx", "const double turn = RadicalInverse(index, 3);",
     "const double turn = 0.5 * RadicalInverse(index, 3);", "PlanSample.CrowdsAboutLamps")
 add("Planning.lamps-without-weights", "PlanPairs.cxx", "const double density = share * lamps.GetDensity(mirror);",
@@ -722,18 +721,18 @@ add("Planning.no-pairs-at-lamps", "PlanPairs.cxx", "constexpr double LampShare =
 add("Rendering.texture-of-bytes-is-linear", "TextureEnvironment.cxx",
     "(texture->GetUseSRGBColorSpace() || hasHarmonics)", "texture->GetUseSRGBColorSpace()", "TextureEncoding.IsAsVtkTakesIt")
 add("Rendering.stand-in-of-the-other-kind", "SharedIntegrators.cxx",
-    "IsMirrorLike(brdf) ?", "!IsMirrorLike(brdf) ?", "Background.MoreRowsForMirrorLikeMaterialsUnderPanels")
-add("Rendering.stand-in-is-the-material", "StandInBRDF.cxx",
+    "IsMirrorLike(brdf) ? 65", "!IsMirrorLike(brdf) ? 65", "Background.MoreRowsForMirrorLikeMaterialsUnderPanels")
+add("Rendering.stand-in-is-the-material", "SharedIntegrators.cxx",
     "vtkSmartPointer<vtkBRDF>::Take(this->Material->NewQuickRenderable());", "this->Material->GetRenderable();",
     "Background.ACoarseFormForShadersUntilThePlan")
-add("Rendering.stand-in-form-for-nobody", "StandInBRDF.cxx", "made->Material = material;",
+add("Rendering.stand-in-form-for-nobody", "SharedIntegrators.cxx", "made->Material = material;",
     "made->Material = material;\n  made->GetRenderable();", "StandIns.NoFormWhereNoLightNeedsIt")
-add("Rendering.plan-learns-of-no-light", "CurrentPlan.cxx", "this->Job->WantForm();", "",
+add("Rendering.plan-learns-of-no-light", "CurrentPlan.cxx", "this->Job->WantShaderInputs();", "",
     "StandIns.LightsThatComeWhileAPlanIsMade")
 add("Rendering.failed-plan-begun-again", "CurrentPlan.cxx", "this->Adopt(wanted, done ? job->GetPlan() : nullptr);",
     "this->Adopt(job->GetPlan() ? wanted : PlanInputs(), job->GetPlan());",
     "StandIns.PlansThatFail")
-add("Rendering.failed-stand-in-tried-again", "BRDFTextures.cxx", "if (time <= this->FailureTime)",
+add("Rendering.failed-stand-in-tried-again", "ShaderTextures.cxx", "if (time <= this->FailureTime)",
     "if (time < 0 * this->FailureTime)", "StandIns.ThoseThatFailAreTriedOnce")
 add("Rendering.plans-beside-stand-ins", "PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->IsStopped; }",
     "{ return this->Holds < 9; }", "SideBySide.HeldUntilSomebodyWaits")
@@ -763,8 +762,8 @@ add("Rendering.plan-without-tolerance", "PlanJob.cxx", "planner->SetErrorToleran
 add("Rendering.plan-bridges-changed-pixels", "CurrentPlan.cxx",
     "this->Plan->GetEnvironment()->GetPixelsMTime() == this->Times[1];", "this->Times[1] > 0;",
     "Background.ChangedPixelsAreNotBridgedByAPlanOfThem")
-add("Rendering.view-ignores-the-mesh", "MapperPlans.cxx", "from == view.From && times == view.Times",
-    "from == view.From", "Views.WhatIsSeenDependsOn")
+add("Rendering.view-ignores-the-mesh", "MapperPlans.cxx",
+    "    from.push_back(static_cast<double>(surface->GetMTime()));", "    (void)surface;", "Views.WhatIsSeenDependsOn")
 add("Rendering.view-ignores-the-actor", "MapperPlans.cxx", "matrix->GetData() + 16);",
     "matrix->GetData() + (matrix == request.Actor->GetMatrix() ? 0 : 16));", "Views.WhatIsSeenDependsOn")
 add("Rendering.views-of-gone-actors-stay", "MapperPlans.cxx", "(std::get<2>(key) && !this->Actor);", "false;",
@@ -791,19 +790,19 @@ add("Rendering.changed-materials-are-not-redrawn", "MaterialSettings.cxx", "add(
     "Mapper.RebuildsExactlyWhenItMust|Scene.RedrawTimeFollowsAppearance")
 add("Rendering.largest-tolerance", "MaterialSettings.h", "LargestTolerance = 1.0;",
     "LargestTolerance = 10.0;", "Auto.TolerancesAreClampedWithAWarning")
-add("Rendering.selection-plans", "DrawsColor.cxx", "if (renderer->GetSelector())", "if (!renderer)",
+add("Rendering.selection-plans", "RenderPassQueries.cxx", "if (renderer->GetSelector())", "if (!renderer)",
     "Views.SelectionNeedsNoPlans")
-add("Rendering.hidden-lines-plan", "DrawsColor.cxx", "return mask[0] || mask[1] || mask[2];", "return true;",
+add("Rendering.hidden-lines-plan", "RenderPassQueries.cxx", "return mask[0] || mask[1] || mask[2];", "return true;",
     "Views.HiddenLinesNeedNoPlans")
 add("Rendering.cube-faces-upside-down", "TextureEnvironment.cxx", "low < high; low += row",
     "high < low; low += row", "Mapper.CubeMapTexture")
-add("Rendering.textures-never-repeat", "BRDFTextures.cxx", "texture.Repeat[axis] ? vtkTextureObject::Repeat",
+add("Rendering.textures-never-repeat", "ShaderTextures.cxx", "texture.Repeat[axis] ? vtkTextureObject::Repeat",
     "texture.Repeat[axis] ? vtkTextureObject::ClampToEdge", "Parity.Tables|Parity.TableIntegrator")
-add("Rendering.padding-is-transparent", "BRDFTextures.cxx", "triples[k + 2], 1.0f });",
+add("Rendering.padding-is-transparent", "ShaderTextures.cxx", "triples[k + 2], 1.0f });",
     "triples[k + 2], 0.0f });", "Parity.Tables",
     equivalent="shaders read only red, green and blue of textures that have no fourth component")
-add("Rendering.hard-lights-get-soft-textures", "BRDFTextures.cxx",
-    "return FindShared(brdf, softLights, window);", "return FindShared(brdf, true, window);",
+add("Rendering.hard-lights-get-soft-textures", "ShaderTextures.cxx",
+    "FindShared(brdf, softLights, window);", "FindShared(brdf, true, window);",
     "Mapper.SoftLightsOfTablesCostHardOnesNothing")
 add("Rendering.block-indices-from-one", "BlockMaterials.cxx", "index = this->Next++;",
     "index = ++this->Next;", "Composite.MaterialsOfBlocks")
@@ -899,17 +898,17 @@ add("Shaders.basis-is-not-clamped", "vtkBRDFBasis.glsl", "return max(sum, vec3(0
     "Parity.NegativeSumsAreZeroForEachLight")
 add("Shaders.grazing-views-are-not-lifted", "vtkBRDFBegin.glsl", "brdfLiftView(brdfView * brdfFrame)",
     "brdfView * brdfFrame", "MapperShading.GrazingViews")
-add("Rendering.environment-does-not-turn", "EnvironmentRotation.cxx", "toView->GetElement(column, k) * axes[row][k]",
+add("Rendering.environment-does-not-turn", "MaterialShading.cxx", "toView->GetElement(column, k) * axes[row][k]",
     "(column == k ? axes[row][k] : 0.0)",
     "Mapper.RotatingEverythingChangesNothing")
 add("Shaders.directional-light-without-cosine", "vtkBRDFDirectionalLight.glsl", "* radiance * brdfLight.z;",
     "* radiance;", "Mapper.SceneLights")
-add("Rendering.created-light-shines", "DrawsColor.cxx",
+add("Rendering.created-light-shines", "RenderPassQueries.cxx",
     "light->GetSwitch() && IsCreated(light, renderer)", "IsCreated(light, renderer) && number < 0", "MapperShading.LightThatVTKCreated")
-add("Rendering.created-light-is-never-on", "DrawsColor.cxx",
+add("Rendering.created-light-is-never-on", "RenderPassQueries.cxx",
     "isLit ? lights->GetNextLight(it) : nullptr", "lights->GetNextLight(it)",
     "MapperShading.LightThatVTKCreated")
-add("Rendering.left-out-light-is-no-part-of-the-key", "vtkMeasuredBRDFMapperMixin.txx",
+add("Rendering.left-out-light-is-no-part-of-the-key", "MaterialShading.cxx",
     "std::to_string(this->FindSuperfluousLight(ren))", 'std::string("x")', "MapperShading.LightThatVTKCreated")
 add("Shaders.headlight-without-cosine", "vtkBRDFHeadlight.glsl", "* radiance * brdfLight.z;", "* radiance;",
     "MapperShading.HeadlightOnATiltedPlane")
@@ -1102,13 +1101,13 @@ add("Rendering.map-the-rest-is-drawn-twice", "MixtureShader.cxx", "if (brdfNeare
 add("Rendering.map-scalars-that-choose-color", "PartMappers.cxx", "if (colored || ",
     "if (!colored || ",
     "MaterialMapping.ScalarsThatChooseDoNotColor")
-add("Rendering.map-classes-keep-the-last-textures", "BRDFTextures.cxx",
+add("Rendering.map-classes-keep-the-last-textures", "ShaderTextures.cxx",
     "if (!last.Has(uploaded.Texture.get()))", "if (false)",
     "ManyClasses.OfSeveralShadersUnderALight")
 add("Rendering.map-classes-released-elsewhere", "ClassesMapper.cxx",
     "this->OwnWindow->PushContext();", "", "ManyClasses.LeaveOtherWindowsAlone")
-add("Rendering.map-classes-keep-the-last-numbers", "BRDFTextures.cxx",
-    "if (last && last->Form.Terms[term].Uniforms[k].Values == uniform.Values)", "if (last)",
+add("Rendering.map-classes-keep-the-last-numbers", "ShaderTextures.cxx",
+    "if (last && last->Inputs.Terms[term].Uniforms[k].Values == uniform.Values)", "if (last)",
     "ManyClasses.OfSeveralShadersUnderALight")
 add("Rendering.map-classes-share-cell-colors", "ClassesMapper.cxx",
     "if (program->IsUniformUsed(\"PrimitiveIDOffset\"))", "if (false)",
@@ -1266,15 +1265,15 @@ add("Core.threads-outlive-the-process", "BackgroundThreads.cxx", "    for (const
     "EndOfProcess.StopsPlans|EndOfProcess.StopsForecasts")
 add("Core.objects-outlive-the-process", "BackgroundThreads.cxx", "      (*release)();", "",
     "EndOfProcess.LeavesNoObjects")
-add("Rendering.attributes-without-end", "vtkMeasuredBRDFMapperMixinOcclusion.txx",
+add("Rendering.attributes-without-end", "MaterialShading.cxx",
     "own + needs.Attributes <= this->MostAttributes &&", "", "LimitsTest.DrawsWhatThereIsRoomFor")
-add("Rendering.clipping-takes-no-varyings", "vtkMeasuredBRDFMapperMixin.txx",
-    "this->GetNumberOfClippingPlanes() > 0 ? 6 : 0", "0", "LimitsTest.ClippingPlanesAndEdgesTakeVaryings")
-add("Rendering.failures-are-said-once", "MaterialDrawing.cxx",
+add("Rendering.clipping-takes-no-varyings", "MaterialShading.cxx",
+    "this->Mapper->GetNumberOfClippingPlanes() > 0 ? 6 : 0", "0", "LimitsTest.ClippingPlanesAndEdgesTakeVaryings")
+add("Rendering.failures-are-said-once", "RenderReports.h",
     "this->Failures.count(it->first) == 0;", "this->Failures.count(it->first) == 2;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
-add("Rendering.what-throws-is-not-drawn", "vtkMeasuredBRDFMapperMixin.txx", "tries = !this->IsPlain;",
+add("Rendering.what-throws-is-not-drawn", "MaterialShading.cxx", "tries = !this->IsPlain;",
     "tries = false;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
-add("Rendering.shared-created-light-shines", "DrawsColor.cxx", "other->GetLights() == renderer->GetLights() &&",
+add("Rendering.shared-created-light-shines", "RenderPassQueries.cxx", "other->GetLights() == renderer->GetLights() &&",
     "false &&", "MapperShading.LightThatVTKCreated")
 add("Rendering.plans-before-stay", "MapperPlans.cxx", "  if (view.Drawn)", "  if (view.Drawn && view.Looks.size() > 99)",
     "Views.ForViewIsBridged*")
@@ -1284,7 +1283,7 @@ add("Rendering.views-take-each-others-light", "OcclusionPoints.cxx", "state->Of.
     "OcclusionPointsTest.ViewsKeepTheirOwn")
 add("Rendering.kept-light-in-programs-of-depths", "OcclusionPoints.cxx", "if (drawn.Program->IsAttributeUsed(names[k].c_str()))",
     "if (true)", "OcclusionPointsTest.PeelingReportsNothing")
-add("Rendering.kept-light-of-several-materials", "vtkMeasuredBRDFMapperMixinOcclusion.txx", "this->Drawing->GetMaterials().size() <= 1 &&",
+add("Rendering.kept-light-of-several-materials", "MaterialShading.cxx", "this->Drawing->GetMaterials().size() <= 1 &&",
     "", "OcclusionPointsTest.BlocksAreTheSame")
 add("Rendering.kept-light-of-other-codes", "OcclusionPoints.cxx", "state->Of.Time == question.Time &&", "true &&",
     "OcclusionPointsTest.WhatChangesIsSeen")
@@ -1345,7 +1344,7 @@ add("Rendering.map-images-of-zeros-are-odd", "WeightImages.cxx", "if (anyLeft)",
     "if (components > map->GetNumberOfMaterials())", "MaterialMapping.WeightsOfNoMaterialAreSaidUnlessTheyAreZero")
 add("Rendering.map-waits-for-materials-that-left", "MapperPlans.cxx", "inUse.count(member) == 0", "false",
     "MaterialMapping.PlansOfMaterialsThatLeaveAreGivenUp")
-add("Rendering.map-time-is-not-taken", "vtkMeasuredBRDFMapper.cxx", "this->TimeToDraw = this->Map->Timer.GetSeconds();", "",
+add("Rendering.map-time-is-not-taken", "vtkMeasuredBRDFMapper.cxx", "this->TimeToDraw = this->Impl->Timer.GetSeconds();", "",
     "MaterialMapping.TimeOfAllPartsIsTaken")
 add("Rendering.map-nothing-is-highlighted", "PartMappers.cxx", "this->Highlight->SetSelection(selection);", "",
     "MaterialMapping.SelectedCellsAreHighlighted")

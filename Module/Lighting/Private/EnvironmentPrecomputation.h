@@ -10,11 +10,11 @@
 #ifndef EnvironmentPrecomputation_h
 #define EnvironmentPrecomputation_h
 
+#include "ConcurrentCache.h"
 #include "EnvironmentHarmonics.h"
 #include "EnvironmentPanels.h"
 #include "EnvironmentPyramid.h"
 #include "ExtractedEmitters.h"
-#include "MadeOnce.h"
 #include "SharedExponent.h"
 #include "TexelChanges.h"
 #include "vtkEnvironment.h"
@@ -100,17 +100,17 @@ private:
   using LightSet = vtkSmartPointer<vtkLightSet>;
   std::mutex Access;
   std::vector<std::weak_ptr<const TexelChanges>> Rests;
-  MadeOnce<std::pair<double, int>, Lamps> Bright;
-  MadeOnce<std::pair<double, int>, Lamps> LampsOf;
+  ConcurrentCache<std::pair<double, int>, Lamps> Bright;
+  ConcurrentCache<std::pair<double, int>, Lamps> LampsOf;
   // Keys hold the rest: its address is not used again while something is known of it.
-  MadeOnce<std::pair<Rest, int>, EnvironmentHarmonics> Harmonics; // rest, degree
-  MadeOnce<Rest, EnvironmentPanels> Panels;
-  MadeOnce<Rest, EnvironmentPyramid> Pyramids;
+  ConcurrentCache<std::pair<Rest, int>, EnvironmentHarmonics> Harmonics; // rest, degree
+  ConcurrentCache<Rest, EnvironmentPanels> Panels;
+  ConcurrentCache<Rest, EnvironmentPyramid> Pyramids;
   using LightSets = std::vector<LightSet>;
-  MadeOnce<std::pair<Rest, std::vector<int>>, LightSets> SetsOf; // rest, counts
+  ConcurrentCache<std::pair<Rest, std::vector<int>>, LightSets> SetsOf; // rest, counts
   // Generator, its modification time (never used twice: a recycled address does no harm), count.
-  MadeOnce<std::tuple<vtkLightSetGenerator*, vtkMTimeType, int>, LightSet> GeneratedSets;
-  MadeOnce<Rest, ScaledTexels> Irradiances;
+  ConcurrentCache<std::tuple<vtkLightSetGenerator*, vtkMTimeType, int>, LightSet> GeneratedSets;
+  ConcurrentCache<Rest, ScaledTexels> Irradiances;
 };
 } // namespace measuredbrdf
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PlanReference.h"
+#include "PlanSearch.h"
 
 #include "EnvironmentPrecomputation.h"
 #include "HalfVector.h" // for Pi

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PlanSample.h"
+#include "PlanSearch.h"
 
 #include "vtkNew.h"
 #include "vtkRadianceMethods.h"

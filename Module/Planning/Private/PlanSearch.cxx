@@ -139,114 +139,100 @@ bool Integrate(PlanTask& task, vtkRadianceIntegrator* integrator, const PlanPair
   return integrator->Integrate(pairs.Normals, pairs.Views, radiance);
 }
 
-PlanSearch::PlanSearch(PlanTask& task, const PlanComparison& comparison)
-  : Task(task)
-  , Comparison(comparison)
+namespace
 {
-}
-
-bool PlanSearch::Run(std::vector<PlanCandidate> ladder)
+// Prepare a rung and see how far it is from the reference. fits: it belongs to the plan.
+bool Try(PlanTask& task, const PlanComparison& comparison, PlanCandidate& candidate,
+  std::string& warnings, bool& fits)
 {
-  this->Ladder = std::move(ladder);
-  this->Tried.assign(this->Ladder.size(), false);
-  bool found = false;
-  for (std::size_t rung = 0; rung < this->Ladder.size() && (!found || this->Task.All); ++rung)
-  {
-    PlanCandidate& candidate = this->Ladder[rung];
-    candidate.MayBeChosen = candidate.MayBeChosen && !found; // the choice is the climb's
-    if (!this->Try(rung))
-    {
-      return false;
-    }
-    found = found ||
-            (candidate.MayBeChosen && this->Tried[rung] && candidate.Error <= this->Task.Tolerance);
-  }
-  if (this->Task.IsAborted())
-  {
-    return false;
-  }
-  this->Choose();
-  return true;
-}
-
-// Prepare a rung and see how far it is from the reference.
-bool PlanSearch::Try(std::size_t rung)
-{
-  PlanCandidate& candidate = this->Ladder[rung];
   vtkNew<vtkDoubleArray> radiance;
-  bool done = Prepare(this->Task, candidate) &&
-              Integrate(this->Task, candidate.Integrator, this->Comparison.Pairs, radiance);
+  bool done =
+    Prepare(task, candidate) && Integrate(task, candidate.Integrator, comparison.Pairs, radiance);
   if (done)
   {
     const double* values = radiance->GetPointer(0);
     done = std::all_of(values, values + radiance->GetNumberOfValues(),
       [](double value) { return std::isfinite(value); });
-    this->Task.Problem = done ? this->Task.Problem : "its radiance is not finite";
+    task.Problem = done ? task.Problem : "its radiance is not finite";
   }
   if (!done)
   {
-    if (this->Task.IsAborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))
+    if (task.IsAborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))
     {
       return false;
     }
-    this->Warnings += (this->Warnings.empty() ? "" : "\n") + candidate.Method + ", " +
-                      candidate.Description + ": " + this->Task.Problem;
-    this->Task.Problem.clear();
+    warnings += (warnings.empty() ? "" : "\n") + candidate.Method + ", " + candidate.Description +
+                ": " + task.Problem;
+    task.Problem.clear();
     return true;
   }
   if (candidate.Integrator->UsesBRDFOnGPU())
   {
-    vtkBRDFShaderInputs form;
-    form.SoftLights = candidate.Integrator->UsesSoftLights();
-    this->Task.BRDF->GetShaderInputs(form);
-    candidate.Bytes += static_cast<vtkIdType>(form.GetTextureBytes());
+    vtkBRDFShaderInputs inputs;
+    inputs.SoftLights = candidate.Integrator->UsesSoftLights();
+    task.BRDF->GetShaderInputs(inputs);
+    candidate.Bytes += static_cast<vtkIdType>(inputs.GetTextureBytes());
   }
-  static_cast<PlanError&>(candidate) = Compare(this->Comparison, radiance);
-  this->Tried[rung] = candidate.Bytes <= this->Task.MaximumBytes;
-  if (this->Progress)
-  {
-    const auto tried = std::count(this->Tried.begin(), this->Tried.end(), true);
-    this->Progress(static_cast<double>(tried) / static_cast<double>(this->Ladder.size()));
-  }
+  static_cast<PlanError&>(candidate) = Compare(comparison, radiance);
+  fits = candidate.Bytes <= task.MaximumBytes;
   return true;
 }
 
-int PlanSearch::FindBest(double mostCost) const
+// Of what was tried, the cheapest first, and costs at most so much: the cheapest within the
+// tolerance, or the most accurate where there is none; -1 where nothing may be chosen.
+int FindBest(const std::vector<PlanCandidate>& tried, double tolerance, double mostCost)
 {
-  const std::vector<PlanCandidate>& tried = this->Found.Candidates; // the cheapest first
   std::size_t best = tried.size();
   for (std::size_t k = 0; k < tried.size(); ++k)
   {
-    const bool isBetter = best == tried.size() || (tried[best].Error > this->Task.Tolerance &&
-                                                    tried[k].Error < tried[best].Error);
+    const bool isBetter =
+      best == tried.size() || (tried[best].Error > tolerance && tried[k].Error < tried[best].Error);
     best = tried[k].MayBeChosen && tried[k].Cost <= mostCost && isBetter ? k : best;
   }
   return best < tried.size() ? static_cast<int>(best) : -1;
 }
+}
 
-// The integrators of the others go.
-void PlanSearch::Choose()
+bool Climb(PlanTask& task, const PlanComparison& comparison, std::vector<PlanCandidate> ladder,
+  Plan& plan, const std::function<void(double)>& progress)
 {
-  Plan& plan = this->Found;
-  for (std::size_t rung = 0; rung < this->Ladder.size(); ++rung)
+  bool found = false;
+  for (std::size_t rung = 0; rung < ladder.size() && (!found || task.All); ++rung)
   {
-    if (this->Tried[rung])
+    PlanCandidate& candidate = ladder[rung];
+    candidate.MayBeChosen = candidate.MayBeChosen && !found; // the choice is the climb's
+    bool fits = false;
+    if (!Try(task, comparison, candidate, plan.Warnings, fits))
     {
-      plan.Candidates.push_back(this->Ladder[rung]);
+      return false;
+    }
+    if (fits)
+    {
+      plan.Candidates.push_back(candidate);
+      found = found || (candidate.MayBeChosen && candidate.Error <= task.Tolerance);
+    }
+    if (progress)
+    {
+      progress(static_cast<double>(rung + 1) / static_cast<double>(ladder.size()));
     }
   }
-  plan.Choice = this->FindBest(HUGE_VAL);
-  const int quick = this->FindBest(InteractiveCost);
+  if (task.IsAborted())
+  {
+    return false;
+  }
+  plan.Choice = FindBest(plan.Candidates, task.Tolerance, HUGE_VAL);
+  const int quick = FindBest(plan.Candidates, task.Tolerance, InteractiveCost);
   plan.Interactive = quick < 0 ? plan.Choice : quick;
   for (int index = 0; index < static_cast<int>(plan.Candidates.size()); ++index)
   {
     PlanCandidate& candidate = plan.Candidates[static_cast<std::size_t>(index)];
-    plan.Meets = plan.Meets || (index == plan.Choice && candidate.Error <= this->Task.Tolerance);
+    plan.Meets = plan.Meets || (index == plan.Choice && candidate.Error <= task.Tolerance);
     if (index != plan.Choice && index != plan.Interactive)
     {
-      candidate.Integrator = nullptr;
+      candidate.Integrator = nullptr; // which holds its tables
     }
   }
+  return true;
 }
 
 std::string ExplainChoice(const Plan& plan, double tolerance, const std::string& givenUp)

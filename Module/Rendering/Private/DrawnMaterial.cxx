@@ -48,48 +48,11 @@ vtkIdType CountTextureBytes(
   std::size_t bytes = 0;
   for (const DrawnMaterial* drawn : materials)
   {
-    for (const std::shared_ptr<FormTextures>& textures : { drawn->Material, drawn->Radiance })
+    for (const std::shared_ptr<ShaderTextures>& textures : { drawn->Material, drawn->Radiance })
     {
       bytes += textures ? textures->CountBytes(counted) : 0;
     }
   }
   return static_cast<vtkIdType>(bytes);
 }
-
-const vtkBRDFShaderInputs* FindMaterialForm(const DrawnMaterials& materials)
-{
-  for (const DrawnMaterial* drawn : materials)
-  {
-    if (drawn->Material)
-    {
-      return &drawn->Material->GetForm();
-    }
-  }
-  return nullptr;
-}
-
-vtkRadiancePlanner* FindPlanner(const DrawnMaterials& materials)
-{
-  for (const DrawnMaterial* drawn : materials)
-  {
-    if (drawn->Plan)
-    {
-      return drawn->Plan;
-    }
-  }
-  return nullptr;
-}
-
-vtkRadianceIntegrator* FindIntegrator(const DrawnMaterials& materials)
-{
-  for (const DrawnMaterial* drawn : materials)
-  {
-    if (drawn->Integrator)
-    {
-      return drawn->Integrator;
-    }
-  }
-  return nullptr;
-}
-
 } // namespace measuredbrdf

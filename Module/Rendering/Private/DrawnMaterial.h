@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A material in a frame, and what mappers report of the last frame. Private to the rendering room.
+ * A material in a frame, and what mappers report of the last frame. Private to the rendering component.
  */
 
 #ifndef DrawnMaterial_h
 #define DrawnMaterial_h
 
-#include "BRDFTextures.h"
+#include "ShaderTextures.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkRadianceIntegrator.h"
@@ -22,8 +22,6 @@
 
 namespace measuredbrdf
 {
-class CurrentPlan;
-
 /// What a material is drawn with in one renderer.
 struct DrawnMaterial
 {
@@ -31,11 +29,10 @@ struct DrawnMaterial
   vtkSmartPointer<vtkBRDF> BRDF;                     // the material or, of a plan, its snapshot
   vtkSmartPointer<vtkRadianceIntegrator> Integrator; // of the environment's light; null: none
   vtkSmartPointer<vtkEnvironment> Environment;       // the one whose rotation applies
-  std::shared_ptr<FormTextures> Material;   // null where the shader has no use for the BRDF itself
-  std::shared_ptr<FormTextures> Radiance;   // null without environment
+  std::shared_ptr<ShaderTextures> Material; // null where the shader has no use for the BRDF itself
+  std::shared_ptr<ShaderTextures> Radiance; // null without environment
   vtkSmartPointer<vtkRadiancePlanner> Plan; // null without one
   std::string Key;                          // same key, same shader text
-  CurrentPlan* Current = nullptr;           // while the plan is looked up
   bool IsReady = false;                     // else the superclass draws
 };
 
@@ -51,12 +48,25 @@ std::string DescribeMixture(double error);
 vtkIdType CountTextureBytes(
   const DrawnMaterials& materials, std::set<const vtkTextureObject*>& counted);
 
-///@{
-/// Of the first material that has one; null where none has.
-const vtkBRDFShaderInputs* FindMaterialForm(const DrawnMaterials& materials);
-vtkRadiancePlanner* FindPlanner(const DrawnMaterials& materials);
-vtkRadianceIntegrator* FindIntegrator(const DrawnMaterials& materials);
-///@}
+/// What get finds of the first material that has it; null where none has.
+template <typename Get>
+auto FindFirst(const DrawnMaterials& materials, const Get& get) -> decltype(get(*materials.front()))
+{
+  for (const DrawnMaterial* drawn : materials)
+  {
+    if (auto* found = get(*drawn))
+    {
+      return found;
+    }
+  }
+  return nullptr;
+}
+
+inline const vtkBRDFShaderInputs* FindMaterialInputs(const DrawnMaterials& materials)
+{
+  return FindFirst(materials, [](const DrawnMaterial& drawn)
+    { return drawn.Material ? &drawn.Material->GetInputs() : nullptr; });
+}
 } // namespace measuredbrdf
 
 #endif

@@ -2,20 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialDrawing.h"
 
-#include "Drawings.h"
-#include "DrawsColor.h"
 #include "OcclusionPoints.h"
+#include "RenderPassQueries.h"
 #include "RunGuarded.h"
 #include "SharedIntegrators.h"
-#include "StockLevels.h"
 #include "SurfaceBlocks.h"
 #include "TextureEnvironment.h"
 #include "VisibleSurface.h"
 #include "vtkActor.h"
-#include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
-#include "vtkMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
@@ -26,6 +22,7 @@
 #include <algorithm>
 #include <exception>
 #include <iterator>
+#include <mutex>
 
 namespace measuredbrdf
 {
@@ -37,6 +34,29 @@ constexpr double LeastInteractiveRate = 1.0;
 // A few materials are looked up as fast as compared with the last frame's.
 constexpr std::size_t ManyUses = 8;
 
+// Those of all mappers, so that one can plan for the others of a renderer. Any thread makes
+// mappers.
+struct ActiveDrawings
+{
+  std::mutex Mutex;
+  std::map<vtkObject*, MaterialDrawing*> ByMapper;
+
+  static ActiveDrawings& Get()
+  {
+    static ActiveDrawings& drawings = *new ActiveDrawings; // mappers may go after statics
+    return drawings;
+  }
+};
+
+// Null: the mapper draws no materials.
+MaterialDrawing* FindDrawing(vtkMapper* mapper)
+{
+  ActiveDrawings& active = ActiveDrawings::Get();
+  const std::lock_guard<std::mutex> lock(active.Mutex);
+  const auto found = active.ByMapper.find(mapper);
+  return found == active.ByMapper.end() ? nullptr : found->second;
+}
+
 bool IsInteracting(vtkRenderer* renderer)
 {
   auto* window = vtkRenderWindow::SafeDownCast(renderer->GetVTKWindow());
@@ -44,16 +64,25 @@ bool IsInteracting(vtkRenderer* renderer)
 }
 }
 
-MaterialDrawing::MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSettings> settings,
-  std::function<std::vector<MaterialUse>()> uses)
-  : Owner(owner)
-  , Settings(std::move(settings))
+MaterialDrawing::MaterialDrawing(vtkMapper* owner, std::function<std::vector<MaterialUse>()> uses)
+  : RenderReports(owner)
   , UsesToCome(std::move(uses))
 {
-  Drawings::Get().Add(owner, this);
+  ActiveDrawings& active = ActiveDrawings::Get();
+  const std::lock_guard<std::mutex> lock(active.Mutex);
+  active.ByMapper[owner] = this;
 }
 
-MaterialDrawing::~MaterialDrawing() { Drawings::Get().Remove(this->Owner, this); }
+MaterialDrawing::~MaterialDrawing()
+{
+  ActiveDrawings& active = ActiveDrawings::Get();
+  const std::lock_guard<std::mutex> lock(active.Mutex);
+  const auto found = active.ByMapper.find(this->Owner);
+  if (found->second == this) // unless a new mapper has the address of the old one
+  {
+    active.ByMapper.erase(found);
+  }
+}
 
 MaterialDrawing::SweepAtEnd::~SweepAtEnd()
 {
@@ -137,7 +166,7 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   request.Renderer = state.Renderer;
   request.Actor = state.Actor;
   request.Surfaces = use.second;
-  request.WithForm =
+  request.WithShaderInputs =
     this->Settings->UseSceneLights && HasLight(state.Renderer, state.Environment != nullptr);
   return request;
 }
@@ -153,7 +182,7 @@ void MaterialDrawing::VisitRequests(vtkRenderer* renderer, const PlanRequest::Vi
     auto* actor = vtkActor::SafeDownCast(prop);
     const bool seen = actor && actor->GetVisibility() && IsShaded(actor);
     vtkMapper* mapper = seen ? actor->GetMapper() : nullptr;
-    MaterialDrawing* drawing = mapper ? Drawings::Get().Find(mapper) : nullptr;
+    MaterialDrawing* drawing = mapper ? FindDrawing(mapper) : nullptr;
     if (!drawing || !drawing->IsPlanned())
     {
       continue;
@@ -181,10 +210,7 @@ bool MaterialDrawing::ResolvePlan(
   { VisitRequests(state.Renderer, visit); };
   request.Progress = [this](double progress)
   {
-    if (auto* algorithm = vtkAlgorithm::SafeDownCast(this->Owner))
-    {
-      algorithm->UpdateProgress(progress);
-    }
+    this->Owner->UpdateProgress(progress);
     return !this->AbortPlanning;
   };
   bool changed = false;
@@ -206,7 +232,6 @@ bool MaterialDrawing::ResolvePlan(
     drawn.BRDF = plan->GetBRDF();
     drawn.Environment = current.GetEnvironment();
     drawn.Plan = plan;
-    drawn.Current = &current;
   }
   if (changed)
   {
@@ -232,7 +257,7 @@ void MaterialDrawing::ResolveIntegrator(
   else if (state.Environment)
   {
     const bool pending = this->ResolvePlan(drawn, use, state);
-    if (!drawn.Integrator) // one that failed is not drawn by a coarse form for good
+    if (!drawn.Integrator) // one that failed is not drawn by a coarse table for good
     {
       drawn.Integrator = FindStandIn(drawn.BRDF, drawn.Environment, pending);
       drawn.BRDF = drawn.Integrator->GetBRDF();
@@ -240,33 +265,25 @@ void MaterialDrawing::ResolveIntegrator(
   }
 }
 
-std::string MaterialDrawing::UploadForms(DrawnMaterial& drawn, vtkRenderer* renderer)
+std::string MaterialDrawing::UploadInputs(DrawnMaterial& drawn, vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetVTKWindow());
   std::size_t samplers = 0;
+  std::string problem;
   if (drawn.Integrator)
   {
-    drawn.Radiance = FormTextures::Find(drawn.Integrator, window);
-    std::string problem = drawn.Radiance->Update(drawn.Integrator, window);
-    if (!problem.empty())
-    {
-      return problem;
-    }
+    drawn.Radiance = ShaderTextures::Find(drawn.Integrator, window, problem);
     samplers += drawn.Radiance->GetNumberOfSamplers();
   }
-  if ((drawn.Integrator && drawn.Integrator->UsesBRDFOnGPU()) ||
-      (this->Settings->UseSceneLights && HasLight(renderer, drawn.Integrator != nullptr)))
+  const bool lit =
+    this->Settings->UseSceneLights && HasLight(renderer, drawn.Integrator != nullptr);
+  if (problem.empty() && (lit || (drawn.Integrator && drawn.Integrator->UsesBRDFOnGPU())))
   {
     const bool soft = drawn.Integrator && drawn.Integrator->UsesSoftLights();
-    drawn.Material = FormTextures::Find(drawn.BRDF, soft, window);
-    std::string problem = drawn.Material->Update(drawn.BRDF, window);
-    if (!problem.empty())
-    {
-      return problem;
-    }
+    drawn.Material = ShaderTextures::Find(drawn.BRDF, soft, window, problem);
     samplers += drawn.Material->GetNumberOfSamplers();
   }
-  return CheckTextureUnits(samplers, window);
+  return problem.empty() ? CheckTextureUnits(samplers, window) : problem;
 }
 
 DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState& state)
@@ -283,12 +300,7 @@ DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState&
   try
   {
     this->ResolveIntegrator(drawn, use, state);
-    problem = this->UploadForms(drawn, state.Renderer);
-    if (drawn.Current)
-    {
-      drawn.Current->Uploads = { drawn.Material, drawn.Radiance };
-      drawn.Current = nullptr; // good until the plans are asked again
-    }
+    problem = this->UploadInputs(drawn, state.Renderer);
   }
   catch (const std::exception& e) // no memory, say
   {
@@ -300,8 +312,8 @@ DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState&
     this->AddFailure("The material is not drawn: " + problem + ".");
     return drawn; // with its textures, which know what failed: it is not tried in every frame
   }
-  drawn.Key = (drawn.Material ? drawn.Material->GetForm().GetShaderKey() : "") + "/" +
-              (drawn.Radiance ? drawn.Radiance->GetForm().GetShaderKey() : "") +
+  drawn.Key = (drawn.Material ? drawn.Material->GetInputs().GetShaderKey() : "") + "/" +
+              (drawn.Radiance ? drawn.Radiance->GetInputs().GetShaderKey() : "") +
               (drawn.BRDF->IsIsotropic() ? "" : "/anisotropic") +
               (this->Settings->UseSceneLights ? "" : "/environment only");
   return drawn;
@@ -381,8 +393,7 @@ void MaterialDrawing::BeginFrame(
 void MaterialDrawing::WarnOfLevels(const FrameState& state)
 {
   // Such actors draw through one that has no mapper; others may have shown it before.
-  const char* levels =
-    FindStockLevels(state.Renderer, state.Actor, vtkMapper::SafeDownCast(this->Owner));
+  const char* levels = FindStockLevels(state.Renderer, state.Actor, this->Owner);
   if (levels && this->WarnOnce("levels of detail"))
   {
     vtkWarningWithObjectMacro(this->Owner,
@@ -415,7 +426,7 @@ void MaterialDrawing::AddSamples(
   {
     return;
   }
-  vtkDataObject* input = vtkMapper::SafeDownCast(this->Owner)->GetInputDataObject(0, 0);
+  vtkDataObject* input = this->Owner->GetInputDataObject(0, 0);
   vtkMTimeType time = std::max(this->Settings->GetMTime(), this->StyleTime);
   for (vtkPolyData* surface : GetBlocks(input))
   {
@@ -445,7 +456,7 @@ void MaterialDrawing::Render(
   this->AbortPlanning = false;
   this->StyleTime = styleTime;
   this->Sums.Begin();
-  this->Failures.clear();
+  this->BeginReports();
   this->Try(
     [&]()
     {
@@ -455,19 +466,7 @@ void MaterialDrawing::Render(
         this->KeepPlansInUse();
       }
     });
-  const std::pair<vtkRenderer*, vtkActor*> view(renderer, actor);
-  for (const std::string& failure : this->Failures)
-  {
-    if (this->Said.insert_or_assign(failure, view).second)
-    {
-      vtkErrorWithObjectMacro(this->Owner, << failure);
-    }
-  }
-  for (auto it = this->Said.begin(); it != this->Said.end() && DrawsColor(renderer, actor);)
-  {
-    const bool isOver = it->second == view && this->Failures.count(it->first) == 0;
-    it = isOver ? this->Said.erase(it) : std::next(it);
-  }
+  this->EndReports(renderer, actor, DrawsColor(renderer, actor));
 }
 
 bool MaterialDrawing::Try(const std::function<void()>& step)
@@ -567,7 +566,6 @@ void MaterialDrawing::ReleaseGraphicsResources(vtkWindow* window, const void* pa
       }
     }
   }
-  this->Plans.ReleaseUploads(window);
   this->Sums.Release(window);
 }
 } // namespace measuredbrdf

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How a mapper draws measured materials, apart from VTK's three base classes of mappers
- * (vtkMeasuredBRDFMapperMixin): for each frame it finds the light, the plan and the textures of
- * each material, and then gives the shader's text and uniforms. Private to the rendering room.
+ * What a mapper that users know draws with: its properties and, for each frame, the light, the
+ * plan and the textures of each material. MaterialShading makes shader text and uniforms of them.
+ * Private to the rendering component.
  */
 
 #ifndef MaterialDrawing_h
@@ -17,6 +17,7 @@
 #include "OcclusionForecast.h"
 #include "OcclusionLight.h"
 #include "OcclusionShader.h"
+#include "RenderReports.h"
 #include "SampleSums.h"
 #include "SelectedMaterials.h"
 #include "ViewFrames.h"
@@ -43,59 +44,56 @@ class vtkWindow;
 
 namespace measuredbrdf
 {
-/// A material and the surfaces made of it, blocks of one data set. No material: the superclass
-/// draws them.
+/// A material and the surfaces made of it, which are blocks of one data set. No material: VTK's
+/// class draws them.
 using MaterialUse = std::pair<vtkBRDF*, std::vector<vtkPolyData*>>;
 
-class MaterialDrawing
+class MaterialDrawing : public RenderReports
 {
 public:
-  /// owner: the mapper that users know; warnings are its. uses: what it will draw next, as far as
-  /// it knows between its renders.
-  MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSettings> settings,
-    std::function<std::vector<MaterialUse>()> uses);
+  /// owner: the mapper that users know, which warns and reports errors. uses: what it will draw
+  /// next, as far as it knows between its renders.
+  MaterialDrawing(vtkMapper* owner, std::function<std::vector<MaterialUse>()> uses);
   ~MaterialDrawing();
   MaterialDrawing(const MaterialDrawing&) = delete;
   void operator=(const MaterialDrawing&) = delete;
 
   MaterialSettings& GetSettings() const { return *this->Settings; }
 
-  /// A mapper's Render, of which draw begins and ends a frame for each part. What fails is an error
-  /// of the mapper, the next one of the same text after a Render without it.
-  /// styleTime: when what says which blocks are seen last changed.
+  /// A mapper's Render: draw begins and ends a frame for each part. What fails is one error event
+  /// of the mapper. The same error is reported again after a Render without it. styleTime: when
+  /// what says which blocks are seen last changed.
   void Render(vtkRenderer* renderer, vtkActor* actor, const std::function<void()>& draw,
     vtkMTimeType styleTime = 0);
 
-  /// Whether a step of it was done. What it throws fails: nothing of VTK's catches it.
+  /// Do a step of a Render. Returns false where it threw, which becomes a failure of the Render:
+  /// VTK catches nothing.
   bool Try(const std::function<void()>& step);
 
-  /// What can't be drawn as it should be in this Render.
-  void AddFailure(const std::string& text) { this->Failures.insert(text); }
-
   /// Get ready to draw a part of a frame: bring plans and textures up to date. In passes that take
-  /// no color from the material (picking, shadow maps) the superclass draws, and nothing is
-  /// planned. part: who draws, of the mappers that share this object.
+  /// no color from the material (picking, shadow maps) VTK's class draws, and nothing is planned.
+  /// part: which of the mappers that share this object draws.
   void BeginFrame(
     vtkRenderer* renderer, vtkActor* actor, const void* part, const std::vector<MaterialUse>& uses);
   void EndFrame();
 
-  /// Before the frame is drawn, between BeginFrame and EndFrame.
+  /// Add samples up before the frame is drawn (SampleSums), between BeginFrame and EndFrame.
   void AddSamples(
     vtkRenderer* renderer, vtkActor* actor, const void* part, const std::function<void()>& draw);
   const SampleSums& GetSums() const { return this->Sums; }
 
-  /// Those that BeginFrame was given, to be drawn one after the other; none where the superclass
-  /// draws all.
+  /// The materials that BeginFrame was given, to be drawn one after the other. None where VTK's
+  /// class draws all.
   const std::vector<DrawnMaterial>& GetMaterials() const;
 
   ///@{
-  /// Draw with this one from now on, or with several, mixed as the text says; with none.
+  /// Draw with one material from now on; with several, mixed as the text says; with none.
   void Select(std::size_t material);
   void SelectMixture(const std::vector<std::size_t>& materials, MixtureText text);
   void Unselect() { this->Selected.Clear(); }
   ///@}
 
-  /// The selected ones; none where the superclass draws.
+  /// The materials that are drawn with now. None where VTK's class draws.
   const SelectedMaterials& GetSelected() const { return this->Selected; }
 
   ///@{
@@ -122,34 +120,33 @@ public:
   OcclusionLights GetSelectedOcclusion(bool any);
   ///@}
 
-  /// How many times the mapper's tolerance a material may have (default: 1 for all).
+  /// A material may have so many times the mapper's tolerance (default: 1 for all).
   void SetToleranceFactor(std::function<double(vtkBRDF*)> factor)
   {
     this->ToleranceFactor = std::move(factor);
   }
 
-  /// Whether plans of a material map's materials are for the view where others are (default: yes).
+  /// Whether PlanForView counts for the materials of a material map, too (default: yes).
   void SetPlansMapsForView(bool plans) { this->PlansMapsForView = plans; }
 
   ///@{
   /// About the last frame of all parts.
   std::vector<const DrawnMaterial*> GetLastFrame() const;
-  const MapperPlans& GetPlans() const { return this->Plans; }
-  /// Plans, or what is traced beside them: whether some are in the making; made and not drawn yet.
+  /// Whether a plan, what is traced beside it, or a sum of samples is in the making; whether the
+  /// next Render takes it up.
   bool IsPending() const;
   bool IsReady() const;
-  /// What leaving occlusion out costs, and whether it is: a line of a plan, or "".
+  /// What leaving occlusion out costs and whether it is left out, as a line of a plan; or "".
   std::string DescribeOcclusion() const;
   ///@}
 
-  /// What PlanForView sees of all surfaces to come: as many normals as views, for
+  /// What PlanForView sees of all surfaces to come: normals and as many views, ready for
   /// vtkRadiancePlanner::SetPairs.
   void GetVisiblePairs(
     vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views);
 
   ///@{
-  /// Stop the planning that a Render has begun, of all materials; each Render begins with it
-  /// cleared.
+  /// Stop the planning of all materials that a Render has begun. Each Render clears it first.
   void SetAbortPlanning(bool abort) { this->AbortPlanning = abort; }
   bool GetAbortPlanning() const { return this->AbortPlanning; }
   ///@}
@@ -163,13 +160,9 @@ public:
   /// A part that draws no more.
   void Forget(const void* part);
 
-  /// Give up plans in the making that nothing to come is drawn by, and those of materials that the
-  /// mapper has no more.
+  /// Drop plans in the making that nothing to come is drawn by, and all plans of materials that the
+  /// mapper does not have any more.
   void KeepPlansInUse();
-
-  /// One warning for each cause.
-  bool WarnOnce(const std::string& cause) { return this->Warned.insert(cause).second; }
-  vtkObject* GetOwner() const { return this->Owner; }
 
 private:
   /// What all materials of a frame have in common.
@@ -205,7 +198,7 @@ private:
   void ResolveIntegrator(DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state);
   /// Whether one is being made.
   bool ResolvePlan(DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state);
-  std::string UploadForms(DrawnMaterial& drawn, vtkRenderer* renderer);
+  std::string UploadInputs(DrawnMaterial& drawn, vtkRenderer* renderer);
   ///@}
 
   // First, so that it is the last to go: what the others held is released then.
@@ -218,8 +211,7 @@ private:
   };
   SweepAtEnd AtEnd;
 
-  vtkObject* Owner;
-  std::shared_ptr<MaterialSettings> Settings;
+  std::unique_ptr<MaterialSettings> Settings = std::make_unique<MaterialSettings>();
   std::function<std::vector<MaterialUse>()> UsesToCome;
   std::function<double(vtkBRDF*)> ToleranceFactor;
   bool PlansMapsForView = true;
@@ -232,10 +224,6 @@ private:
   SelectedMaterials Selected;
   SampleSums Sums;
   vtkMTimeType StyleTime = 0;
-  std::set<std::string> Warned;
-  std::set<std::string> Failures; // of this Render
-  /// Those that were said, and whose last Render had them.
-  std::map<std::string, std::pair<vtkRenderer*, vtkActor*>> Said;
   std::atomic<bool> AbortPlanning{ false };
   struct KnownLight
   {

@@ -3,7 +3,7 @@
 /**
  * @file
  * What a program sets on a mapper of measured materials; the plain and the composite mapper have
- * the same properties, described in vtkMeasuredBRDFMapper.h. Private to the rendering room.
+ * the same properties, described in vtkMeasuredBRDFMapper.h. Private to the rendering component.
  */
 
 #ifndef MaterialSettings_h

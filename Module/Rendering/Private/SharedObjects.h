@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Objects made once and shared by all mappers that hold them. Private to the rendering room.
+ * Objects made once and shared by all mappers that hold them. Private to the rendering component.
  */
 
 #ifndef SharedObjects_h
@@ -11,7 +11,9 @@
 #include "BackgroundThreads.h"
 #include "vtkSmartPointer.h"
 
+#include <iterator>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -97,6 +99,38 @@ public:
 private:
   std::mutex Mutex;
   std::map<Key, vtkSmartPointer<T>> Objects;
+};
+
+/// The same for objects that std::shared_ptr counts: by their keys, for as long as somebody holds
+/// them. Windows may be drawn by different threads.
+template <typename Key, typename T>
+class HeldObjects
+{
+public:
+  std::shared_ptr<T> Find(const Key& key)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    const auto known = this->Objects.find(key);
+    return known == this->Objects.end() ? nullptr : known->second.lock();
+  }
+
+  /// Those that nobody holds any more are forgotten. Null: nothing is added.
+  void Add(const Key& key, const std::shared_ptr<T>& object)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    for (auto it = this->Objects.begin(); it != this->Objects.end();)
+    {
+      it = it->second.expired() ? this->Objects.erase(it) : std::next(it);
+    }
+    if (object)
+    {
+      this->Objects[key] = object;
+    }
+  }
+
+private:
+  std::mutex Mutex;
+  std::map<Key, std::weak_ptr<T>> Objects;
 };
 } // namespace measuredbrdf
 

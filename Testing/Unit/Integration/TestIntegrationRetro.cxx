@@ -5,7 +5,7 @@
 #include "HalfVector.h"
 #include "LocalFrame.h"
 #include "MaterialPrecomputation.h"
-#include "PlanReference.h"
+#include "PlanSearch.h"
 #include "SpherePairs.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFAnalysis.h"

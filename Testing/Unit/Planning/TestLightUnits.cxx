@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Maps may be in any unit: a factor on the light is a factor on what every method shows, and
-// nothing else of a plan changes.
+// Maps may be in any unit: a factor on the light is a factor on what every method shows.
 
 #include "BrushedMetal.h"
 #include "ScaledLight.h"
 #include "SpherePairs.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkBlinnPhongBRDF.h"
-#include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
@@ -113,48 +111,6 @@ TEST(LightUnits, ScaleEveryMethodsRadiance)
     }
   }
   EXPECT_GE(tried, 3 * 10);
-}
-
-//------------------------------------------------------------------------------
-// A plan's choice, what it predicts, and what it says.
-TEST(LightUnits, ChangeNoPlan)
-{
-  const auto hall = NewSmallEnvironment(true);
-  const auto felt = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
-  const auto chrome = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("chrome"));
-  const std::vector<vtkSmartPointer<vtkBRDF>> materials = { felt, chrome, NewBrushedCoat() };
-  for (const auto& material : materials)
-  {
-    const auto plan = [&material](vtkEnvironment* environment)
-    {
-      auto planner = vtkSmartPointer<vtkRadiancePlanner>::New();
-      planner->SetBRDF(material);
-      planner->SetEnvironment(environment);
-      EXPECT_TRUE(planner->Update());
-      return planner;
-    };
-    const auto expected = plan(hall);
-    const int count = expected->GetNumberOfCandidates();
-    for (const double unit : LightUnits)
-    {
-      const auto found = plan(NewScaledLight(hall, unit));
-      ASSERT_EQ(found->GetNumberOfCandidates(), count) << found->GetPlan();
-      EXPECT_EQ(found->GetChoice(), expected->GetChoice()) << found->GetPlan();
-      EXPECT_EQ(found->GetMeetsTolerance(), expected->GetMeetsTolerance());
-      for (int k = 0; k < count; ++k)
-      {
-        EXPECT_EQ(found->GetMethodName(k), expected->GetMethodName(k));
-        EXPECT_EQ(found->GetDescription(k), expected->GetDescription(k));
-        EXPECT_EQ(found->GetTextureBytes(k), expected->GetTextureBytes(k));
-        EXPECT_EQ(found->GetPredictedCost(k), expected->GetPredictedCost(k));
-        const auto isNear = [unit, k](double a, double b)
-        { EXPECT_NEAR(a, b, 1e-6 * b) << "candidate " << k << ", times " << unit; };
-        isNear(found->GetPredictedError(k), expected->GetPredictedError(k));
-        isNear(found->GetErrorUncertainty(k), expected->GetErrorUncertainty(k));
-        isNear(found->GetPredictedPictureError(k), expected->GetPredictedPictureError(k));
-      }
-    }
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -34,27 +34,6 @@ vtkSmartPointer<vtkPolyData> MakeTorus()
   return source->GetOutput();
 }
 
-// A sphere hides nothing of itself.
-TEST(OcclusionPredictor, NothingOnASphere)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(40);
-  sphere->SetPhiResolution(40);
-  sphere->Update();
-  vtkNew<vtkTracedScene> scene;
-  scene->AddSurface(sphere->GetOutput());
-  vtkNew<vtkLambertBRDF> white;
-  vtkNew<vtkEnvironment> sky;
-  sky->SetToProceduralSky();
-  vtkNew<vtkOcclusionPredictor> predictor;
-  predictor->SetScene(scene);
-  predictor->SetBRDF(white);
-  predictor->SetEnvironment(sky);
-  ASSERT_TRUE(predictor->Update());
-  EXPECT_LT(predictor->GetError(), 1e-3);
-  EXPECT_LT(predictor->GetUncertainty(), 2e-3);
-}
-
 // From its own events, as from another thread: the last prediction stays.
 TEST(OcclusionPredictor, Aborts)
 {

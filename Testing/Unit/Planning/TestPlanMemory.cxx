@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What plans take and keep, and what those of one environment share.
 
+#include "ConcurrentCache.h"
 #include "HeapCounter.h"
-#include "MadeOnce.h"
 #include "vtkBRDF.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
@@ -24,7 +24,7 @@
 
 namespace
 {
-using measuredbrdf::MadeOnce;
+using measuredbrdf::ConcurrentCache;
 
 // A sun of 3 x 3 texels above a smooth sky.
 vtkSmartPointer<vtkEnvironment> NewSunny(int width, int height)
@@ -126,9 +126,9 @@ TEST(PlanMemory, GoesWithThePixels)
 }
 
 //------------------------------------------------------------------------------
-TEST(MadeOnce, ByWhoeverAsksFirst)
+TEST(ConcurrentCache, ByWhoeverAsksFirst)
 {
-  MadeOnce<int, int> values;
+  ConcurrentCache<int, int> values;
   std::atomic<int> made{ 0 };
   std::atomic<int> asked{ 0 };
   std::vector<std::shared_ptr<const int>> results(4);
@@ -169,9 +169,9 @@ TEST(MadeOnce, ByWhoeverAsksFirst)
 }
 
 //------------------------------------------------------------------------------
-TEST(MadeOnce, SomebodyElseWhereTheFirstStops)
+TEST(ConcurrentCache, SomebodyElseWhereTheFirstStops)
 {
-  MadeOnce<int, int> values;
+  ConcurrentCache<int, int> values;
   const auto always = []() { return true; };
   // One that waits need not wait for ever.
   std::atomic<bool> making{ false };

@@ -3,8 +3,8 @@
 // What a sample says of an error, the climb on the ladder, and what plans of one material share.
 
 #include "MaterialPrecomputation.h"
-#include "MaterialStore.h"
 #include "PlanSearch.h"
+#include "SharedCache.h"
 #include "vtkBRDF.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
@@ -23,9 +23,9 @@
 #include <string>
 #include <vector>
 
-using measuredbrdf::MaterialStore;
 using measuredbrdf::PlanCandidate;
 using measuredbrdf::PlanComparison;
+using measuredbrdf::SharedCache;
 
 namespace
 {
@@ -164,13 +164,13 @@ TEST(PlanSearch, ClimbsToTheCheapestWithinTheTolerance)
       ladder.back().Cost = 2.0 * k + 1.0;
       ladder.back().MayBeChosen = std::count(listed.begin(), listed.end(), k) == 0;
     }
-    measuredbrdf::PlanSearch search(task, comparison);
+    measuredbrdf::Plan plan;
     double last = 0.0;
-    search.Progress = [&last](double share) { last = std::max(last, share); };
-    EXPECT_TRUE(search.Run(ladder)) << task.Problem;
+    EXPECT_TRUE(Climb(
+      task, comparison, ladder, plan, [&last](double share) { last = std::max(last, share); }))
+      << task.Problem;
     EXPECT_GT(last, 0.0);
     tried.clear();
-    const measuredbrdf::Plan& plan = search.GetPlan();
     for (const PlanCandidate& candidate : plan.Candidates)
     {
       tried.push_back(candidate.Sizes[0]);
@@ -211,13 +211,13 @@ TEST(PlanSearch, PassesOverWhatDoesNotFit)
   std::vector<PlanCandidate> ladder = { MakeCandidate(0, 0.1, 0.1), MakeCandidate(1, 0.01, 0.01),
     MakeCandidate(2, 0.015, 0.015) };
   ladder[1].Bytes = 1001;
-  measuredbrdf::PlanSearch search(task, comparison);
-  ASSERT_TRUE(search.Run(ladder));
-  EXPECT_EQ(search.GetPlan().Candidates.size(), 2u);
-  EXPECT_EQ(search.GetPlan().Candidates.back().Sizes[0], 2);
+  measuredbrdf::Plan plan;
+  ASSERT_TRUE(Climb(task, comparison, ladder, plan));
+  EXPECT_EQ(plan.Candidates.size(), 2u);
+  EXPECT_EQ(plan.Candidates.back().Sizes[0], 2);
   task.IsAborted = []() { return true; };
-  measuredbrdf::PlanSearch stopped(task, comparison);
-  EXPECT_FALSE(stopped.Run(ladder));
+  measuredbrdf::Plan stopped;
+  EXPECT_FALSE(Climb(task, comparison, ladder, stopped));
 }
 
 //------------------------------------------------------------------------------
@@ -232,9 +232,9 @@ TEST(PlanSearch, EstimatesSinglePictures)
   }
   const auto run = [&]()
   {
-    measuredbrdf::PlanSearch search(task, comparison);
-    EXPECT_TRUE(search.Run({ MakeCandidate(1, 0.0039, 0.0273) }));
-    return search.GetPlan().Candidates.front();
+    measuredbrdf::Plan plan;
+    EXPECT_TRUE(Climb(task, comparison, { MakeCandidate(1, 0.0039, 0.0273) }, plan));
+    return plan.Candidates.front();
   };
   EXPECT_NEAR(run().Picture, run().Error, 1e-9); // all of it is one picture
   comparison.Pairs.Cameras = { 0.0, 0.0, 1.0, 1.0, 0.0, 0.0 };
@@ -245,41 +245,24 @@ TEST(PlanSearch, EstimatesSinglePictures)
 }
 
 //------------------------------------------------------------------------------
-TEST(MaterialStore, KeepsTheLastOnes)
+TEST(SharedCache, LendsToOneAndKeepsTheLastOnes)
 {
-  const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
-  brdf->Prepare();
-  const std::atomic<bool> never{ false };
-  const auto make = [&](MaterialStore& store, const std::string& key)
-  {
-    MaterialStore::Parts parts = store.Take(key);
-    parts->GetKernels(brdf, 8, 16, never);
-    parts->GetKernels(brdf, 24, 16, never); // which are not kept
-    store.PutBack(key, parts);
-    return parts;
-  };
-  MaterialStore one(1000000);
-  const std::size_t bytes = make(one, "a")->GetBytes();
-  EXPECT_GT(bytes, 8 * 16 * 16 * sizeof(double) * 3);
-  EXPECT_LT(bytes, 1.5 * 8 * 16 * 16 * sizeof(double) * 3);
-  MaterialStore two(bytes * 5 / 2);
-  const auto a = make(two, "a");
-  const auto b = make(two, "b");
-  const MaterialStore::Parts taken = two.Take("a");
-  EXPECT_EQ(taken, a);
-  EXPECT_NE(two.Take("a"), a); // nobody else's
-  two.PutBack("a", taken);
-  const auto c = make(two, "c");
-  EXPECT_NE(two.Take("b"), b); // it was put back longest ago
-  EXPECT_EQ(two.Take("c"), c);
-  const auto unknown = make(two, ""); // says not what it is
-  EXPECT_NE(two.Take(""), unknown);
-  EXPECT_EQ(two.Take("a"), a);
+  SharedCache<std::string, int> cache(2);
+  cache.Put("a", 1);
+  cache.Put("b", 2);
+  EXPECT_EQ(cache.Find("a"), 1);
+  EXPECT_EQ(cache.Take("b"), 2);
+  EXPECT_FALSE(cache.Take("b")); // nobody else's until it is put back
+  cache.Put("b", 3);
+  EXPECT_EQ(cache.Find("a"), 1);
+  cache.Put("c", 4);
+  EXPECT_FALSE(cache.Find("b")); // used longest ago
+  EXPECT_EQ(cache.Find("c"), 4);
 }
 
 //------------------------------------------------------------------------------
 // A known material under another map: the same plan as if it were new.
-TEST(MaterialStore, ChangesNoPlan)
+TEST(Planner, KnownMaterialsChangeNoPlan)
 {
   const auto known = NewEnvironment(0.1);
   const auto other = NewEnvironment(3.0);
@@ -293,11 +276,7 @@ TEST(MaterialStore, ChangesNoPlan)
     return text + " " + std::to_string(planner->GetPredictedError(planner->GetChoice()));
   };
   const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("violet-rubber"));
-  MaterialStore::Get().Take(brdf->GetContentKey()); // nothing known
   const std::string expected = plan(brdf, other);
   plan(brdf, known);
-  const MaterialStore::Parts parts = MaterialStore::Get().Take(brdf->GetContentKey());
-  EXPECT_GT(parts->GetBytes(), 100000u);
-  MaterialStore::Get().PutBack(brdf->GetContentKey(), parts);
   EXPECT_EQ(plan(brdf, other), expected);
 }

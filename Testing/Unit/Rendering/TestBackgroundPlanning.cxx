@@ -171,22 +171,6 @@ TEST_F(Background, BackAndForth)
   EXPECT_EQ(plan.GetPlan()->GetErrorTolerance(), 0.04);
 }
 
-TEST_F(Background, RotationsChangeNothing)
-{
-  CurrentPlan plan;
-  ASSERT_TRUE(this->Update(plan));
-  vtkRadiancePlanner* first = plan.GetPlan();
-  this->BRDF->Door->TakePasses();
-  for (const Timing timing : { Timing::Changes, Timing::Always, Timing::Foreground })
-  {
-    this->Sky->SetRotationY(this->Sky->GetMTime() % 90 + 1.0);
-    EXPECT_FALSE(this->Update(plan, timing));
-    EXPECT_FALSE(plan.IsPending());
-    EXPECT_EQ(plan.GetPlan(), first);
-  }
-  EXPECT_EQ(this->BRDF->Door->TakePasses(), 0);
-}
-
 TEST_F(Background, EverythingThatCountsBeginsAnother)
 {
   const auto expectAnother = [&](const char* what, const std::function<void()>& change)
@@ -267,19 +251,6 @@ TEST_F(Background, TheForegroundWaitsForIt)
   EXPECT_TRUE(this->Update(plan));
   EXPECT_EQ(GetExponent(plan.GetPlan()), 11.0);
   EXPECT_NE(plan.GetPlan()->GetBRDF(), this->BRDF.Get());
-}
-
-TEST_F(Background, FromTheStart)
-{
-  CurrentPlan plan;
-  this->BRDF->Door->Close();
-  EXPECT_FALSE(this->Update(plan, Timing::Always));
-  EXPECT_TRUE(plan.IsPending());
-  EXPECT_EQ(plan.GetPlan(), nullptr);
-  this->BRDF->Door->OpenUp();
-  ASSERT_TRUE(WaitUntil([&]() { return plan.IsReady(); }));
-  EXPECT_TRUE(this->Update(plan, Timing::Always));
-  EXPECT_TRUE(plan.GetPlan());
 }
 
 TEST_F(Background, SharedBetweenMappers)

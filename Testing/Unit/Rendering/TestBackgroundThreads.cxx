@@ -381,7 +381,7 @@ TEST(CurrentPlan, LeavesResamplingInTheMiddle)
     CurrentPlan plan;
     std::string problem;
     PlanInputs inputs(brdf, sky, 0.3);
-    inputs.WithForm = true;
+    inputs.WithShaderInputs = true;
     plan.Update(inputs, CurrentPlan::Timing::Always, problem);
     ASSERT_TRUE(WaitUntil([&]() { return brdf->Door->IsAwaited(); }));
   }

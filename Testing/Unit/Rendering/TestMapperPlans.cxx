@@ -12,7 +12,6 @@
 #include "vtkCamera.h"
 #include "vtkEnvironment.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkRenderWindow.h"
@@ -26,10 +25,8 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <memory>
-#include <new>
 #include <string>
 #include <thread>
 #include <utility>
@@ -222,7 +219,6 @@ TEST_F(Views, GoWithTheirRenderersAndActors)
   EXPECT_EQ(this->Plans.GetNumberOfViews(), 1);
   this->Plans.Clear(this->One);
   EXPECT_EQ(this->Plans.GetNumberOfViews(), 0);
-  EXPECT_EQ(this->Plans.GetPlan(), nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -465,18 +461,6 @@ TEST_F(Views, WaitingCanBeStopped)
   opener.join();
 }
 
-//------------------------------------------------------------------------------
-TEST_F(Views, PlansLeaveNothingBehind)
-{
-  this->When = Timing::Changes;
-  EXPECT_TRUE(this->Update());
-  EXPECT_EQ(GatedBRDF::GetNumberOfObjects(), 2); // one a snapshot
-  this->When = Timing::Foreground;
-  EXPECT_TRUE(this->Update(this->GetRequest(this->Two, this->Sky))); // the same
-  this->Plans.Clear();
-  EXPECT_EQ(GatedBRDF::GetNumberOfObjects(), 1);
-}
-
 namespace
 {
 /// Several mappers' wishes for one frame, as the mapper collects them.
@@ -528,51 +512,10 @@ protected:
       .GetPlan();
   }
 
-  static std::string Describe(vtkRadiancePlanner* plan)
-  {
-    const int choice = plan->GetChoice();
-    return plan->GetMethodName(choice) + ", " + plan->GetDescription(choice) + ", " +
-           std::to_string(plan->GetPredictedError(choice)) + plan->GetReason();
-  }
-
   std::vector<vtkSmartPointer<GatedBRDF>> Materials;
   std::vector<std::unique_ptr<MapperPlans>> Mappers;
   int Visits = 0;
 };
-}
-
-//------------------------------------------------------------------------------
-TEST_F(SideBySide, TheFirstFrameBeginsAll)
-{
-  // The second waits at its gate while the first frame asks for the first only.
-  this->Materials[1]->Door->Close();
-  ASSERT_TRUE(this->Update(0));
-  EXPECT_EQ(this->Problem, "");
-  ASSERT_TRUE(WaitUntil([this]() { return this->Materials[1]->Door->IsAwaited(); }));
-  for (int k = 1; k < Count; ++k)
-  {
-    EXPECT_FALSE(this->Mappers[static_cast<std::size_t>(k)]->IsPending()); // not drawn yet
-  }
-  this->Materials[1]->Door->OpenUp();
-  std::vector<std::string> plans;
-  for (int k = 0; k < Count; ++k)
-  {
-    vtkRadiancePlanner* plan = this->Update(k);
-    ASSERT_TRUE(plan);
-    plans.push_back(Describe(plan));
-  }
-  EXPECT_EQ(this->Visits, 1);
-
-  // One after the other they are the same.
-  for (int k = 0; k < Count; ++k)
-  {
-    vtkNew<vtkRadiancePlanner> alone;
-    alone->SetBRDF(this->Materials[static_cast<std::size_t>(k)]);
-    alone->SetEnvironment(this->Sky);
-    alone->SetErrorTolerance(0.3);
-    ASSERT_TRUE(alone->Update());
-    EXPECT_EQ(plans[static_cast<std::size_t>(k)], Describe(alone));
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -633,49 +576,8 @@ TEST_F(SideBySide, HeldUntilSomebodyWaits)
   EXPECT_TRUE(WaitUntil([this]() { return this->Mappers[1]->IsReady(); }));
 }
 
-namespace
-{
-/// Has no memory for what planning asks it first.
-class Hungry : public vtkBlinnPhongBRDF
-{
-public:
-  static Hungry* New();
-  vtkTypeMacro(Hungry, vtkBlinnPhongBRDF);
-  bool IsIsotropic() override
-  {
-    ++this->Asked;
-    throw std::bad_alloc();
-  }
-  std::atomic<int> Asked{ 0 };
-};
-vtkStandardNewMacro(Hungry);
-}
-
 //------------------------------------------------------------------------------
-TEST_F(Views, WithoutMemoryItSaysSoOnce)
-{
-  vtkNew<Hungry> hungry;
-  PlanRequest request = this->GetRequest(this->One, this->Sky);
-  request.BRDF = hungry;
-  EXPECT_TRUE(this->Update(request));
-  EXPECT_NE(this->Problem, "");
-  EXPECT_EQ(this->Drawn, nullptr);
-  const int asked = hungry->Asked;
-  EXPECT_GE(asked, 1);
-  for (int frame = 0; frame < 3; ++frame)
-  {
-    EXPECT_FALSE(this->Update(request));
-    EXPECT_EQ(this->Problem, "");
-  }
-  EXPECT_EQ(hungry->Asked, asked);
-  // Other inputs are tried again.
-  hungry->SetExponent(3.0);
-  EXPECT_TRUE(this->Update(request));
-  EXPECT_GT(hungry->Asked, asked);
-}
-
-//------------------------------------------------------------------------------
-// What the render room shares may be looked up by threads that draw different windows.
+// What the rendering component shares may be looked up by threads that draw different windows.
 TEST(TwoThreads, ShareWhatTheyFind)
 {
   measuredbrdf::SharedObjects<int, vtkObject> shared;
@@ -711,34 +613,4 @@ TEST(TwoThreads, ShareWhatTheyFind)
   shared.Sweep();
   EXPECT_EQ(weak, nullptr);
   EXPECT_EQ(shared.Find(1, make), held);
-}
-
-TEST(TwoThreads, PlanAtTheSameTime)
-{
-  std::vector<std::string> plans(2);
-  const auto plan = [&plans](std::size_t thread)
-  {
-    // Each its own window, material and light.
-    vtkNew<GatedBRDF> brdf;
-    brdf->SetExponent(4.0);
-    const vtkSmartPointer<vtkEnvironment> sky = NewSmallEnvironment(false);
-    ShrinkEnvironment(sky, 16, 8);
-    CurrentPlan current;
-    std::string problem;
-    for (int k = 0; k < 4; ++k)
-    {
-      brdf->SetExponent(4.0 + k % 2);
-      const PlanInputs inputs(brdf, sky, 0.3);
-      current.Update(inputs, k < 2 ? Timing::Foreground : Timing::Always, problem);
-      current.Update(inputs, Timing::Foreground, problem);
-    }
-    EXPECT_EQ(problem, "");
-    ASSERT_TRUE(current.GetPlan());
-    plans[thread] = current.GetPlan()->GetDescription(current.GetPlan()->GetChoice());
-  };
-  std::thread one([&plan]() { plan(0); });
-  std::thread two([&plan]() { plan(1); });
-  one.join();
-  two.join();
-  EXPECT_EQ(plans[0], plans[1]);
 }

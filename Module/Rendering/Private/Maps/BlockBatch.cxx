@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockBatch.h"
 
-#include "vtkMeasuredBRDFMapperMixin.txx"
-
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPoints.h"
@@ -18,8 +16,6 @@
 #include <map>
 #include <string>
 #include <utility>
-
-template class vtkMeasuredBRDFMapperMixin<measuredbrdf::BatchBase>;
 
 namespace measuredbrdf
 {
@@ -95,7 +91,7 @@ void BatchOcclusion::Append(vtkOpenGLVertexBufferObjectGroup* buffers, vtkIdType
   }
 }
 
-void BlockBatch::Initialize(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing,
+void BlockBatch::Initialize(std::shared_ptr<MaterialDrawing> drawing,
   const BlockMaterials* materials, BlockParts* parts, std::function<void()> update)
 {
   this->Drawing = std::move(drawing);
@@ -197,8 +193,7 @@ void BlockBatch::AppendOneBufferObject(vtkRenderer* ren, vtkActor* actor, BlockR
 {
   vtkPolyData* surface = GetSurface(record);
   const vtkIdType before = CountVertices(this->VBOs, surface);
-  this->vtkMeasuredBRDFMapperMixin<BatchBase>::AppendOneBufferObject(
-    ren, actor, record, offset, colors, normals);
+  this->ShadedMapper<BatchBase>::AppendOneBufferObject(ren, actor, record, offset, colors, normals);
   if (CountVertices(this->VBOs, surface) != before)
   {
     this->Occlusion.Append(

@@ -16,7 +16,7 @@
 #include "BlockStyle.h"
 #include "OcclusionArrays.h"
 #include "OcclusionShader.h"
-#include "vtkMeasuredBRDFMapperMixin.h"
+#include "ShadedMapper.h"
 #include "vtkVersionMacros.h"
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -68,15 +68,15 @@ private:
   std::vector<std::shared_ptr<OcclusionArrays>> Kept; // until the buffers are built
 };
 /// Those of one material are drawn while the others are invisible.
-class BlockBatch : public vtkMeasuredBRDFMapperMixin<BatchBase>
+class BlockBatch : public ShadedMapper<BatchBase>
 {
 public:
   static BlockBatch* New();
-  vtkTypeMacro(BlockBatch, vtkMeasuredBRDFMapperMixin<BatchBase>);
+  vtkTypeMacro(BlockBatch, ShadedMapper<BatchBase>);
 
   /// update: what brings the blocks' materials up to date.
-  void Initialize(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing,
-    const BlockMaterials* materials, BlockParts* parts, std::function<void()> update);
+  void Initialize(std::shared_ptr<MaterialDrawing> drawing, const BlockMaterials* materials,
+    BlockParts* parts, std::function<void()> update);
 
 protected:
   BlockBatch() = default;

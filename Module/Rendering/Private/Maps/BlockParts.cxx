@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockParts.h"
 
-#include "vtkMeasuredBRDFMapperMixin.txx"
-
-#include "DrawsColor.h"
+#include "RenderPassQueries.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>

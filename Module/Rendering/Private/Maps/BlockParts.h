@@ -29,7 +29,7 @@ namespace measuredbrdf
 class BlockParts
 {
 public:
-  explicit BlockParts(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing)
+  explicit BlockParts(std::shared_ptr<MaterialDrawing> drawing)
     : Drawing(std::move(drawing))
   {
   }
@@ -82,7 +82,7 @@ private:
     vtkOpenGLPolyDataMapper* Batch; // that would have drawn it
   };
 
-  std::shared_ptr<vtkMeasuredBRDFMapperInternals> Drawing;
+  std::shared_ptr<MaterialDrawing> Drawing;
   std::map<vtkPolyData*, Block> Blocks;
   std::vector<Announcement> Announced;
   unsigned long Revision = 0;

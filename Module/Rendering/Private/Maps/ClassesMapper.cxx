@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClassesMapper.h"
 
-#include "vtkMeasuredBRDFMapperMixin.txx"
-
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PartMapper.h"
 
-#include "vtkMeasuredBRDFMapperMixin.txx"
-
 #include "PolygonMaterials.h"
 #include "vtkDataObject.h"
 #include "vtkImageData.h"

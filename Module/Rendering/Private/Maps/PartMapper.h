@@ -12,9 +12,9 @@
 #include "MaterialParts.h"
 #include "MixtureShader.h"
 #include "RecentlyUsed.h"
+#include "ShadedMapper.h"
 #include "WeightImages.h"
 #include "vtkMaterialMap.h"
-#include "vtkMeasuredBRDFMapperMixin.h"
 
 #include <array>
 #include <map>
@@ -27,17 +27,14 @@ class vtkOpenGLRenderWindow;
 
 namespace measuredbrdf
 {
-class PartMapper : public vtkMeasuredBRDFMapperMixin<vtkOpenGLPolyDataMapper>
+class PartMapper : public ShadedMapper<vtkOpenGLPolyDataMapper>
 {
 public:
   static PartMapper* New();
-  vtkTypeMacro(PartMapper, vtkMeasuredBRDFMapperMixin<vtkOpenGLPolyDataMapper>);
+  vtkTypeMacro(PartMapper, ShadedMapper<vtkOpenGLPolyDataMapper>);
 
   /// drawing: of the mapper that users know.
-  void SetDrawing(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing)
-  {
-    this->Drawing = std::move(drawing);
-  }
+  void SetDrawing(std::shared_ptr<MaterialDrawing> drawing) { this->Drawing = std::move(drawing); }
 
   /// Draw this part from now on. parts: of all of them, which outlive this mapper's renders.
   void SetPart(const MaterialParts* parts, MaterialPart part, vtkMaterialMap* map);

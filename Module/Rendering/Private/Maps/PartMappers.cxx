@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PartMappers.h"
 
-#include "vtkMeasuredBRDFMapperMixin.txx"
-
 #include "ClassBorders.h"
 #include "PolygonMaterials.h"
 #include "ReflectionIntegral.h"
@@ -107,7 +105,7 @@ bool AreColorsOfMap(const ScalarStyle& colors, vtkPolyData* input, vtkMaterialMa
              colors.ArrayId, colors.ArrayName.c_str(), cellFlag));
 }
 
-PartMappers::PartMappers(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing)
+PartMappers::PartMappers(std::shared_ptr<MaterialDrawing> drawing)
   : Drawing(std::move(drawing))
 {
   // Programs set their uniforms when the mapper that they know says so.

@@ -36,7 +36,7 @@ bool AreColorsOfMap(const ScalarStyle& colors, vtkPolyData* input, vtkMaterialMa
 class PartMappers
 {
 public:
-  explicit PartMappers(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing);
+  explicit PartMappers(std::shared_ptr<MaterialDrawing> drawing);
   ~PartMappers();
   PartMappers(const PartMappers&) = delete;
   void operator=(const PartMappers&) = delete;
@@ -87,7 +87,7 @@ private:
   void ForEachMapper(const std::function<void(PartMapper*)>& visit) const;
   void RenderHighlight(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLPolyDataMapper* host);
 
-  std::shared_ptr<vtkMeasuredBRDFMapperInternals> Drawing;
+  std::shared_ptr<MaterialDrawing> Drawing;
   MaterialParts Parts;
   vtkNew<vtkCallbackCommand> ForwardEvents;
   vtkSmartPointer<ClassesMapper> Classes;           // of all single parts; null: each has its own

@@ -24,7 +24,7 @@ void SelectedMaterials::Set(const DrawnMaterials& materials, MixtureText text)
   this->Mixture = std::move(text);
   for (const DrawnMaterial* drawn : this->Materials)
   {
-    for (FormTextures* textures : { drawn->Material.get(), drawn->Radiance.get() })
+    for (ShaderTextures* textures : { drawn->Material.get(), drawn->Radiance.get() })
     {
       if (textures &&
           std::find(this->Textures.begin(), this->Textures.end(), textures) == this->Textures.end())
@@ -45,7 +45,7 @@ bool SelectedMaterials::FollowOn(const DrawnMaterials& materials, const MixtureT
     return false;
   }
   std::size_t place = 0;
-  for (FormTextures* textures : { materials[0]->Material.get(), materials[0]->Radiance.get() })
+  for (ShaderTextures* textures : { materials[0]->Material.get(), materials[0]->Radiance.get() })
   {
     if (textures && textures != this->Textures[place])
     {
@@ -60,7 +60,7 @@ bool SelectedMaterials::FollowOn(const DrawnMaterials& materials, const MixtureT
 
 void SelectedMaterials::Clear()
 {
-  for (FormTextures* textures : this->Textures)
+  for (ShaderTextures* textures : this->Textures)
   {
     textures->Deactivate();
   }

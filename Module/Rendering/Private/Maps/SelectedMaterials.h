@@ -52,7 +52,7 @@ private:
   bool FollowOn(const DrawnMaterials& materials, const MixtureText& text);
 
   DrawnMaterials Materials;
-  std::vector<FormTextures*> Textures; // of the materials, those that several share once
+  std::vector<ShaderTextures*> Textures; // of the materials, those that several share once
   MixtureText Mixture;
 };
 } // namespace measuredbrdf

@@ -115,9 +115,4 @@ private:
 void SweepCaptures();
 } // namespace measuredbrdf
 
-/// As the public header of mappers names it.
-class vtkMeasuredBRDFMapperPoints : public measuredbrdf::OcclusionPoints
-{
-};
-
 #endif

@@ -48,7 +48,6 @@ void CurrentPlan::Adopt(const PlanInputs& inputs, vtkSmartPointer<vtkRadiancePla
   }
   this->Plan = plan;
   this->Inputs = inputs;
-  this->Uploads.clear();
   SharedPlans::Get().Sweep();
 }
 
@@ -83,9 +82,9 @@ void CurrentPlan::Begin(const PlanInputs& wanted)
       this->Job = PlanJob::Find(wanted);
       this->JobKey = wanted.GetKey();
     }
-    else if (wanted.WithForm)
+    else if (wanted.WithShaderInputs)
     {
-      this->Job->WantForm(); // a light has come since
+      this->Job->WantShaderInputs(); // a light has come since
     }
   }
   catch (const std::exception&) // no memory for snapshots: Update will tell

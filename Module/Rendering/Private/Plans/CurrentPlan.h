@@ -3,7 +3,7 @@
 /**
  * @file
  * The plan that one view is drawn by, and the next one in the making. Private to the rendering
- * room.
+ * component.
  */
 
 #ifndef CurrentPlan_h
@@ -13,7 +13,6 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace measuredbrdf
 {
@@ -25,36 +24,39 @@ public:
   CurrentPlan(const CurrentPlan&) = delete;
   void operator=(const CurrentPlan&) = delete;
 
+  /// What Update does while a new plan is wanted and not there yet.
   enum class Timing
   {
-    Foreground, // what is wanted, however long it takes
-    Changes,    // meanwhile the last plan, where that can still be drawn
-    Always      // meanwhile the last plan, or none
+    Foreground, // plan, or wait for the plan in the making
+    Changes,    // keep the last plan, if that can still be drawn; else plan
+    Always      // keep the last plan, or have none
   };
 
   using Progress = PlanJob::Progress;
 
-  /// Plan for this, or begin to: a new plan takes the place of the last when it is done. Returns
-  /// whether it did. problem: why there is none, or what a plan made apart had to warn of, or "".
-  /// What could not be planned, for lack of memory say, is not tried again until it changes.
+  /// Bring the plan up to date, or begin to. Returns whether another plan took the place of the
+  /// last one. problem says why there is no plan, or what the plan had to warn of; else it is "".
+  /// What could not be planned, for lack of memory for instance, is not tried again until it
+  /// changes.
   bool Update(const PlanInputs& wanted, Timing timing, std::string& problem,
     const Progress& progress = nullptr);
 
-  /// Whether Update would plan in the calling thread, or wait.
+  /// Whether Update would take long: it would plan in the calling thread or wait for another one.
   bool WouldBlock(const PlanInputs& wanted, Timing timing) const;
 
-  /// Begin with the plan on another thread, if the material allows that, for an Update to come.
+  /// Begin the plan on another thread, for an Update to come. Does nothing for a material that has
+  /// no snapshots.
   void Begin(const PlanInputs& wanted);
 
   /// Whether the plan is the one for this, or is known not to be possible.
   bool IsFor(const PlanInputs& wanted) const;
 
-  /// Begin as another one is, without what that has in the making.
+  /// Take over the plan of another one, but not what that has in the making.
   void CopyFrom(const CurrentPlan& other);
 
   ///@{
-  /// The plan to draw by, of the objects or of snapshots of them, and the environment whose
-  /// rotation applies to it; null where there is none.
+  /// The plan to draw by, which is of the objects or of snapshots of them, and the environment
+  /// whose rotation applies to it. Null where there is none.
   vtkRadiancePlanner* GetPlan() const { return this->Plan; }
   vtkEnvironment* GetEnvironment() const { return this->Inputs.Environment; }
   ///@}
@@ -64,10 +66,6 @@ public:
 
   /// Whether Update would take up the one in the making.
   bool IsReady() const { return this->Job && this->Job->IsDone(); }
-
-  /// What was uploaded to draw by this plan: kept for as long as the view is drawn by it, for other
-  /// views may be drawn in between.
-  std::vector<std::shared_ptr<void>> Uploads;
 
 private:
   bool EnsureCurrent(

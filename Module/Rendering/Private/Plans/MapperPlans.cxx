@@ -43,10 +43,9 @@ struct MapperPlans::View
   };
   std::vector<Seen> Looks;
   std::size_t Current = 0;
-  bool Everywhere = false;         // for every view instead
-  std::vector<double> From;        // what the last look depended on
-  std::vector<vtkMTimeType> Times; // of the surfaces then
-  PlanInputs::Key Inputs;          // of the kept plans, but for what is seen
+  bool Everywhere = false;  // for every view instead
+  std::vector<double> From; // what the last look depended on
+  PlanInputs::Key Inputs;   // of the kept plans, but for what is seen
 
   bool IsGone(const Key& key) const
   {
@@ -67,17 +66,11 @@ void MapperPlans::EraseIf(const Condition& condition)
 {
   for (auto it = this->Views.begin(); it != this->Views.end();)
   {
-    const bool goes = condition(it->first, *it->second);
-    this->Last = goes && this->Last == it->second ? nullptr : this->Last;
-    it = goes ? this->Views.erase(it) : std::next(it);
+    it = condition(it->first, *it->second) ? this->Views.erase(it) : std::next(it);
   }
 }
 
-void MapperPlans::Clear()
-{
-  this->Views.clear();
-  this->Last.reset();
-}
+void MapperPlans::Clear() { this->Views.clear(); }
 
 void MapperPlans::Clear(vtkRenderer* renderer)
 {
@@ -92,22 +85,6 @@ void MapperPlans::Keep(const std::set<vtkBRDF*>& inUse, const std::set<vtkBRDF*>
       vtkBRDF* member = std::get<1>(key);
       return known.count(member) == 0 || (view.Plan.IsPending() && inUse.count(member) == 0);
     });
-}
-
-void MapperPlans::ReleaseUploads(vtkWindow* window)
-{
-  for (const auto& [key, view] : this->Views)
-  {
-    if (!view->Renderer || view->Renderer->GetVTKWindow() == window)
-    {
-      view->Plan.Uploads.clear();
-    }
-  }
-}
-
-vtkRadiancePlanner* MapperPlans::GetPlan() const
-{
-  return this->Last ? this->Last->Plan.GetPlan() : nullptr;
 }
 
 bool MapperPlans::IsPending() const
@@ -188,17 +165,15 @@ void MapperPlans::Look(View& view, const PlanRequest& request)
     from.insert(from.end(), matrix->GetData(), matrix->GetData() + 16);
   }
   from.insert(from.end(), { static_cast<double>(size[0]), static_cast<double>(size[1]) });
-  std::vector<vtkMTimeType> times;
   for (vtkPolyData* surface : request.Surfaces)
   {
-    times.push_back(surface->GetMTime());
+    from.push_back(static_cast<double>(surface->GetMTime()));
   }
-  if (from == view.From && times == view.Times)
+  if (from == view.From)
   {
     return;
   }
   view.From = from;
-  view.Times = times;
   if (view.Everywhere)
   {
     return;
@@ -235,7 +210,7 @@ PlanInputs MapperPlans::GetInputs(View& view, const PlanRequest& request)
 {
   PlanInputs inputs(request.BRDF, request.Environment, request.Tolerance);
   inputs.MaximumCost = request.MaximumCost;
-  inputs.WithForm = request.WithForm;
+  inputs.WithShaderInputs = request.WithShaderInputs;
   if (!request.ForView)
   {
     return inputs;
@@ -308,7 +283,6 @@ CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std:
   {
     view.Looks[view.Current].Plan = view.Plan.GetPlan();
   }
-  this->Last = kept;
   return view.Plan;
 }
 } // namespace measuredbrdf

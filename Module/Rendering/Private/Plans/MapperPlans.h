@@ -3,11 +3,11 @@
 /**
  * @file
  * The plans that a mapper draws by, one for each view of each of its materials. Private to the
- * rendering room.
+ * rendering component.
  *
- * A view is a renderer or, planned for the view, an actor in it. What one view is drawn by is never
- * shown in another, and an old plan stands in for a new one in its own view only. Equal plans are
- * shared (CurrentPlan).
+ * A view is a renderer or, where plans are for what the camera sees, an actor in a renderer. Each
+ * view is drawn by its own plan, and an old plan stands in for a new one in its own view only.
+ * Views that want the same plan share it (CurrentPlan).
  */
 
 #ifndef MapperPlans_h
@@ -30,7 +30,6 @@ class vtkEnvironment;
 class vtkPolyData;
 class vtkRadiancePlanner;
 class vtkRenderer;
-class vtkWindow;
 
 namespace measuredbrdf
 {
@@ -45,21 +44,21 @@ struct PlanRequest
   double MaximumCost = 1e6; // no bound
   CurrentPlan::Timing Timing = CurrentPlan::Timing::Foreground;
   bool ForView = false; // or for every view
-  /// Which of the mapper's materials; null: the one that is set for all, of which one's plan stands
-  /// in for the next one's.
+  /// Which of the mapper's materials. Null: the one that is set for all, whatever it is: the plan
+  /// of the last one stands in for the plan of the next one.
   vtkBRDF* Member = nullptr;
   vtkRenderer* Renderer = nullptr;
   vtkActor* Actor = nullptr;
   std::vector<vtkPolyData*> Surfaces; // what ForView looks at
-  bool WithForm = false;              // PlanInputs::WithForm
+  bool WithShaderInputs = false;      // PlanInputs::WithShaderInputs
 
-  /// Visits what other mappers of the renderer want to draw by in the same frame (this one may be
-  /// among them): where Update has to plan at once, it begins theirs side by side. May be empty.
+  /// Visits what other mappers of the renderer want to draw by in the same frame; this one may be
+  /// among them. Where Update has to plan at once, it begins theirs side by side. May be empty.
   using Visit = std::function<void(MapperPlans&, const PlanRequest&)>;
   std::function<void(const Visit&)> Others;
 
-  /// Called now and then while Update plans in the calling thread, with the share that is done;
-  /// false stops it. May be empty.
+  /// Update calls it now and then while it plans or waits, with the share that is done. It stops if
+  /// that returns false. May be empty.
   CurrentPlan::Progress Progress;
 };
 
@@ -71,27 +70,21 @@ public:
   MapperPlans(const MapperPlans&) = delete;
   void operator=(const MapperPlans&) = delete;
 
-  /// The view's plan, brought up to date, or with a newer one begun (CurrentPlan::Update). changed:
-  /// whether it is another one than in the last call for this view. What is returned stays until
-  /// the next call of a function that is not const.
+  /// The view's plan after CurrentPlan::Update. changed says whether it is another one than after
+  /// the last call for this view. The reference is valid until the next call of a function that is
+  /// not const.
   CurrentPlan& Update(const PlanRequest& request, bool& changed, std::string& problem);
 
   ///@{
-  /// No plans any more, of all views or of a renderer's; what is in the making stops, but is not
-  /// waited for.
+  /// Drop the plans of all views, or of a renderer's. What is in the making stops, but nobody waits
+  /// for that.
   void Clear();
   void Clear(vtkRenderer* renderer);
   ///@}
 
-  /// In all views: plans of other members than these, in the making or made, go (known), or only
-  /// what is in the making (inUse).
+  /// Drop the plans of materials that are not known any more, and the plans in the making of those
+  /// that are not in use.
   void Keep(const std::set<vtkBRDF*>& inUse, const std::set<vtkBRDF*>& known);
-
-  /// Let go of what was uploaded to a window.
-  void ReleaseUploads(vtkWindow* window);
-
-  /// The plan that the last Update returned; null where there is none any more.
-  vtkRadiancePlanner* GetPlan() const;
 
   ///@{
   /// Whether some view was drawn by another plan than was wanted, which is in the making; whether
@@ -118,8 +111,7 @@ private:
   void BeginSideBySide(View& view, const PlanInputs& wanted, const PlanRequest& request);
 
   AllViews Views;
-  std::shared_ptr<View> Last; // that Update returned
-  std::size_t Updates = 0;    // since the last look for views that are gone
+  std::size_t Updates = 0; // since the last look for views that are gone
 };
 } // namespace measuredbrdf
 

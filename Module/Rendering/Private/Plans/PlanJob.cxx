@@ -4,6 +4,7 @@
 
 #include "BackgroundThreads.h"
 #include "ParallelFor.h"
+#include "RunGuarded.h"
 #include "TakenError.h"
 #include "vtkBRDF.h"
 #include "vtkCommand.h"
@@ -265,7 +266,7 @@ std::shared_ptr<PlanJob> PlanJob::Find(const PlanInputs& inputs)
     if (std::shared_ptr<PlanJob> found =
           known == queue.ByInputs.end() ? nullptr : known->second.lock())
     {
-      found->WithForm = found->WithForm || inputs.WithForm;
+      found->WithShaderInputs = found->WithShaderInputs || inputs.WithShaderInputs;
       return found;
     }
   }
@@ -275,7 +276,7 @@ std::shared_ptr<PlanJob> PlanJob::Find(const PlanInputs& inputs)
     return nullptr;
   }
   const auto job = std::make_shared<PlanJob>(planner);
-  job->WithForm = inputs.WithForm;
+  job->WithShaderInputs = inputs.WithShaderInputs;
   const std::shared_ptr<PlanJob> handle(job.get(),
     [owned = job](PlanJob*) mutable { GetQueue().Leave(std::exchange(owned, nullptr)); });
   const Queue::Lock lock(queue.Mutex);
@@ -312,33 +313,29 @@ void PlanJob::Run(const Progress& progress)
 {
   this->Tell = progress;
   const vtkSmartPointer<vtkBRDF> brdf = this->Planner->GetBRDF();
-  unsigned long tags[2] = { 0, 0 };
-  try
-  {
-    // Nobody's output window has to cope with other threads.
-    const TakenError error(this->Planner);
-    tags[0] = brdf->AddObserver(vtkCommand::WarningEvent, this, &PlanJob::TakeWarning);
-    tags[1] = this->Planner->AddObserver(vtkCommand::ProgressEvent, this, &PlanJob::TakeProgress);
-    this->Succeeded = this->Planner->Update();
-    this->Problem = this->Succeeded ? this->Problem : error.GetText();
-    if (this->Succeeded && this->WithForm && !this->Planner->GetAbort())
+  const unsigned long tags[2] = { this->Planner->AddObserver(
+                                    vtkCommand::ProgressEvent, this, &PlanJob::TakeProgress),
+    brdf->AddObserver(vtkCommand::WarningEvent, this, &PlanJob::TakeWarning) };
+  const std::optional<std::string> thrown = FindThrown( // nobody catches it above a thread
+    [this, &brdf]()
     {
-      const StoppableLoops loops([this]() { return this->Planner->GetAbort(); });
-      brdf->GetRenderable(); // here, not where it is drawn
-    }
-  }
-  catch (const std::exception& e) // no memory, say: nobody catches it above a thread
+      // Nobody's output window has to cope with other threads.
+      const TakenError error(this->Planner);
+      this->Succeeded = this->Planner->Update();
+      this->Problem = this->Succeeded ? this->Problem : error.GetText();
+      if (this->Succeeded && this->WithShaderInputs && !this->Planner->GetAbort())
+      {
+        const StoppableLoops loops([this]() { return this->Planner->GetAbort(); });
+        brdf->GetRenderable(); // here, not where it is drawn
+      }
+    });
+  if (thrown)
   {
     this->Succeeded = false;
-    this->Problem = e.what();
+    this->Problem = *thrown;
   }
-  catch (...) // of a program's own material
-  {
-    this->Succeeded = false;
-    this->Problem = "an unknown exception";
-  }
-  brdf->RemoveObserver(tags[0]);
-  this->Planner->RemoveObserver(tags[1]);
+  this->Planner->RemoveObserver(tags[0]);
+  brdf->RemoveObserver(tags[1]);
 }
 
 void PlanJob::TakeProgress(vtkObject*, unsigned long, void* share)

@@ -3,7 +3,7 @@
 /**
  * @file
  * What is planned for, and a plan in the making, mostly on another thread. Private to the rendering
- * room.
+ * component.
  *
  * Jobs wait in one queue for the whole program. As many run at once as there are cores while a
  * Render waits for one of them; else one fewer, which is left to drawing.
@@ -66,9 +66,9 @@ struct PlanInputs
   vtkMTimeType SeenTime = 0;
   ///@}
 
-  /// Whether whoever plans apart sees to the material's form for shaders, too, because the scene's
+  /// Whether whoever plans apart sees to the material's shader inputs, too, because the scene's
   /// lights need it. It changes nothing about the plan.
-  bool WithForm = false;
+  bool WithShaderInputs = false;
 };
 
 /// A plan's planner, not updated yet, of the objects themselves or, apart, of snapshots of its own,
@@ -79,27 +79,28 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool ap
 class PlanJob
 {
 public:
-  /// The job for these inputs, already queued for another mapper or queued now; null where the
-  /// material has no snapshots, or there are no threads. It stops when nobody holds it any more;
-  /// whoever lets go of it does not wait for that.
+  /// The job for these inputs: one that is queued for another mapper, or a new one. Null where the
+  /// material has no snapshots, or there are no threads. The job stops when nobody holds it any
+  /// more; whoever lets go of it does not wait for that.
   static std::shared_ptr<PlanJob> Find(const PlanInputs& inputs);
 
-  /// Wait until all that were stopped are gone: integrators look at it between the parts of their
-  /// work.
+  /// Wait until all jobs that were stopped have ended. Integrators look for an abort between the
+  /// parts of their work.
   static void WaitForStopped();
 
   explicit PlanJob(vtkSmartPointer<vtkRadiancePlanner> planner);
 
-  /// Called now and then, with the share that is done; false stops the plan, or the wait for it.
+  /// Called now and then, with the share that is done. If it returns false, the plan stops, or the
+  /// wait for it.
   using Progress = std::function<bool(double)>;
 
-  /// Plan in the calling thread, what can't be planned on another one. progress may be empty.
+  /// Plan in the calling thread. progress may be empty.
   void Run(const Progress& progress);
 
   bool IsDone() const { return this->Done; }
 
-  /// Its turn is next. Returns false before the job is done where progress says so, which may be
-  /// empty.
+  /// Wait for the job, whose turn is next. Returns false where progress stopped the wait before the
+  /// job was done. progress may be empty.
   bool Wait(const Progress& progress);
 
   ///@{
@@ -109,11 +110,11 @@ public:
   const std::string& GetProblem() const { return this->Problem; }
   ///@}
 
-  /// Make the material's form for shaders, too, if the plan is not done yet.
-  void WantForm() { this->WithForm = true; }
+  /// Make the material's shader inputs, too, if the plan is not done yet.
+  void WantShaderInputs() { this->WithShaderInputs = true; }
 
-  /// While one lives, no job begins unless somebody waits for one: what a Render makes to stand in
-  /// for plans comes first, as it needs the cores.
+  /// While one of these lives, no job begins unless somebody waits for one. A Render holds one
+  /// while it makes what stands in for plans, which needs the cores.
   class Hold
   {
   public:
@@ -127,14 +128,14 @@ private:
   class Queue;
   static Queue& GetQueue();
 
-  void TakeWarning(vtkObject* caller, unsigned long event, void* text);
   void TakeProgress(vtkObject* caller, unsigned long event, void* share);
+  void TakeWarning(vtkObject* caller, unsigned long event, void* text);
 
   vtkSmartPointer<vtkRadiancePlanner> Planner;
   Progress Tell; // may be empty
   std::string Problem;
   bool Succeeded = false;
-  std::atomic<bool> WithForm{ false };
+  std::atomic<bool> WithShaderInputs{ false };
   std::atomic<bool> Done{ false };
   bool IsLeft = false; // nobody waits for it any more; the queue's lock guards it
   std::atomic<double> Share{ 0.0 };

@@ -2,35 +2,100 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SharedIntegrators.h"
 
-#include "BackgroundThreads.h"
 #include "SharedObjects.h"
-#include "StandInBRDF.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLightSetRadianceIntegrator.h"
+#include "vtkObjectFactory.h"
 
 #include <cmath>
 #include <exception>
-#include <memory>
 #include <tuple>
 
 namespace measuredbrdf
 {
 namespace
 {
-// The program's integrator as it was at that time: a changed one needs another copy.
-using Key = std::tuple<vtkRadianceIntegrator*, vtkMTimeType, vtkBRDF*, vtkEnvironment*>;
-using Copies = SharedObjects<Key, vtkRadianceIntegrator>;
-
-vtkSmartPointer<vtkRadianceIntegrator> NewCopyFor(
-  vtkRadianceIntegrator* wanted, vtkBRDF* brdf, vtkEnvironment* environment)
+// The material that stands in for one until there is a plan: of its values, but with a coarse table
+// for shaders (vtkBRDF::NewQuickRenderable) where the material's own takes seconds. That is made
+// when it is first asked for: only lights need it.
+class StandInBRDF : public vtkBRDF
 {
-  auto copy = vtkSmartPointer<vtkRadianceIntegrator>::Take(wanted->NewCopy());
-  copy->SetBRDF(brdf);
-  copy->SetEnvironment(environment);
-  return copy;
-}
+public:
+  static StandInBRDF* New();
+  vtkTypeMacro(StandInBRDF, vtkBRDF);
+
+  // The material must not change while this lives.
+  static vtkSmartPointer<vtkBRDF> Make(vtkBRDF* material)
+  {
+    auto made = vtkSmartPointer<StandInBRDF>::New();
+    made->Material = material;
+    made->Name = material->GetName();
+    made->Source = material->GetSource();
+    made->ResamplingTolerance = material->GetResamplingTolerance();
+    return made;
+  }
+
+  void GetDirectionalAlbedo(const double o[3], double albedo[3]) override
+  {
+    this->Material->GetDirectionalAlbedo(o, albedo);
+  }
+  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override
+  {
+    this->Material->GetBounds(minimumCosine, lower, upper);
+  }
+  bool IsIsotropic() override { return this->Material->IsIsotropic(); }
+  bool IsReciprocal() override { return this->Material->IsReciprocal(); }
+  void Prepare() override { this->Material->Prepare(); }
+  bool IsRenderable() override { return false; }
+  vtkBRDF* GetRenderable() override
+  {
+    this->Quick = this->Quick
+                    ? this->Quick
+                    : vtkSmartPointer<vtkBRDF>::Take(this->Material->NewQuickRenderable());
+    return this->Quick;
+  }
+  void GetShaderInputs(vtkBRDFShaderInputs& inputs) override
+  {
+    this->GetRenderable()->GetShaderInputs(inputs);
+  }
+
+protected:
+  StandInBRDF() = default;
+  ~StandInBRDF() override = default;
+
+  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override
+  {
+    EvaluateTerm(this->Material, i, o, f);
+  }
+  void EvaluateSoftAbove(const double i[3], const double o[3], double spread, double f[3]) override
+  {
+    EvaluateSoftTerm(this->Material, i, o, spread, f);
+  }
+  bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override
+  {
+    return this->Material->Sample(o, u1, u2, i);
+  }
+  double PdfAbove(const double i[3], const double o[3]) override
+  {
+    return this->Material->Pdf(i, o);
+  }
+
+private:
+  StandInBRDF(const StandInBRDF&) = delete;
+  void operator=(const StandInBRDF&) = delete;
+
+  vtkSmartPointer<vtkBRDF> Material;
+  vtkSmartPointer<vtkBRDF> Quick;
+};
+
+vtkStandardNewMacro(StandInBRDF);
+
+// The program's integrator as it was at that time: a changed one needs another copy. Of what stands
+// in: none, the material's time, and whether it is quick.
+using Key = std::tuple<vtkRadianceIntegrator*, vtkMTimeType, vtkBRDF*, vtkEnvironment*, bool>;
+using Copies = SharedObjects<Key, vtkRadianceIntegrator>;
 
 // Not one that cannot tell, for lack of memory say: asked once, not in each frame.
 bool IsIsotropic(vtkBRDF* brdf)
@@ -72,36 +137,18 @@ bool IsMirrorLike(vtkBRDF* brdf)
   }
 }
 
-// Mirror-like materials need more rows.
-vtkSmartPointer<vtkRadianceIntegrator> NewTable(int rows, bool quick)
+vtkSmartPointer<vtkRadianceIntegrator> NewStandIn(vtkBRDF* brdf, bool quick)
 {
+  if (!IsIsotropic(brdf))
+  {
+    return vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
+  }
   auto table = vtkSmartPointer<vtkHybridRadianceIntegrator>::New();
-  table->SetNumberOfRows(rows);
+  table->SetNumberOfRows(IsMirrorLike(brdf) ? 65 : 33);
   table->SetNumberOfViewAngles(8);
   table->SetNumberOfAzimuths(8);
   table->SetQuick(quick);
   return table;
-}
-
-// Of a material that is not isotropic, else by rows and whether it is quick.
-struct Models
-{
-  vtkSmartPointer<vtkRadianceIntegrator> Lights =
-    vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
-  vtkSmartPointer<vtkRadianceIntegrator> Tables[2] = { NewTable(33, false), NewTable(33, true) };
-  vtkSmartPointer<vtkRadianceIntegrator> Finer[2] = { NewTable(65, false), NewTable(65, true) };
-};
-
-// Others once the process ends.
-std::shared_ptr<const Models> GetModels()
-{
-  static std::shared_ptr<const Models>& models = []() -> std::shared_ptr<const Models>&
-  {
-    auto* made = new std::shared_ptr<const Models>(std::make_shared<Models>());
-    ReleaseAtExit([made]() { made->reset(); });
-    return *made;
-  }();
-  return models ? models : std::make_shared<Models>();
 }
 }
 
@@ -112,23 +159,26 @@ vtkSmartPointer<vtkRadianceIntegrator> FindIntegrator(
   {
     return wanted;
   }
-  return Copies::Get().Find({ wanted, wanted->GetMTime(), brdf, environment },
-    [&]() { return NewCopyFor(wanted, brdf, environment); });
+  return Copies::Get().Find({ wanted, wanted->GetMTime(), brdf, environment, false },
+    [&]()
+    {
+      auto copy = vtkSmartPointer<vtkRadianceIntegrator>::Take(wanted->NewCopy());
+      copy->SetBRDF(brdf);
+      copy->SetEnvironment(environment);
+      return copy;
+    });
 }
 
 vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(
   vtkBRDF* brdf, vtkEnvironment* environment, bool quick)
 {
-  const std::shared_ptr<const Models> models = GetModels();
-  vtkRadianceIntegrator* table = models->Tables[quick ? 1 : 0];
-  return Copies::Get().Find({ table, brdf->GetMTime(), brdf, environment },
+  return Copies::Get().Find({ nullptr, brdf->GetMTime(), brdf, environment, quick },
     [&]()
     {
-      const bool isotropic = IsIsotropic(brdf);
-      return NewCopyFor(!isotropic           ? models->Lights.Get()
-                        : IsMirrorLike(brdf) ? models->Finer[quick ? 1 : 0].Get()
-                                             : table,
-        quick ? StandInBRDF::Make(brdf) : vtkSmartPointer<vtkBRDF>(brdf), environment);
+      vtkSmartPointer<vtkRadianceIntegrator> made = NewStandIn(brdf, quick);
+      made->SetBRDF(quick ? StandInBRDF::Make(brdf) : vtkSmartPointer<vtkBRDF>(brdf));
+      made->SetEnvironment(environment);
+      return made;
     });
 }
 

@@ -3,7 +3,7 @@
 /**
  * @file
  * The integrators that mappers draw with where a program has set one. Private to the rendering
- * room.
+ * component.
  */
 
 #ifndef SharedIntegrators_h
@@ -24,7 +24,7 @@ vtkSmartPointer<vtkRadianceIntegrator> FindIntegrator(
 
 /// For as long as there is no plan, with suns and lamps as lights: a small table, of more rows for
 /// mirror-like materials; a small light set for anisotropic ones. quick: for a short
-/// time, of a StandInBRDF of the material. Not prepared yet.
+/// time, so that lights see a coarse table of the material. Not prepared yet.
 vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(
   vtkBRDF* brdf, vtkEnvironment* environment, bool quick);
 

@@ -9,7 +9,7 @@ namespace measuredbrdf
 {
 bool ViewFrame::Stays(const FrameStamp& stamp, vtkOpenGLRenderWindow* window) const
 {
-  const auto isThere = [window](const std::shared_ptr<FormTextures>& textures)
+  const auto isThere = [window](const std::shared_ptr<ShaderTextures>& textures)
   { return !textures || textures->IsIn(window); };
   return !stamp.Uses.empty() && this->Stamp == stamp &&
          std::all_of(this->Materials.begin(), this->Materials.end(),

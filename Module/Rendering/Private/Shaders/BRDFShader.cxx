@@ -30,18 +30,18 @@ std::string Numbered(const std::string& source, const std::string& placeholder, 
   return text;
 }
 
-// The form's terms, and a function of the given signature that adds them up.
-std::string Sum(const vtkBRDFShaderInputs& form, std::size_t first, const std::string& signature,
+// The terms of shader inputs, and a function of the given signature that adds them up.
+std::string Sum(const vtkBRDFShaderInputs& inputs, std::size_t first, const std::string& signature,
   const std::string& name, const std::string& arguments, SumStage stage = SumStage::None)
 {
   std::string text;
   // What hidden surfaces send back comes once for all terms.
   std::string sum =
     name == "brdfEnvironment" && stage != SumStage::Add ? "BRDF_BOUNCED" : "vec3(0.0)";
-  for (std::size_t k = 0; k < form.Terms.size(); ++k)
+  for (std::size_t k = 0; k < inputs.Terms.size(); ++k)
   {
-    std::string term = form.Terms[k].Source;
-    for (const vtkBRDFShaderInputs::Constant& constant : form.Terms[k].Constants)
+    std::string term = inputs.Terms[k].Source;
+    for (const vtkBRDFShaderInputs::Constant& constant : inputs.Terms[k].Constants)
     {
       vtkShaderProgram::Substitute(term, constant.Name, constant.Value);
     }
@@ -59,18 +59,18 @@ std::string Sum(const vtkBRDFShaderInputs& form, std::size_t first, const std::s
   return text + signature + "\n{\n  return " + sum + ";\n}\n";
 }
 
-// The same sum for light with a spread; terms without a form for that as they are.
-std::string SoftSum(const vtkBRDFShaderInputs& form, std::size_t first)
+// The same sum for light with a spread; terms that know no spread as they are.
+std::string SoftSum(const vtkBRDFShaderInputs& inputs, std::size_t first)
 {
   std::string text;
   std::string sum = "vec3(0.0)";
-  for (std::size_t k = 0; k < form.Terms.size(); ++k)
+  for (std::size_t k = 0; k < inputs.Terms.size(); ++k)
   {
     const std::string number = std::to_string(first + k);
-    std::string source = form.Terms[k].Source;
-    if (!form.Terms[k].SoftSource.empty())
+    std::string source = inputs.Terms[k].Source;
+    if (!inputs.Terms[k].SoftSource.empty())
     {
-      source = form.Terms[k].SoftSource;
+      source = inputs.Terms[k].SoftSource;
       text += Numbered(source, "INSTANCE", first + k);
     }
     sum += source.find("brdfTermSoftINSTANCE") != std::string::npos

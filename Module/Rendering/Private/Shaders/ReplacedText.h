@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Private to the rendering room.
+ * Private to the rendering component.
  */
 
 #ifndef ReplacedText_h

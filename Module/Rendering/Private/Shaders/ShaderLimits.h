@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How much goes into and through the stages of a shader. Private to the rendering room.
+ * How much goes into and through the stages of a shader. Private to the rendering component.
  */
 
 #ifndef ShaderLimits_h

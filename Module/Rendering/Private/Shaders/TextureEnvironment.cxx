@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TextureEnvironment.h"
 
-#include "RecentlyUsed.h"
+#include "SharedCache.h"
 #include "SharedObjects.h"
 #include "TakenError.h"
 
@@ -18,8 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
-#include <mutex>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -154,17 +153,13 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkRenderer* renderer, std::stri
     }
     times.push_back(images.back()->GetMTime());
   }
-  static std::mutex mutex;
-  static RecentlyUsed<EnvironmentKey, std::string> refused(MostRefused);
+  static auto& refused = SharedCache<EnvironmentKey, std::string>::MakeForProcess(MostRefused);
   const bool sRGB = TakesAsSRGB(renderer, texture, images.front());
   const EnvironmentKey key(images, times, sRGB);
+  if (const std::optional<std::string> known = refused.Find(key))
   {
-    const std::lock_guard<std::mutex> lock(mutex);
-    if (const std::string* known = refused.Find(key))
-    {
-      problem = *known;
-      return nullptr;
-    }
+    problem = *known;
+    return nullptr;
   }
   vtkIdType repaired = 0;
   auto environment = Environments::Get().Find(key,
@@ -184,8 +179,7 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkRenderer* renderer, std::stri
     });
   if (!environment)
   {
-    const std::lock_guard<std::mutex> lock(mutex);
-    refused[key] = problem;
+    refused.Put(key, problem);
     return nullptr;
   }
   problem = repaired == 0 ? std::string()

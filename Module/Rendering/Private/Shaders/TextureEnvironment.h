@@ -3,7 +3,7 @@
 /**
  * @file
  * Environments of textures, made once and shared by all mappers that hold them. Private to the
- * rendering room.
+ * rendering component.
  */
 
 #ifndef TextureEnvironment_h

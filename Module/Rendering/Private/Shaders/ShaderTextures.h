@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The shader inputs of BRDFs and integrators on one window's GPU. Private to the rendering room.
+ * The shader inputs of BRDFs and integrators on one window's GPU. Private to the rendering component.
  */
 
 #ifndef BRDFTextures_h
@@ -26,28 +26,22 @@ class vtkTextureObject;
 namespace measuredbrdf
 {
 /// Shader inputs, uploaded. Shared by all mappers that use the same source in a window.
-class FormTextures
+class ShaderTextures
 {
 public:
-  explicit FormTextures(bool softLights)
+  explicit ShaderTextures(bool softLights)
     : SoftLights(softLights)
   {
   }
 
   ///@{
-  /// The shared object for this source and window; empty when new: Update fills it. softLights:
-  /// with what they need of the material.
-  static std::shared_ptr<FormTextures> Find(
-    vtkBRDF* brdf, bool softLights, vtkOpenGLRenderWindow* window);
-  static std::shared_ptr<FormTextures> Find(
-    vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window);
-  ///@}
-
-  ///@{
-  /// Upload if the source changed or the window lost the textures. Returns what went wrong, or "";
-  /// what was uploaded before then stays.
-  std::string Update(vtkBRDF* brdf, vtkOpenGLRenderWindow* window);
-  std::string Update(vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window);
+  /// Those of a source in this window, uploaded if the source changed or the window lost them.
+  /// softLights: with what they need of the material. problem: what went wrong, or ""; what was
+  /// uploaded before then stays. Never null.
+  static std::shared_ptr<ShaderTextures> Find(
+    vtkBRDF* brdf, bool softLights, vtkOpenGLRenderWindow* window, std::string& problem);
+  static std::shared_ptr<ShaderTextures> Find(
+    vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window, std::string& problem);
   ///@}
 
   /// Whether all were uploaded to this window, which has not lost them.
@@ -56,22 +50,23 @@ public:
   void Activate();
   void Deactivate();
   /// Instead of last, of the same shader: what both share stays bound.
-  void ActivateAfter(const FormTextures& last);
+  void ActivateAfter(const ShaderTextures& last);
   /// firstInstance: the number that stands for INSTANCE in the first term's names. last: whose
   /// uniforms of the same names the program has, bound to the same units; null: nobody's.
-  void SetUniforms(
-    vtkShaderProgram* program, std::size_t firstInstance, const FormTextures* last = nullptr) const;
+  void SetUniforms(vtkShaderProgram* program, std::size_t firstInstance,
+    const ShaderTextures* last = nullptr) const;
 
-  const vtkBRDFShaderInputs& GetForm() const { return this->Form; }
+  const vtkBRDFShaderInputs& GetInputs() const { return this->Inputs; }
   /// Those that are not counted yet.
   std::size_t CountBytes(std::set<const vtkTextureObject*>& counted) const;
   std::size_t GetNumberOfSamplers() const { return this->Textures.size(); }
 
 private:
   bool Has(const vtkTextureObject* texture) const;
-  /// The source's form, uploaded; what it can't make is not asked for again until it changes.
+  /// Upload what a source makes at that time. What it can't make is not asked for again until it
+  /// changes.
   template <typename Make>
-  std::string UpdateAt(vtkMTimeType time, vtkOpenGLRenderWindow* window, const Make& makeForm);
+  std::string Update(vtkMTimeType time, vtkOpenGLRenderWindow* window, const Make& makeInputs);
 
   struct Uploaded
   {
@@ -82,11 +77,10 @@ private:
     int Unit = -1; // where it was bound last
   };
 
-  bool IsCurrent(vtkMTimeType time, vtkOpenGLRenderWindow* window) const;
-  std::string Upload(vtkBRDFShaderInputs form, vtkMTimeType time, vtkOpenGLRenderWindow* window);
+  std::string Upload(vtkBRDFShaderInputs inputs, vtkMTimeType time, vtkOpenGLRenderWindow* window);
 
-  bool SoftLights;          // what the form is asked for
-  vtkBRDFShaderInputs Form; // without the textures' data once they are uploaded
+  bool SoftLights;            // what the source is asked for
+  vtkBRDFShaderInputs Inputs; // without the textures' data once they are uploaded
   std::vector<Uploaded> Textures;
   vtkMTimeType Time = 0;
   vtkMTimeType FailureTime = 0; // of inputs that a source refused, or had no memory for

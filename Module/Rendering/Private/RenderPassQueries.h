@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which passes of a frame show colors. Private to the rendering room.
+ * What a renderer draws an actor for, and with which lights. Private to the rendering component.
  */
 
-#ifndef DrawsColor_h
-#define DrawsColor_h
+#ifndef RenderPassQueries_h
+#define RenderPassQueries_h
 
 class vtkActor;
-class vtkEnvironment;
+class vtkMapper;
 class vtkRenderer;
 
 namespace measuredbrdf
@@ -32,6 +32,12 @@ int FindSuperfluousLight(vtkRenderer* renderer, bool isLit);
 
 /// Whether any light of the scene is on that shines on a surface, which is lit besides or not.
 bool HasLight(vtkRenderer* renderer, bool isLit);
+
+/// vtkLODActor and vtkQuadricLODActor draw levels of detail that they make themselves with stock
+/// mappers, which know no material, through an actor of their own. The class of such an actor, if
+/// one draws with this mapper now and the property is not physically based already (fitted, that
+/// is); else null.
+const char* FindStockLevels(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper);
 } // namespace measuredbrdf
 
 #endif

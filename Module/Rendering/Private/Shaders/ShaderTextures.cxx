@@ -1,21 +1,26 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BRDFTextures.h"
+#include "ShaderTextures.h"
 
+#include "BRDFShader.h"
 #include "ContentHash.h"
-#include "ShaderTest.h"
+#include "Printable.h"
+#include "SharedCache.h"
+#include "SharedObjects.h"
 #include "TakenError.h"
 #include "vtkBRDF.h"
+#include "vtkBRDFCommon.h"
+#include "vtkBRDFEnvironmentPyramid.h"
+#include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRadianceIntegrator.h"
+#include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkTextureUnitManager.h"
 
 #include <algorithm>
 #include <exception>
-#include <map>
-#include <mutex>
 #include <tuple>
 
 namespace measuredbrdf
@@ -131,74 +136,121 @@ std::shared_ptr<vtkTextureObject> FindOrUpload(
   vtkBRDFShaderInputs::Texture& texture, vtkOpenGLRenderWindow* window, std::string& problem)
 {
   using Key = std::pair<std::string, vtkOpenGLRenderWindow*>;
-  static std::map<Key, std::weak_ptr<vtkTextureObject>> shared;
-  static std::mutex mutex; // windows may be drawn by different threads
+  static HeldObjects<Key, vtkTextureObject> held;
   const Key key(GetContent(texture), window);
+  std::shared_ptr<vtkTextureObject> found = held.Find(key);
+  if (!found || IsLost(found.get(), window))
   {
-    const std::lock_guard<std::mutex> lock(mutex);
-    const auto known = shared.find(key);
-    const auto found = known == shared.end() ? nullptr : known->second.lock();
-    if (found && !IsLost(found.get(), window))
-    {
-      return found;
-    }
-  }
-  std::shared_ptr<vtkTextureObject> uploaded = Upload(texture, window, problem);
-  const std::lock_guard<std::mutex> lock(mutex);
-  for (auto it = shared.begin(); it != shared.end();) // of closed windows, too
-  {
-    it = it->second.expired() ? shared.erase(it) : std::next(it);
-  }
-  if (uploaded)
-  {
-    shared[key] = uploaded;
-  }
-  return uploaded;
-}
-
-// What was uploaded for a source in a window, for as long as somebody holds it.
-template <typename Source>
-std::shared_ptr<FormTextures> FindShared(
-  Source* source, bool softLights, vtkOpenGLRenderWindow* window)
-{
-  using Key = std::tuple<Source*, bool, vtkOpenGLRenderWindow*>;
-  static std::map<Key, std::weak_ptr<FormTextures>> shared;
-  static std::mutex mutex; // windows may be drawn by different threads
-  const std::lock_guard<std::mutex> lock(mutex);
-  const Key key(source, softLights, window);
-  const auto known = shared.find(key);
-  std::shared_ptr<FormTextures> found = known == shared.end() ? nullptr : known->second.lock();
-  if (!found)
-  {
-    for (auto it = shared.begin(); it != shared.end();) // not for each of many actors
-    {
-      it = it->second.expired() ? shared.erase(it) : std::next(it);
-    }
-    found = std::make_shared<FormTextures>(softLights);
-    shared[key] = found;
+    found = Upload(texture, window, problem);
+    held.Add(key, found);
   }
   return found;
 }
-}
 
-std::shared_ptr<FormTextures> FormTextures::Find(
-  vtkBRDF* brdf, bool softLights, vtkOpenGLRenderWindow* window)
+// What was uploaded for a source in a window.
+template <typename Source>
+std::shared_ptr<ShaderTextures> FindShared(
+  Source* source, bool softLights, vtkOpenGLRenderWindow* window)
 {
-  return FindShared(brdf, softLights, window);
+  using Key = std::tuple<Source*, bool, vtkOpenGLRenderWindow*>;
+  static HeldObjects<Key, ShaderTextures> held;
+  const Key key(source, softLights, window);
+  std::shared_ptr<ShaderTextures> found = held.Find(key);
+  if (!found)
+  {
+    found = std::make_shared<ShaderTextures>(softLights);
+    held.Add(key, found);
+  }
+  return found;
 }
 
-std::shared_ptr<FormTextures> FormTextures::Find(
-  vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window)
+constexpr std::size_t LongestCompilerMessage = 2000;
+constexpr std::size_t MostPrograms = 64; // whose results are known
+
+// What a term's text defines.
+enum class TermKind
 {
-  return FindShared(integrator, false, window);
-}
+  Material,  // brdfTermINSTANCE
+  Integrator // brdfEnvironmentINSTANCE
+};
 
-bool FormTextures::IsCurrent(vtkMTimeType time, vtkOpenGLRenderWindow* window) const
+// The text between what the mapper's shaders put before and after it.
+std::string GetProgram(const vtkBRDFShaderInputs::Term& term, TermKind kind)
 {
-  return this->Time >= time && this->IsIn(window);
+  std::string text = term.Source + term.SoftSource;
+  for (const vtkBRDFShaderInputs::Constant& constant : term.Constants)
+  {
+    vtkShaderProgram::Substitute(text, constant.Name, constant.Value);
+  }
+  vtkShaderProgram::Substitute(text, "INSTANCE", "0");
+  std::string program = std::string("#version 150\n") + vtkBRDFCommon + vtkBRDFEnvironmentPyramid +
+                        GetSamplesText(SumStage::None);
+  if (kind == TermKind::Integrator)
+  {
+    program += "vec3 brdfEvaluate(vec3 i, vec3 o) { return vec3(0.0); }\n"
+               "vec3 brdfEvaluateSoft(vec3 i, vec3 o, float spread) { return vec3(0.0); }\n"
+               "uniform mat3 envMatrix;\nuniform mat3 brdfViewToEnvironment;\n";
+  }
+  const std::string call = kind == TermKind::Material
+                             ? "brdfTerm0(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0))"
+                             : "brdfEnvironment0(mat3(1.0), vec3(0.0, 0.0, 1.0))";
+  return program + text + "\nout vec4 brdfResult;\nvoid main()\n{\n  brdfResult = vec4(" + call +
+         ", 1.0);\n}\n";
 }
 
-bool FormTextures::IsIn(vtkOpenGLRenderWindow* window) const
+std::string Compile(const std::string& program)
+{
+  vtkNew<vtkShader> shader;
+  shader->SetType(vtkShader::Fragment);
+  shader->SetSource(program);
+  const bool works = shader->Compile();
+  const std::string error = shader->GetError();
+  shader->Cleanup();
+  return works ? "" : error.empty() ? "no reason is known" : error;
+}
+
+// Known texts are not compiled again.
+std::string CompileOnce(const std::string& program)
+{
+  static auto& results = SharedCache<std::string, std::string>::MakeForProcess(MostPrograms);
+  std::optional<std::string> result = results.Find(program);
+  if (!result)
+  {
+    result = Compile(program);
+    results.Put(program, *result);
+  }
+  return *result;
+}
+
+// What is wrong with the GLSL text of terms from outside the module, or "". It is tried on its own,
+// since VTK prints a shader that does not compile in full and goes on without one.
+std::string ValidateShaders(const vtkBRDFShaderInputs& inputs, TermKind kind)
+{
+  const std::string wanted =
+    kind == TermKind::Material ? "brdfTermINSTANCE" : "brdfEnvironmentINSTANCE";
+  for (const vtkBRDFShaderInputs::Term& term : inputs.Terms)
+  {
+    if (term.IsTested)
+    {
+      continue;
+    }
+    const std::string place = "GLSL text " + Quote(term.Shader) + ": ";
+    if (term.Source.find(wanted) == std::string::npos)
+    {
+      return place + "there is no function " + wanted + " in its " +
+             std::to_string(term.Source.size()) + " characters";
+    }
+    const std::string error = CompileOnce(GetProgram(term, kind));
+    if (!error.empty())
+    {
+      return place + "does not compile: " + ToPrintable(error, LongestCompilerMessage, true);
+    }
+  }
+  return "";
+}
+}
+
+bool ShaderTextures::IsIn(vtkOpenGLRenderWindow* window) const
 {
   return this->Window == window &&
          std::none_of(this->Textures.begin(), this->Textures.end(),
@@ -206,10 +258,10 @@ bool FormTextures::IsIn(vtkOpenGLRenderWindow* window) const
 }
 
 template <typename Make>
-std::string FormTextures::UpdateAt(
-  vtkMTimeType time, vtkOpenGLRenderWindow* window, const Make& makeForm)
+std::string ShaderTextures::Update(
+  vtkMTimeType time, vtkOpenGLRenderWindow* window, const Make& makeInputs)
 {
-  if (this->IsCurrent(time, window))
+  if (this->Time >= time && this->IsIn(window))
   {
     return "";
   }
@@ -219,56 +271,58 @@ std::string FormTextures::UpdateAt(
   }
   try
   {
-    vtkBRDFShaderInputs form;
-    form.SoftLights = this->SoftLights;
-    this->Failure = makeForm(form);
+    vtkBRDFShaderInputs inputs;
+    inputs.SoftLights = this->SoftLights;
+    this->Failure = makeInputs(inputs);
     if (this->Failure.empty())
     {
-      this->Failure = this->Upload(std::move(form), time, window);
-    }
-    if (this->Failure.empty())
-    {
-      return "";
+      this->Failure = this->Upload(std::move(inputs), time, window);
     }
   }
   catch (const std::exception& e) // no memory, say
   {
     this->Failure = e.what();
   }
-  this->FailureTime = time;
+  this->FailureTime = this->Failure.empty() ? this->FailureTime : time;
   return this->Failure;
 }
 
-std::string FormTextures::Update(vtkBRDF* brdf, vtkOpenGLRenderWindow* window)
+std::shared_ptr<ShaderTextures> ShaderTextures::Find(
+  vtkBRDF* brdf, bool softLights, vtkOpenGLRenderWindow* window, std::string& problem)
 {
-  return this->UpdateAt(brdf->GetMTime(), window,
-    [brdf](vtkBRDFShaderInputs& form)
+  const std::shared_ptr<ShaderTextures> found = FindShared(brdf, softLights, window);
+  problem = found->Update(brdf->GetMTime(), window,
+    [brdf](vtkBRDFShaderInputs& inputs)
     {
-      brdf->GetShaderInputs(form);
-      return TestShaders(form, TermKind::Material);
+      brdf->GetShaderInputs(inputs);
+      return ValidateShaders(inputs, TermKind::Material);
     });
+  return found;
 }
 
-std::string FormTextures::Update(vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window)
+std::shared_ptr<ShaderTextures> ShaderTextures::Find(
+  vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window, std::string& problem)
 {
-  return this->UpdateAt(integrator->GetInputsMTime(), window,
-    [integrator](vtkBRDFShaderInputs& form)
+  const std::shared_ptr<ShaderTextures> found = FindShared(integrator, false, window);
+  problem = found->Update(integrator->GetInputsMTime(), window,
+    [integrator](vtkBRDFShaderInputs& inputs)
     {
       const TakenError reason(integrator);
-      return integrator->GetShaderInputs(form)
-               ? TestShaders(form, TermKind::Integrator)
+      return integrator->GetShaderInputs(inputs)
+               ? ValidateShaders(inputs, TermKind::Integrator)
                : std::string(integrator->GetClassName()) + " has nothing to draw with" +
                    (reason.GetText().empty() ? "" : ": " + reason.GetText());
     });
+  return found;
 }
 
-std::string FormTextures::Upload(
-  vtkBRDFShaderInputs form, vtkMTimeType time, vtkOpenGLRenderWindow* window)
+std::string ShaderTextures::Upload(
+  vtkBRDFShaderInputs inputs, vtkMTimeType time, vtkOpenGLRenderWindow* window)
 {
   std::vector<Uploaded> textures;
-  for (std::size_t term = 0; term < form.Terms.size(); ++term)
+  for (std::size_t term = 0; term < inputs.Terms.size(); ++term)
   {
-    for (vtkBRDFShaderInputs::Texture& texture : form.Terms[term].Textures)
+    for (vtkBRDFShaderInputs::Texture& texture : inputs.Terms[term].Textures)
     {
       std::string problem;
       const std::size_t bytes = texture.GetBytes();
@@ -280,18 +334,18 @@ std::string FormTextures::Upload(
       textures.push_back({ texture.Name, term, uploaded, bytes });
     }
   }
-  for (vtkBRDFShaderInputs::Term& term : form.Terms)
+  for (vtkBRDFShaderInputs::Term& term : inputs.Terms)
   {
     term.Textures.clear();
   }
-  this->Form = std::move(form);
+  this->Inputs = std::move(inputs);
   this->Textures = std::move(textures);
   this->Time = time;
   this->Window = window;
   return "";
 }
 
-void FormTextures::Activate()
+void ShaderTextures::Activate()
 {
   for (Uploaded& uploaded : this->Textures)
   {
@@ -300,7 +354,7 @@ void FormTextures::Activate()
   }
 }
 
-void FormTextures::Deactivate()
+void ShaderTextures::Deactivate()
 {
   for (const Uploaded& uploaded : this->Textures)
   {
@@ -308,14 +362,14 @@ void FormTextures::Deactivate()
   }
 }
 
-bool FormTextures::Has(const vtkTextureObject* texture) const
+bool ShaderTextures::Has(const vtkTextureObject* texture) const
 {
   return std::any_of(this->Textures.begin(), this->Textures.end(),
     [texture](const Uploaded& uploaded) { return uploaded.Texture.get() == texture; });
 }
 
-// A texture may stand for several samplers of either form.
-void FormTextures::ActivateAfter(const FormTextures& last)
+// A texture may stand for several samplers of either.
+void ShaderTextures::ActivateAfter(const ShaderTextures& last)
 {
   for (const Uploaded& uploaded : last.Textures)
   {
@@ -334,7 +388,7 @@ void FormTextures::ActivateAfter(const FormTextures& last)
   }
 }
 
-std::size_t FormTextures::CountBytes(std::set<const vtkTextureObject*>& counted) const
+std::size_t ShaderTextures::CountBytes(std::set<const vtkTextureObject*>& counted) const
 {
   std::size_t bytes = 0;
   for (const Uploaded& uploaded : this->Textures)
@@ -344,8 +398,8 @@ std::size_t FormTextures::CountBytes(std::set<const vtkTextureObject*>& counted)
   return bytes;
 }
 
-void FormTextures::SetUniforms(
-  vtkShaderProgram* program, std::size_t firstInstance, const FormTextures* last) const
+void ShaderTextures::SetUniforms(
+  vtkShaderProgram* program, std::size_t firstInstance, const ShaderTextures* last) const
 {
   const auto numbered = [firstInstance](const std::string& name, std::size_t term)
   { return name + std::to_string(firstInstance + term); };
@@ -357,13 +411,13 @@ void FormTextures::SetUniforms(
       program->SetUniformi(numbered(uploaded.Sampler, uploaded.Term).c_str(), uploaded.Unit);
     }
   }
-  for (std::size_t term = 0; term < this->Form.Terms.size(); ++term)
+  for (std::size_t term = 0; term < this->Inputs.Terms.size(); ++term)
   {
-    const auto& uniforms = this->Form.Terms[term].Uniforms;
+    const auto& uniforms = this->Inputs.Terms[term].Uniforms;
     for (std::size_t k = 0; k < uniforms.size(); ++k)
     {
       const vtkBRDFShaderInputs::Uniform& uniform = uniforms[k];
-      if (last && last->Form.Terms[term].Uniforms[k].Values == uniform.Values)
+      if (last && last->Inputs.Terms[term].Uniforms[k].Values == uniform.Values)
       {
         continue;
       }

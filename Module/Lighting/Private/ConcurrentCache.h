@@ -6,8 +6,8 @@
  * Private to the module.
  */
 
-#ifndef MadeOnce_h
-#define MadeOnce_h
+#ifndef ConcurrentCache_h
+#define ConcurrentCache_h
 
 #include "RecentlyUsed.h"
 
@@ -21,7 +21,7 @@ namespace measuredbrdf
 /// Do not use this inside a parallel loop (vtkSMPTools): a thread that makes a value may execute
 /// another part of that loop while it waits for its own parallel loop.
 template <typename Key, typename Value>
-class MadeOnce
+class ConcurrentCache
 {
 public:
   using Pointer = std::shared_ptr<const Value>;

@@ -1,0 +1,809 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MaterialShading.h"
+
+#include "BRDFShader.h"
+#include "OcclusionAxes.h"
+#include "OcclusionKept.h"
+#include "OcclusionShader.h"
+#include "RenderPassQueries.h"
+#include "ShaderLimits.h"
+
+#include "vtkActor.h"
+#include "vtkArrayDispatch.h"
+#include "vtkBRDF.h"
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkDataArrayRange.h"
+#include "vtkEnvironment.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkShaderProgram.h"
+#include "vtkTexture.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace measuredbrdf
+{
+namespace
+{
+// What VTK's mapper hands to its subclasses only: pointers to members that are named through a
+// subclass reach them in any of its objects.
+class Inside : public vtkOpenGLPolyDataMapper
+{
+public:
+  static auto& GetPrimitives(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return mapper->*(&Inside::Primitives);
+  }
+  static vtkOpenGLHelper* GetLastBound(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return mapper->*(&Inside::LastBoundBO);
+  }
+  static auto& GetInfo(vtkOpenGLPolyDataMapper* mapper, const vtkOpenGLHelper* cellBO)
+  {
+    return (mapper->*(&Inside::PrimitiveInfo))[cellBO];
+  }
+  static bool DrawsOwnPrimitives(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return !(mapper->*(&Inside::DrawingSelection)) && !(mapper->*(&Inside::DrawingVertices));
+  }
+  static bool HasCellScalars(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return mapper->*(&Inside::HaveCellScalars);
+  }
+  static std::size_t CountExtraAttributes(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return (mapper->*(&Inside::ExtraAttributes)).size();
+  }
+  static bool DrawsEdges(vtkOpenGLPolyDataMapper* mapper, vtkRenderer* ren, vtkActor* actor)
+  {
+    return (mapper->*(&Inside::DrawingEdges))(ren, actor);
+  }
+  static auto FindTextures(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
+  {
+    return (mapper->*(&Inside::GetTextures))(actor);
+  }
+  static void RestartPrimitives(vtkOpenGLPolyDataMapper* mapper)
+  {
+    mapper->*(&Inside::PrimitiveIDOffset) = 0;
+  }
+};
+
+// VTK's mapper declares normals and positions for lit primitives only; an environment lights scenes
+// without a single vtkLight. Works on int (VTK < 9.4) and on the enum that followed.
+template <typename Complexity>
+class ForceLit
+{
+public:
+  explicit ForceLit(Complexity& complexity)
+    : Target(complexity)
+    , Saved(complexity)
+  {
+    if (static_cast<int>(complexity) == 0)
+    {
+      complexity = static_cast<Complexity>(1);
+    }
+  }
+  ~ForceLit() { this->Target = this->Saved; }
+  ForceLit(const ForceLit&) = delete;
+  void operator=(const ForceLit&) = delete;
+
+private:
+  Complexity& Target;
+  Complexity Saved;
+};
+
+// Of a vertex array: the tuples that have a value which is not finite or, as directions, no length.
+struct CountBad
+{
+  template <typename Array>
+  void operator()(Array* array, bool areDirections, vtkIdType& bad) const
+  {
+    for (const auto tuple : vtk::DataArrayTupleRange(array))
+    {
+      double sum = 0.0;
+      bool any = false;
+      for (const auto component : tuple)
+      {
+        const double value = component;
+        sum += value * 0.0; // NaN where a value is not finite
+        any = any || value != 0.0;
+      }
+      bad += sum == 0.0 && (any || !areDirections) ? 0 : 1;
+    }
+  }
+};
+
+vtkIdType CountBadTuples(vtkDataArray* array, bool areDirections = false)
+{
+  vtkIdType bad = 0;
+  using Dispatch = vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>;
+  if (array && !Dispatch::Execute(array, CountBad(), areDirections, bad))
+  {
+    CountBad()(array, areDirections, bad);
+  }
+  return bad;
+}
+
+// As VTK's shaders have it: cameras of headsets have a matrix for each eye.
+void FindWorldToView(vtkRenderer* renderer, vtkMatrix4x4* toView)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  auto* openGL = vtkOpenGLCamera::SafeDownCast(camera);
+  if (!openGL)
+  {
+    toView->DeepCopy(camera->GetModelViewTransformMatrix());
+    return;
+  }
+  vtkMatrix4x4 *worldToView, *viewToDisplay, *worldToDisplay;
+  vtkMatrix3x3* normals;
+  openGL->GetKeyMatrices(renderer, worldToView, normals, viewToDisplay, worldToDisplay);
+  vtkMatrix4x4::Transpose(worldToView, toView); // OpenGL's order
+}
+
+// From view coordinates to the environment's own axes, by rows: VTK's envMatrix, which leads to the
+// renderer's environment, and the environment's own rotation (null: none). One matrix, because a
+// fragment's directions are turned where software renderers pay for each multiplication.
+std::array<double, 9> GetViewToEnvironment(vtkRenderer* renderer, vtkEnvironment* environment)
+{
+  double own[3][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
+  if (environment)
+  {
+    environment->GetWorldToEnvironment(&own[0][0]);
+  }
+  // Rows of VTK's envMatrix: right, up and right x up, in view coordinates.
+  double axes[3][3];
+  renderer->GetEnvironmentRight(axes[0]);
+  renderer->GetEnvironmentUp(axes[1]);
+  vtkMath::Cross(axes[0], axes[1], axes[2]);
+  const vtkNew<vtkMatrix4x4> toView;
+  FindWorldToView(renderer, toView);
+  double turned[3][3] = {};
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        turned[row][column] += toView->GetElement(column, k) * axes[row][k];
+      }
+    }
+  }
+  double product[3][3];
+  vtkMath::Multiply3x3(own, turned, product);
+  std::array<double, 9> rows;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+  {
+    rows[k] = product[k / 3][k % 3];
+  }
+  return rows;
+}
+
+// slots: none where there is one material.
+std::vector<ShaderMember> GetShaderMembers(
+  const DrawnMaterials& materials, const std::vector<int>& slots, const OcclusionLights& lights)
+{
+  std::vector<ShaderMember> members;
+  for (std::size_t k = 0; k < materials.size(); ++k)
+  {
+    const DrawnMaterial& drawn = *materials[k];
+    members.push_back({ drawn.Material ? &drawn.Material->GetInputs() : nullptr,
+      drawn.Radiance ? &drawn.Radiance->GetInputs() : nullptr, k < slots.size() ? slots[k] : 0,
+      k < lights.size() ? lights[k] : nullptr });
+  }
+  return members;
+}
+
+bool AreAllEvaluated(const std::vector<ShaderMember>& members)
+{
+  return std::all_of(members.begin(), members.end(),
+    [](const ShaderMember& member) { return member.Material != nullptr; });
+}
+
+bool Contains(const std::string& text, const char* part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+// The tag stays, for what comes after.
+void AddAfterTag(vtkShader* shader, const std::string& tag, const std::string& lines)
+{
+  std::string source = shader->GetSource();
+  vtkShaderProgram::Substitute(source, tag, tag + "\n" + lines, false);
+  shader->SetSource(source);
+}
+}
+
+MaterialShading::MaterialShading(
+  vtkOpenGLPolyDataMapper* mapper, std::shared_ptr<MaterialDrawing> drawing)
+  : Drawing(std::move(drawing))
+  , Mapper(mapper)
+{
+}
+
+MaterialShading::~MaterialShading()
+{
+  if (this->Drawing)
+  {
+    this->Drawing->Forget(this->Mapper);
+  }
+}
+
+void MaterialShading::DrawPiece(const Step& render, const Step& finish)
+{
+  const Depth inside(this->RenderDepth);
+  this->IsPlain = false;
+  for (bool tries = true; tries;)
+  {
+    this->HasStarted = false;
+    if (this->Drawing->Try(render))
+    {
+      return;
+    }
+    this->BuiltOcclusionMode = -1; // buffers may be half built
+    this->ShaderKeys.clear();      // and shaders
+    if (this->HasStarted)
+    {
+      this->ShowOnly(-1);
+      finish();
+    }
+    tries = !this->IsPlain;
+    this->IsPlain = true;
+  }
+}
+
+void MaterialShading::StartPiece(
+  vtkRenderer* ren, vtkActor* actor, const Step& start, const Step& draw)
+{
+  if (!this->IsPlain)
+  {
+    this->Drawing->BeginFrame(ren, actor, this->Mapper, this->GetMaterialUses());
+  }
+  // Each distance and each edge's equation takes a vector of four. (DrawingEdges would want
+  // buffers.)
+  vtkProperty* property = actor->GetProperty();
+  const bool edges = property->GetEdgeVisibility() && property->GetRepresentation() == VTK_SURFACE;
+  this->VaryingsOfBase =
+    4 * ((this->Mapper->GetNumberOfClippingPlanes() > 0 ? 6 : 0) + (edges ? 3 : 0));
+  start();
+  this->HasStarted = true;
+  this->Drawing->AddSamples(ren, actor, this->Mapper,
+    [&]()
+    {
+      Inside::RestartPrimitives(this->Mapper);
+      draw();
+    });
+  Inside::RestartPrimitives(this->Mapper);
+}
+
+void MaterialShading::DrawMaterials(const Step& draw)
+{
+  const std::vector<DrawnMaterial>& materials = this->Drawing->GetMaterials();
+  if (materials.empty())
+  {
+    draw();
+    return;
+  }
+  // Those of one shader after the other.
+  std::vector<std::size_t> order(materials.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [&materials](std::size_t a, std::size_t b) { return materials[a].Key < materials[b].Key; });
+  for (std::size_t material : order)
+  {
+    this->ShowOnly(static_cast<int>(material));
+    this->Drawing->Select(material);
+    draw();
+  }
+  this->Drawing->Unselect();
+  this->ShowOnly(-1);
+}
+
+void MaterialShading::FinishPiece(const Step& finish)
+{
+  this->Drawing->EndFrame();
+  finish();
+}
+
+void MaterialShading::ReleaseMaterials(vtkWindow* window)
+{
+  // From inside of RenderPiece VTK's class lets go of one window since another draws: the textures
+  // of the first stay, for its next frame.
+  if (this->Drawing && this->RenderDepth == 0)
+  {
+    this->Drawing->ReleaseGraphicsResources(window, this->Mapper);
+  }
+  this->Points.Release(window);
+}
+
+bool MaterialShading::AreBuffersOutdated() const
+{
+  return this->BuiltOcclusionMode != this->Drawing->GetSettings().OcclusionMode ||
+         this->BuiltOcclusionBounce != this->Drawing->GetSettings().OcclusionBounce ||
+         this->BuiltTracedOcclusion != this->Drawing->GetTracedOcclusion(this->Mapper);
+}
+
+void MaterialShading::PrepareBuffers(vtkRenderer* ren)
+{
+  this->BuiltOcclusionMode = this->Drawing->GetSettings().OcclusionMode;
+  this->BuiltOcclusionBounce = this->Drawing->GetSettings().OcclusionBounce;
+  this->BuiltTracedOcclusion = this->Drawing->GetTracedOcclusion(this->Mapper);
+  const ShaderLimits limits = ShaderLimits::Read(static_cast<vtkOpenGLRenderer*>(ren)->GetState());
+  this->MostAttributes = limits.Attributes;
+  this->MostVaryings = limits.Varyings;
+  this->OcclusionTime.Modified();
+  this->Drawing->BeginOcclusion(this->Mapper);
+  this->HasBadNormals = false;
+  this->AddOcclusion(ren);
+}
+
+void MaterialShading::AddOcclusion(vtkRenderer* ren)
+{
+  vtkPolyData* surface = this->Mapper->CurrentInput;
+  this->CheckVertices(surface);
+  const auto arrays = this->Drawing->FindOcclusion(surface, this->Mapper, this->IsPart());
+  this->LeastOcclusionCosine = arrays ? arrays->LeastCosine : 1.0;
+  this->IsOtherSideClosed = arrays && arrays->IsOtherClosed;
+  const auto upload = [&](const std::string& name, vtkDataArray* values)
+  { this->Mapper->GetVBOs()->CacheDataArray(name.c_str(), values, ren, VTK_FLOAT); };
+  for (std::size_t k = 0; k < OcclusionArrays::Attributes; ++k)
+  {
+    const std::string number = std::to_string(k);
+    upload("brdfSky" + number, arrays ? arrays->Front[k].Get() : nullptr);
+    upload("brdfSkyBack" + number, arrays && arrays->HasBack ? arrays->Back[k].Get() : nullptr);
+  }
+  const bool bounced = arrays && arrays->HasBounce;
+  upload("brdfBounce", bounced ? arrays->BounceFront.Get() : nullptr);
+  upload("brdfBounceBack", bounced ? arrays->BounceBack.Get() : nullptr);
+}
+
+void MaterialShading::CheckVertices(vtkPolyData* surface)
+{
+  if (!surface)
+  {
+    return;
+  }
+  vtkPointData* points = surface->GetPointData();
+  vtkDataArray* normals = points->GetNormals();
+  const vtkIdType bad =
+    CountBadTuples(normals ? normals : surface->GetCellData()->GetNormals(), true);
+  this->HasBadNormals = this->HasBadNormals || bad > 0;
+  std::string text;
+  const auto add = [&text](vtkIdType count, const char* words)
+  {
+    if (count > 0)
+    {
+      text += (text.empty() ? "" : "; ") + std::to_string(count) + words;
+    }
+  };
+  add(
+    bad, " of the surface's normals are not finite or have no length: facets there have their own");
+  add(CountBadTuples(points->GetTangents()),
+    " of its tangents are not finite: any direction is taken there");
+  add(CountBadTuples(points->GetTCoords()), " of its texture coordinates are not finite");
+  add(surface->GetPoints() ? CountBadTuples(surface->GetPoints()->GetData()) : 0,
+    " of its points are not finite: their polygons are not drawn");
+  if (!text.empty() && !this->Drawing->GetMaterials().empty() &&
+      this->Drawing->WarnOnce("vertices"))
+  {
+    vtkWarningWithObjectMacro(this->Drawing->GetOwner(), << text << ".");
+  }
+}
+
+bool MaterialShading::HasBuffer(const char* name, int components) const
+{
+  return this->Mapper->GetVBOs()->GetNumberOfComponents(name) == components;
+}
+
+bool MaterialShading::HasTangents() const { return this->HasBuffer("tangentMC", 3); }
+
+bool MaterialShading::HasScalarColors()
+{
+  return this->Mapper->GetScalarVisibility() && !this->IgnoresScalars() &&
+         (!this->HasBuffer("scalarColor", 0) || Inside::HasCellScalars(this->Mapper) ||
+           this->Mapper->GetColorTextureMap());
+}
+
+bool MaterialShading::UsesMaterial(const vtkOpenGLHelper* cellBO) const
+{
+  if (this->Drawing->GetSelected().IsEmpty() || !Inside::DrawsOwnPrimitives(this->Mapper))
+  {
+    return false;
+  }
+  const auto& primitives = Inside::GetPrimitives(this->Mapper);
+  return cellBO == &primitives[vtkOpenGLPolyDataMapper::PrimitiveTris] ||
+         cellBO == &primitives[vtkOpenGLPolyDataMapper::PrimitiveTriStrips];
+}
+
+std::string MaterialShading::GetShaderKey(const vtkOpenGLHelper* cellBO)
+{
+  if (!this->UsesMaterial(cellBO))
+  {
+    return "";
+  }
+  const SurfaceOcclusion occlusion = this->GetOcclusion();
+  const char* const stages[] = { "", "/others", "/add", "/show" };
+  return this->Drawing->GetSelected().GetKey() +
+         stages[static_cast<int>(this->Drawing->GetSums().GetStage())] +
+         (this->HasTangents() ? "/tangents" : "") + (this->HasScalarColors() ? "/colors" : "") +
+         (this->HasBadNormals ? "/bad normals" : "") +
+         GetOcclusionKey(occlusion.Lights, occlusion.Layout);
+}
+
+int MaterialShading::FindSuperfluousLight(vtkRenderer* ren) const
+{
+  return measuredbrdf::FindSuperfluousLight(
+    ren, this->Drawing->GetSelected().Get().front()->Integrator != nullptr); // all or none
+}
+
+bool MaterialShading::AreShadersOutdated(const vtkOpenGLHelper& cellBO, vtkRenderer* ren)
+{
+  std::string key = this->GetShaderKey(&cellBO);
+  if (!key.empty())
+  {
+    key += "/without light " + std::to_string(this->FindSuperfluousLight(ren));
+  }
+  std::string& last = this->ShaderKeys[&cellBO];
+  const bool changed = key != last;
+  last = std::move(key);
+  return changed;
+}
+
+void MaterialShading::PrepareShaders(
+  const vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
+{
+  if (!this->UsesMaterial(&cellBO))
+  {
+    return;
+  }
+  const SurfaceOcclusion occlusion = this->GetOcclusion();
+  if (occlusion.Layout.Kept)
+  {
+    this->KeepOcclusion(occlusion, ren, actor);
+  }
+  else
+  {
+    this->Points.Drop();
+  }
+}
+
+void MaterialShading::ReplaceValues(Shaders shaders, vtkActor* actor, const Step& replace)
+{
+  const vtkOpenGLHelper* cellBO = Inside::GetLastBound(this->Mapper);
+  if (!this->UsesMaterial(cellBO))
+  {
+    replace();
+    return;
+  }
+  auto& complexity = Inside::GetInfo(this->Mapper, cellBO).LastLightComplexity;
+  this->LightComplexity = static_cast<int>(complexity);
+  const ForceLit lit(complexity);
+  replace();
+  // VTK's mapper multiplies encoded radiance by the actor's texture.
+  std::string fs = shaders[vtkShader::Fragment]->GetSource();
+  for (const auto& texture : Inside::FindTextures(this->Mapper, actor))
+  {
+    if (texture.first->GetUseSRGBColorSpace() && !texture.first->GetCubeMap())
+    {
+      vtkShaderProgram::Substitute(
+        fs, "= texture(" + texture.second + ", ", "= brdfDisplayTexel(" + texture.second + ", ");
+    }
+  }
+  shaders[vtkShader::Fragment]->SetSource(fs);
+}
+
+// Beside the positions, whose tags are still there.
+void MaterialShading::PassTangentsOn(Shaders shaders) const
+{
+  const bool declared = Contains(shaders[vtkShader::Vertex]->GetSource(), "in vec3 tangentMC;");
+  AddAfterTag(shaders[vtkShader::Vertex], "//VTK::PositionVC::Dec",
+    std::string("out vec3 brdfTangentVCVSOutput;\nuniform mat3 brdfTangentMatrix;\n") +
+      (declared ? "" : "in vec3 tangentMC;\n"));
+  AddAfterTag(shaders[vtkShader::Vertex], "//VTK::PositionVC::Impl",
+    "  brdfTangentVCVSOutput = brdfTangentMatrix * tangentMC;\n");
+  AddAfterTag(shaders[vtkShader::Geometry], "//VTK::PositionVC::Dec",
+    "in vec3 brdfTangentVCVSOutput[];\nout vec3 brdfTangentVCGSOutput;\n");
+  AddAfterTag(shaders[vtkShader::Geometry], "//VTK::PositionVC::Impl",
+    "  brdfTangentVCGSOutput = brdfTangentVCVSOutput[i];\n");
+}
+
+// The same way; the fragment shader's part comes with the lights.
+void MaterialShading::PassOcclusionOn(Shaders shaders)
+{
+  const SurfaceOcclusion occlusion = this->GetOcclusion();
+  if (occlusion.Lights.empty())
+  {
+    return;
+  }
+  const OcclusionText text = MakeOcclusionText(occlusion.Lights, occlusion.Layout);
+  AddAfterTag(shaders[vtkShader::Vertex], "//VTK::PositionVC::Dec", text.VertexDeclarations);
+  AddAfterTag(shaders[vtkShader::Vertex], "//VTK::PositionVC::Impl", text.VertexCode);
+  AddAfterTag(shaders[vtkShader::Geometry], "//VTK::PositionVC::Dec", text.GeometryDeclarations);
+  AddAfterTag(shaders[vtkShader::Geometry], "//VTK::PositionVC::Impl", text.GeometryCode);
+}
+
+bool MaterialShading::ReplaceLight(Shaders shaders, vtkRenderer* ren, vtkActor* actor)
+{
+  const vtkOpenGLHelper* cellBO = Inside::GetLastBound(this->Mapper);
+  if (!this->UsesMaterial(cellBO))
+  {
+    return false;
+  }
+  this->WarnOfTextures(actor);
+  this->PassOcclusionOn(shaders);
+  const SelectedMaterials& selected = this->Drawing->GetSelected();
+  ShaderBody body;
+  if (selected.AreAnyAnisotropic())
+  {
+    body.Tangents = this->HasTangents() ? TangentSource::Data : TangentSource::Axis;
+    if (this->HasTangents())
+    {
+      this->PassTangentsOn(shaders);
+    }
+    else if (this->Drawing->WarnOnce("tangents"))
+    {
+      vtkWarningWithObjectMacro(this->Drawing->GetOwner(),
+        << "The material is anisotropic but the polydata has no float point tangents "
+           "(PointData::SetTangents, or vtkPolyDataTangents for texture coordinates): they turn "
+           "about the environment's up axis.");
+    }
+  }
+  const auto& [lights, layout] = this->GetOcclusion();
+  const MixtureText& mixture = selected.GetMixture();
+  const std::vector<ShaderMember> members = GetShaderMembers(selected.Get(), mixture.Slots, lights);
+  std::string fs = shaders[vtkShader::Fragment]->GetSource();
+  const SumStage stage = this->Drawing->GetSums().GetStage();
+  const OcclusionText occlusion =
+    lights.empty() ? OcclusionText() : MakeOcclusionText(lights, layout);
+  std::string declarations =
+    body.Tangents == TangentSource::Data ? "in vec3 brdfTangentVCVSOutput;\n" : "";
+  declarations +=
+    occlusion.FragmentDeclarations + mixture.Declarations + GetShaderDeclarations(members, stage);
+  if (Contains(fs, "anisotropyUniform"))
+  {
+    // VTK's mapper turned the tangents by a PBR property's anisotropy, with what its lights would
+    // have declared.
+    declarations += "uniform float anisotropyUniform;\nconst float PI = 3.14159265359;\n";
+  }
+  const std::string uniforms(static_cast<vtkOpenGLRenderer*>(ren)->GetLightingUniforms());
+  vtkShaderProgram::Substitute(fs, "//VTK::Light::Dec", uniforms + "\n" + declarations, false);
+  body.Weights = occlusion.FragmentCode + mixture.Implementation;
+  body.SuperfluousLight = this->FindSuperfluousLight(ren);
+  body.LightCount = Inside::GetInfo(this->Mapper, cellBO).LastLightCount;
+  // Image-based lighting counts as a light in VTK 9.6; here it is none.
+  const bool adds = IsOfSum(stage);
+  const bool lit = AreAllEvaluated(members) && !adds &&
+                   body.LightCount > (body.SuperfluousLight >= 0 ? 1 : 0) &&
+                   this->Drawing->GetSettings().UseSceneLights;
+  body.Complexity = lit ? this->LightComplexity : 0;
+  body.Stage = stage;
+  body.HasBadNormals = this->HasBadNormals;
+  body.HasEdges = Inside::DrawsEdges(this->Mapper, ren, actor);
+  body.HasEdgeOpacity = Contains(fs, "uniform float edgeOpacity");
+  body.EdgesAreTubes = Contains(fs, "vec3 tnorm"); // as VTK's mapper bent normals
+  body.HasBlockColors = Contains(fs, "uniform bool OverridesColor");
+  body.HasColors = this->HasScalarColors() || this->IsPart(); // which serves all blocks
+  vtkShaderProgram::Substitute(fs, "//VTK::Light::Impl", GetShaderBody(body), false);
+  if (adds) // whatever else writes a color
+  {
+    vtkShaderProgram::Substitute(
+      fs, "//VTK::Coincident::Impl", "//VTK::Coincident::Impl\n" + GetSumOutput(stage), false);
+  }
+  shaders[vtkShader::Fragment]->SetSource(fs);
+  return true;
+}
+
+void MaterialShading::WarnOfTextures(vtkActor* actor)
+{
+  const auto textures = Inside::FindTextures(this->Mapper, actor);
+  for (const char* name :
+    { "albedoTex", "materialTex", "emissiveTex", "anisotropyTex", "coatNormalTex" })
+  {
+    if (std::any_of(textures.begin(), textures.end(),
+          [name](const auto& texture) { return texture.second == name; }) &&
+        this->Drawing->WarnOnce(name))
+    {
+      vtkWarningWithObjectMacro(this->Drawing->GetOwner(),
+        << "The property's texture " << name
+        << " has no effect: the surface reflects as the measured material does. An actor's own "
+           "texture and scalars multiply its radiance.");
+    }
+  }
+}
+
+void MaterialShading::SetMapperUniforms(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
+{
+  if (!this->UsesMaterial(&cellBO))
+  {
+    return;
+  }
+  vtkShaderProgram* program = cellBO.Program;
+  vtkNew<vtkMatrix3x3> matrix;
+  const DrawnMaterials& materials = this->Drawing->GetSelected().Get();
+  for (std::size_t k = 0; k < materials.size(); ++k)
+  {
+    for (const auto& textures : { materials[k]->Material, materials[k]->Radiance })
+    {
+      if (textures)
+      {
+        textures->SetUniforms(program, GetFirstInstance(k));
+      }
+    }
+    matrix->DeepCopy(GetViewToEnvironment(ren, materials[k]->Environment).data());
+    matrix->Transpose(); // SetUniformMatrix hands over columns
+    program->SetUniformMatrix(GetRotationName(k).c_str(), matrix);
+  }
+  if (program->IsUniformUsed("brdfTangentMatrix"))
+  {
+    // Tangents are directions of the surface: they turn and stretch with it, as normals do not.
+    vtkNew<vtkMatrix4x4> toView;
+    vtkMatrix4x4::Multiply4x4(
+      ren->GetActiveCamera()->GetModelViewTransformMatrix(), actor->GetMatrix(), toView);
+    for (int k = 0; k < 9; ++k)
+    {
+      matrix->SetElement(k % 3, k / 3, toView->GetElement(k / 3, k % 3));
+    }
+    program->SetUniformMatrix("brdfTangentMatrix", matrix);
+  }
+  this->Drawing->GetSums().SetUniforms(program);
+  this->SetOcclusionUniforms(program, ren, actor);
+  if (this->GetOcclusion().Layout.Kept)
+  {
+    this->Points.AddTo(cellBO);
+  }
+  const bool modulate = this->Drawing->GetSettings().ScalarColoringMode != 0;
+  program->SetUniformi("brdfModulate", modulate ? (this->HasScalarColors() ? 2 : 1) : 0);
+}
+
+void MaterialShading::SetPropertyUniforms(vtkOpenGLHelper& cellBO, vtkActor* actor)
+{
+  if (!this->UsesMaterial(&cellBO))
+  {
+    return;
+  }
+  // The measured material has no coefficient for VTK's "diffuse" part.
+  cellBO.Program->SetUniformf("diffuseIntensity", 1.0f);
+  if (vtkProperty* back = actor->GetBackfaceProperty())
+  {
+    // VTK's mapper sets these where its own lighting reads them.
+    cellBO.Program->SetUniformf("opacityUniformBF", static_cast<float>(back->GetOpacity()));
+    cellBO.Program->SetUniform3f("diffuseColorUniformBF", back->GetDiffuseColor());
+    cellBO.Program->SetUniformf("diffuseIntensityBF", 1.0f);
+  }
+}
+
+// Whether the light's part of the shader is made for each point beforehand: of one material, since
+// each of several would make it for all points.
+bool MaterialShading::MayKeepOcclusion() const
+{
+  return this->Points.IsPossible() && this->Drawing->GetMaterials().size() <= 1 &&
+         this->Mapper->GetVBOs()->GetVBO("brdfSky0")->GetNumberOfTuples() >=
+           OcclusionPoints::GetLeastPoints();
+}
+
+// Whether a vertex shader may read so many attributes, and the stages hand on so much, with what
+// VTK's mapper and parts of material maps add.
+bool MaterialShading::FitsOcclusion(const SurfaceOcclusion& occlusion) const
+{
+  std::size_t own = Inside::CountExtraAttributes(this->Mapper);
+  for (const char* name : { "vertexMC", "normalMC", "scalarColor", "tcoord", "tangentMC" })
+  {
+    own += this->HasBuffer(name, 0) ? 0 : 1;
+  }
+  const OcclusionNeeds needs = CountOcclusionNeeds(occlusion.Lights, occlusion.Layout);
+  // Tangents may be handed on twice, as VTK's and turned by ours.
+  return own + needs.Attributes <= this->MostAttributes &&
+         4 * (own + 1) + this->VaryingsOfBase + needs.Varyings <= this->MostVaryings;
+}
+
+// What the buffers have, or the part of it that the graphics card has room for: without what comes
+// back, then of one side, then nothing.
+MaterialShading::SurfaceOcclusion MaterialShading::GetOcclusion()
+{
+  SurfaceOcclusion occlusion;
+  occlusion.Lights = this->Drawing->GetSelectedOcclusion(this->HasOcclusion());
+  if (occlusion.Lights.empty())
+  {
+    return occlusion;
+  }
+  OcclusionLayout& layout = occlusion.Layout;
+  layout = { this->HasBuffer("brdfSkyBack0", 4), this->HasBuffer("brdfBounce", 3), false };
+  const char* leftOut = "";
+  while (!this->FitsOcclusion(occlusion))
+  {
+    if (layout.Bounced)
+    {
+      leftOut = "without what comes back from what is hidden";
+      layout.Bounced = false;
+    }
+    else if (layout.TwoSided)
+    {
+      leftOut = "as if only one of its sides hid anything";
+      layout.TwoSided = false;
+    }
+    else
+    {
+      leftOut = "as if it hid nothing from itself";
+      occlusion.Lights.clear();
+      break;
+    }
+  }
+  if (*leftOut && this->Drawing->WarnOnce(leftOut))
+  {
+    vtkWarningWithObjectMacro(this->Drawing->GetOwner(),
+      << "The surface is drawn " << leftOut << ": shaders of this graphics card may have "
+      << this->MostAttributes << " vertex attributes and " << this->MostVaryings
+      << " components of varyings.");
+  }
+  if (!occlusion.Lights.empty() && this->MayKeepOcclusion())
+  {
+    layout.Kept = true;
+    layout.Kept = !GetKeptNames(occlusion.Lights, layout).empty() && // of what hides
+                  this->FitsOcclusion(occlusion);
+  }
+  return occlusion;
+}
+
+// Before triangles are drawn: what of their points rests while the light does, unless it is kept.
+void MaterialShading::KeepOcclusion(
+  const SurfaceOcclusion& occlusion, vtkRenderer* ren, vtkActor* actor)
+{
+  const auto& [lights, layout] = occlusion;
+  const OcclusionAxes axes(ren, actor, this->GetEnvironments());
+  const OcclusionPoints::Question question = { ren, actor,
+    GetKeptInputs(lights, layout, axes.ToEnvironment), this->OcclusionTime };
+  if (this->Points.Find(lights, layout, question))
+  {
+    return;
+  }
+  vtkOpenGLVertexBufferObjectGroup* buffers = this->Mapper->GetVBOs();
+  vtkShaderProgram* program = this->Points.Begin(
+    vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), buffers, lights, layout);
+  if (program) // if not, each drawn triangle makes it
+  {
+    this->SetOcclusionUniforms(program, ren, actor);
+    this->Points.Make(buffers->GetVBO("brdfSky0")->GetNumberOfTuples(), question);
+  }
+}
+
+std::vector<vtkEnvironment*> MaterialShading::GetEnvironments() const
+{
+  std::vector<vtkEnvironment*> environments;
+  for (const DrawnMaterial* drawn : this->Drawing->GetSelected().Get())
+  {
+    environments.push_back(drawn->Environment);
+  }
+  return environments;
+}
+
+void MaterialShading::SetOcclusionUniforms(
+  vtkShaderProgram* program, vtkRenderer* ren, vtkActor* actor)
+{
+  const auto& [lights, layout] = this->GetOcclusion();
+  if (lights.empty())
+  {
+    return;
+  }
+  const OcclusionAxes axes(ren, actor, this->GetEnvironments());
+  const OcclusionSides sides = { layout.TwoSided, layout.Bounced, this->IsOtherSideClosed,
+    this->LeastOcclusionCosine };
+  measuredbrdf::SetOcclusionUniforms(program, lights, sides, axes.ToModel,
+    ren->GetActiveCamera()->GetParallelProjection() != 0, axes.ToEnvironment);
+}
+} // namespace measuredbrdf

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The steps of vtkOpenGLPolyDataMapper in which a material takes part: buffers, shader text,
+ * uniforms. Private to the rendering component.
+ *
+ * Three mappers shade with materials: vtkMeasuredBRDFMapper itself, the mapper of a batch of blocks
+ * and the mappers of a divided surface's parts (ShadedMapper). Each has a MaterialShading of its
+ * own, which its overrides of VTK's methods call; what they draw with they find in one
+ * MaterialDrawing. Where no material is in use, each step is VTK's.
+ */
+
+#ifndef MaterialShading_h
+#define MaterialShading_h
+
+#include "MaterialDrawing.h"
+#include "OcclusionPoints.h"
+#include "vtkShader.h"
+#include "vtkTimeStamp.h"
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkOpenGLHelper;
+class vtkOpenGLPolyDataMapper;
+class vtkPolyData;
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkWindow;
+
+namespace measuredbrdf
+{
+/// Counts the calls of a function that have not returned yet, whatever way they end.
+class Depth
+{
+public:
+  explicit Depth(int& depth)
+    : Count(depth)
+  {
+    ++this->Count;
+  }
+  ~Depth() { --this->Count; }
+  Depth(const Depth&) = delete;
+  void operator=(const Depth&) = delete;
+
+private:
+  int& Count;
+};
+
+class MaterialShading
+{
+public:
+  using Shaders = std::map<vtkShader::Type, vtkShader*>;
+  using Step = std::function<void()>; // what VTK's class does there
+  using MaterialUse = measuredbrdf::MaterialUse;
+
+  explicit MaterialShading(
+    vtkOpenGLPolyDataMapper* mapper, std::shared_ptr<MaterialDrawing> drawing = nullptr);
+  virtual ~MaterialShading();
+  MaterialShading(const MaterialShading&) = delete;
+  void operator=(const MaterialShading&) = delete;
+
+  ///@{
+  /// RenderPiece and its three stages. A step that throws is drawn again by VTK's class alone.
+  void DrawPiece(const Step& render, const Step& finish);
+  void StartPiece(vtkRenderer* ren, vtkActor* actor, const Step& start, const Step& draw);
+  void DrawMaterials(const Step& draw);
+  void FinishPiece(const Step& finish);
+  ///@}
+
+  ///@{
+  /// BuildBufferObjects.
+  bool AreBuffersOutdated() const;
+  void PrepareBuffers(vtkRenderer* ren);
+  ///@}
+
+  ///@{
+  /// UpdateShaders, and what BuildShaders writes: ReplaceLight returns whether a material did it.
+  bool AreShadersOutdated(const vtkOpenGLHelper& cellBO, vtkRenderer* ren);
+  void PrepareShaders(const vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor);
+  void ReplaceValues(Shaders shaders, vtkActor* actor, const Step& replace);
+  bool ReplaceLight(Shaders shaders, vtkRenderer* ren, vtkActor* actor);
+  ///@}
+
+  ///@{
+  /// After those that VTK's class sets.
+  void SetMapperUniforms(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor);
+  void SetPropertyUniforms(vtkOpenGLHelper& cellBO, vtkActor* actor);
+  ///@}
+
+  void ReleaseMaterials(vtkWindow* window);
+
+  /// Shared by the mappers that draw the parts of one data set. Null in a mapper that has not
+  /// been given one yet.
+  std::shared_ptr<MaterialDrawing> Drawing;
+
+  /// Greater than 0 inside of RenderPiece.
+  int RenderDepth = 0;
+
+protected:
+  ///@{
+  /// What the mapper draws: its materials with their surfaces; only the surfaces of one material
+  /// until the next call (-1: all of them); whether scalars do not color what is drawn now,
+  /// whatever the mapper says; whether it is a part of a surface that a material map divides.
+  virtual std::vector<MaterialUse> GetMaterialUses() = 0;
+  virtual void ShowOnly(int vtkNotUsed(material)) {}
+  virtual bool IgnoresScalars() { return false; }
+  virtual bool IsPart() { return false; }
+  ///@}
+
+  /// Hand what the surface hides from itself to the buffers that are being built.
+  virtual void AddOcclusion(vtkRenderer* ren);
+
+  /// Warn of what can't be drawn of a surface whose buffers are being built.
+  void CheckVertices(vtkPolyData* surface);
+
+  /// Whether the primitives now being set up are shaded by a material.
+  bool UsesMaterial(const vtkOpenGLHelper* cellBO) const;
+
+  /// Whether the buffers have what the surface hides from itself.
+  bool HasOcclusion() const { return this->HasBuffer("brdfSky0", 4); }
+
+  ///@{
+  /// OcclusionSides of the buffers.
+  double LeastOcclusionCosine = 1.0;
+  bool IsOtherSideClosed = false;
+  ///@}
+
+  /// Same key, same shader text: of the shaders that each kind of primitives has.
+  std::map<const vtkOpenGLHelper*, std::string> ShaderKeys;
+
+  std::string GetShaderKey(const vtkOpenGLHelper* cellBO);
+
+private:
+  struct SurfaceOcclusion
+  {
+    OcclusionLights Lights; // none: nothing is hidden
+    OcclusionLayout Layout;
+  };
+
+  bool HasTangents() const;
+  bool HasScalarColors();
+  bool HasBuffer(const char* name, int components) const;
+  int FindSuperfluousLight(vtkRenderer* ren) const;
+  void WarnOfTextures(vtkActor* actor);
+  void PassTangentsOn(Shaders shaders) const;
+  void PassOcclusionOn(Shaders shaders);
+  SurfaceOcclusion GetOcclusion();
+  bool FitsOcclusion(const SurfaceOcclusion& occlusion) const;
+  bool MayKeepOcclusion() const;
+  void KeepOcclusion(const SurfaceOcclusion& occlusion, vtkRenderer* ren, vtkActor* actor);
+  void SetOcclusionUniforms(vtkShaderProgram* program, vtkRenderer* ren, vtkActor* actor);
+  std::vector<vtkEnvironment*> GetEnvironments() const;
+
+  vtkOpenGLPolyDataMapper* Mapper;
+  int LightComplexity = 0;     // VTK's, of the primitives whose shaders are being made
+  bool HasBadNormals = false;  // of the buffers
+  bool HasStarted = false;     // RenderPieceStart, whole
+  bool IsPlain = false;        // drawn by VTK's class, since materials failed
+  int BuiltOcclusionMode = -1; // of the buffers
+  bool BuiltOcclusionBounce = false;
+  const void* BuiltTracedOcclusion = nullptr;
+  std::size_t MostAttributes = 0; // of the graphics card that has the buffers
+  std::size_t MostVaryings = 0;
+  std::size_t VaryingsOfBase = 0; // for clipping planes and edges, in this frame
+  vtkTimeStamp OcclusionTime;     // when the buffers were built
+  OcclusionPoints Points;         // of the buffers
+};
+} // namespace measuredbrdf
+
+#endif
