@@ -1087,7 +1087,7 @@ add("Rendering.map-colored-points-are-cut", "PartMappers.cxx", "cellFlag == 0;",
     "ClassBorders.ColorsOfPointsKeepPolygonsWhole")
 add("Rendering.map-hidden-skies-are-cut", "PartMappers.cxx", "return settings.OcclusionMode != 0 &&",
     "return settings.OcclusionMode > 5 &&", "ClassBorders.HiddenSkiesKeepPolygonsWhole")
-add("Rendering.map-nearest-is-the-first", "MixtureShader.cxx", '" > brdfMost ? "', '" > 2.0 ? "',
+add("Rendering.map-nearest-is-the-first", "PartMapper.cxx", '" > brdfMost ? "', '" > 2.0 ? "',
     "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
 add("Rendering.map-classes-that-meet-share-a-slot", "MaterialPartition.cxx", "while (taken[slot])", "while (false)",
    
@@ -1096,7 +1096,7 @@ add("Rendering.map-borders-take-the-last-shader", "ClassesMapper.cxx",
     "ofBorder == this->WasOfBorder ? this->Last : nullptr", "this->Last", "ClassBorders.AreTheSameInBothWays")
 add("Rendering.map-hats-fall-at-the-ends", "PolygonMaterials.cxx", "if (k + 1 < knots.size())",
     "if (k + 2 < knots.size())", "MaterialMapping.ValuesBlendInEachPixel")
-add("Rendering.map-the-rest-is-drawn-twice", "MixtureShader.cxx", "if (brdfNearest != brdfSlot)",
+add("Rendering.map-the-rest-is-drawn-twice", "PartMapper.cxx", "if (brdfNearest != brdfSlot)",
     "if (brdfNearest > 9)", "MaterialMapping.NoMaterialIsTheSuperclass")
 add("Rendering.map-scalars-that-choose-color", "PartMappers.cxx", "if (colored || ",
     "if (!colored || ",
@@ -1326,7 +1326,7 @@ add("Shaders.hidden-sky-odds", "vtkBRDFHiddenSky.glsl", "(12.0 / (12.0 + kappa))
 add("Shaders.hidden-irradiance-counts", "vtkBRDFEnvironmentTable.glsl", "sum += BRDF_OPEN_IRRADIANCE(",
     "sum += (", "OcclusionTest.MatteSurfacesLackTheHiddenIrradiance")
 
-add("Rendering.map-bands-of-a-scale-overlap", "MixtureShader.cxx", "brdfAt < brdfBand.x || brdfAt >= brdfBand.y",
+add("Rendering.map-bands-of-a-scale-overlap", "PartMapper.cxx", "brdfAt < brdfBand.x || brdfAt >= brdfBand.y",
     "brdfAt < brdfBand.x", "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
 add("Rendering.map-values-end-at-points", "PolygonMaterials.cxx", "-FarOff, FarOff)", "0.0, 1.0)",
     "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
