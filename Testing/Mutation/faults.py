@@ -1120,8 +1120,6 @@ add("Rendering.map-members-share-instances", "BRDFShader.cxx", "return 100 * mem
 add("Rendering.map-divided-blocks-are-drawn-whole", "BlockBatch.cxx",
     "if (this->Uses.size() < 2 && !this->HasDivided)", "if (this->Uses.size() < 2)",
     "MaterialMapping.CompositeDataShowTheSame")
-add("Rendering.map-small-shares-add-up-unseen", "MaterialParts.cxx",
-    "smaller += smallestFirst[end].first / sum;", "smaller = smallestFirst[end].first / sum;", "Parts.SmallMaterialsMayBeCoarse")
 add("Material.angular-table-azimuths-end", "vtkAngularTableBRDF.cxx",
     "const std::size_t right = next % count;", "const std::size_t right = std::min(next, count - 1);",
     "IOUtia.InterpolatesAlongAllFourAxes")

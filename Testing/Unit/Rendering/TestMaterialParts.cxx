@@ -469,26 +469,6 @@ TEST_F(Parts, TooManyWeightsInOnePlaceAreCutAndSaid)
   EXPECT_EQ(this->Divided.Get()[0].Members.back(), this->Materials[39]);
 }
 
-TEST_F(Parts, SmallMaterialsMayBeCoarse)
-{
-  // 1 % and 1 % of the area, and the rest.
-  this->SetCells([](vtkIdType cell) { return cell < 2 ? cell : 2; });
-  this->AddMaterials(3);
-  ASSERT_EQ(this->Update(), "");
-  EXPECT_EQ(this->Divided.GetToleranceFactor(this->Materials[0]), 3.0);
-  EXPECT_EQ(this->Divided.GetToleranceFactor(this->Materials[1]), 3.0);
-  EXPECT_EQ(this->Divided.GetToleranceFactor(this->Materials[2]), 1.0);
-  EXPECT_EQ(this->Divided.GetToleranceFactor(this->Materials[9]), 1.0); // seen nowhere
-  // 40 of 2.5 % each: what is small together is not small.
-  this->SetCells([](vtkIdType cell) { return std::floor(0.4 * cell); });
-  this->AddMaterials(40);
-  ASSERT_EQ(this->Update(), "");
-  for (const auto& material : this->Materials)
-  {
-    EXPECT_EQ(this->Divided.GetToleranceFactor(material), 1.0);
-  }
-}
-
 // Triangles of the plane's squares: a place is of the class of the largest sum of its corners'
 // shares. Where two meet, the lone corner has a quarter; where three meet, each has a third.
 TEST_F(Parts, BordersBetweenClassesOfPointsAreCut)
