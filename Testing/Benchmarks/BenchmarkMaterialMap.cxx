@@ -111,7 +111,6 @@ public:
     this->Renderer->SetAutomaticLightCreation(false);
     this->Renderer->AddActor(this->Actor);
     this->Materials = MakeMaterials(1024, [](int k) { return 8.0 + 0.1 * (k % 256); });
-    this->SharperMaterials = MakeMaterials(64, [](int k) { return 8.0 + 50.0 * (k % 8); });
     this->OtherMaterials = MakeMaterials(64, [](int k) { return std::pow(4.0, 1.0 + k % 6); });
     this->MaterialsInSun = MakeMaterials(64, [](int k) { return 8.0 + 0.1 * k; });
     for (std::size_t k = 0; k < this->MaterialsInSun.size(); ++k)
@@ -147,10 +146,6 @@ public:
     }
     this->AddColoredClasses(64);
     this->AddUncutClasses(64);
-    this->Materials.swap(this->SharperMaterials);
-    this->NameEnd = ", tables of several sizes";
-    this->AddClasses(64, false);
-    this->Materials.swap(this->SharperMaterials);
     this->Materials.swap(this->OtherMaterials);
     this->NameEnd = ", tables of 17 to 129 rows";
     this->AddClasses(64, false);
@@ -362,7 +357,6 @@ private:
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkActor> Actor;
   std::vector<vtkSmartPointer<vtkBRDF>> Materials;
-  std::vector<vtkSmartPointer<vtkBRDF>> SharperMaterials;
   std::vector<vtkSmartPointer<vtkBRDF>> OtherMaterials;
   std::vector<vtkSmartPointer<vtkBRDF>> MaterialsInSun;
   std::vector<Kind> Kinds;
