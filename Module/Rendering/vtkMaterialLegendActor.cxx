@@ -32,6 +32,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -223,19 +224,20 @@ struct vtkMaterialLegendActor::Internals
 {
   struct Entry
   {
-    vtkSmartPointer<vtkBRDF> BRDF;
     std::string Label;
-    vtkSmartPointer<vtkImageData> Picture; // null: it could not be made
-    vtkMTimeType Time = 0;                 // of what it was made of
-    int Resolution = 0;
+    vtkImageData* Picture; // null: it could not be made
     std::shared_ptr<LegendRectangle> Square;
     vtkSmartPointer<vtkTextActor> Text;
   };
+  struct Picture
+  {
+    vtkSmartPointer<vtkImageData> Image;
+    vtkMTimeType Time = 0; // of what it was made of
+    int Resolution = 0;
+  };
 
-  vtkSmartPointer<vtkMaterialMap> Map;
-  vtkSmartPointer<vtkEnvironment> Environment;
-  vtkSmartPointer<vtkEnvironment> Sky; // where there is none
-  std::string Title;
+  vtkSmartPointer<vtkEnvironment> Sky; // where there is no environment
+  std::map<vtkSmartPointer<vtkBRDF>, Picture> Pictures;
   vtkNew<vtkTextProperty> TextProperty;
   vtkSmartPointer<vtkTextActor> TitleActor; // made when it is drawn: it needs VTK's fonts
   std::vector<Entry> Entries;
@@ -243,6 +245,7 @@ struct vtkMaterialLegendActor::Internals
   LegendRectangle Frame{ false };
   bool HasBackground = false; // in the last layout
   bool HasFrame = false;
+  bool HasTitle = false;
   std::vector<double> LayoutOf; // what the last layout depended on
   vtkMTimeType LayoutTime = 0;
 
@@ -265,7 +268,7 @@ struct vtkMaterialLegendActor::Internals
       }
       visit(entry.Text);
     }
-    if (!this->Title.empty() && !this->Entries.empty() && this->TitleActor)
+    if (this->HasTitle && this->TitleActor && !this->Entries.empty())
     {
       visit(this->TitleActor);
     }
@@ -289,41 +292,24 @@ vtkMaterialLegendActor::~vtkMaterialLegendActor() = default;
 //------------------------------------------------------------------------------
 void vtkMaterialLegendActor::SetMaterialMap(vtkMaterialMap* map)
 {
-  if (this->Impl->Map != map)
-  {
-    this->Impl->Map = map;
-    this->Modified();
-  }
+  measuredbrdfAssignMacro(MaterialMap, map);
 }
-
-//------------------------------------------------------------------------------
-vtkMaterialMap* vtkMaterialLegendActor::GetMaterialMap() { return this->Impl->Map; }
 
 //------------------------------------------------------------------------------
 void vtkMaterialLegendActor::SetEnvironment(vtkEnvironment* environment)
 {
-  if (this->Impl->Environment != environment)
-  {
-    this->Impl->Environment = environment;
-    this->Modified();
-  }
+  measuredbrdfAssignMacro(Environment, environment);
 }
-
-//------------------------------------------------------------------------------
-vtkEnvironment* vtkMaterialLegendActor::GetEnvironment() { return this->Impl->Environment; }
 
 //------------------------------------------------------------------------------
 void vtkMaterialLegendActor::SetTitle(const std::string& title)
 {
-  if (this->Impl->Title != title)
-  {
-    this->Impl->Title = title;
-    this->Modified();
-  }
+  measuredbrdfAssignMacro(Title, title);
 }
 
 //------------------------------------------------------------------------------
-std::string vtkMaterialLegendActor::GetTitle() { return this->Impl->Title; }
+vtkMaterialMap* vtkMaterialLegendActor::GetMaterialMap() { return this->MaterialMap; }
+vtkEnvironment* vtkMaterialLegendActor::GetEnvironment() { return this->Environment; }
 
 //------------------------------------------------------------------------------
 measuredbrdfSetClampedMacro(vtkMaterialLegendActor, SphereResolution, int, 8, 512);
@@ -349,15 +335,15 @@ vtkMTimeType vtkMaterialLegendActor::GetMTime()
   vtkMTimeType time = std::max(this->Superclass::GetMTime(), this->Impl->TextProperty->GetMTime());
   time = std::max(time, this->GetBackgroundProperty()->GetMTime());
   time = std::max(time, this->GetFrameProperty()->GetMTime());
-  time = std::max(time, this->Impl->Map ? this->Impl->Map->GetMTime() : 0);
-  return std::max(time, this->Impl->Environment ? this->Impl->Environment->GetMTime() : 0);
+  time = std::max(time, this->MaterialMap ? this->MaterialMap->GetMTime() : 0);
+  return std::max(time, this->Environment ? this->Environment->GetMTime() : 0);
 }
 
 //------------------------------------------------------------------------------
 // A picture is made anew only where its own material, the light or the resolution changed.
 void vtkMaterialLegendActor::UpdateEntries()
 {
-  vtkEnvironment* light = this->Impl->Environment;
+  vtkEnvironment* light = this->Environment;
   if (!light)
   {
     if (!this->Impl->Sky)
@@ -367,49 +353,40 @@ void vtkMaterialLegendActor::UpdateEntries()
     }
     light = this->Impl->Sky;
   }
-  std::vector<Internals::Entry> entries;
-  vtkMaterialMap* map = this->Impl->Map;
-  for (int k = 0; map && k < map->GetNumberOfMaterials(); ++k)
+  std::map<vtkSmartPointer<vtkBRDF>, Internals::Picture> pictures; // those still in use
+  std::size_t shown = 0;
+  for (int k = 0; this->MaterialMap && k < this->MaterialMap->GetNumberOfMaterials(); ++k)
   {
-    vtkBRDF* brdf = map->GetBRDF(k);
+    vtkBRDF* brdf = this->MaterialMap->GetBRDF(k);
     if (!brdf)
     {
       continue;
     }
-    Internals::Entry entry;
-    const auto known = std::find_if(this->Impl->Entries.begin(), this->Impl->Entries.end(),
-      [brdf](const Internals::Entry& other) { return other.BRDF == brdf; });
-    if (known != this->Impl->Entries.end())
-    {
-      entry = *known;
-      this->Impl->Entries.erase(known);
-    }
-    if (!entry.Square)
-    {
-      entry.Square = std::make_shared<LegendRectangle>(true);
-      entry.Text = vtkSmartPointer<vtkTextActor>::New();
-    }
+    Internals::Picture& picture =
+      pictures.try_emplace(brdf, this->Impl->Pictures[brdf]).first->second;
     const vtkMTimeType time = std::max(brdf->GetMTime(), light->GetMTime());
-    if (entry.BRDF != brdf || entry.Time != time || entry.Resolution != this->SphereResolution)
+    if (picture.Time != time || picture.Resolution != this->SphereResolution)
     {
-      entry.BRDF = brdf;
-      entry.Time = time;
-      entry.Resolution = this->SphereResolution;
-      const auto same = std::find_if(entries.begin(), entries.end(),
-        [brdf](const Internals::Entry& other) { return other.BRDF == brdf; });
-      entry.Picture = same != entries.end()
-                        ? same->Picture
-                        : MakeMaterialPicture(brdf, light, this->SphereResolution);
-      if (!entry.Picture)
+      picture = { MakeMaterialPicture(brdf, light, this->SphereResolution), time,
+        this->SphereResolution };
+      if (!picture.Image)
       {
         vtkErrorMacro("There is no picture of material " << k << ".");
       }
-      entry.Square->SetPicture(entry.Picture);
     }
-    entry.Label = map->GetName(k).empty() ? NumberText(map->GetValue(k)) : map->GetName(k);
-    entries.push_back(entry);
+    if (shown == this->Impl->Entries.size())
+    {
+      this->Impl->Entries.push_back({ "", nullptr, std::make_shared<LegendRectangle>(true),
+        vtkSmartPointer<vtkTextActor>::New() });
+    }
+    Internals::Entry& entry = this->Impl->Entries[shown++];
+    const std::string name = this->MaterialMap->GetName(k);
+    entry.Label = name.empty() ? NumberText(this->MaterialMap->GetValue(k)) : name;
+    entry.Picture = picture.Image;
+    entry.Square->SetPicture(picture.Image);
   }
-  this->Impl->Entries = std::move(entries);
+  this->Impl->Entries.resize(shown);
+  this->Impl->Pictures = std::move(pictures);
 }
 
 //------------------------------------------------------------------------------
@@ -434,14 +411,15 @@ void vtkMaterialLegendActor::UpdateLayout(vtkViewport* viewport)
   this->UpdateEntries();
   this->Impl->HasBackground = this->DrawBackground;
   this->Impl->HasFrame = this->DrawFrame;
+  this->Impl->HasTitle = !this->Title.empty();
   this->Impl->Background.Place(left, bottom, width, height);
   this->Impl->Frame.Place(left, bottom, width, height);
   if (this->Impl->Entries.empty())
   {
     return;
   }
-  const double room = this->Impl->Title.empty() ? height : (1.0 - 1.2 * TitleShare) * height;
-  if (!this->Impl->Title.empty())
+  const double room = this->Title.empty() ? height : (1.0 - 1.2 * TitleShare) * height;
+  if (!this->Title.empty())
   {
     this->PlaceTitle(viewport, left, bottom + height, width, TitleShare * height);
   }
@@ -457,7 +435,7 @@ void vtkMaterialLegendActor::PlaceTitle(
     this->Impl->TitleActor = vtkSmartPointer<vtkTextActor>::New();
   }
   vtkTextActor* title = this->Impl->TitleActor;
-  title->SetInput(this->Impl->Title.c_str());
+  title->SetInput(this->Title.c_str());
   title->GetTextProperty()->ShallowCopy(this->Impl->TextProperty);
   title->SetConstrainedFontSize(viewport, static_cast<int>(width), static_cast<int>(height));
   title->GetTextProperty()->SetVerticalJustificationToTop();
@@ -527,7 +505,7 @@ void vtkMaterialLegendActor::SizeNames(vtkViewport* viewport, double width, doub
       CutToWidth(entry.Text, entry.Label, viewport, width);
     }
   }
-  if (!this->Impl->Title.empty())
+  if (!this->Title.empty())
   {
     vtkTextProperty* title = this->Impl->TitleActor->GetTextProperty();
     title->SetFontSize(std::min(title->GetFontSize(), static_cast<int>(TitleTimes * font)));
@@ -552,7 +530,7 @@ std::string vtkMaterialLegendActor::GetLabel(int entry)
 vtkImageData* vtkMaterialLegendActor::GetSphere(int entry)
 {
   const bool known = entry >= 0 && entry < this->GetNumberOfEntries();
-  return known ? this->Impl->Entries[static_cast<std::size_t>(entry)].Picture.Get() : nullptr;
+  return known ? this->Impl->Entries[static_cast<std::size_t>(entry)].Picture : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -594,9 +572,9 @@ void vtkMaterialLegendActor::ReleaseGraphicsResources(vtkWindow* window)
 void vtkMaterialLegendActor::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "MaterialMap: " << this->Impl->Map.Get() << "\n";
-  os << indent << "Environment: " << this->Impl->Environment.Get() << "\n";
-  os << indent << "Title: " << this->Impl->Title << "\n";
+  os << indent << "MaterialMap: " << this->MaterialMap.Get() << "\n";
+  os << indent << "Environment: " << this->Environment.Get() << "\n";
+  os << indent << "Title: " << this->Title << "\n";
   os << indent << "Horizontal: " << (this->Horizontal ? "On" : "Off") << "\n";
   os << indent << "DrawBackground: " << (this->DrawBackground ? "On" : "Off") << "\n";
   os << indent << "DrawFrame: " << (this->DrawFrame ? "On" : "Off") << "\n";

@@ -23,6 +23,7 @@
 
 #include "vtkActor2D.h"
 #include "vtkMeasuredBRDFModule.h" // for export macro
+#include "vtkSmartPointer.h"       // for the map
 
 #include <memory> // for Impl
 #include <string> // for labels
@@ -62,7 +63,7 @@ public:
    * A line above the spheres; "" (default): none.
    */
   void SetTitle(const std::string& title);
-  std::string GetTitle();
+  std::string GetTitle() { return this->Title; }
   ///@}
 
   ///@{
@@ -138,6 +139,9 @@ private:
   void PlaceEntries(vtkViewport* viewport, double left, double bottom, double width, double height);
   void SizeNames(vtkViewport* viewport, double width, double height);
 
+  vtkSmartPointer<vtkMaterialMap> MaterialMap;
+  vtkSmartPointer<vtkEnvironment> Environment;
+  std::string Title;
   bool Horizontal = false;
   bool DrawBackground = false;
   bool DrawFrame = false;

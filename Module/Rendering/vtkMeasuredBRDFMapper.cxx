@@ -29,10 +29,6 @@ struct vtkMeasuredBRDFMapper::Internals : public MaterialShading
     , Parts(Drawing)
     , Settings(Drawing->GetSettings())
   {
-    this->Drawing->SetToleranceFactor(
-      [this](vtkBRDF* brdf) {
-        return this->Settings.MaterialMap ? this->Parts.GetParts().GetToleranceFactor(brdf) : 1.0;
-      });
   }
 
   std::vector<MaterialUse> GetUsesToCome()

@@ -82,8 +82,7 @@ public:
    * Which material each place of the surface is made of, by an array of the data; null (default):
    * all of it is of BRDF. With a map, BRDF is the material of the places that the map says nothing
    * of. Each part of the surface is drawn with the materials that meet there and no others, so that
-   * a class map costs about what one material costs. Each material has a plan of its own. The
-   * smallest ones, 2.5 % of the surface together, may have 3 times the error tolerance. Scalars
+   * a class map costs about what one material costs. Each material has a plan of its own. Scalars
    * that choose the material do not color it. A map that does not fit the data is reported once,
    * and BRDF is drawn.
    */

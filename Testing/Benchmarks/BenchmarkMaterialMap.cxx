@@ -111,7 +111,6 @@ public:
     this->Renderer->SetAutomaticLightCreation(false);
     this->Renderer->AddActor(this->Actor);
     this->Materials = MakeMaterials(1024, [](int k) { return 8.0 + 0.1 * (k % 256); });
-    this->SharperMaterials = MakeMaterials(64, [](int k) { return 8.0 + 50.0 * (k % 8); });
     this->OtherMaterials = MakeMaterials(64, [](int k) { return std::pow(4.0, 1.0 + k % 6); });
     this->MaterialsInSun = MakeMaterials(64, [](int k) { return 8.0 + 0.1 * k; });
     for (std::size_t k = 0; k < this->MaterialsInSun.size(); ++k)
@@ -147,10 +146,6 @@ public:
     }
     this->AddColoredClasses(64);
     this->AddUncutClasses(64);
-    this->Materials.swap(this->SharperMaterials);
-    this->NameEnd = ", tables of several sizes";
-    this->AddClasses(64, false);
-    this->Materials.swap(this->SharperMaterials);
     this->Materials.swap(this->OtherMaterials);
     this->NameEnd = ", tables of 17 to 129 rows";
     this->AddClasses(64, false);
@@ -158,11 +153,10 @@ public:
     this->Materials.swap(this->OtherMaterials);
     this->NameEnd.clear();
     this->AddInSun();
-    const std::string fine = "one material, as many triangles as 64 classes of points";
-    this->Add(fine, 1, MakeSphere(235), nullptr);
-    if (this->Kinds.back().Name == fine)
+    if (Kind* fine = this->Add(
+          "one material, as many triangles as 64 classes of points", 1, MakeSphere(235), nullptr))
     {
-      this->Kinds.back().Mapper->SetBRDF(this->Materials[0]);
+      fine->Mapper->SetBRDF(this->Materials[0]);
     }
     this->AddValues(8);
     for (int weights : { 2, 3, 4 })
@@ -181,11 +175,9 @@ public:
     const std::size_t before = this->Kinds.size();
     this->Materials.swap(this->MaterialsInSun);
     this->NameEnd = ", three shaders, suns as lights";
-    const std::string name = "one material, suns as lights";
-    this->Add(name, 1, MakeSphere(), nullptr);
-    if (this->Kinds.back().Name == name)
+    if (Kind* one = this->Add("one material, suns as lights", 1, MakeSphere(), nullptr))
     {
-      this->Kinds.back().Mapper->SetBRDF(this->Materials[0]);
+      one->Mapper->SetBRDF(this->Materials[0]);
     }
     this->AddClasses(64, false);
     for (std::size_t k = before; k < this->Kinds.size(); ++k)
@@ -235,16 +227,19 @@ public:
   }
 
 private:
-  void Add(const std::string& name, int meeting, vtkPolyData* surface, vtkMaterialMap* map)
+  /// Null where it is not wanted.
+  Kind* Add(const std::string& name, int meeting, vtkPolyData* surface, vtkMaterialMap* map)
   {
     Kind kind{ name, meeting, vtkSmartPointer<vtkMeasuredBRDFMapper>::New() };
     kind.Mapper->SetInputData(surface);
     kind.Mapper->SetEnvironment(this->Environment);
     kind.Mapper->SetMaterialMap(map);
-    if (this->Kinds.empty() || name.find(this->Wanted) != std::string::npos)
+    if (!this->Kinds.empty() && name.find(this->Wanted) == std::string::npos)
     {
-      this->Kinds.push_back(kind);
+      return nullptr;
     }
+    this->Kinds.push_back(kind);
+    return &this->Kinds.back();
   }
 
   vtkSmartPointer<vtkMaterialMap> NewMap(int mode, int materials)
@@ -260,7 +255,7 @@ private:
   }
 
   // Wedges about the z axis.
-  void AddClasses(int classes, bool ofCells)
+  Kind* AddClasses(int classes, bool ofCells)
   {
     const vtkSmartPointer<vtkPolyData> sphere = MakeSphere();
     vtkNew<vtkIntArray> array;
@@ -282,7 +277,7 @@ private:
     }
     (ofCells ? static_cast<vtkDataSetAttributes*>(sphere->GetCellData()) : sphere->GetPointData())
       ->AddArray(array);
-    this->Add(
+    return this->Add(
       std::to_string(classes) + " classes of " + (ofCells ? "cells" : "points") + this->NameEnd, 1,
       sphere, this->NewMap(vtkMaterialMap::CLASSES, classes));
   }
@@ -290,12 +285,10 @@ private:
   // Polygons are drawn once for each class: vertices have an attribute that a program might read.
   void AddUncutClasses(int classes)
   {
-    const std::size_t before = this->Kinds.size();
-    this->AddClasses(classes, false);
-    if (this->Kinds.size() > before)
+    if (Kind* kind = this->AddClasses(classes, false))
     {
-      this->Kinds.back().Name += ", drawn for each class";
-      this->Kinds.back().Mapper->MapDataArrayToVertexAttribute(
+      kind->Name += ", drawn for each class";
+      kind->Mapper->MapDataArrayToVertexAttribute(
         "unused", "data", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
     }
   }
@@ -303,23 +296,21 @@ private:
   // In white: nothing changes.
   void AddColoredClasses(int classes)
   {
-    const std::size_t before = this->Kinds.size();
-    this->AddClasses(classes, false);
-    if (this->Kinds.size() == before)
+    Kind* kind = this->AddClasses(classes, false);
+    if (!kind)
     {
       return;
     }
-    Kind& kind = this->Kinds.back();
-    kind.Name += ", colors of cells";
-    vtkPolyData* sphere = kind.Mapper->GetInput();
+    kind->Name += ", colors of cells";
+    vtkPolyData* sphere = kind->Mapper->GetInput();
     vtkNew<vtkUnsignedCharArray> white;
     white->SetName("white");
     white->SetNumberOfComponents(3);
     white->SetNumberOfTuples(sphere->GetNumberOfCells());
     white->Fill(255.0);
     sphere->GetCellData()->AddArray(white);
-    kind.Mapper->SetScalarModeToUseCellFieldData();
-    kind.Mapper->SelectColorArray("white");
+    kind->Mapper->SetScalarModeToUseCellFieldData();
+    kind->Mapper->SelectColorArray("white");
   }
 
   void AddValues(int materials)
@@ -366,7 +357,6 @@ private:
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkActor> Actor;
   std::vector<vtkSmartPointer<vtkBRDF>> Materials;
-  std::vector<vtkSmartPointer<vtkBRDF>> SharperMaterials;
   std::vector<vtkSmartPointer<vtkBRDF>> OtherMaterials;
   std::vector<vtkSmartPointer<vtkBRDF>> MaterialsInSun;
   std::vector<Kind> Kinds;

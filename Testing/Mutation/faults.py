@@ -797,8 +797,8 @@ add("Rendering.block-indices-from-one", "BlockMaterials.cxx", "index = this->Nex
     "index = ++this->Next;", "Composite.MaterialsOfBlocks")
 add("Rendering.block-behind-the-last", "BlockMaterials.cxx", "if (index >= this->Next)",
     "if (index > this->Next)", "Composite.MissingBlocksAreSaidOnce")
-add("Rendering.blocks-do-not-inherit", "BlockMaterials.cxx", "this->Visit(child, material);",
-    "this->Visit(child, this->Settings.BRDF);", "Composite.MaterialsOfBlocks")
+add("Rendering.blocks-do-not-inherit", "BlockMaterials.cxx", "childName, material);",
+    "childName, { this->Settings.BRDF, false });", "Composite.MaterialsOfBlocks")
 
 add("Rendering.scene-lights-stay", "MaterialDrawing.cxx",
     '(this->Settings->UseSceneLights ? "" : "/environment only")', "std::string()", "MapperShading.SceneLights")
@@ -1074,7 +1074,7 @@ add("Rendering.map-colored-points-are-cut", "PartMappers.cxx", "cellFlag == 0;",
     "ClassBorders.ColorsOfPointsKeepPolygonsWhole")
 add("Rendering.map-hidden-skies-are-cut", "PartMappers.cxx", "return settings.OcclusionMode != 0 &&",
     "return settings.OcclusionMode > 5 &&", "ClassBorders.HiddenSkiesKeepPolygonsWhole")
-add("Rendering.map-nearest-is-the-first", "MixtureShader.cxx", '" > brdfMost ? "', '" > 2.0 ? "',
+add("Rendering.map-nearest-is-the-first", "PartMapper.cxx", '" > brdfMost ? "', '" > 2.0 ? "',
     "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
 add("Rendering.map-classes-that-meet-share-a-slot", "MaterialPartition.cxx", "while (taken[slot])", "while (false)",
    
@@ -1083,7 +1083,7 @@ add("Rendering.map-borders-take-the-last-shader", "ClassesMapper.cxx",
     "ofBorder == this->WasOfBorder ? this->Last : nullptr", "this->Last", "ClassBorders.AreTheSameInBothWays")
 add("Rendering.map-hats-fall-at-the-ends", "PolygonMaterials.cxx", "if (k + 1 < knots.size())",
     "if (k + 2 < knots.size())", "MaterialMapping.ValuesBlendInEachPixel")
-add("Rendering.map-the-rest-is-drawn-twice", "MixtureShader.cxx", "if (brdfNearest != brdfSlot)",
+add("Rendering.map-the-rest-is-drawn-twice", "PartMapper.cxx", "if (brdfNearest != brdfSlot)",
     "if (brdfNearest > 9)", "MaterialMapping.NoMaterialIsTheSuperclass")
 add("Rendering.map-scalars-that-choose-color", "PartMappers.cxx", "if (colored || ",
     "if (!colored || ",
@@ -1107,8 +1107,6 @@ add("Rendering.map-members-share-instances", "BRDFShader.cxx", "return 100 * mem
 add("Rendering.map-divided-blocks-are-drawn-whole", "BlockBatch.cxx",
     "if (this->Uses.size() < 2 && !this->HasDivided)", "if (this->Uses.size() < 2)",
     "MaterialMapping.CompositeDataShowTheSame")
-add("Rendering.map-small-shares-add-up-unseen", "MaterialParts.cxx",
-    "smaller += smallestFirst[end].first / sum;", "smaller = smallestFirst[end].first / sum;", "Parts.SmallMaterialsMayBeCoarse")
 add("Material.angular-table-azimuths-end", "vtkAngularTableBRDF.cxx",
     "const std::size_t right = next % count;", "const std::size_t right = std::min(next, count - 1);",
     "IOUtia.InterpolatesAlongAllFourAxes")
@@ -1291,7 +1289,7 @@ add("Shaders.hidden-sky-odds", "vtkBRDFHiddenSky.glsl", "(12.0 / (12.0 + kappa))
 add("Shaders.hidden-irradiance-counts", "vtkBRDFEnvironmentTable.glsl", "sum += BRDF_OPEN_IRRADIANCE(",
     "sum += (", "OcclusionTest.MatteSurfacesLackTheHiddenIrradiance")
 
-add("Rendering.map-bands-of-a-scale-overlap", "MixtureShader.cxx", "brdfAt < brdfBand.x || brdfAt >= brdfBand.y",
+add("Rendering.map-bands-of-a-scale-overlap", "PartMapper.cxx", "brdfAt < brdfBand.x || brdfAt >= brdfBand.y",
     "brdfAt < brdfBand.x", "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
 add("Rendering.map-values-end-at-points", "PolygonMaterials.cxx", "-FarOff, FarOff)", "0.0, 1.0)",
     "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")

@@ -184,20 +184,18 @@ public:
   {
     while (static_cast<int>(this->Chosen.size()) < std::min(this->Options.Most, this->Materials))
     {
-      const double before = this->Error;
-      const int best = this->FindAddition();
-      if (best < 0)
+      double error = 0.0;
+      const std::vector<int> best = this->FindBest(this->Chosen.size(), error);
+      if (best.empty())
       {
         return {};
       }
-      const bool pays =
-        this->Chosen.empty() || this->Error < (1.0 - this->Options.Tolerance) * before;
-      if (!pays)
+      if (!this->Chosen.empty() && error >= (1.0 - this->Options.Tolerance) * this->Error)
       {
-        this->Error = before;
-        break;
+        break; // it does not pay
       }
-      this->Chosen.push_back(best);
+      this->Chosen = best;
+      this->Error = error;
       if (this->Error <= NothingLeft * this->Squares)
       {
         break;
@@ -245,33 +243,28 @@ private:
     return errors;
   }
 
-  bool IsChosen(int material) const
+  // Of the sets in which another material stands at a place, behind the last one to add it, the one
+  // that leaves least, which error says; empty if it was stopped or there is none.
+  std::vector<int> FindBest(std::size_t place, double& error)
   {
-    return std::find(this->Chosen.begin(), this->Chosen.end(), material) != this->Chosen.end();
-  }
-
-  // The material whose addition leaves least, and in Error how much; -1: stopped.
-  int FindAddition()
-  {
-    std::vector<int> candidates;
     std::vector<std::vector<int>> sets;
     for (int k = 0; k < this->Materials; ++k)
     {
-      if (!this->IsChosen(k))
+      if (std::find(this->Chosen.begin(), this->Chosen.end(), k) == this->Chosen.end())
       {
-        candidates.push_back(k);
         sets.push_back(this->Chosen);
-        sets.back().push_back(k);
+        sets.back().resize(std::max(this->Chosen.size(), place + 1));
+        sets.back()[place] = k;
       }
     }
     const std::vector<double> errors = this->GetErrors(sets);
-    if (this->IsStopped)
+    if (this->IsStopped || errors.empty())
     {
-      return -1;
+      return {};
     }
     const auto best = std::min_element(errors.begin(), errors.end());
-    this->Error = *best;
-    return candidates[static_cast<std::size_t>(best - errors.begin())];
+    error = *best;
+    return sets[static_cast<std::size_t>(best - errors.begin())];
   }
 
   // Exchange one material where that helps.
@@ -279,25 +272,16 @@ private:
   {
     for (std::size_t place = 0; place < this->Chosen.size(); ++place)
     {
-      std::vector<std::vector<int>> sets;
-      for (int k = 0; k < this->Materials; ++k)
-      {
-        if (!this->IsChosen(k))
-        {
-          sets.push_back(this->Chosen);
-          sets.back()[place] = k;
-        }
-      }
-      const std::vector<double> errors = this->GetErrors(sets);
-      if (this->IsStopped || errors.empty())
+      double error = 0.0;
+      const std::vector<int> best = this->FindBest(place, error);
+      if (best.empty())
       {
         return false;
       }
-      const auto best = std::min_element(errors.begin(), errors.end());
-      if (*best < (1.0 - Exchange) * this->Error - NothingLeft * this->Squares)
+      if (error < (1.0 - Exchange) * this->Error - NothingLeft * this->Squares)
       {
-        this->Error = *best;
-        this->Chosen = sets[static_cast<std::size_t>(best - errors.begin())];
+        this->Error = error;
+        this->Chosen = best;
         return true;
       }
     }

@@ -31,10 +31,8 @@ const std::map<std::string, int> Transfers = { { "automatic", vtkPhotographSet::
   { "linear", vtkPhotographSet::LINEAR }, { "srgb", vtkPhotographSet::SRGB },
   { "power", vtkPhotographSet::POWER } };
 
-//------------------------------------------------------------------------------
 std::string Quote(const std::string& text) { return "'" + ToPrintable(text, LongestName) + "'"; }
 
-//------------------------------------------------------------------------------
 // Throws where a direction or the exposure cannot be used.
 void Check(const std::string& where, const ListedPhotograph& photograph)
 {
@@ -53,7 +51,6 @@ void Check(const std::string& where, const ListedPhotograph& photograph)
   }
 }
 
-//------------------------------------------------------------------------------
 void SetAngles(const std::string& where, double theta, double phi, double direction[3])
 {
   if (!(theta >= 0.0 && theta < 90.0) || !std::isfinite(phi))
@@ -66,288 +63,253 @@ void SetAngles(const std::string& where, double theta, double phi, double direct
   vtkPhotographSet::GetDirection(theta, phi, direction);
 }
 
-//------------------------------------------------------------------------------
-// A list in JSON.
-class JsonList
+void CheckKeys(
+  const std::string& where, const json& object, std::initializer_list<const char*> allowed)
 {
-public:
-  explicit JsonList(const FileBytes& file)
-    : Path(file.GetPath())
+  if (!object.is_object())
   {
-    try
-    {
-      this->Root = ParseJson<json>(file.GetView());
-    }
-    catch (const std::exception& e)
-    {
-      throw FileError(this->Path + ": JSON: " + e.what());
-    }
+    throw FileError(where + ": expected an object in braces");
   }
-
-  PhotographList Parse() const
+  for (const auto& item : object.items())
   {
-    this->CheckKeys(this->Path, this->Root,
-      { "photographs", "irradiance", "transfer", "gamma", "saturation", "black",
-        "levels_for_floats", "comment" });
-    PhotographList list;
-    this->ParseSettings(list);
-    const auto found = this->Root.find("photographs");
-    if (found == this->Root.end() || !found->is_array())
+    if (std::find(allowed.begin(), allowed.end(), item.key()) == allowed.end())
     {
-      throw FileError(this->Path + ": expected an array named 'photographs'");
-    }
-    for (std::size_t k = 0; k < found->size(); ++k)
-    {
-      const std::string where = this->Path + ": photograph " + std::to_string(k);
-      const json& entry = (*found)[k];
-      this->CheckKeys(where, entry, { "file", "light", "view", "exposure", "comment" });
-      ListedPhotograph photograph;
-      const auto file = entry.find("file");
-      photograph.File = file != entry.end() && file->is_string() ? file->get<std::string>() : "";
-      this->ParseDirection(where, entry, "light", photograph.Light);
-      this->ParseDirection(where, entry, "view", photograph.View);
-      photograph.Exposure = this->GetNumber(where, entry, "exposure", 1.0);
-      Check(where, photograph);
-      list.Photographs.push_back(photograph);
-    }
-    return list;
-  }
-
-private:
-  void CheckKeys(
-    const std::string& where, const json& object, std::initializer_list<const char*> allowed) const
-  {
-    if (!object.is_object())
-    {
-      throw FileError(where + ": expected an object in braces");
-    }
-    for (const auto& item : object.items())
-    {
-      if (std::find(allowed.begin(), allowed.end(), item.key()) == allowed.end())
+      std::string names;
+      for (const char* name : allowed)
       {
-        std::string names;
-        for (const char* name : allowed)
-        {
-          names += (names.empty() ? "" : ", ") + std::string(name);
-        }
-        throw FileError(where + ": found the key " + Quote(item.key()) + ", expected " + names);
+        names += (names.empty() ? "" : ", ") + std::string(name);
       }
+      throw FileError(where + ": found the key " + Quote(item.key()) + ", expected " + names);
     }
   }
+}
 
-  double GetNumber(
-    const std::string& where, const json& object, const char* key, double otherwise) const
+double GetNumber(const std::string& where, const json& object, const char* key, double otherwise)
+{
+  const auto found = object.find(key);
+  if (found == object.end())
   {
-    const auto found = object.find(key);
-    if (found == object.end())
-    {
-      return otherwise;
-    }
-    const double value = found->is_number() ? found->get<double>() : NAN;
-    if (!std::isfinite(value))
-    {
-      throw FileError(where + ": " + key + ": expected a finite number");
-    }
-    return value;
+    return otherwise;
   }
-
-  void ParseDirection(
-    const std::string& where, const json& entry, const char* key, double direction[3]) const
+  const double value = found->is_number() ? found->get<double>() : NAN;
+  if (!std::isfinite(value))
   {
-    const auto found = entry.find(key);
-    const std::string place = where + ": " + key;
-    if (found != entry.end() && found->is_object())
-    {
-      this->CheckKeys(place, *found, { "theta", "phi" });
-      SetAngles(place, this->GetNumber(place, *found, "theta", NAN),
-        this->GetNumber(place, *found, "phi", 0.0), direction);
-      return;
-    }
-    const bool isTriple = found != entry.end() && found->is_array() && found->size() == 3;
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      if (!isTriple || !(*found)[c].is_number())
-      {
-        throw FileError(
-          place + R"(: expected three numbers, or {"theta": ..., "phi": ...} in degrees)");
-      }
-      direction[c] = (*found)[c].get<double>();
-    }
+    throw FileError(where + ": " + key + ": expected a finite number");
   }
+  return value;
+}
 
-  void ParseSettings(PhotographList& list) const
+void ParseDirection(
+  const std::string& where, const json& entry, const char* key, double direction[3])
+{
+  const auto found = entry.find(key);
+  const std::string place = where + ": " + key;
+  if (found != entry.end() && found->is_object())
   {
-    list.Irradiance = this->GetNumber(this->Path, this->Root, "irradiance", list.Irradiance);
-    list.Gamma = this->GetNumber(this->Path, this->Root, "gamma", list.Gamma);
-    list.SaturationLevel =
-      this->GetNumber(this->Path, this->Root, "saturation", list.SaturationLevel);
-    list.BlackLevel = this->GetNumber(this->Path, this->Root, "black", list.BlackLevel);
-    if (!(list.Irradiance > 0.0) || !(list.Gamma >= 0.1 && list.Gamma <= 10.0))
-    {
-      throw FileError(this->Path + ": expected an irradiance > 0 and a gamma from 0.1 to 10");
-    }
-    const auto levels = this->Root.find("levels_for_floats");
-    if (levels != this->Root.end() && !levels->is_boolean())
-    {
-      throw FileError(this->Path + ": levels_for_floats: expected true or false");
-    }
-    list.LevelsForFloats = levels != this->Root.end() && levels->get<bool>();
-    const auto transfer = this->Root.find("transfer");
-    if (transfer != this->Root.end())
-    {
-      const auto known =
-        Transfers.find(transfer->is_string() ? transfer->get<std::string>() : std::string());
-      if (known == Transfers.end())
-      {
-        throw FileError(this->Path + ": transfer: expected automatic, linear, srgb or power");
-      }
-      list.Transfer = known->second;
-    }
+    CheckKeys(place, *found, { "theta", "phi" });
+    SetAngles(place, GetNumber(place, *found, "theta", NAN), GetNumber(place, *found, "phi", 0.0),
+      direction);
+    return;
   }
+  const bool isTriple = found != entry.end() && found->is_array() && found->size() == 3;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    if (!isTriple || !(*found)[c].is_number())
+    {
+      throw FileError(
+        place + R"(: expected three numbers, or {"theta": ..., "phi": ...} in degrees)");
+    }
+    direction[c] = (*found)[c].get<double>();
+  }
+}
 
-  std::string Path;
-  json Root;
-};
+ListedPhotograph ParsePhotograph(const std::string& where, const json& entry)
+{
+  CheckKeys(where, entry, { "file", "light", "view", "exposure", "comment" });
+  ListedPhotograph photograph;
+  const auto file = entry.find("file");
+  photograph.File = file != entry.end() && file->is_string() ? file->get<std::string>() : "";
+  ParseDirection(where, entry, "light", photograph.Light);
+  ParseDirection(where, entry, "view", photograph.View);
+  photograph.Exposure = GetNumber(where, entry, "exposure", 1.0);
+  Check(where, photograph);
+  return photograph;
+}
 
-//------------------------------------------------------------------------------
+void ParseSettings(const std::string& path, const json& root, PhotographList& list)
+{
+  list.Irradiance = GetNumber(path, root, "irradiance", list.Irradiance);
+  list.Gamma = GetNumber(path, root, "gamma", list.Gamma);
+  list.SaturationLevel = GetNumber(path, root, "saturation", list.SaturationLevel);
+  list.BlackLevel = GetNumber(path, root, "black", list.BlackLevel);
+  if (!(list.Irradiance > 0.0) || !(list.Gamma >= 0.1 && list.Gamma <= 10.0))
+  {
+    throw FileError(path + ": expected an irradiance > 0 and a gamma from 0.1 to 10");
+  }
+  const auto levels = root.find("levels_for_floats");
+  if (levels != root.end() && !levels->is_boolean())
+  {
+    throw FileError(path + ": levels_for_floats: expected true or false");
+  }
+  list.LevelsForFloats = levels != root.end() && levels->get<bool>();
+  const auto transfer = root.find("transfer");
+  if (transfer != root.end())
+  {
+    const auto known =
+      Transfers.find(transfer->is_string() ? transfer->get<std::string>() : std::string());
+    if (known == Transfers.end())
+    {
+      throw FileError(path + ": transfer: expected automatic, linear, srgb or power");
+    }
+    list.Transfer = known->second;
+  }
+}
+
+PhotographList ParseJsonList(const FileBytes& file)
+{
+  const std::string& path = file.GetPath();
+  json root;
+  try
+  {
+    root = ParseJson<json>(file.GetView());
+  }
+  catch (const std::exception& e)
+  {
+    throw FileError(path + ": JSON: " + e.what());
+  }
+  CheckKeys(path, root,
+    { "photographs", "irradiance", "transfer", "gamma", "saturation", "black", "levels_for_floats",
+      "comment" });
+  PhotographList list;
+  ParseSettings(path, root, list);
+  const auto found = root.find("photographs");
+  if (found == root.end() || !found->is_array())
+  {
+    throw FileError(path + ": expected an array named 'photographs'");
+  }
+  for (std::size_t k = 0; k < found->size(); ++k)
+  {
+    list.Photographs.push_back(
+      ParsePhotograph(path + ": photograph " + std::to_string(k), (*found)[k]));
+  }
+  return list;
+}
+
 std::vector<std::string> SplitLine(const std::string& line)
 {
-  std::vector<std::string> fields(1);
-  for (const char letter : line)
+  std::vector<std::string> fields;
+  std::istringstream rest(line + ",");
+  for (std::string field; std::getline(rest, field, ',');)
   {
-    if (letter == ',')
-    {
-      fields.emplace_back();
-    }
-    else if (letter != '\r')
-    {
-      fields.back() += letter;
-    }
-  }
-  for (std::string& field : fields)
-  {
-    const std::size_t first = field.find_first_not_of(" \t");
-    const std::size_t last = field.find_last_not_of(" \t");
-    field = first == std::string::npos ? "" : field.substr(first, last + 1 - first);
+    const std::size_t first = field.find_first_not_of(" \t\r");
+    const std::size_t last = field.find_last_not_of(" \t\r");
+    fields.push_back(first == std::string::npos ? "" : field.substr(first, last + 1 - first));
   }
   return fields;
 }
 
-//------------------------------------------------------------------------------
-// A list in CSV, whose first line names the columns.
-class CsvList
+// The first line of a list in CSV names the columns.
+using Columns = std::map<std::string, std::size_t>;
+
+Columns ParseHeader(const std::string& where, const std::vector<std::string>& fields)
 {
-public:
-  explicit CsvList(const FileBytes& file)
-    : Path(file.GetPath())
-    , Text(std::string(file.GetView()))
+  Columns columns;
+  for (std::size_t k = 0; k < fields.size(); ++k)
   {
-  }
-
-  PhotographList Parse()
-  {
-    PhotographList list;
-    std::string line;
-    for (int number = 1; std::getline(this->Text, line); ++number)
+    if (!columns.emplace(fields[k], k).second)
     {
-      const std::size_t first = line.find_first_not_of(" \t\r");
-      if (first == std::string::npos || line[first] == '#')
-      {
-        continue;
-      }
-      this->Where = this->Path + ": line " + std::to_string(number);
-      this->Fields = SplitLine(line);
-      if (this->Columns.empty())
-      {
-        this->ParseHeader();
-      }
-      else
-      {
-        list.Photographs.push_back(this->ParseRow());
-      }
-    }
-    return list;
-  }
-
-private:
-  void ParseHeader()
-  {
-    for (std::size_t k = 0; k < this->Fields.size(); ++k)
-    {
-      if (!this->Columns.emplace(this->Fields[k], k).second)
-      {
-        throw FileError(this->Where + ": found two columns " + Quote(this->Fields[k]));
-      }
-    }
-    for (const std::string direction : { "light", "view" })
-    {
-      const bool angles = this->Columns.count(direction + "_theta") > 0;
-      for (const char* part : { "_x", "_y", "_z", "_theta", "_phi" })
-      {
-        const bool isAngle = std::string(part).size() > 2;
-        if (isAngle == angles && this->Columns.count(direction + part) == 0)
-        {
-          throw FileError(this->Where + ": found no column '" + direction + part +
-                          "', expected file, light_theta, light_phi, view_theta, view_phi in "
-                          "degrees, or light_x ... view_z, and where wanted exposure");
-        }
-      }
-    }
-    if (this->Columns.count("file") == 0)
-    {
-      throw FileError(this->Where + ": found no column 'file'");
+      throw FileError(where + ": found two columns " + Quote(fields[k]));
     }
   }
-
-  double GetNumber(const std::string& column) const
+  for (const std::string direction : { "light", "view" })
   {
-    const std::string& text = this->Fields[this->Columns.at(column)];
+    const bool angles = columns.count(direction + "_theta") > 0;
+    for (const char* part : { "_x", "_y", "_z", "_theta", "_phi" })
+    {
+      const bool isAngle = std::string(part).size() > 2;
+      if (isAngle == angles && columns.count(direction + part) == 0)
+      {
+        throw FileError(where + ": found no column '" + direction + part +
+                        "', expected file, light_theta, light_phi, view_theta, view_phi in "
+                        "degrees, or light_x ... view_z, and where wanted exposure");
+      }
+    }
+  }
+  if (columns.count("file") == 0)
+  {
+    throw FileError(where + ": found no column 'file'");
+  }
+  return columns;
+}
+
+// A row of a list in CSV as an entry of one in JSON.
+json MakeEntry(
+  const std::string& where, const Columns& columns, const std::vector<std::string>& fields)
+{
+  if (fields.size() != columns.size())
+  {
+    throw FileError(where + ": found " + std::to_string(fields.size()) + " columns, expected " +
+                    std::to_string(columns.size()));
+  }
+  const auto getNumber = [&](const std::string& column)
+  {
+    const std::string& text = fields[columns.at(column)];
     double value = 0.0;
     if (!ParseNumber(text, value))
     {
       throw FileError(
-        this->Where + ": " + column + ": found " + Quote(text) + ", expected a finite number");
+        where + ": " + column + ": found " + Quote(text) + ", expected a finite number");
     }
     return value;
-  }
-
-  void ParseDirection(const std::string& name, double direction[3]) const
+  };
+  json entry;
+  entry["file"] = fields[columns.at("file")];
+  for (const std::string name : { "light", "view" })
   {
-    if (this->Columns.count(name + "_theta") > 0)
+    if (columns.count(name + "_theta") > 0)
     {
-      SetAngles(this->Where + ": " + name, this->GetNumber(name + "_theta"),
-        this->GetNumber(name + "_phi"), direction);
-      return;
+      entry[name]["theta"] = getNumber(name + "_theta");
+      entry[name]["phi"] = getNumber(name + "_phi");
     }
-    direction[0] = this->GetNumber(name + "_x");
-    direction[1] = this->GetNumber(name + "_y");
-    direction[2] = this->GetNumber(name + "_z");
+    else
+    {
+      entry[name] = { getNumber(name + "_x"), getNumber(name + "_y"), getNumber(name + "_z") };
+    }
   }
-
-  ListedPhotograph ParseRow() const
+  if (columns.count("exposure") > 0)
   {
-    if (this->Fields.size() != this->Columns.size())
-    {
-      throw FileError(this->Where + ": found " + std::to_string(this->Fields.size()) +
-                      " columns, expected " + std::to_string(this->Columns.size()));
-    }
-    ListedPhotograph photograph;
-    photograph.File = this->Fields[this->Columns.at("file")];
-    this->ParseDirection("light", photograph.Light);
-    this->ParseDirection("view", photograph.View);
-    photograph.Exposure = this->Columns.count("exposure") > 0 ? this->GetNumber("exposure") : 1.0;
-    Check(this->Where, photograph);
-    return photograph;
+    entry["exposure"] = getNumber("exposure");
   }
+  return entry;
+}
 
-  std::string Path;
-  std::istringstream Text;
-  std::string Where;
-  std::vector<std::string> Fields;
-  std::map<std::string, std::size_t> Columns;
-};
+PhotographList ParseCsvList(const FileBytes& file)
+{
+  PhotographList list;
+  Columns columns;
+  std::istringstream text{ std::string(file.GetView()) };
+  std::string line;
+  for (int number = 1; std::getline(text, line); ++number)
+  {
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string::npos || line[first] == '#')
+    {
+      continue;
+    }
+    const std::string where = file.GetPath() + ": line " + std::to_string(number);
+    const std::vector<std::string> fields = SplitLine(line);
+    if (columns.empty())
+    {
+      columns = ParseHeader(where, fields);
+    }
+    else
+    {
+      list.Photographs.push_back(ParsePhotograph(where, MakeEntry(where, columns, fields)));
+    }
+  }
+  return list;
+}
 
-//------------------------------------------------------------------------------
 // The number behind a key of two letters that begins a word; returns how many there are.
 int FindAngle(const std::string& name, const char* key, double& angle)
 {
@@ -374,7 +336,6 @@ int FindAngle(const std::string& name, const char* key, double& angle)
 }
 }
 
-//------------------------------------------------------------------------------
 PhotographList ParsePhotographList(const FileBytes& file)
 {
   if (file.GetSize() > MostListBytes)
@@ -385,7 +346,7 @@ PhotographList ParsePhotographList(const FileBytes& file)
   const std::string_view text = file.GetView();
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const bool isJson = first != std::string_view::npos && text[first] == '{';
-  PhotographList list = isJson ? JsonList(file).Parse() : CsvList(file).Parse();
+  PhotographList list = isJson ? ParseJsonList(file) : ParseCsvList(file);
   if (list.Photographs.empty() ||
       list.Photographs.size() > std::size_t(vtkPhotographSet::MaximumNumberOfPhotographs))
   {
@@ -396,7 +357,6 @@ PhotographList ParsePhotographList(const FileBytes& file)
   return list;
 }
 
-//------------------------------------------------------------------------------
 bool ParsePhotographName(const std::string& path, ListedPhotograph& photograph)
 {
   const std::string name = GetFileTitle(path);
@@ -416,7 +376,6 @@ bool ParsePhotographName(const std::string& path, ListedPhotograph& photograph)
   return true;
 }
 
-//------------------------------------------------------------------------------
 PhotographList ListPhotographFolder(const std::string& folder, std::size_t& ignored)
 {
   PhotographList list;

@@ -157,7 +157,7 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   PlanRequest request;
   request.BRDF = use.first;
   request.Environment = state.Environment;
-  request.Tolerance = this->GetTolerance(use.first);
+  request.Tolerance = this->Settings->ErrorTolerance;
   request.MaximumCost = this->Settings->MaximumCost;
   request.Timing = timings[this->Settings->PlanningMode];
   request.ForView = this->IsForView();
@@ -319,12 +319,6 @@ DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState&
   return drawn;
 }
 
-double MaterialDrawing::GetTolerance(vtkBRDF* brdf) const
-{
-  const double factor = this->ToleranceFactor ? this->ToleranceFactor(brdf) : 1.0;
-  return std::min(factor * this->Settings->ErrorTolerance, LargestTolerance);
-}
-
 // Empty where the materials are to be looked up.
 FrameStamp MaterialDrawing::GetStamp(const FrameState& state, const std::vector<MaterialUse>& uses)
 {
@@ -340,7 +334,7 @@ FrameStamp MaterialDrawing::GetStamp(const FrameState& state, const std::vector<
   stamp.HasLight = HasLight(state.Renderer, state.Environment != nullptr);
   for (const MaterialUse& use : uses)
   {
-    stamp.Uses.emplace_back(use.first, this->GetTolerance(use.first));
+    stamp.Uses.emplace_back(use.first, this->Settings->ErrorTolerance);
   }
   return stamp;
 }

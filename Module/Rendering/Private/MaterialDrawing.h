@@ -120,12 +120,6 @@ public:
   OcclusionLights GetSelectedOcclusion(bool any);
   ///@}
 
-  /// A material may have so many times the mapper's tolerance (default: 1 for all).
-  void SetToleranceFactor(std::function<double(vtkBRDF*)> factor)
-  {
-    this->ToleranceFactor = std::move(factor);
-  }
-
   /// Whether PlanForView counts for the materials of a material map, too (default: yes).
   void SetPlansMapsForView(bool plans) { this->PlansMapsForView = plans; }
 
@@ -177,7 +171,6 @@ private:
   /// As plans know a material (PlanRequest::Member).
   vtkBRDF* GetMember(vtkBRDF* brdf) const { return brdf == this->Settings->BRDF ? nullptr : brdf; }
   PlanRequest GetRequest(const MaterialUse& use, const FrameState& state);
-  double GetTolerance(vtkBRDF* brdf) const;
   bool IsForView() const
   {
     return this->Settings->PlanForView && (this->PlansMapsForView || !this->Settings->MaterialMap);
@@ -213,7 +206,6 @@ private:
 
   std::unique_ptr<MaterialSettings> Settings = std::make_unique<MaterialSettings>();
   std::function<std::vector<MaterialUse>()> UsesToCome;
-  std::function<double(vtkBRDF*)> ToleranceFactor;
   bool PlansMapsForView = true;
   MapperPlans Plans;
   ViewFrames Frames;                // each keeps its textures for the next Render

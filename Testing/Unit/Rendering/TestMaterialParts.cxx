@@ -100,6 +100,20 @@ protected:
     plane->Update();
     this->Plane->ShallowCopy(plane->GetOutput());
   }
+  /// Nothing else.
+  void SetPolygon(const std::vector<std::array<double, 2>>& corners)
+  {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> polygon;
+    polygon->InsertNextCell(static_cast<int>(corners.size()));
+    for (const auto& [x, y] : corners)
+    {
+      polygon->InsertCellPoint(points->InsertNextPoint(x, y, 0.0));
+    }
+    this->Plane->Initialize();
+    this->Plane->SetPoints(points);
+    this->Plane->SetPolys(polygon);
+  }
   /// On a scale of values.
   void AddMaterials(int count, double step)
   {
@@ -156,6 +170,9 @@ TEST_F(Parts, ClassesOfCellsAreOnePartEach)
     EXPECT_EQ(part.Surface->GetNumberOfPolys(), 20);
     EXPECT_EQ(part.Surface->GetPoints(), this->Plane->GetPoints()); // shared, not copied
     without += part.Members.empty() ? 1 : 0;
+    vtkDataArray* data = part.Surface->GetCellData()->GetArray("data"); // the cells' own
+    ASSERT_EQ(data->GetNumberOfTuples(), 20);
+    EXPECT_EQ(data->GetRange()[0], data->GetRange()[1]);
   }
   EXPECT_EQ(without, 1);
   EXPECT_NEAR(this->GetShare(2), 0.25, 1e-6); // of what has a material
@@ -172,59 +189,33 @@ TEST_F(Parts, UnknownClassesAreOfTheOtherMaterial)
   EXPECT_NEAR(this->GetShare(7), 0.75, 0.06);
 }
 
-TEST_F(Parts, CellsKeepTheirData)
-{
-  this->SetCells([](vtkIdType cell) { return cell % 3; });
-  this->AddMaterials(3);
-  ASSERT_EQ(this->Update(), "");
-  for (const MaterialPart& part : this->Divided.Get())
-  {
-    vtkDataArray* data = part.Surface->GetCellData()->GetArray("data");
-    ASSERT_EQ(data->GetNumberOfTuples(), part.Surface->GetNumberOfCells());
-    for (vtkIdType k = 1; k < data->GetNumberOfTuples(); ++k)
-    {
-      EXPECT_EQ(data->GetTuple1(k), data->GetTuple1(0));
-    }
-  }
-}
-
+// Left half, right half, one column of cells in between: a part of each alone, and one for each
+// where they meet, of the same polygons. The second one has a material or none.
 TEST_F(Parts, PointsOfDifferentClassesMeetInTheCellsBetween)
 {
-  // Left half, right half: one column of cells in between.
   this->SetPoints([](vtkIdType point) { return point % (Side + 1) <= Side / 2 ? 0.0 : 1.0; });
-  this->AddMaterials(2);
-  // A part of each alone, and one where they meet, of the same polygons.
-  ASSERT_EQ(this->Update(), "");
-  ASSERT_EQ(this->Divided.Get().size(), 4u);
-  std::set<int> slots;
-  for (const MaterialPart& part : this->Divided.Get())
+  for (const int materials : { 1, 2 })
   {
-    if (part.Kind == MixtureKind::Nearest)
+    this->Map->RemoveAllMaterials();
+    this->AddMaterials(materials);
+    ASSERT_EQ(this->Update(), "");
+    ASSERT_EQ(this->Divided.Get().size(), 4u);
+    std::set<int> slots;
+    int rest = 0;
+    for (const MaterialPart& part : this->Divided.Get())
     {
-      EXPECT_EQ(part.Members.size(), 1u);
-      EXPECT_EQ(part.Surface->GetNumberOfPolys(), Side);
-      slots.insert(part.Slot);
+      EXPECT_EQ(part.IsRest, part.Kind == MixtureKind::Nearest && part.Members.empty());
+      rest += part.IsRest ? 1 : 0;
+      if (part.Kind == MixtureKind::Nearest)
+      {
+        EXPECT_EQ(part.Surface->GetNumberOfPolys(), Side);
+        slots.insert(part.Slot);
+      }
     }
+    EXPECT_EQ(slots.size(), 2u);
+    EXPECT_EQ(rest, 2 - materials);
+    EXPECT_NEAR(this->GetShare(0), materials == 1 ? 1.0 : 0.55, 1e-6);
   }
-  EXPECT_EQ(slots.size(), 2u);
-  EXPECT_NEAR(this->GetShare(0), 0.55, 1e-6);
-}
-
-TEST_F(Parts, WhereNoMaterialMeetsOneTheRestIsDrawnApart)
-{
-  this->SetPoints([](vtkIdType point) { return point % (Side + 1) <= Side / 2 ? 0.0 : 1.0; });
-  this->AddMaterials(1);
-  ASSERT_EQ(this->Update(), "");
-  int mixed = 0;
-  int rest = 0;
-  for (const MaterialPart& part : this->Divided.Get())
-  {
-    mixed += part.Kind == MixtureKind::Nearest && !part.IsRest ? 1 : 0;
-    rest += part.IsRest ? 1 : 0;
-    EXPECT_TRUE(!part.IsRest || part.Members.empty());
-  }
-  EXPECT_EQ(mixed, 1);
-  EXPECT_EQ(rest, 1);
 }
 
 // In each polygon each class has a slot of its own, and each corner one weight, in its class's
@@ -278,17 +269,7 @@ TEST_F(Parts, ClassesThatMeetHaveSlotsOfTheirOwn)
 TEST_F(Parts, PolygonsOfManyClassesAreTriangles)
 {
   this->AddMaterials(6);
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> hexagon;
-  hexagon->InsertNextCell(6);
-  for (int k = 0; k < 6; ++k)
-  {
-    points->InsertNextPoint(std::cos(1.0472 * k), std::sin(1.0472 * k), 0.0);
-    hexagon->InsertCellPoint(k);
-  }
-  this->Plane->Initialize();
-  this->Plane->SetPoints(points);
-  this->Plane->SetPolys(hexagon);
+  this->SetPolygon({ { 2, 0 }, { 1, 2 }, { -1, 2 }, { -2, 0 }, { -1, -2 }, { 1, -2 } });
   this->SetPoints([](vtkIdType point) { return std::min(static_cast<double>(point), 3.0); });
   ASSERT_EQ(this->Update(), "");
   EXPECT_EQ(this->CountPolygons(), 4); // one polygon, four classes
@@ -488,48 +469,18 @@ TEST_F(Parts, TooManyWeightsInOnePlaceAreCutAndSaid)
   EXPECT_EQ(this->Divided.Get()[0].Members.back(), this->Materials[39]);
 }
 
-TEST_F(Parts, SmallMaterialsMayBeCoarse)
-{
-  // 1 % and 1 % of the area, and the rest.
-  this->SetCells([](vtkIdType cell) { return cell < 2 ? cell : 2; });
-  this->AddMaterials(3);
-  ASSERT_EQ(this->Update(), "");
-  EXPECT_EQ(this->Divided.GetToleranceFactor(this->Materials[0]), 3.0);
-  EXPECT_EQ(this->Divided.GetToleranceFactor(this->Materials[1]), 3.0);
-  EXPECT_EQ(this->Divided.GetToleranceFactor(this->Materials[2]), 1.0);
-  EXPECT_EQ(this->Divided.GetToleranceFactor(this->Materials[9]), 1.0); // seen nowhere
-  // 40 of 2.5 % each: what is small together is not small.
-  this->SetCells([](vtkIdType cell) { return std::floor(0.4 * cell); });
-  this->AddMaterials(40);
-  ASSERT_EQ(this->Update(), "");
-  for (const auto& material : this->Materials)
-  {
-    EXPECT_EQ(this->Divided.GetToleranceFactor(material), 1.0);
-  }
-}
-
 // Triangles of the plane's squares: a place is of the class of the largest sum of its corners'
 // shares. Where two meet, the lone corner has a quarter; where three meet, each has a third.
 TEST_F(Parts, BordersBetweenClassesOfPointsAreCut)
 {
   this->AddMaterials(3);
-  vtkNew<vtkPoints> points;
-  points->InsertNextPoint(0.0, 0.0, 0.0);
-  points->InsertNextPoint(2.0, 0.0, 0.0);
-  points->InsertNextPoint(2.0, 2.0, 0.0);
-  points->InsertNextPoint(0.0, 2.0, 0.0);
+  this->SetPolygon({ { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 } });
   vtkNew<vtkFloatArray> normals;
   normals->SetNumberOfComponents(3);
   for (int k = 0; k < 4; ++k)
   {
     normals->InsertNextTuple3(k, 1.0, 2.0);
   }
-  vtkNew<vtkCellArray> square;
-  const vtkIdType corners[4] = { 0, 1, 2, 3 };
-  square->InsertNextCell(4, corners);
-  this->Plane->Initialize();
-  this->Plane->SetPoints(points);
-  this->Plane->SetPolys(square);
   this->Plane->GetPointData()->SetNormals(normals);
   this->SetPoints([](vtkIdType point) { return std::max(static_cast<double>(point) - 1.0, 0.0); });
   this->Update();

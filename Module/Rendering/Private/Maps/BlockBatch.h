@@ -67,6 +67,7 @@ private:
   OcclusionSides Sides;
   std::vector<std::shared_ptr<OcclusionArrays>> Kept; // until the buffers are built
 };
+
 /// Those of one material are drawn while the others are invisible.
 class BlockBatch : public ShadedMapper<BatchBase>
 {

@@ -5,10 +5,8 @@
 #include "MaterialSettings.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkDataObjectTreeRange.h"
 #include "vtkInformation.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
 
 #include <set>
@@ -18,24 +16,36 @@ namespace measuredbrdf
 namespace
 {
 // Walks down the tree as VTK counts: the root is 0, missing children count.
-class Walk
+struct Walk
 {
-public:
-  Walk(const MaterialSettings& settings,
-    std::unordered_map<vtkPolyData*, BlockMaterials::Material>& materials)
-    : Settings(settings)
-    , Materials(materials)
+  void Visit(vtkDataObject* data, const char* name, BlockMaterials::Material material)
   {
-  }
-
-  void Run(vtkDataObject* data)
-  {
-    auto* tree = vtkDataObjectTree::SafeDownCast(data);
-    if (tree && !this->Settings.BlocksByName.empty())
+    const unsigned int index = this->Next++;
+    const auto byName =
+      name ? this->Settings.BlocksByName.find(name) : this->Settings.BlocksByName.end();
+    if (byName != this->Settings.BlocksByName.end())
     {
-      this->FindNames(tree);
+      material = { byName->second, true };
+      this->Found.insert(name);
     }
-    this->Visit(data, { this->Settings.BRDF, false });
+    const auto byIndex = this->Settings.BlocksByIndex.find(index);
+    if (byIndex != this->Settings.BlocksByIndex.end())
+    {
+      material = { byIndex->second, true };
+    }
+    if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+    {
+      for (const auto child : vtk::Range(tree, vtk::DataObjectTreeOptions::None))
+      {
+        const char* childName =
+          child.HasMetaData() ? child.GetMetaData()->Get(vtkCompositeDataSet::NAME()) : nullptr;
+        this->Visit(child.GetDataObject(), childName, material);
+      }
+    }
+    else if (auto* surface = vtkPolyData::SafeDownCast(data))
+    {
+      this->Materials[surface] = material;
+    }
   }
 
   std::string GetMissing() const
@@ -60,60 +70,10 @@ public:
     return missing;
   }
 
-private:
-  void FindNames(vtkDataObjectTree* tree)
-  {
-    vtkNew<vtkDataObjectTreeIterator> it;
-    it->SetDataSet(tree);
-    it->VisitOnlyLeavesOff();
-    it->TraverseSubTreeOn();
-    it->SkipEmptyNodesOff();
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-    {
-      const char* name = it->HasCurrentMetaData()
-                           ? it->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
-                           : nullptr;
-      const auto found =
-        name ? this->Settings.BlocksByName.find(name) : this->Settings.BlocksByName.end();
-      if (found != this->Settings.BlocksByName.end())
-      {
-        this->Named[it->GetCurrentFlatIndex()] = found->second;
-        this->Found.insert(name);
-      }
-    }
-  }
-
-  void Visit(vtkDataObject* data, BlockMaterials::Material material)
-  {
-    const unsigned int index = this->Next++;
-    const auto byName = this->Named.find(index);
-    if (byName != this->Named.end())
-    {
-      material = { byName->second, true };
-    }
-    const auto byIndex = this->Settings.BlocksByIndex.find(index);
-    if (byIndex != this->Settings.BlocksByIndex.end())
-    {
-      material = { byIndex->second, true };
-    }
-    if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
-    {
-      for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::None))
-      {
-        this->Visit(child, material);
-      }
-    }
-    else if (auto* surface = vtkPolyData::SafeDownCast(data))
-    {
-      this->Materials[surface] = material;
-    }
-  }
-
   const MaterialSettings& Settings;
   std::unordered_map<vtkPolyData*, BlockMaterials::Material>& Materials;
-  std::unordered_map<unsigned int, vtkBRDF*> Named;
   std::set<std::string> Found;
-  unsigned int Next = 0;
+  unsigned int Next;
 };
 }
 
@@ -129,8 +89,8 @@ std::string BlockMaterials::Update(vtkDataObject* data, const MaterialSettings& 
   this->SettingsTime = settings.Time.GetMTime();
   ++this->Revision;
   this->Materials.clear();
-  Walk walk(settings, this->Materials);
-  walk.Run(data);
+  Walk walk{ settings, this->Materials, {}, 0 };
+  walk.Visit(data, nullptr, { settings.BRDF, false });
   return walk.GetMissing();
 }
 } // namespace measuredbrdf

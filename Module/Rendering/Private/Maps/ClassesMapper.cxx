@@ -203,12 +203,8 @@ void ClassesMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* actor)
   for (std::size_t k : order)
   {
     this->ShowOnly(static_cast<int>(k));
-    MixtureText text;
-    if (this->Slot >= 0)
-    {
-      text = { this->GetText()->GetDeclarations(), this->GetText()->GetImplementation({}), {} };
-    }
-    this->Drawing->SelectMixture({ k }, std::move(text));
+    this->Drawing->SelectMixture(
+      { k }, this->Slot >= 0 ? this->MakeMixtureText({}) : MixtureText());
     this->vtkOpenGLPolyDataMapper::RenderPieceDraw(ren, actor);
   }
   this->Drawing->Unselect();

@@ -10,7 +10,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <set>
 #include <utility>
@@ -19,9 +18,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double CoarseShare = 0.025;
-constexpr double CoarseFactor = 3.0;
-
 // What is drawn in the pixels of a group.
 MaterialPart MakePart(
   const PolygonMaterials& materials, const MaterialPartition::Group& group, vtkMaterialMap* map)
@@ -226,33 +222,15 @@ const MaterialParts::Use& MaterialParts::Find(vtkBRDF* brdf) const
 void MaterialParts::MeasureShares(const std::map<vtkBRDF*, double>& areas)
 {
   double sum = 0.0;
-  std::vector<std::pair<double, vtkBRDF*>> smallestFirst;
   for (const auto& [brdf, area] : areas)
   {
-    if (brdf)
-    {
-      sum += area;
-      smallestFirst.emplace_back(area, brdf);
-    }
+    sum += brdf ? area : 0.0;
   }
-  if (!(sum > 0.0))
+  for (const auto& [brdf, area] : areas)
   {
-    return;
-  }
-  std::sort(smallestFirst.begin(), smallestFirst.end());
-  double smaller = 0.0; // of all that are not larger
-  for (std::size_t k = 0; k < smallestFirst.size();)
-  {
-    std::size_t end = k;
-    for (; end < smallestFirst.size() && smallestFirst[end].first <= smallestFirst[k].first; ++end)
+    if (brdf && sum > 0.0)
     {
-      smaller += smallestFirst[end].first / sum;
-    }
-    for (; k < end; ++k)
-    {
-      Use& use = this->Uses[smallestFirst[k].second];
-      use.Share = smallestFirst[k].first / sum;
-      use.ToleranceFactor = use.Share > 0.0 && smaller <= CoarseShare ? CoarseFactor : 1.0;
+      this->Uses[brdf].Share = area / sum;
     }
   }
 }

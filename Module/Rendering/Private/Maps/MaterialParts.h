@@ -95,11 +95,6 @@ public:
   /// The share of the surface's area that is of a material, of the area that is of any.
   double GetShare(vtkBRDF* brdf) const { return this->Find(brdf).Share; }
 
-  /// How many times the tolerance a material may have: 3 for those of the smallest shares, 2.5 % of
-  /// the area together, which so add at most a twentieth of the tolerance to the error of the
-  /// whole.
-  double GetToleranceFactor(vtkBRDF* brdf) const { return this->Find(brdf).ToleranceFactor; }
-
   /// All surfaces on which a material may be seen.
   const std::vector<vtkPolyData*>& GetSurfaces(vtkBRDF* brdf) const
   {
@@ -116,7 +111,6 @@ private:
   struct Use
   {
     double Share = 0.0;
-    double ToleranceFactor = 1.0;
     std::vector<vtkPolyData*> Surfaces;
   };
   const Use& Find(vtkBRDF* brdf) const;

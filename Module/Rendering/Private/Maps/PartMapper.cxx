@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PartMapper.h"
 
+#include "PartSurfaces.h"
 #include "PolygonMaterials.h"
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
@@ -14,6 +15,42 @@
 namespace measuredbrdf
 {
 vtkStandardNewMacro(PartMapper);
+
+namespace
+{
+using partarrays::WeightsPerGroup;
+
+// In the fragment shader. The superclass renames it where there is a geometry shader.
+std::string VaryingOf(const std::string& attribute) { return attribute + "VCVSOutput"; }
+
+std::string Weight(int slot) { return "brdfWeights[" + std::to_string(slot) + "]"; }
+
+std::string Texel(std::size_t image) { return "brdfTexel" + std::to_string(image); }
+
+// Vertex attributes of a part's weights: their names, which are also those of the part's point
+// arrays, and their types in GLSL.
+std::vector<std::pair<std::string, std::string>> GetAttributes(const MaterialPart& part)
+{
+  std::vector<std::pair<std::string, std::string>> attributes;
+  switch (part.Kind)
+  {
+    case MixtureKind::Single:
+      break;
+    case MixtureKind::Value:
+      attributes.emplace_back(partarrays::Value, "float");
+      break;
+    case MixtureKind::Images:
+      attributes.emplace_back(partarrays::Coordinates, "vec2");
+      break;
+    default:
+      for (int first = 0; first < part.NumberOfWeights; first += WeightsPerGroup)
+      {
+        attributes.emplace_back(partarrays::GetWeights(first / WeightsPerGroup), "vec4");
+      }
+  }
+  return attributes;
+}
+}
 
 void PartMapper::SetPart(const MaterialParts* parts, MaterialPart part, vtkMaterialMap* map)
 {
@@ -30,8 +67,7 @@ void PartMapper::SetPart(const MaterialParts* parts, MaterialPart part, vtkMater
   {
     this->ImageComponents.push_back(map->GetWeightImage(k)->GetNumberOfScalarComponents());
   }
-  const bool mixed = this->Part.Kind != MixtureKind::Single;
-  this->Text = mixed ? std::make_unique<MixtureShader>(this->Part, this->ImageComponents) : nullptr;
+  this->Attributes = GetAttributes(this->Part);
   this->Uses.clear();
   for (vtkBRDF* brdf : this->Part.Members)
   {
@@ -42,10 +78,10 @@ void PartMapper::SetPart(const MaterialParts* parts, MaterialPart part, vtkMater
     this->Uses.push_back({ nullptr, {} });
   }
   this->SetInputDataObject(this->Part.Surface);
-  for (std::size_t k = 0; mixed && k < this->Text->GetAttributes().size(); ++k)
+  for (const auto& [name, type] : this->Attributes)
   {
-    const char* name = this->Text->GetAttributes()[k].first.c_str();
-    this->MapDataArrayToVertexAttribute(name, name, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    this->MapDataArrayToVertexAttribute(
+      name.c_str(), name.c_str(), vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
   }
 }
 
@@ -69,7 +105,8 @@ void PartMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* actor)
     }
     this->Images->Activate();
   }
-  if (this->Text && !this->Part.Members.empty() && !this->Drawing->GetMaterials().empty())
+  if (!this->Attributes.empty() && !this->Part.Members.empty() &&
+      !this->Drawing->GetMaterials().empty())
   {
     this->DrawMixture(ren, actor);
   }
@@ -126,13 +163,13 @@ void PartMapper::DrawMixture(vtkRenderer* ren, vtkActor* actor)
 {
   const std::vector<std::size_t> chosen = this->ChooseMembers(ren);
   std::vector<bool> drawn(this->Part.Members.size(), false);
-  MixtureText text;
+  std::vector<int> slots;
   for (std::size_t member : chosen)
   {
     drawn[member] = true;
     if (this->Part.Kind != MixtureKind::Nearest)
     {
-      text.Slots.push_back(static_cast<int>(member));
+      slots.push_back(static_cast<int>(member));
     }
   }
   // Hats of those that are drawn: they end at the next one of these.
@@ -146,8 +183,8 @@ void PartMapper::DrawMixture(vtkRenderer* ren, vtkActor* actor)
   {
     this->Hats.emplace_back(chosen[k], MakeHat(knots, k));
   }
-  text.Declarations = this->Text->GetDeclarations();
-  text.Implementation = this->Text->GetImplementation(drawn);
+  MixtureText text = this->MakeMixtureText(drawn);
+  text.Slots = std::move(slots);
   this->Drawing->SelectMixture(chosen, std::move(text));
   this->vtkOpenGLPolyDataMapper::RenderPieceDraw(ren, actor);
   this->Drawing->Unselect();
@@ -180,7 +217,7 @@ void PartMapper::ReplaceShaderPositionVC(
   };
   if (this->NeedsWeights(this->LastBoundBO))
   {
-    for (const auto& [name, type] : this->Text->GetAttributes())
+    for (const auto& [name, type] : this->Attributes)
     {
       const std::string vertex = name + "VCVSOutput";
       const std::string geometry = name + "VCGSOutput";
@@ -193,8 +230,9 @@ void PartMapper::ReplaceShaderPositionVC(
     }
     if (this->IsOthers(this->LastBoundBO))
     {
-      add(vtkShader::Fragment, "Dec", this->Text->GetDeclarations());
-      add(vtkShader::Fragment, "Impl", this->Text->GetImplementation({}));
+      const MixtureText text = this->MakeMixtureText({});
+      add(vtkShader::Fragment, "Dec", text.Declarations);
+      add(vtkShader::Fragment, "Impl", text.Implementation);
     }
   }
   this->Superclass::ReplaceShaderPositionVC(shaders, ren, actor);
@@ -241,5 +279,119 @@ void PartMapper::SetMapperShaderParameters(
   {
     this->Images->SetUniforms(cellBO.Program);
   }
+}
+
+std::string PartMapper::GetWeightDeclarations() const
+{
+  std::string text;
+  for (const auto& [name, type] : this->Attributes)
+  {
+    text += "in " + type + " " + VaryingOf(name) + ";\n";
+  }
+  for (std::size_t k = 0; k < this->Part.Knots.size(); ++k)
+  {
+    text += "uniform vec4 brdfHat" + std::to_string(k) + ";\n";
+  }
+  text += this->Part.IsBand ? "uniform vec2 brdfBand;\n" : "";
+  for (std::size_t k = 0;
+       this->Part.Kind == MixtureKind::Images && k < this->ImageComponents.size(); ++k)
+  {
+    text += "uniform sampler2D " + WeightTextures::GetSampler(k) + ";\n";
+  }
+  if (this->Part.Kind == MixtureKind::Nearest)
+  {
+    return text + "uniform int brdfSlot;\n";
+  }
+  return text + "float brdfWeights[" + std::to_string(this->Part.NumberOfWeights) + "];\n";
+}
+
+// Of a slot, before all are divided by their sum.
+std::string PartMapper::GetWeightText(int slot) const
+{
+  const std::string number = std::to_string(slot);
+  switch (this->Part.Kind)
+  {
+    case MixtureKind::Value:
+      return "clamp(min(brdfHat" + number + ".x + brdfHat" + number + ".y * brdfAt, brdfHat" +
+             number + ".z + brdfHat" + number + ".w * brdfAt), 0.0, 1.0)";
+    case MixtureKind::Images:
+    {
+      const auto place = static_cast<std::size_t>(slot);
+      int component = place < this->Part.Components.size() ? this->Part.Components[place] : -1;
+      std::size_t image = 0;
+      while (component >= 0 && component >= this->ImageComponents[image])
+      {
+        component -= this->ImageComponents[image++];
+      }
+      return component < 0 ? "0.0" : Texel(image) + "[" + std::to_string(component) + "]";
+    }
+    default:
+      return VaryingOf(partarrays::GetWeights(slot / WeightsPerGroup)) + "[" +
+             std::to_string(slot % WeightsPerGroup) + "]";
+  }
+}
+
+// C++ twins: vtkMaterialMap::GetWeight and linear interpolation.
+MixtureText PartMapper::MakeMixtureText(const std::vector<bool>& drawn) const
+{
+  return { this->GetWeightDeclarations(), this->GetWeightCode(drawn), {} };
+}
+
+std::string PartMapper::GetWeightCode(const std::vector<bool>& drawn) const
+{
+  if (this->Part.Kind == MixtureKind::Nearest)
+  {
+    // Of several weights that are the largest the first one counts, so that each pixel is of one
+    // part.
+    std::string nearest =
+      "  int brdfNearest = 0;\n  float brdfMost = " + this->GetWeightText(0) + ";\n";
+    for (int slot = 1; slot < this->Part.NumberOfWeights; ++slot)
+    {
+      const std::string weight = this->GetWeightText(slot);
+      nearest += "  brdfNearest = " + weight + " > brdfMost ? " + std::to_string(slot) +
+                 " : brdfNearest;\n  brdfMost = max(brdfMost, " + weight + ");\n";
+    }
+    return nearest + "  if (brdfNearest != brdfSlot)\n  {\n    discard;\n  }\n";
+  }
+  const int count = this->Part.NumberOfWeights;
+  std::string text;
+  if (this->Part.Kind == MixtureKind::Value)
+  {
+    text += "  float brdfAt = " + VaryingOf(partarrays::Value) + ";\n";
+    text += this->Part.IsBand
+              ? "  if (brdfAt < brdfBand.x || brdfAt >= brdfBand.y)\n  {\n    discard;\n  }\n"
+              : "";
+  }
+  for (std::size_t k = 0;
+       this->Part.Kind == MixtureKind::Images && k < this->ImageComponents.size(); ++k)
+  {
+    text += "  vec4 " + Texel(k) + " = texture(" + WeightTextures::GetSampler(k) + ", " +
+            VaryingOf(partarrays::Coordinates) + ");\n";
+  }
+  std::string sum = "0.0";
+  int others = -1; // the material where no other has a weight
+  for (int slot = 0; slot < count; ++slot)
+  {
+    const auto place = static_cast<std::size_t>(slot);
+    const bool given = place >= drawn.size() || drawn[place];
+    const bool ofImages = this->Part.Kind == MixtureKind::Images;
+    const bool isOthers =
+      ofImages && (place >= this->Part.Components.size() || this->Part.Components[place] < 0);
+    others = given && (isOthers || others < 0) ? slot : others;
+    text += "  " + Weight(slot) + " = " + (given ? this->GetWeightText(slot) : "0.0") + ";\n";
+    sum += " + " + Weight(slot);
+  }
+  text += "  float brdfSum = " + sum + ";\n";
+  for (int slot = 0; slot < count; ++slot)
+  {
+    text += "  " + Weight(slot) + " = brdfSum > 0.0 ? " + Weight(slot) +
+            " / brdfSum : " + (slot == others ? "1.0" : "0.0") + ";\n";
+  }
+  if (this->Part.HasRest || this->Part.IsRest)
+  {
+    text += "  if (" + Weight(count - 1) + (this->Part.HasRest ? " > 0.0" : " <= 0.0") +
+            ")\n  {\n    discard;\n  }\n";
+  }
+  return text;
 }
 } // namespace measuredbrdf

@@ -10,8 +10,8 @@
 
 #include "BlockStyle.h"
 #include "MaterialParts.h"
-#include "MixtureShader.h"
 #include "RecentlyUsed.h"
+#include "SelectedMaterials.h"
 #include "ShadedMapper.h"
 #include "WeightImages.h"
 #include "vtkMaterialMap.h"
@@ -59,10 +59,12 @@ protected:
   }
 
   /// Whether what is drawn now has weights.
-  virtual bool HasWeights() const { return this->Text != nullptr; }
+  virtual bool HasWeights() const { return !this->Attributes.empty(); }
 
-  /// Of parts of several members, or of the Nearest kind; null: one material, or none.
-  const MixtureShader* GetText() const { return this->Text.get(); }
+  /// For the fragment shader, of parts that have weights: declarations, and what fills brdfWeights.
+  /// drawn: which of the part's members have a share; the others' is divided among them. What is
+  /// not this part's is discarded.
+  MixtureText MakeMixtureText(const std::vector<bool>& drawn) const;
 
   PartMapper() = default;
   ~PartMapper() override = default;
@@ -85,6 +87,9 @@ private:
   bool IsOthers(const vtkOpenGLHelper* cellBO);
   void DrawMixture(vtkRenderer* ren, vtkActor* actor);
   std::vector<std::size_t> ChooseMembers(vtkRenderer* ren);
+  std::string GetWeightDeclarations() const;
+  std::string GetWeightText(int slot) const;
+  std::string GetWeightCode(const std::vector<bool>& drawn) const;
 
   static constexpr std::size_t MostWindows = 16; // whose images stay while others are drawn
 
@@ -92,10 +97,10 @@ private:
   MaterialPart Part;
   std::vector<MaterialUse> Uses;
   vtkSmartPointer<vtkMaterialMap> Map;
-  std::vector<int> ImageComponents;
+  std::vector<int> ImageComponents;                               // of each image of weights
+  std::vector<std::pair<std::string, std::string>> Attributes;    // of the weights: names and types
   std::vector<std::pair<std::size_t, std::array<float, 4>>> Hats; // of the members drawn now
-  std::unique_ptr<MixtureShader> Text;
-  std::shared_ptr<WeightTextures> Images; // of the window drawn last
+  std::shared_ptr<WeightTextures> Images;                         // of the window drawn last
   RecentlyUsed<vtkOpenGLRenderWindow*, std::shared_ptr<WeightTextures>> ImagesOf{ MostWindows };
   const BlockStyle* Style = nullptr;
 };

@@ -8,22 +8,6 @@
 
 namespace measuredbrdf
 {
-namespace
-{
-template <typename Visit>
-void ForEachBlock(vtkCompositeDataSet* composite, const Visit& visit)
-{
-  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    if (auto* surface = vtkPolyData::SafeDownCast(it->GetCurrentDataObject()))
-    {
-      visit(surface, it.Get());
-    }
-  }
-}
-}
-
 vtkSmartPointer<vtkDataObject> CopyBlocks(
   vtkDataObject* data, const std::function<vtkSmartPointer<vtkPolyData>(vtkPolyData*)>& copy)
 {
@@ -35,8 +19,14 @@ vtkSmartPointer<vtkDataObject> CopyBlocks(
   }
   auto result = vtkSmartPointer<vtkCompositeDataSet>::Take(composite->NewInstance());
   result->CopyStructure(composite);
-  ForEachBlock(composite, [&](vtkPolyData* surface, vtkCompositeDataIterator* at)
-    { result->SetDataSet(at, copy(surface)); });
+  const auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    if (auto* surface = vtkPolyData::SafeDownCast(it->GetCurrentDataObject()))
+    {
+      result->SetDataSet(it, copy(surface));
+    }
+  }
   return result;
 }
 
