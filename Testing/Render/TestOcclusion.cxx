@@ -18,6 +18,7 @@
 #include "vtkEnvironment.h"
 #include "vtkFieldData.h"
 #include "vtkFilteredRadianceIntegrator.h"
+#include "vtkFloatArray.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkIntArray.h"
 #include "vtkLambertBRDF.h"
@@ -43,6 +44,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <thread>
 #include <utility>
@@ -74,18 +76,6 @@ vtkSmartPointer<vtkPolyData> MakeBowl()
   bowl->SetEndPhi(115.0);
   bowl->Update();
   return bowl->GetOutput();
-}
-
-HiddenSky::Code GetCode(vtkPolyData* surface, vtkIdType point)
-{
-  HiddenSky::Code code;
-  std::copy_n(GetBytes(surface, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName())
-                ->GetPointer(point * HiddenSky::SectorBytes),
-    HiddenSky::SectorBytes, code.begin());
-  std::copy_n(GetBytes(surface, vtkSurfaceVisibilityFilter::GetHiddenLightArrayName())
-                ->GetPointer(point * HiddenSky::TransferBytes),
-    HiddenSky::TransferBytes, code.begin() + HiddenSky::SectorBytes);
-  return code;
 }
 
 // All points like this one, so that interpolation between them changes nothing.
@@ -980,4 +970,10 @@ TEST_F(OcclusionTest, BadArraysAreSaidOnceAndNotUsed)
   GetBytes(this->Surface, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName())
     ->SetNumberOfTuples(3);
   expectOff("has 3 tuples");
+  this->Surface->DeepCopy(good);
+  vtkNew<vtkFloatArray> numbers;
+  numbers->DeepCopy(this->Surface->GetPointData()->GetArray("MeasuredBRDFHiddenLight"));
+  numbers->Fill(std::numeric_limits<double>::quiet_NaN());
+  this->Surface->GetPointData()->AddArray(numbers); // in place of the bytes
+  expectOff("is of type float");
 }
