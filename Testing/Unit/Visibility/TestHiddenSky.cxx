@@ -125,43 +125,6 @@ TEST(HiddenSky, KeepsNormals)
   }
 }
 
-TEST(HiddenSky, NothingIsHiddenInTheOpen)
-{
-  std::mt19937 generator(5);
-  const HiddenSky open(HiddenSky::MakeOpen(RandomDirection(generator)));
-  const sky::Colors light = RandomLight(generator);
-  EXPECT_EQ(open.GetHiddenIrradiance(light), glm::dvec3(0.0));
-  EXPECT_EQ(open.GetHiddenCosine(), 0.0);
-  for (int k = 0; k < 10; ++k)
-  {
-    const glm::dvec3 d = RandomDirection(generator);
-    EXPECT_EQ(open.GetHiddenShare(5.0 * d), 0.0);
-    EXPECT_EQ(open.GetVisibleLamp(d), 1.0);
-    EXPECT_EQ(open.GetHiddenPanel(d, 0.2), 0.0);
-  }
-}
-
-// Everything hidden: the hidden irradiance is the irradiance, which GetIrradiance has from degrees
-// up to 2; degree 4 adds little.
-TEST(HiddenSky, AllIsHiddenInACavity)
-{
-  std::mt19937 generator(6);
-  for (int k = 0; k < 20; ++k)
-  {
-    const glm::dvec3 normal = RandomDirection(generator);
-    const HiddenSky closed(Encode(normal, 16, [](const glm::dvec3&) { return true; }));
-    sky::Colors light = RandomLight(generator);
-    light[0] = glm::dvec3(4.0);
-    const glm::dvec3 irradiance = sky::GetIrradiance(light, normal);
-    const glm::dvec3 hidden = closed.GetHiddenIrradiance(light);
-    EXPECT_LT(glm::length(hidden - irradiance), 0.06 * glm::length(irradiance));
-    EXPECT_NEAR(closed.GetHiddenCosine(), 1.0, 0.01);
-    EXPECT_NEAR(closed.GetHiddenShare(8.0 * normal), 1.0, 1e-6);
-    EXPECT_NEAR(closed.GetVisibleLamp(normal), 0.0, 1e-6);
-    EXPECT_NEAR(closed.GetHiddenPanel(normal, 0.2), 1.0, 0.01);
-  }
-}
-
 // A wall hides half of the sky: half of the irradiance from a uniform sky.
 TEST(HiddenSky, AWallHidesHalf)
 {
@@ -291,16 +254,6 @@ TEST(HiddenSky, NarrowSlitsAreDark)
   EXPECT_LT(slit.GetVisibleLamp({ 0.0, 0.0, 1.0 }), 0.01);
   EXPECT_LT(slit.GetVisibleLamp({ std::sqrt(0.91), 0.0, 0.3 }), 0.01);
   EXPECT_GT(slit.GetHiddenShare({ 0.0, 0.0, 8.0 }), 0.98);
-}
-
-// A roof: hidden is the sky about the zenith, not the horizon. Horizons alone could not say so.
-TEST(HiddenSky, ARoofLeavesTheHorizon)
-{
-  const HiddenSky roof(
-    Encode({ 0.0, 0.0, 1.0 }, 16, [](const glm::dvec3& d) { return d.z > 0.5; }));
-  EXPECT_NEAR(roof.GetHiddenCosine(), 0.75, 0.01);
-  EXPECT_EQ(roof.GetVisibleLamp({ 0.0, 0.0, 1.0 }), 0.0);
-  EXPECT_EQ(roof.GetVisibleLamp(glm::normalize(glm::dvec3(0.9, 0.1, 0.2))), 1.0);
 }
 
 }

@@ -141,34 +141,6 @@ bool AreEqual(vtkPolyData* a, vtkPolyData* b)
     });
 }
 
-TEST(SurfaceVisibility, AConvexBodyHidesNothing)
-{
-  vtkNew<vtkSurfaceVisibilityFilter> filter;
-  vtkPolyData* output = Trace(filter, MakeSphere(1.0, 0.0));
-  for (vtkIdType k = 0; k < output->GetNumberOfPoints(); ++k)
-  {
-    EXPECT_LT(GetHidden(output, k), 0.01) << k;
-  }
-}
-
-// A sphere above a plane hides (r / d)^2 of the irradiance below its center: Lambert's cosine law.
-TEST(SurfaceVisibility, ASphereHidesItsFormFactor)
-{
-  vtkNew<vtkSurfaceVisibilityFilter> filter;
-  filter->SetNumberOfRays(1024);
-  filter->AddOccluder(MakeSphere(1.0, 2.0));
-  const auto plane = MakePlane(2.0, 0.0, 4);
-  vtkPolyData* output = Trace(filter, plane);
-  const vtkIdType middle = FindOrigin(output);
-  EXPECT_NEAR(GetHidden(output, middle), 0.25, 0.02);
-  filter->RemoveAllOccluders();
-  vtkNew<vtkMatrix4x4> away;
-  away->SetElement(2, 3, -10.0);
-  filter->AddOccluder(MakeSphere(1.0, 2.0), away); // below
-  output = Trace(filter, plane);
-  EXPECT_EQ(GetHidden(output, middle), 0.0);
-}
-
 TEST(SurfaceVisibility, MaximumDistanceForgetsWhatIsFar)
 {
   vtkNew<vtkSurfaceVisibilityFilter> filter;
@@ -507,25 +479,6 @@ TEST(OcclusionStability, PointsInsideOtherBodiesDarkenNothing)
   }
   double inside[3] = { 1.05, 0.05, 0.0 };
   EXPECT_GT(GetHidden(traced, traced->FindPoint(inside)), 0.98);
-}
-
-// Two sheets that almost touch: the sides between them are dark, the others see all.
-TEST(OcclusionStability, SheetsOnOneAnother)
-{
-  for (const double gap : { 0.1, 1e-3 })
-  {
-    vtkNew<vtkSurfaceVisibilityFilter> filter;
-    filter->BothSidesOn();
-    vtkNew<vtkPlaneSource> above;
-    above->SetOrigin(-50.0, -50.0, gap);
-    above->SetPoint1(50.0, -50.0, gap);
-    above->SetPoint2(-50.0, 50.0, gap);
-    above->Update();
-    filter->AddOccluder(above->GetOutput());
-    vtkPolyData* traced = Trace(filter, MakeFloor({ { 0.0, 0.0, 0.0 } }, 1.0));
-    EXPECT_GT(GetHidden(traced, 0), 0.98) << gap;
-    EXPECT_LT(GetHidden(traced, 0, "Back"), 0.01) << gap;
-  }
 }
 
 // Polygons without points, or with points that the surface lacks, are none: nothing is read.

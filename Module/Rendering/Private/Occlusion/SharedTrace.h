@@ -3,7 +3,7 @@
 /**
  * @file
  * What surfaces hide from themselves, traced once for all mappers that show them. Private to the
- * rendering room.
+ * rendering component.
  */
 
 #ifndef SharedTrace_h
