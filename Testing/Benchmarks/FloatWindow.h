@@ -13,7 +13,6 @@
 #include "vtkCameraPass.h"
 #include "vtkFramebufferPass.h"
 #include "vtkImageData.h"
-#include "vtkImageProcessingPass.h"
 #include "vtkLightsPass.h"
 #include "vtkNew.h"
 #include "vtkOpaquePass.h"
@@ -104,18 +103,6 @@ public:
   }
 
   int GetSize() const { return Side; }
-
-  vtkRenderer* GetRenderer() { return this->Renderer; }
-
-  /// In place of lights and opaque surfaces.
-  void SetScenePass(vtkRenderPass* pass) { this->CameraPass->SetDelegatePass(pass); }
-
-  /// Over the picture; it draws the picture by its delegate.
-  void SetImagePass(vtkImageProcessingPass* pass)
-  {
-    pass->SetDelegatePass(this->CameraPass);
-    this->Framebuffer->SetDelegatePass(pass);
-  }
 
   /// Ends when the frame is done.
   void Draw()

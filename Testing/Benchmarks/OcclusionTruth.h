@@ -12,6 +12,7 @@
 
 #include "BenchmarkCase.h"
 #include "FloatWindow.h"
+#include "HalfVector.h" // for Pi
 #include "SurfaceTracer.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkLambertBRDF.h"
@@ -33,7 +34,7 @@ namespace occlusiontruth
 {
 using measuredbrdf::SurfaceTracer;
 
-constexpr double Pi = 3.14159265358979323846;
+using measuredbrdf::Pi;
 constexpr int Rows = 96; // of the grid of directions: equal areas
 constexpr int Columns = 2 * Rows;
 constexpr double LampDegrees = 1.2; // as planners have it

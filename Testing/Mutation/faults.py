@@ -1206,7 +1206,7 @@ add("Rendering.blocks-are-compared-for-each", "OcclusionArrays.cxx", "this->IsTr
     "!this->IsTracedChecked && this->TracedInput == input", "OcclusionBlocks.ManyAreListedOnce")
 add("Rendering.moved-blocks-hide-where-they-were", "OcclusionArrays.h", "{ this->IsTracedChecked = false; }", "{}",
     "OcclusionBlocks.OneThatMovesShowsOnTheOthers")
-add("Rendering.threads-trace-at-once", "SharedTrace.cxx", "while (this->Maker != std::thread::id())", "while (false)",
+add("Rendering.threads-trace-at-once", "SharedTrace.cxx", "while (!lock.try_lock_for(Patience))", "while (false)",
     "SharedTraceTest.ThreadsWaitForOneAnother")
 add("Rendering.forecasts-outlive-mappers", "OcclusionForecast.cxx", "[this]() { return !this->IsStopped; }",
     "[]() { return true; }", "SharedTraceTest.ForecastsStopWhenTheyGo")

@@ -8,21 +8,14 @@
 #ifndef OcclusionTools_h
 #define OcclusionTools_h
 
+#include "TraceSurface.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <string>
 #include <vector>
-
-inline vtkUnsignedCharArray* GetBytes(vtkPolyData* surface, const char* name)
-{
-  return vtkUnsignedCharArray::SafeDownCast(surface->GetPointData()->GetArray(name));
-}
 
 // Small tables: their own errors cancel.
 template <typename Integrator>

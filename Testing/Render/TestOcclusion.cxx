@@ -18,6 +18,7 @@
 #include "vtkEnvironment.h"
 #include "vtkFieldData.h"
 #include "vtkFilteredRadianceIntegrator.h"
+#include "vtkFloatArray.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkIntArray.h"
 #include "vtkLambertBRDF.h"
@@ -43,6 +44,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <thread>
 #include <utility>
@@ -76,18 +78,6 @@ vtkSmartPointer<vtkPolyData> MakeBowl()
   return bowl->GetOutput();
 }
 
-HiddenSky::Code GetCode(vtkPolyData* surface, vtkIdType point)
-{
-  HiddenSky::Code code;
-  std::copy_n(GetBytes(surface, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName())
-                ->GetPointer(point * HiddenSky::SectorBytes),
-    HiddenSky::SectorBytes, code.begin());
-  std::copy_n(GetBytes(surface, vtkSurfaceVisibilityFilter::GetHiddenLightArrayName())
-                ->GetPointer(point * HiddenSky::TransferBytes),
-    HiddenSky::TransferBytes, code.begin() + HiddenSky::SectorBytes);
-  return code;
-}
-
 // All points like this one, so that interpolation between them changes nothing.
 void SpreadCode(vtkPolyData* surface, vtkIdType point)
 {
@@ -100,6 +90,31 @@ void SpreadCode(vtkPolyData* surface, vtkIdType point)
       bytes->SetTuple(k, point, bytes);
     }
   }
+}
+
+vtkSmartPointer<vtkBRDF> MakeGloss(double exponent)
+{
+  auto brdf = vtkSmartPointer<vtkBlinnPhongBRDF>::New();
+  brdf->SetSpecular(0.5, 0.5, 0.5);
+  brdf->SetExponent(exponent);
+  return brdf;
+}
+
+template <typename Integrator>
+vtkSmartPointer<Integrator> MakeIntegrator()
+{
+  auto integrator = vtkSmartPointer<Integrator>::New();
+  MakeSmall(integrator.Get());
+  return integrator;
+}
+
+// Of a matte surface, in 1/sr.
+glm::dvec3 GetReflectance(vtkBRDF* brdf)
+{
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  glm::dvec3 f;
+  brdf->Evaluate(up, up, &f.x);
+  return f;
 }
 
 glm::dvec3 ToVector(const float* pixel) { return { pixel[0], pixel[1], pixel[2] }; }
@@ -241,13 +256,10 @@ TEST_F(OcclusionTest, MatteSurfacesLackTheHiddenIrradiance)
 {
   SpreadCode(this->Surface, 4);
   vtkNew<vtkLambertBRDF> brdf;
-  vtkNew<vtkTableRadianceIntegrator> table;
-  MakeSmall(table.Get());
+  const auto table = MakeIntegrator<vtkTableRadianceIntegrator>();
   this->Mapper->SetBRDF(brdf);
   this->Mapper->SetIntegrator(table);
-  double f[3];
-  const double up[3] = { 0.0, 0.0, 1.0 };
-  brdf->Evaluate(up, up, f);
+  const glm::dvec3 f = GetReflectance(brdf);
   double largest = 0.0;
   for (const double rotation : { 0.0, 100.0, 200.0 })
   {
@@ -255,7 +267,7 @@ TEST_F(OcclusionTest, MatteSurfacesLackTheHiddenIrradiance)
     const glm::dvec3 off = this->RenderMiddle(0);
     const glm::dvec3 on = this->RenderMiddle(1);
     const Expected expected = this->Evaluate(brdf, table, this->GetView());
-    const glm::dvec3 wanted = off - glm::dvec3(f[0], f[1], f[2]) * expected.HiddenIrradiance;
+    const glm::dvec3 wanted = off - f * expected.HiddenIrradiance;
     EXPECT_LT(glm::length(on - wanted), 2e-3 * glm::length(off)) << rotation;
     largest = std::max(largest, glm::length(off - on) / glm::length(off));
   }
@@ -266,11 +278,8 @@ TEST_F(OcclusionTest, MatteSurfacesLackTheHiddenIrradiance)
 TEST_F(OcclusionTest, LobesLackTheirHiddenShare)
 {
   SpreadCode(this->Surface, 4);
-  vtkNew<vtkBlinnPhongBRDF> brdf;
-  brdf->SetSpecular(0.5, 0.5, 0.5);
-  brdf->SetExponent(40.0);
-  vtkNew<vtkTableRadianceIntegrator> table;
-  MakeSmall(table.Get());
+  const auto brdf = MakeGloss(40.0);
+  const auto table = MakeIntegrator<vtkTableRadianceIntegrator>();
   this->Mapper->SetBRDF(brdf);
   this->Mapper->SetIntegrator(table);
   double largest[2] = { 0.0, 0.0 }; // hidden between bounds, visible between them
@@ -306,9 +315,7 @@ TEST_F(OcclusionTest, LobesHaveTheKernelsMean)
     EXPECT_LT(std::hypot(lobe.Across, lobe.Along), 0.05);
     EXPECT_NEAR(lobe.Integral, vtkMath::Pi(), 0.1);
   }
-  vtkNew<vtkBlinnPhongBRDF> gloss;
-  gloss->SetSpecular(0.5, 0.5, 0.5);
-  gloss->SetExponent(20.0);
+  const auto gloss = MakeGloss(20.0);
   const measuredbrdf::OcclusionLobes lobes = measuredbrdf::FindOcclusionLobes(gloss, false);
   for (const double degrees : { 0.0, 30.0, 60.0, 80.0 })
   {
@@ -346,14 +353,11 @@ TEST_F(OcclusionTest, LampsAreHiddenOneByOne)
 {
   SpreadCode(this->Surface, 4);
   vtkNew<vtkLambertBRDF> brdf;
-  vtkNew<vtkHybridRadianceIntegrator> hybrid;
-  MakeSmall(hybrid.Get());
+  const auto hybrid = MakeIntegrator<vtkHybridRadianceIntegrator>();
   hybrid->SetMaximumNumberOfLights(2); // so few are evaluated everywhere
   this->Mapper->SetBRDF(brdf);
   this->Mapper->SetIntegrator(hybrid);
-  double f[3];
-  const double up[3] = { 0.0, 0.0, 1.0 };
-  brdf->Evaluate(up, up, f);
+  const glm::dvec3 f = GetReflectance(brdf);
   const auto lamps = this->Environment->GetParts().GetLamps(this->Environment,
     vtkMath::RadiansFromDegrees(hybrid->GetLightAngle()), hybrid->GetMaximumNumberOfLights(),
     []() { return true; });
@@ -379,7 +383,7 @@ TEST_F(OcclusionTest, LampsAreHiddenOneByOne)
       dark[rotation < 360.0 ? 0 : 1] += cosine > 0.0 && expected.Lamps[k] < 0.5 ? 1 : 0;
       lit[rotation < 360.0 ? 0 : 1] += cosine > 0.0 && expected.Lamps[k] > 0.5 ? 1 : 0;
     }
-    const glm::dvec3 wanted = off - glm::dvec3(f[0], f[1], f[2]) * hidden;
+    const glm::dvec3 wanted = off - f * hidden;
     EXPECT_LT(glm::length(on - wanted), 3e-3 * glm::length(off)) << rotation;
   }
   for (const int kind : { 0, 1 })
@@ -410,11 +414,8 @@ TEST_F(OcclusionTest, LampsBesideTheAxisTakeTheirPartOfTheLobe)
     std::fill_n(pixels.begin() + 3 * texel, 3, 1000.0f);
   }
   this->Environment->SetPixels(128, 64, pixels);
-  vtkNew<vtkBlinnPhongBRDF> brdf;
-  brdf->SetSpecular(0.5, 0.5, 0.5);
-  brdf->SetExponent(5.0);
-  vtkNew<vtkHybridRadianceIntegrator> hybrid;
-  MakeSmall(hybrid.Get());
+  const auto brdf = MakeGloss(5.0);
+  const auto hybrid = MakeIntegrator<vtkHybridRadianceIntegrator>();
   this->Mapper->SetBRDF(brdf);
   this->Mapper->SetIntegrator(hybrid);
   const glm::dvec3 off = this->RenderMiddle(0);
@@ -443,8 +444,7 @@ TEST_F(OcclusionTest, ShadowEdgesCrossTriangles)
   }
   this->Environment->SetPixels(128, 64, pixels);
   vtkNew<vtkLambertBRDF> brdf;
-  vtkNew<vtkHybridRadianceIntegrator> hybrid;
-  MakeSmall(hybrid.Get());
+  const auto hybrid = MakeIntegrator<vtkHybridRadianceIntegrator>();
   this->Mapper->SetBRDF(brdf);
   this->Mapper->SetIntegrator(hybrid);
   const measuredbrdf::OcclusionLight light(brdf, this->Environment, hybrid);
@@ -476,11 +476,8 @@ TEST_F(OcclusionTest, ShadowEdgesCrossTriangles)
 // Likewise the odds of what is hidden of a lobe.
 TEST_F(OcclusionTest, OddsOfLobesAreInterpolated)
 {
-  vtkNew<vtkBlinnPhongBRDF> brdf;
-  brdf->SetSpecular(0.5, 0.5, 0.5);
-  brdf->SetExponent(40.0);
-  vtkNew<vtkTableRadianceIntegrator> table;
-  MakeSmall(table.Get());
+  const auto brdf = MakeGloss(40.0);
+  const auto table = MakeIntegrator<vtkTableRadianceIntegrator>();
   this->Environment->SetPixels(4, 2, std::vector<float>(24, 0.5f));
   this->Mapper->SetBRDF(brdf);
   this->Mapper->SetIntegrator(table);
@@ -533,15 +530,10 @@ TEST_F(OcclusionTest, PanelsAreHiddenOneByOne)
   }
   this->Environment->SetPixels(64, 32, pixels);
   vtkNew<vtkLambertBRDF> matte;
-  vtkNew<vtkBlinnPhongBRDF> gloss;
-  gloss->SetSpecular(0.5, 0.5, 0.5);
-  gloss->SetExponent(20.0);
-  vtkNew<vtkTableRadianceIntegrator> table;
-  MakeSmall(table.Get());
+  const auto gloss = MakeGloss(20.0);
+  const auto table = MakeIntegrator<vtkTableRadianceIntegrator>();
   ASSERT_GE(measuredbrdf::OcclusionLight(matte, this->Environment, table).Panels.size(), 3u);
-  double f[3];
-  const double up[3] = { 0.0, 0.0, 1.0 };
-  matte->Evaluate(up, up, f);
+  const glm::dvec3 f = GetReflectance(matte);
   double largest[2] = { 0.0, 0.0 }; // hidden between bounds, visible between them
   for (const double rotation : { 0.0, 60.0, 150.0, 270.0, 360.0, 420.0, 510.0 })
   {
@@ -556,12 +548,11 @@ TEST_F(OcclusionTest, PanelsAreHiddenOneByOne)
     const glm::dvec3 off = this->RenderMiddle(0);
     const glm::dvec3 on = this->RenderMiddle(1);
     const Expected expected = this->Evaluate(matte, table, this->GetView());
-    const glm::dvec3 wanted = off - glm::dvec3(f[0], f[1], f[2]) * expected.HiddenIrradiance;
+    const glm::dvec3 wanted = off - f * expected.HiddenIrradiance;
     EXPECT_LT(glm::length(on - wanted), 2e-3 * glm::length(off)) << rotation;
     double& most = largest[rotation < 360.0 ? 0 : 1];
     most = std::max(most, glm::length(off - on) / glm::length(off));
-    vtkNew<vtkTableRadianceIntegrator> other;
-    MakeSmall(other.Get());
+    const auto other = MakeIntegrator<vtkTableRadianceIntegrator>();
     this->Mapper->SetBRDF(gloss);
     this->Mapper->SetIntegrator(other);
     const glm::dvec3 shiny = this->RenderMiddle(0);
@@ -578,13 +569,10 @@ TEST_F(OcclusionTest, ManyLampsAreHiddenOneByOne)
 {
   SpreadCode(this->Surface, 4);
   vtkNew<vtkLambertBRDF> brdf;
-  vtkNew<vtkHybridRadianceIntegrator> hybrid;
-  MakeSmall(hybrid.Get());
+  const auto hybrid = MakeIntegrator<vtkHybridRadianceIntegrator>();
   this->Mapper->SetBRDF(brdf);
   this->Mapper->SetIntegrator(hybrid);
-  double f[3];
-  const double up[3] = { 0.0, 0.0, 1.0 };
-  brdf->Evaluate(up, up, f);
+  const glm::dvec3 f = GetReflectance(brdf);
   for (const double rotation : { 0.0, 240.0 })
   {
     this->Environment->SetRotationY(rotation);
@@ -593,7 +581,7 @@ TEST_F(OcclusionTest, ManyLampsAreHiddenOneByOne)
     const Expected expected = this->Evaluate(brdf, hybrid, this->GetView());
     ASSERT_TRUE(
       vtkHybridRadianceIntegrator::AreWindowed(brdf, static_cast<int>(expected.Lamps.size())));
-    const glm::dvec3 wanted = off - glm::dvec3(f[0], f[1], f[2]) * expected.HiddenIrradiance;
+    const glm::dvec3 wanted = off - f * expected.HiddenIrradiance;
     EXPECT_LT(glm::length(on - wanted), 3e-3 * glm::length(off)) << rotation;
     EXPECT_LT(glm::length(on), 0.99 * glm::length(off)) << rotation;
   }
@@ -605,8 +593,7 @@ TEST_F(OcclusionTest, OtherMethodsAreDarkened)
 {
   vtkNew<vtkLambertBRDF> brdf;
   this->Mapper->SetBRDF(brdf);
-  vtkNew<vtkTableRadianceIntegrator> table;
-  MakeSmall(table.Get());
+  const auto table = MakeIntegrator<vtkTableRadianceIntegrator>();
   this->Mapper->SetIntegrator(table);
   const double all = this->RenderMiddle(0).x;
   const double left = this->RenderMiddle(1).x / all;
@@ -626,8 +613,7 @@ TEST_F(OcclusionTest, OpenSurfacesStayAsTheyAre)
   this->Mapper->SetInputData(vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(0)));
   vtkNew<vtkBlinnPhongBRDF> brdf;
   this->Mapper->SetBRDF(brdf);
-  vtkNew<vtkHybridRadianceIntegrator> hybrid;
-  MakeSmall(hybrid.Get());
+  const auto hybrid = MakeIntegrator<vtkHybridRadianceIntegrator>();
   this->Mapper->SetIntegrator(hybrid);
   const glm::dvec3 off = this->RenderMiddle(0);
   EXPECT_LT(glm::length(off - this->RenderMiddle(1)), 1e-5 * glm::length(off));
@@ -639,8 +625,7 @@ TEST_F(OcclusionTest, ActorsMayBeTurnedMirroredAndScaled)
 {
   SpreadCode(this->Surface, 4);
   vtkNew<vtkLambertBRDF> brdf;
-  vtkNew<vtkTableRadianceIntegrator> table;
-  MakeSmall(table.Get());
+  const auto table = MakeIntegrator<vtkTableRadianceIntegrator>();
   this->Mapper->SetBRDF(brdf);
   this->Mapper->SetIntegrator(table);
   const glm::dvec3 before = this->RenderMiddle(1);
@@ -670,13 +655,10 @@ TEST_F(OcclusionTest, ActorsMayBeTurnedMirroredAndScaled)
   EXPECT_GT(glm::length(lit - mirrored), 0.01 * glm::length(lit));
   const measuredbrdf::OcclusionLight light(brdf, this->Environment, table);
   const measuredbrdf::OcclusionAxes axes(this->Renderer, this->Actor, { this->Environment });
-  double f[3];
-  const double up[3] = { 0.0, 0.0, 1.0 };
-  brdf->Evaluate(up, up, f);
+  const glm::dvec3 f = GetReflectance(brdf);
   const glm::dvec3 hidden =
     HiddenSky(GetCode(this->Surface, 4)).GetHiddenIrradiance(light.GetLight(axes.ToEnvironment[0]));
-  EXPECT_LT(
-    glm::length(lit - glm::dvec3(f[0], f[1], f[2]) * hidden - mirrored), 2e-3 * glm::length(lit));
+  EXPECT_LT(glm::length(lit - f * hidden - mirrored), 2e-3 * glm::length(lit));
 }
 
 // Blocks with arrays and blocks without share buffers.
@@ -684,8 +666,7 @@ TEST_F(OcclusionTest, CompositeMappersDrawTheSame)
 {
   vtkNew<vtkBlinnPhongBRDF> brdf;
   brdf->SetExponent(20.0);
-  vtkNew<vtkHybridRadianceIntegrator> hybrid;
-  MakeSmall(hybrid.Get());
+  const auto hybrid = MakeIntegrator<vtkHybridRadianceIntegrator>();
   this->Mapper->SetBRDF(brdf);
   this->Mapper->SetIntegrator(hybrid);
   const glm::dvec3 plain = this->RenderMiddle(1);
@@ -723,8 +704,7 @@ TEST_F(OcclusionTest, OnTracesWhatHasNoArrays)
   blocks->SetBlock(0, MakeSquare());
   blocks->SetBlock(1, lid->GetOutput());
   vtkNew<vtkLambertBRDF> brdf;
-  vtkNew<vtkTableRadianceIntegrator> table;
-  MakeSmall(table.Get());
+  const auto table = MakeIntegrator<vtkTableRadianceIntegrator>();
   vtkNew<vtkCompositeMeasuredBRDFMapper> composite;
   composite->SetInputDataObject(blocks);
   composite->SetBRDF(brdf);
@@ -753,8 +733,7 @@ TEST_F(OcclusionTest, NormalsMayPointEitherWay)
   reversed->ReverseNormalsOn();
   reversed->Update();
   vtkNew<vtkLambertBRDF> brdf;
-  vtkNew<vtkTableRadianceIntegrator> table;
-  MakeSmall(table.Get());
+  const auto table = MakeIntegrator<vtkTableRadianceIntegrator>();
   this->Mapper->SetBRDF(brdf);
   this->Mapper->SetIntegrator(table);
   const auto render = [&](vtkPolyData* surface, int mode, double side)
@@ -804,8 +783,7 @@ TEST_F(OcclusionTest, OnTracesSurfacesOfSeveralMaterials)
   map->SetArrayName("class");
   map->AddMaterial(brdf, 0.0);
   map->AddMaterial(same, 1.0);
-  vtkNew<vtkTableRadianceIntegrator> table;
-  MakeSmall(table.Get());
+  const auto table = MakeIntegrator<vtkTableRadianceIntegrator>();
   this->Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, -5.0); // into it
   this->Mapper->SetBRDF(brdf);
   this->Mapper->SetIntegrator(table);
@@ -841,8 +819,7 @@ TEST_F(OcclusionTest, AutoModelsWhatIsWorthIt)
   EXPECT_EQ(this->Mapper->GetPlan(), plan);
   this->Environment->SetRotationY(0.0);
   // Not for a hand-set method, and not where the tolerance allows for it.
-  vtkNew<vtkTableRadianceIntegrator> table;
-  MakeSmall(table.Get());
+  const auto table = MakeIntegrator<vtkTableRadianceIntegrator>();
   this->Mapper->SetIntegrator(table);
   EXPECT_GT(this->RenderMiddle(1).x, 0.9 * off.x);
   this->Mapper->SetIntegrator(nullptr);
@@ -943,8 +920,7 @@ TEST_F(OcclusionTest, ClosedSidesAreLeftOut)
 TEST_F(OcclusionTest, BadArraysAreSaidOnceAndNotUsed)
 {
   vtkNew<vtkLambertBRDF> brdf;
-  vtkNew<vtkTableRadianceIntegrator> table;
-  MakeSmall(table.Get());
+  const auto table = MakeIntegrator<vtkTableRadianceIntegrator>();
   this->Mapper->SetBRDF(brdf);
   this->Mapper->SetIntegrator(table);
   const glm::dvec3 off = this->RenderMiddle(0);
@@ -980,4 +956,10 @@ TEST_F(OcclusionTest, BadArraysAreSaidOnceAndNotUsed)
   GetBytes(this->Surface, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName())
     ->SetNumberOfTuples(3);
   expectOff("has 3 tuples");
+  this->Surface->DeepCopy(good);
+  vtkNew<vtkFloatArray> numbers;
+  numbers->DeepCopy(this->Surface->GetPointData()->GetArray("MeasuredBRDFHiddenLight"));
+  numbers->Fill(std::numeric_limits<double>::quiet_NaN());
+  this->Surface->GetPointData()->AddArray(numbers); // in place of the bytes
+  expectOff("is of type float");
 }

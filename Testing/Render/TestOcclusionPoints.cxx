@@ -5,7 +5,6 @@
 // be.
 #include "OcclusionPoints.h"
 #include "RenderFixture.h"
-#include "ShaderLimits.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCompositeMeasuredBRDFMapper.h"
 #include "vtkEmbeddedEnvironments.h"
@@ -31,7 +30,6 @@
 #include <string>
 #include <vector>
 
-using measuredbrdf::OcclusionLayout;
 using measuredbrdf::OcclusionLight;
 using measuredbrdf::OcclusionPoints;
 
@@ -307,24 +305,6 @@ TEST_F(OcclusionPointsTest, ViewsKeepTheirOwn)
   EXPECT_LT(this->CompareNext(), Step);
 }
 
-// More lights than are kept at a time.
-TEST_F(OcclusionPointsTest, OldOnesGo)
-{
-  std::vector<vtkSmartPointer<vtkActor>> actors;
-  for (std::size_t k = 0; k < OcclusionPoints::MostStates + 2; ++k)
-  {
-    actors.push_back(vtkSmartPointer<vtkActor>::New());
-    actors.back()->SetMapper(this->Mapper);
-    actors.back()->SetScale(0.3);
-    actors.back()->SetPosition(0.3 * static_cast<double>(k) - 0.8, 0.0, 0.0);
-    actors.back()->RotateX(-20.0 * static_cast<double>(k));
-    this->Renderer->AddActor(actors.back());
-  }
-  this->Renderer->RemoveActor(this->Actor);
-  EXPECT_LT(this->CompareNext(), Step);
-  EXPECT_LT(this->CompareNext(), Step);
-}
-
 // Blocks share buffers: with arrays and without, of two materials.
 TEST_F(OcclusionPointsTest, BlocksAreTheSame)
 {
@@ -407,28 +387,4 @@ TEST_F(OcclusionPointsTest, PeelingReportsNothing)
   EXPECT_LT(this->CompareNext(), Step);
   vtkOutputWindow::SetInstance(nullptr);
   EXPECT_EQ(messages->GetOutput(), "");
-}
-
-// Shaders have 16 attributes: mixtures and both sides may need more, and are drawn as before.
-TEST_F(OcclusionPointsTest, AttributesAreCounted)
-{
-  const OcclusionLight sky(this->BRDF, this->Environment, this->Integrator);
-  const OcclusionLight hall(this->BRDF, MakeEnvironment("hall"), this->Integrator);
-  OcclusionLayout layout;
-  layout.Kept = true;
-  const auto count = [&layout](const measuredbrdf::OcclusionLights& lights)
-  { return measuredbrdf::CountOcclusionNeeds(lights, layout).Attributes; };
-  // Of the code three; light and the rest's irradiance in whole floats, the others in halves.
-  const auto expected = [](const OcclusionLight& light)
-  {
-    const std::size_t panels = light.Panels.empty() ? 0 : light.Panels.size() + 1; // one for all
-    return 3 + (6 + (3 + panels + light.Lamps.size() + 1) / 2 + 3) / 4;
-  };
-  EXPECT_EQ(count({ &hall }), expected(hall));
-  EXPECT_LE(count({ &hall }), 9u);
-  EXPECT_LE(count({ &sky, nullptr, &sky }), 12u);
-  layout.TwoSided = true;
-  EXPECT_EQ(count({ &hall }), 2 * expected(hall));
-  EXPECT_LE(count({ &sky }), 14u);
-  EXPECT_GT(count({ &hall, &hall, &hall }), measuredbrdf::ShaderLimits().Attributes);
 }

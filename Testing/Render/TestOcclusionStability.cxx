@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Drawing with vtkSurfaceVisibilityFilter's arrays where it tends to break: levels of detail,
-// decimated meshes, arrays of anything.
+// Drawing with vtkSurfaceVisibilityFilter's arrays where it tends to break: levels of detail
+// and arrays of anything.
 #include "RenderFixture.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
-#include "vtkDecimatePro.h"
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEnvironment.h"
-#include "vtkFloatArray.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLODActor.h"
 #include "vtkLODProp3D.h"
@@ -25,7 +23,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
-#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -100,20 +97,6 @@ protected:
     mapper->SetIntegrator(this->Integrator);
   }
 
-  // One warning for two frames, which look as without arrays.
-  void ExpectLeftOut(vtkPolyData* surface, const char* words)
-  {
-    this->Mapper->SetInputData(surface);
-    this->Mapper->SetOcclusionModeToOff();
-    const FloatImage off = this->RenderLinear();
-    this->Mapper->SetOcclusionModeToAuto();
-    this->Warnings.clear();
-    EXPECT_LT(Compare(this->RenderLinear(), off), 1e-6) << words;
-    this->RenderLinear();
-    ASSERT_EQ(this->Warnings.size(), 1u) << words;
-    EXPECT_NE(this->Warnings[0].find(words), std::string::npos) << this->Warnings[0];
-  }
-
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkNew<vtkBlinnPhongBRDF> BRDF;
   vtkNew<vtkHybridRadianceIntegrator> Integrator;
@@ -122,36 +105,6 @@ protected:
   vtkNew<vtkCallbackCommand> Warned;
   std::vector<std::string> Warnings;
 };
-
-// Each level has arrays of its own mesh: it looks as that mesh alone does.
-TEST_F(OcclusionStability, LevelsOfDetailHaveTheirOwnArrays)
-{
-  vtkNew<vtkMeasuredBRDFMapper> mappers[2];
-  vtkNew<vtkLODProp3D> levels;
-  levels->AutomaticLODSelectionOff();
-  int ids[2];
-  FloatImage alone[2];
-  for (int k = 0; k < 2; ++k)
-  {
-    const auto surface = MakeTraced(k == 0 ? 12 : 3);
-    this->SetUpMapper(mappers[k]);
-    mappers[k]->SetInputData(surface);
-    ids[k] = levels->AddLOD(mappers[k], 0.0);
-    this->Mapper->SetInputData(surface);
-    alone[k] = this->RenderLinear();
-    this->Mapper->SetOcclusionModeToOff();
-    EXPECT_GT(Compare(this->RenderLinear(), alone[k]), 0.03);
-    this->Mapper->SetOcclusionModeToAuto();
-  }
-  EXPECT_GT(Compare(alone[0], alone[1]), 1e-4);
-  this->Renderer->RemoveActor(this->Actor);
-  this->Renderer->AddViewProp(levels);
-  for (const int k : { 0, 1, 0 })
-  {
-    levels->SetSelectedLODID(ids[k]);
-    EXPECT_LT(Compare(this->RenderLinear(), alone[k]), 1e-6) << k;
-  }
-}
 
 // Levels that VTK's actors make themselves are drawn by stock mappers from decimated points. What
 // shows the surface itself keeps its arrays, whatever was drawn between.
@@ -249,44 +202,6 @@ TEST_F(OcclusionStability, LevelsTraceTheirOwnMeshes)
     }
   }
   EXPECT_TRUE(this->Warnings.empty());
-}
-
-// Decimation passes on points' arrays and the surface's key; they are no longer of this surface.
-TEST_F(OcclusionStability, DecimatedMeshesNeedATraceOfTheirOwn)
-{
-  vtkNew<vtkDecimatePro> decimated;
-  decimated->SetInputData(MakeTraced(12));
-  decimated->SetTargetReduction(0.5);
-  decimated->Update();
-  vtkPolyData* surface = decimated->GetOutput();
-  ASSERT_TRUE(
-    surface->GetPointData()->HasArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()));
-  this->ExpectLeftOut(surface, "have changed");
-  vtkNew<vtkSurfaceVisibilityFilter> again;
-  again->SetInputData(surface);
-  again->Update();
-  this->Warnings.clear();
-  this->Mapper->SetInputConnection(again->GetOutputPort());
-  this->RenderLinear();
-  EXPECT_TRUE(this->Warnings.empty());
-}
-
-// Numbers that are no bytes, NaN among them.
-TEST_F(OcclusionStability, ArraysOfNaNAreSaidOnceAndNotUsed)
-{
-  for (const char* name : { vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName(),
-         vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() })
-  {
-    vtkNew<vtkPolyData> surface;
-    surface->DeepCopy(MakeTraced(3));
-    vtkDataArray* bytes = surface->GetPointData()->GetArray(name);
-    vtkNew<vtkFloatArray> numbers;
-    numbers->DeepCopy(bytes);
-    numbers->Fill(std::numeric_limits<double>::quiet_NaN());
-    surface->GetPointData()->RemoveArray(name);
-    surface->GetPointData()->AddArray(numbers);
-    this->ExpectLeftOut(surface, "is of type float");
-  }
 }
 
 // Bytes of anything: no pixel is negative, not finite or brighter than without occlusion.

@@ -143,31 +143,6 @@ TEST_F(SharedTraceTest, OccludersAreNotShared)
   EXPECT_EQ(SharedTrace::Find(bowl)->GetNumberOfTraces(), 1);
 }
 
-// Whoever changes its points has another surface; the others keep what they have.
-TEST_F(SharedTraceTest, ChangedPointsAreAnotherSurface)
-{
-  const auto bowl = MakeBowl(12);
-  vtkNew<vtkPolyData> copy;
-  copy->DeepCopy(bowl);
-  FloatImage before, changed, after, other;
-  const auto first = this->Show(bowl, false, before);
-  const auto second = this->Show(copy, false, other);
-  for (vtkIdType k = 0; k < bowl->GetNumberOfPoints(); ++k)
-  {
-    double p[3];
-    bowl->GetPoint(k, p);
-    bowl->GetPoints()->SetPoint(k, p[0], p[1], 1.5 * p[2]);
-  }
-  bowl->GetPoints()->Modified();
-  const auto third = this->Show(bowl, false, changed);
-  const auto fourth = this->Show(copy, false, after);
-  EXPECT_NE(SharedTrace::Find(bowl), SharedTrace::Find(copy));
-  EXPECT_EQ(SharedTrace::Find(bowl)->GetNumberOfTraces(), 1);
-  EXPECT_NE(before.RGBA, changed.RGBA);
-  EXPECT_EQ(before.RGBA, other.RGBA);
-  EXPECT_EQ(before.RGBA, after.RGBA);
-}
-
 // Two surfaces of the same points, which are the newest of both.
 TEST_F(SharedTraceTest, SurfacesThatSharePointsKeepApart)
 {

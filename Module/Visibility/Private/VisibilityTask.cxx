@@ -5,9 +5,6 @@
 #include "LocalFrame.h"
 #include "ParallelFor.h"
 #include "SurfacePoints.h"
-#include "vtkCellArray.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -158,35 +155,26 @@ void OpenBuriedPoints(vtkPolyData* surface, SideArrays& side)
   { return hidden[static_cast<std::size_t>(a)] > hidden[static_cast<std::size_t>(b)]; };
   const auto isBuried = [&hidden](vtkIdType k)
   { return hidden[static_cast<std::size_t>(k)] > buried; };
-  vtkNew<vtkIdList> corners;
-  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
-  {
-    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  ForEachFace(surface, Faces::Polygons,
+    [&](const vtkIdType* corners, vtkIdType count, vtkIdType)
     {
-      cells->GetCellAtId(cell, corners);
-      if (std::any_of(corners->begin(), corners->end(),
-            [&hidden](vtkIdType k) { return k < 0 || k >= static_cast<vtkIdType>(hidden.size()); }))
-      {
-        continue; // no polygon of this surface
-      }
       vtkIdType nearest = -1;
-      for (const vtkIdType corner : *corners)
+      for (vtkIdType k = 0; k < count; ++k)
       {
-        if (!isBuried(corner) && (nearest < 0 || isMoreHidden(corner, nearest)))
+        if (!isBuried(corners[k]) && (nearest < 0 || isMoreHidden(corners[k], nearest)))
         {
-          nearest = corner;
+          nearest = corners[k];
         }
       }
-      for (const vtkIdType corner : *corners)
+      for (vtkIdType k = 0; nearest >= 0 && k < count; ++k)
       {
-        vtkIdType& source = sources[static_cast<std::size_t>(corner)];
-        if (nearest >= 0 && isBuried(corner) && (source == corner || isMoreHidden(nearest, source)))
+        vtkIdType& source = sources[static_cast<std::size_t>(corners[k])];
+        if (isBuried(corners[k]) && (source == corners[k] || isMoreHidden(nearest, source)))
         {
           source = nearest;
         }
       }
-    }
-  }
+    });
   for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k)
   {
     if (sources[static_cast<std::size_t>(k)] != k)

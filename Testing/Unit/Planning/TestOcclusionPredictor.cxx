@@ -34,40 +34,49 @@ vtkSmartPointer<vtkPolyData> MakeTorus()
   return source->GetOutput();
 }
 
+class OcclusionPredictor : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Sky->SetToProceduralSky();
+    this->Predictor->SetScene(this->Scene);
+    this->Predictor->SetBRDF(this->White);
+    this->Predictor->SetEnvironment(this->Sky);
+  }
+
+  vtkNew<vtkTracedScene> Scene;
+  vtkNew<vtkLambertBRDF> White;
+  vtkNew<vtkEnvironment> Sky;
+  vtkNew<vtkOcclusionPredictor> Predictor;
+};
+
 // From its own events, as from another thread: the last prediction stays.
-TEST(OcclusionPredictor, Aborts)
+TEST_F(OcclusionPredictor, Aborts)
 {
   const auto torus = MakeTorus();
-  vtkNew<vtkTracedScene> scene;
-  scene->AddSurface(torus);
-  vtkNew<vtkLambertBRDF> brdf;
-  vtkNew<vtkEnvironment> sky;
-  sky->SetToProceduralSky();
-  vtkNew<vtkOcclusionPredictor> predictor;
-  predictor->SetScene(scene);
-  predictor->SetBRDF(brdf);
-  predictor->SetEnvironment(sky);
-  ASSERT_TRUE(predictor->Update());
-  const double error = predictor->GetError();
+  this->Scene->AddSurface(torus);
+  ASSERT_TRUE(this->Predictor->Update());
+  const double error = this->Predictor->GetError();
   vtkNew<vtkCallbackCommand> stop;
   stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
     { static_cast<vtkOcclusionPredictor*>(caller)->SetAbort(true); });
-  predictor->AddObserver(vtkCommand::ProgressEvent, stop);
-  predictor->SetNumberOfPoints(5000);
-  ErrorCatcher errors(predictor);
-  EXPECT_FALSE(predictor->Update());
+  this->Predictor->AddObserver(vtkCommand::ProgressEvent, stop);
+  this->Predictor->SetNumberOfPoints(5000);
+  ErrorCatcher errors(this->Predictor);
+  EXPECT_FALSE(this->Predictor->Update());
   EXPECT_EQ(errors.Take(), 1);
-  EXPECT_EQ(predictor->GetError(), error);
-  EXPECT_FALSE(predictor->Update()); // until it is false again
-  predictor->RemoveAllObservers();
-  predictor->SetAbort(false);
-  EXPECT_TRUE(predictor->Update());
-  EXPECT_NE(predictor->GetError(), error);
+  EXPECT_EQ(this->Predictor->GetError(), error);
+  EXPECT_FALSE(this->Predictor->Update()); // until it is false again
+  this->Predictor->RemoveAllObservers();
+  this->Predictor->SetAbort(false);
+  EXPECT_TRUE(this->Predictor->Update());
+  EXPECT_NE(this->Predictor->GetError(), error);
 }
 
 // A half sphere under a white sky, seen from its opening: half of the light is hidden, so the
 // error is 1 of what is left.
-TEST(OcclusionPredictor, ABowl)
+TEST_F(OcclusionPredictor, ABowl)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(120);
@@ -77,43 +86,32 @@ TEST(OcclusionPredictor, ABowl)
   vtkNew<vtkPolyData> bowl;
   bowl->ShallowCopy(sphere->GetOutput());
   bowl->GetPointData()->SetNormals(nullptr);
-  vtkNew<vtkTracedScene> scene;
-  scene->AddSurface(bowl);
-  vtkNew<vtkLambertBRDF> white;
-  vtkNew<vtkEnvironment> sky;
-  sky->SetPixels(64, 32, std::vector<float>(3 * 64 * 32, 1.0f));
-  vtkNew<vtkOcclusionPredictor> predictor;
-  predictor->SetScene(scene);
-  predictor->SetBRDF(white);
-  predictor->SetEnvironment(sky);
-  predictor->SetViewDirection(0.0, 0.0, 1.0);
-  ASSERT_TRUE(predictor->Update());
-  EXPECT_NEAR(predictor->GetError(), 1.0, 0.05);
-  EXPECT_LT(predictor->GetUncertainty(), 0.1);
-  predictor->SetViewDirection(0.0, 0.0, -1.0); // from below it bulges
-  ASSERT_TRUE(predictor->Update());
-  EXPECT_LT(predictor->GetError(), 0.01);
+  this->Scene->AddSurface(bowl);
+  this->Sky->SetPixels(64, 32, std::vector<float>(3 * 64 * 32, 1.0f));
+  this->Predictor->SetViewDirection(0.0, 0.0, 1.0);
+  ASSERT_TRUE(this->Predictor->Update());
+  EXPECT_NEAR(this->Predictor->GetError(), 1.0, 0.05);
+  EXPECT_LT(this->Predictor->GetUncertainty(), 0.1);
+  this->Predictor->SetViewDirection(0.0, 0.0, -1.0); // from below it bulges
+  ASSERT_TRUE(this->Predictor->Update());
+  EXPECT_LT(this->Predictor->GetError(), 0.01);
 }
 
 // The default's prediction and uncertainty, against 20 times as many points.
-TEST(OcclusionPredictor, FewPointsForetellMany)
+TEST_F(OcclusionPredictor, FewPointsForetellMany)
 {
   const vtkSmartPointer<vtkPolyData> torus = MakeTorus();
-  vtkNew<vtkTracedScene> scene;
-  scene->AddSurface(torus);
-  vtkNew<vtkLambertBRDF> white;
+  this->Scene->AddSurface(torus);
   vtkNew<vtkBlinnPhongBRDF> gloss;
   gloss->SetExponent(50.0);
-  vtkNew<vtkEnvironment> sky;
   vtkNew<vtkEnvironment> hall;
-  sky->SetToProceduralSky();
   hall->SetToProceduralHall();
-  for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(white), static_cast<vtkBRDF*>(gloss) })
+  for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(this->White), static_cast<vtkBRDF*>(gloss) })
   {
-    for (vtkEnvironment* environment : { sky.Get(), hall.Get() })
+    for (vtkEnvironment* environment : { this->Sky.Get(), hall.Get() })
     {
       vtkNew<vtkOcclusionPredictor> predictor;
-      predictor->SetScene(scene);
+      predictor->SetScene(this->Scene);
       predictor->SetBRDF(brdf);
       predictor->SetEnvironment(environment);
       predictor->SetMaximumNumberOfPoints(400);
@@ -130,7 +128,7 @@ TEST(OcclusionPredictor, FewPointsForetellMany)
   }
 }
 
-TEST(OcclusionPredictor, Decision)
+TEST_F(OcclusionPredictor, Decision)
 {
   EXPECT_FALSE(vtkOcclusionPredictor::IsWorthModeling(0.009, 0.015, 0.02));
   EXPECT_TRUE(vtkOcclusionPredictor::IsWorthModeling(0.021, 0.0, 0.02));
@@ -141,24 +139,18 @@ TEST(OcclusionPredictor, Decision)
     "unoccluded light: 9.2 % on this surface (+- 1 %)");
 }
 
-TEST(OcclusionPredictor, NothingToSee)
+TEST_F(OcclusionPredictor, NothingToSee)
 {
-  vtkNew<vtkTracedScene> scene;
   vtkNew<vtkPolyData> nothing;
-  scene->AddSurface(nothing);
-  vtkNew<vtkLambertBRDF> white;
-  vtkNew<vtkEnvironment> sky;
-  sky->SetToProceduralSky();
-  vtkNew<vtkOcclusionPredictor> predictor;
+  this->Scene->AddSurface(nothing);
+  this->Predictor->SetScene(nullptr);
   {
-    ErrorCatcher errors(predictor);
-    EXPECT_FALSE(predictor->Update());
+    ErrorCatcher errors(this->Predictor);
+    EXPECT_FALSE(this->Predictor->Update());
     EXPECT_EQ(errors.Take(), 1);
   }
-  predictor->SetScene(scene);
-  predictor->SetBRDF(white);
-  predictor->SetEnvironment(sky);
-  ASSERT_TRUE(predictor->Update());
-  EXPECT_EQ(predictor->GetError(), 0.0);
+  this->Predictor->SetScene(this->Scene);
+  ASSERT_TRUE(this->Predictor->Update());
+  EXPECT_EQ(this->Predictor->GetError(), 0.0);
 }
 } // namespace

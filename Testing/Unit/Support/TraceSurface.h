@@ -2,21 +2,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A surface with the arrays of vtkSurfaceVisibilityFilter, nullptr where it refuses or gives
- * blocks.
+ * Surfaces with the arrays of vtkSurfaceVisibilityFilter, and what these hold.
  */
 
 #ifndef TraceSurface_h
 #define TraceSurface_h
 
+#include "HorizonCode.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSurfaceVisibilityFilter.h"
+#include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <string>
+
+/// nullptr where the filter refuses or gives blocks.
 inline vtkPolyData* Trace(vtkSurfaceVisibilityFilter* filter, vtkDataObject* input)
 {
   filter->SetInputDataObject(input);
   filter->Update();
   return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+}
+
+inline vtkUnsignedCharArray* GetBytes(vtkPolyData* surface, const std::string& name)
+{
+  return vtkUnsignedCharArray::SafeDownCast(surface->GetPointData()->GetArray(name.c_str()));
+}
+
+inline measuredbrdf::HorizonCode::Code GetCode(
+  vtkPolyData* surface, vtkIdType point, const std::string& suffix = "")
+{
+  using measuredbrdf::HorizonCode;
+  HorizonCode::Code code;
+  std::copy_n(GetBytes(surface, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName() + suffix)
+                ->GetPointer(point * HorizonCode::SectorBytes),
+    HorizonCode::SectorBytes, code.begin());
+  std::copy_n(GetBytes(surface, vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() + suffix)
+                ->GetPointer(point * HorizonCode::TransferBytes),
+    HorizonCode::TransferBytes, code.begin() + HorizonCode::SectorBytes);
+  return code;
 }
 
 #endif

@@ -6,7 +6,6 @@
 #include "HiddenSky.h"
 #include "SkyHarmonics.h"
 #include "TraceSurface.h"
-#include "VisibilityTask.h"
 #include "vtkSurfaceVisibilityFilter.h"
 
 #include "vtkCallbackCommand.h"
@@ -57,11 +56,6 @@ vtkSmartPointer<vtkPolyData> MakeHollow(double endPhi)
   return inwards->GetOutput();
 }
 
-vtkUnsignedCharArray* GetBytes(vtkPolyData* surface, const std::string& name)
-{
-  return vtkUnsignedCharArray::SafeDownCast(surface->GetPointData()->GetArray(name.c_str()));
-}
-
 vtkUnsignedCharArray* GetBounced(vtkPolyData* surface, const std::string& suffix = "")
 {
   return GetBytes(surface, vtkSurfaceVisibilityFilter::GetBouncedLightArrayName() + suffix);
@@ -73,14 +67,6 @@ BouncedLight GetBounce(vtkPolyData* surface, vtkIdType point, const std::string&
   std::copy_n(GetBounced(surface, suffix)->GetPointer(point * BouncedLight::Bytes),
     BouncedLight::Bytes, code.begin());
   return BouncedLight(code);
-}
-
-HiddenSky::Code GetCode(vtkPolyData* surface, vtkIdType point)
-{
-  measuredbrdf::SideArrays side;
-  side.Sky = GetBytes(surface, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName());
-  side.Light = GetBytes(surface, vtkSurfaceVisibilityFilter::GetHiddenLightArrayName());
-  return side.Get(point);
 }
 
 bool AreEqual(vtkUnsignedCharArray* a, vtkUnsignedCharArray* b)

@@ -11,7 +11,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRegularPolygonSource.h"
-#include "vtkSMPTools.h"
 #include "vtkSphereSource.h"
 #include "vtkStripper.h"
 
@@ -19,7 +18,6 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -369,50 +367,6 @@ TEST(SurfaceTracer, SeesSlitsWiderThanTheOffset)
     tracer.OffsetOrigin(point, up, up, origin);
     EXPECT_EQ(tracer.IsOccluded(origin, up, 0.0, Far), width > 1.0);
   }
-}
-
-// Any number of threads get what one gets.
-TEST(SurfaceTracer, IsThreadSafe)
-{
-  SurfaceTracer tracer;
-  tracer.AddSurface(MakeFineSphere(50));
-  tracer.Build();
-  constexpr vtkIdType Rays = 20000;
-  std::vector<glm::dvec3> from;
-  std::mt19937 random(9);
-  for (vtkIdType k = 0; k < 2 * Rays; ++k)
-  {
-    from.push_back(Draw(random));
-  }
-  std::vector<double> alone(Rays, -1.0);
-  std::vector<double> together(Rays, -1.0);
-  const auto trace = [&](vtkIdType begin, vtkIdType end, std::vector<double>& result)
-  {
-    for (vtkIdType k = begin; k < end; ++k)
-    {
-      SurfaceTracer::Hit hit{};
-      const glm::dvec3 origin = 2.0 * from[static_cast<std::size_t>(k)];
-      if (tracer.Intersect(&origin.x, &from[static_cast<std::size_t>(Rays + k)].x, 0.0, Far, hit))
-      {
-        result[static_cast<std::size_t>(k)] = hit.T;
-      }
-    }
-  };
-  trace(0, Rays, alone);
-  vtkSMPTools::For(0, Rays, [&](vtkIdType begin, vtkIdType end) { trace(begin, end, together); });
-  EXPECT_EQ(alone, together);
-}
-
-// docs/methods/occlusion.md quotes the bytes.
-TEST(SurfaceTracer, IsSmall)
-{
-  SurfaceTracer tracer;
-  tracer.AddSurface(MakeFineSphere(300));
-  tracer.Build();
-  const double bytes =
-    static_cast<double>(tracer.GetBytes()) / static_cast<double>(tracer.GetNumberOfTriangles());
-  std::printf("%.0f bytes a triangle\n", bytes);
-  EXPECT_LT(bytes, 120.0); // 10^7 triangles in 1.2 GB
 }
 
 } // namespace

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OcclusionArrays.h"
 
-#include "HorizonCode.h"
 #include "SharedTrace.h"
 #include "SurfacePoints.h"
-#include "vtkCellArray.h"
+#include "VisibilityTask.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
@@ -23,25 +22,34 @@ namespace measuredbrdf
 {
 namespace
 {
+vtkSmartPointer<vtkFloatArray> MakeFloats(vtkIdType points, int components)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(points);
+  return array;
+}
+
 OcclusionArrays::Side MakeSide(vtkIdType points)
 {
+  static_assert(HorizonCode::Bytes == 3 * 4 * OcclusionArrays::Attributes, "three bytes a float");
   OcclusionArrays::Side side;
   for (vtkSmartPointer<vtkFloatArray>& array : side)
   {
-    array = vtkSmartPointer<vtkFloatArray>::New();
-    array->SetNumberOfComponents(4);
-    array->SetNumberOfTuples(points);
+    array = MakeFloats(points, 4);
   }
   return side;
 }
 
-void SetCode(const OcclusionArrays::Side& side, vtkIdType point, const HorizonCode::Code& code)
+// A point's bytes, three in each float of its tuples in the arrays.
+void Pack(const unsigned char* bytes, int count, vtkIdType point,
+  const vtkSmartPointer<vtkFloatArray>* arrays)
 {
-  static_assert(HorizonCode::Bytes == 3 * 4 * OcclusionArrays::Attributes, "three bytes a float");
-  for (std::size_t k = 0; 3 * k < code.size(); ++k)
+  const int components = arrays[0]->GetNumberOfComponents();
+  for (int k = 0; 3 * k < count; ++k)
   {
-    const int packed = code[3 * k] + 256 * code[3 * k + 1] + 65536 * code[3 * k + 2];
-    side[k / 4]->SetTypedComponent(point, static_cast<int>(k % 4), static_cast<float>(packed));
+    const int packed = bytes[3 * k] + 256 * bytes[3 * k + 1] + 65536 * bytes[3 * k + 2];
+    arrays[k / components]->SetTypedComponent(point, k % components, static_cast<float>(packed));
   }
 }
 
@@ -76,23 +84,6 @@ vtkUnsignedCharArray* FindArray(
   return problem.empty() ? array : nullptr;
 }
 
-vtkSmartPointer<vtkFloatArray> MakeBounce(vtkIdType points)
-{
-  auto array = vtkSmartPointer<vtkFloatArray>::New();
-  array->SetNumberOfComponents(BounceCode::Bytes / 3);
-  array->SetNumberOfTuples(points);
-  return array;
-}
-
-void SetBounce(vtkFloatArray* array, vtkIdType point, const unsigned char* code)
-{
-  for (int k = 0; k < BounceCode::Bytes / 3; ++k)
-  {
-    const int packed = code[3 * k] + 256 * code[3 * k + 1] + 65536 * code[3 * k + 2];
-    array->SetTypedComponent(point, k, static_cast<float>(packed));
-  }
-}
-
 // Null, with a reason, where there is none.
 vtkSmartPointer<vtkFloatArray> ReadBounceSide(
   vtkPolyData* surface, const std::string& suffix, std::string& problem)
@@ -103,10 +94,11 @@ vtkSmartPointer<vtkFloatArray> ReadBounceSide(
   {
     return nullptr;
   }
-  vtkSmartPointer<vtkFloatArray> array = MakeBounce(surface->GetNumberOfPoints());
+  vtkSmartPointer<vtkFloatArray> array =
+    MakeFloats(surface->GetNumberOfPoints(), BounceCode::Bytes / 3);
   for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k)
   {
-    SetBounce(array, k, bytes->GetPointer(k * BounceCode::Bytes));
+    Pack(bytes->GetPointer(k * BounceCode::Bytes), BounceCode::Bytes, k, &array);
   }
   return array;
 }
@@ -127,14 +119,11 @@ bool ReadSide(vtkPolyData* surface, const std::string& suffix, OcclusionArrays::
   }
   const vtkIdType points = surface->GetNumberOfPoints();
   side = MakeSide(points);
-  HorizonCode::Code code;
+  const SideArrays arrays = { sky, light, nullptr, {} };
   for (vtkIdType k = 0; k < points; ++k)
   {
-    std::copy_n(
-      sky->GetPointer(k * HorizonCode::SectorBytes), HorizonCode::SectorBytes, code.begin());
-    std::copy_n(light->GetPointer(k * HorizonCode::TransferBytes), HorizonCode::TransferBytes,
-      code.begin() + HorizonCode::SectorBytes);
-    SetCode(side, k, code);
+    const HorizonCode::Code code = arrays.Get(k);
+    Pack(code.data(), HorizonCode::Bytes, k, side.data());
   }
   return true;
 }
@@ -147,10 +136,6 @@ bool IsClosed(vtkPolyData* surface, const std::string& suffix)
     (vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName() + suffix).c_str()));
   const auto isClosed = [sky](vtkIdType point)
   {
-    if (point < 0 || point >= sky->GetNumberOfTuples())
-    {
-      return false;
-    }
     const unsigned char* bytes = sky->GetPointer(point * HorizonCode::SectorBytes);
     for (int s = 0; s < HorizonCode::Sectors; ++s)
     {
@@ -161,20 +146,11 @@ bool IsClosed(vtkPolyData* surface, const std::string& suffix)
     }
     return true;
   };
-  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    for (vtkIdType cell = 0; cells && cell < cells->GetNumberOfCells(); ++cell)
-    {
-      cells->GetCellAtId(cell, count, ids);
-      if (!std::all_of(ids, ids + count, isClosed))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
+  bool all = true;
+  ForEachFace(surface, Faces::Polygons,
+    [&](const vtkIdType* ids, vtkIdType count, vtkIdType)
+    { all = all && std::all_of(ids, ids + count, isClosed); });
+  return all;
 }
 
 // Triangles turned away from the viewer are not seen: of their points, those that no other triangle
@@ -216,16 +192,13 @@ std::shared_ptr<OcclusionArrays> OcclusionArrays::MakeOpen(vtkIdType points)
 {
   auto arrays = std::make_shared<OcclusionArrays>();
   arrays->Front = MakeSide(points);
+  arrays->BounceFront = MakeFloats(points, BounceCode::Bytes / 3);
   const HorizonCode::Code open = HorizonCode::MakeOpen({ 0.0, 0.0, 1.0 });
-  for (vtkIdType k = 0; k < points; ++k)
-  {
-    SetCode(arrays->Front, k, open);
-  }
   const BounceCode::Code dark = BounceCode::MakeDark();
-  arrays->BounceFront = MakeBounce(points);
   for (vtkIdType k = 0; k < points; ++k)
   {
-    SetBounce(arrays->BounceFront, k, dark.data());
+    Pack(open.data(), HorizonCode::Bytes, k, arrays->Front.data());
+    Pack(dark.data(), BounceCode::Bytes, k, &arrays->BounceFront);
   }
   return arrays;
 }

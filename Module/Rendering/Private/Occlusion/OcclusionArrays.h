@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * vtkSurfaceVisibilityFilter's arrays as vertex attributes. Private to the rendering room.
+ * vtkSurfaceVisibilityFilter's arrays as vertex attributes. Private to the rendering component.
  */
 
 #ifndef OcclusionArrays_h

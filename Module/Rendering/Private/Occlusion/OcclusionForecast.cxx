@@ -3,12 +3,10 @@
 #include "OcclusionForecast.h"
 
 #include "BackgroundThreads.h"
-#include "ContentHash.h"
 #include "LocalFrame.h"
 #include "RunGuarded.h"
 #include "SharedTrace.h"
 #include "SurfaceBlocks.h"
-#include "SurfacePoints.h"
 #include "TakenError.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -39,15 +37,6 @@ constexpr int ProbePoints = 64;
 constexpr int ProbeRays = 16;
 constexpr double LeastError = 0.002;      // to be spoken of
 constexpr std::size_t MostAnswers = 1024; // about a surface: views and materials that take turns
-
-template <typename Visit>
-void ForEachArray(vtkPolyData* surface, const Visit& visit)
-{
-  visit(surface->GetPoints());
-  visit(surface->GetPointData()->GetNormals());
-  visit(surface->GetPolys());
-  visit(surface->GetStrips());
-}
 
 // Whether a thousand rays from points as cameras all around see them find that the scene hides
 // anything from itself.
@@ -86,26 +75,6 @@ bool HidesAnything(vtkTracedScene* scene)
   return false;
 }
 
-// What rays meet and where they begin; nothing else of the data.
-vtkSmartPointer<vtkPolyData> CopySurface(vtkPolyData* surface, bool deep)
-{
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPolyData> shallow;
-  shallow->SetPoints(surface->GetPoints());
-  shallow->SetPolys(surface->GetPolys());
-  shallow->SetStrips(surface->GetStrips());
-  shallow->GetPointData()->SetNormals(surface->GetPointData()->GetNormals());
-  if (deep)
-  {
-    copy->DeepCopy(shallow);
-  }
-  else
-  {
-    copy->ShallowCopy(shallow);
-  }
-  return copy;
-}
-
 // As environments are now: the job may go on while they are changed.
 std::vector<OcclusionQuestion::Material> TakeSnapshots(
   std::vector<OcclusionQuestion::Material> materials)
@@ -127,8 +96,18 @@ public:
     : Materials(TakeSnapshots(question.Materials))
     , ToEnvironment(question.FindToEnvironment ? question.FindToEnvironment() : nullptr)
     , Tolerance(question.Tolerance)
-    , Input(CopyBlocks(
-        question.Input, [apart](vtkPolyData* surface) { return CopySurface(surface, apart); }))
+    , Input(CopyBlocks(question.Input,
+        [apart](vtkPolyData* surface)
+        {
+          vtkSmartPointer<vtkPolyData> copy = CopyGeometry(surface);
+          if (apart)
+          {
+            const vtkSmartPointer<vtkPolyData> shared = copy;
+            copy = vtkSmartPointer<vtkPolyData>::New();
+            copy->DeepCopy(shared);
+          }
+          return copy;
+        }))
   {
     this->Found.Most = apart ? MostPointsInBackground : MostPoints;
     for (vtkPolyData* surface : GetBlocks(this->Input))
@@ -284,11 +263,15 @@ void OcclusionForecast::Leave()
 bool OcclusionForecast::FollowsSurface(vtkDataObject* input)
 {
   std::vector<std::pair<void*, vtkMTimeType>> stamp;
-  const std::vector<vtkPolyData*> surfaces = GetBlocks(input);
-  for (vtkPolyData* surface : surfaces)
+  for (vtkPolyData* surface : GetBlocks(input))
   {
-    ForEachArray(surface,
-      [&stamp](vtkObject* array) { stamp.emplace_back(array, array ? array->GetMTime() : 0); });
+    for (vtkObject* array : { static_cast<vtkObject*>(surface->GetPoints()),
+           static_cast<vtkObject*>(surface->GetPointData()->GetNormals()),
+           static_cast<vtkObject*>(surface->GetPolys()),
+           static_cast<vtkObject*>(surface->GetStrips()) })
+    {
+      stamp.emplace_back(array, array ? array->GetMTime() : 0);
+    }
   }
   if (stamp == this->Stamp)
   {
@@ -296,12 +279,7 @@ bool OcclusionForecast::FollowsSurface(vtkDataObject* input)
     return true;
   }
   this->Stamp = std::move(stamp);
-  ContentHash hash;
-  for (vtkPolyData* surface : surfaces)
-  {
-    hash.AddText(GetSurfaceKey(surface));
-  }
-  const std::string before = std::exchange(this->Content, hash.GetText());
+  const std::string before = std::exchange(this->Content, GetContentKey(input));
   this->Changes = this->Content == before ? 0 : this->Changes + 1;
   return this->Changes <= MostChanges;
 }

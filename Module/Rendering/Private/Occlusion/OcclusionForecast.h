@@ -4,7 +4,7 @@
  * @file
  * Whether what a surface hides from itself is worth modeling (vtkOcclusionPredictor), and where it
  * is, vtkSurfaceVisibilityFilter's arrays: made at once, or on a thread. Private to the rendering
- * room.
+ * component.
  */
 
 #ifndef OcclusionForecast_h

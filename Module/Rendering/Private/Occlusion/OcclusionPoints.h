@@ -5,7 +5,7 @@
  * The vertex cache: what is kept of a mapper's points while their light rests (MakeKeptShader),
  * made on the graphics card, once for each point, by transform feedback. Drawn triangles would make
  * it as often as the card's cache of vertices forgets a point, and in each frame anew. Private to
- * the rendering room.
+ * the rendering component.
  */
 
 #ifndef OcclusionPoints_h

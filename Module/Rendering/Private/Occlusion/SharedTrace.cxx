@@ -25,25 +25,6 @@ namespace
 {
 constexpr std::chrono::milliseconds Patience(20); // until goesOn is asked again
 
-using Traces = std::map<std::string, std::weak_ptr<SharedTrace>>;
-
-// Never destroyed: VTK may be gone when statics are.
-Traces& GetTraces()
-{
-  static Traces& traces = *new Traces;
-  return traces;
-}
-
-std::string GetContent(vtkDataObject* input)
-{
-  ContentHash hash;
-  for (vtkPolyData* surface : GetBlocks(input))
-  {
-    hash.AddText(GetSurfaceKey(surface));
-  }
-  return hash.GetText();
-}
-
 // The filter's arrays in place of those of another surface that may be there.
 void MoveArrays(vtkPolyData* from, vtkPolyData* to)
 {
@@ -66,24 +47,6 @@ void MoveArrays(vtkPolyData* from, vtkPolyData* to)
     from->GetFieldData()->GetAbstractArray(vtkSurfaceVisibilityFilter::GetKeyArrayName()));
   to->SetFieldData(fields);
 }
-
-vtkSmartPointer<vtkPolyData> ShallowCopy(vtkPolyData* surface)
-{
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->ShallowCopy(surface);
-  return copy;
-}
-
-// What the filter reads, so that nothing else is held.
-vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* surface)
-{
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->SetPoints(surface->GetPoints());
-  copy->SetPolys(surface->GetPolys());
-  copy->SetStrips(surface->GetStrips());
-  copy->GetPointData()->SetNormals(surface->GetPointData()->GetNormals());
-  return copy;
-}
 }
 
 // A trace's stop is asked for by the filter's own thread: a request from another one could come
@@ -91,18 +54,22 @@ vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* surface)
 class SharedTrace::Run
 {
 public:
-  Run(vtkSurfaceVisibilityFilter* filter, vtkDataObject* input, const std::function<bool()>& goesOn)
+  Run(vtkSurfaceVisibilityFilter* filter, vtkDataObject* input, const std::function<bool()>& goesOn,
+    bool& isTracing)
     : Filter(filter)
     , GoesOn(goesOn)
+    , IsTracing(isTracing)
   {
     this->Tag = filter->AddObserver(vtkCommand::ProgressEvent, this, &Run::Follow);
     filter->SetAbortExecute(0); // VTK 9.3 and later keep an earlier stop
     filter->SetInputDataObject(input);
+    this->IsTracing = true;
   }
   ~Run()
   {
     this->Filter->RemoveObserver(this->Tag);
     this->Filter->SetInputDataObject(nullptr);
+    this->IsTracing = false;
   }
   Run(const Run&) = delete;
   void operator=(const Run&) = delete;
@@ -118,33 +85,29 @@ private:
 
   vtkSurfaceVisibilityFilter* Filter;
   const std::function<bool()>& GoesOn;
+  bool& IsTracing;
   unsigned long Tag;
 };
 
-// This thread makes what others wait for, until it is gone.
-class SharedTrace::Making
+std::string GetContentKey(vtkDataObject* input)
 {
-public:
-  Making(SharedTrace& trace, std::unique_lock<std::mutex>& lock)
-    : Trace(trace)
-    , Lock(lock)
+  ContentHash hash;
+  for (vtkPolyData* surface : GetBlocks(input))
   {
-    this->Trace.Maker = std::this_thread::get_id();
-    this->Lock.unlock();
+    hash.AddText(GetSurfaceKey(surface));
   }
-  ~Making()
-  {
-    this->Lock.lock();
-    this->Trace.Maker = std::thread::id();
-    this->Trace.Changed.notify_all();
-  }
-  Making(const Making&) = delete;
-  void operator=(const Making&) = delete;
+  return hash.GetText();
+}
 
-private:
-  SharedTrace& Trace;
-  std::unique_lock<std::mutex>& Lock;
-};
+vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* surface)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->SetPoints(surface->GetPoints());
+  copy->SetPolys(surface->GetPolys());
+  copy->SetStrips(surface->GetStrips());
+  copy->GetPointData()->SetNormals(surface->GetPointData()->GetNormals());
+  return copy;
+}
 
 SharedTrace::SharedTrace() = default;
 
@@ -152,10 +115,11 @@ SharedTrace::~SharedTrace() = default;
 
 std::shared_ptr<SharedTrace> SharedTrace::Find(vtkDataObject* input)
 {
-  const std::string content = GetContent(input);
+  const std::string content = GetContentKey(input);
+  // Never destroyed: VTK may be gone when statics are.
   static std::mutex& mutex = *new std::mutex;
+  static auto& traces = *new std::map<std::string, std::weak_ptr<SharedTrace>>;
   const std::lock_guard<std::mutex> lock(mutex);
-  Traces& traces = GetTraces();
   for (auto it = traces.begin(); it != traces.end();)
   {
     it = it->second.expired() ? traces.erase(it) : std::next(it);
@@ -172,42 +136,38 @@ std::shared_ptr<SharedTrace> SharedTrace::Find(vtkDataObject* input)
 vtkSmartPointer<vtkDataObject> SharedTrace::Attach(
   vtkDataObject* input, bool withBounce, const std::function<bool()>& goesOn)
 {
-  std::unique_lock<std::mutex> lock(this->Mutex);
-  if (this->Maker == std::this_thread::get_id())
-  {
-    // The filter's progress has led back to here: waiting would never end.
-    lock.unlock();
-    return SharedTrace().Attach(input, withBounce, goesOn);
-  }
-  while (this->Maker != std::thread::id())
+  std::unique_lock<std::recursive_timed_mutex> lock(this->Mutex, std::defer_lock);
+  while (!lock.try_lock_for(Patience))
   {
     if (!goesOn())
     {
       return nullptr;
     }
-    this->Changed.wait_for(lock, Patience);
   }
-  const bool any = !GetBlocks(input).empty();
-  if (any && !this->Has(withBounce))
+  if (this->IsTracing)
   {
-    const Making making(*this, lock);
+    // The filter's progress has led back to here, on the thread that traces.
+    return SharedTrace().Attach(input, withBounce, goesOn);
+  }
+  if (!GetBlocks(input).empty() && !this->Has(withBounce))
+  {
     this->Trace(input, withBounce, goesOn);
-  }
-  if (any && !this->Has(withBounce))
-  {
-    return nullptr;
+    if (!this->Has(withBounce))
+    {
+      return nullptr;
+    }
   }
   std::size_t number = 0;
   return CopyBlocks(input,
     [this, &number](vtkPolyData* surface)
     {
-      auto copy = ShallowCopy(surface);
+      auto copy = vtkSmartPointer<vtkPolyData>::New();
+      copy->ShallowCopy(surface);
       MoveArrays(this->Arrays[number++], copy);
       return copy;
     });
 }
 
-// Without the lock: whoever reads what is written here waits.
 void SharedTrace::Trace(vtkDataObject* input, bool withBounce, const std::function<bool()>& goesOn)
 {
   if (!this->Filter)
@@ -217,7 +177,7 @@ void SharedTrace::Trace(vtkDataObject* input, bool withBounce, const std::functi
   }
   vtkSmartPointer<vtkSurfaceVisibilityFilter> filter =
     std::move(this->Filter); // back if all goes well
-  const Run run(filter, CopyBlocks(input, CopyGeometry), goesOn);
+  const Run run(filter, CopyBlocks(input, CopyGeometry), goesOn, this->IsTracing);
   filter->SetBounce(withBounce);
   const int before = filter->GetNumberOfTraces();
   const TakenError error(filter);

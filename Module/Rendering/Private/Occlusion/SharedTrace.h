@@ -3,7 +3,7 @@
 /**
  * @file
  * What surfaces hide from themselves, traced once for all mappers that show them. Private to the
- * rendering room.
+ * rendering component.
  */
 
 #ifndef SharedTrace_h
@@ -12,11 +12,10 @@
 #include "vtkDataObject.h"
 #include "vtkSmartPointer.h"
 
-#include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <thread>
+#include <string>
 #include <vector>
 
 class vtkPolyData;
@@ -24,6 +23,12 @@ class vtkSurfaceVisibilityFilter;
 
 namespace measuredbrdf
 {
+/// What tells the points, point normals and cells of all polydata of an input from others.
+std::string GetContentKey(vtkDataObject* input);
+
+/// What rays meet and where they begin, in arrays that the copy shares; nothing else of the data.
+vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* surface);
+
 /// vtkSurfaceVisibilityFilter's arrays, of both sides and without occluders, of surfaces of one
 /// content. They stay for as long as anybody holds this.
 class SharedTrace
@@ -47,7 +52,6 @@ public:
   int GetNumberOfTraces() const { return this->NumberOfTraces; }
 
 private:
-  class Making;
   class Run;
   bool Has(bool withBounce) const
   {
@@ -55,9 +59,8 @@ private:
   }
   void Trace(vtkDataObject* input, bool withBounce, const std::function<bool()>& goesOn);
 
-  std::mutex Mutex;
-  std::condition_variable Changed;
-  std::thread::id Maker; // which traces now; default: none
+  std::recursive_timed_mutex Mutex; // held by the thread that traces
+  bool IsTracing = false;
   // Of each surface, without points: whoever has these may change them.
   std::vector<vtkSmartPointer<vtkPolyData>> Arrays;
   bool HasBounce = false;
