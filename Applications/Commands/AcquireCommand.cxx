@@ -3,6 +3,7 @@
 #include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
+#include "Methods.h"
 #include "Progress.h"
 #include "Tool.h"
 

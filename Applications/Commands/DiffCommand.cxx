@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DartMeasurements.h"
 #include "Files.h"
 #include "Picture.h"
 #include "Tool.h"
@@ -15,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -22,6 +22,54 @@
 
 namespace
 {
+//------------------------------------------------------------------------------
+std::string EscapeXml(const std::string& text)
+{
+  std::string escaped;
+  for (const char c : text)
+  {
+    escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+  }
+  return escaped;
+}
+
+//------------------------------------------------------------------------------
+// Whether CTest runs this program.
+bool IsRunByCTest()
+{
+  // CTest sets the first for every test, to 0 or 1; older ones set the second.
+  return std::getenv("CTEST_INTERACTIVE_DEBUG_MODE") || std::getenv("DASHBOARD_TEST_FROM_CTEST");
+}
+
+//------------------------------------------------------------------------------
+// What CTest takes out of a test's output and sends to CDash: numbers, texts and files, in the
+// elements that vtkTesting writes.
+std::string FormatMeasurement(const std::string& name, double value)
+{
+  return "<DartMeasurement name=\"" + name + "\" type=\"numeric/double\">" +
+         tool::FormatNumber(value) + "</DartMeasurement>\n";
+}
+
+//------------------------------------------------------------------------------
+std::string FormatMeasurement(const std::string& name, const std::string& text)
+{
+  return "<DartMeasurement name=\"" + name + "\" type=\"text/string\">" + EscapeXml(text) +
+         "</DartMeasurement>\n";
+}
+
+//------------------------------------------------------------------------------
+std::string FormatMeasurementFile(const std::string& name, const std::string& path)
+{
+  const std::string extension = tool::Extension(path);
+  const std::string type = extension == ".png"                           ? "image/png"
+                           : extension == ".jpg" || extension == ".jpeg" ? "image/jpeg"
+                                                                         : "file";
+  // CTest looks for the file from where it runs itself.
+  std::error_code ignored;
+  return "<DartMeasurementFile name=\"" + name + "\" type=\"" + type + "\">" +
+         std::filesystem::absolute(path, ignored).string() + "</DartMeasurementFile>\n";
+}
+
 using Image = vtkSmartPointer<vtkImageData>;
 
 struct DiffOptions
@@ -198,15 +246,15 @@ void PrintMeasurements(const DiffOptions& options, const std::vector<Test>& test
   for (std::size_t k = 0; k < tests.size(); ++k)
   {
     const std::string name = vtkPictureDifference::GetMetricName(tests[k].Metric);
-    text += tool::FormatMeasurement(name, comparison.Findings[k].Value) +
-            tool::FormatMeasurement(name + "_threshold", tests[k].Threshold);
+    text += FormatMeasurement(name, comparison.Findings[k].Value) +
+            FormatMeasurement(name + "_threshold", tests[k].Threshold);
   }
-  text += tool::FormatMeasurement("BaselineImage", comparison.Baseline);
+  text += FormatMeasurement("BaselineImage", comparison.Baseline);
   if (!comparison.HasPassed())
   {
-    text += tool::FormatMeasurementFile("TestImage", options.Picture) +
-            tool::FormatMeasurementFile("DifferenceImage", heatMap) +
-            tool::FormatMeasurementFile("ValidImage", comparison.Baseline);
+    text += FormatMeasurementFile("TestImage", options.Picture) +
+            FormatMeasurementFile("DifferenceImage", heatMap) +
+            FormatMeasurementFile("ValidImage", comparison.Baseline);
   }
   tool::PrintOut(text);
 }
@@ -264,7 +312,7 @@ void CheckOptions(const DiffOptions& options)
 void Run(const DiffOptions& options)
 {
   CheckOptions(options);
-  const bool dart = options.Dart || tool::IsRunByCTest();
+  const bool dart = options.Dart || IsRunByCTest();
   std::vector<Test> tests;
   PictureComparison comparison;
   std::string heatMap = options.Output;
@@ -285,7 +333,7 @@ void Run(const DiffOptions& options)
     std::error_code ignored;
     if (dart && std::filesystem::is_regular_file(options.Picture, ignored))
     {
-      tool::PrintOut(tool::FormatMeasurementFile("TestImage", options.Picture));
+      tool::PrintOut(FormatMeasurementFile("TestImage", options.Picture));
     }
     throw;
   }

@@ -38,6 +38,12 @@ class vtkRenderer;
 
 namespace tool
 {
+/// Lets a camera look at the middle of a mesh from an azimuth (about +y, 0 = from +z, 90 = from +x)
+/// and an elevation above the horizon, with a vertical angle of view. fill: share of the picture's
+/// smaller side that the mesh's bounding sphere takes; aspect: the picture's width over its height.
+void PlaceCamera(
+  vtkCamera* camera, vtkPolyData* mesh, const View& view, double fill, double aspect);
+
 class OffscreenScene
 {
 public:
@@ -49,11 +55,7 @@ public:
 
   void SetMesh(vtkPolyData* mesh);
 
-  /**
-   * Look at the mesh's middle from an azimuth (about +y, 0 = from +z, 90 = from +x) and an
-   * elevation above the horizon, with a vertical angle of view, all in degrees. fill: share of the
-   * picture's smaller side that the mesh's bounding sphere takes.
-   */
+  /// Look at the mesh as tool::PlaceCamera says; angles in degrees.
   void SetView(double azimuth, double elevation, double fill, double angle = 30.0);
 
   /// Look as that camera (perspective) does instead; null: as SetView says. Not copied.
@@ -100,10 +102,8 @@ private:
   vtkNew<vtkFramebufferPass> Pass;
   vtkNew<vtkRenderWindow> Window;
   vtkSmartPointer<vtkCamera> Camera; // of SetCamera
-  double Azimuth = 0.0;
-  double Elevation = 0.0;
+  View Seen = { 0.0, 0.0 };
   double Fill = 0.9;
-  double ViewAngle = 30.0;
 };
 
 /// Light for VTK's own shading, which keeps half floats of it: the map in units of about its mean
