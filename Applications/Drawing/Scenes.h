@@ -44,6 +44,7 @@ namespace tool
 void PlaceCamera(
   vtkCamera* camera, vtkPolyData* mesh, const View& view, double fill, double aspect);
 
+/// A window off screen that one mesh is rendered in, into a float picture.
 class OffscreenScene
 {
 public:
@@ -123,6 +124,7 @@ struct StockMaterial
   RGB Albedo = { 0.5, 0.5, 0.5 }; // linear
 };
 
+/// The mesh as VTK draws it by itself: physically based shading under image-based lighting.
 class StockScene : public OffscreenScene
 {
 public:
@@ -154,6 +156,7 @@ std::vector<double> Pick(const Picture& picture, const Surface& surface);
 
 class ProgressBar;
 
+/// The mesh with one measured material.
 class Scene : public OffscreenScene
 {
 public:

@@ -22,7 +22,8 @@ class QUndoStack;
 
 namespace explorer
 {
-/// What is edited goes through an undo stack into the session's edits of that material.
+/// The rows of a SampleTable, with the session's edits over them. What is edited goes through an
+/// undo stack into the session's edits of that material.
 class SampleModel : public QAbstractTableModel
 {
   Q_OBJECT
@@ -61,6 +62,7 @@ private:
   vtkSmartPointer<vtkBRDF> Shown; // what Table reads
 };
 
+/// The table with its buttons.
 class SamplePanel : public QWidget
 {
   Q_OBJECT

@@ -28,6 +28,7 @@ class App;
 
 namespace tool
 {
+/// Of --method thesis: the material as the thesis renders it, under 64 median-cut lights.
 struct ThesisOptions
 {
   int Order = 6;
