@@ -100,12 +100,6 @@ double RollOff(double linear)
 double EncodeGamma(double linear) { return std::pow(linear, 1.0 / 2.2); }
 
 //------------------------------------------------------------------------------
-double EncodeSRGB(double linear)
-{
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
-//------------------------------------------------------------------------------
 Picture Downsample(const Picture& picture, int factor)
 {
   Picture result(picture.Width / factor, picture.Height / factor);

@@ -9,6 +9,8 @@
 #ifndef Picture_h
 #define Picture_h
 
+#include "SRGB.h"
+
 #include "vtkColorTransferFunction.h"
 #include "vtkSmartPointer.h"
 
@@ -59,10 +61,8 @@ double RollOff(double linear);
 /// The display value in [0,1] of display light as the mapper writes it: linear^(1/2.2).
 double EncodeGamma(double linear);
 
-///@{
-/// Display encoding: sRGB, or the power 1/2.2 that VTK's own shaders use.
-double EncodeSRGB(double linear);
-///@}
+/// The same as sRGB displays take it.
+using measuredbrdf::EncodeSRGB;
 
 /// Mean of factor x factor blocks.
 Picture Downsample(const Picture& picture, int factor);

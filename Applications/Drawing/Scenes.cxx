@@ -81,10 +81,8 @@ void OffscreenScene::SetMesh(vtkPolyData* mesh) { this->StageMapper->SetInputDat
 //------------------------------------------------------------------------------
 void OffscreenScene::SetView(double azimuth, double elevation, double fill, double angle)
 {
-  this->Azimuth = azimuth;
-  this->Elevation = elevation;
+  this->Seen = { azimuth, elevation, angle };
   this->Fill = fill;
-  this->ViewAngle = angle;
 }
 
 //------------------------------------------------------------------------------
@@ -93,49 +91,52 @@ void OffscreenScene::SetCamera(vtkCamera* camera) { this->Camera = camera; }
 //------------------------------------------------------------------------------
 void OffscreenScene::PlaceCamera(int width, int height)
 {
-  if (this->Camera)
+  vtkCamera* active = this->Renderer->GetActiveCamera();
+  if (!this->Camera)
   {
-    vtkCamera* active = this->Renderer->GetActiveCamera();
-    active->SetPosition(this->Camera->GetPosition());
-    active->SetFocalPoint(this->Camera->GetFocalPoint());
-    active->SetViewUp(this->Camera->GetViewUp());
-    active->SetViewAngle(this->Camera->GetViewAngle());
-    this->ViewAngle = this->Camera->GetViewAngle();
-    this->Renderer->ResetCameraClippingRange();
+    tool::PlaceCamera(active, this->StageMapper->GetInput(), this->Seen, this->Fill,
+      static_cast<double>(width) / height);
     return;
   }
+  active->SetPosition(this->Camera->GetPosition());
+  active->SetFocalPoint(this->Camera->GetFocalPoint());
+  active->SetViewUp(this->Camera->GetViewUp());
+  active->SetViewAngle(this->Camera->GetViewAngle());
+  this->Renderer->ResetCameraClippingRange();
+}
+
+//------------------------------------------------------------------------------
+void PlaceCamera(vtkCamera* camera, vtkPolyData* mesh, const View& view, double fill, double aspect)
+{
   double bounds[6];
-  this->StageMapper->GetBounds(bounds);
+  mesh->GetBounds(bounds);
   double center[3];
   double radius = 0.0;
   for (int c = 0; c < 3; ++c)
   {
     center[c] = 0.5 * (bounds[2 * c] + bounds[2 * c + 1]);
   }
-  vtkPolyData* mesh = this->StageMapper->GetInput();
   for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k)
   {
     radius = std::max(radius, vtkMath::Distance2BetweenPoints(mesh->GetPoint(k), center));
   }
-  radius = std::sqrt(radius);
+  radius = radius > 0.0 ? std::sqrt(radius) : 1.0;
 
-  const double azimuth = vtkMath::RadiansFromDegrees(this->Azimuth);
-  const double elevation = vtkMath::RadiansFromDegrees(this->Elevation);
+  const double azimuth = vtkMath::RadiansFromDegrees(view.Azimuth);
+  const double elevation = vtkMath::RadiansFromDegrees(view.Elevation);
   const double direction[3] = { std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
     std::cos(elevation) * std::cos(azimuth) };
   // A sphere seen under the angle a has the apparent radius tan(a) = R / sqrt(d^2 - R^2).
-  const double share = this->Fill * std::min(1.0, static_cast<double>(width) / height) *
-                       std::tan(vtkMath::RadiansFromDegrees(0.5 * this->ViewAngle));
+  const double share =
+    fill * std::min(1.0, aspect) * std::tan(vtkMath::RadiansFromDegrees(0.5 * view.Angle));
   const double distance = radius * std::sqrt(1.0 + 1.0 / (share * share));
-
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  camera->SetViewAngle(this->ViewAngle);
+  camera->SetViewAngle(view.Angle);
   camera->SetFocalPoint(center);
   camera->SetPosition(center[0] + distance * direction[0], center[1] + distance * direction[1],
     center[2] + distance * direction[2]);
   // Straight from above or below, up is where the azimuth looks to.
-  const double sign = this->Elevation > 0.0 ? -1.0 : 1.0;
-  std::abs(this->Elevation) < 89.9
+  const double sign = view.Elevation > 0.0 ? -1.0 : 1.0;
+  std::abs(view.Elevation) < 89.9
     ? camera->SetViewUp(0.0, 1.0, 0.0)
     : camera->SetViewUp(sign * std::sin(azimuth), 0.0, sign * std::cos(azimuth));
   camera->SetClippingRange(distance - 1.05 * radius, distance + 1.05 * radius);
@@ -234,7 +235,7 @@ std::array<double, 3> OffscreenScene::GetRay(double x, double y, int width, int 
   vtkMath::Cross(forward, up, right);
   vtkMath::Normalize(right);
   vtkMath::Cross(right, forward, up);
-  const double scale = std::tan(vtkMath::RadiansFromDegrees(0.5 * this->ViewAngle));
+  const double scale = std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
   const double a = scale * (2.0 * x - width) / height;
   const double b = scale * (2.0 * y - height) / height;
   std::array<double, 3> ray;

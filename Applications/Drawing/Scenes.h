@@ -38,6 +38,13 @@ class vtkRenderer;
 
 namespace tool
 {
+/// Lets a camera look at the middle of a mesh from an azimuth (about +y, 0 = from +z, 90 = from +x)
+/// and an elevation above the horizon, with a vertical angle of view. fill: share of the picture's
+/// smaller side that the mesh's bounding sphere takes; aspect: the picture's width over its height.
+void PlaceCamera(
+  vtkCamera* camera, vtkPolyData* mesh, const View& view, double fill, double aspect);
+
+/// A window off screen that one mesh is rendered in, into a float picture.
 class OffscreenScene
 {
 public:
@@ -49,11 +56,7 @@ public:
 
   void SetMesh(vtkPolyData* mesh);
 
-  /**
-   * Look at the mesh's middle from an azimuth (about +y, 0 = from +z, 90 = from +x) and an
-   * elevation above the horizon, with a vertical angle of view, all in degrees. fill: share of the
-   * picture's smaller side that the mesh's bounding sphere takes.
-   */
+  /// Look at the mesh as tool::PlaceCamera says; angles in degrees.
   void SetView(double azimuth, double elevation, double fill, double angle = 30.0);
 
   /// Look as that camera (perspective) does instead; null: as SetView says. Not copied.
@@ -100,10 +103,8 @@ private:
   vtkNew<vtkFramebufferPass> Pass;
   vtkNew<vtkRenderWindow> Window;
   vtkSmartPointer<vtkCamera> Camera; // of SetCamera
-  double Azimuth = 0.0;
-  double Elevation = 0.0;
+  View Seen = { 0.0, 0.0 };
   double Fill = 0.9;
-  double ViewAngle = 30.0;
 };
 
 /// Light for VTK's own shading, which keeps half floats of it: the map in units of about its mean
@@ -123,6 +124,7 @@ struct StockMaterial
   RGB Albedo = { 0.5, 0.5, 0.5 }; // linear
 };
 
+/// The mesh as VTK draws it by itself: physically based shading under image-based lighting.
 class StockScene : public OffscreenScene
 {
 public:
@@ -154,6 +156,7 @@ std::vector<double> Pick(const Picture& picture, const Surface& surface);
 
 class ProgressBar;
 
+/// The mesh with one measured material.
 class Scene : public OffscreenScene
 {
 public:

@@ -101,6 +101,7 @@ struct ComparedLight
 void WriteLightSheet(const std::string& path, const std::string& title, const std::string& name,
   const Grid& grid, const std::vector<ComparedLight>& lights);
 
+/// One mesh, drawn in several ways in front of the same environment: panels in a row, with labels.
 class ComparisonStrip
 {
 public:

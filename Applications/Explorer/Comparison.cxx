@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Comparison.h"
 
-#include "ModelMaterials.h"
+#include "Materials.h"
 #include "Progress.h"
 
 #include <algorithm>
@@ -84,24 +84,22 @@ void Comparison::Update()
     this->Background->Stop("compare");
     return;
   }
-  this->Background->Start(
-    "compare", tr("reading for comparison"),
-    [this, missing, models](JobThread& thread)
+  this->Background->Start("compare", tr("reading for comparison"),
+    [this, missing, models](const Jobs::Post& post)
     {
       for (const std::string& file : missing)
       {
         if (!tool::BackgroundWork::Get()->IsStopped())
         {
-          this->Read(file, models, thread);
+          this->Read(file, models, post);
         }
       }
-    },
-    [this](const QString& text) { this->Model->Say(text, true); });
+    });
 }
 
 //------------------------------------------------------------------------------
 // On a thread.
-void Comparison::Read(const std::string& file, const ModelStates& models, JobThread& thread)
+void Comparison::Read(const std::string& file, const ModelStates& models, const Jobs::Post& post)
 {
   try
   {
@@ -114,12 +112,12 @@ void Comparison::Read(const std::string& file, const ModelStates& models, JobThr
     const ComparedMaterial material{ file, read.Name, read.BRDF, SampleAlbedo(read.BRDF),
       FindValues(file, models), read.Transmission,
       read.Transmission ? SampleTransmittance(read.Transmission) : Curve() };
-    thread.Post([this, material]() { this->Take(material); });
+    post([this, material]() { this->Take(material); });
   }
   catch (const std::exception& error)
   {
     const QString text = QString::fromUtf8(error.what());
-    thread.Post(
+    post(
       [this, file, text]()
       {
         this->Model->Say(text, true);

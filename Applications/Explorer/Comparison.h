@@ -9,7 +9,6 @@
 #define Comparison_h
 
 #include "Curves.h"
-#include "MadeMaterial.h"
 #include "Session.h"
 
 #include "vtkBRDF.h"
@@ -54,7 +53,7 @@ signals:
 
 private:
   void Update();
-  void Read(const std::string& file, const ModelStates& models, JobThread& thread);
+  void Read(const std::string& file, const ModelStates& models, const Jobs::Post& post);
   void Take(const ComparedMaterial& material);
 
   Session* Model;

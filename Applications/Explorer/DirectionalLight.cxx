@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectionalLight.h"
 
+#include "LocalFrame.h"
 #include "Methods.h"
 #include "Tool.h"
 
@@ -11,26 +12,10 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <cmath>
-
-namespace
-{
-//------------------------------------------------------------------------------
-// A world direction in the frame of a unit normal and a tangent that need not be at right angles to
-// it.
-std::array<double, 3> ToLocal(
-  const double normal[3], const double tangent[3], const double direction[3])
-{
-  double bitangent[3];
-  vtkMath::Cross(normal, tangent, bitangent);
-  vtkMath::Normalize(bitangent);
-  double x[3];
-  vtkMath::Cross(bitangent, normal, x);
-  return { vtkMath::Dot(direction, x), vtkMath::Dot(direction, bitangent),
-    vtkMath::Dot(direction, normal) };
-}
-}
 
 namespace explorer
 {
@@ -81,11 +66,14 @@ std::vector<double> DrawDirectional(
   }
   for (std::size_t k = 0; k < surface.Normals.size(); k += 3)
   {
-    double tangent[3];
-    tangents->GetTuple(static_cast<vtkIdType>(k / 3), tangent);
-    const double* normal = &surface.Normals[k];
-    lights->InsertNextTuple(ToLocal(normal, tangent, direction.data()).data());
-    views->InsertNextTuple(ToLocal(normal, tangent, &surface.Views[k]).data());
+    glm::dvec3 tangent;
+    tangents->GetTuple(static_cast<vtkIdType>(k / 3), &tangent.x);
+    const measuredbrdf::Frame frame =
+      measuredbrdf::FrameAbout(glm::make_vec3(&surface.Normals[k]), tangent);
+    const glm::dvec3 towards = measuredbrdf::ToLocal(frame, glm::make_vec3(direction.data()));
+    const glm::dvec3 view = measuredbrdf::ToLocal(frame, glm::make_vec3(&surface.Views[k]));
+    lights->InsertNextTuple(&towards.x);
+    views->InsertNextTuple(&view.x);
   }
   if (!brdf->EvaluateArray(lights, views, values))
   {

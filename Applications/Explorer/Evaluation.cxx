@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace
 {
@@ -22,12 +23,8 @@ const char* const JobKey = "reference";
 //------------------------------------------------------------------------------
 double GetMean(const std::vector<double>& rgb)
 {
-  double sum = 0.0;
-  for (const double value : rgb)
-  {
-    sum += value;
-  }
-  return rgb.empty() ? 0.0 : sum / static_cast<double>(rgb.size());
+  return std::accumulate(rgb.begin(), rgb.end(), 0.0) /
+         static_cast<double>(std::max<std::size_t>(rgb.size(), 1));
 }
 
 //------------------------------------------------------------------------------
@@ -104,9 +101,6 @@ Evaluation::Evaluation(
 }
 
 //------------------------------------------------------------------------------
-Evaluation::~Evaluation() = default;
-
-//------------------------------------------------------------------------------
 void Evaluation::SetAspect(double aspect)
 {
   if (aspect > 0.0 && aspect != this->Aspect)
@@ -142,13 +136,6 @@ void Evaluation::RestartSides()
   this->Failed = false;
   this->Timer.start();
   emit this->changed();
-}
-
-//------------------------------------------------------------------------------
-bool Evaluation::IsSettled() const
-{
-  const auto isDone = [this](std::size_t k) { return this->Figures[k].IsMeasured; };
-  return this->Failed || (this->Complete && isDone(0) && isDone(1));
 }
 
 //------------------------------------------------------------------------------
@@ -209,34 +196,24 @@ void Evaluation::Capture()
 //------------------------------------------------------------------------------
 void Evaluation::StartReference()
 {
-  const vtkSmartPointer<vtkBRDF> original = this->Model->GetMaterial().BRDF;
-  auto brdf = vtkSmartPointer<vtkBRDF>::Take(original->NewSnapshot());
-  if (!brdf)
-  {
-    brdf = original;
-  }
+  const tool::Material material = MakeSnapshot(this->Model->GetMaterial());
   const bool isDirectional = this->Model->IsDirectional();
   const LightState light = this->Model->GetState().Light;
-  const auto environment = isDirectional ? vtkSmartPointer<vtkEnvironment>()
-                                         : vtkSmartPointer<vtkEnvironment>::Take(
-                                             this->Model->GetEnvironment()->NewSnapshot());
-  const auto surface = this->Visible;
-  const tool::Size size = this->Size;
+  const auto environment = vtkSmartPointer<vtkEnvironment>::Take(
+    isDirectional ? nullptr : this->Model->GetEnvironment()->NewSnapshot());
   this->Background->Start(
     JobKey, tr("exact picture"),
-    [this, brdf, environment, isDirectional, light, surface, size](JobThread& thread)
+    [this, brdf = material.BRDF, environment, isDirectional, light, surface = this->Visible,
+      size = this->Size](const Jobs::Post& post)
     {
-      if (isDirectional)
-      {
-        const std::vector<double> exact = DrawDirectional(brdf, *surface, light);
-        thread.Post([this, exact]() { this->TakeReference(exact, true); });
-        return;
-      }
-      const auto show = [&](const std::vector<double>& radiance)
-      { thread.Post([this, radiance]() { this->TakeReference(radiance, false); }); };
-      const tool::ReferencePicture picture =
-        tool::DrawReference(brdf, environment, *surface, size, show);
-      thread.Post([this, picture]() { this->TakeReference(picture.Radiance, true); });
+      const auto take = [this, &post](const std::vector<double>& radiance, bool complete)
+      { post([this, radiance, complete]() { this->TakeReference(radiance, complete); }); };
+      take(isDirectional
+             ? DrawDirectional(brdf, *surface, light)
+             : tool::DrawReference(brdf, environment, *surface, size,
+                 [&take](const std::vector<double>& radiance) { take(radiance, false); })
+                 .Radiance,
+        true);
     },
     [this](const QString& text)
     {

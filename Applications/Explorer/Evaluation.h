@@ -47,7 +47,6 @@ class Evaluation : public QObject
 public:
   Evaluation(
     Session* session, Jobs* jobs, std::array<Side*, 2> sides, vtkCamera* camera, QObject* parent);
-  ~Evaluation() override;
 
   /// Width and height of what the camera sees.
   void SetAspect(double aspect);
@@ -67,11 +66,9 @@ public:
   /// Radiance of a side (of the reference's: the exact one); null before.
   std::shared_ptr<const tool::Picture> GetPicture(int side) const;
 
-  ///@{
   /// Mean over red, green and blue of |A - B|, relative to the mean of the reference, or of B
   /// before there is one; as colors, with its mean. Null before both pictures are there.
   vtkSmartPointer<vtkImageData> MakeDifference(double& mean) const;
-  ///@}
 
   ///@{
   /// What was compared: 3 doubles a pixel; for reports.
@@ -81,7 +78,11 @@ public:
   ///@}
 
   /// Whether nothing is left to be done.
-  bool IsSettled() const;
+  bool IsSettled() const
+  {
+    return this->Failed ||
+           (this->Complete && this->Figures[0].IsMeasured && this->Figures[1].IsMeasured);
+  }
 
 signals:
   /// Any of the above is different.

@@ -12,7 +12,10 @@
 #include <unistd.h>
 #endif
 
+#include <algorithm>
+#include <atomic>
 #include <exception>
+#include <thread>
 #include <utility>
 
 namespace
@@ -34,40 +37,11 @@ struct Jobs::Job
 {
   QString Key;
   QString Label;
-  Work Function;
+  std::function<void(const Post&)> Work;
   Jobs::Failed Failed;
   std::atomic<bool> Stopped{ false };
   double Share = 0.0; // for the window's thread
   std::thread Runner;
-};
-
-//------------------------------------------------------------------------------
-class Jobs::Thread : public JobThread
-{
-public:
-  Thread(Jobs* jobs, std::shared_ptr<Job> job)
-    : All(jobs)
-    , Own(std::move(job))
-  {
-  }
-
-  void Post(std::function<void()> what) override
-  {
-    QMetaObject::invokeMethod(
-      this->All,
-      [job = this->Own, what = std::move(what)]()
-      {
-        if (!job->Stopped)
-        {
-          what();
-        }
-      },
-      Qt::QueuedConnection);
-  }
-
-private:
-  Jobs* All;
-  std::shared_ptr<Job> Own;
 };
 
 //------------------------------------------------------------------------------
@@ -90,14 +64,16 @@ Jobs::~Jobs()
 }
 
 //------------------------------------------------------------------------------
-void Jobs::Start(const QString& key, const QString& label, Work work, Jobs::Failed failed)
+void Jobs::Start(const QString& key, const QString& label, std::function<void(const Post&)> work,
+  Jobs::Failed failed)
 {
   this->Stop(key);
   auto job = std::make_shared<Job>();
   job->Key = key;
   job->Label = label;
-  job->Function = std::move(work);
-  job->Failed = std::move(failed);
+  job->Work = std::move(work);
+  job->Failed =
+    failed ? std::move(failed) : [this](const QString& text) { emit this->failed(text); };
   this->All.push_back(job);
   try
   {
@@ -127,38 +103,38 @@ void Jobs::Stop(const QString& key)
 //------------------------------------------------------------------------------
 bool Jobs::IsRunning(const QString& key) const
 {
-  for (const auto& job : this->All)
-  {
-    if (job->Key == key && !job->Stopped)
-    {
-      return true;
-    }
-  }
-  return false;
+  return std::any_of(this->All.begin(), this->All.end(),
+    [&key](const auto& job) { return job->Key == key && !job->Stopped; });
 }
 
 //------------------------------------------------------------------------------
 bool Jobs::IsIdle() const
 {
-  for (const auto& job : this->All)
-  {
-    if (!job->Stopped)
-    {
-      return false;
-    }
-  }
-  return true;
+  return std::all_of(
+    this->All.begin(), this->All.end(), [](const auto& job) { return job->Stopped.load(); });
 }
 
 //------------------------------------------------------------------------------
 // On the job's thread.
 void Jobs::Run(const std::shared_ptr<Job>& job)
 {
-  Thread thread(this, job);
   StepBack();
-  const auto show = [this, job, &thread](const std::string&, double share)
+  const Post post = [this, job](std::function<void()> what)
   {
-    thread.Post(
+    QMetaObject::invokeMethod(
+      this,
+      [job, what = std::move(what)]()
+      {
+        if (!job->Stopped)
+        {
+          what();
+        }
+      },
+      Qt::QueuedConnection);
+  };
+  const auto show = [this, &job, &post](const std::string&, double share)
+  {
+    post(
       [this, job, share]()
       {
         job->Share = share;
@@ -169,20 +145,19 @@ void Jobs::Run(const std::shared_ptr<Job>& job)
     tool::BackgroundWork work(job->Stopped, show);
     try
     {
-      job->Function(thread);
+      job->Work(post);
     }
     catch (const std::exception& error)
     {
       const QString text = QString::fromUtf8(error.what());
-      thread.Post([job, text]() { job->Failed(text); });
+      post([job, text]() { job->Failed(text); });
     }
     if (!work.Notes.empty())
     {
-      thread.Post(
-        [this, notes = QString::fromStdString(work.Notes)]() { emit this->noted(notes); });
+      post([this, notes = QString::fromStdString(work.Notes)]() { emit this->noted(notes); });
     }
   }
-  // Not by Post: also where it was stopped.
+  // Also where it was stopped.
   QMetaObject::invokeMethod(
     this, [this, job]() { this->Finish(job); }, Qt::QueuedConnection);
 }
@@ -192,7 +167,7 @@ void Jobs::Finish(const std::shared_ptr<Job>& job)
 {
   job->Runner.join();
   job->Stopped = true;
-  job->Function = nullptr;
+  job->Work = nullptr;
   this->All.remove(job);
   this->Report();
 }

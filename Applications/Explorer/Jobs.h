@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Background jobs: long work beside the window, the newest of its kind, with progress and a stop.
+ * Long work beside the window, on threads: the newest of each kind, with progress and a stop.
  */
 
 #ifndef Jobs_h
@@ -11,24 +11,13 @@
 #include <QObject>
 #include <QString>
 
-#include <atomic>
 #include <functional>
 #include <list>
 #include <memory>
-#include <thread>
+#include <type_traits>
 
 namespace explorer
 {
-/// What runs on a job's thread may use.
-class JobThread
-{
-public:
-  virtual ~JobThread() = default;
-
-  /// Have something done on the window's thread, unless the job was stopped meanwhile.
-  virtual void Post(std::function<void()> what) = 0;
-};
-
 /**
  * Every job has a key, such as "reference": a new one of that key stops the one before, whose
  * results no longer arrive. The destructor stops all jobs and waits for their threads.
@@ -41,12 +30,29 @@ public:
   explicit Jobs(QObject* parent = nullptr);
   ~Jobs() override;
 
-  /// Runs on the thread, under a tool::BackgroundWork.
-  using Work = std::function<void(JobThread&)>;
-  /// Gets the message of an exception of the work, on the window's thread.
+  /// Has something done on the window's thread, unless the job was stopped meanwhile.
+  using Post = std::function<void(std::function<void()>)>;
+  /// Gets the message of an exception, on the window's thread.
   using Failed = std::function<void(const QString&)>;
 
-  void Start(const QString& key, const QString& label, Work work, Failed failed);
+  /// Runs work on a thread, under a tool::BackgroundWork. Without failed, the signal tells.
+  void Start(const QString& key, const QString& label, std::function<void(const Post&)> work,
+    Failed failed = nullptr);
+
+  /// Calls make on a thread, then take with what it has made on the window's.
+  template <typename Make, typename Take>
+  void Compute(
+    const QString& key, const QString& label, Make make, Take take, Failed failed = nullptr)
+  {
+    this->Start(
+      key, label,
+      [make, take](const Post& post)
+      {
+        const auto made = std::make_shared<std::decay_t<decltype(make())>>(make());
+        post([take, made]() { take(*made); });
+      },
+      std::move(failed));
+  }
 
   /// Stop the job of that key, if there is one. Does not wait.
   void Stop(const QString& key);
@@ -59,10 +65,11 @@ signals:
   void progressed(const QString& line, double share);
   /// A job said something about its input, such as what a reader corrected.
   void noted(const QString& text);
+  /// What a job threw that has no function of its own for that.
+  void failed(const QString& text);
 
 private:
   struct Job;
-  class Thread;
   void Run(const std::shared_ptr<Job>& job);
   void Finish(const std::shared_ptr<Job>& job);
   void Report();

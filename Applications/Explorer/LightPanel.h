@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The directional light's direction and irradiance.
+ * Where light comes from: the environment with the lights that stand for it, or the one directional
+ * light, with their settings.
  */
 
 #ifndef LightPanel_h
@@ -10,40 +11,57 @@
 
 #include "Session.h"
 
+#include <QImage>
 #include <QWidget>
 
-class QDoubleSpinBox;
+class QPainter;
 
 namespace explorer
 {
-class DirectionView;
-
-class LightPanel : public QWidget
+/// All directions in one lat-long picture. An environment is turned by dragging it, the directional
+/// light is dragged to where it comes from. Arrow keys do the same by a degree, with Shift by 15.
+class SkyView : public QWidget
 {
   Q_OBJECT
 
 public:
-  explicit LightPanel(Session* session, QWidget* parent = nullptr);
+  explicit SkyView(Session* session, QWidget* parent = nullptr);
 
-  DirectionView* GetView() const { return this->View; }
+  /// The environment in its own frame, u from left to right.
+  void SetImage(const QImage& image);
+  const QImage& GetImage() const { return this->Image; }
 
-  ///@{
-  /// Fields of State::Light.
-  QDoubleSpinBox* GetTheta() const { return this->Theta; }
-  QDoubleSpinBox* GetPhi() const { return this->Phi; }
-  QDoubleSpinBox* GetIrradiance() const { return this->Irradiance; }
-  ///@}
+  /// Where a place of that picture is shown, for a rotation in degrees: shares of the width.
+  static double FindShown(double u, double rotation);
+
+  /// Where the directional light is drawn, in the widget's pixels.
+  QPointF GetHandlePosition() const;
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  QSize sizeHint() const override { return { 440, 220 }; }
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override { return width / 2; }
 
 private:
-  void Update();
+  QRect GetFrame() const;
+  QPointF Find(double theta, double phi) const;
+  void DrawEnvironment(QPainter& painter) const;
+  void DrawLight(QPainter& painter) const;
+  void MoveLight(const QPoint& place);
 
   Session* Model;
-  DirectionView* View;
-  QDoubleSpinBox* Theta;
-  QDoubleSpinBox* Phi;
-  QDoubleSpinBox* Irradiance;
-  bool IsUpdating = false;
+  QImage Image;
+  int Last = 0; // where the mouse was
 };
+
+/// The view with the fields "polar angle", "azimuth" and "irradiance" (in the widget "light
+/// fields") of the directional light, and those of an environment.
+QWidget* MakeLightPanel(Session* session, Jobs* jobs);
 } // namespace explorer
 
 #endif

@@ -1,27 +1,25 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ListPanel.h"
-
 #include "Comparison.h"
+#include "Controls.h"
+#include "Panels.h"
 
-#include <QCheckBox>
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 
 #include <map>
 
+namespace explorer
+{
 namespace
 {
 //------------------------------------------------------------------------------
-QTreeWidget* MakeList(QWidget* parent, const QString& name)
+QTreeWidget* MakeTree(const QString& name)
 {
-  auto* list = new QTreeWidget(parent);
+  auto* list = new QTreeWidget;
   list->setHeaderHidden(true);
   list->setRootIsDecorated(false);
   list->setIndentation(12);
@@ -33,11 +31,11 @@ QTreeWidget* MakeList(QWidget* parent, const QString& name)
 
 //------------------------------------------------------------------------------
 // Headings with their items; the one that is shown is selected.
-void Fill(QTreeWidget* list, const std::vector<explorer::Item>& items, const std::string& current)
+void Fill(QTreeWidget* list, const std::vector<Item>& items, const std::string& current)
 {
   list->clear();
   std::map<std::string, QTreeWidgetItem*> headings;
-  for (const explorer::Item& item : items)
+  for (const Item& item : items)
   {
     QTreeWidgetItem*& heading = headings[item.Kind];
     if (!heading)
@@ -66,173 +64,151 @@ void Fill(QTreeWidget* list, const std::vector<explorer::Item>& items, const std
 }
 
 //------------------------------------------------------------------------------
-QWidget* MakeHeading(
-  const QString& text, QWidget* buddy, QPushButton*& button, const QString& toolTip)
+// Calls a function with each item of a list that stands for a file, and its file.
+template <typename Function>
+void ForEachItem(QTreeWidget* list, const Function& function)
 {
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  auto* label = new QLabel(text);
-  label->setBuddy(buddy);
-  button = new QPushButton(QObject::tr("Open…"));
-  button->setToolTip(toolTip);
-  layout->addWidget(label);
-  layout->addStretch(1);
-  layout->addWidget(button);
-  return row;
-}
-}
-
-namespace explorer
-{
-//------------------------------------------------------------------------------
-ListPanel::ListPanel(Session* session, Comparison* comparison, QWidget* parent)
-  : QWidget(parent)
-  , Model(session)
-  , Compared(comparison)
-  , Search(new QLineEdit)
-  , Materials(MakeList(this, tr("Materials")))
-  , Environments(MakeList(this, tr("Environments")))
-  , Meshes(new QComboBox)
-{
-  this->Search->setPlaceholderText(tr("Find a material"));
-  this->Search->setClearButtonEnabled(true);
-  this->Search->setAccessibleName(tr("Find a material"));
-  this->Meshes->setAccessibleName(tr("Mesh"));
-  this->Meshes->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(6, 6, 6, 6);
-  const auto add = [&](const QString& title, QWidget* list, const QString& kind, int stretch,
-                     const QString& toolTip)
+  for (int k = 0; k < list->topLevelItemCount(); ++k)
   {
-    QPushButton* button = nullptr;
-    layout->addWidget(MakeHeading(title, list, button, toolTip));
-    if (list == this->Materials)
+    for (int j = 0; j < list->topLevelItem(k)->childCount(); ++j)
     {
-      layout->addWidget(this->Search);
+      QTreeWidgetItem* item = list->topLevelItem(k)->child(j);
+      function(item, item->data(0, Qt::UserRole).toString());
     }
-    layout->addWidget(list, stretch);
-    connect(button, &QPushButton::clicked, this, [this, kind]() { emit openRequested(kind); });
-  };
-  add(tr("&Materials"), this->Materials, "materials", 5,
-    tr("Open material files; or drop them into the window"));
-  add(tr("En&vironments"), this->Environments, "environments", 2,
-    tr("Open environment images; or drop them into the window"));
-  add(tr("M&esh"), this->Meshes, "meshes", 0, tr("Open a mesh; or drop it into the window"));
-  this->setMinimumWidth(200);
-  this->Materials->setColumnCount(2); // the second: whether it is in the charts
-  this->Materials->header()->setStretchLastSection(false);
-  this->Materials->header()->setMinimumSectionSize(8);
-  this->Materials->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  this->Materials->header()->setSectionResizeMode(1, QHeaderView::Fixed);
-  this->Materials->header()->resizeSection(1, QCheckBox().sizeHint().width() + 6);
-
-  connect(this->Materials, &QTreeWidget::currentItemChanged, this,
-    [this](QTreeWidgetItem* item)
-    {
-      const QString file = item ? item->data(0, Qt::UserRole).toString() : QString();
-      if (!this->IsUpdating && !file.isEmpty())
-      {
-        this->Model->SetMaterial(file.toStdString());
-      }
-    });
-  connect(this->Environments, &QTreeWidget::currentItemChanged, this,
-    [this](QTreeWidgetItem* item)
-    {
-      const QString file = item ? item->data(0, Qt::UserRole).toString() : QString();
-      if (!this->IsUpdating && !file.isEmpty())
-      {
-        this->Model->SetEnvironment(file.toStdString());
-      }
-    });
-  connect(this->Meshes, QOverload<int>::of(&QComboBox::activated), this,
-    [this](int index)
-    { this->Model->SetMesh(this->Meshes->itemData(index).toString().toStdString()); });
-  connect(this->Search, &QLineEdit::textChanged, this, &ListPanel::Filter);
-  connect(session, &Session::listsChanged, this, &ListPanel::Update);
-  connect(session, &Session::comparedChanged, this, &ListPanel::UpdateCompareBoxes);
-  this->Update();
-}
-
-//------------------------------------------------------------------------------
-void ListPanel::Update()
-{
-  this->IsUpdating = true;
-  const State& state = this->Model->GetState();
-  Fill(this->Materials, this->Model->GetMaterials(), state.Material);
-  this->AddCompareBoxes();
-  Fill(this->Environments, this->Model->GetEnvironments(), state.Environment);
-  this->Meshes->clear();
-  for (const Item& item : this->Model->GetMeshes())
-  {
-    this->Meshes->addItem(QString::fromStdString(item.Name), QString::fromStdString(item.File));
-    this->Meshes->setItemData(
-      this->Meshes->count() - 1, QString::fromStdString(item.Source), Qt::ToolTipRole);
   }
-  this->Meshes->setCurrentIndex(this->Meshes->findData(QString::fromStdString(state.Mesh)));
-  this->IsUpdating = false;
-  this->Filter();
 }
 
 //------------------------------------------------------------------------------
 // Widgets: a tick of a list's own would also choose the material.
-void ListPanel::AddCompareBoxes()
+void AddCompareBoxes(QTreeWidget* list, Comparison* comparison)
 {
-  this->CompareBoxes.clear(); // the list has deleted them
-  for (int k = 0; k < this->Materials->topLevelItemCount(); ++k)
-  {
-    QTreeWidgetItem* heading = this->Materials->topLevelItem(k);
-    for (int j = 0; j < heading->childCount(); ++j)
+  ForEachItem(list,
+    [=](QTreeWidgetItem* item, const QString& file)
     {
-      QTreeWidgetItem* item = heading->child(j);
-      const std::string file = item->data(0, Qt::UserRole).toString().toStdString();
-      auto* box = new QCheckBox;
+      auto* box = MakeBox("", QObject::tr("Draw it in the slices' charts, too"));
       box->setFocusPolicy(Qt::NoFocus); // View, Compare has a key
-      box->setToolTip(tr("Draw it in the slices' charts, too"));
-      box->setAccessibleName(tr("Compare %1").arg(item->text(0)));
-      this->Materials->setItemWidget(item, 1, box);
-      this->CompareBoxes[file] = box;
-      connect(box, &QCheckBox::clicked, this,
-        [this, file](bool on) { this->Compared->SetCompared(file, on); });
-    }
-  }
-  this->UpdateCompareBoxes();
+      box->setObjectName("compare " + file);
+      box->setAccessibleName(QObject::tr("Compare %1").arg(item->text(0)));
+      box->setChecked(comparison->IsCompared(file.toStdString()));
+      list->setItemWidget(item, 1, box);
+      OnChange(box, [=](bool on) { comparison->SetCompared(file.toStdString(), on); });
+    });
 }
 
 //------------------------------------------------------------------------------
-void ListPanel::UpdateCompareBoxes()
+// Hides what has not the words in its name or its heading's.
+void Filter(QTreeWidget* list, const QString& words)
 {
-  for (const auto& [file, box] : this->CompareBoxes)
+  for (int k = 0; k < list->topLevelItemCount(); ++k)
   {
-    box->setChecked(this->Compared->IsCompared(file));
+    list->topLevelItem(k)->setHidden(true);
   }
-}
-
-//------------------------------------------------------------------------------
-QCheckBox* ListPanel::GetCompareBox(const std::string& file) const
-{
-  const auto found = this->CompareBoxes.find(file);
-  return found == this->CompareBoxes.end() ? nullptr : found->second;
-}
-
-//------------------------------------------------------------------------------
-void ListPanel::Filter()
-{
-  const QString words = this->Search->text().trimmed();
-  for (int k = 0; k < this->Materials->topLevelItemCount(); ++k)
-  {
-    QTreeWidgetItem* heading = this->Materials->topLevelItem(k);
-    bool any = false;
-    for (int j = 0; j < heading->childCount(); ++j)
+  ForEachItem(list,
+    [&words](QTreeWidgetItem* item, const QString&)
     {
-      QTreeWidgetItem* item = heading->child(j);
       const bool fits = item->text(0).contains(words, Qt::CaseInsensitive) ||
-                        heading->text(0).contains(words, Qt::CaseInsensitive);
+                        item->parent()->text(0).contains(words, Qt::CaseInsensitive);
       item->setHidden(!fits);
-      any = any || fits;
+      item->parent()->setHidden(item->parent()->isHidden() && !fits);
+    });
+}
+}
+
+//------------------------------------------------------------------------------
+QWidget* MakeListPanel(
+  Session* session, Comparison* comparison, const std::function<void(const QString&)>& open)
+{
+  auto* panel = new QWidget;
+  panel->setMinimumWidth(200);
+  auto* search = new QLineEdit;
+  search->setPlaceholderText(QObject::tr("Find a material"));
+  search->setClearButtonEnabled(true);
+  search->setAccessibleName(QObject::tr("Find a material"));
+  auto* materials = MakeTree(QObject::tr("Materials"));
+  materials->setColumnCount(2); // the second: whether it is in the charts
+  materials->header()->setStretchLastSection(false);
+  materials->header()->setMinimumSectionSize(8);
+  materials->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  materials->header()->setSectionResizeMode(1, QHeaderView::Fixed);
+  materials->header()->resizeSection(1, QCheckBox().sizeHint().width() + 6);
+  auto* environments = MakeTree(QObject::tr("Environments"));
+  auto* meshes = new QComboBox;
+  meshes->setAccessibleName(QObject::tr("Mesh"));
+  meshes->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+
+  auto* layout = MakeColumn(panel);
+  const auto add = [&](const QString& title, QWidget* list, const QString& kind, int stretch,
+                     const QString& toolTip)
+  {
+    auto* label = new QLabel(title);
+    label->setBuddy(list);
+    auto* button = new QPushButton(QObject::tr("Open…"));
+    button->setToolTip(toolTip);
+    auto* row = new QHBoxLayout;
+    row->addWidget(label);
+    row->addStretch(1);
+    row->addWidget(button);
+    layout->addLayout(row);
+    if (list == materials)
+    {
+      layout->addWidget(search);
     }
-    heading->setHidden(!any);
-  }
+    layout->addWidget(list, stretch);
+    QObject::connect(button, &QPushButton::clicked, panel, [=]() { open(kind); });
+  };
+  add(QObject::tr("&Materials"), materials, "materials", 5,
+    QObject::tr("Open material files; or drop them into the window"));
+  add(QObject::tr("En&vironments"), environments, "environments", 2,
+    QObject::tr("Open environment images; or drop them into the window"));
+  add(QObject::tr("M&esh"), meshes, "meshes", 0,
+    QObject::tr("Open a mesh; or drop it into the window"));
+
+  const auto choose = [=](QTreeWidget* list, void (Session::*set)(const std::string&))
+  {
+    QObject::connect(list, &QTreeWidget::currentItemChanged, session,
+      [=](QTreeWidgetItem* item)
+      {
+        const QString file = item ? item->data(0, Qt::UserRole).toString() : QString();
+        if (!file.isEmpty())
+        {
+          (session->*set)(file.toStdString());
+        }
+      });
+  };
+  choose(materials, &Session::SetMaterial);
+  choose(environments, &Session::SetEnvironment);
+  OnChange(meshes, [=](const QVariant& file) { session->SetMesh(file.toString().toStdString()); });
+  QObject::connect(search, &QLineEdit::textChanged, panel,
+    [=](const QString& words) { Filter(materials, words.trimmed()); });
+  const auto update = [=]()
+  {
+    const QSignalBlocker quiet[] = { QSignalBlocker(materials), QSignalBlocker(environments) };
+    const State& state = session->GetState();
+    Fill(materials, session->GetMaterials(), state.Material);
+    AddCompareBoxes(materials, comparison);
+    Fill(environments, session->GetEnvironments(), state.Environment);
+    meshes->clear();
+    for (const Item& item : session->GetMeshes())
+    {
+      meshes->addItem(QString::fromStdString(item.Name), QString::fromStdString(item.File));
+      meshes->setItemData(
+        meshes->count() - 1, QString::fromStdString(item.Source), Qt::ToolTipRole);
+    }
+    Show(meshes, QString::fromStdString(state.Mesh));
+    Filter(materials, search->text().trimmed());
+  };
+  QObject::connect(session, &Session::listsChanged, panel, update);
+  QObject::connect(session, &Session::comparedChanged, panel,
+    [=]()
+    {
+      ForEachItem(materials,
+        [=](QTreeWidgetItem* item, const QString& file)
+        {
+          auto* box = static_cast<QCheckBox*>(materials->itemWidget(item, 1));
+          Show(box, comparison->IsCompared(file.toStdString()));
+        });
+    });
+  update();
+  return panel;
 }
 } // namespace explorer

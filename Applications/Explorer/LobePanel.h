@@ -2,48 +2,68 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The lobe with its settings.
+ * The lobe of a material for a direction of light that can be dragged, and its settings.
  */
 
 #ifndef LobePanel_h
 #define LobePanel_h
 
+#include "RenderView.h"
 #include "Session.h"
 
-#include <QWidget>
-
-class QCheckBox;
-class QDoubleSpinBox;
-class QLabel;
+class vtkActor;
+class vtkBRDFLobeSource;
+class vtkLineSource;
+class vtkPolyDataMapper;
+class vtkRenderer;
+class vtkSphereSource;
 
 namespace explorer
 {
-class LobeView;
-
-class LobePanel : public QWidget
+/// z is the normal, x the tangent. The yellow ball is where the light comes from; the arrow keys
+/// move it, too. Below the surface is what the material transmits, in another color, on the same
+/// scale.
+class LobeView : public RenderView
 {
   Q_OBJECT
 
 public:
-  explicit LobePanel(Session* session, QWidget* parent = nullptr);
+  explicit LobeView(Session* session, QWidget* parent = nullptr);
+  ~LobeView() override;
 
-  LobeView* GetView() const { return this->View; }
+  /// What is drawn.
+  vtkBRDFLobeSource* GetSource() const { return this->Source; }
 
-  /// What is below the surface; hidden where nothing is transmitted.
-  QLabel* GetNote() const { return this->Note; }
+  /// Where the ball is, in the widget's pixels.
+  QPoint GetHandlePosition();
+
+protected:
+  bool IsOverHandle(QMouseEvent* mouse) override;
+  void DragTo(const QPoint& place) override;
+  void EndDrag() override { this->Update(); } // finely
+  bool ObeyKey(QKeyEvent* press) override;
+  void PrepareFrame() override;
 
 private:
   void Update();
-  void Set();
+  void MakeScene();
+  void MakeLobe();
+  void PlaceCamera();
 
   Session* Model;
-  LobeView* View;
-  QDoubleSpinBox* Theta;
-  QDoubleSpinBox* Phi;
-  QCheckBox* Logarithmic;
-  QLabel* Note;
-  bool IsUpdating = false;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkBRDFLobeSource> Source;
+  vtkNew<vtkPolyDataMapper> LobeMapper;
+  vtkNew<vtkActor> Lobe;
+  vtkNew<vtkLineSource> Ray;
+  vtkNew<vtkLineSource> Mirror;
+  vtkNew<vtkLineSource> Through;
+  vtkNew<vtkSphereSource> Handle;
+  bool IsTransmitting = false;
 };
+
+/// The view with its fields; the label "lobe note" tells what is below the surface, where there is.
+QWidget* MakeLobePanel(Session* session);
 } // namespace explorer
 
 #endif

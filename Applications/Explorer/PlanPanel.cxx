@@ -1,23 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PlanPanel.h"
-
+#include "Controls.h"
 #include "Measuring.h"
+#include "Panels.h"
+#include "SplitView.h"
 
 #include "vtkRadiancePlanner.h"
 
-#include <QDoubleSpinBox>
-#include <QGridLayout>
-#include <QGroupBox>
+#include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QSlider>
 #include <QTableWidget>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
 
+namespace explorer
+{
 namespace
 {
 constexpr int StepsPerDecade = 40; // of the slider, from 0.1 % to 100 %
@@ -70,197 +69,171 @@ void FitHeight(QTableWidget* table, int mostRows)
 }
 
 //------------------------------------------------------------------------------
-QString Percent(double share)
+QString FormatError(double share)
 {
   return share < 0.0 ? QString("–") : QString::fromStdString(tool::FormatPercent(share));
 }
 
 //------------------------------------------------------------------------------
-QString Milliseconds(double value)
-{
-  return QString::fromStdString(tool::FormatMilliseconds(value));
-}
+QString FormatTime(double value) { return QString::fromStdString(tool::FormatMilliseconds(value)); }
 
 //------------------------------------------------------------------------------
 // Of a pixel, times a table's.
-QString Cost(double value) { return QString::number(value, 'f', 2); }
-}
+QString FormatCost(double value) { return QString::number(value, 'f', 2); }
 
-namespace explorer
-{
 //------------------------------------------------------------------------------
-PlanPanel::PlanPanel(
-  Session* session, std::array<Side*, 2> sides, Evaluation* evaluation, QWidget* parent)
-  : QWidget(parent)
-  , Model(session)
-  , Sides(sides)
-  , Measured(evaluation)
-  , Slider(new QSlider(Qt::Horizontal))
-  , Percent(new QDoubleSpinBox)
-  , Frame(new QLabel(QString("–")))
-  , Figures(MakeTable({ "", tr("A"), tr("B") }, tr("Figures of both sides")))
-  , Plan(new QLabel)
-  , Candidates(
-      MakeTable({ tr("Method"), tr("Error"), tr("Cost"), tr("MB"), tr("Set-up"), tr("Sizes") },
-        tr("Candidates of the plan")))
+// The tolerance, in percent, by a slider and a field.
+QLayout* MakeToleranceRow(Session* session)
 {
-  this->SetUpWidgets();
-  auto* tolerance = new QHBoxLayout;
-  auto* label = new QLabel(tr("&Tolerance "));
-  label->setBuddy(this->Slider);
-  tolerance->addWidget(label);
-  tolerance->addWidget(this->Slider, 1);
-  tolerance->addWidget(this->Percent);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(6, 6, 6, 6);
-  layout->addLayout(tolerance);
-  layout->addWidget(this->Figures);
-  layout->addWidget(this->Plan);
-  layout->addWidget(this->Candidates, 1);
-  layout->addWidget(this->Frame);
-  const QStringList rows = { tr("Error, predicted"), tr("Error, measured"), tr("Cost, predicted"),
-    tr("Frame, measured") };
-  this->Figures->setRowCount(rows.size());
-  for (int k = 0; k < rows.size(); ++k)
+  auto* slider = new QSlider(Qt::Horizontal);
+  slider->setObjectName("tolerance");
+  slider->setRange(0, Steps);
+  slider->setPageStep(StepsPerDecade / 4);
+  slider->setTickInterval(StepsPerDecade);
+  slider->setTickPosition(QSlider::TicksBelow);
+  slider->setToolTip(
+    QObject::tr("Error that a plan has to stay below, relative to the mean radiance"));
+  slider->setAccessibleName(QObject::tr("Tolerance"));
+  auto* percent = MakeField(0.1, 100.0, 2, 1.0, " %", "");
+  percent->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  auto* row = new QHBoxLayout;
+  AddNamed(row, QObject::tr("&Tolerance "), slider);
+  row->addWidget(percent);
+  row->setStretchFactor(slider, 1);
+  QObject::connect(slider, &QSlider::valueChanged, session,
+    [=](int value)
+    { session->SetTolerance(std::pow(10.0, -3.0 + static_cast<double>(value) / StepsPerDecade)); });
+  OnChange(percent, [=](double value) { session->SetTolerance(value / 100.0); });
+  const auto update = [=]()
   {
-    SetCell(this->Figures, k, 0, rows[k]);
-  }
-  FitHeight(this->Figures, rows.size());
-
-  connect(this->Slider, &QSlider::valueChanged, this,
-    [this](int value)
-    {
-      if (!this->IsUpdating)
-      {
-        this->Model->SetTolerance(
-          std::pow(10.0, -3.0 + static_cast<double>(value) / StepsPerDecade));
-      }
-    });
-  connect(this->Percent, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
-    [this](double value)
-    {
-      if (!this->IsUpdating)
-      {
-        this->Model->SetTolerance(value / 100.0);
-      }
-    });
-  connect(session, &Session::toleranceChanged, this, &PlanPanel::UpdateTolerance);
-  for (Side* side : sides)
-  {
-    connect(side, &Side::changed, this, &PlanPanel::UpdatePlan);
-  }
-  connect(evaluation, &Evaluation::changed, this, &PlanPanel::UpdatePlan);
-  this->UpdateTolerance();
-  this->UpdatePlan();
+    const double tolerance = session->GetState().Tolerance;
+    Show(slider, std::round((std::log10(tolerance) + 3.0) * StepsPerDecade));
+    Show(percent, 100.0 * tolerance);
+  };
+  QObject::connect(session, &Session::toleranceChanged, slider, update);
+  update();
+  return row;
 }
 
 //------------------------------------------------------------------------------
-void PlanPanel::SetUpWidgets()
-{
-  this->Slider->setRange(0, Steps);
-  this->Slider->setPageStep(StepsPerDecade / 4);
-  this->Slider->setTickInterval(StepsPerDecade);
-  this->Slider->setTickPosition(QSlider::TicksBelow);
-  this->Slider->setToolTip(
-    tr("Error that a plan has to stay below, relative to the mean radiance"));
-  this->Slider->setAccessibleName(tr("Tolerance"));
-  this->Percent->setRange(0.1, 100.0);
-  this->Percent->setDecimals(2);
-  this->Percent->setSuffix(" %");
-  this->Percent->setKeyboardTracking(false);
-  this->Percent->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  this->Plan->setWordWrap(true);
-  this->Plan->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  this->Plan->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  this->Candidates->horizontalHeader()->setStretchLastSection(true);
-  this->Figures->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  this->Figures->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
-}
-
-//------------------------------------------------------------------------------
-void PlanPanel::UpdateTolerance()
-{
-  this->IsUpdating = true;
-  const double tolerance = this->Model->GetState().Tolerance;
-  this->Slider->setValue(
-    static_cast<int>(std::lround((std::log10(tolerance) + 3.0) * StepsPerDecade)));
-  this->Percent->setValue(100.0 * tolerance);
-  this->IsUpdating = false;
-}
-
-//------------------------------------------------------------------------------
-// Of the first side that is planned.
-void PlanPanel::UpdatePlan()
-{
-  this->UpdateFigures();
-  const auto planned = std::find_if(this->Sides.begin(), this->Sides.end(),
-    [](Side* side) { return side->GetPlanner() && side->GetPlanner()->GetChoice() >= 0; });
-  if (planned == this->Sides.end())
-  {
-    this->Candidates->setRowCount(0);
-    this->Plan->setText(
-      this->Model->IsDirectional()
-        ? tr("No plan: under one directional light there is nothing to integrate.")
-        : tr("No plan: neither side is planned, or the plan is being made."));
-    return;
-  }
-  vtkRadiancePlanner* planner = (*planned)->GetPlanner();
-  this->Plan->setText(QString("%1%2").arg(
-    (*planned)->IsReady() ? QString() : tr("(a new plan, or its picture, is being made) "),
-    QString::fromStdString(planner->GetReason())));
-  this->Candidates->setRowCount(planner->GetNumberOfCandidates());
-  for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
-  {
-    const bool chosen = k == planner->GetChoice();
-    const QString name = QString::fromStdString(planner->GetMethodName(k));
-    SetCell(this->Candidates, k, 0, (chosen ? QString("▸ ") : QString()) + name, chosen);
-    SetCell(this->Candidates, k, 1, ::Percent(planner->GetPredictedError(k)), chosen);
-    SetCell(this->Candidates, k, 2, Cost(planner->GetPredictedCost(k)), chosen);
-    SetCell(this->Candidates, k, 3,
-      QString::number(1e-6 * static_cast<double>(planner->GetTextureBytes(k)), 'f', 2), chosen);
-    SetCell(this->Candidates, k, 4, Milliseconds(planner->GetSetUpMilliseconds(k)), chosen);
-    SetCell(this->Candidates, k, 5, QString::fromStdString(planner->GetDescription(k)), chosen);
-    if (chosen)
-    {
-      this->Candidates->scrollToItem(this->Candidates->item(k, 0));
-    }
-  }
-  this->Candidates->setToolTip(
-    tr("Candidates that were tried, the cheapest first. Cost: of a pixel, times a table's"));
-}
-
-//------------------------------------------------------------------------------
-void PlanPanel::UpdateFigures()
+// What was predicted and measured of both sides.
+void ShowFigures(
+  QTableWidget* table, const std::array<Side*, 2>& sides, const Evaluation& evaluation)
 {
   for (int k = 0; k < 2; ++k)
   {
-    const Side* side = this->Sides[static_cast<std::size_t>(k)];
+    const Side* side = sides[static_cast<std::size_t>(k)];
     vtkRadiancePlanner* planner = side->IsReference() ? nullptr : side->GetPlanner();
     const int choice = planner && side->IsReady() ? planner->GetChoice() : -1;
-    const SideFigures& figures = this->Measured->GetFigures(k);
+    const SideFigures& figures = evaluation.GetFigures(k);
+    SetCell(table, 0, k + 1, FormatError(choice < 0 ? -1.0 : planner->GetPredictedError(choice)));
+    SetCell(table, 1, k + 1,
+      side->IsReference()    ? QObject::tr("exact")
+      : figures.Error >= 0.0 ? FormatError(figures.Error)
+                             : QObject::tr("…"));
     SetCell(
-      this->Figures, 0, k + 1, ::Percent(choice < 0 ? -1.0 : planner->GetPredictedError(choice)));
-    SetCell(this->Figures, 1, k + 1,
-      side->IsReference()    ? tr("exact")
-      : figures.Error >= 0.0 ? ::Percent(figures.Error)
-                             : tr("…"));
-    SetCell(
-      this->Figures, 2, k + 1, choice < 0 ? QString("–") : Cost(planner->GetPredictedCost(choice)));
-    SetCell(
-      this->Figures, 3, k + 1, figures.Frame > 0.0 ? Milliseconds(figures.Frame) : QString("–"));
+      table, 2, k + 1, choice < 0 ? QString("–") : FormatCost(planner->GetPredictedCost(choice)));
+    SetCell(table, 3, k + 1, figures.Frame > 0.0 ? FormatTime(figures.Frame) : QString("–"));
   }
-  const tool::Size& size = this->Measured->GetSize();
-  this->Figures->setToolTip(
-    tr("Errors are relative L1: mean |x - r| / mean r. Predicted: over a sphere seen from "
-       "everywhere. Measured: "
-       "of this view in %1 x %2 pixels, where the exact picture and the frame are made")
+  const tool::Size& size = evaluation.GetSize();
+  table->setToolTip(
+    QObject::tr("Errors are relative L1: mean |x - r| / mean r. Predicted: over a sphere seen from "
+                "everywhere. Measured: of this view in %1 x %2 pixels, where the exact picture and "
+                "the frame are made")
       .arg(size.Width)
       .arg(size.Height));
 }
 
 //------------------------------------------------------------------------------
-void PlanPanel::SetFrameTime(double milliseconds)
+void ShowCandidates(QTableWidget* table, vtkRadiancePlanner* planner)
 {
-  this->Frame->setText(tr("Last frame of the window: %1").arg(Milliseconds(milliseconds)));
+  table->setRowCount(planner->GetNumberOfCandidates());
+  for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
+  {
+    const bool chosen = k == planner->GetChoice();
+    const double megabytes = 1e-6 * static_cast<double>(planner->GetTextureBytes(k));
+    const QString texts[] = { (chosen ? QString("▸ ") : QString()) +
+                                QString::fromStdString(planner->GetMethodName(k)),
+      FormatError(planner->GetPredictedError(k)), FormatCost(planner->GetPredictedCost(k)),
+      QString::number(megabytes, 'f', 2), FormatTime(planner->GetSetUpMilliseconds(k)),
+      QString::fromStdString(planner->GetDescription(k)) };
+    for (int column = 0; column <= SizesColumn; ++column)
+    {
+      SetCell(table, k, column, texts[column], chosen);
+    }
+    if (chosen)
+    {
+      table->scrollToItem(table->item(k, 0));
+    }
+  }
+  table->setToolTip(QObject::tr(
+    "Candidates that were tried, the cheapest first. Cost: of a pixel, times a table's"));
+}
+}
+
+//------------------------------------------------------------------------------
+QWidget* MakePlanPanel(
+  Session* session, std::array<Side*, 2> sides, Evaluation* evaluation, SplitView* view)
+{
+  auto* panel = new QWidget;
+  auto* figures =
+    MakeTable({ "", QObject::tr("A"), QObject::tr("B") }, QObject::tr("Figures of both sides"));
+  figures->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  figures->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  const QStringList rows = { QObject::tr("Error, predicted"), QObject::tr("Error, measured"),
+    QObject::tr("Cost, predicted"), QObject::tr("Frame, measured") };
+  figures->setRowCount(rows.size());
+  for (int k = 0; k < rows.size(); ++k)
+  {
+    SetCell(figures, k, 0, rows[k]);
+  }
+  FitHeight(figures, rows.size());
+  auto* plan = new QLabel;
+  plan->setWordWrap(true);
+  plan->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  plan->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  auto* candidates = MakeTable({ QObject::tr("Method"), QObject::tr("Error"), QObject::tr("Cost"),
+                                 QObject::tr("MB"), QObject::tr("Set-up"), QObject::tr("Sizes") },
+    QObject::tr("Candidates of the plan"));
+  candidates->horizontalHeader()->setStretchLastSection(true);
+  auto* frame = new QLabel(QString("–"));
+  auto* layout = MakeColumn(panel);
+  layout->addLayout(MakeToleranceRow(session));
+  layout->addWidget(figures);
+  layout->addWidget(plan);
+  layout->addWidget(candidates, 1);
+  layout->addWidget(frame);
+
+  const auto update = [=]()
+  {
+    ShowFigures(figures, sides, *evaluation);
+    const auto planned = std::find_if(sides.begin(), sides.end(),
+      [](Side* side) { return side->GetPlanner() && side->GetPlanner()->GetChoice() >= 0; });
+    if (planned == sides.end())
+    {
+      candidates->setRowCount(0);
+      plan->setText(
+        session->IsDirectional()
+          ? QObject::tr("No plan: under one directional light there is nothing to integrate.")
+          : QObject::tr("No plan: neither side is planned, or the plan is being made."));
+      return;
+    }
+    vtkRadiancePlanner* planner = (*planned)->GetPlanner();
+    plan->setText(
+      ((*planned)->IsReady() ? QString()
+                             : QObject::tr("(a new plan, or its picture, is being made) ")) +
+      QString::fromStdString(planner->GetReason()));
+    ShowCandidates(candidates, planner);
+  };
+  for (Side* side : sides)
+  {
+    QObject::connect(side, &Side::changed, panel, update);
+  }
+  QObject::connect(evaluation, &Evaluation::changed, panel, update);
+  QObject::connect(view, &SplitView::framed, panel,
+    [=](double milliseconds)
+    { frame->setText(QObject::tr("Last frame of the window: %1").arg(FormatTime(milliseconds))); });
+  update();
+  return panel;
 }
 } // namespace explorer

@@ -3,10 +3,10 @@
 #include "Report.h"
 
 #include "Files.h"
-#include "Findings.h"
 #include "Inspection.h"
 #include "MeasuredBRDFToolVersion.h"
 #include "Measuring.h"
+#include "Panels.h"
 #include "Tool.h"
 
 #include "vtkNew.h"
@@ -67,20 +67,14 @@ QString MakePage(const explorer::ReportData& data, const ordered_json& report)
     page += "</tr>";
   };
   row("Method", [](const ordered_json& side) { return Escape(side["description"]); });
-  row("Frame",
-    [](const ordered_json& side)
-    {
-      return side.contains("frame_ms")
-               ? QString::fromStdString(tool::FormatMilliseconds(side["frame_ms"]))
-               : QString("–");
-    });
-  row("Predicted error",
-    [](const ordered_json& side)
-    {
-      return side.contains("predicted_error")
-               ? QString::fromStdString(tool::FormatPercent(side["predicted_error"]))
-               : QString("–");
-    });
+  // A figure of a side, or "–" where it has none.
+  const auto figure = [&](const QString& name, const char* key, std::string (*format)(double))
+  {
+    row(name, [=](const ordered_json& side)
+      { return side.contains(key) ? QString::fromStdString(format(side[key])) : QString("–"); });
+  };
+  figure("Frame", "frame_ms", &tool::FormatMilliseconds);
+  figure("Predicted error", "predicted_error", &tool::FormatPercent);
   for (const tool::Metric& metric : tool::GetMetrics())
   {
     row(QString::fromStdString(metric.Label),

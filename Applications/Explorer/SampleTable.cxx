@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SampleTable.h"
 
+#include "HalfVector.h"
 #include "Tool.h"
-
-#include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,31 +16,6 @@ namespace
 {
 constexpr std::int64_t MostRows = 20000000; // that a view can scroll through
 constexpr std::array<int, 3> MerlDimensions = { 180, 90, 90 };
-
-//------------------------------------------------------------------------------
-// Rusinkiewicz (1998), h in the xz plane: light and view of angles in degrees.
-void ToDirections(const std::array<double, 3>& degrees, double i[3], double o[3])
-{
-  const double thetaH = vtkMath::RadiansFromDegrees(degrees[0]);
-  const double thetaD = vtkMath::RadiansFromDegrees(degrees[1]);
-  const double phiD = vtkMath::RadiansFromDegrees(degrees[2]);
-  const double d[3] = { std::sin(thetaD) * std::cos(phiD), std::sin(thetaD) * std::sin(phiD),
-    std::cos(thetaD) };
-  const double c = std::cos(thetaH);
-  const double s = std::sin(thetaH);
-  i[0] = c * d[0] + s * d[2];
-  i[1] = d[1];
-  i[2] = -s * d[0] + c * d[2];
-  o[0] = -c * d[0] + s * d[2];
-  o[1] = -d[1];
-  o[2] = s * d[0] + c * d[2];
-}
-
-//------------------------------------------------------------------------------
-double GetTheta(const double direction[3])
-{
-  return vtkMath::DegreesFromRadians(std::acos(std::clamp(direction[2], -1.0, 1.0)));
-}
 
 //------------------------------------------------------------------------------
 int Nearest(double share, int count)
@@ -158,14 +132,19 @@ int SampleTable::FindRow(const std::array<double, 3>& degrees) const
   double shares[3] = { degrees[2] / turn, degrees[1] / 90.0, std::sqrt(degrees[0] / 90.0) };
   if (!this->IsHalfDifference())
   {
-    double i[3];
-    double o[3];
-    ToDirections(degrees, i, o);
-    const double azimuth = std::abs(vtkMath::DegreesFromRadians(
-      std::atan2(i[0] * o[1] - i[1] * o[0], i[0] * o[0] + i[1] * o[1]))); // of half a turn
-    shares[0] = azimuth / turn;
-    shares[1] = GetTheta(o) / 90.0;
-    shares[2] = GetTheta(i) / 90.0;
+    glm::dvec3 i;
+    glm::dvec3 o;
+    measuredbrdf::FromHalfDifference(
+      { measuredbrdf::ToRadians(degrees[0]), measuredbrdf::ToRadians(degrees[1]),
+        measuredbrdf::ToRadians(degrees[2]) },
+      i, o);
+    const double azimuth =
+      std::abs(std::atan2(i.x * o.y - i.y * o.x, i.x * o.x + i.y * o.y)); // of half a turn
+    const auto theta = [](const glm::dvec3& direction)
+    { return measuredbrdf::ToDegrees(std::acos(std::clamp(direction.z, -1.0, 1.0))); };
+    shares[0] = measuredbrdf::ToDegrees(azimuth) / turn;
+    shares[1] = theta(o) / 90.0;
+    shares[2] = theta(i) / 90.0;
   }
   const auto& n = this->Dimensions;
   const std::int64_t row =

@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session.h"
 
-#include "FileKinds.h"
 #include "Files.h"
 #include "Meshes.h"
-#include "ModelMaterials.h"
 #include "Progress.h"
 #include "Tool.h"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
 
 namespace
 {
@@ -24,11 +22,17 @@ void AddOnce(std::vector<std::string>& list, const std::string& file)
     list.push_back(file);
   }
 }
+
+//------------------------------------------------------------------------------
+double WrapDegrees(double degrees)
+{
+  const double turned = std::fmod(degrees + 180.0, 360.0);
+  return (turned < 0.0 ? turned + 360.0 : turned) - 180.0;
 }
+} // namespace
 
 namespace explorer
 {
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> LoadMeshByName(const std::string& file)
 {
   return file == "sphere" ? tool::MakeSphere() : tool::LoadMesh(file);
@@ -43,13 +47,8 @@ Session::Session(Jobs* jobs, QObject* parent)
   this->Remake.setInterval(RemakeTime);
   connect(&this->Remake, &QTimer::timeout, this, &Session::RemakeMaterial);
   connect(jobs, &Jobs::noted, this, [this](const QString& text) { this->Say(text, false); });
+  connect(jobs, &Jobs::failed, this, [this](const QString& text) { this->Say(text, true); });
 }
-
-//------------------------------------------------------------------------------
-Session::~Session() = default;
-
-//------------------------------------------------------------------------------
-void Session::Say(const QString& text, bool isError) { emit this->messaged(text, isError); }
 
 //------------------------------------------------------------------------------
 // What is on the screen stays until the new state's objects have been read.
@@ -63,7 +62,7 @@ void Session::Replace(const State& state, bool withCamera)
   this->Current.Mesh = before.Mesh;
   for (const std::string& file : state.Compared)
   {
-    if (!IsEmbeddedMaterial(file) && !FindModel(file))
+    if (!IsBuiltInMaterial(file))
     {
       AddOnce(this->Current.MaterialFiles, file); // so that it can be taken out
     }
@@ -100,21 +99,6 @@ void Session::Replace(const State& state, bool withCamera)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Item> Session::GetMaterials() const
-{
-  return ListMaterials(this->Current.MaterialFiles);
-}
-
-//------------------------------------------------------------------------------
-std::vector<Item> Session::GetEnvironments() const
-{
-  return ListEnvironments(this->Current.EnvironmentFiles);
-}
-
-//------------------------------------------------------------------------------
-std::vector<Item> Session::GetMeshes() const { return ListMeshes(this->MeshFile); }
-
-//------------------------------------------------------------------------------
 void Session::Open(const QStringList& files)
 {
   if (files.empty())
@@ -125,10 +109,10 @@ void Session::Open(const QStringList& files)
   {
     this->Opening.push_back(file.toStdString());
   }
-  // One job at a time: this one also reads what the one that it stops has not read.
-  this->Background->Start(
-    "open", tr("reading"),
-    [this, names = this->Opening, settings = this->GetMaterialSettings()](JobThread& thread)
+  // One job at a time: this one also reads what the one that it stops has not
+  // read.
+  this->Background->Start("open", tr("reading"),
+    [this, names = this->Opening, settings = this->GetMaterialSettings()](const Jobs::Post& post)
     {
       for (const std::string& name : names)
       {
@@ -138,85 +122,62 @@ void Session::Open(const QStringList& files)
         }
         try
         {
-          this->OpenOne(name, settings, thread);
+          this->OpenOne(name, settings, post);
         }
         catch (const std::exception& error)
         {
           const QString text = QString::fromUtf8(error.what());
-          thread.Post([this, text]() { this->Say(text, true); });
+          post([this, text]() { this->Say(text, true); });
         }
-        thread.Post([this]() { this->Opening.erase(this->Opening.begin()); }); // this one
+        post([this]() { this->Opening.erase(this->Opening.begin()); }); // this one
       }
-    },
-    [this](const QString& text) { this->Say(text, true); });
+    });
 }
 
 //------------------------------------------------------------------------------
-// On a thread.
-void Session::OpenOne(const std::string& file, const MaterialSettings& settings, JobThread& thread)
+// On a thread. What was asked for before by other means is not waited for.
+void Session::OpenOne(
+  const std::string& file, const MaterialSettings& settings, const Jobs::Post& post)
 {
-  const auto tryMaterial = [&]()
+  const auto take = [this, &post](const char* job, const auto&... taken)
   {
-    const MadeMaterial made = MakeMaterial(file, settings);
-    thread.Post(
-      [this, made]()
+    post(
+      [this, job, taken...]()
       {
-        this->Background->Stop("material"); // asked for before
-        this->Take(made);
+        this->Background->Stop(job);
+        this->Take(taken...);
       });
   };
-  const auto tryEnvironment = [&]()
+  const auto readMaterial = [&]() { take("material", MakeMaterial(file, settings)); };
+  const auto readEnvironment = [&]() { take("environment", tool::LoadEnvironment(file), file); };
+  const FileKind kind = FindFileKind(file);
+  switch (kind)
   {
-    const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(file);
-    thread.Post(
-      [this, environment, file]()
-      {
-        this->Background->Stop("environment");
-        this->Take(environment, file);
-      });
-  };
-  if (file == DirectionalLightName)
-  {
-    thread.Post([this, file]() { this->SetEnvironment(file); });
-    return;
-  }
-  if (IsEmbeddedEnvironment(file))
-  {
-    tryEnvironment();
-    return;
-  }
-  switch (FindFileKind(file))
-  {
+    case FileKind::DirectionalLight:
+      post([this, file]() { this->SetEnvironment(file); });
+      break;
     case FileKind::State:
-      thread.Post([this, state = LoadState(file)]() { this->Replace(state); });
+      post([this, state = LoadState(file)]() { this->Replace(state); });
       break;
     case FileKind::Mesh:
-    {
-      const vtkSmartPointer<vtkPolyData> mesh = LoadMeshByName(file);
-      thread.Post(
-        [this, mesh, file]()
-        {
-          this->Background->Stop("mesh");
-          this->Take(mesh, file);
-        });
+      take("mesh", LoadMeshByName(file), file);
       break;
-    }
     case FileKind::Environment:
-      tryEnvironment();
+      readEnvironment();
       break;
     case FileKind::Material:
-      tryMaterial();
+      readMaterial();
       break;
     case FileKind::MaterialOrEnvironment:
       try
       {
-        tryMaterial();
+        readMaterial();
       }
       catch (const tool::Error& asMaterial)
       {
         try
         {
-          tryEnvironment();
+          readEnvironment();
         }
         catch (const tool::Error& asEnvironment)
         {
@@ -228,6 +189,14 @@ void Session::OpenOne(const std::string& file, const MaterialSettings& settings,
 }
 
 //------------------------------------------------------------------------------
+// The one before is the current one again.
+void Session::FailToRead(const QString& text)
+{
+  this->Say(text, true);
+  emit this->listsChanged();
+}
+
+//------------------------------------------------------------------------------
 void Session::SetMaterial(const std::string& file)
 {
   if (this->GetMaterial().BRDF && file == this->Current.Material)
@@ -235,46 +204,29 @@ void Session::SetMaterial(const std::string& file)
     this->Background->Stop("material");
     return;
   }
-  this->Background->Start(
+  this->Background->Compute(
     "material", tr("reading"),
-    [this, file, settings = this->GetMaterialSettings()](JobThread& thread)
-    {
-      const MadeMaterial made = MakeMaterial(file, settings);
-      thread.Post([this, made]() { this->Take(made); });
-    },
-    [this](const QString& text)
-    {
-      this->Say(text, true);
-      emit this->listsChanged(); // the one before is the current one again
-    });
+    [file, settings = this->GetMaterialSettings()]() { return MakeMaterial(file, settings); },
+    [this](const MadeMaterial& made) { this->Take(made); },
+    [this](const QString& text) { this->FailToRead(text); });
 }
 
 //------------------------------------------------------------------------------
 void Session::SetEnvironment(const std::string& file)
 {
-  if (this->IsLit() && file == this->Current.Environment)
+  if (file == DirectionalLightName || (this->IsLit() && file == this->Current.Environment))
   {
     this->Background->Stop("environment");
+    if (file != this->Current.Environment)
+    {
+      this->Take(vtkSmartPointer<vtkEnvironment>(), file);
+    }
     return;
   }
-  if (file == DirectionalLightName)
-  {
-    this->Background->Stop("environment");
-    this->Take(static_cast<vtkEnvironment*>(nullptr), file);
-    return;
-  }
-  this->Background->Start(
-    "environment", tr("reading"),
-    [this, file](JobThread& thread)
-    {
-      const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(file);
-      thread.Post([this, environment, file]() { this->Take(environment, file); });
-    },
-    [this](const QString& text)
-    {
-      this->Say(text, true);
-      emit this->listsChanged();
-    });
+  this->Background->Compute(
+    "environment", tr("reading"), [file]() { return tool::LoadEnvironment(file); },
+    [this, file](const vtkSmartPointer<vtkEnvironment>& read) { this->Take(read, file); },
+    [this](const QString& text) { this->FailToRead(text); });
 }
 
 //------------------------------------------------------------------------------
@@ -286,18 +238,10 @@ void Session::SetMesh(const std::string& file)
     return;
   }
   this->IsCameraGiven = false;
-  this->Background->Start(
-    "mesh", tr("reading"),
-    [this, file](JobThread& thread)
-    {
-      const vtkSmartPointer<vtkPolyData> mesh = LoadMeshByName(file);
-      thread.Post([this, mesh, file]() { this->Take(mesh, file); });
-    },
-    [this](const QString& text)
-    {
-      this->Say(text, true);
-      emit this->listsChanged();
-    });
+  this->Background->Compute(
+    "mesh", tr("reading"), [file]() { return LoadMeshByName(file); },
+    [this, file](const vtkSmartPointer<vtkPolyData>& read) { this->Take(read, file); },
+    [this](const QString& text) { this->FailToRead(text); });
 }
 
 //------------------------------------------------------------------------------
@@ -311,7 +255,7 @@ void Session::SetCompared(const std::vector<std::string>& files)
 void Session::Take(const MadeMaterial& made)
 {
   const std::string& file = made.Shown.File;
-  if (!IsEmbeddedMaterial(file) && !FindModel(file))
+  if (!IsBuiltInMaterial(file))
   {
     AddOnce(this->Current.MaterialFiles, file);
   }
@@ -331,43 +275,38 @@ MaterialSettings Session::GetMaterialSettings() const
 }
 
 //------------------------------------------------------------------------------
-// The material that is shown with other parameters or edits; another one is not waited for.
+// The material that is shown with other parameters or edits; another one is not
+// waited for.
 void Session::RemakeMaterial()
 {
   emit this->settingsSettled();
   const MaterialSettings settings = this->GetMaterialSettings();
-  const std::string file = this->Made.Shown.File;
   if (!this->Made.Shown.BRDF || !this->Made.IsAnother(settings))
   {
     this->Background->Stop("remake"); // of settings that are taken back
     return;
   }
-  this->Background->Start(
+  this->Background->Compute(
     "remake", tr("making the material"),
-    [this, original = this->Made.Original, settings](JobThread& thread)
+    [original = this->Made.Original, settings]() { return RemakeMaterialOf(original, settings); },
+    [this](const MadeMaterial& made)
     {
-      const MadeMaterial made = RemakeMaterialOf(original, settings);
-      thread.Post(
-        [this, made]()
+      if (made.Shown.File == this->Made.Shown.File)
+      {
+        this->Made = made;
+        if (made.Shown.Notes != made.Original.Notes)
         {
-          if (made.Shown.File == this->Made.Shown.File)
-          {
-            this->Made = made;
-            if (made.Shown.Notes != made.Original.Notes)
-            {
-              this->Say(QString::fromStdString(made.Shown.Notes), true);
-            }
-            emit this->materialChanged();
-          }
-        });
-    },
-    [this](const QString& text) { this->Say(text, true); });
+          this->Say(QString::fromStdString(made.Shown.Notes), true);
+        }
+        emit this->materialChanged();
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
-void Session::Take(vtkEnvironment* environment, const std::string& file)
+void Session::Take(const vtkSmartPointer<vtkEnvironment>& environment, const std::string& file)
 {
-  if (environment && !IsEmbeddedEnvironment(file))
+  if (environment && !IsBuiltInEnvironment(file))
   {
     AddOnce(this->Current.EnvironmentFiles, file);
   }
@@ -382,7 +321,7 @@ void Session::Take(vtkEnvironment* environment, const std::string& file)
 }
 
 //------------------------------------------------------------------------------
-void Session::Take(vtkPolyData* mesh, const std::string& file)
+void Session::Take(const vtkSmartPointer<vtkPolyData>& mesh, const std::string& file)
 {
   this->Mesh = mesh;
   this->MeshFile = file;
@@ -401,21 +340,16 @@ void Session::Take(vtkPolyData* mesh, const std::string& file)
 //------------------------------------------------------------------------------
 void Session::SaveMaterial(const std::string& path)
 {
-  vtkSmartPointer<vtkBRDF> brdf = this->Made.Shown.BRDF;
-  if (!brdf)
+  if (!this->Made.Shown.BRDF)
   {
     return;
   }
-  if (auto copy = vtkSmartPointer<vtkBRDF>::Take(brdf->NewSnapshot()))
-  {
-    brdf = copy;
-  }
-  this->Background->Start(
-    "save material", tr("writing the material"),
-    [this, brdf, path, shown = this->Made.Shown, edits = this->Made.Edits](JobThread& thread)
+  const tool::Material shown = MakeSnapshot(this->Made.Shown);
+  this->Background->Start("save material", tr("writing the material"),
+    [this, path, shown, edits = this->Made.Edits](const Jobs::Post& post)
     {
-      tool::WriteMaterial(brdf, path);
-      thread.Post(
+      tool::WriteMaterial(shown.BRDF, path);
+      post(
         [this, path, shown, edits]()
         {
           const auto current = this->Current.Edits.find(shown.File);
@@ -427,8 +361,7 @@ void Session::SaveMaterial(const std::string& path)
                       (shown.Transmission ? tr(" (its transmission is left out)") : QString()),
             false);
         });
-    },
-    [this](const QString& text) { this->Say(text, true); });
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -443,13 +376,11 @@ bool Session::HasUnsavedEdits() const
 }
 
 //------------------------------------------------------------------------------
-bool Session::Save(const std::string& path)
+bool Session::Try(const std::function<void()>& what)
 {
   try
   {
-    SaveState(this->Current, path);
-    this->SavedEdits = this->Current.Edits;
-    this->Say(tr("Saved: %1").arg(QString::fromStdString(path)), false);
+    what();
     return true;
   }
   catch (const std::exception& error)
@@ -460,17 +391,133 @@ bool Session::Save(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+bool Session::Save(const std::string& path)
+{
+  return this->Try(
+    [&]()
+    {
+      SaveState(this->Current, path);
+      this->SavedEdits = this->Current.Edits;
+      this->Say(tr("Saved: %1").arg(QString::fromStdString(path)), false);
+    });
+}
+
+//------------------------------------------------------------------------------
 bool Session::Load(const std::string& path)
 {
-  try
+  return this->Try([&]() { this->Replace(LoadState(path)); });
+}
+
+//------------------------------------------------------------------------------
+void Session::SetRotation(double degrees)
+{
+  if (!std::isfinite(degrees))
   {
-    this->Replace(LoadState(path));
-    return true;
+    return;
   }
-  catch (const std::exception& error)
+  if (this->Environment)
   {
-    this->Say(QString::fromUtf8(error.what()), true);
-    return false;
+    this->Environment->SetRotationY(WrapDegrees(degrees));
   }
+  this->Set(&State::Rotation, WrapDegrees(degrees), &Session::rotationChanged);
+}
+
+//------------------------------------------------------------------------------
+void Session::SetLight(const LightState& light)
+{
+  if (std::isfinite(light.Theta + light.Phi + light.Irradiance))
+  {
+    this->Current.Light = light;
+    this->Current.Light.Phi = WrapDegrees(light.Phi);
+    Limit(this->Current);
+    emit this->lightChanged();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Session::SetModelValues(
+  const std::string& key, const std::string& parameter, const std::vector<double>& values)
+{
+  const ParametricModel* model = FindModel(GetModelFile({ key, {}, {}, {} }));
+  for (const ModelParameter& one : model ? model->Parameters : std::vector<ModelParameter>())
+  {
+    if (one.Key == parameter && values.size() == one.Default.size())
+    {
+      std::vector<double>& set = this->Current.Models[key][parameter];
+      set = values;
+      for (double& value : set)
+      {
+        value = std::isfinite(value) ? std::clamp(value, one.Least, one.Largest) : one.Default[0];
+      }
+    }
+  }
+  emit this->modelsChanged();
+  this->Remake.start();
+}
+
+//------------------------------------------------------------------------------
+void Session::SetEdits(const std::string& file, const SampleEdits& edits)
+{
+  if (edits.empty())
+  {
+    this->Current.Edits.erase(file);
+  }
+  else
+  {
+    this->Current.Edits[file] = edits;
+  }
+  emit this->editsChanged();
+  this->Remake.start();
+}
+
+//------------------------------------------------------------------------------
+void Session::SetMethod(int side, const std::string& key)
+{
+  if (IsMethod(key))
+  {
+    std::array<std::string, 2> methods = this->Current.Methods;
+    methods[side == 0 ? 0 : 1] = key;
+    this->Set(&State::Methods, methods, &Session::methodsChanged);
+  }
+}
+
+//------------------------------------------------------------------------------
+// The largest power of two that is not more.
+void Session::SetLights(int count)
+{
+  int power = 1;
+  while (power * 2 <= std::min(count, MostLights))
+  {
+    power *= 2;
+  }
+  this->Set(&State::Lights, power, &Session::methodsChanged);
+}
+
+//------------------------------------------------------------------------------
+void Session::SetCamera(const CameraState& camera)
+{
+  this->Current.Camera = camera;
+  emit this->cameraChanged();
+}
+
+//------------------------------------------------------------------------------
+void Session::SetLobe(double thetaI, double phiI, bool logarithmic)
+{
+  this->Current.LobeThetaI = thetaI;
+  this->Current.LobePhiI = WrapDegrees(phiI - 180.0) + 180.0; // [0, 360)
+  this->Current.LobeLogarithmic = logarithmic;
+  Limit(this->Current);
+  emit this->lobeChanged();
+}
+
+//------------------------------------------------------------------------------
+void Session::SetSlices(double thetaH, double thetaD, double phiD, bool logarithmic)
+{
+  this->Current.SliceThetaH = thetaH;
+  this->Current.SliceThetaD = thetaD;
+  this->Current.SlicePhiD = phiD;
+  this->Current.SliceLogarithmic = logarithmic;
+  Limit(this->Current);
+  emit this->slicesChanged();
 }
 } // namespace explorer

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What is being explored: the state, the objects that it names, and what changes them. No widgets.
+ * What is being explored: the state, the objects that it names, and what
+ * changes them. No widgets.
  */
 
 #ifndef Session_h
 #define Session_h
 
-#include "Inputs.h"
 #include "Jobs.h"
-#include "Lists.h"
-#include "MadeMaterial.h"
+#include "Materials.h"
 #include "State.h"
 
 #include "vtkEnvironment.h"
@@ -23,15 +22,17 @@
 #include <QStringList>
 #include <QTimer>
 
+#include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace explorer
 {
 /**
- * Files are read in the background; what was shown before stays until one has been read, and stays
- * where it cannot be read, with a message.
+ * Files are read in the background; what was shown before stays until one has
+ * been read, and stays where it cannot be read, with a message.
  */
 class Session : public QObject
 {
@@ -39,7 +40,6 @@ class Session : public QObject
 
 public:
   explicit Session(Jobs* jobs, QObject* parent = nullptr);
-  ~Session() override;
 
   const State& GetState() const { return this->Current; }
 
@@ -50,10 +50,13 @@ public:
   void Open(const QStringList& files);
 
   ///@{
-  /// What the lists hold: built-in ones, then files.
-  std::vector<Item> GetMaterials() const;
-  std::vector<Item> GetEnvironments() const;
-  std::vector<Item> GetMeshes() const;
+  /// What the lists hold: built-in ones, and files.
+  std::vector<Item> GetMaterials() const { return ListMaterials(this->Current.MaterialFiles); }
+  std::vector<Item> GetEnvironments() const
+  {
+    return ListEnvironments(this->Current.EnvironmentFiles);
+  }
+  std::vector<Item> GetMeshes() const { return ListMeshes(this->MeshFile); }
   ///@}
 
   ///@{
@@ -63,12 +66,13 @@ public:
   void SetMesh(const std::string& file);
   ///@}
 
-  /// Which materials the charts have beside the one that is shown. Comparison reads them.
+  /// Which materials the charts have beside the one that is shown. Comparison
+  /// reads them.
   void SetCompared(const std::vector<std::string>& files);
 
   ///@{
-  /// What was read; null before. The environment is null, too, where there is one directional
-  /// light.
+  /// What was read; null before. The environment is null, too, where there is
+  /// one directional light.
   const tool::Material& GetMaterial() const { return this->Made.Shown; }
   vtkEnvironment* GetEnvironment() const { return this->Environment; }
   vtkPolyData* GetMesh() const { return this->Mesh; }
@@ -80,54 +84,65 @@ public:
   /// Whether one directional light is in an environment's place.
   bool IsDirectional() const { return this->Current.Environment == DirectionalLightName; }
 
-  /// Whether there is light: an environment that has been read, or the directional light.
+  /// Whether there is light: an environment that has been read, or the
+  /// directional light.
   bool IsLit() const { return this->Environment || this->IsDirectional(); }
 
   /// Whether the material waits for parameters or edits to come to rest.
   bool IsWaiting() const { return this->Remake.isActive(); }
 
   ///@{
-  /// Values outside of what State allows are taken as the nearest that is.
+  /// Values outside of what a state allows are taken as the nearest that are
+  /// allowed.
   void SetRotation(double degrees);
   void SetLight(const LightState& light);
-  void SetTolerance(double tolerance);
   void SetMethod(int side, const std::string& key);
   void SetLights(int count);
-  void SetShown(Shown shown);
-  void SetSplit(double share);
-  void SetExposure(double stops);
-  void SetBackdrop(bool shown);
-  void SetReferenceHeight(int pixels);
   void SetCamera(const CameraState& camera);
   void SetLobe(double thetaI, double phiI, bool logarithmic);
   void SetSlices(double thetaH, double thetaD, double phiD, bool logarithmic);
-  void SetSlicePolar(bool polar);
+  void SetTolerance(double tolerance)
+  {
+    this->Set(&State::Tolerance, tolerance, &Session::toleranceChanged);
+  }
+  void SetShown(Shown shown) { this->Set(&State::Show, shown, &Session::pictureChanged); }
+  void SetSplit(double share) { this->Set(&State::Split, share, &Session::pictureChanged); }
+  void SetExposure(double stops) { this->Set(&State::Exposure, stops, &Session::pictureChanged); }
+  void SetBackdrop(bool shown) { this->Set(&State::Backdrop, shown, &Session::pictureChanged); }
+  void SetReferenceHeight(int pixels)
+  {
+    this->Set(&State::ReferenceHeight, pixels, &Session::referenceHeightChanged);
+  }
+  void SetSlicePolar(bool polar) { this->Set(&State::SlicePolar, polar, &Session::slicesChanged); }
   ///@}
 
   ///@{
-  /// A parameter of a model, and the edits of a table: what is shown of it follows in the
-  /// background. Parameters that are not known change nothing.
+  /// A parameter of a model, and the edits of a table: what is shown of it
+  /// follows in the background. Parameters that are not known change nothing.
   void SetModelValues(
     const std::string& key, const std::string& parameter, const std::vector<double>& values);
   void SetEdits(const std::string& file, const SampleEdits& edits);
   ///@}
 
-  /// Whether there are edits of samples that neither a state that was opened or saved has, nor a
-  /// material that was saved.
+  /// Whether there are edits of samples that neither a state that was opened or
+  /// saved has, nor a material that was saved.
   bool HasUnsavedEdits() const;
 
   ///@{
   /// State files. False with a message where that does not work.
   bool Save(const std::string& path);
   bool Load(const std::string& path);
+
+  /// Does something; where it throws, people are told. Whether it did not.
+  bool Try(const std::function<void()>& what);
   ///@}
 
-  /// The material that is shown, with its parameters and edits, as a file (.exr), in the
-  /// background.
+  /// The material that is shown, with its parameters and edits, as a file
+  /// (.exr), in the background.
   void SaveMaterial(const std::string& path);
 
   /// Something to tell people.
-  void Say(const QString& text, bool isError);
+  void Say(const QString& text, bool isError) { emit this->messaged(text, isError); }
 
 signals:
   void listsChanged();
@@ -152,12 +167,23 @@ signals:
   void messaged(const QString& text, bool isError);
 
 private:
-  void OpenOne(const std::string& file, const MaterialSettings& settings, JobThread& thread);
+  template <typename Value>
+  void Set(Value State::*field, Value value, void (Session::*changed)())
+  {
+    const Value before = std::exchange(this->Current.*field, value);
+    Limit(this->Current);
+    if (this->Current.*field != before)
+    {
+      emit(this->*changed)();
+    }
+  }
+  void OpenOne(const std::string& file, const MaterialSettings& settings, const Jobs::Post& post);
+  void FailToRead(const QString& text);
   MaterialSettings GetMaterialSettings() const;
   void RemakeMaterial();
   void Take(const MadeMaterial& made);
-  void Take(vtkEnvironment* environment, const std::string& file);
-  void Take(vtkPolyData* mesh, const std::string& file);
+  void Take(const vtkSmartPointer<vtkEnvironment>& environment, const std::string& file);
+  void Take(const vtkSmartPointer<vtkPolyData>& mesh, const std::string& file);
 
   Jobs* Background;
   State Current;

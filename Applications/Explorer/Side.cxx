@@ -5,7 +5,6 @@
 #include "DirectionalLight.h"
 #include "Display.h"
 #include "Scenes.h"
-#include "SideScenes.h"
 #include "Tool.h"
 
 #include "vtkActor.h"
@@ -13,34 +12,64 @@
 #include "vtkCullerCollection.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
-#include "vtkMeasuredBRDFMapper.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPBRPropertyFitter.h"
 #include "vtkProperty.h"
 #include "vtkRadiancePlanner.h"
-#include "vtkRenderer.h"
 #include "vtkTexture.h"
 
 #include <algorithm>
-#include <utility>
-
-namespace
-{
-//------------------------------------------------------------------------------
-// A copy for another thread; the material itself where its class has none.
-tool::Material MakeSnapshot(const tool::Material& material)
-{
-  tool::Material snapshot = material;
-  if (auto copy = vtkSmartPointer<vtkBRDF>::Take(material.BRDF->NewSnapshot()))
-  {
-    snapshot.BRDF = copy;
-  }
-  return snapshot;
-}
-}
 
 namespace explorer
 {
+namespace
+{
+/// VTK's own shading of a property, under an environment or a lamp.
+class FittedScene : public tool::StockScene
+{
+public:
+  void SetProperty(vtkProperty* property) { this->Actor->GetProperty()->DeepCopy(property); }
+
+  void SetLamp(vtkLight* lamp)
+  {
+    this->Unit = 1.0;
+    this->Renderer->UseImageBasedLightingOff();
+    this->Renderer->SetEnvironmentTexture(nullptr);
+    this->Renderer->RemoveAllLights();
+    this->Renderer->AddLight(lamp);
+  }
+
+  void SetEnvironment(vtkEnvironment* environment)
+  {
+    this->Renderer->RemoveAllLights();
+    this->SetLight(environment);
+  }
+};
+
+//------------------------------------------------------------------------------
+/// A material under a lamp, without an environment.
+class LampScene : public tool::OffscreenScene
+{
+public:
+  explicit LampScene(vtkLight* lamp)
+    : LampScene(vtkSmartPointer<vtkMeasuredBRDFMapper>::New(), lamp)
+  {
+  }
+
+  void SetMaterial(vtkBRDF* brdf) { this->Mapper->SetBRDF(brdf); }
+
+private:
+  LampScene(vtkMeasuredBRDFMapper* mapper, vtkLight* lamp)
+    : OffscreenScene(mapper)
+    , Mapper(mapper)
+  {
+    this->Renderer->AddLight(lamp);
+  }
+
+  vtkSmartPointer<vtkMeasuredBRDFMapper> Mapper;
+};
+}
+
 //------------------------------------------------------------------------------
 Side::Side(int index, Session* session, Jobs* jobs, QObject* parent)
   : QObject(parent)
@@ -81,36 +110,21 @@ Side::Side(int index, Session* session, Jobs* jobs, QObject* parent)
 Side::~Side() = default;
 
 //------------------------------------------------------------------------------
-const std::string& Side::GetKey() const
-{
-  return this->Model->GetState().Methods[static_cast<std::size_t>(this->Index)];
-}
-
-//------------------------------------------------------------------------------
-bool Side::IsReference() const { return this->GetKey() == method::Reference; }
-
-//------------------------------------------------------------------------------
-QString Side::GetJobKey() const { return QString("method %1").arg(this->Index); }
-
-//------------------------------------------------------------------------------
 bool Side::IsReady() const
 {
   if (this->IsReference())
   {
-    return this->Light || this->IsDirectlyLit; // the exact picture may lie over it already
+    return this->IsLit; // the exact picture may lie over it already
   }
-  return (this->Light || this->IsDirectlyLit) && this->IsMade &&
-         (!this->IsPlanned || (this->GetPlanner() && !this->Mapper->GetPlanPending()));
+  return this->IsLit && this->IsMade &&
+         (this->Drawn != Kind::Planned || (this->GetPlanner() && !this->Mapper->GetPlanPending()));
 }
-
-//------------------------------------------------------------------------------
-bool Side::PollPlan() { return this->IsPlanned && this->Mapper->GetPlanReady(); }
 
 //------------------------------------------------------------------------------
 // From inside of a render.
 void Side::OnPlan()
 {
-  const std::string plan = this->IsPlanned ? this->Mapper->GetPlan() : std::string();
+  const std::string plan = this->Drawn == Kind::Planned ? this->Mapper->GetPlan() : std::string();
   if (plan != this->Plan)
   {
     this->Plan = plan;
@@ -122,7 +136,7 @@ void Side::OnPlan()
 //------------------------------------------------------------------------------
 vtkRadiancePlanner* Side::GetPlanner() const
 {
-  return this->IsPlanned ? this->Mapper->GetCurrentPlanner() : nullptr;
+  return this->Drawn == Kind::Planned ? this->Mapper->GetCurrentPlanner() : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -142,17 +156,20 @@ void Side::UpdateMethod()
   this->Mapper->SetOcclusionMode(
     isCompared ? vtkMeasuredBRDFMapper::OCCLUSION_OFF : vtkMeasuredBRDFMapper::OCCLUSION_AUTO);
   const std::string& key = this->GetKey();
+  tool::Method material;
+  material.BRDF = this->Model->GetMaterial().BRDF;
   if (key == method::PBR)
   {
     this->StartFit();
   }
-  else if (this->Model->IsDirectional())
+  else if (this->Model->IsDirectional()) // there is no environment to be integrated
   {
-    this->DrawDirect();
+    this->Draw(Kind::Direct, nullptr, material);
   }
   else if (key == method::Planned || key == method::Reference)
   {
-    this->DrawPlanned();
+    this->Mapper->SetErrorTolerance(this->Model->GetState().Tolerance);
+    this->Draw(Kind::Planned, this->Model->GetEnvironment(), material);
   }
   else
   {
@@ -162,33 +179,29 @@ void Side::UpdateMethod()
 }
 
 //------------------------------------------------------------------------------
-void Side::DrawPlanned()
+void Side::Draw(Kind kind, vtkEnvironment* light, const tool::Method& method)
 {
-  this->Made = tool::Method();
-  this->Light = this->Model->GetEnvironment();
-  this->Mapper->SetBRDF(this->Model->GetMaterial().BRDF);
-  this->Mapper->SetEnvironment(this->Light);
-  this->Mapper->SetIntegrator(nullptr);
-  this->Mapper->SetErrorTolerance(this->Model->GetState().Tolerance);
-  this->IsPlanned = true;
-  this->IsDirectlyLit = false;
-  this->IsStock = false;
+  this->Drawn = kind;
+  this->IsLit = true;
+  this->IsMade = true;
+  this->Light = light;
+  if (kind != Kind::Stock)
+  {
+    this->Made = method;
+    this->Mapper->SetBRDF(method.BRDF);
+    this->Mapper->SetEnvironment(light);
+    this->Mapper->SetIntegrator(method.Integrator);
+  }
   this->UpdateVisibility();
 }
 
 //------------------------------------------------------------------------------
-// Whatever the method: there is no environment to be integrated.
-void Side::DrawDirect()
+// What was drawn before stays.
+void Side::FailToMake(const QString& text)
 {
-  this->Made = tool::Method();
-  this->Light = nullptr;
-  this->Mapper->SetBRDF(this->Model->GetMaterial().BRDF);
-  this->Mapper->SetEnvironment(nullptr);
-  this->Mapper->SetIntegrator(nullptr);
-  this->IsPlanned = false;
-  this->IsDirectlyLit = true;
-  this->IsStock = false;
-  this->UpdateVisibility();
+  this->IsMade = true;
+  this->Model->Say(text, true);
+  emit this->changed();
 }
 
 //------------------------------------------------------------------------------
@@ -199,50 +212,29 @@ void Side::StartMethod(const std::string& key)
   options.Method = soft ? method::LightSet : key;
   options.Lights.Count = this->Model->GetState().Lights;
   options.Lights.Soft = soft;
-  const tool::Material material = MakeSnapshot(this->Model->GetMaterial());
   const auto environment =
     vtkSmartPointer<vtkEnvironment>::Take(this->Model->GetEnvironment()->NewSnapshot());
   this->IsMade = false;
-  this->Background->Start(
-    this->GetJobKey(), tr("preparing %1").arg(QString::fromStdString(explorer::GetMethodName(key))),
-    [this, options, material, environment](JobThread& thread)
+  this->Background->Compute(
+    this->GetJobKey(), tr("preparing %1").arg(QString::fromStdString(GetMethodName(key))),
+    [options, material = MakeSnapshot(this->Model->GetMaterial()), environment]()
+    { return tool::MakeMethod(options, material, environment); },
+    [this, environment](const tool::Method& made)
     {
-      const tool::Method made = tool::MakeMethod(options, material, environment);
-      thread.Post([this, made, environment]() { this->DrawMade(made, environment); });
-    },
-    [this](const QString& text)
-    {
-      this->IsMade = true;
-      this->Model->Say(text, true);
+      environment->SetRotationY(this->Model->GetState().Rotation);
+      this->Draw(Kind::Made, environment, made);
       emit this->changed();
-    });
-}
-
-//------------------------------------------------------------------------------
-void Side::DrawMade(const tool::Method& made, vtkEnvironment* environment)
-{
-  this->Made = made;
-  this->Light = environment;
-  this->Light->SetRotationY(this->Model->GetState().Rotation);
-  this->Mapper->SetBRDF(made.BRDF);
-  this->Mapper->SetEnvironment(this->Light);
-  this->Mapper->SetIntegrator(made.Integrator);
-  this->IsMade = true;
-  this->IsPlanned = false;
-  this->IsDirectlyLit = false;
-  this->IsStock = false;
-  this->UpdateVisibility();
-  emit this->changed();
+    },
+    [this](const QString& text) { this->FailToMake(text); });
 }
 
 //------------------------------------------------------------------------------
 void Side::StartFit()
 {
-  const tool::Material material = MakeSnapshot(this->Model->GetMaterial());
   this->IsMade = false;
-  this->Background->Start(
+  this->Background->Compute(
     this->GetJobKey(), tr("fitting VTK's shading"),
-    [this, material](JobThread& thread)
+    [material = MakeSnapshot(this->Model->GetMaterial())]()
     {
       auto fitted = vtkSmartPointer<vtkProperty>::New();
       vtkNew<vtkPBRPropertyFitter> fitter;
@@ -253,15 +245,11 @@ void Side::StartFit()
         throw tool::Error("fitting VTK's shading: " + tool::TakeErrorText());
       }
       fitter->Apply(fitted);
-      const double error = fitter->GetRelativeError();
-      thread.Post([this, fitted, error]() { this->DrawFitted(fitted, error); });
+      return std::pair(fitted, fitter->GetRelativeError());
     },
-    [this](const QString& text)
-    {
-      this->IsMade = true;
-      this->Model->Say(text, true);
-      emit this->changed();
-    });
+    [this](const std::pair<vtkSmartPointer<vtkProperty>, double>& fit)
+    { this->DrawFitted(fit.first, fit.second); },
+    [this](const QString& text) { this->FailToMake(text); });
 }
 
 //------------------------------------------------------------------------------
@@ -269,20 +257,15 @@ void Side::DrawFitted(vtkProperty* fitted, double error)
 {
   this->FitError = error;
   this->StockActor->GetProperty()->DeepCopy(fitted);
-  this->IsDirectlyLit = this->Model->IsDirectional();
   this->StockUnit = 1.0;
-  if (!this->IsDirectlyLit)
+  if (!this->Model->IsDirectional())
   {
     const tool::StockLight light(this->Model->GetEnvironment());
     this->StockUnit = light.Unit;
     this->StockLight->SetInputData(light.Image);
   }
   this->SetExposure(this->Exposure);
-  this->Light = this->Model->GetEnvironment();
-  this->IsMade = true;
-  this->IsPlanned = false;
-  this->IsStock = true;
-  this->UpdateVisibility();
+  this->Draw(Kind::Stock, this->Model->GetEnvironment(), {});
   emit this->changed();
 }
 
@@ -290,7 +273,7 @@ void Side::DrawFitted(vtkProperty* fitted, double error)
 void Side::UpdateLight()
 {
   PlaceLight(this->Lamp, this->Model->GetState().Light);
-  if (this->IsDirectlyLit)
+  if (this->IsLit && !this->Light)
   {
     emit this->changed();
   }
@@ -300,7 +283,7 @@ void Side::UpdateLight()
 void Side::UpdateTolerance()
 {
   this->Mapper->SetErrorTolerance(this->Model->GetState().Tolerance);
-  if (this->IsPlanned)
+  if (this->Drawn == Kind::Planned)
   {
     emit this->changed();
   }
@@ -317,7 +300,7 @@ void Side::UpdateRotation()
   double rows[9]; // of a rotation from the world: where the environment's axes point
   this->Light->GetWorldToEnvironment(rows);
   double identity[6] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0 }; // the mapper's light turns by itself
-  double* axes = this->IsStock ? rows : identity;
+  double* axes = this->Drawn == Kind::Stock ? rows : identity;
   this->Renderer->SetEnvironmentRight(axes);
   this->Renderer->SetEnvironmentUp(axes + 3);
 }
@@ -339,12 +322,13 @@ void Side::UpdateMesh()
 void Side::UpdateVisibility()
 {
   const bool shown = this->IsVisible && this->Mapper->GetInput();
-  this->Actor->SetVisibility(shown && !this->IsStock && this->Mapper->GetBRDF());
-  this->StockActor->SetVisibility(shown && this->IsStock);
-  const bool isUnderImage = this->IsStock && !this->IsDirectlyLit;
+  const bool isStock = this->Drawn == Kind::Stock;
+  this->Actor->SetVisibility(shown && !isStock && this->Mapper->GetBRDF());
+  this->StockActor->SetVisibility(shown && isStock);
+  const bool isUnderImage = isStock && this->Light;
   this->Renderer->SetEnvironmentTexture(isUnderImage ? this->StockLight.Get() : nullptr);
   this->Renderer->SetUseImageBasedLighting(isUnderImage);
-  this->Lamp->SetSwitch(this->IsDirectlyLit);
+  this->Lamp->SetSwitch(this->IsLit && !this->Light);
   PlaceLight(this->Lamp, this->Model->GetState().Light);
   this->UpdateRotation();
 }
@@ -367,7 +351,7 @@ void Side::SetExposure(double factor)
 //------------------------------------------------------------------------------
 QString Side::Describe() const
 {
-  const QString name = QString::fromStdString(explorer::GetMethodName(this->GetKey()));
+  const QString name = QString::fromStdString(GetMethodName(this->GetKey()));
   if (!this->IsMade)
   {
     return tr("%1: being prepared").arg(name);
@@ -377,11 +361,11 @@ QString Side::Describe() const
     return this->IsReference() ? tr("%1: f E cos(theta)").arg(name)
                                : tr("Material under one light (no plan, no light set)");
   }
-  if (this->IsStock)
+  if (this->Drawn == Kind::Stock)
   {
     return tr("%1: fitted within %2 %").arg(name).arg(100.0 * this->FitError, 0, 'g', 2);
   }
-  if (!this->IsPlanned)
+  if (this->Drawn == Kind::Made)
   {
     const int lights = this->Made.GetNumberOfLights();
     const QString kind = QString::fromStdString(this->Made.Thesis.Kind);
@@ -403,42 +387,37 @@ QString Side::Describe() const
 }
 
 //------------------------------------------------------------------------------
-void Side::OpenScene()
-{
-  if (this->Scene && this->SceneIsStock == this->IsStock && this->SceneIsDirect == this->IsDirect())
-  {
-    return;
-  }
-  this->SceneIsStock = this->IsStock;
-  this->SceneIsDirect = this->IsDirect();
-  this->Scene.reset(); // one window at a time
-  this->Scene.reset(this->IsStock      ? static_cast<tool::OffscreenScene*>(new FittedScene())
-                    : this->IsDirect() ? new LampScene(this->Lamp)
-                                       : static_cast<tool::OffscreenScene*>(new tool::Scene()));
-  this->Scene->SetMesh(this->Model->GetMesh());
-}
-
-//------------------------------------------------------------------------------
 // To be measured against the exact picture, and so without what the mesh hides.
 // Scenes of their own: radiance above 1 and alpha, which a widget's window does not keep. A planned
 // method finds the mapper's plan, which mappers of one material and environment share.
 tool::Picture Side::Capture(vtkCamera* camera, const tool::Size& size, double& frame)
 {
-  this->OpenScene();
-  if (this->IsStock)
+  const bool isMapped = this->Drawn == Kind::Planned || this->Drawn == Kind::Made;
+  const Kind kind = isMapped ? Kind::Made : this->Drawn;
+  if (!this->Scene || this->SceneKind != kind)
+  {
+    this->SceneKind = kind;
+    this->Scene.reset(); // one window at a time
+    this->Scene.reset(kind == Kind::Stock ? static_cast<tool::OffscreenScene*>(new FittedScene())
+                      : kind == Kind::Direct
+                        ? new LampScene(this->Lamp)
+                        : static_cast<tool::OffscreenScene*>(new tool::Scene()));
+    this->Scene->SetMesh(this->Model->GetMesh());
+  }
+  if (kind == Kind::Stock)
   {
     auto* stock = static_cast<FittedScene*>(this->Scene.get());
     stock->SetProperty(this->StockActor->GetProperty());
-    this->IsDirectlyLit ? stock->SetLamp(this->Lamp) : stock->SetEnvironment(this->Light);
+    this->Light ? stock->SetEnvironment(this->Light) : stock->SetLamp(this->Lamp);
   }
-  else if (this->IsDirect())
+  else if (kind == Kind::Direct)
   {
     static_cast<LampScene*>(this->Scene.get())->SetMaterial(this->Mapper->GetBRDF());
   }
   else
   {
     auto* scene = static_cast<tool::Scene*>(this->Scene.get());
-    if (this->IsPlanned)
+    if (this->Drawn == Kind::Planned)
     {
       tool::PlanOptions options;
       options.Tolerance = this->Model->GetState().Tolerance;

@@ -14,6 +14,7 @@
 #include "Picture.h"
 #include "Session.h"
 
+#include "vtkMeasuredBRDFMapper.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -27,7 +28,6 @@
 class vtkActor;
 class vtkCamera;
 class vtkLight;
-class vtkMeasuredBRDFMapper;
 class vtkOpenGLPolyDataMapper;
 class vtkProperty;
 class vtkRadiancePlanner;
@@ -55,17 +55,20 @@ public:
   vtkRenderer* GetRenderer() const { return this->Renderer; }
 
   /// The method that was asked for.
-  const std::string& GetKey() const;
-  bool IsReference() const;
+  const std::string& GetKey() const
+  {
+    return this->Model->GetState().Methods[static_cast<std::size_t>(this->Index)];
+  }
+  bool IsReference() const { return this->GetKey() == method::Reference; }
 
   /// Whether the material itself is drawn under the directional light: nothing is planned or made.
-  bool IsDirect() const { return this->IsDirectlyLit && !this->IsStock; }
+  bool IsDirect() const { return this->Drawn == Kind::Direct; }
 
   /// Whether what is asked for is drawn.
   bool IsReady() const;
 
   /// Take up a plan that is ready; whether there was one: a render shows it.
-  bool PollPlan();
+  bool PollPlan() { return this->Drawn == Kind::Planned && this->Mapper->GetPlanReady(); }
 
   /// What the mapper planned by; null where it did not.
   vtkRadiancePlanner* GetPlanner() const;
@@ -87,6 +90,16 @@ signals:
   void changed();
 
 private:
+  /// What is drawn: a method that the mapper plans or that was made, the material itself under the
+  /// directional light, or VTK's own shading.
+  enum class Kind
+  {
+    Planned,
+    Made,
+    Direct,
+    Stock
+  };
+
   void UpdateMethod();
   void UpdateMesh();
   void UpdateRotation();
@@ -94,14 +107,12 @@ private:
   void UpdateTolerance();
   void StartMethod(const std::string& key);
   void StartFit();
-  void DrawPlanned();
-  void DrawDirect();
-  void DrawMade(const tool::Method& method, vtkEnvironment* environment);
+  void Draw(Kind kind, vtkEnvironment* light, const tool::Method& method);
   void DrawFitted(vtkProperty* fitted, double error);
+  void FailToMake(const QString& text);
   void UpdateVisibility();
   void OnPlan();
-  void OpenScene();
-  QString GetJobKey() const;
+  QString GetJobKey() const { return QString("method %1").arg(this->Index); }
 
   int Index;
   Session* Model;
@@ -115,18 +126,16 @@ private:
   double StockUnit = 1.0; // of its radiance
   double Exposure = 1.0;
   vtkNew<vtkLight> Lamp;                 // on where there is the directional light
-  vtkSmartPointer<vtkEnvironment> Light; // of the actor's mapper
+  vtkSmartPointer<vtkEnvironment> Light; // of what is drawn; null under the directional light
   tool::Method Made;
   double FitError = 0.0;
-  bool IsStock = false;       // what is drawn
-  bool IsPlanned = false;     // what is drawn
-  bool IsDirectlyLit = false; // by the directional light
-  bool IsMade = true;         // false while a job makes the method
+  Kind Drawn = Kind::Made;
+  bool IsLit = false; // whether anything is drawn yet
+  bool IsMade = true; // false while a job makes the method
   bool IsVisible = true;
   std::string Plan;                            // that was told of
   std::unique_ptr<tool::OffscreenScene> Scene; // for Capture
-  bool SceneIsStock = false;
-  bool SceneIsDirect = false;
+  Kind SceneKind = Kind::Made;                 // of the scene: its class depends on it
 };
 } // namespace explorer
 

@@ -2,16 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplitView.h"
 
+#include "DirectionalLight.h"
 #include "Display.h"
-#include "Overlays.h"
+#include "Scenes.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkCoordinate.h"
+#include "vtkEnvironment.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInteractorStyleTrackballCamera.h"
+#include "vtkLookupTable.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -24,41 +32,189 @@
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkTexture.h"
+#include "vtkTexturedActor2D.h"
+#include "vtkTransform.h"
 
-#include <QEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QTimer>
 
 #include <algorithm>
 #include <cmath>
 
-namespace
-{
-constexpr int GrabWidth = 7;        // pixels beside the line where it is taken
-constexpr double LeastWidth = 3e-3; // of a side that is drawn, share of the window
-constexpr double Fill = 0.9;        // as the tool's pictures
-constexpr double Azimuth = 30.0;    // degrees
-constexpr double Elevation = 20.0;  // degrees
-}
-
 namespace explorer
 {
+namespace
+{
+constexpr int GrabWidth = 7;            // pixels beside the line where it is taken
+constexpr double LeastWidth = 3e-3;     // of a side that is drawn, share of the window
+constexpr double Fill = 0.9;            // as the tool's pictures
+constexpr double Azimuth = 30.0;        // degrees
+constexpr double Elevation = 20.0;      // degrees
+constexpr double DegreesPerPixel = 0.5; // of the directional light
+constexpr double KeyStep = 5.0;         // degrees
+
+//------------------------------------------------------------------------------
+// Points of the data are shares of the view's width and height.
+vtkSmartPointer<vtkPolyDataMapper2D> MakeViewportMapper(vtkPolyData* data)
+{
+  vtkNew<vtkCoordinate> coordinate;
+  coordinate->SetCoordinateSystemToNormalizedViewport();
+  auto mapper = vtkSmartPointer<vtkPolyDataMapper2D>::New();
+  mapper->SetInputData(data);
+  mapper->SetTransformCoordinate(coordinate);
+  return mapper;
+}
+
+//------------------------------------------------------------------------------
+// Of tool::MakeErrorColors, in percent, at the bottom of the view.
+vtkSmartPointer<vtkScalarBarActor> MakeErrorLegend()
+{
+  auto legend = vtkSmartPointer<vtkScalarBarActor>::New();
+  vtkNew<vtkLookupTable> table;
+  const auto colors = tool::MakeErrorColors();
+  constexpr int entries = 256;
+  table->SetNumberOfTableValues(entries);
+  table->SetScaleToLog10();
+  table->SetTableRange(std::pow(10.0, tool::LowestError + 2.0), 100.0); // percent
+  for (int k = 0; k < entries; ++k)
+  {
+    double rgb[3];
+    colors->GetColor(
+      tool::LowestError + (tool::HighestError - tool::LowestError) * (k + 0.5) / entries, rgb);
+    table->SetTableValue(k, rgb[0], rgb[1], rgb[2]);
+  }
+  legend->SetLookupTable(table);
+  legend->SetTitle("error, % of mean");
+  legend->SetNumberOfLabels(4);
+  legend->SetLabelFormat("%g");
+  legend->SetUnconstrainedFontSize(true);
+  legend->GetLabelTextProperty()->SetFontSize(14);
+  legend->GetTitleTextProperty()->SetFontSize(14);
+  for (vtkTextProperty* text : { legend->GetLabelTextProperty(), legend->GetTitleTextProperty() })
+  {
+    text->ItalicOff();
+    text->BoldOff();
+    text->ShadowOff();
+  }
+  legend->SetOrientationToHorizontal();
+  legend->SetTextPositionToPrecedeScalarBar(); // the labels below the bar, the title below them
+  legend->SetPosition(0.25, 0.02);
+  legend->SetPosition2(0.5, 0.12);
+  legend->DrawBackgroundOn();
+  legend->GetBackgroundProperty()->SetColor(0.16, 0.165, 0.175);
+  legend->GetBackgroundProperty()->SetOpacity(0.8);
+  return legend;
+}
+
+//------------------------------------------------------------------------------
+// The sphere of all directions of an environment, with its texture coordinates.
+vtkSmartPointer<vtkPolyData> MakeSky()
+{
+  vtkNew<vtkPlaneSource> plane; // u and v in [0, 1], and the same as texture coordinates
+  plane->SetOrigin(0.0, 0.0, 0.0);
+  plane->SetPoint1(1.0, 0.0, 0.0);
+  plane->SetPoint2(0.0, 1.0, 0.0);
+  plane->SetResolution(96, 48);
+  plane->Update();
+  vtkSmartPointer<vtkPolyData> sky = plane->GetOutput();
+  for (vtkIdType k = 0; k < sky->GetNumberOfPoints(); ++k)
+  {
+    double place[3];
+    double direction[3];
+    sky->GetPoint(k, place);
+    vtkEnvironment::GetDirection(place[0], place[1], direction);
+    sky->GetPoints()->SetPoint(k, direction);
+  }
+  return sky;
+}
+}
+
+/// An image of the whole view, of which a vertical strip is shown.
+class ImageQuad
+{
+public:
+  explicit ImageQuad(vtkRenderer* renderer);
+  ImageQuad(const ImageQuad&) = delete;
+  void operator=(const ImageQuad&) = delete;
+
+  /// RGBA of unsigned char, any size; null: none.
+  void SetImage(vtkImageData* image);
+  bool HasImage() const { return this->Filled; }
+
+  /// The strip's ends, shares of the view's width.
+  void SetSpan(double begin, double end);
+
+  /// Whether the image, where there is one, is shown.
+  void SetVisible(bool visible);
+
+private:
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkFloatArray> Coordinates;
+  vtkNew<vtkPolyData> Data;
+  vtkNew<vtkTexture> Texture;
+  vtkNew<vtkTexturedActor2D> Actor;
+  bool Filled = false;
+};
+
+//------------------------------------------------------------------------------
+ImageQuad::ImageQuad(vtkRenderer* renderer)
+{
+  this->Points->SetNumberOfPoints(4);
+  this->Coordinates->SetNumberOfComponents(2);
+  this->Coordinates->SetNumberOfTuples(4);
+  vtkNew<vtkCellArray> cells;
+  const vtkIdType corners[4] = { 0, 1, 2, 3 };
+  cells->InsertNextCell(4, corners);
+  this->Data->SetPoints(this->Points);
+  this->Data->SetPolys(cells);
+  this->Data->GetPointData()->SetTCoords(this->Coordinates);
+  this->Texture->SetColorModeToDirectScalars();
+  this->Texture->InterpolateOn();
+  this->Actor->SetMapper(MakeViewportMapper(this->Data));
+  this->Actor->SetTexture(this->Texture);
+  this->Actor->SetLayerNumber(0);
+  this->Actor->VisibilityOff();
+  this->SetSpan(0.0, 1.0);
+  renderer->AddViewProp(this->Actor);
+}
+
+//------------------------------------------------------------------------------
+void ImageQuad::SetImage(vtkImageData* image)
+{
+  this->Filled = image != nullptr;
+  if (image)
+  {
+    this->Texture->SetInputData(image);
+  }
+}
+
+//------------------------------------------------------------------------------
+void ImageQuad::SetSpan(double begin, double end)
+{
+  const double corners[4][2] = { { begin, 0.0 }, { end, 0.0 }, { end, 1.0 }, { begin, 1.0 } };
+  for (int k = 0; k < 4; ++k)
+  {
+    this->Points->SetPoint(k, corners[k][0], corners[k][1], 0.0);
+    this->Coordinates->SetTuple(k, corners[k]);
+  }
+  this->Points->Modified();
+  this->Coordinates->Modified();
+  this->Data->Modified();
+}
+
+//------------------------------------------------------------------------------
+void ImageQuad::SetVisible(bool visible) { this->Actor->SetVisibility(visible && this->Filled); }
+
 //------------------------------------------------------------------------------
 SplitView::SplitView(Session* session, Jobs* jobs, std::array<Side*, 2> sides, QWidget* parent)
-  : QVTKOpenGLNativeWidget(parent)
+  : RenderView(tr("Picture by method A and method B"), parent)
   , Model(session)
   , Background(jobs)
   , Sides(sides)
-  , Light(session)
 {
-  this->setRenderWindow(this->Window);
-  this->setAcceptDrops(false); // the window's
+  this->HandleCursor = Qt::SplitHCursor;
   this->setFocusPolicy(Qt::StrongFocus);
   this->setMinimumSize(320, 240);
-  this->setToolTip(QString());
-  this->setAccessibleName(tr("Picture by method A and method B"));
-  this->Window->SetMultiSamples(0);
   this->Window->SetNumberOfLayers(3);
 
   this->Behind->SetLayer(0);
@@ -259,53 +415,25 @@ void SplitView::UpdateBackdrop()
   }
   const auto environment =
     vtkSmartPointer<vtkEnvironment>::Take(this->Model->GetEnvironment()->NewSnapshot());
-  this->Background->Start(
+  this->Background->Compute(
     "backdrop", tr("drawing the backdrop"),
-    [this, environment](JobThread& thread)
+    [environment]() { return MakeBackdropPicture(environment); },
+    [this](const tool::Picture& picture)
     {
-      auto picture = std::make_shared<const tool::Picture>(MakeBackdropPicture(environment));
-      thread.Post(
-        [this, picture]()
-        {
-          this->BackdropPicture = picture;
-          this->ShowBackdrop();
-          this->UpdatePicture();
-        });
-    },
-    [this](const QString& text) { this->Model->Say(text, true); });
+      this->BackdropPicture = std::make_shared<const tool::Picture>(picture);
+      this->ShowBackdrop();
+      this->UpdatePicture();
+    });
   this->UpdatePicture();
 }
 
 //------------------------------------------------------------------------------
 void SplitView::ResetCamera()
 {
-  vtkPolyData* mesh = this->Model->GetMesh();
-  double bounds[6];
-  mesh->GetBounds(bounds);
-  const double center[3] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
-    0.5 * (bounds[4] + bounds[5]) };
-  double radius = 0.0;
-  for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k)
-  {
-    radius = std::max(radius, vtkMath::Distance2BetweenPoints(mesh->GetPoint(k), center));
-  }
-  radius = radius > 0.0 ? std::sqrt(radius) : 1.0;
-  CameraState camera;
-  const double aspect = static_cast<double>(this->width()) / std::max(1, this->height());
-  const double share =
-    Fill * std::min(1.0, aspect) * std::tan(vtkMath::RadiansFromDegrees(0.5 * camera.ViewAngle));
-  const double distance = radius * std::sqrt(1.0 + 1.0 / (share * share));
-  const double azimuth = vtkMath::RadiansFromDegrees(Azimuth);
-  const double elevation = vtkMath::RadiansFromDegrees(Elevation);
-  const double direction[3] = { std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
-    std::cos(elevation) * std::cos(azimuth) };
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    camera.FocalPoint[c] = center[c];
-    camera.Position[c] = center[c] + distance * direction[c];
-  }
-  this->Model->SetCamera(camera);
-  this->TakeCamera();
+  tool::PlaceCamera(this->Camera, this->Model->GetMesh(), { Azimuth, Elevation }, Fill,
+    static_cast<double>(this->width()) / std::max(1, this->height()));
+  this->OnMoved();
+  this->RequestRender();
 }
 
 //------------------------------------------------------------------------------
@@ -380,25 +508,6 @@ void SplitView::OnEnd()
 }
 
 //------------------------------------------------------------------------------
-void SplitView::RequestRender()
-{
-  if (this->IsRequested)
-  {
-    return;
-  }
-  this->IsRequested = true;
-  QTimer::singleShot(0, this,
-    [this]()
-    {
-      this->IsRequested = false;
-      if (this->isVisible())
-      {
-        this->Window->Render();
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
 // A frame that is not shown is drawn to the end.
 QImage SplitView::Grab()
 {
@@ -417,73 +526,66 @@ int SplitView::GetLinePosition() const
 }
 
 //------------------------------------------------------------------------------
-bool SplitView::DragLine(QEvent* event)
+// The line, or the directional light, which is turned with Ctrl.
+bool SplitView::IsOverHandle(QMouseEvent* mouse)
 {
-  auto* mouse = static_cast<QMouseEvent*>(event);
-  const bool near =
-    std::abs(mouse->pos().x() - this->GetLinePosition()) <= GrabWidth && !this->IsDifference();
-  switch (event->type())
-  {
-    case QEvent::MouseButtonPress:
-      this->IsDragging = near && mouse->button() == Qt::LeftButton;
-      break;
-    case QEvent::MouseMove:
-      if (this->IsDragging)
-      {
-        this->Model->SetSplit(static_cast<double>(mouse->pos().x()) / std::max(1, this->width()));
-      }
-      else if (mouse->buttons() == Qt::NoButton)
-      {
-        near ? this->setCursor(Qt::SplitHCursor) : this->unsetCursor();
-      }
-      break;
-    case QEvent::MouseButtonRelease:
-      if (this->IsDragging)
-      {
-        this->IsDragging = false;
-        return true;
-      }
-      break;
-    default:
-      break;
-  }
-  return this->IsDragging;
+  this->Last = mouse->pos();
+  this->TurnsLight = this->Model->IsDirectional() && (mouse->buttons() & Qt::LeftButton) &&
+                     (mouse->modifiers() & Qt::ControlModifier);
+  return this->TurnsLight || (std::abs(mouse->pos().x() - this->GetLinePosition()) <= GrabWidth &&
+                               !this->IsDifference());
 }
 
 //------------------------------------------------------------------------------
-bool SplitView::event(QEvent* event)
+void SplitView::DragTo(const QPoint& place)
 {
-  if (this->Light.Handle(event, this->Camera))
+  if (this->TurnsLight)
   {
-    event->accept();
+    const QPoint way = place - this->Last;
+    this->Last = place;
+    this->TurnLight(DegreesPerPixel * way.x(), DegreesPerPixel * way.y());
+    return;
+  }
+  this->Model->SetSplit(static_cast<double>(place.x()) / std::max(1, this->width()));
+}
+
+//------------------------------------------------------------------------------
+bool SplitView::ObeyKey(QKeyEvent* press)
+{
+  const int key = press->key();
+  const double right = key == Qt::Key_Right ? 1.0 : key == Qt::Key_Left ? -1.0 : 0.0;
+  const double down = key == Qt::Key_Down ? 1.0 : key == Qt::Key_Up ? -1.0 : 0.0;
+  const bool turnsLight =
+    this->Model->IsDirectional() && (press->modifiers() & Qt::ControlModifier);
+  if (turnsLight && (right != 0.0 || down != 0.0))
+  {
+    this->TurnLight(KeyStep * right, KeyStep * down);
     return true;
   }
-  switch (event->type())
+  if (right != 0.0)
   {
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseMove:
-    case QEvent::MouseButtonRelease:
-      if (this->DragLine(event))
-      {
-        event->accept();
-        return true;
-      }
-      break;
-    case QEvent::KeyPress:
-    {
-      const int key = static_cast<QKeyEvent*>(event)->key();
-      if (key == Qt::Key_Left || key == Qt::Key_Right)
-      {
-        this->Model->SetSplit(this->Model->GetState().Split + (key == Qt::Key_Left ? -0.01 : 0.01));
-        return true;
-      }
-      return QOpenGLWidget::event(event); // VTK's own keys would close the program
-    }
-    case QEvent::KeyRelease:
-      return QOpenGLWidget::event(event);
-    default:
-      break;
+    this->Model->SetSplit(this->Model->GetState().Split + 0.01 * right);
   }
-  return QVTKOpenGLNativeWidget::event(event);
+  return right != 0.0;
+}
+
+//------------------------------------------------------------------------------
+// As the camera sees it, in degrees to its right and down.
+void SplitView::TurnLight(double right, double down)
+{
+  double forward[3];
+  double across[3];
+  this->Camera->GetDirectionOfProjection(forward);
+  vtkMath::Cross(forward, this->Camera->GetViewUp(), across);
+  double up[3];
+  vtkMath::Cross(across, forward, up);
+  vtkNew<vtkTransform> turn;
+  turn->RotateWXYZ(right, up);
+  turn->RotateWXYZ(down, across);
+  double direction[3];
+  turn->TransformVector(GetDirection(this->Model->GetState().Light).data(), direction);
+  LightState light = this->Model->GetState().Light;
+  SetDirection(light, direction);
+  this->Model->SetLight(light);
 }
 } // namespace explorer

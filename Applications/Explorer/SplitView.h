@@ -8,17 +8,14 @@
 #ifndef SplitView_h
 #define SplitView_h
 
-#include "LightDrag.h"
 #include "Picture.h"
+#include "RenderView.h"
 #include "Session.h"
 #include "Side.h"
 
 #include "vtkCamera.h"
-#include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
-
-#include <QVTKOpenGLNativeWidget.h>
 
 #include <array>
 #include <chrono>
@@ -41,7 +38,7 @@ class ImageQuad;
  * through its part of the window, so that no pixel is drawn twice. Pictures that the CPU made lie
  * over their side.
  */
-class SplitView : public QVTKOpenGLNativeWidget
+class SplitView : public RenderView
 {
   Q_OBJECT
 
@@ -64,9 +61,6 @@ public:
   /// Look at the whole mesh from where the tool's pictures are seen.
   void ResetCamera();
 
-  /// Render soon; many calls make one frame.
-  void RequestRender();
-
   /// What is shown, once all samples are drawn.
   QImage Grab();
 
@@ -77,7 +71,9 @@ signals:
   void framed(double milliseconds);
 
 protected:
-  bool event(QEvent* event) override;
+  bool IsOverHandle(QMouseEvent* mouse) override;
+  void DragTo(const QPoint& place) override;
+  bool ObeyKey(QKeyEvent* press) override;
 
 private:
   void UpdatePicture();
@@ -89,7 +85,7 @@ private:
   void OnBegin();
   void OnEnd();
   void OnMoved();
-  bool DragLine(QEvent* event);
+  void TurnLight(double right, double down);
   void TakeCamera();
   bool IsDifference() const;
 
@@ -98,8 +94,6 @@ private:
   Session* Model;
   Jobs* Background;
   std::array<Side*, 2> Sides;
-  LightDrag Light;
-  vtkNew<vtkGenericOpenGLRenderWindow> Window;
   vtkNew<vtkRenderer> Behind;
   vtkNew<vtkRenderer> Front;
   vtkSmartPointer<vtkCamera> Camera;
@@ -113,9 +107,9 @@ private:
   std::array<vtkNew<vtkTextActor>, 2> Labels;
   vtkSmartPointer<vtkScalarBarActor> Legend;
   std::chrono::steady_clock::time_point Begin;
-  double Factor = 1.0; // of radiance
-  bool IsDragging = false;
-  bool IsRequested = false;
+  double Factor = 1.0;     // of radiance
+  bool TurnsLight = false; // what is dragged is the directional light, not the line
+  QPoint Last;             // where the mouse was
 };
 } // namespace explorer
 

@@ -4,9 +4,8 @@
 
 #include "BoundedJson.h"
 #include "Files.h"
+#include "Materials.h"
 #include "Methods.h"
-#include "ModelMaterials.h"
-#include "StateFields.h"
 #include "Tool.h"
 
 #include "vtkRadianceMethods.h"
@@ -23,169 +22,335 @@
 
 using nlohmann::ordered_json;
 
+namespace explorer
+{
 namespace
 {
 const char* const FormatName = "measured-brdf explorer state";
 // Version 1 counted exposure from what suits the environment.
 constexpr int FormatVersion = 2;
 constexpr std::uintmax_t LargestFile = 1 << 20; // bytes
+constexpr std::size_t MostFiles = 10000;
 
 //------------------------------------------------------------------------------
-void TakeCamera(const ordered_json& object, const std::string& name, explorer::CameraState& camera)
+// Everything in a state, by its name in files and with what is allowed:
+// reading, writing and the limits of what people set follow this one list.
+template <typename SomeState, typename Visitor>
+void Visit(SomeState& state, const Visitor& visit)
 {
-  const explorer::Fields fields(object, name + ": \"camera\"");
-  explorer::CameraState read = camera;
-  fields.Take("position", read.Position);
-  fields.Take("focal_point", read.FocalPoint);
-  fields.Take("view_up", read.ViewUp);
-  fields.Take("view_angle", read.ViewAngle, 1.0, 120.0);
-  double distance = 0.0;
-  double up = 0.0;
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    distance += std::abs(read.Position[c] - read.FocalPoint[c]);
-    up += std::abs(read.ViewUp[c]);
-  }
-  if (!(distance > 0.0))
-  {
-    fields.Fail("position", "another point than \"focal_point\"");
-  }
-  if (!(up > 0.0))
-  {
-    fields.Fail("view_up", "a direction");
-  }
-  camera = read;
+  visit("material_files", state.MaterialFiles);
+  visit("environment_files", state.EnvironmentFiles);
+  visit("material", state.Material);
+  visit("compared", state.Compared);
+  visit("models", state.Models);
+  visit("edits", state.Edits);
+  visit("environment", state.Environment);
+  visit("light_theta", state.Light.Theta, 0.0, 180.0);
+  visit("light_phi", state.Light.Phi, -180.0, 180.0);
+  visit("light_irradiance", state.Light.Irradiance, 0.0, LargestIrradiance);
+  visit("rotation", state.Rotation, -360.0, 360.0);
+  visit("mesh", state.Mesh);
+  visit("tolerance", state.Tolerance, 1e-3, 1.0);
+  visit("methods", state.Methods);
+  visit("lights", state.Lights, 1, MostLights);
+  visit("show", state.Show);
+  visit("split", state.Split, 0.0, 1.0);
+  visit("exposure", state.Exposure, -MostStops, MostStops);
+  visit("backdrop", state.Backdrop);
+  visit("reference_height", state.ReferenceHeight, 32, 2048);
+  visit("camera", state.Camera);
+  visit("lobe_theta_i", state.LobeThetaI, 0.0, 89.0);
+  visit("lobe_phi_i", state.LobePhiI, -360.0, 360.0);
+  visit("lobe_logarithmic", state.LobeLogarithmic);
+  visit("slice_theta_h", state.SliceThetaH, 0.0, 90.0);
+  visit("slice_theta_d", state.SliceThetaD, 0.0, 90.0);
+  visit("slice_phi_d", state.SlicePhiD, 0.0, 180.0);
+  visit("slice_logarithmic", state.SliceLogarithmic);
+  visit("slice_polar", state.SlicePolar);
 }
 
-//------------------------------------------------------------------------------
-void TakeMethods(const explorer::Fields& fields, explorer::State& state)
+/// Puts the state's fields into JSON.
+struct Writer
 {
-  std::vector<std::string> methods = { state.Methods[0], state.Methods[1] };
-  fields.Take("methods", methods);
-  std::string known;
-  for (const auto& name : explorer::GetMethodNames())
-  {
-    known += (known.empty() ? "" : ", ") + name.Key;
-  }
-  for (const std::string& method : methods)
-  {
-    if (methods.size() != 2 || known.find(method) == std::string::npos ||
-        explorer::GetMethodName(method) == method)
-    {
-      fields.Fail("methods", "two of " + known);
-    }
-  }
-  std::copy(methods.begin(), methods.end(), state.Methods.begin());
-}
+  ordered_json& Object;
 
-//------------------------------------------------------------------------------
-void TakeCompared(const explorer::Fields& fields, std::vector<std::string>& compared)
-{
-  fields.Take("compared", compared);
-  const std::set<std::string> different(compared.begin(), compared.end());
-  if (compared.size() > explorer::MostCompared || different.size() != compared.size() ||
-      different.count("") != 0)
+  template <typename Value, typename... Limits>
+  void operator()(const char* key, const Value& value, Limits...) const
   {
-    fields.Fail(
-      "compared", "at most " + std::to_string(explorer::MostCompared) + " different materials");
+    this->Object[key] = value;
   }
-}
-
-//------------------------------------------------------------------------------
-void TakeModels(const explorer::Fields& fields, explorer::ModelStates& states)
-{
-  const ordered_json* object = fields.FindObject("models");
-  if (!object)
+  void operator()(const char* key, Shown shown) const
   {
-    return;
+    this->Object[key] = shown == Shown::Split ? "split" : "difference";
   }
-  const explorer::Fields models(*object, fields.GetName() + ": \"models\"");
-  for (const auto& [key, values] : object->items())
+  void operator()(const char* key, const CameraState& camera) const
   {
-    const explorer::ParametricModel* model = explorer::FindModel("model:" + key);
-    const ordered_json* given = models.FindObject(key);
-    if (!model)
+    this->Object[key] = { { "position", camera.Position }, { "focal_point", camera.FocalPoint },
+      { "view_up", camera.ViewUp }, { "view_angle", camera.ViewAngle } };
+  }
+  // {"a.binary": [[row, red, green, blue], ...]}
+  void operator()(const char* key, const std::map<std::string, SampleEdits>& edits) const
+  {
+    this->Object[key] = ordered_json::object();
+    for (const auto& [file, list] : edits)
     {
-      models.Fail(key, "the name of a model, such as \"Lambert\"");
-    }
-    const explorer::Fields parameters(*given, models.GetName() + ": \"" + key + "\"");
-    for (const auto& [name, value] : values.items())
-    {
-      const auto parameter = std::find_if(model->Parameters.begin(), model->Parameters.end(),
-        [&name = name](const explorer::ModelParameter& one) { return one.Key == name; });
-      if (parameter == model->Parameters.end())
+      for (const auto& [row, rgb] : list)
       {
-        parameters.Fail(name, "a parameter of this model");
+        this->Object[key][file].push_back({ row, rgb[0], rgb[1], rgb[2] });
       }
-      std::vector<double> numbers = parameter->Default;
-      parameters.Take(name, numbers, parameter->Least, parameter->Largest);
-      if (!parameter->Choices.empty() && numbers[0] != std::floor(numbers[0]))
-      {
-        parameters.Fail(name, "a whole number");
-      }
-      states[key][name] = numbers;
     }
   }
+};
+
+//------------------------------------------------------------------------------
+bool IsNumber(const ordered_json& value, double least, double largest)
+{
+  return value.is_number() && value.get<double>() >= least && value.get<double>() <= largest;
 }
 
 //------------------------------------------------------------------------------
+std::string DescribeRange(double least, double largest)
+{
+  return " from " + tool::FormatNumber(least) + " to " + tool::FormatNumber(largest);
+}
+
+//------------------------------------------------------------------------------
+// Beside the value that was entered stand those of the file, whatever they are.
 bool IsEdit(const ordered_json& edit)
 {
+  constexpr double largest = std::numeric_limits<float>::max();
   return edit.is_array() && edit.size() == 4 && edit[0].is_number_integer() &&
-         edit[0].get<double>() >= 0.0 && edit[0].get<double>() < 2147483647.0 &&
+         IsNumber(edit[0], 0.0, 2147483646.0) &&
          std::all_of(edit.begin() + 1, edit.end(),
-           [](const ordered_json& value)
-           {
-             // Beside the one that was entered stand those of the file, whatever they are.
-             return value.is_number() &&
-                    std::abs(value.get<double>()) <= std::numeric_limits<float>::max();
-           });
+           [](const ordered_json& value) { return IsNumber(value, -largest, largest); });
 }
 
-//------------------------------------------------------------------------------
-// {"a.binary": [[row, red, green, blue], ...]}
-void TakeEdits(const explorer::Fields& fields, std::map<std::string, explorer::SampleEdits>& edits)
+/**
+ * Takes the state's fields out of JSON. What is absent keeps its value; what is
+ * wrong throws tool::Error, which names the file, the field and what was
+ * expected.
+ */
+class Reader
 {
-  const ordered_json* object = fields.FindObject("edits");
-  if (!object)
+public:
+  /// name: of the file and, of an object in it, its field.
+  Reader(const ordered_json& object, std::string name)
+    : Object(object)
+    , Name(std::move(name))
   {
-    return;
   }
-  const explorer::Fields materials(*object, fields.GetName() + ": \"edits\"");
-  std::size_t count = 0;
-  for (const auto& [file, list] : object->items())
-  {
-    count += list.size();
-    if (!list.is_array() || count > explorer::MostEdits ||
-        !std::all_of(list.begin(), list.end(), IsEdit))
-    {
-      materials.Fail(file, "a list of [row, red, green, blue] with finite numbers, at most " +
-                             std::to_string(explorer::MostEdits) + " of all materials");
-    }
-    for (const ordered_json& edit : list)
-    {
-      edits[file][edit[0].get<int>()] = { edit[1].get<float>(), edit[2].get<float>(),
-        edit[3].get<float>() };
-    }
-  }
-}
 
-//------------------------------------------------------------------------------
-ordered_json WriteEdits(const std::map<std::string, explorer::SampleEdits>& edits)
+  [[noreturn]] void Fail(const std::string& key, const std::string& expected) const
+  {
+    throw tool::Error(this->Name + ": \"" + key + "\": expected " + expected);
+  }
+
+  void operator()(const char* key, double& value, double least, double largest) const
+  {
+    this->Take(key, value, "a number" + DescribeRange(least, largest),
+      [=](const ordered_json& given) { return IsNumber(given, least, largest); });
+  }
+  void operator()(const char* key, int& value, int least, int largest) const
+  {
+    double given = value;
+    (*this)(key, given, least, largest);
+    if (given != std::floor(given))
+    {
+      this->Fail(key, "a whole number");
+    }
+    value = static_cast<int>(given);
+  }
+  void operator()(const char* key, bool& value) const
+  {
+    this->Take(
+      key, value, "true or false", [](const ordered_json& given) { return given.is_boolean(); });
+  }
+  void operator()(const char* key, std::string& value) const
+  {
+    this->Take(key, value, "a text",
+      [](const ordered_json& given) { return given.is_string() && given != ""; });
+  }
+  void operator()(const char* key, std::array<double, 3>& values) const
+  {
+    this->Take(key, values, "three numbers",
+      [](const ordered_json& given)
+      {
+        return given.is_array() && given.size() == 3 &&
+               std::all_of(given.begin(), given.end(),
+                 [](const ordered_json& item) { return IsNumber(item, -1e30, 1e30); });
+      });
+  }
+  void operator()(const std::string& key, std::vector<std::string>& values) const
+  {
+    this->Take(key, values, "a list of texts",
+      [](const ordered_json& given)
+      {
+        return given.is_array() && given.size() <= MostFiles &&
+               std::all_of(given.begin(), given.end(),
+                 [](const ordered_json& item) { return item.is_string(); });
+      });
+    const std::set<std::string> different(values.begin(), values.end());
+    if (key == "compared" &&
+        (values.size() > MostCompared || different.size() != values.size() || different.count("")))
+    {
+      this->Fail(key, "at most " + std::to_string(MostCompared) + " different materials");
+    }
+  }
+
+  void operator()(const char* key, std::array<std::string, 2>& methods) const
+  {
+    std::vector<std::string> given(methods.begin(), methods.end());
+    (*this)(std::string(key), given);
+    std::string known;
+    for (const MethodName& name : GetMethodNames())
+    {
+      known += (known.empty() ? "" : ", ") + name.Key;
+    }
+    if (given.size() != 2 || !IsMethod(given[0]) || !IsMethod(given[1]))
+    {
+      this->Fail(key, "two of " + known);
+    }
+    std::copy(given.begin(), given.end(), methods.begin());
+  }
+
+  void operator()(const char* key, Shown& shown) const
+  {
+    std::string given = "split";
+    this->Take(key, given, "\"split\" or \"difference\"",
+      [](const ordered_json& one) { return one == "split" || one == "difference"; });
+    shown = given == "split" ? Shown::Split : Shown::Difference;
+  }
+
+  void operator()(const char* key, CameraState& camera) const
+  {
+    const Reader fields = this->Open(key);
+    fields("position", camera.Position);
+    fields("focal_point", camera.FocalPoint);
+    fields("view_up", camera.ViewUp);
+    fields("view_angle", camera.ViewAngle, 1.0, 120.0);
+    if (camera.Position == camera.FocalPoint)
+    {
+      fields.Fail("position", "another point than \"focal_point\"");
+    }
+    if (camera.ViewUp == std::array<double, 3>{ 0.0, 0.0, 0.0 })
+    {
+      fields.Fail("view_up", "a direction");
+    }
+  }
+
+  void operator()(const char* key, ModelStates& states) const
+  {
+    const Reader models = this->Open(key);
+    for (const auto& item : models.Object.items())
+    {
+      const ParametricModel* model = FindModel("model:" + item.key());
+      if (!model)
+      {
+        models.Fail(item.key(), "the name of a model, such as \"Lambert\"");
+      }
+      const Reader parameters = models.Open(item.key());
+      for (const auto& value : item.value().items())
+      {
+        states[item.key()][value.key()] = parameters.TakeParameter(*model, value.key());
+      }
+    }
+  }
+
+  void operator()(const char* key, std::map<std::string, SampleEdits>& edits) const
+  {
+    const Reader materials = this->Open(key);
+    std::size_t count = 0;
+    for (const auto& item : materials.Object.items())
+    {
+      const ordered_json& list = item.value();
+      count += list.size();
+      if (!list.is_array() || count > MostEdits || !std::all_of(list.begin(), list.end(), IsEdit))
+      {
+        materials.Fail(
+          item.key(), "a list of [row, red, green, blue] with finite numbers, at most " +
+                        std::to_string(MostEdits) + " of all materials");
+      }
+      for (const ordered_json& edit : list)
+      {
+        edits[item.key()][edit[0].get<int>()] = { edit[1].get<float>(), edit[2].get<float>(),
+          edit[3].get<float>() };
+      }
+    }
+  }
+
+private:
+  template <typename Value, typename Test>
+  void Take(const std::string& key, Value& value, const std::string& expected, Test isRight) const
+  {
+    const auto found = this->Object.find(key);
+    if (found != this->Object.end() && !isRight(*found))
+    {
+      this->Fail(key, expected);
+    }
+    value = found != this->Object.end() ? found->template get<Value>() : value;
+  }
+
+  // An object in it; an empty one where it is absent.
+  Reader Open(const std::string& key) const
+  {
+    static const ordered_json nothing = ordered_json::object();
+    const auto found = this->Object.find(key);
+    const ordered_json& object = found == this->Object.end() ? nothing : *found;
+    if (!object.is_object())
+    {
+      this->Fail(key, "an object");
+    }
+    return Reader(object, this->Name + ": \"" + key + "\"");
+  }
+
+  // As many numbers as the parameter has; one of them may stand alone.
+  std::vector<double> TakeParameter(const ParametricModel& model, const std::string& key) const
+  {
+    const auto parameter = std::find_if(model.Parameters.begin(), model.Parameters.end(),
+      [&key](const ModelParameter& one) { return one.Key == key; });
+    if (parameter == model.Parameters.end())
+    {
+      this->Fail(key, "a parameter of this model");
+    }
+    const ordered_json& value = this->Object.at(key);
+    const ordered_json given = value.is_array() ? value : ordered_json::array({ value });
+    const std::size_t count = parameter->Default.size();
+    if (given.size() != count || !std::all_of(given.begin(), given.end(),
+                                   [&](const ordered_json& item) {
+                                     return IsNumber(item, parameter->Least, parameter->Largest);
+                                   }))
+    {
+      this->Fail(key, (count == 1 ? std::string("a number") : std::to_string(count) + " numbers") +
+                        DescribeRange(parameter->Least, parameter->Largest));
+    }
+    if (!parameter->Choices.empty() && given[0] != std::floor(given[0].get<double>()))
+    {
+      this->Fail(key, "a whole number");
+    }
+    return given.get<std::vector<double>>();
+  }
+
+  const ordered_json& Object;
+  std::string Name;
+};
+
+/// Takes numbers that are not allowed as the nearest that are.
+struct Limiter
 {
-  ordered_json object = ordered_json::object();
-  for (const auto& [file, list] : edits)
+  template <typename Value>
+  void operator()(const char*, Value& value, Value least, Value largest) const
   {
-    for (const auto& [row, rgb] : list)
-    {
-      object[file].push_back({ row, rgb[0], rgb[1], rgb[2] });
-    }
+    value = value >= least ? std::min(value, largest) : least; // NaN, too
   }
-  return object;
-}
+  template <typename Value>
+  void operator()(const char*, const Value&) const
+  {
+  }
+};
 
 //------------------------------------------------------------------------------
-// A built-in name, or a path as it is; a relative one that is not here but beside the state file.
+// A built-in name, or a path as it is; a relative one that is not here but
+// beside the state file.
 std::string Resolve(const std::string& file, const std::filesystem::path& folder)
 {
   const std::string path = file.substr(0, file.find('#'));
@@ -199,8 +364,6 @@ std::string Resolve(const std::string& file, const std::filesystem::path& folder
 }
 }
 
-namespace explorer
-{
 //------------------------------------------------------------------------------
 const std::vector<MethodName>& GetMethodNames()
 {
@@ -211,7 +374,8 @@ const std::vector<MethodName>& GetMethodNames()
         "what the planner finds for the tolerance, from cheap to costly" },
       { method::Reference, "Reference", "exact, on the CPU, progressively" },
       { method::Thesis, "Thesis (basis or fit)",
-        "a basis or, where that rings, a fit, summed over lights (O'Toole 2007)" },
+        "a basis or, where that rings, a fit, summed over lights (O'Toole "
+        "2007)" },
       { method::LightSet, "Light set", "the measured BRDF, summed over median-cut lights" },
       { method::SoftLights, "Soft lights", "the same with lights as wide as their regions" },
       { method::PBR, "Nearest PBR", "VTK's physically based shading with fitted properties" }
@@ -245,25 +409,21 @@ std::string GetMethodName(const std::string& key)
 }
 
 //------------------------------------------------------------------------------
+bool IsMethod(const std::string& key)
+{
+  const std::vector<MethodName>& names = GetMethodNames();
+  return std::any_of(
+    names.begin(), names.end(), [&key](const MethodName& name) { return name.Key == key; });
+}
+
+//------------------------------------------------------------------------------
+void Limit(State& state) { Visit(state, Limiter()); }
+
+//------------------------------------------------------------------------------
 std::string WriteState(const State& state)
 {
-  const ordered_json camera = { { "position", state.Camera.Position },
-    { "focal_point", state.Camera.FocalPoint }, { "view_up", state.Camera.ViewUp },
-    { "view_angle", state.Camera.ViewAngle } };
-  const ordered_json json = { { "format", FormatName }, { "version", FormatVersion },
-    { "material_files", state.MaterialFiles }, { "environment_files", state.EnvironmentFiles },
-    { "material", state.Material }, { "compared", state.Compared }, { "models", state.Models },
-    { "edits", WriteEdits(state.Edits) }, { "environment", state.Environment },
-    { "light_theta", state.Light.Theta }, { "light_phi", state.Light.Phi },
-    { "light_irradiance", state.Light.Irradiance }, { "rotation", state.Rotation },
-    { "mesh", state.Mesh }, { "tolerance", state.Tolerance }, { "methods", state.Methods },
-    { "lights", state.Lights }, { "show", state.Show == Shown::Split ? "split" : "difference" },
-    { "split", state.Split }, { "exposure", state.Exposure }, { "backdrop", state.Backdrop },
-    { "reference_height", state.ReferenceHeight }, { "camera", camera },
-    { "lobe_theta_i", state.LobeThetaI }, { "lobe_phi_i", state.LobePhiI },
-    { "lobe_logarithmic", state.LobeLogarithmic }, { "slice_theta_h", state.SliceThetaH },
-    { "slice_theta_d", state.SliceThetaD }, { "slice_phi_d", state.SlicePhiD },
-    { "slice_logarithmic", state.SliceLogarithmic }, { "slice_polar", state.SlicePolar } };
+  ordered_json json = { { "format", FormatName }, { "version", FormatVersion } };
+  Visit(state, Writer{ json });
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -271,79 +431,40 @@ std::string WriteState(const State& state)
 State ReadState(const std::string& text, const std::string& name)
 {
   ordered_json json;
+  std::string reason;
   try
   {
     json = measuredbrdf::ParseJson<ordered_json>(text);
   }
   catch (const std::exception& e)
   {
-    throw tool::Error(name + ": is no JSON object, as the explorer's states are: " + e.what());
+    reason = std::string(": ") + e.what();
   }
   if (!json.is_object())
   {
-    throw tool::Error(name + ": is no JSON object, as the explorer's states are");
+    throw tool::Error(name + ": is no JSON object, as the explorer's states are" + reason);
   }
-  const Fields fields(json, name);
+  const Reader fields(json, name);
   if (json.value("format", ordered_json()) != FormatName)
   {
     fields.Fail("format", std::string("\"") + FormatName + "\"");
   }
   int version = 0;
-  fields.Take("version", version, 0, 1000000);
+  fields("version", version, 0, 1000000);
   if (version != FormatVersion && version != 1)
   {
     fields.Fail("version", std::to_string(FormatVersion) + ", not " + std::to_string(version));
   }
+  if (version == 1)
+  {
+    json.erase("exposure");
+  }
   State state;
-  fields.Take("material_files", state.MaterialFiles);
-  fields.Take("environment_files", state.EnvironmentFiles);
-  fields.Take("material", state.Material);
-  TakeCompared(fields, state.Compared);
-  TakeModels(fields, state.Models);
-  TakeEdits(fields, state.Edits);
-  fields.Take("environment", state.Environment);
-  fields.Take("light_theta", state.Light.Theta, 0.0, 180.0);
-  fields.Take("light_phi", state.Light.Phi, -180.0, 180.0);
-  fields.Take("light_irradiance", state.Light.Irradiance, 0.0, LargestIrradiance);
-  fields.Take("rotation", state.Rotation, -360.0, 360.0);
-  fields.Take("mesh", state.Mesh);
-  fields.Take("tolerance", state.Tolerance, 1e-3, 1.0);
-  TakeMethods(fields, state);
-  fields.Take("lights", state.Lights, 1, 4096);
+  Visit(state, fields);
   if ((state.Lights & (state.Lights - 1)) != 0)
   {
     fields.Fail("lights", "a power of two");
   }
-  std::string show = "split";
-  fields.Take("show", show);
-  if (show != "split" && show != "difference")
-  {
-    fields.Fail("show", "\"split\" or \"difference\"");
-  }
-  state.Show = show == "split" ? Shown::Split : Shown::Difference;
-  fields.Take("split", state.Split, 0.0, 1.0);
-  if (version == FormatVersion)
-  {
-    fields.Take("exposure", state.Exposure, -MostStops, MostStops);
-  }
-  fields.Take("backdrop", state.Backdrop);
-  fields.Take("reference_height", state.ReferenceHeight, 32, 2048);
-  if (json.contains("camera"))
-  {
-    if (!json["camera"].is_object())
-    {
-      fields.Fail("camera", "an object");
-    }
-    TakeCamera(json["camera"], name, state.Camera);
-  }
-  fields.Take("lobe_theta_i", state.LobeThetaI, 0.0, 89.0);
-  fields.Take("lobe_phi_i", state.LobePhiI, -360.0, 360.0);
-  fields.Take("lobe_logarithmic", state.LobeLogarithmic);
-  fields.Take("slice_theta_h", state.SliceThetaH, 0.0, 90.0);
-  fields.Take("slice_theta_d", state.SliceThetaD, 0.0, 90.0);
-  fields.Take("slice_phi_d", state.SlicePhiD, 0.0, 180.0);
-  fields.Take("slice_logarithmic", state.SliceLogarithmic);
-  fields.Take("slice_polar", state.SlicePolar);
   return state;
 }
 

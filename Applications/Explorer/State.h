@@ -16,8 +16,8 @@
 
 namespace explorer
 {
-/// What one side of the picture is drawn by: one of these, or the name of a method of
-/// vtkRadianceMethods.
+/// What one side of the picture is drawn by: one of these, or the name of a
+/// method of vtkRadianceMethods.
 namespace method
 {
 constexpr const char* Planned = "planned";
@@ -26,7 +26,7 @@ constexpr const char* Thesis = "thesis";
 constexpr const char* LightSet = "light-set";
 constexpr const char* SoftLights = "soft-lights";
 constexpr const char* PBR = "pbr";
-}
+} // namespace method
 
 /// All that a side can be drawn by, with a name and a line for people.
 struct MethodName
@@ -39,8 +39,10 @@ const std::vector<MethodName>& GetMethodNames();
 
 /// For people; of a key that is not known, the key.
 std::string GetMethodName(const std::string& key);
+bool IsMethod(const std::string& key);
 
-/// The name, in State::Environment, of one directional light in an environment's place.
+/// The name, in State::Environment, of one directional light in an
+/// environment's place.
 constexpr const char* DirectionalLightName = "directional-light";
 
 /// That light.
@@ -57,7 +59,8 @@ using ModelValues = std::map<std::string, std::vector<double>>;
 /// What was set of each model, by its key (ModelMaterials.h).
 using ModelStates = std::map<std::string, ModelValues>;
 
-/// Samples of a table that were changed: their red, green and blue, by row (SampleTable.h).
+/// Samples of a table that were changed: their red, green and blue, by row
+/// (SampleTable.h).
 using SampleEdits = std::map<int, std::array<float, 3>>;
 constexpr std::size_t MostEdits = 5000; // of all materials of a state
 constexpr double LargestSample = 1e6;   // that can be entered
@@ -75,6 +78,9 @@ enum class Shown
   Split,
   Difference
 };
+
+/// Of the methods that sum over lights.
+constexpr int MostLights = 4096;
 
 /// So many materials are drawn in one chart beside the one that is shown.
 constexpr std::size_t MostCompared = 8;
@@ -113,18 +119,21 @@ struct State
   bool SlicePolar = false; // a polar plot for the lobe's light in the slices' place
 };
 
+/// Takes numbers that are not allowed as the nearest that are.
+void Limit(State& state);
+
 /// As JSON.
 std::string WriteState(const State& state);
 
 /**
- * From JSON; name: the file's, for messages. What is absent keeps its default. Throws tool::Error
- * naming the file, the field, and what was expected.
+ * From JSON; name: the file's, for messages. What is absent keeps its default.
+ * Throws tool::Error naming the file, the field, and what was expected.
  */
 State ReadState(const std::string& text, const std::string& name);
 
 ///@{
-/// Files, whole or not at all. Relative paths of a state file are looked for in its folder. Throw
-/// tool::Error.
+/// Files, whole or not at all. Relative paths of a state file are looked for in
+/// its folder. Throw tool::Error.
 void SaveState(const State& state, const std::string& path);
 State LoadState(const std::string& path);
 ///@}

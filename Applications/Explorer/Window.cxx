@@ -3,52 +3,71 @@
 #include "Window.h"
 
 #include "Comparison.h"
-#include "EnvironmentPanel.h"
-#include "EnvironmentView.h"
-#include "FileKinds.h"
 #include "Files.h"
-#include "FindingsPanel.h"
-#include "ImagePanel.h"
-#include "ListPanel.h"
+#include "LightPanel.h"
 #include "LobePanel.h"
-#include "LobeView.h"
+#include "Materials.h"
 #include "Meshes.h"
-#include "MessageBar.h"
-#include "ModelPanel.h"
-#include "PictureBar.h"
-#include "PlanPanel.h"
+#include "Panels.h"
 #include "Report.h"
+#include "RunGuarded.h"
 #include "SamplePanel.h"
 #include "SlicePanel.h"
-#include "SliceView.h"
 #include "Tool.h"
 
+#include "vtkBRDFReader.h"
 #include "vtkImageData.h"
 #include "vtkRadiancePlanner.h"
 
-#include <QApplication>
+#include <QAction>
 #include <QBuffer>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QProxyStyle>
 #include <QStatusBar>
+#include <QSurfaceFormat>
 #include <QTabBar>
 #include <QTabWidget>
-#include <QTimer>
+#include <QToolButton>
+#include <QUndoStack>
 #include <QUrl>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <clocale>
+#include <functional>
 
+namespace explorer
+{
 namespace
 {
-constexpr int PollTime = 50; // ms
+constexpr int PollTime = 50;        // ms
+constexpr int NoteTime = 10000;     // ms
+constexpr int MostCharacters = 600; // of a message
+
+//------------------------------------------------------------------------------
+// Before there is a QApplication.
+int& Prepare(int& argc)
+{
+  tool::RedirectMessages();
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0); // VTK's own framebuffers have theirs
+  QSurfaceFormat::setDefaultFormat(format);
+#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0) // later versions always do
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+#endif
+  QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+  return argc;
+}
 
 //------------------------------------------------------------------------------
 // Tabs with less beside their names, so that all of them fit above a panel.
@@ -74,10 +93,101 @@ QString MakeFilter(const QString& name, const std::vector<std::string>& endings)
   }
   return name + " (" + patterns.join(' ') + ")";
 }
+
+//------------------------------------------------------------------------------
+// Asks for a file's name; save gets it where there is one.
+void Ask(QWidget* parent, const QString& title, const QString& name, const QString& filter,
+  const std::function<void(const QString&)>& save)
+{
+  const QString path = QFileDialog::getSaveFileName(parent, title, name, filter);
+  if (!path.isEmpty())
+  {
+    save(path);
+  }
+}
 }
 
-namespace explorer
+/// A line above the picture for errors and notes, which does not stop anything.
+class MessageBar : public QFrame
 {
+public:
+  MessageBar()
+    : Text(new QLabel)
+  {
+    this->setFrameShape(QFrame::StyledPanel);
+    this->setAutoFillBackground(true);
+    this->Text->setWordWrap(true);
+    this->Text->setTextFormat(Qt::PlainText);
+    this->Text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto* close = new QToolButton;
+    close->setText("×");
+    close->setAutoRaise(true);
+    close->setToolTip(QObject::tr("Hide this message"));
+    close->setAccessibleName(QObject::tr("Hide this message"));
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(8, 4, 4, 4);
+    layout->addWidget(this->Text, 1);
+    layout->addWidget(close, 0, Qt::AlignTop);
+    this->Timer.setSingleShot(true);
+    connect(&this->Timer, &QTimer::timeout, this, &QWidget::hide);
+    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    this->hide();
+  }
+
+  /// Errors stay until they are closed or another message comes; notes go after a while.
+  void Show(const QString& text, bool isError)
+  {
+    if (text.isEmpty() || (!isError && this->isVisible() && !this->Timer.isActive()))
+    {
+      return; // a note does not hide an error
+    }
+    const QString printable =
+      QString::fromStdString(vtkBRDFReader::GetPrintable(text.toStdString()));
+    this->Text->setText(
+      printable.size() > MostCharacters ? printable.left(MostCharacters) + "…" : printable);
+    this->Text->setToolTip(printable.size() > MostCharacters ? printable : QString());
+    QPalette colors = this->palette();
+    colors.setColor(
+      QPalette::Window, isError ? QColor(0x7a, 0x25, 0x1f) : QColor(0x2d, 0x4a, 0x66));
+    colors.setColor(QPalette::WindowText, Qt::white);
+    colors.setColor(QPalette::ButtonText, Qt::white);
+    this->setPalette(colors);
+    isError ? this->Timer.stop() : this->Timer.start(NoteTime);
+    this->show();
+  }
+
+  QString GetText() const { return this->isHidden() ? QString() : this->Text->text(); }
+
+private:
+  QLabel* Text;
+  QTimer Timer;
+};
+
+//------------------------------------------------------------------------------
+Application::Application(int& argc, char* argv[])
+  : QApplication(Prepare(argc), argv)
+{
+  std::setlocale(LC_NUMERIC, "C"); // QApplication sets the user's
+}
+
+//------------------------------------------------------------------------------
+bool Application::notify(QObject* receiver, QEvent* event)
+{
+  bool handled = false;
+  if (const auto problem =
+        measuredbrdf::FindThrown([&]() { handled = this->QApplication::notify(receiver, event); }))
+  {
+    for (QWidget* widget : topLevelWidgets())
+    {
+      if (auto* window = qobject_cast<Window*>(widget))
+      {
+        window->GetSession()->Say(tr("This failed: %1").arg(problem->c_str()), true);
+      }
+    }
+  }
+  return handled;
+}
+
 //------------------------------------------------------------------------------
 Window::Window(const State& state, QWidget* parent)
   : QMainWindow(parent)
@@ -111,8 +221,6 @@ Window::Window(const State& state, QWidget* parent)
         this->UpdateOverlays();
       }
     });
-  connect(this->View, &SplitView::framed, this,
-    [this](double milliseconds) { this->Plan->SetFrameTime(milliseconds); });
   connect(&this->Poller, &QTimer::timeout, this, &Window::Poll);
   this->Poller.start(PollTime);
   this->Model->Replace(state, false);
@@ -130,79 +238,171 @@ Window::~Window()
 void Window::MakePanels()
 {
   this->Messages = new MessageBar;
-  this->Bar = new PictureBar(this->Model);
   auto* middle = new QWidget;
   auto* layout = new QVBoxLayout(middle);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addWidget(this->Bar);
+  layout->addWidget(MakePictureBar(this->Model));
   layout->addWidget(this->Messages);
   layout->addWidget(this->View, 1);
   this->setCentralWidget(middle);
 
-  this->Lists = new ListPanel(this->Model, this->Compared);
-  auto* left = new QDockWidget(tr("Scene"));
-  left->setObjectName("scene");
-  left->setWidget(this->Lists);
-  this->addDockWidget(Qt::LeftDockWidgetArea, left);
-  connect(this->Lists, &ListPanel::openRequested, this, &Window::OpenFiles);
-
-  this->Plan = new PlanPanel(this->Model, this->Sides, this->Measured);
   this->Tabs = new QTabWidget;
   this->Tabs->setDocumentMode(true);
   auto* narrow = new NarrowTabs;
   narrow->setParent(this->Tabs);
   this->Tabs->tabBar()->setStyle(narrow);
   this->Tabs->setUsesScrollButtons(false); // the panel is as wide as its tabs: none is hidden
-  this->Tabs->addTab(this->Plan, tr("Plan"));
-  this->Lobe = new LobePanel(this->Model);
-  this->Slices = new SlicePanel(this->Model, this->Compared);
-  this->Image = new ImagePanel(this->Model, this->Background);
-  this->Light = new EnvironmentPanel(this->Model, this->Background);
+  auto* slices = MakeSlicePanel(this->Model, this->Compared);
   this->Findings = new FindingsPanel(this->Model, this->Background);
-  this->Tabs->addTab(this->Lobe, tr("Lobe"));
-  this->Tabs->addTab(this->Slices, tr("Slices"));
-  this->Tabs->addTab(this->Image, tr("Image"));
-  this->Tabs->addTab(this->Light, tr("Light"));
-  this->Tabs->addTab(this->Findings, tr("Material"));
-  this->Models = new ModelPanel(this->Model);
   this->Samples = new SamplePanel(this->Model);
-  this->Tabs->addTab(this->Models, tr("Model"));
-  this->Tabs->addTab(this->Samples, tr("Samples"));
-  connect(this->Models, &ModelPanel::saveRequested, this, &Window::AskForMaterial);
+  const std::pair<QString, QWidget*> tabs[] = {
+    { tr("Plan"), MakePlanPanel(this->Model, this->Sides, this->Measured, this->View) },
+    { tr("Lobe"), MakeLobePanel(this->Model) }, { tr("Slices"), slices },
+    { tr("Image"), MakeImagePanel(this->Model, this->Background) },
+    { tr("Light"), MakeLightPanel(this->Model, this->Background) },
+    { tr("Material"), this->Findings },
+    { tr("Model"), MakeModelPanel(this->Model, [this]() { this->AskForMaterial(); }) },
+    { tr("Samples"), this->Samples }
+  };
+  for (const auto& [title, panel] : tabs)
+  {
+    this->Tabs->addTab(panel, title);
+  }
+  auto* charts = slices->findChild<SliceView*>();
   connect(this->Findings, &FindingsPanel::inspected, this,
-    [this]() { this->Slices->GetView()->SetInspection(this->Findings->GetInspection()); });
+    [this, charts]() { charts->SetInspection(this->Findings->GetInspection()); });
   connect(this->Tabs, &QTabWidget::currentChanged, this,
     [this]()
     {
-      this->Lobe->GetView()->RequestRender();
-      this->Slices->GetView()->RequestRender();
+      for (RenderView* view : this->Tabs->findChildren<RenderView*>())
+      {
+        view->RequestRender();
+      }
     });
-  auto* right = new QDockWidget(tr("Analysis"));
-  right->setObjectName("analysis");
-  right->setWidget(this->Tabs);
-  this->addDockWidget(Qt::RightDockWidgetArea, right);
+
+  const auto dock = [this](const QString& title, const QString& name, QWidget* panel, auto area)
+  {
+    auto* made = new QDockWidget(title);
+    made->setObjectName(name);
+    made->setWidget(panel);
+    this->addDockWidget(area, made);
+    return made;
+  };
+  QDockWidget* left = dock(tr("Scene"), "scene",
+    MakeListPanel(
+      this->Model, this->Compared, [this](const QString& kind) { this->OpenFiles(kind); }),
+    Qt::LeftDockWidgetArea);
+  QDockWidget* right = dock(tr("Analysis"), "analysis", this->Tabs, Qt::RightDockWidgetArea);
   this->resizeDocks({ left, right }, { 230, 460 }, Qt::Horizontal);
+}
+
+//------------------------------------------------------------------------------
+void Window::MakeMenus()
+{
+  QMenu* menu = this->menuBar()->addMenu(tr("&File"));
+  const auto add = [&](const QString& text, const QKeySequence& key, const auto& what)
+  { menu->addAction(text, this, what)->setShortcut(key); };
+  add(tr("&Open…"), QKeySequence::Open, [this]() { this->OpenFiles(""); });
+  menu->addSeparator();
+  add(tr("&Save state…"), QKeySequence::Save, [this]() { this->AskForState(); });
+  add(tr("Save &picture…"), Qt::CTRL | Qt::SHIFT | Qt::Key_P,
+    [this]()
+    {
+      Ask(this, tr("Save picture"), "explorer.png", tr("Pictures (*.png)"),
+        [this](const QString& path) { this->SavePicture(path); });
+    });
+  add(tr("Save &report…"), Qt::CTRL | Qt::Key_R,
+    [this]()
+    {
+      Ask(this, tr("Save report"), "explorer.html", tr("Reports (*.html *.json)"),
+        [this](const QString& path) { this->SaveReport(path); });
+    });
+  add(tr("Save &material…"), Qt::CTRL | Qt::Key_M, [this]() { this->AskForMaterial(); });
+  menu->addSeparator();
+  add(tr("&Quit"), QKeySequence::Quit, [this]() { this->close(); });
+
+  menu = this->menuBar()->addMenu(tr("&Edit")); // of samples
+  QUndoStack* stack = this->Samples->GetUndoStack();
+  QAction* undo = stack->createUndoAction(this, tr("&Undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  QAction* redo = stack->createRedoAction(this, tr("&Redo"));
+  redo->setShortcut(QKeySequence::Redo);
+  menu->addActions({ undo, redo });
+  menu->addSeparator();
+  add(tr("Take back &all edits"), QKeySequence(), [this]() { this->Samples->Revert(); });
+
+  this->MakeViewMenu();
+  menu = this->menuBar()->addMenu(tr("&Help"));
+  add(tr("&About"), QKeySequence(),
+    [this]()
+    {
+      QMessageBox::about(this, tr("About"),
+        tr("<b>vtkMeasuredBRDF explorer</b><p>Measured materials in VTK scenes in real time.</p>"
+           "<p>Drag in the picture to turn the mesh, drag the line to compare both methods; drop "
+           "files into the window to open them.</p>"));
+    });
+}
+
+//------------------------------------------------------------------------------
+void Window::MakeViewMenu()
+{
+  QMenu* view = this->menuBar()->addMenu(tr("&View"));
+  const auto add = [&](const QString& text, const QKeySequence& key, const auto& what)
+  {
+    QAction* action = view->addAction(text, this, what);
+    action->setShortcut(key);
+    return action;
+  };
+  add(tr("&Reset camera"), Qt::Key_Home, [this]() { this->View->ResetCamera(); });
+  QAction* difference = add(tr("&Difference"), Qt::CTRL | Qt::Key_D,
+    [this](bool on) { this->Model->SetShown(on ? Shown::Difference : Shown::Split); });
+  QAction* backdrop =
+    add(tr("&Backdrop"), Qt::CTRL | Qt::Key_B, [this](bool on) { this->Model->SetBackdrop(on); });
+  difference->setCheckable(true);
+  backdrop->setCheckable(true);
+  connect(this->Model, &Session::pictureChanged, this,
+    [this, difference, backdrop]()
+    {
+      difference->setChecked(this->Model->GetState().Show == Shown::Difference);
+      backdrop->setChecked(this->Model->GetState().Backdrop);
+    });
+  add(tr("&Compare this material"), Qt::CTRL | Qt::Key_T,
+    [this]()
+    {
+      const std::string& file = this->Model->GetState().Material;
+      this->Compared->SetCompared(file, !this->Compared->IsCompared(file));
+    });
+  QMenu* heights = view->addMenu(tr("Exact &picture"));
+  for (const int height : { 128, 256, 512, 1024 })
+  {
+    heights->addAction(tr("%1 pixels high").arg(height), this,
+      [this, height]() { this->Model->SetReferenceHeight(height); });
+  }
+  view->addSeparator();
+  for (QDockWidget* dock : this->findChildren<QDockWidget*>())
+  {
+    view->addAction(dock->toggleViewAction());
+  }
 }
 
 //------------------------------------------------------------------------------
 void Window::MakeStatusBar()
 {
-  this->Working = new QLabel;
-  this->Progress = new QProgressBar;
-  this->Progress->setMaximumWidth(160);
-  this->Progress->setMaximumHeight(16);
-  this->Progress->setRange(0, 100);
-  this->statusBar()->addWidget(this->Working, 1);
-  this->statusBar()->addPermanentWidget(this->Progress);
-  this->Progress->hide();
+  auto* working = new QLabel;
+  auto* progress = new QProgressBar;
+  progress->setMaximumWidth(160);
+  progress->setMaximumHeight(16);
+  progress->setRange(0, 100);
+  this->statusBar()->addWidget(working, 1);
+  this->statusBar()->addPermanentWidget(progress);
+  progress->hide();
   connect(this->Background, &Jobs::progressed, this,
-    [this](const QString& line, double share)
+    [=](const QString& line, double share)
     {
-      this->Working->setText(
-        line.isEmpty() ? QString() : line.left(1).toUpper() + line.mid(1) + " …");
-      this->Progress->setVisible(!line.isEmpty());
-      this->Progress->setValue(static_cast<int>(100.0 * share));
+      working->setText(line.isEmpty() ? QString() : line.left(1).toUpper() + line.mid(1) + " …");
+      progress->setVisible(!line.isEmpty());
+      progress->setValue(static_cast<int>(100.0 * share));
     });
 }
 
@@ -257,27 +457,16 @@ bool Window::MayDropEdits()
 void Window::closeEvent(QCloseEvent* event) { event->setAccepted(this->MayDropEdits()); }
 
 //------------------------------------------------------------------------------
-void Window::Ask(const QString& title, const QString& name, const QString& filter,
-  const std::function<void(const QString&)>& save)
-{
-  const QString path = QFileDialog::getSaveFileName(this, title, name, filter);
-  if (!path.isEmpty())
-  {
-    save(path);
-  }
-}
-
-//------------------------------------------------------------------------------
 void Window::AskForMaterial()
 {
-  this->Ask(tr("Save material"), "material.exr", tr("Materials (*.exr)"),
+  Ask(this, tr("Save material"), "material.exr", tr("Materials (*.exr)"),
     [this](const QString& path) { this->Model->SaveMaterial(path.toStdString()); });
 }
 
 //------------------------------------------------------------------------------
 void Window::AskForState()
 {
-  this->Ask(tr("Save state"), "explorer.json", tr("States (*.json)"),
+  Ask(this, tr("Save state"), "explorer.json", tr("States (*.json)"),
     [this](const QString& path) { this->Model->Save(path.toStdString()); });
 }
 
@@ -285,28 +474,37 @@ void Window::AskForState()
 bool Window::SavePicture(const QString& path)
 {
   const QImage image = this->View->Grab();
-  try
-  {
-    if (tool::Extension(path.toStdString()) != ".png")
+  return this->Model->Try(
+    [&]()
     {
-      throw tool::Error(path.toStdString() + ": a picture's name ends in .png");
-    }
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    if (!image.save(&buffer, "PNG"))
-    {
-      throw tool::Error(path.toStdString() + ": no PNG was made");
-    }
-    tool::WriteWhole(path.toStdString(), { bytes.constData(), std::size_t(bytes.size()) });
-    this->Model->Say(tr("Saved: %1").arg(path), false);
-    return true;
-  }
-  catch (const std::exception& error)
+      const std::string file = path.toStdString();
+      if (tool::Extension(file) != ".png")
+      {
+        throw tool::Error(file + ": a picture's name ends in .png");
+      }
+      QByteArray bytes;
+      QBuffer buffer(&bytes);
+      buffer.open(QIODevice::WriteOnly);
+      if (!image.save(&buffer, "PNG"))
+      {
+        throw tool::Error(file + ": no PNG was made");
+      }
+      tool::WriteWhole(file, { bytes.constData(), std::size_t(bytes.size()) });
+      this->Model->Say(tr("Saved: %1").arg(path), false);
+    });
+}
+
+//------------------------------------------------------------------------------
+QWidget* Window::ShowTab(const QString& title)
+{
+  for (int k = 0; k < this->Tabs->count(); ++k)
   {
-    this->Model->Say(QString::fromUtf8(error.what()), true);
-    return false;
+    if (this->Tabs->tabText(k) == title)
+    {
+      this->Tabs->setCurrentIndex(k);
+    }
   }
+  return this->Tabs->currentWidget();
 }
 
 //------------------------------------------------------------------------------
@@ -338,11 +536,11 @@ ReportData Window::CollectReport()
   }
   data.Pictures.emplace_back(tr("Picture: A left, B right"), this->View->Grab());
   const int shown = this->Tabs->currentIndex();
-  const std::pair<QString, QWidget*> panels[] = { { tr("Lobe"), this->Lobe },
-    { tr("Slices and albedo"), this->Slices }, { tr("Environment"), this->Light } };
-  for (const auto& [title, panel] : panels)
+  const std::pair<QString, QString> panels[] = { { tr("Lobe"), tr("Lobe") },
+    { tr("Slices and albedo"), tr("Slices") }, { tr("Environment"), tr("Light") } };
+  for (const auto& [title, tab] : panels)
   {
-    this->Tabs->setCurrentWidget(panel);
+    QWidget* panel = this->ShowTab(tab);
     QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
     data.Pictures.emplace_back(title, panel->grab().toImage());
   }
@@ -354,14 +552,12 @@ ReportData Window::CollectReport()
 void Window::SaveReport(const QString& path)
 {
   const auto data = std::make_shared<const ReportData>(this->CollectReport());
-  this->Background->Start(
-    "report", tr("writing the report"),
-    [this, data, path](JobThread& thread)
+  this->Background->Start("report", tr("writing the report"),
+    [this, data, path](const Jobs::Post& post)
     {
       WriteReport(*data, path.toStdString());
-      thread.Post([this, path]() { this->Model->Say(tr("Saved: %1").arg(path), false); });
-    },
-    [this](const QString& text) { this->Model->Say(text, true); });
+      post([this, path]() { this->Model->Say(tr("Saved: %1").arg(path), false); });
+    });
 }
 
 //------------------------------------------------------------------------------

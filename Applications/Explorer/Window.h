@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The explorer's window: the picture in the middle, panels around it, menus.
+ * The explorer's window: the picture in the middle, panels around it, menus; and its application.
  */
 
 #ifndef Window_h
@@ -14,31 +14,33 @@
 #include "Side.h"
 #include "SplitView.h"
 
+#include <QApplication>
 #include <QMainWindow>
 #include <QTimer>
 
 #include <array>
-#include <functional>
 
-class QLabel;
-class QProgressBar;
 class QTabWidget;
 
 namespace explorer
 {
 class Comparison;
-class EnvironmentPanel;
 class FindingsPanel;
-class ImagePanel;
-class ListPanel;
-class LobePanel;
 class MessageBar;
-class ModelPanel;
-class PictureBar;
-class PlanPanel;
 class SamplePanel;
-class SlicePanel;
 struct ReportData;
+
+/// The QApplication, with what has to be set before and after it is made.
+class Application : public QApplication
+{
+public:
+  /// Contexts that views share, high-DPI displays, VTK's messages for tool::TakeErrorText; numbers
+  /// in files have points, whatever the user's locale.
+  Application(int& argc, char* argv[]);
+
+  /// Qt catches nothing: what an event's handler or a slot throws is shown by the windows.
+  bool notify(QObject* receiver, QEvent* event) override;
+};
 
 class Window : public QMainWindow
 {
@@ -53,19 +55,11 @@ public:
   Evaluation* GetEvaluation() { return this->Measured; }
   SplitView* GetView() { return this->View; }
   Side* GetSide(int k) { return this->Sides[static_cast<std::size_t>(k)]; }
-  PlanPanel* GetPlanPanel() { return this->Plan; }
-  PictureBar* GetPictureBar() { return this->Bar; }
-  Comparison* GetComparison() { return this->Compared; }
-  ListPanel* GetListPanel() { return this->Lists; }
-
-  LobePanel* GetLobePanel() { return this->Lobe; }
-  ImagePanel* GetImagePanel() { return this->Image; }
-  SlicePanel* GetSlicePanel() { return this->Slices; }
-  EnvironmentPanel* GetEnvironmentPanel() { return this->Light; }
   FindingsPanel* GetFindingsPanel() { return this->Findings; }
-  ModelPanel* GetModelPanel() { return this->Models; }
   SamplePanel* GetSamplePanel() { return this->Samples; }
-  QTabWidget* GetTabs() { return this->Tabs; }
+
+  /// Brings the tab of that title to the front; the panel in it.
+  QWidget* ShowTab(const QString& title);
 
   ///@{
   /// Files by their endings: .png; .html or .json. Errors become messages. The report is made in
@@ -74,7 +68,7 @@ public:
   void SaveReport(const QString& path);
   ///@}
 
-  /// What the message bar says; "" where it is hidden.
+  /// What the line above the picture says; "" where it is hidden.
   QString GetMessage() const;
 
   /// Whether everything has been read, planned, prepared and measured.
@@ -88,8 +82,6 @@ protected:
 private:
   void MakePanels();
   void MakeMenus();
-  void MakeFileMenu();
-  void MakeEditMenu();
   void MakeViewMenu();
   void MakeStatusBar();
   void OpenFiles(const QString& kind);
@@ -100,8 +92,6 @@ private:
   void Poll();
   void UpdateOverlays();
   void UpdateTitle();
-  void Ask(const QString& title, const QString& name, const QString& filter,
-    const std::function<void(const QString&)>& save);
   ReportData CollectReport();
 
   Jobs* Background; // the first to be deleted: no job finds anything gone
@@ -111,19 +101,9 @@ private:
   SplitView* View;
   Evaluation* Measured;
   MessageBar* Messages;
-  PictureBar* Bar;
-  ListPanel* Lists;
-  PlanPanel* Plan;
-  LobePanel* Lobe;
-  SlicePanel* Slices;
-  ImagePanel* Image;
-  EnvironmentPanel* Light;
   FindingsPanel* Findings;
-  ModelPanel* Models;
   SamplePanel* Samples;
   QTabWidget* Tabs;
-  QLabel* Working;
-  QProgressBar* Progress;
   QTimer Poller;
 };
 } // namespace explorer

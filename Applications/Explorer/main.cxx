@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The explorer: `measured-brdf explore` starts it.
 
-#include "Application.h"
 #include "Inputs.h"
 #include "MeasuredBRDFToolVersion.h"
 #include "Window.h"

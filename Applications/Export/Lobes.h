@@ -9,13 +9,14 @@
 #ifndef Lobes_h
 #define Lobes_h
 
+#include "HalfVector.h"
 #include "SurfaceModel.h"
 
 #include <cmath>
 
 namespace tool
 {
-constexpr double Pi = 3.14159265358979323846;
+using measuredbrdf::Pi;
 
 inline double Square(double x) { return x * x; }
 

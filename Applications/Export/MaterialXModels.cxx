@@ -90,20 +90,6 @@ double GetLobe(const Directions& d, const Widths& widths)
 }
 
 //------------------------------------------------------------------------------
-// mx_fresnel_dielectric: Fresnel's equations without polarization.
-double GetDielectricFresnel(double cosine, double index)
-{
-  const double g2 = index * index + cosine * cosine - 1.0;
-  if (g2 < 0.0)
-  {
-    return 1.0;
-  }
-  const double g = std::sqrt(g2);
-  return 0.5 * Square((g - cosine) / (g + cosine)) *
-         (1.0 + Square(((g + cosine) * cosine - 1.0) / ((g - cosine) * cosine + 1.0)));
-}
-
-//------------------------------------------------------------------------------
 // mx_fresnel_conductor of one channel.
 double GetConductorFresnel(double cosine, double n, double k)
 {
@@ -188,7 +174,7 @@ Widths GetOpenPbrWidths(double roughness, double anisotropy)
 }
 
 //------------------------------------------------------------------------------
-// `dielectric_bsdf` that reflects only.
+// `dielectric_bsdf` that reflects only; its index is at least 1.
 Layer GetDielectric(
   const Directions& d, double weight, const dvec3& tint, double index, const Widths& widths)
 {
@@ -198,7 +184,7 @@ Layer GetDielectric(
     return layer;
   }
   const AlbedoShares shares = GetAlbedoShares(d.NdV, widths.GetMean());
-  const double fresnel = GetDielectricFresnel(d.VdH, index);
+  const double fresnel = measuredbrdf::DielectricFresnel(index, d.VdH);
   const dvec3 compensation = Compensate(shares, dvec3(fresnel));
   layer.Response = weight * fresnel * GetLobe(d, widths) * compensation * tint;
   layer.Throughput =

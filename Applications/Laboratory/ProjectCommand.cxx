@@ -4,6 +4,7 @@
 #include "Files.h"
 #include "Inputs.h"
 #include "Laboratory.h"
+#include "Methods.h"
 #include "Progress.h"
 #include "Tool.h"
 

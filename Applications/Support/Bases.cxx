@@ -4,7 +4,6 @@
 
 #include "vtkBRDFAnalysis.h"
 #include "vtkBRDFResampler.h"
-#include "vtkBRDFShaderInputs.h"
 #include "vtkNew.h"
 
 #include <algorithm>
@@ -29,14 +28,6 @@ std::string FormatShare(const std::string& label, double share)
   char text[40];
   std::snprintf(text, sizeof(text), ": %.3g %%\n", 100.0 * share);
   return label + text;
-}
-
-//------------------------------------------------------------------------------
-std::string DescribeForm(vtkBRDF* brdf)
-{
-  vtkBRDFShaderInputs form;
-  brdf->GetShaderInputs(form);
-  return form.Description;
 }
 
 //------------------------------------------------------------------------------

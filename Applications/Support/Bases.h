@@ -25,9 +25,6 @@ int FindBasis(const std::string& name);
 /// "label: 3.21 %\n"
 std::string FormatShare(const std::string& label, double share);
 
-/// What the material is and takes on the GPU, in one line.
-std::string DescribeForm(vtkBRDF* brdf);
-
 /// Relative L2 distance from a reference over light and views in a zone (degrees), as a share.
 double GetZoneError(vtkBRDF* reference, vtkBRDF* brdf, const double zone[2]);
 

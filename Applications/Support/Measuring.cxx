@@ -13,19 +13,6 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace
-{
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkDoubleArray> MakeArray(const std::vector<double>& values, int components)
-{
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  return array;
-}
-}
-
 namespace tool
 {
 //------------------------------------------------------------------------------

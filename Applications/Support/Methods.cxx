@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Methods.h"
 
-#include "Bases.h"
 #include "Progress.h"
 #include "Tool.h"
 
+#include "vtkBRDFShaderInputs.h"
 #include "vtkBasisBRDF.h"
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkNew.h"
@@ -43,6 +43,14 @@ void ThesisOptions::Check(const CLI::App* command, const std::string& method) co
 }
 
 //------------------------------------------------------------------------------
+std::string DescribeForm(vtkBRDF* brdf)
+{
+  vtkBRDFShaderInputs form;
+  brdf->GetShaderInputs(form);
+  return form.Description;
+}
+
+//------------------------------------------------------------------------------
 Representation Represent(const Material& material, int order)
 {
   vtkNew<vtkRepresentationAdvisor> advisor;
@@ -67,7 +75,7 @@ Representation RepresentAsThesis(const Material& material, const ThesisOptions& 
 
 namespace
 {
-constexpr double LeastTolerance = 1e-3; // of vtkRadiancePlanner
+constexpr double LeastPlanTolerance = 1e-3; // of vtkRadiancePlanner
 
 const char* const Auto = "auto";
 const char* const Thesis = "thesis";
@@ -216,19 +224,6 @@ vtkSmartPointer<vtkRadianceIntegrator> NewIntegrator(
   }
   return integrator;
 }
-
-//------------------------------------------------------------------------------
-// 3 components each.
-vtkNew<vtkDoubleArray> ToArray(const std::vector<double>& values)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetNumberOfComponents(3);
-  for (std::size_t k = 0; k < values.size(); k += 3)
-  {
-    array->InsertNextTuple(&values[k]);
-  }
-  return array;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -304,7 +299,7 @@ void PlanOptions::AddTo(CLI::App* command)
 //------------------------------------------------------------------------------
 void PlanOptions::Check() const
 {
-  if (!(this->Tolerance >= LeastTolerance && this->Tolerance <= 1.0))
+  if (!(this->Tolerance >= LeastPlanTolerance && this->Tolerance <= 1.0))
   {
     throw UsageError(
       "--tolerance: " + FormatNumber(this->Tolerance) + " is not between 0.001 and 1, like 0.02");
@@ -377,6 +372,16 @@ Method MakeMethod(
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkDoubleArray> MakeArray(const std::vector<double>& values, int components)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkDoubleArray> MakeTangents(const std::vector<double>& normals)
 {
   auto tangents = vtkSmartPointer<vtkDoubleArray>::New();
@@ -405,8 +410,8 @@ std::vector<double> IntegrateSomePairs(vtkRadianceIntegrator* integrator,
   const std::vector<double>& normals, const std::vector<double>& views,
   const std::function<void(double)>& show)
 {
-  const vtkNew<vtkDoubleArray> n = ToArray(normals);
-  const vtkNew<vtkDoubleArray> v = ToArray(views);
+  const vtkSmartPointer<vtkDoubleArray> n = MakeArray(normals, 3);
+  const vtkSmartPointer<vtkDoubleArray> v = MakeArray(views, 3);
   vtkNew<vtkDoubleArray> radiance;
   const vtkSmartPointer<vtkDoubleArray> tangents =
     integrator->GetBRDF()->IsIsotropic() ? nullptr : MakeTangents(normals);

@@ -28,6 +28,7 @@ class App;
 
 namespace tool
 {
+/// Of --method thesis: the material as the thesis renders it, under 64 median-cut lights.
 struct ThesisOptions
 {
   int Order = 6;
@@ -38,6 +39,9 @@ struct ThesisOptions
   /// Throws UsageError where --order is given with another method.
   void Check(const CLI::App* command, const std::string& method) const;
 };
+
+/// What the material is and takes on the GPU, in one line.
+std::string DescribeForm(vtkBRDF* brdf);
 
 /// What vtkRepresentationAdvisor makes of a material: "basis" or "fit", the one that it is, and
 /// why.
@@ -127,6 +131,9 @@ Method MakeMethod(
 
 /// Whether nothing but the CPU integrates it.
 bool IsOnCpuOnly(const std::string& method);
+
+/// An array of tuples of so many values.
+vtkSmartPointer<vtkDoubleArray> MakeArray(const std::vector<double>& values, int components);
 
 /// Tangents of normals, 3 doubles each: about the up axis, as the mapper takes them where the data
 /// has none.

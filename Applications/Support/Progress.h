@@ -49,8 +49,6 @@ private:
   BackgroundWork* Outer;
 };
 
-class BackgroundWork;
-
 /// While one of these lives, Ctrl-C only sets a flag. On a thread with a BackgroundWork, which
 /// needs none of these, the flag is that work's.
 class Interruptible

@@ -612,16 +612,13 @@ double EstimateReferenceSeconds(vtkBRDF* brdf, vtkEnvironment* environment, cons
   reference->SetEnvironment(environment);
   reference->Prepare();
   const std::size_t count = surface.Pixels.size();
-  std::vector<double> normals;
-  std::vector<double> views;
+  std::vector<int> pixels;
   for (std::size_t k = 0; k < TimedPixels; ++k)
   {
-    const std::size_t pixel = 3 * ((2 * k + 1) * count / (2 * TimedPixels));
-    normals.insert(normals.end(), &surface.Normals[pixel], &surface.Normals[pixel] + 3);
-    views.insert(views.end(), &surface.Views[pixel], &surface.Views[pixel] + 3);
+    pixels.push_back(static_cast<int>((2 * k + 1) * count / (2 * TimedPixels)));
   }
   const auto begin = std::chrono::steady_clock::now();
-  IntegratePairs(reference, normals, views);
+  IntegratePixels(reference, surface, pixels, [](double) {});
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   return seconds.count() * static_cast<double>(count) / TimedPixels;
 }

@@ -26,6 +26,8 @@ class vtkEnvironment;
 
 namespace tool
 {
+/// To which tolerance all pixels of a picture are integrated, in blocks, from the evaluations of f
+/// that a trial took. They are counted, not timed: pictures do not depend on the machine.
 struct BlockTolerance
 {
   static constexpr double Coarsest = 0.0028;
@@ -58,6 +60,8 @@ struct BlockTolerance
   }
 };
 
+/// Some pixels of a picture whose radiance is known more exactly than the picture's, and how far
+/// the radiance of others is from that.
 class ReferenceSample
 {
 public:

@@ -2,22 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What people set in the explorer's window beside its methods, under an X server: the directional
 // light, the parameters of models, the samples of tables.
-#include "Application.h"
-#include "DirectionView.h"
 #include "DirectionalLight.h"
-#include "EnvironmentPanel.h"
-#include "EnvironmentView.h"
+#include "ExplorerTest.h"
 #include "Files.h"
 #include "LightPanel.h"
-#include "ListPanel.h"
-#include "ModelPanel.h"
-#include "ParameterRow.h"
-#include "SampleModel.h"
 #include "SamplePanel.h"
 #include "SlicePanel.h"
-#include "SliceView.h"
 #include "Tool.h"
-#include "Window.h"
 
 #include "vtkMath.h"
 #include "vtkMeasuredBRDFConfigure.h"
@@ -33,17 +24,12 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QStyle>
-#include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QUndoStack>
-#include <QtTest>
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -51,8 +37,6 @@ using namespace explorer;
 
 namespace
 {
-constexpr int Patience = 120000; // ms, for a busy machine
-
 //------------------------------------------------------------------------------
 // Under one light nothing is planned, so that it is there at once.
 State MakeState()
@@ -84,29 +68,14 @@ double Evaluate(Window& window)
   window.GetSession()->GetMaterial().BRDF->Evaluate(up, up, f);
   return f[0];
 }
-
-//------------------------------------------------------------------------------
-void Drag(QWidget* view, const QPoint& begin, const QPoint& end, Qt::KeyboardModifiers modifiers)
-{
-  QTest::mousePress(view, Qt::LeftButton, modifiers, begin);
-  QMouseEvent move(
-    QEvent::MouseMove, end, view->mapToGlobal(end), Qt::NoButton, Qt::LeftButton, modifiers);
-  QApplication::sendEvent(view, &move);
-  QTest::mouseRelease(view, Qt::LeftButton, modifiers, end);
-}
 }
 
-class ExplorerEditing : public QObject
+class ExplorerEditing : public WindowTest
 {
   Q_OBJECT
 
 private slots:
-  void initTestCase()
-  {
-    this->Shared = std::make_unique<Window>(MakeState());
-    this->Shared->resize(960, 480);
-    this->Shared->show();
-  }
+  void initTestCase() { this->Shared = MakeWindow(MakeState()); }
   void cleanupTestCase() { this->Shared.reset(); }
   void oneLightOnBothSides();
   void oneLightIsTurned();
@@ -122,31 +91,9 @@ private slots:
   void otherMaterialsAreReadOnly();
 
 private:
-  Window* Show(const State& state)
-  {
-    Session* session = this->Shared->GetSession();
-    session->Replace(state, false);
-    const bool read = QTest::qWaitFor(
-      [&]()
-      {
-        const State& now = session->GetState();
-        return session->GetMaterial().BRDF && session->IsLit() && session->GetMesh() &&
-               now.Material == state.Material && now.Environment == state.Environment &&
-               !session->IsWaiting() && !this->Shared->GetJobs()->IsRunning("remake");
-      },
-      Patience);
-    if (!read)
-    {
-      qWarning("the state's files were not read");
-    }
-    this->Shared->GetView()->ResetCamera();
-    return this->Shared.get();
-  }
-
   /// A table of 6 x 4 x 5 samples, all 0.25, in a file.
   std::string WriteTable();
 
-  std::unique_ptr<Window> Shared;
   QTemporaryDir Folder;
 };
 
@@ -214,16 +161,14 @@ void ExplorerEditing::oneLightIsTurned()
 {
   Window* window = this->Show(MakeState());
   Session* session = window->GetSession();
-  window->GetTabs()->setCurrentWidget(window->GetEnvironmentPanel());
-  LightPanel* panel = window->GetEnvironmentPanel()->GetLightPanel();
-  QVERIFY(panel->isVisible());
-  QVERIFY(!window->GetEnvironmentPanel()->GetView()->isVisible());
-  DirectionView* view = panel->GetView();
+  window->ShowTab("Light");
+  QVERIFY(this->Find<QWidget>("light fields")->isVisible());
+  auto* view = this->Find<SkyView>();
   QTest::qWait(100);
   const QPoint begin = view->GetHandlePosition().toPoint();
   QVERIFY(view->rect().contains(begin));
   const QPoint end = begin + QPoint(-30, 20);
-  Drag(view, begin, end, {});
+  Drag(view, begin, end);
   const QPoint rest = view->GetHandlePosition().toPoint() - end;
   QVERIFY(rest.manhattanLength() <= 1);
   QVERIFY(session->GetState().Light.Theta > 40.0);
@@ -232,9 +177,9 @@ void ExplorerEditing::oneLightIsTurned()
   QTest::keyClick(view, Qt::Key_Left, Qt::ShiftModifier);
   QVERIFY(std::abs(session->GetState().Light.Theta - before.Theta + 1.0) < 1e-9);
   QVERIFY(std::abs(session->GetState().Light.Phi - before.Phi - 15.0) < 1e-9);
-  panel->GetTheta()->setValue(60.0);
-  panel->GetPhi()->setValue(-45.0);
-  panel->GetIrradiance()->setValue(0.5);
+  this->Find<QDoubleSpinBox>("polar angle")->setValue(60.0);
+  this->Find<QDoubleSpinBox>("azimuth")->setValue(-45.0);
+  this->Find<QDoubleSpinBox>("irradiance")->setValue(0.5);
   QCOMPARE(session->GetState().Light.Theta, 60.0);
   QCOMPARE(session->GetState().Light.Phi, -45.0);
   QCOMPARE(session->GetState().Light.Irradiance, 0.5);
@@ -285,8 +230,8 @@ void ExplorerEditing::environmentComesBack()
   QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience);
   QVERIFY(window->GetSide(0)->Describe().startsWith("Planned: "));
   QVERIFY(window->GetSide(0)->GetPlanner());
-  window->GetTabs()->setCurrentWidget(window->GetEnvironmentPanel());
-  QVERIFY(!window->GetEnvironmentPanel()->GetLightPanel()->isVisible());
+  window->ShowTab("Light");
+  QVERIFY(!this->Find<QWidget>("light fields")->isVisible());
   window->GetSession()->SetEnvironment(DirectionalLightName);
   QVERIFY(window->GetSession()->IsDirectional());
   QVERIFY(!window->GetSession()->GetEnvironment());
@@ -299,34 +244,34 @@ void ExplorerEditing::slidersSetAModel()
 {
   Window* window = this->Show(MakeState());
   Session* session = window->GetSession();
-  window->GetTabs()->setCurrentWidget(window->GetModelPanel());
-  ParameterRow* exponent = window->GetModelPanel()->GetRow("exponent");
-  QVERIFY(exponent && !window->GetModelPanel()->GetRow("f0"));
-  QCOMPARE(exponent->GetField()->value(), 50.0);
-  exponent->GetSlider()->setFocus();
-  QTest::keyClick(exponent->GetSlider(), Qt::Key_End);
+  window->ShowTab("Model");
+  auto* exponent = this->Find<QDoubleSpinBox>("exponent");
+  auto* slider = this->Find<QSlider>("exponent");
+  QVERIFY(exponent && slider && !this->Find<QSlider>("f0 0"));
+  QCOMPARE(exponent->value(), 50.0);
+  slider->setFocus();
+  QTest::keyClick(slider, Qt::Key_End);
   QCOMPARE(session->GetState().Models.at("BlinnPhong").at("exponent")[0], 1e6);
-  QTest::keyClick(exponent->GetSlider(), Qt::Key_Home);
-  QCOMPARE(exponent->GetField()->value(), 0.0);
-  ParameterRow* red = window->GetModelPanel()->GetRow("specular", 0);
-  red->GetField()->setValue(0.75);
+  QTest::keyClick(slider, Qt::Key_Home);
+  QCOMPARE(exponent->value(), 0.0);
+  this->Find<QDoubleSpinBox>("specular 0")->setValue(0.75);
   QCOMPARE(session->GetState().Models.at("BlinnPhong").at("specular"),
     (std::vector<double>{ 0.75, 0.1, 0.1 }));
   QTRY_VERIFY_WITH_TIMEOUT(std::abs(Evaluate(*window) - 0.95 / vtkMath::Pi()) < 1e-9, Patience);
   QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience);
   QVERIFY(window->GetEvaluation()->GetFigures(0).Error < 2e-3);
   // Another model has its own rows, and the first keeps its values.
-  QComboBox* models = window->GetModelPanel()->GetModels();
+  auto* models = this->Find<QComboBox>("models");
   models->setCurrentIndex(models->findData("model:AshikhminShirley"));
   emit models->activated(models->currentIndex());
-  QTRY_VERIFY_WITH_TIMEOUT(window->GetModelPanel()->GetRow("fresnel"), Patience);
-  QComboBox* fresnel = window->GetModelPanel()->GetRow("fresnel")->GetChoices();
+  QTRY_VERIFY_WITH_TIMEOUT(this->Find<QComboBox>("fresnel"), Patience);
+  auto* fresnel = this->Find<QComboBox>("fresnel");
   fresnel->setCurrentIndex(1);
   emit fresnel->activated(1);
   QCOMPARE(session->GetState().Models.at("AshikhminShirley").at("fresnel")[0], 1.0);
   session->SetMaterial("model:BlinnPhong");
-  QTRY_VERIFY_WITH_TIMEOUT(window->GetModelPanel()->GetRow("specular"), Patience);
-  QCOMPARE(window->GetModelPanel()->GetRow("specular", 0)->GetValue(), 0.75);
+  QTRY_VERIFY_WITH_TIMEOUT(this->Find<QDoubleSpinBox>("specular 0"), Patience);
+  QCOMPARE(this->Find<QDoubleSpinBox>("specular 0")->value(), 0.75);
 }
 
 //------------------------------------------------------------------------------
@@ -336,9 +281,9 @@ void ExplorerEditing::modelsAreCompared()
   State state = MakeState();
   state.Material = "pink-felt";
   Window* window = this->Show(state);
-  window->GetTabs()->setCurrentWidget(window->GetSlicePanel());
-  SliceView* view = window->GetSlicePanel()->GetView();
-  QCheckBox* box = window->GetListPanel()->GetCompareBox("model:Lambert");
+  window->ShowTab("Slices");
+  auto* view = this->Find<SliceView>();
+  auto* box = this->Find<QCheckBox>("compare model:Lambert");
   QVERIFY(box);
   box->click();
   QTRY_VERIFY_WITH_TIMEOUT(view->GetCurves(SliceView::ThetaH).size() == 2, Patience);
@@ -381,7 +326,7 @@ void ExplorerEditing::samplesOfATable()
   state.LobeThetaI = 60.0;
   Window* window = this->Show(state);
   SamplePanel* panel = window->GetSamplePanel();
-  window->GetTabs()->setCurrentWidget(panel);
+  window->ShowTab("Samples");
   SampleModel* model = panel->GetModel();
   QCOMPARE(model->rowCount(), 120);
   QCOMPARE(model->data(model->index(0, 3)).toString(), QString("0.25"));
@@ -410,7 +355,7 @@ void ExplorerEditing::samplesAreEdited()
   state.Material = this->WriteTable();
   Window* window = this->Show(state);
   SamplePanel* panel = window->GetSamplePanel();
-  window->GetTabs()->setCurrentWidget(panel);
+  window->ShowTab("Samples");
   SampleModel* model = panel->GetModel();
   QFile file(QString::fromStdString(state.Material));
   QVERIFY(file.open(QIODevice::ReadOnly));
@@ -555,16 +500,6 @@ void ExplorerEditing::otherMaterialsAreReadOnly()
 }
 
 //------------------------------------------------------------------------------
-int main(int argc, char* argv[])
-{
-  if (!std::getenv("DISPLAY"))
-  {
-    std::puts("Skipped: the explorer's window needs an X server");
-    return 125;
-  }
-  const Application application(argc, argv);
-  ExplorerEditing test;
-  return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char* argv[]) { return RunTest<ExplorerEditing>(argc, argv); }
 
 #include "ExplorerEditing.moc"

@@ -2,17 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Makes the pictures of docs/explorer.md: ExplorerScreenshots FOLDER [HEIGHT [editing|FILE.xml]],
 // or saves the picture of a state: ExplorerScreenshots STATE.json SIZE PICTURE.png
-#include "Application.h"
-#include "EnvironmentPanel.h"
 #include "Files.h"
-#include "FindingsPanel.h"
-#include "ImagePanel.h"
-#include "LobePanel.h"
-#include "ModelPanel.h"
-#include "SampleModel.h"
 #include "SamplePanel.h"
-#include "SlicePanel.h"
-#include "SplitView.h"
 #include "Window.h"
 
 #include "vtkBRDFResampler.h"
@@ -20,7 +11,6 @@
 #include "vtkTabulatedBRDF.h"
 
 #include <QElapsedTimer>
-#include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QThread>
@@ -85,7 +75,7 @@ void ShootEditing(Window& window, const QString& folder)
   session->SetModelValues("Distribution", "exponent", { 60.0 });
   session->SetModelValues("Distribution", "albedo", { 0.06, 0.03, 0.02 });
   session->SetMaterial("model:Distribution");
-  window.GetTabs()->setCurrentWidget(window.GetModelPanel());
+  window.ShowTab("Model");
   Settle(window);
   Shoot(window, folder, "model");
 
@@ -100,7 +90,7 @@ void ShootEditing(Window& window, const QString& folder)
   session->SetMaterial(table);
   Settle(window);
   SamplePanel* panel = window.GetSamplePanel();
-  window.GetTabs()->setCurrentWidget(panel);
+  window.ShowTab("Samples");
   panel->GoToLobe();
   const int row = panel->GetView()->currentIndex().row();
   panel->GetModel()->setData(panel->GetModel()->index(row, 3), "2.5");
@@ -118,16 +108,16 @@ static void ShootTransmission(Window& window, const QString& folder, const QStri
   session->SetMaterial(file.toStdString());
   session->SetMethod(1, method::PBR);
   session->SetLobe(40.0, 200.0, true);
-  window.GetTabs()->setCurrentWidget(window.GetLobePanel());
+  window.ShowTab("Lobe");
   Settle(window);
   Shoot(window, folder, "transmission");
   session->SetSlicePolar(true);
-  window.GetTabs()->setCurrentWidget(window.GetSlicePanel());
+  window.ShowTab("Slices");
   Settle(window);
   Shoot(window, folder, "transmission-polar");
   session->SetSlicePolar(false);
   Shoot(window, folder, "transmission-slices");
-  window.GetTabs()->setCurrentWidget(window.GetFindingsPanel());
+  window.ShowTab("Material");
   Shoot(window, folder, "transmission-findings");
 }
 
@@ -182,18 +172,18 @@ int main(int argc, char* argv[])
   Shoot(window, folder, "window");
   window.GetSession()->SetMethod(1, method::LightSet);
   Settle(window);
-  window.GetTabs()->setCurrentWidget(window.GetEnvironmentPanel());
+  window.ShowTab("Light");
   Shoot(window, folder, "lights");
   window.GetSession()->SetShown(Shown::Difference);
-  window.GetTabs()->setCurrentWidget(window.GetFindingsPanel());
+  window.ShowTab("Material");
   Settle(window);
   Shoot(window, folder, "difference");
   window.GetSession()->SetShown(Shown::Split);
   window.GetSession()->SetMethod(1, method::PBR);
-  window.GetTabs()->setCurrentWidget(window.GetLobePanel());
+  window.ShowTab("Lobe");
   Settle(window);
   Shoot(window, folder, "lobe");
-  window.GetTabs()->setCurrentWidget(window.GetSlicePanel());
+  window.ShowTab("Slices");
   Shoot(window, folder, "slices");
   window.GetSession()->SetCompared({ "nickel", "yellow-matte-plastic", "blue-car-paint" });
   window.GetSession()->SetSlicePolar(true);
@@ -201,7 +191,7 @@ int main(int argc, char* argv[])
   Shoot(window, folder, "polar");
   window.GetSession()->SetSlicePolar(false);
   window.GetSession()->SetCompared({});
-  window.GetTabs()->setCurrentWidget(window.GetImagePanel());
+  window.ShowTab("Image");
   Shoot(window, folder, "image");
   ShootEditing(window, folder);
   return 0;

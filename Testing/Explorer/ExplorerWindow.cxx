@@ -1,23 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The explorer's window, driven as people do, under an X server.
-#include "Application.h"
 #include "Display.h"
-#include "EnvironmentPanel.h"
-#include "EnvironmentView.h"
+#include "ExplorerTest.h"
 #include "Files.h"
-#include "FindingsPanel.h"
 #include "LightPanel.h"
-#include "ListPanel.h"
 #include "LobePanel.h"
-#include "LobeView.h"
-#include "PictureBar.h"
-#include "PlanPanel.h"
+#include "Panels.h"
 #include "SlicePanel.h"
-#include "SliceView.h"
 #include "SmallBsdfXml.h"
 #include "Tool.h"
-#include "Window.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -43,15 +35,11 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QUrl>
-#include <QtTest>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <functional>
-#include <memory>
 #include <new>
 #include <string>
 #include <utility>
@@ -61,8 +49,6 @@ using namespace explorer;
 
 namespace
 {
-constexpr int Patience = 120000; // ms, for a busy machine
-
 //------------------------------------------------------------------------------
 // Small and quickly planned.
 State MakeState()
@@ -74,15 +60,6 @@ State MakeState()
   state.Backdrop = false;
   state.Lights = 4;
   return state;
-}
-
-//------------------------------------------------------------------------------
-std::unique_ptr<Window> MakeWindow(const State& state)
-{
-  auto window = std::make_unique<Window>(state);
-  window->resize(960, 480);
-  window->show();
-  return window;
 }
 
 //------------------------------------------------------------------------------
@@ -98,7 +75,7 @@ void Drop(Window& window, const QString& file)
 }
 }
 
-class ExplorerWindow : public QObject
+class ExplorerWindow : public WindowTest
 {
   Q_OBJECT
 
@@ -125,38 +102,12 @@ private slots:
   void pictureAndReport();
   void exceptionsAreMessages();
   void closesWhileWorking();
-
-private:
-  /// The one window of most tests, whose shaders have been compiled, with another state.
-  Window* Show(const State& state)
-  {
-    Session* session = this->Shared->GetSession();
-    this->Shared->GetTabs()->setCurrentIndex(0);
-    session->Replace(state, false);
-    const bool read = QTest::qWaitFor(
-      [&]()
-      {
-        const State& now = session->GetState();
-        return session->GetMaterial().BRDF && session->GetEnvironment() && session->GetMesh() &&
-               now.Material == state.Material && now.Environment == state.Environment &&
-               now.Mesh == state.Mesh;
-      },
-      Patience);
-    if (!read)
-    {
-      qWarning("the state's files were not read");
-    }
-    this->Shared->GetView()->ResetCamera();
-    return this->Shared.get();
-  }
-
-  std::unique_ptr<Window> Shared;
 };
 
 //------------------------------------------------------------------------------
 void ExplorerWindow::allTabsFit()
 {
-  const QTabBar* bar = this->Shared->GetTabs()->tabBar();
+  const QTabBar* bar = this->Find<QTabWidget>()->tabBar();
   QCOMPARE(bar->count(), 8);
   for (int k = 0; k < bar->count(); ++k)
   {
@@ -165,7 +116,7 @@ void ExplorerWindow::allTabsFit()
     const int text = bar->fontMetrics().horizontalAdvance(bar->tabText(k));
     QVERIFY2(tab.width() >= text + 8, qPrintable(bar->tabText(k)));
   }
-  const QWidget* light = this->Shared->GetEnvironmentPanel()->GetLightPanel();
+  const auto* light = this->Find<QWidget>("light fields");
   QVERIFY2(light->minimumSizeHint().width() <= bar->width() - 12, // of margins
     qPrintable(QString::number(light->minimumSizeHint().width())));
   const int width = this->Shared->minimumSizeHint().width();
@@ -195,7 +146,7 @@ void ExplorerWindow::toleranceGivesANewPlan()
   Side* side = window->GetSide(0);
   QTRY_VERIFY_WITH_TIMEOUT(side->IsReady(), Patience);
   QCOMPARE(side->GetPlanner()->GetErrorTolerance(), 0.02);
-  QSlider* slider = window->GetPlanPanel()->GetSlider();
+  QSlider* slider = this->Find<QSlider>("tolerance");
   slider->setFocus();
   QTest::keyClick(slider, Qt::Key_End); // 100 %
   QCOMPARE(window->GetSession()->GetState().Tolerance, 1.0);
@@ -218,23 +169,14 @@ void ExplorerWindow::lineIsDragged()
   const QString camera = QString::number(session->GetState().Camera.Position[0], 'g', 17);
   const QPoint begin(view->GetLinePosition(), view->height() / 2);
   const QPoint end(view->width() / 4, view->height() / 3);
-  QTest::mousePress(view, Qt::LeftButton, {}, begin);
-  QTest::mouseMove(view, end);
-  QMouseEvent move(
-    QEvent::MouseMove, end, view->mapToGlobal(end), Qt::NoButton, Qt::LeftButton, {});
-  QApplication::sendEvent(view, &move);
-  QTest::mouseRelease(view, Qt::LeftButton, {}, end);
+  Drag(view, begin, end);
   QVERIFY(std::abs(view->GetLinePosition() - end.x()) <= 1);
   QCOMPARE(QString::number(session->GetState().Camera.Position[0], 'g', 17), camera);
   // Beside the line the mesh turns and the line stays.
   const double split = session->GetState().Split;
   const QPoint beside(3 * view->width() / 4, view->height() / 2);
   const QPoint later = beside + QPoint(40, 10);
-  QTest::mousePress(view, Qt::LeftButton, {}, beside);
-  QMouseEvent turn(
-    QEvent::MouseMove, later, view->mapToGlobal(later), Qt::NoButton, Qt::LeftButton, {});
-  QApplication::sendEvent(view, &turn);
-  QTest::mouseRelease(view, Qt::LeftButton, {}, later);
+  Drag(view, beside, later);
   QTRY_VERIFY(QString::number(session->GetState().Camera.Position[0], 'g', 17) != camera);
   QCOMPARE(session->GetState().Split, split);
   // Keys move it, and those that would close VTK's own windows do nothing.
@@ -479,8 +421,7 @@ void ExplorerWindow::stateComesBack()
   Window* window = this->Show(MakeState());
   Drop(*window, path);
   QTRY_COMPARE_WITH_TIMEOUT(WriteState(window->GetSession()->GetState()), saved, Patience);
-  QCOMPARE(
-    window->GetPictureBar()->GetMethods(1)->currentData().toString(), QString("soft-lights"));
+  QCOMPARE(this->Find<QComboBox>("method B")->currentData().toString(), QString("soft-lights"));
   // What a state names but is not there leaves what is shown.
   QFile file(path);
   QVERIFY(file.open(QIODevice::ReadOnly));
@@ -496,17 +437,13 @@ void ExplorerWindow::stateComesBack()
 void ExplorerWindow::environmentIsDragged()
 {
   Window* window = this->Show(MakeState());
-  window->GetTabs()->setCurrentWidget(window->GetEnvironmentPanel());
-  EnvironmentView* view = window->GetEnvironmentPanel()->GetView();
+  window->ShowTab("Light");
+  auto* view = this->Find<SkyView>();
   QTRY_VERIFY_WITH_TIMEOUT(!view->GetImage().isNull(), Patience);
   const int width = std::min(view->width(), 2 * view->height());
   const QPoint begin(view->width() / 2, view->height() / 2);
   const QPoint end = begin + QPoint(width / 8, 0);
-  QTest::mousePress(view, Qt::LeftButton, {}, begin);
-  QMouseEvent move(
-    QEvent::MouseMove, end, view->mapToGlobal(end), Qt::NoButton, Qt::LeftButton, {});
-  QApplication::sendEvent(view, &move);
-  QTest::mouseRelease(view, Qt::LeftButton, {}, end);
+  Drag(view, begin, end);
   const double rotation = window->GetSession()->GetState().Rotation;
   QVERIFY2(
     std::abs(rotation + 360.0 * (width / 8) / width) < 1e-9, qPrintable(QString::number(rotation)));
@@ -519,19 +456,15 @@ void ExplorerWindow::environmentIsDragged()
 void ExplorerWindow::lightIsDragged()
 {
   Window* window = this->Show(MakeState());
-  window->GetTabs()->setCurrentWidget(window->GetLobePanel());
-  LobeView* view = window->GetLobePanel()->GetView();
+  window->ShowTab("Lobe");
+  auto* view = this->Find<LobeView>();
   Session* session = window->GetSession();
   QTRY_VERIFY_WITH_TIMEOUT(session->GetMaterial().BRDF, Patience);
   QTest::qWait(300);
   const QPoint begin = view->GetHandlePosition();
   QVERIFY(view->rect().contains(begin));
   const QPoint end = begin + QPoint(30, 20);
-  QTest::mousePress(view, Qt::LeftButton, {}, begin);
-  QMouseEvent move(
-    QEvent::MouseMove, end, view->mapToGlobal(end), Qt::NoButton, Qt::LeftButton, {});
-  QApplication::sendEvent(view, &move);
-  QTest::mouseRelease(view, Qt::LeftButton, {}, end);
+  Drag(view, begin, end);
   QTest::qWait(300);
   const QPoint distance = view->GetHandlePosition() - end;
   QVERIFY2(distance.manhattanLength() <= 3,
@@ -545,8 +478,8 @@ void ExplorerWindow::lightIsDragged()
 void ExplorerWindow::slicesAndFindings()
 {
   Window* window = this->Show(MakeState());
-  window->GetTabs()->setCurrentWidget(window->GetSlicePanel());
-  SliceView* view = window->GetSlicePanel()->GetView();
+  window->ShowTab("Slices");
+  auto* view = this->Find<SliceView>();
   QTRY_VERIFY_WITH_TIMEOUT(!window->GetFindingsPanel()->GetInspection().is_null(), Patience);
   QTRY_VERIFY(view->GetCurves(SliceView::Albedo).front().Degrees.size() == 10);
   // theta_h = 90 degrees may be below the horizon
@@ -568,23 +501,23 @@ void ExplorerWindow::slicesAndFindings()
 void ExplorerWindow::materialsAreCompared()
 {
   Window* window = this->Show(MakeState());
-  window->GetTabs()->setCurrentWidget(window->GetSlicePanel());
-  SlicePanel* panel = window->GetSlicePanel();
-  SliceView* view = panel->GetView();
+  window->ShowTab("Slices");
+  auto* view = this->Find<SliceView>();
+  const auto* legend = this->Find<QLabel>("slice legend");
   QTRY_VERIFY_WITH_TIMEOUT(window->GetSession()->GetMaterial().BRDF, Patience);
-  QVERIFY(panel->GetLegend().isEmpty());
-  QCheckBox* box = window->GetListPanel()->GetCompareBox("nickel");
+  QVERIFY(legend->text().isEmpty());
+  auto* box = this->Find<QCheckBox>("compare nickel");
   QVERIFY(box);
   box->click();
   QTRY_VERIFY_WITH_TIMEOUT(view->GetMaterials().size() == 2, Patience);
   QTRY_VERIFY(view->GetCurves(SliceView::ThetaH).size() == 2);
-  QTRY_VERIFY(panel->GetLegend().contains("nickel"));
+  QTRY_VERIFY(legend->text().contains("nickel"));
   window->GetSession()->SetSlicePolar(true);
   QTRY_VERIFY(view->GetCurves(SliceView::Plane).size() == 2);
   QCOMPARE(window->GetSession()->GetState().Compared, std::vector<std::string>{ "nickel" });
   box->click();
   QTRY_VERIFY(view->GetCurves(SliceView::Plane).size() == 1);
-  QVERIFY(panel->GetLegend().isEmpty());
+  QVERIFY(legend->text().isEmpty());
 }
 
 //------------------------------------------------------------------------------
@@ -600,22 +533,23 @@ void ExplorerWindow::transmissionIsShown()
   }
   Window* window = this->Show(MakeState());
   Session* session = window->GetSession();
-  LobePanel* panel = window->GetLobePanel();
-  vtkBRDFLobeSource* lobe = panel->GetView()->GetSource();
-  window->GetTabs()->setCurrentWidget(panel);
+  auto* view = this->Find<LobeView>();
+  const auto* note = this->Find<QLabel>("lobe note");
+  vtkBRDFLobeSource* lobe = view->GetSource();
+  window->ShowTab("Lobe");
   QVERIFY(!lobe->GetTransmission());
-  QVERIFY(!panel->GetNote()->isVisible());
+  QVERIFY(!note->isVisible());
   int saidOfPictures = 0;
   const auto connection = connect(session, &Session::messaged, session,
     [&](const QString& text) { saidOfPictures += text.contains("show reflection only") ? 1 : 0; });
   Drop(*window, file);
   QTRY_VERIFY_WITH_TIMEOUT(lobe->GetTransmission() != nullptr, Patience);
-  QVERIFY(panel->GetNote()->isVisible());
+  QVERIFY(note->isVisible());
   session->SetLobe(40.0, 30.0, false);
   lobe->Update();
   QVERIFY(lobe->GetOutput()->GetBounds()[4] < -0.5);
   QTest::qWait(300);
-  const QImage image = panel->GetView()->grabFramebuffer();
+  const QImage image = view->grabFramebuffer();
   int green = 0;
   for (int y = 0; y < image.height(); ++y)
   {
@@ -627,15 +561,15 @@ void ExplorerWindow::transmissionIsShown()
   }
   QVERIFY2(green > 200, qPrintable(QString::number(green)));
 
-  window->GetTabs()->setCurrentWidget(window->GetSlicePanel());
-  SliceView* charts = window->GetSlicePanel()->GetView();
+  window->ShowTab("Slices");
+  auto* charts = this->Find<SliceView>();
   QTRY_VERIFY_WITH_TIMEOUT(charts->GetTransmittances().front().Degrees.size() == 10, Patience);
   const Curve& shown = charts->GetTransmittances().front();
   QVERIFY(std::abs(shown.Values[0][1] - 7.0 * vtkMath::Pi()) < 1.0); // the file's other side
   session->SetSlicePolar(true);
   const Curve& plane = charts->GetCurves(SliceView::Plane).front();
   QVERIFY(plane.Degrees.front() < -90.0 && plane.Degrees.back() > 90.0);
-  const auto* findings = window->GetFindingsPanel()->findChild<QLabel*>();
+  const auto* findings = this->Find<QLabel>("findings");
   QVERIFY(findings->text().contains("Transmits 9"));
   QCOMPARE(saidOfPictures, 1);
   disconnect(connection);
@@ -645,8 +579,8 @@ void ExplorerWindow::transmissionIsShown()
   session->SetSlicePolar(true);
   QVERIFY(charts->GetCurves(SliceView::Plane).front().Degrees.back() < 90.0);
   QVERIFY(charts->GetTransmittances().front().Degrees.empty());
-  window->GetTabs()->setCurrentWidget(panel);
-  QVERIFY(!panel->GetNote()->isVisible());
+  window->ShowTab("Lobe");
+  QVERIFY(!note->isVisible());
 }
 
 //------------------------------------------------------------------------------
@@ -743,16 +677,6 @@ void ExplorerWindow::closesWhileWorking()
 }
 
 //------------------------------------------------------------------------------
-int main(int argc, char* argv[])
-{
-  if (!std::getenv("DISPLAY"))
-  {
-    std::puts("Skipped: the explorer's window needs an X server");
-    return 125;
-  }
-  const Application application(argc, argv);
-  ExplorerWindow test;
-  return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char* argv[]) { return RunTest<ExplorerWindow>(argc, argv); }
 
 #include "ExplorerWindow.moc"

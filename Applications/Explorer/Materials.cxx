@@ -1,21 +1,161 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ModelMaterials.h"
+#include "Materials.h"
+
+#include "Files.h"
+#include "Meshes.h"
+#include "SampleTable.h"
+#include "State.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFFormats.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDF.h"
+#include "vtkEmbeddedEnvironments.h"
+#include "vtkEmbeddedMaterials.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
 #include "vtkSumBRDF.h"
 
 #include <algorithm>
+#include <filesystem>
+
+namespace explorer
+{
+namespace
+{
+//------------------------------------------------------------------------------
+bool Has(const std::vector<std::string>& list, const std::string& ending)
+{
+  return std::find(list.begin(), list.end(), ending) != list.end();
+}
+
+//------------------------------------------------------------------------------
+bool HasFile(const std::vector<Item>& items, const std::string& file)
+{
+  return std::any_of(
+    items.begin(), items.end(), [&file](const Item& item) { return item.File == file; });
+}
+
+//------------------------------------------------------------------------------
+// Those that were opened, under their heading.
+void AddFiles(std::vector<Item>& items, const std::vector<std::string>& files)
+{
+  for (const std::string& file : files)
+  {
+    items.push_back({ file, std::filesystem::path(file).filename().string(), "Files", file });
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetMaterialExtensions()
+{
+  std::vector<std::string> all;
+  for (const auto& format : vtkBRDFFormats::GetFormats())
+  {
+    for (const std::string& ending : format->GetExtensions())
+    {
+      if (!Has(all, ending))
+      {
+        all.push_back(ending);
+      }
+    }
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<std::string>& GetEnvironmentExtensions()
+{
+  static const std::vector<std::string> endings = { ".exr", ".hdr", ".pic", ".pfm", ".tif", ".tiff",
+    ".tx", ".png", ".jpg", ".jpeg" };
+  return endings;
+}
+
+//------------------------------------------------------------------------------
+FileKind FindFileKind(const std::string& file)
+{
+  if (file == DirectionalLightName)
+  {
+    return FileKind::DirectionalLight;
+  }
+  if (IsBuiltInEnvironment(file))
+  {
+    return FileKind::Environment;
+  }
+  const std::string ending = tool::Extension(file.substr(0, file.find('#')));
+  const bool isMaterial = Has(GetMaterialExtensions(), ending);
+  const bool isEnvironment = Has(GetEnvironmentExtensions(), ending);
+  if (isMaterial || isEnvironment)
+  {
+    return !isEnvironment ? FileKind::Material
+           : isMaterial   ? FileKind::MaterialOrEnvironment
+                          : FileKind::Environment;
+  }
+  return Has(tool::GetMeshExtensions(), ending) ? FileKind::Mesh
+         : ending == ".json"                    ? FileKind::State
+                                                : FileKind::Material;
+}
+
+//------------------------------------------------------------------------------
+bool IsBuiltInMaterial(const std::string& name) { return HasFile(ListMaterials({}), name); }
+
+//------------------------------------------------------------------------------
+bool IsBuiltInEnvironment(const std::string& name) { return HasFile(ListEnvironments({}), name); }
+
+//------------------------------------------------------------------------------
+std::vector<Item> ListMaterials(const std::vector<std::string>& opened)
+{
+  std::vector<Item> items;
+  AddFiles(items, opened);
+  for (const ParametricModel& model : GetModels())
+  {
+    items.push_back({ GetModelFile(model), model.Name, "Models",
+      model.Description + "; its parameters are in the Model tab" });
+  }
+  const auto embedded = static_cast<std::ptrdiff_t>(items.size());
+  for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
+  {
+    const std::string name = vtkEmbeddedMaterials::GetName(k);
+    items.push_back(
+      { name, name, vtkEmbeddedMaterials::GetKind(k), vtkEmbeddedMaterials::GetSource(k) });
+  }
+  std::stable_sort(items.begin() + embedded, items.end(),
+    [](const Item& a, const Item& b) { return a.Kind < b.Kind; });
+  return items;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Item> ListEnvironments(const std::vector<std::string>& opened)
+{
+  std::vector<Item> items;
+  for (int k = 0; k < vtkEmbeddedEnvironments::GetNumberOfEnvironments(); ++k)
+  {
+    const std::string name = vtkEmbeddedEnvironments::GetName(k);
+    items.push_back({ name, name, "Built-in", vtkEmbeddedEnvironments::GetSource(k) });
+  }
+  items.push_back({ DirectionalLightName, "Directional light", "Built-in",
+    "One light from one direction; its direction and irradiance are in the Light tab" });
+  AddFiles(items, opened);
+  return items;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Item> ListMeshes(const std::string& opened)
+{
+  std::vector<Item> items = { { "sphere", "Sphere", "Built-in", "A unit sphere" },
+    { "ball-on-foot", "Ball on foot", "Built-in",
+      "The gallery's piece: a ball on a fluted foot" } };
+  if (opened.find_first_of("/.") != std::string::npos)
+  {
+    AddFiles(items, { opened });
+  }
+  return items;
+}
 
 namespace
 {
-using explorer::ModelParameter;
-using explorer::ModelValues;
-
 const std::string Prefix = "model:";
 constexpr double LargestExponent = 1e6; // as the models' own
 
@@ -90,8 +230,6 @@ vtkSmartPointer<vtkBRDF> MakeBRDF(const std::string& key, const ModelValues& val
 }
 }
 
-namespace explorer
-{
 //------------------------------------------------------------------------------
 const std::vector<ParametricModel>& GetModels()
 {
@@ -168,18 +306,6 @@ vtkSmartPointer<vtkBRDF> MakeModel(const ParametricModel& model, const ModelValu
 }
 
 //------------------------------------------------------------------------------
-std::vector<Item> ListModels()
-{
-  std::vector<Item> items;
-  for (const ParametricModel& model : GetModels())
-  {
-    items.push_back({ GetModelFile(model), model.Name, "Models",
-      model.Description + "; its parameters are in the Model tab" });
-  }
-  return items;
-}
-
-//------------------------------------------------------------------------------
 tool::Material LoadMaterial(const std::string& file, const ModelStates& states)
 {
   const ParametricModel* model = FindModel(file);
@@ -194,5 +320,53 @@ tool::Material LoadMaterial(const std::string& file, const ModelStates& states)
   material.Source = model->Description;
   material.Format = "model";
   return material;
+}
+
+//------------------------------------------------------------------------------
+tool::Material MakeSnapshot(const tool::Material& material)
+{
+  tool::Material snapshot = material;
+  if (auto copy = vtkSmartPointer<vtkBRDF>::Take(material.BRDF->NewSnapshot()))
+  {
+    snapshot.BRDF = copy;
+  }
+  return snapshot;
+}
+
+//------------------------------------------------------------------------------
+SampleEdits FindEdits(const std::map<std::string, SampleEdits>& all, const std::string& file)
+{
+  const auto found = all.find(file);
+  return found == all.end() ? SampleEdits() : found->second;
+}
+
+//------------------------------------------------------------------------------
+bool MadeMaterial::IsAnother(const MaterialSettings& settings) const
+{
+  return this->Edits != FindEdits(settings.Edits, this->Shown.File) ||
+         this->Values != FindValues(this->Shown.File, settings.Models);
+}
+
+//------------------------------------------------------------------------------
+MadeMaterial MakeMaterial(const std::string& file, const MaterialSettings& settings)
+{
+  return RemakeMaterialOf(LoadMaterial(file, settings.Models), settings);
+}
+
+//------------------------------------------------------------------------------
+MadeMaterial RemakeMaterialOf(const tool::Material& original, const MaterialSettings& settings)
+{
+  MadeMaterial made;
+  made.Original =
+    FindModel(original.File) ? LoadMaterial(original.File, settings.Models) : original;
+  made.Values = FindValues(original.File, settings.Models);
+  made.Edits = FindEdits(settings.Edits, original.File);
+  made.Shown = ApplyEdits(made.Original, made.Edits);
+  made.Shown.BRDF->Prepare();
+  if (made.Shown.Transmission)
+  {
+    made.Shown.Transmission->Prepare();
+  }
+  return made;
 }
 } // namespace explorer

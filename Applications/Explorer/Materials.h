@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What can be shown: what is built in, models with parameters, and files; and a material as it is
+ * shown, made of parameters and with the edits of its samples. Without Qt.
+ */
+
+#ifndef Materials_h
+#define Materials_h
+
+#include "Inputs.h"
+#include "State.h"
+
+#include "vtkBRDF.h"
+#include "vtkSmartPointer.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace explorer
+{
+enum class FileKind
+{
+  DirectionalLight,
+  Material,
+  Environment,
+  MaterialOrEnvironment,
+  Mesh,
+  State
+};
+
+/// Names without '/', '.' and '#' are built in, materials where no environment is called so. An
+/// ending that nobody knows is taken for a material's: its reader says what it reads.
+FileKind FindFileKind(const std::string& file);
+
+///@{
+/// Endings with their dots.
+std::vector<std::string> GetMaterialExtensions();
+const std::vector<std::string>& GetEnvironmentExtensions();
+///@}
+
+/// A line of a list.
+struct Item
+{
+  std::string File; // name or path, as State has it
+  std::string Name;
+  std::string Kind; // heading
+  std::string Source;
+};
+
+///@{
+/// Built-in ones under their headings, and the opened files under theirs.
+std::vector<Item> ListMaterials(const std::vector<std::string>& opened);
+std::vector<Item> ListEnvironments(const std::vector<std::string>& opened);
+std::vector<Item> ListMeshes(const std::string& opened);
+///@}
+
+///@{
+/// Whether it is a built-in name, or a model's.
+bool IsBuiltInMaterial(const std::string& name);
+bool IsBuiltInEnvironment(const std::string& name);
+///@}
+
+struct ModelParameter
+{
+  std::string Key;  // in state files
+  std::string Name; // for people
+  std::string Description;
+  double Least;
+  double Largest;
+  std::vector<double> Default;      // one number, or red, green and blue
+  bool IsLogarithmic = false;       // the slider's scale
+  std::vector<std::string> Choices; // where it is one of a few: their names, from 0
+};
+
+struct ParametricModel
+{
+  std::string Key; // as vtkBRDFModels calls it
+  std::string Name;
+  std::string Description;
+  std::vector<ModelParameter> Parameters;
+};
+
+/// Lambert, Blinn-Phong, Ashikhmin-Shirley, D-BRDF.
+const std::vector<ParametricModel>& GetModels();
+
+///@{
+/// A model as State names it in a material's place, "model:Lambert"; null: it is none.
+std::string GetModelFile(const ParametricModel& model);
+const ParametricModel* FindModel(const std::string& file);
+///@}
+
+/// All parameters of a model: those that a state has set, and the others' defaults.
+ModelValues GetValues(const ParametricModel& model, const ModelStates& states);
+
+/// The same of a material by its name or file; nothing where that is no model.
+ModelValues FindValues(const std::string& file, const ModelStates& states);
+
+/// Of values that are in range.
+vtkSmartPointer<vtkBRDF> MakeModel(const ParametricModel& model, const ModelValues& values);
+
+/// A material by name or file as State has it, models among them. Throws tool::Error.
+tool::Material LoadMaterial(const std::string& file, const ModelStates& states);
+
+/// A copy for another thread; the material itself where its class has none.
+tool::Material MakeSnapshot(const tool::Material& material);
+
+/// The edits of a material's samples among those of all.
+SampleEdits FindEdits(const std::map<std::string, SampleEdits>& all, const std::string& file);
+
+/// What a state says of all materials beside their files.
+struct MaterialSettings
+{
+  ModelStates Models;
+  std::map<std::string, SampleEdits> Edits;
+};
+
+struct MadeMaterial
+{
+  tool::Material Original; // without edits
+  tool::Material Shown;    // prepared
+  ModelValues Values;      // of a model; empty for others
+  SampleEdits Edits;
+
+  /// Whether it would be another one by these settings.
+  bool IsAnother(const MaterialSettings& settings) const;
+};
+
+/// By its file or name. Takes long. Throws tool::Error.
+MadeMaterial MakeMaterial(const std::string& file, const MaterialSettings& settings);
+
+/// The same by other settings, without reading it again.
+MadeMaterial RemakeMaterialOf(const tool::Material& original, const MaterialSettings& settings);
+} // namespace explorer
+
+#endif
