@@ -14,9 +14,9 @@ for python in /usr/bin/python3 python3; do # VTK's modules belong to one interpr
   "$python" -c 'import vtkmodules' 2>/dev/null && break
 done
 mkdir -p output
-"$python" cmake/make-molecule.py output/molecule.vtp
+"$python" cmake/make-mesh.py molecule output/molecule.vtp
 "${display[@]}" build/bin/measured-brdf compare gold-paint --environment room --mesh output/molecule.vtp --size 300x270 \
   --view 20,25,40 --occlusion --strip "${1:-docs/occlusion.png}" --report output/occlusion.json
-"$python" cmake/make-bowl.py output/bowl.vtp
+"$python" cmake/make-mesh.py bowl output/bowl.vtp
 "${display[@]}" build/bin/measured-brdf compare delrin --environment room --mesh output/bowl.vtp --size 230x210 \
   --view 20,40,40 --occlusion --bounces 1 --strip "${2:-docs/occlusion-bounce.png}" --report output/occlusion-bounce.json

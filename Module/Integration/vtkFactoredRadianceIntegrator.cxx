@@ -30,7 +30,7 @@ using namespace measuredbrdf;
 namespace
 {
 constexpr int KnotsPerViewAngle = 4; // of the kernels that the maps are made of
-constexpr int NumberOfNodes = 64;
+constexpr int KernelNodes = 64;
 }
 
 struct vtkFactoredRadianceIntegrator::Core : RadianceCore
@@ -121,7 +121,7 @@ bool vtkFactoredRadianceIntegrator::MakeCore(Precomputation& parts, int tableNod
   const MaterialPrecomputation::Kernels& tableKnots =
     parts.GetKernels(this->BRDF, this->NumberOfViewAngles, tableNodes, this->Abort, use);
   const MaterialPrecomputation::Kernels& knots = parts.GetKernels(this->BRDF,
-    KnotsPerViewAngle * (this->NumberOfViewAngles - 1) + 1, NumberOfNodes, this->Abort, use);
+    KnotsPerViewAngle * (this->NumberOfViewAngles - 1) + 1, KernelNodes, this->Abort, use);
   if (this->Abort)
   {
     return false;

@@ -156,17 +156,9 @@ class Environment:
         self._environment.SetRotationY(degrees)
 
     def radiance(self, directions: ArrayLike) -> NDArray[np.float32]:
-        """The radiance from directions, bilinear between texels.
+        """The radiance from directions in the world, bilinear between texels: linear RGB, float32, shape (..., 3).
 
-        Parameters
-        ----------
-        directions
-            Shape (3,) or (..., 3): directions in the world, of any length but 0.
-
-        Returns
-        -------
-        ndarray
-            Shape (..., 3): linear RGB radiance, float32.
+        directions: shape (3,) or (..., 3), of any length but 0.
         """
         world = to_floats(directions, "directions", 3)
         lengths = np.linalg.norm(world, axis=-1, keepdims=True)

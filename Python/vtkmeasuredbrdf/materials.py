@@ -114,18 +114,10 @@ class Material:
         return self._brdf.GetSource()
 
     def evaluate(self, i: ArrayLike, o: ArrayLike) -> NDArray[Any]:
-        """The BRDF f(i,o).
+        """The BRDF f(i,o) in 1/sr, linear RGB (Rec. 709), without the cosine.
 
-        Parameters
-        ----------
-        i, o
-            Shape (3,) or (..., 3): directions to the light and to the viewer.
-
-        Returns
-        -------
-        ndarray
-            Shape (..., 3): f in 1/sr, linear RGB (Rec. 709), without the cosine. 0 where a direction is at or
-            below the horizon (z <= 0) or is no direction.
+        i, o: directions to the light and to the viewer, shape (3,) or (..., 3). Returns shape (..., 3): 0 where a
+        direction is at or below the horizon (z <= 0) or is no direction.
         """
         return self._call(self._brdf.EvaluateArray, {"i": to_floats(i, "i", 3), "o": to_floats(o, "o", 3)}, 3)
 
@@ -135,17 +127,8 @@ class Material:
         The mean of evaluate(i, o) * i[..., 2:] / pdf(i, o)[..., None] over the draws, those below the horizon
         counted as 0, is the directional albedo.
 
-        Parameters
-        ----------
-        o
-            Shape (3,) or (..., 3): directions to the viewer.
-        u
-            Shape (2,) or (..., 2): uniform random numbers in [0, 1).
-
-        Returns
-        -------
-        ndarray
-            Shape (..., 3): unit vectors; (0, 0, 0) where the draw fell below the horizon.
+        o: directions to the viewer, shape (3,) or (..., 3). u: uniform random numbers in [0, 1), shape (2,) or
+        (..., 2). Returns unit vectors, shape (..., 3): (0, 0, 0) where the draw fell below the horizon.
         """
         numbers = to_floats(u, "u", 2)
         if not ((numbers >= 0.0) & (numbers < 1.0)).all():
@@ -153,33 +136,17 @@ class Material:
         return self._call(self._brdf.SampleArray, {"o": to_floats(o, "o", 3), "u": numbers}, 3)
 
     def pdf(self, i: ArrayLike, o: ArrayLike) -> NDArray[Any]:
-        """The probability density of `sample`.
+        """The probability density of `sample` in 1/sr, over the solid angle of i.
 
-        Parameters
-        ----------
-        i, o
-            Shape (3,) or (..., 3): directions to the light and to the viewer.
-
-        Returns
-        -------
-        ndarray
-            Shape (...): the density in 1/sr, over the solid angle of i.
+        i, o: directions to the light and to the viewer, shape (3,) or (..., 3). Returns shape (...).
         """
         return self._call(self._brdf.PdfArray, {"i": to_floats(i, "i", 3), "o": to_floats(o, "o", 3)}, 1)
 
     def albedo(self, o: ArrayLike) -> NDArray[Any]:
         """The directional albedo: the integral of f(i,o) cos(theta_i) over i.
 
-        Parameters
-        ----------
-        o
-            Shape (3,) or (..., 3): directions to the viewer.
-
-        Returns
-        -------
-        ndarray
-            Shape (..., 3): linear RGB, within 1e-3 of the integral (vtkBRDF::GetDirectionalAlbedo says where
-            not).
+        o: directions to the viewer, shape (3,) or (..., 3). Returns linear RGB, shape (..., 3), within 1e-3 of the
+        integral (vtkBRDF::GetDirectionalAlbedo says where not).
         """
         return self._call(self._brdf.GetDirectionalAlbedoArray, {"o": to_floats(o, "o", 3)}, 3)
 

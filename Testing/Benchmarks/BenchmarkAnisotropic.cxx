@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables of brushed metal against sums over soft lights: the time to prepare, the error of a
 // thousand pairs of a sphere seen from everywhere, against the reference, the memory of the
-// textures. The table of docs/methods/anisotropic.md; BenchmarkRendering has the frames.
+// textures. The table of docs/methods/anisotropic.md; BenchmarkFrames has the frames.
 #include "BenchmarkCase.h"
 #include "BrushedMetal.h"
 #include "vtkAnisotropicTableRadianceIntegrator.h"

@@ -331,10 +331,9 @@ def main():
         "format": "measured-brdf shading models", "version": 1, "renderer": screen.context.info["GL_RENDERER"],
         "pairs": [{"i": list(light), "o": list(view)} for light, view in pairs], "results": results,
     }
-    # A line for each color and each direction.
-    text = re.sub(r"\[[^][{}]*\]", lambda match: re.sub(r"\s+", " ", match[0]), json.dumps(record, indent=1))
     with open(arguments.output, "w", encoding="ascii") as file:
-        file.write(text + "\n")
+        json.dump(record, file, indent=1)
+        file.write("\n")
 
 
 if __name__ == "__main__":

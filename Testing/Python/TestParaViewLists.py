@@ -39,5 +39,5 @@ for name in ("MeasuredMaterials.xml", "MeasuredMaterialSources.xml"):
             assert values == EXPECTED[prop.get("name")], (name, prop.get("name"), values)
             assert prop.get("default_values") in values, prop.get("name")
             seen += 1
-assert seen == 5, seen
-assert choosers == 4, choosers
+assert seen == 3, seen
+assert choosers == 2, choosers

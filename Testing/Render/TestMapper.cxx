@@ -123,17 +123,6 @@ vtkSmartPointer<vtkTexture> MakeTexture(vtkEnvironment* environment)
   return texture;
 }
 
-/// Pixels that are not background (alpha 0 in the float framebuffer is not kept, so: any color).
-std::vector<bool> GetCoverage(const FloatImage& image)
-{
-  std::vector<bool> covered;
-  for (std::size_t k = 0; k < image.RGBA.size(); k += 4)
-  {
-    covered.push_back(image.RGBA[k] + image.RGBA[k + 1] + image.RGBA[k + 2] > 0.0f);
-  }
-  return covered;
-}
-
 class Mapper : public RenderFixture
 {
 protected:

@@ -8,14 +8,13 @@ from vtkmodules.vtkCommonDataModel import (
     vtkMultiBlockDataSet,
     vtkPartitionedDataSet,
     vtkPartitionedDataSetCollection,
-    vtkPlane,
     vtkPolyData,
 )
 from vtkmodules.vtkRenderingCore import vtkCompositeDataDisplayAttributes, vtkProperty
 
 from .passes import CELLS, light, select
 from .scene import BACKGROUND, FURNACE, MAGENTA, SMOOTH, add_scene, encode, made, mix, scene, sphere
-from .surfaces import BOTH, COLORS, STOCK, add_colors, data_of, elevated, modulated, plane, stripes
+from .surfaces import BOTH, COLORS, add_colors, data_of, elevated, modulated, plane
 
 
 def block(x, y=0.0, source=None):
@@ -51,7 +50,6 @@ def composite(view, data, attributes=True, **properties):
 
 
 add_scene("composite_plain", lambda view: composite(view, three(), attributes=False))
-add_scene("composite_of_one_dataset", lambda view: composite(view, block(0.0)))
 
 
 @scene
@@ -90,13 +88,6 @@ def composite_block_colors(view):
 def composite_block_opacity(view):
     composite(view, three())
     view.mappers[0].SetBlockOpacity(1, 0.5)
-
-
-@scene
-def composite_block_opacity_peeled(view):
-    composite_block_opacity(view)
-    view.window.AlphaBitPlanesOn()
-    view.renderer.UseDepthPeelingOn()
 
 
 @scene(expect=(modulated(COLORS[0]), FURNACE))
@@ -149,7 +140,6 @@ add_scene(
     expect=(FURNACE, MAGENTA),
     others=0.2,
 )
-add_scene("composite_wireframe", lambda view: composite(view, three(), Representation=1), expect=STOCK)
 add_scene(
     "composite_vertices",
     lambda view: composite(view, three(), EdgeVisibility=True, VertexVisibility=True, VertexColor=(0.0, 1.0, 0.0)),
@@ -249,29 +239,11 @@ def composite_material_and_color(view):
 
 
 @scene
-def composite_copied(view):
-    """ShallowCopy takes over the material, those of blocks, and VTK's attributes."""
-    composite_material_of_a_block(view)
-    copy = view.factory.composite()
-    copy.SetInputDataObject(view.mappers[0].GetInputDataObject(0, 0))
-    copy.ShallowCopy(view.mappers[0])
-    view.actors[0].SetMapper(copy)
-    view.mappers.append(copy)
-
-
-@scene
 def composite_in_two_viewports(view):
     composite_material_of_a_block(view)
     view.renderer.SetViewport(0.0, 0.0, 0.5, 1.0)
     right = view.add_renderer((0.5, 0.0, 1.0, 1.0))
     right.AddActor(view.actors[0])
-
-
-@scene
-def composite_clipped(view):
-    composite(view, three())
-    clip = made(vtkPlane, Normal=(0.0, 1.0, 0.0))
-    view.mappers[0].AddClippingPlane(clip)
 
 
 @scene
@@ -281,12 +253,6 @@ def composite_lights(view):
     light(
         view, "SceneLight", Position=(0.0, 0.0, 2.0), FocalPoint=(0.1, 0.0, 0.0), Positional=True, ConeAngle=40.0, Exponent=1.0
     )
-
-
-@scene(expect=(modulated(COLORS[0]),))
-def composite_texture(view):
-    composite(view, three())
-    view.actors[0].SetTexture(stripes(colors=(COLORS[0],) * 2))
 
 
 @scene

@@ -11,7 +11,6 @@ from vtkmodules.vtkRenderingCore import (
     vtkCellPicker,
     vtkHardwareSelector,
     vtkLight,
-    vtkProperty,
     vtkPropPicker,
     vtkSkybox,
     vtkWindowToImageFilter,
@@ -137,19 +136,6 @@ def parallel_projection(view):
 
 
 @scene
-def reset_camera(view):
-    view.add()
-    view.renderer.ResetCamera()
-
-
-@scene(others=1.0)
-def gradient_background(view):
-    view.renderer.GradientBackgroundOn()
-    view.renderer.SetBackground2(0.6, 0.5, 0.4)
-    view.add()
-
-
-@scene
 def transparent_background(view):
     view.window.AlphaBitPlanesOn()
     view.renderer.SetBackgroundAlpha(0.0)
@@ -212,15 +198,6 @@ def depth_peeling_closed(view):
     view.add(Opacity=0.5)
 
 
-@scene(expect=(mix(HALF, FURNACE, 0.5),), others=0.05)
-def depth_peeling_backface_property(view):
-
-    peeled(view)
-    actor = view.add(Opacity=0.5)
-    back = made(vtkProperty, Color=(0.9, 0.1, 0.1), Opacity=0.5)
-    actor.SetBackfaceProperty(back)
-
-
 def sequence(*passes):
     collection = opengl.vtkRenderPassCollection()
     for part in passes:
@@ -255,7 +232,6 @@ def order_independent_pass(view):
 
 
 add_scene("forced_translucent", lambda view: view.add().ForceTranslucentOn(), **SMOOTH)
-add_scene("forced_opaque", lambda view: view.add(plane(), Opacity=0.5).ForceOpaqueOn(), expect=(HALF,))
 
 
 @scene(expect=STOCK)
@@ -279,17 +255,6 @@ def ssao(view):
     view.add()
     view.add(plane()).SetPosition(0.0, 0.0, -0.3)
     through(shade, view)
-
-
-@scene(**SMOOTH)
-def ssao_by_the_renderer(view):
-    if not hasattr(view.renderer, "SetUseSSAO"):
-        raise Unavailable("vtkRenderer::UseSSAO came with VTK 9.1")
-    view.renderer.UseSSAOOn()
-    view.renderer.SetSSAORadius(0.3)
-    view.renderer.SetSSAOKernelSize(8)
-    view.add()
-    view.add(plane()).SetPosition(0.0, 0.0, -0.3)
 
 
 def shadows(view, **settings):
@@ -340,13 +305,6 @@ for mapping, (name, function) in enumerate(
     # The background goes through it, too, where it is opaque.
     expect = (encode(function(a) for a in ALBEDO),)
     add_scene("tone_mapping_" + name, toned(mapping), others=0.9, least=0.2, expect=expect)
-
-
-@scene(**SMOOTH)
-def tone_mapping_filmic(view):
-    tone = made(opengl.vtkToneMappingPass, ToneMappingType=3)
-    view.add()
-    through(tone, view)
 
 
 @scene(**SMOOTH, dark=True)
@@ -419,8 +377,8 @@ def stereo(kind):
     return draw
 
 
-for name, kind in (("red_blue", 2), ("interlaced", 3), ("anaglyph", 7), ("checkerboard", 8), ("split", 9)):
-    add_scene("stereo_" + name, stereo(kind), others=1.0, expect=() if kind in (2, 7, 8) else (FURNACE,), dark=True)
+for name, kind in (("red_blue", 2), ("interlaced", 3), ("split", 9)):
+    add_scene("stereo_" + name, stereo(kind), others=1.0, expect=() if kind == 2 else (FURNACE,), dark=True)
 
 
 def grab_by_filter(scale, kind):
@@ -442,19 +400,6 @@ def tiles(view):
     view.grab = grab_by_filter(2, 3)
 
 
-@scene(expect=(HALF,))
-def tiles_translucent(view):
-    view.add(plane(), Opacity=0.5)
-    view.grab = grab_by_filter(3, 3)
-
-
-@scene
-def screenshot_with_alpha(view):
-    view.window.AlphaBitPlanesOn()
-    view.add()
-    view.grab = grab_by_filter(1, 4)
-
-
 @scene
 def viewports(view):
     view.renderer.SetViewport(0.0, 0.0, 0.5, 1.0)
@@ -472,13 +417,6 @@ def window_layers(view):
     front = view.add_renderer()
     front.SetLayer(1)
     view.add(sphere(radius=0.2), renderer=front).SetPosition(0.8, 0.5, 0.0)
-
-
-@scene
-def window_of_another_size(view):
-    view.add()
-    view.window.Render()
-    view.window.SetSize(90, 110)
 
 
 @scene(others=1.0, expect=())
@@ -614,12 +552,6 @@ def replaced_normal(view):
     replaced(view, "Normal::Impl", "  normalVCVSOutput = normalize(normalVCVSOutput + vec3(0.1));")
 
 
-@scene
-def replaced_color(view):
-    view.add()
-    replaced(view, "Color::Impl", "  diffuseColor = vec3(0.9, 0.3, 0.2);")
-
-
 @scene(expect=(FURNACE, tuple(0.5 * c for c in FURNACE)))
 def replaced_vertex_position(view):
     view.add()
@@ -663,11 +595,3 @@ def shaders_come_and_go(view):
     view.actors[0].GetShaderProperty().ClearAllFragmentShaderReplacements()
     view.actors[0].Modified()
     view.window.Render()
-
-
-@scene
-def resources_released(view):
-    """A second window after the first let go of everything."""
-    view.add()
-    view.window.Render()
-    view.window.Finalize()

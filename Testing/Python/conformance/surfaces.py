@@ -28,13 +28,11 @@ from vtkmodules.vtkFiltersCore import (
     vtkPolyDataNormals,
     vtkPolyDataTangents,
     vtkStripper,
-    vtkTriangleFilter,
 )
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPlaneSource
 from vtkmodules.vtkFiltersTexture import vtkTextureMapToSphere
 from vtkmodules.vtkRenderingCore import (
     vtkAssembly,
-    vtkColorTransferFunction,
     vtkDataSetMapper,
     vtkFollower,
     vtkMapper,
@@ -117,19 +115,11 @@ BOTH = tuple(modulated(c) for c in COLORS)
 add_scene("surface", lambda view: view.add(Color=(0.3, 0.6, 0.9), Specular=0.5, SpecularPower=20.0))
 add_scene("wireframe", lambda view: view.add(Representation=1, LineWidth=2.0), expect=STOCK)
 add_scene("points", lambda view: view.add(Representation=0, PointSize=5.0), expect=STOCK)
-add_scene("points_as_spheres", lambda view: view.add(Representation=0, PointSize=9.0, RenderPointsAsSpheres=True), expect=STOCK)
-add_scene("lines_as_tubes", lambda view: view.add(Representation=1, LineWidth=5.0, RenderLinesAsTubes=True), expect=STOCK)
 add_scene(
     "edges",
     lambda view: view.add(sphere(8), EdgeVisibility=True, EdgeColor=MAGENTA, LineWidth=3.0),
     expect=(FURNACE, MAGENTA),
     others=0.3,
-)
-add_scene(
-    "edges_of_quads",
-    lambda view: view.add(plane(3), EdgeVisibility=True, EdgeColor=MAGENTA, LineWidth=2.0),
-    expect=(FURNACE, MAGENTA),
-    others=0.2,
 )
 
 
@@ -147,12 +137,6 @@ def edges_half_opaque(view):
     actor.GetProperty().SetEdgeOpacity(0.5)
 
 
-add_scene(
-    "edges_translucent",
-    lambda view: view.add(plane(3), EdgeVisibility=True, EdgeColor=MAGENTA, LineWidth=3.0, Opacity=0.5),
-    expect=(mix(BACKGROUND, FURNACE, 0.5),),
-    others=0.4,
-)
 # Drawn with edges only, by VTK 9.1 to 9.6; they are the superclass's.
 add_scene(
     "vertices",
@@ -160,18 +144,6 @@ add_scene(
     others=0.5,
     dark=True,
 )
-
-
-@scene(others=0.5, dark=True)
-def vertices_as_spheres(view):
-    view.add(
-        sphere(8),
-        VertexVisibility=True,
-        VertexColor=(0.0, 1.0, 0.0),
-        PointSize=8.0,
-        EdgeVisibility=True,
-        RenderPointsAsSpheres=True,
-    )
 
 
 @scene(expect=STOCK)
@@ -222,12 +194,6 @@ def mixed_cells_with_cell_scalars(view):
 add_scene("nothing", lambda view: view.add(vtkPolyData()), expect=())
 
 
-@scene(expect=())
-def points_without_cells(view):
-    data = made(vtkPolyData, Points=data_of(sphere()).GetPoints())
-    view.add(data)
-
-
 @scene
 def degenerate_triangles(view):
     data = data_of(plane())
@@ -235,15 +201,6 @@ def degenerate_triangles(view):
     data.InsertNextCell(VTK_TRIANGLE, 3, [0, 0, 1])
     data.InsertNextCell(VTK_TRIANGLE, 3, [2, 2, 2])
     view.add(data)
-
-
-add_scene("invisible", lambda view: view.add().VisibilityOff(), expect=())
-
-
-@scene
-def static_mapper(view):
-    view.add().GetMapper().Update()
-    view.mappers[0].StaticOn()
 
 
 @scene(others=0.3, dark=True)
@@ -300,13 +257,6 @@ def double_normals(view):
     view.add(data)
 
 
-@scene
-def double_points(view):
-    source = sphere()
-    source.SetOutputPointsPrecision(1)
-    view.add(source)
-
-
 def with_tangents():
     texture = chain(vtkTextureMapToSphere(), sphere())
     texture.PreventSeamOff()
@@ -329,7 +279,6 @@ add_scene(
     "pbr_clear_coat",
     lambda view: view.add(Interpolation=3, CoatStrength=0.8, CoatRoughness=0.2, CoatColor=(0.9, 0.5, 0.5), BaseIOR=1.6),
 )
-add_scene("pbr_edge_tint", lambda view: view.add(Interpolation=3, Metallic=1.0, EdgeTint=(0.2, 0.9, 0.4)))
 
 
 # ---- scalars
@@ -350,17 +299,6 @@ add_scene("scalars_of_cells", lambda view: view.add(two_color_plane("cell")), ex
 @scene(expect=BOTH, others=0.2)
 def scalars_of_cells_and_edges(view):
     view.add(two_color_plane("cell"), EdgeVisibility=True, EdgeColor=MAGENTA, LineWidth=3.0)
-
-
-add_scene("scalars_of_cells_wireframe", lambda view: view.add(two_color_plane("cell"), Representation=1), expect=STOCK)
-
-
-@scene(**SMOOTH)
-def scalars_of_cells_strips(view):
-    triangles = made(vtkTriangleFilter, InputData=two_color_plane("cell"))
-    stripper = chain(vtkStripper(), triangles)
-    stripper.PassThroughCellIdsOn()
-    view.add(stripper)
 
 
 add_scene("scalars_off", lambda view: view.add(two_color_plane()).GetMapper().ScalarVisibilityOff())
@@ -395,24 +333,6 @@ def scalars_out_of_range(view):
     mapper.SetLookupTable(table)
     mapper.SetScalarRange(0.4, 0.6)
     mapper.InterpolateScalarsBeforeMappingOn()
-
-
-@scene(**SMOOTH)
-def scalars_by_transfer_function(view):
-    colors = vtkColorTransferFunction()
-    colors.AddRGBPoint(0.0, 0.2, 0.3, 0.9)
-    colors.AddRGBPoint(1.0, 0.9, 0.3, 0.2)
-    view.add(elevated()).GetMapper().SetLookupTable(colors)
-
-
-@scene(**SMOOTH)
-def scalars_log_scale(view):
-    mapper = view.add(elevated()).GetMapper()
-    table = vtkLookupTable()
-    table.SetScaleToLog10()
-    table.SetTableRange(0.05, 1.0)
-    mapper.SetLookupTable(table)
-    mapper.UseLookupTableScalarRangeOn()
 
 
 @scene(**SMOOTH)
@@ -454,14 +374,6 @@ def scalars_by_category(view):
     mapper.SelectColorArray("names")
 
 
-@scene(**SMOOTH)
-def scalars_by_name_of_points(view):
-    data = data_of(elevated())
-    mapper = view.add(data).GetMapper()
-    mapper.SetScalarModeToUsePointFieldData()
-    mapper.SelectColorArray("Elevation")
-
-
 @scene(expect=BOTH)
 def scalars_by_name_of_cells(view):
     data = data_of(plane(2))
@@ -469,20 +381,6 @@ def scalars_by_name_of_cells(view):
     mapper = view.add(data).GetMapper()
     mapper.SetScalarModeToUseCellFieldData()
     mapper.SelectColorArray("by name")
-
-
-@scene(**SMOOTH)
-def scalars_of_fields(view):
-    data = data_of(plane(2))
-    field = vtkFloatArray()
-    field.SetName("field")
-    for k in range(data.GetNumberOfPoints()):
-        field.InsertNextValue(k / 8.0)
-    data.GetFieldData().AddArray(field)
-    mapper = view.add(data).GetMapper()
-    mapper.SetScalarModeToUseFieldData()
-    mapper.SelectColorArray("field")
-    mapper.SetScalarRange(0.0, 1.0)
 
 
 @scene(expect=(modulated(COLORS[1]),))
@@ -502,54 +400,12 @@ def scalars_of_a_missing_array(view):
     mapper.SelectColorArray("no such array")
 
 
-@scene(expect=BOTH)
-def scalars_direct_floats(view):
-    data = data_of(plane(2))
-    colors = made(vtkFloatArray, Name="floats", NumberOfComponents=3)
-    for k in range(data.GetNumberOfCells()):
-        colors.InsertNextTuple3(*COLORS[k % 2])
-    data.GetCellData().SetScalars(colors)
-    view.add(data).GetMapper().SetColorModeToDirectScalars()
-
-
-@scene(**SMOOTH)
-def scalars_mapped_bytes(view):
-    """Bytes through the table after all."""
-    mapper = view.add(two_color_plane()).GetMapper()
-    mapper.SetColorModeToMapScalars()
-    mapper.SetScalarRange(0.0, 255.0)
-
-
-@scene(**SMOOTH)
-def scalars_of_a_component(view):
-    data = data_of(sphere())
-    data.GetPointData().AddArray(data.GetPoints().GetData())
-    data.GetPoints().GetData().SetName("place")
-    mapper = view.add(data).GetMapper()
-    mapper.SetScalarModeToUsePointFieldData()
-    table = vtkLookupTable()
-    table.SetVectorModeToComponent()
-    table.SetVectorComponent(1)
-    table.SetHueRange(0.0, 0.6)
-    table.SetTableRange(-0.7, 0.7)
-    mapper.SelectColorArray("place")
-    mapper.SetLookupTable(table)
-    mapper.UseLookupTableScalarRangeOn()
-
-
 # the seams, drawn once or twice
 @scene(expect=tuple(mix(BACKGROUND, modulated(c), 128 / 255) for c in COLORS), others=0.01)
 def scalars_translucent(view):
     data = data_of(plane(2))
     data.GetCellData().SetScalars(add_colors(data.GetCellData(), data.GetNumberOfCells(), components=4, alpha=128))
     view.add(data)
-
-
-@scene(expect=tuple(mix(BACKGROUND, modulated(c), 0.5) for c in COLORS), others=0.01)
-def scalars_with_alpha_and_opacity(view):
-    data = data_of(plane(2))
-    data.GetCellData().SetScalars(add_colors(data.GetCellData(), data.GetNumberOfCells(), components=4))
-    view.add(data, Opacity=0.5)
 
 
 @scene(expect=BOTH)
@@ -615,25 +471,6 @@ def texture_srgb(view):
         return v / 12.92 if v <= 0.04045 else ((v + 0.055) / 1.055) ** 2.4
 
     view.expect = tuple(encode(a * srgb(v) for a, v in zip(ALBEDO, c)) for c in COLORS)
-
-
-@scene
-def texture_repeated(view):
-    source = plane()
-    data = data_of(source)
-    coordinates = made(vtkFloatArray, NumberOfComponents=2)
-    for u, v in ((0.0, 0.0), (2.5, 0.0), (0.0, 2.0), (2.5, 2.0)):
-        coordinates.InsertNextTuple2(u, v)
-    data.GetPointData().SetTCoords(coordinates)
-    textured(view, stripes(), data)
-
-
-@scene
-def texture_clamped(view):
-    image = stripes()
-    image.RepeatOff()
-    image.EdgeClampOn()
-    textured(view, image)
 
 
 add_scene(
@@ -717,12 +554,6 @@ def pbr_coat_normal_texture(view):
     actor.GetProperty().SetCoatNormalTexture(stripes(colors=((0.5, 0.5, 1.0),) * 2))
 
 
-@scene(may_warn=("texture",))
-def pbr_anisotropy_texture(view):
-    actor = view.add(with_tangents(), Interpolation=3, Anisotropy=0.5)
-    actor.GetProperty().SetAnisotropyTexture(stripes())
-
-
 @scene(expect=(modulated(COLORS[0]),))
 def seamless_coordinates(view):
     textured(view, stripes())
@@ -759,12 +590,6 @@ def clipping_of_a_moved_actor(view):
     view.actors[0].SetScale(1.0, 1.3, 0.8)
 
 
-@scene(others=0.3, dark=True)
-def clipping_wireframe_and_edges(view):
-    clipping_plane(view)
-    view.actors[0].GetProperty().EdgeVisibilityOn()
-
-
 @scene
 def culling(view):
     view.add(BackfaceCulling=True)
@@ -786,11 +611,6 @@ def coincident(view, resolve):
 add_scene(
     "coincident_by_polygon_offset",
     lambda view: coincident(view, lambda view: vtkMapper.SetResolveCoincidentTopologyToPolygonOffset()),
-)
-add_scene(
-    "coincident_by_shifted_depth",
-    lambda view: coincident(view, lambda view: vtkMapper.SetResolveCoincidentTopologyToShiftZBuffer()),
-    others=1.0,
 )
 
 
@@ -851,12 +671,6 @@ def far_from_the_origin(view):
 def shift_scale_always(view):
     far_from_the_origin(view)
     view.mappers[0].SetVBOShiftScaleMethod(2)
-
-
-@scene
-def shift_scale_near_focal_plane(view):
-    far_from_the_origin(view)
-    view.mappers[0].SetVBOShiftScaleMethod(5)
 
 
 @scene
@@ -938,13 +752,3 @@ def backface_property_translucent(view):
     back = made(vtkProperty, Opacity=0.5)
     actor.SetBackfaceProperty(back)
     actor.ForceTranslucentOn()
-
-
-@scene(expect=BOTH)
-def copied_mapper(view):
-    """ShallowCopy takes over what both have."""
-    mapper = view.add(two_color_plane("cell")).GetMapper()
-    copy = view.factory.mapper()
-    copy.ShallowCopy(mapper)
-    view.actors[0].SetMapper(copy)
-    view.mappers.append(copy)

@@ -292,6 +292,30 @@ measuredmaterialsSetNameMacro(MeasuredMaterialFile, MaterialFile);
 measuredmaterialsSetNameMacro(MeasuredEnvironment, Environment);
 measuredmaterialsSetNameMacro(MeasuredEnvironmentFile, EnvironmentFile);
 
+#define measuredmaterialsRemoveAllMacro(Name, Member)       \
+  void vtkMeasuredMaterialRepresentation::RemoveAll##Name() \
+  {                                                         \
+    if (!this->Impl->Member.empty())                        \
+    {                                                       \
+      this->Impl->Member.clear();                           \
+      this->NamesChanged();                                 \
+    }                                                       \
+  }
+
+measuredmaterialsRemoveAllMacro(BlockMaterials, BlockNames);
+measuredmaterialsRemoveAllMacro(MapMaterials, Map.Materials);
+measuredmaterialsRemoveAllMacro(WeightImages, Map.Images);
+
+// The next picture is drawn so; nothing is read.
+#define measuredmaterialsSetMacro(Name, Type, Member) \
+  void vtkMeasuredMaterialRepresentation::Set##Name(Type value) { this->Impl->Member = value; }
+
+measuredmaterialsSetMacro(MeasuredEnvironmentRotation, double, Rotation);
+measuredmaterialsSetMacro(ModulateByScalars, bool, Modulate);
+measuredmaterialsSetMacro(UseViewLights, bool, ViewLights);
+measuredmaterialsSetMacro(PlanInBackground, bool, Background);
+measuredmaterialsSetMacro(OcclusionBounce, bool, Bounce);
+
 //------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::NamesChanged()
 {
@@ -316,43 +340,25 @@ void vtkMeasuredMaterialRepresentation::SetBlockMaterial(const char* selector, c
 }
 
 //------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::RemoveAllBlockMaterials()
-{
-  if (!this->Impl->BlockNames.empty())
-  {
-    this->Impl->BlockNames.clear();
-    this->NamesChanged();
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::SetMaterialMapMode(int mode)
 {
-  this->Impl->Map.SetMode(mode);
+  this->Impl->Map.Mode = std::clamp(mode, 0, 4);
+  this->Impl->Map.IsChanged = true;
 }
 
 //------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::SetMaterialMapArray(const char* name)
 {
-  this->Impl->Map.SetArray(ToText(name));
+  this->Impl->Map.Array = ToText(name);
+  this->Impl->Map.IsChanged = true;
 }
 
 //------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::SetMapMaterial(const char* value, const char* material)
 {
-  if (ToText(value).empty())
+  if (!ToText(value).empty()) // else a row of the panel's table that is being written
   {
-    return; // a row of the panel's table that is being written
-  }
-  this->Impl->Map.AddMaterial(value, ToText(material));
-  this->NamesChanged();
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::RemoveAllMapMaterials()
-{
-  if (this->Impl->Map.RemoveAllMaterials())
-  {
+    this->Impl->Map.Materials.emplace_back(value, ToText(material));
     this->NamesChanged();
   }
 }
@@ -362,16 +368,7 @@ void vtkMeasuredMaterialRepresentation::AddWeightImage(const char* path)
 {
   if (!ToText(path).empty())
   {
-    this->Impl->Map.AddImage(path);
-    this->NamesChanged();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::RemoveAllWeightImages()
-{
-  if (this->Impl->Map.RemoveAllImages())
-  {
+    this->Impl->Map.Images.emplace_back(path);
     this->NamesChanged();
   }
 }
@@ -391,12 +388,6 @@ void vtkMeasuredMaterialRepresentation::UpdateMap(vtkDataObject* levelOfDetail)
   {
     static_cast<vtkCompositeMeasuredBRDFMapper*>(any)->SetMaterialMap(map);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::SetMeasuredEnvironmentRotation(double degrees)
-{
-  this->Impl->Rotation = degrees;
 }
 
 //------------------------------------------------------------------------------
@@ -432,31 +423,10 @@ void vtkMeasuredMaterialRepresentation::Take(
 }
 
 //------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::SetModulateByScalars(bool modulate)
-{
-  this->Impl->Modulate = modulate;
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::SetUseViewLights(bool use) { this->Impl->ViewLights = use; }
-
-//------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::SetPlanInBackground(bool background)
-{
-  this->Impl->Background = background;
-}
-
-//------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::SetOcclusionMode(int mode)
 {
   this->Impl->Occlusion = std::clamp(mode, 0, 2);
   this->Impl->HasWarned = false;
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::SetOcclusionBounce(bool bounce)
-{
-  this->Impl->Bounce = bounce;
 }
 
 //------------------------------------------------------------------------------

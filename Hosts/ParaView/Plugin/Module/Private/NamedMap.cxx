@@ -32,45 +32,6 @@ bool HasArray(vtkDataSet* data, const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-void NamedMap::SetMode(int mode)
-{
-  this->Mode = std::clamp(mode, 0, Textures);
-  this->IsChanged = true;
-}
-
-//------------------------------------------------------------------------------
-void NamedMap::SetArray(const std::string& name)
-{
-  this->Array = name;
-  this->IsChanged = true;
-}
-
-//------------------------------------------------------------------------------
-void NamedMap::AddMaterial(const std::string& value, const std::string& name)
-{
-  this->Materials.emplace_back(value, name);
-}
-
-//------------------------------------------------------------------------------
-bool NamedMap::RemoveAllMaterials()
-{
-  const bool any = !this->Materials.empty();
-  this->Materials.clear();
-  return any;
-}
-
-//------------------------------------------------------------------------------
-void NamedMap::AddImage(const std::string& path) { this->Images.push_back(path); }
-
-//------------------------------------------------------------------------------
-bool NamedMap::RemoveAllImages()
-{
-  const bool any = !this->Images.empty();
-  this->Images.clear();
-  return any;
-}
-
-//------------------------------------------------------------------------------
 void NamedMap::Find(vtkMultiProcessController* controller, const Say& say)
 {
   this->FoundMaterials.clear();

@@ -24,20 +24,16 @@ class vtkMultiProcessController;
 
 namespace measuredmaterials
 {
-class NamedMap
+struct NamedMap
 {
-public:
   using Say = std::function<void(const std::string&)>;
 
-  ///@{
-  /// The properties. Mode: 0 there is no map, 1 classes, 2 values, 3 weights, 4 images.
-  void SetMode(int mode);
-  void SetArray(const std::string& name);
-  void AddMaterial(const std::string& value, const std::string& name);
-  bool RemoveAllMaterials(); // returns whether there were any, as the next
-  void AddImage(const std::string& path);
-  bool RemoveAllImages();
-  ///@}
+  // The properties. Whoever changes the mode or the array sets IsChanged; names are found anew.
+  int Mode = 0; // 0 there is no map, 1 classes, 2 values, 3 weights, 4 images
+  std::string Array;
+  std::vector<std::pair<std::string, std::string>> Materials; // value, name
+  std::vector<std::string> Images;
+  bool IsChanged = true;
 
   /// Find what the names mean; say takes what cannot be read. Collective with a controller.
   void Find(vtkMultiProcessController* controller, const Say& say);
@@ -59,14 +55,8 @@ public:
 private:
   bool HasWeights() const; // materials go by the order of their numbers
 
-  int Mode = 0;
-  std::string Array;
-  std::vector<std::pair<std::string, std::string>> Materials; // value, name
-  std::vector<std::string> Images;
-
   std::vector<vtkSmartPointer<vtkBRDF>> FoundMaterials;
   std::vector<vtkSmartPointer<vtkImageData>> FoundImages;
-  bool IsChanged = true;
   vtkSmartPointer<vtkMaterialMap> Map;
 };
 } // namespace measuredmaterials
