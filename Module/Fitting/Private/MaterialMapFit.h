@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From photographs of a flat sample to materials and weights: the work of vtkMaterialMapFitter.
+ * What vtkMaterialMapFitter is asked for, and what it finds.
  */
 
 #ifndef MaterialMapFit_h
@@ -17,8 +17,6 @@
 #include <functional>
 #include <string>
 #include <vector>
-
-class vtkPhotographSet;
 
 namespace measuredbrdf
 {
@@ -75,8 +73,6 @@ struct MapFitResult
   int Passes = 0; // over all photographs
   std::vector<std::string> Findings;
 };
-
-MapFitResult FitMaterialMap(vtkPhotographSet* photographs, const MapFitOptions& options);
 } // namespace measuredbrdf
 
 #endif
