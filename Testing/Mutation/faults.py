@@ -1089,9 +1089,8 @@ add("Rendering.map-hidden-skies-are-cut", "PartMappers.cxx", "return settings.Oc
     "return settings.OcclusionMode > 5 &&", "ClassBorders.HiddenSkiesKeepPolygonsWhole")
 add("Rendering.map-nearest-is-the-first", "PartMapper.cxx", '" > brdfMost ? "', '" > 2.0 ? "',
     "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
-add("Rendering.map-classes-that-meet-share-a-slot", "MaterialPartition.cxx", "while (taken[slot])", "while (false)",
-   
-    "Parts.ClassesThatMeetHaveSlotsOfTheirOwn")
+add("Rendering.map-classes-that-meet-share-a-slot", "MaterialPartition.cxx", "taken[slot] = true;",
+    "taken[slot] = false;", "Parts.ClassesThatMeetHaveSlotsOfTheirOwn")
 add("Rendering.map-borders-take-the-last-shader", "ClassesMapper.cxx",
     "ofBorder == this->WasOfBorder ? this->Last : nullptr", "this->Last", "ClassBorders.AreTheSameInBothWays")
 add("Rendering.map-hats-fall-at-the-ends", "PolygonMaterials.cxx", "if (k + 1 < knots.size())",
