@@ -1063,7 +1063,7 @@ add("Material.map-parameters-divide-anew", "vtkMaterialMap.cxx", "vtkMTimeType t
 add("Rendering.map-weights-are-not-divided-by-their-sum", "PolygonMaterials.cxx", "static_cast<float>(weight / sum)",
     "static_cast<float>(weight)", "Parts.WeightsAreDividedByTheirSum")
 add("Rendering.map-points-of-two-parts-are-not-doubled", "PartSurfaces.cxx", "if (mixed && first != owner)",
-    "if (mixed && first == NoOwner)", "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
+    "if (mixed && first == NoOwner)", "Parts.ClassesThatMeetHaveSlotsOfTheirOwn")
 add("Rendering.map-borders-run-off-the-middle", "ClassBorders.cxx", "c < 0 ? 0.5 * sum", "c < 0 ? 0.51 * sum",
     "Parts.BordersBetweenClassesOfPointsAreCut")
 add("Rendering.map-edges-are-cut-twice", "ClassBorders.cxx", "if (isNew)", "if (true)",
@@ -1075,16 +1075,15 @@ add("Rendering.map-colored-points-are-cut", "PartMappers.cxx", "cellFlag == 0;",
 add("Rendering.map-hidden-skies-are-cut", "PartMappers.cxx", "return settings.OcclusionMode != 0 &&",
     "return settings.OcclusionMode > 5 &&", "ClassBorders.HiddenSkiesKeepPolygonsWhole")
 add("Rendering.map-nearest-is-the-first", "PartMapper.cxx", '" > brdfMost ? "', '" > 2.0 ? "',
-    "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
-add("Rendering.map-classes-that-meet-share-a-slot", "MaterialPartition.cxx", "while (taken[slot])", "while (false)",
-   
-    "Parts.ClassesThatMeetHaveSlotsOfTheirOwn")
+    "ClassBorders.AreTheSameInBothWays")
+add("Rendering.map-classes-that-meet-share-a-slot", "MaterialPartition.cxx", "taken[slot] = true;",
+    "taken[slot] = false;", "Parts.ClassesThatMeetHaveSlotsOfTheirOwn")
 add("Rendering.map-borders-take-the-last-shader", "ClassesMapper.cxx",
     "ofBorder == this->WasOfBorder ? this->Last : nullptr", "this->Last", "ClassBorders.AreTheSameInBothWays")
 add("Rendering.map-hats-fall-at-the-ends", "PolygonMaterials.cxx", "if (k + 1 < knots.size())",
     "if (k + 2 < knots.size())", "MaterialMapping.ValuesBlendInEachPixel")
 add("Rendering.map-the-rest-is-drawn-twice", "PartMapper.cxx", "if (brdfNearest != brdfSlot)",
-    "if (brdfNearest > 9)", "MaterialMapping.NoMaterialIsTheSuperclass")
+    "if (brdfNearest > 9)", "ClassBorders.AreTheSameInBothWays")
 add("Rendering.map-scalars-that-choose-color", "PartMappers.cxx", "if (colored || ",
     "if (!colored || ",
     "MaterialMapping.ScalarsThatChooseDoNotColor")
@@ -1290,7 +1289,7 @@ add("Shaders.hidden-irradiance-counts", "vtkBRDFEnvironmentTable.glsl", "sum += 
     "sum += (", "OcclusionTest.MatteSurfacesLackTheHiddenIrradiance")
 
 add("Rendering.map-bands-of-a-scale-overlap", "PartMapper.cxx", "brdfAt < brdfBand.x || brdfAt >= brdfBand.y",
-    "brdfAt < brdfBand.x", "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
+    "brdfAt >= brdfBand.y", "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
 add("Rendering.map-values-end-at-points", "PolygonMaterials.cxx", "-FarOff, FarOff)", "0.0, 1.0)",
     "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
 add("Rendering.map-colors-blocks-of-one-class", "BlockBatch.cxx",

@@ -8,7 +8,7 @@
 #ifndef TexelWeights_h
 #define TexelWeights_h
 
-#include "MaterialMapFit.h"
+#include "MapFitData.h"
 #include "PhotographPasses.h"
 #include "LinearLeastSquares.h"
 
@@ -18,6 +18,8 @@
 #include <cstdint>
 #include <functional>
 #include <vector>
+
+class vtkPhotographSet;
 
 namespace measuredbrdf
 {

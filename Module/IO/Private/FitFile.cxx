@@ -37,7 +37,7 @@ namespace measuredbrdf
 namespace
 {
 constexpr const char* FitFormatName = "published fits (text)";
-constexpr int MaximumDepth = 16;
+constexpr int DeepestTerm = 16;
 
 bool IsNameCharacter(char c)
 {
@@ -111,7 +111,7 @@ public:
 
   FitCall ReadCall(int depth = 0)
   {
-    if (depth > MaximumDepth)
+    if (depth > DeepestTerm)
     {
       FailAtLine(this->Path, this->Line, "models are nested too deeply");
     }

@@ -333,7 +333,7 @@ GonioValues FillGonioGrid(const GonioGrid& grid, const GonioReadings& readings)
   return result;
 }
 
-constexpr double Degree = 3.14159265358979323846 / 180.0;
+constexpr double Radians = 3.14159265358979323846 / 180.0; // of a degree
 constexpr std::size_t LeastViews = 4; // for each light
 constexpr int Neighbors = 8;
 constexpr double FinestStep = 1.5; // degrees
@@ -347,9 +347,9 @@ class Surroundings
 {
 public:
   Surroundings(float theta, float phi)
-    : Across{ -std::sin(phi * Degree), std::cos(phi * Degree), 0.0 }
-    , Down{ std::cos(theta * Degree) * std::cos(phi * Degree),
-      std::cos(theta * Degree) * std::sin(phi * Degree), -std::sin(theta * Degree) }
+    : Across{ -std::sin(phi * Radians), std::cos(phi * Radians), 0.0 }
+    , Down{ std::cos(theta * Radians) * std::cos(phi * Radians),
+      std::cos(theta * Radians) * std::sin(phi * Radians), -std::sin(theta * Radians) }
   {
   }
 

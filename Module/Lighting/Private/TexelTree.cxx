@@ -19,7 +19,7 @@ constexpr double MostRest = 10.0;
 constexpr int LeastParts = 16384; // of the finest level, from pole to pole
 
 // The sum of w |d - m|^2 over directions d of weights w with mean m, from the sums of w d and w.
-double GetVariance(const glm::dvec4& moments)
+double GetTexelVariance(const glm::dvec4& moments)
 {
   const glm::dvec3 sum(moments);
   return moments.w > 0.0 ? std::max(moments.w - glm::dot(sum, sum) / moments.w, 0.0) : 0.0;
@@ -155,10 +155,10 @@ void TexelTree::AddLevel(std::vector<glm::dvec4>& moments)
                         static_cast<std::size_t>(fineX)]
               : this->GetTexelMoment(light, fineY);
           moment += fine;
-          rest += GetVariance(fine);
+          rest += GetTexelVariance(fine);
         }
       }
-      const double variance = GetVariance(moment);
+      const double variance = GetTexelVariance(moment);
       const glm::dvec3 direction = GetMean(moment);
       Block& block = level.Blocks[static_cast<std::size_t>(y / 2) * ((width + 1) / 2) +
                                   static_cast<std::size_t>(x / 2)];
