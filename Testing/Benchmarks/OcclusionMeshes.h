@@ -23,7 +23,6 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkRTAnalyticSource.h"
-#include "vtkReverseSense.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkTransform.h"
@@ -141,33 +140,6 @@ inline void AddBumps(vtkAppendPolyData* all, int steps)
   all->AddInputData(surface);
 }
 
-// A bowl with a ball in it, from inside: the ball's own points see nothing.
-inline vtkSmartPointer<vtkPolyData> MakeInsideOfBowl()
-{
-  vtkNew<vtkAppendPolyData> both;
-  for (const double start : { 75.0, 0.0 }) // degrees that the sphere is open from the top down
-  {
-    vtkNew<vtkSphereSource> source;
-    source->SetRadius(start > 0.0 ? 1.0 : 0.35);
-    source->SetThetaResolution(90);
-    source->SetPhiResolution(60);
-    source->SetStartPhi(start);
-    vtkNew<vtkTransform> turn; // z to y
-    turn->Translate(0.0, start > 0.0 ? 0.0 : -0.63, 0.0);
-    turn->RotateX(-90.0);
-    vtkNew<vtkTransformPolyDataFilter> turned;
-    turned->SetTransform(turn);
-    turned->SetInputConnection(source->GetOutputPort());
-    turned->Update();
-    both->AddInputData(turned->GetOutput());
-  }
-  vtkNew<vtkReverseSense> reversed;
-  reversed->SetInputConnection(both->GetOutputPort());
-  reversed->ReverseNormalsOn();
-  reversed->Update();
-  return reversed->GetOutput();
-}
-
 // A toothed wheel with a hub: a machine part of large flat faces, refined.
 inline void AddGear(vtkAppendPolyData* all)
 {
@@ -234,10 +206,6 @@ inline vtkSmartPointer<vtkPolyData> MakeOcclusionMesh(const std::string& name)
     reader->SetFileName(name.c_str());
     reader->Update();
     return reader->GetOutput();
-  }
-  if (name == "inside-bowl")
-  {
-    return occlusionmeshes::MakeInsideOfBowl();
   }
   vtkNew<vtkAppendPolyData> all;
   if (name == "knob")
