@@ -1235,8 +1235,8 @@ add("Rendering.what-throws-is-not-drawn", "MaterialShading.cxx", "tries = !this-
     "tries = false;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
 add("Rendering.shared-created-light-shines", "RenderPassQueries.cxx", "other->GetLights() == renderer->GetLights() &&",
     "false &&", "MapperShading.LightThatVTKCreated")
-add("Rendering.plans-before-stay", "MapperPlans.cxx", "  if (view.Drawn)", "  if (view.Drawn && view.Looks.size() > 99)",
-    "Views.ForViewIsBridged*")
+add("Rendering.plans-before-stay", "MapperPlans.cxx", "    this->Clear(); // none", "    // none",
+    "Views.SwitchedPlansAreMadeAnew")
 add("Rendering.kept-light-does-not-turn", "OcclusionShader.cxx", "add(turn[column]);", "add(0.0 * turn[column]);",
     "OcclusionPointsTest.LightMayTurnAndRestAgain")
 add("Rendering.views-take-each-others-light", "OcclusionPoints.cxx", "state->Of.View == question.View &&", "true &&",

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A material in a frame, and what mappers report of the last frame. Private to the rendering component.
+ * A material in a frame, and what mappers report of the last frame. Private to the rendering
+ * component.
  */
 
 #ifndef DrawnMaterial_h

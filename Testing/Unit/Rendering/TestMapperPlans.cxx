@@ -198,12 +198,9 @@ TEST_F(Views, GoWithTheirRenderersAndActors)
     this->Update(this->GetRequest(renderer, other));
     plan = this->Drawn;
     this->ForView = true;
-    this->Update(); // the others' plans stand in until they are drawn
-    EXPECT_NE(plan, nullptr);
+    this->Update();
+    EXPECT_EQ(plan, nullptr);
   }
-  this->Update();
-  this->Update();
-  EXPECT_EQ(plan, nullptr);
   {
     vtkNew<vtkActor> actor;
     PlanRequest request = this->GetRequest(this->One, this->Sky);
@@ -381,59 +378,16 @@ TEST_F(Views, PlansForTheViewAreTakenUpAgain)
 }
 
 //------------------------------------------------------------------------------
-// Switched while planning in the background, the last plan stands in.
-TEST_F(Views, ForViewIsBridged)
+TEST_F(Views, SwitchedPlansAreMadeAnew)
 {
-  this->When = Timing::Changes;
   EXPECT_TRUE(this->Update());
-  const vtkRadiancePlanner* everywhere = this->Drawn;
-  this->BRDF->Door->Close();
+  EXPECT_TRUE(this->Update(this->GetRequest(this->Two, this->Sky)));
   this->ForView = true;
-  EXPECT_FALSE(this->Update());
-  EXPECT_TRUE(this->Plans.IsPending());
-  EXPECT_EQ(this->Drawn, everywhere);
+  EXPECT_TRUE(this->Update());
+  EXPECT_EQ(this->Plans.GetNumberOfViews(), 1);
   this->ForView = false;
-  EXPECT_FALSE(this->Update());
-  EXPECT_EQ(this->Drawn, everywhere);
-  EXPECT_FALSE(this->Plans.IsPending());
-}
-
-//------------------------------------------------------------------------------
-// So it does in every renderer, each of which comes to it with its own next frame, and for every
-// actor; not for what comes later.
-TEST_F(Views, ForViewIsBridgedInEveryRenderer)
-{
-  this->When = Timing::Changes;
-  vtkNew<vtkActor> second;
-  const auto update = [this](vtkRenderer* renderer, vtkActor* actor)
-  {
-    PlanRequest request = this->GetRequest(renderer, this->Sky);
-    request.Actor = actor;
-    return this->Update(request);
-  };
-  EXPECT_TRUE(update(this->One, this->Actor));
-  const vtkRadiancePlanner* everywhere = this->Drawn;
-  EXPECT_TRUE(update(this->Two, this->Actor));
-  this->ForView = true;
-  for (const auto& [renderer, actor] :
-    { std::pair(this->One.Get(), this->Actor.Get()), std::pair(this->One.Get(), second.Get()),
-      std::pair(this->Two.Get(), this->Actor.Get()), std::pair(this->Two.Get(), second.Get()) })
-  {
-    EXPECT_FALSE(update(renderer, actor));
-    EXPECT_EQ(this->Drawn, everywhere);
-  }
-  EXPECT_TRUE(this->Plans.IsPending());
-  update(this->One, this->Actor); // the next frame
-  vtkNew<vtkActor> third;
-  EXPECT_TRUE(update(this->One, third)); // waited for
-  EXPECT_NE(this->Drawn, everywhere);
-  this->ForView = false;
-  this->BRDF->Door->TakePasses();
-  for (vtkRenderer* renderer : { this->One.Get(), this->Two.Get() })
-  {
-    update(renderer, this->Actor);
-    EXPECT_TRUE(this->Drawn);
-  }
+  EXPECT_TRUE(this->Update());
+  EXPECT_EQ(this->Plans.GetNumberOfViews(), 1);
 }
 
 //------------------------------------------------------------------------------

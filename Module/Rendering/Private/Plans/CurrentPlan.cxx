@@ -7,7 +7,6 @@
 #include "vtkEnvironment.h"
 #include "vtkRadiancePlanner.h"
 
-#include <algorithm>
 #include <exception>
 
 namespace measuredbrdf
@@ -49,12 +48,6 @@ void CurrentPlan::Adopt(const PlanInputs& inputs, vtkSmartPointer<vtkRadiancePla
   this->Plan = plan;
   this->Inputs = inputs;
   SharedPlans::Get().Sweep();
-}
-
-void CurrentPlan::CopyFrom(const CurrentPlan& other)
-{
-  this->Adopt(other.Inputs, other.Plan);
-  std::copy_n(other.Times, 2, this->Times);
 }
 
 CurrentPlan::~CurrentPlan()

@@ -51,9 +51,6 @@ public:
   /// Whether the plan is the one for this, or is known not to be possible.
   bool IsFor(const PlanInputs& wanted) const;
 
-  /// Take over the plan of another one, but not what that has in the making.
-  void CopyFrom(const CurrentPlan& other);
-
   ///@{
   /// The plan to draw by, which is of the objects or of snapshots of them, and the environment
   /// whose rotation applies to it. Null where there is none.

@@ -32,7 +32,6 @@ struct MapperPlans::View
   vtkWeakPointer<vtkActor> Actor; // null but for plans for the view
   CurrentPlan Plan;
   bool Bridged = false; // drawn by another plan than was wanted
-  bool Drawn = false;   // in some frame
 
   // What the camera saw, and the plans for it, which are taken up again when it comes back.
   struct Seen
@@ -103,6 +102,11 @@ bool MapperPlans::IsReady() const
 // not look at every view for each.
 std::shared_ptr<MapperPlans::View> MapperPlans::FindView(const PlanRequest& request)
 {
+  if (request.ForView != this->ForView)
+  {
+    this->Clear(); // none of these plans is drawn by any more
+    this->ForView = request.ForView;
+  }
   if (++this->Updates >= this->Views.size())
   {
     this->Updates = 0;
@@ -117,34 +121,7 @@ std::shared_ptr<MapperPlans::View> MapperPlans::FindView(const PlanRequest& requ
   auto made = std::make_shared<View>();
   made->Renderer = request.Renderer;
   made->Actor = request.ForView ? request.Actor : nullptr;
-  for (const auto& it : this->FindOfOtherKind(request))
-  {
-    const vtkActor* actor = std::get<2>(it->first);
-    if (!it->second->IsGone(it->first) && (!actor || actor == request.Actor))
-    {
-      made->Plan.CopyFrom(it->second->Plan);
-    }
-  }
   return this->Views[key] = made;
-}
-
-// Whatever the number of members is, these are few.
-std::vector<MapperPlans::AllViews::iterator> MapperPlans::FindOfOtherKind(
-  const PlanRequest& request)
-{
-  std::vector<AllViews::iterator> found;
-  for (auto it = this->Views.lower_bound(Key(request.Renderer, request.Member, nullptr));
-       it != this->Views.end() && std::get<0>(it->first) == request.Renderer &&
-       std::get<1>(it->first) == request.Member;
-       ++it)
-  {
-    const bool isForView = std::get<2>(it->first) != nullptr;
-    if (isForView != request.ForView)
-    {
-      found.push_back(it);
-    }
-  }
-  return found;
 }
 
 void MapperPlans::Look(View& view, const PlanRequest& request)
@@ -263,15 +240,6 @@ CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std:
 {
   const std::shared_ptr<View> kept = this->FindView(request); // observers of progress may clear all
   View& view = *kept;
-  // The renderer's next frame has begun: all that were drawn in the last one have a plan.
-  if (view.Drawn)
-  {
-    for (const auto& it : this->FindOfOtherKind(request))
-    {
-      this->Views.erase(it);
-    }
-  }
-  view.Drawn = true;
   const PlanInputs wanted = GetInputs(view, request);
   if (request.Others && !view.Plan.IsPending() && view.Plan.WouldBlock(wanted, request.Timing))
   {

@@ -102,8 +102,6 @@ private:
   using AllViews = std::map<Key, std::shared_ptr<View>>;
 
   std::shared_ptr<View> FindView(const PlanRequest& request);
-  /// What the request's view was drawn by before ForView was switched.
-  std::vector<AllViews::iterator> FindOfOtherKind(const PlanRequest& request);
   template <typename Condition>
   void EraseIf(const Condition& condition);
   static void Look(View& view, const PlanRequest& request);
@@ -111,6 +109,7 @@ private:
   void BeginSideBySide(View& view, const PlanInputs& wanted, const PlanRequest& request);
 
   AllViews Views;
+  bool ForView = false;    // of the last request
   std::size_t Updates = 0; // since the last look for views that are gone
 };
 } // namespace measuredbrdf

@@ -3,7 +3,6 @@
 #include "BRDFShader.h"
 
 #include "OcclusionShader.h"
-#include "ReplacedText.h"
 
 #include "vtkShaderProgram.h"
 
@@ -23,6 +22,15 @@ namespace measuredbrdf
 {
 namespace
 {
+void ReplaceAll(std::string& text, const std::string& from, const std::string& to)
+{
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size()))
+  {
+    text.replace(at, from.size(), to);
+  }
+}
+
 std::string Numbered(const std::string& source, const std::string& placeholder, std::size_t number)
 {
   std::string text = source;
