@@ -8,8 +8,8 @@
 #include "LocalFrame.h"
 #include "ModuleShader.h"
 #include "PixelCosts.h"
+#include "ScopedErrorCapture.h"
 #include "Setters.h"
-#include "TakenError.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFLightSet.h"
 #include "vtkBRDFShaderInputs.h"
@@ -137,7 +137,7 @@ vtkSmartPointer<vtkLightSet> vtkLightSetRadianceIntegrator::MakeLights(std::stri
   {
     return parts.GetLightSet(this->Environment, nullptr, this->NumberOfLights, goOn);
   }
-  const measuredbrdf::TakenError reason(this->Generator);
+  const measuredbrdf::ScopedErrorCapture reason(this->Generator);
   auto lights =
     parts.GetGeneratedSet(this->Environment, this->Generator, this->NumberOfLights, goOn);
   problem = reason.GetText().empty() ? problem : reason.GetText() + ".";

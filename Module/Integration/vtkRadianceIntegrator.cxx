@@ -4,7 +4,7 @@
 
 #include "DirectionPairs.h"
 #include "ParallelFor.h"
-#include "TakenError.h"
+#include "ScopedErrorCapture.h"
 #include "vtkBRDF.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -232,7 +232,7 @@ bool vtkRadianceIntegrator::PrepareLayer(vtkRadianceIntegrator* layer)
       static_cast<vtkRadianceIntegrator*>(caller)->SetAbort(whole->Abort);
     });
   const unsigned long tag = layer->AddObserver(vtkCommand::ProgressEvent, follow);
-  const measuredbrdf::TakenError reason(layer); // an abort is the whole's to tell
+  const measuredbrdf::ScopedErrorCapture reason(layer); // an abort is the whole's to tell
   const bool prepared = layer->Prepare();
   layer->RemoveObserver(tag);
   if (!prepared && !this->Abort && !reason.GetText().empty())

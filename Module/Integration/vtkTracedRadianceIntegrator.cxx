@@ -7,8 +7,8 @@
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
 #include "ParallelFor.h"
+#include "ScopedErrorCapture.h"
 #include "Setters.h"
-#include "TakenError.h"
 #include "TexelDirections.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkBRDF.h"
@@ -704,7 +704,7 @@ bool vtkTracedRadianceIntegrator::IntegrateOpen(Run& run)
     Put(normals, arrays[0]);
     Put(views, arrays[1]);
     Put(tangents, arrays[2]);
-    const measuredbrdf::TakenError aborted(reference); // Integrate says it
+    const measuredbrdf::ScopedErrorCapture aborted(reference); // Integrate says it
     if (!reference->Integrate(arrays[0], arrays[1], arrays[3], arrays[2]))
     {
       return false;

@@ -4,8 +4,8 @@
 
 #include "NumberText.h"
 #include "PlanComparison.h"
+#include "ScopedErrorCapture.h"
 #include "Setters.h"
-#include "TakenError.h"
 #include "vtkBRDF.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -109,7 +109,7 @@ bool vtkOcclusionPredictor::Predict(int numberOfPoints)
       static_cast<vtkTracedRadianceIntegrator*>(caller)->SetAbort(predictor->Abort);
     });
   integrator->AddObserver(vtkCommand::ProgressEvent, follow);
-  const measuredbrdf::TakenError error(integrator); // Update says it
+  const measuredbrdf::ScopedErrorCapture error(integrator); // Update says it
   if (this->Abort ||
       !this->Scene->DrawVisiblePoints(numberOfPoints, this->ViewDirection, points, views) ||
       !integrator->Integrate(points, views, radiance, open))

@@ -1187,7 +1187,7 @@ add("Visibility.key-without-normals", "SurfacePoints.cxx", "HashArray(hash, surf
     "OcclusionTest.BadArraysAreSaidOnceAndNotUsed")
 add("Visibility.rays-begin-below-twisted-quads", "SurfacePoints.cxx", "ForEachFace(surface, Faces::Triangles,",
     "ForEachFace(surface, Faces::Polygons,", "SurfaceVisibility.TwistedQuadsAreLeftFromTheirTriangles")
-add("Rendering.occlusion-whatever-it-costs", "OcclusionForecast.cxx", "if (!worth || this->IsStopped ||",
+add("Rendering.occlusion-whatever-it-costs", "AutomaticOcclusion.cxx", "if (!worth || this->IsStopped ||",
     "if (this->IsStopped ||", "OcclusionTest.AutoModelsWhatIsWorthIt")
 add("Rendering.mappers-trace-apart", "SharedTrace.cxx", "found = traces[content].lock();", "found;",
     "SharedTraceTest.MappersOfOneSurfaceTraceOnce|SharedTraceTest.OccludersAreNotShared")
@@ -1207,18 +1207,18 @@ add("Rendering.moved-blocks-hide-where-they-were", "OcclusionArrays.h", "{ this-
     "OcclusionBlocks.OneThatMovesShowsOnTheOthers")
 add("Rendering.threads-trace-at-once", "SharedTrace.cxx", "while (!lock.try_lock_for(Patience))", "while (false)",
     "SharedTraceTest.ThreadsWaitForOneAnother")
-add("Rendering.forecasts-outlive-mappers", "OcclusionForecast.cxx", "[this]() { return !this->IsStopped; }",
+add("Rendering.forecasts-outlive-mappers", "AutomaticOcclusion.cxx", "[this]() { return !this->IsStopped; }",
     "[]() { return true; }", "SharedTraceTest.ForecastsStopWhenTheyGo")
 add("Rendering.levels-are-looked-for-once", "MaterialDrawing.cxx",
     'levels && this->WarnOnce("levels of detail")', 'this->WarnOnce("levels of detail") && levels',
     "OcclusionStability.ActorsWithLevelsKeepTheSurfacesArrays")
-add("Rendering.moving-surfaces-are-traced", "OcclusionForecast.cxx", "return this->Changes <= MostChanges;", "return true;",
+add("Rendering.moving-surfaces-are-traced", "AutomaticOcclusion.cxx", "return this->Changes <= MostChanges;", "return true;",
     "OcclusionTest.ForecastsFollowTheSurface")
-add("Rendering.views-forget-each-other", "OcclusionForecast.cxx", "!this->Known.Find(key) && follows",
+add("Rendering.views-forget-each-other", "AutomaticOcclusion.cxx", "!this->Known.Find(key) && follows",
     "(!this->Answer || this->Asked != key) && follows", "OcclusionTest.ForecastsFollowTheSurface")
-add("Rendering.views-for-ever", "OcclusionForecast.cxx", "MostAnswers = 1024;", "MostAnswers = 4;",
+add("Rendering.views-for-ever", "AutomaticOcclusion.cxx", "MostAnswers = 1024;", "MostAnswers = 4;",
     "Forecast.ViewsThatTakeTurnsComeToAnEnd")
-add("Rendering.throws-end-the-thread-unsaid", "OcclusionForecast.cxx",
+add("Rendering.throws-end-the-thread-unsaid", "AutomaticOcclusion.cxx",
     "this->Found.Most, *problem };", "this->Found.Most, std::string() };", "Forecast.TellsWhatIsThrown")
 add("Core.threads-outlive-the-process", "BackgroundThreads.cxx", "    for (const std::function<void()>& stop : stops)",
     "    for (const std::function<void()>& stop : std::vector<std::function<void()>>())",
@@ -1239,13 +1239,13 @@ add("Rendering.plans-before-stay", "MapperPlans.cxx", "    this->Clear(); // non
     "Views.SwitchedPlansAreMadeAnew")
 add("Rendering.kept-light-does-not-turn", "OcclusionShader.cxx", "add(turn[column]);", "add(0.0 * turn[column]);",
     "OcclusionPointsTest.LightMayTurnAndRestAgain")
-add("Rendering.views-take-each-others-light", "OcclusionPoints.cxx", "state->Of.View == question.View &&", "true &&",
+add("Rendering.views-take-each-others-light", "OcclusionVertexCache.cxx", "state->Of.View == question.View &&", "true &&",
     "OcclusionPointsTest.ViewsKeepTheirOwn")
-add("Rendering.kept-light-in-programs-of-depths", "OcclusionPoints.cxx", "if (drawn.Program->IsAttributeUsed(names[k].c_str()))",
+add("Rendering.kept-light-in-programs-of-depths", "OcclusionVertexCache.cxx", "if (drawn.Program->IsAttributeUsed(names[k].c_str()))",
     "if (true)", "OcclusionPointsTest.PeelingReportsNothing")
 add("Rendering.kept-light-of-several-materials", "MaterialShading.cxx", "this->Drawing->GetMaterials().size() <= 1 &&",
     "", "OcclusionPointsTest.BlocksAreTheSame")
-add("Rendering.kept-light-of-other-codes", "OcclusionPoints.cxx", "state->Of.Time == question.Time &&", "true &&",
+add("Rendering.kept-light-of-other-codes", "OcclusionVertexCache.cxx", "state->Of.Time == question.Time &&", "true &&",
     "OcclusionPointsTest.WhatChangesIsSeen")
 add("Rendering.hidden-sky-of-the-wrong-side", "OcclusionShader.cxx",
     "dot(normalVCVSOutput, brdfSkyNormalVSOutput) > 0.0", "dot(normalVCVSOutput, brdfSkyNormalVSOutput) < 2.0",

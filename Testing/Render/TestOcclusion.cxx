@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shading with what surfaces hide from themselves: the shaders against HiddenSky in C++, and the
 // mappers' use of vtkSurfaceVisibilityFilter's arrays.
+#include "AutomaticOcclusion.h"
 #include "EnvironmentPrecomputation.h"
 #include "OcclusionArrays.h"
-#include "OcclusionForecast.h"
 #include "OcclusionReference.h"
 #include "OcclusionShader.h"
 #include "OcclusionTools.h"
@@ -844,12 +844,12 @@ TEST_F(OcclusionTest, ForecastsFollowTheSurface)
   question.Input = bowl;
   question.Materials.push_back(
     { brdf.Get(), this->Environment, this->Environment->GetPixelsMTime(), 0.01 });
-  measuredbrdf::OcclusionForecast here;
+  measuredbrdf::AutomaticOcclusion here;
   here.Update(question);
   EXPECT_FALSE(here.IsPending());
   ASSERT_TRUE(here.GetTraced());
   EXPECT_GT(here.GetError(), 0.1);
-  measuredbrdf::OcclusionForecast there;
+  measuredbrdf::AutomaticOcclusion there;
   question.InBackground = true;
   there.Update(question);
   EXPECT_FALSE(there.GetTraced());

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Hidden skies of composite data: some blocks have vtkSurfaceVisibilityFilter's arrays, others do
 // not; and many blocks.
+#include "AutomaticOcclusion.h"
 #include "OcclusionArrays.h"
-#include "OcclusionForecast.h"
 #include "RenderFixture.h"
 #include "SharedTrace.h"
 #include "vtkCellArray.h"
@@ -271,7 +271,7 @@ TEST_F(OcclusionBlocks, ForecastsOfManyBlocksCostLittle)
     question.Input = blocks;
     question.Materials.push_back(
       { this->BRDF.Get(), this->Environment, this->Environment->GetPixelsMTime(), 0.01 });
-    measuredbrdf::OcclusionForecast forecast;
+    measuredbrdf::AutomaticOcclusion forecast;
     const double start = GetProcessorTime();
     forecast.Update(question);
     const double first = GetProcessorTime() - start;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What rests while the light does is kept for each point (OcclusionPoints): the picture is that of
-// shaders that make it for each vertex, whatever moves, and it is made no more often than it has to
-// be.
-#include "OcclusionPoints.h"
+// What rests while the light does is kept for each point (OcclusionVertexCache): the picture is
+// that of shaders that make it for each vertex, whatever moves, and it is made no more often than
+// it has to be.
+#include "OcclusionVertexCache.h"
 #include "RenderFixture.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCompositeMeasuredBRDFMapper.h"
@@ -31,7 +31,7 @@
 #include <vector>
 
 using measuredbrdf::OcclusionLight;
-using measuredbrdf::OcclusionPoints;
+using measuredbrdf::OcclusionVertexCache;
 
 namespace
 {
@@ -96,28 +96,31 @@ protected:
     this->Mapper->SetEnvironment(this->Environment);
     this->Mapper->SetIntegrator(this->Integrator);
     this->Mapper->SetInputData(MakeOpenSphere(60.0, false));
-    OcclusionPoints::SetLeastPoints(1);
+    OcclusionVertexCache::SetLeastPoints(1);
   }
 
-  void TearDown() override { OcclusionPoints::SetLeastPoints(OcclusionPoints::DefaultLeastPoints); }
+  void TearDown() override
+  {
+    OcclusionVertexCache::SetLeastPoints(OcclusionVertexCache::DefaultLeastPoints);
+  }
 
   // How often points were made in it.
   std::size_t Count(const std::function<void()>& frames)
   {
-    const std::size_t before = OcclusionPoints::GetMadeCount();
+    const std::size_t before = OcclusionVertexCache::GetMadeCount();
     frames();
-    return OcclusionPoints::GetMadeCount() - before;
+    return OcclusionVertexCache::GetMadeCount() - before;
   }
 
   // The next picture against that without anything kept.
   double CompareNext()
   {
-    const std::size_t before = OcclusionPoints::GetAddedCount();
+    const std::size_t before = OcclusionVertexCache::GetAddedCount();
     const FloatImage kept = this->RenderEncoded();
-    EXPECT_GT(OcclusionPoints::GetAddedCount(), before); // so it was drawn with what is kept
-    OcclusionPoints::SetLeastPoints(1000000);
+    EXPECT_GT(OcclusionVertexCache::GetAddedCount(), before); // so it was drawn with what is kept
+    OcclusionVertexCache::SetLeastPoints(1000000);
     EXPECT_EQ(this->Count([this]() { this->Plain = this->RenderEncoded(); }), 0u);
-    OcclusionPoints::SetLeastPoints(1);
+    OcclusionVertexCache::SetLeastPoints(1);
     return GetLargestStep(kept, this->Plain);
   }
 
@@ -347,9 +350,9 @@ TEST_F(OcclusionPointsTest, NothingIsKeptWithoutAMap)
   this->Renderer->AddLight(lamp);
   const auto drawn = [this]()
   {
-    const std::size_t before = OcclusionPoints::GetAddedCount();
+    const std::size_t before = OcclusionVertexCache::GetAddedCount();
     this->RenderEncoded();
-    return OcclusionPoints::GetAddedCount() - before;
+    return OcclusionVertexCache::GetAddedCount() - before;
   };
   this->Mapper->SetEnvironment(nullptr);
   this->Mapper->SetIntegrator(nullptr);
@@ -379,10 +382,10 @@ TEST_F(OcclusionPointsTest, PeelingReportsNothing)
     window->SetAlphaBitPlanes(1);
     window->SetSize(32, 32);
     window->AddRenderer(renderer);
-    const std::size_t before = OcclusionPoints::GetAddedCount();
+    const std::size_t before = OcclusionVertexCache::GetAddedCount();
     window->Render();
     window->Render();
-    EXPECT_GT(OcclusionPoints::GetAddedCount(), before);
+    EXPECT_GT(OcclusionVertexCache::GetAddedCount(), before);
   } // and the window goes before the mapper
   EXPECT_LT(this->CompareNext(), Step);
   vtkOutputWindow::SetInstance(nullptr);

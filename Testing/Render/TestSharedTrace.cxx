@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // One trace for all mappers that show a surface, and traces that nobody waits for any more.
-#include "OcclusionForecast.h"
+#include "AutomaticOcclusion.h"
 #include "OcclusionTools.h"
 #include "RenderFixture.h"
 #include "SharedTrace.h"
@@ -25,7 +25,7 @@
 #include <memory>
 #include <thread>
 
-using measuredbrdf::OcclusionForecast;
+using measuredbrdf::AutomaticOcclusion;
 using measuredbrdf::SharedTrace;
 
 namespace
@@ -236,7 +236,7 @@ TEST_F(SharedTraceTest, ForecastsStopWhenTheyGo)
   const auto trace = SharedTrace::Find(bowl);
   for (const double work : { 0.0, 0.1, 0.3, 2.0 }) // seconds of processor time: the last one traces
   {
-    auto forecast = std::make_unique<OcclusionForecast>();
+    auto forecast = std::make_unique<AutomaticOcclusion>();
     const int holders = this->BRDF->GetReferenceCount();
     const double start = GetProcessorTime();
     forecast->Update(question);

@@ -3,7 +3,7 @@
 /**
  * @file
  * Threads of the module's own, and what is released when the process ends: first the threads stop,
- * then what they may have used is released. Private to the module.
+ * then what they may have used is released.
  */
 
 #ifndef BackgroundThreads_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Double to single precision without infinity. Private to the module.
+ * Double to single precision without infinity.
  */
 
 #ifndef FiniteFloat_h

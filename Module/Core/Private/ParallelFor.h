@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A loop on several threads whose work may throw. Private to the module.
+ * A loop on several threads whose work may throw.
  */
 
 #ifndef ParallelFor_h

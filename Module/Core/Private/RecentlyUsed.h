@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A bounded cache: values by their keys, those that were used last. Private to the module.
+ * A bounded cache: values by their keys, those that were used last.
  */
 
 #ifndef RecentlyUsed_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * For methods that VTK calls, which catches nothing. Private to the module.
+ * For methods that VTK calls, which catches nothing.
  */
 
 #ifndef RunGuarded_h

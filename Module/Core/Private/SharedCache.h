@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the process keeps for whoever asks next. Private to the module.
+ * What the process keeps for whoever asks next.
  */
 
 #ifndef SharedCache_h

@@ -3,7 +3,7 @@
 /**
  * @file
  * RGB in 32 bits: 9 for each component, and 5 for an exponent that they share (OpenGL 4.6 core
- * specification, 8.5.2). Private to the module.
+ * specification, 8.5.2).
  */
 
 #ifndef SharedExponent_h

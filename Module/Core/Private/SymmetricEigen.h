@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Eigenvalues and eigenvectors of symmetric matrices. Private to the module.
+ * Eigenvalues and eigenvectors of symmetric matrices.
  */
 
 #ifndef SymmetricEigen_h

@@ -3,7 +3,7 @@
 #include "PhotographPasses.h"
 
 #include "SRGB.h"
-#include "TakenError.h"
+#include "ScopedErrorCapture.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPhotographSet.h"
@@ -135,7 +135,7 @@ std::array<std::uint64_t, 4> PhotographPixels::CountStates() const
 
 std::string ReadPhotograph(vtkPhotographSet* set, int index, PhotographPixels& pixels)
 {
-  const TakenError error(set);
+  const ScopedErrorCapture error(set);
   const auto picture = vtkSmartPointer<vtkImageData>::Take(set->NewPicture(index));
   if (!picture)
   {

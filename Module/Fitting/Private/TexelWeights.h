@@ -8,9 +8,9 @@
 #ifndef TexelWeights_h
 #define TexelWeights_h
 
+#include "LinearLeastSquares.h"
 #include "MapFitData.h"
 #include "PhotographPasses.h"
-#include "LinearLeastSquares.h"
 
 #include <Eigen/Core>
 

@@ -9,7 +9,7 @@
 
 #include "MaterialFormat.h"
 #include "NumberText.h"
-#include "TakenError.h"
+#include "ScopedErrorCapture.h"
 #include "vtkAngleBasisBRDF.h"
 #include "vtkBTDF.h"
 #include "vtkNew.h"
@@ -197,7 +197,7 @@ protected:
 
   void ReportXmlParseError() override
   {
-    const TakenError error(this);
+    const ScopedErrorCapture error(this);
     this->Superclass::ReportXmlParseError(); // "...byte index N: REASON"
     const std::string text = error.GetText();
     this->Fail("no well-formed XML: " +

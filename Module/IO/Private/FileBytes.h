@@ -3,7 +3,7 @@
 /**
  * @file
  * Files as bytes: reading them bounds-checked, so that every error names file, format, field and
- * byte; and writing them whole or not at all. Private to the IO room, which uses exceptions inside
+ * byte; and writing them whole or not at all. Private to IO, which uses exceptions inside
  * and turns them into error events at its classes' borders.
  */
 

@@ -334,7 +334,7 @@ GonioValues FillGonioGrid(const GonioGrid& grid, const GonioReadings& readings)
 }
 
 constexpr double Radians = 3.14159265358979323846 / 180.0; // of a degree
-constexpr std::size_t LeastViews = 4; // for each light
+constexpr std::size_t LeastViews = 4;                      // for each light
 constexpr int Neighbors = 8;
 constexpr double FinestStep = 1.5; // degrees
 constexpr double CoarsestStep = 10.0;

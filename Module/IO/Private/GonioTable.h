@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Readings of a goniometer, listed in any order, as a material: vtkAngularTableBRDF. Private to the
- * IO room.
+ * Readings of a goniometer, listed in any order, as a material: vtkAngularTableBRDF.
  */
 
 #ifndef GonioTable_h

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Spectra of f as linear RGB (Rec. 709): what an observer sees of the material in daylight. Private
- * to the IO room.
+ * Spectra of f as linear RGB (Rec. 709): what an observer sees of the material in daylight.
  *
  *   X_j = sum f(l) D65(l) c_j(l) / sum D65(l) c_j(l),  RGB = M (X_j times X_j of D65)
  *

@@ -3,7 +3,7 @@
 /**
  * @file
  * What a table of radiance needs of one view of an anisotropic material: LobeHarmonics.h for
- * kernels without a plane of symmetry. Private to the module.
+ * kernels without a plane of symmetry.
  */
 
 #ifndef AnisotropicLobe_h

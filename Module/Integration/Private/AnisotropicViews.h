@@ -3,7 +3,6 @@
 /**
  * @file
  * An anisotropic material's lobes in a few numbers, over the view's polar angle and azimuth.
- * Private to the module.
  */
 
 #ifndef AnisotropicViews_h

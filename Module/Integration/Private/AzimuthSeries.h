@@ -3,7 +3,7 @@
 /**
  * @file
  * From a table's Fourier series over the azimuth of the plane of incidence to its slices. Both have
- * as many numbers, so that the series lies where the slices will. Private to the module.
+ * as many numbers, so that the series lies where the slices will.
  */
 
 #ifndef AzimuthSeries_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Spherical harmonics of the clamped cosine (Ramamoorthi, Hanrahan 2001). Private to the module.
+ * Spherical harmonics of the clamped cosine (Ramamoorthi, Hanrahan 2001).
  */
 
 #ifndef ClampedCosine_h

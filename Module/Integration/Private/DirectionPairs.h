@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Pairs of normal and view from arrays, and work on many of them that can be stopped. Private to
- * the module.
+ * Pairs of normal and view from arrays, and work on many of them that can be stopped.
  */
 
 #ifndef DirectionPairs_h

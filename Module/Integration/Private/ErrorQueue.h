@@ -3,7 +3,7 @@
 /**
  * @file
  * Numbered things with errors, those of the largest first, but not sorted more finely than by a
- * fourth of an octave: adding and taking one costs a few instructions. Private to the module.
+ * fourth of an octave: adding and taking one costs a few instructions.
  */
 
 #ifndef ErrorQueue_h

@@ -3,7 +3,7 @@
 /**
  * @file
  * Radiance of kernels over all positions of their axis, by a convolution over the rotation group
- * (Kostelec, Rockmore 2008). Private to the module.
+ * (Kostelec, Rockmore 2008).
  */
 
 #ifndef FieldSynthesis_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a material shows of lamps that are as wide as its lobe, or wider. Private to the module.
+ * What a material shows of lamps that are as wide as its lobe, or wider.
  */
 
 #ifndef LampBRDF_h

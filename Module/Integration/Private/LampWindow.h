@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How a lamp's light is shared by a table and a sum for each pixel. Private to the module.
+ * How a lamp's light is shared by a table and a sum for each pixel.
  */
 
 #ifndef LampWindow_h

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * f of many lights for one view, in the fastest way that the material offers. Private to the
- * module.
+ * f of many lights for one view, in the fastest way that the material offers.
  */
 
 #ifndef LightLanes_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lights as a shader's input. Private to the module.
+ * Lights as a shader's input.
  */
 
 #ifndef LightTexture_h

@@ -5,7 +5,7 @@
  * What to store at nodes between which a texture unit interpolates linearly. A function's own
  * values there make the error of one sign between nodes; values that make the squared error over
  * the whole axis least leave about 1/sqrt(6) of it (Blu, Unser 1999, "Quantitative Fourier Analysis
- * of Approximation Techniques I"). Private to the module.
+ * of Approximation Techniques I").
  */
 
 #ifndef LinearSpline_h

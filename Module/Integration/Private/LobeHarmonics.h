@@ -3,7 +3,7 @@
 /**
  * @file
  * What a table of radiance needs of one view angle: the kernel f(i,o) cos(theta_i), less a Lambert
- * part, as spherical harmonics about an axis in the plane of incidence. Private to the module.
+ * part, as spherical harmonics about an axis in the plane of incidence.
  */
 
 #ifndef LobeHarmonics_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The kernel f(i,o) cos(theta_i) of one view in a few numbers. Private to the module.
+ * The kernel f(i,o) cos(theta_i) of one view in a few numbers.
  */
 
 #ifndef LobeMeans_h

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Nodes of an integral over an angle that are dense where a kernel has its energy. Private to the
- * module.
+ * Nodes of an integral over an angle that are dense where a kernel has its energy.
  */
 
 #ifndef LobeNodes_h

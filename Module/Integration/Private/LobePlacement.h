@@ -3,7 +3,7 @@
 /**
  * @file
  * Where a pair of normal and view looks into maps over the axis of a lobe: what tables of radiance
- * have in common, as vtkBRDFCommon.glsl's brdfMapPosition does it. Private to the module.
+ * have in common, as vtkBRDFCommon.glsl's brdfMapPosition does it.
  */
 
 #ifndef LobePlacement_h

@@ -3,8 +3,7 @@
 /**
  * @file
  * The kernel f(i,o) cos(theta_i) of one view as a set of cells of the hemisphere, small where it is
- * large: sum over cells of weight x mean radiance of the cell is the outgoing radiance. Private to
- * the module.
+ * large: sum over cells of weight x mean radiance of the cell is the outgoing radiance.
  */
 
 #ifndef LobeQuadrature_h

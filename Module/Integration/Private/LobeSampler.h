@@ -4,7 +4,7 @@
  * @file
  * Reflections of one view drawn by f cos(theta_i) itself, tabulated over the half vector: whatever
  * the material, weights hardly vary. A lobe about the view that falls between the half vectors has
- * draws of its own. Private to the module.
+ * draws of its own.
  */
 
 #ifndef LobeSampler_h

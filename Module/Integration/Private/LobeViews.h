@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A material's lobes over all view angles. Private to the module.
+ * A material's lobes over all view angles.
  */
 
 #ifndef LobeViews_h

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Nodes of a map over polar angle and azimuth of which alone something is wanted. Private to the
- * module.
+ * Nodes of a map over polar angle and azimuth of which alone something is wanted.
  */
 
 #ifndef MapPart_h

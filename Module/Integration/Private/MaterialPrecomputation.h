@@ -3,7 +3,7 @@
 /**
  * @file
  * What tables of radiance of one material have in common, whatever their sizes and the light: a
- * planner, which tries many, has it made once. Private to the module.
+ * planner, which tries many, has it made once.
  */
 
 #ifndef MaterialPrecomputation_h

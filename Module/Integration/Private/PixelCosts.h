@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a pixel costs: its fetches and arithmetic, times those of a table's pixel. Private to the
- * module.
+ * What a pixel costs: its fetches and arithmetic, times those of a table's pixel.
  *
  * Measured in nanoseconds on Mesa's llvmpipe, on 2 cores, from whole spheres
  * (docs/methods/pixel-cost.md). They only order the candidates of a planner. A graphics card has

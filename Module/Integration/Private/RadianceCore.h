@@ -10,7 +10,6 @@
  *   T(axis, theta_o, psi) = sum_k W_k(theta_o) (cos(m_k psi) A_k(axis) + sin(m_k psi) B_k(axis))
  *
  * This is the thesis's pair of textures, coefficients and functions, with the light in one of them.
- * Private to the module.
  */
 
 #ifndef RadianceCore_h

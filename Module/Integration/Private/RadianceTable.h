@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The table of vtkTableRadianceIntegrator: its look-ups. Private to the module.
+ * The table of vtkTableRadianceIntegrator: its look-ups.
  */
 
 #ifndef RadianceTable_h

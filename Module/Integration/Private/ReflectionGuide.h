@@ -4,7 +4,7 @@
  * @file
  * Where a view is reflected to, so that sums over the environment know where to look: a few
  * directions drawn from f cos(theta_i), and the peaks of f, which few draws and few points of a sum
- * may both miss. Private to the module.
+ * may both miss.
  */
 
 #ifndef ReflectionGuide_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Takes the dark rings about lamps out of maps of radiance. Private to the module.
+ * Takes the dark rings about lamps out of maps of radiance.
  */
 
 #ifndef RingLimiter_h

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Fourier transforms of eight lines at once, one in each lane of the processor's vectors. Private
- * to the module.
+ * Fourier transforms of eight lines at once, one in each lane of the processor's vectors.
  */
 
 #ifndef RowTransform_h

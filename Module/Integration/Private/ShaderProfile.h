@@ -3,7 +3,7 @@
 /**
  * @file
  * Profiles over theta_o as shaders and their C++ twins read them: the nearest of many values, by
- * one fetch. Private to the module.
+ * one fetch.
  */
 
 #ifndef ShaderProfile_h

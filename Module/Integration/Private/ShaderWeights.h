@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Weights of a core's modes over theta_o as its shader reads them. Private to the module.
+ * Weights of a core's modes over theta_o as its shader reads them.
  */
 
 #ifndef ShaderWeights_h

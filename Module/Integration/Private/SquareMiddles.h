@@ -3,7 +3,7 @@
 /**
  * @file
  * The middles of many squares of the sky in one step of an adaptive sum, one beside the other, in
- * single precision: sums of many are not. Private to the module.
+ * single precision: sums of many are not.
  */
 
 #ifndef SquareMiddles_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The rungs of a planner's ladder that are tables, alone or within hybrids. Private to the module.
+ * The rungs of a planner's ladder that are tables, alone or within hybrids.
  */
 
 #ifndef TableCandidates_h

@@ -3,7 +3,7 @@
 /**
  * @file
  * Lamps beside a table of radiance, which holds what they show outside of a window about the lobe's
- * axis. Private to the module.
+ * axis.
  */
 
 #ifndef TableLamps_h

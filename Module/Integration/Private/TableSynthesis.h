@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How the table of vtkTableRadianceIntegrator is made. Private to the module.
+ * How the table of vtkTableRadianceIntegrator is made.
  */
 
 #ifndef TableSynthesis_h

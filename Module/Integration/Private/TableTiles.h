@@ -4,7 +4,6 @@
  * @file
  * How a table of radiance of many rows is stored: a map of a quarter of the rows everywhere, and
  * tiles of all rows where radiance bends most. Such places are few: the edges of panels and lamps.
- * Private to the module.
  */
 
 #ifndef TableTiles_h

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Whether a table can hold what a material reflects far from the mirror direction. Private to the
- * module.
+ * Whether a table can hold what a material reflects far from the mirror direction.
  */
 
 #ifndef TailRegularity_h

@@ -3,7 +3,7 @@
 /**
  * @file
  * Wigner's functions of four angles at once, one in each lane of the processor's vectors: what
- * harmonics of kernels and of maps spend their time on. Private to the module.
+ * harmonics of kernels and of maps spend their time on.
  */
 
 #ifndef WignerLanes_h

@@ -3,7 +3,6 @@
 /**
  * @file
  * Values that threads share, those asked for last. The first thread that asks for a value makes it.
- * Private to the module.
  */
 
 #ifndef ConcurrentCache_h

@@ -4,8 +4,7 @@
  * @file
  * An environment's spherical harmonics, for each channel a_lm = integral of L Y*_lm dw, L
  * interpolated between texels. The poles of the
- * harmonics are the environment's: their frame (X, Y, Z) is the environment's (z, x, y). Private to
- * the module.
+ * harmonics are the environment's: their frame (X, Y, Z) is the environment's (z, x, y).
  */
 
 #ifndef EnvironmentHarmonics_h

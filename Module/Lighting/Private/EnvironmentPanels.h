@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The bright, compact parts of an environment: windows, softboxes, a sun's halo. Private to the
- * module.
+ * The bright, compact parts of an environment: windows, softboxes, a sun's halo.
  */
 
 #ifndef EnvironmentPanels_h

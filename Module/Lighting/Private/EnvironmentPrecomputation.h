@@ -3,8 +3,7 @@
 /**
  * @file
  * What integrators and the planner make of an environment's pixels, whatever the material: made
- * once, shared by all threads, kept and freed with the pixels, which snapshots share. Private to
- * the module.
+ * once, shared by all threads, kept and freed with the pixels, which snapshots share.
  */
 
 #ifndef EnvironmentPrecomputation_h

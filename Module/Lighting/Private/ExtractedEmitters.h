@@ -3,7 +3,7 @@
 /**
  * @file
  * Bright sources of an environment (suns, lamps), extracted as directional lights, and the
- * environment without them, which is smoother and easier to integrate. Private to the module.
+ * environment without them, which is smoother and easier to integrate.
  */
 
 #ifndef ExtractedEmitters_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The lamps of an environment, and the parts that each consists of. Private to the module.
+ * The lamps of an environment, and the parts that each consists of.
  */
 
 #ifndef LampSet_h

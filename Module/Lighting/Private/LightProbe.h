@@ -3,7 +3,7 @@
 /**
  * @file
  * Light probes: images of all directions in the usual projections, which vtkEnvironmentReader
- * describes, and their conversion to lat-long images. Private to the module.
+ * describes, and their conversion to lat-long images.
  */
 
 #ifndef LightProbe_h

@@ -4,7 +4,6 @@
  * @file
  * An environment's texels as a binary tree: a list of splits whose first N - 1 make N cells, for
  * every N. The cell of largest variance is split next, at the least sum of both parts' variances.
- * Private to the module.
  */
 
 #ifndef LightTree_h

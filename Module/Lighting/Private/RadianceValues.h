@@ -3,7 +3,7 @@
 /**
  * @file
  * Values of an image as radiance: +infinity becomes the largest value, negative and other
- * non-finite ones become 0, and all of these are counted. Private to the module.
+ * non-finite ones become 0, and all of these are counted.
  */
 
 #ifndef RadianceValues_h

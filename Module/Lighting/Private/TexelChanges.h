@@ -3,7 +3,7 @@
 /**
  * @file
  * A list of a few texels of an environment with changed radiance. It describes the environment
- * without its suns and lamps and needs no copy of the map. Private to the module.
+ * without its suns and lamps and needs no copy of the map.
  */
 
 #ifndef TexelChanges_h

@@ -3,8 +3,7 @@
 /**
  * @file
  * What an environment is between the centers of its texels: bilinear in its coordinates, continued
- * around the seam; beyond the first and the last row's centers it is those rows. Private to the
- * module.
+ * around the seam; beyond the first and the last row's centers it is those rows.
  */
 
 #ifndef TexelInterpolation_h

@@ -3,7 +3,7 @@
 /**
  * @file
  * The sky in squares of 2 x 2, 4 x 4, ... texels of an environment and in parts of texels, for
- * integrals that look closely only where they have to. Private to the module.
+ * integrals that look closely only where they have to.
  */
 
 #ifndef TexelTree_h

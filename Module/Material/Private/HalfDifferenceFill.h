@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The values of a half/difference-angle table of an isotropic material. Private to the module.
+ * The values of a half/difference-angle table of an isotropic material.
  */
 
 #ifndef HalfDifferenceFill_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Whether an anisotropic material repeats itself. Private to the module.
+ * Whether an anisotropic material repeats itself.
  */
 
 #ifndef HalfTurn_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Integrals of f over the projected hemisphere. Private to the module.
+ * Integrals of f over the projected hemisphere.
  */
 
 #ifndef HemisphereIntegral_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * GLSL text of the module itself, from shaders/. Private to the module.
+ * GLSL text of the module itself, from shaders/.
  */
 
 #ifndef ModuleShader_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * f of many lights where nothing is faster than one light after the other. Private to the module.
+ * f of many lights where nothing is faster than one light after the other.
  */
 
 #ifndef OneByOne_h

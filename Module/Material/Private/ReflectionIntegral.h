@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Integrals of f over the projected hemisphere: albedos, reflectances, transmittances. Private to
- * the module.
+ * Integrals of f over the projected hemisphere: albedos, reflectances, transmittances.
  */
 
 #ifndef ReflectionIntegral_h

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Tables for graphics cards, of materials that have no form of their own there. Private to the
- * module.
+ * Tables for graphics cards, of materials that have no form of their own there.
  */
 
 #ifndef RenderableTable_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Linear interpolation in a volume some of whose cells are invalid. Private to the material room.
+ * Linear interpolation in a volume some of whose cells are invalid.
  */
 
 #ifndef VolumeInterpolation_h

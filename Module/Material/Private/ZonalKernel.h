@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The kernel that blurs a function of theta_h over the sphere of half vectors. Private to the
- * material room.
+ * The kernel that blurs a function of theta_h over the sphere of half vectors.
  */
 
 #ifndef ZonalKernel_h

@@ -3,7 +3,6 @@
 /**
  * @file
  * How far a candidate is from the reference: over all pairs, and in the pictures of single cameras.
- * Private to the module.
  */
 
 #ifndef PlanComparison_h

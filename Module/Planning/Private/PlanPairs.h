@@ -3,7 +3,7 @@
 /**
  * @file
  * The (normal, view) pairs on which a planner compares its candidates: those of a sphere from
- * everywhere, or of a picture. Private to the module.
+ * everywhere, or of a picture.
  */
 
 #ifndef PlanPairs_h

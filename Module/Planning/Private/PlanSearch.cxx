@@ -4,7 +4,7 @@
 
 #include "MaterialPrecomputation.h"
 #include "NumberText.h"
-#include "TakenError.h"
+#include "ScopedErrorCapture.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkCommand.h"
 #include "vtkNew.h"
@@ -55,7 +55,7 @@ private:
 
   PlanTask& Task;
   vtkSmartPointer<vtkRadianceIntegrator> Integrator;
-  TakenError Error;
+  ScopedErrorCapture Error;
   unsigned long Tag;
 };
 }

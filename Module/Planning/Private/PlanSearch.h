@@ -4,7 +4,7 @@
  * @file
  * The steps of a plan, in their order: list the candidates, draw the pairs to compare them on,
  * compute a reference there, climb to the cheapest candidate within the tolerance, and put the
- * choice into words. Private to the module.
+ * choice into words.
  */
 
 #ifndef PlanSearch_h

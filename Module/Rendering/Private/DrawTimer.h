@@ -3,8 +3,7 @@
 /**
  * @file
  * How long the graphics card draws what several mappers draw together, as vtkOpenGLPolyDataMapper
- * measures it for one: actors with levels of detail choose by it. Private to the rendering
- * component.
+ * measures it for one: actors with levels of detail choose by it.
  */
 
 #ifndef DrawTimer_h

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A material in a frame, and what mappers report of the last frame. Private to the rendering
- * component.
+ * A material in a frame, and what mappers report of the last frame.
  */
 
 #ifndef DrawnMaterial_h

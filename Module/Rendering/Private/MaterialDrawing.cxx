@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialDrawing.h"
 
-#include "OcclusionPoints.h"
+#include "OcclusionVertexCache.h"
 #include "RenderPassQueries.h"
 #include "RunGuarded.h"
 #include "SharedIntegrators.h"

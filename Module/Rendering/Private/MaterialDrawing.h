@@ -4,17 +4,16 @@
  * @file
  * What a mapper that users know draws with: its properties and, for each frame, the light, the
  * plan and the textures of each material. MaterialShading makes shader text and uniforms of them.
- * Private to the rendering component.
  */
 
 #ifndef MaterialDrawing_h
 #define MaterialDrawing_h
 
+#include "AutomaticOcclusion.h"
 #include "DrawnMaterial.h"
 #include "MapperPlans.h"
 #include "MaterialSettings.h"
 #include "OcclusionArrays.h"
-#include "OcclusionForecast.h"
 #include "OcclusionLight.h"
 #include "OcclusionShader.h"
 #include "RenderReports.h"
@@ -114,7 +113,7 @@ public:
   /// Of a surface that a material map will divide: itself, or with the arrays that it has to have
   /// (SetOcclusionModeToOn). The same object while nothing changes.
   vtkSmartPointer<vtkPolyData> FindWhole(vtkPolyData* surface);
-  /// What was traced for a part because it is worth that (OcclusionForecast); null: nothing.
+  /// What was traced for a part because it is worth that (AutomaticOcclusion); null: nothing.
   vtkDataObject* GetTracedOcclusion(const void* part) const;
   /// Of the selected materials; none where nothing is hidden. any: whether the buffers have some.
   OcclusionLights GetSelectedOcclusion(bool any);
@@ -230,7 +229,7 @@ private:
     std::size_t All = 0;
   };
   GivenOcclusion Given; // with the surfaces of the last frame
-  std::map<const void*, std::unique_ptr<OcclusionForecast>> Forecasts; // of parts
+  std::map<const void*, std::unique_ptr<AutomaticOcclusion>> Forecasts; // of parts
   std::set<const void*> BouncingParts; // whose buffers have what comes back
   /// Surfaces of parts, only counted, whose arrays are of another surface or damaged.
   std::map<const void*, std::set<const vtkPolyData*>> RefusedOcclusion;

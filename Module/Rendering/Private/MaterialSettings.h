@@ -3,7 +3,7 @@
 /**
  * @file
  * What a program sets on a mapper of measured materials; the plain and the composite mapper have
- * the same properties, described in vtkMeasuredBRDFMapper.h. Private to the rendering component.
+ * the same properties, described in vtkMeasuredBRDFMapper.h.
  */
 
 #ifndef MaterialSettings_h

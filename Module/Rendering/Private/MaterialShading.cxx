@@ -692,7 +692,7 @@ bool MaterialShading::MayKeepOcclusion() const
 {
   return this->Points.IsPossible() && this->Drawing->GetMaterials().size() <= 1 &&
          this->Mapper->GetVBOs()->GetVBO("brdfSky0")->GetNumberOfTuples() >=
-           OcclusionPoints::GetLeastPoints();
+           OcclusionVertexCache::GetLeastPoints();
 }
 
 // Whether a vertex shader may read so many attributes, and the stages hand on so much, with what
@@ -764,7 +764,7 @@ void MaterialShading::KeepOcclusion(
 {
   const auto& [lights, layout] = occlusion;
   const OcclusionAxes axes(ren, actor, this->GetEnvironments());
-  const OcclusionPoints::Question question = { ren, actor,
+  const OcclusionVertexCache::Question question = { ren, actor,
     GetKeptInputs(lights, layout, axes.ToEnvironment), this->OcclusionTime };
   if (this->Points.Find(lights, layout, question))
   {

@@ -3,7 +3,7 @@
 /**
  * @file
  * The steps of vtkOpenGLPolyDataMapper in which a material takes part: buffers, shader text,
- * uniforms. Private to the rendering component.
+ * uniforms.
  *
  * Three mappers shade with materials: vtkMeasuredBRDFMapper itself, the mapper of a batch of blocks
  * and the mappers of a divided surface's parts (ShadedMapper). Each has a MaterialShading of its
@@ -15,7 +15,7 @@
 #define MaterialShading_h
 
 #include "MaterialDrawing.h"
-#include "OcclusionPoints.h"
+#include "OcclusionVertexCache.h"
 #include "vtkShader.h"
 #include "vtkTimeStamp.h"
 
@@ -170,7 +170,7 @@ private:
   std::size_t MostVaryings = 0;
   std::size_t VaryingsOfBase = 0; // for clipping planes and edges, in this frame
   vtkTimeStamp OcclusionTime;     // when the buffers were built
-  OcclusionPoints Points;         // of the buffers
+  OcclusionVertexCache Points;    // of the buffers
 };
 } // namespace measuredbrdf
 

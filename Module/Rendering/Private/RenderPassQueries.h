@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a renderer draws an actor for, and with which lights. Private to the rendering component.
+ * What a renderer draws an actor for, and with which lights.
  */
 
 #ifndef RenderPassQueries_h

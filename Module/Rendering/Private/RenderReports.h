@@ -3,7 +3,7 @@
 /**
  * @file
  * What a mapper says of its renders: each warning once, and each failure once until a render goes
- * without it. Private to the rendering component.
+ * without it.
  */
 
 #ifndef RenderReports_h

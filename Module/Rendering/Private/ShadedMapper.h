@@ -3,7 +3,7 @@
 /**
  * @file
  * A mapper of VTK's whose steps a MaterialShading takes part in: of a batch of blocks, or of a part
- * of a divided surface. Private to the rendering component.
+ * of a divided surface.
  */
 
 #ifndef ShadedMapper_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Objects made once and shared by all mappers that hold them. Private to the rendering component.
+ * Objects made once and shared by all mappers that hold them.
  */
 
 #ifndef SharedObjects_h

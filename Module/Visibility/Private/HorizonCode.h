@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What of the sky a surface hides from a point, and what it sends back, in a few bytes. Private to
- * the module.
+ * What of the sky a surface hides from a point, and what it sends back, in a few bytes.
  */
 
 #ifndef HorizonCode_h

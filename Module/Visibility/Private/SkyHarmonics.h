@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Real spherical harmonics up to degree 4: values and rotations. Private to the module.
+ * Real spherical harmonics up to degree 4: values and rotations.
  */
 
 #ifndef SkyHarmonics_h

@@ -3,7 +3,7 @@
 /**
  * @file
  * The faces of a surface as rays meet them, and where rays leave its points: normals, and origins
- * beside edges. Private to the module.
+ * beside edges.
  */
 
 #ifndef SurfacePoints_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Rays against surfaces: what hides what. Private to the module.
+ * Rays against surfaces: what hides what.
  *
  * Add surfaces, build once, then ask from any number of threads. Triangles are kept with
  * coordinates in single precision relative to the middle of the scene, in a tree of boxes with four

@@ -3,7 +3,7 @@
 /**
  * @file
  * vtkSurfaceVisibilityFilter's point arrays, and the passes over all points of its surfaces that
- * fill them. Private to the module.
+ * fill them.
  */
 
 #ifndef VisibilityTask_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What vtkTracedScene holds: surfaces, a tracer and normals. Private to the module.
+ * What vtkTracedScene holds: surfaces, a tracer and normals.
  */
 
 #ifndef vtkTracedSurfaces_h

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Threads of the module's own: what they throw, threads that are not to be had, work that nobody
 // waits for any more, and the end of a process.
+#include "AutomaticOcclusion.h"
 #include "BackgroundThreads.h"
 #include "CurrentPlan.h"
 #include "GatedBRDF.h"
-#include "OcclusionForecast.h"
 #include "RecentlyUsed.h"
 #include "SharedIntegrators.h"
 #include "SpherePairs.h"
@@ -46,8 +46,8 @@
 #include <unistd.h>
 #endif
 
+using measuredbrdf::AutomaticOcclusion;
 using measuredbrdf::CurrentPlan;
-using measuredbrdf::OcclusionForecast;
 using measuredbrdf::OcclusionQuestion;
 using measuredbrdf::PlanInputs;
 using measuredbrdf::RecentlyUsed;
@@ -241,7 +241,7 @@ TEST_F(Forecast, TellsWhatIsThrown)
   const auto sky = this->NewSky(1.0f);
   for (const bool background : { true, false })
   {
-    OcclusionForecast forecast;
+    AutomaticOcclusion forecast;
     this->Ask(brdf, sky);
     this->Question.InBackground = background;
     Throws = true;
@@ -270,7 +270,7 @@ TEST_F(Forecast, TellsWhatIsThrown)
 // Five views with five environments: each is answered once.
 TEST_F(Forecast, ViewsThatTakeTurnsComeToAnEnd)
 {
-  OcclusionForecast forecast;
+  AutomaticOcclusion forecast;
   std::vector<vtkSmartPointer<vtkEnvironment>> skies;
   for (int k = 0; k < 5; ++k)
   {
@@ -320,7 +320,7 @@ TEST_F(Forecast, NobodyWaitsForWhatIsLeft)
       std::this_thread::sleep_for(std::chrono::seconds(3));
       door->OpenUp();
     });
-  auto forecast = std::make_unique<OcclusionForecast>();
+  auto forecast = std::make_unique<AutomaticOcclusion>();
   this->Ask(snapshot, sky);
   forecast->Update(this->Question);
   ASSERT_TRUE(forecast->IsPending());
@@ -423,7 +423,7 @@ TEST_F(Forecast, WithoutThreads)
 {
   const auto sky = this->NewSky(1.0f);
   this->Ask(this->Gated, sky);
-  OcclusionForecast forecast;
+  AutomaticOcclusion forecast;
   {
     const NoThreads none;
     EXPECT_FALSE(measuredbrdf::RunInBackground([]() {}, []() {}));
@@ -461,7 +461,7 @@ void EndWhileForecasting()
   question.Input = hollow;
   question.InBackground = true;
   question.Materials = { { brdf, sky.Get(), sky->GetPixelsMTime(), 0.01 } };
-  auto* forecast = new OcclusionForecast;
+  auto* forecast = new AutomaticOcclusion;
   forecast->Update(question);
   EXPECT_TRUE(WaitUntil([&]() { return Watched->TakePasses() > 0; }));
   std::exit(forecast->IsReady() ? 1 : 0);

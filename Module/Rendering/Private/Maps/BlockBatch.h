@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Draws blocks of composite data that VTK's composite mapper draws from common buffers. Private to
- * the rendering component.
+ * Draws blocks of composite data that VTK's composite mapper draws from common buffers.
  */
 
 #ifndef BlockBatch_h

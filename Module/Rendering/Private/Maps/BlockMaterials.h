@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which material each block of a composite data set has. Private to the rendering component.
+ * Which material each block of a composite data set has.
  */
 
 #ifndef BlockMaterials_h

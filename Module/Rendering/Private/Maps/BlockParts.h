@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The blocks of a composite data set that a material map divides. Private to the rendering
- * component.
+ * The blocks of a composite data set that a material map divides.
  */
 
 #ifndef BlockParts_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a composite data set says of a block. Private to the rendering component.
+ * What a composite data set says of a block.
  */
 
 #ifndef BlockStyle_h

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Cuts a surface's polygons along the borders between classes of points. Private to the rendering
- * component.
+ * Cuts a surface's polygons along the borders between classes of points.
  *
  * A place of a triangle is of the class whose corners have the largest share of it (barycentric
  * coordinates, summed for each class). So borders are straight: between two classes from one edge's

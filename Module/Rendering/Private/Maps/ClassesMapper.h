@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Draws all parts of a divided surface that show a single material each. Private to the rendering
- * component.
+ * Draws all parts of a divided surface that show a single material each.
  *
  * They have the points and the shaders in common. So a further class costs its textures, the
  * numbers in which it differs from the last one, and a draw call, but not what VTK sets for each

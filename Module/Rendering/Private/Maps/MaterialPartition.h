@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The groups of materials that a surface is divided by. Private to the rendering component.
+ * The groups of materials that a surface is divided by.
  *
  * A group is drawn by one shader, which evaluates all of its materials. Polygons where the same
  * materials meet are of one group; where there are too many groups, some are merged.

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A surface in parts, so that the same few materials meet in all pixels of a part. Private to the
- * rendering component.
+ * A surface in parts, so that the same few materials meet in all pixels of a part.
  *
  * Each part is drawn by a shader with its own materials only: a class map costs what one material
  * costs, whatever the number of classes, and a blend what the materials that meet cost.

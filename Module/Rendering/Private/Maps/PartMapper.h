@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Draws a part of a surface that a material map divides. Private to the rendering component.
+ * Draws a part of a surface that a material map divides.
  */
 
 #ifndef PartMapper_h

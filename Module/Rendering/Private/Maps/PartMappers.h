@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Draws a surface by a material map, part by part. Private to the rendering component.
+ * Draws a surface by a material map, part by part.
  */
 
 #ifndef PartMappers_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The surfaces of a surface's parts. Private to the rendering component.
+ * The surfaces of a surface's parts.
  *
  * All parts share one array of points: they get one vertex buffer, and where they meet their edges
  * are the same to the last bit. A point where several parts need weights of their own stands in

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which materials of a map meet in each polygon of a surface, and with which weights. Private to
- * the rendering component.
+ * Which materials of a map meet in each polygon of a surface, and with which weights.
  */
 
 #ifndef PolygonMaterials_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The materials that primitives are being drawn with. Private to the rendering component.
+ * The materials that primitives are being drawn with.
  */
 
 #ifndef SelectedMaterials_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The surfaces of a mapper's input: itself, or its blocks. Private to the rendering component.
+ * The surfaces of a mapper's input: itself, or its blocks.
  */
 
 #ifndef SurfaceBlocks_h

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The images of weights of a material map: checked, and on a window's GPU. Private to the rendering
- * component.
+ * The images of weights of a material map: checked, and on a window's GPU.
  */
 
 #ifndef WeightImages_h

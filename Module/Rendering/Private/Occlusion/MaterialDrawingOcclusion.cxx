@@ -93,10 +93,10 @@ void MaterialDrawing::ForecastOcclusion(
       question.InBackground = question.InBackground && drawn.BRDF != drawn.Source;
     }
   }
-  std::unique_ptr<OcclusionForecast>& forecast = this->Forecasts[part];
+  std::unique_ptr<AutomaticOcclusion>& forecast = this->Forecasts[part];
   if (!forecast)
   {
-    forecast = std::make_unique<OcclusionForecast>();
+    forecast = std::make_unique<AutomaticOcclusion>();
   }
   const std::string problem = forecast->Update(question);
   if (!problem.empty() && this->WarnOnce("forecast: " + problem))
@@ -123,7 +123,7 @@ vtkSmartPointer<vtkPolyData> MaterialDrawing::FindWhole(vtkPolyData* surface)
 
 std::string MaterialDrawing::DescribeOcclusion() const
 {
-  const OcclusionForecast* worst = nullptr;
+  const AutomaticOcclusion* worst = nullptr;
   for (const auto& [part, forecast] : this->Forecasts)
   {
     worst = !worst || forecast->GetError() > worst->GetError() ? forecast.get() : worst;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * vtkSurfaceVisibilityFilter's arrays as vertex attributes. Private to the rendering component.
+ * vtkSurfaceVisibilityFilter's arrays as vertex attributes.
  */
 
 #ifndef OcclusionArrays_h

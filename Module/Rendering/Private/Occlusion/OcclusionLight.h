@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What shading with horizon codes (HorizonCode.h) needs of a material and its light. Private to the
- * rendering component.
+ * What shading with horizon codes (HorizonCode.h) needs of a material and its light.
  */
 
 #ifndef OcclusionLight_h

@@ -5,7 +5,7 @@
  * The shader builder: GLSL text and uniforms for shading with what a surface hides from itself. The
  * vertex shader evaluates a point's horizon code (HorizonCode.h) for each material that meets
  * there; the fragment shader interpolates what it found. Functions whose text is fixed are in
- * shaders/vtkBRDFHiddenSky.glsl and vtkBRDFBouncedLight.glsl. Private to the rendering component.
+ * shaders/vtkBRDFHiddenSky.glsl and vtkBRDFBouncedLight.glsl.
  */
 
 #ifndef OcclusionShader_h
@@ -39,7 +39,8 @@ struct OcclusionLayout
 {
   bool TwoSided = false;
   bool Bounced = false; // what comes back from what is hidden
-  bool Kept = false; // what rests while the light does, from the vertex cache (OcclusionPoints.h)
+  bool Kept =
+    false; // what rests while the light does, from the vertex cache (OcclusionVertexCache.h)
 };
 
 /// Same key, same text. "" without any.

@@ -3,9 +3,9 @@
 #include "SharedTrace.h"
 
 #include "ContentHash.h"
+#include "ScopedErrorCapture.h"
 #include "SurfaceBlocks.h"
 #include "SurfacePoints.h"
-#include "TakenError.h"
 #include "vtkCommand.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -180,7 +180,7 @@ void SharedTrace::Trace(vtkDataObject* input, bool withBounce, const std::functi
   const Run run(filter, CopyBlocks(input, CopyGeometry), goesOn, this->IsTracing);
   filter->SetBounce(withBounce);
   const int before = filter->GetNumberOfTraces();
-  const TakenError error(filter);
+  const ScopedErrorCapture error(filter);
   filter->Update();
   if (!error.GetText().empty()) // no memory, say
   {

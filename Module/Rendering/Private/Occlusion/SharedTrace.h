@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What surfaces hide from themselves, traced once for all mappers that show them. Private to the
- * rendering component.
+ * What surfaces hide from themselves, traced once for all mappers that show them.
  */
 
 #ifndef SharedTrace_h

@@ -3,7 +3,7 @@
 /**
  * @file
  * What a camera sees of polygonal surfaces: normals and views in proportion to the pixels that
- * they cover. Private to the rendering component.
+ * they cover.
  *
  * Nothing is drawn: triangles are weighed by their projected areas. What hides behind other parts
  * counts too, so that coverage is an upper bound; sides that face away count only where nearly all

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The plan that one view is drawn by, and the next one in the making. Private to the rendering
- * component.
+ * The plan that one view is drawn by, and the next one in the making.
  */
 
 #ifndef CurrentPlan_h

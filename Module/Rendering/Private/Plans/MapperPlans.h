@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The plans that a mapper draws by, one for each view of each of its materials. Private to the
- * rendering component.
+ * The plans that a mapper draws by, one for each view of each of its materials.
  *
  * A view is a renderer or, where plans are for what the camera sees, an actor in a renderer. Each
  * view is drawn by its own plan, and an old plan stands in for a new one in its own view only.

@@ -5,7 +5,7 @@
 #include "BackgroundThreads.h"
 #include "ParallelFor.h"
 #include "RunGuarded.h"
-#include "TakenError.h"
+#include "ScopedErrorCapture.h"
 #include "vtkBRDF.h"
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
@@ -320,7 +320,7 @@ void PlanJob::Run(const Progress& progress)
     [this, &brdf]()
     {
       // Nobody's output window has to cope with other threads.
-      const TakenError error(this->Planner);
+      const ScopedErrorCapture error(this->Planner);
       this->Succeeded = this->Planner->Update();
       this->Problem = this->Succeeded ? this->Problem : error.GetText();
       if (this->Succeeded && this->WithShaderInputs && !this->Planner->GetAbort())

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What is planned for, and a plan in the making, mostly on another thread. Private to the rendering
- * component.
+ * What is planned for, and a plan in the making, mostly on another thread.
  *
  * Jobs wait in one queue for the whole program. As many run at once as there are cores while a
  * Render waits for one of them; else one fewer, which is left to drawing.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Pictures whose samples are drawn in sub-frames that add up. Private to the rendering component.
+ * Pictures whose samples are drawn in sub-frames that add up.
  *
  * A sub-frame has some of the n samples, n times; the sum of all over n is the light of all
  * samples, since radiance is encoded after that. Each is drawn into a framebuffer of the view's,

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The integrators that mappers draw with where a program has set one. Private to the rendering
- * component.
+ * The integrators that mappers draw with where a program has set one.
  */
 
 #ifndef SharedIntegrators_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What each part of a mapper was last drawn with in each view. Private to the rendering component.
+ * What each part of a mapper was last drawn with in each view.
  */
 
 #ifndef ViewFrames_h

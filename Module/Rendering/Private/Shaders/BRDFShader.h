@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Assembly of the fragment shader from the files in shaders. Private to the rendering component.
+ * Assembly of the fragment shader from the files in shaders.
  */
 
 #ifndef BRDFShader_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How much goes into and through the stages of a shader. Private to the rendering component.
+ * How much goes into and through the stages of a shader.
  */
 
 #ifndef ShaderLimits_h

@@ -5,9 +5,9 @@
 #include "BRDFShader.h"
 #include "ContentHash.h"
 #include "Printable.h"
+#include "ScopedErrorCapture.h"
 #include "SharedCache.h"
 #include "SharedObjects.h"
-#include "TakenError.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFCommon.h"
 #include "vtkBRDFEnvironmentPyramid.h"
@@ -307,7 +307,7 @@ std::shared_ptr<ShaderTextures> ShaderTextures::Find(
   problem = found->Update(integrator->GetInputsMTime(), window,
     [integrator](vtkBRDFShaderInputs& inputs)
     {
-      const TakenError reason(integrator);
+      const ScopedErrorCapture reason(integrator);
       return integrator->GetShaderInputs(inputs)
                ? ValidateShaders(inputs, TermKind::Integrator)
                : std::string(integrator->GetClassName()) + " has nothing to draw with" +

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The shader inputs of BRDFs and integrators on one window's GPU. Private to the rendering
- * component.
+ * The shader inputs of BRDFs and integrators on one window's GPU.
  */
 
 #ifndef BRDFTextures_h

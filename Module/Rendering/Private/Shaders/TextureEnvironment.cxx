@@ -3,9 +3,9 @@
 #include "TextureEnvironment.h"
 
 #include "LightProbe.h"
+#include "ScopedErrorCapture.h"
 #include "SharedCache.h"
 #include "SharedObjects.h"
-#include "TakenError.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkEnvironment.h"
@@ -167,7 +167,7 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkRenderer* renderer, std::stri
         return MakeFromCube(images, sRGB, repaired);
       }
       auto made = vtkSmartPointer<vtkEnvironment>::New();
-      const TakenError error(made);
+      const ScopedErrorCapture error(made);
       const bool taken = made->SetImage(images.front(), sRGB);
       problem = error.GetText();
       repaired = GetRepaired(made);

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Environments of textures, made once and shared by all mappers that hold them. Private to the
- * rendering component.
+ * Environments of textures, made once and shared by all mappers that hold them.
  */
 
 #ifndef TextureEnvironment_h

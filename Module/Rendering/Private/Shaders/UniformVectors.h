@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Arrays of vec3 as uniforms. Private to the rendering component.
+ * Arrays of vec3 as uniforms.
  */
 
 #ifndef UniformVectors_h

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OcclusionForecast.h"
+#include "AutomaticOcclusion.h"
 
 #include "BackgroundThreads.h"
 #include "LocalFrame.h"
 #include "RunGuarded.h"
+#include "ScopedErrorCapture.h"
 #include "SharedTrace.h"
 #include "SurfaceBlocks.h"
-#include "TakenError.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -89,7 +89,7 @@ std::vector<OcclusionQuestion::Material> TakeSnapshots(
 }
 
 //------------------------------------------------------------------------------
-class OcclusionForecast::Job
+class AutomaticOcclusion::Job
 {
 public:
   Job(const OcclusionQuestion& question, bool apart)
@@ -225,7 +225,7 @@ private:
     predictor->SetScene(this->GetScene());
     predictor->SetBRDF(material.BRDF);
     predictor->SetEnvironment(material.Environment);
-    const TakenError stopped(predictor); // nobody waits for it any more
+    const ScopedErrorCapture stopped(predictor); // nobody waits for it any more
     const bool done = predictor->Update();
     if (done && predictor->GetError() > this->Found.Error)
     {
@@ -242,15 +242,15 @@ private:
 };
 
 //------------------------------------------------------------------------------
-OcclusionForecast::OcclusionForecast()
+AutomaticOcclusion::AutomaticOcclusion()
   : Known(MostAnswers)
 {
 }
 
-OcclusionForecast::~OcclusionForecast() { this->Leave(); }
+AutomaticOcclusion::~AutomaticOcclusion() { this->Leave(); }
 
 // Its thread, if it has one, holds it until it has stopped: a trace may take a while to do so.
-void OcclusionForecast::Leave()
+void AutomaticOcclusion::Leave()
 {
   if (this->Work)
   {
@@ -260,7 +260,7 @@ void OcclusionForecast::Leave()
 }
 
 // Whether it is the same surface as in the frame before, or one that is worth an answer yet.
-bool OcclusionForecast::FollowsSurface(vtkDataObject* input)
+bool AutomaticOcclusion::FollowsSurface(vtkDataObject* input)
 {
   std::vector<std::pair<void*, vtkMTimeType>> stamp;
   for (vtkPolyData* surface : GetBlocks(input))
@@ -284,10 +284,10 @@ bool OcclusionForecast::FollowsSurface(vtkDataObject* input)
   return this->Changes <= MostChanges;
 }
 
-bool OcclusionForecast::IsReady() const { return this->Work && this->Work->Done; }
+bool AutomaticOcclusion::IsReady() const { return this->Work && this->Work->Done; }
 
 // Numbers are kept: the tree of half a million triangles takes 45 MB.
-std::string OcclusionForecast::Take()
+std::string AutomaticOcclusion::Take()
 {
   const std::shared_ptr<Job> done = std::move(this->Work);
   if (done->Traced)
@@ -300,7 +300,7 @@ std::string OcclusionForecast::Take()
 }
 
 // On a thread, or else at once.
-void OcclusionForecast::Begin(const OcclusionQuestion& question)
+void AutomaticOcclusion::Begin(const OcclusionQuestion& question)
 {
   this->Work = std::make_shared<Job>(question, question.InBackground);
   this->Work->WithBounce = this->WithBounce;
@@ -315,7 +315,7 @@ void OcclusionForecast::Begin(const OcclusionQuestion& question)
 }
 
 // What an answer depends on beside the surface.
-OcclusionForecast::Key OcclusionForecast::GetKey(const OcclusionQuestion& question)
+AutomaticOcclusion::Key AutomaticOcclusion::GetKey(const OcclusionQuestion& question)
 {
   Key key(1);
   static_assert(sizeof(question.Tolerance) == sizeof(key[0]), "as many bits");
@@ -329,7 +329,7 @@ OcclusionForecast::Key OcclusionForecast::GetKey(const OcclusionQuestion& questi
 }
 
 // Views with different lights ask in turns: each has its answer, and what was traced serves all.
-std::string OcclusionForecast::Update(const OcclusionQuestion& question)
+std::string AutomaticOcclusion::Update(const OcclusionQuestion& question)
 {
   const std::string before = this->Content;
   const bool follows = this->FollowsSurface(question.Input);
@@ -364,9 +364,9 @@ std::string OcclusionForecast::Update(const OcclusionQuestion& question)
   return problem;
 }
 
-double OcclusionForecast::GetError() const { return this->Answer ? this->Answer->Error : -1.0; }
+double AutomaticOcclusion::GetError() const { return this->Answer ? this->Answer->Error : -1.0; }
 
-std::string OcclusionForecast::GetText() const
+std::string AutomaticOcclusion::GetText() const
 {
   if (!this->Answer)
   {

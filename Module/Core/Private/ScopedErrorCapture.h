@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An object's errors, taken off its hands: whoever uses it reports them. Private to the module.
+ * An object's errors, taken off its hands: whoever uses it reports them.
  */
 
-#ifndef TakenError_h
-#define TakenError_h
+#ifndef ScopedErrorCapture_h
+#define ScopedErrorCapture_h
 
 #include "vtkCommand.h"
 #include "vtkObject.h"
@@ -17,17 +17,17 @@
 
 namespace measuredbrdf
 {
-class TakenError
+class ScopedErrorCapture
 {
 public:
-  explicit TakenError(vtkObject* source)
+  explicit ScopedErrorCapture(vtkObject* source)
     : Source(source)
-    , Tag(source->AddObserver(vtkCommand::ErrorEvent, this, &TakenError::Take))
+    , Tag(source->AddObserver(vtkCommand::ErrorEvent, this, &ScopedErrorCapture::Take))
   {
   }
-  ~TakenError() { this->Source->RemoveObserver(this->Tag); }
-  TakenError(const TakenError&) = delete;
-  void operator=(const TakenError&) = delete;
+  ~ScopedErrorCapture() { this->Source->RemoveObserver(this->Tag); }
+  ScopedErrorCapture(const ScopedErrorCapture&) = delete;
+  void operator=(const ScopedErrorCapture&) = delete;
 
   /// The last one, without the place in the source and the function's name; "" if there was none.
   std::string GetText() const

@@ -4,12 +4,11 @@
  * @file
  * The vertex cache: what is kept of a mapper's points while their light rests (MakeKeptShader),
  * made on the graphics card, once for each point, by transform feedback. Drawn triangles would make
- * it as often as the card's cache of vertices forgets a point, and in each frame anew. Private to
- * the rendering component.
+ * it as often as the card's cache of vertices forgets a point, and in each frame anew.
  */
 
-#ifndef OcclusionPoints_h
-#define OcclusionPoints_h
+#ifndef OcclusionVertexCache_h
+#define OcclusionVertexCache_h
 
 #include "OcclusionShader.h"
 #include "vtkOpenGLBufferObject.h"
@@ -31,13 +30,13 @@ class vtkWindow;
 
 namespace measuredbrdf
 {
-class OcclusionPoints
+class OcclusionVertexCache
 {
 public:
-  OcclusionPoints() = default;
-  ~OcclusionPoints() { this->Release(); }
-  OcclusionPoints(const OcclusionPoints&) = delete;
-  void operator=(const OcclusionPoints&) = delete;
+  OcclusionVertexCache() = default;
+  ~OcclusionVertexCache() { this->Release(); }
+  OcclusionVertexCache(const OcclusionVertexCache&) = delete;
+  void operator=(const OcclusionVertexCache&) = delete;
 
   ///@{
   /// Fewer points are drawn as fast without. Set: for tests.

@@ -3,12 +3,11 @@
 /**
  * @file
  * Whether what a surface hides from itself is worth modeling (vtkOcclusionPredictor), and where it
- * is, vtkSurfaceVisibilityFilter's arrays: made at once, or on a thread. Private to the rendering
- * component.
+ * is, vtkSurfaceVisibilityFilter's arrays: made at once, or on a thread.
  */
 
-#ifndef OcclusionForecast_h
-#define OcclusionForecast_h
+#ifndef AutomaticOcclusion_h
+#define AutomaticOcclusion_h
 
 #include "RecentlyUsed.h"
 #include "vtkBRDF.h"
@@ -49,15 +48,15 @@ struct OcclusionQuestion
   bool WithBounce = false;   // whether what is traced has to have vtkSurfaceVisibilityFilter's
 };
 
-class OcclusionForecast
+class AutomaticOcclusion
 {
 public:
-  OcclusionForecast();
+  AutomaticOcclusion();
 
   /// Stops what is in the making, but does not wait for that.
-  ~OcclusionForecast();
-  OcclusionForecast(const OcclusionForecast&) = delete;
-  void operator=(const OcclusionForecast&) = delete;
+  ~AutomaticOcclusion();
+  AutomaticOcclusion(const AutomaticOcclusion&) = delete;
+  void operator=(const AutomaticOcclusion&) = delete;
 
   /// Once a frame: answer, or begin to. What was answered holds until the surface, a material or
   /// the environment's pixels change; a rotation does not change it. A surface that changes in

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OcclusionPoints.h"
+#include "OcclusionVertexCache.h"
 
 #include "SharedObjects.h"
 #include "vtkOpenGLRenderUtilities.h" // VTK's OpenGL, whichever library it loads it with
@@ -20,7 +20,7 @@ const char* const FragmentShader = "//VTK::System::Dec\n//VTK::Output::Dec\n"
                                    "void main()\n{\n  gl_FragData[0] = vec4(0.0);\n}\n";
 constexpr int FloatsOfAttribute = 4;
 
-std::atomic<std::size_t> LeastPoints{ OcclusionPoints::DefaultLeastPoints };
+std::atomic<std::size_t> LeastPoints{ OcclusionVertexCache::DefaultLeastPoints };
 std::atomic<std::size_t> MadeCount{ 0 };
 std::atomic<std::size_t> AddedCount{ 0 };
 
@@ -47,15 +47,15 @@ vtkSmartPointer<vtkTransformFeedback> FindCapture(const std::vector<std::string>
 }
 }
 
-std::size_t OcclusionPoints::GetLeastPoints() { return LeastPoints; }
+std::size_t OcclusionVertexCache::GetLeastPoints() { return LeastPoints; }
 
-void OcclusionPoints::SetLeastPoints(std::size_t points) { LeastPoints = points; }
+void OcclusionVertexCache::SetLeastPoints(std::size_t points) { LeastPoints = points; }
 
-std::size_t OcclusionPoints::GetMadeCount() { return MadeCount; }
+std::size_t OcclusionVertexCache::GetMadeCount() { return MadeCount; }
 
-std::size_t OcclusionPoints::GetAddedCount() { return AddedCount; }
+std::size_t OcclusionVertexCache::GetAddedCount() { return AddedCount; }
 
-bool OcclusionPoints::Find(
+bool OcclusionVertexCache::Find(
   const OcclusionLights& lights, const OcclusionLayout& layout, const Question& question)
 {
   const std::string key = GetOcclusionKey(lights, layout);
@@ -73,7 +73,7 @@ bool OcclusionPoints::Find(
   return this->Current != nullptr;
 }
 
-vtkShaderProgram* OcclusionPoints::Begin(vtkOpenGLRenderWindow* window,
+vtkShaderProgram* OcclusionVertexCache::Begin(vtkOpenGLRenderWindow* window,
   vtkOpenGLVertexBufferObjectGroup* buffers, const OcclusionLights& lights,
   const OcclusionLayout& layout)
 {
@@ -109,7 +109,7 @@ vtkShaderProgram* OcclusionPoints::Begin(vtkOpenGLRenderWindow* window,
 }
 
 // Of the same view first: a light that moves takes no other's place.
-OcclusionPoints::State& OcclusionPoints::FindPlace(const Question& question)
+OcclusionVertexCache::State& OcclusionVertexCache::FindPlace(const Question& question)
 {
   const auto isOwn = [&](const std::unique_ptr<State>& state)
   {
@@ -130,7 +130,7 @@ OcclusionPoints::State& OcclusionPoints::FindPlace(const Question& question)
   return **place;
 }
 
-void OcclusionPoints::Make(std::size_t points, const Question& question)
+void OcclusionVertexCache::Make(std::size_t points, const Question& question)
 {
   // Of codes that are drawn no more.
   this->States.erase(std::remove_if(this->States.begin(), this->States.end(),
@@ -166,7 +166,7 @@ void OcclusionPoints::Make(std::size_t points, const Question& question)
   ++MadeCount;
 }
 
-void OcclusionPoints::AddTo(vtkOpenGLHelper& drawn) const
+void OcclusionVertexCache::AddTo(vtkOpenGLHelper& drawn) const
 {
   if (!this->Current)
   {
@@ -187,13 +187,13 @@ void OcclusionPoints::AddTo(vtkOpenGLHelper& drawn) const
   }
 }
 
-void OcclusionPoints::Drop()
+void OcclusionVertexCache::Drop()
 {
   this->Current = nullptr;
   this->States.clear(); // buffers delete themselves
 }
 
-void OcclusionPoints::Release(vtkWindow* window)
+void OcclusionVertexCache::Release(vtkWindow* window)
 {
   vtkOpenGLRenderWindow* own = this->Window;
   if (!own && window && window == this->Owner)
