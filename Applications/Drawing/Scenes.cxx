@@ -94,6 +94,7 @@ void OffscreenScene::PlaceCamera(int width, int height)
   vtkCamera* active = this->Renderer->GetActiveCamera();
   if (!this->Camera)
   {
+    this->StageMapper->Update(); // a filter may make the mesh
     tool::PlaceCamera(active, this->StageMapper->GetInput(), this->Seen, this->Fill,
       static_cast<double>(width) / height);
     return;

@@ -858,7 +858,7 @@ class RenderMethods(RenderTest):
         # Views from all around, two of them equal; the last one from below the surface.
         pairs = self.write("nv.csv", "nx,ny,nz,vx,vy,vz\n0,1,0,0.6,0.8,0\n0.6,0,0.8,0.6,0.8,0\n"
                            "0,-1,0,0.5,-0.7,0.3\n0.8,0,-0.6,0,0,-2\n0,1,0,0.5,-0.7,0.3\n")
-        for method in ("light-set", "basis", "filtered", "table"):
+        for method in ("light-set", "filtered", "table"):
             results = []
             for on in ("cpu", "gpu"):
                 output = self.path(on + ".csv")
