@@ -36,8 +36,12 @@ if (MEASUREDBRDF_BUILD_TOOL)
   option(MEASUREDBRDF_WITH_CURL "Download materials and environments (needs libcurl)" ON)
   measuredbrdf_find_optional(CURL libcurl4-openssl-dev)
   if (MEASUREDBRDF_WITH_CURL)
-    find_package(OpenSSL REQUIRED) # for SHA-256; Debian: libssl-dev
-    find_package(ZLIB REQUIRED)    # which libcurl and VTK use, too
+    find_package(OpenSSL) # for SHA-256
+    if (NOT OpenSSL_FOUND)
+      message(FATAL_ERROR "OpenSSL was not found. Install it (Debian: libssl-dev) or configure with "
+        "-DMEASUREDBRDF_WITH_CURL=OFF.")
+    endif ()
+    find_package(ZLIB REQUIRED) # which libcurl and VTK use, too
   endif ()
 endif ()
 

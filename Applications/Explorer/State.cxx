@@ -201,6 +201,8 @@ public:
   {
     std::vector<std::string> given(methods.begin(), methods.end());
     (*this)(std::string(key), given);
+    // A method of older states that is gone.
+    std::replace(given.begin(), given.end(), std::string("basis"), std::string("planned"));
     std::string known;
     for (const MethodName& name : GetMethodNames())
     {

@@ -72,7 +72,7 @@ public:
     // VTK aborts the process after this message; later versions turn to EGL or OSMesa.
     if (text.find("bad X server connection") != std::string::npos)
     {
-      std::cerr << "measured-brdf: error: rendering needs an X server with this VTK ("
+      std::cerr << tool::ProgramName << ": error: rendering needs an X server with this VTK ("
                 << vtkVersion::GetVTKVersion()
                 << "), and there is none at $DISPLAY. Without a screen, put xvfb-run before the "
                    "command: xvfb-run -a measured-brdf ..."
@@ -96,8 +96,8 @@ public:
 
   void DisplayWarningText(const char* message) override
   {
-    std::cerr << "measured-brdf: warning: " << vtkBRDFReader::GetPrintable(StripOrigin(message))
-              << std::endl;
+    std::cerr << tool::ProgramName
+              << ": warning: " << vtkBRDFReader::GetPrintable(StripOrigin(message)) << std::endl;
   }
   void DisplayGenericWarningText(const char* message) override
   {
@@ -132,7 +132,7 @@ void PrintNote(const std::string& text)
   }
   else if (!text.empty())
   {
-    std::cerr << "measured-brdf: note: " << vtkBRDFReader::GetPrintable(text)
+    std::cerr << ProgramName << ": note: " << vtkBRDFReader::GetPrintable(text)
               << (text.back() == '\n' ? "" : "\n") << std::flush;
   }
 }

@@ -37,7 +37,10 @@ struct InputError : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-/// "measured-brdf: note: TEXT" on stderr, or to this thread's BackgroundWork; nothing where text is
+/// What messages begin with; RunProgram sets it.
+inline std::string ProgramName = "measured-brdf";
+
+/// "PROGRAM: note: TEXT" on stderr, or to this thread's BackgroundWork; nothing where text is
 /// empty.
 void PrintNote(const std::string& text);
 
