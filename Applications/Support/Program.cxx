@@ -51,7 +51,7 @@ int RunUnguarded(int argc, char* argv[], const tool::Program& program)
     return tool::AnswerLoadMesh(argv[2]);
   }
 
-  ProgramName = program.Name;
+  tool::ProgramName = program.Name;
   CLI::App app(program.Description, program.Name);
 #if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 5
   // From 2.5 on CLI11 fills paragraphs; these have their line breaks already.
