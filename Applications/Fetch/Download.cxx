@@ -77,26 +77,19 @@ namespace
 //------------------------------------------------------------------------------
 void SetOptions(CURL* curl, const tool::DownloadRequest& request)
 {
-  curl_easy_setopt(curl, CURLOPT_URL, request.Url.c_str());
   curl_easy_setopt(curl, CURLOPT_USERAGENT, "measured-brdf/" MEASUREDBRDF_VERSION);
   curl_easy_setopt(curl, CURLOPT_NOSIGNAL, 1L);
   curl_easy_setopt(curl, CURLOPT_FAILONERROR, 1L);
   curl_easy_setopt(curl, CURLOPT_FOLLOWLOCATION, 1L);
-  curl_easy_setopt(curl, CURLOPT_MAXREDIRS, 5L);
-  // A server elsewhere cannot redirect to http; only a mirror on this machine can.
-  const bool isSecure = request.Url.compare(0, 5, "https") == 0;
+  curl_easy_setopt(curl, CURLOPT_MAXREDIRS, 0L); // Follow() looks at each redirect
 #if LIBCURL_VERSION_NUM >= 0x075500
   curl_easy_setopt(curl, CURLOPT_PROTOCOLS_STR, "http,https");
-  curl_easy_setopt(curl, CURLOPT_REDIR_PROTOCOLS_STR, isSecure ? "https" : "http,https");
 #else
   curl_easy_setopt(curl, CURLOPT_PROTOCOLS, long(CURLPROTO_HTTP | CURLPROTO_HTTPS));
-  curl_easy_setopt(curl, CURLOPT_REDIR_PROTOCOLS,
-    long(isSecure ? CURLPROTO_HTTPS : CURLPROTO_HTTP | CURLPROTO_HTTPS));
 #endif
   curl_easy_setopt(curl, CURLOPT_CONNECTTIMEOUT, static_cast<long>(request.Timeout));
   curl_easy_setopt(curl, CURLOPT_LOW_SPEED_LIMIT, 1024L);
   curl_easy_setopt(curl, CURLOPT_LOW_SPEED_TIME, static_cast<long>(request.Timeout));
-  curl_easy_setopt(curl, CURLOPT_MAXFILESIZE_LARGE, static_cast<curl_off_t>(request.Limit));
   if (IsRange(request))
   {
     const std::string last =
@@ -123,13 +116,69 @@ void SetOptions(CURL* curl, const tool::DownloadRequest& request)
 }
 
 //------------------------------------------------------------------------------
+// Checks an answer's head; returns whether it says how many bytes follow.
+bool CheckAnswer(CURL* curl, const tool::DownloadRequest& request)
+{
+  long status = 0;
+  curl_easy_getinfo(curl, CURLINFO_RESPONSE_CODE, &status);
+  if (status != 0 && status != (IsRange(request) ? 206 : 200))
+  {
+    ThrowStatus(request, status);
+  }
+  curl_off_t length = -1;
+  curl_easy_getinfo(curl, CURLINFO_CONTENT_LENGTH_DOWNLOAD_T, &length);
+  const auto count = static_cast<std::uint64_t>(length);
+  if (length >= 0 && (request.IsExact ? count != request.Limit : count > request.Limit))
+  {
+    throw tool::WrongBytes(
+      "the server announces " + std::to_string(length) + " bytes, expected " +
+      (request.IsExact ? "" : "at most ") + std::to_string(request.Limit) +
+      (request.First > 0 ? " from byte " + std::to_string(request.First) + " on" : ""));
+  }
+  return length >= 0;
+}
+
+//------------------------------------------------------------------------------
+// Sends the request, and again to where the server redirects, five times at most.
+CURLcode Follow(CURL* curl, const Exchange& exchange)
+{
+  std::string url = exchange.Request.Url;
+  for (int redirects = 0;; ++redirects)
+  {
+    curl_easy_setopt(curl, CURLOPT_URL, url.c_str());
+    const CURLcode code = curl_easy_perform(curl);
+    if (tool::Interruptible::IsInterrupted())
+    {
+      throw tool::Error("interrupted");
+    }
+    if (exchange.Thrown)
+    {
+      std::rethrow_exception(exchange.Thrown);
+    }
+    const char* next = nullptr;
+    curl_easy_getinfo(curl, CURLINFO_REDIRECT_URL, &next);
+    if (code != CURLE_TOO_MANY_REDIRECTS || !next)
+    {
+      return code;
+    }
+    if (!tool::IsAllowedRedirect(url, next))
+    {
+      throw tool::Error(std::string("the server redirects to ") + next + ", expected https");
+    }
+    url = next;
+    if (redirects == 5)
+    {
+      throw tool::Error("more than 5 redirects, the last one to " + url);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 [[noreturn]] void ThrowFailure(
   const tool::DownloadRequest& request, CURLcode code, const std::string& text)
 {
   switch (code)
   {
-    case CURLE_FILESIZE_EXCEEDED:
-      ThrowTooLong(request);
     case CURLE_OPERATION_TIMEDOUT:
       throw tool::TransientError("the server was too slow: expected an answer within " +
                                  std::to_string(request.Timeout) +
@@ -170,19 +219,10 @@ bool Download(const DownloadRequest& request,
   curl_easy_setopt(curl.get(), CURLOPT_ERRORBUFFER, details);
 
   // An answer is checked before its first byte is taken.
-  const auto check = [&request, &curl]()
-  {
-    long status = 0;
-    curl_easy_getinfo(curl.get(), CURLINFO_RESPONSE_CODE, &status);
-    if (status != 0 && status != (IsRange(request) ? 206 : 200))
-    {
-      ThrowStatus(request, status);
-    }
-  };
   const std::function<void(const char*, std::size_t)> takeChecked =
-    [&check, &take](const char* bytes, std::size_t count)
+    [&curl, &request, &take](const char* bytes, std::size_t count)
   {
-    check();
+    CheckAnswer(curl.get(), request);
     take(bytes, count);
   };
   Exchange exchange{ request, takeChecked, progress, 0, nullptr };
@@ -192,27 +232,23 @@ bool Download(const DownloadRequest& request,
   curl_easy_setopt(curl.get(), CURLOPT_XFERINFODATA, &exchange);
   curl_easy_setopt(curl.get(), CURLOPT_NOPROGRESS, 0L);
 
-  const CURLcode code = curl_easy_perform(curl.get());
-  Interruptible::Check();
-  if (exchange.Thrown)
-  {
-    std::rethrow_exception(exchange.Thrown);
-  }
-  if (code == CURLE_OK || code == CURLE_HTTP_RETURNED_ERROR || code == CURLE_FILESIZE_EXCEEDED)
-  {
-    check();
-  }
+  const CURLcode code = Follow(curl.get(), exchange);
+  const bool hasLength =
+    (code == CURLE_OK || code == CURLE_HTTP_RETURNED_ERROR) && CheckAnswer(curl.get(), request);
   if (code != CURLE_OK)
   {
     ThrowFailure(request, code, *details ? details : curl_easy_strerror(code));
   }
-  curl_off_t length = -1;
-  curl_easy_getinfo(curl.get(), CURLINFO_CONTENT_LENGTH_DOWNLOAD_T, &length);
-  return length >= 0;
+  if (request.IsExact && exchange.Received < request.Limit)
+  {
+    throw TransientError("the connection was closed before the end");
+  }
+  return hasLength;
 }
 
 //------------------------------------------------------------------------------
-void Retry(int retries, const std::function<void()>& attempt)
+void Retry(
+  int retries, const std::function<std::string()>& getPlace, const std::function<void()>& attempt)
 {
   for (int k = 0;; ++k)
   {
@@ -227,25 +263,31 @@ void Retry(int retries, const std::function<void()>& attempt)
       {
         throw;
       }
-      PrintNote(std::string(e.what()) + "; trying again");
+      PrintNote(getPlace() + ": " + e.what() + "; trying again");
       const auto end =
         std::chrono::steady_clock::now() + std::chrono::seconds(1 << (k < 5 ? k : 5));
       while (std::chrono::steady_clock::now() < end)
       {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
-        Interruptible::Check();
+        if (Interruptible::IsInterrupted())
+        {
+          throw Error("interrupted");
+        }
       }
     }
   }
 }
 
+namespace
+{
 //------------------------------------------------------------------------------
-bool IsAllowedUrl(const std::string& url)
+// An address's scheme, in lower case; "" where files are not downloaded from there.
+std::string GetAllowedScheme(const std::string& url)
 {
   const std::unique_ptr<CURLU, void (*)(CURLU*)> address(curl_url(), curl_url_cleanup);
   if (!address || curl_url_set(address.get(), CURLUPART_URL, url.c_str(), 0) != CURLUE_OK)
   {
-    return false;
+    return "";
   }
   const auto get = [&address](CURLUPart part)
   {
@@ -261,7 +303,20 @@ bool IsAllowedUrl(const std::string& url)
   const bool isThisMachine =
     host == "localhost" || host == "[::1]" ||
     (inet_pton(AF_INET, host.c_str(), &number) == 1 && ntohl(number.s_addr) >> 24 == 127);
-  return get(CURLUPART_USER).empty() && get(CURLUPART_PASSWORD).empty() && !host.empty() &&
-         (scheme == "https" || (scheme == "http" && isThisMachine));
+  const bool isAllowed = get(CURLUPART_USER).empty() && get(CURLUPART_PASSWORD).empty() &&
+                         !host.empty() &&
+                         (scheme == "https" || (scheme == "http" && isThisMachine));
+  return isAllowed ? scheme : "";
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsAllowedUrl(const std::string& url) { return !GetAllowedScheme(url).empty(); }
+
+//------------------------------------------------------------------------------
+bool IsAllowedRedirect(const std::string& from, const std::string& to)
+{
+  const std::string scheme = GetAllowedScheme(to);
+  return scheme == "https" || (scheme == "http" && GetAllowedScheme(from) == "http");
 }
 } // namespace tool

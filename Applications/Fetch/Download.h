@@ -38,6 +38,7 @@ struct DownloadRequest
   std::uint64_t Count = 0; // how many; 0: all that follow
   std::uint64_t Limit = 0; // how many may come at most
   int Timeout = 60;        // seconds without an answer, or with less than 1 KiB/s
+  bool IsExact = false;    // whether so many must come
 };
 
 /// Gives the bytes to `take` as they come, and to `progress` the share of this request that is
@@ -48,12 +49,16 @@ bool Download(const DownloadRequest& request,
   const std::function<void(double share)>& progress);
 
 /// Runs `attempt` again after each TransientError, up to `retries` times, after 1, 2, 4 ...
-/// seconds.
-void Retry(int retries, const std::function<void()>& attempt);
+/// seconds. A note says so; it begins with the place, which is asked for after the error.
+void Retry(
+  int retries, const std::function<std::string()>& getPlace, const std::function<void()>& attempt);
 
 /// Whether files are downloaded from there: by https, or by http from this machine. Addresses with
 /// user names are refused.
 bool IsAllowedUrl(const std::string& url);
+
+/// Whether a server at `from` may redirect to `to`: an allowed address, by https where `from` is.
+bool IsAllowedRedirect(const std::string& from, const std::string& to);
 } // namespace tool
 
 #endif

@@ -21,6 +21,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <thread>
 
 namespace fs = std::filesystem;
@@ -99,8 +100,9 @@ std::string ReadRecordedSum(const std::string& path)
 class FolderLock
 {
 public:
+  // The other constructor makes the object whole, so that it is closed where this one throws.
   explicit FolderLock(const std::string& path)
-    : Folder(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
+    : FolderLock(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
   {
     if (this->Folder < 0)
     {
@@ -108,9 +110,9 @@ public:
     }
     bool told = false;
     // Some network file systems lock no folders: there it is up to the user.
-    while (flock(this->Folder, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK &&
-           !tool::Interruptible::IsInterrupted())
+    while (flock(this->Folder, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     {
+      tool::Interruptible::Check();
       tool::PrintNote(told ? "" : "another process downloads to " + path + "; waiting for it");
       told = true;
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -121,6 +123,10 @@ public:
   void operator=(const FolderLock&) = delete;
 
 private:
+  explicit FolderLock(int folder)
+    : Folder(folder)
+  {
+  }
   const int Folder;
 };
 
@@ -159,16 +165,17 @@ class Job
 {
 public:
   Job(const tool::FetchEntry& entry, const tool::FetchOptions& options);
-  bool IsDone() const;
+  bool IsDone(bool tells) const;
   void CheckSumIsKnown() const;
-  void Run() const;
+  void Run();
 
   const std::string Folder;
-  const FolderLock Lock;
   const std::string Path;
 
 private:
+  void ReadSum();
   tool::ZipMember FindMember(std::uint64_t& first) const;
+  std::string GetPlace(std::uint64_t byte, std::uint64_t size) const;
   std::string ReadArchive(std::uint64_t first, std::uint64_t count) const;
   std::string Download(std::string& part, bool& resumed) const;
   void Check(const std::string& bytes) const;
@@ -185,7 +192,6 @@ private:
 //------------------------------------------------------------------------------
 Job::Job(const tool::FetchEntry& entry, const tool::FetchOptions& options)
   : Folder(options.Folder.empty() ? OpenCache() : options.Folder)
-  , Lock(this->Folder)
   , Path((fs::path(this->Folder) / entry.File).string())
   , Entry(entry)
   , Options(options)
@@ -214,11 +220,18 @@ Job::Job(const tool::FetchEntry& entry, const tool::FetchOptions& options)
     this->SumFrom = entry.SumKind == "copy" ? "this program, of a copy that came from elsewhere"
                                             : "this program, as others published it";
   }
+  this->ReadSum();
+}
+
+//------------------------------------------------------------------------------
+// Takes the recorded sum where no other is known.
+void Job::ReadSum()
+{
   for (const std::string& folder : { this->Folder, tool::GetFetchCache() })
   {
     if (this->Sum.empty() && !folder.empty())
     {
-      const std::string path = (fs::path(folder) / entry.File).string();
+      const std::string path = (fs::path(folder) / this->Entry.File).string();
       this->Sum = ReadRecordedSum(path);
       this->SumFrom = "recorded at the first download: " + path + ".sha256";
     }
@@ -226,8 +239,9 @@ Job::Job(const tool::FetchEntry& entry, const tool::FetchOptions& options)
 }
 
 //------------------------------------------------------------------------------
-// Whether the right file is there already. Throws Error where another one is in the way.
-bool Job::IsDone() const
+// Whether the right file is there already. Throws Error where another one is in the way; tells of
+// one in the cache, which is replaced.
+bool Job::IsDone(bool tells) const
 {
   if (!HasFile(this->Path))
   {
@@ -254,7 +268,7 @@ bool Job::IsDone() const
   {
     throw tool::Error(text + ". It was left alone; move it, or name another folder");
   }
-  tool::PrintNote(text + ". It is downloaded anew");
+  tool::PrintNote(tells ? text + ". It is downloaded anew" : "");
   return false;
 }
 
@@ -272,22 +286,27 @@ void Job::CheckSumIsKnown() const
 }
 
 //------------------------------------------------------------------------------
+// Where a download stands; size: of the whole, 0: not known.
+std::string Job::GetPlace(std::uint64_t byte, std::uint64_t size) const
+{
+  return this->Url + ", byte " + std::to_string(byte) +
+         (size > 0 ? " (expected: " + std::to_string(size) + " bytes)" : "");
+}
+
+//------------------------------------------------------------------------------
 std::string Job::ReadArchive(std::uint64_t first, std::uint64_t count) const
 {
   std::string bytes;
-  tool::Retry(this->Options.Retries,
+  tool::Retry(
+    this->Options.Retries,
+    [&]() { return this->GetPlace(first + bytes.size(), this->Entry.ArchiveSize); },
     [&]()
     {
       bytes.clear();
       tool::Download(
-        { this->Url, first, count, count, this->Options.Timeout },
+        { this->Url, first, count, count, this->Options.Timeout, true },
         [&bytes](const char* data, std::size_t size) { bytes.append(data, size); }, [](double) {});
     });
-  if (bytes.size() != count)
-  {
-    throw tool::WrongBytes("the server gave " + std::to_string(bytes.size()) +
-                           " bytes of the archive, expected " + std::to_string(count));
-  }
   return bytes;
 }
 
@@ -337,7 +356,7 @@ std::string Job::Download(std::string& part, bool& resumed) const
     tool::ProgressBar bar(this->Entry.Name);
     const bool hasLength = tool::Download(
       { this->Url, first + begin, isMember ? limit - begin : 0, limit - begin,
-        this->Options.Timeout },
+        this->Options.Timeout, size > 0 },
       [&part](const char* bytes, std::size_t count) { part.append(bytes, count); },
       [&bar](double share) { bar.Update(share); });
     if (!hasLength && this->Sum.empty())
@@ -346,7 +365,8 @@ std::string Job::Download(std::string& part, bool& resumed) const
                              "be told from a whole one; expected a Content-Length");
     }
   };
-  tool::Retry(this->Options.Retries, attempt);
+  tool::Retry(
+    this->Options.Retries, [&]() { return this->GetPlace(part.size(), size); }, attempt);
   return isMember ? tool::UnpackZipMember(member, part) : part;
 }
 
@@ -360,10 +380,6 @@ void Job::Check(const std::string& bytes) const
   {
     throw tool::WrongBytes(
       size + " begin with '" + bytes.substr(0, begin.size()) + "', expected '" + begin + "'");
-  }
-  if (this->Sum.empty() && this->Entry.Size > 0 && bytes.size() != this->Entry.Size)
-  {
-    throw tool::WrongBytes(size + " are too few, expected " + std::to_string(this->Entry.Size));
   }
   if (!this->Sum.empty() && sum != this->Sum)
   {
@@ -400,33 +416,50 @@ std::string Job::Bring(const std::string& partPath) const
     }
     catch (const tool::Error& e)
     {
-      const bool keeps = !part.empty() && !this->Sum.empty();
       const std::string size = std::to_string(part.size());
-      const std::string text = this->Url + ", byte " + size + ": " + e.what();
-      if (keeps)
+      std::string text = this->GetPlace(part.size(), 0) + ": " + e.what();
+      if (!part.empty() && !this->Sum.empty())
       {
-        tool::WriteWhole(partPath, part);
+        try
+        {
+          tool::WriteWhole(partPath, part);
+          text += ". " + size + " bytes are kept; the same command goes on from there";
+        }
+        catch (const tool::Error& failure)
+        {
+          text += std::string(". What came is not kept: ") + failure.what();
+        }
       }
-      throw tool::Error(
-        text + (keeps ? ". " + size + " bytes are kept; the same command goes on from there" : ""));
+      throw tool::Error(text);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void Job::Run() const
+void Job::Run()
 {
   const std::string part =
     (fs::path(this->Folder) / ("." + this->Entry.File + ".measured-brdf-part")).string();
   const std::string cached = this->IsCache ? "" : tool::FindFetchedFile(this->Entry);
   std::string content = cached.empty() ? "" : ReadFile(cached);
+  std::unique_ptr<FolderLock> lock;
   if (!cached.empty() && GetSha256(content) == this->Sum)
   {
     tool::PrintNote(this->Entry.Name + ": copied from " + cached);
   }
   else
   {
+    lock = std::make_unique<FolderLock>(this->Folder);
+    this->ReadSum(); // another process may have been here
+    if (this->IsDone(true))
+    {
+      return;
+    }
     content = this->Bring(part);
+  }
+  if (HasFile(this->Path) && !this->IsCache)
+  {
+    throw tool::Error(this->Path + " appeared meanwhile. It was left alone");
   }
   if (this->Sum.empty())
   {
@@ -434,10 +467,6 @@ void Job::Run() const
     tool::WriteWhole(this->Path + ".sha256", sum + "  " + this->Entry.File + "\n");
     tool::PrintNote(this->Entry.Name + ": trusted at first sight. Its SHA-256 is " + sum +
                     ", recorded in " + this->Path + ".sha256");
-  }
-  if (HasFile(this->Path) && !this->IsCache)
-  {
-    throw tool::Error(this->Path + " appeared meanwhile. It was left alone");
   }
   tool::WriteWhole(this->Path, content);
   unlink(part.c_str());
@@ -457,8 +486,8 @@ bool IsSha256(const std::string& text)
 std::string FetchFile(
   const FetchEntry& entry, const FetchOptions& options, const std::function<void()>& agree)
 {
-  const Job job(entry, options);
-  if (!job.IsDone())
+  Job job(entry, options);
+  if (!job.IsDone(false))
   {
     job.CheckSumIsKnown();
     agree();

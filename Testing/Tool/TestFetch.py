@@ -5,6 +5,7 @@
 usage: TestFetch.py PROGRAM SHARED_DATA [unittest arguments]
 """
 
+import fcntl
 import hashlib
 import io
 import json
@@ -18,6 +19,7 @@ import stat
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 import zipfile
@@ -221,6 +223,26 @@ class Download(FetchTest):
         self.assertEqual(self.read(path), b"the user's")
         self.assertEqual(len(self.server.requests), 1)
 
+    def test_file_that_appears_meanwhile(self):
+        path = os.path.join(self.folder, f"{FREE}_rgb.bsdf")
+        for arguments in (["--sha256", sha256(self.content)], ["--trust-first"]):
+            self.server.requests.clear()
+            self.serve(delay=1.0)
+
+            def appear():
+                while not self.server.requests:
+                    time.sleep(0.01)
+                self.write(path, b"another program's")
+
+            thread = threading.Thread(target=appear, daemon=True)
+            thread.start()
+            result = self.fetch(FREE, "--to", self.folder, *arguments)
+            thread.join(timeout=60)
+            self.check(result, 1, path, "appeared meanwhile", "left alone")
+            self.assertEqual(self.read(path), b"another program's")
+            self.assertEqual(os.listdir(self.folder), [os.path.basename(path)])
+            os.remove(path)
+
     def test_copy_from_the_cache(self):
         self.serve()
         self.check_fetched(self.fetch_free())
@@ -261,8 +283,8 @@ class Faults(FetchTest):
         sized = rgl(SIZED)
         for content, faults, path, words in (
                 (make_bytes(300000, seed=2), {}, rgl(FREE), (sha256(self.content), "Nothing was kept")),
-                (self.content, {}, sized, ("the 300000 bytes that came", "Nothing was kept")),
-                (bytes((16 << 20) + 1), {}, rgl(FREE), ("more than the 16777216 bytes",)),
+                (self.content, {}, sized, ("announces 300000 bytes, expected 658960", "Nothing was kept")),
+                (bytes((16 << 20) + 1), {}, rgl(FREE), ("announces 16777217 bytes, expected at most 16777216",)),
                 (self.content, {"extra": bytes(16 << 20)}, rgl(FREE), ("more than the 16777216 bytes",)),
                 (make_bytes(658960), {"extra": b"more"}, sized, ("more than the 658960 bytes",))):
             with self.subTest(words):
@@ -284,11 +306,21 @@ class Faults(FetchTest):
         self.serve(path="/there")
         self.check_fetched(self.fetch_free())
         os.remove(self.file)
-        for bad, words in ((rgl(FREE), "Maximum (5) redirects"), ("ftp://127.0.0.1/x", "ftp"),
-                           ("file:///etc/passwd", "file")):
+        self.server.requests.clear()
+        self.serve(redirect=rgl(FREE))  # to itself
+        self.check(self.fetch_free(), 1, "more than 5 redirects", rgl(FREE))
+        self.assertEqual(len(self.server.requests), 6)
+        for bad in ("http://example.org/x", "ftp://127.0.0.1/x", "file:///etc/passwd", "http://user@127.0.0.1/x",
+                    "//user@127.0.0.1/x"):
             self.serve(redirect=bad)
-            self.check(self.fetch_free(), 1, self.server.url, words)
+            named = "http:" + bad if bad.startswith("//") else bad
+            self.check(self.fetch_free(), 1, f"redirects to {named}", "expected https")
         self.check_nothing_kept()
+
+    def test_redirect_whose_text_never_ends(self):
+        self.serve(redirect="/there", endless=True)
+        self.serve(path="/there")
+        self.check_fetched(self.fetch_free("--timeout", "1"))
 
     def test_slow(self):
         self.serve(cut=1000, pause=30)
@@ -310,6 +342,15 @@ class Resume(FetchTest):
         self.check(cut, 1, self.server.url + rgl(FREE), "byte 100000", "cut", "100000 bytes are kept")
         self.check_kept(100000)
         self.check_fetched(self.fetch_free())
+        self.assertEqual(self.server.get_ranges(), [None, "bytes=100000-"])
+
+    def test_cut_without_a_length(self):
+        """Only the list says that bytes are missing."""
+        content = make_bytes(658960)
+        self.serve(content, path=rgl(SIZED), cut=100000, without_length=True)
+        result = self.fetch(SIZED, "--sha256", sha256(content), "--retries", "1")
+        self.check_fetched(result, os.path.join(self.cache, f"{SIZED}_rgb.bsdf"), content)
+        self.assertIn(f"{rgl(SIZED)}, byte 100000 (expected: 658960 bytes): the connection was closed", result.stderr)
         self.assertEqual(self.server.get_ranges(), [None, "bytes=100000-"])
 
     def test_cut_twice_in_one_run(self):
@@ -345,8 +386,7 @@ class Resume(FetchTest):
             process.send_signal(signal.SIGINT)
             said = process.communicate(timeout=60)[1]
         self.assertEqual(process.returncode, 1)
-        self.assertIn("interrupted", said)
-        self.assertIn("100000 bytes are kept", said)
+        self.assertIn("interrupted. 100000 bytes are kept", said)
         self.check_kept(100000)
 
 
@@ -356,6 +396,9 @@ class Folder(FetchTest):
         self.serve()
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (150000, 150000))
         self.check(self.fetch_free(preexec_fn=limit), 1, self.file, "cannot be written", "File too large")
+        self.check_nothing_kept()
+        self.serve(cut=200000)  # the part is too large, too
+        self.check(self.fetch_free(preexec_fn=limit), 1, "the connection was cut", "not kept", "File too large")
         self.check_nothing_kept()
         self.check_fetched(self.fetch_free())
 
@@ -379,6 +422,24 @@ class Folder(FetchTest):
         os.chmod(self.cache, 0o777)
         self.check(self.fetch_free(), 1, "nobody else may write", "--to")
         self.assertEqual(self.server.requests, [])
+
+    def test_interrupted_while_another_process_downloads(self):
+        self.serve()
+        os.makedirs(self.cache, mode=0o700)
+        folder = os.open(self.cache, os.O_RDONLY)
+        self.addCleanup(os.close, folder)
+        fcntl.flock(folder, fcntl.LOCK_EX)
+        with subprocess.Popen(self.get_command(FREE, "--trust-first"), env=self.environment, text=True,
+                              stdin=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
+            while "waiting for it" not in (line := process.stderr.readline()) and line:
+                pass
+            process.send_signal(signal.SIGINT)
+            said = process.communicate(timeout=60)[1]
+        self.assertEqual((process.returncode, self.server.requests), (1, []))
+        self.assertIn("interrupted", said)
+        self.check_nothing_kept()
+        self.write(self.file, self.content)
+        self.check_fetched(self.fetch_free())  # who downloads nothing does not wait
 
     def test_two_processes(self):
         self.serve(delay=1.0)

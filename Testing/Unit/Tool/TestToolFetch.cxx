@@ -99,6 +99,22 @@ TEST(Download, OnlyHttpsElsewhere)
 }
 
 //------------------------------------------------------------------------------
+TEST(Download, RedirectsStaySecure)
+{
+  const std::string local = "http://127.0.0.1:8080/a";
+  for (const std::string from : { "https://example.org/a", "HTTPS://example.org/a" })
+  {
+    EXPECT_TRUE(tool::IsAllowedRedirect(from, "HTTPS://example.com/b"));
+    EXPECT_FALSE(tool::IsAllowedRedirect(from, "http://example.org/a"));
+    EXPECT_FALSE(tool::IsAllowedRedirect(from, local));
+    EXPECT_TRUE(tool::IsAllowedRedirect(local, from));
+  }
+  EXPECT_TRUE(tool::IsAllowedRedirect(local, "http://localhost/b"));
+  EXPECT_FALSE(tool::IsAllowedRedirect(local, "http://example.org/a"));
+  EXPECT_FALSE(tool::IsAllowedRedirect(local, "https://user@example.org/a"));
+}
+
+//------------------------------------------------------------------------------
 TEST(FetchCatalog, NamesAndFiles)
 {
   const tool::FetchEntry* entry = tool::FindFetchEntry("satin_purple");
