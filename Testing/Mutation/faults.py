@@ -128,6 +128,8 @@ add("Material.array-sizes-unchecked", "vtkBRDF.cxx", "tuples != 1 && count != 1 
     "tuples != 1 && count != 1 && tuples < 0", "Arrays.WhatDoesNotFitIsRefused")
 add("Material.array-result-of-any-type", "vtkBRDF.cxx", "to->GetDataType() != VTK_FLOAT && to->GetDataType() != VTK_DOUBLE",
     "to->GetDataType() < 0", "Arrays.WhatDoesNotFitIsRefused")
+add("Material.array-blocks-lie-on-another", "vtkBRDF.cxx", "to->SetTuple(k, value);", "to->SetTuple(k - begin, value);",
+    "Arrays.AreTheScalarCalls")
 add("Material.array-sample-with-one-number", "vtkBRDF.cxx", "inputs[1][0], inputs[1][1], result",
     "inputs[1][0], inputs[1][0], result", "Arrays.AreTheScalarCalls")
 add("Material.lambert-without-pi", "vtkLambertBRDF.cxx", "f[c] = this->Albedo[c] / measuredbrdf::Pi;",
@@ -1279,6 +1281,26 @@ add("Rendering.lobes-without-cosine", "OcclusionLight.cxx", "cell.Cosine * std::
     "OcclusionTest.LobesHaveTheKernelsMean")
 add("Shaders.openings-have-roofs-for-walls", "vtkBRDFHiddenSky.glsl", "return opening ? (inside", "return false ? (inside",
     "OcclusionTest.PanelsAreHiddenOneByOne")
+add("Rendering.panels-hidden-by-slivers", "OcclusionShader.cxx", "clamp(brdfSkyHidden / max(brdfInSectors#M, 1e-6), 0.0, 1.0)", "1.0",
+    "OcclusionTest.PanelsAreHiddenOneByOne")
+add("Shaders.planes-by-sines", "vtkBRDFHiddenSky.glsl",
+    """65025.0 - 0.96 * bounds * bounds);
+}
+
+vec2 brdfSkySines(vec2 tangents)
+{
+  return tangents * inversesqrt(1.0 + 0.96 *""",
+    """65025.0 - 0.0 * bounds * bounds);
+}
+
+vec2 brdfSkySines(vec2 tangents)
+{
+  return tangents * inversesqrt(1.0 + 0.0 *""", "OcclusionTest.PanelsAreHiddenOneByOne")
+add("Shaders.lobes-beyond-the-horizon", "vtkBRDFHiddenSky.glsl", "vec3(1.0, 3.0, 5.0) / 12.0 * exp2", "exp2",
+    "OcclusionTest.LobesLackTheirHiddenShare")
+add("Shaders.lobes-see-whole-panels", "vtkBRDFHiddenSky.glsl",
+    "max(z + rise - extent, 0.0);\n  return vec2(low, max(min(z + rise + extent",
+    "max(z - extent, 0.0);\n  return vec2(low, max(min(z + extent", "OcclusionTest.PanelsAreHiddenOneByOne")
 add("Shaders.lamps-edges-on-points", "vtkBRDFHiddenSky.glsl", "clamp(max(below, above), -3.0, 3.0)", "clamp(max(below, above), -0.5, 0.5)",
     "OcclusionTest.ShadowEdgesCrossTriangles")
 add("Shaders.lamps-in-tables-go-with-the-rest", "vtkBRDFHiddenSky.glsl", "  return 1.0 - root * root;", "  return 0.0;",

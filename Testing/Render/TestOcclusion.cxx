@@ -562,6 +562,14 @@ TEST_F(OcclusionTest, PanelsAreHiddenOneByOne)
   }
   EXPECT_GT(largest[0], 0.1);
   EXPECT_GT(largest[1], 0.3);
+  // What sectors hide and harmonics do not are slivers, which hide no panel.
+  GetBytes(this->Surface, vtkSurfaceVisibilityFilter::GetHiddenLightArrayName())
+    ->Fill(HiddenSky::OpenTransfer);
+  this->SetHorizons(0.9, 0.9);
+  this->Mapper->SetBRDF(matte);
+  this->Mapper->SetIntegrator(table);
+  const glm::dvec3 open = this->RenderMiddle(0);
+  EXPECT_LT(glm::length(this->RenderMiddle(1) - open), 1e-3 * glm::length(open));
 }
 
 // Of many lamps the irradiance holds the Lambert part, of which each lamp takes its own away.

@@ -308,6 +308,24 @@ TEST_F(OcclusionPointsTest, ViewsKeepTheirOwn)
   EXPECT_LT(this->CompareNext(), Step);
 }
 
+// More lights than are kept at a time.
+TEST_F(OcclusionPointsTest, OldOnesGo)
+{
+  std::vector<vtkSmartPointer<vtkActor>> actors;
+  for (std::size_t k = 0; k < OcclusionVertexCache::MostStates + 2; ++k)
+  {
+    actors.push_back(vtkSmartPointer<vtkActor>::New());
+    actors.back()->SetMapper(this->Mapper);
+    actors.back()->SetScale(0.3);
+    actors.back()->SetPosition(0.3 * static_cast<double>(k) - 0.8, 0.0, 0.0);
+    actors.back()->RotateX(-20.0 * static_cast<double>(k));
+    this->Renderer->AddActor(actors.back());
+  }
+  this->Renderer->RemoveActor(this->Actor);
+  EXPECT_LT(this->CompareNext(), Step);
+  EXPECT_LT(this->CompareNext(), Step);
+}
+
 // Blocks share buffers: with arrays and without, of two materials.
 TEST_F(OcclusionPointsTest, BlocksAreTheSame)
 {

@@ -8,13 +8,14 @@ from vtkmodules.vtkCommonDataModel import (
     vtkMultiBlockDataSet,
     vtkPartitionedDataSet,
     vtkPartitionedDataSetCollection,
+    vtkPlane,
     vtkPolyData,
 )
 from vtkmodules.vtkRenderingCore import vtkCompositeDataDisplayAttributes, vtkProperty
 
 from .passes import CELLS, light, select
 from .scene import BACKGROUND, FURNACE, MAGENTA, SMOOTH, add_scene, encode, made, mix, scene, sphere
-from .surfaces import BOTH, COLORS, add_colors, data_of, elevated, modulated, plane
+from .surfaces import BOTH, COLORS, add_colors, data_of, elevated, modulated, plane, stripes
 
 
 def block(x, y=0.0, source=None):
@@ -47,6 +48,26 @@ def composite(view, data, attributes=True, **properties):
         mapper.SetCompositeDataDisplayAttributes(vtkCompositeDataDisplayAttributes())
     view.add(mapper=mapper, **properties)
     return view
+
+
+OWN = (0.2, 0.6, 0.9)
+
+
+def own_material():
+    brdf = measured.vtkLambertBRDF()
+    brdf.SetAlbedo(*OWN)
+    return brdf
+
+
+def own_material_of(view, block):
+    view.expect = (FURNACE, encode(OWN))
+    if view.factory.has_material:
+        view.mappers[0].SetBlockBRDF(block, own_material())
+
+
+def of_two_materials(view):
+    composite(view, three())
+    own_material_of(view, 2)
 
 
 add_scene("composite_plain", lambda view: composite(view, three(), attributes=False))
@@ -181,6 +202,7 @@ def composite_pickability(view):
     view.mappers[0].GetCompositeDataDisplayAttributes().SetBlockPickability(
         view.mappers[0].GetInputDataObject(0, 0).GetBlock(1), False
     )
+    own_material_of(view, 3)
 
 
 @scene(expect=(tuple(0.5 * c for c in FURNACE),))
@@ -199,20 +221,12 @@ def composite_many(view):
         view.mappers[0].SetBlockColor(k + 1, *COLORS[0])
 
 
-OWN = (0.2, 0.6, 0.9)
-
-
-def own_material():
-    brdf = measured.vtkLambertBRDF()
-    brdf.SetAlbedo(*OWN)
-    return brdf
-
-
-@scene(expect=(FURNACE, encode(OWN)))
+@scene(expect=BOTH + tuple(encode(a * c**2.2 for a, c in zip(OWN, color)) for color in COLORS), others=0.02, least=0.015)
 def composite_material_of_a_block(view):
-    composite(view, three())
-    if view.factory.has_material:
-        view.mappers[0].SetBlockBRDF(2, own_material())
+    """All blocks are clipped and textured."""
+    of_two_materials(view)
+    view.mappers[0].AddClippingPlane(made(vtkPlane, Normal=(0.0, 1.0, 0.0)))
+    view.actors[0].SetTexture(stripes())
 
 
 @scene(expect=(FURNACE, encode(OWN)))
@@ -233,14 +247,14 @@ def composite_material_by_name(view):
     )
 )
 def composite_material_and_color(view):
-    composite_material_of_a_block(view)
+    of_two_materials(view)
     view.mappers[0].SetBlockColor(2, *COLORS[0])
     view.mappers[0].SetBlockOpacity(3, 0.5)
 
 
 @scene
 def composite_in_two_viewports(view):
-    composite_material_of_a_block(view)
+    of_two_materials(view)
     view.renderer.SetViewport(0.0, 0.0, 0.5, 1.0)
     right = view.add_renderer((0.5, 0.0, 1.0, 1.0))
     right.AddActor(view.actors[0])

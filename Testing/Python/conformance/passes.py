@@ -450,8 +450,10 @@ def select(association):
         for k in range(selection.GetNumberOfNodes()):
             node = selection.GetNode(k)
             prop = node.GetProperties().Get(vtkSelectionNode.PROP())
+            block = node.GetProperties().Get(vtkSelectionNode.COMPOSITE_INDEX())
             ids = node.GetSelectionList()
-            found.append((view.actors.index(prop), [ids.GetValue(i) for i in range(ids.GetNumberOfTuples())]))
+            ids = [ids.GetValue(i) for i in range(ids.GetNumberOfTuples())]
+            found.append((view.actors.index(prop), ids, block))
         assert found, "nothing was selected"
         return sorted(found)
 

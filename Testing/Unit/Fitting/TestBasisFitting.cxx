@@ -226,6 +226,10 @@ TEST(Projector, WindowsCostAccuracy)
       EXPECT_GT(measure(exponent, 6, window, true), 1.1 * none);
     }
   }
+  constexpr int laplacian = vtkBasisProjector::LAPLACIAN;
+  EXPECT_NEAR(vtkBasisProjector::GetWindowFactor(laplacian, 6, 6), 0.5, 1e-15);
+  EXPECT_NEAR(
+    vtkBasisProjector::GetWindowFactor(laplacian, 6, 3), 1.0 / (1.0 + 144.0 / 1764.0), 1e-15);
 }
 
 //------------------------------------------------------------------------------

@@ -192,6 +192,7 @@ TEST(IOTransmission, ReadsTensorTrees)
     EXPECT_NEAR(Evaluate(btdf, o, i), k, 1e-6);
     // The other four values have the same two bits of the light, each over a quarter of pi.
     EXPECT_NEAR(GetTransmittance(btdf, i), Pi / 4.0 * (4 * (k & 12) + 6), 1e-4);
+    EXPECT_NEAR(GetSkyTransmittance(btdf, o), Pi / 4.0 * (4 * (k & 3) + 24), 1e-4); // the light's
   }
 }
 
