@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 vtkStandardNewMacro(vtkEnvironmentReader);
 
@@ -142,6 +143,16 @@ void AlignWithAxes(Projection projection, Image& image)
 }
 
 //------------------------------------------------------------------------------
+BadValues GetRepaired(const std::string& path, const std::optional<BadValues>& converted)
+{
+  if (!converted)
+  {
+    throw FileError(path + ": image pixels: were refused");
+  }
+  return *converted;
+}
+
+//------------------------------------------------------------------------------
 void FillFromImage(const std::string& path, Projection projection, bool given, Image& image,
   vtkEnvironment* environment)
 {
@@ -168,8 +179,8 @@ void FillFromImage(const std::string& path, Projection projection, bool given, I
                     GetExpectedSize(projection) + " for a probe of type " +
                     GetProjectionName(projection));
   }
-  image.Bad =
-    ConvertProbe(projection, image.Width, image.Height, std::move(image.Pixels), environment);
+  image.Bad = GetRepaired(path,
+    ConvertProbe(projection, image.Width, image.Height, std::move(image.Pixels), environment));
 }
 
 //------------------------------------------------------------------------------
@@ -208,6 +219,12 @@ void FillFromFaces(
     {
       throw FileError(path + ": cube face: found " + FormatSize(image) + ", expected a square");
     }
+    constexpr std::int64_t most = measuredbrdf::MaximumProbeTexels / 6;
+    if (std::int64_t(image.Width) * image.Height > most)
+    {
+      throw FileError(path + ": cube face: found " + FormatSize(image) +
+                      ", expected six faces of at most " + std::to_string(most) + " texels each");
+    }
     faces.push_back(std::move(image.Pixels));
     if (faces.size() == 1)
     {
@@ -219,7 +236,7 @@ void FillFromFaces(
                       FormatSize(first) + " as " + paths.front());
     }
   }
-  first.Bad = measuredbrdf::ConvertCubeFaces(first.Width, faces, environment);
+  first.Bad = GetRepaired(pattern, measuredbrdf::ConvertCubeFaces(first.Width, faces, environment));
 }
 }
 

@@ -134,6 +134,13 @@ TEST_F(Composite, MaterialsOfBlocks)
     1e-6);
   EXPECT_TRUE(this->Mapper->HasBlockBRDF(7));
   EXPECT_EQ(this->Mapper->GetBlockBRDFByName("last"), green);
+  vtkNew<vtkCompositeMeasuredBRDFMapper> copy;
+  copy->ShallowCopy(this->Mapper);
+  EXPECT_EQ(copy->GetBlockBRDF(7), sharp);
+  EXPECT_EQ(copy->GetBlockBRDFByName("last"), green);
+  std::ostringstream text;
+  copy->Print(text);
+  EXPECT_NE(text.str().find("BlockBRDF 7"), std::string::npos);
   this->Mapper->RemoveBlockBRDF(7);
   this->Mapper->RemoveBlockBRDF(3);
   EXPECT_LE(GetLargestDifference(this->RenderEncoded(),

@@ -12,6 +12,15 @@ namespace measuredbrdf
 vtkStandardNewMacro(BuiltInFormat);
 
 //------------------------------------------------------------------------------
+BuiltInFormat::BuiltInFormat()
+{
+  static const MaterialFormat none = { "", "", "", [](const File&) { return false; },
+    [](const FileBytes& file, const std::string&) -> MaterialFile
+    { throw FileError(file.GetPath() + ": is of no format"); } };
+  this->Format = &none;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkBRDFFormat> BuiltInFormat::Make(const MaterialFormat& format)
 {
   auto made = vtkSmartPointer<BuiltInFormat>::New();

@@ -73,14 +73,14 @@ public:
   bool Write(vtkBRDF* brdf, const std::string& path, bool halfFloats, std::string& error) override;
 
 protected:
-  BuiltInFormat() = default;
+  BuiltInFormat();
   ~BuiltInFormat() override = default;
 
 private:
   BuiltInFormat(const BuiltInFormat&) = delete;
   void operator=(const BuiltInFormat&) = delete;
 
-  const MaterialFormat* Format = nullptr;
+  const MaterialFormat* Format; // one that reads nothing, but in what Make makes
 };
 
 /// Whether a file begins with the magic, or is too short for it but begins like it.

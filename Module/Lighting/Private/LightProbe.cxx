@@ -502,9 +502,15 @@ double GetSolidAngleDensity(Projection projection, const glm::dvec2& uv)
 }
 
 //------------------------------------------------------------------------------
-BadValues ConvertProbe(Projection projection, int width, int height, std::vector<float> rgb,
-  vtkEnvironment* output, int rows)
+std::optional<BadValues> ConvertProbe(Projection projection, int width, int height,
+  std::vector<float> rgb, vtkEnvironment* output, int rows)
 {
+  const std::int64_t texels = std::int64_t(width) * height;
+  if (texels < 1 || texels > MaximumProbeTexels ||
+      rgb.size() != 3 * static_cast<std::size_t>(texels))
+  {
+    return std::nullopt;
+  }
   // What shows no direction counts as nothing. Texels on a disc's rim show some though their
   // centers lie outside: they take a neighbor's value.
   ForHidden(projection, width, height,
@@ -534,14 +540,22 @@ BadValues ConvertProbe(Projection projection, int width, int height, std::vector
         std::copy_n(&mean.x, 3, &result[3 * k]);
       }
     });
-  output->SetPixels(2 * rows, rows, std::move(result));
-  return bad;
+  return output->SetPixels(2 * rows, rows, std::move(result)) ? std::optional<BadValues>(bad)
+                                                              : std::nullopt;
 }
 
 //------------------------------------------------------------------------------
-BadValues ConvertCubeFaces(
+std::optional<BadValues> ConvertCubeFaces(
   int size, const std::vector<std::vector<float>>& faces, vtkEnvironment* output, int rows)
 {
+  const std::int64_t texels = std::int64_t(size) * size;
+  const auto fits = [texels](const std::vector<float>& face)
+  { return face.size() == 3 * static_cast<std::size_t>(texels); };
+  if (faces.size() != 6 || texels > MaximumProbeTexels / 6 ||
+      !std::all_of(faces.begin(), faces.end(), fits))
+  {
+    return std::nullopt;
+  }
   // A vertical strip: +x at the top, -z in the first rows.
   std::vector<float> strip;
   strip.reserve(6 * faces[0].size());

@@ -13,6 +13,8 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,10 +51,14 @@ glm::dvec2 MapToImage(Projection projection, const glm::dvec3& direction);
 double GetSolidAngleDensity(Projection projection, const glm::dvec2& uv);
 ///@}
 
+/// Six cube faces together have at most as many, too.
+constexpr std::int64_t MaximumProbeTexels = std::int64_t(1) << 28;
+
 /**
  * The environment of a probe, RGB triples of a size that fits its projection other than lat-long.
  * rows: those of the environment, which has twice as many columns; 0: its texels get the mean solid
- * angle of the probe's. Returns what was repaired of the texels that show a direction.
+ * angle of the probe's. Returns what was repaired of the texels that show a direction; nothing
+ * where the probe has too many texels or is not of this size.
  *
  * Resampled by first-order conservative remapping (Jones 1999, "First- and Second-Order
  * Conservative Remapping Schemes for Grids in Spherical Coordinates"): a texel's outline is carried
@@ -60,11 +66,11 @@ double GetSolidAngleDensity(Projection projection, const glm::dvec2& uv);
  * solid angle. Constant probes stay constant, and energy is kept whether the image grows or shrinks
  * (to 5e-3 for a single bright texel, 4e-4 for a photograph).
  */
-BadValues ConvertProbe(Projection projection, int width, int height, std::vector<float> rgb,
-  vtkEnvironment* output, int rows = 0);
+std::optional<BadValues> ConvertProbe(Projection projection, int width, int height,
+  std::vector<float> rgb, vtkEnvironment* output, int rows = 0);
 
 /// The same of six cube faces of size x size texels, +x -x +y -y +z -z.
-BadValues ConvertCubeFaces(
+std::optional<BadValues> ConvertCubeFaces(
   int size, const std::vector<std::vector<float>>& faces, vtkEnvironment* output, int rows = 0);
 } // namespace measuredbrdf
 

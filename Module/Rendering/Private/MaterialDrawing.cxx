@@ -78,7 +78,8 @@ MaterialDrawing::~MaterialDrawing()
   ActiveDrawings& active = ActiveDrawings::Get();
   const std::lock_guard<std::mutex> lock(active.Mutex);
   const auto found = active.ByMapper.find(this->Owner);
-  if (found->second == this) // unless a new mapper has the address of the old one
+  if (found != active.ByMapper.end() &&
+      found->second == this) // unless a new mapper has the address of the old one
   {
     active.ByMapper.erase(found);
   }
@@ -215,8 +216,8 @@ bool MaterialDrawing::ResolvePlan(
   };
   bool changed = false;
   std::string problem;
-  CurrentPlan& current = this->Plans.Update(request, changed, problem);
-  vtkRadiancePlanner* plan = current.GetPlan();
+  const std::shared_ptr<CurrentPlan> current = this->Plans.Update(request, changed, problem);
+  vtkRadiancePlanner* plan = current->GetPlan();
   if (!problem.empty() && plan)
   {
     vtkWarningWithObjectMacro(this->Owner, << "Planning: " << problem);
@@ -230,14 +231,14 @@ bool MaterialDrawing::ResolvePlan(
     drawn.Integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(
       plan->NewIntegrator(state.Hurries ? plan->GetInteractiveChoice() : plan->GetChoice()));
     drawn.BRDF = plan->GetBRDF();
-    drawn.Environment = current.GetEnvironment();
+    drawn.Environment = current->GetEnvironment();
     drawn.Plan = plan;
   }
   if (changed)
   {
     this->Owner->InvokeEvent(vtkCommand::UpdateDataEvent);
   }
-  return current.IsPending();
+  return current->IsPending();
 }
 
 void MaterialDrawing::ResolveIntegrator(

@@ -124,6 +124,23 @@ TEST_F(CustomFormat, ErrorsAreTheReaders)
 }
 
 //------------------------------------------------------------------------------
+TEST(BuiltInFormats, NewInstancesReadNothing)
+{
+  for (const auto& format : vtkBRDFFormats::GetFormats())
+  {
+    const auto made = vtkSmartPointer<vtkBRDFFormat>::Take(format->NewInstance());
+    const vtkBRDFFormat::File file;
+    vtkBRDFFormat::Content content;
+    std::string error;
+    EXPECT_EQ(made->GetName(), "");
+    EXPECT_FALSE(made->CanRead(file));
+    EXPECT_FALSE(made->CanWrite());
+    EXPECT_FALSE(made->Read(file, content, error));
+    EXPECT_NE(error.find("no format"), std::string::npos) << error;
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST_F(CustomFormat, IsListedWhileItIsRegistered)
 {
   EXPECT_EQ(vtkBRDFFormats::GetFormats().front().Get(), this->Format.Get());

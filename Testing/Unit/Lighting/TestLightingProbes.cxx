@@ -75,7 +75,7 @@ vtkSmartPointer<vtkEnvironment> Convert(
   P projection, const ProbeSize& size, const std::vector<float>& rgb, int rows = 0)
 {
   auto environment = vtkSmartPointer<vtkEnvironment>::New();
-  ConvertProbe(projection, size.Width, size.Height, rgb, environment, rows);
+  EXPECT_TRUE(ConvertProbe(projection, size.Width, size.Height, rgb, environment, rows));
   return environment;
 }
 
@@ -373,7 +373,7 @@ TEST(Probes, RepairsAndCounts)
   rgb[3 * (8 * 16 + 11)] = inf;
   rgb[3 * (8 * 16 + 10) + 2] = -2.0f;
   vtkNew<vtkEnvironment> environment;
-  const BadValues bad = ConvertProbe(P::MirrorBall, 16, 16, rgb, environment);
+  const BadValues bad = ConvertProbe(P::MirrorBall, 16, 16, rgb, environment).value();
   EXPECT_EQ(bad.NotFinite, 3);
   EXPECT_EQ(bad.Negative, 1);
   EXPECT_EQ(environment->GetNumberOfNonFiniteValues(), 0);
@@ -396,7 +396,11 @@ TEST(Probes, SixFaces)
     std::fill_n(faces.back().begin(), 3 * size, 10.0f * (face + 1.0f));
   }
   vtkNew<vtkEnvironment> environment;
-  ConvertCubeFaces(size, faces, environment, 256);
+  EXPECT_FALSE(ConvertCubeFaces(size + 1, faces, environment));
+  EXPECT_FALSE(ConvertCubeFaces(size, { faces[0] }, environment));
+  EXPECT_FALSE(ConvertProbe(P::VerticalStrip, size, 6 * size, faces[0], environment));
+  EXPECT_EQ(environment->GetWidth(), 0);
+  EXPECT_TRUE(ConvertCubeFaces(size, faces, environment, 256));
   const double axes[6][3] = { { 1, 0.1, 0.1 }, { -1, 0.1, 0.1 }, { 0.1, 1, 0.1 }, { 0.1, -1, 0.1 },
     { 0.1, 0.1, -1 }, { 0.1, 0.1, 1 } };
   // The bottom edges: down of sides; towards forward of +y; towards backward of -y.

@@ -84,7 +84,7 @@ protected:
   {
     bool changed = false;
     this->Problem.clear();
-    this->Drawn = this->Plans.Update(request, changed, this->Problem).GetPlan();
+    this->Drawn = this->Plans.Update(request, changed, this->Problem)->GetPlan();
     return changed;
   }
   bool Update() { return this->Update(this->GetRequest(this->One, this->Sky)); }
@@ -236,7 +236,7 @@ TEST_F(Views, WhatIsSeenDependsOn)
     PlanRequest request = this->GetRequest(this->One, this->Sky);
     request.Surfaces = { patch->GetOutput() };
     bool changed = false;
-    this->Drawn = plans.Update(request, changed, this->Problem).GetPlan();
+    this->Drawn = plans.Update(request, changed, this->Problem)->GetPlan();
     return changed;
   };
   const auto expectAnother = [&](const char* what, const std::function<void(bool)>& change)
@@ -284,7 +284,7 @@ TEST_F(Views, ATurnedLightIsTurnedPixels)
     request.Surfaces = { patch->GetOutput() };
     request.Tolerance = 0.02;
     bool changed = false;
-    vtkRadiancePlanner* planner = plans.Update(request, changed, this->Problem).GetPlan();
+    vtkRadiancePlanner* planner = plans.Update(request, changed, this->Problem)->GetPlan();
     const int choice = planner->GetChoice();
     return std::make_pair(planner->GetMethodName(choice) + planner->GetDescription(choice),
       planner->GetPredictedError(choice) - planner->GetErrorUncertainty(choice));
@@ -378,6 +378,25 @@ TEST_F(Views, PlansForTheViewAreTakenUpAgain)
 }
 
 //------------------------------------------------------------------------------
+TEST_F(Views, AnObserverMayClearAllMeanwhile)
+{
+  PlanRequest request = this->GetRequest(this->One, this->Sky);
+  int asked = 0;
+  request.Progress = [&](double)
+  {
+    this->Plans.Clear();
+    return ++asked > 0;
+  };
+  bool changed = false;
+  const auto current = this->Plans.Update(request, changed, this->Problem);
+  EXPECT_GT(asked, 0);
+  EXPECT_EQ(this->Plans.GetNumberOfViews(), 0);
+  EXPECT_TRUE(changed);
+  ASSERT_TRUE(current->GetPlan());
+  EXPECT_EQ(current->GetEnvironment(), this->Sky);
+}
+
+//------------------------------------------------------------------------------
 TEST_F(Views, SwitchedPlansAreMadeAnew)
 {
   EXPECT_TRUE(this->Update());
@@ -463,13 +482,30 @@ protected:
     bool changed = false;
     return this->Mappers[static_cast<std::size_t>(k)]
       ->Update(request, changed, this->Problem)
-      .GetPlan();
+      ->GetPlan();
   }
 
   std::vector<vtkSmartPointer<GatedBRDF>> Materials;
   std::vector<std::unique_ptr<MapperPlans>> Mappers;
   int Visits = 0;
 };
+}
+
+//------------------------------------------------------------------------------
+TEST_F(SideBySide, TheFirstFrameBeginsAll)
+{
+  // The second waits at its gate while the first frame asks for the first only.
+  this->Materials[1]->Door->Close();
+  ASSERT_TRUE(this->Update(0));
+  EXPECT_EQ(this->Problem, "");
+  ASSERT_TRUE(WaitUntil([this]() { return this->Materials[1]->Door->IsAwaited(); }));
+  this->Materials[1]->Door->OpenUp();
+  for (int k = 1; k < Count; ++k)
+  {
+    EXPECT_FALSE(this->Mappers[static_cast<std::size_t>(k)]->IsPending()); // not drawn yet
+    EXPECT_TRUE(this->Update(k));
+  }
+  EXPECT_EQ(this->Visits, 1);
 }
 
 //------------------------------------------------------------------------------

@@ -533,6 +533,9 @@ TEST_F(Parts, StripsAreTrianglesOfTheSameClass)
   stripper->Update();
   this->Plane->ShallowCopy(stripper->GetOutput());
   ASSERT_GT(this->Plane->GetNumberOfStrips(), 0);
+  vtkCellArray* strips = this->Plane->GetStrips(); // two more that show nothing
+  strips->InsertNextCell(0);
+  strips->InsertNextCell({ 0 });
   this->SetCells([](vtkIdType cell) { return cell % 2; });
   this->AddMaterials(2);
   ASSERT_EQ(this->Update(), "");

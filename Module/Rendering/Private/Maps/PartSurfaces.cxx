@@ -13,7 +13,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkTriangleStrip.h"
 
 #include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -78,9 +77,12 @@ PartSurfaces::PartSurfaces(vtkPolyData* input)
   for (vtkIdType k = 0; k < input->GetNumberOfStrips(); ++k)
   {
     input->GetStrips()->GetCellAtId(k, strip);
-    vtkTriangleStrip::DecomposeStrip(
-      static_cast<int>(strip->GetNumberOfIds()), strip->GetPointer(0), this->Polygons);
-    this->Cells.resize(static_cast<std::size_t>(this->Polygons->GetNumberOfCells()), cell + k);
+    for (vtkIdType c = 0; c + 2 < strip->GetNumberOfIds(); ++c) // none of fewer than 3 ids
+    {
+      this->Polygons->InsertNextCell(
+        { strip->GetId(c), strip->GetId(c + 1 + c % 2), strip->GetId(c + 2 - c % 2) });
+      this->Cells.push_back(cell + k);
+    }
   }
 }
 

@@ -213,30 +213,31 @@ PlanInputs MapperPlans::GetInputs(View& view, const PlanRequest& request)
 // Its own first, and only if there are others.
 void MapperPlans::BeginSideBySide(View& view, const PlanInputs& wanted, const PlanRequest& request)
 {
-  std::vector<std::pair<CurrentPlan*, PlanInputs>> others;
+  std::vector<std::pair<std::shared_ptr<View>, PlanInputs>> others;
   request.Others(
     [&](MapperPlans& plans, const PlanRequest& other)
     {
-      View& its = *plans.FindView(other);
-      const PlanInputs inputs = GetInputs(its, other);
-      const bool outOfView = other.ForView && !inputs.Seen && !its.Everywhere;
+      const std::shared_ptr<View> its = plans.FindView(other);
+      const PlanInputs inputs = GetInputs(*its, other);
+      const bool outOfView = other.ForView && !inputs.Seen && !its->Everywhere;
       if (!outOfView && inputs.GetKey() != wanted.GetKey() &&
-          its.Plan.WouldBlock(inputs, other.Timing))
+          its->Plan.WouldBlock(inputs, other.Timing))
       {
-        others.emplace_back(&its.Plan, inputs);
+        others.emplace_back(its, inputs);
       }
     });
   if (!others.empty())
   {
     view.Plan.Begin(wanted);
   }
-  for (const auto& [plan, inputs] : others)
+  for (const auto& [its, inputs] : others)
   {
-    plan->Begin(inputs);
+    its->Plan.Begin(inputs);
   }
 }
 
-CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std::string& problem)
+std::shared_ptr<CurrentPlan> MapperPlans::Update(
+  const PlanRequest& request, bool& changed, std::string& problem)
 {
   const std::shared_ptr<View> kept = this->FindView(request); // observers of progress may clear all
   View& view = *kept;
@@ -247,10 +248,10 @@ CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std:
   }
   changed = view.Plan.Update(wanted, request.Timing, problem, request.Progress);
   view.Bridged = view.Plan.IsPending();
-  if (wanted.Seen && view.Plan.IsFor(wanted))
+  if (wanted.Seen && view.Plan.IsFor(wanted) && view.Current < view.Looks.size())
   {
     view.Looks[view.Current].Plan = view.Plan.GetPlan();
   }
-  return view.Plan;
+  return { kept, &kept->Plan };
 }
 } // namespace measuredbrdf

@@ -70,9 +70,10 @@ public:
   void operator=(const MapperPlans&) = delete;
 
   /// The view's plan after CurrentPlan::Update. changed says whether it is another one than after
-  /// the last call for this view. The reference is valid until the next call of a function that is
-  /// not const.
-  CurrentPlan& Update(const PlanRequest& request, bool& changed, std::string& problem);
+  /// the last call for this view. What is returned stays valid when an observer of progress, or a
+  /// later call, drops the view.
+  std::shared_ptr<CurrentPlan> Update(
+    const PlanRequest& request, bool& changed, std::string& problem);
 
   ///@{
   /// Drop the plans of all views, or of a renderer's. What is in the making stops, but nobody waits

@@ -313,12 +313,12 @@ void PlanJob::Run(const Progress& progress)
 {
   this->Tell = progress;
   const vtkSmartPointer<vtkBRDF> brdf = this->Planner->GetBRDF();
-  const unsigned long tags[2] = { this->Planner->AddObserver(
-                                    vtkCommand::ProgressEvent, this, &PlanJob::TakeProgress),
-    brdf->AddObserver(vtkCommand::WarningEvent, this, &PlanJob::TakeWarning) };
+  unsigned long tags[2] = { 0, 0 };                     // no observer's
   const std::optional<std::string> thrown = FindThrown( // nobody catches it above a thread
-    [this, &brdf]()
+    [this, &brdf, &tags]()
     {
+      tags[0] = this->Planner->AddObserver(vtkCommand::ProgressEvent, this, &PlanJob::TakeProgress);
+      tags[1] = brdf->AddObserver(vtkCommand::WarningEvent, this, &PlanJob::TakeWarning);
       // Nobody's output window has to cope with other threads.
       const ScopedErrorCapture error(this->Planner);
       this->Succeeded = this->Planner->Update();

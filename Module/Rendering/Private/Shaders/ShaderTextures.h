@@ -5,8 +5,8 @@
  * The shader inputs of BRDFs and integrators on one window's GPU.
  */
 
-#ifndef BRDFTextures_h
-#define BRDFTextures_h
+#ifndef ShaderTextures_h
+#define ShaderTextures_h
 
 #include "vtkBRDFShaderInputs.h"
 #include "vtkType.h"

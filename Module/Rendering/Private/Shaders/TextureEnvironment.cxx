@@ -123,7 +123,10 @@ vtkSmartPointer<vtkEnvironment> MakeFromCube(
   }
   auto environment = vtkSmartPointer<vtkEnvironment>::New();
   const int side = images.front()->GetDimensions()[0];
-  ConvertCubeFaces(side, faces, environment);
+  if (!ConvertCubeFaces(side, faces, environment))
+  {
+    return nullptr;
+  }
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
   // Face +z is what is seen towards -z since VTK 9.2; before, its skybox showed it towards +z.
   MirrorInZ(environment);
@@ -163,7 +166,9 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkRenderer* renderer, std::stri
     {
       if (images.size() == 6)
       {
-        problem = "its cube faces are not square images of one size with 1, 3 or 4 components.";
+        problem = "its cube faces are not square images of one size with 1, 3 or 4 components and "
+                  "at most " +
+                  std::to_string(MaximumProbeTexels / 6) + " texels.";
         return MakeFromCube(images, sRGB, repaired);
       }
       auto made = vtkSmartPointer<vtkEnvironment>::New();
