@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <cstdlib>
 #include <exception>
+#include <iterator>
 #include <list>
 #include <mutex>
 #include <thread>
@@ -37,34 +38,10 @@ public:
 
   bool Run(std::function<void()> work, std::function<void()> stop)
   {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    if (this->IsEnding)
-    {
-      return false;
-    }
-    this->Register();
-    std::list<std::function<void()>> made;
-    try
-    {
-      made.push_back(std::move(stop));
-      const auto place = made.begin();
-      std::thread(
-        [this, place, own = std::move(work)]() mutable
-        {
-          FindThrown(own); // nobody catches it above a thread
-          own = nullptr;   // what it held goes before the thread counts as ended
-          std::unique_lock<std::mutex> held(this->Mutex); // until all else of the thread is gone
-          this->Stops.erase(place);
-          std::notify_all_at_thread_exit(this->Changed, std::move(held));
-        })
-        .detach();
-    }
-    catch (const std::exception&) // no thread, or no memory for one
-    {
-      return false;
-    }
-    this->Stops.splice(this->Stops.end(), made); // before the thread has the lock
-    return true;
+    std::list<Entry> done;
+    const bool runs = this->Start(std::move(work), std::move(stop), done);
+    Join(done);
+    return runs;
   }
 
   void AddRelease(std::function<void()> release)
@@ -75,6 +52,75 @@ public:
   }
 
 private:
+  struct Entry
+  {
+    std::function<void()> Stop;
+    std::thread Thread;
+    bool IsDone = false; // but for what the thread itself still destroys
+  };
+
+  bool Start(std::function<void()> work, std::function<void()> stop, std::list<Entry>& done)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (this->IsEnding)
+    {
+      return false;
+    }
+    this->Register();
+    this->TakeDone(done);
+    std::list<Entry> made;
+    try
+    {
+      made.emplace_back();
+    }
+    catch (const std::exception&) // no memory
+    {
+      return false;
+    }
+    const auto place = made.begin();
+    this->Entries.splice(this->Entries.end(), made);
+    place->Stop = std::move(stop);
+    try
+    {
+      place->Thread = std::thread(
+        [this, place, own = std::move(work)]() mutable
+        {
+          FindThrown(own); // nobody catches it above a thread
+          own = nullptr;   // what it held goes before the thread counts as ended
+          const std::lock_guard<std::mutex> held(this->Mutex);
+          place->IsDone = true;
+          this->Changed.notify_all();
+        });
+    }
+    catch (const std::exception&) // no thread, or no memory for one
+    {
+      this->Entries.erase(place);
+      return false;
+    }
+    return true;
+  }
+
+  void TakeDone(std::list<Entry>& done)
+  {
+    for (auto entry = this->Entries.begin(); entry != this->Entries.end();)
+    {
+      const auto next = std::next(entry);
+      if (entry->IsDone)
+      {
+        done.splice(done.end(), this->Entries, entry);
+      }
+      entry = next;
+    }
+  }
+
+  static void Join(std::list<Entry>& done)
+  {
+    for (Entry& entry : done)
+    {
+      entry.Thread.join();
+    }
+  }
+
   // Statics go in the reverse order in which they were made: the ones that VTK makes when they are
   // first used have to be there before.
   void Register()
@@ -98,21 +144,35 @@ private:
     {
       return;
     }
+    std::vector<std::function<void()>> stops;
     std::unique_lock<std::mutex> lock(this->Mutex);
     this->IsEnding = true;
-    const std::list<std::function<void()>> stops = this->Stops;
+    for (const Entry& entry : this->Entries)
+    {
+      stops.push_back(entry.Stop);
+    }
     lock.unlock();
     for (const std::function<void()>& stop : stops)
     {
       stop();
     }
+    stops.clear();
     lock.lock();
-    if (!this->Changed.wait_for(lock, ThreadPatience, [this]() { return this->Stops.empty(); }))
+    std::list<Entry> done;
+    const auto isDone = [this, &done]()
     {
+      this->TakeDone(done);
+      return this->Entries.empty();
+    };
+    if (!this->Changed.wait_for(lock, ThreadPatience, isDone))
+    {
+      lock.unlock();
+      Join(done);
       return;
     }
     const std::vector<std::function<void()>> releases = std::move(this->Releases);
     lock.unlock();
+    Join(done);
     for (auto release = releases.rbegin(); release != releases.rend(); ++release)
     {
       (*release)();
@@ -122,7 +182,7 @@ private:
 
   std::mutex Mutex;
   std::condition_variable Changed;
-  std::list<std::function<void()>> Stops; // one for each thread
+  std::list<Entry> Entries; // one for each thread
   std::vector<std::function<void()>> Releases;
   bool IsRegistered = false;
   bool IsEnding = false;
