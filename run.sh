@@ -104,7 +104,7 @@ if [ ${#files[@]} -eq 0 ]; then
   echo "Measuring the methods on this machine (two minutes without a graphics card) ..."
   chart() {
     "${display[@]}" build/bin/measured-brdf chart pink-felt gold-paint --size 200x200 --reference-pixels 256 \
-      --rounds 3 --slowest 600 --methods table,hybrid,basis,filtered,soft-lights,median-cut -o output/charts
+      --rounds 3 --slowest 600 --methods table,hybrid,filtered,soft-lights,median-cut -o output/charts
   }
   # What an older program or another machine measured there is of no use to this one; a failure of another kind
   # leaves it.
