@@ -111,7 +111,9 @@ MaterialPartition::MaterialPartition(
     const Set& set = polygons.Sets[k];
     if (set.size() < 2)
     {
-      this->Add(k, { set });
+      Group group;
+      group.Materials = set;
+      this->Add(k, std::move(group));
     }
     else if (!polygons.PointClasses.empty())
     {
