@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What comes back to a point from what hides the sky from it, for the vertex shader. C++ twin:
-// BouncedLight.
+// What comes back to a point from what hides the sky from it, for the vertex shader. C++ twin
+// (tests): Testing/Render/OcclusionReference.h.
 
 // Irradiance: nine bytes of a code, three in each float, times the light's harmonics, whose factors
 // hold the steps of the bytes and the albedo of what is hidden.

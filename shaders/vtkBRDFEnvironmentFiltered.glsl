@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Filtered importance sampling of the material's sharp part, lights for its broad part. C++ twins:
-// vtkFilteredRadianceIntegrator, Module/Integration/Private/ReflectionSamples.h.
+// Filtered importance sampling of the material's sharp part, lights for its broad part. C++ twin:
+// vtkFilteredRadianceIntegrator.
 uniform sampler2D brdfPyramidMapINSTANCE;
 uniform sampler2D brdfDirectionsINSTANCE; // a column per sample, rows by view: direction, level
 uniform sampler2D brdfWeightsINSTANCE;    // likewise: weight, the view's f cos that is half broad

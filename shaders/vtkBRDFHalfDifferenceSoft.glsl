@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The same table for soft lights, at growing widths along theta_h; after vtkBRDFHalfDifference. C++
-// twin: vtkTabulatedBRDF::EvaluateSoftAbove with TabulatedLevels.
+// twin: vtkTabulatedBRDF::EvaluateSoftAbove.
 uniform sampler3D brdfLevelsINSTANCE; // levels 1, 2, ... stacked along theta_h; 0 is brdfVolume
 uniform float brdfNumberOfLevelsINSTANCE;
 uniform float brdfFirstCountINSTANCE;  // samples of level 1 along theta_h; halved after each four

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What of the sky is hidden from a point, for the vertex shader. C++ twin: HiddenSky.
+// What of the sky is hidden from a point, for the vertex shader. C++ twin (tests):
+// Testing/Unit/Support/HiddenSky.h.
 
 // Three bytes of a code, which one float holds.
 vec3 brdfSkyBytes(float three)

@@ -298,11 +298,11 @@ void Painter::DrawTexts(vtkContext2D* painter) const
   {
     if (IsDrawn(mark.Point))
     {
-      // Above the mark, to its right, or to its left where the page ends.
+      // Beside the mark: marks of several tolerances lie above each other.
       const double x = Left + this->X.Find(mark.Point.X) * PlotWidth;
-      const bool left = x + tool::MeasureText(mark.Name, Font, true) > Width - Right;
-      DrawText(painter, x, Bottom + this->Y.Find(mark.Point.Y) * PlotHeight + 14, mark.Name, Font,
-        Ink, true, left);
+      const double y = Bottom + this->Y.Find(mark.Point.Y) * PlotHeight - 0.6 * Font;
+      const bool left = x + 20 + tool::MeasureText(mark.Name, Font, true) > Width - Right;
+      DrawText(painter, x + (left ? -20 : 20), y, mark.Name, Font, Ink, true, left);
     }
   }
 }

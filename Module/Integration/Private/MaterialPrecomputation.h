@@ -62,7 +62,7 @@ public:
   /// sizes, taken from larger ones where these are known.
   std::vector<std::vector<float>> GetExpanded(const Kernels& kernels, int degree, int orders);
 
-  /// What a factored table lacks of the kernels (CoreModes.h), by what it depends on: the sizes
+  /// What a factored table lacks of the kernels (RadianceCore.h), by what it depends on: the sizes
   /// that made it.
   using Matrices = std::vector<Eigen::MatrixXd>;
   const Matrices& GetRemainders(
