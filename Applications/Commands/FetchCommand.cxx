@@ -13,8 +13,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <csignal>
+#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <set>
@@ -23,7 +23,6 @@
 namespace
 {
 using Entries = std::vector<const tool::FetchEntry*>;
-using Row = std::array<std::string, 5>;
 
 //------------------------------------------------------------------------------
 Entries SelectEntries(const std::vector<std::string>& parts)
@@ -63,46 +62,27 @@ std::string FormatCatalogJson(const Entries& entries)
 }
 
 //------------------------------------------------------------------------------
-Row MakeCatalogRow(const tool::FetchEntry& entry)
-{
-  return { entry.Name,
-    entry.Size > 0 ? std::to_string(entry.Size) : "<= " + std::to_string(entry.Limit),
-    entry.Collection->Licence + (entry.Collection->NeedsAgreement ? " (agree)" : ""),
-    entry.Sha256.empty() ? "not known" : entry.SumKind,
-    tool::FindFetchedFile(entry).empty() ? "" : "yes" };
-}
-
-//------------------------------------------------------------------------------
 std::string FormatCatalogTable(const Entries& entries)
 {
-  std::vector<Row> rows = { { "NAME", "BYTES", "LICENCE", "SHA-256", "HERE" } };
+  std::string text =
+    "NAME                             BYTES        LICENCE                SHA-256    HERE\n";
+  const tool::FetchCollection* collection = nullptr;
   for (const tool::FetchEntry* entry : entries)
   {
-    rows.push_back(MakeCatalogRow(*entry));
-  }
-  std::array<std::size_t, std::tuple_size<Row>::value> widths{};
-  for (const Row& row : rows)
-  {
-    for (std::size_t k = 0; k < row.size(); ++k)
+    if (entry->Collection != collection)
     {
-      widths[k] = std::max(widths[k], row[k].size());
+      collection = entry->Collection;
+      text += "\n" + collection->Title + ":\n";
     }
-  }
-  std::string text;
-  for (std::size_t r = 0; r < rows.size(); ++r)
-  {
-    if (r > 0 && (r == 1 || entries[r - 1]->Collection != entries[r - 2]->Collection))
-    {
-      text += "\n" + entries[r - 1]->Collection->Title + ":\n";
-    }
-    std::string line;
-    for (std::size_t k = 0; k < rows[r].size(); ++k)
-    {
-      std::string cell = rows[r][k];
-      cell.resize(widths[k], ' ');
-      line += cell + "  ";
-    }
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    const std::string size =
+      entry->Size > 0 ? std::to_string(entry->Size) : "<= " + std::to_string(entry->Limit);
+    const std::string licence =
+      collection->Licence + (collection->NeedsAgreement ? " (agree)" : "");
+    char line[200];
+    std::snprintf(line, sizeof(line), "%-32s %-12s %-22s %-10s %s", entry->Name.c_str(),
+      size.c_str(), licence.c_str(), entry->Sha256.empty() ? "not known" : entry->SumKind.c_str(),
+      tool::FindFetchedFile(*entry).empty() ? "" : "yes");
+    text += std::string(line) + "\n";
   }
   return text +
          "\nSHA-256: published = by people who downloaded the file there; copy = of a copy "
@@ -129,7 +109,9 @@ void Check(const FetchCommandOptions& options)
   {
     throw tool::UsageError("--sha256 is the sum of one file; name one");
   }
-  if (!options.Sha256.empty() && !tool::IsSha256(options.Sha256))
+  if (!options.Sha256.empty() &&
+      (options.Sha256.size() != 64 ||
+        options.Sha256.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos))
   {
     throw tool::UsageError("--sha256 " + options.Sha256 + ": expected 64 hexadecimal digits");
   }
@@ -148,7 +130,7 @@ const tool::FetchEntry& Find(const std::string& name)
     return *entry;
   }
   std::string near;
-  for (const std::string& other : tool::FindNearFetchNames(name, 5))
+  for (const std::string& other : tool::FindNearFetchNames(name))
   {
     near += (near.empty() ? ". Did you mean " : ", ") + other;
   }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Bytes from a web server, by libcurl: only https, few redirects, limits of size and time, and
- * Ctrl-C at any moment. libcurl takes proxies from the environment, as the program curl does.
+ * Bytes from a web server, by libcurl: only https, limits of size and time, and Ctrl-C at any
+ * moment. libcurl takes proxies from the environment, as the program curl does.
  */
 
 #ifndef Download_h
@@ -11,54 +11,38 @@
 
 #include "Tool.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
 
 namespace tool
 {
-/// A request failed and another one may succeed: the connection was cut, or the server is busy.
-struct TransientError : Error
-{
-  using Error::Error;
-};
-
 /// What came is not what was asked for, so that bytes from an earlier download are of no use.
 struct WrongBytes : Error
 {
   using Error::Error;
 };
 
-/// Which bytes are wanted, and for how long the server may be silent.
 struct DownloadRequest
 {
   std::string Url;
-  std::uint64_t First = 0; // the first byte wanted
-  std::uint64_t Count = 0; // how many; 0: all that follow
-  std::uint64_t Limit = 0; // how many may come at most
+  std::uint64_t Limit = 0; // of the bytes that may come
+  std::uint64_t Size = 0;  // of the bytes that must come; 0: not known
+  std::uint64_t First = 0; // of a piece: the byte of the file at which it begins
+  bool IsPiece = false;    // whether only those Size bytes of the file are wanted
   int Timeout = 60;        // seconds without an answer, or with less than 1 KiB/s
-  bool IsExact = false;    // whether so many must come
+  int Retries = 2;         // after a cut connection or a busy server, after 1, 2, 4 ... seconds
 };
 
-/// Gives the bytes to `take` as they come, and to `progress` the share of this request that is
-/// done. Returns whether the server said how many bytes there are. Throws TransientError,
-/// WrongBytes, any other Error for a failure that lasts, and what `take` throws.
-bool Download(const DownloadRequest& request,
-  const std::function<void(const char* bytes, std::size_t count)>& take,
+/// Appends to `bytes`, the first ones of what is wanted, those that follow. resumes: whether
+/// another attempt goes on from where one stopped. `progress` gets the share that is done. Throws
+/// WrongBytes, and any other Error where what came is right as far as it goes.
+void Download(const DownloadRequest& request, std::string& bytes, bool resumes,
   const std::function<void(double share)>& progress);
-
-/// Runs `attempt` again after each TransientError, up to `retries` times, after 1, 2, 4 ...
-/// seconds. A note says so; it begins with the place, which is asked for after the error.
-void Retry(
-  int retries, const std::function<std::string()>& getPlace, const std::function<void()>& attempt);
 
 /// Whether files are downloaded from there: by https, or by http from this machine. Addresses with
 /// user names are refused.
 bool IsAllowedUrl(const std::string& url);
-
-/// Whether a server at `from` may redirect to `to`: an allowed address, by https where `from` is.
-bool IsAllowedRedirect(const std::string& from, const std::string& to);
 } // namespace tool
 
 #endif

@@ -10,18 +10,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <memory>
-#include <numeric>
-#include <utility>
+#include <list>
 
 namespace fs = std::filesystem;
 
 namespace
 {
 using Json = nlohmann::json;
-
-// The largest number of edits at which a name is still near another one.
-constexpr std::size_t NearEdits = 3;
 
 //------------------------------------------------------------------------------
 std::string Fill(std::string text, const std::string& name)
@@ -35,92 +30,56 @@ std::string Fill(std::string text, const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-struct Catalog
+tool::FetchCollection ReadCollection(const Json& data)
 {
-  std::vector<std::unique_ptr<tool::FetchCollection>> Collections;
-  std::vector<tool::FetchEntry> Entries;
-
-  Catalog();
-  void Add(const Json& data);
-};
-
-//------------------------------------------------------------------------------
-Catalog::Catalog()
-{
-  const Json all = Json::parse(FetchCatalogData);
-  for (const Json& data : all.at("collections"))
-  {
-    this->Add(data);
-  }
+  return { data.at("id"), data.at("title"), data.at("kind"), data.at("licence"),
+    data.at("licence_url"), data.at("terms"), data.at("agreement"), data.value("begins_with", "") };
 }
 
 //------------------------------------------------------------------------------
-void Catalog::Add(const Json& data)
+// What a file does not say itself, its collection says for all.
+tool::FetchEntry ReadEntry(const Json& all, const Json& file)
 {
-  auto collection = std::make_unique<tool::FetchCollection>();
-  collection->Id = data.at("id");
-  collection->Title = data.at("title");
-  collection->Kind = data.at("kind");
-  collection->Licence = data.at("licence");
-  collection->LicenceUrl = data.at("licence_url");
-  collection->Terms = data.at("terms");
-  collection->NeedsAgreement = data.at("agreement");
-  collection->BeginsWith = data.value("begins_with", "");
-  for (const Json& file : data.at("files"))
-  {
-    const std::string name = file.is_string() ? file : file.at("name");
-    tool::FetchEntry entry;
-    entry.Name = Fill(data.at("entry"), name);
-    entry.File = Fill(data.at("file"), name);
-    entry.Url = Fill(data.at("url"), name);
-    entry.Page = Fill(data.at("page"), name);
-    entry.Member = Fill(data.value("member", ""), name);
-    entry.ArchiveSize = data.value("archive_size", std::uint64_t(0));
-    entry.Limit = data.at("limit");
-    entry.Size = data.value("size", std::uint64_t(0));
-    if (file.is_object())
-    {
-      entry.Size = file.value("size", entry.Size);
-      entry.Sha256 = file.value("sha256", "");
-      entry.SumKind = file.value("sum", "");
-    }
-    entry.Collection = collection.get();
-    this->Entries.push_back(std::move(entry));
-  }
-  this->Collections.push_back(std::move(collection));
-}
-
-//------------------------------------------------------------------------------
-const Catalog& GetCatalog()
-{
-  static const Catalog catalog;
-  return catalog;
-}
-
-//------------------------------------------------------------------------------
-// Insertions, deletions and replacements that turn one into the other (Levenshtein 1966).
-std::size_t CountEdits(const std::string& from, const std::string& to)
-{
-  std::vector<std::size_t> row(to.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t(0));
-  for (std::size_t i = 1; i <= from.size(); ++i)
-  {
-    std::size_t diagonal = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= to.size(); ++j)
-    {
-      const std::size_t replaced = diagonal + (from[i - 1] == to[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({ replaced, row[j] + 1, row[j - 1] + 1 });
-    }
-  }
-  return row.back();
+  const std::string name = file.is_string() ? file : file.at("name");
+  const Json own = file.is_string() ? Json::object() : file;
+  tool::FetchEntry entry;
+  entry.Name = Fill(all.at("entry"), name);
+  entry.File = Fill(all.at("file"), name);
+  entry.Url = Fill(all.at("url"), name);
+  entry.Page = Fill(all.at("page"), name);
+  entry.Member = Fill(all.value("member", ""), name);
+  entry.ArchiveSize = all.value("archive_size", std::uint64_t(0));
+  entry.Limit = all.at("limit");
+  entry.Size = own.value("size", all.value("size", std::uint64_t(0)));
+  entry.Sha256 = own.value("sha256", "");
+  entry.SumKind = own.value("sum", "");
+  return entry;
 }
 }
 
 namespace tool
 {
 //------------------------------------------------------------------------------
-const std::vector<FetchEntry>& GetFetchCatalog() { return GetCatalog().Entries; }
+const std::vector<FetchEntry>& GetFetchCatalog()
+{
+  static std::list<FetchCollection> collections;
+  static const std::vector<FetchEntry> entries = []()
+  {
+    std::vector<FetchEntry> read;
+    const Json all = Json::parse(FetchCatalogData);
+    for (const Json& data : all.at("collections"))
+    {
+      collections.push_back(ReadCollection(data));
+      for (const Json& file : data.at("files"))
+      {
+        read.push_back(ReadEntry(data, file));
+        read.back().Collection = &collections.back();
+      }
+    }
+    return read;
+  }();
+  return entries;
+}
 
 //------------------------------------------------------------------------------
 const FetchEntry* FindFetchEntry(const std::string& name)
@@ -132,25 +91,18 @@ const FetchEntry* FindFetchEntry(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> FindNearFetchNames(const std::string& name, std::size_t count)
+std::vector<std::string> FindNearFetchNames(const std::string& name)
 {
-  constexpr std::size_t longest = 100; // no name is; the work grows with the length
-  std::vector<std::pair<std::size_t, std::string>> near;
+  constexpr std::size_t beginning = 5; // letters
+  std::vector<std::string> names;
   for (const FetchEntry& entry : GetFetchCatalog())
   {
-    const bool part = name.size() > NearEdits && entry.Name.find(name) != std::string::npos;
-    const std::size_t edits = name.size() > longest ? longest : CountEdits(name, entry.Name);
-    if (part || edits <= NearEdits)
+    if (name.size() >= beginning && names.size() < 5 &&
+        (entry.Name.find(name) != std::string::npos ||
+          entry.Name.compare(0, beginning, name, 0, beginning) == 0))
     {
-      near.emplace_back(part ? 0 : edits, entry.Name);
+      names.push_back(entry.Name);
     }
-  }
-  std::stable_sort(
-    near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<std::string> names;
-  for (std::size_t k = 0; k < std::min(count, near.size()); ++k)
-  {
-    names.push_back(near[k].second);
   }
   return names;
 }

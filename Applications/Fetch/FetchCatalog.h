@@ -50,8 +50,8 @@ const std::vector<FetchEntry>& GetFetchCatalog();
 /// The entry of that name, or whose file has that name; null if there is none.
 const FetchEntry* FindFetchEntry(const std::string& name);
 
-/// Names that look like this one, the nearest first, at most that many.
-std::vector<std::string> FindNearFetchNames(const std::string& name, std::size_t count);
+/// Up to five names that have this one in them, or begin as it does.
+std::vector<std::string> FindNearFetchNames(const std::string& name);
 
 /// The folder that files are downloaded to unless the user names another one:
 /// vtkMeasuredBRDF/vtkMeasuredBRDF-files in $XDG_CACHE_HOME or $HOME/.cache. "" where there is no

@@ -5,34 +5,27 @@
 #include "Download.h"
 #include "Files.h"
 #include "Progress.h"
-#include "ZipMember.h"
 
+#include <minizip/unzip.h>
 #include <openssl/evp.h>
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
-#include <chrono>
+#include <cstdio>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <thread>
 
 namespace fs = std::filesystem;
 
 namespace
 {
-//------------------------------------------------------------------------------
-[[noreturn]] void ThrowReason(const std::string& path, const std::string& what)
-{
-  throw tool::Error(path + ": " + what + ": " + std::strerror(errno));
-}
+constexpr std::uint64_t ArchiveBlock = 4 << 20; // bytes of an archive that one request asks for
 
 //------------------------------------------------------------------------------
 // Whether a file is there. Throws Error where something else has its name.
@@ -54,7 +47,7 @@ std::string ReadFile(const std::string& path)
   std::string bytes{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
   if (!file)
   {
-    ThrowReason(path, "can't be read");
+    throw tool::Error(path + ": can't be read: " + std::strerror(errno));
   }
   return bytes;
 }
@@ -71,64 +64,12 @@ std::string GetSha256(const std::string& bytes)
   std::string text;
   for (const unsigned char byte : sum)
   {
-    text += "0123456789abcdef"[byte / 16];
-    text += "0123456789abcdef"[byte % 16];
+    char digits[3];
+    std::snprintf(digits, sizeof(digits), "%02x", byte);
+    text += digits;
   }
   return text;
 }
-
-//------------------------------------------------------------------------------
-// The sum that was recorded for a file at its first download; "" if none was.
-std::string ReadRecordedSum(const std::string& path)
-{
-  if (!HasFile(path + ".sha256"))
-  {
-    return "";
-  }
-  const std::string text = ReadFile(path + ".sha256");
-  const std::string sum = text.substr(0, 64);
-  if (!tool::IsSha256(sum) || text != sum + "  " + fs::path(path).filename().string() + "\n")
-  {
-    throw tool::Error(
-      path + ".sha256: expected one line, the SHA-256 of " + path + " as sha256sum writes it");
-  }
-  return sum;
-}
-
-//------------------------------------------------------------------------------
-// While one of these lives, other processes of this program that want the folder wait.
-class FolderLock
-{
-public:
-  // The other constructor makes the object whole, so that it is closed where this one throws.
-  explicit FolderLock(const std::string& path)
-    : FolderLock(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
-  {
-    if (this->Folder < 0)
-    {
-      ThrowReason(path, "can't be used as a folder for downloads");
-    }
-    bool told = false;
-    // Some network file systems lock no folders: there it is up to the user.
-    while (flock(this->Folder, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    {
-      tool::Interruptible::Check();
-      tool::PrintNote(told ? "" : "another process downloads to " + path + "; waiting for it");
-      told = true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    }
-  }
-  ~FolderLock() { close(this->Folder); }
-  FolderLock(const FolderLock&) = delete;
-  void operator=(const FolderLock&) = delete;
-
-private:
-  explicit FolderLock(int folder)
-    : Folder(folder)
-  {
-  }
-  const int Folder;
-};
 
 //------------------------------------------------------------------------------
 // The user's cache folder, made where it is missing.
@@ -148,7 +89,7 @@ std::string OpenCache()
   struct stat status;
   if (lstat(path.c_str(), &status) != 0)
   {
-    ThrowReason(path, "can't be used as a folder for downloads");
+    throw tool::Error(path + ": can't be used as a folder for downloads: " + std::strerror(errno));
   }
   if (!S_ISDIR(status.st_mode) || status.st_uid != geteuid() ||
       (status.st_mode & (S_IWGRP | S_IWOTH)) != 0)
@@ -159,13 +100,67 @@ std::string OpenCache()
   return path;
 }
 
-//------------------------------------------------------------------------------
-// One file on its way.
+/// A ZIP archive on a server as the file that minizip reads: MERL publishes its hundred materials
+/// in one archive of 1.25 GB, of which only the blocks that are read are downloaded.
+struct RemoteArchive
+{
+  tool::DownloadRequest Request;
+  std::uint64_t Size; // of the archive
+  std::uint64_t At = 0;
+  std::uint64_t Begin = 0; // of the block at hand
+  std::string Block;
+  std::exception_ptr Thrown; // waits here until minizip, which is written in C, returns
+};
+
+uLong ReadRemote(voidpf user, voidpf, void* buffer, uLong count)
+{
+  auto* archive = static_cast<RemoteArchive*>(user);
+  uLong done = 0;
+  try
+  {
+    while (!archive->Thrown && done < count && archive->At < archive->Size)
+    {
+      if (archive->At < archive->Begin || archive->At >= archive->Begin + archive->Block.size())
+      {
+        archive->Begin = archive->At / ArchiveBlock * ArchiveBlock;
+        archive->Block.clear();
+        tool::DownloadRequest request = archive->Request;
+        request.Size = std::min(ArchiveBlock, archive->Size - archive->Begin);
+        request.Limit = request.Size;
+        request.First = archive->Begin;
+        request.IsPiece = true;
+        tool::Download(request, archive->Block, true, [](double) {});
+      }
+      const std::uint64_t skipped = archive->At - archive->Begin;
+      const std::uint64_t size =
+        std::min<std::uint64_t>(count - done, archive->Block.size() - skipped);
+      std::memcpy(static_cast<char*>(buffer) + done, archive->Block.data() + skipped, size);
+      archive->At += size;
+      done += size;
+    }
+  }
+  catch (...)
+  {
+    archive->Thrown = std::current_exception();
+  }
+  return done;
+}
+
+long SeekRemote(voidpf user, voidpf, ZPOS64_T offset, int origin)
+{
+  auto* archive = static_cast<RemoteArchive*>(user);
+  archive->At = offset + (origin == ZLIB_FILEFUNC_SEEK_CUR    ? archive->At
+                           : origin == ZLIB_FILEFUNC_SEEK_END ? archive->Size
+                                                              : 0);
+  return 0;
+}
+
+/// One file on its way.
 class Job
 {
 public:
   Job(const tool::FetchEntry& entry, const tool::FetchOptions& options);
-  bool IsDone(bool tells) const;
+  bool IsDone() const;
   void CheckSumIsKnown() const;
   void Run();
 
@@ -173,18 +168,14 @@ public:
   const std::string Path;
 
 private:
-  void ReadSum();
-  tool::ZipMember FindMember(std::uint64_t& first) const;
-  std::string GetPlace(std::uint64_t byte, std::uint64_t size) const;
-  std::string ReadArchive(std::uint64_t first, std::uint64_t count) const;
-  std::string Download(std::string& part, bool& resumed) const;
+  std::string DownloadMember() const;
   void Check(const std::string& bytes) const;
   std::string Bring(const std::string& partPath) const;
 
   const tool::FetchEntry& Entry;
   const tool::FetchOptions& Options;
   const bool IsCache;
-  std::string Url;
+  tool::DownloadRequest Request;
   std::string Sum;     // "": not known
   std::string SumFrom; // who says so
 };
@@ -196,66 +187,56 @@ Job::Job(const tool::FetchEntry& entry, const tool::FetchOptions& options)
   , Entry(entry)
   , Options(options)
   , IsCache(options.Folder.empty())
-  , Url(entry.Url)
+  , Request{ entry.Url, entry.Size > 0 ? entry.Size : entry.Limit, entry.Size, 0, false,
+    options.Timeout, options.Retries }
+  , Sum(options.Sha256)
+  , SumFrom("--sha256")
 {
   if (const std::string& base = options.BaseUrl; !base.empty())
   {
-    this->Url = base + (base.back() == '/' ? "" : "/") + entry.Url.substr(std::strlen("https://"));
+    this->Request.Url =
+      base + (base.back() == '/' ? "" : "/") + entry.Url.substr(std::strlen("https://"));
   }
-  if (!options.Sha256.empty())
+  std::transform(this->Sum.begin(), this->Sum.end(), this->Sum.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (!this->Sum.empty() && !entry.Sha256.empty() && entry.Sha256 != this->Sum)
   {
-    this->Sum = options.Sha256;
-    std::transform(this->Sum.begin(), this->Sum.end(), this->Sum.begin(),
-      [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    this->SumFrom = "--sha256";
-    if (!entry.Sha256.empty() && entry.Sha256 != this->Sum)
-    {
-      tool::PrintNote(
-        entry.Name + ": --sha256 is used; this program knows another sum, " + entry.Sha256);
-    }
+    tool::PrintNote(
+      entry.Name + ": --sha256 is used; this program knows another sum, " + entry.Sha256);
   }
-  else if (!entry.Sha256.empty())
+  if (this->Sum.empty())
   {
     this->Sum = entry.Sha256;
     this->SumFrom = entry.SumKind == "copy" ? "this program, of a copy that came from elsewhere"
                                             : "this program, as others published it";
   }
-  this->ReadSum();
-}
-
-//------------------------------------------------------------------------------
-// Takes the recorded sum where no other is known.
-void Job::ReadSum()
-{
-  for (const std::string& folder : { this->Folder, tool::GetFetchCache() })
+  const std::string record = this->Path + ".sha256";
+  if (this->Sum.empty() && HasFile(record))
   {
-    if (this->Sum.empty() && !folder.empty())
+    this->Sum = ReadFile(record).substr(0, 64);
+    this->SumFrom = "recorded at the first download: " + record;
+    if (this->Sum.size() != 64)
     {
-      const std::string path = (fs::path(folder) / this->Entry.File).string();
-      this->Sum = ReadRecordedSum(path);
-      this->SumFrom = "recorded at the first download: " + path + ".sha256";
+      throw tool::Error(
+        record + ": expected one line, the SHA-256 of " + this->Path + " as sha256sum writes it");
     }
   }
 }
 
 //------------------------------------------------------------------------------
-// Whether the right file is there already. Throws Error where another one is in the way; tells of
-// one in the cache, which is replaced.
-bool Job::IsDone(bool tells) const
+// Whether the right file is there already. Throws Error where another one is in the way; one in the
+// cache is replaced.
+bool Job::IsDone() const
 {
-  if (!HasFile(this->Path))
+  if (!HasFile(this->Path) || (this->Sum.empty() && this->IsCache))
   {
     return false;
   }
   if (this->Sum.empty())
   {
-    if (!this->IsCache)
-    {
-      throw tool::Error(this->Path +
-                        " is there already, and no SHA-256 is known that would tell whether it is "
-                        "right. It was left alone; move it, or give its sum by --sha256");
-    }
-    return false;
+    throw tool::Error(this->Path +
+                      " is there already, and no SHA-256 is known that would tell whether it is "
+                      "right. It was left alone; move it, or give its sum by --sha256");
   }
   const std::string sum = GetSha256(ReadFile(this->Path));
   if (sum == this->Sum)
@@ -268,7 +249,7 @@ bool Job::IsDone(bool tells) const
   {
     throw tool::Error(text + ". It was left alone; move it, or name another folder");
   }
-  tool::PrintNote(tells ? text + ". It is downloaded anew" : "");
+  tool::PrintNote(text + ". It is downloaded anew");
   return false;
 }
 
@@ -286,88 +267,46 @@ void Job::CheckSumIsKnown() const
 }
 
 //------------------------------------------------------------------------------
-// Where a download stands; size: of the whole, 0: not known.
-std::string Job::GetPlace(std::uint64_t byte, std::uint64_t size) const
+std::string Job::DownloadMember() const
 {
-  return this->Url + ", byte " + std::to_string(byte) +
-         (size > 0 ? " (expected: " + std::to_string(size) + " bytes)" : "");
-}
+  RemoteArchive archive{ this->Request, this->Entry.ArchiveSize, 0, 0, "", nullptr };
+  zlib_filefunc64_def functions{};
+  functions.opaque = &archive;
+  functions.zopen64_file = [](voidpf user, const void*, int) -> voidpf { return user; };
+  functions.zread_file = ReadRemote;
+  functions.zseek64_file = SeekRemote;
+  functions.ztell64_file = [](voidpf user, voidpf) -> ZPOS64_T
+  { return static_cast<RemoteArchive*>(user)->At; };
+  functions.zclose_file = [](voidpf, voidpf) { return 0; };
+  functions.zerror_file = [](voidpf user, voidpf)
+  { return static_cast<RemoteArchive*>(user)->Thrown ? 1 : 0; };
 
-//------------------------------------------------------------------------------
-std::string Job::ReadArchive(std::uint64_t first, std::uint64_t count) const
-{
-  std::string bytes;
-  tool::Retry(
-    this->Options.Retries,
-    [&]() { return this->GetPlace(first + bytes.size(), this->Entry.ArchiveSize); },
-    [&]()
-    {
-      bytes.clear();
-      tool::Download(
-        { this->Url, first, count, count, this->Options.Timeout, true },
-        [&bytes](const char* data, std::size_t size) { bytes.append(data, size); }, [](double) {});
-    });
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-// first: the byte of the archive at which the member's own bytes begin.
-tool::ZipMember Job::FindMember(std::uint64_t& first) const
-{
-  const std::uint64_t size = this->Entry.ArchiveSize;
-  const std::string tail = this->ReadArchive(size - tool::ZipTailSize, tool::ZipTailSize);
-  const tool::ZipRange directory = tool::FindZipDirectory(tail, size);
-  const tool::ZipMember member = tool::FindZipMember(
-    this->ReadArchive(directory.First, directory.Size), this->Entry.Member, size);
-  first =
-    member.Header + tool::GetZipDataOffset(this->ReadArchive(member.Header, tool::ZipHeaderSize));
-  if (member.Size != this->Entry.Size || member.PackedSize == 0 || member.PackedSize > member.Size)
+  tool::ProgressBar bar(this->Entry.Name);
+  const std::unique_ptr<void, int (*)(unzFile)> zip(
+    unzOpen2_64(this->Entry.Url.c_str(), &functions), unzClose);
+  bool isRight = zip && unzLocateFile(zip.get(), this->Entry.Member.c_str(), 1) == UNZ_OK &&
+                 unzOpenCurrentFile(zip.get()) == UNZ_OK;
+  std::string content;
+  std::string piece(1 << 20, '\0');
+  for (int count = 1; isRight && count > 0 && content.size() <= this->Entry.Size;)
   {
-    throw tool::WrongBytes("the archive's member " + this->Entry.Member + " has " +
-                           std::to_string(member.Size) + " bytes (" +
-                           std::to_string(member.PackedSize) + " packed), expected " +
-                           std::to_string(this->Entry.Size));
+    count = unzReadCurrentFile(zip.get(), piece.data(), static_cast<unsigned int>(piece.size()));
+    isRight = count >= 0;
+    content.append(piece, 0, static_cast<std::size_t>(std::max(count, 0)));
+    bar.Update(static_cast<double>(content.size()) / static_cast<double>(this->Entry.Size));
   }
-  return member;
-}
-
-//------------------------------------------------------------------------------
-// Completes the part, the first bytes that come from the server, and returns the file. `resumed`
-// becomes true where the part had bytes before a request.
-std::string Job::Download(std::string& part, bool& resumed) const
-{
-  const bool isMember = !this->Entry.Member.empty();
-  std::uint64_t first = 0;
-  const tool::ZipMember member = isMember ? this->FindMember(first) : tool::ZipMember();
-  const std::uint64_t size = isMember ? member.PackedSize : this->Entry.Size;
-  const std::uint64_t limit = size > 0 ? size : this->Entry.Limit;
-  const auto attempt = [&]()
+  isRight = isRight && unzCloseCurrentFile(zip.get()) == UNZ_OK; // the CRC-32
+  if (archive.Thrown)
   {
-    if (this->Sum.empty())
-    {
-      part.clear(); // nothing would tell whether the bytes of two requests belong together
-    }
-    const std::uint64_t begin = part.size();
-    resumed = resumed || begin > 0;
-    if (begin >= limit)
-    {
-      return; // the check says whether they are right
-    }
-    tool::ProgressBar bar(this->Entry.Name);
-    const bool hasLength = tool::Download(
-      { this->Url, first + begin, isMember ? limit - begin : 0, limit - begin,
-        this->Options.Timeout, size > 0 },
-      [&part](const char* bytes, std::size_t count) { part.append(bytes, count); },
-      [&bar](double share) { bar.Update(share); });
-    if (!hasLength && this->Sum.empty())
-    {
-      throw tool::WrongBytes("the server does not say how long the file is, so a cut one could not "
-                             "be told from a whole one; expected a Content-Length");
-    }
-  };
-  tool::Retry(
-    this->Options.Retries, [&]() { return this->GetPlace(part.size(), size); }, attempt);
-  return isMember ? tool::UnpackZipMember(member, part) : part;
+    std::rethrow_exception(archive.Thrown);
+  }
+  if (!isRight || content.size() != this->Entry.Size)
+  {
+    throw tool::WrongBytes(std::string(zip ? "the ZIP archive is damaged" : "no ZIP archive") +
+                           ": expected its member " + this->Entry.Member + " of " +
+                           std::to_string(this->Entry.Size) + " bytes, with a right checksum");
+  }
+  return content;
 }
 
 //------------------------------------------------------------------------------
@@ -393,37 +332,46 @@ void Job::Check(const std::string& bytes) const
 // file cost a second download.
 std::string Job::Bring(const std::string& partPath) const
 {
-  std::string part = HasFile(partPath) && !this->Sum.empty() ? ReadFile(partPath) : "";
-  for (bool again = false;; again = true)
+  const bool resumes = !this->Sum.empty(); // nothing else would tell whether bytes belong together
+  std::string part = HasFile(partPath) && resumes ? ReadFile(partPath) : "";
+  const std::string place = this->Request.Url;
+  for (;;)
   {
-    bool resumed = false;
+    const bool resumed = !part.empty();
     try
     {
-      std::string content = this->Download(part, resumed);
-      this->Check(content);
-      return content;
+      if (!this->Entry.Member.empty())
+      {
+        part = this->DownloadMember();
+      }
+      else if (part.size() < this->Request.Limit)
+      {
+        tool::ProgressBar bar(this->Entry.Name);
+        tool::Download(this->Request, part, resumes, [&bar](double share) { bar.Update(share); });
+      }
+      this->Check(part);
+      return part;
     }
     catch (const tool::WrongBytes& e)
     {
       part.clear();
       unlink(partPath.c_str());
-      if (!resumed || again)
+      if (!resumed)
       {
-        throw tool::Error(this->Url + ": " + e.what() + ". Nothing was kept");
+        throw tool::Error(place + ": " + e.what() + ". Nothing was kept");
       }
-      tool::PrintNote(
-        this->Url + ": " + e.what() + "; an older part may be at fault, beginning anew");
+      tool::PrintNote(place + ": " + e.what() + "; an older part may be at fault, beginning anew");
     }
     catch (const tool::Error& e)
     {
-      const std::string size = std::to_string(part.size());
-      std::string text = this->GetPlace(part.size(), 0) + ": " + e.what();
-      if (!part.empty() && !this->Sum.empty())
+      std::string text = place + ", byte " + std::to_string(part.size()) + ": " + e.what();
+      if (!part.empty() && resumes)
       {
         try
         {
           tool::WriteWhole(partPath, part);
-          text += ". " + size + " bytes are kept; the same command goes on from there";
+          text += ". " + std::to_string(part.size()) +
+                  " bytes are kept; the same command goes on from there";
         }
         catch (const tool::Error& failure)
         {
@@ -440,23 +388,8 @@ void Job::Run()
 {
   const std::string part =
     (fs::path(this->Folder) / ("." + this->Entry.File + ".measured-brdf-part")).string();
-  const std::string cached = this->IsCache ? "" : tool::FindFetchedFile(this->Entry);
-  std::string content = cached.empty() ? "" : ReadFile(cached);
-  std::unique_ptr<FolderLock> lock;
-  if (!cached.empty() && GetSha256(content) == this->Sum)
-  {
-    tool::PrintNote(this->Entry.Name + ": copied from " + cached);
-  }
-  else
-  {
-    lock = std::make_unique<FolderLock>(this->Folder);
-    this->ReadSum(); // another process may have been here
-    if (this->IsDone(true))
-    {
-      return;
-    }
-    content = this->Bring(part);
-  }
+  tool::CheckWritable(this->Path);
+  const std::string content = this->Bring(part);
   if (HasFile(this->Path) && !this->IsCache)
   {
     throw tool::Error(this->Path + " appeared meanwhile. It was left alone");
@@ -476,18 +409,11 @@ void Job::Run()
 namespace tool
 {
 //------------------------------------------------------------------------------
-bool IsSha256(const std::string& text)
-{
-  return text.size() == 64 && std::all_of(text.begin(), text.end(),
-                                [](unsigned char c) { return std::isxdigit(c) != 0; });
-}
-
-//------------------------------------------------------------------------------
 std::string FetchFile(
   const FetchEntry& entry, const FetchOptions& options, const std::function<void()>& agree)
 {
   Job job(entry, options);
-  if (!job.IsDone(false))
+  if (!job.IsDone())
   {
     job.CheckSumIsKnown();
     agree();

@@ -27,9 +27,6 @@ struct FetchOptions
   int Retries = 2;
 };
 
-/// Whether the text is 64 hexadecimal digits.
-bool IsSha256(const std::string& text);
-
 /// Brings the file and returns its path. `agree` is called before anything is downloaded, and
 /// throws where the user does not agree to the licence. Throws Error that says what is kept; files
 /// that are not this program's stay as they are.

@@ -35,19 +35,17 @@ struct PhotographOptions
   std::vector<std::string> Files;
   std::vector<std::string> Weights;
   std::string Output;
-  std::string Pairs;
   std::string Directions = "bonn";
   std::string Exposure = "auto";
   std::string Format = "exr";
   int Count = 200;
   double Noise = 0.0;
-  int Bits = 0;
   unsigned int Seed = 1;
 };
 
 //------------------------------------------------------------------------------
 // The exposure; 0: automatic.
-double Check(const PhotographOptions& options, const CLI::App* command)
+double Check(const PhotographOptions& options)
 {
   if (!(options.Noise >= 0.0) || !std::isfinite(options.Noise))
   {
@@ -60,17 +58,9 @@ double Check(const PhotographOptions& options, const CLI::App* command)
     throw tool::UsageError(isMap ? "--weights: the map has weights already"
                                  : "--weights is required, or a map.json in place of materials");
   }
-  for (const char* option : { "--count", "--directions" })
+  if (!MEASUREDBRDF_WITH_OPENEXR && options.Format == "exr")
   {
-    if (!options.Pairs.empty() && command->count(option) > 0)
-    {
-      throw tool::UsageError(std::string(option) + ": has no effect with --pairs");
-    }
-  }
-  if (!MEASUREDBRDF_WITH_OPENEXR && options.Format == "exr" && options.Bits == 0)
-  {
-    throw tool::UsageError(
-      "--format: this build writes no OpenEXR; choose --format png, or --bits");
+    throw tool::UsageError("--format: this build writes no OpenEXR; choose --format png");
   }
   if (options.Exposure == "auto")
   {
@@ -83,26 +73,6 @@ double Check(const PhotographOptions& options, const CLI::App* command)
       "--exposure: found '" + options.Exposure + "', expected auto or a number > 0");
   }
   return exposure;
-}
-
-//------------------------------------------------------------------------------
-void AddDirections(
-  const PhotographOptions& options, double exposure, vtkSimulatedPhotographSet* set)
-{
-  if (options.Pairs.empty())
-  {
-    options.Directions == "bonn" ? set->AddBonnDirections(options.Count, exposure)
-                                 : set->AddHalfVectorDirections(options.Count, exposure);
-    return;
-  }
-  for (const tool::Pair& pair :
-    tool::ReadPairs(options.Pairs, { "ix", "iy", "iz", "ox", "oy", "oz" }))
-  {
-    if (set->AddDirections(pair.data(), pair.data() + 3, exposure) < 0)
-    {
-      throw tool::Error(options.Pairs + ": " + tool::TakeErrorText());
-    }
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -135,19 +105,13 @@ double EncodeByte(double linear) { return tool::EncodeSRGB(Clip(linear)); }
 void WritePhotograph(vtkImageData* image, const std::string& path, bool encode)
 {
   vtkDataArray* values = image->GetPointData()->GetScalars();
-  if (values->GetDataType() == VTK_UNSIGNED_SHORT && !encode)
-  {
-    tool::WritePNG(path, image);
-    return;
-  }
-  const double divisor = values->GetDataType() == VTK_FLOAT ? 1.0 : values->GetDataTypeMax();
   tool::Picture picture(image->GetDimensions()[0], image->GetDimensions()[1]);
   for (vtkIdType k = 0; k < values->GetNumberOfTuples(); ++k)
   {
     float* pixel = &picture.Pixels[4 * static_cast<std::size_t>(k)];
     for (int c = 0; c < 3; ++c)
     {
-      pixel[c] = static_cast<float>(values->GetComponent(k, c) / divisor);
+      pixel[c] = static_cast<float>(values->GetComponent(k, c));
     }
     pixel[3] = 1.0f;
   }
@@ -155,22 +119,22 @@ void WritePhotograph(vtkImageData* image, const std::string& path, bool encode)
 }
 
 //------------------------------------------------------------------------------
-void Run(const PhotographOptions& options, const CLI::App* command)
+void RunPhotograph(const PhotographOptions& options)
 {
-  const double exposure = Check(options, command);
+  const double exposure = Check(options);
   tool::Interruptible interruptible;
   const auto map = options.Weights.empty() ? tool::ReadMaterialMap(options.Files[0])
                                            : tool::MakeMaterialMap(options.Files, options.Weights);
   vtkNew<vtkSimulatedPhotographSet> set;
   set->SetMaterialMap(map);
   set->SetNoise(options.Noise);
-  set->SetBits(options.Bits);
   set->SetSeed(options.Seed);
-  AddDirections(options, exposure, set);
+  const bool isBonn = options.Directions == "bonn";
+  isBonn ? set->AddBonnDirections(options.Count, exposure)
+         : set->AddHalfVectorDirections(options.Count, exposure);
   tool::MakeFolder(options.Output);
   const bool encode = options.Format == "png";
-  const bool isBonn = options.Pairs.empty() && options.Directions == "bonn";
-  const std::string ending = encode || options.Bits > 0 ? ".png" : ".exr";
+  const std::string ending = encode ? ".png" : ".exr";
   ordered_json list = {
     { "comment", "SIMULATED by measured-brdf-lab photograph: no photographs of anything real" },
     { "irradiance", set->GetIrradiance() }, { "transfer", encode ? "srgb" : "linear" },
@@ -230,19 +194,11 @@ void AddPhotographCommand(CLI::App& app)
       "miss sharp highlights; half-vector: spread over half and difference angles, dense about "
       "the mirror direction")
     ->check(CLI::IsMember({ "bonn", "half-vector" }));
-  command->add_option("--pairs", options->Pairs,
-    "Directions instead of Bonn's: a CSV file with the columns ix, iy, iz (to the light), ox, oy, "
-    "oz (to the camera)");
   command->add_option("--exposure", options->Exposure,
     "auto (default): of each photograph so that the brightest material has the value 0.9; or a "
     "number for all: the value of a white diffuse surface below the light");
   command->add_option("--noise", options->Noise,
     "Standard deviation of the camera's noise; 1 is full scale (default 0)");
-  command
-    ->add_option("--bits", options->Bits,
-      "Bits of the camera's pixels, 1 to 16: values beyond full scale are clipped, files are "
-      "linear PNG of 16 bits; 0 (default): floats")
-    ->check(CLI::Range(0, 16));
   command->add_option("--seed", options->Seed, "Seed of the noise (default 1)");
   command
     ->add_option("--format", options->Format,
@@ -254,6 +210,6 @@ void AddPhotographCommand(CLI::App& app)
                   "Example:\n  measured-brdf-lab photograph nickel red-fabric2 --weights rust.png "
                   "--noise 0.005 -o photos\n"
                   "  measured-brdf svbrdf photos/photographs.json -o found");
-  command->callback([options, command]() { Run(*options, command); });
+  command->callback([options, command]() { RunPhotograph(*options); });
 }
 } // namespace tool

@@ -15,7 +15,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <iterator>
 #include <memory>
 #include <vector>
@@ -29,14 +28,10 @@ struct ProjectOptions
   std::string Basis;
   int Order = 0;
   std::string Zone = "9,57";
-  std::string Window = "none";
   bool Extrapolate = false;
-  std::string Criterion = "l-curve";
   double MaximumResidual = 0.0; // the extrapolator's own
   double MaximumNegativeMass = 0.05;
 };
-
-const std::vector<std::string> Windows = { "none", "hann", "lanczos", "laplacian" };
 
 //------------------------------------------------------------------------------
 void Check(const ProjectOptions& options, const CLI::App* command)
@@ -45,7 +40,7 @@ void Check(const ProjectOptions& options, const CLI::App* command)
   {
     throw tool::UsageError(options.Output + ": OUT must end in .exr");
   }
-  for (const char* option : { "--criterion", "--maximum-residual", "--maximum-negative-mass" })
+  for (const char* option : { "--maximum-residual", "--maximum-negative-mass" })
   {
     if (command->count(option) > 0 && !options.Extrapolate)
     {
@@ -79,8 +74,6 @@ vtkSmartPointer<vtkBasisBRDF> Project(
   projector->SetInput(material.BRDF);
   projector->SetBasis(tool::FindBasis(options.Basis));
   projector->SetOrder(options.Order);
-  projector->SetWindow(
-    static_cast<int>(std::find(Windows.begin(), Windows.end(), options.Window) - Windows.begin()));
   if (projector->GetBasis() >= vtkBasisBRDF::ZONAL)
   {
     projector->SetIncidentZone(zone[0], zone[1]);
@@ -100,9 +93,6 @@ vtkSmartPointer<vtkBasisBRDF> Extrapolate(
   vtkNew<vtkBasisExtrapolator> extrapolator;
   extrapolator->SetInput(input);
   extrapolator->SetOrder(options.Order);
-  extrapolator->SetCriterion(options.Criterion == "l-curve"
-                               ? vtkBasisExtrapolator::L_CURVE
-                               : vtkBasisExtrapolator::CROSS_VALIDATION);
   extrapolator->SetMaximumResidual(options.MaximumResidual);
   extrapolator->SetMaximumNegativeMass(options.MaximumNegativeMass);
   const bool accepted =
@@ -126,8 +116,8 @@ vtkSmartPointer<vtkBasisBRDF> Extrapolate(
                       "'measured-brdf fit " +
                       options.File + " --model d-brdf' instead");
   }
-  text += "lambda: " + tool::FormatNumber(extrapolator->GetLambda()) + " (" + options.Criterion +
-          ")\nrelative residual inside the zone: " + residual + "\n";
+  text += "lambda: " + tool::FormatNumber(extrapolator->GetLambda()) +
+          "\nrelative residual inside the zone: " + residual + "\n";
   return extrapolator->GetOutput();
 }
 
@@ -149,7 +139,7 @@ void Run(const ProjectOptions& options, const CLI::App* command)
   }
   else
   {
-    for (const char* option : { "--basis", "--zone", "--window" })
+    for (const char* option : { "--basis", "--zone" })
     {
       if (command->count(option) > 0)
       {
@@ -199,19 +189,10 @@ void AddProjectCommand(CLI::App& app)
   command->add_option("--zone", options->Zone,
     "Polar angles in degrees of light and view (default 9,57): the zone of the last two bases and "
     "of the first printed error");
-  command
-    ->add_option("--window", options->Window,
-      "Damp high degrees against ringing: none (default, and the most accurate), hann, lanczos or "
-      "laplacian")
-    ->check(CLI::IsMember(Windows));
   command->add_flag("--extrapolate", options->Extrapolate,
     "Extrapolate beyond the zone by spherical harmonics. A FILE that is in a basis already (such "
     "as "
     "from 'acquire') is not projected again");
-  command
-    ->add_option("--criterion", options->Criterion,
-      "How the smoothness of the harmonics is chosen: l-curve (default) or cross-validation")
-    ->check(CLI::IsMember({ "l-curve", "cross-validation" }));
   command
     ->add_option("--maximum-residual", options->MaximumResidual,
       "Largest relative residual inside the zone at which an extrapolation is written (default "

@@ -16,7 +16,6 @@
 #include "vtkBasisProjector.h"
 #include "vtkDistributionBRDFFitter.h"
 #include "vtkEmbeddedMaterials.h"
-#include "vtkMath.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkRepresentationAdvisor.h"
@@ -25,76 +24,91 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstdio>
 #include <memory>
 
 namespace
 {
-using Environments = std::vector<vtkSmartPointer<vtkEnvironment>>;
-
 constexpr int MapWidth = 128; // the comparison wants the same smooth light for all, soon
-constexpr int NumberOfPixels = 96;
+constexpr int NumberOfSpherePairs = 96;
 constexpr int NumberOfErrorPairs = 1 << 15;
 
 struct RepresentationsOptions
 {
   std::vector<std::string> Files;
-  std::vector<std::string> Environments;
+  std::vector<std::string> Environments = { "sky", "hall" };
   std::vector<int> Orders = { 4, 6, 8, 12 };
   std::string Zone = "9,57";
   std::string Output;
 };
 
-/// A representation of a material, and what it costs.
-struct RepresentationRow
-{
-  std::string Material;
-  std::string Representation;
-  bool Recommended = false;
-  double Seconds = 0.0;
-  int Functions = 0; // 0: no basis
-  double NegativeMass = 0.0;
-  double Zone = 0.0;
-  double Hemisphere = 0.0;
-  std::vector<double> Images; // error for each environment
-  std::size_t Bytes = 0;
-};
-
 //------------------------------------------------------------------------------
-// Of a sphere seen from +z, evenly over its disc (Vogel's spiral).
-tool::stability::Pairs MakeDiscPairs()
+// A cell of text: quoted, quotes in it doubled (RFC 4180).
+std::string QuoteCell(const std::string& text)
 {
-  tool::stability::Pairs pairs;
-  for (int k = 0; k < NumberOfPixels; ++k)
+  std::string cell = "\"";
+  for (const char c : text)
   {
-    const double r = 0.99 * std::sqrt((k + 0.5) / NumberOfPixels);
-    const double phi = k * vtkMath::Pi() * (3.0 - std::sqrt(5.0));
-    pairs.Add({ r * std::cos(phi), r * std::sin(phi), std::sqrt(1.0 - r * r) }, { 0.0, 0.0, 1.0 });
+    cell += c == '"' ? "\"\"" : std::string(1, c);
   }
-  return pairs;
+  return cell + "\"";
 }
 
 //------------------------------------------------------------------------------
-// Makes the candidates of one material, measures and forgets them.
+// Makes what a material can be turned into, one after the other, and writes a row for each.
 class Comparison
 {
 public:
-  Comparison(const RepresentationsOptions& options, const tool::Material& material,
-    const Environments& environments, const tool::Range& zone)
+  explicit Comparison(const RepresentationsOptions& options)
     : Settings(options)
-    , Material(material)
-    , Lights(environments)
-    , Zone{ zone.Begin, zone.End }
   {
-    for (vtkEnvironment* environment : environments)
+    const tool::Range zone = tool::ParseZone("--zone", options.Zone);
+    this->Zone[0] = zone.Begin;
+    this->Zone[1] = zone.End;
+    this->Text = "material,representation,functions,relative_l2_zone,relative_l2_hemisphere,"
+                 "negative_mass";
+    std::vector<std::string> names;
+    for (const std::string& file : options.Environments)
+    {
+      const auto environment = tool::LoadEnvironment(file);
+      std::string name = environment->GetName();
+      for (int k = 2; std::find(names.begin(), names.end(), name) != names.end(); ++k)
+      {
+        name = environment->GetName() + " " + std::to_string(k);
+      }
+      names.push_back(name);
+      this->Text += "," + QuoteCell("image_" + name);
+      this->Lights.push_back(tool::stability::Shrink(environment, MapWidth));
+    }
+    this->Text += ",texture_bytes,seconds,recommended\n";
+  }
+
+  // Throws Error, and then adds no row.
+  void Add(const std::string& file)
+  {
+    this->Material = tool::LoadMaterial(file);
+    this->Material.BRDF->Prepare();
+    this->References.clear();
+    for (vtkEnvironment* light : this->Lights)
     {
       this->References.push_back(
-        tool::stability::IntegrateReference(material.BRDF, environment, this->Pairs));
+        tool::stability::IntegrateReference(this->Material.BRDF, light, this->Pairs));
+    }
+    const std::string before = this->Text;
+    try
+    {
+      this->AddRows();
+    }
+    catch (const tool::Error& error)
+    {
+      this->Text = before;
+      throw tool::Error(file + ": " + error.what());
     }
   }
 
-  std::vector<RepresentationRow> Make()
+  const std::string& GetTable() const { return this->Text; }
+
+private:
+  void AddRows()
   {
     vtkNew<vtkRepresentationAdvisor> advisor;
     advisor->SetInput(this->Material.BRDF);
@@ -117,7 +131,7 @@ public:
           projector->SetIncidentZone(this->Zone[0], this->Zone[1]);
           projector->SetOutgoingZone(this->Zone[0], this->Zone[1]);
         }
-        this->Add(vtkBasisBRDF::GetBasisName(kind) + number, projector.Get(),
+        this->AddRow(vtkBasisBRDF::GetBasisName(kind) + number, projector.Get(),
           &vtkBasisProjector::Project,
           basis && kind == vtkBasisBRDF::SPHERICAL_HARMONICS && order == advisor->GetOrder());
         zonal = kind == vtkBasisBRDF::ZONAL ? projector->GetOutput() : zonal.Get();
@@ -125,24 +139,22 @@ public:
       // What the extrapolator's gate refuses is taken, too: the table shows why.
       vtkNew<vtkBasisExtrapolator> extrapolator;
       extrapolator->SetInput(zonal);
-      this->Add("zonal" + number + ", extended", extrapolator.Get(),
+      this->AddRow("zonal" + number + ", extended", extrapolator.Get(),
         &vtkBasisExtrapolator::Extrapolate, false);
     }
     vtkNew<vtkDistributionBRDFFitter> distribution;
     distribution->SetInput(this->Material.BRDF);
-    this->Add("D-BRDF", distribution.Get(), &vtkBRDFFitter::Fit, !basis);
+    this->AddRow("D-BRDF", distribution.Get(), &vtkBRDFFitter::Fit, !basis);
     for (int lobes = 1; MEASUREDBRDF_WITH_CERES && lobes <= 2; ++lobes)
     {
       vtkNew<vtkAshikhminShirleyBRDFFitter> fitter;
       fitter->SetInput(this->Material.BRDF);
       fitter->SetNumberOfLobes(lobes);
-      this->Add(
+      this->AddRow(
         "Ashikhmin-Shirley " + std::to_string(lobes), fitter.Get(), &vtkBRDFFitter::Fit, false);
     }
-    return this->Rows;
   }
 
-private:
   // Throws Error where it failed; without an error it only refused.
   template <typename Maker, typename Method>
   void RunMaker(Maker* maker, Method run)
@@ -156,190 +168,72 @@ private:
   }
 
   template <typename Maker, typename Method>
-  void Add(const std::string& name, Maker* maker, Method run, bool recommended)
+  void AddRow(const std::string& name, Maker* maker, Method run, bool recommended)
   {
-    RepresentationRow row;
-    row.Material = this->Material.Name;
-    row.Representation = name;
-    row.Recommended = recommended;
     const auto begin = std::chrono::steady_clock::now();
     this->RunMaker(maker, run);
-    row.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     vtkBRDF* brdf = maker->GetOutput();
     if (!brdf)
     {
       throw tool::Error(name + ": nothing came out");
     }
     brdf->Prepare();
-    if (auto* basis = vtkBasisBRDF::SafeDownCast(brdf))
-    {
-      row.Functions = basis->GetNumberOfFunctions();
-      row.NegativeMass = tool::GetNegativeMass(basis);
-    }
-    row.Zone = vtkBRDFResampler::GetZoneRelativeL2Error(
-      this->Material.BRDF, brdf, this->Zone, this->Zone, NumberOfErrorPairs);
-    row.Hemisphere =
-      vtkBRDFResampler::GetRelativeL2Error(this->Material.BRDF, brdf, NumberOfErrorPairs);
+    auto* basis = vtkBasisBRDF::SafeDownCast(brdf);
+    vtkBRDF* original = this->Material.BRDF;
+    this->Text += QuoteCell(this->Material.Name) + "," + QuoteCell(name) + "," +
+                  std::to_string(basis ? basis->GetNumberOfFunctions() : 0);
+    this->AddFigure(vtkBRDFResampler::GetZoneRelativeL2Error(
+      original, brdf, this->Zone, this->Zone, NumberOfErrorPairs));
+    this->AddFigure(vtkBRDFResampler::GetRelativeL2Error(original, brdf, NumberOfErrorPairs));
+    this->AddFigure(basis ? tool::GetNegativeMass(basis) : 0.0, 5);
     for (std::size_t k = 0; k < this->Lights.size(); ++k)
     {
-      row.Images.push_back(tool::stability::GetRelativeL1(
+      this->AddFigure(tool::stability::GetRelativeL1(
         tool::stability::IntegrateReference(brdf, this->Lights[k], this->Pairs),
         this->References[k]));
     }
-    vtkBRDFShaderInputs form;
-    brdf->GetShaderInputs(form);
-    row.Bytes = form.GetTextureBytes();
-    this->Rows.push_back(row);
+    vtkBRDFShaderInputs inputs;
+    brdf->GetShaderInputs(inputs);
+    this->Text += "," + std::to_string(inputs.GetTextureBytes());
+    this->AddFigure(taken.count(), 2);
+    this->Text += recommended ? ",1\n" : ",0\n";
+  }
+
+  void AddFigure(double value, int digits = 4)
+  {
+    this->Text += "," + measuredbrdf::FixedText(value, digits);
   }
 
   const RepresentationsOptions& Settings;
-  const tool::Material& Material;
-  const Environments& Lights;
-  const double Zone[2];
-  const tool::stability::Pairs Pairs = MakeDiscPairs();
-  std::vector<std::vector<double>> References;
-  std::vector<RepresentationRow> Rows;
+  double Zone[2];
+  const tool::stability::Pairs Pairs = tool::stability::MakeSpherePairs(NumberOfSpherePairs);
+  std::vector<tool::stability::Environment> Lights;
+  tool::Material Material;
+  std::vector<tool::stability::Radiance> References; // of the material, under each light
+  std::string Text;
 };
 
 //------------------------------------------------------------------------------
-// A cell of text: quoted, quotes in it doubled (RFC 4180).
-std::string QuoteCell(const std::string& text)
+void RunRepresentations(const RepresentationsOptions& options)
 {
-  std::string cell = "\"";
-  for (const char c : text)
-  {
-    cell += c == '"' ? "\"\"" : std::string(1, c);
-  }
-  return cell + "\"";
-}
-
-//------------------------------------------------------------------------------
-std::string FormatRepresentationsCSV(
-  const std::vector<RepresentationRow>& rows, const std::vector<std::string>& environments)
-{
-  std::string text = "material,representation,functions,relative_l2_zone,relative_l2_hemisphere,"
-                     "negative_mass";
-  for (const std::string& name : environments)
-  {
-    text += "," + QuoteCell("image_" + name);
-  }
-  text += ",texture_bytes,seconds,recommended\n";
-  for (const RepresentationRow& row : rows)
-  {
-    text += QuoteCell(row.Material) + "," + QuoteCell(row.Representation) + "," +
-            std::to_string(row.Functions) + "," + measuredbrdf::FixedText(row.Zone, 4) + "," +
-            measuredbrdf::FixedText(row.Hemisphere, 4) + "," +
-            measuredbrdf::FixedText(row.NegativeMass, 5);
-    for (const double image : row.Images)
-    {
-      text += "," + measuredbrdf::FixedText(image, 4);
-    }
-    text += "," + std::to_string(row.Bytes) + "," + measuredbrdf::FixedText(row.Seconds, 2) + "," +
-            (row.Recommended ? "1" : "0") + "\n";
-  }
-  return text;
-}
-
-//------------------------------------------------------------------------------
-std::string FormatRepresentations(
-  const std::vector<RepresentationRow>& rows, const std::vector<std::string>& environments)
-{
-  std::string text =
-    "                               relative L2       negative   image, relative L1\n"
-    "representation              zone   hemisphere     mass  ";
-  for (const std::string& name : environments)
-  {
-    char cell[32];
-    std::snprintf(cell, sizeof(cell), " %12.12s", name.c_str());
-    text += cell;
-  }
-  text += "     bytes  seconds\n";
-  std::string material;
-  for (const RepresentationRow& row : rows)
-  {
-    if (row.Material != material)
-    {
-      material = row.Material;
-      text += material + "\n";
-    }
-    char figures[200];
-    std::snprintf(figures, sizeof(figures), "%s %-24.24s %6.1f %%   %7.1f %%  %6.2f %%",
-      row.Recommended ? ">" : " ", row.Representation.c_str(), 100.0 * row.Zone,
-      100.0 * row.Hemisphere, 100.0 * row.NegativeMass);
-    text += figures;
-    for (const double image : row.Images)
-    {
-      std::snprintf(figures, sizeof(figures), "   %8.2f %%", 100.0 * image);
-      text += figures;
-    }
-    std::snprintf(figures, sizeof(figures), " %9zu %8.2f\n", row.Bytes, row.Seconds);
-    text += figures;
-  }
-  return text + "> marks what the advisor recommends\n";
-}
-//------------------------------------------------------------------------------
-// The environments' names; a number tells those of the same name apart.
-std::vector<std::string> GetNames(const Environments& environments)
-{
-  std::vector<std::string> names;
-  for (vtkEnvironment* environment : environments)
-  {
-    std::string name = environment->GetName();
-    for (int k = 2; std::find(names.begin(), names.end(), name) != names.end(); ++k)
-    {
-      name = environment->GetName() + " " + std::to_string(k);
-    }
-    names.push_back(name);
-  }
-  return names;
-}
-
-//------------------------------------------------------------------------------
-// Throws Error naming the file.
-std::vector<RepresentationRow> CompareMaterial(const RepresentationsOptions& options,
-  const std::string& file, const Environments& environments, const tool::Range& zone)
-{
-  const tool::Material material = tool::LoadMaterial(file); // its errors name the file
-  try
-  {
-    material.BRDF->Prepare();
-    return Comparison(options, material, environments, zone).Make();
-  }
-  catch (const tool::Error& error)
-  {
-    throw tool::Error(file + ": " + error.what());
-  }
-}
-
-//------------------------------------------------------------------------------
-void Run(const RepresentationsOptions& options)
-{
-  const tool::Range zone = tool::ParseZone("--zone", options.Zone);
+  tool::Interruptible interruptible;
+  Comparison comparison(options);
   if (!options.Output.empty())
   {
     tool::CheckWritable(options.Output);
   }
-  tool::Interruptible interruptible;
   std::vector<std::string> files = options.Files;
   for (int k = 0; options.Files.empty() && k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
   {
     files.push_back(vtkEmbeddedMaterials::GetName(k));
   }
-  Environments environments;
-  for (const std::string& name :
-    options.Environments.empty() ? std::vector<std::string>{ "sky", "hall" } : options.Environments)
-  {
-    environments.push_back(tool::stability::Shrink(tool::LoadEnvironment(name), MapWidth));
-  }
-  std::vector<RepresentationRow> rows;
   std::size_t failures = 0;
-  for (std::size_t k = 0; k < files.size(); ++k)
+  for (const std::string& file : files)
   {
     try
     {
-      const std::vector<RepresentationRow> more =
-        CompareMaterial(options, files[k], environments, zone);
-      rows.insert(rows.end(), more.begin(), more.end());
+      comparison.Add(file);
     }
     catch (const tool::Error& error)
     {
@@ -350,12 +244,12 @@ void Run(const RepresentationsOptions& options)
     }
     if (!options.Output.empty()) // what is done is kept
     {
-      tool::WriteWhole(options.Output, FormatRepresentationsCSV(rows, GetNames(environments)));
+      tool::WriteWhole(options.Output, comparison.GetTable());
     }
   }
-  if (options.Output.empty() && !rows.empty())
+  if (options.Output.empty() && failures < files.size())
   {
-    tool::PrintOut(FormatRepresentations(rows, GetNames(environments)));
+    tool::PrintOut(comparison.GetTable());
   }
   if (failures > 0)
   {
@@ -384,14 +278,14 @@ void AddRepresentationsCommand(CLI::App& app)
     ->check(CLI::Range(1, static_cast<int>(vtkBasisBRDF::MaximumOrder)));
   command->add_option("--zone", options->Zone,
     "Polar angles that the zonal bases cover, BEGIN,END in degrees (default 9,57)");
-  command->add_option(
-    "-o,--output", options->Output, "CSV file to write (default: a table for people on stdout)");
+  command->add_option("-o,--output", options->Output, "CSV file to write (default: to stdout)");
   command->footer(
     "zonal, Legendre x Fourier: over the zone, held constant beyond it; 'extended': the zonal one\n"
-    "continued over the hemisphere by harmonics; spherical harmonics: over the hemisphere.\n"
+    "continued over the hemisphere by harmonics; spherical harmonics: over the hemisphere;\n"
+    "'recommended': what the advisor recommends.\n"
     "Image errors: mean |x - r| / mean r over a sphere under the environment at 128 texels "
     "width.\n\n"
     "Example:\n  measured-brdf-lab representations satin_purple_rgb.bsdf --orders 4,8");
-  command->callback([options]() { Run(*options); });
+  command->callback([options]() { RunRepresentations(*options); });
 }
 } // namespace tool

@@ -8,7 +8,6 @@
 #include "Progress.h"
 #include "Scenes.h"
 #include "Sheets.h"
-#include "Stability.h"
 #include "Tool.h"
 
 #include "vtkBRDFAcquisition.h"
@@ -86,6 +85,23 @@ std::string FormatErrorPercent(double value)
   char text[32];
   std::snprintf(text, sizeof(text), value < 0.1 ? "%.1f %%" : "%.0f %%", 100.0 * value);
   return text;
+}
+
+//------------------------------------------------------------------------------
+// Mean |a - b| / mean b over the pixels that both cover.
+double GetPictureDifference(const tool::Picture& a, const tool::Picture& b)
+{
+  double difference = 0.0;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.Pixels.size(); ++k)
+  {
+    if (k % 4 < 3 && a.Pixels[k / 4 * 4 + 3] > 0.0f && b.Pixels[k / 4 * 4 + 3] > 0.0f)
+    {
+      difference += std::abs(a.Pixels[k] - b.Pixels[k]);
+      sum += b.Pixels[k];
+    }
+  }
+  return difference / sum;
 }
 
 //------------------------------------------------------------------------------
@@ -264,7 +280,7 @@ public:
         if (reference)
         {
           note = exhibit.Note + "image error " +
-                 FormatErrorPercent(tool::stability::GetPictureDifference(picture, *reference));
+                 FormatErrorPercent(GetPictureDifference(picture, *reference));
         }
         else
         {

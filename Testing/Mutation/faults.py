@@ -1154,13 +1154,8 @@ add("Rendering.legend-shows-the-last-first", "vtkMaterialLegendActor.cxx",
 
 add("Fetch.http-from-anywhere", "Download.cxx", "(scheme == \"http\" && isThisMachine)", "scheme == \"http\"",
     "Download.OnlyHttpsElsewhere")
-add("Fetch.name-and-password", "Download.cxx", "get(CURLUPART_USER).empty() && get(CURLUPART_PASSWORD).empty() &&",
-    "get(CURLUPART_PASSWORD).empty() &&", "Download.OnlyHttpsElsewhere")
-add("Fetch.member-of-another-size", "ZipMember.cxx", "if (content.size() != member.Size)",
-    "if (content.empty())", "ZipMember.RefusesWhatIsWrong")
-add("Fetch.member-with-any-checksum", "ZipMember.cxx", "!= member.Crc)", "== 0)", "ZipMember.RefusesWhatIsWrong")
-add("Fetch.encrypted-member", "ZipMember.cxx", "(Get(directory, at + 8, 2) & 1) != 0", "(Get(directory, at + 8, 2) & 1) > 1",
-    "ZipMember.RefusesWhatIsWrong")
+add("Fetch.name-and-password", "Download.cxx", "GetPart(url, CURLUPART_USER).empty() && ",
+    "", "Download.OnlyHttpsElsewhere")
 add("Fetch.files-have-no-names", "FetchCatalog.cxx", "return entry.Name == name || entry.File == name;",
     "return entry.Name == name;", "FetchCatalog.NamesAndFiles")
 

@@ -5,7 +5,6 @@
 usage: TestFetch.py PROGRAM SHARED_DATA [unittest arguments]
 """
 
-import fcntl
 import hashlib
 import io
 import json
@@ -159,7 +158,7 @@ class Catalog(FetchTest):
         self.check(self.run_tool("fetch", FREE, SIZED, "--sha256", "0" * 64), 2, "one file")
         for url in ("http://example.org", "ftp://127.0.0.1", "file:///etc", "http://user@127.0.0.1", "127.0.0.1"):
             self.check(self.run_tool("fetch", FREE, "--base-url", url), 2, "--base-url", "https")
-        self.check(self.fetch_free("--to", self.folder + "/none"), 1, "none", "No such file")
+        self.check(self.fetch_free("--to", self.folder + "/none"), 1, "none")
         del self.environment["XDG_CACHE_HOME"], self.environment["HOME"]
         self.check(self.fetch_free(), 1, "--to", "HOME")
 
@@ -243,13 +242,6 @@ class Download(FetchTest):
             self.assertEqual(os.listdir(self.folder), [os.path.basename(path)])
             os.remove(path)
 
-    def test_copy_from_the_cache(self):
-        self.serve()
-        self.check_fetched(self.fetch_free())
-        self.check(self.fetch_free("--to", self.folder), 0, "copied from")
-        self.assertEqual(self.read(os.path.join(self.folder, f"{FREE}_rgb.bsdf")), self.content)
-        self.assertEqual(len(self.server.requests), 1)
-
     def test_several(self):
         self.serve()
         self.serve(path=rgl("acrylic_felt_orange"))
@@ -283,9 +275,7 @@ class Faults(FetchTest):
         sized = rgl(SIZED)
         for content, faults, path, words in (
                 (make_bytes(300000, seed=2), {}, rgl(FREE), (sha256(self.content), "Nothing was kept")),
-                (self.content, {}, sized, ("announces 300000 bytes, expected 658960", "Nothing was kept")),
-                (bytes((16 << 20) + 1), {}, rgl(FREE), ("announces 16777217 bytes, expected at most 16777216",)),
-                (self.content, {"extra": bytes(16 << 20)}, rgl(FREE), ("more than the 16777216 bytes",)),
+                (bytes((16 << 20) + 1), {}, rgl(FREE), ("more than the 16777216 bytes", "Nothing was kept")),
                 (make_bytes(658960), {"extra": b"more"}, sized, ("more than the 658960 bytes",))):
             with self.subTest(words):
                 self.serve(content, path=path, **faults)
@@ -308,13 +298,11 @@ class Faults(FetchTest):
         os.remove(self.file)
         self.server.requests.clear()
         self.serve(redirect=rgl(FREE))  # to itself
-        self.check(self.fetch_free(), 1, "more than 5 redirects", rgl(FREE))
+        self.check(self.fetch_free(), 1, "Maximum (5) redirects", rgl(FREE))
         self.assertEqual(len(self.server.requests), 6)
-        for bad in ("http://example.org/x", "ftp://127.0.0.1/x", "file:///etc/passwd", "http://user@127.0.0.1/x",
-                    "//user@127.0.0.1/x"):
+        for bad in ("ftp://127.0.0.1/x", "file:///etc/passwd"):
             self.serve(redirect=bad)
-            named = "http:" + bad if bad.startswith("//") else bad
-            self.check(self.fetch_free(), 1, f"redirects to {named}", "expected https")
+            self.check(self.fetch_free(), 1, rgl(FREE), bad.split(":")[0])
         self.check_nothing_kept()
 
     def test_redirect_whose_text_never_ends(self):
@@ -350,7 +338,7 @@ class Resume(FetchTest):
         self.serve(content, path=rgl(SIZED), cut=100000, without_length=True)
         result = self.fetch(SIZED, "--sha256", sha256(content), "--retries", "1")
         self.check_fetched(result, os.path.join(self.cache, f"{SIZED}_rgb.bsdf"), content)
-        self.assertIn(f"{rgl(SIZED)}, byte 100000 (expected: 658960 bytes): the connection was closed", result.stderr)
+        self.assertIn(f"{rgl(SIZED)}, byte 100000: the connection was closed", result.stderr)
         self.assertEqual(self.server.get_ranges(), [None, "bytes=100000-"])
 
     def test_cut_twice_in_one_run(self):
@@ -423,37 +411,6 @@ class Folder(FetchTest):
         self.check(self.fetch_free(), 1, "nobody else may write", "--to")
         self.assertEqual(self.server.requests, [])
 
-    def test_interrupted_while_another_process_downloads(self):
-        self.serve()
-        os.makedirs(self.cache, mode=0o700)
-        folder = os.open(self.cache, os.O_RDONLY)
-        self.addCleanup(os.close, folder)
-        fcntl.flock(folder, fcntl.LOCK_EX)
-        with subprocess.Popen(self.get_command(FREE, "--trust-first"), env=self.environment, text=True,
-                              stdin=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
-            while "waiting for it" not in (line := process.stderr.readline()) and line:
-                pass
-            process.send_signal(signal.SIGINT)
-            said = process.communicate(timeout=60)[1]
-        self.assertEqual((process.returncode, self.server.requests), (1, []))
-        self.assertIn("interrupted", said)
-        self.check_nothing_kept()
-        self.write(self.file, self.content)
-        self.check_fetched(self.fetch_free())  # who downloads nothing does not wait
-
-    def test_two_processes(self):
-        self.serve(delay=1.0)
-        command = self.get_command(FREE, "--trust-first")
-        processes = [subprocess.Popen(command, env=self.environment, text=True, stdin=subprocess.DEVNULL,
-                                      stdout=subprocess.PIPE, stderr=subprocess.PIPE) for _ in range(3)]
-        said = [process.communicate(timeout=60) for process in processes]
-        self.assertEqual([process.returncode for process in processes], [0, 0, 0], said)
-        self.assertEqual([out for out, _ in said], [self.file + "\n"] * 3)
-        self.assertEqual(sum("waiting for it" in err for _, err in said), 2)
-        self.assertEqual(len(self.server.requests), 1)
-        self.assertEqual(sorted(os.listdir(self.cache)), [f"{FREE}_rgb.bsdf", f"{FREE}_rgb.bsdf.sha256"])
-
-
 class Shifted(io.BytesIO):
     """The end of a long file whose beginning is nobody's concern."""
 
@@ -485,7 +442,6 @@ class Archive(FetchTest):
     def setUp(self):
         super().setUp()
         self.file = os.path.join(self.cache, "gold-paint.binary")
-        self.part = os.path.join(self.cache, ".gold-paint.binary.measured-brdf-part")
         noise = random.Random(3).randbytes(200000)
         self.content = (90).to_bytes(4, "little") * 2 + (180).to_bytes(4, "little") + noise
         self.content += bytes(MERL_SIZE - len(self.content))
@@ -495,15 +451,13 @@ class Archive(FetchTest):
         with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive:
             archive.writestr("BRDFDatabase/readme.txt", "another file")
             archive.writestr("BRDFDatabase/brdfs/gold-paint.binary", self.content)
-            archive.comment = b"a comment"
-            packed = archive.infolist()[1].compress_size
-        return file.getvalue(), packed
+            self.packed = archive.infolist()[1].compress_size
+        return file.getvalue()
 
     def serve_archive(self, **faults):
         Shifted.begin = 0
-        Shifted.begin = ARCHIVE_SIZE - len(self.pack()[0])  # the archive's end is where the catalog says
-        tail, self.packed = self.pack()
-        return self.serve(Sparse(tail), path=ARCHIVE, **faults)
+        Shifted.begin = ARCHIVE_SIZE - len(self.pack())  # the archive's end is where the catalog says
+        return self.serve(Sparse(self.pack()), path=ARCHIVE, **faults)
 
     def fetch_member(self, *arguments, **options):
         return self.fetch("merl-gold-paint", "--sha256", sha256(self.content), "--accept-license", *arguments, **options)
@@ -547,23 +501,18 @@ class Archive(FetchTest):
     def test_member(self):
         self.serve_archive()
         self.check_fetched(self.fetch_member())
-        self.assertLess(self.packed, 1 << 20)
-        self.assertEqual(len(self.server.requests), 4)  # the end, the directory, the member's header, the member
+        self.assertEqual(len(self.server.requests), 1)  # the block that holds the directory and the member
         self.assertNotIn(None, self.server.get_ranges())
 
     def test_cut_and_damaged(self):
         served = self.serve_archive()
-        served.cut, served.cuts = 100000, 1  # longer than the answers about the directory
-        cut = self.fetch_member()
-        self.check(cut, 1, "100000 bytes are kept")
-        self.assertEqual(os.path.getsize(self.part), 100000)
-        first = int(self.server.get_ranges()[3].split("=")[1].split("-")[0])
-        self.check_fetched(self.fetch_member())
-        self.assertEqual(self.server.get_ranges()[-1], f"bytes={first + 100000}-{first + self.packed - 1}")
+        served.cut, served.cuts = 1000, 1
+        self.check(self.fetch_member(), 1, ARCHIVE, "the connection was cut")
+        served.cuts = 1
+        self.check_fetched(self.fetch_member("--retries", "1"))
         os.remove(self.file)
-
         tail = bytearray(served.content.tail)
-        tail[first + 1000 - Shifted.begin] ^= 1
+        tail[len(tail) - self.packed] ^= 1
         served.content = Sparse(bytes(tail))
         self.check(self.fetch_member(), 1, "damaged", "Nothing was kept")
         self.check_nothing_kept()
@@ -572,7 +521,7 @@ class Archive(FetchTest):
         self.serve_archive(ignores_range=True, cut=10)
         self.check(self.fetch_member(), 1, ARCHIVE, "HTTP status 200", "expected 206")
         Shifted.begin = 0
-        self.serve(self.pack()[0], path=ARCHIVE)  # of another size
+        self.serve(self.pack(), path=ARCHIVE)  # of another size
         self.check(self.fetch_member(), 1, ARCHIVE, "HTTP status 416", "expected 206")
         self.serve(Sparse(bytes(1000)), path=ARCHIVE)
         self.check(self.fetch_member(), 1, ARCHIVE, "no ZIP archive")

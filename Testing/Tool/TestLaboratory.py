@@ -61,7 +61,8 @@ class ThesisTablesErrors(ToolTest):
         self.check(result, 1, "no/table.csv")
         self.assertNotIn("no-such", result.stderr)
         text = run("representations", exr, "--environment", "sky", "--orders", "6").stdout
-        self.assertIn("> spherical harmonics 6", text)
+        recommended = [line for line in text.splitlines() if line.endswith(",1")]
+        self.assertEqual([("spherical harmonics 6" in line) for line in recommended], [True])
 
 
 class ThesisFigures(ToolTest):
@@ -134,8 +135,6 @@ class Bases(ToolTest):
             errors.append(self.figure(result, inside))
         self.assertEqual(errors, sorted(errors, reverse=True))
         self.assertLess(errors[2], 0.5)
-        result = run("project", "blue-fabric", *options, "--window", "hann")
-        self.assertGreater(self.figure(result, inside), 2 * errors[2])
         options = ["--basis", "spherical-harmonics", "--order", 6, "--zone", "20,40", "-o", output]
         result = run("project", "blue-fabric", *options)
         self.assertLess(self.figure(result, "relative L2 error from 20 to 40 degrees"), 1.0)
@@ -147,15 +146,12 @@ class Bases(ToolTest):
         material = self.write_lobe(5)
         self.check(run("acquire", material, "-o", stack), 0)
         result = run("project", stack, "--extrapolate", "-o", whole)
-        self.check(result, 0, "l-curve", "limit 0.1")
+        self.check(result, 0, "limit 0.1")
         self.assertLess(self.figure(result, "relative residual inside the zone"), 0.04)
-        lambdas = [self.figure(result, "lambda")]
         info = json.loads(run("info", whole, "--json").stdout)
         self.assertEqual((info["options"]["basis"], info["numbers"]["order"]), ("spherical-harmonics", [6]))
         options = ["--basis", "zonal", "--order", 6, "--extrapolate", "-o", whole]
-        result = run("project", material, *options, "--criterion", "cross-validation")
-        self.check(result, 0, "cross-validation", "over the hemisphere")
-        self.assertLess(self.figure(result, "lambda"), lambdas[0])
+        self.check(run("project", material, *options), 0, "over the hemisphere")
 
         os.remove(whole)
         sharp = self.write_lobe(50)
@@ -196,8 +192,6 @@ class BasesErrors(ToolTest):
         self.check(run(*acquire, *hemisphere), 2, "--zone", "hemispherical")
         self.check(run("acquire", "gold-paint", "-o", self.path("x.png")), 2, "x.png", ".exr")
         self.check(run("project", "gold-paint", "-o", output), 2, "--basis", "--order")
-        self.check(run(*project, "--window", "box"), 2, "--window", "box", "hann")
-        self.check(run(*project, "--criterion", "l-curve"), 2, "--criterion", "--extrapolate")
         self.check(run(*project, "--maximum-residual", "0.1"), 2, "--maximum-residual")
         whole = ["--basis", "hemispherical", "--order", 4, "--extrapolate", "-o", output]
         self.check(run("project", "gold-paint", *whole), 2, "--extrapolate", "hemispherical")

@@ -110,7 +110,6 @@ class Errors(SvbrdfTest):
         self.check(run("photograph", "map.json", *weights, *out), 2, "--weights", "already")
         self.check(run("photograph", "nickel", *weights, "--exposure", "bright", *out), 2, "--exposure", "bright")
         self.check(run("photograph", "nickel", *weights, "--noise", "-1", *out), 2, "--noise")
-        self.check(run("photograph", "nickel", *weights, "--pairs", "p.csv", "--count", 3, *out), 2, "--count")
         self.check(run("svbrdf", "list.json", "--tables", "--library", "nickel", *out), 2, "--library")
         self.check(run("svbrdf", "list.json", "--tables", "--tolerance", "0.1", *out), 2, "--tolerance")
         self.check(run("svbrdf", "list.json", "--smoothness", "0.1", *out), 2, "--smoothness")
