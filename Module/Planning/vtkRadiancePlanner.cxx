@@ -246,78 +246,25 @@ int vtkRadiancePlanner::GetNumberOfCandidates()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRadiancePlanner::GetMethodName(int index)
-{
-  return this->Impl->GetCandidate(index).Method;
-}
+#define measuredbrdfCandidateMacro(Name, Type, Member) \
+  Type vtkRadiancePlanner::Get##Name(int index) { return this->Impl->GetCandidate(index).Member; }
 
-//------------------------------------------------------------------------------
-std::string vtkRadiancePlanner::GetDescription(int index)
-{
-  return this->Impl->GetCandidate(index).Description;
-}
-
-//------------------------------------------------------------------------------
-double vtkRadiancePlanner::GetPredictedError(int index)
-{
-  return this->Impl->GetCandidate(index).Error;
-}
-
-//------------------------------------------------------------------------------
-double vtkRadiancePlanner::GetErrorUncertainty(int index)
-{
-  return this->Impl->GetCandidate(index).Uncertainty;
-}
-
-//------------------------------------------------------------------------------
-double vtkRadiancePlanner::GetPredictedPercentile95(int index)
-{
-  return this->Impl->GetCandidate(index).Percentiles[0];
-}
-
-//------------------------------------------------------------------------------
-double vtkRadiancePlanner::GetPredictedPercentile99(int index)
-{
-  return this->Impl->GetCandidate(index).Percentiles[1];
-}
-
-//------------------------------------------------------------------------------
-double vtkRadiancePlanner::GetPredictedPictureError(int index)
-{
-  return this->Impl->GetCandidate(index).Picture;
-}
-
-//------------------------------------------------------------------------------
-double vtkRadiancePlanner::GetPredictedCost(int index)
-{
-  return this->Impl->GetCandidate(index).Cost;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkRadiancePlanner::GetTextureBytes(int index)
-{
-  return this->Impl->GetCandidate(index).Bytes;
-}
-
-//------------------------------------------------------------------------------
-double vtkRadiancePlanner::GetSetUpMilliseconds(int index)
-{
-  return this->Impl->GetCandidate(index).SetUp;
-}
+measuredbrdfCandidateMacro(MethodName, std::string, Method);
+measuredbrdfCandidateMacro(Description, std::string, Description);
+measuredbrdfCandidateMacro(PredictedError, double, Error);
+measuredbrdfCandidateMacro(ErrorUncertainty, double, Uncertainty);
+measuredbrdfCandidateMacro(PredictedPercentile95, double, Percentiles[0]);
+measuredbrdfCandidateMacro(PredictedPercentile99, double, Percentiles[1]);
+measuredbrdfCandidateMacro(PredictedPictureError, double, Picture);
+measuredbrdfCandidateMacro(PredictedCost, double, Cost);
+measuredbrdfCandidateMacro(TextureBytes, vtkIdType, Bytes);
+measuredbrdfCandidateMacro(SetUpMilliseconds, double, SetUp);
 
 //------------------------------------------------------------------------------
 int vtkRadiancePlanner::GetChoice() { return this->Impl->Plan.Choice; }
-
-//------------------------------------------------------------------------------
 int vtkRadiancePlanner::GetInteractiveChoice() { return this->Impl->Plan.Interactive; }
-
-//------------------------------------------------------------------------------
 bool vtkRadiancePlanner::GetMeetsTolerance() { return this->Impl->Plan.Meets; }
-
-//------------------------------------------------------------------------------
 std::string vtkRadiancePlanner::GetReason() { return this->Impl->Plan.Reason; }
-
-//------------------------------------------------------------------------------
 std::string vtkRadiancePlanner::GetPlan() { return measuredbrdf::DescribePlan(this->Impl->Plan); }
 
 //------------------------------------------------------------------------------

@@ -27,25 +27,19 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
     , Settings(Drawing->GetSettings())
     , Parts(Drawing)
   {
-    this->Drawing->SetPlansMapsForView(false); // blocks would plan one after the other
   }
 
-  // Each material once; which blocks have it shows while they are drawn, and plans for a view with
-  // that.
+  // Each material once; which blocks have it shows while they are drawn.
   std::vector<MaterialUse> GetUsesToCome() const
   {
-    std::set<vtkBRDF*> brdfs;
-    if (!this->Settings.PlanForView)
+    std::set<vtkBRDF*> brdfs = { this->Settings.BRDF };
+    for (const auto& [index, brdf] : this->Settings.BlocksByIndex)
     {
-      brdfs.insert(this->Settings.BRDF);
-      for (const auto& [index, brdf] : this->Settings.BlocksByIndex)
-      {
-        brdfs.insert(brdf);
-      }
-      for (const auto& [name, brdf] : this->Settings.BlocksByName)
-      {
-        brdfs.insert(brdf);
-      }
+      brdfs.insert(brdf);
+    }
+    for (const auto& [name, brdf] : this->Settings.BlocksByName)
+    {
+      brdfs.insert(brdf);
     }
     std::vector<MaterialUse> uses;
     for (vtkBRDF* brdf : brdfs)
@@ -141,101 +135,18 @@ vtkCompositeMapperHelper2* vtkCompositeMeasuredBRDFMapper::CreateHelper()
 #endif
 
 //------------------------------------------------------------------------------
-void vtkCompositeMeasuredBRDFMapper::SetBRDF(vtkBRDF* brdf)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.BRDF, brdf);
-}
-vtkBRDF* vtkCompositeMeasuredBRDFMapper::GetBRDF() { return this->Impl->Settings.BRDF; }
-
-void vtkCompositeMeasuredBRDFMapper::SetMaterialMap(vtkMaterialMap* map)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.MaterialMap, map);
-}
-vtkMaterialMap* vtkCompositeMeasuredBRDFMapper::GetMaterialMap()
-{
-  return this->Impl->Settings.MaterialMap;
-}
-
-void vtkCompositeMeasuredBRDFMapper::SetEnvironment(vtkEnvironment* environment)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.Environment, environment);
-}
-vtkEnvironment* vtkCompositeMeasuredBRDFMapper::GetEnvironment()
-{
-  return this->Impl->Settings.Environment;
-}
-
-void vtkCompositeMeasuredBRDFMapper::SetIntegrator(vtkRadianceIntegrator* integrator)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.Integrator, integrator);
-}
-vtkRadianceIntegrator* vtkCompositeMeasuredBRDFMapper::GetIntegrator()
-{
-  return this->Impl->Settings.Integrator;
-}
-
-void vtkCompositeMeasuredBRDFMapper::SetPlanForView(bool value)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.PlanForView, value);
-}
-bool vtkCompositeMeasuredBRDFMapper::GetPlanForView() { return this->Impl->Settings.PlanForView; }
-
-void vtkCompositeMeasuredBRDFMapper::SetUseSceneLights(bool value)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.UseSceneLights, value);
-}
-bool vtkCompositeMeasuredBRDFMapper::GetUseSceneLights()
-{
-  return this->Impl->Settings.UseSceneLights;
-}
-
-void vtkCompositeMeasuredBRDFMapper::SetOcclusionBounce(bool value)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.OcclusionBounce, value);
-}
-bool vtkCompositeMeasuredBRDFMapper::GetOcclusionBounce()
-{
-  return this->Impl->Settings.OcclusionBounce;
-}
-
-void vtkCompositeMeasuredBRDFMapper::SetPlanningMode(int mode)
-{
-  this->Impl->Settings.SetPlanningMode(this, mode);
-}
-int vtkCompositeMeasuredBRDFMapper::GetPlanningMode() { return this->Impl->Settings.PlanningMode; }
-
-void vtkCompositeMeasuredBRDFMapper::SetErrorTolerance(double value)
-{
-  this->Impl->Settings.SetErrorTolerance(this, value);
-}
-double vtkCompositeMeasuredBRDFMapper::GetErrorTolerance()
-{
-  return this->Impl->Settings.ErrorTolerance;
-}
-
-void vtkCompositeMeasuredBRDFMapper::SetMaximumCost(double value)
-{
-  this->Impl->Settings.SetMaximumCost(this, value);
-}
-double vtkCompositeMeasuredBRDFMapper::GetMaximumCost() { return this->Impl->Settings.MaximumCost; }
-
-void vtkCompositeMeasuredBRDFMapper::SetScalarColoringMode(int mode)
-{
-  this->Impl->Settings.SetScalarColoringMode(this, mode);
-}
-int vtkCompositeMeasuredBRDFMapper::GetScalarColoringMode()
-{
-  return this->Impl->Settings.ScalarColoringMode;
-}
-
-void vtkCompositeMeasuredBRDFMapper::SetOcclusionMode(int mode)
-{
-  this->Impl->Settings.SetOcclusionMode(this, mode);
-}
-int vtkCompositeMeasuredBRDFMapper::GetOcclusionMode()
-{
-  return this->Impl->Settings.OcclusionMode;
-}
+measuredbrdfSettingMacro(vtkCompositeMeasuredBRDFMapper, BRDF, vtkBRDF*);
+measuredbrdfSettingMacro(vtkCompositeMeasuredBRDFMapper, MaterialMap, vtkMaterialMap*);
+measuredbrdfSettingMacro(vtkCompositeMeasuredBRDFMapper, Environment, vtkEnvironment*);
+measuredbrdfSettingMacro(vtkCompositeMeasuredBRDFMapper, Integrator, vtkRadianceIntegrator*);
+measuredbrdfSettingMacro(vtkCompositeMeasuredBRDFMapper, UseSceneLights, bool);
+measuredbrdfSettingMacro(vtkCompositeMeasuredBRDFMapper, OcclusionBounce, bool);
+measuredbrdfCheckedSettingMacro(vtkCompositeMeasuredBRDFMapper, PlanForView, bool);
+measuredbrdfCheckedSettingMacro(vtkCompositeMeasuredBRDFMapper, PlanningMode, int);
+measuredbrdfCheckedSettingMacro(vtkCompositeMeasuredBRDFMapper, ErrorTolerance, double);
+measuredbrdfCheckedSettingMacro(vtkCompositeMeasuredBRDFMapper, MaximumCost, double);
+measuredbrdfCheckedSettingMacro(vtkCompositeMeasuredBRDFMapper, ScalarColoringMode, int);
+measuredbrdfCheckedSettingMacro(vtkCompositeMeasuredBRDFMapper, OcclusionMode, int);
 
 //------------------------------------------------------------------------------
 void vtkCompositeMeasuredBRDFMapper::SetBlockBRDF(unsigned int flatIndex, vtkBRDF* brdf)

@@ -73,85 +73,18 @@ vtkMeasuredBRDFMapper::vtkMeasuredBRDFMapper()
 vtkMeasuredBRDFMapper::~vtkMeasuredBRDFMapper() = default;
 
 //------------------------------------------------------------------------------
-// The properties do not call Modified(): that would rebuild vertex buffers and shaders. Every
-// render compares what it used last with what is asked for.
-void vtkMeasuredBRDFMapper::SetBRDF(vtkBRDF* brdf)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.BRDF, brdf);
-}
-vtkBRDF* vtkMeasuredBRDFMapper::GetBRDF() { return this->Impl->Settings.BRDF; }
-
-void vtkMeasuredBRDFMapper::SetMaterialMap(vtkMaterialMap* map)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.MaterialMap, map);
-}
-vtkMaterialMap* vtkMeasuredBRDFMapper::GetMaterialMap() { return this->Impl->Settings.MaterialMap; }
-
-void vtkMeasuredBRDFMapper::SetEnvironment(vtkEnvironment* environment)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.Environment, environment);
-}
-vtkEnvironment* vtkMeasuredBRDFMapper::GetEnvironment() { return this->Impl->Settings.Environment; }
-
-void vtkMeasuredBRDFMapper::SetIntegrator(vtkRadianceIntegrator* integrator)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.Integrator, integrator);
-}
-vtkRadianceIntegrator* vtkMeasuredBRDFMapper::GetIntegrator()
-{
-  return this->Impl->Settings.Integrator;
-}
-
-void vtkMeasuredBRDFMapper::SetPlanForView(bool value)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.PlanForView, value);
-}
-bool vtkMeasuredBRDFMapper::GetPlanForView() { return this->Impl->Settings.PlanForView; }
-
-void vtkMeasuredBRDFMapper::SetUseSceneLights(bool value)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.UseSceneLights, value);
-}
-bool vtkMeasuredBRDFMapper::GetUseSceneLights() { return this->Impl->Settings.UseSceneLights; }
-
-void vtkMeasuredBRDFMapper::SetOcclusionBounce(bool value)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.OcclusionBounce, value);
-}
-bool vtkMeasuredBRDFMapper::GetOcclusionBounce() { return this->Impl->Settings.OcclusionBounce; }
-
-void vtkMeasuredBRDFMapper::SetPlanningMode(int mode)
-{
-  this->Impl->Settings.SetPlanningMode(this, mode);
-}
-int vtkMeasuredBRDFMapper::GetPlanningMode() { return this->Impl->Settings.PlanningMode; }
-
-void vtkMeasuredBRDFMapper::SetErrorTolerance(double value)
-{
-  this->Impl->Settings.SetErrorTolerance(this, value);
-}
-double vtkMeasuredBRDFMapper::GetErrorTolerance() { return this->Impl->Settings.ErrorTolerance; }
-
-void vtkMeasuredBRDFMapper::SetMaximumCost(double value)
-{
-  this->Impl->Settings.SetMaximumCost(this, value);
-}
-double vtkMeasuredBRDFMapper::GetMaximumCost() { return this->Impl->Settings.MaximumCost; }
-
-void vtkMeasuredBRDFMapper::SetScalarColoringMode(int mode)
-{
-  this->Impl->Settings.SetScalarColoringMode(this, mode);
-}
-int vtkMeasuredBRDFMapper::GetScalarColoringMode()
-{
-  return this->Impl->Settings.ScalarColoringMode;
-}
-
-void vtkMeasuredBRDFMapper::SetOcclusionMode(int mode)
-{
-  this->Impl->Settings.SetOcclusionMode(this, mode);
-}
-int vtkMeasuredBRDFMapper::GetOcclusionMode() { return this->Impl->Settings.OcclusionMode; }
+measuredbrdfSettingMacro(vtkMeasuredBRDFMapper, BRDF, vtkBRDF*);
+measuredbrdfSettingMacro(vtkMeasuredBRDFMapper, MaterialMap, vtkMaterialMap*);
+measuredbrdfSettingMacro(vtkMeasuredBRDFMapper, Environment, vtkEnvironment*);
+measuredbrdfSettingMacro(vtkMeasuredBRDFMapper, Integrator, vtkRadianceIntegrator*);
+measuredbrdfSettingMacro(vtkMeasuredBRDFMapper, UseSceneLights, bool);
+measuredbrdfSettingMacro(vtkMeasuredBRDFMapper, OcclusionBounce, bool);
+measuredbrdfCheckedSettingMacro(vtkMeasuredBRDFMapper, PlanForView, bool);
+measuredbrdfCheckedSettingMacro(vtkMeasuredBRDFMapper, PlanningMode, int);
+measuredbrdfCheckedSettingMacro(vtkMeasuredBRDFMapper, ErrorTolerance, double);
+measuredbrdfCheckedSettingMacro(vtkMeasuredBRDFMapper, MaximumCost, double);
+measuredbrdfCheckedSettingMacro(vtkMeasuredBRDFMapper, ScalarColoringMode, int);
+measuredbrdfCheckedSettingMacro(vtkMeasuredBRDFMapper, OcclusionMode, int);
 
 //------------------------------------------------------------------------------
 std::string vtkMeasuredBRDFMapper::GetPlan()

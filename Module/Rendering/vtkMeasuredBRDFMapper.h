@@ -185,13 +185,9 @@ public:
   ///@{
   /**
    * Whether to plan for what the camera sees instead of for every view (default off).
-   * Candidates are then checked on the normals and views that are in the picture, in proportion to
-   * the pixels that they cover: flat objects get cheaper plans. Where the camera, the object or the
-   * environment's rotation bring to light what was not seen before (a tenth of it by 15 degrees),
-   * the mapper plans again, in the background if PlanningMode says so; in between, the plan stays.
-   * Plans for four views of an actor are kept and taken up again when the camera comes back; from
-   * the fifth on, one for every view serves. A plan for every view never changes under the camera:
-   * hence the default.
+   * Candidates are then checked on the normals and views of the first picture after this was set,
+   * in proportion to the pixels that they cover: flat objects get cheaper plans. The plan stays
+   * when the camera or the object moves; set it again to plan for what is seen then.
    */
   void SetPlanForView(bool view);
   bool GetPlanForView();

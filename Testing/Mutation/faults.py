@@ -718,9 +718,9 @@ add("Rendering.stand-in-is-the-material", "SharedIntegrators.cxx",
     "Background.ACoarseFormForShadersUntilThePlan")
 add("Rendering.stand-in-form-for-nobody", "SharedIntegrators.cxx", "made->Material = material;",
     "made->Material = material;\n  made->GetRenderable();", "StandIns.NoFormWhereNoLightNeedsIt")
-add("Rendering.plan-learns-of-no-light", "CurrentPlan.cxx", "this->Job->WantShaderInputs();", "",
+add("Rendering.plan-learns-of-no-light", "MapperPlans.cxx", "this->Job->WantShaderInputs();", "",
     "StandIns.LightsThatComeWhileAPlanIsMade")
-add("Rendering.failed-plan-begun-again", "CurrentPlan.cxx", "this->Adopt(wanted, done ? job->GetPlan() : nullptr);",
+add("Rendering.failed-plan-begun-again", "MapperPlans.cxx", "this->Adopt(wanted, done ? job->GetPlan() : nullptr);",
     "this->Adopt(job->GetPlan() ? wanted : PlanInputs(), job->GetPlan());",
     "StandIns.PlansThatFail")
 add("Rendering.failed-stand-in-tried-again", "ShaderTextures.cxx", "if (time <= this->FailureTime)",
@@ -746,19 +746,11 @@ add("Rendering.plan-key-without-pixels-of-the-light", "PlanJob.h", "this->Enviro
     "this->Environment, vtkMTimeType(0),", "Background.EverythingThatCountsBeginsAnother")
 add("Rendering.plan-key-without-tolerance", "PlanJob.h", "this->PixelsTime, this->Tolerance,",
     "this->PixelsTime, 0.0,", "Background.EverythingThatCountsBeginsAnother")
-add("Rendering.seen-pairs-turned-the-other-way", "PlanJob.cxx", "turned = toWorld * direction;",
-    "turned = direction * toWorld;", "Views.ATurnedLightIsTurnedPixels")
 add("Rendering.plan-without-tolerance", "PlanJob.cxx", "planner->SetErrorTolerance(inputs.Tolerance);",
     "", "Background.EverythingThatCountsBeginsAnother|Auto.PlansOnce|Auto.MatchesThePlannedIntegrator")
-add("Rendering.plan-bridges-changed-pixels", "CurrentPlan.cxx",
+add("Rendering.plan-bridges-changed-pixels", "MapperPlans.cxx",
     "this->Plan->GetEnvironment()->GetPixelsMTime() == this->Times[1];", "this->Times[1] > 0;",
     "Background.ChangedPixelsAreNotBridgedByAPlanOfThem")
-add("Rendering.view-ignores-the-mesh", "MapperPlans.cxx",
-    "    from.push_back(static_cast<double>(surface->GetMTime()));", "    (void)surface;", "Views.WhatIsSeenDependsOn")
-add("Rendering.view-ignores-the-actor", "MapperPlans.cxx", "matrix->GetData() + 16);",
-    "matrix->GetData() + (matrix == request.Actor->GetMatrix() ? 0 : 16));", "Views.WhatIsSeenDependsOn")
-add("Rendering.views-of-gone-actors-stay", "MapperPlans.cxx", "(std::get<2>(key) && !this->Actor);", "false;",
-    "Views.GoWithTheirRenderersAndActors")
 add("Rendering.back-is-seen", "VisibleSurface.cxx", "glm::dot(mean, view) > 0.0;",
     "glm::dot(mean, view) < 0.0;", "Visible.ConesShowTheirFlank|Visible.SpheresCoverTheirDiscs")
 add("Rendering.strips-are-not-turned", "VisibleSurface.cxx", "cells.Strips && corner % 2 == 1", "false",
@@ -1100,9 +1092,6 @@ add("Rendering.map-classes-keep-the-last-numbers", "ShaderTextures.cxx",
 add("Rendering.map-classes-share-cell-colors", "ClassesMapper.cxx",
     "if (program->IsUniformUsed(\"PrimitiveIDOffset\"))", "if (false)",
     "ManyClasses.ColorsOfCellsStayTheirOwn")
-add("Rendering.map-changed-materials-stay", "MaterialDrawing.cxx",
-    "stamp.SettingsTime = this->Settings->GetMTime();", "stamp.SettingsTime = 1;",
-    "ManyClasses.FollowEveryChange")
 add("Rendering.map-members-share-instances", "BRDFShader.cxx", "return 100 * member;", "return 0 * member;",
     "MaterialMapping.ValuesBlendInEachPixel")
 add("Rendering.map-divided-blocks-are-drawn-whole", "BlockBatch.cxx",
@@ -1237,8 +1226,6 @@ add("Rendering.what-throws-is-not-drawn", "MaterialShading.cxx", "tries = !this-
     "tries = false;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
 add("Rendering.shared-created-light-shines", "RenderPassQueries.cxx", "other->GetLights() == renderer->GetLights() &&",
     "false &&", "MapperShading.LightThatVTKCreated")
-add("Rendering.plans-before-stay", "MapperPlans.cxx", "    this->Clear(); // none", "    // none",
-    "Views.SwitchedPlansAreMadeAnew")
 add("Rendering.kept-light-does-not-turn", "OcclusionShader.cxx", "add(turn[column]);", "add(0.0 * turn[column]);",
     "OcclusionPointsTest.LightMayTurnAndRestAgain")
 add("Rendering.views-take-each-others-light", "OcclusionVertexCache.cxx", "state->Of.View == question.View &&", "true &&",

@@ -314,71 +314,36 @@ TEST_F(Background, EndsWhilePlanning)
   EXPECT_EQ(GatedBRDF::GetNumberOfObjects(), 1);
 }
 
+// The plan is for what the first picture shows, and for another view when that is asked for.
 TEST_F(Background, PlansForTheView)
 {
   EventCounter plans(this->Measured, vtkCommand::UpdateDataEvent);
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   this->RenderEncoded();
   EXPECT_EQ(plans.Count, 1);
-  camera->Azimuth(90.0);
-  this->RenderEncoded();
-  EXPECT_EQ(plans.Count, 1); // one for every view
   const std::string everywhere = this->Measured->GetPlan();
-
+  camera->Azimuth(90.0);
   this->Measured->PlanForViewOn();
-  const FloatImage seen = this->RenderEncoded();
+  this->RenderEncoded();
   EXPECT_EQ(plans.Count, 2);
   const std::string here = this->Measured->GetPlan();
   EXPECT_NE(here, everywhere);
-  this->RenderEncoded();
-  camera->Azimuth(4.0);
-  this->RenderEncoded();
-  EXPECT_EQ(plans.Count, 2) << "a small turn";
-  this->Sky->SetRotationY(5.0);
-  this->RenderEncoded();
-  EXPECT_EQ(plans.Count, 2) << "a small turn of the environment";
-  this->Sky->SetRotationY(0.0);
   camera->Azimuth(60.0);
-  this->RenderEncoded();
-  EXPECT_EQ(plans.Count, 3) << "a large turn";
   this->Sky->SetRotationY(90.0);
   this->RenderEncoded();
-  EXPECT_EQ(plans.Count, 4) << "a large turn of the environment";
-  this->Sky->SetRotationY(0.0);
-  this->RenderEncoded();
-  EXPECT_EQ(plans.Count, 5) << "and back";
-  double right[3] = { 0.0, 0.0, 1.0 };
-  this->Renderer->SetEnvironmentRight(right);
-  this->RenderEncoded();
-  EXPECT_EQ(plans.Count, 6) << "a large turn of the renderer's environment frame";
-  right[0] = 1.0;
-  right[2] = 0.0;
-  this->Renderer->SetEnvironmentRight(right);
-  camera->Azimuth(-64.0);
-  EXPECT_EQ(this->RenderEncoded().RGBA, seen.RGBA) << "the same view, the same picture";
-  EXPECT_EQ(this->Measured->GetPlan().substr(0, 40), here.substr(0, 40));
-  camera->SetFocalPoint(50.0, 0.0, 0.0); // out of view
-  const int before = plans.Count;
-  this->RenderEncoded();
-  EXPECT_EQ(plans.Count, before);
-}
-
-TEST_F(Background, ViewsArePlannedForApart)
-{
+  EXPECT_EQ(plans.Count, 2) << "it follows no camera";
+  EXPECT_EQ(this->Measured->GetPlan(), here);
   this->Measured->PlanForViewOn();
-  this->Measured->SetPlanningModeToBackground();
   this->RenderEncoded();
-  const std::string first = this->Measured->GetPlan();
-  this->Renderer->GetActiveCamera()->Azimuth(70.0);
-  this->BRDF->Door->Close();
+  EXPECT_EQ(plans.Count, 3);
+  EXPECT_NE(this->Measured->GetPlan(), here);
+  this->Measured->PlanForViewOff();
   this->RenderEncoded();
-  EXPECT_TRUE(this->Measured->GetPlanPending());
-  EXPECT_EQ(this->Measured->GetPlan(), first);
-  this->Renderer->GetActiveCamera()->Azimuth(4.0);
+  EXPECT_EQ(plans.Count, 4);
+  const auto cut = [](const std::string& plan) { return plan.substr(0, plan.find(", 95 %")); };
+  EXPECT_EQ(cut(this->Measured->GetPlan()), cut(everywhere));
+  camera->SetFocalPoint(50.0, 0.0, 0.0); // out of view
+  this->Measured->PlanForViewOn();
   this->RenderEncoded();
-  EXPECT_TRUE(this->Measured->GetPlanPending());
-  this->BRDF->Door->OpenUp();
-  ASSERT_TRUE(this->WaitUntilReady());
-  this->RenderEncoded();
-  EXPECT_FALSE(this->Measured->GetPlanPending());
+  EXPECT_EQ(plans.Count, 4);
 }

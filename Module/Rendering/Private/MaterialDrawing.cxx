@@ -31,9 +31,6 @@ namespace
 // Interactors ask for 15 frames a second while somebody moves what is shown, for one in hours else.
 constexpr double LeastInteractiveRate = 1.0;
 
-// A few materials are looked up as fast as compared with the last frame's.
-constexpr std::size_t ManyUses = 8;
-
 // Those of all mappers, so that one can plan for the others of a renderer. Any thread makes
 // mappers.
 struct ActiveDrawings
@@ -156,20 +153,37 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   const CurrentPlan::Timing timings[] = { CurrentPlan::Timing::Foreground,
     CurrentPlan::Timing::Changes, CurrentPlan::Timing::Always };
   PlanRequest request;
-  request.BRDF = use.first;
-  request.Environment = state.Environment;
-  request.Tolerance = this->Settings->ErrorTolerance;
-  request.MaximumCost = this->Settings->MaximumCost;
+  request.Inputs = PlanInputs(use.first, state.Environment, this->Settings->ErrorTolerance);
+  request.Inputs.MaximumCost = this->Settings->MaximumCost;
+  request.Inputs.WithShaderInputs =
+    this->Settings->UseSceneLights && HasLight(state.Renderer, state.Environment != nullptr);
+  if (this->Settings->PlanForView)
+  {
+    this->Look(state, request.Inputs);
+  }
   request.Timing = timings[this->Settings->PlanningMode];
-  request.ForView = this->IsForView();
   request.Member = this->GetMember(use.first);
   this->HasMembers = this->HasMembers || request.Member;
   request.Renderer = state.Renderer;
-  request.Actor = state.Actor;
-  request.Surfaces = use.second;
-  request.WithShaderInputs =
-    this->Settings->UseSceneLights && HasLight(state.Renderer, state.Environment != nullptr);
   return request;
+}
+
+// What the first picture after SetPlanForView shows of all surfaces. Nothing may be in view then:
+// the next picture looks again.
+void MaterialDrawing::Look(const FrameState& state, PlanInputs& inputs)
+{
+  if (!this->Seen || this->SeenTime < this->Settings->ViewTime)
+  {
+    this->Seen = std::make_shared<VisibleSurface>(VisibleSurface::InView(
+      GetBlocks(this->Owner->GetInputDataObject(0, 0)), state.Renderer, state.Actor));
+    this->SeenTime.Modified();
+    this->Seen = this->Seen->IsEmpty() ? nullptr : this->Seen;
+  }
+  if (this->Seen)
+  {
+    inputs.Seen = this->Seen;
+    inputs.SeenTime = this->SeenTime;
+  }
 }
 
 // What the mappers of the renderer will have planned in this frame.
@@ -188,7 +202,7 @@ void MaterialDrawing::VisitRequests(vtkRenderer* renderer, const PlanRequest::Vi
     {
       continue;
     }
-    if (drawing->IsForView())
+    if (drawing->Settings->PlanForView)
     {
       mapper->Update(); // it may be drawn for the first time
     }
@@ -320,35 +334,9 @@ DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState&
   return drawn;
 }
 
-// Empty where the materials are to be looked up.
-FrameStamp MaterialDrawing::GetStamp(const FrameState& state, const std::vector<MaterialUse>& uses)
-{
-  FrameStamp stamp;
-  if (uses.size() < ManyUses || !state.Environment || !this->IsPlanned() || this->IsForView())
-  {
-    return stamp;
-  }
-  stamp.SettingsTime = this->Settings->GetMTime();
-  stamp.Environment = state.Environment;
-  stamp.EnvironmentTime = state.Environment->GetMTime();
-  stamp.Hurries = state.Hurries;
-  stamp.HasLight = HasLight(state.Renderer, state.Environment != nullptr);
-  for (const MaterialUse& use : uses)
-  {
-    stamp.Uses.emplace_back(use.first, this->Settings->ErrorTolerance);
-  }
-  return stamp;
-}
-
 void MaterialDrawing::ResolveAll(
   ViewFrame& frame, const FrameState& state, const std::vector<MaterialUse>& uses)
 {
-  FrameStamp stamp = this->GetStamp(state, uses);
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(state.Renderer->GetVTKWindow());
-  if (frame.Stays(stamp, window))
-  {
-    return;
-  }
   this->AreUsesNew = true;
   const PlanJob::Hold hold;             // until what stands in is made
   std::vector<DrawnMaterial> materials; // the last ones stay until these have their textures
@@ -357,8 +345,22 @@ void MaterialDrawing::ResolveAll(
     materials.push_back(this->Resolve(use, state));
   }
   frame.Materials = std::move(materials);
-  frame.Stamp = this->Plans.IsPending() ? FrameStamp() : std::move(stamp);
 }
+
+MaterialDrawing::ViewFrame& MaterialDrawing::FindFrame(vtkRenderer* renderer, const void* part)
+{
+  const auto [found, isNew] = this->Frames.try_emplace({ part, renderer });
+  if (isNew || !found->second.Renderer) // or an address used again
+  {
+    found->second = { renderer, {} };
+    for (auto it = this->Frames.begin(); it != this->Frames.end();)
+    {
+      it = it->second.Renderer ? std::next(it) : this->Frames.erase(it);
+    }
+  }
+  return found->second;
+}
+
 void MaterialDrawing::BeginFrame(
   vtkRenderer* renderer, vtkActor* actor, const void* part, const std::vector<MaterialUse>& uses)
 {
@@ -368,7 +370,7 @@ void MaterialDrawing::BeginFrame(
   {
     return;
   }
-  ViewFrame& frame = this->Frames.Find(renderer, this->IsForView() ? actor : nullptr, part);
+  ViewFrame& frame = this->FindFrame(renderer, part);
   const bool any = std::any_of(
     uses.begin(), uses.end(), [](const MaterialUse& use) { return use.first != nullptr; });
   const FrameState state = { renderer, actor, any ? this->ResolveEnvironment(renderer) : nullptr,
@@ -490,11 +492,11 @@ void MaterialDrawing::SelectMixture(const std::vector<std::size_t>& materials, M
 std::vector<const DrawnMaterial*> MaterialDrawing::GetLastFrame() const
 {
   std::vector<const DrawnMaterial*> materials;
-  for (const std::unique_ptr<ViewFrame>& frame : this->Frames.GetAll())
+  for (const auto& [key, frame] : this->Frames)
   {
-    for (const DrawnMaterial& drawn : frame->Materials)
+    for (const DrawnMaterial& drawn : frame.Materials)
     {
-      if (frame->Renderer && frame->Renderer == this->LastRenderer)
+      if (frame.Renderer && frame.Renderer == this->LastRenderer)
       {
         materials.push_back(&drawn);
       }
@@ -505,7 +507,9 @@ std::vector<const DrawnMaterial*> MaterialDrawing::GetLastFrame() const
 
 void MaterialDrawing::Forget(const void* part)
 {
-  this->Frames.Forget(part);
+  const auto first = this->Frames.lower_bound({ part, nullptr });
+  const auto isOther = [part](const auto& entry) { return entry.first.first != part; };
+  this->Frames.erase(first, std::find_if(first, this->Frames.end(), isOther));
   this->Sums.Forget(part);
   this->Forecasts.erase(part);
   this->BouncingParts.erase(part);
@@ -515,23 +519,8 @@ void MaterialDrawing::Forget(const void* part)
 void MaterialDrawing::GetVisiblePairs(
   vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views)
 {
-  std::vector<vtkPolyData*> surfaces;
-  for (const MaterialUse& use : this->UsesToCome())
-  {
-    surfaces.insert(surfaces.end(), use.second.begin(), use.second.end());
-  }
-  const VisibleSurface seen = VisibleSurface::InView(surfaces, renderer, actor);
-  const auto fill = [](vtkDataArray* array, const std::vector<glm::dvec3>& directions)
-  {
-    array->Initialize();
-    array->SetNumberOfComponents(3);
-    for (const glm::dvec3& direction : directions)
-    {
-      array->InsertNextTuple(&direction.x);
-    }
-  };
-  fill(normals, seen.GetNormals());
-  fill(views, seen.GetViews());
+  VisibleSurface::InView(GetBlocks(this->Owner->GetInputDataObject(0, 0)), renderer, actor)
+    .CopyTo(normals, views);
 }
 
 vtkMTimeType MaterialDrawing::GetAppearanceMTime()
@@ -548,12 +537,12 @@ vtkMTimeType MaterialDrawing::GetAppearanceMTime()
 void MaterialDrawing::ReleaseGraphicsResources(vtkWindow* window, const void* part)
 {
   this->Selected.Clear();
-  for (const std::unique_ptr<ViewFrame>& frame : this->Frames.GetAll())
+  for (auto& [key, frame] : this->Frames)
   {
-    const bool here = !window || !frame->Renderer || frame->Renderer->GetVTKWindow() == window;
-    if (here && frame->Part == part)
+    const bool here = !window || !frame.Renderer || frame.Renderer->GetVTKWindow() == window;
+    if (here && key.first == part)
     {
-      for (DrawnMaterial& drawn : frame->Materials)
+      for (DrawnMaterial& drawn : frame.Materials)
       {
         drawn.Material.reset();
         drawn.Radiance.reset();

@@ -73,6 +73,16 @@ void MaterialSettings::SetOcclusionMode(vtkObject* self, int mode)
   this->SetMode(self, "OcclusionMode", this->OcclusionMode, mode, 4);
 }
 
+void MaterialSettings::SetPlanForView(vtkObject*, bool view)
+{
+  if (view || this->PlanForView)
+  {
+    this->PlanForView = view;
+    this->ViewTime.Modified();
+    this->Time.Modified();
+  }
+}
+
 void MaterialSettings::Copy(const MaterialSettings& other)
 {
   *this = other;

@@ -45,7 +45,8 @@ struct MaterialSettings
   std::map<unsigned int, vtkSmartPointer<vtkBRDF>> BlocksByIndex;
   std::map<std::string, vtkSmartPointer<vtkBRDF>> BlocksByName;
 
-  vtkTimeStamp Time; // when a property last changed
+  vtkTimeStamp Time;     // when a property last changed
+  vtkTimeStamp ViewTime; // when PlanForView was last set, which looks anew
 
   ///@{
   /// Take a value, or say for `self` why not: what is no number and what is no enumerator is
@@ -55,6 +56,7 @@ struct MaterialSettings
   void SetMaximumCost(vtkObject* self, double cost);
   void SetScalarColoringMode(vtkObject* self, int mode);
   void SetOcclusionMode(vtkObject* self, int mode);
+  void SetPlanForView(vtkObject* self, bool view);
   ///@}
 
   /// Any other property.
@@ -88,5 +90,21 @@ private:
   void SetMode(vtkObject* self, const char* name, int& property, int value, int count);
 };
 } // namespace measuredbrdf
+
+///@{
+/// A mapper's Set and Get of a property that its Impl->Settings keep: any, and one that may be
+/// refused. They do not call Modified(), which would rebuild vertex buffers and shaders: every
+/// render compares what it used last with what is asked for.
+#define measuredbrdfSettingMacro(Class, Name, Type)             \
+  void Class::Set##Name(Type value)                             \
+  {                                                             \
+    this->Impl->Settings.Set(this->Impl->Settings.Name, value); \
+  }                                                             \
+  Type Class::Get##Name() { return this->Impl->Settings.Name; }
+
+#define measuredbrdfCheckedSettingMacro(Class, Name, Type)                           \
+  void Class::Set##Name(Type value) { this->Impl->Settings.Set##Name(this, value); } \
+  Type Class::Get##Name() { return this->Impl->Settings.Name; }
+///@}
 
 #endif

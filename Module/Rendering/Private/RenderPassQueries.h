@@ -17,8 +17,7 @@ namespace measuredbrdf
 /// Whether what the actor is being drawn for shows its color: not so where something is selected
 /// (vtkHardwareSelector), where depths are drawn from a light (vtkShadowMapBakerPass) or to hide
 /// lines, nor where arrays or single terms of the light are drawn (vtkValuePass,
-/// vtkLightingMapPass). Neither plans nor textures are of use there, and the camera may be another
-/// one.
+/// vtkLightingMapPass). Neither plans nor textures are of use there.
 bool DrawsColor(vtkRenderer* renderer, vtkActor* actor);
 
 /// Whether an actor is one that materials shade: a lit surface. Else the superclass draws it.

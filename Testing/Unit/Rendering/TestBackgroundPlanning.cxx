@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plans made on a thread: what is drawn by meanwhile, what a change does to them, how they end.
 
-#include "CurrentPlan.h"
 #include "GatedBRDF.h"
+#include "MapperPlans.h"
 #include "SpherePairs.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkEnvironment.h"

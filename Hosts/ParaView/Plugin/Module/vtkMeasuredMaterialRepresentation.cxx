@@ -5,7 +5,6 @@
 
 #include "MaterialFiles.h"
 #include "NamedMap.h"
-#include "Ranks.h"
 #include "vtkMissingNormalsFilter.h"
 
 #include "vtkCommunicator.h"

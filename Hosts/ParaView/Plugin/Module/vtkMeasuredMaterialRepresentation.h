@@ -5,10 +5,9 @@
  * @brief   ParaView's representation "Measured Material": surfaces of a measured material
  *
  * Draws what "Surface" draws by vtkCompositeMeasuredBRDFMapper. Materials and environments are
- * named: a built-in one, or "File" and a file's path. On a parallel server the first process reads
- * the files and the others take its data, so that all ranks draw the same material; every rank
- * plans from the same input in the foreground. What cannot be read is said once, and the surface is
- * drawn as "Surface" draws it, on all ranks.
+ * named: a built-in one, or "File" and a file's path. On a parallel server each rank reads the
+ * files, as ParaView's own readers do, and plans from the same input in the foreground. What cannot
+ * be read is said once, and the surface is drawn as "Surface" draws it, on all ranks.
  */
 
 #ifndef vtkMeasuredMaterialRepresentation_h

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVSurfaceVisibilityFilter.h"
 
-#include "Ranks.h"
+#include "MaterialFiles.h"
 #include "vtkAppendPolyData.h"
-#include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataIterator.h"
@@ -16,13 +15,10 @@
 #include "vtkMissingNormalsFilter.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkSurfaceVisibilityFilter.h"
 
-#include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -57,38 +53,7 @@ vtkSmartPointer<vtkDataObject> AddNormals(vtkDataObject* data, double featureAng
   }
   return result;
 }
-//------------------------------------------------------------------------------
-// Of the message with what rays meet, at most: vtkCommunicator sends VTK's binary file format.
-vtkIdType CountBytes(const std::vector<vtkPolyData*>& surfaces)
-{
-  constexpr vtkIdType header = 4096;
-  constexpr vtkIdType id = 8;
-  vtkIdType points = 0;
-  vtkIdType numbers = 0;
-  vtkIdType coordinate = 0;
-  for (vtkPolyData* surface : surfaces)
-  {
-    points += surface->GetNumberOfPoints();
-    if (surface->GetPoints())
-    {
-      coordinate = std::max<vtkIdType>(
-        coordinate, surface->GetPoints()->GetData()->GetDataTypeSize()); // one for all
-    }
-    for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
-    {
-      numbers += cells->GetNumberOfConnectivityIds() + cells->GetNumberOfOffsets();
-    }
-  }
-  return header + 3 * coordinate * points + id * numbers;
-}
 
-std::string ToMebibytes(vtkIdType bytes)
-{
-  char text[32]; // not by snprintf, which follows the host's locale
-  const auto end = std::to_chars(text, text + sizeof(text), static_cast<double>(bytes) / 1048576.0,
-    std::chars_format::general, 4);
-  return std::string(text, end.ptr) + " MiB";
-}
 //------------------------------------------------------------------------------
 struct GatheredSurfaces
 {
@@ -97,19 +62,10 @@ struct GatheredSurfaces
 };
 
 // The polygons of all other processes' surfaces, without data; none, and an error, where all
-// processes together have more than so many bytes. Collective.
-GatheredSurfaces GatherOthers(
-  const std::vector<vtkPolyData*>& own, vtkIdType mostBytes, vtkMultiProcessController* controller)
+// processes together have more than that. Collective.
+GatheredSurfaces GatherOthers(const std::vector<vtkPolyData*>& own, vtkIdType mostMebibytes,
+  vtkMultiProcessController* controller)
 {
-  const vtkIdType bytes = CountBytes(own);
-  vtkIdType all = 0;
-  controller->AllReduce(&bytes, &all, 1, vtkCommunicator::SUM_OP);
-  if (all > mostBytes)
-  {
-    return { {}, "the parts of the surface take " + ToMebibytes(all) +
-                   " on all processes together, expected at most " + ToMebibytes(mostBytes) +
-                   " (Gather Limit)" };
-  }
   vtkNew<vtkAppendPolyData> append;
   for (vtkPolyData* surface : own)
   {
@@ -124,6 +80,15 @@ GatheredSurfaces GatherOthers(
   {
     append->Update();
     sent->ShallowCopy(append->GetOutput());
+  }
+  const vtkIdType kibibytes = static_cast<vtkIdType>(sent->GetActualMemorySize());
+  vtkIdType all = 0;
+  controller->AllReduce(&kibibytes, &all, 1, vtkCommunicator::SUM_OP);
+  if (all > 1024 * mostMebibytes)
+  {
+    return { {}, "the parts of the surface take " + std::to_string(all / 1024 + 1) +
+                   " MiB on all processes together, expected at most " +
+                   std::to_string(mostMebibytes) + " MiB (Gather Limit)" };
   }
   std::vector<vtkSmartPointer<vtkDataObject>> received;
   controller->AllGather(sent, received);
@@ -185,9 +150,8 @@ int vtkPVSurfaceVisibilityFilter::RequestData(vtkInformation* vtkNotUsed(request
   this->Tracer->SetBounce(this->Bounce);
   if (vtkMultiProcessController* controller = GetController())
   {
-    const vtkIdType most = static_cast<vtkIdType>(this->GatherLimit) << 20;
-    const GatheredSurfaces gathered =
-      GatherOthers(vtkCompositeDataSet::GetDataSets<vtkPolyData>(data), most, controller);
+    const GatheredSurfaces gathered = GatherOthers(
+      vtkCompositeDataSet::GetDataSets<vtkPolyData>(data), this->GatherLimit, controller);
     if (!gathered.Error.empty())
     {
       if (controller->GetLocalProcessId() == 0)
