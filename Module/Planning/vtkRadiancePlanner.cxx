@@ -138,12 +138,6 @@ bool vtkRadiancePlanner::SetPairs(vtkDataArray* normals, vtkDataArray* views)
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkRadiancePlanner::GetNumberOfPairs()
-{
-  return this->Impl->Given.Normals ? this->Impl->Given.Normals->GetNumberOfTuples() : 0;
-}
-
-//------------------------------------------------------------------------------
 bool vtkRadiancePlanner::Fail(const std::string& problem)
 {
   vtkErrorMacro("Update: " << (this->Abort ? "aborted." : problem));
@@ -299,7 +293,8 @@ void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BRDF: " << this->BRDF.Get() << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
-  os << indent << "Pairs: " << this->GetNumberOfPairs() << "\n";
+  os << indent << "Pairs: "
+     << (this->Impl->Given.Normals ? this->Impl->Given.Normals->GetNumberOfTuples() : 0) << "\n";
   os << indent << "EvaluateAll: " << (this->EvaluateAll ? "On" : "Off") << "\n";
   os << indent << "MaximumTextureBytes: " << this->MaximumTextureBytes << "\n";
   os << indent << "MaximumCost: " << this->MaximumCost << "\n";

@@ -5,7 +5,6 @@
 #include "BlockBatch.h"
 #include "BlockMaterials.h"
 #include "BlockParts.h"
-#include "DrawTimer.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkObjectFactory.h"
 #include "vtkPBRPropertyFitter.h"
@@ -78,8 +77,7 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
   std::shared_ptr<MaterialDrawing> Drawing; // shared with the batches
   MaterialSettings& Settings;
   BlockMaterials Blocks;
-  BlockParts Parts; // of blocks of several materials
-  DrawTimer Timer;
+  BlockParts Parts;    // of blocks of several materials
   int RenderDepth = 0; // greater than 0 inside of Render
 };
 
@@ -135,18 +133,7 @@ vtkCompositeMapperHelper2* vtkCompositeMeasuredBRDFMapper::CreateHelper()
 #endif
 
 //------------------------------------------------------------------------------
-measuredbrdfSettingMacro(vtkCompositeMeasuredBRDFMapper, BRDF, vtkBRDF*);
-measuredbrdfSettingMacro(vtkCompositeMeasuredBRDFMapper, MaterialMap, vtkMaterialMap*);
-measuredbrdfSettingMacro(vtkCompositeMeasuredBRDFMapper, Environment, vtkEnvironment*);
-measuredbrdfSettingMacro(vtkCompositeMeasuredBRDFMapper, Integrator, vtkRadianceIntegrator*);
-measuredbrdfSettingMacro(vtkCompositeMeasuredBRDFMapper, UseSceneLights, bool);
-measuredbrdfSettingMacro(vtkCompositeMeasuredBRDFMapper, OcclusionBounce, bool);
-measuredbrdfCheckedSettingMacro(vtkCompositeMeasuredBRDFMapper, PlanForView, bool);
-measuredbrdfCheckedSettingMacro(vtkCompositeMeasuredBRDFMapper, PlanningMode, int);
-measuredbrdfCheckedSettingMacro(vtkCompositeMeasuredBRDFMapper, ErrorTolerance, double);
-measuredbrdfCheckedSettingMacro(vtkCompositeMeasuredBRDFMapper, MaximumCost, double);
-measuredbrdfCheckedSettingMacro(vtkCompositeMeasuredBRDFMapper, ScalarColoringMode, int);
-measuredbrdfCheckedSettingMacro(vtkCompositeMeasuredBRDFMapper, OcclusionMode, int);
+measuredbrdfAllSettingsMacro(vtkCompositeMeasuredBRDFMapper);
 
 //------------------------------------------------------------------------------
 void vtkCompositeMeasuredBRDFMapper::SetBlockBRDF(unsigned int flatIndex, vtkBRDF* brdf)
@@ -179,26 +166,6 @@ void vtkCompositeMeasuredBRDFMapper::RemoveBlockBRDF(unsigned int flatIndex)
 void vtkCompositeMeasuredBRDFMapper::SetBlockBRDFByName(const std::string& name, vtkBRDF* brdf)
 {
   this->Impl->Settings.BlocksByName[name] = brdf;
-  this->Impl->Settings.Time.Modified();
-}
-
-//------------------------------------------------------------------------------
-vtkBRDF* vtkCompositeMeasuredBRDFMapper::GetBlockBRDFByName(const std::string& name)
-{
-  const auto found = this->Impl->Settings.BlocksByName.find(name);
-  return found == this->Impl->Settings.BlocksByName.end() ? nullptr : found->second.Get();
-}
-
-//------------------------------------------------------------------------------
-bool vtkCompositeMeasuredBRDFMapper::HasBlockBRDFByName(const std::string& name)
-{
-  return this->Impl->Settings.BlocksByName.count(name) > 0;
-}
-
-//------------------------------------------------------------------------------
-void vtkCompositeMeasuredBRDFMapper::RemoveBlockBRDFByName(const std::string& name)
-{
-  this->Impl->Settings.BlocksByName.erase(name);
   this->Impl->Settings.Time.Modified();
 }
 
@@ -272,8 +239,6 @@ void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* act
   }
   const Depth inside(this->Impl->RenderDepth);
   this->Impl->Parts.Begin();
-  vtkDataObject* input = this->GetInputDataObject(0, 0);
-  this->Impl->Timer.Start(input ? input->GetNumberOfElements(vtkDataObject::CELL) : 0);
   vtkObject* style = this->GetCompositeDataDisplayAttributes();
   this->Impl->Drawing->Render(
     renderer, actor,
@@ -283,8 +248,6 @@ void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* act
       this->Impl->Parts.Render(renderer, actor);
     },
     style ? style->GetMTime() : 0);
-  this->Impl->Timer.Stop();
-  this->TimeToDraw = this->Impl->Timer.GetSeconds();
 }
 
 //------------------------------------------------------------------------------
@@ -293,7 +256,6 @@ void vtkCompositeMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
   if (this->Impl->RenderDepth == 0)
   {
     this->Impl->Parts.ReleaseGraphicsResources(window);
-    this->Impl->Timer.ReleaseGraphicsResources();
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }

@@ -31,57 +31,43 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
-#include <utility>
 #include <vector>
 
 using namespace measuredbrdf;
 
 namespace
 {
-constexpr double Tolerance = 0.05;       // of the pictures
-constexpr double LargestText = 0.33;     // of a sphere's diameter, for a name beside it
-constexpr double TitleShare = 0.1;       // of the legend's height, at most
-constexpr double LegendGap = 0.06;       // between entries, as a share of their size
-constexpr double LegendNameShare = 0.25; // of an entry's height, for a name below its sphere
-constexpr double SphereShare = 0.5;      // of an entry's width, at most
-constexpr double NarrowShare = 0.25;     // the same in several columns
+constexpr double Tolerance = 0.05;   // of the pictures
+constexpr double LargestText = 0.33; // of a sphere's diameter, for its name
+constexpr double TitleShare = 0.1;   // of the legend's height, at most
+constexpr double LegendGap = 0.06;   // between entries, as a share of their size
 
-// How entries are laid out: in equal cells, in pixels.
+// Entries stand in equal cells, each a sphere with its name to the right, and go down the columns.
 struct LegendGrid
 {
-  int Columns = 1;
   int Rows = 1;
-  double Width = 0.0; // of a cell
+  double Width = 0.0; // of a cell, in pixels
   double Height = 0.0;
   double Sphere = 0.0; // diameter
 
-  // The one with the largest spheres.
-  static LegendGrid Find(int count, double width, double height, bool horizontal)
+  // The one with the largest spheres that leave most of the width to the names.
+  static LegendGrid Find(int count, double width, double height)
   {
     LegendGrid best;
-    for (int lines = 1; lines <= count; ++lines) // columns, or rows where they stand side by side
+    for (int columns = 1; columns <= count; ++columns)
     {
-      const int others = (count + lines - 1) / lines;
       LegendGrid grid;
-      grid.Columns = horizontal ? others : lines;
-      grid.Rows = horizontal ? lines : others;
-      grid.Width = width / grid.Columns;
+      grid.Rows = (count + columns - 1) / columns;
+      grid.Width = width / columns;
       grid.Height = height / grid.Rows;
-      grid.Sphere =
-        (1.0 - LegendGap) *
-        (horizontal ? std::min(grid.Width, (1.0 - LegendNameShare) * grid.Height)
-                    : std::min((lines > 1 ? NarrowShare : SphereShare) * grid.Width, grid.Height));
+      const double share = columns > 1 ? 0.25 : 0.5;
+      grid.Sphere = (1.0 - LegendGap) * std::min(share * grid.Width, grid.Height);
       best = grid.Sphere > best.Sphere ? grid : best;
     }
     return best;
   }
 };
 
-}
-
-namespace
-{
 // A picture of a sphere of a material, RGBA in floats, radiance^(1/2.2), transparent around the
 // sphere. Seen along -z from a great distance. Null where there is nothing to integrate with.
 vtkSmartPointer<vtkImageData> MakeMaterialPicture(
@@ -145,12 +131,6 @@ vtkSmartPointer<vtkImageData> MakeMaterialPicture(
 
 struct vtkMaterialLegendActor::Internals
 {
-  struct Picture
-  {
-    vtkSmartPointer<vtkImageData> Image; // null: it could not be made
-    vtkMTimeType Time = 0;               // of what it was made of
-    int Resolution = 0;
-  };
   // A square with the picture, in pixels, and the name.
   struct Entry
   {
@@ -187,7 +167,10 @@ struct vtkMaterialLegendActor::Internals
     }
 
     std::string Label;
-    vtkSmartPointer<vtkImageData> Picture;
+    vtkSmartPointer<vtkImageData> Picture; // null: it could not be made
+    vtkSmartPointer<vtkBRDF> Material;     // what it was made of
+    vtkMTimeType Time = 0;
+    int Resolution = 0;
     vtkNew<vtkPoints> Corners;
     vtkNew<vtkTexture> Texture;
     vtkNew<vtkTexturedActor2D> Sphere;
@@ -195,7 +178,6 @@ struct vtkMaterialLegendActor::Internals
   };
 
   vtkSmartPointer<vtkEnvironment> Sky; // where there is no environment
-  std::map<vtkSmartPointer<vtkBRDF>, Picture> Pictures;
   vtkNew<vtkTextProperty> TextProperty;
   vtkSmartPointer<vtkTextActor> Title; // made when it is drawn: it needs VTK's fonts
   std::vector<std::unique_ptr<Entry>> Entries;
@@ -284,7 +266,6 @@ void vtkMaterialLegendActor::UpdateEntries()
     }
     light = this->Impl->Sky;
   }
-  std::map<vtkSmartPointer<vtkBRDF>, Internals::Picture> pictures; // those still in use
   std::size_t shown = 0;
   for (int k = 0; this->MaterialMap && k < this->MaterialMap->GetNumberOfMaterials(); ++k)
   {
@@ -293,18 +274,6 @@ void vtkMaterialLegendActor::UpdateEntries()
     {
       continue;
     }
-    Internals::Picture& picture =
-      pictures.try_emplace(brdf, this->Impl->Pictures[brdf]).first->second;
-    const vtkMTimeType time = std::max(brdf->GetMTime(), light->GetMTime());
-    if (picture.Time != time || picture.Resolution != this->SphereResolution)
-    {
-      picture = { MakeMaterialPicture(brdf, light, this->SphereResolution), time,
-        this->SphereResolution };
-      if (!picture.Image)
-      {
-        vtkErrorMacro("There is no picture of material " << k << ".");
-      }
-    }
     if (shown == this->Impl->Entries.size())
     {
       this->Impl->Entries.push_back(std::make_unique<Internals::Entry>());
@@ -312,11 +281,21 @@ void vtkMaterialLegendActor::UpdateEntries()
     Internals::Entry& entry = *this->Impl->Entries[shown++];
     const std::string name = this->MaterialMap->GetName(k);
     entry.Label = name.empty() ? NumberText(this->MaterialMap->GetValue(k)) : name;
-    entry.Picture = picture.Image;
-    entry.Texture->SetInputDataObject(picture.Image);
+    const vtkMTimeType time = std::max(brdf->GetMTime(), light->GetMTime());
+    if (entry.Material != brdf || entry.Time != time || entry.Resolution != this->SphereResolution)
+    {
+      entry.Material = brdf;
+      entry.Time = time;
+      entry.Resolution = this->SphereResolution;
+      entry.Picture = MakeMaterialPicture(brdf, light, this->SphereResolution);
+      entry.Texture->SetInputDataObject(entry.Picture);
+      if (!entry.Picture)
+      {
+        vtkErrorMacro("There is no picture of material " << k << ".");
+      }
+    }
   }
   this->Impl->Entries.resize(shown);
-  this->Impl->Pictures = std::move(pictures);
 }
 
 //------------------------------------------------------------------------------
@@ -366,43 +345,26 @@ void vtkMaterialLegendActor::PlaceEntries(
   vtkViewport* viewport, double left, double bottom, double width, double height)
 {
   const int count = static_cast<int>(this->Impl->Entries.size());
-  const LegendGrid grid = LegendGrid::Find(count, width, height, this->Horizontal);
-  const double sphere = grid.Sphere;
+  const LegendGrid grid = LegendGrid::Find(count, width, height);
+  const double besides = (1.0 + LegendGap) * grid.Sphere;
   std::vector<vtkTextActor*> texts;
   for (int k = 0; k < count; ++k)
   {
-    const int column = this->Horizontal ? k % grid.Columns : k / grid.Rows;
-    const int row = this->Horizontal ? k / grid.Columns : k % grid.Rows;
-    const double x = left + column * grid.Width;
-    const double top = bottom + height - row * grid.Height; // the first one on top
-    const double middle = top - 0.5 * grid.Height;
-    const double center = x + 0.5 * grid.Width;
+    const double x = left + k / grid.Rows * grid.Width;
+    const double middle = bottom + height - (k % grid.Rows + 0.5) * grid.Height;
     Internals::Entry& entry = *this->Impl->Entries[static_cast<std::size_t>(k)];
+    entry.Place(x, middle - 0.5 * grid.Sphere, grid.Sphere);
     entry.Text->SetInput(entry.Label.c_str());
-    vtkTextProperty* text = entry.Text->GetTextProperty();
-    text->ShallowCopy(this->Impl->TextProperty);
-    if (this->Horizontal)
-    {
-      entry.Place(center - 0.5 * sphere, top - sphere, sphere);
-      text->SetJustificationToCentered();
-      text->SetVerticalJustificationToTop();
-      entry.Text->SetPosition(center, top - (1.0 + LegendGap) * sphere);
-    }
-    else
-    {
-      entry.Place(x, middle - 0.5 * sphere, sphere);
-      text->SetJustificationToLeft();
-      text->SetVerticalJustificationToCentered();
-      entry.Text->SetPosition(x + (1.0 + LegendGap) * sphere, middle);
-    }
+    entry.Text->GetTextProperty()->ShallowCopy(this->Impl->TextProperty);
+    entry.Text->GetTextProperty()->SetJustificationToLeft();
+    entry.Text->GetTextProperty()->SetVerticalJustificationToCentered();
+    entry.Text->SetPosition(x + besides, middle);
     texts.push_back(entry.Text);
   }
-  const double room = this->Horizontal ? (1.0 - LegendGap) * grid.Width
-                                       : grid.Width - (1.0 + 2.0 * LegendGap) * sphere;
-  const double line = this->Horizontal ? LegendNameShare * grid.Height : LargestText * sphere;
+  const double room = grid.Width - besides - LegendGap * grid.Sphere;
   int size[2];
   vtkTextActor::SetMultipleConstrainedFontSize(viewport, static_cast<int>(std::max(room, 1.0)),
-    static_cast<int>(std::max(line, 1.0)), texts.data(), count, size);
+    static_cast<int>(std::max(LargestText * grid.Sphere, 1.0)), texts.data(), count, size);
 }
 
 //------------------------------------------------------------------------------
@@ -430,10 +392,6 @@ vtkImageData* vtkMaterialLegendActor::GetSphere(int entry)
 int vtkMaterialLegendActor::RenderOverlay(vtkViewport* viewport)
 {
   int drawn = 0;
-  if (!viewport)
-  {
-    return drawn;
-  }
   this->Impl->ForEachActor(
     [&drawn, viewport](vtkActor2D* actor) { drawn += actor->RenderOverlay(viewport); });
   return drawn;
@@ -442,14 +400,13 @@ int vtkMaterialLegendActor::RenderOverlay(vtkViewport* viewport)
 //------------------------------------------------------------------------------
 int vtkMaterialLegendActor::RenderOpaqueGeometry(vtkViewport* viewport)
 {
-  if (!viewport || !measuredbrdf::RunGuarded(
-                     this, "RenderOpaqueGeometry", [&]() { this->UpdateLayout(viewport); }))
-  {
-    return 0;
-  }
   int drawn = 0;
-  this->Impl->ForEachActor(
-    [&drawn, viewport](vtkActor2D* actor) { drawn += actor->RenderOpaqueGeometry(viewport); });
+  if (measuredbrdf::RunGuarded(
+        this, "RenderOpaqueGeometry", [&]() { this->UpdateLayout(viewport); }))
+  {
+    this->Impl->ForEachActor(
+      [&drawn, viewport](vtkActor2D* actor) { drawn += actor->RenderOpaqueGeometry(viewport); });
+  }
   return drawn;
 }
 
@@ -468,6 +425,5 @@ void vtkMaterialLegendActor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaterialMap: " << this->MaterialMap.Get() << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";
   os << indent << "Title: " << this->Title << "\n";
-  os << indent << "Horizontal: " << (this->Horizontal ? "On" : "Off") << "\n";
   os << indent << "SphereResolution: " << this->SphereResolution << "\n";
 }

@@ -67,16 +67,6 @@ public:
 
   ///@{
   /**
-   * Whether materials stand side by side, with their names below, instead of below each other
-   * (default: off). Where there are many, they stand in several rows or columns.
-   */
-  vtkSetMacro(Horizontal, bool);
-  vtkGetMacro(Horizontal, bool);
-  vtkBooleanMacro(Horizontal, bool);
-  ///@}
-
-  ///@{
-  /**
    * Pixels across the picture of a sphere, which is scaled to its place; default 96, clamped to
    * [8, 512].
    */
@@ -124,7 +114,6 @@ private:
   vtkSmartPointer<vtkMaterialMap> MaterialMap;
   vtkSmartPointer<vtkEnvironment> Environment;
   std::string Title;
-  bool Horizontal = false;
   int SphereResolution = 96;
 
   struct Internals;

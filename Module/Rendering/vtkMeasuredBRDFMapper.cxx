@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeasuredBRDFMapper.h"
 
-#include "DrawTimer.h"
 #include "MaterialShading.h"
 #include "PartMappers.h"
 #include "RenderPassQueries.h"
@@ -60,7 +59,6 @@ struct vtkMeasuredBRDFMapper::Internals : public MaterialShading
   vtkMeasuredBRDFMapper* Self;
   PartMappers Parts; // of a surface that a material map divides
   MaterialSettings& Settings;
-  DrawTimer Timer; // of these
 };
 
 //------------------------------------------------------------------------------
@@ -73,18 +71,7 @@ vtkMeasuredBRDFMapper::vtkMeasuredBRDFMapper()
 vtkMeasuredBRDFMapper::~vtkMeasuredBRDFMapper() = default;
 
 //------------------------------------------------------------------------------
-measuredbrdfSettingMacro(vtkMeasuredBRDFMapper, BRDF, vtkBRDF*);
-measuredbrdfSettingMacro(vtkMeasuredBRDFMapper, MaterialMap, vtkMaterialMap*);
-measuredbrdfSettingMacro(vtkMeasuredBRDFMapper, Environment, vtkEnvironment*);
-measuredbrdfSettingMacro(vtkMeasuredBRDFMapper, Integrator, vtkRadianceIntegrator*);
-measuredbrdfSettingMacro(vtkMeasuredBRDFMapper, UseSceneLights, bool);
-measuredbrdfSettingMacro(vtkMeasuredBRDFMapper, OcclusionBounce, bool);
-measuredbrdfCheckedSettingMacro(vtkMeasuredBRDFMapper, PlanForView, bool);
-measuredbrdfCheckedSettingMacro(vtkMeasuredBRDFMapper, PlanningMode, int);
-measuredbrdfCheckedSettingMacro(vtkMeasuredBRDFMapper, ErrorTolerance, double);
-measuredbrdfCheckedSettingMacro(vtkMeasuredBRDFMapper, MaximumCost, double);
-measuredbrdfCheckedSettingMacro(vtkMeasuredBRDFMapper, ScalarColoringMode, int);
-measuredbrdfCheckedSettingMacro(vtkMeasuredBRDFMapper, OcclusionMode, int);
+measuredbrdfAllSettingsMacro(vtkMeasuredBRDFMapper);
 
 //------------------------------------------------------------------------------
 std::string vtkMeasuredBRDFMapper::GetPlan()
@@ -122,7 +109,6 @@ bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
     return false;
   }
   this->Impl->Drawing->Forget(this); // what the whole was drawn with
-  this->Impl->Timer.Start(input->GetNumberOfCells());
   this->Impl->Parts.Render(ren, actor, this, this->Superclass::GetMTime(),
     [this](vtkPolyDataMapper* mapper)
     {
@@ -140,8 +126,7 @@ bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
         }
       }
     });
-  this->Impl->Timer.Stop();
-  this->TimeToDraw = this->Impl->Timer.GetSeconds();
+  this->TimeToDraw = this->Impl->Parts.GetTimeToDraw();
   return true;
 }
 
@@ -157,10 +142,7 @@ void vtkMeasuredBRDFMapper::RenderPiece(vtkRenderer* ren, vtkActor* actor)
     [&]()
     {
       bool drawn = false;
-      if (!this->Impl->Drawing->Try([&]() { drawn = this->RenderParts(ren, actor); }))
-      {
-        this->Impl->Timer.Stop();
-      }
+      this->Impl->Drawing->Try([&]() { drawn = this->RenderParts(ren, actor); });
       if (!drawn)
       {
         this->Impl->DrawPiece([&]() { this->Superclass::RenderPiece(ren, actor); },
@@ -175,7 +157,6 @@ void vtkMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
   if (this->Impl->RenderDepth == 0)
   {
     this->Impl->Parts.ReleaseGraphicsResources(window);
-    this->Impl->Timer.ReleaseGraphicsResources();
   }
   this->Impl->ReleaseMaterials(window);
   this->Superclass::ReleaseGraphicsResources(window);
@@ -320,27 +301,6 @@ void vtkMeasuredBRDFMapper::SetAbortPlanning(bool abort)
 
 //------------------------------------------------------------------------------
 bool vtkMeasuredBRDFMapper::GetAbortPlanning() { return this->Impl->Drawing->GetAbortPlanning(); }
-
-//------------------------------------------------------------------------------
-std::string vtkMeasuredBRDFMapper::GetMaterialDescription()
-{
-  const vtkBRDFShaderInputs* inputs = FindMaterialInputs(this->Impl->Drawing->GetLastFrame());
-  return inputs ? inputs->Description : "";
-}
-
-//------------------------------------------------------------------------------
-double vtkMeasuredBRDFMapper::GetResamplingError()
-{
-  const vtkBRDFShaderInputs* inputs = FindMaterialInputs(this->Impl->Drawing->GetLastFrame());
-  return inputs ? inputs->ResamplingError : 0.0;
-}
-
-//------------------------------------------------------------------------------
-double vtkMeasuredBRDFMapper::GetQuantizationError()
-{
-  const vtkBRDFShaderInputs* inputs = FindMaterialInputs(this->Impl->Drawing->GetLastFrame());
-  return inputs ? inputs->QuantizationError : 0.0;
-}
 
 //------------------------------------------------------------------------------
 double* vtkMeasuredBRDFMapper::GetBounds()

@@ -711,8 +711,8 @@ add("Planning.no-pairs-at-lamps", "PlanPairs.cxx", "constexpr double LampShare =
 
 add("Rendering.texture-of-bytes-is-linear", "TextureEnvironment.cxx",
     "(texture->GetUseSRGBColorSpace() || hasHarmonics)", "texture->GetUseSRGBColorSpace()", "TextureEncoding.IsAsVtkTakesIt")
-add("Rendering.stand-in-of-the-other-kind", "SharedIntegrators.cxx",
-    "IsMirrorLike(brdf) ? 65", "!IsMirrorLike(brdf) ? 65", "Background.MoreRowsForMirrorLikeMaterialsUnderPanels")
+add("Rendering.stand-in-of-few-rows", "SharedIntegrators.cxx",
+    "{ 65, 8, 8 }", "{ 33, 8, 8 }", "Background.StandInsForMirrorLikeMaterialsUnderPanels")
 add("Rendering.stand-in-is-the-material", "SharedIntegrators.cxx",
     "vtkSmartPointer<vtkBRDF>::Take(this->Material->NewQuickRenderable());", "this->Material->GetRenderable();",
     "Background.ACoarseFormForShadersUntilThePlan")
@@ -881,8 +881,8 @@ add("Shaders.basis-is-not-clamped", "vtkBRDFBasis.glsl", "return max(sum, vec3(0
     "Parity.NegativeSumsAreZeroForEachLight")
 add("Shaders.grazing-views-are-not-lifted", "vtkBRDFBegin.glsl", "brdfLiftView(brdfView * brdfFrame)",
     "brdfView * brdfFrame", "MapperShading.GrazingViews")
-add("Rendering.environment-does-not-turn", "MaterialShading.cxx", "toView->GetElement(column, k) * axes[row][k]",
-    "(column == k ? axes[row][k] : 0.0)",
+add("Rendering.environment-does-not-turn", "MaterialShading.cxx", "glm::transpose(axes) * viewToWorld;",
+    "glm::transpose(axes);",
     "Mapper.RotatingEverythingChangesNothing")
 add("Shaders.directional-light-without-cosine", "vtkBRDFDirectionalLight.glsl", "* radiance * brdfLight.z;",
     "* radiance;", "Mapper.SceneLights")
@@ -1135,8 +1135,8 @@ add("IO.spectra-not-scaled-to-white", "SpectralColor.cxx", "xyz[j] = weight[j] /
 add("IO.spectral-planes-in-a-row", "TensorFile.cxx", "sum += weights[k][c] * first[k * texels + texel];",
     "sum += weights[k][c] * first[k + wavelengths.size() * texel];", "IOSpectral.AgreesWithAnotherProgramsSum")
 add("Rendering.legend-shows-the-last-first", "vtkMaterialLegendActor.cxx",
-    "const double top = bottom + height - row * grid.Height;", "const double top = bottom + (row + 1) * grid.Height;",
-    "MaterialLegend.DrawsSpheresBelowEachOtherOrSideBySide")
+    "bottom + height - (k % grid.Rows + 0.5)", "bottom + (k % grid.Rows + 0.5)",
+    "MaterialLegend.DrawsSpheresBelowEachOther")
 
 
 # Fetch
@@ -1200,9 +1200,6 @@ add("Rendering.threads-trace-at-once", "SharedTrace.cxx", "while (!lock.try_lock
     "SharedTraceTest.ThreadsWaitForOneAnother")
 add("Rendering.forecasts-outlive-mappers", "AutomaticOcclusion.cxx", "[this]() { return !this->IsStopped; }",
     "[]() { return true; }", "SharedTraceTest.ForecastsStopWhenTheyGo")
-add("Rendering.levels-are-looked-for-once", "MaterialDrawing.cxx",
-    'levels && this->WarnOnce("levels of detail")', 'this->WarnOnce("levels of detail") && levels',
-    "OcclusionStability.ActorsWithLevelsKeepTheSurfacesArrays")
 add("Rendering.moving-surfaces-are-traced", "AutomaticOcclusion.cxx", "return this->Changes <= MostChanges;", "return true;",
     "OcclusionTest.ForecastsFollowTheSurface")
 add("Rendering.views-forget-each-other", "AutomaticOcclusion.cxx", "!this->Known.Find(key) && follows",
@@ -1220,7 +1217,7 @@ add("Rendering.attributes-without-end", "MaterialShading.cxx",
     "own + needs.Attributes <= this->MostAttributes &&", "", "LimitsTest.DrawsWhatThereIsRoomFor")
 add("Rendering.clipping-takes-no-varyings", "MaterialShading.cxx",
     "this->Mapper->GetNumberOfClippingPlanes() > 0 ? 6 : 0", "0", "LimitsTest.ClippingPlanesAndEdgesTakeVaryings")
-add("Rendering.failures-are-said-once", "RenderReports.h",
+add("Rendering.failures-are-said-once", "MaterialDrawing.cxx",
     "this->Failures.count(it->first) == 0;", "this->Failures.count(it->first) == 2;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
 add("Rendering.what-throws-is-not-drawn", "MaterialShading.cxx", "tries = !this->IsPlain;",
     "tries = false;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
@@ -1315,7 +1312,7 @@ add("Rendering.map-images-of-zeros-are-odd", "WeightImages.cxx", "if (anyLeft)",
     "if (components > map->GetNumberOfMaterials())", "MaterialMapping.WeightsOfNoMaterialAreSaidUnlessTheyAreZero")
 add("Rendering.map-waits-for-materials-that-left", "MapperPlans.cxx", "inUse.count(member) == 0", "false",
     "MaterialMapping.PlansOfMaterialsThatLeaveAreGivenUp")
-add("Rendering.map-time-is-not-taken", "vtkMeasuredBRDFMapper.cxx", "this->TimeToDraw = this->Impl->Timer.GetSeconds();", "",
+add("Rendering.map-time-is-not-taken", "vtkMeasuredBRDFMapper.cxx", "this->TimeToDraw = this->Impl->Parts.GetTimeToDraw();", "",
     "MaterialMapping.TimeOfAllPartsIsTaken")
 add("Rendering.map-nothing-is-highlighted", "PartMappers.cxx", "this->Highlight->SetSelection(selection);", "",
     "MaterialMapping.SelectedCellsAreHighlighted")

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialDrawing.h"
 
+#include "NumberText.h"
 #include "OcclusionVertexCache.h"
 #include "RenderPassQueries.h"
 #include "RunGuarded.h"
@@ -61,8 +62,51 @@ bool IsInteracting(vtkRenderer* renderer)
 }
 }
 
+std::string DescribePlans(const DrawnMaterials& materials)
+{
+  std::vector<std::string> lines;
+  std::set<vtkRadiancePlanner*> said;
+  for (const DrawnMaterial* drawn : materials)
+  {
+    if (drawn->Plan && said.insert(drawn->Plan).second)
+    {
+      lines.push_back(drawn->Plan->GetPlan());
+    }
+  }
+  // Materials are drawn in an order of the superclass's own, which may be another in each run.
+  std::sort(lines.begin(), lines.end());
+  std::string text;
+  for (const std::string& line : lines)
+  {
+    text += (text.empty() ? "" : "\n") + line;
+  }
+  return text;
+}
+
+std::string DescribeMixture(double error)
+{
+  if (error < 0.0)
+  {
+    return "";
+  }
+  return "\nmaterials of the map together: predicted error " + NumberText(100.0 * error, 2) + " %";
+}
+
+vtkIdType CountTextureBytes(
+  const DrawnMaterials& materials, std::set<const vtkTextureObject*>& counted)
+{
+  std::size_t bytes = 0;
+  for (const DrawnMaterial* drawn : materials)
+  {
+    for (const std::shared_ptr<ShaderTextures>& textures : { drawn->Material, drawn->Radiance })
+    {
+      bytes += textures ? textures->CountBytes(counted) : 0;
+    }
+  }
+  return static_cast<vtkIdType>(bytes);
+}
 MaterialDrawing::MaterialDrawing(vtkMapper* owner, std::function<std::vector<MaterialUse>()> uses)
-  : RenderReports(owner)
+  : Owner(owner)
   , UsesToCome(std::move(uses))
 {
   ActiveDrawings& active = ActiveDrawings::Get();
@@ -375,30 +419,12 @@ void MaterialDrawing::BeginFrame(
     uses.begin(), uses.end(), [](const MaterialUse& use) { return use.first != nullptr; });
   const FrameState state = { renderer, actor, any ? this->ResolveEnvironment(renderer) : nullptr,
     IsInteracting(renderer) && !this->Sums.HasTime(renderer, actor, part) };
-  if (any)
-  {
-    this->WarnOfLevels(state);
-  }
   this->DropPlans(state, any);
   this->ResolveAll(frame, state, uses);
   this->DropOcclusionLights();
   this->ForecastOcclusion(state, part, frame);
   this->Frame = &frame;
   this->LastRenderer = renderer;
-}
-
-void MaterialDrawing::WarnOfLevels(const FrameState& state)
-{
-  // Such actors draw through one that has no mapper; others may have shown it before.
-  const char* levels = FindStockLevels(state.Renderer, state.Actor, this->Owner);
-  if (levels && this->WarnOnce("levels of detail"))
-  {
-    vtkWarningWithObjectMacro(this->Owner,
-      << levels
-      << " draws the levels of detail that it makes itself with stock mappers: they show the "
-         "actor's vtkProperty, not the material. FitProperty(actor->GetProperty()) sets the "
-         "nearest one.");
-  }
 }
 
 // Those that are not drawn by any more.
@@ -453,7 +479,7 @@ void MaterialDrawing::Render(
   this->AbortPlanning = false;
   this->StyleTime = styleTime;
   this->Sums.Begin();
-  this->BeginReports();
+  this->Failures.clear();
   this->Try(
     [&]()
     {
@@ -463,7 +489,20 @@ void MaterialDrawing::Render(
         this->KeepPlansInUse();
       }
     });
-  this->EndReports(renderer, actor, DrawsColor(renderer, actor));
+  const std::pair<vtkRenderer*, vtkActor*> view(renderer, actor);
+  for (const std::string& failure : this->Failures)
+  {
+    if (this->Said.insert_or_assign(failure, view).second)
+    {
+      vtkErrorWithObjectMacro(this->Owner, << failure);
+    }
+  }
+  // Those that this view was the last to have, and has no more, would be said again.
+  for (auto it = this->Said.begin(); it != this->Said.end() && DrawsColor(renderer, actor);)
+  {
+    const bool isOver = it->second == view && this->Failures.count(it->first) == 0;
+    it = isOver ? this->Said.erase(it) : std::next(it);
+  }
 }
 
 bool MaterialDrawing::Try(const std::function<void()>& step)

@@ -16,10 +16,10 @@
 #include "OcclusionArrays.h"
 #include "OcclusionLight.h"
 #include "OcclusionShader.h"
-#include "RenderReports.h"
 #include "SampleSums.h"
 #include "SelectedMaterials.h"
 #include "vtkActor.h"
+#include "vtkMapper.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
@@ -46,7 +46,7 @@ namespace measuredbrdf
 /// class draws them.
 using MaterialUse = std::pair<vtkBRDF*, std::vector<vtkPolyData*>>;
 
-class MaterialDrawing : public RenderReports
+class MaterialDrawing
 {
 public:
   /// owner: the mapper that users know, which warns and reports errors. uses: what it will draw
@@ -55,6 +55,14 @@ public:
   ~MaterialDrawing();
   MaterialDrawing(const MaterialDrawing&) = delete;
   void operator=(const MaterialDrawing&) = delete;
+
+  vtkMapper* GetOwner() const { return this->Owner; }
+
+  /// Whether this is the first warning for that cause.
+  bool WarnOnce(const std::string& cause) { return this->Warned.insert(cause).second; }
+
+  /// Report at the end of this Render what can't be drawn as it should be.
+  void AddFailure(const std::string& text) { this->Failures.insert(text); }
 
   MaterialSettings& GetSettings() const { return *this->Settings; }
 
@@ -176,7 +184,6 @@ private:
   void Look(const FrameState& state, PlanInputs& inputs);
   bool IsPlanned() const { return !this->Settings->Integrator; }
   static void VisitRequests(vtkRenderer* renderer, const PlanRequest::Visit& visit);
-  void WarnOfLevels(const FrameState& state);
   void DropPlans(const FrameState& state, bool anyMaterial);
   void DropOcclusionLights();
   void ForecastOcclusion(const FrameState& state, const void* part, const ViewFrame& frame);
@@ -203,6 +210,10 @@ private:
   };
   SweepAtEnd AtEnd;
 
+  vtkMapper* const Owner;
+  std::set<std::string> Warned;
+  std::set<std::string> Failures;                                 // of this Render
+  std::map<std::string, std::pair<vtkRenderer*, vtkActor*>> Said; // and whose Render had it last
   std::unique_ptr<MaterialSettings> Settings = std::make_unique<MaterialSettings>();
   std::function<std::vector<MaterialUse>()> UsesToCome;
   MapperPlans Plans;

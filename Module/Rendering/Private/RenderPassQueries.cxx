@@ -3,13 +3,11 @@
 #include "RenderPassQueries.h"
 
 #include "vtkActor.h"
-#include "vtkActorCollection.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkLightingMapPass.h"
-#include "vtkMapperCollection.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
@@ -18,9 +16,6 @@
 #include "vtkRendererCollection.h"
 #include "vtkShadowMapBakerPass.h"
 #include "vtkValuePass.h"
-#if VTK_MODULE_ENABLE_VTK_RenderingLOD // ParaView's VTK has no such actors
-#include "vtkLODActor.h"
-#endif
 
 namespace measuredbrdf
 {
@@ -114,41 +109,5 @@ bool HasLight(vtkRenderer* renderer, bool isLit)
     on += light->GetSwitch() ? 1 : 0;
   }
   return on > 0;
-}
-
-const char* FindStockLevels(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper)
-{
-  // Both draw through an actor of their own, which has no mapper.
-  if (actor->GetMapper() == mapper || actor->GetProperty()->GetInterpolation() == VTK_PBR)
-  {
-    return nullptr;
-  }
-  vtkActorCollection* actors = renderer->GetActors();
-  vtkCollectionSimpleIterator next;
-  actors->InitTraversal(next);
-  while (vtkActor* other = actors->GetNextActor(next))
-  {
-    if (other->GetMapper() == mapper && other->IsA("vtkQuadricLODActor"))
-    {
-      return "vtkQuadricLODActor";
-    }
-#if VTK_MODULE_ENABLE_VTK_RenderingLOD
-    auto* levels = vtkLODActor::SafeDownCast(other);
-    if (!levels || levels->GetMapper() != mapper)
-    {
-      continue;
-    }
-    vtkCollectionSimpleIterator each;
-    levels->GetLODMappers()->InitTraversal(each);
-    while (vtkMapper* level = levels->GetLODMappers()->GetNextMapper(each))
-    {
-      if (!level->IsA("vtkMeasuredBRDFMapper") && !level->IsA("vtkCompositeMeasuredBRDFMapper"))
-      {
-        return "vtkLODActor";
-      }
-    }
-#endif
-  }
-  return nullptr;
 }
 } // namespace measuredbrdf

@@ -257,23 +257,6 @@ protected:
 }
 
 //------------------------------------------------------------------------------
-TEST_F(SideBySide, TheFirstFrameBeginsAll)
-{
-  // The second waits at its gate while the first frame asks for the first only.
-  this->Materials[1]->Door->Close();
-  ASSERT_TRUE(this->Update(0));
-  EXPECT_EQ(this->Problem, "");
-  ASSERT_TRUE(WaitUntil([this]() { return this->Materials[1]->Door->IsAwaited(); }));
-  this->Materials[1]->Door->OpenUp();
-  for (int k = 1; k < Count; ++k)
-  {
-    EXPECT_FALSE(this->Mappers[static_cast<std::size_t>(k)]->IsPending()); // not drawn yet
-    EXPECT_TRUE(this->Update(k));
-  }
-  EXPECT_EQ(this->Visits, 1);
-}
-
-//------------------------------------------------------------------------------
 TEST_F(SideBySide, NoMoreThanCores)
 {
   this->When = Timing::Always;

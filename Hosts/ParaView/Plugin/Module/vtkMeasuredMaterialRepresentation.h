@@ -97,9 +97,8 @@ public:
   /**
    * What the surface hides of the environment from itself, as vtkMeasuredBRDFMapper has it: 0 off,
    * 1 (default) where its predicted error exceeds what the tolerance leaves, 2 on; and whether what
-   * hides reflects, too (default off). With several processes, each of which has a part of the
-   * surface, 1 and 2 draw with the arrays of vtkPVSurfaceVisibilityFilter, and with 2 the first
-   * process warns once where any part has none.
+   * hides reflects, too (default off). A surface of which several processes have parts is drawn
+   * without; with 2 the first process warns once.
    */
   void SetOcclusionMode(int mode);
   void SetOcclusionBounce(bool bounce);
