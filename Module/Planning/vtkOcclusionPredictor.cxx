@@ -22,12 +22,11 @@
 
 namespace
 {
-constexpr int FewestPoints = 16;
-constexpr int MostPoints = 1000000;
 constexpr int Samples = 64;          // of each point
 constexpr double SureShare = 0.25;   // of the error, as its uncertainty: sure enough
 constexpr double SmallError = 0.002; // nobody asks how far below it is
-constexpr int Growth = 4;
+constexpr int Growth = 4;            // of the points, from round to round
+constexpr int Rounds = 3;
 constexpr double LeastShare = 0.5; // of the tolerance, left for occlusion whatever the plan's error
 } // namespace
 
@@ -41,10 +40,7 @@ vtkOcclusionPredictor::~vtkOcclusionPredictor() = default;
 vtkCxxSetSmartPointerMacro(vtkOcclusionPredictor, Scene, vtkTracedScene);
 vtkCxxSetSmartPointerMacro(vtkOcclusionPredictor, BRDF, vtkBRDF);
 vtkCxxSetSmartPointerMacro(vtkOcclusionPredictor, Environment, vtkEnvironment);
-measuredbrdfSetFinite3Macro(vtkOcclusionPredictor, ViewDirection);
-measuredbrdfSetClampedMacro(
-  vtkOcclusionPredictor, MaximumNumberOfPoints, int, FewestPoints, MostPoints);
-measuredbrdfSetClampedMacro(vtkOcclusionPredictor, NumberOfPoints, int, FewestPoints, MostPoints);
+measuredbrdfSetClampedMacro(vtkOcclusionPredictor, NumberOfPoints, int, 16, 1000000);
 
 //------------------------------------------------------------------------------
 vtkTracedScene* vtkOcclusionPredictor::GetScene() { return this->Scene; }
@@ -65,8 +61,8 @@ bool vtkOcclusionPredictor::Update()
     return true;
   }
   const double before[] = { this->Error, this->Uncertainty };
-  const int most = std::max(this->MaximumNumberOfPoints, this->NumberOfPoints);
-  for (int count = this->NumberOfPoints;; count = count > most / Growth ? most : Growth * count)
+  int count = this->NumberOfPoints;
+  for (int round = 0; round < Rounds; ++round, count *= Growth)
   {
     if (!this->Predict(count))
     {
@@ -75,7 +71,7 @@ bool vtkOcclusionPredictor::Update()
       vtkErrorMacro(<< (this->Abort ? "Update: aborted." : "Update: nothing can be predicted."));
       return false;
     }
-    if (count >= most || this->Uncertainty <= SureShare * this->Error ||
+    if (this->Uncertainty <= SureShare * this->Error ||
         this->Error + this->Uncertainty <= SmallError)
     {
       break;
@@ -110,8 +106,8 @@ bool vtkOcclusionPredictor::Predict(int numberOfPoints)
     });
   integrator->AddObserver(vtkCommand::ProgressEvent, follow);
   const measuredbrdf::ScopedErrorCapture error(integrator); // Update says it
-  if (this->Abort ||
-      !this->Scene->DrawVisiblePoints(numberOfPoints, this->ViewDirection, points, views) ||
+  const double allAround[3] = { 0.0, 0.0, 0.0 };            // the cameras
+  if (this->Abort || !this->Scene->DrawVisiblePoints(numberOfPoints, allAround, points, views) ||
       !integrator->Integrate(points, views, radiance, open))
   {
     return false;
@@ -161,10 +157,7 @@ void vtkOcclusionPredictor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Scene: " << this->Scene.Get() << "\n";
   os << indent << "BRDF: " << this->BRDF.Get() << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";
-  os << indent << "ViewDirection: " << this->ViewDirection[0] << " " << this->ViewDirection[1]
-     << " " << this->ViewDirection[2] << "\n";
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
-  os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
   os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
   os << indent << "Error: " << this->Error << "\n";
   os << indent << "Uncertainty: " << this->Uncertainty << "\n";

@@ -53,25 +53,12 @@ public:
 
   ///@{
   /**
-   * Unit direction from the object to the camera, world coordinates; 0, 0, 0 (default): the mean
-   * over cameras all around.
-   */
-  virtual void SetViewDirection(double x, double y, double z);
-  virtual void SetViewDirection(const double viewDirection[3]);
-  vtkGetVector3Macro(ViewDirection, double);
-  ///@}
-
-  ///@{
-  /**
-   * Points (default 400, from 16 to 10^6), with 64 directions each.
-   * Where the uncertainty then exceeds a quarter of the error (and the error, with it, 0.2 %), four
-   * times as many points are traced, and again, up to MaximumNumberOfPoints (default 6400):
-   * reflections of lamps in gloss are rare. At or below NumberOfPoints it is never more than those.
+   * Points (default 400, from 16 to 10^6), with 64 directions each. Where the uncertainty then
+   * exceeds a quarter of the error (and the error, with it, 0.2 %), four times as many points are
+   * traced, and four times as many again: reflections of lamps in gloss are rare.
    */
   virtual void SetNumberOfPoints(int numberOfPoints);
   vtkGetMacro(NumberOfPoints, int);
-  virtual void SetMaximumNumberOfPoints(int maximumNumberOfPoints);
-  vtkGetMacro(MaximumNumberOfPoints, int);
   ///@}
 
   /**
@@ -117,9 +104,7 @@ protected:
   vtkOcclusionPredictor();
   ~vtkOcclusionPredictor() override;
 
-  double ViewDirection[3] = { 0.0, 0.0, 0.0 };
   int NumberOfPoints = 400;
-  int MaximumNumberOfPoints = 6400;
   double Error = 0.0;
   double Uncertainty = 0.0;
   std::atomic<bool> Abort{ false };

@@ -138,12 +138,6 @@ bool vtkRadiancePlanner::SetPairs(vtkDataArray* normals, vtkDataArray* views)
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkRadiancePlanner::GetNumberOfPairs()
-{
-  return this->Impl->Given.Normals ? this->Impl->Given.Normals->GetNumberOfTuples() : 0;
-}
-
-//------------------------------------------------------------------------------
 bool vtkRadiancePlanner::Fail(const std::string& problem)
 {
   vtkErrorMacro("Update: " << (this->Abort ? "aborted." : problem));
@@ -246,78 +240,25 @@ int vtkRadiancePlanner::GetNumberOfCandidates()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRadiancePlanner::GetMethodName(int index)
-{
-  return this->Impl->GetCandidate(index).Method;
-}
+#define measuredbrdfCandidateMacro(Name, Type, Member) \
+  Type vtkRadiancePlanner::Get##Name(int index) { return this->Impl->GetCandidate(index).Member; }
 
-//------------------------------------------------------------------------------
-std::string vtkRadiancePlanner::GetDescription(int index)
-{
-  return this->Impl->GetCandidate(index).Description;
-}
-
-//------------------------------------------------------------------------------
-double vtkRadiancePlanner::GetPredictedError(int index)
-{
-  return this->Impl->GetCandidate(index).Error;
-}
-
-//------------------------------------------------------------------------------
-double vtkRadiancePlanner::GetErrorUncertainty(int index)
-{
-  return this->Impl->GetCandidate(index).Uncertainty;
-}
-
-//------------------------------------------------------------------------------
-double vtkRadiancePlanner::GetPredictedPercentile95(int index)
-{
-  return this->Impl->GetCandidate(index).Percentiles[0];
-}
-
-//------------------------------------------------------------------------------
-double vtkRadiancePlanner::GetPredictedPercentile99(int index)
-{
-  return this->Impl->GetCandidate(index).Percentiles[1];
-}
-
-//------------------------------------------------------------------------------
-double vtkRadiancePlanner::GetPredictedPictureError(int index)
-{
-  return this->Impl->GetCandidate(index).Picture;
-}
-
-//------------------------------------------------------------------------------
-double vtkRadiancePlanner::GetPredictedCost(int index)
-{
-  return this->Impl->GetCandidate(index).Cost;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkRadiancePlanner::GetTextureBytes(int index)
-{
-  return this->Impl->GetCandidate(index).Bytes;
-}
-
-//------------------------------------------------------------------------------
-double vtkRadiancePlanner::GetSetUpMilliseconds(int index)
-{
-  return this->Impl->GetCandidate(index).SetUp;
-}
+measuredbrdfCandidateMacro(MethodName, std::string, Method);
+measuredbrdfCandidateMacro(Description, std::string, Description);
+measuredbrdfCandidateMacro(PredictedError, double, Error);
+measuredbrdfCandidateMacro(ErrorUncertainty, double, Uncertainty);
+measuredbrdfCandidateMacro(PredictedPercentile95, double, Percentiles[0]);
+measuredbrdfCandidateMacro(PredictedPercentile99, double, Percentiles[1]);
+measuredbrdfCandidateMacro(PredictedPictureError, double, Picture);
+measuredbrdfCandidateMacro(PredictedCost, double, Cost);
+measuredbrdfCandidateMacro(TextureBytes, vtkIdType, Bytes);
+measuredbrdfCandidateMacro(SetUpMilliseconds, double, SetUp);
 
 //------------------------------------------------------------------------------
 int vtkRadiancePlanner::GetChoice() { return this->Impl->Plan.Choice; }
-
-//------------------------------------------------------------------------------
 int vtkRadiancePlanner::GetInteractiveChoice() { return this->Impl->Plan.Interactive; }
-
-//------------------------------------------------------------------------------
 bool vtkRadiancePlanner::GetMeetsTolerance() { return this->Impl->Plan.Meets; }
-
-//------------------------------------------------------------------------------
 std::string vtkRadiancePlanner::GetReason() { return this->Impl->Plan.Reason; }
-
-//------------------------------------------------------------------------------
 std::string vtkRadiancePlanner::GetPlan() { return measuredbrdf::DescribePlan(this->Impl->Plan); }
 
 //------------------------------------------------------------------------------
@@ -352,7 +293,8 @@ void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BRDF: " << this->BRDF.Get() << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
-  os << indent << "Pairs: " << this->GetNumberOfPairs() << "\n";
+  os << indent << "Pairs: "
+     << (this->Impl->Given.Normals ? this->Impl->Given.Normals->GetNumberOfTuples() : 0) << "\n";
   os << indent << "EvaluateAll: " << (this->EvaluateAll ? "On" : "Off") << "\n";
   os << indent << "MaximumTextureBytes: " << this->MaximumTextureBytes << "\n";
   os << indent << "MaximumCost: " << this->MaximumCost << "\n";

@@ -85,11 +85,6 @@ public:
    */
   bool SetPairs(vtkDataArray* normals, vtkDataArray* views);
 
-  /**
-   * How many pairs SetPairs has set.
-   */
-  vtkIdType GetNumberOfPairs();
-
   ///@{
   /**
    * Also try the rungs that the climb leaves out, and methods that are never chosen, for lists of

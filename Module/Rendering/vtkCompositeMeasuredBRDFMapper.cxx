@@ -5,7 +5,6 @@
 #include "BlockBatch.h"
 #include "BlockMaterials.h"
 #include "BlockParts.h"
-#include "DrawTimer.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkObjectFactory.h"
 #include "vtkPBRPropertyFitter.h"
@@ -27,25 +26,19 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
     , Settings(Drawing->GetSettings())
     , Parts(Drawing)
   {
-    this->Drawing->SetPlansMapsForView(false); // blocks would plan one after the other
   }
 
-  // Each material once; which blocks have it shows while they are drawn, and plans for a view with
-  // that.
+  // Each material once; which blocks have it shows while they are drawn.
   std::vector<MaterialUse> GetUsesToCome() const
   {
-    std::set<vtkBRDF*> brdfs;
-    if (!this->Settings.PlanForView)
+    std::set<vtkBRDF*> brdfs = { this->Settings.BRDF };
+    for (const auto& [index, brdf] : this->Settings.BlocksByIndex)
     {
-      brdfs.insert(this->Settings.BRDF);
-      for (const auto& [index, brdf] : this->Settings.BlocksByIndex)
-      {
-        brdfs.insert(brdf);
-      }
-      for (const auto& [name, brdf] : this->Settings.BlocksByName)
-      {
-        brdfs.insert(brdf);
-      }
+      brdfs.insert(brdf);
+    }
+    for (const auto& [name, brdf] : this->Settings.BlocksByName)
+    {
+      brdfs.insert(brdf);
     }
     std::vector<MaterialUse> uses;
     for (vtkBRDF* brdf : brdfs)
@@ -84,8 +77,7 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
   std::shared_ptr<MaterialDrawing> Drawing; // shared with the batches
   MaterialSettings& Settings;
   BlockMaterials Blocks;
-  BlockParts Parts; // of blocks of several materials
-  DrawTimer Timer;
+  BlockParts Parts;    // of blocks of several materials
   int RenderDepth = 0; // greater than 0 inside of Render
 };
 
@@ -141,101 +133,7 @@ vtkCompositeMapperHelper2* vtkCompositeMeasuredBRDFMapper::CreateHelper()
 #endif
 
 //------------------------------------------------------------------------------
-void vtkCompositeMeasuredBRDFMapper::SetBRDF(vtkBRDF* brdf)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.BRDF, brdf);
-}
-vtkBRDF* vtkCompositeMeasuredBRDFMapper::GetBRDF() { return this->Impl->Settings.BRDF; }
-
-void vtkCompositeMeasuredBRDFMapper::SetMaterialMap(vtkMaterialMap* map)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.MaterialMap, map);
-}
-vtkMaterialMap* vtkCompositeMeasuredBRDFMapper::GetMaterialMap()
-{
-  return this->Impl->Settings.MaterialMap;
-}
-
-void vtkCompositeMeasuredBRDFMapper::SetEnvironment(vtkEnvironment* environment)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.Environment, environment);
-}
-vtkEnvironment* vtkCompositeMeasuredBRDFMapper::GetEnvironment()
-{
-  return this->Impl->Settings.Environment;
-}
-
-void vtkCompositeMeasuredBRDFMapper::SetIntegrator(vtkRadianceIntegrator* integrator)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.Integrator, integrator);
-}
-vtkRadianceIntegrator* vtkCompositeMeasuredBRDFMapper::GetIntegrator()
-{
-  return this->Impl->Settings.Integrator;
-}
-
-void vtkCompositeMeasuredBRDFMapper::SetPlanForView(bool value)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.PlanForView, value);
-}
-bool vtkCompositeMeasuredBRDFMapper::GetPlanForView() { return this->Impl->Settings.PlanForView; }
-
-void vtkCompositeMeasuredBRDFMapper::SetUseSceneLights(bool value)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.UseSceneLights, value);
-}
-bool vtkCompositeMeasuredBRDFMapper::GetUseSceneLights()
-{
-  return this->Impl->Settings.UseSceneLights;
-}
-
-void vtkCompositeMeasuredBRDFMapper::SetOcclusionBounce(bool value)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.OcclusionBounce, value);
-}
-bool vtkCompositeMeasuredBRDFMapper::GetOcclusionBounce()
-{
-  return this->Impl->Settings.OcclusionBounce;
-}
-
-void vtkCompositeMeasuredBRDFMapper::SetPlanningMode(int mode)
-{
-  this->Impl->Settings.SetPlanningMode(this, mode);
-}
-int vtkCompositeMeasuredBRDFMapper::GetPlanningMode() { return this->Impl->Settings.PlanningMode; }
-
-void vtkCompositeMeasuredBRDFMapper::SetErrorTolerance(double value)
-{
-  this->Impl->Settings.SetErrorTolerance(this, value);
-}
-double vtkCompositeMeasuredBRDFMapper::GetErrorTolerance()
-{
-  return this->Impl->Settings.ErrorTolerance;
-}
-
-void vtkCompositeMeasuredBRDFMapper::SetMaximumCost(double value)
-{
-  this->Impl->Settings.SetMaximumCost(this, value);
-}
-double vtkCompositeMeasuredBRDFMapper::GetMaximumCost() { return this->Impl->Settings.MaximumCost; }
-
-void vtkCompositeMeasuredBRDFMapper::SetScalarColoringMode(int mode)
-{
-  this->Impl->Settings.SetScalarColoringMode(this, mode);
-}
-int vtkCompositeMeasuredBRDFMapper::GetScalarColoringMode()
-{
-  return this->Impl->Settings.ScalarColoringMode;
-}
-
-void vtkCompositeMeasuredBRDFMapper::SetOcclusionMode(int mode)
-{
-  this->Impl->Settings.SetOcclusionMode(this, mode);
-}
-int vtkCompositeMeasuredBRDFMapper::GetOcclusionMode()
-{
-  return this->Impl->Settings.OcclusionMode;
-}
+measuredbrdfAllSettingsMacro(vtkCompositeMeasuredBRDFMapper);
 
 //------------------------------------------------------------------------------
 void vtkCompositeMeasuredBRDFMapper::SetBlockBRDF(unsigned int flatIndex, vtkBRDF* brdf)
@@ -268,26 +166,6 @@ void vtkCompositeMeasuredBRDFMapper::RemoveBlockBRDF(unsigned int flatIndex)
 void vtkCompositeMeasuredBRDFMapper::SetBlockBRDFByName(const std::string& name, vtkBRDF* brdf)
 {
   this->Impl->Settings.BlocksByName[name] = brdf;
-  this->Impl->Settings.Time.Modified();
-}
-
-//------------------------------------------------------------------------------
-vtkBRDF* vtkCompositeMeasuredBRDFMapper::GetBlockBRDFByName(const std::string& name)
-{
-  const auto found = this->Impl->Settings.BlocksByName.find(name);
-  return found == this->Impl->Settings.BlocksByName.end() ? nullptr : found->second.Get();
-}
-
-//------------------------------------------------------------------------------
-bool vtkCompositeMeasuredBRDFMapper::HasBlockBRDFByName(const std::string& name)
-{
-  return this->Impl->Settings.BlocksByName.count(name) > 0;
-}
-
-//------------------------------------------------------------------------------
-void vtkCompositeMeasuredBRDFMapper::RemoveBlockBRDFByName(const std::string& name)
-{
-  this->Impl->Settings.BlocksByName.erase(name);
   this->Impl->Settings.Time.Modified();
 }
 
@@ -361,8 +239,6 @@ void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* act
   }
   const Depth inside(this->Impl->RenderDepth);
   this->Impl->Parts.Begin();
-  vtkDataObject* input = this->GetInputDataObject(0, 0);
-  this->Impl->Timer.Start(input ? input->GetNumberOfElements(vtkDataObject::CELL) : 0);
   vtkObject* style = this->GetCompositeDataDisplayAttributes();
   this->Impl->Drawing->Render(
     renderer, actor,
@@ -372,8 +248,6 @@ void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* act
       this->Impl->Parts.Render(renderer, actor);
     },
     style ? style->GetMTime() : 0);
-  this->Impl->Timer.Stop();
-  this->TimeToDraw = this->Impl->Timer.GetSeconds();
 }
 
 //------------------------------------------------------------------------------
@@ -382,7 +256,6 @@ void vtkCompositeMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
   if (this->Impl->RenderDepth == 0)
   {
     this->Impl->Parts.ReleaseGraphicsResources(window);
-    this->Impl->Timer.ReleaseGraphicsResources();
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }

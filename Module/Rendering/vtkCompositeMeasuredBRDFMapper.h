@@ -76,9 +76,6 @@ public:
   bool HasBlockBRDF(unsigned int flatIndex);
   void RemoveBlockBRDF(unsigned int flatIndex);
   void SetBlockBRDFByName(const std::string& name, vtkBRDF* brdf);
-  vtkBRDF* GetBlockBRDFByName(const std::string& name);
-  bool HasBlockBRDFByName(const std::string& name);
-  void RemoveBlockBRDFByName(const std::string& name);
   void RemoveBlockBRDFs();
   ///@}
 

@@ -6,7 +6,7 @@
 #include "RunGuarded.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
-#include "vtkCellArray.h"
+#include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkFloatArray.h"
@@ -18,7 +18,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
-#include "vtkProperty2D.h"
 #include "vtkRadianceIntegrator.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkSmartPointer.h"
@@ -32,132 +31,42 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
-#include <utility>
 #include <vector>
 
 using namespace measuredbrdf;
 
 namespace
 {
-constexpr double Tolerance = 0.05;       // of the pictures
-constexpr double LargestText = 0.33;     // of a sphere's diameter, for a name beside it
-constexpr double TitleShare = 0.1;       // of the legend's height, at most
-constexpr int SmallestText = 9;          // pixels
-constexpr double TitleTimes = 1.2;       // as large as the names, at most
-constexpr double LegendGap = 0.06;       // between entries, as a share of their size
-constexpr double LegendNameShare = 0.25; // of an entry's height, for a name below its sphere
-constexpr double SphereShare = 0.5;      // of an entry's width, at most
-constexpr double NarrowShare = 0.25;     // the same in several columns
+constexpr double Tolerance = 0.05;   // of the pictures
+constexpr double LargestText = 0.33; // of a sphere's diameter, for its name
+constexpr double TitleShare = 0.1;   // of the legend's height, at most
+constexpr double LegendGap = 0.06;   // between entries, as a share of their size
 
-// How entries are laid out: in equal cells, in pixels.
+// Entries stand in equal cells, each a sphere with its name to the right, and go down the columns.
 struct LegendGrid
 {
-  int Columns = 1;
   int Rows = 1;
-  double Width = 0.0; // of a cell
+  double Width = 0.0; // of a cell, in pixels
   double Height = 0.0;
   double Sphere = 0.0; // diameter
 
-  // The one with the largest spheres.
-  static LegendGrid Find(int count, double width, double height, bool horizontal)
+  // The one with the largest spheres that leave most of the width to the names.
+  static LegendGrid Find(int count, double width, double height)
   {
     LegendGrid best;
-    for (int lines = 1; lines <= count; ++lines) // columns, or rows where they stand side by side
+    for (int columns = 1; columns <= count; ++columns)
     {
-      const int others = (count + lines - 1) / lines;
       LegendGrid grid;
-      grid.Columns = horizontal ? others : lines;
-      grid.Rows = horizontal ? lines : others;
-      grid.Width = width / grid.Columns;
+      grid.Rows = (count + columns - 1) / columns;
+      grid.Width = width / columns;
       grid.Height = height / grid.Rows;
-      grid.Sphere =
-        (1.0 - LegendGap) *
-        (horizontal ? std::min(grid.Width, (1.0 - LegendNameShare) * grid.Height)
-                    : std::min((lines > 1 ? NarrowShare : SphereShare) * grid.Width, grid.Height));
+      const double share = columns > 1 ? 0.25 : 0.5;
+      grid.Sphere = (1.0 - LegendGap) * std::min(share * grid.Width, grid.Height);
       best = grid.Sphere > best.Sphere ? grid : best;
     }
     return best;
   }
 };
-
-}
-
-namespace measuredbrdf
-{
-// A rectangle in pixels: its edges, or filled, with or without a texture.
-struct LegendRectangle
-{
-  explicit LegendRectangle(bool filled)
-  {
-    const float corners[4][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
-    vtkNew<vtkFloatArray> coordinates;
-    coordinates->SetNumberOfComponents(2);
-    for (const float* corner : corners)
-    {
-      coordinates->InsertNextTuple(corner);
-    }
-    this->Points->SetNumberOfPoints(4);
-    const vtkIdType ids[5] = { 0, 1, 2, 3, 0 };
-    vtkNew<vtkCellArray> cells;
-    cells->InsertNextCell(filled ? 4 : 5, ids);
-    vtkNew<vtkPolyData> shape;
-    shape->SetPoints(this->Points);
-    shape->GetPointData()->SetTCoords(coordinates);
-    filled ? shape->SetPolys(cells) : shape->SetLines(cells);
-    vtkNew<vtkPolyDataMapper2D> mapper;
-    mapper->SetInputData(shape);
-    this->Actor->SetMapper(mapper);
-  }
-
-  void Place(double left, double bottom, double width, double height)
-  {
-    this->Points->SetPoint(0, left, bottom, 0.0);
-    this->Points->SetPoint(1, left + width, bottom, 0.0);
-    this->Points->SetPoint(2, left + width, bottom + height, 0.0);
-    this->Points->SetPoint(3, left, bottom + height, 0.0);
-    this->Points->Modified();
-    this->Points->GetData()->Modified();
-  }
-
-  void SetPicture(vtkImageData* picture)
-  {
-    if (!this->Actor->GetTexture())
-    {
-      vtkNew<vtkTexture> texture;
-      texture->InterpolateOn();
-      texture->SetColorModeToDirectScalars();
-      this->Actor->SetTexture(texture);
-    }
-    this->Actor->GetTexture()->SetInputDataObject(picture);
-  }
-
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkTexturedActor2D> Actor;
-};
-
-} // namespace measuredbrdf
-
-namespace
-{
-// As much of a text as is not wider, with dots where some is missing.
-void CutToWidth(vtkTextActor* actor, const std::string& text, vtkViewport* viewport, double width)
-{
-  double size[2];
-  for (std::size_t length = text.size();; --length)
-  {
-    while (length > 0 && length < text.size() && (text[length] & 0xC0) == 0x80)
-    {
-      --length; // within a character of UTF-8
-    }
-    actor->SetInput((length == text.size() ? text : text.substr(0, length) + "...").c_str());
-    actor->GetSize(viewport, size);
-    if (size[0] <= width || length == 0)
-    {
-      return;
-    }
-  }
-}
 
 // A picture of a sphere of a material, RGBA in floats, radiance^(1/2.2), transparent around the
 // sphere. Seen along -z from a great distance. Null where there is nothing to integrate with.
@@ -222,55 +131,73 @@ vtkSmartPointer<vtkImageData> MakeMaterialPicture(
 
 struct vtkMaterialLegendActor::Internals
 {
+  // A square with the picture, in pixels, and the name.
   struct Entry
   {
+    Entry()
+    {
+      vtkNew<vtkFloatArray> coordinates;
+      coordinates->SetNumberOfComponents(2);
+      for (int k = 0; k < 4; ++k)
+      {
+        coordinates->InsertNextTuple2(k == 1 || k == 2 ? 1.0 : 0.0, k / 2);
+      }
+      vtkNew<vtkPolyData> square;
+      square->SetPoints(this->Corners);
+      square->GetPointData()->SetTCoords(coordinates);
+      square->AllocateExact(1, 4);
+      const vtkIdType ids[4] = { 0, 1, 2, 3 };
+      square->InsertNextCell(VTK_QUAD, 4, ids);
+      vtkNew<vtkPolyDataMapper2D> mapper;
+      mapper->SetInputData(square);
+      this->Texture->InterpolateOn();
+      this->Texture->SetColorModeToDirectScalars();
+      this->Sphere->SetMapper(mapper);
+      this->Sphere->SetTexture(this->Texture);
+    }
+    void Place(double left, double bottom, double size)
+    {
+      for (vtkIdType k = 0; k < 4; ++k)
+      {
+        this->Corners->InsertPoint(
+          k, left + (k == 1 || k == 2 ? size : 0.0), bottom + (k / 2) * size, 0.0);
+      }
+      this->Corners->GetData()->Modified();
+      this->Corners->Modified();
+    }
+
     std::string Label;
-    vtkImageData* Picture; // null: it could not be made
-    std::shared_ptr<LegendRectangle> Square;
-    vtkSmartPointer<vtkTextActor> Text;
-  };
-  struct Picture
-  {
-    vtkSmartPointer<vtkImageData> Image;
-    vtkMTimeType Time = 0; // of what it was made of
+    vtkSmartPointer<vtkImageData> Picture; // null: it could not be made
+    vtkSmartPointer<vtkBRDF> Material;     // what it was made of
+    vtkMTimeType Time = 0;
     int Resolution = 0;
+    vtkNew<vtkPoints> Corners;
+    vtkNew<vtkTexture> Texture;
+    vtkNew<vtkTexturedActor2D> Sphere;
+    vtkNew<vtkTextActor> Text;
   };
 
   vtkSmartPointer<vtkEnvironment> Sky; // where there is no environment
-  std::map<vtkSmartPointer<vtkBRDF>, Picture> Pictures;
   vtkNew<vtkTextProperty> TextProperty;
-  vtkSmartPointer<vtkTextActor> TitleActor; // made when it is drawn: it needs VTK's fonts
-  std::vector<Entry> Entries;
-  LegendRectangle Background{ true };
-  LegendRectangle Frame{ false };
-  bool HasBackground = false; // in the last layout
-  bool HasFrame = false;
-  bool HasTitle = false;
+  vtkSmartPointer<vtkTextActor> Title; // made when it is drawn: it needs VTK's fonts
+  std::vector<std::unique_ptr<Entry>> Entries;
   std::vector<double> LayoutOf; // what the last layout depended on
   vtkMTimeType LayoutTime = 0;
 
   template <typename Visit>
   void ForEachActor(const Visit& visit)
   {
-    if (this->HasBackground && !this->Entries.empty())
+    for (const auto& entry : this->Entries)
     {
-      visit(this->Background.Actor);
-    }
-    if (this->HasFrame && !this->Entries.empty())
-    {
-      visit(this->Frame.Actor);
-    }
-    for (Entry& entry : this->Entries)
-    {
-      if (entry.Picture)
+      if (entry->Picture)
       {
-        visit(entry.Square->Actor);
+        visit(entry->Sphere.Get());
       }
-      visit(entry.Text);
+      visit(entry->Text.Get());
     }
-    if (this->HasTitle && this->TitleActor && !this->Entries.empty())
+    if (this->Title && !this->Entries.empty())
     {
-      visit(this->TitleActor);
+      visit(this->Title.Get());
     }
   }
 };
@@ -318,23 +245,9 @@ measuredbrdfSetClampedMacro(vtkMaterialLegendActor, SphereResolution, int, 8, 51
 vtkTextProperty* vtkMaterialLegendActor::GetTextProperty() { return this->Impl->TextProperty; }
 
 //------------------------------------------------------------------------------
-vtkProperty2D* vtkMaterialLegendActor::GetBackgroundProperty()
-{
-  return this->Impl->Background.Actor->GetProperty();
-}
-
-//------------------------------------------------------------------------------
-vtkProperty2D* vtkMaterialLegendActor::GetFrameProperty()
-{
-  return this->Impl->Frame.Actor->GetProperty();
-}
-
-//------------------------------------------------------------------------------
 vtkMTimeType vtkMaterialLegendActor::GetMTime()
 {
   vtkMTimeType time = std::max(this->Superclass::GetMTime(), this->Impl->TextProperty->GetMTime());
-  time = std::max(time, this->GetBackgroundProperty()->GetMTime());
-  time = std::max(time, this->GetFrameProperty()->GetMTime());
   time = std::max(time, this->MaterialMap ? this->MaterialMap->GetMTime() : 0);
   return std::max(time, this->Environment ? this->Environment->GetMTime() : 0);
 }
@@ -353,7 +266,6 @@ void vtkMaterialLegendActor::UpdateEntries()
     }
     light = this->Impl->Sky;
   }
-  std::map<vtkSmartPointer<vtkBRDF>, Internals::Picture> pictures; // those still in use
   std::size_t shown = 0;
   for (int k = 0; this->MaterialMap && k < this->MaterialMap->GetNumberOfMaterials(); ++k)
   {
@@ -362,31 +274,28 @@ void vtkMaterialLegendActor::UpdateEntries()
     {
       continue;
     }
-    Internals::Picture& picture =
-      pictures.try_emplace(brdf, this->Impl->Pictures[brdf]).first->second;
-    const vtkMTimeType time = std::max(brdf->GetMTime(), light->GetMTime());
-    if (picture.Time != time || picture.Resolution != this->SphereResolution)
+    if (shown == this->Impl->Entries.size())
     {
-      picture = { MakeMaterialPicture(brdf, light, this->SphereResolution), time,
-        this->SphereResolution };
-      if (!picture.Image)
+      this->Impl->Entries.push_back(std::make_unique<Internals::Entry>());
+    }
+    Internals::Entry& entry = *this->Impl->Entries[shown++];
+    const std::string name = this->MaterialMap->GetName(k);
+    entry.Label = name.empty() ? NumberText(this->MaterialMap->GetValue(k)) : name;
+    const vtkMTimeType time = std::max(brdf->GetMTime(), light->GetMTime());
+    if (entry.Material != brdf || entry.Time != time || entry.Resolution != this->SphereResolution)
+    {
+      entry.Material = brdf;
+      entry.Time = time;
+      entry.Resolution = this->SphereResolution;
+      entry.Picture = MakeMaterialPicture(brdf, light, this->SphereResolution);
+      entry.Texture->SetInputDataObject(entry.Picture);
+      if (!entry.Picture)
       {
         vtkErrorMacro("There is no picture of material " << k << ".");
       }
     }
-    if (shown == this->Impl->Entries.size())
-    {
-      this->Impl->Entries.push_back({ "", nullptr, std::make_shared<LegendRectangle>(true),
-        vtkSmartPointer<vtkTextActor>::New() });
-    }
-    Internals::Entry& entry = this->Impl->Entries[shown++];
-    const std::string name = this->MaterialMap->GetName(k);
-    entry.Label = name.empty() ? NumberText(this->MaterialMap->GetValue(k)) : name;
-    entry.Picture = picture.Image;
-    entry.Square->SetPicture(picture.Image);
   }
   this->Impl->Entries.resize(shown);
-  this->Impl->Pictures = std::move(pictures);
 }
 
 //------------------------------------------------------------------------------
@@ -409,107 +318,53 @@ void vtkMaterialLegendActor::UpdateLayout(vtkViewport* viewport)
   this->Impl->LayoutOf = from;
   this->Impl->LayoutTime = time;
   this->UpdateEntries();
-  this->Impl->HasBackground = this->DrawBackground;
-  this->Impl->HasFrame = this->DrawFrame;
-  this->Impl->HasTitle = !this->Title.empty();
-  this->Impl->Background.Place(left, bottom, width, height);
-  this->Impl->Frame.Place(left, bottom, width, height);
+  this->Impl->Title = nullptr;
   if (this->Impl->Entries.empty())
   {
     return;
   }
-  const double room = this->Title.empty() ? height : (1.0 - 1.2 * TitleShare) * height;
+  double room = height;
   if (!this->Title.empty())
   {
-    this->PlaceTitle(viewport, left, bottom + height, width, TitleShare * height);
+    room -= 1.2 * TitleShare * height;
+    this->Impl->Title = vtkSmartPointer<vtkTextActor>::New();
+    vtkTextActor* title = this->Impl->Title;
+    title->SetInput(this->Title.c_str());
+    title->GetTextProperty()->ShallowCopy(this->Impl->TextProperty);
+    title->SetConstrainedFontSize(
+      viewport, static_cast<int>(width), static_cast<int>(TitleShare * height));
+    title->GetTextProperty()->SetVerticalJustificationToTop();
+    title->SetPosition(left, bottom + height);
   }
   this->PlaceEntries(viewport, left, bottom, width, room);
 }
 
 //------------------------------------------------------------------------------
-void vtkMaterialLegendActor::PlaceTitle(
-  vtkViewport* viewport, double left, double top, double width, double height)
-{
-  if (!this->Impl->TitleActor)
-  {
-    this->Impl->TitleActor = vtkSmartPointer<vtkTextActor>::New();
-  }
-  vtkTextActor* title = this->Impl->TitleActor;
-  title->SetInput(this->Title.c_str());
-  title->GetTextProperty()->ShallowCopy(this->Impl->TextProperty);
-  title->SetConstrainedFontSize(viewport, static_cast<int>(width), static_cast<int>(height));
-  title->GetTextProperty()->SetVerticalJustificationToTop();
-  title->SetPosition(left, top);
-}
-
-//------------------------------------------------------------------------------
+// All names have one size: the largest with which they fit.
 void vtkMaterialLegendActor::PlaceEntries(
   vtkViewport* viewport, double left, double bottom, double width, double height)
 {
-  std::vector<Internals::Entry>& entries = this->Impl->Entries;
-  const int count = static_cast<int>(entries.size());
-  const LegendGrid grid = LegendGrid::Find(count, width, height, this->Horizontal);
-  const double sphere = grid.Sphere;
-  const double room = this->Horizontal ? (1.0 - LegendGap) * grid.Width
-                                       : grid.Width - (1.0 + 2.0 * LegendGap) * sphere;
-  this->SizeNames(viewport, std::max(room, 1.0),
-    std::max(this->Horizontal ? LegendNameShare * grid.Height : LargestText * sphere, 1.0));
+  const int count = static_cast<int>(this->Impl->Entries.size());
+  const LegendGrid grid = LegendGrid::Find(count, width, height);
+  const double besides = (1.0 + LegendGap) * grid.Sphere;
+  std::vector<vtkTextActor*> texts;
   for (int k = 0; k < count; ++k)
   {
-    const int column = this->Horizontal ? k % grid.Columns : k / grid.Rows;
-    const int row = this->Horizontal ? k / grid.Columns : k % grid.Rows;
-    const double x = left + column * grid.Width;
-    const double top = bottom + height - row * grid.Height; // the first one on top
-    Internals::Entry& entry = entries[static_cast<std::size_t>(k)];
-    vtkTextProperty* text = entry.Text->GetTextProperty();
-    if (this->Horizontal)
-    {
-      const double middle = x + 0.5 * grid.Width;
-      entry.Square->Place(middle - 0.5 * sphere, top - sphere, sphere, sphere);
-      text->SetJustificationToCentered();
-      text->SetVerticalJustificationToTop();
-      entry.Text->SetPosition(middle, top - (1.0 + LegendGap) * sphere);
-    }
-    else
-    {
-      const double middle = top - 0.5 * grid.Height;
-      entry.Square->Place(x, middle - 0.5 * sphere, sphere, sphere);
-      text->SetJustificationToLeft();
-      text->SetVerticalJustificationToCentered();
-      entry.Text->SetPosition(x + (1.0 + LegendGap) * sphere, middle);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-// One size for all: the largest with which they fit, or names are cut.
-void vtkMaterialLegendActor::SizeNames(vtkViewport* viewport, double width, double height)
-{
-  std::vector<vtkTextActor*> texts;
-  for (Internals::Entry& entry : this->Impl->Entries)
-  {
+    const double x = left + k / grid.Rows * grid.Width;
+    const double middle = bottom + height - (k % grid.Rows + 0.5) * grid.Height;
+    Internals::Entry& entry = *this->Impl->Entries[static_cast<std::size_t>(k)];
+    entry.Place(x, middle - 0.5 * grid.Sphere, grid.Sphere);
     entry.Text->SetInput(entry.Label.c_str());
     entry.Text->GetTextProperty()->ShallowCopy(this->Impl->TextProperty);
+    entry.Text->GetTextProperty()->SetJustificationToLeft();
+    entry.Text->GetTextProperty()->SetVerticalJustificationToCentered();
+    entry.Text->SetPosition(x + besides, middle);
     texts.push_back(entry.Text);
   }
+  const double room = grid.Width - besides - LegendGap * grid.Sphere;
   int size[2];
-  vtkTextActor::SetMultipleConstrainedFontSize(viewport, static_cast<int>(width),
-    static_cast<int>(height), texts.data(), static_cast<int>(texts.size()), size);
-  int font = texts.front()->GetTextProperty()->GetFontSize();
-  if (font < SmallestText)
-  {
-    font = SmallestText;
-    for (Internals::Entry& entry : this->Impl->Entries)
-    {
-      entry.Text->GetTextProperty()->SetFontSize(font);
-      CutToWidth(entry.Text, entry.Label, viewport, width);
-    }
-  }
-  if (!this->Title.empty())
-  {
-    vtkTextProperty* title = this->Impl->TitleActor->GetTextProperty();
-    title->SetFontSize(std::min(title->GetFontSize(), static_cast<int>(TitleTimes * font)));
-  }
+  vtkTextActor::SetMultipleConstrainedFontSize(viewport, static_cast<int>(std::max(room, 1.0)),
+    static_cast<int>(std::max(LargestText * grid.Sphere, 1.0)), texts.data(), count, size);
 }
 
 //------------------------------------------------------------------------------
@@ -523,24 +378,20 @@ int vtkMaterialLegendActor::GetNumberOfEntries()
 std::string vtkMaterialLegendActor::GetLabel(int entry)
 {
   const bool known = entry >= 0 && entry < this->GetNumberOfEntries();
-  return known ? this->Impl->Entries[static_cast<std::size_t>(entry)].Label : "";
+  return known ? this->Impl->Entries[static_cast<std::size_t>(entry)]->Label : "";
 }
 
 //------------------------------------------------------------------------------
 vtkImageData* vtkMaterialLegendActor::GetSphere(int entry)
 {
   const bool known = entry >= 0 && entry < this->GetNumberOfEntries();
-  return known ? this->Impl->Entries[static_cast<std::size_t>(entry)].Picture : nullptr;
+  return known ? this->Impl->Entries[static_cast<std::size_t>(entry)]->Picture.Get() : nullptr;
 }
 
 //------------------------------------------------------------------------------
 int vtkMaterialLegendActor::RenderOverlay(vtkViewport* viewport)
 {
   int drawn = 0;
-  if (!viewport)
-  {
-    return drawn;
-  }
   this->Impl->ForEachActor(
     [&drawn, viewport](vtkActor2D* actor) { drawn += actor->RenderOverlay(viewport); });
   return drawn;
@@ -549,14 +400,13 @@ int vtkMaterialLegendActor::RenderOverlay(vtkViewport* viewport)
 //------------------------------------------------------------------------------
 int vtkMaterialLegendActor::RenderOpaqueGeometry(vtkViewport* viewport)
 {
-  if (!viewport || !measuredbrdf::RunGuarded(
-                     this, "RenderOpaqueGeometry", [&]() { this->UpdateLayout(viewport); }))
-  {
-    return 0;
-  }
   int drawn = 0;
-  this->Impl->ForEachActor(
-    [&drawn, viewport](vtkActor2D* actor) { drawn += actor->RenderOpaqueGeometry(viewport); });
+  if (measuredbrdf::RunGuarded(
+        this, "RenderOpaqueGeometry", [&]() { this->UpdateLayout(viewport); }))
+  {
+    this->Impl->ForEachActor(
+      [&drawn, viewport](vtkActor2D* actor) { drawn += actor->RenderOpaqueGeometry(viewport); });
+  }
   return drawn;
 }
 
@@ -575,8 +425,5 @@ void vtkMaterialLegendActor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaterialMap: " << this->MaterialMap.Get() << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";
   os << indent << "Title: " << this->Title << "\n";
-  os << indent << "Horizontal: " << (this->Horizontal ? "On" : "Off") << "\n";
-  os << indent << "DrawBackground: " << (this->DrawBackground ? "On" : "Off") << "\n";
-  os << indent << "DrawFrame: " << (this->DrawFrame ? "On" : "Off") << "\n";
   os << indent << "SphereResolution: " << this->SphereResolution << "\n";
 }

@@ -31,7 +31,6 @@
 class vtkEnvironment;
 class vtkImageData;
 class vtkMaterialMap;
-class vtkProperty2D;
 class vtkTextProperty;
 
 class VTKMEASUREDBRDF_EXPORT vtkMaterialLegendActor : public vtkActor2D
@@ -68,30 +67,6 @@ public:
 
   ///@{
   /**
-   * Whether materials stand side by side, with their names below, instead of below each other
-   * (default: off). Where there are many, they stand in several rows or columns.
-   */
-  vtkSetMacro(Horizontal, bool);
-  vtkGetMacro(Horizontal, bool);
-  vtkBooleanMacro(Horizontal, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether a rectangle behind the legend and one around it are drawn (default: neither), and how.
-   */
-  vtkSetMacro(DrawBackground, bool);
-  vtkGetMacro(DrawBackground, bool);
-  vtkBooleanMacro(DrawBackground, bool);
-  vtkSetMacro(DrawFrame, bool);
-  vtkGetMacro(DrawFrame, bool);
-  vtkBooleanMacro(DrawFrame, bool);
-  vtkProperty2D* GetBackgroundProperty();
-  vtkProperty2D* GetFrameProperty();
-  ///@}
-
-  ///@{
-  /**
    * Pixels across the picture of a sphere, which is scaled to its place; default 96, clamped to
    * [8, 512].
    */
@@ -100,8 +75,7 @@ public:
   ///@}
 
   /**
-   * Font, color and style of the names and the title. Sizes are found so that all fit; names that
-   * would be less than 9 pixels high for that are cut, with dots.
+   * Font, color and style of the names and the title. Sizes are found so that all fit.
    */
   vtkTextProperty* GetTextProperty();
 
@@ -135,16 +109,11 @@ private:
 
   void UpdateEntries();
   void UpdateLayout(vtkViewport* viewport);
-  void PlaceTitle(vtkViewport* viewport, double left, double top, double width, double height);
   void PlaceEntries(vtkViewport* viewport, double left, double bottom, double width, double height);
-  void SizeNames(vtkViewport* viewport, double width, double height);
 
   vtkSmartPointer<vtkMaterialMap> MaterialMap;
   vtkSmartPointer<vtkEnvironment> Environment;
   std::string Title;
-  bool Horizontal = false;
-  bool DrawBackground = false;
-  bool DrawFrame = false;
   int SphereResolution = 96;
 
   struct Internals;

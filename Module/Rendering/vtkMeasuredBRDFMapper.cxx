@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeasuredBRDFMapper.h"
 
-#include "DrawTimer.h"
 #include "MaterialShading.h"
 #include "PartMappers.h"
 #include "RenderPassQueries.h"
@@ -60,7 +59,6 @@ struct vtkMeasuredBRDFMapper::Internals : public MaterialShading
   vtkMeasuredBRDFMapper* Self;
   PartMappers Parts; // of a surface that a material map divides
   MaterialSettings& Settings;
-  DrawTimer Timer; // of these
 };
 
 //------------------------------------------------------------------------------
@@ -73,85 +71,7 @@ vtkMeasuredBRDFMapper::vtkMeasuredBRDFMapper()
 vtkMeasuredBRDFMapper::~vtkMeasuredBRDFMapper() = default;
 
 //------------------------------------------------------------------------------
-// The properties do not call Modified(): that would rebuild vertex buffers and shaders. Every
-// render compares what it used last with what is asked for.
-void vtkMeasuredBRDFMapper::SetBRDF(vtkBRDF* brdf)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.BRDF, brdf);
-}
-vtkBRDF* vtkMeasuredBRDFMapper::GetBRDF() { return this->Impl->Settings.BRDF; }
-
-void vtkMeasuredBRDFMapper::SetMaterialMap(vtkMaterialMap* map)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.MaterialMap, map);
-}
-vtkMaterialMap* vtkMeasuredBRDFMapper::GetMaterialMap() { return this->Impl->Settings.MaterialMap; }
-
-void vtkMeasuredBRDFMapper::SetEnvironment(vtkEnvironment* environment)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.Environment, environment);
-}
-vtkEnvironment* vtkMeasuredBRDFMapper::GetEnvironment() { return this->Impl->Settings.Environment; }
-
-void vtkMeasuredBRDFMapper::SetIntegrator(vtkRadianceIntegrator* integrator)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.Integrator, integrator);
-}
-vtkRadianceIntegrator* vtkMeasuredBRDFMapper::GetIntegrator()
-{
-  return this->Impl->Settings.Integrator;
-}
-
-void vtkMeasuredBRDFMapper::SetPlanForView(bool value)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.PlanForView, value);
-}
-bool vtkMeasuredBRDFMapper::GetPlanForView() { return this->Impl->Settings.PlanForView; }
-
-void vtkMeasuredBRDFMapper::SetUseSceneLights(bool value)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.UseSceneLights, value);
-}
-bool vtkMeasuredBRDFMapper::GetUseSceneLights() { return this->Impl->Settings.UseSceneLights; }
-
-void vtkMeasuredBRDFMapper::SetOcclusionBounce(bool value)
-{
-  this->Impl->Settings.Set(this->Impl->Settings.OcclusionBounce, value);
-}
-bool vtkMeasuredBRDFMapper::GetOcclusionBounce() { return this->Impl->Settings.OcclusionBounce; }
-
-void vtkMeasuredBRDFMapper::SetPlanningMode(int mode)
-{
-  this->Impl->Settings.SetPlanningMode(this, mode);
-}
-int vtkMeasuredBRDFMapper::GetPlanningMode() { return this->Impl->Settings.PlanningMode; }
-
-void vtkMeasuredBRDFMapper::SetErrorTolerance(double value)
-{
-  this->Impl->Settings.SetErrorTolerance(this, value);
-}
-double vtkMeasuredBRDFMapper::GetErrorTolerance() { return this->Impl->Settings.ErrorTolerance; }
-
-void vtkMeasuredBRDFMapper::SetMaximumCost(double value)
-{
-  this->Impl->Settings.SetMaximumCost(this, value);
-}
-double vtkMeasuredBRDFMapper::GetMaximumCost() { return this->Impl->Settings.MaximumCost; }
-
-void vtkMeasuredBRDFMapper::SetScalarColoringMode(int mode)
-{
-  this->Impl->Settings.SetScalarColoringMode(this, mode);
-}
-int vtkMeasuredBRDFMapper::GetScalarColoringMode()
-{
-  return this->Impl->Settings.ScalarColoringMode;
-}
-
-void vtkMeasuredBRDFMapper::SetOcclusionMode(int mode)
-{
-  this->Impl->Settings.SetOcclusionMode(this, mode);
-}
-int vtkMeasuredBRDFMapper::GetOcclusionMode() { return this->Impl->Settings.OcclusionMode; }
+measuredbrdfAllSettingsMacro(vtkMeasuredBRDFMapper);
 
 //------------------------------------------------------------------------------
 std::string vtkMeasuredBRDFMapper::GetPlan()
@@ -189,7 +109,6 @@ bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
     return false;
   }
   this->Impl->Drawing->Forget(this); // what the whole was drawn with
-  this->Impl->Timer.Start(input->GetNumberOfCells());
   this->Impl->Parts.Render(ren, actor, this, this->Superclass::GetMTime(),
     [this](vtkPolyDataMapper* mapper)
     {
@@ -207,8 +126,7 @@ bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
         }
       }
     });
-  this->Impl->Timer.Stop();
-  this->TimeToDraw = this->Impl->Timer.GetSeconds();
+  this->TimeToDraw = this->Impl->Parts.GetTimeToDraw();
   return true;
 }
 
@@ -224,10 +142,7 @@ void vtkMeasuredBRDFMapper::RenderPiece(vtkRenderer* ren, vtkActor* actor)
     [&]()
     {
       bool drawn = false;
-      if (!this->Impl->Drawing->Try([&]() { drawn = this->RenderParts(ren, actor); }))
-      {
-        this->Impl->Timer.Stop();
-      }
+      this->Impl->Drawing->Try([&]() { drawn = this->RenderParts(ren, actor); });
       if (!drawn)
       {
         this->Impl->DrawPiece([&]() { this->Superclass::RenderPiece(ren, actor); },
@@ -242,7 +157,6 @@ void vtkMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
   if (this->Impl->RenderDepth == 0)
   {
     this->Impl->Parts.ReleaseGraphicsResources(window);
-    this->Impl->Timer.ReleaseGraphicsResources();
   }
   this->Impl->ReleaseMaterials(window);
   this->Superclass::ReleaseGraphicsResources(window);
@@ -387,27 +301,6 @@ void vtkMeasuredBRDFMapper::SetAbortPlanning(bool abort)
 
 //------------------------------------------------------------------------------
 bool vtkMeasuredBRDFMapper::GetAbortPlanning() { return this->Impl->Drawing->GetAbortPlanning(); }
-
-//------------------------------------------------------------------------------
-std::string vtkMeasuredBRDFMapper::GetMaterialDescription()
-{
-  const vtkBRDFShaderInputs* inputs = FindMaterialInputs(this->Impl->Drawing->GetLastFrame());
-  return inputs ? inputs->Description : "";
-}
-
-//------------------------------------------------------------------------------
-double vtkMeasuredBRDFMapper::GetResamplingError()
-{
-  const vtkBRDFShaderInputs* inputs = FindMaterialInputs(this->Impl->Drawing->GetLastFrame());
-  return inputs ? inputs->ResamplingError : 0.0;
-}
-
-//------------------------------------------------------------------------------
-double vtkMeasuredBRDFMapper::GetQuantizationError()
-{
-  const vtkBRDFShaderInputs* inputs = FindMaterialInputs(this->Impl->Drawing->GetLastFrame());
-  return inputs ? inputs->QuantizationError : 0.0;
-}
 
 //------------------------------------------------------------------------------
 double* vtkMeasuredBRDFMapper::GetBounds()

@@ -81,10 +81,9 @@ public:
   /**
    * Which material each place of the surface is made of, by an array of the data; null (default):
    * all of it is of BRDF. With a map, BRDF is the material of the places that the map says nothing
-   * of. Each part of the surface is drawn with the materials that meet there and no others, so that
-   * a class map costs about what one material costs. Each material has a plan of its own. Scalars
-   * that choose the material do not color it. A map that does not fit the data is reported once,
-   * and BRDF is drawn.
+   * of. A class map costs about what one material costs. Each material has a plan of its own.
+   * Scalars that choose the material do not color it. A map that does not fit the data is reported
+   * once, and BRDF is drawn.
    */
   void SetMaterialMap(vtkMaterialMap* map);
   vtkMaterialMap* GetMaterialMap();
@@ -107,12 +106,10 @@ public:
    * materials) before the first frame and after a change of the material or the environment (its
    * rotation is none), see SetPlanningMode.
    *
-   * Any other integrator draws the same pixels as its Integrate gives:
-   * vtkLightSetRadianceIntegrator is the thesis's loop over lights. The mapper never changes it.
-   * Where it has this mapper's material and environment, it is drawn as it is, with what it has
-   * prepared; else a copy with its properties is (vtkRadianceIntegrator::NewCopy), which mappers
-   * with the same material and environment share. Its own environment counts where the mapper and
-   * the renderer have none.
+   * Any other integrator draws the same pixels as its Integrate gives. The mapper never changes it.
+   * Where it has this mapper's material and environment, it is drawn with what it has prepared;
+   * else a copy with its properties is, which mappers with the same material and environment share.
+   * Its own environment counts where the mapper and the renderer have none.
    */
   void SetIntegrator(vtkRadianceIntegrator* integrator);
   vtkRadianceIntegrator* GetIntegrator();
@@ -154,26 +151,16 @@ public:
    * When plans are made.
    * - FOREGROUND (default): Render plans, so every picture is of what is set. Where it has to plan
    *   for several mappers of a renderer, it does so side by side, on all cores.
-   * - BACKGROUND: the first Render plans. Where the material, the environment, the tolerance or the
-   *   maximum cost change later, a thread plans, and pictures stay as they were until a Render
-   *   finds the new plan made. Another change stops that thread's work and begins anew. (Where the
-   *   plan was made in the FOREGROUND, the first change after it is waited for.)
-   * - BACKGROUND_FROM_START: a thread makes the first plan, too. Until then a quick
-   *   vtkHybridRadianceIntegrator stands in for it, of 33 x 8 x 8 (65 x 8 x 8 for mirror-like
-   *   materials); for anisotropic materials, 64 lights. Lights of the scene then see
-   *   vtkBRDF::NewQuickRenderable, whose error GetResamplingError leaves out.
+   * - BACKGROUND: the first Render plans. After a change of the material, the environment, the
+   *   tolerance or the maximum cost, a thread plans, and pictures stay as they were until a Render
+   *   finds the new plan made. (The first change after a plan in the FOREGROUND is waited for.)
+   * - BACKGROUND_FROM_START: a thread makes the first plan, too. Until then a small table stands in
+   *   for it (vtkHybridRadianceIntegrator, of 65 rows); 64 lights for anisotropic materials.
    *
    * A mapper does not render by itself when a plan is ready. Interactive programs choose BACKGROUND
-   * and look for the plan in a timer of their event loop:
-   *
-   * @code
-   * if (mapper->GetPlanReady())
-   *   window->Render();
-   * @endcode
-   *
-   * A still picture is right with FOREGROUND, which waits for the plan in the making. Threads work
-   * on snapshots (vtkBRDF::NewSnapshot): Render plans for a material that has none. The destructor
-   * stops the thread and waits for that.
+   * and render in a timer of their event loop where GetPlanReady(). Threads work on snapshots
+   * (vtkBRDF::NewSnapshot): Render plans for a material that has none. The destructor stops the
+   * thread and waits for that.
    */
   void SetPlanningMode(int mode);
   int GetPlanningMode();
@@ -185,13 +172,9 @@ public:
   ///@{
   /**
    * Whether to plan for what the camera sees instead of for every view (default off).
-   * Candidates are then checked on the normals and views that are in the picture, in proportion to
-   * the pixels that they cover: flat objects get cheaper plans. Where the camera, the object or the
-   * environment's rotation bring to light what was not seen before (a tenth of it by 15 degrees),
-   * the mapper plans again, in the background if PlanningMode says so; in between, the plan stays.
-   * Plans for four views of an actor are kept and taken up again when the camera comes back; from
-   * the fifth on, one for every view serves. A plan for every view never changes under the camera:
-   * hence the default.
+   * Candidates are then checked on the normals and views of the first picture after this was set,
+   * in proportion to the pixels that they cover: flat objects get cheaper plans. The plan stays
+   * when the camera or the object moves; set it again to plan for what is seen then.
    */
   void SetPlanForView(bool view);
   bool GetPlanForView();
@@ -221,14 +204,12 @@ public:
   ///@{
   /**
    * Whether the last Render showed another plan than was asked for, since that is still being made;
-   * whether it is made now and the next Render takes it up. Both are true, too, while samples
-   * (vtkFilteredRadianceIntegrator) add up: in a window that is shown and has an interactor, each
-   * Render draws some of them for at most half a second or the frame's time
-   * (vtkRenderWindow::SetDesiredUpdateRate), and a timer of the interactor renders the next ones.
-   * Everywhere else, and for vtkWindowToImageFilter, a Render draws all. It stops early where an
-   * observer of AbortCheckEvent calls SetAbortRender, and the next one goes on. The Render that
-   * takes up a plan raises vtkCommand::UpdateDataEvent, as every Render with a new plan does, for
-   * GetPlan's sake: from inside of Render, never from another thread.
+   * whether it is made now and the next Render takes it up, which raises
+   * vtkCommand::UpdateDataEvent. Both are true, too, while samples (vtkFilteredRadianceIntegrator)
+   * add up: in a window that is shown and has an interactor, each Render draws some of them for at
+   * most half a second or the frame's time (vtkRenderWindow::SetDesiredUpdateRate), and a timer of
+   * the interactor renders the next ones. Everywhere else a Render draws all. It stops early where
+   * an observer of AbortCheckEvent calls SetAbortRender, and the next one goes on.
    */
   bool GetPlanPending();
   bool GetPlanReady();
@@ -286,20 +267,18 @@ public:
    * - OCCLUSION_ARRAYS: where it has the point arrays of vtkSurfaceVisibilityFilter.
    * - OCCLUSION_ON: always. Where there are no arrays, the first Render and each one after a change
    *   of the surface run that filter (seconds for half a million triangles).
-   * - OCCLUSION_AUTO (default): where it has the arrays. Where it has none, but a plan is made, the
-   *   error of leaving occlusion out is predicted. If that exceeds what the tolerance leaves
-   *   (vtkOcclusionPredictor::IsWorthModeling), the mapper makes the arrays: before the frame for
-   *   up to 20,000 points (2 s of a core), on a thread for up to two million where plans are made
-   *   in the background, else not. GetPlan then ends with "unoccluded light: 9 % on this surface
-   *   (+- 2 %), modeled". A surface that changes in each of four frames is drawn without until it
-   *   rests; one that a material map divides, always.
+   * - OCCLUSION_AUTO (default): where it has the arrays, and where a plan is made and the predicted
+   *   error of leaving occlusion out exceeds what the tolerance leaves
+   *   (vtkOcclusionPredictor::IsWorthModeling): before the frame for up to 20,000 points (2 s of a
+   *   core), on a thread for up to two million where plans are made in the background, else not.
+   *   GetPlan then ends with "unoccluded light: 9 % on this surface (+- 2 %), modeled". A surface
+   *   that changes in each of four frames is drawn without until it rests; one that a material map
+   *   divides, always.
    *
    * Of composite data, blocks that have the arrays keep them; GetPlan says how many have some.
    * Arrays of another surface, or damaged ones, are reported once and not used. vtkLights are not
-   * hidden: vtkShadowMapPass does that. The environment's rotation costs as much as without
-   * occlusion; a new environment takes some 0.03 s more. Methods that tell a material's matte part
-   * and its lobe apart (table, factored, hybrid; what plans choose) are the most accurate; others
-   * take what is reflected as one lobe.
+   * hidden: vtkShadowMapPass does that. Methods that tell a material's matte part and its lobe
+   * apart (table, factored, hybrid; what plans choose) are the most accurate.
    */
   void SetOcclusionMode(int mode);
   int GetOcclusionMode();
@@ -312,12 +291,10 @@ public:
   ///@{
   /**
    * Whether what the surface hides from itself sends light back: one bounce (default off: hidden
-   * parts of the sky are black). Counts where OcclusionMode shades with arrays. Those of a program
-   * need vtkSurfaceVisibilityFilter::BounceOn, which is reported once where it is missing; those
-   * that the mapper makes have what it takes, which nearly doubles their time. What hides is
-   * taken to be matte, of the point's own material and albedo. Surfaces with both sides whose parts
-   * mix three materials or four are drawn without. GetPlan ends with "one bounce modeled" where any
-   * part has the arrays.
+   * parts of the sky are black), which nearly doubles the time of tracing. Arrays of a program need
+   * vtkSurfaceVisibilityFilter::BounceOn, which is reported once where it is missing. What hides is
+   * taken to be matte, of the point's own material and albedo. GetPlan ends with "one bounce
+   * modeled" where any part has the arrays.
    */
   void SetOcclusionBounce(bool bounce);
   bool GetOcclusionBounce();
@@ -329,17 +306,11 @@ public:
   /**
    * About the last render: the integrator that was drawn (null before the first render or without
    * an environment) and the planner that chose it (null without a plan), neither to be changed;
-   * bytes of the textures in use (material and lights), a line on the material's shader inputs
-   * (sizes, precision, errors), and those errors: relative L2 by resampling into a table (0 while a
-   * coarse one stands in for the first plan, as nobody measures it), and the largest relative
-   * rounding of a stored value (vtkBRDFShaderInputs).
+   * bytes of the textures in use (material and lights).
    */
   vtkRadianceIntegrator* GetCurrentIntegrator();
   vtkRadiancePlanner* GetCurrentPlanner();
   vtkIdType GetTextureBytes();
-  std::string GetMaterialDescription();
-  double GetResamplingError();
-  double GetQuantizationError();
   ///@}
 
   ///@{

@@ -15,6 +15,8 @@
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <stdexcept>
+
 using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkBRDFImageSource);
@@ -64,8 +66,7 @@ void vtkBRDFImageSource::ExecuteDataWithInformation(vtkDataObject* output, vtkIn
       values->FillValue(0.0f);
       if (!this->BRDF)
       {
-        vtkErrorMacro("There is no BRDF; call SetBRDF first.");
-        return;
+        throw std::runtime_error("There is no BRDF; call SetBRDF first");
       }
       const int* extent = image->GetExtent();
       const vtkIdType width = extent[1] - extent[0] + 1;

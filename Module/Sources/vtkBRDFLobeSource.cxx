@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 using namespace measuredbrdf;
@@ -110,27 +111,6 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// The arrays of a lobe's points, at their directions: above the surface, then, where there is
-// transmission, as many below.
-struct LobeArrays
-{
-  explicit LobeArrays(vtkIdType count)
-    : Values(NewArray<vtkFloatArray>("BRDF", 3, count))
-    , Radiances(NewArray<vtkFloatArray>("Radiance", 3, count))
-    , Luminances(NewArray<vtkFloatArray>("Luminance", 1, count))
-    , Directions(NewArray<vtkFloatArray>("Direction", 3, count))
-    , Transmitted(NewArray<vtkFloatArray>("Transmitted", 1, count))
-  {
-  }
-
-  vtkSmartPointer<vtkFloatArray> Values;
-  vtkSmartPointer<vtkFloatArray> Radiances;
-  vtkSmartPointer<vtkFloatArray> Luminances;
-  vtkSmartPointer<vtkFloatArray> Directions;
-  vtkSmartPointer<vtkFloatArray> Transmitted;
-};
-
-//------------------------------------------------------------------------------
 double GetDistance(int scaling, double luminance)
 {
   return scaling == vtkBRDFLobeSource::LOGARITHMIC ? std::log1p(100.0 * luminance) : luminance;
@@ -168,19 +148,15 @@ vtkMTimeType vtkBRDFLobeSource::GetMTime()
 int vtkBRDFLobeSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  int made = 0;
-  measuredbrdf::RunGuarded(
-    this, "RequestData", [&]() { made = this->Make(outputVector); }); // no memory, say
-  return made;
+  return RunGuarded(this, "RequestData", [&]() { this->Fill(vtkPolyData::GetData(outputVector)); });
 }
 
 //------------------------------------------------------------------------------
-int vtkBRDFLobeSource::Make(vtkInformationVector* outputVector)
+void vtkBRDFLobeSource::Fill(vtkPolyData* output)
 {
   if (!this->BRDF)
   {
-    vtkErrorMacro("There is no BRDF; call SetBRDF first.");
-    return 0;
+    throw std::runtime_error("There is no BRDF; call SetBRDF first");
   }
   const double theta = this->ThetaI * Degree;
   const double phi = this->PhiI * Degree;
@@ -190,8 +166,12 @@ int vtkBRDFLobeSource::Make(vtkInformationVector* outputVector)
     { -i.x, -i.y, i.z }, this->RadialResolution, this->CircularResolution);
   const vtkIdType above = hemisphere.GetNumberOfPoints();
   const vtkIdType count = this->Transmission ? 2 * above : above;
-  const LobeArrays arrays(count);
-
+  // Above the surface, then, where there is transmission, as many below.
+  const auto values = NewArray<vtkFloatArray>("BRDF", 3, count);
+  const auto radiances = NewArray<vtkFloatArray>("Radiance", 3, count);
+  const auto luminances = NewArray<vtkFloatArray>("Luminance", 1, count);
+  const auto directions = NewArray<vtkFloatArray>("Direction", 3, count);
+  const auto transmitted = NewArray<vtkFloatArray>("Transmitted", 1, count);
   this->BRDF->Prepare();
   if (this->Transmission)
   {
@@ -199,7 +179,7 @@ int vtkBRDFLobeSource::Make(vtkInformationVector* outputVector)
   }
   vtkBRDF* brdf = this->BRDF;
   vtkBTDF* btdf = this->Transmission;
-  measuredbrdf::ParallelFor(0, count,
+  ParallelFor(0, count,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType k = first; k < last; ++k)
@@ -209,25 +189,25 @@ int vtkBRDFLobeSource::Make(vtkInformationVector* outputVector)
         k < above ? brdf->Evaluate(glm::value_ptr(i), glm::value_ptr(o), glm::value_ptr(f))
                   : btdf->Evaluate(glm::value_ptr(i), glm::value_ptr(o), glm::value_ptr(f));
         const glm::dvec3 radiance = f * i.z;
-        arrays.Values->SetTypedTuple(k, glm::value_ptr(glm::vec3(f)));
-        arrays.Radiances->SetTypedTuple(k, glm::value_ptr(glm::vec3(radiance)));
-        arrays.Luminances->SetValue(k, static_cast<float>(GetLuminance(radiance)));
-        arrays.Directions->SetTypedTuple(k, glm::value_ptr(glm::vec3(o)));
-        arrays.Transmitted->SetValue(k, k < above ? 0.0f : 1.0f);
+        values->SetTypedTuple(k, glm::value_ptr(glm::vec3(f)));
+        radiances->SetTypedTuple(k, glm::value_ptr(glm::vec3(radiance)));
+        luminances->SetValue(k, static_cast<float>(GetLuminance(radiance)));
+        directions->SetTypedTuple(k, glm::value_ptr(glm::vec3(o)));
+        transmitted->SetValue(k, k < above ? 0.0f : 1.0f);
       }
     });
 
   double factor = this->ScaleFactor;
   if (this->Normalize)
   {
-    const double farthest = GetDistance(this->Scaling, arrays.Luminances->GetRange(0)[1]);
+    const double farthest = GetDistance(this->Scaling, luminances->GetRange(0)[1]);
     factor = farthest > 0.0 ? factor / farthest : 0.0;
   }
   vtkNew<vtkPoints> points;
   points->SetNumberOfPoints(count);
   for (vtkIdType k = 0; k < count; ++k)
   {
-    const double distance = factor * GetDistance(this->Scaling, arrays.Luminances->GetValue(k));
+    const double distance = factor * GetDistance(this->Scaling, luminances->GetValue(k));
     const glm::dvec3 place = distance * hemisphere.GetDirection(k);
     points->SetPoint(k, glm::value_ptr(place));
   }
@@ -238,18 +218,16 @@ int vtkBRDFLobeSource::Make(vtkInformationVector* outputVector)
     hemisphere.AddCells(cells, above, true);
   }
 
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->SetPoints(points);
   output->SetPolys(cells);
-  output->GetPointData()->AddArray(arrays.Values);
-  output->GetPointData()->AddArray(arrays.Radiances);
-  output->GetPointData()->AddArray(arrays.Directions);
-  output->GetPointData()->SetScalars(arrays.Luminances);
+  output->GetPointData()->AddArray(values);
+  output->GetPointData()->AddArray(radiances);
+  output->GetPointData()->AddArray(directions);
+  output->GetPointData()->SetScalars(luminances);
   if (btdf)
   {
-    output->GetPointData()->AddArray(arrays.Transmitted);
+    output->GetPointData()->AddArray(transmitted);
   }
-  return 1;
 }
 
 //------------------------------------------------------------------------------

@@ -139,7 +139,7 @@ protected:
   bool Normalize = false;
 
 private:
-  int Make(vtkInformationVector* outputVector);
+  void Fill(vtkPolyData* output);
 
   vtkBRDFLobeSource(const vtkBRDFLobeSource&) = delete;
   void operator=(const vtkBRDFLobeSource&) = delete;

@@ -15,7 +15,7 @@
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
+#include <stdexcept>
 #include <string>
 
 using namespace measuredbrdf;
@@ -73,28 +73,24 @@ vtkMTimeType vtkBRDFSliceSource::GetMTime()
 int vtkBRDFSliceSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  int made = 0;
-  measuredbrdf::RunGuarded(
-    this, "RequestData", [&]() { made = this->Make(outputVector); }); // no memory, say
-  return made;
+  return RunGuarded(this, "RequestData", [&]() { this->Fill(vtkTable::GetData(outputVector)); });
 }
 
 //------------------------------------------------------------------------------
-int vtkBRDFSliceSource::Make(vtkInformationVector* outputVector)
+void vtkBRDFSliceSource::Fill(vtkTable* output)
 {
   const double rows =
     static_cast<double>(this->NumberOfThetaH) * this->NumberOfThetaD * this->NumberOfPhiD;
   if (!this->BRDF)
   {
-    vtkErrorMacro("There is no BRDF; call SetBRDF first.");
-    return 0;
+    throw std::runtime_error("There is no BRDF; call SetBRDF first");
   }
   if (rows > LargestNumberOfRows)
   {
-    vtkErrorMacro(<< this->NumberOfThetaH << " x " << this->NumberOfThetaD << " x "
-                  << this->NumberOfPhiD << " samples are more than " << LargestNumberOfRows
-                  << " rows.");
-    return 0;
+    TextStream text;
+    text << this->NumberOfThetaH << " x " << this->NumberOfThetaD << " x " << this->NumberOfPhiD
+         << " samples are more than " << LargestNumberOfRows << " rows";
+    throw std::runtime_error(text.str());
   }
   const vtkIdType count = static_cast<vtkIdType>(rows);
   vtkSmartPointer<vtkDoubleArray> columns[7];
@@ -107,7 +103,7 @@ int vtkBRDFSliceSource::Make(vtkInformationVector* outputVector)
   const auto mask = NewArray<vtkUnsignedCharArray>("vtkValidPointMask", 1, count);
 
   this->BRDF->Prepare();
-  measuredbrdf::ParallelFor(0, count,
+  ParallelFor(0, count,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType row = first; row < last; ++row)
@@ -130,13 +126,11 @@ int vtkBRDFSliceSource::Make(vtkInformationVector* outputVector)
       }
     });
 
-  vtkTable* output = vtkTable::GetData(outputVector);
   for (const auto& column : columns)
   {
     output->AddColumn(column);
   }
   output->AddColumn(mask);
-  return 1;
 }
 
 //------------------------------------------------------------------------------

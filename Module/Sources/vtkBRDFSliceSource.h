@@ -112,7 +112,7 @@ protected:
   double PhiH = 0.0;
 
 private:
-  int Make(vtkInformationVector* outputVector);
+  void Fill(vtkTable* output);
 
   vtkBRDFSliceSource(const vtkBRDFSliceSource&) = delete;
   void operator=(const vtkBRDFSliceSource&) = delete;

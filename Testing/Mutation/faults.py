@@ -711,16 +711,16 @@ add("Planning.no-pairs-at-lamps", "PlanPairs.cxx", "constexpr double LampShare =
 
 add("Rendering.texture-of-bytes-is-linear", "TextureEnvironment.cxx",
     "(texture->GetUseSRGBColorSpace() || hasHarmonics)", "texture->GetUseSRGBColorSpace()", "TextureEncoding.IsAsVtkTakesIt")
-add("Rendering.stand-in-of-the-other-kind", "SharedIntegrators.cxx",
-    "IsMirrorLike(brdf) ? 65", "!IsMirrorLike(brdf) ? 65", "Background.MoreRowsForMirrorLikeMaterialsUnderPanels")
+add("Rendering.stand-in-of-few-rows", "SharedIntegrators.cxx",
+    "{ 65, 8, 8 }", "{ 33, 8, 8 }", "Background.StandInsForMirrorLikeMaterialsUnderPanels")
 add("Rendering.stand-in-is-the-material", "SharedIntegrators.cxx",
     "vtkSmartPointer<vtkBRDF>::Take(this->Material->NewQuickRenderable());", "this->Material->GetRenderable();",
     "Background.ACoarseFormForShadersUntilThePlan")
 add("Rendering.stand-in-form-for-nobody", "SharedIntegrators.cxx", "made->Material = material;",
     "made->Material = material;\n  made->GetRenderable();", "StandIns.NoFormWhereNoLightNeedsIt")
-add("Rendering.plan-learns-of-no-light", "CurrentPlan.cxx", "this->Job->WantShaderInputs();", "",
+add("Rendering.plan-learns-of-no-light", "MapperPlans.cxx", "this->Job->WantShaderInputs();", "",
     "StandIns.LightsThatComeWhileAPlanIsMade")
-add("Rendering.failed-plan-begun-again", "CurrentPlan.cxx", "this->Adopt(wanted, done ? job->GetPlan() : nullptr);",
+add("Rendering.failed-plan-begun-again", "MapperPlans.cxx", "this->Adopt(wanted, done ? job->GetPlan() : nullptr);",
     "this->Adopt(job->GetPlan() ? wanted : PlanInputs(), job->GetPlan());",
     "StandIns.PlansThatFail")
 add("Rendering.failed-stand-in-tried-again", "ShaderTextures.cxx", "if (time <= this->FailureTime)",
@@ -746,19 +746,11 @@ add("Rendering.plan-key-without-pixels-of-the-light", "PlanJob.h", "this->Enviro
     "this->Environment, vtkMTimeType(0),", "Background.EverythingThatCountsBeginsAnother")
 add("Rendering.plan-key-without-tolerance", "PlanJob.h", "this->PixelsTime, this->Tolerance,",
     "this->PixelsTime, 0.0,", "Background.EverythingThatCountsBeginsAnother")
-add("Rendering.seen-pairs-turned-the-other-way", "PlanJob.cxx", "turned = toWorld * direction;",
-    "turned = direction * toWorld;", "Views.ATurnedLightIsTurnedPixels")
 add("Rendering.plan-without-tolerance", "PlanJob.cxx", "planner->SetErrorTolerance(inputs.Tolerance);",
     "", "Background.EverythingThatCountsBeginsAnother|Auto.PlansOnce|Auto.MatchesThePlannedIntegrator")
-add("Rendering.plan-bridges-changed-pixels", "CurrentPlan.cxx",
+add("Rendering.plan-bridges-changed-pixels", "MapperPlans.cxx",
     "this->Plan->GetEnvironment()->GetPixelsMTime() == this->Times[1];", "this->Times[1] > 0;",
     "Background.ChangedPixelsAreNotBridgedByAPlanOfThem")
-add("Rendering.view-ignores-the-mesh", "MapperPlans.cxx",
-    "    from.push_back(static_cast<double>(surface->GetMTime()));", "    (void)surface;", "Views.WhatIsSeenDependsOn")
-add("Rendering.view-ignores-the-actor", "MapperPlans.cxx", "matrix->GetData() + 16);",
-    "matrix->GetData() + (matrix == request.Actor->GetMatrix() ? 0 : 16));", "Views.WhatIsSeenDependsOn")
-add("Rendering.views-of-gone-actors-stay", "MapperPlans.cxx", "(std::get<2>(key) && !this->Actor);", "false;",
-    "Views.GoWithTheirRenderersAndActors")
 add("Rendering.back-is-seen", "VisibleSurface.cxx", "glm::dot(mean, view) > 0.0;",
     "glm::dot(mean, view) < 0.0;", "Visible.ConesShowTheirFlank|Visible.SpheresCoverTheirDiscs")
 add("Rendering.strips-are-not-turned", "VisibleSurface.cxx", "cells.Strips && corner % 2 == 1", "false",
@@ -889,8 +881,8 @@ add("Shaders.basis-is-not-clamped", "vtkBRDFBasis.glsl", "return max(sum, vec3(0
     "Parity.NegativeSumsAreZeroForEachLight")
 add("Shaders.grazing-views-are-not-lifted", "vtkBRDFBegin.glsl", "brdfLiftView(brdfView * brdfFrame)",
     "brdfView * brdfFrame", "MapperShading.GrazingViews")
-add("Rendering.environment-does-not-turn", "MaterialShading.cxx", "toView->GetElement(column, k) * axes[row][k]",
-    "(column == k ? axes[row][k] : 0.0)",
+add("Rendering.environment-does-not-turn", "MaterialShading.cxx", "glm::transpose(axes) * viewToWorld;",
+    "glm::transpose(axes);",
     "Mapper.RotatingEverythingChangesNothing")
 add("Shaders.directional-light-without-cosine", "vtkBRDFDirectionalLight.glsl", "* radiance * brdfLight.z;",
     "* radiance;", "Mapper.SceneLights")
@@ -1100,9 +1092,6 @@ add("Rendering.map-classes-keep-the-last-numbers", "ShaderTextures.cxx",
 add("Rendering.map-classes-share-cell-colors", "ClassesMapper.cxx",
     "if (program->IsUniformUsed(\"PrimitiveIDOffset\"))", "if (false)",
     "ManyClasses.ColorsOfCellsStayTheirOwn")
-add("Rendering.map-changed-materials-stay", "MaterialDrawing.cxx",
-    "stamp.SettingsTime = this->Settings->GetMTime();", "stamp.SettingsTime = 1;",
-    "ManyClasses.FollowEveryChange")
 add("Rendering.map-members-share-instances", "BRDFShader.cxx", "return 100 * member;", "return 0 * member;",
     "MaterialMapping.ValuesBlendInEachPixel")
 add("Rendering.map-divided-blocks-are-drawn-whole", "BlockBatch.cxx",
@@ -1146,8 +1135,8 @@ add("IO.spectra-not-scaled-to-white", "SpectralColor.cxx", "xyz[j] = weight[j] /
 add("IO.spectral-planes-in-a-row", "TensorFile.cxx", "sum += weights[k][c] * first[k * texels + texel];",
     "sum += weights[k][c] * first[k + wavelengths.size() * texel];", "IOSpectral.AgreesWithAnotherProgramsSum")
 add("Rendering.legend-shows-the-last-first", "vtkMaterialLegendActor.cxx",
-    "const double top = bottom + height - row * grid.Height;", "const double top = bottom + (row + 1) * grid.Height;",
-    "MaterialLegend.DrawsSpheresBelowEachOtherOrSideBySide")
+    "bottom + height - (k % grid.Rows + 0.5)", "bottom + (k % grid.Rows + 0.5)",
+    "MaterialLegend.DrawsSpheresBelowEachOther")
 
 
 # Fetch
@@ -1206,9 +1195,6 @@ add("Rendering.threads-trace-at-once", "SharedTrace.cxx", "while (!lock.try_lock
     "SharedTraceTest.ThreadsWaitForOneAnother")
 add("Rendering.forecasts-outlive-mappers", "AutomaticOcclusion.cxx", "[this]() { return !this->IsStopped; }",
     "[]() { return true; }", "SharedTraceTest.ForecastsStopWhenTheyGo")
-add("Rendering.levels-are-looked-for-once", "MaterialDrawing.cxx",
-    'levels && this->WarnOnce("levels of detail")', 'this->WarnOnce("levels of detail") && levels',
-    "OcclusionStability.ActorsWithLevelsKeepTheSurfacesArrays")
 add("Rendering.moving-surfaces-are-traced", "AutomaticOcclusion.cxx", "return this->Changes <= MostChanges;", "return true;",
     "OcclusionTest.ForecastsFollowTheSurface")
 add("Rendering.views-forget-each-other", "AutomaticOcclusion.cxx", "!this->Known.Find(key) && follows",
@@ -1226,14 +1212,12 @@ add("Rendering.attributes-without-end", "MaterialShading.cxx",
     "own + needs.Attributes <= this->MostAttributes &&", "", "LimitsTest.DrawsWhatThereIsRoomFor")
 add("Rendering.clipping-takes-no-varyings", "MaterialShading.cxx",
     "this->Mapper->GetNumberOfClippingPlanes() > 0 ? 6 : 0", "0", "LimitsTest.ClippingPlanesAndEdgesTakeVaryings")
-add("Rendering.failures-are-said-once", "RenderReports.h",
+add("Rendering.failures-are-said-once", "MaterialDrawing.cxx",
     "this->Failures.count(it->first) == 0;", "this->Failures.count(it->first) == 2;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
 add("Rendering.what-throws-is-not-drawn", "MaterialShading.cxx", "tries = !this->IsPlain;",
     "tries = false;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
 add("Rendering.shared-created-light-shines", "RenderPassQueries.cxx", "other->GetLights() == renderer->GetLights() &&",
     "false &&", "MapperShading.LightThatVTKCreated")
-add("Rendering.plans-before-stay", "MapperPlans.cxx", "    this->Clear(); // none", "    // none",
-    "Views.SwitchedPlansAreMadeAnew")
 add("Rendering.kept-light-does-not-turn", "OcclusionShader.cxx", "add(turn[column]);", "add(0.0 * turn[column]);",
     "OcclusionPointsTest.LightMayTurnAndRestAgain")
 add("Rendering.views-take-each-others-light", "OcclusionVertexCache.cxx", "state->Of.View == question.View &&", "true &&",
@@ -1323,7 +1307,7 @@ add("Rendering.map-images-of-zeros-are-odd", "WeightImages.cxx", "if (anyLeft)",
     "if (components > map->GetNumberOfMaterials())", "MaterialMapping.WeightsOfNoMaterialAreSaidUnlessTheyAreZero")
 add("Rendering.map-waits-for-materials-that-left", "MapperPlans.cxx", "inUse.count(member) == 0", "false",
     "MaterialMapping.PlansOfMaterialsThatLeaveAreGivenUp")
-add("Rendering.map-time-is-not-taken", "vtkMeasuredBRDFMapper.cxx", "this->TimeToDraw = this->Impl->Timer.GetSeconds();", "",
+add("Rendering.map-time-is-not-taken", "vtkMeasuredBRDFMapper.cxx", "this->TimeToDraw = this->Impl->Parts.GetTimeToDraw();", "",
     "MaterialMapping.TimeOfAllPartsIsTaken")
 add("Rendering.map-nothing-is-highlighted", "PartMappers.cxx", "this->Highlight->SetSelection(selection);", "",
     "MaterialMapping.SelectedCellsAreHighlighted")

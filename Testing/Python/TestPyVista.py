@@ -124,6 +124,7 @@ class TestPixels(PlotterTest):
         self.assertEqual(len(self.plotter.renderer.lights), 0)
         self.expect_pixel(self.plotter, (0.2, 0.2, 0.2))
         self.plotter.measured.remove_environment()
+        self.assertIsNone(self.plotter.renderer.GetEnvironmentTexture())
         self.assertEqual(len(self.plotter.renderer.lights), lights)
         own = new_plotter(lighting="none")
         own.add_light(pv.Light(light_type="headlight", intensity=np.pi / 2))
@@ -523,7 +524,7 @@ class TestPlotter(PlotterTest):
         self.assertEqual(self.plotter.measured.plans()[0].error, None)
         self.plotter.measured.set_environment("sky")
         self.plotter.screenshot()
-        (plan,) = measured.plans(self.plotter)
+        (plan,) = self.plotter.measured.plans()
         self.assertEqual((plan.actor, plan.material, plan.tolerance), ("ball", "pink-felt", 0.05))
         self.assertLessEqual(plan.error, 0.05)
         self.assertTrue(plan.text.startswith(plan.method) and plan.method, plan)
@@ -570,13 +571,6 @@ class TestPlotter(PlotterTest):
             self.plotter.clear()
             self.assertEqual(self.plotter.measured.plans(), [])
         self.plotter.close()
-
-    def test_functions(self):
-        measured.add_mesh(self.plotter, pv.Sphere(), lambert(0.8, 0.5, 0.1))
-        measured.set_environment(self.plotter, WHITE)
-        self.expect_pixel(self.plotter, (0.8, 0.5, 0.1))
-        measured.remove_environment(self.plotter)
-        self.assertIsNone(self.plotter.renderer.GetEnvironmentTexture())
 
     def test_show(self):
         self.plotter.measured.add_mesh(pv.Sphere(), lambert(0.8, 0.5, 0.1))

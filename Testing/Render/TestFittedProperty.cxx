@@ -2,21 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A stock actor with the fitted property, drawn by VTK's own shading, against the measured
 // material.
-#include "EventCounter.h"
 #include "RenderFixture.h"
 
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkImageData.h"
-#include "vtkLODActor.h"
-#include "vtkLambertBRDF.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPBRPrefilterTexture.h"
 #include "vtkPBRPropertyFitter.h"
 #include "vtkProperty.h"
-#include "vtkQuadricLODActor.h"
-#include "vtkRenderWindowInteractor.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
 
@@ -124,52 +119,4 @@ TEST_F(FittedProperty, ByTheMapper)
   EXPECT_GT(error, 0.0);
   EXPECT_LT(error, 0.06);
   EXPECT_EQ(property->GetInterpolation(), VTK_PBR);
-}
-
-// Levels of detail that an actor makes itself show the property: said once, and not where that was
-// fitted or the levels are measured, too.
-TEST_F(FittedProperty, StockLevelsOfDetailAreSaid)
-{
-  if (this->IsSkipped())
-  {
-    return;
-  }
-  vtkNew<vtkSphereSource> sphere;
-  vtkNew<vtkLambertBRDF> lambert;
-  const auto count = [&](vtkActor* actor, bool fitted)
-  {
-    vtkNew<vtkMeasuredBRDFMapper> mapper;
-    mapper->SetInputConnection(sphere->GetOutputPort());
-    mapper->SetBRDF(lambert);
-    actor->SetMapper(mapper);
-    actor->SetAllocatedRenderTime(1000.0, this->Renderer); // the best level
-    if (fitted)
-    {
-      mapper->FitProperty(actor->GetProperty());
-    }
-    EventCounter warnings(mapper, vtkCommand::WarningEvent);
-    this->Renderer->AddActor(actor);
-    for (int k = 0; k < 3; ++k)
-    {
-      this->Window->Render();
-    }
-    this->Renderer->RemoveActor(actor);
-    return warnings.Count;
-  };
-  vtkNew<vtkActor> plain;
-  EXPECT_EQ(count(plain, false), 0);
-  vtkNew<vtkLODActor> levels;
-  EXPECT_EQ(count(levels, false), 1);
-  vtkNew<vtkLODActor> fitted;
-  EXPECT_EQ(count(fitted, true), 0);
-  vtkNew<vtkRenderWindowInteractor> interactor; // vtkQuadricLODActor needs one
-  interactor->SetRenderWindow(this->Window);
-  vtkNew<vtkQuadricLODActor> quadric;
-  EXPECT_EQ(count(quadric, false), 1);
-  vtkNew<vtkLODActor> measured;
-  vtkNew<vtkMeasuredBRDFMapper> coarse;
-  coarse->SetInputConnection(sphere->GetOutputPort());
-  coarse->SetBRDF(lambert);
-  measured->AddLODMapper(coarse);
-  EXPECT_EQ(count(measured, false), 0);
 }

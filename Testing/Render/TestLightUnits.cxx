@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Maps may be in any unit: a factor on the light and its inverse on the exposure leave every
-// picture as it is, by every method, with what a mesh hides from itself, and of several materials.
+// picture as it is, with what a mesh hides from itself, and of several materials.
 
-#include "BrushedMetal.h"
 #include "RenderFixture.h"
 #include "ScaledLight.h"
 
@@ -16,8 +15,6 @@
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkRadianceIntegrator.h"
-#include "vtkRadianceMethods.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkSumBRDF.h"
@@ -56,22 +53,17 @@ protected:
     this->Renderer->GetActiveCamera()->SetPosition(1.0, -2.0, 4.0);
   }
 
-  static vtkSmartPointer<vtkBRDF> NewCoat(vtkBRDF* gloss, double red = 0.8)
+  static vtkSmartPointer<vtkBRDF> NewGlossyCoat(double exponent, double red = 0.8)
   {
     vtkNew<vtkLambertBRDF> base;
     base->SetAlbedo(red, 0.4, 0.2);
+    vtkNew<vtkBlinnPhongBRDF> gloss;
+    gloss->SetSpecular(0.1, 0.1, 0.1);
+    gloss->SetExponent(exponent);
     auto coat = vtkSmartPointer<vtkSumBRDF>::New();
     coat->AddTerm(base);
     coat->AddTerm(gloss);
     return coat;
-  }
-
-  static vtkSmartPointer<vtkBRDF> NewGlossyCoat(double exponent, double red = 0.8)
-  {
-    vtkNew<vtkBlinnPhongBRDF> gloss;
-    gloss->SetSpecular(0.1, 0.1, 0.1);
-    gloss->SetExponent(exponent);
-    return NewCoat(gloss, red);
   }
 
   /// The picture under the light in each unit, shown with that exposure, is the same.
@@ -113,31 +105,6 @@ protected:
   vtkNew<vtkMeasuredBRDFMapper> Mapper;
   vtkNew<vtkActor> Actor;
 };
-}
-
-TEST_F(LightUnits8Bit, ByEveryMethod)
-{
-  int shown = 0;
-  for (const auto& material : { NewGlossyCoat(300.0), NewCoat(NewBrushedMetal(0.15, 0.4)) })
-  {
-    this->Mapper->SetBRDF(material);
-    for (const auto& method : vtkRadianceMethods::GetMethods())
-    {
-      const auto integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(method->NewCopy());
-      integrator->SetBRDF(material);
-      integrator->SetEnvironment(this->Hall);
-      const auto sizes = integrator->GetCandidateSizes(true);
-      integrator->SetBRDF(nullptr);
-      integrator->SetEnvironment(nullptr);
-      if (!sizes.empty() && integrator->SetSizes(sizes.front()))
-      {
-        this->Mapper->SetIntegrator(integrator);
-        this->ExpectSamePictures(method->GetMethodName());
-        ++shown;
-      }
-    }
-  }
-  EXPECT_GE(shown, 7);
 }
 
 // A plan's, beside what the hollow hides, and what that sends back.

@@ -7,8 +7,6 @@
 
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFResampler.h"
-#include "vtkBasisBRDF.h"
-#include "vtkBasisProjector.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
@@ -169,7 +167,6 @@ TEST_F(Mapper, WithoutMaterialIsStock)
   EXPECT_EQ(
     GetLargestDifference(this->RenderWith(this->Measured), this->RenderWith(this->Stock)), 0.0);
   EXPECT_EQ(this->Measured->GetTextureBytes(), 0);
-  EXPECT_EQ(this->Measured->GetMaterialDescription(), "");
 }
 
 TEST_F(Mapper, SceneLights)
@@ -410,38 +407,6 @@ TEST_F(Mapper, LightSetMatchesCpuPerPixel)
                 << (soft ? ", soft lights" : ", hard lights") << ": largest relative difference "
                 << worst << "\n";
       EXPECT_LT(worst, 1e-4);
-    }
-  }
-}
-
-// A basis pair in white light shows its directional albedo, whatever the basis.
-TEST_F(Mapper, WhiteFurnaceOfBases)
-{
-  vtkNew<vtkEnvironment> white;
-  white->SetPixels(64, 32, std::vector<float>(3 * 64 * 32, 1.0f));
-  this->Measured->SetEnvironment(white);
-  this->Measured->Lights->SetNumberOfLights(128);
-  this->Phong->SetExponent(8.0);
-  vtkNew<vtkBasisProjector> projector;
-  projector->SetInput(this->Phong);
-  projector->SetOrder(3);
-  for (int basis = vtkBasisBRDF::SPHERICAL_HARMONICS; basis <= vtkBasisBRDF::LEGENDRE_FOURIER;
-       ++basis)
-  {
-    projector->SetBasis(basis);
-    ASSERT_TRUE(projector->Project());
-    vtkBasisBRDF* brdf = projector->GetOutput();
-    this->Measured->SetBRDF(brdf);
-    const FloatImage image = this->RenderLinear();
-    // The middle of the sphere faces the viewer.
-    const double up[3] = { 0.0, 0.0, 1.0 };
-    double albedo[3];
-    brdf->GetDirectionalAlbedo(up, albedo);
-    EXPECT_GT(albedo[0], 0.01);
-    for (int c = 0; c < 3; ++c)
-    {
-      EXPECT_NEAR(image.At(32, 32)[c] / albedo[c], 1.0, 0.03)
-        << vtkBasisBRDF::GetBasisName(basis) << " " << c;
     }
   }
 }
@@ -850,43 +815,6 @@ TEST_F(Auto, TolerancesAreClampedWithAWarning)
   EXPECT_EQ(errors.Count, 3);
 }
 
-// Lights, a light set of one's own, and plans again.
-TEST_F(Auto, MethodsBackAndForth)
-{
-  const FloatImage planned = this->RenderEncoded();
-  const std::string plan = this->Measured->GetPlan();
-  this->Measured->SetIntegrator(this->Measured->Lights);
-  this->Measured->Lights->SetNumberOfLights(4);
-  const FloatImage four = this->RenderEncoded();
-  EXPECT_GT(GetLargestDifference(four, planned), 1e-2);
-  EXPECT_EQ(this->Measured->GetPlan(), "");
-  ASSERT_TRUE(this->Measured->GetCurrentLightSet());
-  EXPECT_EQ(this->Measured->GetCurrentLightSet()->GetNumberOfLights(), 4);
-  this->Measured->SetIntegrator(nullptr);
-  EXPECT_EQ(GetLargestDifference(this->RenderEncoded(), planned), 0.0);
-  EXPECT_EQ(this->Measured->GetPlan().substr(0, 20), plan.substr(0, 20));
-  EXPECT_EQ(this->Measured->GetCurrentLightSet(), nullptr);
-
-  vtkNew<vtkLightSet> lights;
-  const double direction[3] = { 0.0, 0.0, 1.0 };
-  const double irradiance[3] = { 0.3, 0.2, 0.1 };
-  lights->AddLight(direction, irradiance);
-  this->Measured->Lights->SetLightSet(lights);
-  this->Measured->SetIntegrator(this->Measured->Lights);
-  EXPECT_GT(GetLargestDifference(this->RenderEncoded(), planned), 1e-2);
-  EXPECT_EQ(this->Measured->GetPlan(), "");
-  EXPECT_EQ(this->Measured->GetCurrentLightSet(), lights.Get());
-  this->Measured->SetIntegrator(nullptr);
-  EXPECT_EQ(GetLargestDifference(this->RenderEncoded(), planned), 0.0);
-
-  vtkNew<vtkMeasuredBRDFMapper> copy;
-  this->Measured->SetErrorTolerance(0.04);
-  this->Measured->SetIntegrator(this->Measured->Lights);
-  copy->ShallowCopy(this->Measured);
-  EXPECT_EQ(copy->GetErrorTolerance(), 0.04);
-  EXPECT_EQ(copy->GetIntegrator(), this->Measured->Lights.Get());
-}
-
 // A table cannot hold an anisotropic material: said once, drawn as the superclass does, mended by
 // taking either away.
 TEST_F(Auto, AnIntegratorThatRefuses)
@@ -987,7 +915,7 @@ TEST_F(Auto, PlanningCanBeStopped)
   EXPECT_EQ(this->Measured->GetCurrentPlanner(), nullptr);
   auto* standIn = vtkHybridRadianceIntegrator::SafeDownCast(this->Measured->GetCurrentIntegrator());
   ASSERT_TRUE(standIn);
-  EXPECT_EQ(standIn->GetNumberOfRows(), 33);
+  EXPECT_EQ(standIn->GetNumberOfRows(), 65);
   EXPECT_EQ(this->RenderEncoded().RGBA, stopped.RGBA);
   EXPECT_EQ(errors.Count, 1);
   this->Measured->RemoveObserver(tag);

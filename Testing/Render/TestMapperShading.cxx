@@ -17,7 +17,6 @@
 #include "vtkLightCollection.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetRadianceIntegrator.h"
-#include "vtkMaterialMap.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkMedianCutLightSetGenerator.h"
 #include "vtkMultiBlockDataSet.h"
@@ -27,7 +26,6 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataTangents.h"
 #include "vtkProperty.h"
-#include "vtkTableRadianceIntegrator.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -153,45 +151,6 @@ TEST_F(MapperShading, NormalsThatAreNoneAreTheFacets)
         << warnings.Text;
       this->Actor->SetMapper(this->Mapper);
     }
-  }
-}
-
-// Every property that is printed is set off its default: a new one must be set here, too, or fails.
-TEST(MapperCopy, TakesOverEveryProperty)
-{
-  vtkNew<vtkMeasuredBRDFMapper> unchanged;
-  vtkNew<vtkMeasuredBRDFMapper> original;
-  vtkNew<vtkLambertBRDF> brdf;
-  vtkNew<vtkEnvironment> environment;
-  vtkNew<vtkTableRadianceIntegrator> integrator;
-  original->SetBRDF(brdf);
-  vtkNew<vtkMaterialMap> map;
-  original->SetMaterialMap(map);
-  original->SetEnvironment(environment);
-  original->SetIntegrator(integrator);
-  original->SetErrorTolerance(0.125);
-  original->SetMaximumCost(4.0);
-  original->SetPlanningModeToBackground();
-  original->PlanForViewOn();
-  original->SetScalarColoringMode(vtkMeasuredBRDFMapper::IGNORE_SCALARS);
-  original->UseSceneLightsOff();
-  original->SetOcclusionModeToOff();
-  original->OcclusionBounceOn();
-  vtkNew<vtkMeasuredBRDFMapper> copy;
-  copy->ShallowCopy(original);
-
-  const std::map<std::string, std::string> defaults = GetProperties(unchanged);
-  const std::map<std::string, std::string> set = GetProperties(original);
-  const std::map<std::string, std::string> copied = GetProperties(copy);
-  ASSERT_GE(set.size(), 10u);
-  for (const auto& [name, value] : set)
-  {
-    if (name == "Plan") // what was drawn, no property
-    {
-      continue;
-    }
-    EXPECT_NE(value, defaults.at(name)) << name << " is not set by this test";
-    EXPECT_EQ(value, copied.at(name)) << name << " is not copied";
   }
 }
 

@@ -8,7 +8,6 @@
 #include "vtkLambertBRDF.h"
 #include "vtkMaterialLegendActor.h"
 #include "vtkMaterialMap.h"
-#include "vtkProperty2D.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkToneMappingPass.h"
 #include "vtkUnsignedCharArray.h"
@@ -90,17 +89,16 @@ TEST_F(MaterialLegend, ListsMaterialsWithTheirNames)
   EXPECT_EQ(this->Legend->GetNumberOfEntries(), 0);
 }
 
-TEST_F(MaterialLegend, DrawsSpheresBelowEachOtherOrSideBySide)
+TEST_F(MaterialLegend, DrawsSpheresBelowEachOther)
 {
   ExpectAlbedo(this->GetPixel(50, 150), 0.5, 0.1, 0.1); // the first one on top
   ExpectAlbedo(this->GetPixel(50, 50), 0.1, 0.1, 0.5);
   EXPECT_EQ(this->GetPixel(2, 100)[0], 0.0);
   this->Blue->SetAlbedo(0.3, 0.3, 0.3);
   ExpectAlbedo(this->GetPixel(50, 50), 0.3, 0.3, 0.3);
-  this->Legend->HorizontalOn();
   this->Legend->SetTitle("materials");
-  ExpectAlbedo(this->GetPixel(50, 140), 0.5, 0.1, 0.1);
-  ExpectAlbedo(this->GetPixel(150, 140), 0.3, 0.3, 0.3);
+  ExpectAlbedo(this->GetPixel(40, 130), 0.5, 0.1, 0.1);
+  ExpectAlbedo(this->GetPixel(40, 40), 0.3, 0.3, 0.3);
 }
 
 // As the scene is, whose light is in cd/m2, say.
@@ -115,31 +113,6 @@ TEST_F(MaterialLegend, IsExposedByAToneMappingPass)
   this->Renderer->SetPass(exposure);
   ExpectAlbedo(
     this->GetPixel(50, 150), 1.0 - std::exp(-0.5), 1.0 - std::exp(-0.1), 1.0 - std::exp(-0.1));
-}
-
-// Nothing is drawn without materials; behind them a rectangle, if that is wanted.
-TEST_F(MaterialLegend, BackgroundAndFrame)
-{
-  this->Legend->DrawBackgroundOn();
-  this->Legend->GetBackgroundProperty()->SetColor(0.2, 0.4, 0.6);
-  EXPECT_NEAR(this->GetPixel(2, 100)[1], 0.4, 0.01);
-  ExpectAlbedo(this->GetPixel(50, 150), 0.5, 0.1, 0.1);
-  this->Legend->GetBackgroundProperty()->SetColor(0.2, 0.8, 0.6);
-  EXPECT_NEAR(this->GetPixel(2, 100)[1], 0.8, 0.01);
-  this->Legend->SetPosition(0.25, 0.25);
-  this->Legend->SetPosition2(0.5, 0.5);
-  this->Legend->DrawFrameOn();
-  this->Legend->GetFrameProperty()->SetColor(1.0, 0.0, 0.0);
-  this->Legend->GetFrameProperty()->SetLineWidth(3.0f);
-  double reddest = 0.0; // where the line is to a pixel is VTK's
-  for (int x = 48; x <= 52; ++x)
-  {
-    reddest = std::max(reddest, this->GetPixel(x, 100)[0]);
-  }
-  EXPECT_NEAR(reddest, 1.0, 0.01);
-  EXPECT_EQ(this->GetPixel(40, 100)[1], 0.0);
-  this->Map->RemoveAllMaterials();
-  EXPECT_EQ(this->GetPixel(60, 60)[1], 0.0);
 }
 
 // 60 materials in four columns; in a window of another size, too; the map's changes show.
@@ -160,12 +133,14 @@ TEST_F(MaterialLegend, ManyMaterialsInColumns)
   ExpectAlbedo(this->GetPixel(56, 180), 0.1, 0.1, 0.5);
   this->Window->SetSize(400, 400);
   ExpectAlbedo(this->GetPixel(112, 360), 0.1, 0.1, 0.5);
+  this->Map->RemoveAllMaterials();
+  EXPECT_EQ(this->GetPixel(112, 360)[2], 0.0);
 }
 
-// Names that are too long are cut where the legend ends.
+// Names that are too long are small, and end where the legend does.
 TEST_F(MaterialLegend, LongNamesEndWithTheLegend)
 {
-  this->Map->SetName(0, "the name of a material that is far too long for a legend of 100 pixels");
+  this->Map->SetName(0, "a name too long for 100 pixels");
   this->Map->SetName(2, "\xC3\xA4\xC3\xB6\xC3\xBC\xC3\xA4\xC3\xB6\xC3\xBC\xC3\xA4\xC3\xB6\xC3\xBC");
   this->Legend->SetPosition2(0.5, 1.0);
   this->Window->Render();
@@ -174,11 +149,11 @@ TEST_F(MaterialLegend, LongNamesEndWithTheLegend)
   int lit = 0;
   for (vtkIdType p = 0; p < 200 * 200; ++p)
   {
-    const bool isText = pixels->GetTypedComponent(p, 0) > 100 &&
+    const bool isText = pixels->GetTypedComponent(p, 0) > 60 &&
                         pixels->GetTypedComponent(p, 0) == pixels->GetTypedComponent(p, 2);
     lit += isText ? 1 : 0;
     ASSERT_TRUE(p % 200 < 102 || pixels->GetTypedComponent(p, 0) == 0) << p % 200 << " " << p / 200;
   }
-  EXPECT_GT(lit, 30);
+  EXPECT_GT(lit, 10);
 }
 }

@@ -159,18 +159,16 @@ protected:
       integrator->Integrate(this->Normals, this->Views, radiance, this->Tangents);
       for (int k = 0; k < Side * Side; ++k)
       {
-        double n[3];
-        this->Normals->GetTuple(k, n);
-        if (n[2] <= 0.0)
-        {
-          continue; // turned away: checked to be finite in its own test
-        }
+        const bool isTurnedAway = this->Normals->GetComponent(k, 2) <= 0.0; // as at silhouettes
         const float* pixel = image.At(4 * (k % Side) + 2, 4 * (k / Side) + 2);
         for (int c = 0; c < 3; ++c)
         {
           EXPECT_TRUE(std::isfinite(pixel[c]) && pixel[c] >= 0.0f);
-          expected.push_back(radiance->GetComponent(k, c));
-          actual.push_back(pixel[c]);
+          if (!isTurnedAway)
+          {
+            expected.push_back(radiance->GetComponent(k, c));
+            actual.push_back(pixel[c]);
+          }
         }
       }
     }
@@ -272,7 +270,7 @@ protected:
     const double mean = tolerance + 0.5 * this->GetWeightStep();
     std::cout << name << ": " << pairs << " pairs, largest relative difference " << error
               << " (limit " << largest << "), mean " << this->MeanError << " (limit " << mean
-              << "); " << this->Mapper->GetMaterialDescription() << "\n";
+              << ")\n";
     EXPECT_GE(pairs, 1000);
     EXPECT_LE(error, largest) << name;
     EXPECT_LE(this->MeanError, mean) << name;
@@ -905,27 +903,4 @@ TEST_F(Parity, AnisotropicHybridIntegrator)
   ASSERT_TRUE(integrator->SetSizes({ 17, 6, 12, 0 }));
   this->CheckIntegrator("anisotropic", integrator, NewCoated(100.0, 10.0), NewTurnedHall());
   EXPECT_GT(integrator->GetNumberOfLights(), 0);
-}
-
-TEST_F(Parity, TurnedAwayNormalsAreFinite)
-{
-  vtkNew<vtkAshikhminShirleyBRDF> sharp;
-  sharp->SetExponents(1e5, 1e5);
-  vtkNew<vtkLightSet> lights;
-  const double irradiance[3] = { 1e6, 1e6, 1e6 };
-  for (int k = 0; k < 64; ++k)
-  {
-    const glm::dvec3 l = this->Direction(-1.0);
-    const double direction[3] = { l.x, l.y, l.z };
-    lights->AddLight(direction, irradiance);
-  }
-  this->Mapper->SetBRDF(sharp);
-  vtkNew<vtkLightSetRadianceIntegrator> loop;
-  loop->SetLightSet(lights);
-  this->Mapper->SetIntegrator(loop);
-  const FloatImage image = this->RenderEncoded();
-  for (float v : image.RGBA)
-  {
-    ASSERT_TRUE(std::isfinite(v) && v >= 0.0f);
-  }
 }

@@ -15,38 +15,6 @@ from common import (OUTPUT, draw, get_difference, get_plan, get_selectors, load_
 load_plugin()
 
 
-def test_kinds_of_data():
-    """Whatever Surface draws is drawn, and with the material."""
-    sphere = make_sphere()
-    wavelet = simple.Wavelet(WholeExtent=[-10, 10] * 3)
-    scale = 1 / 30
-    box = simple.Transform(Input=wavelet)
-    box.Transform.Scale = [scale] * 3
-    kinds = {
-        "polydata": sphere,
-        "unstructured": simple.Tetrahedralize(Input=sphere),
-        "structured": box,
-        "multiblock": simple.GroupDatasets(Input=[sphere]),
-    }
-    image = simple.Wavelet(WholeExtent=[-10, 10] * 3)
-    kinds["image"] = image
-    for name, source in kinds.items():
-        view = make_view()
-        look(view, direction=(0.5, 0.4, 0.77), distance=60 if name == "image" else 2.4)
-        display = show(source, view)
-        measured = draw(view, "kind-" + name)
-        assert "error" in get_plan(display), (name, get_plan(display))
-        display.Representation = "Surface"
-        stock = draw(view, "kind-" + name + "-surface")
-        covered = np.abs(stock - 51).max(axis=2) > 3
-        assert covered.mean() > 0.1, name
-        changed = (np.abs(stock - measured).max(axis=2) > 3) & covered
-        assert changed.sum() > 0.8 * covered.sum(), (name, changed.sum(), covered.sum())
-        # Some of the surface may be as gray as the background.
-        assert (np.abs(measured - 51).max(axis=2)[~covered] > 3).mean() < 0.01, name
-        simple.Delete(view)
-
-
 def test_properties_change_the_picture():
     view = make_view()
     look(view)
@@ -353,41 +321,6 @@ def test_occlusion():
     bounced = draw(view, "occlusion-bounce")
     assert 2 < get_inside(bounced - pictures["On"]).mean()
     assert (bounced <= pictures["Off"] + 1).all()
-
-
-def test_surface_visibility():
-    """What the filter has traced is neither traced nor predicted again; it follows its input, and makes the normals that are drawn."""
-    view = make_view()
-    look(view, direction=(0, 0, -1))
-    bowl = make_bowl()
-    visibility = simple.SurfaceVisibility(Input=bowl, BothSides=1)
-    display = show(visibility, view, MeasuredMaterial="pink-felt")
-    traced = draw(view, "visibility")
-    assert "modeled" not in get_plan(display)
-    arrays = visibility.PointData.keys()
-    assert {"MeasuredBRDFHiddenSky", "MeasuredBRDFHiddenSkyBack"} <= set(arrays), arrays
-    display.OcclusionMode = "Off"
-    assert get_inside(draw(view, "visibility-off") - traced).mean() > 20
-    display.OcclusionMode = "On"
-    assert get_difference(draw(view, "visibility-on"), traced)[0] <= 1
-    bowl.EndPhi = 90
-    flat = draw(view, "visibility-flat")
-    assert get_inside(flat - traced).mean() > 5
-    simple.Hide(visibility, view)
-    own = show(bowl, view, MeasuredMaterial="pink-felt", OcclusionMode="On")
-    assert get_difference(draw(view, "visibility-flat-on"), flat)[0] <= 1
-    # Without normals, and in blocks.
-    bare = simple.ProgrammableFilter(Input=bowl)
-    bare.Script = "output.VTKObject.GetPointData().SetNormals(None)\noutput.VTKObject.GetPointData().RemoveArray('Normals')"
-    own.SetRepresentationType("Surface")
-    simple.Hide(bowl, view)
-    show(simple.GroupDatasets(Input=[bare]), view, MeasuredMaterial="pink-felt", OcclusionMode="On")
-    alone = draw(view, "visibility-bare-on")
-    simple.HideAll(view)
-    bare_display = show(simple.SurfaceVisibility(Input=simple.GroupDatasets(Input=[bare]), BothSides=1), view)
-    bare_display.MeasuredMaterial = "pink-felt"
-    assert get_difference(draw(view, "visibility-bare"), alone)[0] <= 1
-    assert get_inside(flat - alone).mean() < 5
 
 
 def test_occlusion_in_animations():

@@ -32,11 +32,11 @@ view.RemoteRenderThreshold = 0.0
 nickel = draw(view, "server-nickel")
 assert get_plan(display) not in ("", plans["local"]), get_plan(display)
 assert get_difference(nickel, pictures["local"])[0] > 20
-# What the ranks' parts hide from each other: traced there by the filter, or by the client, which has the surface in one piece.
+# What the ranks' parts hide from each other, gathered on one of them; or by the client, which has the surface in one piece.
 bowl = simple.Sphere(ThetaResolution=48, PhiResolution=32, EndPhi=115)
 look(view, direction=(0.2, 0.3, -0.93))
 simple.HideAll(view)
-show(simple.SurfaceVisibility(Input=bowl, BothSides=1), view, MeasuredMaterial="pink-felt")
+show(simple.AggregateDataset(Input=bowl), view, MeasuredMaterial="pink-felt", OcclusionMode="On")
 traced = draw(view, "server-bowl-remote")
 simple.HideAll(view)
 show(bowl, view, MeasuredMaterial="pink-felt")

@@ -61,12 +61,6 @@ auto FindFirst(const DrawnMaterials& materials, const Get& get) -> decltype(get(
   }
   return nullptr;
 }
-
-inline const vtkBRDFShaderInputs* FindMaterialInputs(const DrawnMaterials& materials)
-{
-  return FindFirst(materials, [](const DrawnMaterial& drawn)
-    { return drawn.Material ? &drawn.Material->GetInputs() : nullptr; });
-}
 } // namespace measuredbrdf
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialDrawing.h"
 
+#include "NumberText.h"
 #include "OcclusionVertexCache.h"
 #include "RenderPassQueries.h"
 #include "RunGuarded.h"
@@ -30,9 +31,6 @@ namespace
 {
 // Interactors ask for 15 frames a second while somebody moves what is shown, for one in hours else.
 constexpr double LeastInteractiveRate = 1.0;
-
-// A few materials are looked up as fast as compared with the last frame's.
-constexpr std::size_t ManyUses = 8;
 
 // Those of all mappers, so that one can plan for the others of a renderer. Any thread makes
 // mappers.
@@ -64,8 +62,51 @@ bool IsInteracting(vtkRenderer* renderer)
 }
 }
 
+std::string DescribePlans(const DrawnMaterials& materials)
+{
+  std::vector<std::string> lines;
+  std::set<vtkRadiancePlanner*> said;
+  for (const DrawnMaterial* drawn : materials)
+  {
+    if (drawn->Plan && said.insert(drawn->Plan).second)
+    {
+      lines.push_back(drawn->Plan->GetPlan());
+    }
+  }
+  // Materials are drawn in an order of the superclass's own, which may be another in each run.
+  std::sort(lines.begin(), lines.end());
+  std::string text;
+  for (const std::string& line : lines)
+  {
+    text += (text.empty() ? "" : "\n") + line;
+  }
+  return text;
+}
+
+std::string DescribeMixture(double error)
+{
+  if (error < 0.0)
+  {
+    return "";
+  }
+  return "\nmaterials of the map together: predicted error " + NumberText(100.0 * error, 2) + " %";
+}
+
+vtkIdType CountTextureBytes(
+  const DrawnMaterials& materials, std::set<const vtkTextureObject*>& counted)
+{
+  std::size_t bytes = 0;
+  for (const DrawnMaterial* drawn : materials)
+  {
+    for (const std::shared_ptr<ShaderTextures>& textures : { drawn->Material, drawn->Radiance })
+    {
+      bytes += textures ? textures->CountBytes(counted) : 0;
+    }
+  }
+  return static_cast<vtkIdType>(bytes);
+}
 MaterialDrawing::MaterialDrawing(vtkMapper* owner, std::function<std::vector<MaterialUse>()> uses)
-  : RenderReports(owner)
+  : Owner(owner)
   , UsesToCome(std::move(uses))
 {
   ActiveDrawings& active = ActiveDrawings::Get();
@@ -156,20 +197,37 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   const CurrentPlan::Timing timings[] = { CurrentPlan::Timing::Foreground,
     CurrentPlan::Timing::Changes, CurrentPlan::Timing::Always };
   PlanRequest request;
-  request.BRDF = use.first;
-  request.Environment = state.Environment;
-  request.Tolerance = this->Settings->ErrorTolerance;
-  request.MaximumCost = this->Settings->MaximumCost;
+  request.Inputs = PlanInputs(use.first, state.Environment, this->Settings->ErrorTolerance);
+  request.Inputs.MaximumCost = this->Settings->MaximumCost;
+  request.Inputs.WithShaderInputs =
+    this->Settings->UseSceneLights && HasLight(state.Renderer, state.Environment != nullptr);
+  if (this->Settings->PlanForView)
+  {
+    this->Look(state, request.Inputs);
+  }
   request.Timing = timings[this->Settings->PlanningMode];
-  request.ForView = this->IsForView();
   request.Member = this->GetMember(use.first);
   this->HasMembers = this->HasMembers || request.Member;
   request.Renderer = state.Renderer;
-  request.Actor = state.Actor;
-  request.Surfaces = use.second;
-  request.WithShaderInputs =
-    this->Settings->UseSceneLights && HasLight(state.Renderer, state.Environment != nullptr);
   return request;
+}
+
+// What the first picture after SetPlanForView shows of all surfaces. Nothing may be in view then:
+// the next picture looks again.
+void MaterialDrawing::Look(const FrameState& state, PlanInputs& inputs)
+{
+  if (!this->Seen || this->SeenTime < this->Settings->ViewTime)
+  {
+    this->Seen = std::make_shared<VisibleSurface>(VisibleSurface::InView(
+      GetBlocks(this->Owner->GetInputDataObject(0, 0)), state.Renderer, state.Actor));
+    this->SeenTime.Modified();
+    this->Seen = this->Seen->IsEmpty() ? nullptr : this->Seen;
+  }
+  if (this->Seen)
+  {
+    inputs.Seen = this->Seen;
+    inputs.SeenTime = this->SeenTime;
+  }
 }
 
 // What the mappers of the renderer will have planned in this frame.
@@ -188,7 +246,7 @@ void MaterialDrawing::VisitRequests(vtkRenderer* renderer, const PlanRequest::Vi
     {
       continue;
     }
-    if (drawing->IsForView())
+    if (drawing->Settings->PlanForView)
     {
       mapper->Update(); // it may be drawn for the first time
     }
@@ -320,35 +378,9 @@ DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState&
   return drawn;
 }
 
-// Empty where the materials are to be looked up.
-FrameStamp MaterialDrawing::GetStamp(const FrameState& state, const std::vector<MaterialUse>& uses)
-{
-  FrameStamp stamp;
-  if (uses.size() < ManyUses || !state.Environment || !this->IsPlanned() || this->IsForView())
-  {
-    return stamp;
-  }
-  stamp.SettingsTime = this->Settings->GetMTime();
-  stamp.Environment = state.Environment;
-  stamp.EnvironmentTime = state.Environment->GetMTime();
-  stamp.Hurries = state.Hurries;
-  stamp.HasLight = HasLight(state.Renderer, state.Environment != nullptr);
-  for (const MaterialUse& use : uses)
-  {
-    stamp.Uses.emplace_back(use.first, this->Settings->ErrorTolerance);
-  }
-  return stamp;
-}
-
 void MaterialDrawing::ResolveAll(
   ViewFrame& frame, const FrameState& state, const std::vector<MaterialUse>& uses)
 {
-  FrameStamp stamp = this->GetStamp(state, uses);
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(state.Renderer->GetVTKWindow());
-  if (frame.Stays(stamp, window))
-  {
-    return;
-  }
   this->AreUsesNew = true;
   const PlanJob::Hold hold;             // until what stands in is made
   std::vector<DrawnMaterial> materials; // the last ones stay until these have their textures
@@ -357,8 +389,22 @@ void MaterialDrawing::ResolveAll(
     materials.push_back(this->Resolve(use, state));
   }
   frame.Materials = std::move(materials);
-  frame.Stamp = this->Plans.IsPending() ? FrameStamp() : std::move(stamp);
 }
+
+MaterialDrawing::ViewFrame& MaterialDrawing::FindFrame(vtkRenderer* renderer, const void* part)
+{
+  const auto [found, isNew] = this->Frames.try_emplace({ part, renderer });
+  if (isNew || !found->second.Renderer) // or an address used again
+  {
+    found->second = { renderer, {} };
+    for (auto it = this->Frames.begin(); it != this->Frames.end();)
+    {
+      it = it->second.Renderer ? std::next(it) : this->Frames.erase(it);
+    }
+  }
+  return found->second;
+}
+
 void MaterialDrawing::BeginFrame(
   vtkRenderer* renderer, vtkActor* actor, const void* part, const std::vector<MaterialUse>& uses)
 {
@@ -368,35 +414,17 @@ void MaterialDrawing::BeginFrame(
   {
     return;
   }
-  ViewFrame& frame = this->Frames.Find(renderer, this->IsForView() ? actor : nullptr, part);
+  ViewFrame& frame = this->FindFrame(renderer, part);
   const bool any = std::any_of(
     uses.begin(), uses.end(), [](const MaterialUse& use) { return use.first != nullptr; });
   const FrameState state = { renderer, actor, any ? this->ResolveEnvironment(renderer) : nullptr,
     IsInteracting(renderer) && !this->Sums.HasTime(renderer, actor, part) };
-  if (any)
-  {
-    this->WarnOfLevels(state);
-  }
   this->DropPlans(state, any);
   this->ResolveAll(frame, state, uses);
   this->DropOcclusionLights();
   this->ForecastOcclusion(state, part, frame);
   this->Frame = &frame;
   this->LastRenderer = renderer;
-}
-
-void MaterialDrawing::WarnOfLevels(const FrameState& state)
-{
-  // Such actors draw through one that has no mapper; others may have shown it before.
-  const char* levels = FindStockLevels(state.Renderer, state.Actor, this->Owner);
-  if (levels && this->WarnOnce("levels of detail"))
-  {
-    vtkWarningWithObjectMacro(this->Owner,
-      << levels
-      << " draws the levels of detail that it makes itself with stock mappers: they show the "
-         "actor's vtkProperty, not the material. FitProperty(actor->GetProperty()) sets the "
-         "nearest one.");
-  }
 }
 
 // Those that are not drawn by any more.
@@ -451,7 +479,7 @@ void MaterialDrawing::Render(
   this->AbortPlanning = false;
   this->StyleTime = styleTime;
   this->Sums.Begin();
-  this->BeginReports();
+  this->Failures.clear();
   this->Try(
     [&]()
     {
@@ -461,7 +489,20 @@ void MaterialDrawing::Render(
         this->KeepPlansInUse();
       }
     });
-  this->EndReports(renderer, actor, DrawsColor(renderer, actor));
+  const std::pair<vtkRenderer*, vtkActor*> view(renderer, actor);
+  for (const std::string& failure : this->Failures)
+  {
+    if (this->Said.insert_or_assign(failure, view).second)
+    {
+      vtkErrorWithObjectMacro(this->Owner, << failure);
+    }
+  }
+  // Those that this view was the last to have, and has no more, would be said again.
+  for (auto it = this->Said.begin(); it != this->Said.end() && DrawsColor(renderer, actor);)
+  {
+    const bool isOver = it->second == view && this->Failures.count(it->first) == 0;
+    it = isOver ? this->Said.erase(it) : std::next(it);
+  }
 }
 
 bool MaterialDrawing::Try(const std::function<void()>& step)
@@ -490,11 +531,11 @@ void MaterialDrawing::SelectMixture(const std::vector<std::size_t>& materials, M
 std::vector<const DrawnMaterial*> MaterialDrawing::GetLastFrame() const
 {
   std::vector<const DrawnMaterial*> materials;
-  for (const std::unique_ptr<ViewFrame>& frame : this->Frames.GetAll())
+  for (const auto& [key, frame] : this->Frames)
   {
-    for (const DrawnMaterial& drawn : frame->Materials)
+    for (const DrawnMaterial& drawn : frame.Materials)
     {
-      if (frame->Renderer && frame->Renderer == this->LastRenderer)
+      if (frame.Renderer && frame.Renderer == this->LastRenderer)
       {
         materials.push_back(&drawn);
       }
@@ -505,7 +546,9 @@ std::vector<const DrawnMaterial*> MaterialDrawing::GetLastFrame() const
 
 void MaterialDrawing::Forget(const void* part)
 {
-  this->Frames.Forget(part);
+  const auto first = this->Frames.lower_bound({ part, nullptr });
+  const auto isOther = [part](const auto& entry) { return entry.first.first != part; };
+  this->Frames.erase(first, std::find_if(first, this->Frames.end(), isOther));
   this->Sums.Forget(part);
   this->Forecasts.erase(part);
   this->BouncingParts.erase(part);
@@ -515,23 +558,8 @@ void MaterialDrawing::Forget(const void* part)
 void MaterialDrawing::GetVisiblePairs(
   vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views)
 {
-  std::vector<vtkPolyData*> surfaces;
-  for (const MaterialUse& use : this->UsesToCome())
-  {
-    surfaces.insert(surfaces.end(), use.second.begin(), use.second.end());
-  }
-  const VisibleSurface seen = VisibleSurface::InView(surfaces, renderer, actor);
-  const auto fill = [](vtkDataArray* array, const std::vector<glm::dvec3>& directions)
-  {
-    array->Initialize();
-    array->SetNumberOfComponents(3);
-    for (const glm::dvec3& direction : directions)
-    {
-      array->InsertNextTuple(&direction.x);
-    }
-  };
-  fill(normals, seen.GetNormals());
-  fill(views, seen.GetViews());
+  VisibleSurface::InView(GetBlocks(this->Owner->GetInputDataObject(0, 0)), renderer, actor)
+    .CopyTo(normals, views);
 }
 
 vtkMTimeType MaterialDrawing::GetAppearanceMTime()
@@ -548,12 +576,12 @@ vtkMTimeType MaterialDrawing::GetAppearanceMTime()
 void MaterialDrawing::ReleaseGraphicsResources(vtkWindow* window, const void* part)
 {
   this->Selected.Clear();
-  for (const std::unique_ptr<ViewFrame>& frame : this->Frames.GetAll())
+  for (auto& [key, frame] : this->Frames)
   {
-    const bool here = !window || !frame->Renderer || frame->Renderer->GetVTKWindow() == window;
-    if (here && frame->Part == part)
+    const bool here = !window || !frame.Renderer || frame.Renderer->GetVTKWindow() == window;
+    if (here && key.first == part)
     {
-      for (DrawnMaterial& drawn : frame->Materials)
+      for (DrawnMaterial& drawn : frame.Materials)
       {
         drawn.Material.reset();
         drawn.Radiance.reset();

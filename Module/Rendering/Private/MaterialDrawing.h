@@ -16,10 +16,11 @@
 #include "OcclusionArrays.h"
 #include "OcclusionLight.h"
 #include "OcclusionShader.h"
-#include "RenderReports.h"
 #include "SampleSums.h"
 #include "SelectedMaterials.h"
-#include "ViewFrames.h"
+#include "vtkActor.h"
+#include "vtkMapper.h"
+#include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -32,12 +33,10 @@
 #include <utility>
 #include <vector>
 
-class vtkActor;
 class vtkDataArray;
 class vtkOpenGLRenderWindow;
 class vtkPolyData;
 class vtkRadiancePlanner;
-class vtkRenderer;
 class vtkShaderProgram;
 class vtkWindow;
 
@@ -47,7 +46,7 @@ namespace measuredbrdf
 /// class draws them.
 using MaterialUse = std::pair<vtkBRDF*, std::vector<vtkPolyData*>>;
 
-class MaterialDrawing : public RenderReports
+class MaterialDrawing
 {
 public:
   /// owner: the mapper that users know, which warns and reports errors. uses: what it will draw
@@ -56,6 +55,14 @@ public:
   ~MaterialDrawing();
   MaterialDrawing(const MaterialDrawing&) = delete;
   void operator=(const MaterialDrawing&) = delete;
+
+  vtkMapper* GetOwner() const { return this->Owner; }
+
+  /// Whether this is the first warning for that cause.
+  bool WarnOnce(const std::string& cause) { return this->Warned.insert(cause).second; }
+
+  /// Report at the end of this Render what can't be drawn as it should be.
+  void AddFailure(const std::string& text) { this->Failures.insert(text); }
 
   MaterialSettings& GetSettings() const { return *this->Settings; }
 
@@ -119,9 +126,6 @@ public:
   OcclusionLights GetSelectedOcclusion(bool any);
   ///@}
 
-  /// Whether PlanForView counts for the materials of a material map, too (default: yes).
-  void SetPlansMapsForView(bool plans) { this->PlansMapsForView = plans; }
-
   ///@{
   /// About the last frame of all parts.
   std::vector<const DrawnMaterial*> GetLastFrame() const;
@@ -158,6 +162,13 @@ public:
   void KeepPlansInUse();
 
 private:
+  /// What a part was last drawn with in a renderer.
+  struct ViewFrame
+  {
+    vtkWeakPointer<vtkRenderer> Renderer;
+    std::vector<DrawnMaterial> Materials;
+  };
+
   /// What all materials of a frame have in common.
   struct FrameState
   {
@@ -170,21 +181,17 @@ private:
   /// As plans know a material (PlanRequest::Member).
   vtkBRDF* GetMember(vtkBRDF* brdf) const { return brdf == this->Settings->BRDF ? nullptr : brdf; }
   PlanRequest GetRequest(const MaterialUse& use, const FrameState& state);
-  bool IsForView() const
-  {
-    return this->Settings->PlanForView && (this->PlansMapsForView || !this->Settings->MaterialMap);
-  }
+  void Look(const FrameState& state, PlanInputs& inputs);
   bool IsPlanned() const { return !this->Settings->Integrator; }
   static void VisitRequests(vtkRenderer* renderer, const PlanRequest::Visit& visit);
-  void WarnOfLevels(const FrameState& state);
   void DropPlans(const FrameState& state, bool anyMaterial);
   void DropOcclusionLights();
   void ForecastOcclusion(const FrameState& state, const void* part, const ViewFrame& frame);
+  ViewFrame& FindFrame(vtkRenderer* renderer, const void* part);
 
   ///@{
   /// The stages of a frame, in this order; the last three for each material.
   vtkSmartPointer<vtkEnvironment> ResolveEnvironment(vtkRenderer* renderer);
-  FrameStamp GetStamp(const FrameState& state, const std::vector<MaterialUse>& uses);
   void ResolveAll(ViewFrame& frame, const FrameState& state, const std::vector<MaterialUse>& uses);
   DrawnMaterial Resolve(const MaterialUse& use, const FrameState& state);
   void ResolveIntegrator(DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state);
@@ -203,11 +210,17 @@ private:
   };
   SweepAtEnd AtEnd;
 
+  vtkMapper* const Owner;
+  std::set<std::string> Warned;
+  std::set<std::string> Failures;                                 // of this Render
+  std::map<std::string, std::pair<vtkRenderer*, vtkActor*>> Said; // and whose Render had it last
   std::unique_ptr<MaterialSettings> Settings = std::make_unique<MaterialSettings>();
   std::function<std::vector<MaterialUse>()> UsesToCome;
-  bool PlansMapsForView = true;
   MapperPlans Plans;
-  ViewFrames Frames;                // each keeps its textures for the next Render
+  /// Of parts and renderers. Each keeps its textures for the next Render.
+  std::map<std::pair<const void*, vtkRenderer*>, ViewFrame> Frames;
+  std::shared_ptr<const VisibleSurface> Seen; // what PlanForView plans for
+  vtkTimeStamp SeenTime;
   bool HasMembers = false;          // whether others than the mapper's material were planned for
   bool AreUsesNew = true;           // whether materials were looked up since KeepPlansInUse
   const ViewFrame* Frame = nullptr; // drawn now

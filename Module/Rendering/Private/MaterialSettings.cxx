@@ -9,14 +9,8 @@
 
 namespace measuredbrdf
 {
-namespace
-{
-constexpr double SmallestTolerance = 1e-3;
-}
-
-template <typename T>
 void MaterialSettings::SetClamped(
-  vtkObject* self, const char* name, T& property, T value, T low, T high)
+  vtkObject* self, const char* name, double& property, double value, double low, double high)
 {
   if (!IsFinite(value))
   {
@@ -25,7 +19,7 @@ void MaterialSettings::SetClamped(
                                   << property << " stays.");
     return;
   }
-  const T clamped = std::clamp(value, low, high);
+  const double clamped = std::clamp(value, low, high);
   if (clamped != value)
   {
     vtkWarningWithObjectMacro(self, << "Set" << name << ": " << value << " is not from " << low
@@ -47,30 +41,14 @@ void MaterialSettings::SetMode(
   this->Set(property, value);
 }
 
-void MaterialSettings::SetPlanningMode(vtkObject* self, int mode)
+void MaterialSettings::SetPlanForView(bool view)
 {
-  this->SetMode(self, "PlanningMode", this->PlanningMode, mode, 3);
-}
-
-void MaterialSettings::SetErrorTolerance(vtkObject* self, double tolerance)
-{
-  this->SetClamped(
-    self, "ErrorTolerance", this->ErrorTolerance, tolerance, SmallestTolerance, LargestTolerance);
-}
-
-void MaterialSettings::SetMaximumCost(vtkObject* self, double cost)
-{
-  this->SetClamped(self, "MaximumCost", this->MaximumCost, cost, 1.0, 1e6);
-}
-
-void MaterialSettings::SetScalarColoringMode(vtkObject* self, int mode)
-{
-  this->SetMode(self, "ScalarColoringMode", this->ScalarColoringMode, mode, 2);
-}
-
-void MaterialSettings::SetOcclusionMode(vtkObject* self, int mode)
-{
-  this->SetMode(self, "OcclusionMode", this->OcclusionMode, mode, 4);
+  if (view || this->PlanForView)
+  {
+    this->PlanForView = view;
+    this->ViewTime.Modified();
+    this->Time.Modified();
+  }
 }
 
 void MaterialSettings::Copy(const MaterialSettings& other)

@@ -45,17 +45,19 @@ struct MaterialSettings
   std::map<unsigned int, vtkSmartPointer<vtkBRDF>> BlocksByIndex;
   std::map<std::string, vtkSmartPointer<vtkBRDF>> BlocksByName;
 
-  vtkTimeStamp Time; // when a property last changed
+  vtkTimeStamp Time;     // when a property last changed
+  vtkTimeStamp ViewTime; // when PlanForView was last set, which looks anew
 
   ///@{
-  /// Take a value, or say for `self` why not: what is no number and what is no enumerator is
-  /// refused, numbers out of range are clamped (Setters.h).
-  void SetPlanningMode(vtkObject* self, int mode);
-  void SetErrorTolerance(vtkObject* self, double tolerance);
-  void SetMaximumCost(vtkObject* self, double cost);
-  void SetScalarColoringMode(vtkObject* self, int mode);
-  void SetOcclusionMode(vtkObject* self, int mode);
+  /// Take a value of the property of that name, or say for `self` why not: what is no number and
+  /// what is no enumerator is refused, numbers out of range are clamped (Setters.h).
+  void SetClamped(
+    vtkObject* self, const char* name, double& property, double value, double low, double high);
+  void SetMode(vtkObject* self, const char* name, int& property, int value, int count);
   ///@}
+
+  /// Look anew where it is switched on again.
+  void SetPlanForView(bool view);
 
   /// Any other property.
   template <typename Property, typename Value>
@@ -80,13 +82,39 @@ struct MaterialSettings
   vtkMTimeType GetMTime() const;
 
   void Print(ostream& os, vtkIndent indent) const;
-
-private:
-  // The one rule of Setters.h, for properties that are no members of the object that speaks.
-  template <typename T>
-  void SetClamped(vtkObject* self, const char* name, T& property, T value, T low, T high);
-  void SetMode(vtkObject* self, const char* name, int& property, int value, int count);
 };
 } // namespace measuredbrdf
+
+/// A mapper's Set and Get of a property that its Impl->Settings keep, here and in the list of all.
+/// They do not call Modified(), which would rebuild vertex buffers and shaders: every render
+/// compares what it used last with what is asked for.
+#define measuredbrdfSettingMacro(Class, Name, Type, set) \
+  void Class::Set##Name(Type value)                      \
+  {                                                      \
+    auto& settings = this->Impl->Settings;               \
+    set;                                                 \
+  }                                                      \
+  Type Class::Get##Name() { return this->Impl->Settings.Name; }
+#define measuredbrdfAnySettingMacro(Class, Name, Type) \
+  measuredbrdfSettingMacro(Class, Name, Type, settings.Set(settings.Name, value))
+#define measuredbrdfNumberSettingMacro(Class, Name, low, high) \
+  measuredbrdfSettingMacro(                                    \
+    Class, Name, double, settings.SetClamped(this, #Name, settings.Name, value, low, high))
+#define measuredbrdfModeSettingMacro(Class, Name, count) \
+  measuredbrdfSettingMacro(                              \
+    Class, Name, int, settings.SetMode(this, #Name, settings.Name, value, count))
+#define measuredbrdfAllSettingsMacro(Class)                                           \
+  measuredbrdfAnySettingMacro(Class, BRDF, vtkBRDF*);                                 \
+  measuredbrdfAnySettingMacro(Class, MaterialMap, vtkMaterialMap*);                   \
+  measuredbrdfAnySettingMacro(Class, Environment, vtkEnvironment*);                   \
+  measuredbrdfAnySettingMacro(Class, Integrator, vtkRadianceIntegrator*);             \
+  measuredbrdfAnySettingMacro(Class, UseSceneLights, bool);                           \
+  measuredbrdfAnySettingMacro(Class, OcclusionBounce, bool);                          \
+  measuredbrdfSettingMacro(Class, PlanForView, bool, settings.SetPlanForView(value)); \
+  measuredbrdfNumberSettingMacro(Class, ErrorTolerance, 1e-3, LargestTolerance);      \
+  measuredbrdfNumberSettingMacro(Class, MaximumCost, 1.0, 1e6);                       \
+  measuredbrdfModeSettingMacro(Class, PlanningMode, 3);                               \
+  measuredbrdfModeSettingMacro(Class, ScalarColoringMode, 2);                         \
+  measuredbrdfModeSettingMacro(Class, OcclusionMode, 4)
 
 #endif

@@ -8,13 +8,11 @@
 #include "ShaderLimits.h"
 
 #include "vtkActor.h"
-#include "vtkArrayDispatch.h"
 #include "vtkBRDF.h"
 #include "vtkCamera.h"
 #include "vtkCellData.h"
-#include "vtkDataArrayRange.h"
+#include "vtkDataArray.h"
 #include "vtkEnvironment.h"
-#include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -32,8 +30,9 @@
 #include "vtkShaderProgram.h"
 #include "vtkTexture.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 namespace measuredbrdf
@@ -108,33 +107,21 @@ private:
 };
 
 // Of a vertex array: the tuples that have a value which is not finite or, as directions, no length.
-struct CountBad
-{
-  template <typename Array>
-  void operator()(Array* array, bool areDirections, vtkIdType& bad) const
-  {
-    for (const auto tuple : vtk::DataArrayTupleRange(array))
-    {
-      double sum = 0.0;
-      bool any = false;
-      for (const auto component : tuple)
-      {
-        const double value = component;
-        sum += value * 0.0; // NaN where a value is not finite
-        any = any || value != 0.0;
-      }
-      bad += sum == 0.0 && (any || !areDirections) ? 0 : 1;
-    }
-  }
-};
-
 vtkIdType CountBadTuples(vtkDataArray* array, bool areDirections = false)
 {
   vtkIdType bad = 0;
-  using Dispatch = vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>;
-  if (array && !Dispatch::Execute(array, CountBad(), areDirections, bad))
+  std::vector<double> tuple(array ? static_cast<std::size_t>(array->GetNumberOfComponents()) : 0);
+  for (vtkIdType k = 0; array && k < array->GetNumberOfTuples(); ++k)
   {
-    CountBad()(array, areDirections, bad);
+    array->GetTuple(k, tuple.data());
+    double sum = 0.0;
+    bool any = false;
+    for (const double value : tuple)
+    {
+      sum += value * 0.0; // NaN where a value is not finite
+      any = any || value != 0.0;
+    }
+    bad += sum == 0.0 && (any || !areDirections) ? 0 : 1;
   }
   return bad;
 }
@@ -155,42 +142,24 @@ void FindWorldToView(vtkRenderer* renderer, vtkMatrix4x4* toView)
   vtkMatrix4x4::Transpose(worldToView, toView); // OpenGL's order
 }
 
-// From view coordinates to the environment's own axes, by rows: VTK's envMatrix, which leads to the
+// From view coordinates to the environment's own axes: VTK's envMatrix, which leads to the
 // renderer's environment, and the environment's own rotation (null: none). One matrix, because a
 // fragment's directions are turned where software renderers pay for each multiplication.
-std::array<double, 9> GetViewToEnvironment(vtkRenderer* renderer, vtkEnvironment* environment)
+glm::mat3 GetViewToEnvironment(vtkRenderer* renderer, vtkEnvironment* environment)
 {
-  double own[3][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
+  glm::dmat3 own(1.0);
   if (environment)
   {
-    environment->GetWorldToEnvironment(&own[0][0]);
+    environment->GetWorldToEnvironment(&own[0].x); // by rows
   }
-  // Rows of VTK's envMatrix: right, up and right x up, in view coordinates.
-  double axes[3][3];
-  renderer->GetEnvironmentRight(axes[0]);
-  renderer->GetEnvironmentUp(axes[1]);
-  vtkMath::Cross(axes[0], axes[1], axes[2]);
+  glm::dmat3 axes; // columns: those of VTK's envMatrix are right, up and right x up
+  renderer->GetEnvironmentRight(&axes[0].x);
+  renderer->GetEnvironmentUp(&axes[1].x);
+  axes[2] = glm::cross(axes[0], axes[1]);
   const vtkNew<vtkMatrix4x4> toView;
   FindWorldToView(renderer, toView);
-  double turned[3][3] = {};
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        turned[row][column] += toView->GetElement(column, k) * axes[row][k];
-      }
-    }
-  }
-  double product[3][3];
-  vtkMath::Multiply3x3(own, turned, product);
-  std::array<double, 9> rows;
-  for (std::size_t k = 0; k < rows.size(); ++k)
-  {
-    rows[k] = product[k / 3][k % 3];
-  }
-  return rows;
+  const glm::dmat3 viewToWorld(glm::make_mat4(toView->GetData())); // rows: the transpose
+  return glm::transpose(own) * glm::transpose(axes) * viewToWorld;
 }
 
 // slots: none where there is one material.
@@ -632,7 +601,6 @@ void MaterialShading::SetMapperUniforms(vtkOpenGLHelper& cellBO, vtkRenderer* re
     return;
   }
   vtkShaderProgram* program = cellBO.Program;
-  vtkNew<vtkMatrix3x3> matrix;
   const DrawnMaterials& materials = this->Drawing->GetSelected().Get();
   for (std::size_t k = 0; k < materials.size(); ++k)
   {
@@ -643,9 +611,8 @@ void MaterialShading::SetMapperUniforms(vtkOpenGLHelper& cellBO, vtkRenderer* re
         textures->SetUniforms(program, GetFirstInstance(k));
       }
     }
-    matrix->DeepCopy(GetViewToEnvironment(ren, materials[k]->Environment).data());
-    matrix->Transpose(); // SetUniformMatrix hands over columns
-    program->SetUniformMatrix(GetRotationName(k).c_str(), matrix);
+    glm::mat3 rotation = GetViewToEnvironment(ren, materials[k]->Environment);
+    program->SetUniformMatrix3x3(GetRotationName(k).c_str(), &rotation[0].x);
   }
   if (program->IsUniformUsed("brdfTangentMatrix"))
   {
@@ -653,11 +620,8 @@ void MaterialShading::SetMapperUniforms(vtkOpenGLHelper& cellBO, vtkRenderer* re
     vtkNew<vtkMatrix4x4> toView;
     vtkMatrix4x4::Multiply4x4(
       ren->GetActiveCamera()->GetModelViewTransformMatrix(), actor->GetMatrix(), toView);
-    for (int k = 0; k < 9; ++k)
-    {
-      matrix->SetElement(k % 3, k / 3, toView->GetElement(k / 3, k % 3));
-    }
-    program->SetUniformMatrix("brdfTangentMatrix", matrix);
+    glm::mat3 matrix(glm::transpose(glm::make_mat4(toView->GetData())));
+    program->SetUniformMatrix3x3("brdfTangentMatrix", &matrix[0].x);
   }
   this->Drawing->GetSums().SetUniforms(program);
   this->SetOcclusionUniforms(program, ren, actor);

@@ -3,36 +3,19 @@
 #include "RenderPassQueries.h"
 
 #include "vtkActor.h"
-#include "vtkActorCollection.h"
-#include "vtkCamera.h"
-#include "vtkCameraPass.h"
-#include "vtkImageProcessingPass.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkLightingMapPass.h"
-#include "vtkMapperCollection.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
-#include "vtkRenderPassCollection.h"
-#include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRendererCollection.h"
-#include "vtkSSAAPass.h"
-#include "vtkSequencePass.h"
 #include "vtkShadowMapBakerPass.h"
-#include "vtkShadowMapPass.h"
-#include "vtkSmartPointer.h"
 #include "vtkValuePass.h"
-#if VTK_MODULE_ENABLE_VTK_RenderingLOD // ParaView's VTK has no such actors
-#include "vtkLODActor.h"
-#endif
-
-#include <algorithm>
-#include <vector>
 
 namespace measuredbrdf
 {
@@ -59,57 +42,6 @@ bool IsCreated(vtkLight* light, vtkRenderer* renderer)
   }
   return created;
 }
-
-bool IsCameraOf(vtkShadowMapBakerPass* baker, vtkCamera* camera)
-{
-  const std::vector<vtkSmartPointer<vtkCamera>>* lights = baker->GetLightCameras();
-  return lights && std::find(lights->begin(), lights->end(), camera) != lights->end();
-}
-
-// Whether a pass, or one that it delegates to, bakes shadows with this camera now.
-bool Bakes(vtkRenderPass* pass, vtkCamera* camera)
-{
-  if (auto* baker = vtkShadowMapBakerPass::SafeDownCast(pass))
-  {
-    return IsCameraOf(baker, camera);
-  }
-  if (auto* shadows = vtkShadowMapPass::SafeDownCast(pass))
-  {
-    return Bakes(shadows->GetShadowMapBakerPass(), camera);
-  }
-  if (auto* cameraPass = vtkCameraPass::SafeDownCast(pass))
-  {
-    return Bakes(cameraPass->GetDelegatePass(), camera);
-  }
-  if (auto* image = vtkImageProcessingPass::SafeDownCast(pass))
-  {
-    return Bakes(image->GetDelegatePass(), camera);
-  }
-  if (auto* finer = vtkSSAAPass::SafeDownCast(pass))
-  {
-    return Bakes(finer->GetDelegatePass(), camera);
-  }
-  if (auto* steps = vtkRenderStepsPass::SafeDownCast(pass))
-  {
-    return Bakes(steps->GetOpaquePass(), camera) || Bakes(steps->GetLightsPass(), camera);
-  }
-  auto* sequence = vtkSequencePass::SafeDownCast(pass);
-  vtkRenderPassCollection* passes = sequence ? sequence->GetPasses() : nullptr;
-  if (!passes)
-  {
-    return false;
-  }
-  vtkCollectionSimpleIterator it;
-  passes->InitTraversal(it);
-  while (vtkRenderPass* next = passes->GetNextRenderPass(it))
-  {
-    if (Bakes(next, camera))
-    {
-      return true;
-    }
-  }
-  return false;
-}
 }
 
 bool DrawsColor(vtkRenderer* renderer, vtkActor* actor)
@@ -132,11 +64,6 @@ bool DrawsColor(vtkRenderer* renderer, vtkActor* actor)
     {
       return false;
     }
-  }
-  // What the renderer's own camera does not see bears no sign of the baker.
-  if (renderer->GetPass() && Bakes(renderer->GetPass(), renderer->GetActiveCamera()))
-  {
-    return false;
   }
   auto* openGL = vtkOpenGLRenderer::SafeDownCast(renderer);
   if (openGL && openGL->GetUseHiddenLineRemoval())
@@ -182,41 +109,5 @@ bool HasLight(vtkRenderer* renderer, bool isLit)
     on += light->GetSwitch() ? 1 : 0;
   }
   return on > 0;
-}
-
-const char* FindStockLevels(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper)
-{
-  // Both draw through an actor of their own, which has no mapper.
-  if (actor->GetMapper() == mapper || actor->GetProperty()->GetInterpolation() == VTK_PBR)
-  {
-    return nullptr;
-  }
-  vtkActorCollection* actors = renderer->GetActors();
-  vtkCollectionSimpleIterator next;
-  actors->InitTraversal(next);
-  while (vtkActor* other = actors->GetNextActor(next))
-  {
-    if (other->GetMapper() == mapper && other->IsA("vtkQuadricLODActor"))
-    {
-      return "vtkQuadricLODActor";
-    }
-#if VTK_MODULE_ENABLE_VTK_RenderingLOD
-    auto* levels = vtkLODActor::SafeDownCast(other);
-    if (!levels || levels->GetMapper() != mapper)
-    {
-      continue;
-    }
-    vtkCollectionSimpleIterator each;
-    levels->GetLODMappers()->InitTraversal(each);
-    while (vtkMapper* level = levels->GetLODMappers()->GetNextMapper(each))
-    {
-      if (!level->IsA("vtkMeasuredBRDFMapper") && !level->IsA("vtkCompositeMeasuredBRDFMapper"))
-      {
-        return "vtkLODActor";
-      }
-    }
-#endif
-  }
-  return nullptr;
 }
 } // namespace measuredbrdf

@@ -9,7 +9,6 @@
 #define RenderPassQueries_h
 
 class vtkActor;
-class vtkMapper;
 class vtkRenderer;
 
 namespace measuredbrdf
@@ -17,8 +16,7 @@ namespace measuredbrdf
 /// Whether what the actor is being drawn for shows its color: not so where something is selected
 /// (vtkHardwareSelector), where depths are drawn from a light (vtkShadowMapBakerPass) or to hide
 /// lines, nor where arrays or single terms of the light are drawn (vtkValuePass,
-/// vtkLightingMapPass). Neither plans nor textures are of use there, and the camera may be another
-/// one.
+/// vtkLightingMapPass). Neither plans nor textures are of use there.
 bool DrawsColor(vtkRenderer* renderer, vtkActor* actor);
 
 /// Whether an actor is one that materials shade: a lit surface. Else the superclass draws it.
@@ -32,12 +30,6 @@ int FindSuperfluousLight(vtkRenderer* renderer, bool isLit);
 
 /// Whether any light of the scene is on that shines on a surface, which is lit besides or not.
 bool HasLight(vtkRenderer* renderer, bool isLit);
-
-/// vtkLODActor and vtkQuadricLODActor draw levels of detail that they make themselves with stock
-/// mappers, which know no material, through an actor of their own. The class of such an actor, if
-/// one draws with this mapper now and the property is not physically based already (fitted, that
-/// is); else null.
-const char* FindStockLevels(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper);
 } // namespace measuredbrdf
 
 #endif

@@ -11,8 +11,7 @@
     plotter.show()
 
 Importing this module gives every plotter the component `measured`, an object of the class `Measured`. With
-PyVista 0.48 and later the import is not even needed. The functions of this module do the same for a plotter that is
-their first argument.
+PyVista 0.48 and later the import is not even needed.
 """
 
 from __future__ import annotations
@@ -36,11 +35,7 @@ __all__ = [
     "MeasuredCompositeMapper",
     "MeasuredMapper",
     "Plan",
-    "add_mesh",
     "browser_colors",
-    "plans",
-    "remove_environment",
-    "set_environment",
 ]
 
 _NAME = "measured"
@@ -60,23 +55,3 @@ if hasattr(pv, "register_plotter_component"):
     pv.register_plotter_component(_NAME)(Measured)
 else:
     setattr(pv.BasePlotter, _NAME, _Component())
-
-
-def add_mesh(plotter: Any, mesh: Any, material: Any, **kwargs: Any) -> pv.Actor:
-    """`plotter.measured.add_mesh`: see `Measured.add_mesh`."""
-    return plotter.measured.add_mesh(mesh, material, **kwargs)
-
-
-def set_environment(plotter: Any, environment: Any, **kwargs: Any) -> None:
-    """`plotter.measured.set_environment`: see `Measured.set_environment`."""
-    plotter.measured.set_environment(environment, **kwargs)
-
-
-def remove_environment(plotter: Any, **kwargs: Any) -> None:
-    """`plotter.measured.remove_environment`: see `Measured.remove_environment`."""
-    plotter.measured.remove_environment(**kwargs)
-
-
-def plans(plotter: Any) -> list[Plan]:
-    """`plotter.measured.plans`: see `Measured.plans`."""
-    return plotter.measured.plans()

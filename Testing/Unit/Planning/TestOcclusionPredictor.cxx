@@ -74,8 +74,8 @@ TEST_F(OcclusionPredictor, Aborts)
   EXPECT_NE(this->Predictor->GetError(), error);
 }
 
-// A half sphere under a white sky, seen from its opening: half of the light is hidden, so the
-// error is 1 of what is left.
+// A half sphere under a white sky: half of the light is hidden from its inside, which cameras see
+// half as much of as of its outside. So the error is 0.25 of 1.25.
 TEST_F(OcclusionPredictor, ABowl)
 {
   vtkNew<vtkSphereSource> sphere;
@@ -88,13 +88,9 @@ TEST_F(OcclusionPredictor, ABowl)
   bowl->GetPointData()->SetNormals(nullptr);
   this->Scene->AddSurface(bowl);
   this->Sky->SetPixels(64, 32, std::vector<float>(3 * 64 * 32, 1.0f));
-  this->Predictor->SetViewDirection(0.0, 0.0, 1.0);
   ASSERT_TRUE(this->Predictor->Update());
-  EXPECT_NEAR(this->Predictor->GetError(), 1.0, 0.05);
-  EXPECT_LT(this->Predictor->GetUncertainty(), 0.1);
-  this->Predictor->SetViewDirection(0.0, 0.0, -1.0); // from below it bulges
-  ASSERT_TRUE(this->Predictor->Update());
-  EXPECT_LT(this->Predictor->GetError(), 0.01);
+  EXPECT_NEAR(this->Predictor->GetError(), 0.2, 0.03);
+  EXPECT_LT(this->Predictor->GetUncertainty(), 0.05);
 }
 
 // The default's prediction and uncertainty, against 20 times as many points.
@@ -114,7 +110,6 @@ TEST_F(OcclusionPredictor, FewPointsForetellMany)
       predictor->SetScene(this->Scene);
       predictor->SetBRDF(brdf);
       predictor->SetEnvironment(environment);
-      predictor->SetMaximumNumberOfPoints(400);
       ASSERT_TRUE(predictor->Update());
       const double error = predictor->GetError();
       const double uncertainty = predictor->GetUncertainty();

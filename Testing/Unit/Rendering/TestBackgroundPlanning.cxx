@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plans made on a thread: what is drawn by meanwhile, what a change does to them, how they end.
 
-#include "CurrentPlan.h"
 #include "GatedBRDF.h"
+#include "MapperPlans.h"
 #include "SpherePairs.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkRadianceIntegrator.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkSmartPointer.h"
 
-#include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -41,7 +39,6 @@ protected:
     this->BRDF->SetExponent(5.0);
     this->Sky = NewSmallEnvironment(false);
     ShrinkEnvironment(this->Sky, 64, 32);
-    this->Pairs.AddRandom(20, 3);
   }
   void TearDown() override { this->BRDF->Door->OpenUp(); }
 
@@ -60,20 +57,13 @@ protected:
     ASSERT_TRUE(WaitUntil([this]() { return this->BRDF->Door->IsAwaited(); }));
   }
 
-  std::vector<glm::dvec3> Integrate(vtkRadiancePlanner* planner)
-  {
-    return this->Pairs.Integrate(
-      vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator()));
-  }
-
-  std::vector<glm::dvec3> IntegrateAnew()
+  void PlanAnew()
   {
     vtkNew<vtkRadiancePlanner> planner;
     planner->SetBRDF(this->BRDF);
     planner->SetEnvironment(this->Sky);
     planner->SetErrorTolerance(this->Tolerance);
     EXPECT_TRUE(planner->Update());
-    return this->Integrate(planner);
   }
 
   static double GetExponent(vtkRadiancePlanner* planner)
@@ -83,52 +73,16 @@ protected:
 
   vtkNew<GatedBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Sky;
-  SpherePairs Pairs;
   double Tolerance = 0.05;
   std::string Problem;
 };
-}
-
-TEST_F(Background, TheOldPlanStaysUntilTheNewIsMade)
-{
-  CurrentPlan plan;
-  ASSERT_TRUE(this->Update(plan)); // the first is waited for
-  EXPECT_FALSE(plan.IsPending());
-  const vtkSmartPointer<vtkRadiancePlanner> old = plan.GetPlan();
-  ASSERT_TRUE(old);
-  EXPECT_NE(old->GetBRDF(), this->BRDF.Get());
-  EXPECT_EQ(plan.GetEnvironment(), this->Sky.Get()); // whose rotation counts
-  EXPECT_FALSE(this->Update(plan));
-  const std::vector<glm::dvec3> oldRadiance = this->Integrate(old);
-
-  this->BRDF->Door->Close();
-  this->BRDF->SetExponent(9.0);
-  this->Sky->SetPixels(32, 16, std::vector<float>(3 * 32 * 16, 0.5f));
-  for (int frame = 0; frame < 3; ++frame)
-  {
-    EXPECT_FALSE(this->Update(plan));
-    EXPECT_EQ(plan.GetPlan(), old.Get());
-    EXPECT_TRUE(plan.IsPending());
-    EXPECT_FALSE(plan.IsReady());
-  }
-  EXPECT_EQ(this->Integrate(old), oldRadiance);
-
-  this->BRDF->Door->OpenUp();
-  ASSERT_TRUE(WaitUntil([&]() { return plan.IsReady(); }));
-  EXPECT_EQ(plan.GetPlan(), old.Get()); // not before it is asked for
-  EXPECT_TRUE(this->Update(plan));
-  EXPECT_FALSE(plan.IsPending());
-  EXPECT_EQ(this->Problem, "");
-  EXPECT_NE(this->Integrate(plan.GetPlan()), oldRadiance);
-  EXPECT_EQ(this->Integrate(plan.GetPlan()), this->IntegrateAnew());
-  EXPECT_FALSE(this->Update(plan));
 }
 
 TEST_F(Background, AChangeStopsWhatIsInTheMaking)
 {
   this->BRDF->SetExponent(9.0);
   this->BRDF->Door->TakePasses();
-  this->IntegrateAnew();
+  this->PlanAnew();
   const long whole = this->BRDF->Door->TakePasses();
   this->BRDF->SetExponent(5.0);
 

@@ -4,8 +4,8 @@
 // waits for any more, and the end of a process.
 #include "AutomaticOcclusion.h"
 #include "BackgroundThreads.h"
-#include "CurrentPlan.h"
 #include "GatedBRDF.h"
+#include "MapperPlans.h"
 #include "RecentlyUsed.h"
 #include "SharedIntegrators.h"
 #include "SpherePairs.h"

@@ -80,6 +80,29 @@ Angles GetAngles(const double i[3], const double o[3])
     std::acos(std::min(vtkMath::Dot(h, i), 1.0)) / Degree, std::atan2(h[1], h[0]) / Degree };
 }
 
+// Of pyramids from the origin over the cells from the first one on: negative where they face
+// inwards.
+double GetVolume(vtkPolyData* lobe, vtkIdType first)
+{
+  double volume = 0.0;
+  for (vtkIdType k = first; k < lobe->GetNumberOfCells(); ++k)
+  {
+    vtkIdType count;
+    const vtkIdType* points;
+    lobe->GetCellPoints(k, count, points);
+    for (vtkIdType t = 1; t + 1 < count; ++t)
+    {
+      double a[3], b[3], c[3], normal[3];
+      lobe->GetPoint(points[0], a);
+      lobe->GetPoint(points[t], b);
+      lobe->GetPoint(points[t + 1], c);
+      vtkMath::Cross(b, c, normal);
+      volume += vtkMath::Dot(a, normal) / 6.0;
+    }
+  }
+  return volume;
+}
+
 double GetColumn(vtkTable* table, vtkIdType row, const char* name)
 {
   return table->GetValueByName(row, name).ToDouble();
@@ -149,24 +172,8 @@ TEST(LobeSource, TheSurfaceIsClosedAndFacesOutwards)
     source->NormalizeOn();
     source->Update();
     vtkPolyData* lobe = source->GetOutput();
-    // A pyramid from the origin over each cell, its signed volume: together half a unit ball, since
-    // a Lambert surface reflects alike in all directions.
-    double volume = 0.0;
-    for (vtkIdType k = 0; k < lobe->GetNumberOfCells(); ++k)
-    {
-      vtkIdType count;
-      const vtkIdType* points;
-      lobe->GetCellPoints(k, count, points);
-      for (vtkIdType t = 1; t + 1 < count; ++t)
-      {
-        double a[3], b[3], c[3], normal[3];
-        lobe->GetPoint(points[0], a);
-        lobe->GetPoint(points[t], b);
-        lobe->GetPoint(points[t + 1], c);
-        vtkMath::Cross(b, c, normal);
-        volume += vtkMath::Dot(a, normal) / 6.0;
-      }
-    }
+    // Together half a unit ball, since a Lambert surface reflects alike in all directions.
+    const double volume = GetVolume(lobe, 0);
     // The last ring lies in the origin: beyond the one before it, at (127/128)^2 90 degrees, the
     // ball is missing, sin(1.4 degrees) = 2.4 % of it.
     EXPECT_NEAR(volume, 2.0 / 3.0 * 180.0 * Degree, 0.06) << theta;
@@ -244,23 +251,7 @@ TEST(LobeSource, TransmissionIsBelowTheSurface)
   // Where light goes straight on.
   EXPECT_NEAR(directions->GetComponent(above, 0), -0.5, 1e-6);
   EXPECT_NEAR(directions->GetComponent(above, 2), -cosine, 1e-6);
-  double inside = 0.0; // volume of pyramids from the origin: negative where a cell faces inwards
-  for (vtkIdType k = lobe->GetNumberOfCells() / 2; k < lobe->GetNumberOfCells(); ++k)
-  {
-    vtkIdType count;
-    const vtkIdType* points;
-    lobe->GetCellPoints(k, count, points);
-    for (vtkIdType t = 1; t + 1 < count; ++t)
-    {
-      double a[3], b[3], c[3], normal[3];
-      lobe->GetPoint(points[0], a);
-      lobe->GetPoint(points[t], b);
-      lobe->GetPoint(points[t + 1], c);
-      vtkMath::Cross(b, c, normal);
-      inside += vtkMath::Dot(a, normal) / 6.0;
-    }
-  }
-  EXPECT_GT(inside, 0.001);
+  EXPECT_GT(GetVolume(lobe, lobe->GetNumberOfCells() / 2), 0.001); // faces outwards
   // One scale for both: the reflection is the farthest.
   source->NormalizeOn();
   source->Update();

@@ -5,7 +5,6 @@
 
 #include "MaterialFiles.h"
 #include "NamedMap.h"
-#include "Ranks.h"
 #include "vtkMissingNormalsFilter.h"
 
 #include "vtkCommunicator.h"
@@ -20,12 +19,10 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProcessModule.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkSurfaceVisibilityFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,9 +98,8 @@ struct vtkMeasuredMaterialRepresentation::Internals
   bool Background = true;
   int Occlusion = vtkMeasuredBRDFMapper::OCCLUSION_AUTO;
   bool Bounce = false;
-  int Parts = 0;                    // of the surface, on all of several processes
-  int TracedParts = 0;              // those that have Surface Visibility's arrays
-  bool HasWarned = false;           // of the others
+  bool IsDistributed = false;       // several processes have parts of the surface
+  bool HasWarned = false;           // of that
   bool IsModeled = false;           // what "Auto" said of the last picture
   vtkMTimeType OcclusionTime = 0;   // of that picture's data
   std::string NormalArray = "None"; // of the superclass's property
@@ -207,28 +203,23 @@ struct vtkMeasuredMaterialRepresentation::Internals
     }
   }
 
-  // Each of several processes knows its part of the surface only. Collective, as FindAll is.
-  void CountParts(vtkDataObject* data, vtkMultiProcessController* controller)
+  // Whether several processes have parts of the surface, of which each knows its own only.
+  // Collective, as FindAll is.
+  void CheckParts(vtkDataObject* data, vtkMultiProcessController* controller)
   {
-    int own[] = { 0, 0 };
+    int own = 0;
     for (vtkPolyData* surface : vtkCompositeDataSet::GetDataSets<vtkPolyData>(data))
     {
-      const char* const name = vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName();
-      const bool any = surface->GetNumberOfPolys() > 0 || surface->GetNumberOfStrips() > 0;
-      own[0] += any ? 1 : 0;
-      own[1] += any && surface->GetPointData()->HasArray(name) ? 1 : 0;
+      own = surface->GetNumberOfPolys() > 0 || surface->GetNumberOfStrips() > 0 ? 1 : own;
     }
-    int all[2];
-    controller->AllReduce(own, all, 2, vtkCommunicator::SUM_OP);
-    this->Parts = all[0];
-    this->TracedParts = all[1];
+    int all = 0;
+    controller->AllReduce(&own, &all, 1, vtkCommunicator::SUM_OP);
+    this->IsDistributed = all > 1;
   }
 
-  // Whether a part is drawn without self-occlusion, since no process knows the others' parts.
   bool IsLeftOut() const
   {
-    return GetController() && this->Occlusion != vtkMeasuredBRDFMapper::OCCLUSION_OFF &&
-           this->TracedParts < this->Parts;
+    return this->IsDistributed && this->Occlusion != vtkMeasuredBRDFMapper::OCCLUSION_OFF;
   }
 
   // One copy, which shares the pixels with what others use: plans and textures outlast its turns.
@@ -471,7 +462,7 @@ int vtkMeasuredMaterialRepresentation::RequestData(
     this->Impl->CheckSelectors(this, data, controller);
     if (controller)
     {
-      this->Impl->CountParts(data, controller);
+      this->Impl->CheckParts(data, controller);
     }
   }
   return success;
@@ -555,13 +546,8 @@ void vtkMeasuredMaterialRepresentation::WarnOfParts()
   impl.HasWarned = true;
   if (GetController()->GetLocalProcessId() == 0)
   {
-    vtkWarningMacro(
-      "Self-Occlusion: "
-      << (impl.TracedParts == 0
-             ? "the surface is drawn as if it hid nothing from itself"
-             : "blocks without arrays are drawn as if they hid nothing from themselves")
-      << ", since each process has a part of it only. The filter Surface Visibility "
-         "knows the whole surface.");
+    vtkWarningMacro("Self-Occlusion: the surface is drawn as if it hid nothing from itself, since "
+                    "each process has a part of it only. The filter Aggregate Dataset gathers it.");
   }
 }
 
@@ -575,9 +561,9 @@ int vtkMeasuredMaterialRepresentation::FindOcclusionMode(vtkDataObject* data, bo
   {
     return impl.Occlusion;
   }
-  if (GetController())
+  if (impl.IsDistributed)
   {
-    return vtkMeasuredBRDFMapper::OCCLUSION_ARRAYS; // the filter's know the whole surface
+    return vtkMeasuredBRDFMapper::OCCLUSION_ARRAYS; // of whoever knew the whole surface
   }
   auto* mapper = static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper);
   if (mapper->GetOcclusionMode() == vtkMeasuredBRDFMapper::OCCLUSION_AUTO)
@@ -630,10 +616,9 @@ const char* vtkMeasuredMaterialRepresentation::GetPlan()
                            vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_CLIENT;
   this->Plan =
     serverDraws ? "" : static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper)->GetPlan();
-  const bool isSaid = this->Plan.find("left out of the others") != std::string::npos;
-  if (this->Impl->IsLeftOut() && !isSaid && !this->Plan.empty())
+  if (this->Impl->IsLeftOut() && !this->Plan.empty())
   {
-    this->Plan += "; occlusion is left out on several processes, but for Surface Visibility";
+    this->Plan += "; occlusion is left out on several processes";
   }
   return this->Plan.c_str();
 }

@@ -5,10 +5,9 @@
  * @brief   ParaView's representation "Measured Material": surfaces of a measured material
  *
  * Draws what "Surface" draws by vtkCompositeMeasuredBRDFMapper. Materials and environments are
- * named: a built-in one, or "File" and a file's path. On a parallel server the first process reads
- * the files and the others take its data, so that all ranks draw the same material; every rank
- * plans from the same input in the foreground. What cannot be read is said once, and the surface is
- * drawn as "Surface" draws it, on all ranks.
+ * named: a built-in one, or "File" and a file's path. On a parallel server each rank reads the
+ * files, as ParaView's own readers do, and plans from the same input in the foreground. What cannot
+ * be read is said once, and the surface is drawn as "Surface" draws it, on all ranks.
  */
 
 #ifndef vtkMeasuredMaterialRepresentation_h
@@ -98,9 +97,8 @@ public:
   /**
    * What the surface hides of the environment from itself, as vtkMeasuredBRDFMapper has it: 0 off,
    * 1 (default) where its predicted error exceeds what the tolerance leaves, 2 on; and whether what
-   * hides reflects, too (default off). With several processes, each of which has a part of the
-   * surface, 1 and 2 draw with the arrays of vtkPVSurfaceVisibilityFilter, and with 2 the first
-   * process warns once where any part has none.
+   * hides reflects, too (default off). A surface of which several processes have parts is drawn
+   * without; with 2 the first process warns once.
    */
   void SetOcclusionMode(int mode);
   void SetOcclusionBounce(bool bounce);

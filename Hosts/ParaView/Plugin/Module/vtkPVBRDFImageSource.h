@@ -30,18 +30,11 @@ public:
   ///@}
 
 protected:
-  vtkPVBRDFImageSource();
-  ~vtkPVBRDFImageSource() override = default;
-
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
   std::string Material = "gold-paint";
   std::string MaterialFile;
-
-private:
-  vtkPVBRDFImageSource(const vtkPVBRDFImageSource&) = delete;
-  void operator=(const vtkPVBRDFImageSource&) = delete;
 };
 
 #endif

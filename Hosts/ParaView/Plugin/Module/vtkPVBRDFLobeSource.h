@@ -30,18 +30,11 @@ public:
   ///@}
 
 protected:
-  vtkPVBRDFLobeSource();
-  ~vtkPVBRDFLobeSource() override = default;
-
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
   std::string Material = "gold-paint";
   std::string MaterialFile;
-
-private:
-  vtkPVBRDFLobeSource(const vtkPVBRDFLobeSource&) = delete;
-  void operator=(const vtkPVBRDFLobeSource&) = delete;
 };
 
 #endif

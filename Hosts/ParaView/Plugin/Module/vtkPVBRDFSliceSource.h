@@ -30,18 +30,11 @@ public:
   ///@}
 
 protected:
-  vtkPVBRDFSliceSource();
-  ~vtkPVBRDFSliceSource() override = default;
-
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
   std::string Material = "gold-paint";
   std::string MaterialFile;
-
-private:
-  vtkPVBRDFSliceSource(const vtkPVBRDFSliceSource&) = delete;
-  void operator=(const vtkPVBRDFSliceSource&) = delete;
 };
 
 #endif

@@ -365,6 +365,13 @@ vtkIdType PartMappers::GetImageBytes() const
   return bytes;
 }
 
+double PartMappers::GetTimeToDraw() const
+{
+  double seconds = 0.0;
+  this->ForEachMapper([&seconds](PartMapper* mapper) { seconds += mapper->GetTimeToDraw(); });
+  return seconds;
+}
+
 void PartMappers::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->ForEachMapper([window](PartMapper* mapper) { mapper->ReleaseGraphicsResources(window); });

@@ -65,6 +65,9 @@ public:
   void DropMappers();
   ///@}
 
+  /// As each part's mapper last measured it.
+  double GetTimeToDraw() const;
+
   /// What is drawn next, after Divide.
   std::vector<MaterialUse> GetUses() const;
 

@@ -7,7 +7,6 @@
 #include "LampWindow.h"
 #include "LocalFrame.h"
 #include "NumberText.h"
-#include "UniformVectors.h"
 #include "vtkActor.h"
 #include "vtkBRDFBouncedLight.h"
 #include "vtkBRDFHiddenSky.h"
@@ -34,6 +33,17 @@ constexpr std::size_t LampsOfMixtures = 4; // of each of several materials
 // What varyings are where nothing is hidden: the logarithm of odds, a lamp's margin.
 constexpr const char* OpenOdds = "-8.963"; // brdfSkyOdds(0)
 constexpr const char* OpenMargin = "3.0";  // HorizonCode::LargestMargin
+
+// An array of vec3. Of no vectors: nothing, as GLSL has no empty arrays.
+void SetVectors(
+  vtkShaderProgram* program, const std::string& name, const std::vector<glm::dvec3>& vectors)
+{
+  const std::vector<glm::vec3> values(vectors.begin(), vectors.end());
+  if (!values.empty())
+  {
+    program->SetUniform3fv(name.c_str(), static_cast<int>(values.size()), &values[0].x);
+  }
+}
 
 //------------------------------------------------------------------------------
 // How text is made of templates.

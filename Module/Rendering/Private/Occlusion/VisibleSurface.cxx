@@ -9,6 +9,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -26,14 +27,9 @@ namespace measuredbrdf
 namespace
 {
 constexpr vtkIdType MostPolygons = 4096;
-constexpr int Samples = 4096;             // of which those in view count
-constexpr std::size_t PairsToMatch = 256; // that tell whether two views are alike
-constexpr std::size_t FewestPairs = 16;   // as the planner asks for
-constexpr double FacingShare = 0.05;      // of the projected area: below, the surface is a room
-constexpr double NearCosine = 0.966;      // of 15 degrees
-constexpr double AlikeShare = 0.9;
-
-std::size_t GetStep(std::size_t pairs) { return (pairs + PairsToMatch - 1) / PairsToMatch; }
+constexpr int Samples = 4096;           // of which those in view count
+constexpr std::size_t FewestPairs = 16; // as the planner asks for
+constexpr double FacingShare = 0.05;    // of the projected area: below, the surface is a room
 
 struct Triangle
 {
@@ -251,47 +247,30 @@ VisibleSurface::VisibleSurface(const std::vector<vtkPolyData*>& surfaces, vtkMat
   this->Views = std::move(views);
 }
 
-VisibleSurface VisibleSurface::InView(const std::vector<vtkPolyData*>& surfaces,
-  vtkRenderer* renderer, vtkActor* actor, const double* toFrame)
+VisibleSurface VisibleSurface::InView(
+  const std::vector<vtkPolyData*>& surfaces, vtkRenderer* renderer, vtkActor* actor)
 {
-  // Rows: the axes of the renderer's environment.
-  glm::dvec3 axes[3];
-  renderer->GetEnvironmentRight(&axes[0].x);
-  renderer->GetEnvironmentUp(&axes[1].x);
-  axes[2] = glm::cross(axes[0], axes[1]);
-  double turn[9];
-  for (int k = 0; k < 9; ++k)
-  {
-    turn[k] = toFrame ? 0.0 : axes[k / 3][k % 3];
-    for (int j = 0; toFrame && j < 3; ++j)
-    {
-      turn[k] += toFrame[k / 3 * 3 + j] * axes[j][k % 3];
-    }
-  }
+  double axes[9]; // rows: those of the renderer's environment
+  renderer->GetEnvironmentRight(axes);
+  renderer->GetEnvironmentUp(axes + 3);
+  vtkMath::Cross(axes, axes + 3, axes + 6);
   const int* size = renderer->GetSize();
   return VisibleSurface(
-    surfaces, actor->GetMatrix(), renderer->GetActiveCamera(), size[0], size[1], turn);
+    surfaces, actor->GetMatrix(), renderer->GetActiveCamera(), size[0], size[1], axes);
 }
 
-bool VisibleSurface::Covers(const VisibleSurface& other) const
+void VisibleSurface::CopyTo(vtkDataArray* normals, vtkDataArray* views) const
 {
-  // Some of both, spread over all of them.
-  const std::size_t step = GetStep(this->Normals.size());
-  const std::size_t otherStep = GetStep(other.Normals.size());
-  std::size_t alike = 0;
-  std::size_t all = 0;
-  for (std::size_t k = 0; k < other.Normals.size(); k += otherStep, ++all)
+  const auto fill = [](vtkDataArray* array, const std::vector<glm::dvec3>& directions)
   {
-    for (std::size_t j = 0; j < this->Normals.size(); j += step)
+    array->Initialize();
+    array->SetNumberOfComponents(3);
+    for (const glm::dvec3& direction : directions)
     {
-      if (glm::dot(this->Normals[j], other.Normals[k]) > NearCosine &&
-          glm::dot(this->Views[j], other.Views[k]) > NearCosine)
-      {
-        ++alike;
-        break;
-      }
+      array->InsertNextTuple(&direction.x);
     }
-  }
-  return static_cast<double>(alike) >= AlikeShare * static_cast<double>(all);
+  };
+  fill(normals, this->Normals);
+  fill(views, this->Views);
 }
 } // namespace measuredbrdf

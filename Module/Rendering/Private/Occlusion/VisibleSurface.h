@@ -16,11 +16,11 @@
 
 #include <glm/glm.hpp>
 
-#include <cstddef>
 #include <vector>
 
 class vtkActor;
 class vtkCamera;
+class vtkDataArray;
 class vtkMatrix4x4;
 class vtkPolyData;
 class vtkRenderer;
@@ -36,10 +36,9 @@ public:
     vtkCamera* camera, int width, int height, const double toFrame[9]);
 
   /// What the renderer's camera sees of an actor's surfaces, in the frame of the renderer's
-  /// environment: the world, turned by EnvironmentUp and EnvironmentRight, then by toFrame (null:
-  /// not at all).
-  static VisibleSurface InView(const std::vector<vtkPolyData*>& surfaces, vtkRenderer* renderer,
-    vtkActor* actor, const double* toFrame = nullptr);
+  /// environment: the world, turned by EnvironmentUp and EnvironmentRight.
+  static VisibleSurface InView(
+    const std::vector<vtkPolyData*>& surfaces, vtkRenderer* renderer, vtkActor* actor);
 
   bool IsEmpty() const { return this->Normals.empty(); }
 
@@ -49,10 +48,8 @@ public:
   const std::vector<glm::dvec3>& GetViews() const { return this->Views; }
   ///@}
 
-  /// Whether a plan for this one serves for another, too: nearly all that is seen there looks much
-  /// like something that is seen here. Far from any threshold where the
-  /// view turns a few degrees, so that plans do not come and go.
-  bool Covers(const VisibleSurface& other) const;
+  /// The same as arrays of 3 components, ready for vtkRadiancePlanner::SetPairs.
+  void CopyTo(vtkDataArray* normals, vtkDataArray* views) const;
 
 private:
   std::vector<glm::dvec3> Normals;

@@ -2,54 +2,97 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The plans that a mapper draws by, one for each view of each of its materials.
- *
- * A view is a renderer or, where plans are for what the camera sees, an actor in a renderer. Each
- * view is drawn by its own plan, and an old plan stands in for a new one in its own view only.
- * Views that want the same plan share it (CurrentPlan).
+ * The plans that a mapper draws by: one for each of its materials in each renderer.
  */
 
 #ifndef MapperPlans_h
 #define MapperPlans_h
 
-#include "CurrentPlan.h"
-#include "vtkType.h"
+#include "PlanJob.h"
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
 #include <set>
 #include <string>
-#include <tuple>
-#include <vector>
+#include <utility>
 
-class vtkActor;
-class vtkBRDF;
-class vtkEnvironment;
-class vtkPolyData;
-class vtkRadiancePlanner;
 class vtkRenderer;
 
 namespace measuredbrdf
 {
+/// The plan that one material is drawn by in one renderer, and the next one in the making.
+class CurrentPlan
+{
+public:
+  CurrentPlan() = default;
+  ~CurrentPlan();
+  CurrentPlan(const CurrentPlan&) = delete;
+  void operator=(const CurrentPlan&) = delete;
+
+  /// What Update does while a new plan is wanted and not there yet.
+  enum class Timing
+  {
+    Foreground, // plan, or wait for the plan in the making
+    Changes,    // keep the last plan, if that can still be drawn; else plan
+    Always      // keep the last plan, or have none
+  };
+
+  /// Bring the plan up to date, or begin to. Returns whether another plan took the place of the
+  /// last one. problem says why there is no plan, or what the plan had to warn of; else it is "".
+  /// What could not be planned, for lack of memory for instance, is not tried again until it
+  /// changes.
+  bool Update(const PlanInputs& wanted, Timing timing, std::string& problem,
+    const PlanJob::Progress& progress = nullptr);
+
+  /// Whether Update would take long: it would plan in the calling thread or wait for another one.
+  bool WouldBlock(const PlanInputs& wanted, Timing timing) const;
+
+  /// Begin the plan on another thread, for an Update to come. Does nothing for a material that has
+  /// no snapshots.
+  void Begin(const PlanInputs& wanted);
+
+  ///@{
+  /// The plan to draw by, which is of the objects or of snapshots of them, and the environment
+  /// whose rotation applies to it. Null where there is none.
+  vtkRadiancePlanner* GetPlan() const { return this->Plan; }
+  vtkEnvironment* GetEnvironment() const { return this->Inputs.Environment; }
+  ///@}
+
+  /// Whether another plan is in the making, or made and not taken up yet.
+  bool IsPending() const { return this->Job != nullptr; }
+
+  /// Whether Update would take up the one in the making.
+  bool IsReady() const { return this->Job && this->Job->IsDone(); }
+
+private:
+  bool EnsureCurrent(const PlanInputs& wanted, Timing timing, const PlanJob::Progress& progress,
+    std::string& problem);
+  bool CanShowPrevious(Timing timing) const;
+  bool IsFor(const PlanInputs& wanted) const;
+  bool IsUsable() const;
+  void Adopt(const PlanInputs& inputs, vtkSmartPointer<vtkRadiancePlanner> plan);
+
+  vtkSmartPointer<vtkRadiancePlanner> Plan; // null: what Inputs ask for can't be planned
+  PlanInputs Inputs;                        // of the plan
+  vtkMTimeType Times[2] = { 0, 0 };         // of the plan's own objects when it was taken up
+
+  std::shared_ptr<PlanJob> Job;
+  PlanInputs::Key JobKey;
+};
+
 class MapperPlans;
 
 /// What a mapper wants to draw one of its materials by, now.
 struct PlanRequest
 {
-  vtkSmartPointer<vtkBRDF> BRDF;
-  vtkSmartPointer<vtkEnvironment> Environment;
-  double Tolerance = 0.0;
-  double MaximumCost = 1e6; // no bound
+  PlanInputs Inputs;
   CurrentPlan::Timing Timing = CurrentPlan::Timing::Foreground;
-  bool ForView = false; // or for every view
   /// Which of the mapper's materials. Null: the one that is set for all, whatever it is: the plan
   /// of the last one stands in for the plan of the next one.
   vtkBRDF* Member = nullptr;
   vtkRenderer* Renderer = nullptr;
-  vtkActor* Actor = nullptr;
-  std::vector<vtkPolyData*> Surfaces; // what ForView looks at
-  bool WithShaderInputs = false;      // PlanInputs::WithShaderInputs
 
   /// Visits what other mappers of the renderer want to draw by in the same frame; this one may be
   /// among them. Where Update has to plan at once, it begins theirs side by side. May be empty.
@@ -58,9 +101,11 @@ struct PlanRequest
 
   /// Update calls it now and then while it plans or waits, with the share that is done. It stops if
   /// that returns false. May be empty.
-  CurrentPlan::Progress Progress;
+  PlanJob::Progress Progress;
 };
 
+/// An old plan stands in for a new one in its own view only. Views that want the same plan share
+/// it.
 class MapperPlans
 {
 public:
@@ -98,18 +143,13 @@ public:
 
 private:
   struct View;
-  using Key = std::tuple<vtkRenderer*, vtkBRDF*, vtkActor*>; // the member, and for the view
-  using AllViews = std::map<Key, std::shared_ptr<View>>;
+  using Key = std::pair<vtkRenderer*, vtkBRDF*>; // the member
 
   std::shared_ptr<View> FindView(const PlanRequest& request);
   template <typename Condition>
   void EraseIf(const Condition& condition);
-  static void Look(View& view, const PlanRequest& request);
-  static PlanInputs GetInputs(View& view, const PlanRequest& request);
-  void BeginSideBySide(View& view, const PlanInputs& wanted, const PlanRequest& request);
 
-  AllViews Views;
-  bool ForView = false;    // of the last request
+  std::map<Key, std::shared_ptr<View>> Views;
   std::size_t Updates = 0; // since the last look for views that are gone
 };
 } // namespace measuredbrdf

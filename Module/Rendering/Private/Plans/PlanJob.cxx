@@ -10,9 +10,8 @@
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
+#include "vtkNew.h"
 #include "vtkRadiancePlanner.h"
-
-#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -30,23 +29,6 @@ namespace measuredbrdf
 namespace
 {
 constexpr std::chrono::milliseconds ProgressInterval(50); // of a job that is waited for
-
-// From the environment's frame.
-vtkSmartPointer<vtkDoubleArray> ToWorld(
-  const std::vector<glm::dvec3>& directions, vtkEnvironment* environment)
-{
-  double rows[9];
-  environment->GetWorldToEnvironment(rows);
-  const glm::dmat3 toWorld = glm::make_mat3(rows); // glm takes columns: the transpose
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetNumberOfComponents(3);
-  for (const glm::dvec3& direction : directions)
-  {
-    const glm::dvec3 turned = toWorld * direction;
-    array->InsertNextTuple(&turned.x);
-  }
-  return array;
-}
 }
 
 PlanInputs::PlanInputs(vtkBRDF* brdf, vtkEnvironment* environment, double tolerance)
@@ -75,8 +57,9 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool ap
   planner->SetMaximumCost(inputs.MaximumCost);
   if (inputs.Seen)
   {
-    planner->SetPairs(ToWorld(inputs.Seen->GetNormals(), planner->GetEnvironment()),
-      ToWorld(inputs.Seen->GetViews(), planner->GetEnvironment()));
+    vtkNew<vtkDoubleArray> normals, views;
+    inputs.Seen->CopyTo(normals, views);
+    planner->SetPairs(normals, views);
   }
   return planner;
 }
@@ -123,30 +106,25 @@ public:
       this->Waiting.splice(this->Waiting.begin(), this->Waiting, it);
     }
     ++this->Waiters;
+    const std::shared_ptr<int> waits(&this->Waiters, // also where a program's observer throws
+      [this, &lock](int* waiters)
+      {
+        if (!lock.owns_lock())
+        {
+          lock.lock();
+        }
+        --*waiters;
+      });
     this->Released.notify_all();
     this->AddThread(lock);
-    while (!job->IsDone())
+    for (bool goes = true; goes && !job->IsDone();)
     {
       lock.unlock();
-      bool goes = false;
-      try
-      {
-        goes = goesOn();
-      }
-      catch (...) // of a program's observer
-      {
-        lock.lock();
-        --this->Waiters;
-        throw;
-      }
+      goes = goesOn();
       lock.lock();
-      if (!goes)
-      {
-        break;
-      }
-      this->Finished.wait_for(lock, ProgressInterval, [job]() { return job->IsDone(); });
+      this->Finished.wait_for(
+        lock, ProgressInterval, [job, goes]() { return !goes || job->IsDone(); });
     }
-    --this->Waiters;
     return job->IsDone();
   }
 

@@ -59,8 +59,8 @@ struct PlanInputs
   double MaximumCost = 1e6; // no bound
 
   ///@{
-  /// What the camera sees, in the environment's frame, and a time that no other one has; null, 0:
-  /// a plan for every view.
+  /// What a camera sees, in the frame of the renderer's environment, and a time that no other one
+  /// has; null, 0: a plan for every view.
   std::shared_ptr<const VisibleSurface> Seen;
   vtkMTimeType SeenTime = 0;
   ///@}

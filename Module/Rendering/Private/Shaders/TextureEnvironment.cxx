@@ -4,7 +4,6 @@
 
 #include "LightProbe.h"
 #include "ScopedErrorCapture.h"
-#include "SharedCache.h"
 #include "SharedObjects.h"
 
 #include "vtkAlgorithm.h"
@@ -18,7 +17,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -28,8 +26,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr std::size_t MostRefused = 64; // textures that are remembered
-
 // The image at one of the texture's inputs, brought up to date; null where there is none.
 vtkImageData* UpdateInput(vtkTexture* texture, int port)
 {
@@ -152,14 +148,8 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkRenderer* renderer, std::stri
     }
     times.push_back(images.back()->GetMTime());
   }
-  static auto& refused = SharedCache<EnvironmentKey, std::string>::MakeForProcess(MostRefused);
   const bool sRGB = TakesAsSRGB(renderer, texture, images.front());
   const EnvironmentKey key(images, times, sRGB);
-  if (const std::optional<std::string> known = refused.Find(key))
-  {
-    problem = *known;
-    return nullptr;
-  }
   vtkIdType repaired = 0;
   auto environment = Environments::Get().Find(key,
     [&images, sRGB, &problem, &repaired]() -> vtkSmartPointer<vtkEnvironment>
@@ -180,7 +170,6 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkRenderer* renderer, std::stri
     });
   if (!environment)
   {
-    refused.Put(key, problem);
     return nullptr;
   }
   problem = repaired == 0 ? std::string()

@@ -20,8 +20,7 @@ namespace measuredbrdf
 /// The lat-long image or the six cube faces of the renderer's environment texture as an
 /// environment; null where it has none (no input, faces that are missing, not square or of
 /// different sizes), and why. Values are sRGB-encoded where VTK's physically based rendering takes
-/// them so. What was refused once is not tried again until it changes. problem: with an environment
-/// that is new, what to warn of, or "".
+/// them so. problem: with an environment that is new, what to warn of, or "".
 vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkRenderer* renderer, std::string& problem);
 
 /// Release what no mapper holds any more.
