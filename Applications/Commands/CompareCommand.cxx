@@ -400,9 +400,8 @@ void Run(CompareOptions& options, const CLI::App* command)
   TimeFrames(scene, stock, found);
 
   nlohmann::ordered_json report = MakeReport(options, found, method, scene);
-  report.update({ { "reference_pixels", surface.Pixels.size() },
-    { "reference_integrated", whole.Integrated }, // share of them; others are interpolated
-    { "reference_within", whole.Within }, { "reference_within_between", whole.WithinBetween } });
+  report.update(
+    { { "reference_pixels", surface.Pixels.size() }, { "reference_within", whole.Within } });
   report.update(tool::DescribeOcclusion(occlusion, options.Trace));
   report.update({ { "covered_pixels", surface.NumberOfCovered }, { "width", size.Width },
     { "height", size.Height }, { "material", material.Name },

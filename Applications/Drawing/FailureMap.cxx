@@ -25,12 +25,12 @@
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
+#include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace
@@ -47,13 +47,11 @@ constexpr int Width = 1720;
 constexpr int Height = 690;
 constexpr int Side = 480; // of a map
 constexpr int Bottom = 72;
-constexpr int Top = Bottom + Side;
 constexpr int MapLefts[2] = { 90, 680 };
-constexpr int BarLeft = 1184;
+constexpr int BarLeft = 1224;
 constexpr int BarWidth = 22;
 constexpr int ViewsLeft = 1340;
 constexpr int ViewsWidth = 340;
-constexpr int ViewsBottom = 332;
 constexpr int LabelSize = 15;
 constexpr int TitleSize = 17;
 
@@ -113,9 +111,12 @@ void SetUpAxis(
 
 //------------------------------------------------------------------------------
 // A chart whose axes are the sides of a rectangle.
-vtkSmartPointer<vtkChartXY> MakeChart(int x, int y, int width, int height)
+vtkSmartPointer<vtkChartXY> MakeChart(const std::string& title, int x, int y, int width, int height)
 {
   auto chart = vtkSmartPointer<vtkChartXY>::New();
+  chart->SetTitle(title);
+  chart->GetTitleProperties()->SetFontSize(TitleSize);
+  chart->GetTitleProperties()->SetColor(Ink[0], Ink[1], Ink[2]);
   chart->SetAutoSize(false);
   chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
   chart->SetSize(vtkRectf(x, y, width, height));
@@ -152,10 +153,10 @@ vtkSmartPointer<vtkImageData> ToLogarithms(vtkImageData* errors)
 }
 
 //------------------------------------------------------------------------------
-void AddMap(vtkContextScene* scene, int left, vtkImageData* errors, double width,
-  const std::string& xTitle, const std::string& yTitle, const Ticks& xTicks)
+void AddMap(vtkContextScene* scene, const std::string& title, int left, vtkImageData* errors,
+  double width, const std::string& xTitle, const std::string& yTitle, const Ticks& xTicks)
 {
-  const auto chart = MakeChart(left, Bottom, Side, Side);
+  const auto chart = MakeChart(title, left, Bottom, Side, Side);
   SetUpAxis(chart->GetAxis(vtkAxis::BOTTOM), xTitle, width, xTicks);
   SetUpAxis(chart->GetAxis(vtkAxis::LEFT), yTitle, 90.0, Degrees);
   AddCells(chart, ToLogarithms(errors), vtkRectf(0.0f, 0.0f, static_cast<float>(width), 90.0f));
@@ -174,9 +175,9 @@ void AddColorBar(vtkContextScene* scene)
     values->InsertNextValue(Lowest + (Highest - Lowest) * (k / 2) / (steps - 1.0));
   }
   gradient->GetPointData()->SetScalars(values);
-  const auto chart = MakeChart(BarLeft, Bottom, BarWidth, Side);
+  const auto chart = MakeChart("error", BarLeft, Bottom, BarWidth, Side);
   SetUpAxis(chart->GetAxis(vtkAxis::BOTTOM), "", 1.0, {});
-  SetUpAxis(chart->GetAxis(vtkAxis::LEFT), "", Highest, {}, Lowest);
+  SetUpAxis(chart->GetAxis(vtkAxis::LEFT), "", Highest, Shares, Lowest);
   AddCells(chart, gradient,
     vtkRectf(0.0f, static_cast<float>(Lowest), 1.0f, static_cast<float>(Highest - Lowest)));
   scene->AddItem(chart);
@@ -207,9 +208,12 @@ void AddCurve(vtkChartXY* chart, const std::vector<tool::ViewError>& views, cons
 }
 
 //------------------------------------------------------------------------------
-void AddViews(vtkContextScene* scene, const std::vector<tool::ViewError>& views)
+void AddViews(
+  vtkContextScene* scene, const std::string& method, const std::vector<tool::ViewError>& views)
 {
-  const auto chart = MakeChart(ViewsLeft, ViewsBottom, ViewsWidth, Top - 28 - ViewsBottom);
+  const auto chart = MakeChart(tool::Fit("radiance: " + method, TitleSize, false, ViewsWidth),
+    ViewsLeft, Bottom, ViewsWidth, Side);
+  chart->SetShowLegend(true);
   vtkAxis* left = chart->GetAxis(vtkAxis::LEFT);
   SetUpAxis(chart->GetAxis(vtkAxis::BOTTOM), "theta_o (degrees)", 90.0, Degrees);
   SetUpAxis(left, "", Highest, Shares, Lowest);
@@ -224,91 +228,38 @@ void AddViews(vtkContextScene* scene, const std::vector<tool::ViewError>& views)
 }
 
 //------------------------------------------------------------------------------
-tool::Picture Capture(vtkRenderWindow* window)
+// A line of text with its lower left corner at (x, y).
+vtkTextProperty* AddText(vtkRenderer* renderer, int x, int y, const std::string& text, int size,
+  bool bold, const tool::RGB& color)
 {
-  vtkNew<vtkWindowToImageFilter> capture;
-  capture->SetInput(window);
-  capture->SetInputBufferTypeToRGB();
-  capture->ReadFrontBufferOff();
-  capture->Update();
-  const std::string errors = tool::TakeErrorText();
-  if (!errors.empty())
-  {
-    throw tool::Error("drawing the failure map: " + errors);
-  }
-  vtkImageData* image = capture->GetOutput();
-  tool::Picture picture(Width, Height);
-  for (int y = 0; y < Height; ++y)
-  {
-    for (int x = 0; x < Width; ++x)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        picture.At(x, y)[c] =
-          static_cast<float>(image->GetScalarComponentAsDouble(x, y, 0, c) / 255.0);
-      }
-      picture.At(x, y)[3] = 1.0f;
-    }
-  }
-  return picture;
+  vtkNew<vtkTextActor> actor;
+  actor->SetInput(text.c_str());
+  actor->SetPosition(x, y);
+  vtkTextProperty* property = actor->GetTextProperty();
+  property->SetFontFamilyToArial();
+  property->SetFontSize(size);
+  property->SetBold(bold);
+  property->SetColor(color[0], color[1], color[2]);
+  renderer->AddActor(actor);
+  return property;
 }
 
 //------------------------------------------------------------------------------
-std::string FormatShare(double share)
+// Their numbers in the map, white on dark: the map may be bright or dark there.
+void AddWorst(vtkRenderer* renderer, vtkBRDFFailureMap* map)
 {
-  char text[32];
-  std::snprintf(text, sizeof(text), share < 9.995 ? "%.3g %%" : "%.0f %%", 100.0 * share);
-  return text;
-}
-
-//------------------------------------------------------------------------------
-// The list, and its numbers in the map.
-void WriteWorst(tool::Picture& picture, vtkBRDFFailureMap* map)
-{
-  constexpr int columns[5] = { 0, 30, 105, 180, 255 };
-  const char* const heads[5] = { "", "theta_i", "theta_o", "phi", "error" };
-  const int left = ViewsLeft - 50;
-  int y = ViewsBottom - 90;
-  tool::DrawText(picture, left, y, "Worst angles (degrees)", LabelSize, true, Ink);
-  y -= 27;
-  for (int k = 0; k < 5; ++k)
-  {
-    tool::DrawText(picture, left + columns[k], y, heads[k], LabelSize, false, PaleInk);
-  }
   for (int k = 0; k < map->GetNumberOfWorstAngles(); ++k)
   {
     double angles[3];
     map->GetWorstAngles(k, angles);
-    std::string cells[5] = { std::to_string(k + 1) };
-    for (int c = 0; c < 3; ++c)
-    {
-      char text[32];
-      std::snprintf(text, sizeof(text), "%.4g", angles[c]);
-      cells[c + 1] = text;
-    }
-    cells[4] = FormatShare(map->GetWorstError(k));
-    y -= 24;
-    for (int c = 0; c < 5; ++c)
-    {
-      tool::DrawText(picture, left + columns[c], y, cells[c], LabelSize, c == 0, Ink);
-    }
-    // On a dark rim: the map may be bright there.
-    const int x0 = MapLefts[0] + std::min(static_cast<int>(angles[0] * Side / 90.0) - 4, Side - 12);
-    const int y0 = Bottom + std::min(static_cast<int>(angles[1] * Side / 90.0) - 6, Side - 15);
-    for (int rim = 0; rim < 9; ++rim)
-    {
-      tool::DrawText(picture, x0 + rim % 3 - 1, y0 + rim / 3 - 1, cells[0], LabelSize, true, Ink);
-    }
-    tool::DrawText(picture, x0, y0, cells[0], LabelSize, true, { 1.0, 1.0, 1.0 });
-  }
-  if (map->GetNumberOfWorstAngles() == 0)
-  {
-    tool::DrawText(picture, left, y - 24, "f is nowhere different", LabelSize, false, Ink);
+    vtkTextProperty* mark = AddText(renderer,
+      MapLefts[0] + std::min(static_cast<int>(angles[0] * Side / 90.0) - 4, Side - 12),
+      Bottom + std::min(static_cast<int>(angles[1] * Side / 90.0) - 6, Side - 15),
+      std::to_string(k + 1), LabelSize, true, { 1.0, 1.0, 1.0 });
+    mark->SetBackgroundColor(Ink[0], Ink[1], Ink[2]);
+    mark->SetBackgroundOpacity(1.0);
   }
 }
-
-//------------------------------------------------------------------------------
-double KeepEncoded(double value) { return value; }
 }
 
 namespace tool
@@ -360,12 +311,12 @@ void WriteFailureMap(const std::string& path, const FailureCaption& caption, vtk
 {
   vtkNew<vtkContextActor> actor;
   vtkContextScene* scene = actor->GetScene();
-  AddMap(scene, MapLefts[0], map->GetIncidentOutgoing(), 90.0, "theta_i (degrees)",
-    "theta_o (degrees)", Degrees);
-  AddMap(scene, MapLefts[1], map->GetHalfDifference(), 1.0, "theta_h (degrees, square root axis)",
-    "theta_d (degrees)", MakeHalfAngleTicks());
+  AddMap(scene, "f: light and view", MapLefts[0], map->GetIncidentOutgoing(), 90.0,
+    "theta_i (degrees)", "theta_o (degrees)", Degrees);
+  AddMap(scene, "f: half vector and difference", MapLefts[1], map->GetHalfDifference(), 1.0,
+    "theta_h (degrees, square root axis)", "theta_d (degrees)", MakeHalfAngleTicks());
   AddColorBar(scene);
-  AddViews(scene, views);
+  AddViews(scene, caption.Method, views);
 
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkRenderWindow> window;
@@ -376,29 +327,24 @@ void WriteFailureMap(const std::string& path, const FailureCaption& caption, vtk
   window->AddRenderer(renderer);
   window->SetSize(Width, Height);
   scene->SetRenderer(renderer);
-  window->Render();
-
-  Picture picture = Capture(window);
   const int room = Width - 2 * MapLefts[0];
-  DrawText(picture, MapLefts[0], Height - 42, Fit(caption.Title, TitleSize + 5, true, room),
+  AddText(renderer, MapLefts[0], Height - 42, Fit(caption.Title, TitleSize + 5, true, room),
     TitleSize + 5, true, Ink);
-  DrawText(picture, MapLefts[0], Height - 72, Fit(caption.Note, LabelSize, false, room), LabelSize,
+  AddText(renderer, MapLefts[0], Height - 72, Fit(caption.Note, LabelSize, false, room), LabelSize,
     false, PaleInk);
-  const int title = Top + 14;
-  DrawText(picture, MapLefts[0], title, "f: light and view", TitleSize, false, Ink);
-  DrawText(picture, MapLefts[1], title, "f: half vector and difference", TitleSize, false, Ink);
-  DrawText(picture, BarLeft, title, "error", TitleSize, false, Ink);
-  DrawText(picture, ViewsLeft - 50, title,
-    Fit("radiance: " + caption.Method, TitleSize, false, ViewsWidth + 50), TitleSize, false, Ink);
-  for (const auto& [logarithm, label] : Shares)
+  AddWorst(renderer, map);
+
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> capture;
+  capture->SetInput(window);
+  capture->SetInputBufferTypeToRGB();
+  capture->ReadFrontBufferOff();
+  capture->Update();
+  const std::string errors = TakeErrorText();
+  if (!errors.empty())
   {
-    const double share = (logarithm - Lowest) / (Highest - Lowest);
-    DrawText(picture, BarLeft + BarWidth + 8, Bottom + static_cast<int>(share * Side) - 6, label,
-      LabelSize, false, Ink);
+    throw Error("drawing the failure map: " + errors);
   }
-  DrawText(picture, ViewsLeft, title - 26, "relative L1", LabelSize, true, L1Color);
-  DrawText(picture, ViewsLeft + 110, title - 26, "99th percentile", LabelSize, true, P99Color);
-  WriteWorst(picture, map);
-  WritePNG(path, picture, KeepEncoded);
+  WritePNG(path, capture->GetOutput());
 }
 } // namespace tool

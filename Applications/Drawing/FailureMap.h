@@ -41,9 +41,9 @@ struct FailureCaption
 };
 
 /**
- * Both maps of f, the errors of radiance over theta_o and the worst angles, as PNG. Colors:
- * viridis of the logarithm, 0.1 % to 100 % in every picture, so that two of them compare. Throws
- * Error.
+ * Both maps of f, in the first of them the places of the worst angles, and the errors of radiance
+ * over theta_o, as PNG. Colors: viridis of the logarithm, 0.1 % to 100 % in every picture, so that
+ * two of them compare. Throws Error.
  */
 void WriteFailureMap(const std::string& path, const FailureCaption& caption, vtkBRDFFailureMap* map,
   const std::vector<ViewError>& views);

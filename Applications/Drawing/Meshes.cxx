@@ -3,7 +3,7 @@
 #include "Meshes.h"
 
 #include "Files.h"
-#include "ReadApart.h"
+#include "Progress.h"
 #include "Tool.h"
 
 #include "vtkAlgorithm.h"
@@ -12,6 +12,7 @@
 #include "vtkCompositeDataGeometryFilter.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkGLTFReader.h"
 #include "vtkGenericDataObjectReader.h"
@@ -21,6 +22,7 @@
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -28,22 +30,41 @@
 #include "vtkSTLReader.h"
 #include "vtkSphereSource.h"
 #include "vtkStaticPointLocator.h"
+#include "vtkStringArray.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#if defined(__linux__)
+#include <sys/prctl.h>
+#endif
 
 #include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
+#include <cstring>
+#include <exception>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <initializer_list>
 #include <iomanip>
+#include <iterator>
 #include <locale>
 #include <map>
+#include <new>
 #include <set>
 #include <sstream>
+#include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -51,24 +72,21 @@ namespace tool
 {
 namespace
 {
+// Edges sharper than this stay sharp when normals are made.
+constexpr double FeatureAngle = 60.0;
+
 //------------------------------------------------------------------------------
-// For each point the first one at its place.
-std::vector<vtkIdType> FindPlaces(vtkPolyData* mesh)
+// With smooth normals, also where points lie on each other, as on the seam of a texture.
+vtkSmartPointer<vtkPolyData> AddNormals(vtkPolyData* mesh, double featureAngle)
 {
   std::vector<vtkIdType> places(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
   vtkNew<vtkStaticPointLocator> locator;
   locator->SetDataSet(mesh);
   locator->BuildLocator();
-  locator->MergePoints(0.0, places.data());
-  return places;
-}
-
-//------------------------------------------------------------------------------
-// The polygons over the places, with normals of points.
-vtkSmartPointer<vtkPolyData> MakeNormals(
-  vtkPolyData* mesh, const std::vector<vtkIdType>& places, vtkPolyDataNormals* normals)
-{
-  vtkNew<vtkCellArray> polygons;
+  locator->MergePoints(0.0, places.data()); // for each point the first one at its place
+  vtkNew<vtkPolyData> welded;
+  welded->SetPoints(mesh->GetPoints());
+  vtkNew<vtkCellArray> faces;
   vtkNew<vtkIdList> ids;
   for (vtkIdType k = 0; k < mesh->GetNumberOfPolys(); ++k)
   {
@@ -77,31 +95,14 @@ vtkSmartPointer<vtkPolyData> MakeNormals(
     {
       ids->SetId(n, places[static_cast<std::size_t>(ids->GetId(n))]);
     }
-    polygons->InsertNextCell(ids);
+    faces->InsertNextCell(ids);
   }
-  vtkNew<vtkPolyData> welded;
-  welded->SetPoints(mesh->GetPoints());
-  welded->SetPolys(polygons);
-  normals->SetInputData(welded);
-  normals->Update();
-  return normals->GetOutput();
-}
-
-//------------------------------------------------------------------------------
-bool IsDirection(const double n[3])
-{
-  const double length = vtkMath::Norm(n);
-  return std::isfinite(length) && length > 0.0;
-}
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> AddNormals(vtkPolyData* mesh, double featureAngle)
-{
-  const std::vector<vtkIdType> places = FindPlaces(mesh);
+  welded->SetPolys(faces);
   vtkNew<vtkPolyDataNormals> filter;
   filter->SetFeatureAngle(featureAngle);
-  const vtkSmartPointer<vtkPolyData> smooth = MakeNormals(mesh, places, filter);
+  filter->SetInputData(welded);
+  filter->Update();
+  vtkPolyData* smooth = filter->GetOutput();
   vtkDataArray* normals = smooth->GetPointData()->GetNormals();
   if (!normals || smooth->GetNumberOfPolys() != mesh->GetNumberOfPolys())
   {
@@ -157,71 +158,8 @@ vtkSmartPointer<vtkPolyData> AddNormals(vtkPolyData* mesh, double featureAngle)
 }
 
 //------------------------------------------------------------------------------
-vtkIdType RepairNormals(vtkPolyData* mesh)
-{
-  vtkDataArray* given = mesh->GetPointData()->GetNormals();
-  std::vector<vtkIdType> bad;
-  for (vtkIdType k = 0; given && k < mesh->GetNumberOfPoints(); ++k)
-  {
-    double n[3];
-    given->GetTuple(k, n);
-    if (!IsDirection(n))
-    {
-      bad.push_back(k);
-    }
-  }
-  if (bad.empty())
-  {
-    return 0;
-  }
-  const std::vector<vtkIdType> places = FindPlaces(mesh);
-  vtkNew<vtkPolyDataNormals> filter;
-  filter->SplittingOff();
-  filter->ConsistencyOff();
-  const vtkSmartPointer<vtkPolyData> smooth = MakeNormals(mesh, places, filter);
-  vtkDataArray* computed = smooth->GetPointData()->GetNormals();
-  const auto compute = [&](vtkIdType point, double n[3])
-  {
-    computed->GetTuple(places[static_cast<std::size_t>(point)], n);
-    return IsDirection(n);
-  };
-  double agreement = 0.0; // below 0: the file's normals turn to the other side
-  for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k)
-  {
-    double n[3];
-    double m[3];
-    given->GetTuple(k, n);
-    agreement += IsDirection(n) && compute(k, m) ? (vtkMath::Dot(n, m) > 0.0 ? 1.0 : -1.0) : 0.0;
-  }
-  vtkNew<vtkFloatArray> repaired;
-  repaired->DeepCopy(given);
-  repaired->SetName(given->GetName());
-  for (const vtkIdType k : bad)
-  {
-    double n[3] = { 0.0, 0.0, 1.0 };
-    if (compute(k, n))
-    {
-      vtkMath::MultiplyScalar(n, agreement < 0.0 ? -1.0 : 1.0);
-    }
-    else
-    {
-      n[0] = n[1] = 0.0; // of no polygon with an area
-      n[2] = 1.0;
-    }
-    repaired->SetTuple(k, n);
-  }
-  mesh->GetPointData()->SetNormals(repaired);
-  return static_cast<vtkIdType>(bad.size());
-}
-
-namespace
-{
-// Edges sharper than this stay sharp when normals are made.
-constexpr double FeatureAngle = 60.0;
-
-//------------------------------------------------------------------------------
 template <typename Reader>
-vtkSmartPointer<vtkAlgorithm> Read(const std::string& path)
+vtkSmartPointer<vtkAlgorithm> MakeReaderOf(const std::string& path)
 {
   auto reader = vtkSmartPointer<Reader>::New();
   reader->SetFileName(path.c_str());
@@ -229,31 +167,25 @@ vtkSmartPointer<vtkAlgorithm> Read(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
+struct MeshFormat
 {
-  const std::string extension = tool::Extension(path);
-  if (extension == ".ply")
-  {
-    return Read<vtkPLYReader>(path);
-  }
-  if (extension == ".stl")
-  {
-    return Read<vtkSTLReader>(path);
-  }
-  if (extension == ".obj")
-  {
-    return Read<vtkOBJReader>(path);
-  }
-  if (extension == ".vtp")
-  {
-    return Read<vtkXMLPolyDataReader>(path);
-  }
-  if (extension == ".vtk")
-  {
-    return Read<vtkGenericDataObjectReader>(path);
-  }
-  return Read<vtkGLTFReader>(path);
-}
+  const char* Extension;
+  vtkSmartPointer<vtkAlgorithm> (*MakeReader)(const std::string& path);
+  void (*Check)(const std::string& path); // before the reader sees the file; may be null
+};
+
+void CheckPLYHeader(const std::string& path);
+void CheckOBJIndices(const std::string& path);
+
+const std::vector<MeshFormat> MeshFormats = {
+  { ".ply", MakeReaderOf<vtkPLYReader>, CheckPLYHeader },
+  { ".stl", MakeReaderOf<vtkSTLReader>, nullptr },
+  { ".obj", MakeReaderOf<vtkOBJReader>, CheckOBJIndices },
+  { ".vtp", MakeReaderOf<vtkXMLPolyDataReader>, nullptr },
+  { ".vtk", MakeReaderOf<vtkGenericDataObjectReader>, nullptr },
+  { ".gltf", MakeReaderOf<vtkGLTFReader>, nullptr },
+  { ".glb", MakeReaderOf<vtkGLTFReader>, nullptr },
+};
 
 //------------------------------------------------------------------------------
 // Of a number in a binary PLY file.
@@ -281,7 +213,7 @@ void CheckPLYHeader(const std::string& path)
   double count = 0.0;    // of the element
   double expected = 0.0; // bytes after the header, at least
   const auto fail = [&path](const std::string& what)
-  { throw tool::Error(path + ": PLY header: " + what); };
+  { throw Error(path + ": PLY header: " + what); };
   const auto next = [&]()
   {
     line.clear();
@@ -385,9 +317,9 @@ void CheckOBJIndices(const std::string& path)
       const long long index = part.empty() ? 1 : std::strtoll(part.c_str(), nullptr, 10);
       if (!part.empty() && (index == 0 || std::llabs(index) > counts[k]))
       {
-        throw tool::Error(path + ":" + std::to_string(places[f]) + ": index '" +
-                          part.substr(0, 20) + "' points to none of the " +
-                          std::to_string(counts[k]) + " '" + names[k] + "' lines");
+        throw Error(path + ":" + std::to_string(places[f]) + ": index '" + part.substr(0, 20) +
+                    "' points to none of the " + std::to_string(counts[k]) + " '" + names[k] +
+                    "' lines");
       }
     }
   }
@@ -409,7 +341,7 @@ void CheckCells(const std::string& path, vtkDataObject* data)
     mesh->GetPoint(k, p);
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
     {
-      throw tool::Error(path + ": point " + std::to_string(k) + " is not finite");
+      throw Error(path + ": point " + std::to_string(k) + " is not finite");
     }
   }
   const auto check = [&path, points](vtkCellArray* cells)
@@ -422,8 +354,8 @@ void CheckCells(const std::string& path, vtkDataObject* data)
       {
         if (ids->GetId(n) < 0 || ids->GetId(n) >= points)
         {
-          throw tool::Error(path + ": a cell names point " + std::to_string(ids->GetId(n)) +
-                            ", but there are " + std::to_string(points) + " points");
+          throw Error(path + ": a cell names point " + std::to_string(ids->GetId(n)) +
+                      ", but there are " + std::to_string(points) + " points");
         }
       }
     }
@@ -463,65 +395,78 @@ vtkSmartPointer<vtkPolyData> GetSurface(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
-// What can't be drawn is repaired, and said.
-void RepairData(const std::string& path, vtkPolyData* mesh)
+// The tuples that hold a number that is not finite or, of directions, have no length.
+std::vector<vtkIdType> FindBad(vtkDataArray* array, bool isDirection)
 {
-  const vtkIdType normals = tool::RepairNormals(mesh);
-  if (normals > 0)
+  std::vector<vtkIdType> bad;
+  for (vtkIdType k = 0; array && k < array->GetNumberOfTuples(); ++k)
   {
-    tool::PrintNote(path + ": " + std::to_string(normals) + " of " +
-                    std::to_string(mesh->GetNumberOfPoints()) +
-                    " normals are not finite or have no length; the polygons around give theirs");
-  }
-  for (vtkDataArray* array :
-    { mesh->GetPointData()->GetTCoords(), mesh->GetPointData()->GetTangents() })
-  {
-    vtkIdType bad = 0;
-    for (vtkIdType k = 0; array && k < array->GetNumberOfTuples(); ++k)
+    double sum = 0.0; // of squares: finite where all values are
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
     {
-      const int components = std::min(array->GetNumberOfComponents(), 4);
-      double tuple[4];
-      bool isFinite = true;
-      for (int c = 0; c < components; ++c)
-      {
-        tuple[c] = array->GetComponent(k, c);
-        isFinite = isFinite && std::isfinite(tuple[c]);
-      }
-      for (int c = 0; !isFinite && c < components; ++c)
+      sum += array->GetComponent(k, c) * array->GetComponent(k, c);
+    }
+    if (!std::isfinite(sum) || (isDirection && sum == 0.0))
+    {
+      bad.push_back(k);
+    }
+  }
+  return bad;
+}
+
+//------------------------------------------------------------------------------
+// Normals where there are none, or bad ones. What else can't be drawn is repaired, and said.
+vtkSmartPointer<vtkPolyData> RepairData(const std::string& path, vtkPolyData* mesh)
+{
+  vtkPointData* data = mesh->GetPointData();
+  const auto note = [&](std::size_t count, const std::string& what)
+  {
+    if (count > 0)
+    {
+      PrintNote(path + ": " + std::to_string(count) + " of " +
+                std::to_string(mesh->GetNumberOfPoints()) + " " + what);
+    }
+  };
+  for (vtkDataArray* array : { data->GetTCoords(), data->GetTangents() })
+  {
+    const std::vector<vtkIdType> bad = FindBad(array, false);
+    for (const vtkIdType k : bad)
+    {
+      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
       {
         array->SetComponent(k, c, 0.0);
       }
-      bad += isFinite ? 0 : 1;
     }
-    if (bad > 0)
-    {
-      tool::PrintNote(
-        path + ": " + std::to_string(bad) + " of " + std::to_string(mesh->GetNumberOfPoints()) +
-        (array == mesh->GetPointData()->GetTangents() ? " tangents" : " texture coordinates") +
-        " are not finite; they are taken as 0");
-    }
+    note(
+      bad.size(), std::string(array == data->GetTangents() ? "tangents" : "texture coordinates") +
+                    " are not finite; they are taken as 0");
   }
+  const std::vector<vtkIdType> bad = FindBad(data->GetNormals(), true);
+  note(bad.size(), "normals are not finite or have no length; all are made from the polygons");
+  if (!bad.empty())
+  {
+    data->SetNormals(nullptr);
+  }
+  return data->GetNormals() ? vtkSmartPointer<vtkPolyData>(mesh) : AddNormals(mesh, FeatureAngle);
 }
 
 //------------------------------------------------------------------------------
 // The whole way from a file to a surface with normals, which trusts the file.
 vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path)
 {
-  const vtkSmartPointer<vtkAlgorithm> reader = MakeReader(path);
-  if (tool::Extension(path) == ".ply")
+  const auto format = std::find_if(MeshFormats.begin(), MeshFormats.end(),
+    [&path](const MeshFormat& known) { return known.Extension == Extension(path); });
+  if (format->Check)
   {
-    CheckPLYHeader(path);
+    format->Check(path);
   }
-  else if (tool::Extension(path) == ".obj")
-  {
-    CheckOBJIndices(path);
-  }
+  const vtkSmartPointer<vtkAlgorithm> reader = format->MakeReader(path);
   reader->Update();
-  std::string errors = tool::TakeErrorText();
+  std::string errors = TakeErrorText();
   vtkDataObject* data = reader->GetOutputDataObject(0);
   if (!errors.empty() || !data)
   {
-    throw tool::Error(path + ": can't be read: " + (errors.empty() ? "no data in it" : errors));
+    throw Error(path + ": can't be read: " + (errors.empty() ? "no data in it" : errors));
   }
 
   CheckCells(path, data);
@@ -532,86 +477,164 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path)
   triangles->PassVertsOff();
   triangles->PassLinesOff();
   triangles->Update();
-  surface = triangles->GetOutput();
-  if (!surface->GetPointData()->GetNormals())
-  {
-    surface = tool::AddNormals(surface, FeatureAngle);
-  }
-  RepairData(path, surface);
-  errors = tool::TakeErrorText();
+  surface = RepairData(path, triangles->GetOutput());
+  errors = TakeErrorText();
   const double size = surface->GetLength();
   if (!errors.empty() || surface->GetNumberOfPolys() == 0 || !std::isfinite(size) || !(size > 0.0))
   {
-    throw tool::Error(path + ": has no surface to show" + (errors.empty() ? "" : ": " + errors));
+    throw Error(path + ": has no surface to show" + (errors.empty() ? "" : ": " + errors));
   }
   return surface;
 }
 
 //------------------------------------------------------------------------------
-struct Point
+constexpr const char* NotesName = "Notes"; // the field that holds what the child had to say
+constexpr int HasError = 1;                // exit status: the answer is a message
+
+//------------------------------------------------------------------------------
+/// A file for the child's answer, which goes with this object.
+struct AnswerFile
 {
-  double X;
-  double Y;
-  double Z;
+  AnswerFile()
+    : Path((std::filesystem::temp_directory_path() / "measured-brdf-XXXXXX").string())
+  {
+    const int file = mkstemp(this->Path.data());
+    if (file < 0)
+    {
+      throw Error(this->Path + ": can't be made: " + std::strerror(errno));
+    }
+    close(file);
+  }
+  ~AnswerFile() { unlink(this->Path.c_str()); }
+  AnswerFile(const AnswerFile&) = delete;
+  void operator=(const AnswerFile&) = delete;
+
+  std::string Path;
 };
 
 //------------------------------------------------------------------------------
-// position(s, t), s and t in [0,1], as a grid of quads with normals by central differences, on the
-// side from which s runs to the right where t runs downwards.
-vtkSmartPointer<vtkPolyData> MakeParametric(
-  int ns, int nt, const std::function<Point(double, double)>& position)
+// The tool, which answers ReadMeshOption, beside this program; empty where there is none.
+std::string FindTool()
 {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetNumberOfComponents(3);
-  normals->SetName("Normals");
-  constexpr double e = 1e-4;
-  for (int b = 0; b <= nt; ++b)
-  {
-    for (int a = 0; a <= ns; ++a)
-    {
-      const double s = static_cast<double>(a) / ns;
-      const double t = static_cast<double>(b) / nt;
-      const Point p = position(s, t);
-      points->InsertNextPoint(p.X, p.Y, p.Z);
+  std::error_code error;
+  const auto own = std::filesystem::read_symlink("/proc/self/exe", error);
+  const auto beside = own.parent_path() / "measured-brdf";
+  return !error && std::filesystem::exists(beside, error) ? beside.string() : "";
+}
 
-      // Poles have no derivative along s: look from a little beside.
-      const double inside = std::min(std::max(t, 2.0 * e), 1.0 - 2.0 * e);
-      const Point s0 = position(s - e, inside);
-      const Point s1 = position(s + e, inside);
-      const Point t0 = position(s, inside - e);
-      const Point t1 = position(s, inside + e);
-      const double ds[3] = { s1.X - s0.X, s1.Y - s0.Y, s1.Z - s0.Z };
-      const double dt[3] = { t1.X - t0.X, t1.Y - t0.Y, t1.Z - t0.Z };
-      double n[3];
-      vtkMath::Cross(dt, ds, n);
-      vtkMath::Normalize(n);
-      normals->InsertNextTuple(n);
-    }
-  }
-  vtkNew<vtkCellArray> quads;
-  for (int b = 0; b < nt; ++b)
+//------------------------------------------------------------------------------
+// How a program ended, as waitpid says. It begins anew: a copy of this one would have its locks,
+// and not its threads. It does not outlive the call.
+int RunTool(std::string program, std::string path, std::string answer)
+{
+  struct Child
   {
-    for (int a = 0; a < ns; ++a)
+    pid_t Id = -1;
+    ~Child()
     {
-      const vtkIdType k = static_cast<vtkIdType>(b) * (ns + 1) + a;
-      const vtkIdType quad[4] = { k, k + ns + 1, k + ns + 2, k + 1 };
-      quads->InsertNextCell(4, quad);
+      if (this->Id > 0)
+      {
+        kill(this->Id, SIGKILL);
+        waitpid(this->Id, nullptr, 0);
+      }
     }
+  } child;
+  std::string option = ReadMeshOption;
+  char* const words[] = { program.data(), option.data(), path.data(), answer.data(), nullptr };
+  const int error = posix_spawn(&child.Id, program.c_str(), nullptr, nullptr, words, environ);
+  if (error != 0)
+  {
+    child.Id = -1;
+    throw Error(std::string("no process could be started: ") + std::strerror(error));
   }
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetPoints(points);
-  surface->SetPolys(quads);
-  surface->GetPointData()->SetNormals(normals);
-  return surface;
+  int status = 0;
+  while (waitpid(child.Id, &status, WNOHANG) != child.Id)
+  {
+    Interruptible::Check();
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  child.Id = -1;
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void WriteMesh(const std::string& answer, vtkPolyData* mesh, const std::string& notes)
+{
+  vtkNew<vtkPolyData> copy;
+  copy->ShallowCopy(mesh);
+  vtkNew<vtkStringArray> said;
+  said->SetName(NotesName);
+  said->InsertNextValue(notes);
+  copy->GetFieldData()->AddArray(said);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(copy);
+  writer->SetFileName(answer.c_str());
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetHeaderTypeToUInt64();
+  writer->SetCompressorTypeToNone();
+  if (!writer->Write())
+  {
+    throw Error("the mesh could not be handed over: " + TakeErrorText());
+  }
+}
+
+//------------------------------------------------------------------------------
+// In a process of the tool's program, where that lies beside this one. A crash there is an Error
+// here that names the file, and Ctrl-C, or the stop of this thread's BackgroundWork, ends that
+// process whatever it does.
+vtkSmartPointer<vtkPolyData> ReadApart(const std::string& path)
+{
+  const std::string program = FindTool();
+  if (program.empty())
+  {
+    return ReadMesh(path);
+  }
+  const AnswerFile answer;
+  const int status = RunTool(program, path, answer.Path);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == HasError)
+  {
+    std::ifstream message(answer.Path, std::ios::binary);
+    throw Error(std::string(std::istreambuf_iterator<char>(message), {}));
+  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+  {
+    throw Error(path + ": is damaged: VTK's reader ended " +
+                (WIFSIGNALED(status) ? "by signal " + std::to_string(WTERMSIG(status)) + " (" +
+                                         strsignal(WTERMSIG(status)) + ")"
+                                     : "without an answer") +
+                ", expected a file that is whole, whose counts and indices fit together");
+  }
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(answer.Path.c_str());
+  reader->Update();
+  const std::string errors = TakeErrorText();
+  if (!errors.empty())
+  {
+    throw Error("the mesh could not be handed over: " + errors);
+  }
+  vtkFieldData* said = reader->GetOutput()->GetFieldData();
+  if (auto* notes = vtkStringArray::SafeDownCast(said->GetAbstractArray(NotesName)))
+  {
+    PrintNote(notes->GetValue(0));
+    said->RemoveArray(NotesName);
+  }
+  return reader->GetOutput();
 }
 }
 
 //------------------------------------------------------------------------------
 const std::vector<std::string>& GetMeshExtensions()
 {
-  static const std::vector<std::string> endings = { ".ply", ".stl", ".obj", ".vtp", ".vtk", ".gltf",
-    ".glb" };
+  static const std::vector<std::string> endings = []()
+  {
+    std::vector<std::string> all;
+    for (const MeshFormat& format : MeshFormats)
+    {
+      all.emplace_back(format.Extension);
+    }
+    return all;
+  }();
   return endings;
 }
 
@@ -639,13 +662,38 @@ vtkSmartPointer<vtkPolyData> LoadMesh(const std::string& path)
   {
     throw Error(path + ": there is no such file");
   }
-  return ReadApart(path, [&path]() { return ReadMesh(path); });
+  return ReadApart(path);
 }
 
 //------------------------------------------------------------------------------
-int AnswerLoadMesh(const std::string& path)
+int AnswerLoadMesh(const std::string& path, const std::string& answer)
 {
-  return AnswerApart(path, [&path]() { return ReadMesh(path); });
+  std::signal(SIGINT, SIG_IGN); // the parent's to answer
+  const rlimit none = { 0, 0 };
+  setrlimit(RLIMIT_CORE, &none);
+#if defined(__linux__)
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+  dup2(STDERR_FILENO, STDOUT_FILENO);    // what VTK's readers print is no part of the answer
+  const std::atomic<bool> stop{ false }; // a signal stops the process
+  BackgroundWork work(stop, [](const std::string&, double) {});
+  std::string problem;
+  try
+  {
+    const vtkSmartPointer<vtkPolyData> mesh = ReadMesh(path);
+    WriteMesh(answer, mesh, work.Notes);
+    return 0;
+  }
+  catch (const std::bad_alloc&)
+  {
+    problem = path + ": its data need more memory than there is";
+  }
+  catch (const std::exception& error)
+  {
+    problem = error.what();
+  }
+  std::ofstream(answer, std::ios::binary | std::ios::trunc) << problem;
+  return HasError;
 }
 
 //------------------------------------------------------------------------------
@@ -663,10 +711,10 @@ vtkSmartPointer<vtkPolyData> MakeSphere()
 vtkSmartPointer<vtkPolyData> MakeBallOnFoot()
 {
   // Profile (radius, height): ball, concave neck, rounded rim; arcs that touch with equal tangents.
-  constexpr double pi = 3.14159265358979323846;
+  const double pi = vtkMath::Pi();
   constexpr double ball = 0.64;
   constexpr double ballHeight = 1.0;
-  constexpr double join = 0.75 * pi; // polar angle where the ball ends
+  const double join = 0.75 * pi; // polar angle where the ball ends
   constexpr double neck = 0.5;
   constexpr double rim = 0.2;
   const double neckX = (ball + neck) * std::sin(join);
@@ -675,11 +723,20 @@ vtkSmartPointer<vtkPolyData> MakeBallOnFoot()
   const double lengths[3] = { ball * join, neck * join, rim * 0.5 * pi };
   const double total = lengths[0] + lengths[1] + lengths[2];
 
-  const auto position = [=](double s, double t)
+  vtkNew<vtkPlaneSource> grid; // x: the azimuth, y: from the foot up along the profile
+  grid->SetResolution(360, 240);
+  grid->SetOrigin(0.0, 0.0, 0.0);
+  grid->SetPoint1(1.0, 0.0, 0.0);
+  grid->SetPoint2(0.0, 1.0, 0.0);
+  grid->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  grid->Update();
+  vtkPolyData* mesh = grid->GetOutput();
+  for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k)
   {
-    double x;
-    double y;
-    const double length = t * total;
+    double at[3];
+    mesh->GetPoint(k, at);
+    const double length = (1.0 - at[1]) * total;
+    double x, y;
     if (length < lengths[0])
     {
       const double a = length / ball;
@@ -701,10 +758,11 @@ vtkSmartPointer<vtkPolyData> MakeBallOnFoot()
     // Folds begin smoothly below the neck's narrowest place and turn a little on their way down.
     const double below = std::max(0.0, (length - lengths[0] - 0.35 * lengths[1]) / total);
     const double depth = 0.42 * below * below / (below + 0.2);
-    const double azimuth = 2.0 * pi * s;
+    const double azimuth = at[0] < 1.0 ? 2.0 * pi * at[0] : 0.0; // both ends are one place
     x *= 1.0 + depth * std::cos(11.0 * azimuth + 4.0 * below);
-    return Point{ x * std::sin(azimuth), y, x * std::cos(azimuth) };
-  };
-  return MakeParametric(360, 240, position);
+    mesh->GetPoints()->SetPoint(k, x * std::sin(azimuth), y, x * std::cos(azimuth));
+  }
+  mesh->GetPointData()->Initialize();
+  return AddNormals(mesh, 180.0);
 }
 } // namespace tool

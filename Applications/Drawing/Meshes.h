@@ -16,12 +16,17 @@
 
 namespace tool
 {
-/// Read ply, stl, obj, vtp, vtk, gltf or glb by its ending, in a process of its own (ReadApart); a
-/// file without normals gets smooth ones. "ball-on-foot" gives MakeBallOnFoot(). Throws Error.
+/// Read ply, stl, obj, vtp, vtk, gltf or glb by its ending, in a process of its own where the
+/// tool's program lies beside this one (on Linux): a damaged file that crashes VTK's reader is an
+/// error. A file without normals gets smooth ones. "ball-on-foot" gives MakeBallOnFoot(). Throws
+/// Error.
 vtkSmartPointer<vtkPolyData> LoadMesh(const std::string& path);
 
-/// What the tool's program does where LoadMesh starts it with ReadMeshOption and the file's path.
-int AnswerLoadMesh(const std::string& path);
+/// The tool's first argument in that process; the file's path and that of the answer follow.
+constexpr const char* ReadMeshOption = "--read-mesh-for-parent";
+
+/// What the tool does then: it writes the mesh, or what is wrong. Returns the exit status.
+int AnswerLoadMesh(const std::string& path, const std::string& answer);
 
 /// The endings of files that LoadMesh takes, with the dot.
 const std::vector<std::string>& GetMeshExtensions();

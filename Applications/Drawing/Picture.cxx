@@ -7,6 +7,7 @@
 
 #include "vtkEnvironment.h"
 #include "vtkImageData.h"
+#include "vtkImageResize.h"
 #include "vtkMath.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
@@ -16,9 +17,12 @@
 #include "vtkTextRenderer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <glm/glm.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #if MEASUREDBRDF_WITH_OPENEXR
 #include <ImfChannelList.h>
@@ -30,46 +34,6 @@
 
 namespace tool
 {
-namespace
-{
-// Size that a blurred environment is worked out at.
-constexpr int BlurWidth = 128;
-constexpr int BlurHeight = 64;
-
-//------------------------------------------------------------------------------
-// Mean radiance of the environment over blocks of texels (exact solid angles): a smaller map.
-std::vector<tool::RGB> Shrink(vtkEnvironment* environment, int width, int height)
-{
-  std::vector<tool::RGB> sums(static_cast<std::size_t>(width) * height, tool::RGB{});
-  std::vector<double> weights(sums.size(), 0.0);
-  for (int y = 0; y < environment->GetHeight(); ++y)
-  {
-    const double solidAngle = environment->GetTexelSolidAngle(y);
-    const int row = std::min(height - 1, y * height / environment->GetHeight());
-    for (int x = 0; x < environment->GetWidth(); ++x)
-    {
-      double rgb[3];
-      environment->GetPixel(x, y, rgb);
-      const std::size_t k =
-        static_cast<std::size_t>(row) * width + x * width / environment->GetWidth();
-      for (int c = 0; c < 3; ++c)
-      {
-        sums[k][c] += solidAngle * rgb[c];
-      }
-      weights[k] += solidAngle;
-    }
-  }
-  for (std::size_t k = 0; k < sums.size(); ++k)
-  {
-    for (double& value : sums[k])
-    {
-      value /= weights[k] > 0.0 ? weights[k] : 1.0;
-    }
-  }
-  return sums;
-}
-}
-
 //------------------------------------------------------------------------------
 void Picture::Blend(int x, int y, const RGB& rgb, double alpha)
 {
@@ -205,95 +169,62 @@ void WriteEXR(const std::string& path, const Picture& picture)
 }
 
 //------------------------------------------------------------------------------
-Backdrop::Backdrop(vtkEnvironment* environment)
-  : Width(environment->GetWidth())
-  , Height(environment->GetHeight())
-  , Pixels(environment->GetPixels())
+Backdrop::Backdrop(vtkEnvironment* environment, double factor)
+  : Environment(environment)
+  , Factor(factor)
 {
-}
-
-//------------------------------------------------------------------------------
-Backdrop::Backdrop(vtkEnvironment* environment, double degrees)
-  : Width(BlurWidth)
-  , Height(BlurHeight)
-  , Pixels(3 * BlurWidth * BlurHeight)
-{
-  const int width = std::min(environment->GetWidth(), 64);
-  const int height = std::min(environment->GetHeight(), 32);
-  const std::vector<RGB> texels = Shrink(environment, width, height);
-
-  // exp(k (cos a - 1)) falls to a half at the given angle.
-  const double k = std::log(2.0) / (1.0 - std::cos(vtkMath::RadiansFromDegrees(degrees)));
-  std::vector<double> directions(3 * texels.size());
-  std::vector<double> solidAngles(texels.size());
-  for (std::size_t t = 0; t < texels.size(); ++t)
-  {
-    const double x = static_cast<double>(t % width);
-    const double y = static_cast<double>(t / width);
-    vtkEnvironment::GetDirection((x + 0.5) / width, (y + 0.5) / height, &directions[3 * t]);
-    solidAngles[t] = std::cos(vtkMath::Pi() * ((y + 0.5) / height - 0.5));
-  }
-  for (int p = 0; p < BlurWidth * BlurHeight; ++p)
-  {
-    double d[3];
-    vtkEnvironment::GetDirection(
-      (p % BlurWidth + 0.5) / BlurWidth, (p / BlurWidth + 0.5) / BlurHeight, d);
-    double sum[4] = { 0, 0, 0, 0 };
-    for (std::size_t t = 0; t < texels.size(); ++t)
-    {
-      const double exponent = k * (vtkMath::Dot(d, &directions[3 * t]) - 1.0);
-      if (exponent < -12.0)
-      {
-        continue;
-      }
-      const double weight = solidAngles[t] * std::exp(exponent);
-      for (int c = 0; c < 3; ++c)
-      {
-        sum[c] += weight * texels[t][c];
-      }
-      sum[3] += weight;
-    }
-    for (int c = 0; c < 3; ++c)
-    {
-      this->Pixels[3 * p + c] = static_cast<float>(sum[3] > 0.0 ? sum[c] / sum[3] : 0.0);
-    }
-  }
 }
 
 //------------------------------------------------------------------------------
 RGB Backdrop::Look(const std::array<double, 3>& direction) const
 {
-  double u;
-  double v;
-  vtkEnvironment::GetCoordinates(direction.data(), u, v);
-  const double x = u * this->Width - 0.5;
-  const double y = std::clamp(v * this->Height - 0.5, 0.0, this->Height - 1.0);
-  const int x0 = static_cast<int>(std::floor(x));
-  const int y0 = static_cast<int>(y);
-  RGB result{};
-  for (int corner = 0; corner < 4; ++corner)
+  RGB rgb;
+  this->Environment->GetRadiance(direction.data(), rgb.data());
+  for (double& value : rgb)
   {
-    const int dx = corner & 1;
-    const int dy = corner >> 1;
-    const double weight = (dx ? x - x0 : 1.0 - (x - x0)) * (dy ? y - y0 : 1.0 - (y - y0));
-    const int column = ((x0 + dx) % this->Width + this->Width) % this->Width;
-    const int row = std::min(y0 + dy, this->Height - 1);
-    const float* texel = &this->Pixels[3 * (static_cast<std::size_t>(row) * this->Width + column)];
-    for (int c = 0; c < 3; ++c)
-    {
-      result[c] += weight * texel[c];
-    }
+    value *= this->Factor;
   }
-  return result;
+  return rgb;
 }
 
 //------------------------------------------------------------------------------
-void Backdrop::Scale(double factor)
+Backdrop MakeQuietBackdrop(vtkEnvironment* environment)
 {
-  for (float& value : this->Pixels)
+  constexpr int width = 64;
+  constexpr int height = 32;
+  constexpr double dim = 0.42;
+  const double angle = vtkMath::RadiansFromDegrees(11.0); // where the kernel has fallen to a half
+  const double sharpness = std::log(2.0) / (1.0 - std::cos(angle));
+  const auto whole = vtkSmartPointer<vtkImageData>::Take(environment->NewImageData());
+  vtkNew<vtkImageResize> resize; // the mean of what falls into each texel
+  resize->SetInputData(whole);
+  resize->SetOutputDimensions(width, height, 1);
+  resize->Update();
+  vtkNew<vtkEnvironment> coarse;
+  coarse->SetImage(resize->GetOutput());
+  std::vector<glm::dvec3> directions(width * height);
+  std::vector<glm::dvec4> light(directions.size()); // times solid angle, which is the last one
+  for (int k = 0; k < width * height; ++k)
   {
-    value = static_cast<float>(value * factor);
+    glm::dvec3 rgb;
+    coarse->GetTexelDirection(k % width, k / width, &directions[k].x);
+    coarse->GetPixel(k % width, k / width, &rgb.x);
+    light[k] = coarse->GetTexelSolidAngle(k / width) * glm::dvec4(rgb, 1.0);
   }
+  std::vector<float> blurred;
+  for (const glm::dvec3& d : directions)
+  {
+    glm::dvec4 sum(0.0);
+    for (std::size_t k = 0; k < light.size(); ++k)
+    {
+      sum += std::exp(sharpness * (glm::dot(d, directions[k]) - 1.0)) * light[k];
+    }
+    blurred.insert(
+      blurred.end(), { static_cast<float>(sum.x / sum.w), static_cast<float>(sum.y / sum.w),
+                       static_cast<float>(sum.z / sum.w) });
+  }
+  coarse->SetPixels(width, height, std::move(blurred));
+  return Backdrop(coarse, dim);
 }
 
 namespace
@@ -302,8 +233,12 @@ namespace
 constexpr int DPI = 72;
 
 //------------------------------------------------------------------------------
-vtkTextRenderer* GetRenderer()
+vtkTextRenderer* PrepareText(vtkTextProperty* property, int size, bool bold)
 {
+  property->SetFontFamilyToArial();
+  property->SetFontSize(size);
+  property->SetBold(bold);
+  property->SetColor(1.0, 1.0, 1.0);
   vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
   if (!renderer)
   {
@@ -317,11 +252,8 @@ vtkTextRenderer* GetRenderer()
 int MeasureText(const std::string& text, int size, bool bold)
 {
   vtkNew<vtkTextProperty> property;
-  property->SetFontFamilyToArial();
-  property->SetFontSize(size);
-  property->SetBold(bold);
   int box[4] = { 0, 0, 0, 0 };
-  GetRenderer()->GetBoundingBox(property, text, box, DPI);
+  PrepareText(property, size, bold)->GetBoundingBox(property, text, box, DPI);
   return box[1] - box[0] + 1;
 }
 
@@ -329,30 +261,23 @@ int MeasureText(const std::string& text, int size, bool bold)
 void DrawText(
   Picture& picture, int x, int y, const std::string& text, int size, bool bold, const RGB& color)
 {
-  if (text.empty())
-  {
-    return;
-  }
   vtkNew<vtkTextProperty> property;
-  property->SetFontFamilyToArial();
-  property->SetFontSize(size);
-  property->SetBold(bold);
-  property->SetColor(1.0, 1.0, 1.0);
   vtkNew<vtkImageData> image;
-  int size2[2] = { 0, 0 };
-  if (!GetRenderer()->RenderString(property, text, image, size2, DPI))
+  int used[2] = { 0, 0 };
+  if (!text.empty() &&
+      !PrepareText(property, size, bold)->RenderString(property, text, image, used, DPI))
   {
     throw Error("text can't be drawn: " + TakeErrorText());
   }
   int extent[6];
   image->GetExtent(extent);
-  for (int v = 0; v < size2[1] && extent[2] + v <= extent[3]; ++v)
+  for (int v = 0; v < used[1] && extent[2] + v <= extent[3]; ++v)
   {
-    for (int u = 0; u < size2[0] && extent[0] + u <= extent[1]; ++u)
+    for (int u = 0; u < used[0] && extent[0] + u <= extent[1]; ++u)
     {
-      const auto* texel =
-        static_cast<const unsigned char*>(image->GetScalarPointer(extent[0] + u, extent[2] + v, 0));
-      picture.Blend(x + u, y + v, color, texel[3] / 255.0);
+      const double alpha =
+        image->GetScalarComponentAsDouble(extent[0] + u, extent[2] + v, 0, 3) / 255.0;
+      picture.Blend(x + u, y + v, color, alpha);
     }
   }
 }

@@ -12,13 +12,13 @@
 #include "SRGB.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkEnvironment.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
 #include <string>
 #include <vector>
 
-class vtkEnvironment;
 class vtkImageData;
 
 namespace tool
@@ -77,30 +77,25 @@ void WritePNG(const std::string& path, vtkImageData* image); // as it is
 void WriteEXR(const std::string& path, const Picture& picture);
 ///@}
 
-/// An environment to look up between its texels, optionally blurred.
+/// What is seen behind a mesh: an environment, darker or brighter than it is.
 class Backdrop
 {
 public:
-  /// As it is.
-  explicit Backdrop(vtkEnvironment* environment);
+  explicit Backdrop(vtkEnvironment* environment, double factor = 1.0);
 
-  /**
-   * Blurred by a kernel exp(k (cos - 1)) (von Mises-Fisher) whose half width is about the given
-   * angle in degrees.
-   */
-  Backdrop(vtkEnvironment* environment, double degrees);
-
-  /// Radiance in a direction of the environment's frame, bilinear.
+  /// Radiance in a direction of the environment's frame, interpolated between its texels.
   RGB Look(const std::array<double, 3>& direction) const;
 
   /// Make it darker or brighter.
-  void Scale(double factor);
+  void Scale(double factor) { this->Factor *= factor; }
 
 private:
-  int Width = 0;
-  int Height = 0;
-  std::vector<float> Pixels;
+  vtkSmartPointer<vtkEnvironment> Environment;
+  double Factor;
 };
+
+/// The environment blurred and darkened: it steps back behind the objects.
+Backdrop MakeQuietBackdrop(vtkEnvironment* environment);
 
 /// Draw one line with its lower left corner at (x, y); size is the font's, in pixels. Throws Error.
 void DrawText(

@@ -34,6 +34,8 @@
 #include "vtkTexture.h"
 #include "vtkTextureObject.h"
 
+#include <glm/glm.hpp>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -109,32 +111,27 @@ void OffscreenScene::PlaceCamera(int width, int height)
 //------------------------------------------------------------------------------
 void PlaceCamera(vtkCamera* camera, vtkPolyData* mesh, const View& view, double fill, double aspect)
 {
-  double bounds[6];
-  mesh->GetBounds(bounds);
-  double center[3];
+  glm::dvec3 center;
+  mesh->GetCenter(&center.x);
   double radius = 0.0;
-  for (int c = 0; c < 3; ++c)
-  {
-    center[c] = 0.5 * (bounds[2 * c] + bounds[2 * c + 1]);
-  }
   for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k)
   {
-    radius = std::max(radius, vtkMath::Distance2BetweenPoints(mesh->GetPoint(k), center));
+    radius = std::max(radius, vtkMath::Distance2BetweenPoints(mesh->GetPoint(k), &center.x));
   }
   radius = radius > 0.0 ? std::sqrt(radius) : 1.0;
 
   const double azimuth = vtkMath::RadiansFromDegrees(view.Azimuth);
   const double elevation = vtkMath::RadiansFromDegrees(view.Elevation);
-  const double direction[3] = { std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
-    std::cos(elevation) * std::cos(azimuth) };
   // A sphere seen under the angle a has the apparent radius tan(a) = R / sqrt(d^2 - R^2).
   const double share =
     fill * std::min(1.0, aspect) * std::tan(vtkMath::RadiansFromDegrees(0.5 * view.Angle));
   const double distance = radius * std::sqrt(1.0 + 1.0 / (share * share));
+  const glm::dvec3 eye =
+    center + distance * glm::dvec3(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+                          std::cos(elevation) * std::cos(azimuth));
   camera->SetViewAngle(view.Angle);
-  camera->SetFocalPoint(center);
-  camera->SetPosition(center[0] + distance * direction[0], center[1] + distance * direction[1],
-    center[2] + distance * direction[2]);
+  camera->SetFocalPoint(&center.x);
+  camera->SetPosition(&eye.x);
   // Straight from above or below, up is where the azimuth looks to.
   const double sign = view.Elevation > 0.0 ? -1.0 : 1.0;
   std::abs(view.Elevation) < 89.9
@@ -228,24 +225,14 @@ std::array<double, 3> OffscreenScene::GetEye() const
 std::array<double, 3> OffscreenScene::GetRay(double x, double y, int width, int height) const
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
-  double forward[3];
-  double up[3];
-  double right[3];
-  camera->GetDirectionOfProjection(forward);
-  camera->GetViewUp(up);
-  vtkMath::Cross(forward, up, right);
-  vtkMath::Normalize(right);
-  vtkMath::Cross(right, forward, up);
-  const double scale = std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
-  const double a = scale * (2.0 * x - width) / height;
-  const double b = scale * (2.0 * y - height) / height;
-  std::array<double, 3> ray;
-  for (int c = 0; c < 3; ++c)
-  {
-    ray[c] = forward[c] + a * right[c] + b * up[c];
-  }
-  vtkMath::Normalize(ray.data());
-  return ray;
+  glm::dvec3 forward, up;
+  camera->GetDirectionOfProjection(&forward.x);
+  camera->GetViewUp(&up.x);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, up));
+  const double scale = std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle())) / height;
+  const glm::dvec3 ray = glm::normalize(forward + scale * (2.0 * x - width) * right +
+                                        scale * (2.0 * y - height) * glm::cross(right, forward));
+  return { ray.x, ray.y, ray.z };
 }
 
 //------------------------------------------------------------------------------
@@ -276,25 +263,22 @@ namespace
 constexpr int NumberOfAlbedos = 200;
 constexpr std::size_t HalfBytes = 2;
 
-/// Radiance of one channel of the pixels under albedos 0, 1/2 and 1.
-using Samples = std::array<std::vector<double>, 3>;
-
 //------------------------------------------------------------------------------
-// Least sum |x - r| of a channel over albedos in [0,1], and that albedo.
-double FitAlbedo(
-  const Samples& samples, const std::vector<double>& reference, std::size_t channel, double& best)
+// Least sum |x - r| of a channel over albedos in [0,1], and that albedo. samples: of all channels,
+// under albedos 0, 1/2 and 1, of which radiance is a quadratic function.
+double FitAlbedo(const std::vector<double> (&samples)[3], const std::vector<double>& reference,
+  std::size_t channel, double& best)
 {
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k <= NumberOfAlbedos; ++k)
   {
     const double a = static_cast<double>(k) / NumberOfAlbedos;
-    const double weights[3] = { (1.0 - a) * (1.0 - 2.0 * a), 4.0 * a * (1.0 - a),
-      a * (2.0 * a - 1.0) };
     double sum = 0.0;
     for (std::size_t p = channel; p < reference.size(); p += 3)
     {
-      sum += std::abs(weights[0] * samples[0][p] + weights[1] * samples[1][p] +
-                      weights[2] * samples[2][p] - reference[p]);
+      sum +=
+        std::abs((1.0 - a) * (1.0 - 2.0 * a) * samples[0][p] + 4.0 * a * (1.0 - a) * samples[1][p] +
+                 a * (2.0 * a - 1.0) * samples[2][p] - reference[p]);
     }
     if (sum < least)
     {
@@ -358,78 +342,64 @@ void StockScene::SetMaterial(const StockMaterial& material)
 }
 
 //------------------------------------------------------------------------------
-void StockScene::FindColorExponent(const Surface& surface, const Size& size)
+void StockScene::Sample(StockMaterial material, const Surface& surface, const Size& size,
+  std::vector<double> (&samples)[3])
 {
-  // Without a metallic part radiance is linear in the albedo.
-  this->ColorExponent = 1.0;
-  double sums[3] = {};
   for (int k = 0; k < 3; ++k)
   {
-    StockMaterial material;
     material.Albedo.fill(0.5 * k);
     this->SetMaterial(material);
-    const std::vector<double> rgb = Pick(this->Render(size.Width, size.Height), surface);
-    sums[k] = std::accumulate(rgb.begin(), rgb.end(), 0.0);
+    samples[k] = Pick(this->Render(size.Width, size.Height), surface);
   }
-  const double share = (sums[1] - sums[0]) / (sums[2] - sums[0]);
-  this->ColorExponent = share < 0.35 ? 2.2 : 1.0; // 0.22 or 0.5
 }
 
 //------------------------------------------------------------------------------
 StockMaterial StockScene::Fit(
   const Surface& surface, const Size& size, const std::vector<double>& reference)
 {
-  this->FindColorExponent(surface, size);
+  // Without a metallic part radiance is linear in the albedo: half of it shows half of the light,
+  // or 0.22 where this VTK takes a color as the display's.
+  std::vector<double> samples[3];
+  this->ColorExponent = 1.0;
+  this->Sample({}, surface, size, samples);
+  const auto sum = [&](int k)
+  { return std::accumulate(samples[k].begin(), samples[k].end(), 0.0); };
+  this->ColorExponent = (sum(1) - sum(0)) / (sum(2) - sum(0)) < 0.35 ? 2.2 : 1.0;
+
   StockMaterial best;
   double least = std::numeric_limits<double>::infinity();
-  const auto attempt = [&](double roughness, double metallic)
-  {
-    Interruptible::Check();
-    StockMaterial material{ roughness, metallic, {} };
-    Samples samples;
-    for (int k = 0; k < 3; ++k)
-    {
-      material.Albedo.fill(0.5 * k);
-      this->SetMaterial(material);
-      samples[k] = Pick(this->Render(size.Width, size.Height), surface);
-    }
-    double error = 0.0;
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      error += FitAlbedo(samples, reference, c, material.Albedo[c]);
-    }
-    if (error < least)
-    {
-      least = error;
-      best = material;
-    }
-  };
   ProgressBar bar("fitting VTK's material");
-  for (int k = 0; k <= 5; ++k)
+  // On a grid of the whole range, then twice around the best so far.
+  for (const double step : { 0.2, 0.1, 0.05 })
   {
-    for (const double metallic : { 0.0, 0.5, 1.0 })
+    const bool whole = step == 0.2;
+    const StockMaterial center = whole ? StockMaterial{ 0.5, 0.5, {} } : best;
+    const double steps = whole ? 2.5 : 1.0;
+    for (double r = -steps; r <= steps; ++r)
     {
-      attempt(0.2 * k, metallic);
-    }
-    bar.Update((k + 1) / 8.0);
-  }
-  for (const double step : { 0.1, 0.05 })
-  {
-    const StockMaterial center = best;
-    for (const double r : { -step, 0.0, step })
-    {
-      for (const double m : { -2.5 * step, 0.0, 2.5 * step })
+      for (const double m : { -1.0, 0.0, 1.0 })
       {
-        const double roughness = center.Roughness + r;
-        const double metallic = center.Metallic + m;
-        if ((r != 0.0 || m != 0.0) && roughness >= 0.0 && roughness <= 1.0 && metallic >= 0.0 &&
-            metallic <= 1.0)
+        StockMaterial material{ center.Roughness + r * step, center.Metallic + 2.5 * m * step, {} };
+        if ((!whole && r == 0.0 && m == 0.0) || std::abs(material.Roughness - 0.5) > 0.5 ||
+            std::abs(material.Metallic - 0.5) > 0.5)
         {
-          attempt(roughness, metallic);
+          continue;
+        }
+        Interruptible::Check();
+        this->Sample(material, surface, size, samples);
+        double error = 0.0;
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          error += FitAlbedo(samples, reference, c, material.Albedo[c]);
+        }
+        if (error < least)
+        {
+          least = error;
+          best = material;
         }
       }
     }
-    bar.Update(step == 0.1 ? 7.0 / 8.0 : 1.0);
+    bar.Update(whole ? 0.6 : 0.8);
   }
   this->SetMaterial(best);
   return best;
@@ -473,7 +443,6 @@ std::vector<double> Pick(const Picture& picture, const Surface& surface)
   return rgb;
 }
 
-//------------------------------------------------------------------------------
 //------------------------------------------------------------------------------
 Scene::Scene()
   : Scene(vtkSmartPointer<vtkMeasuredBRDFMapper>::New())
@@ -618,11 +587,10 @@ void ComposeOver(
         {
           float* pixel = picture.At(x, y);
           const double alpha = std::clamp<double>(pixel[3], 0.0, 1.0);
-          RGB behind{};
-          if (alpha < 1.0)
-          {
-            behind = backdrop.Look(scene.GetRay(x + 0.5, y + 0.5, picture.Width, picture.Height));
-          }
+          const RGB behind =
+            alpha < 1.0
+              ? backdrop.Look(scene.GetRay(x + 0.5, y + 0.5, picture.Width, picture.Height))
+              : RGB{};
           for (int c = 0; c < 3; ++c)
           {
             pixel[c] =

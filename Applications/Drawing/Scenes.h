@@ -136,7 +136,7 @@ public:
   /**
    * The material of least mean |x - r| against a reference of the surface's pixels (3 doubles
    * each): a search over roughness and metallic, coarse then fine; for each, the best albedo of
-   * each channel, of which radiance is a quadratic function. Sets it, too. Throws Error.
+   * each channel. Sets it, too. Throws Error.
    */
   StockMaterial Fit(const Surface& surface, const Size& size, const std::vector<double>& reference);
 
@@ -145,10 +145,11 @@ public:
   std::size_t GetTextureBytes();
 
 private:
-  /// Whether this VTK takes a property's color as the albedo or as its display color.
-  void FindColorExponent(const Surface& surface, const Size& size);
+  /// Radiance of the surface's pixels under albedos of 0, 1/2 and 1.
+  void Sample(StockMaterial material, const Surface& surface, const Size& size,
+    std::vector<double> (&samples)[3]);
 
-  double ColorExponent = 1.0; // albedo = color^this
+  double ColorExponent = 1.0; // albedo = color^this: a property's color may be the display's
 };
 
 /// Radiance of a surface's pixels in a picture, 3 doubles each.

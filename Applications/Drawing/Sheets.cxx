@@ -18,8 +18,6 @@ namespace tool
 {
 namespace
 {
-constexpr double BlurDegrees = 11.0;
-constexpr double BackdropDim = 0.42;
 constexpr tool::RGB PaperColor = { 0.013, 0.014, 0.017 };
 }
 
@@ -56,14 +54,6 @@ void RollOff(Picture& picture)
   {
     value = static_cast<float>(RollOff(value));
   }
-}
-
-//------------------------------------------------------------------------------
-Backdrop MakeQuietBackdrop(vtkEnvironment* environment)
-{
-  Backdrop backdrop(environment, BlurDegrees);
-  backdrop.Scale(BackdropDim);
-  return backdrop;
 }
 
 //------------------------------------------------------------------------------
@@ -117,47 +107,33 @@ void ContactSheet::Write(const std::string& path) const { WritePNG(path, this->P
 namespace
 {
 //------------------------------------------------------------------------------
-// Values at the grid's points to every pixel that a picture covers: the nearest, or between them.
-Picture Enlarge(const Picture& small, const Picture& covered, int stride, bool smooth)
+// Values at the grid's points to the pixels that a picture covers: of the nearest point, or of one
+// beside that where it is not covered. Pixels that have neither show nothing.
+Picture Enlarge(const Picture& small, const Picture& covered, int stride)
 {
-  const int first = stride / 2;
   Picture result(covered.Width, covered.Height);
   for (int y = 0; y < covered.Height; ++y)
   {
     for (int x = 0; x < covered.Width; ++x)
     {
-      const double u = static_cast<double>(x - first) / stride;
-      const double v = static_cast<double>(y - first) / stride;
-      double sum[4] = {};
-      for (int j = static_cast<int>(std::floor(v)) - 1; j <= static_cast<int>(std::floor(v)) + 2;
-           ++j)
+      double nearest = 3.0; // squared, in strides
+      for (int k = 0; k < 9 && covered.At(x, y)[3] > 0.0f; ++k)
       {
-        for (int i = static_cast<int>(std::floor(u)) - 1; i <= static_cast<int>(std::floor(u)) + 2;
-             ++i)
+        const int i = x / stride + k % 3 - 1;
+        const int j = y / stride + k / 3 - 1;
+        if (i < 0 || j < 0 || i >= small.Width || j >= small.Height || small.At(i, j)[3] == 0.0f)
         {
-          if (i < 0 || j < 0 || i >= small.Width || j >= small.Height || small.At(i, j)[3] == 0.0f)
-          {
-            continue;
-          }
-          // A tent between four neighbors; beyond the rim, those a little farther off.
-          const double du = std::abs(u - i);
-          const double dv = std::abs(v - j);
-          const double weight = smooth ? std::max(0.0, 1.0 - du) * std::max(0.0, 1.0 - dv) +
-                                           1e-6 / (0.01 + du * du + dv * dv)
-                                       : std::exp(-40.0 * std::max(du, dv));
-          for (int c = 0; c < 3; ++c)
-          {
-            sum[c] += weight * small.At(i, j)[c];
-          }
-          sum[3] += weight;
+          continue;
+        }
+        const double u = static_cast<double>(x - stride / 2) / stride - i;
+        const double v = static_cast<double>(y - stride / 2) / stride - j;
+        if (u * u + v * v < nearest)
+        {
+          nearest = u * u + v * v;
+          std::copy_n(small.At(i, j), 3, result.At(x, y));
+          result.At(x, y)[3] = covered.At(x, y)[3];
         }
       }
-      float* pixel = result.At(x, y);
-      for (int c = 0; c < 3 && sum[3] > 0.0; ++c)
-      {
-        pixel[c] = static_cast<float>(sum[c] / sum[3]);
-      }
-      pixel[3] = sum[3] > 0.0 ? covered.At(x, y)[3] : 0.0f;
     }
   }
   return result;
@@ -246,11 +222,11 @@ void WriteComparisonSheet(const std::string& path, const std::string& title, con
   const int stride = grid.Surface.Stride;
   ContactSheet sheet(title, 4, 1, method.Drawn.Width, method.Drawn.Height);
   sheet.Add(0, 0, MakeTile(method.Drawn, exposure), method.Name, FormatFigures(method));
-  sheet.Add(1, 0, MakeTile(Enlarge(grid.Draw(reference), method.Drawn, stride, true), exposure),
+  sheet.Add(1, 0, MakeTile(Enlarge(grid.Draw(reference), method.Drawn, stride), exposure),
     "reference",
     std::to_string(grid.Surface.Pixels.size()) + " of " +
-      std::to_string(grid.Surface.NumberOfCovered) + " pixels, interpolated");
-  sheet.Add(2, 0, MakeTile(Enlarge(grid.Draw(errors), method.Drawn, stride, false), 1.0), "error",
+      std::to_string(grid.Surface.NumberOfCovered) + " pixels");
+  sheet.Add(2, 0, MakeTile(Enlarge(grid.Draw(errors), method.Drawn, stride), 1.0), "error",
     "blue: too dark, red: too bright; full color at " + FormatPercent(scale) +
       " of the mean radiance");
   sheet.Add(3, 0, MakeTile(stock.Drawn, exposure), stock.Name, FormatFigures(stock));
@@ -280,18 +256,18 @@ void WriteLightSheet(const std::string& path, const std::string& title, const st
     const ComparedLight& light = lights[row];
     const double exposure = FindExposure(light.Reference);
     const double scale = std::max(3.0 * light.RelativeL1, 1e-6);
-    const auto add = [&](int column, const std::vector<double>& rgb, double factor, bool smooth,
+    const auto add = [&](int column, const std::vector<double>& rgb, double factor,
                        const std::string& label, const std::string& note)
     {
-      const Picture tile = Enlarge(grid.Draw(rgb), covered, enlarged, smooth);
+      const Picture tile = Enlarge(grid.Draw(rgb), covered, enlarged);
       sheet.Add(column, static_cast<int>(row), MakeTile(tile, factor), label, note);
     };
     char figures[64];
     std::snprintf(figures, sizeof(figures), ", FLIP %.3f", light.Flip);
-    add(0, light.Reference, exposure, true, "reference", light.Name);
-    add(1, light.Radiance, exposure, true, name,
+    add(0, light.Reference, exposure, "reference", light.Name);
+    add(1, light.Radiance, exposure, name,
       "relative L1 " + FormatPercent(light.RelativeL1) + figures);
-    add(2, ColorErrors(light.Radiance, light.Reference, scale), 1.0, false, "error",
+    add(2, ColorErrors(light.Radiance, light.Reference, scale), 1.0, "error",
       "blue: too dark, red: too bright; full color at " + FormatPercent(scale));
   }
   sheet.Write(path);
@@ -300,41 +276,6 @@ void WriteLightSheet(const std::string& path, const std::string& title, const st
 namespace
 {
 constexpr int Smooth = 2; // panels are rendered at this multiple and averaged
-
-//------------------------------------------------------------------------------
-// Color for the pixels that an edge covers in part and whose center it misses: the mean of their
-// neighbors.
-void FillEdges(tool::Picture& picture, const tool::Picture& centers)
-{
-  for (int y = 0; y < picture.Height; ++y)
-  {
-    for (int x = 0; x < picture.Width; ++x)
-    {
-      float* pixel = picture.At(x, y);
-      if (centers.At(x, y)[3] > 0.0f || pixel[3] == 0.0f)
-      {
-        continue;
-      }
-      float sum[4] = {};
-      for (int v = std::max(0, y - 1); v <= std::min(picture.Height - 1, y + 1); ++v)
-      {
-        for (int u = std::max(0, x - 1); u <= std::min(picture.Width - 1, x + 1); ++u)
-        {
-          const float* neighbor = centers.At(u, v);
-          for (int c = 0; c < 4; ++c)
-          {
-            sum[c] += neighbor[3] * neighbor[c];
-          }
-        }
-      }
-      for (int c = 0; c < 3 && sum[3] > 0.0f; ++c)
-      {
-        pixel[c] = sum[c] / sum[3];
-      }
-      pixel[3] = sum[3] > 0.0f ? pixel[3] : 0.0f;
-    }
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -361,19 +302,7 @@ void ComparisonStrip::AddRadiance(OffscreenScene& scene, const Surface& surface,
 {
   const Picture coverage = Downsample(
     scene.Render(Smooth * this->PanelSize.Width, Smooth * this->PanelSize.Height), Smooth);
-  Picture centers(this->PanelSize.Width, this->PanelSize.Height);
-  for (std::size_t k = 0; k < surface.Pixels.size(); ++k)
-  {
-    float* pixel = &centers.Pixels[4 * static_cast<std::size_t>(surface.Pixels[k])];
-    std::copy_n(&radiance[3 * k], 3, pixel);
-    pixel[3] = 1.0f;
-  }
-  Picture picture = centers;
-  for (std::size_t k = 3; k < picture.Pixels.size(); k += 4)
-  {
-    picture.Pixels[k] = coverage.Pixels[k];
-  }
-  FillEdges(picture, centers);
+  Picture picture = Enlarge(Grid(surface, this->PanelSize).Draw(radiance), coverage, 1);
   scene.PlaceCamera(this->PanelSize.Width, this->PanelSize.Height);
   this->Add(std::move(picture), scene, 1, name, note);
 }
@@ -438,34 +367,21 @@ tool::Picture ToneMap(vtkEnvironment* environment, int width, int height)
 }
 
 //------------------------------------------------------------------------------
-void FillBox(tool::Picture& picture, int x0, int y0, int x1, int y1, const tool::RGB& rgb, double a)
+// A bright frame in a box, and a dark one in that.
+void DrawFrame(tool::Picture& picture, const int box[4])
 {
-  for (int y = std::max(0, y0); y < std::min(picture.Height, y1); ++y)
+  for (int y = box[1]; y < box[3]; ++y)
   {
-    for (int x = std::max(0, x0); x < std::min(picture.Width, x1); ++x)
+    for (int x = box[0]; x < box[2]; ++x)
     {
-      picture.Blend(x, y, rgb, a);
+      const int inset = std::min({ x - box[0], box[2] - 1 - x, y - box[1], box[3] - 1 - y });
+      if (inset < MapSmooth)
+      {
+        const bool bright = inset < MapSmooth / 2;
+        picture.Blend(x, y, bright ? Bright : Dark, bright ? 0.85 : 0.7);
+      }
     }
   }
-}
-
-//------------------------------------------------------------------------------
-// A frame of the given thickness inside the box.
-void DrawFrame(tool::Picture& picture, const int box[4], int inset, int thickness,
-  const tool::RGB& rgb, double a)
-{
-  const int x0 = box[0] + inset;
-  const int y0 = box[1] + inset;
-  const int x1 = box[2] - inset;
-  const int y1 = box[3] - inset;
-  if (x1 - x0 < 2 * thickness || y1 - y0 < 2 * thickness)
-  {
-    return; // no room: neighbors' frames do
-  }
-  FillBox(picture, x0, y0, x1, y0 + thickness, rgb, a);
-  FillBox(picture, x0, y1 - thickness, x1, y1, rgb, a);
-  FillBox(picture, x0, y0 + thickness, x0 + thickness, y1 - thickness, rgb, a);
-  FillBox(picture, x1 - thickness, y0 + thickness, x1, y1 - thickness, rgb, a);
 }
 
 //------------------------------------------------------------------------------
@@ -516,8 +432,7 @@ Picture DrawLightMap(vtkEnvironment* environment, vtkLightSet* lights, bool regi
       const int rows = environment->GetSubdivided()->GetHeight();
       const int box[4] = { region[0] * width / columns, region[1] * height / rows,
         region[2] * width / columns, region[3] * height / rows };
-      DrawFrame(picture, box, 0, MapSmooth / 2, Bright, 0.85);
-      DrawFrame(picture, box, MapSmooth / 2, MapSmooth / 2, Dark, 0.7);
+      DrawFrame(picture, box);
     }
   }
 

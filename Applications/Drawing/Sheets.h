@@ -35,9 +35,6 @@ void Paste(Picture& sheet, const Picture& tile, int x0, int y0);
 /// RollOff of every value.
 void RollOff(Picture& picture);
 
-/// The environment blurred and darkened: it steps back behind the objects.
-Backdrop MakeQuietBackdrop(vtkEnvironment* environment);
-
 /// Scale that makes a white diffuse ball's mean brightness under this light a light gray.
 double ChooseExposure(vtkEnvironment* environment);
 

@@ -20,6 +20,9 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 
+#include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -51,16 +54,15 @@ public:
     this->PlaceCamera(size.Width, size.Height);
     tool::Picture picture = this->Capture(size.Width, size.Height);
     vtkMatrix4x4* matrix = this->Renderer->GetActiveCamera()->GetViewTransformMatrix();
+    glm::dmat3 toWorld; // columns; the transpose of the view's rotation
+    for (int k = 0; k < 9; ++k)
+    {
+      toWorld[k / 3][k % 3] = matrix->GetElement(k / 3, k % 3);
+    }
     for (std::size_t k = 0; k < picture.Pixels.size(); k += 4)
     {
-      float* pixel = &picture.Pixels[k];
-      const std::array<float, 3> n = { pixel[0], pixel[1], pixel[2] };
-      for (int c = 0; c < 3; ++c)
-      {
-        pixel[c] =
-          static_cast<float>(matrix->GetElement(0, c) * n[0] + matrix->GetElement(1, c) * n[1] +
-                             matrix->GetElement(2, c) * n[2]);
-      }
+      const glm::vec3 n(toWorld * glm::dvec3(glm::make_vec3(&picture.Pixels[k])));
+      std::copy_n(&n.x, 3, &picture.Pixels[k]);
     }
     return picture;
   }
@@ -68,24 +70,13 @@ public:
 
 //------------------------------------------------------------------------------
 // As the shader's brdfLiftView: the same azimuth, at the least cosine.
-void LiftView(const double n[3], double view[3])
+glm::dvec3 LiftView(const glm::dvec3& n, const glm::dvec3& view)
 {
-  const double cosine = vtkMath::Dot(n, view);
-  if (cosine >= LeastViewCosine)
-  {
-    return;
-  }
-  double across[3];
-  for (int c = 0; c < 3; ++c)
-  {
-    across[c] = view[c] - cosine * n[c];
-  }
-  vtkMath::Normalize(across);
-  for (int c = 0; c < 3; ++c)
-  {
-    view[c] =
-      LeastViewCosine * n[c] + std::sqrt(1.0 - LeastViewCosine * LeastViewCosine) * across[c];
-  }
+  const double cosine = glm::dot(n, view);
+  return cosine >= LeastViewCosine
+           ? view
+           : LeastViewCosine * n + std::sqrt(1.0 - LeastViewCosine * LeastViewCosine) *
+                                     glm::normalize(view - cosine * n);
 }
 
 //------------------------------------------------------------------------------
@@ -124,17 +115,11 @@ tool::Surface FindSurface(NormalStage& stage, const tool::Size& size, int larges
   {
     const int x = pixel % size.Width;
     const int y = pixel / size.Width;
-    const float* normal = normals.At(x, y);
-    double n[3] = { normal[0], normal[1], normal[2] };
-    vtkMath::Normalize(n);
-    std::array<double, 3> v = stage.GetRay(x + 0.5, y + 0.5, size.Width, size.Height);
-    for (double& value : v)
-    {
-      value = -value;
-    }
-    LiftView(n, v.data());
-    surface.Normals.insert(surface.Normals.end(), n, n + 3);
-    surface.Views.insert(surface.Views.end(), v.begin(), v.end());
+    const glm::dvec3 n = glm::normalize(glm::dvec3(glm::make_vec3(normals.At(x, y))));
+    const std::array<double, 3> ray = stage.GetRay(x + 0.5, y + 0.5, size.Width, size.Height);
+    const glm::dvec3 v = LiftView(n, -glm::make_vec3(ray.data()));
+    surface.Normals.insert(surface.Normals.end(), { n.x, n.y, n.z });
+    surface.Views.insert(surface.Views.end(), { v.x, v.y, v.z });
   }
   return surface;
 }

@@ -25,92 +25,55 @@
 
 namespace
 {
-// Where a pixel is looked through until something is met: its middle, then around that, in pixels.
-constexpr int Turns = 8;
-constexpr std::array<double, 5> Radii = { 0.0, 0.15, 0.35, 0.55, 0.75 };
-
-std::array<double, 2> GetPlace(int attempt)
+/// What rays through pixels meet, and the directions back to the eye.
+struct Rays
 {
-  if (attempt == 0)
-  {
-    return { 0.5, 0.5 };
-  }
-  const double radius = Radii[static_cast<std::size_t>(1 + (attempt - 1) / Turns)];
-  const double angle = 2.0 * 3.14159265358979 * (attempt - 1) / Turns;
-  return { 0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle) };
-}
-
-/// Rays through pixels, and what they meet.
-class Rays
-{
-public:
-  Rays(vtkTracedScene* traced, const tool::OffscreenScene& camera, const tool::Surface& surface,
-    const tool::Size& size)
-    : Traced(traced)
-    , Camera(camera)
-    , Surface(surface)
-    , Size(size)
-  {
-    this->Hits = vtkSmartPointer<vtkPolyData>::New();
-    for (vtkDoubleArray* array : { this->Origins.Get(), this->Directions.Get(), this->Views.Get() })
-    {
-      array->SetNumberOfComponents(3);
-      array->SetNumberOfTuples(static_cast<vtkIdType>(surface.Pixels.size()));
-    }
-    std::vector<vtkIdType> missing;
-    for (std::size_t k = 0; k < surface.Pixels.size(); ++k)
-    {
-      missing.push_back(static_cast<vtkIdType>(k));
-    }
-    constexpr int attempts = 1 + (static_cast<int>(Radii.size()) - 1) * Turns;
-    for (int attempt = 0; attempt < attempts && !missing.empty(); ++attempt)
-    {
-      this->Aim(missing, GetPlace(attempt));
-      missing = this->Cast();
-    }
-  }
-
-  vtkSmartPointer<vtkPolyData> Hits;
+  vtkNew<vtkPolyData> Hits;
   vtkNew<vtkDoubleArray> Views;
+};
 
-private:
-  void Aim(const std::vector<vtkIdType>& pixels, const std::array<double, 2>& place)
+// Through the middle of each pixel or, where that just misses the mesh, through the first place on
+// a spiral around it that does not.
+void CastRays(vtkTracedScene* traced, const tool::OffscreenScene& camera,
+  const tool::Surface& surface, const tool::Size& size, Rays& rays)
+{
+  constexpr int attempts = 32;
+  constexpr double farthest = 0.75;       // pixels
+  constexpr double turn = 2.399963229728; // the golden angle
+  const auto count = static_cast<vtkIdType>(surface.Pixels.size());
+  vtkNew<vtkDoubleArray> origins, directions;
+  for (vtkDoubleArray* array : { origins.Get(), directions.Get(), rays.Views.Get() })
   {
-    const std::array<double, 3> eye = this->Camera.GetEye();
-    for (const vtkIdType k : pixels)
-    {
-      const int pixel = this->Surface.Pixels[static_cast<std::size_t>(k)];
-      const std::array<double, 3> ray = this->Camera.GetRay(pixel % this->Size.Width + place[0],
-        pixel / this->Size.Width + place[1], this->Size.Width, this->Size.Height);
-      this->Origins->SetTuple(k, eye.data());
-      this->Directions->SetTuple(k, ray.data());
-      this->Views->SetTuple3(k, -ray[0], -ray[1], -ray[2]);
-    }
+    array->SetNumberOfComponents(3);
+    array->SetNumberOfTuples(count);
   }
-
-  // The pixels that meet nothing.
-  std::vector<vtkIdType> Cast()
+  const std::array<double, 3> eye = camera.GetEye();
+  std::vector<bool> met(surface.Pixels.size(), false);
+  const auto missed = [&met]() { return std::find(met.begin(), met.end(), false) != met.end(); };
+  for (int attempt = 0; attempt <= attempts && missed(); ++attempt)
   {
-    this->Traced->CastRays(this->Origins, this->Directions, this->Hits);
-    auto* surfaces = vtkIntArray::SafeDownCast(this->Hits->GetPointData()->GetArray("Surface"));
-    std::vector<vtkIdType> missing;
-    for (vtkIdType k = 0; k < surfaces->GetNumberOfTuples(); ++k)
+    const double radius = farthest * std::sqrt(static_cast<double>(attempt) / attempts);
+    for (vtkIdType k = 0; k < count; ++k)
     {
-      if (surfaces->GetValue(k) < 0)
+      if (!met[static_cast<std::size_t>(k)])
       {
-        missing.push_back(k);
+        const int pixel = surface.Pixels[static_cast<std::size_t>(k)];
+        const std::array<double, 3> ray =
+          camera.GetRay(pixel % size.Width + 0.5 + radius * std::cos(turn * attempt),
+            pixel / size.Width + 0.5 + radius * std::sin(turn * attempt), size.Width, size.Height);
+        origins->SetTuple(k, eye.data());
+        directions->SetTuple(k, ray.data());
+        rays.Views->SetTuple3(k, -ray[0], -ray[1], -ray[2]);
       }
     }
-    return missing;
+    traced->CastRays(origins, directions, rays.Hits);
+    auto* surfaces = vtkIntArray::SafeDownCast(rays.Hits->GetPointData()->GetArray("Surface"));
+    for (vtkIdType k = 0; k < count; ++k)
+    {
+      met[static_cast<std::size_t>(k)] = surfaces->GetValue(k) >= 0;
+    }
   }
-
-  vtkTracedScene* Traced;
-  const tool::OffscreenScene& Camera;
-  const tool::Surface& Surface;
-  tool::Size Size;
-  vtkNew<vtkDoubleArray> Origins;
-  vtkNew<vtkDoubleArray> Directions;
-};
+}
 
 std::vector<double> ToVector(vtkDoubleArray* array)
 {
@@ -153,7 +116,8 @@ TracedSurface TraceSurface(vtkTracedScene* traced, vtkBRDF* brdf, vtkEnvironment
   const OffscreenScene& camera, const Surface& surface, const Size& size,
   const TraceOptions& options)
 {
-  const Rays rays(traced, camera, surface, size);
+  Rays rays;
+  CastRays(traced, camera, surface, size, rays);
   vtkNew<vtkTracedRadianceIntegrator> integrator;
   integrator->SetScene(traced);
   integrator->SetBRDF(brdf);

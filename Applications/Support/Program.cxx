@@ -3,7 +3,6 @@
 #include "Program.h"
 
 #include "Meshes.h"
-#include "ReadApart.h"
 #include "Tool.h"
 
 #include "MeasuredBRDFToolVersion.h"
@@ -46,9 +45,9 @@ std::string Wrap(const std::string& text)
 int RunUnguarded(int argc, char* argv[], const tool::Program& program)
 {
   tool::RedirectMessages();
-  if (argc == 3 && std::string(argv[1]) == tool::ReadMeshOption)
+  if (argc == 4 && std::string(argv[1]) == tool::ReadMeshOption)
   {
-    return tool::AnswerLoadMesh(argv[2]);
+    return tool::AnswerLoadMesh(argv[2], argv[3]);
   }
 
   tool::ProgramName = program.Name;

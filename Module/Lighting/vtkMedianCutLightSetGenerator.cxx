@@ -3,6 +3,7 @@
 #include "vtkMedianCutLightSetGenerator.h"
 
 #include "HalfVector.h" // for Pi
+#include "LightTree.h"
 #include "ParallelFor.h"
 #include "TexelDirections.h"
 #include "vtkEnvironment.h"
@@ -18,11 +19,7 @@ using measuredbrdf::Pi;
 
 namespace
 {
-// Texels [x0,x1) x [y0,y1).
-struct Region
-{
-  int X0, Y0, X1, Y1;
-};
+using measuredbrdf::LightCell;
 
 // The luminance times solid angle of any rectangle of texels from four look-ups (Crow 1984).
 class SummedAreaTable
@@ -46,7 +43,7 @@ public:
     }
   }
 
-  double GetSum(const Region& r)
+  double GetSum(const LightCell& r)
   {
     return (this->At(r.X1, r.Y1) - this->At(r.X0, r.Y1)) -
            (this->At(r.X1, r.Y0) - this->At(r.X0, r.Y0));
@@ -60,15 +57,6 @@ private:
 
   std::size_t Stride;
   std::vector<double> Sums;
-};
-
-// What a region's light is made of.
-struct Energy
-{
-  glm::dvec3 Irradiance = glm::dvec3(0.0);
-  glm::dvec3 Moment = glm::dvec3(0.0); // luminance-weighted sum of directions
-  double Luminance = 0.0;
-  double SolidAngle = 0.0;
 };
 
 // The cut in [first, last] whose lower part, lower(cut), is nearest to half of total. lower grows.
@@ -97,7 +85,7 @@ int FindCut(int first, int last, double total, Lower&& lower)
 // Both halves of a region, across its longer side (Debevec 2005: the width shrinks with the cosine
 // of the middle row's latitude).
 void Split(
-  const Region& r, SummedAreaTable& table, int width, int height, std::vector<Region>& halves)
+  const LightCell& r, SummedAreaTable& table, int width, int height, std::vector<LightCell>& halves)
 {
   const double latitude = Pi * (0.5 * (r.Y0 + r.Y1) / height - 0.5);
   const double extentX = 2.0 * Pi * (r.X1 - r.X0) / width * std::cos(latitude);
@@ -129,56 +117,6 @@ void Split(
   }
 }
 
-Energy Gather(
-  const Region& r, vtkEnvironment* environment, const measuredbrdf::TexelDirections& directions)
-{
-  Energy energy;
-  for (int y = r.Y0; y < r.Y1; ++y)
-  {
-    const float* pixel =
-      &environment->GetPixels()[3 * (static_cast<std::size_t>(y) * environment->GetWidth() +
-                                      static_cast<std::size_t>(r.X0))];
-    glm::dvec3 rgb(0.0);
-    glm::dvec2 moment(0.0);
-    for (int x = r.X0; x < r.X1; ++x, pixel += 3)
-    {
-      const glm::dvec3 radiance(pixel[0], pixel[1], pixel[2]);
-      rgb += radiance;
-      moment += vtkEnvironment::GetLuminance(&radiance.x) * directions.Columns[std::size_t(x)];
-    }
-    const double solidAngle = environment->GetTexelSolidAngle(y);
-    const double luminance = vtkEnvironment::GetLuminance(&rgb.x);
-    const glm::dvec2 row = directions.Rows[std::size_t(y)];
-    energy.Irradiance += solidAngle * rgb;
-    energy.Luminance += solidAngle * luminance;
-    energy.Moment += solidAngle * glm::dvec3(row.x * moment.x, row.y * luminance, row.x * moment.y);
-    energy.SolidAngle += solidAngle * (r.X1 - r.X0);
-  }
-  return energy;
-}
-
-void AddLight(const Region& r, const Energy& energy, int width, int height, vtkLightSet* output)
-{
-  if (!(energy.Luminance > 0.0))
-  {
-    return;
-  }
-  // Directions that cancel (a region all around the sphere) leave only its middle to point at.
-  glm::dvec3 direction = energy.Moment;
-  if (!(glm::length(direction) > 1e-9 * energy.Luminance))
-  {
-    vtkEnvironment::GetDirection(
-      0.5 * (r.X0 + r.X1) / width, 0.5 * (r.Y0 + r.Y1) / height, &direction.x);
-  }
-  const double mean = glm::length(energy.Moment) / energy.Luminance;
-  const bool texel = r.X1 - r.X0 == 1 && r.Y1 - r.Y0 == 1;
-  const double concentration =
-    vtkLightSet::GetConcentrationOfVariance(texel ? 0.0 : 1.0 - mean * mean);
-  if (output->AddLight(&direction.x, &energy.Irradiance.x, energy.SolidAngle, concentration))
-  {
-    output->SetLastRegion(r.X0, r.Y0, r.X1, r.Y1);
-  }
-}
 } // namespace
 
 vtkStandardNewMacro(vtkMedianCutLightSetGenerator);
@@ -202,12 +140,12 @@ bool vtkMedianCutLightSetGenerator::Generate(
   const int width = environment->GetWidth();
   const int height = environment->GetHeight();
   SummedAreaTable table(environment);
-  std::vector<Region> regions(1, Region{ 0, 0, width, height });
+  std::vector<LightCell> regions(1, LightCell{ 0, 0, width, height });
   for (int made = 1; made < count; made *= 2)
   {
-    std::vector<Region> halves;
+    std::vector<LightCell> halves;
     halves.reserve(2 * regions.size());
-    for (const Region& region : regions)
+    for (const LightCell& region : regions)
     {
       Split(region, table, width, height, halves);
     }
@@ -219,20 +157,20 @@ bool vtkMedianCutLightSetGenerator::Generate(
   }
 
   const measuredbrdf::TexelDirections directions(width, height);
-  std::vector<Energy> energies(regions.size());
+  const measuredbrdf::TexelChanges none;
   measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(regions.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end; ++k)
       {
-        energies[std::size_t(k)] = Gather(regions[std::size_t(k)], environment, directions);
+        regions[std::size_t(k)].Gather(environment, none, directions);
       }
     });
 
   output->RemoveAllLights();
-  for (std::size_t k = 0; k < regions.size(); ++k)
+  for (const LightCell& region : regions)
   {
-    AddLight(regions[k], energies[k], width, height, output);
+    region.AddLight(width, height, output);
   }
   return true;
 }

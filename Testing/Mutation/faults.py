@@ -225,7 +225,7 @@ add("Lighting.seam-is-not-crossed", "TexelInterpolation.h", "first + 1 < size ? 
     "first + 1 < size ? first + 1 : first,", "Environment.InterpolatesBetweenTexels|EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
 add("Lighting.harmonics-of-point-masses", "EnvironmentHarmonics.cxx", "* sinc * sinc, half)", ", half)",
     "EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
-add("Lighting.harmonics-of-one-hemisphere", "EnvironmentHarmonics.cxx", "{ north + south, north - south }", "{ north + south, north + south }",
+add("Lighting.harmonics-of-one-hemisphere", "EnvironmentHarmonics.cxx", "(north - south).real()", "(north + south).real()",
     "EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
 add("Lighting.old-light-in-new-pixels", "vtkEnvironment.cxx",
     "this->Parts = vtkEnvironment::MakeParts();\n  this->PixelsTime", "this->PixelsTime",
@@ -245,8 +245,8 @@ add("Lighting.variance-of-another-number", "vtkVarianceLightSetGenerator.cxx",
     "Variance.ClosedFormIsTheDefinition|Variance.NumberForVariance|Variance.SetsAreNested")
 add("Lighting.median-cut-takes-any-number", "vtkMedianCutLightSetGenerator.cxx", "(count & (count - 1)) != 0",
     "(count & 1) != 0", "Generators.RefuseBadArguments")
-add("Lighting.median-cut-energy", "vtkMedianCutLightSetGenerator.cxx", "energy.Irradiance += solidAngle * rgb;",
-    "energy.Irradiance += rgb;", "Generators.KeepTheEnergy")
+add("Lighting.median-cut-energy", "LightTree.cxx", "this->Irradiance += solidAngle * rgb;",
+    "this->Irradiance += rgb;", "Generators.KeepTheEnergy")
 add("Lighting.importance-weights", "vtkImportanceLightSetGenerator.cxx",
     "weights.push_back(solidAngle * vtkEnvironment", "weights.push_back(vtkEnvironment",
     "Importance.Unbiased|Generators.KeepTheEnergy")
@@ -254,7 +254,8 @@ add("Lighting.importance-ignores-the-seed", "vtkImportanceLightSetGenerator.cxx"
     "std::mt19937 engine(1);", "Importance.SeedsRepeat")
 add("Lighting.lamps-leave-their-light", "ExtractedEmitters.cxx", "irradiance[c] = (value - kept) *",
     "irradiance[c] = value *", "ExtractedEmitters.LightsAndRestAddUp")
-add("Lighting.faces-upside-down", "LightProbe.cxx", "return { 1.0, -b, a };", "return { 1.0, b, a };",
+add("Lighting.faces-upside-down", "LightProbe.cxx", "{ { 1, 0, 0 }, { 0, 0, 1 }, { 0, -1, 0 } }",
+    "{ { 1, 0, 0 }, { 0, 0, 1 }, { 0, 1, 0 } }",
     "Probes.MapsAreInverse|Probes.CubeFacesAreOpenGLs")
 add("Lighting.mirror-ball-angle", "LightProbe.cxx", "ball ? std::sin(0.5 * angle)", "ball ? std::sin(0.25 * angle)",
     "Probes.MapsAreInverse|Probes.ASmoothSkyIsItself")
@@ -283,8 +284,8 @@ add("Integration.middles-that-do-not-count-stay", "SquareMiddles.cxx",
 add("Integration.queue-sorts-by-octaves", "ErrorQueue.h", "bits >> 21", "bits >> 23",
     "ErrorQueue.GivesTheLargestFirst")
 add("Lighting.quarters-of-a-part-are-the-other-way", "TexelTree.cxx",
-    "radiances[c][2 + i] = top + down[1] * (bottom - top);",
-    "radiances[c][2 + i] = top + down[0] * (bottom - top);", "TexelTree.QuartersAreTheSquaresBelow")
+    "2 * x + k % 2, 2 * y + k / 2);",
+    "2 * x + k / 2, 2 * y + k % 2);", "TexelTree.QuartersAreTheSquaresBelow")
 add("Integration.peaks-of-the-wrong-azimuth", "ReflectionGuide.cxx",
     "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, o.y) / s", "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, -o.y) / s",
     "ReflectionGuide.KnowsPeaks")

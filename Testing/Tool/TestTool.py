@@ -1016,21 +1016,17 @@ class FailureMap(Compare):
 
 
 class CompareWholePicture(ToolTest):
-    def test_most_pixels_are_interpolated(self):
+    def test_a_grid_is_like_the_whole(self):
         report, picture = self.path("report.json"), self.path("strip.png")
-        # Blinn-Phong's model evaluates one light at a time.
         common = ["compare", "blue-rubber", "--environment", "hall", "--report", report]
         result = run(*common, "--size", "112x112", "--strip", picture)
         self.check(result, 0, "relative L1")
         whole = read_json(report)
         self.assertEqual(whole["reference_pixels"], whole["covered_pixels"])
-        self.assertGreater(whole["covered_pixels"], 4096)  # fewer are integrated one by one
-        self.assertLess(whole["reference_integrated"], 0.8)
         self.assertGreaterEqual(whole["reference_within"], 0.99)
         self.check(run(*common, "--size", "112x112", "--reference-pixels", "1000"), 0)
         some = read_json(report)
         self.assertLess(some["reference_pixels"], 1001)
-        self.assertEqual(some["reference_integrated"], 1)
         self.check_close([some["relative_l1"]], [whole["relative_l1"]], 0.4)
 
     def test_fewer_pixels_in_little_time(self):

@@ -3,19 +3,18 @@
 #include "EnvironmentHarmonics.h"
 
 #include "GaussLegendre.h"
-#include "Lanes.h"
 #include "ParallelFor.h"
 #include "TexelChanges.h"
 #include "TexelInterpolation.h"
 #include "WignerD.h"
 #include "vtkEnvironment.h"
 
+#include <Eigen/Core>
 #include <unsupported/Eigen/FFT>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 
 namespace measuredbrdf
 {
@@ -138,110 +137,68 @@ std::vector<Ring> MakeRings(std::size_t height, int degree)
   return rings;
 }
 
-// Of several rings at once, one in each lane.
-constexpr std::size_t RingLanes = 4;
-using RingValues = std::array<double, RingLanes>;
+// One order's sums over the rings of both hemispheres, where l - m is even and where it is odd: a
+// row for each such degree, real and imaginary parts of the channels side by side. Functions whose
+// l - m is odd change sign across the equator.
+using Sums = std::array<Eigen::Matrix<double, Eigen::Dynamic, 6>, 2>;
 
-struct RingGroup
+Sums SumRings(const Series& rows, const std::vector<Ring>& rings, std::size_t height,
+  std::size_t orders, std::size_t m)
 {
-  RingValues Cosine{}, Start{};                      // of Wigner's functions
-  std::array<std::array<RingValues, 6>, 2> Values{}; // where l - m is even, and odd
-};
-
-constexpr double LeastFunction = 1e-16; // less adds nothing
-
-MEASUREDBRDF_INLINE bool IsNothing(Double4 value)
-{
-  bool isNothing = true;
-  for (std::size_t lane = 0; lane < RingLanes; ++lane)
+  constexpr std::size_t together = 128; // rings, whose functions stay in the processor's cache
+  const WignerD functions(static_cast<int>(m), 0, static_cast<int>(orders) - 1);
+  const std::vector<WignerD::Step>& steps = functions.GetSteps();
+  Sums sums;
+  std::array<Eigen::MatrixXd, 2> tables; // of functions, a ring a row
+  const auto degrees = [&steps](std::size_t odd)
+  { return static_cast<Eigen::Index>((steps.size() + 2 - odd) / 2); };
+  for (const std::size_t odd : { 0, 1 })
   {
-    isNothing = isNothing && std::abs(value[lane]) < LeastFunction;
+    sums[odd].setZero(degrees(odd), 6);
   }
-  return isNothing;
-}
-
-// Adds two groups' values times their functions to each degree's sums, by parts.
-void AddGroups(const std::vector<WignerD::Step>& steps, const RingGroup& first,
-  const RingGroup& second, RingValues* sums)
-{
-  RunWidest(
-    [&]() MEASUREDBRDF_INLINED
-    {
-      const Double4 x[2] = { Load<Double4>(first.Cosine.data()),
-        Load<Double4>(second.Cosine.data()) };
-      Double4 current[2] = { Load<Double4>(first.Start.data()),
-        Load<Double4>(second.Start.data()) };
-      Double4 before[2] = {};
-      bool isNothing = true;
-      for (std::size_t k = 0;; ++k)
-      {
-        isNothing = isNothing && IsNothing(current[0]) && IsNothing(current[1]);
-        for (std::size_t part = 0; part < 6 && !isNothing; ++part)
-        {
-          double* const out = sums[6 * k + part].data();
-          Store(Load<Double4>(out) + current[0] * Load<Double4>(first.Values[k % 2][part].data()) +
-                  current[1] * Load<Double4>(second.Values[k % 2][part].data()),
-            out);
-        }
-        if (k == steps.size())
-        {
-          break;
-        }
-        const WignerD::Step& step = steps[k];
-        for (int group = 0; group < 2; ++group)
-        {
-          const Double4 next =
-            step.A * (x[group] - step.B) * current[group] - step.C * before[group];
-          before[group] = current[group];
-          current[group] = next;
-        }
-      }
-    });
-}
-
-// Of one order.
-RingGroup MakeGroup(const Series& rows, const std::vector<Ring>& rings, std::size_t begin,
-  std::size_t height, std::size_t orders, std::size_t m, const WignerD& functions)
-{
-  RingGroup group;
-  for (std::size_t lane = 0; lane < RingLanes && begin + lane < rings.size(); ++lane)
+  for (std::size_t begin = 0; begin < rings.size(); begin += together)
   {
-    const Ring& ring = rings[begin + lane];
-    group.Cosine[lane] = std::cos(ring.Theta);
-    group.Start[lane] = functions.GetStart(
-      WignerD::GetLog(std::cos(0.5 * ring.Theta)), WignerD::GetLog(std::sin(0.5 * ring.Theta)));
-    for (std::size_t channel = 0; channel < 3; ++channel)
+    const auto count = static_cast<Eigen::Index>(std::min(together, rings.size() - begin));
+    Eigen::ArrayXd cosines(count), current(count), before = Eigen::ArrayXd::Zero(count);
+    Sums values;
+    for (const std::size_t odd : { 0, 1 })
     {
-      const auto get = [&](std::size_t y) { return rows[(channel * height + y) * orders + m]; };
-      const std::size_t top = height - 1;
-      const std::complex<double> north =
-        ring.Mix(get(top - ring.Rows.First), get(top - ring.Rows.Second));
-      const std::complex<double> south = ring.Mix(get(ring.Rows.First), get(ring.Rows.Second));
-      const std::complex<double> both[2] = { north + south, north - south };
-      for (std::size_t odd = 0; odd < 2; ++odd)
+      values[odd].resize(count, 6);
+      tables[odd].resize(count, degrees(odd));
+    }
+    for (Eigen::Index k = 0; k < count; ++k)
+    {
+      const Ring& ring = rings[begin + static_cast<std::size_t>(k)];
+      cosines[k] = std::cos(ring.Theta);
+      current[k] = functions.GetStart(
+        WignerD::GetLog(std::cos(0.5 * ring.Theta)), WignerD::GetLog(std::sin(0.5 * ring.Theta)));
+      for (std::size_t channel = 0; channel < 3; ++channel)
       {
-        group.Values[odd][2 * channel][lane] = both[odd].real();
-        group.Values[odd][2 * channel + 1][lane] = both[odd].imag();
+        const auto get = [&](std::size_t y) { return rows[(channel * height + y) * orders + m]; };
+        const std::size_t top = height - 1;
+        const std::complex<double> north =
+          ring.Mix(get(top - ring.Rows.First), get(top - ring.Rows.Second));
+        const std::complex<double> south = ring.Mix(get(ring.Rows.First), get(ring.Rows.Second));
+        const auto column = static_cast<Eigen::Index>(2 * channel);
+        values[0].row(k).segment<2>(column) << (north + south).real(), (north + south).imag();
+        values[1].row(k).segment<2>(column) << (north - south).real(), (north - south).imag();
       }
     }
+    for (std::size_t k = 0; k <= steps.size(); ++k)
+    {
+      tables[k % 2].col(static_cast<Eigen::Index>(k / 2)) = current;
+      if (k < steps.size())
+      {
+        before = steps[k].A * (cosines - steps[k].B) * current - steps[k].C * before;
+        before.swap(current);
+      }
+    }
+    for (const std::size_t odd : { 0, 1 })
+    {
+      sums[odd].noalias() += tables[odd].transpose() * values[odd];
+    }
   }
-  return group;
-}
-
-double Sum(const RingValues& values) { return (values[0] + values[1]) + (values[2] + values[3]); }
-
-// One order's sums over the rings of both hemispheres, lane by lane: by degree and channel, real
-// and imaginary parts. Functions whose l - m is odd change sign across the equator.
-void SumRings(const Series& rows, const std::vector<Ring>& rings, std::size_t height,
-  std::size_t orders, std::size_t m, std::vector<RingValues>& sums)
-{
-  const WignerD functions(static_cast<int>(m), 0, static_cast<int>(orders) - 1);
-  sums.assign(6 * orders, RingValues{});
-  for (std::size_t begin = 0; begin < rings.size(); begin += 2 * RingLanes)
-  {
-    AddGroups(functions.GetSteps(), MakeGroup(rows, rings, begin, height, orders, m, functions),
-      MakeGroup(rows, rings, begin + RingLanes, height, orders, m, functions), &sums[6 * m]);
-  }
+  return sums;
 }
 }
 
@@ -260,19 +217,19 @@ EnvironmentHarmonics::EnvironmentHarmonics(
   measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(orders), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      std::vector<RingValues> sums;
       for (vtkIdType order = begin; order < end; ++order)
       {
         const std::size_t m = static_cast<std::size_t>(order);
-        SumRings(rows, rings, height, orders, m, sums);
+        const Sums sums = SumRings(rows, rings, height, orders, m);
         for (std::size_t channel = 0; channel < 3; ++channel)
         {
           for (std::size_t l = m; l < orders; ++l)
           {
-            const RingValues* of = &sums[6 * l + 2 * channel];
+            const auto row = sums[(l - m) % 2].row(static_cast<Eigen::Index>((l - m) / 2));
+            const auto column = static_cast<Eigen::Index>(2 * channel);
             this->Coefficients[(channel * orders + m) * orders + l] =
               std::sqrt((2.0 * static_cast<double>(l) + 1.0) / (4.0 * Pi)) *
-              std::complex<double>(Sum(of[0]), Sum(of[1]));
+              std::complex<double>(row[column], row[column + 1]);
           }
         }
       }

@@ -6,10 +6,13 @@
 #include "ParallelFor.h"
 #include "vtkEnvironment.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 
 namespace measuredbrdf
 {
@@ -58,46 +61,32 @@ bool IsDisc(Projection projection)
   return projection == Projection::AngularMap || projection == Projection::MirrorBall;
 }
 
-// Point (a,b) in [-1,1]^2 of an upright face, a to the right, b down -> environment direction, of
-// length sqrt(1 + a^2 + b^2). OpenGL 3.2, table 3.19, with its z turned round.
-glm::dvec3 GetFacePoint(int face, double a, double b)
+// An upright face: its middle, and where its a (to the right) and b (down) in [-1,1] lead. OpenGL
+// 3.2, table 3.19, with its z turned round.
+struct CubeFace
 {
-  switch (face)
-  {
-    case 0:
-      return { 1.0, -b, a };
-    case 1:
-      return { -1.0, -b, -a };
-    case 2:
-      return { a, 1.0, -b };
-    case 3:
-      return { a, -1.0, b };
-    case 4:
-      return { a, -b, -1.0 };
-    default:
-      return { -a, -b, 1.0 };
-  }
-}
+  glm::dvec3 Middle, Right, Down;
+};
+const CubeFace CubeFaces[6] = {
+  { { 1, 0, 0 }, { 0, 0, 1 }, { 0, -1, 0 } },
+  { { -1, 0, 0 }, { 0, 0, -1 }, { 0, -1, 0 } },
+  { { 0, 1, 0 }, { 1, 0, 0 }, { 0, 0, -1 } },
+  { { 0, -1, 0 }, { 1, 0, 0 }, { 0, 0, 1 } },
+  { { 0, 0, -1 }, { 1, 0, 0 }, { 0, -1, 0 } },
+  { { 0, 0, 1 }, { -1, 0, 0 }, { 0, -1, 0 } },
+};
 
 // The face that a direction hits, and where.
 int GetFace(const glm::dvec3& d, double& a, double& b)
 {
   const glm::dvec3 m = glm::abs(d);
-  if (m.x >= m.y && m.x >= m.z)
-  {
-    a = (d.x > 0.0 ? d.z : -d.z) / m.x;
-    b = -d.y / m.x;
-    return d.x > 0.0 ? 0 : 1;
-  }
-  if (m.y >= m.z)
-  {
-    a = d.x / m.y;
-    b = (d.y > 0.0 ? -d.z : d.z) / m.y;
-    return d.y > 0.0 ? 2 : 3;
-  }
-  a = (d.z < 0.0 ? d.x : -d.x) / m.z;
-  b = -d.y / m.z;
-  return d.z < 0.0 ? 4 : 5;
+  const int face = m.x >= m.y && m.x >= m.z ? (d.x > 0.0 ? 0 : 1)
+                   : m.y >= m.z             ? (d.y > 0.0 ? 2 : 3)
+                                            : (d.z < 0.0 ? 4 : 5);
+  const double depth = glm::dot(d, CubeFaces[face].Middle);
+  a = glm::dot(d, CubeFaces[face].Right) / depth;
+  b = glm::dot(d, CubeFaces[face].Down) / depth;
+  return face;
 }
 
 // The face that shows at (u,v), and where; -1 beside the faces.
@@ -120,287 +109,89 @@ int FindFace(const CubeLayout& layout, const glm::dvec2& uv, double& a, double& 
   return -1;
 }
 
-// Outlines are carried over as straight lines: from cells no larger than this (radius, in
-// radians)...
-constexpr double LargestRadius = 0.04;
-// ... whose center is carried no farther from the corners' mean than this part of the outline's
-// breadth (area over longer diagonal), or of a texel. Seams, poles, rims and edges of cubes fail
-// that: there, texels are quartered this often, down to points.
-constexpr double Straightness = 0.05;
-constexpr int Quarterings = 5;
-// Corners are drawn in by this part of their cell, so that those on a seam fall on the cell's side.
-constexpr double Inset = 1e-7;
-// Parts of a texel that are rounding.
-constexpr double LeastArea = 1e-13;
+// Points a side at which a texel of the environment is looked up in the probe, and a texel of the
+// probe for its solid angle.
+constexpr int PartsOfTexel = 8;
+constexpr int PartsOfLargeMap = 4;
+constexpr int PartsOfProbe = 4;
+constexpr int LargeMap = 1 << 20; // texels
 
-// The part of one row to the right of a side that goes from x = a to b >= a over a height.
-void AddSide(double a, double b, double height, double* differences)
-{
-  int x = static_cast<int>(a);
-  const int last = static_cast<int>(b);
-  double* out = differences + x;
-  if (x == last)
-  {
-    const double before = height * (0.5 * (a + b) - x);
-    out[0] += height - before;
-    out[1] += before;
-    return;
-  }
-  const double rate = height / (b - a);
-  for (double from = a; x <= last; ++x, ++out)
-  {
-    const double to = std::min(b, x + 1.0);
-    const double part = rate * (to - from);
-    const double before = part * (0.5 * (from + to) - x);
-    out[0] += part - before;
-    out[1] += before;
-    from = to;
-  }
-}
-
-// A stretch of columns or rows of a lat-long image: where it lies in [0,1], and cosine and sine of
-// its azimuths or latitudes at its low side, middle and high side, both sides drawn in.
-struct Stretch
-{
-  Stretch(double low, double high, double range)
-    : Low(low)
-    , High(high)
-  {
-    const double places[3] = { Inset, 0.5, 1.0 - Inset };
-    for (int k = 0; k < 3; ++k)
-    {
-      const double angle = range * (low + places[k] * (high - low) - 0.5);
-      this->Angles[k] = glm::dvec2(std::cos(angle), std::sin(angle));
-    }
-  }
-
-  double Low;
-  double High;
-  glm::dvec2 Angles[3];
-};
-
-std::vector<Stretch> SplitEvenly(int count, double range)
-{
-  std::vector<Stretch> result;
-  for (int k = 0; k < count; ++k)
-  {
-    result.emplace_back(static_cast<double>(k) / count, (k + 1.0) / count, range);
-  }
-  return result;
-}
-
-// Means of a probe over the texels of a lat-long image.
-class ConservativeRemap
+/// A probe's image.
+class Probe
 {
 public:
-  ConservativeRemap(
-    Projection projection, int width, int height, const std::vector<float>& rgb, int rows)
+  Probe(Projection projection, int width, int height, const std::vector<float>& rgb)
     : Source(projection)
-    , Width(width)
-    , Height(height)
-    , Pixels(rgb.data())
-    , Columns(SplitEvenly(2 * rows, 2.0 * Pi))
-    , Rows(SplitEvenly(rows, Pi))
+    , Size(width, height)
+    , Pixels(rgb)
   {
   }
 
-  // Thread safe.
-  glm::dvec3 GetMean(std::size_t x, std::size_t y) const
+  /// The nearest texel's radiance. Of discs, only texels whose center the disc holds count.
+  glm::dvec3 Look(glm::dvec2 uv) const
   {
-    Sum sum;
-    this->AddCell(this->Columns[x], this->Rows[y], Quarterings, sum);
-    return sum.SolidAngle > 0.0 ? sum.Radiance / sum.SolidAngle : glm::dvec3(0.0);
+    if (IsDisc(this->Source))
+    {
+      const glm::dvec2 p = 2.0 * uv - 1.0;
+      const double r = glm::length(p);
+      const double limit = std::max(1.0 - std::sqrt(2.0) / this->Size.x, 0.0); // half a diagonal
+      uv = r > limit ? 0.5 + 0.5 * limit / r * p : uv;
+    }
+    const glm::ivec2 at =
+      glm::clamp(glm::ivec2(uv * glm::dvec2(this->Size)), glm::ivec2(0), this->Size - 1);
+    return glm::make_vec3(
+      &this->Pixels[3 * (static_cast<std::size_t>(at.y) * this->Size.x + at.x)]);
+  }
+
+  /// The mean over texel (x, y) of an environment of so many rows.
+  glm::dvec3 GetMean(int x, int y, int rows) const
+  {
+    const int parts = 2 * rows > LargeMap / rows ? PartsOfLargeMap : PartsOfTexel;
+    glm::dvec3 sum(0.0);
+    double weights = 0.0;
+    for (int k = 0; k < parts * parts; ++k)
+    {
+      const glm::dvec2 part = (glm::dvec2(k % parts, k / parts) + 0.5) / double(parts);
+      glm::dvec3 d;
+      vtkEnvironment::GetDirection((x + part.x) / (2 * rows), (y + part.y) / rows, &d.x);
+      const double weight = std::hypot(d.x, d.z); // the latitude's cosine
+      sum += weight * this->Look(MapToImage(this->Source, d));
+      weights += weight;
+    }
+    return sum / weights;
+  }
+
+  /// The mean over the sphere.
+  glm::dvec3 GetMean() const
+  {
+    glm::dvec4 sum(0.0);
+    const glm::ivec2 points = PartsOfProbe * this->Size;
+    for (int y = 0; y < points.y; ++y)
+    {
+      for (int x = 0; x < points.x; ++x)
+      {
+        const glm::dvec2 uv = (glm::dvec2(x, y) + 0.5) / glm::dvec2(points);
+        glm::dvec3 ignored;
+        if (MapToDirection(this->Source, uv, ignored))
+        {
+          sum += GetSolidAngleDensity(this->Source, uv) * glm::dvec4(this->Look(uv), 1.0);
+        }
+      }
+    }
+    return glm::dvec3(sum) / sum.w;
   }
 
 private:
-  using Outline = std::array<glm::dvec2, 4>; // in texels of the probe
-
-  // The solid angle that has been covered so far, and the integral of radiance over it.
-  struct Sum
-  {
-    double SolidAngle = 0.0;
-    glm::dvec3 Radiance = glm::dvec3(0.0);
-  };
-
-  static glm::dvec3 GetDirection(const glm::dvec2& azimuth, const glm::dvec2& latitude)
-  {
-    return { latitude.x * azimuth.x, latitude.y, latitude.x * azimuth.y };
-  }
-
-  glm::dvec2 MapToTexels(const glm::dvec3& direction) const
-  {
-    return MapToImage(this->Source, direction) *
-           glm::dvec2(static_cast<double>(this->Width), this->Height);
-  }
-
-  void AddCell(const Stretch& columns, const Stretch& rows, int depth, Sum& sum) const
-  {
-    Outline outline;
-    bool small = true;
-    if (this->MapOutline(columns, rows, outline, small))
-    {
-      this->AddOutline(outline, sum);
-      return;
-    }
-    if (depth <= 0 && small)
-    {
-      const glm::dvec2 at = this->MapToTexels(GetDirection(columns.Angles[1], rows.Angles[1]));
-      const double solidAngle =
-        2.0 * Pi * Pi * (columns.High - columns.Low) * (rows.High - rows.Low) * rows.Angles[1].x;
-      this->AddTexel(std::clamp(static_cast<int>(at.x), 0, this->Width - 1),
-        std::clamp(static_cast<int>(at.y), 0, this->Height - 1), solidAngle, sum);
-      return;
-    }
-    const double middle = 0.5 * (columns.Low + columns.High);
-    const double center = 0.5 * (rows.Low + rows.High);
-    for (const Stretch& row : { Stretch(rows.Low, center, Pi), Stretch(center, rows.High, Pi) })
-    {
-      this->AddCell(Stretch(columns.Low, middle, 2.0 * Pi), row, depth - 1, sum);
-      this->AddCell(Stretch(middle, columns.High, 2.0 * Pi), row, depth - 1, sum);
-    }
-  }
-
-  // The cell's outline in the probe; false where straight lines between its corners will not do,
-  // with `small` false where that is for its size.
-  bool MapOutline(const Stretch& columns, const Stretch& rows, Outline& points, bool& small) const
-  {
-    const glm::dvec3 middle = GetDirection(columns.Angles[1], rows.Angles[1]);
-    glm::dvec2 mean(0.0);
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-      const glm::dvec3 direction =
-        GetDirection(columns.Angles[k == 1 || k == 2 ? 2 : 0], rows.Angles[k < 2 ? 0 : 2]);
-      small = small && glm::distance(direction, middle) <= LargestRadius;
-      points[k] = this->MapToTexels(direction);
-      mean += 0.25 * points[k];
-    }
-    if (!small)
-    {
-      return false;
-    }
-    const glm::dvec2 a = points[2] - points[0];
-    const glm::dvec2 b = points[3] - points[1];
-    const double area = 0.5 * std::abs(a.x * b.y - a.y * b.x);
-    const double diagonal = std::max(glm::length(a), glm::length(b));
-    const double off = glm::distance(this->MapToTexels(middle), mean);
-    return off * diagonal <= Straightness * std::max(area, diagonal);
-  }
-
-  // Row by row, each side adds what lies to the right of it, with its direction's sign, to
-  // differences along the row; their running sum is the area in each texel (as fonts are drawn).
-  void AddOutline(Outline points, Sum& sum) const
-  {
-    const glm::dvec2 size(this->Width, this->Height);
-    glm::dvec2 low = size;
-    glm::dvec2 high(0.0);
-    for (glm::dvec2& point : points)
-    {
-      point = glm::clamp(point, glm::dvec2(0.0), size);
-      low = glm::min(low, point);
-      high = glm::max(high, point);
-    }
-    const int x0 = std::min(static_cast<int>(low.x), this->Width - 1);
-    const int x1 = std::min(static_cast<int>(high.x), this->Width - 1);
-    const int y0 = std::min(static_cast<int>(low.y), this->Height - 1);
-    const int y1 = std::min(static_cast<int>(high.y), this->Height - 1);
-    const std::size_t count = static_cast<std::size_t>(x1 - x0) + 3;
-    std::array<double, 16> few;
-    std::vector<double> many(count > few.size() ? count : 0);
-    double* differences = many.empty() ? few.data() : many.data();
-    for (int y = y0; y <= y1; ++y)
-    {
-      std::fill_n(differences, count, 0.0);
-      for (std::size_t k = 0; k < 4; ++k)
-      {
-        glm::dvec2 p = points[k];
-        glm::dvec2 q = points[(k + 1) % 4];
-        const double sign = p.y < q.y ? 1.0 : -1.0;
-        if (p.y > q.y)
-        {
-          std::swap(p, q);
-        }
-        const double bottom = std::max(p.y, static_cast<double>(y));
-        const double top = std::min(q.y, y + 1.0);
-        if (bottom < top)
-        {
-          const double slope = (q.x - p.x) / (q.y - p.y);
-          const double a = std::clamp(p.x + slope * (bottom - p.y), low.x, high.x) - x0;
-          const double b = std::clamp(p.x + slope * (top - p.y), low.x, high.x) - x0;
-          AddSide(std::min(a, b), std::max(a, b), sign * (top - bottom), differences);
-        }
-      }
-      double covered = 0.0;
-      const double middle = 0.5 * (std::max<double>(y, low.y) + std::min(y + 1.0, high.y));
-      for (int x = x0; x <= x1; ++x)
-      {
-        covered += differences[x - x0];
-        if (std::abs(covered) > LeastArea)
-        {
-          const glm::dvec2 at(
-            0.5 * (std::max<double>(x, low.x) + std::min(x + 1.0, high.x)), middle);
-          this->AddTexel(x, y,
-            std::abs(covered) / (size.x * size.y) * GetSolidAngleDensity(this->Source, at / size),
-            sum);
-        }
-      }
-    }
-  }
-
-  void AddTexel(int x, int y, double solidAngle, Sum& sum) const
-  {
-    const float* rgb = this->Pixels + 3 * (static_cast<std::size_t>(y) * this->Width + x);
-    sum.SolidAngle += solidAngle;
-    sum.Radiance += solidAngle * glm::dvec3(rgb[0], rgb[1], rgb[2]);
-  }
-
   Projection Source;
-  int Width;
-  int Height;
-  const float* Pixels;
-  std::vector<Stretch> Columns;
-  std::vector<Stretch> Rows;
+  glm::ivec2 Size;
+  const std::vector<float>& Pixels;
 };
-
-// The center of the nearest texel whose center the disc holds lies in that of the returned point.
-glm::dvec2 DrawIn(const glm::dvec2& uv, int size)
-{
-  const glm::dvec2 p = 2.0 * uv - 1.0;
-  const double r = glm::length(p);
-  const double limit = std::max(1.0 - std::sqrt(2.0) / size, 0.0); // half a texel's diagonal
-  return r > limit ? 0.5 + 0.5 * limit / r * p : uv;
-}
-
-// use(texel, center) for all texels that show no direction at their center.
-template <typename Use>
-void ForHidden(Projection projection, int width, int height, const Use& use)
-{
-  for (int y = 0; y < height; ++y)
-  {
-    for (int x = 0; x < width; ++x)
-    {
-      const glm::dvec2 center((x + 0.5) / width, (y + 0.5) / height);
-      glm::dvec3 ignored;
-      if (!MapToDirection(projection, center, ignored))
-      {
-        use(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-              static_cast<std::size_t>(x),
-          center);
-      }
-    }
-  }
-}
 
 int GetRows(Projection projection, int width, int height)
 {
   double texels = static_cast<double>(width) * height;
-  if (const CubeLayout* layout = GetCubeLayout(projection))
-  {
-    texels *= 6.0 / (layout->Columns * layout->Rows);
-  }
-  else
-  {
-    texels *= 0.25 * Pi;
-  }
+  const CubeLayout* layout = GetCubeLayout(projection);
+  texels *= layout ? 6.0 / (layout->Columns * layout->Rows) : 0.25 * Pi;
   return std::max(1, static_cast<int>(std::lround(std::sqrt(0.5 * texels))));
 }
 }
@@ -437,7 +228,9 @@ bool MapToDirection(Projection projection, const glm::dvec2& uv, glm::dvec3& dir
     double a;
     double b;
     const int face = FindFace(*layout, uv, a, b);
-    direction = face < 0 ? direction : glm::normalize(GetFacePoint(face, a, b));
+    direction = face < 0 ? direction
+                         : glm::normalize(CubeFaces[face].Middle + a * CubeFaces[face].Right +
+                                          b * CubeFaces[face].Down);
     return face >= 0;
   }
   const glm::dvec2 p = 2.0 * uv - 1.0;
@@ -511,37 +304,48 @@ std::optional<BadValues> ConvertProbe(Projection projection, int width, int heig
   {
     return std::nullopt;
   }
-  // What shows no direction counts as nothing. Texels on a disc's rim show some though their
-  // centers lie outside: they take a neighbor's value.
-  ForHidden(projection, width, height,
-    [&](std::size_t texel, const glm::dvec2&) { std::fill_n(&rgb[3 * texel], 3, 0.0f); });
-  const BadValues bad = CleanRadiance(rgb);
-  if (IsDisc(projection))
+  for (int k = 0; k < width * height; ++k) // what shows no direction counts as nothing
   {
-    ForHidden(projection, width, height,
-      [&](std::size_t texel, const glm::dvec2& center)
-      {
-        const glm::dvec2 uv = DrawIn(center, width);
-        const std::size_t from =
-          static_cast<std::size_t>(uv.y * height) * width + static_cast<std::size_t>(uv.x * width);
-        std::copy_n(&rgb[3 * from], 3, &rgb[3 * texel]);
-      });
+    const glm::dvec2 center((k % width + 0.5) / width, (k / width + 0.5) / height);
+    glm::dvec3 ignored;
+    if (!MapToDirection(projection, center, ignored))
+    {
+      std::fill_n(&rgb[3 * static_cast<std::size_t>(k)], 3, 0.0f);
+    }
   }
+  const BadValues bad = CleanRadiance(rgb);
+  const Probe probe(projection, width, height, rgb);
   rows = rows > 0 ? rows : GetRows(projection, width, height);
-  const ConservativeRemap remap(projection, width, height, rgb, rows);
-  std::vector<float> result(6 * static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows));
-  ParallelFor(0, static_cast<vtkIdType>(result.size() / 3),
+  const int columns = 2 * rows;
+  std::vector<glm::dvec3> means(static_cast<std::size_t>(columns) * rows);
+  ParallelFor(0, static_cast<vtkIdType>(means.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
-      const auto columns = static_cast<std::size_t>(2 * rows);
-      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+      for (vtkIdType k = begin; k < end; ++k)
       {
-        const glm::vec3 mean(remap.GetMean(k % columns, k / columns));
-        std::copy_n(&mean.x, 3, &result[3 * k]);
+        means[static_cast<std::size_t>(k)] =
+          probe.GetMean(static_cast<int>(k % columns), static_cast<int>(k / columns), rows);
       }
     });
-  return output->SetPixels(2 * rows, rows, std::move(result)) ? std::optional<BadValues>(bad)
-                                                              : std::nullopt;
+  // Points are taken or left by texels as wholes: no light is lost or gained over all.
+  glm::dvec3 shown(0.0);
+  double weights = 0.0;
+  for (std::size_t k = 0; k < means.size(); ++k)
+  {
+    const double weight = std::sin(Pi * (static_cast<double>(k / columns) + 0.5) / rows);
+    shown += weight * means[k];
+    weights += weight;
+  }
+  const glm::dvec3 gain =
+    probe.GetMean() / glm::max(shown / weights, glm::dvec3(std::numeric_limits<double>::min()));
+  std::vector<float> result;
+  for (const glm::dvec3& mean : means)
+  {
+    const glm::vec3 value(gain * mean);
+    result.insert(result.end(), &value.x, &value.x + 3);
+  }
+  return output->SetPixels(columns, rows, std::move(result)) ? std::optional<BadValues>(bad)
+                                                             : std::nullopt;
 }
 
 //------------------------------------------------------------------------------

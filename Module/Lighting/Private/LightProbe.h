@@ -60,11 +60,9 @@ constexpr std::int64_t MaximumProbeTexels = std::int64_t(1) << 28;
  * angle of the probe's. Returns what was repaired of the texels that show a direction; nothing
  * where the probe has too many texels or is not of this size.
  *
- * Resampled by first-order conservative remapping (Jones 1999, "First- and Second-Order
- * Conservative Remapping Schemes for Grids in Spherical Coordinates"): a texel's outline is carried
- * over to the probe, and the texel takes the light of the area that it covers there, weighted by
- * solid angle. Constant probes stay constant, and energy is kept whether the image grows or shrinks
- * (to 5e-3 for a single bright texel, 4e-4 for a photograph).
+ * A texel takes the mean of the probe's texels at 8 x 8 points (of large maps 4 x 4), weighted by
+ * solid angle. Constant probes stay constant, and the light of the whole sphere is kept for each
+ * channel, whether the image grows or shrinks.
  */
 std::optional<BadValues> ConvertProbe(Projection projection, int width, int height,
   std::vector<float> rgb, vtkEnvironment* output, int rows = 0);

@@ -80,18 +80,18 @@ public:
         }
       }
     };
-    halves[0] = halves[1] = Node{ n.X0, n.Y0, n.X1, n.Y1 };
+    halves[0] = halves[1] = n;
     findBest(this->Columns,
       [&](int k)
       {
-        halves[0] = Node{ n.X0, n.Y0, n.X0 + k, n.Y1 };
-        halves[1] = Node{ n.X0 + k, n.Y0, n.X1, n.Y1 };
+        halves[0] = Node{ { n.X0, n.Y0, n.X0 + k, n.Y1 } };
+        halves[1] = Node{ { n.X0 + k, n.Y0, n.X1, n.Y1 } };
       });
     findBest(this->Rows,
       [&](int k)
       {
-        halves[0] = Node{ n.X0, n.Y0, n.X1, n.Y0 + k };
-        halves[1] = Node{ n.X0, n.Y0 + k, n.X1, n.Y1 };
+        halves[0] = Node{ { n.X0, n.Y0, n.X1, n.Y0 + k } };
+        halves[1] = Node{ { n.X0, n.Y0 + k, n.X1, n.Y1 } };
       });
   }
 
@@ -175,12 +175,6 @@ private:
 };
 
 //------------------------------------------------------------------------------
-double LightTree::Node::GetVariance() const
-{
-  return this->IsTexel() ? 0.0 : measuredbrdf::GetVariance(Moments(this->Moment, this->Luminance));
-}
-
-//------------------------------------------------------------------------------
 LightTree::LightTree(vtkEnvironment* environment, std::shared_ptr<const TexelChanges> changes)
   : Width(environment->GetWidth())
   , Height(environment->GetHeight())
@@ -211,7 +205,7 @@ bool LightTree::Grow(
   Cutter cutter(environment, *this);
   if (this->Nodes.empty())
   {
-    this->Nodes.push_back({ 0, 0, this->Width, this->Height });
+    this->Nodes.push_back({ { 0, 0, this->Width, this->Height } });
     const Moments sum = cutter.GetSum(this->Nodes.back());
     this->Total = sum.w;
     this->Residuals.push_back(sum.w > 0.0 ? measuredbrdf::GetVariance(sum) / sum.w : 0.0);
@@ -260,22 +254,9 @@ void LightTree::FillLightSet(int count, vtkLightSet* output) const
   for (std::size_t k = 0; k < 2 * static_cast<std::size_t>(cells) - 1; ++k)
   {
     const Node& node = this->Nodes[k];
-    if (!this->IsIn(k, cells) || !(node.Luminance > 0.0))
+    if (this->IsIn(k, cells))
     {
-      continue;
-    }
-    // Directions that cancel (a cell all around the sphere) leave only its middle to point at.
-    glm::dvec3 direction = node.Moment;
-    if (!(glm::length(direction) > 1e-9 * node.Luminance))
-    {
-      vtkEnvironment::GetDirection(0.5 * (node.X0 + node.X1) / this->Width,
-        0.5 * (node.Y0 + node.Y1) / this->Height, &direction.x);
-    }
-    const double concentration =
-      vtkLightSet::GetConcentrationOfVariance(node.GetVariance() / node.Luminance);
-    if (output->AddLight(&direction.x, &node.Irradiance.x, node.SolidAngle, concentration))
-    {
-      output->SetLastRegion(node.X0, node.Y0, node.X1, node.Y1);
+      node.AddLight(this->Width, this->Height, output);
     }
   }
 }
@@ -293,7 +274,7 @@ void LightTree::Gather(vtkEnvironment* environment, std::size_t firstNode)
         Node& node = this->Nodes[static_cast<std::size_t>(k)];
         if (node.Split == INT_MAX)
         {
-          this->GatherLeaf(environment, directions, node);
+          node.Gather(environment, *this->Changes, directions); // exact, not by differences of sums
         }
       }
     });
@@ -316,18 +297,18 @@ void LightTree::Gather(vtkEnvironment* environment, std::size_t firstNode)
 }
 
 //------------------------------------------------------------------------------
-void LightTree::GatherLeaf(
-  vtkEnvironment* environment, const TexelDirections& directions, Node& node) const
+void LightCell::Gather(
+  vtkEnvironment* environment, const TexelChanges& changes, const TexelDirections& directions)
 {
   std::vector<float> room;
-  for (int y = node.Y0; y < node.Y1; ++y)
+  for (int y = this->Y0; y < this->Y1; ++y)
   {
-    const float* texels = this->Changes->GetRow(environment, y, node.X0, node.X1, room);
+    const float* texels = changes.GetRow(environment, y, this->X0, this->X1, room);
     glm::dvec3 rgb(0.0);
     glm::dvec2 moment(0.0);
-    for (int x = node.X0; x < node.X1; ++x)
+    for (int x = this->X0; x < this->X1; ++x)
     {
-      const float* pixel = texels + 3 * (x - node.X0);
+      const float* pixel = texels + 3 * (x - this->X0);
       const glm::dvec3 radiance(pixel[0], pixel[1], pixel[2]);
       rgb += radiance;
       moment += vtkEnvironment::GetLuminance(&radiance.x) * directions.Columns[std::size_t(x)];
@@ -335,12 +316,34 @@ void LightTree::GatherLeaf(
     const double solidAngle = environment->GetTexelSolidAngle(y);
     const double luminance = vtkEnvironment::GetLuminance(&rgb.x);
     const glm::dvec2 latitude = directions.Rows[std::size_t(y)];
-    node.Irradiance += solidAngle * rgb;
-    node.Luminance += solidAngle * luminance;
-    node.Moment +=
+    this->Irradiance += solidAngle * rgb;
+    this->Luminance += solidAngle * luminance;
+    this->Moment +=
       solidAngle * glm::dvec3(latitude.x * moment.x, latitude.y * luminance, latitude.x * moment.y);
-    node.SolidAngle += solidAngle * (node.X1 - node.X0);
+    this->SolidAngle += solidAngle * (this->X1 - this->X0);
   }
 }
 
+//------------------------------------------------------------------------------
+void LightCell::AddLight(int width, int height, vtkLightSet* output) const
+{
+  if (!(this->Luminance > 0.0))
+  {
+    return;
+  }
+  // Directions that cancel (a cell all around the sphere) leave only its middle to point at.
+  glm::dvec3 direction = this->Moment;
+  if (!(glm::length(direction) > 1e-9 * this->Luminance))
+  {
+    vtkEnvironment::GetDirection(
+      0.5 * (this->X0 + this->X1) / width, 0.5 * (this->Y0 + this->Y1) / height, &direction.x);
+  }
+  const double variance =
+    this->IsTexel() ? 0.0 : GetVariance(Moments(this->Moment, this->Luminance)) / this->Luminance;
+  if (output->AddLight(&direction.x, &this->Irradiance.x, this->SolidAngle,
+        vtkLightSet::GetConcentrationOfVariance(variance)))
+  {
+    output->SetLastRegion(this->X0, this->Y0, this->X1, this->Y1);
+  }
+}
 } // namespace measuredbrdf

@@ -28,23 +28,32 @@ namespace measuredbrdf
 {
 struct TexelDirections;
 
+/// A rectangle of an environment's texels, for which a light can stand.
+struct LightCell
+{
+  // Texels [X0,X1) x [Y0,Y1).
+  int X0, Y0, X1, Y1;
+  double Luminance = 0.0;
+  glm::dvec3 Moment = glm::dvec3(0.0); // luminance-weighted sum of directions
+  glm::dvec3 Irradiance = glm::dvec3(0.0);
+  double SolidAngle = 0.0;
+
+  bool IsTexel() const { return this->X1 - this->X0 == 1 && this->Y1 - this->Y0 == 1; }
+
+  /// Adds up what its texels send, with some of them changed.
+  void Gather(
+    vtkEnvironment* environment, const TexelChanges& changes, const TexelDirections& directions);
+
+  /// Its light, of a map of that size; none where it is dark.
+  void AddLight(int width, int height, vtkLightSet* output) const;
+};
+
 class LightTree
 {
 public:
-  struct Node
+  struct Node : LightCell
   {
-    // Texels [X0,X1) x [Y0,Y1).
-    int X0, Y0, X1, Y1;
     int Split = INT_MAX; // the set of this many cells is the first without this one
-    double Luminance = 0.0;
-    glm::dvec3 Moment = glm::dvec3(0.0); // luminance-weighted sum of directions
-    glm::dvec3 Irradiance = glm::dvec3(0.0);
-    double SolidAngle = 0.0;
-
-    bool IsTexel() const { return this->X1 - this->X0 == 1 && this->Y1 - this->Y0 == 1; }
-
-    /// Sum of luminance x |direction - centroid|^2 = E - |P|^2/E (chords, to the centroid P/E).
-    double GetVariance() const;
   };
 
   /// Tree of an environment with some texels changed where that is not null.
@@ -78,9 +87,6 @@ private:
 
   void Push(std::size_t node, const glm::dvec4& sum);
   void Gather(vtkEnvironment* environment, std::size_t firstNode);
-  /// From the pixels themselves, not from differences of sums: a leaf's energy is exact.
-  void GatherLeaf(vtkEnvironment* environment, const TexelDirections& directions, Node& node) const;
-
   struct Candidate
   {
     double Variance;

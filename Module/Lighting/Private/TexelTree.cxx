@@ -275,41 +275,6 @@ TexelTree::Light TexelTree::Get(int level, int x, int y) const
     this->Parts[static_cast<std::size_t>(-level)].Get(x, y), SmoothRest };
 }
 
-// Of the quarters of a part, which lie between the same four centers of texels.
-void TexelTree::GetPartRadiances(int part, int x, int y, float radiances[3][4]) const
-{
-  const int width = this->GetWidth(0);
-  const int last = this->GetHeight(0) - 1;
-  const int halves = 2 << part; // of a texel
-  const int column = 4 * x + 1 - (1 << part);
-  const int rows[2] = { std::clamp(4 * y + 1 - (1 << part), 0, last * halves),
-    std::clamp(4 * y + 3 - (1 << part), 0, last * halves) };
-  const int left = column < 0 ? width - 1 : column >> (part + 1);
-  const int right = left + 1 < width ? left + 1 : 0;
-  const int upper = rows[0] >> (part + 1);
-  const int lower = std::min(upper + 1, last);
-  const auto scale = static_cast<float>(0.5 * this->GetScale(-part));
-  const float first = scale * static_cast<float>(column & (halves - 1));
-  const float across[2] = { first, first + 2.0f * scale };
-  const float down[2] = { scale * static_cast<float>(rows[0] & (halves - 1)),
-    scale * static_cast<float>(rows[1] & (halves - 1)) };
-  const float* pixels = this->Environment->GetPixels().data();
-  const float* above = pixels + 3 * static_cast<std::ptrdiff_t>(upper) * width;
-  const float* below = pixels + 3 * static_cast<std::ptrdiff_t>(lower) * width;
-  for (int c = 0; c < 3; ++c)
-  {
-    const float corners[4] = { above[3 * left + c], above[3 * right + c], below[3 * left + c],
-      below[3 * right + c] };
-    for (int i = 0; i < 2; ++i)
-    {
-      const float top = corners[0] + across[i] * (corners[1] - corners[0]);
-      const float bottom = corners[2] + across[i] * (corners[3] - corners[2]);
-      radiances[c][i] = top + down[0] * (bottom - top);
-      radiances[c][2 + i] = top + down[1] * (bottom - top);
-    }
-  }
-}
-
 void TexelTree::Prefetch(int level, int x, int y) const
 {
 #ifdef __GNUC__
@@ -340,47 +305,13 @@ void TexelTree::GetQuarters(
     }
     return;
   }
-  const int width = this->GetWidth(below);
-  if (2 * x + 1 >= width || 2 * y + 1 >= this->GetHeight(below)) // some are beyond the map's edge
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      const Light light = this->Get(below, 2 * x + k % 2, 2 * y + k / 2);
-      for (int c = 0; c < 3; ++c)
-      {
-        directions[c][k] = static_cast<float>(light.Direction[c]);
-        irradiances[c][k] = static_cast<float>(light.Irradiance[c]);
-      }
-    }
-    return;
-  }
-  const std::size_t first = 2 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                                  static_cast<std::size_t>(x));
-  float radiances[3][4];
-  if (below < -1)
-  {
-    this->GetPartRadiances(-below, x, y, radiances);
-  }
   for (int k = 0; k < 4; ++k)
   {
-    const int column = 2 * x + k % 2;
-    const int row = 2 * y + k / 2;
-    const glm::vec3 direction(this->Parts[static_cast<std::size_t>(-below)].Get(column, row));
-    const auto solidAngle = static_cast<float>(this->GetSolidAngle(below, row));
-    if (below >= -1)
-    {
-      const glm::vec3 radiance =
-        below == 0 ? this->Texels[first + static_cast<std::size_t>(k / 2 * width + k % 2)]
-                   : glm::vec3(this->GetPartRadiance(1, column, row));
-      for (int c = 0; c < 3; ++c)
-      {
-        radiances[c][k] = radiance[c];
-      }
-    }
+    const Light light = this->Get(below, 2 * x + k % 2, 2 * y + k / 2);
     for (int c = 0; c < 3; ++c)
     {
-      directions[c][k] = direction[c];
-      irradiances[c][k] = solidAngle * radiances[c][k];
+      directions[c][k] = static_cast<float>(light.Direction[c]);
+      irradiances[c][k] = static_cast<float>(light.Irradiance[c]);
     }
   }
 }

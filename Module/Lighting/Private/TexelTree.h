@@ -104,7 +104,6 @@ private:
   glm::dvec4 GetTexelMoment(const Light& light, int y) const;
   double GetSolidAngle(int level, int y) const;
   glm::dvec3 GetPartRadiance(int part, int x, int y) const;
-  void GetPartRadiances(int part, int x, int y, float radiances[3][4]) const;
 
   /// 2 to the level.
   double GetScale(int level) const

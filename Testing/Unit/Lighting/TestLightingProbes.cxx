@@ -317,7 +317,7 @@ TEST(Probes, EnergyIsKept)
             rgb[3 * k] > 0.0f ? rgb[3 * k] * GetTexelSolidAngle(projection, size, k) : 0.0;
         }
         const double found = GetTotalOfTexels(Convert(projection, size, rgb, rows));
-        EXPECT_NEAR(found / expected, 1.0, run == 0 ? 2e-3 : 2e-2)
+        EXPECT_NEAR(found / expected, 1.0, run == 0 ? 3e-3 : 2e-2)
           << GetProjectionName(projection) << ", " << size.Width << " x " << size.Height;
       }
     }
@@ -410,8 +410,8 @@ TEST(Probes, SixFaces)
   {
     double value[3];
     environment->GetRadiance(axes[face], value);
-    EXPECT_NEAR(value[0], face + 1.0, 1e-5) << face;
+    EXPECT_NEAR(value[0], face + 1.0, 1e-3 * (face + 1.0)) << face;
     environment->GetRadiance(bottoms[face], value);
-    EXPECT_NEAR(value[0], 10.0 * (face + 1.0), 1e-4) << face;
+    EXPECT_NEAR(value[0], 10.0 * (face + 1.0), 1e-2 * (face + 1.0)) << face;
   }
 }

@@ -22,22 +22,23 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
+#include <numeric>
 #include <string>
 #include <vector>
 
 namespace
 {
-constexpr int Side = 80; // pixels
+constexpr int Width = 77; // the last column is half a block
+constexpr int Height = 80;
 
-// Seen from afar along z.
+// Of a sphere seen from afar along z: some pixels are missing on the right.
 tool::Surface MakeSphere()
 {
   tool::Surface surface;
-  for (int k = 0; k < Side * Side; ++k)
+  for (int k = 0; k < Width * Height; ++k)
   {
-    const double x = 2.0 * (k % Side + 0.5) / Side - 1.0;
-    const double y = 2.0 * (k / Side + 0.5) / Side - 1.0;
+    const double x = 2.0 * (k % Width + 0.5) / Height - 1.0;
+    const double y = 2.0 * (k / Width + 0.5) / Height - 1.0;
     const double z = std::sqrt(std::max(1.0 - x * x - y * y, 0.0));
     if (z > 0.05)
     {
@@ -49,24 +50,59 @@ tool::Surface MakeSphere()
   return surface;
 }
 
-double GetError(const double* rgb, const double* exact, double least)
+struct ReferencePicture : testing::Test
 {
-  double difference = 0.0;
-  for (int c = 0; c < 3; ++c)
+  ReferencePicture()
+    : Surface(MakeSphere())
   {
-    difference += std::abs(rgb[c] - exact[c]);
+    this->Environment->SetToProceduralSky();
   }
-  return difference / std::max(exact[0] + exact[1] + exact[2], least);
-}
+
+  // Of every so many pixels, some of which are in no sample of the picture's own.
+  void ExpectWithinTolerance(
+    vtkBRDF* brdf, const std::vector<double>& radiance, std::size_t step, double largest)
+  {
+    std::vector<double> normals, views, got;
+    const auto add = [](std::vector<double>& to, const std::vector<double>& from, std::size_t k)
+    { to.insert(to.end(), &from[3 * k], &from[3 * k] + 3); };
+    for (std::size_t k = 1; k < this->Surface.Pixels.size(); k += step)
+    {
+      add(normals, this->Surface.Normals, k);
+      add(views, this->Surface.Views, k);
+      add(got, radiance, k);
+    }
+    vtkNew<vtkAdaptiveRadianceIntegrator> strict;
+    strict->SetBRDF(brdf);
+    strict->SetEnvironment(this->Environment);
+    strict->SetTolerance(2e-4);
+    const std::vector<double> exact = tool::IntegratePairs(strict, normals, views);
+    const std::size_t count = exact.size() / 3;
+    const double least = 0.02 * std::accumulate(exact.begin(), exact.end(), 0.0) / count;
+    std::size_t off = 0;
+    for (std::size_t k = 0; k < exact.size(); k += 3)
+    {
+      double difference = 0.0;
+      for (std::size_t c = k; c < k + 3; ++c)
+      {
+        difference += std::abs(got[c] - exact[c]);
+      }
+      const double error = difference / std::max(exact[k] + exact[k + 1] + exact[k + 2], least);
+      off += error > tool::ReferencePicture::Tolerance ? 1 : 0;
+      EXPECT_LT(error, largest);
+    }
+    // One percent of one sample may be more of another.
+    EXPECT_LE(off, count / 25) << "of " << count;
+  }
+
+  tool::Surface Surface;
+  vtkNew<vtkEnvironment> Environment;
+};
 }
 
 //------------------------------------------------------------------------------
-TEST(ReferencePicture, IsWithinItsToleranceMatteAndGlossy)
+TEST_F(ReferencePicture, IsWithinItsTolerance)
 {
   const tool::Interruptible interruptible;
-  const tool::Surface surface = MakeSphere();
-  vtkNew<vtkEnvironment> environment;
-  environment->SetToProceduralSky();
   vtkNew<vtkBlinnPhongBRDF> matte; // which evaluates one light at a time
   matte->SetExponent(1.0);
   vtkNew<vtkLambertBRDF> ground;
@@ -76,183 +112,42 @@ TEST(ReferencePicture, IsWithinItsToleranceMatteAndGlossy)
   vtkNew<vtkSumBRDF> glossy;
   glossy->AddTerm(ground);
   glossy->AddTerm(coat);
-  for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(matte), static_cast<vtkBRDF*>(glossy) })
+  vtkNew<vtkAshikhminShirleyBRDF> brushed; // whose pixels are turned, each by itself
+  brushed->SetExponents(10.0, 40.0);
+  for (vtkBRDF* brdf : std::initializer_list<vtkBRDF*>{ matte, glossy, brushed })
   {
-    std::size_t shown = 0;
+    std::vector<std::vector<double>> shown;
     const tool::ReferencePicture picture =
-      tool::DrawReference(brdf, environment, surface, { Side, Side },
-        [&](const std::vector<double>& radiance) { shown += radiance.empty() ? 0 : 1; });
-    std::printf("%s: %.1f %% integrated, %.4f within, worst %.3f %%\n", brdf->GetClassName(),
-      100.0 * picture.Integrated, picture.Within, 100.0 * picture.Worst);
+      tool::DrawReference(brdf, this->Environment, this->Surface, { Width, Height },
+        [&](const std::vector<double>& radiance) { shown.push_back(radiance); });
     EXPECT_GE(picture.Within, 0.99);
-    EXPECT_GE(shown, 4u);
-    if (brdf == matte)
-    {
-      EXPECT_LT(picture.Integrated, 0.9); // what is smooth is interpolated
-    }
-
-    // Some that are not those of its own sample.
-    std::vector<double> normals, views, got;
-    for (std::size_t k = 1; k < surface.Pixels.size(); k += 23)
-    {
-      normals.insert(normals.end(), &surface.Normals[3 * k], &surface.Normals[3 * k] + 3);
-      views.insert(views.end(), &surface.Views[3 * k], &surface.Views[3 * k] + 3);
-      got.insert(got.end(), &picture.Radiance[3 * k], &picture.Radiance[3 * k] + 3);
-    }
-    vtkNew<vtkAdaptiveRadianceIntegrator> strict;
-    strict->SetBRDF(brdf);
-    strict->SetEnvironment(environment);
-    strict->SetTolerance(2e-4);
-    const std::vector<double> exact = tool::IntegratePairs(strict, normals, views);
-    double sum = 0.0;
-    for (const double value : exact)
-    {
-      sum += value;
-    }
-    const std::size_t count = exact.size() / 3;
-    std::size_t off = 0;
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      const double error =
-        GetError(&got[3 * k], &exact[3 * k], 0.02 * sum / static_cast<double>(count));
-      off += error > tool::ReferencePicture::Tolerance ? 1 : 0;
-      EXPECT_LT(error, 0.02);
-    }
-    // One percent of one sample may be more of another.
-    EXPECT_LE(off, count / 25) << "of " << count;
+    ASSERT_EQ(shown.size(), 3u); // of blocks in grids of 8, 4 and 2 pixels
+    EXPECT_EQ(shown[2], picture.Radiance);
+    // No pixel is black where the mesh is, but at the rim of the coarse grid.
+    EXPECT_LT(std::count(shown[0].begin(), shown[0].end(), 0.0), shown[0].size() / 10);
+    this->ExpectWithinTolerance(brdf, picture.Radiance, 23, 0.02);
   }
 }
 
 //------------------------------------------------------------------------------
-// Materials that evaluate many lights at once are cheap: no pixel is interpolated.
-TEST(ReferencePicture, IntegratesEveryPixelWherePixelsAreCheap)
+// Of a material that evaluates many lights at once, each pixel.
+TEST_F(ReferencePicture, IsExactOfMeasuredMaterials)
 {
   const tool::Interruptible interruptible;
-  const tool::Surface surface = MakeSphere();
-  vtkNew<vtkEnvironment> environment;
-  environment->SetToProceduralSky();
   vtkNew<vtkAshikhminShirleyBRDF> gloss;
   gloss->SetDiffuse(0.2, 0.1, 0.3);
   gloss->SetExponents(50.0, 50.0);
   vtkNew<vtkAdaptiveWarpBRDF> measured;
   ASSERT_EQ(measured->SetTables(MakeAnisotropicTables(gloss, { 16, 1, 1, 65 })), "");
-  std::size_t shown = 0;
-  const tool::ReferencePicture picture = tool::DrawReference(measured, environment, surface,
-    { Side, Side }, [&](const std::vector<double>& radiance) { shown += radiance.size(); });
-  EXPECT_EQ(picture.Integrated, 1.0);
+  const tool::ReferencePicture picture =
+    tool::DrawReference(measured, this->Environment, this->Surface, { Width, Height });
   EXPECT_EQ(picture.Within, 1.0);
-  EXPECT_EQ(shown, 3 * surface.Normals.size()); // of blocks in grids of 8, 4 and 2 pixels
-  vtkNew<vtkAdaptiveRadianceIntegrator> each;
-  each->SetBRDF(measured);
-  each->SetEnvironment(environment);
-  each->SetTolerance(2e-4);
-  const std::vector<double> exact = tool::IntegratePairs(each, surface.Normals, surface.Views);
-  double worst = 0.0;
-  for (std::size_t k = 0; k < exact.size(); k += 3)
-  {
-    worst = std::max(worst, GetError(&picture.Radiance[k], &exact[k], 0.0));
-  }
-  EXPECT_LT(worst, tool::ReferencePicture::Tolerance);
+  this->ExpectWithinTolerance(measured, picture.Radiance, 1, tool::ReferencePicture::Tolerance);
 }
 
 //------------------------------------------------------------------------------
-// A pixel's radiance does not depend on which others are asked for; pictures of odd sides.
-TEST(PixelBlocks, AreAlwaysTheSame)
+TEST_F(ReferencePicture, TellsHowFarItIsAndStops)
 {
-  const tool::Interruptible interruptible;
-  const tool::Surface surface = MakeSphere();
-  constexpr int width = 77; // the last column is half a block
-  tool::Surface odd;
-  std::vector<int> places(static_cast<std::size_t>(width * Side), -1);
-  for (std::size_t k = 0; k < surface.Pixels.size(); ++k)
-  {
-    const int x = surface.Pixels[k] % Side;
-    if (x < width)
-    {
-      const int place = surface.Pixels[k] / Side * width + x;
-      places[static_cast<std::size_t>(place)] = static_cast<int>(odd.Pixels.size());
-      odd.Pixels.push_back(place);
-      odd.Normals.insert(odd.Normals.end(), &surface.Normals[3 * k], &surface.Normals[3 * k] + 3);
-      odd.Views.insert(odd.Views.end(), &surface.Views[3 * k], &surface.Views[3 * k] + 3);
-    }
-  }
-  vtkNew<vtkEnvironment> environment;
-  environment->SetToProceduralSky();
-  vtkNew<vtkAshikhminShirleyBRDF> gloss;
-  gloss->SetExponents(200.0, 200.0);
-  vtkNew<vtkAdaptiveRadianceIntegrator> integrator;
-  integrator->SetBRDF(gloss);
-  integrator->SetEnvironment(environment);
-  integrator->SetTolerance(0.003);
-  const auto integrate = [&](const std::vector<int>& pixels)
-  { return tool::IntegrateInBlocks(integrator, odd, width, places, pixels, [](double) {}); };
-  std::vector<int> all, some;
-  for (int k = 0; k < static_cast<int>(odd.Pixels.size()); ++k)
-  {
-    all.push_back(k);
-    if (k % 17 == 3)
-    {
-      some.insert(some.begin(), k); // in another order
-    }
-  }
-  const std::vector<double> whole = integrate(all);
-  const std::vector<double> part = integrate(some);
-  ASSERT_EQ(part.size(), 3 * some.size());
-  for (std::size_t k = 0; k < some.size(); ++k)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      EXPECT_EQ(part[3 * k + c], whole[3 * static_cast<std::size_t>(some[k]) + c]);
-    }
-  }
-  // And each is its own radiance, not a neighbor's.
-  const std::vector<double> each = tool::IntegratePixels(integrator, odd, some, [](double) {});
-  for (std::size_t k = 0; k < each.size(); ++k)
-  {
-    EXPECT_NEAR(part[k], each[k], 0.01 * each[k]);
-  }
-  EXPECT_EQ(tool::CountInBlocks(odd, width, { 0 }), 4u);
-  EXPECT_LT(tool::CountInBlocks(odd, width, all), odd.Pixels.size() * 11 / 10);
-  EXPECT_TRUE(integrate({}).empty());
-}
-
-//------------------------------------------------------------------------------
-TEST(BlockTolerance, IsTheFinestAffordable)
-{
-  using tool::BlockTolerance;
-  EXPECT_EQ(BlockTolerance::Choose(1000.0, 1e4), 0.0014);
-  EXPECT_EQ(BlockTolerance::Choose(10500.0, 1e4), BlockTolerance::Coarsest);
-  EXPECT_EQ(BlockTolerance::Choose(7800.0, 1e4), 0.002);
-  EXPECT_EQ(BlockTolerance::Choose(15000.0, 1e4), BlockTolerance::Coarsest);
-  EXPECT_EQ(BlockTolerance::Choose(17000.0, 1e4), 0.0);
-  // Of a picture of four times as many pixels as usual.
-  EXPECT_EQ(BlockTolerance::Choose(1900.0, 4.0 * BlockTolerance::UsualPixels), 0.002);
-  EXPECT_EQ(BlockTolerance::Choose(5000.0, 4.0 * BlockTolerance::UsualPixels), 0.0);
-}
-
-//------------------------------------------------------------------------------
-TEST(ReferenceSample, TellsErrors)
-{
-  tool::ReferenceSample sample;
-  sample.Scatter(4, 100);
-  EXPECT_EQ(sample.GetPixels().size(), 4u);
-  for (const int pixel : sample.GetPixels())
-  {
-    EXPECT_TRUE(pixel >= 0 && pixel < 100) << pixel;
-  }
-  sample.SetExact({ 1, 2, 3, 1, 1, 1, 0, 0, 0, 2, 2, 2 }, 0.02); // a mean of 3.75
-  double worst = 0.0;
-  // 0.06 of 6, 0.006 of 3, 0.003 where 0.075 is the least, and none.
-  EXPECT_EQ(sample.GetWithin({ 1, 2.06, 3, 1, 1, 1.006, 0.003, 0, 0, 2, 2, 2 }, 0.005, worst), 0.5);
-  EXPECT_NEAR(worst, 0.04, 1e-12);
-}
-
-//------------------------------------------------------------------------------
-TEST(ReferencePicture, TellsHowFarItIsAndStops)
-{
-  const tool::Surface surface = MakeSphere();
-  vtkNew<vtkEnvironment> environment;
-  environment->SetToProceduralSky();
   vtkNew<vtkLambertBRDF> matte;
   std::atomic<bool> stop(false);
   std::vector<double> shares;
@@ -262,8 +157,7 @@ TEST(ReferencePicture, TellsHowFarItIsAndStops)
     shares.push_back(share);
   };
   const tool::BackgroundWork work(stop, show);
-  const tool::ReferencePicture whole =
-    tool::DrawReference(matte, environment, surface, { Side, Side });
+  tool::DrawReference(matte, this->Environment, this->Surface, { Width, Height });
   // One bar for all of its parts.
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   EXPECT_GE(shares.size(), 10u);
@@ -272,45 +166,39 @@ TEST(ReferencePicture, TellsHowFarItIsAndStops)
 
   const auto stopAtOnce = [&](const std::string&, double share) { stop = share > 0.2; };
   const tool::BackgroundWork inner(stop, stopAtOnce);
-  EXPECT_THROW(tool::DrawReference(matte, environment, surface, { Side, Side }), tool::Error);
+  EXPECT_THROW(
+    tool::DrawReference(matte, this->Environment, this->Surface, { Width, Height }), tool::Error);
 }
 
 //------------------------------------------------------------------------------
-TEST(ReferencePicture, TakesEachPixelOfAGrid)
+TEST_F(ReferencePicture, TakesEachPixelOfAGrid)
 {
   const tool::Interruptible interruptible;
-  tool::Surface some = MakeSphere();
+  tool::Surface some = this->Surface;
   some.Stride = 8;
   some.Pixels.resize(20);
   some.Normals.resize(60);
   some.Views.resize(60);
-  vtkNew<vtkEnvironment> environment;
-  environment->SetToProceduralSky();
   vtkNew<vtkLambertBRDF> matte;
-  const tool::ReferencePicture picture =
-    tool::DrawReference(matte, environment, some, { Side, Side });
   vtkNew<vtkAdaptiveRadianceIntegrator> each;
   each->SetBRDF(matte);
-  each->SetEnvironment(environment);
-  EXPECT_EQ(picture.Radiance, tool::IntegratePairs(each, some.Normals, some.Views));
-  EXPECT_EQ(picture.Integrated, 1.0);
+  each->SetEnvironment(this->Environment);
+  EXPECT_EQ(tool::DrawReference(matte, this->Environment, some, { Width, Height }).Radiance,
+    tool::IntegratePairs(each, some.Normals, some.Views));
 }
 
 //------------------------------------------------------------------------------
-TEST(ReferenceLimit, IsProportionalToTime)
+TEST_F(ReferencePicture, IsLimitedByTime)
 {
   const tool::Interruptible interruptible;
-  const tool::Surface surface = MakeSphere();
-  const auto count = static_cast<int>(surface.Pixels.size());
-  vtkNew<vtkEnvironment> environment;
-  environment->SetToProceduralSky();
+  const auto count = static_cast<int>(this->Surface.Pixels.size());
   vtkNew<vtkLambertBRDF> matte;
-  const double seconds = tool::EstimateReferenceSeconds(matte, environment, surface);
-  EXPECT_GT(seconds, 0.01); // 2 us to 10 ms a pixel
-  EXPECT_LT(seconds, 50.0);
-  EXPECT_EQ(tool::LimitReference(matte, environment, surface, 1e4, "limit"), count);
-  const int few = tool::LimitReference(matte, environment, surface, 0.1 * seconds, "limit");
-  EXPECT_GT(few, count / 100); // the machine may be ten times as fast or as slow meanwhile
-  EXPECT_LE(few, count);
-  EXPECT_EQ(tool::LimitReference(matte, environment, surface, 1e-9, "limit"), 1);
+  const auto limit = [&](double seconds)
+  { return tool::LimitReference(matte, this->Environment, this->Surface, seconds, "limit"); };
+  EXPECT_EQ(limit(0.0), count);
+  EXPECT_EQ(limit(1e4), count);
+  const int few = limit(0.003); // 2 us to 10 ms a pixel
+  EXPECT_GE(few, 1);
+  EXPECT_LT(few, count);
+  EXPECT_EQ(limit(1e-9), 1);
 }
