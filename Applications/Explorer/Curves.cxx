@@ -6,17 +6,11 @@
 #include "LogAxis.h"
 #include "Tool.h"
 
-#include "vtkAxis.h"
 #include "vtkBRDFAnalysis.h"
 #include "vtkBRDFSliceSource.h"
-#include "vtkChartXY.h"
-#include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
-#include "vtkPen.h"
-#include "vtkPlot.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
@@ -34,7 +28,8 @@ constexpr int MirrorSamples = 128;  // on each side of the mirror direction
 constexpr double MirrorWidth = 4.0; // degrees on each side
 
 //------------------------------------------------------------------------------
-std::vector<double> MakePlaneAngles(double thetaI)
+// All around: the upper half's, mirrored at the surface.
+std::vector<double> MakePlaneAngles(double thetaI, bool allAround)
 {
   std::vector<double> angles = { thetaI };
   const double step = 180.0 / PlaneSamples;
@@ -48,22 +43,12 @@ std::vector<double> MakePlaneAngles(double thetaI)
     angles.push_back(thetaI - MirrorWidth * share * share);
     angles.push_back(std::min(thetaI + MirrorWidth * share * share, 90.0 - 0.5 * step));
   }
-  std::sort(angles.begin(), angles.end());
-  angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
-  return angles;
-}
-
-//------------------------------------------------------------------------------
-// All around: the same, mirrored at the surface.
-std::vector<double> MakeCircleAngles(double thetaI)
-{
-  std::vector<double> angles = MakePlaneAngles(thetaI);
-  const std::size_t above = angles.size();
-  for (std::size_t k = 0; k < above; ++k)
+  for (std::size_t k = 0, above = angles.size(); k < above && allAround; ++k)
   {
     angles.push_back(angles[k] > 0.0 ? 180.0 - angles[k] : -180.0 - angles[k]);
   }
   std::sort(angles.begin(), angles.end());
+  angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
   return angles;
 }
 }
@@ -115,7 +100,7 @@ Curve SamplePlaneOfIncidence(vtkBRDF* brdf, double thetaI, double phiI, vtkBTDF*
   const double side[2] = { std::cos(phi), std::sin(phi) }; // where the light comes from
   const double i[3] = { std::sin(theta) * side[0], std::sin(theta) * side[1], std::cos(theta) };
   Curve curve;
-  curve.Degrees = transmission ? MakeCircleAngles(thetaI) : MakePlaneAngles(thetaI);
+  curve.Degrees = MakePlaneAngles(thetaI, transmission != nullptr);
   for (const double degrees : curve.Degrees)
   {
     const double angle = vtkMath::RadiansFromDegrees(degrees);
@@ -165,11 +150,7 @@ Curve SampleTransmittance(vtkBTDF* transmission)
 
 namespace
 {
-constexpr explorer::Color Channels[3] = { { 214, 64, 54 }, { 46, 140, 62 }, { 52, 98, 204 } };
-// The material that is shown, then those that it is compared with.
-constexpr explorer::Color Materials[] = { { 30, 30, 30 }, { 31, 119, 180 }, { 230, 110, 10 },
-  { 44, 150, 44 }, { 214, 39, 40 }, { 148, 103, 189 }, { 140, 86, 75 }, { 227, 90, 180 },
-  { 0, 170, 190 } };
+const QColor Channels[3] = { { 214, 64, 54 }, { 46, 140, 62 }, { 52, 98, 204 } };
 constexpr double Darkest = 1e-6; // of the largest value
 
 //------------------------------------------------------------------------------
@@ -189,31 +170,26 @@ double FindStep(double largest)
 }
 
 //------------------------------------------------------------------------------
-Color GetMaterialColor(std::size_t k) { return Materials[k % std::size(Materials)]; }
+QColor GetMaterialColor(std::size_t k)
+{
+  static const QColor colors[] = { { 30, 30, 30 }, { 31, 119, 180 }, { 230, 110, 10 },
+    { 44, 150, 44 }, { 214, 39, 40 }, { 148, 103, 189 }, { 140, 86, 75 }, { 227, 90, 180 },
+    { 0, 170, 190 } };
+  return colors[k % std::size(colors)];
+}
 
 //------------------------------------------------------------------------------
 std::vector<ChartLine> MakeLines(const std::vector<Curve>& curves)
 {
+  const bool isOne = curves.size() == 1;
   std::vector<ChartLine> lines;
-  if (curves.size() == 1)
+  for (std::size_t k = 0; k < (isOne ? 3 : curves.size()); ++k)
   {
-    for (std::size_t c = 0; c < 3; ++c)
+    const Curve& curve = curves[isOne ? 0 : k];
+    ChartLine line{ isOne ? Channels[k] : GetMaterialColor(k), curve.Degrees, {} };
+    for (const auto& rgb : curve.Values)
     {
-      ChartLine line{ Channels[c], curves[0].Degrees, {} };
-      for (const auto& rgb : curves[0].Values)
-      {
-        line.Values.push_back(rgb[c]);
-      }
-      lines.push_back(line);
-    }
-    return lines;
-  }
-  for (std::size_t k = 0; k < curves.size(); ++k)
-  {
-    ChartLine line{ GetMaterialColor(k), curves[k].Degrees, {} };
-    for (const auto& rgb : curves[k].Values)
-    {
-      line.Values.push_back(vtkEnvironment::GetLuminance(rgb.data()));
+      line.Values.push_back(isOne ? rgb[k] : vtkEnvironment::GetLuminance(rgb.data()));
     }
     lines.push_back(line);
   }
@@ -236,6 +212,12 @@ ChartScale::ChartScale(const std::vector<ChartLine>& lines, bool logarithmic)
   if (!logarithmic)
   {
     this->Largest = peak > 0.0 ? 1.05 * peak : 1.0;
+    const double step = FindStep(this->Largest);
+    for (int k = 0; k * step <= this->Largest; ++k)
+    {
+      this->Ticks.emplace_back(
+        this->Find(k * step), tool::FormatTick(k * step, tool::Unit::Number));
+    }
     return;
   }
   tool::LogAxis axis;
@@ -249,71 +231,18 @@ ChartScale::ChartScale(const std::vector<ChartLine>& lines, bool logarithmic)
   axis.Widen();
   this->Least = axis.GetLeast();
   this->Largest = axis.GetLargest();
-  this->Exponents = axis.GetTicks();
+  for (const double exponent : axis.GetTicks())
+  {
+    const double value = std::pow(10.0, exponent);
+    this->Ticks.emplace_back(this->Find(value), tool::FormatTick(value, tool::Unit::Number));
+  }
 }
 
 //------------------------------------------------------------------------------
 double ChartScale::Find(double value) const
 {
-  return !this->Logarithmic ? value
-                            : std::max(std::log10(std::max(value, this->Floor)), this->Least);
-}
-
-//------------------------------------------------------------------------------
-std::vector<std::pair<double, std::string>> ChartScale::GetTicks() const
-{
-  std::vector<std::pair<double, std::string>> ticks;
-  for (const double exponent : this->Exponents)
-  {
-    ticks.emplace_back(exponent, tool::FormatTick(std::pow(10.0, exponent), tool::Unit::Number));
-  }
-  if (!this->Logarithmic)
-  {
-    const double step = FindStep(this->Largest);
-    for (int k = 0; k * step <= this->Largest; ++k)
-    {
-      ticks.emplace_back(k * step, tool::FormatTick(k * step, tool::Unit::Number));
-    }
-  }
-  return ticks;
-}
-
-//------------------------------------------------------------------------------
-void SetTicks(vtkAxis* axis, const std::vector<std::pair<double, std::string>>& ticks)
-{
-  vtkNew<vtkDoubleArray> positions;
-  vtkNew<vtkStringArray> labels;
-  for (const auto& [position, label] : ticks)
-  {
-    positions->InsertNextValue(position);
-    labels->InsertNextValue(label);
-  }
-  axis->SetCustomTickPositions(positions, labels);
-}
-
-//------------------------------------------------------------------------------
-void AddLine(vtkChartXY* chart, const std::vector<double>& x, const std::vector<double>& y,
-  const Color& color, double width, bool dashed)
-{
-  if (x.size() < 2)
-  {
-    return;
-  }
-  vtkNew<vtkTable> table;
-  for (const auto* values : { &x, &y })
-  {
-    vtkNew<vtkDoubleArray> column;
-    column->SetName(values == &x ? "x" : "y");
-    for (const double value : *values)
-    {
-      column->InsertNextValue(value);
-    }
-    table->AddColumn(column);
-  }
-  vtkPlot* plot = chart->AddPlot(vtkChart::LINE);
-  plot->SetInputData(table, 0, 1);
-  plot->SetColor(color[0], color[1], color[2], 255);
-  plot->SetWidth(static_cast<float>(width));
-  plot->GetPen()->SetLineType(dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
+  const double place =
+    this->Logarithmic ? std::max(std::log10(std::max(value, this->Floor)), this->Least) : value;
+  return (place - this->Least) / (this->Largest - this->Least);
 }
 } // namespace explorer

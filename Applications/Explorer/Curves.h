@@ -3,23 +3,25 @@
 /**
  * @file
  * What the charts of a material show: f along lines of directions and its albedo, as lines on a
- * scale. Without Qt.
+ * scale.
  */
 
 #ifndef Curves_h
 #define Curves_h
 
+#include "State.h"
+
 #include "vtkBRDF.h"
 #include "vtkBTDF.h"
+#include "vtkSmartPointer.h"
+
+#include <QColor>
 
 #include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
-
-class vtkAxis;
-class vtkChartXY;
 
 namespace explorer
 {
@@ -30,11 +32,21 @@ struct Curve
   std::vector<std::array<double, 3>> Values;
 };
 
-///@{
+/// A material in the charts, read and prepared.
+struct ChartedMaterial
+{
+  std::string File;
+  std::string Name;
+  vtkSmartPointer<vtkBRDF> BRDF;
+  Curve Albedo;
+  ModelValues Values = {};                         // of a model
+  vtkSmartPointer<vtkBTDF> Transmission = nullptr; // null: none
+  Curve Transmittance = {};                        // empty: none
+};
+
 /// f in 1/sr over theta_h, theta_d or phi_d (which: 0, 1, 2) through the angles at (degrees), the
 /// directions above the horizon (Rusinkiewicz 1998).
 Curve SampleSlice(vtkBRDF* brdf, int which, const std::array<double, 3>& at);
-///@}
 
 /**
  * f in 1/sr in the plane of incidence of light from theta_i, phi_i (degrees): over the angle from
@@ -49,15 +61,12 @@ Curve SamplePlaneOfIncidence(
 /// tool::Error.
 Curve SampleAlbedo(vtkBRDF* brdf);
 
-/// What is seen of a white sky on the other side, over the angle of view: tool::InspectMaterial's
-/// angles.
+/// What is seen of a white sky on the other side, over the same angles.
 Curve SampleTransmittance(vtkBTDF* transmission);
-
-using Color = std::array<unsigned char, 3>;
 
 struct ChartLine
 {
-  Color Rgb = {};
+  QColor Color;
   std::vector<double> Degrees;
   std::vector<double> Values;
 };
@@ -66,12 +75,13 @@ struct ChartLine
 std::vector<ChartLine> MakeLines(const std::vector<Curve>& curves);
 
 /// The color of a material among several: the one that is shown has 0.
-Color GetMaterialColor(std::size_t k);
+QColor GetMaterialColor(std::size_t k);
 
-/**
- * Where values are on an axis. Logarithms are drawn as such: VTK's own logarithmic axes refuse
- * zeros and label badly. Zero is drawn as a millionth of the largest value.
- */
+/// Where on an axis, as a share of it, there is which text.
+using ChartTicks = std::vector<std::pair<double, std::string>>;
+
+/// Where values are on an axis, as shares of it. On a logarithmic one zero is drawn as a millionth
+/// of the largest value.
 class ChartScale
 {
 public:
@@ -79,27 +89,16 @@ public:
 
   double Find(double value) const;
 
-  ///@{
-  /// The ends, and round values between them: where they are, and how they are written.
-  double GetLeast() const { return this->Least; }
-  double GetLargest() const { return this->Largest; }
-  std::vector<std::pair<double, std::string>> GetTicks() const;
-  ///@}
+  /// Round values.
+  const ChartTicks& GetTicks() const { return this->Ticks; }
 
 private:
   bool Logarithmic;
   double Floor = 0.0;
-  double Least = 0.0;
+  double Least = 0.0; // of the axis: values, or exponents of ten
   double Largest = 1.0;
-  std::vector<double> Exponents;
+  ChartTicks Ticks;
 };
-
-/// Ticks at places of the axis, with their texts.
-void SetTicks(vtkAxis* axis, const std::vector<std::pair<double, std::string>>& ticks);
-
-/// Add a line to a chart. Lines of less than two points are left out.
-void AddLine(vtkChartXY* chart, const std::vector<double>& x, const std::vector<double>& y,
-  const Color& color, double width, bool dashed = false);
 } // namespace explorer
 
 #endif

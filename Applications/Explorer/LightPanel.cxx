@@ -5,13 +5,13 @@
 #include "Controls.h"
 #include "DirectionalLight.h"
 #include "Display.h"
+#include "RenderView.h"
 #include "Sheets.h"
 
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
 
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -28,32 +28,27 @@ constexpr double SunRadius = 7.0; // pixels
 }
 
 //------------------------------------------------------------------------------
-SkyView::SkyView(Session* session, QWidget* parent)
-  : QWidget(parent)
-  , Model(session)
+SkyView::SkyView(Session* session)
+  : Model(session)
 {
   this->setFocusPolicy(Qt::StrongFocus);
   this->setMinimumSize(200, 100);
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   this->setSizePolicy(policy);
-  const auto adapt = [this]()
-  {
-    const bool isLight = this->Model->IsDirectional();
-    this->setCursor(isLight ? Qt::CrossCursor : Qt::SizeHorCursor);
-    this->setAccessibleName(isLight ? tr("Direction of the light") : tr("Environment"));
-    this->setToolTip(
-      isLight
-        ? tr("Drag the light; arrow keys move it by 1°, with Shift by 15°")
-        : tr("Drag to turn the environment; Left and Right turn it by 1°, with Shift by 15°"));
-    this->update();
-  };
-  connect(session, &Session::environmentChanged, this, adapt);
-  for (const auto signal : { &Session::rotationChanged, &Session::lightChanged })
-  {
-    connect(session, signal, this, QOverload<>::of(&QWidget::update));
-  }
-  adapt();
+  Follow(session, this,
+    { &Session::environmentChanged, &Session::rotationChanged, &Session::lightChanged },
+    [this]()
+    {
+      const bool isLight = this->Model->IsDirectional();
+      this->setCursor(isLight ? Qt::CrossCursor : Qt::SizeHorCursor);
+      this->setAccessibleName(isLight ? tr("Direction of the light") : tr("Environment"));
+      this->setToolTip(
+        isLight
+          ? tr("Drag the light; arrow keys move it by 1°, with Shift by 15°")
+          : tr("Drag to turn the environment; Left and Right turn it by 1°, with Shift by 15°"));
+      this->update();
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -73,10 +68,10 @@ void SkyView::SetImage(const QImage& image)
 }
 
 //------------------------------------------------------------------------------
-QRect SkyView::GetFrame() const
+QRectF SkyView::GetFrame() const
 {
   const int width = std::min(this->width(), 2 * this->height());
-  return { (this->width() - width) / 2, 0, width, width / 2 };
+  return QRect((this->width() - width) / 2, 0, width, width / 2);
 }
 
 //------------------------------------------------------------------------------
@@ -85,7 +80,7 @@ QPointF SkyView::Find(double theta, double phi) const
   double u = 0.0;
   double v = 0.0;
   vtkEnvironment::GetCoordinates(GetDirection({ theta, phi, 1.0 }).data(), u, v);
-  const QRect frame = this->GetFrame();
+  const QRectF frame = this->GetFrame();
   return { frame.left() + u * frame.width(), frame.top() + (1.0 - v) * frame.height() };
 }
 
@@ -97,72 +92,61 @@ QPointF SkyView::GetHandlePosition() const
 }
 
 //------------------------------------------------------------------------------
-void SkyView::DrawEnvironment(QPainter& painter) const
-{
-  const QRect frame = this->GetFrame();
-  if (this->Image.isNull())
-  {
-    painter.drawText(frame, Qt::AlignCenter, tr("Being drawn …"));
-    return;
-  }
-  painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  const double shift =
-    frame.width() * FindShown(0.0, this->Model->GetState().Rotation); // of the left edge
-  for (const double left : { shift - frame.width(), shift })
-  {
-    painter.drawImage(
-      QRectF(frame.left() + left, frame.top(), frame.width(), frame.height()), this->Image);
-  }
-}
-
-//------------------------------------------------------------------------------
-void SkyView::DrawLight(QPainter& painter) const
-{
-  const QColor grid(85, 87, 92);
-  const QRect frame = this->GetFrame();
-  painter.fillRect(frame, QColor(40, 41, 44));
-  painter.setRenderHint(QPainter::Antialiasing);
-  for (const double theta : { 30.0, 60.0, 90.0, 120.0, 150.0 })
-  {
-    const double y = this->Find(theta, 0.0).y();
-    painter.setPen(grid);
-    painter.drawLine(QPointF(frame.left(), y), QPointF(frame.right(), y));
-  }
-  const std::pair<double, const char*> axes[] = { { 0.0, "+z" }, { 90.0, "+x" }, { 180.0, "-z" },
-    { -90.0, "-x" } };
-  for (const auto& [phi, name] : axes)
-  {
-    const QPointF place = this->Find(90.0, phi);
-    painter.setPen(grid);
-    painter.drawLine(QPointF(place.x(), frame.top()), QPointF(place.x(), frame.bottom()));
-    painter.setPen(Qt::lightGray);
-    painter.drawText(place + QPointF(4.0, -4.0), name);
-  }
-  painter.setPen(Qt::black);
-  painter.setBrush(QColor(255, 209, 51));
-  painter.drawEllipse(this->GetHandlePosition(), SunRadius, SunRadius);
-  painter.setBrush(Qt::NoBrush);
-}
-
-//------------------------------------------------------------------------------
 void SkyView::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
-  painter.setClipRect(this->GetFrame());
-  this->Model->IsDirectional() ? this->DrawLight(painter) : this->DrawEnvironment(painter);
+  const QRectF frame = this->GetFrame();
+  painter.setClipRect(frame);
+  painter.setRenderHints(QPainter::SmoothPixmapTransform | QPainter::Antialiasing);
+  if (this->Model->IsDirectional())
+  {
+    const QColor grid(85, 87, 92);
+    painter.fillRect(frame, QColor(40, 41, 44));
+    painter.setPen(grid);
+    for (const double theta : { 30.0, 60.0, 90.0, 120.0, 150.0 })
+    {
+      const double y = this->Find(theta, 0.0).y();
+      painter.drawLine(QPointF(frame.left(), y), QPointF(frame.right(), y));
+    }
+    const std::pair<double, const char*> axes[] = { { 0.0, "+z" }, { 90.0, "+x" }, { 180.0, "-z" },
+      { -90.0, "-x" } };
+    for (const auto& [phi, name] : axes)
+    {
+      const QPointF place = this->Find(90.0, phi);
+      painter.setPen(grid);
+      painter.drawLine(QPointF(place.x(), frame.top()), QPointF(place.x(), frame.bottom()));
+      painter.setPen(Qt::lightGray);
+      painter.drawText(place + QPointF(4.0, -4.0), name);
+    }
+    painter.setPen(Qt::black);
+    painter.setBrush(QColor(255, 209, 51));
+    painter.drawEllipse(this->GetHandlePosition(), SunRadius, SunRadius);
+    painter.setBrush(Qt::NoBrush);
+  }
+  else if (this->Image.isNull())
+  {
+    painter.drawText(frame, Qt::AlignCenter, tr("Being drawn …"));
+  }
+  else
+  {
+    const double shift =
+      frame.width() * FindShown(0.0, this->Model->GetState().Rotation); // of the left edge
+    painter.drawImage(frame.translated(shift - frame.width(), 0.0), this->Image);
+    painter.drawImage(frame.translated(shift, 0.0), this->Image);
+  }
   if (this->hasFocus())
   {
     painter.setPen(this->palette().color(QPalette::Highlight));
-    painter.drawRect(this->GetFrame().adjusted(0, 0, -1, -1));
+    painter.drawRect(frame.adjusted(0.5, 0.5, -0.5, -0.5));
   }
 }
 
 //------------------------------------------------------------------------------
-void SkyView::MoveLight(const QPoint& place)
+void SkyView::MoveLight(const QPointF& place)
 {
-  const QRect frame = this->GetFrame();
-  const double u = static_cast<double>(place.x() - frame.left()) / std::max(1, frame.width());
-  const double v = 1.0 - static_cast<double>(place.y() - frame.top()) / std::max(1, frame.height());
+  const QRectF frame = this->GetFrame();
+  const double u = (place.x() - frame.left()) / std::max(1.0, frame.width());
+  const double v = 1.0 - (place.y() - frame.top()) / std::max(1.0, frame.height());
   double direction[3];
   vtkEnvironment::GetDirection(u, std::clamp(v, 0.0, 1.0), direction);
   LightState light = this->Model->GetState().Light;
@@ -174,16 +158,14 @@ void SkyView::MoveLight(const QPoint& place)
 void SkyView::mousePressEvent(QMouseEvent* event)
 {
   this->Last = event->pos().x();
-  if (this->Model->IsDirectional() && event->button() == Qt::LeftButton)
-  {
-    this->MoveLight(event->pos());
-  }
+  this->mouseMoveEvent(event);
   event->accept();
 }
 
 //------------------------------------------------------------------------------
 void SkyView::mouseMoveEvent(QMouseEvent* event)
 {
+  const int way = event->pos().x() - std::exchange(this->Last, event->pos().x());
   if (!(event->buttons() & Qt::LeftButton))
   {
     return;
@@ -191,13 +173,12 @@ void SkyView::mouseMoveEvent(QMouseEvent* event)
   if (this->Model->IsDirectional())
   {
     this->MoveLight(event->pos());
-    return;
   }
-  // What is under the mouse stays there.
-  const double share =
-    static_cast<double>(event->pos().x() - this->Last) / std::max(1, this->GetFrame().width());
-  this->Last = event->pos().x();
-  this->Model->SetRotation(this->Model->GetState().Rotation - 360.0 * share);
+  else if (way != 0) // what is under the mouse stays there
+  {
+    this->Model->SetRotation(
+      this->Model->GetState().Rotation - 360.0 * way / std::max(1.0, this->GetFrame().width()));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -207,68 +188,23 @@ void SkyView::mouseReleaseEvent(QMouseEvent* event) { event->accept(); }
 // u falls as phi grows: what is left in the map comes from a larger azimuth.
 void SkyView::keyPressEvent(QKeyEvent* event)
 {
-  const double step = (event->modifiers() & Qt::ShiftModifier) ? 15.0 : 1.0;
-  const int key = event->key();
-  const double left = key == Qt::Key_Left ? step : key == Qt::Key_Right ? -step : 0.0;
-  const double down = key == Qt::Key_Down ? step : key == Qt::Key_Up ? -step : 0.0;
-  if (this->Model->IsDirectional() && (left != 0.0 || down != 0.0))
+  const QPointF arrow =
+    ((event->modifiers() & Qt::ShiftModifier) ? 15.0 : 1.0) * QPointF(GetArrow(event));
+  LightState light = this->Model->GetState().Light;
+  if (this->Model->IsDirectional() && !arrow.isNull())
   {
-    LightState light = this->Model->GetState().Light;
-    light.Phi += left;
-    light.Theta += down;
+    light.Phi -= arrow.x();
+    light.Theta += arrow.y();
     this->Model->SetLight(light);
   }
-  else if (left != 0.0)
+  else if (arrow.x() != 0.0)
   {
-    this->Model->SetRotation(this->Model->GetState().Rotation + left);
+    this->Model->SetRotation(this->Model->GetState().Rotation - arrow.x());
   }
   else
   {
     QWidget::keyPressEvent(event);
   }
-}
-
-namespace
-{
-//------------------------------------------------------------------------------
-QWidget* MakeLightFields(Session* session)
-{
-  auto* fields = new QWidget;
-  fields->setObjectName("light fields");
-  auto* theta =
-    MakeField(0.0, 180.0, 1, 5.0, "°", QObject::tr("Between the light and +y, which is up"));
-  auto* phi = MakeField(-180.0, 179.9, 1, 5.0, "°", QObject::tr("About +y, from +z to +x"));
-  auto* irradiance = MakeField(0.0, LargestIrradiance, 3, 1.0, "",
-    QObject::tr("Of a surface that faces the light: a white diffuse one then has this over π as "
-                "its radiance"));
-  phi->setWrapping(true);
-  irradiance->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  theta->setObjectName("polar angle");
-  phi->setObjectName("azimuth");
-  irradiance->setObjectName("irradiance");
-  auto* rows = new QFormLayout(fields); // beside each other they are wider than the panel
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->addRow(QObject::tr("&Polar angle"), theta);
-  rows->addRow(QObject::tr("&Azimuth"), phi);
-  rows->addRow(QObject::tr("I&rradiance"), irradiance);
-  for (QDoubleSpinBox* field : { theta, phi, irradiance })
-  {
-    OnChange(field,
-      [=]() {
-        session->SetLight({ theta->value(), phi->value(), irradiance->value() });
-      });
-  }
-  const auto update = [=]()
-  {
-    const LightState& light = session->GetState().Light;
-    Show(theta, light.Theta);
-    Show(phi, light.Phi);
-    Show(irradiance, light.Irradiance);
-  };
-  QObject::connect(session, &Session::lightChanged, fields, update);
-  update();
-  return fields;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -277,20 +213,49 @@ QWidget* MakeLightPanel(Session* session, Jobs* jobs)
   auto* panel = new QWidget;
   auto* view = new SkyView(session);
   auto* text = new QLabel;
-  auto* light = MakeLightFields(session);
+  text->setWordWrap(true);
+  auto* light = new QWidget;
+  light->setObjectName("light fields");
+  auto* rows = new QFormLayout(light); // beside each other they are wider than the panel
+  rows->setContentsMargins(0, 0, 0, 0);
+  const auto add = [&](const QString& title, const QString& name, QDoubleSpinBox* field, auto value)
+  {
+    field->setObjectName(name);
+    rows->addRow(title, Bind(field, session, &Session::lightChanged, value));
+    return field;
+  };
+  add(
+    QObject::tr("&Polar angle"), "polar angle",
+    MakeField(0.0, 180.0, 1, 5.0, "°", QObject::tr("Between the light and +y, which is up")),
+    [](auto& state) -> auto& { return state.Light.Theta; });
+  add(
+    QObject::tr("&Azimuth"), "azimuth",
+    MakeField(-180.0, 179.9, 1, 5.0, "°", QObject::tr("About +y, from +z to +x")),
+    [](auto& state) -> auto& { return state.Light.Phi; })
+    ->setWrapping(true);
+  add(
+    QObject::tr("I&rradiance"), "irradiance",
+    MakeField(0.0, LargestIrradiance, 3, 1.0, "",
+      QObject::tr("Of a surface that faces the light: a white diffuse one then has this over π as "
+                  "its radiance")),
+    [](auto& state) -> auto& { return state.Light.Irradiance; })
+    ->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+
   auto* environment = new QWidget;
   auto* rotation = MakeField(
     -180.0, 180.0, 1, 1.0, "°", QObject::tr("How far the environment is turned about the up axis"));
+  rotation->setWrapping(true);
   auto* lights = MakeBox(QObject::tr("Li&ghts"),
     QObject::tr("The median-cut lights, as many as the picture's light sets have"));
+  lights->setChecked(true);
   auto* regions = MakeBox(
     QObject::tr("Re&gions"), QObject::tr("The part of the environment that each light stands for"));
-  text->setWordWrap(true);
-  rotation->setWrapping(true);
-  lights->setChecked(true);
   auto* row = new QHBoxLayout(environment);
   row->setContentsMargins(0, 0, 0, 0);
-  AddNamed(row, QObject::tr("&Rotation"), rotation);
+  AddNamed(row, QObject::tr("&Rotation"),
+    Bind(
+      rotation, session, &Session::rotationChanged,
+      [](auto& state) -> auto& { return state.Rotation; }));
   row->addWidget(lights);
   row->addWidget(regions);
   row->addStretch(1);
@@ -344,12 +309,9 @@ QWidget* MakeLightPanel(Session* session, Jobs* jobs)
         text->setText(drawn.second);
       });
   };
-  OnChange(rotation, [=](double degrees) { session->SetRotation(degrees); });
   OnChange(lights, draw);
   OnChange(regions, draw);
-  QObject::connect(session, &Session::rotationChanged, panel,
-    [=]() { Show(rotation, session->GetState().Rotation); });
-  QObject::connect(session, &Session::environmentChanged, panel, draw);
+  Follow(session, panel, { &Session::environmentChanged }, draw);
   QObject::connect(session, &Session::methodsChanged, panel,
     [=, drawn = 0]() mutable
     {
@@ -358,7 +320,6 @@ QWidget* MakeLightPanel(Session* session, Jobs* jobs)
         draw();
       }
     });
-  draw();
   return panel;
 }
 } // namespace explorer

@@ -14,8 +14,6 @@
 #include <QImage>
 #include <QWidget>
 
-class QPainter;
-
 namespace explorer
 {
 /// All directions in one lat-long picture. An environment is turned by dragging it, the directional
@@ -25,7 +23,7 @@ class SkyView : public QWidget
   Q_OBJECT
 
 public:
-  explicit SkyView(Session* session, QWidget* parent = nullptr);
+  explicit SkyView(Session* session);
 
   /// The environment in its own frame, u from left to right.
   void SetImage(const QImage& image);
@@ -48,11 +46,9 @@ protected:
   int heightForWidth(int width) const override { return width / 2; }
 
 private:
-  QRect GetFrame() const;
+  QRectF GetFrame() const;
   QPointF Find(double theta, double phi) const;
-  void DrawEnvironment(QPainter& painter) const;
-  void DrawLight(QPainter& painter) const;
-  void MoveLight(const QPoint& place);
+  void MoveLight(const QPointF& place);
 
   Session* Model;
   QImage Image;

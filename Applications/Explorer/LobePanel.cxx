@@ -5,24 +5,23 @@
 #include "Controls.h"
 
 #include "vtkActor.h"
-#include "vtkArcSource.h"
 #include "vtkBRDFLobeSource.h"
 #include "vtkCamera.h"
 #include "vtkInteractorStyleTerrain.h"
-#include "vtkLight.h"
 #include "vtkLineSource.h"
 #include "vtkLookupTable.h"
-#include "vtkMath.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
+#include "vtkRegularPolygonSource.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
 
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMouseEvent>
+
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -36,49 +35,11 @@ constexpr double GrabDistance = 16.0; // pixels
 constexpr double LobeKeyStep = 5.0;   // degrees
 constexpr int Fine = 128;             // points of the lobe
 constexpr int Coarse = 48;            // while the light moves
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkActor> MakeActor(vtkAlgorithm* source, const double rgb[3], double width)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(rgb[0], rgb[1], rgb[2]);
-  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
-  actor->GetProperty()->LightingOff();
-  return actor;
 }
 
 //------------------------------------------------------------------------------
-// A circle about z at a polar angle of the unit hemisphere.
-vtkSmartPointer<vtkArcSource> MakeCircle(double degrees)
-{
-  const double theta = vtkMath::RadiansFromDegrees(degrees);
-  auto circle = vtkSmartPointer<vtkArcSource>::New();
-  circle->UseNormalAndAngleOn();
-  circle->SetCenter(0.0, 0.0, std::cos(theta));
-  circle->SetPolarVector(std::sin(theta), 0.0, 0.0);
-  circle->SetNormal(0.0, 0.0, 1.0);
-  circle->SetAngle(360.0);
-  circle->SetResolution(96);
-  return circle;
-}
-
-//------------------------------------------------------------------------------
-void ToDirection(double thetaDegrees, double phiDegrees, double direction[3])
-{
-  const double theta = vtkMath::RadiansFromDegrees(thetaDegrees);
-  const double phi = vtkMath::RadiansFromDegrees(phiDegrees);
-  direction[0] = std::sin(theta) * std::cos(phi);
-  direction[1] = std::sin(theta) * std::sin(phi);
-  direction[2] = std::cos(theta);
-}
-}
-
-//------------------------------------------------------------------------------
-LobeView::LobeView(Session* session, QWidget* parent)
-  : RenderView(tr("Lobe"), parent)
+LobeView::LobeView(Session* session)
+  : RenderView(tr("Lobe"))
   , Model(session)
 {
   this->setFocusPolicy(Qt::StrongFocus);
@@ -87,35 +48,32 @@ LobeView::LobeView(Session* session, QWidget* parent)
     "Drag the yellow ball: the light's direction. Drag elsewhere: turn the view. Arrow keys move "
     "the light"));
   this->Window->AddRenderer(this->Renderer);
-  this->MakeScene();
-  vtkNew<vtkInteractorStyleTerrain> style;
-  style->LatLongLinesOff();
-  this->interactor()->SetInteractorStyle(style);
-  for (const auto signal : { &Session::materialChanged, &Session::lobeChanged })
-  {
-    connect(session, signal, this, &LobeView::Update);
-  }
-}
-
-//------------------------------------------------------------------------------
-LobeView::~LobeView() = default;
-
-//------------------------------------------------------------------------------
-void LobeView::MakeScene()
-{
-  const double pale[3] = { 0.45, 0.46, 0.48 };
-  const double yellow[3] = { 1.0, 0.82, 0.2 };
-  const double white[3] = { 0.9, 0.9, 0.9 };
-  const double red[3] = { 0.85, 0.35, 0.3 };
-  const double blue[3] = { 0.4, 0.6, 1.0 };
   this->Renderer->SetBackground(0.16, 0.165, 0.175);
   this->Renderer->UseFXAAOn();
-  for (const double degrees : { 30.0, 60.0, 90.0 })
+  const auto add = [this](vtkAlgorithm* source, const glm::dvec3& rgb, float width)
   {
-    this->Renderer->AddActor(MakeActor(MakeCircle(degrees), pale, degrees < 90.0 ? 1.0 : 2.0));
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(source->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(rgb.x, rgb.y, rgb.z);
+    actor->GetProperty()->SetLineWidth(width);
+    actor->GetProperty()->LightingOff();
+    this->Renderer->AddActor(actor);
+  };
+  for (const double degrees : { 30.0, 60.0, 90.0 }) // circles of the unit hemisphere
+  {
+    const double theta = glm::radians(degrees);
+    vtkNew<vtkRegularPolygonSource> circle;
+    circle->GeneratePolygonOff();
+    circle->SetNumberOfSides(96);
+    circle->SetCenter(0.0, 0.0, std::cos(theta));
+    circle->SetRadius(std::sin(theta));
+    add(circle, { 0.45, 0.46, 0.48 }, degrees < 90.0 ? 1.0f : 2.0f);
   }
-  vtkNew<vtkLineSource> normal;
-  vtkNew<vtkLineSource> tangent;
+  const glm::dvec3 yellow(1.0, 0.82, 0.2);
+  const glm::dvec3 white(0.9);
+  vtkNew<vtkLineSource> normal, tangent;
   for (vtkLineSource* line :
     { normal.Get(), tangent.Get(), this->Ray.Get(), this->Mirror.Get(), this->Through.Get() })
   {
@@ -123,31 +81,25 @@ void LobeView::MakeScene()
   }
   normal->SetPoint2(0.0, 0.0, 1.15);
   tangent->SetPoint2(1.15, 0.0, 0.0);
-  this->Renderer->AddActor(MakeActor(normal, blue, 2.0));
-  this->Renderer->AddActor(MakeActor(tangent, red, 2.0));
-  this->Renderer->AddActor(MakeActor(this->Ray, yellow, 2.0));
-  this->Renderer->AddActor(MakeActor(this->Mirror, white, 1.0));
-  this->Renderer->AddActor(MakeActor(this->Through, white, 1.0));
   this->Handle->SetRadius(0.05);
   this->Handle->SetThetaResolution(24);
   this->Handle->SetPhiResolution(16);
-  this->Renderer->AddActor(MakeActor(this->Handle, yellow, 1.0));
-  this->MakeLobe();
-  this->PlaceCamera();
-}
+  add(normal, { 0.4, 0.6, 1.0 }, 2.0f);
+  add(tangent, { 0.85, 0.35, 0.3 }, 2.0f);
+  add(this->Ray, yellow, 2.0f);
+  add(this->Mirror, white, 1.0f);
+  add(this->Through, white, 1.0f);
+  add(this->Handle, yellow, 1.0f);
 
-//------------------------------------------------------------------------------
-void LobeView::MakeLobe()
-{
   this->Source->NormalizeOn();
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputConnection(this->Source->GetOutputPort());
   normals->SplittingOff();
-  this->LobeMapper->SetInputConnection(normals->GetOutputPort());
   vtkNew<vtkLookupTable> colors; // of what is reflected, and transmitted
   colors->SetNumberOfTableValues(2);
   colors->SetTableValue(0, 0.56, 0.59, 0.64);
   colors->SetTableValue(1, 0.36, 0.66, 0.62);
+  this->LobeMapper->SetInputConnection(normals->GetOutputPort());
   this->LobeMapper->SetLookupTable(colors);
   this->LobeMapper->SetScalarRange(0.0, 1.0);
   this->LobeMapper->SetScalarModeToUsePointFieldData();
@@ -159,7 +111,17 @@ void LobeView::MakeLobe()
   this->Lobe->GetProperty()->SetAmbient(0.15);
   this->Lobe->VisibilityOff(); // until there is a material
   this->Renderer->AddActor(this->Lobe);
+  this->PlaceCamera();
+
+  vtkNew<vtkInteractorStyleTerrain> style;
+  style->LatLongLinesOff();
+  this->interactor()->SetInteractorStyle(style);
+  Follow(session, this, { &Session::materialChanged, &Session::lobeChanged },
+    [this]() { this->Update(); });
 }
+
+//------------------------------------------------------------------------------
+LobeView::~LobeView() = default;
 
 //------------------------------------------------------------------------------
 // On the upper half, or both.
@@ -176,39 +138,38 @@ void LobeView::PlaceCamera()
 //------------------------------------------------------------------------------
 void LobeView::Update()
 {
-  vtkBRDF* brdf = this->Model->GetMaterial().BRDF;
-  if (!brdf)
+  const tool::Material& material = this->Model->GetMaterial();
+  if (!material.BRDF)
   {
     return;
   }
   const State& state = this->Model->GetState();
-  vtkBTDF* transmission = this->Model->GetMaterial().Transmission;
-  if (this->IsTransmitting != (transmission != nullptr))
+  const bool isTransmitting = material.Transmission != nullptr;
+  if (this->IsTransmitting != isTransmitting)
   {
-    this->IsTransmitting = !this->IsTransmitting;
+    this->IsTransmitting = isTransmitting;
     this->PlaceCamera();
   }
-  this->Source->SetTransmission(transmission);
-  this->LobeMapper->SetScalarVisibility(transmission != nullptr);
-  this->Source->SetBRDF(brdf);
+  this->LobeMapper->SetScalarVisibility(isTransmitting);
+  const int resolution = this->IsDragging ? Coarse : Fine;
+  this->Source->SetTransmission(material.Transmission);
+  this->Source->SetBRDF(material.BRDF);
   this->Source->SetThetaI(state.LobeThetaI);
   this->Source->SetPhiI(state.LobePhiI);
   this->Source->SetScaling(
     state.LobeLogarithmic ? vtkBRDFLobeSource::LOGARITHMIC : vtkBRDFLobeSource::LINEAR);
-  const int resolution = this->IsDragging ? Coarse : Fine;
   this->Source->SetRadialResolution(resolution);
   this->Source->SetCircularResolution(resolution);
   this->Lobe->VisibilityOn();
-  double light[3];
-  ToDirection(state.LobeThetaI, state.LobePhiI, light);
-  double mirror[3] = { -light[0], -light[1], light[2] };
-  vtkMath::MultiplyScalar(light, HandleRadius);
-  vtkMath::MultiplyScalar(mirror, HandleRadius);
-  this->Ray->SetPoint2(light);
-  this->Mirror->SetPoint2(mirror);
-  const double length = transmission ? -1.0 : 0.0;
-  this->Through->SetPoint2(length * light[0], length * light[1], length * light[2]);
-  this->Handle->SetCenter(light);
+  const double theta = glm::radians(state.LobeThetaI);
+  const double phi = glm::radians(state.LobePhiI);
+  const glm::dvec3 light = HandleRadius * glm::dvec3(std::sin(theta) * std::cos(phi),
+                                            std::sin(theta) * std::sin(phi), std::cos(theta));
+  const double through = isTransmitting ? -1.0 : 0.0;
+  this->Ray->SetPoint2(light.x, light.y, light.z);
+  this->Mirror->SetPoint2(-light.x, -light.y, light.z);
+  this->Through->SetPoint2(through * light.x, through * light.y, through * light.z);
+  this->Handle->SetCenter(light.x, light.y, light.z);
   this->RequestRender();
 }
 
@@ -228,8 +189,7 @@ QPoint LobeView::GetHandlePosition()
   this->Renderer->WorldToDisplay();
   const double* display = this->Renderer->GetDisplayPoint();
   const double ratio = this->devicePixelRatioF();
-  return { static_cast<int>(std::lround(display[0] / ratio)),
-    static_cast<int>(std::lround(this->height() - 1 - display[1] / ratio)) };
+  return QPointF(display[0] / ratio, this->height() - 1 - display[1] / ratio).toPoint();
 }
 
 //------------------------------------------------------------------------------
@@ -237,36 +197,20 @@ QPoint LobeView::GetHandlePosition()
 void LobeView::DragTo(const QPoint& place)
 {
   const double ratio = this->devicePixelRatioF();
-  double ends[2][3];
+  glm::dvec3 ends[2];
   for (int k = 0; k < 2; ++k)
   {
-    this->Renderer->SetDisplayPoint(
-      ratio * place.x(), ratio * (this->height() - 1 - place.y()), k == 0 ? 0.0 : 1.0);
+    this->Renderer->SetDisplayPoint(ratio * place.x(), ratio * (this->height() - 1 - place.y()), k);
     this->Renderer->DisplayToWorld();
     const double* world = this->Renderer->GetWorldPoint();
-    for (int c = 0; c < 3; ++c)
-    {
-      ends[k][c] = world[c] / world[3];
-    }
+    ends[k] = glm::dvec3(world[0], world[1], world[2]) / world[3];
   }
-  double ray[3];
-  vtkMath::Subtract(ends[1], ends[0], ray);
-  vtkMath::Normalize(ray);
-  const double along = -vtkMath::Dot(ends[0], ray); // to the nearest point to the center
-  double point[3];
-  for (int c = 0; c < 3; ++c)
-  {
-    point[c] = ends[0][c] + along * ray[c];
-  }
-  const double rest = HandleRadius * HandleRadius - vtkMath::Dot(point, point);
-  for (int c = 0; c < 3 && rest > 0.0; ++c)
-  {
-    point[c] -= std::sqrt(rest) * ray[c];
-  }
-  vtkMath::Normalize(point);
-  const double theta = vtkMath::DegreesFromRadians(std::acos(std::clamp(point[2], -1.0, 1.0)));
-  const double phi = vtkMath::DegreesFromRadians(std::atan2(point[1], point[0]));
-  this->Model->SetLobe(std::min(theta, 89.0), phi, this->Model->GetState().LobeLogarithmic);
+  const glm::dvec3 ray = glm::normalize(ends[1] - ends[0]);
+  glm::dvec3 point = ends[0] - glm::dot(ends[0], ray) * ray; // the nearest to the center
+  const double rest = HandleRadius * HandleRadius - glm::dot(point, point);
+  point = glm::normalize(point - std::sqrt(std::max(rest, 0.0)) * ray);
+  const double theta = glm::degrees(std::acos(std::clamp(point.z, -1.0, 1.0)));
+  this->Model->SetLobe(std::min(theta, 89.0), glm::degrees(std::atan2(point.y, point.x)));
 }
 
 //------------------------------------------------------------------------------
@@ -279,15 +223,14 @@ bool LobeView::IsOverHandle(QMouseEvent* mouse)
 //------------------------------------------------------------------------------
 bool LobeView::ObeyKey(QKeyEvent* press)
 {
-  const int key = press->key();
-  const double phi = key == Qt::Key_Left ? -LobeKeyStep : key == Qt::Key_Right ? LobeKeyStep : 0.0;
-  const double theta = key == Qt::Key_Up ? -LobeKeyStep : key == Qt::Key_Down ? LobeKeyStep : 0.0;
-  if (phi == 0.0 && theta == 0.0)
+  const QPoint arrow = GetArrow(press);
+  if (arrow.isNull())
   {
     return false;
   }
   const State& state = this->Model->GetState();
-  this->Model->SetLobe(state.LobeThetaI + theta, state.LobePhiI + phi, state.LobeLogarithmic);
+  this->Model->SetLobe(
+    state.LobeThetaI + LobeKeyStep * arrow.y(), state.LobePhiI + LobeKeyStep * arrow.x());
   return true;
 }
 
@@ -302,38 +245,28 @@ QWidget* MakeLobePanel(Session* session)
   phi->setWrapping(true);
   auto* logarithmic = MakeBox(QObject::tr("Lo&garithmic"),
     QObject::tr("Lengths by ln(1 + 100 L), which shows the matte part beside a highlight"));
+  const auto bind = [session](auto* control, auto value)
+  { return Bind(control, session, &Session::lobeChanged, value); };
+  auto* row = new QHBoxLayout;
+  AddNamed(row, QObject::tr("θ&i"),
+    bind(
+      theta, [](auto& state) -> auto& { return state.LobeThetaI; }));
+  AddNamed(row, QObject::tr("&φi"),
+    bind(
+      phi, [](auto& state) -> auto& { return state.LobePhiI; }));
+  row->addWidget(bind(
+    logarithmic, [](auto& state) -> auto& { return state.LobeLogarithmic; }));
+  row->addStretch(1);
   auto* note =
     new QLabel(QObject::tr("Above: reflected. Below, green: transmitted, on the same scale."));
   note->setObjectName("lobe note");
   note->setWordWrap(true);
-  auto* row = new QHBoxLayout;
-  AddNamed(row, QObject::tr("θ&i"), theta);
-  AddNamed(row, QObject::tr("&φi"), phi);
-  row->addWidget(logarithmic);
-  row->addStretch(1);
   auto* layout = MakeColumn(panel);
   layout->addLayout(row);
   layout->addWidget(new LobeView(session), 1);
   layout->addWidget(note);
-
-  const auto set = [=]()
-  { session->SetLobe(theta->value(), phi->value(), logarithmic->isChecked()); };
-  OnChange(theta, set);
-  OnChange(phi, set);
-  OnChange(logarithmic, set);
-  const auto update = [=]()
-  {
-    const State& state = session->GetState();
-    note->setVisible(session->GetMaterial().Transmission != nullptr);
-    Show(theta, state.LobeThetaI);
-    Show(phi, state.LobePhiI);
-    Show(logarithmic, state.LobeLogarithmic);
-  };
-  for (const auto signal : { &Session::lobeChanged, &Session::materialChanged })
-  {
-    QObject::connect(session, signal, panel, update);
-  }
-  update();
+  Follow(session, panel, { &Session::materialChanged },
+    [=]() { note->setVisible(session->GetMaterial().Transmission != nullptr); });
   return panel;
 }
 } // namespace explorer

@@ -28,7 +28,7 @@ class LobeView : public RenderView
   Q_OBJECT
 
 public:
-  explicit LobeView(Session* session, QWidget* parent = nullptr);
+  explicit LobeView(Session* session);
   ~LobeView() override;
 
   /// What is drawn.
@@ -46,8 +46,6 @@ protected:
 
 private:
   void Update();
-  void MakeScene();
-  void MakeLobe();
   void PlaceCamera();
 
   Session* Model;
@@ -55,9 +53,7 @@ private:
   vtkNew<vtkBRDFLobeSource> Source;
   vtkNew<vtkPolyDataMapper> LobeMapper;
   vtkNew<vtkActor> Lobe;
-  vtkNew<vtkLineSource> Ray;
-  vtkNew<vtkLineSource> Mirror;
-  vtkNew<vtkLineSource> Through;
+  vtkNew<vtkLineSource> Ray, Mirror, Through; // of the light
   vtkNew<vtkSphereSource> Handle;
   bool IsTransmitting = false;
 };

@@ -4,7 +4,7 @@
 
 #include "Files.h"
 #include "Meshes.h"
-#include "SampleTable.h"
+#include "Samples.h"
 #include "State.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
@@ -334,10 +334,11 @@ tool::Material MakeSnapshot(const tool::Material& material)
 }
 
 //------------------------------------------------------------------------------
-SampleEdits FindEdits(const std::map<std::string, SampleEdits>& all, const std::string& file)
+const SampleEdits& FindEdits(const std::map<std::string, SampleEdits>& all, const std::string& file)
 {
   const auto found = all.find(file);
-  return found == all.end() ? SampleEdits() : found->second;
+  static const SampleEdits none;
+  return found == all.end() ? none : found->second;
 }
 
 //------------------------------------------------------------------------------

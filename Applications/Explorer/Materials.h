@@ -108,7 +108,8 @@ tool::Material LoadMaterial(const std::string& file, const ModelStates& states);
 tool::Material MakeSnapshot(const tool::Material& material);
 
 /// The edits of a material's samples among those of all.
-SampleEdits FindEdits(const std::map<std::string, SampleEdits>& all, const std::string& file);
+const SampleEdits& FindEdits(
+  const std::map<std::string, SampleEdits>& all, const std::string& file);
 
 /// What a state says of all materials beside their files.
 struct MaterialSettings

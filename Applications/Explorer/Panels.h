@@ -24,7 +24,6 @@
 
 namespace explorer
 {
-class Comparison;
 class SplitView;
 
 /// Above the picture: what each side is drawn by ("method A", "method B"), and how it is shown.
@@ -33,15 +32,11 @@ QWidget* MakePictureBar(Session* session);
 /// The lists of materials, environments and meshes. open: shows a dialog for files of a kind,
 /// "materials", "environments" or "meshes". The box that takes a material into the charts is called
 /// "compare " and its name or file.
-QWidget* MakeListPanel(
-  Session* session, Comparison* comparison, const std::function<void(const QString&)>& open);
+QWidget* MakeListPanel(Session* session, const std::function<void(const QString&)>& open);
 
 /// The tolerance ("tolerance"), what is planned for it, and what was measured of both sides.
 QWidget* MakePlanPanel(
   Session* session, std::array<Side*, 2> sides, Evaluation* evaluation, SplitView* view);
-
-/// The image slice: f over theta_h and theta_d as a picture.
-QWidget* MakeImagePanel(Session* session, Jobs* jobs);
 
 /// The parameters of a model by sliders, fields and choices, called by the parameter's key and,
 /// where it is a color, 0, 1 or 2; the list of models is called "models". save: asks for a file.
@@ -58,6 +53,9 @@ struct Finding
 /// Of tool::InspectMaterial: reciprocity, albedo and energy, negative and invalid values,
 /// transmission where there is any.
 std::vector<Finding> FindFindings(const nlohmann::ordered_json& info);
+
+/// The same as a table in HTML.
+QString MakeFindingsTable(const nlohmann::ordered_json& info);
 
 /// What `info` says of the material, with what is remarkable first (the label "findings").
 class FindingsPanel : public QWidget

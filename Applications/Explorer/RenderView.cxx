@@ -9,6 +9,14 @@
 namespace explorer
 {
 //------------------------------------------------------------------------------
+QPoint GetArrow(const QKeyEvent* press)
+{
+  const int key = press->key();
+  return { (key == Qt::Key_Right) - (key == Qt::Key_Left),
+    (key == Qt::Key_Down) - (key == Qt::Key_Up) };
+}
+
+//------------------------------------------------------------------------------
 RenderView::RenderView(const QString& name, QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
 {

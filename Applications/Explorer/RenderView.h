@@ -19,6 +19,9 @@ class QMouseEvent;
 
 namespace explorer
 {
+/// Where an arrow key points to, right and down; (0, 0) for other keys.
+QPoint GetArrow(const QKeyEvent* press);
+
 class RenderView : public QVTKOpenGLNativeWidget
 {
   Q_OBJECT

@@ -38,130 +38,74 @@ QString Embed(const QImage& image)
 }
 
 //------------------------------------------------------------------------------
-QString FormatFigure(const tool::Metric& metric, const ordered_json& value)
-{
-  return !value.is_number() ? QString("–")
-         : metric.Relative  ? QString::fromStdString(tool::FormatPercent(value))
-                            : QString::number(value.get<double>(), 'g', 3);
-}
-
-//------------------------------------------------------------------------------
 QString MakePage(const explorer::ReportData& data, const ordered_json& report)
 {
-  QString page = "<!DOCTYPE html><html><head><meta charset='utf-8'><title>" +
-                 Escape(data.Material) + "</title><style>" + Style + "</style></head><body><h1>" +
-                 Escape(data.Material) + " under " + Escape(data.Explored.Environment) + "</h1>";
-  for (const auto& [title, image] : data.Pictures)
+  const QString title = Escape(report["material"]) + " under " + Escape(report["environment"]);
+  QString page = "<!DOCTYPE html><html><head><meta charset='utf-8'><title>" + title +
+                 "</title><style>" + Style + "</style></head><body><h1>" + title + "</h1>";
+  for (const auto& [name, image] : data.Pictures)
   {
-    page += "<h2>" + title.toHtmlEscaped() + "</h2><img alt='" + title.toHtmlEscaped() + "' src='" +
+    page += "<h2>" + name.toHtmlEscaped() + "</h2><img alt='" + name.toHtmlEscaped() + "' src='" +
             Embed(image) + "'>";
   }
   page += "<h2>Methods</h2><table><tr><th></th><th>A</th><th>B</th></tr>";
-  const auto row = [&](const QString& name, const auto& get)
+  const auto row = [&](const std::string& name, const auto& get)
   {
-    page += "<tr><td>" + name + "</td>";
+    page += "<tr><td>" + QString::fromStdString(name) + "</td>";
     for (const ordered_json& side : report["sides"])
     {
       page += "<td class='n'>" + get(side) + "</td>";
     }
     page += "</tr>";
   };
-  row("Method", [](const ordered_json& side) { return Escape(side["description"]); });
   // A figure of a side, or "–" where it has none.
-  const auto figure = [&](const QString& name, const char* key, std::string (*format)(double))
-  {
-    row(name, [=](const ordered_json& side)
-      { return side.contains(key) ? QString::fromStdString(format(side[key])) : QString("–"); });
-  };
-  figure("Frame", "frame_ms", &tool::FormatMilliseconds);
-  figure("Predicted error", "predicted_error", &tool::FormatPercent);
+  const auto figure = [](const ordered_json& side, const char* key, std::string (*format)(double))
+  { return side.contains(key) ? QString::fromStdString(format(side[key])) : QString("–"); };
+  row("Method", [](const ordered_json& side) { return Escape(side["description"]); });
+  row("Frame",
+    [&](const ordered_json& side) { return figure(side, "frame_ms", &tool::FormatMilliseconds); });
+  row("Predicted error", [&](const ordered_json& side)
+    { return figure(side, "predicted_error", &tool::FormatPercent); });
   for (const tool::Metric& metric : tool::GetMetrics())
   {
-    row(QString::fromStdString(metric.Label),
+    row(metric.Label,
       [&](const ordered_json& side)
       {
-        return side.contains("errors") ? FormatFigure(metric, side["errors"][metric.Name])
-                                       : QString("–");
+        const ordered_json value =
+          side.contains("errors") ? side["errors"][metric.Name] : ordered_json();
+        return !value.is_number() ? QString("–")
+               : metric.Relative  ? QString::fromStdString(tool::FormatPercent(value))
+                                  : QString::number(value.get<double>(), 'g', 3);
       });
   }
-  page += "</table>";
-  page += QString("<p>Errors are of this view in %1 x %2 pixels, against the exact picture. The "
-                  "frame is one of that size.</p>")
-            .arg(data.Size.Width)
-            .arg(data.Size.Height);
+  page +=
+    QString("</table><p>Errors are of this view in %1 x %2 pixels, against the exact picture. "
+            "The frame is one of that size.</p>")
+      .arg(data.Size.Width)
+      .arg(data.Size.Height);
   if (report.contains("light"))
   {
-    const explorer::LightState& light = data.Explored.Light;
     page += QString("<p>One directional light: polar angle %1°, azimuth %2°, irradiance %3.</p>")
-              .arg(light.Theta)
-              .arg(light.Phi)
-              .arg(light.Irradiance);
+              .arg(report["light"]["theta"].get<double>())
+              .arg(report["light"]["phi"].get<double>())
+              .arg(report["light"]["irradiance"].get<double>());
   }
-  if (!data.Plan.empty())
+  if (report["plan"] != "")
   {
-    page += "<h2>Plan</h2><pre>" + Escape(data.Plan) + "</pre>";
+    page += "<h2>Plan</h2><pre>" + Escape(report["plan"]) + "</pre>";
   }
-  if (data.Inspection.is_object())
+  if (report.contains("info"))
   {
-    page += "<h2>Material</h2><table>";
-    for (const auto& finding : explorer::FindFindings(data.Inspection))
-    {
-      page += QString("<tr><td>%1</td><td>%2</td><td>%3</td></tr>")
-                .arg(finding.IsGood ? "✔" : "⚠", Escape(finding.Name), Escape(finding.Text));
-    }
-    page += "</table><pre>" + Escape(tool::FormatInspection(data.Inspection)) + "</pre>";
+    page += "<h2>Material</h2>" + explorer::MakeFindingsTable(report["info"]) + "<pre>" +
+            Escape(tool::FormatInspection(report["info"])) + "</pre>";
   }
-  return page + "<h2>State</h2><pre>" + Escape(explorer::WriteState(data.Explored)) +
+  return page + "<h2>State</h2><pre>" + Escape(report["state"].dump(2)) +
          "</pre><p>measured-brdf " MEASUREDBRDF_VERSION "</p></body></html>\n";
 }
 }
 
 namespace explorer
 {
-//------------------------------------------------------------------------------
-ordered_json MakeReport(const ReportData& data)
-{
-  ordered_json sides = ordered_json::array();
-  for (const ReportSide& side : data.Sides)
-  {
-    ordered_json entry = { { "description", side.Description } };
-    if (side.PredictedError >= 0.0)
-    {
-      entry["predicted_error"] = side.PredictedError;
-    }
-    if (side.Frame > 0.0)
-    {
-      entry["frame_ms"] = side.Frame;
-    }
-    if (!side.IsReference && !data.Reference.empty() &&
-        side.Radiance.size() == data.Reference.size())
-    {
-      vtkNew<vtkRadianceMetrics> metrics;
-      tool::Measure(metrics, tool::Grid(*data.Visible, data.Size), side.Radiance, data.Reference);
-      for (const tool::Metric& metric : tool::GetMetrics())
-      {
-        entry["errors"][metric.Name] = metric.Get(metrics); // NaN becomes null
-      }
-    }
-    sides.push_back(entry);
-  }
-  ordered_json report = { { "format", "measured-brdf explorer report" },
-    { "material", data.Material }, { "environment", data.Explored.Environment },
-    { "width", data.Size.Width }, { "height", data.Size.Height }, { "sides", sides },
-    { "plan", data.Plan }, { "state", ordered_json::parse(WriteState(data.Explored)) } };
-  if (data.Explored.Environment == DirectionalLightName)
-  {
-    const LightState& light = data.Explored.Light;
-    report["light"] = { { "theta", light.Theta }, { "phi", light.Phi },
-      { "irradiance", light.Irradiance } };
-  }
-  if (data.Inspection.is_object())
-  {
-    report["info"] = data.Inspection;
-  }
-  return report;
-}
-
 //------------------------------------------------------------------------------
 void WriteReport(const ReportData& data, const std::string& path)
 {
@@ -171,7 +115,20 @@ void WriteReport(const ReportData& data, const std::string& path)
     throw tool::Error(path + ": a report's name ends in .html or .json");
   }
   tool::CheckWritable(path);
-  const ordered_json report = MakeReport(data);
+  ordered_json report = data.Figures;
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    if (!data.Reference.empty() && data.Radiance[k].size() == data.Reference.size())
+    {
+      vtkNew<vtkRadianceMetrics> metrics;
+      tool::Measure(
+        metrics, tool::Grid(*data.Visible, data.Size), data.Radiance[k], data.Reference);
+      for (const tool::Metric& metric : tool::GetMetrics())
+      {
+        report["sides"][k]["errors"][metric.Name] = metric.Get(metrics); // NaN becomes null
+      }
+    }
+  }
   tool::WriteWhole(path,
     ending == ".html" ? MakePage(data, report).toStdString()
                       : report.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");

@@ -9,7 +9,6 @@
 #define Report_h
 
 #include "Inputs.h"
-#include "State.h"
 #include "Surface.h"
 
 #include <QImage>
@@ -25,33 +24,19 @@
 
 namespace explorer
 {
-struct ReportSide
-{
-  std::string Description;
-  bool IsReference = false;
-  double PredictedError = -1.0; // negative: none
-  double Frame = 0.0;           // ms
-  std::vector<double> Radiance; // 3 doubles a pixel of the surface
-};
-
 /// All that a report is made of, so that a thread can make it.
 struct ReportData
 {
-  State Explored;
-  std::string Material;
-  std::string Plan;
-  nlohmann::ordered_json Inspection; // may be null
+  nlohmann::ordered_json Figures; // all but the errors of its "sides"
   tool::Size Size{ 1, 1 };
   std::shared_ptr<const tool::Surface> Visible;
   std::vector<double> Reference;
-  std::array<ReportSide, 2> Sides;
+  std::array<std::vector<double>, 2> Radiance; // of the sides, 3 doubles a pixel of the surface
   std::vector<std::pair<QString, QImage>> Pictures; // with titles
 };
 
-/// The figures: methods, errors by every metric of `compare`, times, the state. Throws tool::Error.
-nlohmann::ordered_json MakeReport(const ReportData& data);
-
-/// As the path's ending says, .html or .json; whole or not at all. Throws tool::Error.
+/// As the path's ending says, .html or .json; whole or not at all: the figures with the sides'
+/// errors by every metric of `compare`, and the page with its pictures. Throws tool::Error.
 void WriteReport(const ReportData& data, const std::string& path);
 } // namespace explorer
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace
 {
@@ -21,13 +22,6 @@ void AddOnce(std::vector<std::string>& list, const std::string& file)
   {
     list.push_back(file);
   }
-}
-
-//------------------------------------------------------------------------------
-double WrapDegrees(double degrees)
-{
-  const double turned = std::fmod(degrees + 180.0, 360.0);
-  return (turned < 0.0 ? turned + 360.0 : turned) - 180.0;
 }
 } // namespace
 
@@ -46,6 +40,14 @@ Session::Session(Jobs* jobs, QObject* parent)
   this->Remake.setSingleShot(true);
   this->Remake.setInterval(RemakeTime);
   connect(&this->Remake, &QTimer::timeout, this, &Session::RemakeMaterial);
+  connect(this, &Session::rotationChanged, this,
+    [this]()
+    {
+      if (this->Environment)
+      {
+        this->Environment->SetRotationY(this->Current.Rotation);
+      }
+    });
   connect(jobs, &Jobs::noted, this, [this](const QString& text) { this->Say(text, false); });
   connect(jobs, &Jobs::failed, this, [this](const QString& text) { this->Say(text, true); });
 }
@@ -85,17 +87,12 @@ void Session::Replace(const State& state, bool withCamera)
     this->SetMesh(state.Mesh);
     this->IsCameraGiven = withCamera;
   }
-  if (this->Environment)
+  for (const Signal signal : { &Session::rotationChanged, &Session::methodsChanged,
+         &Session::toleranceChanged, &Session::pictureChanged, &Session::referenceHeightChanged,
+         &Session::lobeChanged, &Session::slicesChanged })
   {
-    this->Environment->SetRotationY(state.Rotation);
+    emit(this->*signal)();
   }
-  emit this->rotationChanged();
-  emit this->methodsChanged();
-  emit this->toleranceChanged();
-  emit this->pictureChanged();
-  emit this->referenceHeightChanged();
-  emit this->lobeChanged();
-  emit this->slicesChanged();
 }
 
 //------------------------------------------------------------------------------
@@ -248,7 +245,112 @@ void Session::SetMesh(const std::string& file)
 void Session::SetCompared(const std::vector<std::string>& files)
 {
   this->Current.Compared = files;
+  for (auto one = this->Compared.begin(); one != this->Compared.end();)
+  {
+    one = this->IsCompared(one->first) ? std::next(one) : this->Compared.erase(one);
+  }
   emit this->comparedChanged();
+  this->ReadCompared();
+}
+
+//------------------------------------------------------------------------------
+void Session::SetCompared(const std::string& file, bool isCompared)
+{
+  std::vector<std::string> files = this->Current.Compared;
+  files.erase(std::remove(files.begin(), files.end(), file), files.end());
+  if (isCompared && files.size() >= MostCompared)
+  {
+    this->Say(tr("At most %1 materials are compared with the one that is shown")
+                .arg(static_cast<int>(MostCompared)),
+      true);
+  }
+  else if (isCompared)
+  {
+    files.push_back(file);
+  }
+  this->SetCompared(files);
+}
+
+//------------------------------------------------------------------------------
+bool Session::IsCompared(const std::string& file) const
+{
+  const std::vector<std::string>& files = this->Current.Compared;
+  return std::find(files.begin(), files.end(), file) != files.end();
+}
+
+//------------------------------------------------------------------------------
+std::vector<ChartedMaterial> Session::GetComparedMaterials() const
+{
+  std::vector<ChartedMaterial> materials;
+  for (const std::string& file : this->Current.Compared)
+  {
+    const auto found = this->Compared.find(file);
+    if (found != this->Compared.end())
+    {
+      materials.push_back(found->second);
+    }
+  }
+  return materials;
+}
+
+//------------------------------------------------------------------------------
+// What is missing, or is a model with other parameters now. One job reads one after the other: they
+// may be large. A model is shown as it was until then.
+void Session::ReadCompared()
+{
+  const ModelStates models = this->Current.Models;
+  std::vector<std::string> missing;
+  for (const std::string& file : this->Current.Compared)
+  {
+    const auto found = this->Compared.find(file);
+    if (found == this->Compared.end() || found->second.Values != FindValues(file, models))
+    {
+      missing.push_back(file);
+    }
+  }
+  if (missing.empty())
+  {
+    this->Background->Stop("compare");
+    return;
+  }
+  this->Background->Start("compare", tr("reading for comparison"),
+    [this, missing, models](const Jobs::Post& post)
+    {
+      for (const std::string& file : missing)
+      {
+        if (tool::BackgroundWork::Get()->IsStopped())
+        {
+          return;
+        }
+        try
+        {
+          const MadeMaterial made = MakeMaterial(file, { models, {} });
+          const tool::Material& read = made.Shown;
+          const ChartedMaterial material{ file, read.Name, read.BRDF, SampleAlbedo(read.BRDF),
+            made.Values, read.Transmission,
+            read.Transmission ? SampleTransmittance(read.Transmission) : Curve() };
+          post(
+            [this, material]()
+            {
+              this->Compared[material.File] = material;
+              emit this->comparedChanged();
+              if (material.Values != FindValues(material.File, this->Current.Models))
+              {
+                this->ReadCompared(); // they have changed since this was begun
+              }
+            });
+        }
+        catch (const std::exception& error)
+        {
+          post(
+            [this, file, text = QString::fromUtf8(error.what())]()
+            {
+              this->Say(text, true);
+              this->SetCompared(file, false);
+            });
+        }
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -279,8 +381,13 @@ MaterialSettings Session::GetMaterialSettings() const
 // waited for.
 void Session::RemakeMaterial()
 {
-  emit this->settingsSettled();
   const MaterialSettings settings = this->GetMaterialSettings();
+  if (std::any_of(this->Compared.begin(), this->Compared.end(),
+        [&](const auto& one)
+        { return one.second.Values != FindValues(one.first, settings.Models); }))
+  {
+    this->ReadCompared();
+  }
   if (!this->Made.Shown.BRDF || !this->Made.IsAnother(settings))
   {
     this->Background->Stop("remake"); // of settings that are taken back
@@ -409,29 +516,11 @@ bool Session::Load(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-void Session::SetRotation(double degrees)
+void Session::Edit(Signal changed, const std::function<void(State&)>& change)
 {
-  if (!std::isfinite(degrees))
-  {
-    return;
-  }
-  if (this->Environment)
-  {
-    this->Environment->SetRotationY(WrapDegrees(degrees));
-  }
-  this->Set(&State::Rotation, WrapDegrees(degrees), &Session::rotationChanged);
-}
-
-//------------------------------------------------------------------------------
-void Session::SetLight(const LightState& light)
-{
-  if (std::isfinite(light.Theta + light.Phi + light.Irradiance))
-  {
-    this->Current.Light = light;
-    this->Current.Light.Phi = WrapDegrees(light.Phi);
-    Limit(this->Current);
-    emit this->lightChanged();
-  }
+  change(this->Current);
+  Limit(this->Current);
+  emit(this->*changed)();
 }
 
 //------------------------------------------------------------------------------
@@ -475,49 +564,19 @@ void Session::SetMethod(int side, const std::string& key)
 {
   if (IsMethod(key))
   {
-    std::array<std::string, 2> methods = this->Current.Methods;
-    methods[side == 0 ? 0 : 1] = key;
-    this->Set(&State::Methods, methods, &Session::methodsChanged);
+    this->Edit(&Session::methodsChanged,
+      [&](State& state) { state.Methods[static_cast<std::size_t>(side)] = key; });
   }
 }
 
 //------------------------------------------------------------------------------
-// The largest power of two that is not more.
-void Session::SetLights(int count)
+void Session::SetLobe(double thetaI, double phiI)
 {
-  int power = 1;
-  while (power * 2 <= std::min(count, MostLights))
-  {
-    power *= 2;
-  }
-  this->Set(&State::Lights, power, &Session::methodsChanged);
-}
-
-//------------------------------------------------------------------------------
-void Session::SetCamera(const CameraState& camera)
-{
-  this->Current.Camera = camera;
-  emit this->cameraChanged();
-}
-
-//------------------------------------------------------------------------------
-void Session::SetLobe(double thetaI, double phiI, bool logarithmic)
-{
-  this->Current.LobeThetaI = thetaI;
-  this->Current.LobePhiI = WrapDegrees(phiI - 180.0) + 180.0; // [0, 360)
-  this->Current.LobeLogarithmic = logarithmic;
-  Limit(this->Current);
-  emit this->lobeChanged();
-}
-
-//------------------------------------------------------------------------------
-void Session::SetSlices(double thetaH, double thetaD, double phiD, bool logarithmic)
-{
-  this->Current.SliceThetaH = thetaH;
-  this->Current.SliceThetaD = thetaD;
-  this->Current.SlicePhiD = phiD;
-  this->Current.SliceLogarithmic = logarithmic;
-  Limit(this->Current);
-  emit this->slicesChanged();
+  this->Edit(&Session::lobeChanged,
+    [&](State& state)
+    {
+      state.LobeThetaI = thetaI;
+      state.LobePhiI = phiI;
+    });
 }
 } // namespace explorer

@@ -9,6 +9,7 @@
 #ifndef Session_h
 #define Session_h
 
+#include "Curves.h"
 #include "Jobs.h"
 #include "Materials.h"
 #include "State.h"
@@ -25,7 +26,6 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace explorer
@@ -39,6 +39,8 @@ class Session : public QObject
   Q_OBJECT
 
 public:
+  using Signal = void (Session::*)();
+
   explicit Session(Jobs* jobs, QObject* parent = nullptr);
 
   const State& GetState() const { return this->Current; }
@@ -66,9 +68,16 @@ public:
   void SetMesh(const std::string& file);
   ///@}
 
-  /// Which materials the charts have beside the one that is shown. Comparison
-  /// reads them.
+  ///@{
+  /// Which materials the charts have beside the one that is shown, at most MostCompared. They are
+  /// read in the background; what cannot be read is taken out, with a message.
   void SetCompared(const std::vector<std::string>& files);
+  void SetCompared(const std::string& file, bool isCompared);
+  bool IsCompared(const std::string& file) const;
+
+  /// Those that have been read, as State::Compared has them.
+  std::vector<ChartedMaterial> GetComparedMaterials() const;
+  ///@}
 
   ///@{
   /// What was read; null before. The environment is null, too, where there is
@@ -92,28 +101,28 @@ public:
   bool IsWaiting() const { return this->Remake.isActive(); }
 
   ///@{
-  /// Values outside of what a state allows are taken as the nearest that are
-  /// allowed.
-  void SetRotation(double degrees);
-  void SetLight(const LightState& light);
-  void SetMethod(int side, const std::string& key);
-  void SetLights(int count);
-  void SetCamera(const CameraState& camera);
-  void SetLobe(double thetaI, double phiI, bool logarithmic);
-  void SetSlices(double thetaH, double thetaD, double phiD, bool logarithmic);
-  void SetTolerance(double tolerance)
+  /// Changes the state and tells of it. Values outside of what a state allows are taken as the
+  /// nearest that are allowed.
+  void Edit(Signal changed, const std::function<void(State&)>& change);
+  template <typename Value>
+  void Set(Value State::*field, const Value& value, Signal changed)
   {
-    this->Set(&State::Tolerance, tolerance, &Session::toleranceChanged);
+    this->Edit(changed, [&](State& state) { state.*field = value; });
+  }
+  void SetRotation(double turn) { this->Set(&State::Rotation, turn, &Session::rotationChanged); }
+  void SetLight(const LightState& light)
+  {
+    this->Set(&State::Light, light, &Session::lightChanged);
+  }
+  void SetMethod(int side, const std::string& key);
+  void SetLights(int count) { this->Set(&State::Lights, count, &Session::methodsChanged); }
+  void SetLobe(double thetaI, double phiI);
+  void SetTolerance(double share)
+  {
+    this->Set(&State::Tolerance, share, &Session::toleranceChanged);
   }
   void SetShown(Shown shown) { this->Set(&State::Show, shown, &Session::pictureChanged); }
   void SetSplit(double share) { this->Set(&State::Split, share, &Session::pictureChanged); }
-  void SetExposure(double stops) { this->Set(&State::Exposure, stops, &Session::pictureChanged); }
-  void SetBackdrop(bool shown) { this->Set(&State::Backdrop, shown, &Session::pictureChanged); }
-  void SetReferenceHeight(int pixels)
-  {
-    this->Set(&State::ReferenceHeight, pixels, &Session::referenceHeightChanged);
-  }
-  void SetSlicePolar(bool polar) { this->Set(&State::SlicePolar, polar, &Session::slicesChanged); }
   ///@}
 
   ///@{
@@ -147,13 +156,12 @@ public:
 signals:
   void listsChanged();
   void materialChanged();
-  void comparedChanged();
+  void comparedChanged(); // which are to be compared, or one has been read
   void environmentChanged();
   void rotationChanged();
   void lightChanged();
   void modelsChanged();
   void editsChanged();
-  void settingsSettled(); // models and edits, for a moment
   void meshChanged();
   void toleranceChanged();
   void methodsChanged();
@@ -167,20 +175,11 @@ signals:
   void messaged(const QString& text, bool isError);
 
 private:
-  template <typename Value>
-  void Set(Value State::*field, Value value, void (Session::*changed)())
-  {
-    const Value before = std::exchange(this->Current.*field, value);
-    Limit(this->Current);
-    if (this->Current.*field != before)
-    {
-      emit(this->*changed)();
-    }
-  }
   void OpenOne(const std::string& file, const MaterialSettings& settings, const Jobs::Post& post);
   void FailToRead(const QString& text);
   MaterialSettings GetMaterialSettings() const;
   void RemakeMaterial();
+  void ReadCompared();
   void Take(const MadeMaterial& made);
   void Take(const vtkSmartPointer<vtkEnvironment>& environment, const std::string& file);
   void Take(const vtkSmartPointer<vtkPolyData>& mesh, const std::string& file);
@@ -189,6 +188,7 @@ private:
   State Current;
   std::map<std::string, SampleEdits> SavedEdits; // those that are in a file
   MadeMaterial Made;
+  std::map<std::string, ChartedMaterial> Compared; // by their files
   QTimer Remake;
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkSmartPointer<vtkPolyData> Mesh;

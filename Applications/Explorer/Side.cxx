@@ -22,52 +22,29 @@
 
 namespace explorer
 {
-namespace
-{
-/// VTK's own shading of a property, under an environment or a lamp.
-class FittedScene : public tool::StockScene
+/// What a side shows, off screen: radiance above 1 and alpha, which a widget's window does not
+/// keep.
+class CaptureScene : public tool::OffscreenScene
 {
 public:
-  void SetProperty(vtkProperty* property) { this->Actor->GetProperty()->DeepCopy(property); }
-
-  void SetLamp(vtkLight* lamp)
+  explicit CaptureScene(vtkOpenGLPolyDataMapper* mapper)
+    : OffscreenScene(mapper)
+    , Stage(mapper)
   {
-    this->Unit = 1.0;
-    this->Renderer->UseImageBasedLightingOff();
-    this->Renderer->SetEnvironmentTexture(nullptr);
-    this->Renderer->RemoveAllLights();
-    this->Renderer->AddLight(lamp);
   }
 
-  void SetEnvironment(vtkEnvironment* environment)
-  {
-    this->Renderer->RemoveAllLights();
-    this->SetLight(environment);
-  }
+  using OffscreenScene::Actor;
+  using OffscreenScene::Renderer;
+  using OffscreenScene::Unit;
+  vtkOpenGLPolyDataMapper* Stage;
 };
 
 //------------------------------------------------------------------------------
-/// A material under a lamp, without an environment.
-class LampScene : public tool::OffscreenScene
+static void SetUpLight(vtkTexture* texture)
 {
-public:
-  explicit LampScene(vtkLight* lamp)
-    : LampScene(vtkSmartPointer<vtkMeasuredBRDFMapper>::New(), lamp)
-  {
-  }
-
-  void SetMaterial(vtkBRDF* brdf) { this->Mapper->SetBRDF(brdf); }
-
-private:
-  LampScene(vtkMeasuredBRDFMapper* mapper, vtkLight* lamp)
-    : OffscreenScene(mapper)
-    , Mapper(mapper)
-  {
-    this->Renderer->AddLight(lamp);
-  }
-
-  vtkSmartPointer<vtkMeasuredBRDFMapper> Mapper;
-};
+  texture->SetColorModeToDirectScalars();
+  texture->MipmapOn();
+  texture->InterpolateOn();
 }
 
 //------------------------------------------------------------------------------
@@ -83,9 +60,7 @@ Side::Side(int index, Session* session, Jobs* jobs, QObject* parent)
   this->StockMapper->ScalarVisibilityOff();
   this->StockActor->SetMapper(this->StockMapper);
   this->StockActor->GetProperty()->SetInterpolationToPBR();
-  this->StockLight->SetColorModeToDirectScalars();
-  this->StockLight->MipmapOn();
-  this->StockLight->InterpolateOn();
+  SetUpLight(this->StockLight);
   for (vtkActor* actor : { this->Actor.Get(), this->StockActor.Get() })
   {
     ShowRadiance(actor);
@@ -97,13 +72,31 @@ Side::Side(int index, Session* session, Jobs* jobs, QObject* parent)
   this->Lamp->SwitchOff();
   this->UpdateVisibility();
   this->Mapper->AddObserver(vtkCommand::UpdateDataEvent, this, &Side::OnPlan);
-  connect(session, &Session::materialChanged, this, &Side::UpdateMethod);
-  connect(session, &Session::environmentChanged, this, &Side::UpdateMethod);
-  connect(session, &Session::methodsChanged, this, &Side::UpdateMethod);
-  connect(session, &Session::toleranceChanged, this, &Side::UpdateTolerance);
+  for (const auto signal :
+    { &Session::materialChanged, &Session::environmentChanged, &Session::methodsChanged })
+  {
+    connect(session, signal, this, &Side::UpdateMethod);
+  }
   connect(session, &Session::rotationChanged, this, &Side::UpdateRotation);
-  connect(session, &Session::lightChanged, this, &Side::UpdateLight);
   connect(session, &Session::meshChanged, this, &Side::UpdateMesh);
+  connect(session, &Session::toleranceChanged, this,
+    [this]()
+    {
+      this->Mapper->SetErrorTolerance(this->Model->GetState().Tolerance);
+      if (this->Drawn == Kind::Planned)
+      {
+        emit this->changed();
+      }
+    });
+  connect(session, &Session::lightChanged, this,
+    [this]()
+    {
+      PlaceLight(this->Lamp, this->Model->GetState().Light);
+      if (this->IsLit && !this->Light)
+      {
+        emit this->changed();
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -248,45 +241,21 @@ void Side::StartFit()
       return std::pair(fitted, fitter->GetRelativeError());
     },
     [this](const std::pair<vtkSmartPointer<vtkProperty>, double>& fit)
-    { this->DrawFitted(fit.first, fit.second); },
+    {
+      this->FitError = fit.second;
+      this->StockActor->GetProperty()->DeepCopy(fit.first);
+      this->StockUnit = 1.0;
+      if (!this->Model->IsDirectional())
+      {
+        const tool::StockLight light(this->Model->GetEnvironment());
+        this->StockUnit = light.Unit;
+        this->StockLight->SetInputData(light.Image);
+      }
+      this->SetExposure(this->Exposure);
+      this->Draw(Kind::Stock, this->Model->GetEnvironment(), {});
+      emit this->changed();
+    },
     [this](const QString& text) { this->FailToMake(text); });
-}
-
-//------------------------------------------------------------------------------
-void Side::DrawFitted(vtkProperty* fitted, double error)
-{
-  this->FitError = error;
-  this->StockActor->GetProperty()->DeepCopy(fitted);
-  this->StockUnit = 1.0;
-  if (!this->Model->IsDirectional())
-  {
-    const tool::StockLight light(this->Model->GetEnvironment());
-    this->StockUnit = light.Unit;
-    this->StockLight->SetInputData(light.Image);
-  }
-  this->SetExposure(this->Exposure);
-  this->Draw(Kind::Stock, this->Model->GetEnvironment(), {});
-  emit this->changed();
-}
-
-//------------------------------------------------------------------------------
-void Side::UpdateLight()
-{
-  PlaceLight(this->Lamp, this->Model->GetState().Light);
-  if (this->IsLit && !this->Light)
-  {
-    emit this->changed();
-  }
-}
-
-//------------------------------------------------------------------------------
-void Side::UpdateTolerance()
-{
-  this->Mapper->SetErrorTolerance(this->Model->GetState().Tolerance);
-  if (this->Drawn == Kind::Planned)
-  {
-    emit this->changed();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -387,45 +356,47 @@ QString Side::Describe() const
 }
 
 //------------------------------------------------------------------------------
-// To be measured against the exact picture, and so without what the mesh hides.
-// Scenes of their own: radiance above 1 and alpha, which a widget's window does not keep. A planned
-// method finds the mapper's plan, which mappers of one material and environment share.
+// To be measured against the exact picture, and so without what the mesh hides. A planned method
+// finds the mapper's plan, which mappers of one material and environment share.
 tool::Picture Side::Capture(vtkCamera* camera, const tool::Size& size, double& frame)
 {
-  const bool isMapped = this->Drawn == Kind::Planned || this->Drawn == Kind::Made;
-  const Kind kind = isMapped ? Kind::Made : this->Drawn;
-  if (!this->Scene || this->SceneKind != kind)
+  const bool isStock = this->Drawn == Kind::Stock;
+  if (!this->Scene || isStock != !this->Scene->Stage->IsA("vtkMeasuredBRDFMapper"))
   {
-    this->SceneKind = kind;
     this->Scene.reset(); // one window at a time
-    this->Scene.reset(kind == Kind::Stock ? static_cast<tool::OffscreenScene*>(new FittedScene())
-                      : kind == Kind::Direct
-                        ? new LampScene(this->Lamp)
-                        : static_cast<tool::OffscreenScene*>(new tool::Scene()));
+    vtkSmartPointer<vtkOpenGLPolyDataMapper> mapper = vtkSmartPointer<vtkMeasuredBRDFMapper>::New();
+    if (isStock)
+    {
+      mapper = vtkSmartPointer<vtkOpenGLPolyDataMapper>::New();
+    }
+    this->Scene = std::make_unique<CaptureScene>(mapper);
     this->Scene->SetMesh(this->Model->GetMesh());
   }
-  if (kind == Kind::Stock)
+  vtkRenderer* renderer = this->Scene->Renderer;
+  renderer->RemoveAllLights();
+  if (!this->Light)
   {
-    auto* stock = static_cast<FittedScene*>(this->Scene.get());
-    stock->SetProperty(this->StockActor->GetProperty());
-    this->Light ? stock->SetEnvironment(this->Light) : stock->SetLamp(this->Lamp);
+    renderer->AddLight(this->Lamp);
   }
-  else if (kind == Kind::Direct)
+  if (auto* mapper = vtkMeasuredBRDFMapper::SafeDownCast(this->Scene->Stage))
   {
-    static_cast<LampScene*>(this->Scene.get())->SetMaterial(this->Mapper->GetBRDF());
+    mapper->SetErrorTolerance(this->Model->GetState().Tolerance);
+    mapper->SetOcclusionModeToOff();
+    mapper->SetBRDF(this->Mapper->GetBRDF());
+    mapper->SetEnvironment(this->Light);
+    mapper->SetIntegrator(this->Mapper->GetIntegrator());
   }
   else
   {
-    auto* scene = static_cast<tool::Scene*>(this->Scene.get());
-    if (this->Drawn == Kind::Planned)
-    {
-      tool::PlanOptions options;
-      options.Tolerance = this->Model->GetState().Tolerance;
-      scene->SetPlan(options);
-    }
-    scene->ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_OFF, false);
-    scene->SetMaterial(this->Mapper->GetBRDF());
-    scene->SetLight(this->Light, this->Mapper->GetIntegrator());
+    vtkNew<vtkTexture> texture; // each window has its own
+    SetUpLight(texture);
+    texture->SetInputData(this->StockLight->GetInput());
+    this->Scene->Unit = this->StockUnit;
+    this->Scene->Actor->GetProperty()->DeepCopy(this->StockActor->GetProperty());
+    renderer->SetUseImageBasedLighting(this->Light);
+    renderer->SetEnvironmentTexture(this->Light ? texture.Get() : nullptr);
+    renderer->SetEnvironmentRight(this->Renderer->GetEnvironmentRight());
+    renderer->SetEnvironmentUp(this->Renderer->GetEnvironmentUp());
   }
   this->Scene->SetCamera(camera);
   tool::Picture picture = this->Scene->Render(size.Width, size.Height);

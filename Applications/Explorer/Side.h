@@ -29,17 +29,13 @@ class vtkActor;
 class vtkCamera;
 class vtkLight;
 class vtkOpenGLPolyDataMapper;
-class vtkProperty;
 class vtkRadiancePlanner;
 class vtkTexture;
 
-namespace tool
-{
-class OffscreenScene;
-}
-
 namespace explorer
 {
+class CaptureScene;
+
 /**
  * Plans are made by the mapper's own thread, other methods by a job. What was drawn before is
  * drawn until then. Of the reference a side draws what is planned; the picture lies over it.
@@ -103,12 +99,9 @@ private:
   void UpdateMethod();
   void UpdateMesh();
   void UpdateRotation();
-  void UpdateLight();
-  void UpdateTolerance();
   void StartMethod(const std::string& key);
   void StartFit();
   void Draw(Kind kind, vtkEnvironment* light, const tool::Method& method);
-  void DrawFitted(vtkProperty* fitted, double error);
   void FailToMake(const QString& text);
   void UpdateVisibility();
   void OnPlan();
@@ -133,9 +126,8 @@ private:
   bool IsLit = false; // whether anything is drawn yet
   bool IsMade = true; // false while a job makes the method
   bool IsVisible = true;
-  std::string Plan;                            // that was told of
-  std::unique_ptr<tool::OffscreenScene> Scene; // for Capture
-  Kind SceneKind = Kind::Made;                 // of the scene: its class depends on it
+  std::string Plan;                    // that was told of
+  std::unique_ptr<CaptureScene> Scene; // for Capture
 };
 } // namespace explorer
 

@@ -3,21 +3,13 @@
 #include "SlicePanel.h"
 
 #include "Controls.h"
+#include "Display.h"
 
-#include "vtkAxis.h"
-#include "vtkChartXY.h"
-#include "vtkContext2D.h"
-#include "vtkContextActor.h"
-#include "vtkContextItem.h"
-#include "vtkContextScene.h"
+#include "vtkBRDFImageSource.h"
 #include "vtkMath.h"
-#include "vtkObjectFactory.h"
-#include "vtkPen.h"
-#include "vtkRect.h"
-#include "vtkRenderer.h"
-#include "vtkTextProperty.h"
+#include "vtkNew.h"
 
-#include <QHBoxLayout>
+#include <QPainter>
 
 #include <algorithm>
 #include <cmath>
@@ -27,324 +19,109 @@ namespace explorer
 {
 namespace
 {
-constexpr double Reach = 1.14;      // of the chart; the largest circle has radius 1
-constexpr double TextHeight = 26.0; // pixels of the screen
-constexpr int PolarFontSize = 12;
-constexpr Color PolarGrid = { 215, 215, 215 };
-constexpr Color Surface = { 150, 150, 150 };
+const QColor LightColor(240, 170, 0);
+const QColor GridColor(215, 215, 215);
 
 //------------------------------------------------------------------------------
-void AddCircle(vtkChartXY* chart, double radius, bool allAround, double ratio)
+QPen MakePen(const QColor& color, double width, bool dashed = false)
 {
-  std::vector<double> x;
-  std::vector<double> y;
-  for (int degrees = 0; degrees <= (allAround ? 360 : 180); degrees += 2)
+  return { color, width, dashed ? Qt::DashLine : Qt::SolidLine };
+}
+
+//------------------------------------------------------------------------------
+void DrawCentered(QPainter& painter, const QPointF& middle, const QString& text)
+{
+  constexpr double space = 400.0; // more than any text takes
+  painter.drawText(QRectF(middle.x() - space, middle.y() - space, 2.0 * space, 2.0 * space),
+    Qt::AlignCenter, text);
+}
+
+//------------------------------------------------------------------------------
+// A frame with ticks and their texts below it and left of it.
+void DrawAxes(
+  QPainter& painter, const QRectF& frame, const ChartTicks& across, const ChartTicks& upwards)
+{
+  const double line = painter.fontMetrics().height();
+  for (const auto& [share, text] : across)
   {
-    const double angle = vtkMath::RadiansFromDegrees(static_cast<double>(degrees));
-    x.push_back(radius * std::cos(angle));
-    y.push_back(radius * std::sin(angle));
+    const QPointF at(frame.left() + share * frame.width(), frame.bottom());
+    painter.drawLine(at, at + QPointF(0.0, 4.0));
+    DrawCentered(painter, at + QPointF(0.0, 4.0 + 0.5 * line), QString::fromStdString(text));
   }
-  AddLine(chart, x, y, PolarGrid, ratio);
-}
-
-//------------------------------------------------------------------------------
-// From the origin, at an angle from the normal.
-void AddRay(vtkChartXY* chart, double degrees, const Color& color, double width, bool dashed)
-{
-  const double angle = vtkMath::RadiansFromDegrees(degrees);
-  AddLine(chart, { 0.0, std::sin(angle) }, { 0.0, std::cos(angle) }, color, width, dashed);
-}
-
-//------------------------------------------------------------------------------
-// As many as have room: every second, third ... where there are more than most.
-std::vector<std::pair<double, std::string>> ThinOut(
-  const std::vector<std::pair<double, std::string>>& ticks, std::size_t most)
-{
-  const std::size_t step = 1 + (ticks.size() - (ticks.empty() ? 0 : 1)) / most;
-  std::vector<std::pair<double, std::string>> some;
-  for (std::size_t k = ticks.size(); k > 0; k -= std::min(k, step))
+  for (const auto& [share, text] : upwards)
   {
-    some.push_back(ticks[k - 1]); // the largest stays
+    const QPointF at(frame.left(), frame.bottom() - share * frame.height());
+    painter.drawLine(at, at - QPointF(4.0, 0.0));
+    painter.drawText(QRectF(0.0, at.y() - line, at.x() - 6.0, 2.0 * line),
+      Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(text));
   }
-  return some;
-}
-
-const char* const Titles[5] = { "f (1/sr) over theta_h", "f (1/sr) over theta_d",
-  "f (1/sr) over phi_d", "albedo over theta_o",
-  "f (1/sr) over theta_o, negative towards the light" };
-const char* const AlbedoTitle = "albedo; dashed: transmitted";
-const char* const CircleTitle = "the same over theta_o; beyond 90: transmitted";
-constexpr int FontSize = 12; // the window's resolution counts, too
-
-//------------------------------------------------------------------------------
-// Degrees at which a chart begins and ends.
-std::pair<double, double> GetRange(int chart, bool allAround)
-{
-  if (chart == SliceView::Plane)
-  {
-    return allAround ? std::pair(-180.0, 180.0) : std::pair(-90.0, 90.0);
-  }
-  return { 0.0, chart == SliceView::PhiD ? 180.0 : 90.0 };
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(frame);
 }
 
 //------------------------------------------------------------------------------
-void AddLines(vtkChartXY* chart, const std::vector<ChartLine>& lines, const ChartScale& scale,
-  double width, bool dashed)
+// Lines through the places that a function finds of their angles and values.
+template <typename Function>
+void DrawLines(QPainter& painter, const std::vector<ChartLine>& lines, bool dashed, Function place)
 {
   for (const ChartLine& line : lines)
   {
-    std::vector<double> y;
-    for (const double value : line.Values)
+    QPolygonF points;
+    for (std::size_t k = 0; k < line.Values.size(); ++k)
     {
-      y.push_back(scale.Find(value));
+      points << place(line.Degrees[k], line.Values[k]);
     }
-    AddLine(chart, line.Degrees, y, line.Rgb, width, dashed);
+    painter.setPen(MakePen(line.Color, 2.0, dashed));
+    painter.drawPolyline(points);
   }
 }
 }
 
-/// The title, and the angles from the normal around the largest circle.
-class PolarLabels : public vtkContextItem
-{
-public:
-  static PolarLabels* New();
-  vtkTypeMacro(PolarLabels, vtkContextItem);
-
-  double Center[2] = { 0.0, 0.0 }; // pixels of the scene
-  double Radius = 0.0;
-  double Title = 0.0; // its height
-  bool AllAround = false;
-
-  bool Paint(vtkContext2D* painter) override
-  {
-    vtkTextProperty* text = painter->GetTextProp();
-    text->SetFontSize(PolarFontSize);
-    text->SetColor(0.25, 0.25, 0.25);
-    text->SetBold(false);
-    text->SetJustificationToCentered();
-    text->SetVerticalJustificationToCentered();
-    for (const int degrees : { -60, -30, 0, 30, 60, -150, -120, 120, 150, 180 })
-    {
-      if (std::abs(degrees) > 90 && !this->AllAround)
-      {
-        continue;
-      }
-      const double angle = vtkMath::RadiansFromDegrees(static_cast<double>(degrees));
-      painter->DrawString(static_cast<float>(this->Center[0] + this->Radius * std::sin(angle)),
-        static_cast<float>(this->Center[1] + this->Radius * std::cos(angle)),
-        std::to_string(degrees));
-    }
-    text->SetFontSize(PolarFontSize + 1);
-    text->SetColor(0.0, 0.0, 0.0);
-    painter->DrawString(static_cast<float>(this->Center[0]), static_cast<float>(this->Title),
-      "f (1/sr) in the plane of incidence");
-    return true;
-  }
-};
-vtkStandardNewMacro(PolarLabels);
-
-/**
- * Upwards is the normal, the mirror's side is right; below the surface is what is transmitted,
- * where the chart goes all around. The distance from the origin is the value:
- * from 0, or from the least value where it is logarithmic. Circles have constant values.
- */
-class PolarChart
-{
-public:
-  static constexpr Color LightColor = { 240, 170, 0 };
-
-  explicit PolarChart(vtkContextScene* scene);
-  ~PolarChart();
-
-  /// Lines over the angle from the normal, negative on the light's side. thetaI: of the light, in
-  /// degrees; ratio: of the screen's pixels.
-  void Draw(const std::vector<ChartLine>& lines, double thetaI, bool logarithmic, double ratio);
-
-  /// Whether it has directions below the surface, too; default: no.
-  void SetAllAround(bool allAround) { this->AllAround = allAround; }
-  bool IsAllAround() const { return this->AllAround; }
-
-  /// Into a rectangle of the scene, in pixels; it takes half its width in height, or all of it
-  /// where it goes all around, and two lines of text.
-  void Place(double left, double bottom, double width, double ratio);
-  double GetHeight(double width, double ratio) const;
-
-  void SetVisible(bool visible);
-
-private:
-  vtkNew<vtkChartXY> Chart;
-  vtkNew<PolarLabels> Labels;
-  bool AllAround = false;
-};
-
 //------------------------------------------------------------------------------
-PolarChart::PolarChart(vtkContextScene* scene)
-{
-  this->Chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT); // both axes have one scale
-  this->Chart->SetShowLegend(false);
-  scene->AddItem(this->Chart);
-  scene->AddItem(this->Labels);
-}
-
-//------------------------------------------------------------------------------
-PolarChart::~PolarChart() = default;
-
-//------------------------------------------------------------------------------
-void PolarChart::Draw(
-  const std::vector<ChartLine>& lines, double thetaI, bool logarithmic, double ratio)
-{
-  const ChartScale scale(lines, logarithmic);
-  const double range = scale.GetLargest() - scale.GetLeast();
-  this->Chart->ClearPlots();
-  std::vector<std::pair<double, std::string>> ticks;
-  const std::size_t most = this->AllAround ? 4 : 5; // a full circle is smaller
-  for (const auto& [place, text] : ThinOut(scale.GetTicks(), most))
-  {
-    const double radius = (place - scale.GetLeast()) / range;
-    ticks.emplace_back(radius, text);
-    AddCircle(this->Chart, radius, this->AllAround, ratio);
-  }
-  AddCircle(this->Chart, 1.0, this->AllAround, ratio);
-  for (const double degrees : { -60.0, -30.0, 0.0, 30.0, 60.0 })
-  {
-    AddRay(this->Chart, degrees, PolarGrid, ratio, false);
-    if (this->AllAround)
-    {
-      AddRay(this->Chart, degrees + 180.0, PolarGrid, ratio, false);
-    }
-  }
-  if (this->AllAround)
-  {
-    AddLine(this->Chart, { -1.0, 1.0 }, { 0.0, 0.0 }, Surface, 2.0 * ratio);
-    AddRay(this->Chart, 180.0 - thetaI, LightColor, ratio, true); // straight on
-  }
-  AddRay(this->Chart, -thetaI, LightColor, 3.0 * ratio, false);
-  AddRay(this->Chart, thetaI, LightColor, ratio, true); // the mirror direction
-  for (const ChartLine& line : lines)
-  {
-    std::vector<double> x;
-    std::vector<double> y;
-    for (std::size_t k = 0; k < line.Degrees.size(); ++k)
-    {
-      const double angle = vtkMath::RadiansFromDegrees(line.Degrees[k]);
-      const double radius = (scale.Find(line.Values[k]) - scale.GetLeast()) / range;
-      x.push_back(radius * std::sin(angle));
-      y.push_back(radius * std::cos(angle));
-    }
-    AddLine(this->Chart, x, y, line.Rgb, 2.0 * ratio);
-  }
-  for (const int which : { vtkAxis::LEFT, vtkAxis::BOTTOM })
-  {
-    vtkAxis* axis = this->Chart->GetAxis(which);
-    axis->SetTitle("");
-    axis->GetLabelProperties()->SetFontSize(PolarFontSize);
-    axis->SetGridVisible(false);
-    axis->SetBehavior(vtkAxis::FIXED);
-    axis->SetRange(which == vtkAxis::LEFT && !this->AllAround ? 0.0 : -Reach, Reach);
-  }
-  vtkAxis* upwards = this->Chart->GetAxis(vtkAxis::LEFT);
-  upwards->SetAxisVisible(false);
-  upwards->SetTicksVisible(false);
-  upwards->SetLabelsVisible(false);
-  SetTicks(this->Chart->GetAxis(vtkAxis::BOTTOM), ticks);
-  this->Chart->RecalculateBounds();
-}
-
-//------------------------------------------------------------------------------
-void PolarChart::Place(double left, double bottom, double width, double ratio)
-{
-  const double base = bottom + ratio * TextHeight;
-  const double height = this->AllAround ? width : 0.5 * width;
-  this->Chart->SetSize(vtkRectf(static_cast<float>(left), static_cast<float>(base),
-    static_cast<float>(width), static_cast<float>(height)));
-  this->Labels->AllAround = this->AllAround;
-  this->Labels->Center[0] = left + 0.5 * width;
-  this->Labels->Center[1] = base + (this->AllAround ? 0.5 * height : 0.0);
-  this->Labels->Title = base + height + 0.5 * ratio * TextHeight;
-  this->Labels->Radius = 0.5 * width * (1.0 + Reach) / (2.0 * Reach);
-}
-
-//------------------------------------------------------------------------------
-double PolarChart::GetHeight(double width, double ratio) const
-{
-  return (this->AllAround ? 1.0 : 0.5) * width + 2.0 * ratio * TextHeight;
-}
-
-//------------------------------------------------------------------------------
-void PolarChart::SetVisible(bool visible)
-{
-  this->Chart->SetVisible(visible);
-  this->Labels->SetVisible(visible);
-}
-
-//------------------------------------------------------------------------------
-SliceView::SliceView(Session* session, Comparison* comparison, QWidget* parent)
-  : RenderView(tr("Slices and albedo"), parent)
-  , Model(session)
-  , Compared(comparison)
+SliceView::SliceView(Session* session)
+  : Model(session)
 {
   this->setMinimumSize(260, 260);
-  this->IsInteractive = false;
-  this->Window->SetLineSmoothing(true);
-  this->Window->AddRenderer(this->Renderer);
-  this->Renderer->SetBackground(0.97, 0.97, 0.97);
-  this->Renderer->AddActor(this->Scene);
-  this->Scene->GetScene()->SetRenderer(this->Renderer);
-  for (const auto& chart : this->Charts)
-  {
-    chart->SetAutoSize(false);
-    chart->SetShowLegend(false);
-    this->Scene->GetScene()->AddItem(chart);
-  }
-  this->Polar = std::make_unique<PolarChart>(this->Scene->GetScene());
+  this->setAccessibleName(tr("Slices and albedo"));
   connect(session, &Session::materialChanged, this,
     [this]()
     {
       this->Albedos = this->Transmittances = Curve();
       this->Update();
     });
-  connect(session, &Session::slicesChanged, this, &SliceView::Update);
-  connect(comparison, &Comparison::changed, this, &SliceView::Update);
-  connect(session, &Session::lobeChanged, this,
-    [this]()
-    {
-      if (this->Model->GetState().SlicePolar)
-      {
-        this->Update();
-      }
-    });
+  for (const auto signal :
+    { &Session::slicesChanged, &Session::lobeChanged, &Session::comparedChanged })
+  {
+    connect(session, signal, this, &SliceView::Update);
+  }
 }
-
-//------------------------------------------------------------------------------
-SliceView::~SliceView() = default;
 
 //------------------------------------------------------------------------------
 void SliceView::SetInspection(const nlohmann::ordered_json& info)
 {
-  this->Albedos = this->Transmittances = Curve();
-  for (const auto& row : info["albedo"])
+  const auto take = [](const nlohmann::ordered_json& rows, const char* key)
   {
-    this->Albedos.Degrees.push_back(row["degrees"]);
-    this->Albedos.Values.push_back(row["rgb"]);
-  }
-  if (info.contains("transmission"))
-  {
-    for (const auto& row : info["transmission"]["per_angle"])
+    Curve curve;
+    for (const auto& row : rows)
     {
-      this->Transmittances.Degrees.push_back(row["degrees"]);
-      this->Transmittances.Values.push_back(row["view"]);
+      curve.Degrees.push_back(row["degrees"]);
+      curve.Values.push_back(row[key]);
     }
-  }
+    return curve;
+  };
+  this->Albedos = take(info["albedo"], "rgb");
+  this->Transmittances =
+    info.contains("transmission") ? take(info["transmission"]["per_angle"], "view") : Curve();
   this->Update();
 }
 
 //------------------------------------------------------------------------------
-std::vector<ComparedMaterial> SliceView::GetMaterials() const
+std::vector<ChartedMaterial> SliceView::GetMaterials() const
 {
   const tool::Material& shown = this->Model->GetMaterial();
-  std::vector<ComparedMaterial> materials = { { shown.File, shown.Name, shown.BRDF, this->Albedos,
+  std::vector<ChartedMaterial> materials = { { shown.File, shown.Name, shown.BRDF, this->Albedos,
     {}, shown.Transmission, this->Transmittances } };
-  for (const ComparedMaterial& material : this->Compared->GetMaterials())
+  for (const ChartedMaterial& material : this->Model->GetComparedMaterials())
   {
     // An edited material may be seen beside its original.
     if (material.File != shown.File || shown.BRDF != this->Model->GetOriginal().BRDF)
@@ -356,20 +133,14 @@ std::vector<ComparedMaterial> SliceView::GetMaterials() const
 }
 
 //------------------------------------------------------------------------------
-Curve SliceView::Sample(int chart, const ComparedMaterial& material) const
+Curve SliceView::Sample(int chart, const ChartedMaterial& material) const
 {
   const State& state = this->Model->GetState();
-  switch (chart)
-  {
-    case Albedo:
-      return material.Albedo;
-    case Plane:
-      return SamplePlaneOfIncidence(
-        material.BRDF, state.LobeThetaI, state.LobePhiI, material.Transmission);
-    default:
-      return SampleSlice(
-        material.BRDF, chart, { state.SliceThetaH, state.SliceThetaD, state.SlicePhiD });
-  }
+  return chart == Albedo  ? material.Albedo
+         : chart == Plane ? SamplePlaneOfIncidence(material.BRDF, state.LobeThetaI, state.LobePhiI,
+                              material.Transmission)
+                          : SampleSlice(material.BRDF, chart,
+                              { state.SliceThetaH, state.SliceThetaD, state.SlicePhiD });
 }
 
 //------------------------------------------------------------------------------
@@ -387,191 +158,345 @@ void SliceView::Update()
   {
     return;
   }
-  const State& state = this->Model->GetState();
-  const std::vector<ComparedMaterial> materials = this->GetMaterials();
+  this->Curves = {};
   this->Transmitted.clear();
-  for (const ComparedMaterial& material : materials)
+  for (const ChartedMaterial& material : this->GetMaterials())
   {
     this->Transmitted.push_back(material.Transmittance);
-  }
-  for (int chart = 0; chart < NumberOfCharts; ++chart)
-  {
-    std::vector<Curve>& curves = this->Curves[static_cast<std::size_t>(chart)];
-    curves.clear();
-    const bool shown = (chart == Plane) == state.SlicePolar;
-    this->Charts[static_cast<std::size_t>(chart)]->SetVisible(shown);
-    if (!shown)
+    for (int chart = 0; chart < NumberOfCharts; ++chart)
     {
-      continue;
+      if ((chart == Plane) == this->Model->GetState().SlicePolar)
+      {
+        this->Curves[static_cast<std::size_t>(chart)].push_back(this->Sample(chart, material));
+      }
     }
-    for (const ComparedMaterial& material : materials)
-    {
-      curves.push_back(this->Sample(chart, material));
-    }
-    this->Draw(chart);
   }
-  this->Polar->SetVisible(state.SlicePolar);
-  if (state.SlicePolar)
-  {
-    this->Polar->SetAllAround(this->IsAllAround());
-    this->Polar->Draw(MakeLines(this->Curves[Plane]), state.LobeThetaI, state.SliceLogarithmic,
-      this->devicePixelRatioF());
-  }
-  this->PlaceCharts();
-  this->RequestRender();
+  this->update();
   emit this->updated();
 }
 
 //------------------------------------------------------------------------------
-void SliceView::Draw(int chart)
+void SliceView::DrawChart(QPainter& painter, int chart, const QRectF& area) const
 {
+  const char* const titles[] = { "f (1/sr) over θh", "f (1/sr) over θd", "f (1/sr) over φd",
+    "albedo over θo", "f (1/sr) over θo, negative towards the light" };
   const State& state = this->Model->GetState();
-  const bool logarithmic = state.SliceLogarithmic && chart != Albedo;
-  const double ratio = this->devicePixelRatioF();
   const std::vector<ChartLine> lines = MakeLines(this->Curves[static_cast<std::size_t>(chart)]);
   const std::vector<ChartLine> dashed =
     chart == Albedo ? MakeLines(this->Transmitted) : std::vector<ChartLine>();
   std::vector<ChartLine> all = lines;
   all.insert(all.end(), dashed.begin(), dashed.end());
-  const ChartScale scale(all, logarithmic);
-  vtkChartXY* drawn = this->Charts[static_cast<std::size_t>(chart)];
-  drawn->ClearPlots();
-  if (chart == Plane)
-  {
-    AddLine(drawn, { -state.LobeThetaI, -state.LobeThetaI },
-      { scale.GetLeast(), scale.GetLargest() }, PolarChart::LightColor, 3.0 * ratio);
-    AddLine(drawn, { state.LobeThetaI, state.LobeThetaI }, { scale.GetLeast(), scale.GetLargest() },
-      PolarChart::LightColor, ratio, true);
-  }
-  AddLines(drawn, lines, scale, 2.0 * ratio, false);
-  AddLines(drawn, dashed, scale, 2.0 * ratio, true);
+  const ChartScale scale(all, state.SliceLogarithmic && chart != Albedo);
   const bool allAround = chart == Plane && this->IsAllAround();
   const bool transmits = std::any_of(
     dashed.begin(), dashed.end(), [](const ChartLine& line) { return !line.Values.empty(); });
-  drawn->SetTitle(allAround ? CircleTitle : transmits ? AlbedoTitle : Titles[chart]);
-  drawn->GetTitleProperties()->SetFontSize(FontSize + 1);
-  for (const int which : { vtkAxis::LEFT, vtkAxis::BOTTOM })
+  const double last = allAround || chart == PhiD ? 180.0 : 90.0;
+  const double first = chart == Plane ? -last : 0.0;
+  const double line = painter.fontMetrics().height();
+  const double left = painter.fontMetrics().horizontalAdvance("0.0001") + 10.0;
+  const QRectF frame =
+    area.adjusted(left, 1.5 * line, -line, -1.3 * line - 4.0); // beside the texts of its axes
+  const auto place = [&](double degrees, double value)
   {
-    vtkAxis* axis = drawn->GetAxis(which);
-    axis->GetLabelProperties()->SetFontSize(FontSize);
-    axis->SetTitle("");
-    axis->GetGridPen()->SetColor(225, 225, 225);
-    axis->SetBehavior(vtkAxis::FIXED);
-  }
-  const auto [first, last] = GetRange(chart, allAround);
-  std::vector<std::pair<double, std::string>> degrees;
+    return QPointF(frame.left() + (degrees - first) / (last - first) * frame.width(),
+      frame.bottom() - scale.Find(value) * frame.height());
+  };
+  ChartTicks across;
   for (double at = first; at <= last; at += last > 90.0 ? 60.0 : 30.0)
   {
-    degrees.emplace_back(at, std::to_string(static_cast<int>(at)));
+    across.emplace_back((at - first) / (last - first), std::to_string(static_cast<int>(at)));
   }
-  drawn->GetAxis(vtkAxis::BOTTOM)->SetRange(first, last);
-  SetTicks(drawn->GetAxis(vtkAxis::BOTTOM), degrees);
-  drawn->GetAxis(vtkAxis::LEFT)->SetRange(scale.GetLeast(), scale.GetLargest());
-  SetTicks(drawn->GetAxis(vtkAxis::LEFT), scale.GetTicks());
-  drawn->RecalculateBounds();
+  painter.setPen(GridColor);
+  for (const auto& [share, text] : across)
+  {
+    const double x = frame.left() + share * frame.width();
+    painter.drawLine(QPointF(x, frame.top()), QPointF(x, frame.bottom()));
+  }
+  for (const auto& [share, text] : scale.GetTicks())
+  {
+    const double y = frame.bottom() - share * frame.height();
+    painter.drawLine(QPointF(frame.left(), y), QPointF(frame.right(), y));
+  }
+  painter.save();
+  painter.setClipRect(frame);
+  if (chart == Plane) // the light and its mirror direction
+  {
+    for (const double sign : { -1.0, 1.0 })
+    {
+      const double x = place(sign * state.LobeThetaI, 0.0).x();
+      painter.setPen(MakePen(LightColor, sign < 0.0 ? 3.0 : 1.0, sign > 0.0));
+      painter.drawLine(QPointF(x, frame.top()), QPointF(x, frame.bottom()));
+    }
+  }
+  DrawLines(painter, lines, false, place);
+  DrawLines(painter, dashed, true, place);
+  painter.restore();
+  painter.setPen(Qt::black);
+  DrawAxes(painter, frame, across, scale.GetTicks());
+  DrawCentered(painter, { frame.center().x(), area.top() + 0.8 * line },
+    allAround   ? "the same over θo; beyond 90: transmitted"
+    : transmits ? "albedo; dashed: transmitted"
+                : titles[chart]);
 }
 
 //------------------------------------------------------------------------------
-// Slices two by two, the first in the upper left. Or the polar chart above the same over an axis.
-void SliceView::PlaceCharts()
+// Upwards is the normal, the mirror's side is right; below the surface is what is transmitted. The
+// distance from the origin is the value, and circles have constant values.
+void SliceView::DrawPolar(QPainter& painter, const QRectF& area) const
 {
-  const double ratio = this->devicePixelRatioF();
-  const double gap = 4.0 * ratio;
-  const double width = ratio * this->width();
-  const double height = ratio * this->height();
-  const auto place = [&](int chart, double left, double bottom, double w, double h)
+  const State& state = this->Model->GetState();
+  const std::vector<ChartLine> lines = MakeLines(this->Curves[Plane]);
+  const ChartScale scale(lines, state.SliceLogarithmic);
+  const bool allAround = this->IsAllAround();
+  const double line = painter.fontMetrics().height();
+  const double radius = std::min(0.5 * area.width() - 2.0 * line,
+    (area.height() - (allAround ? 4.5 : 4.0) * line) / (allAround ? 2.0 : 1.0));
+  const QPointF center(area.center().x(), area.top() + 2.7 * line + radius);
+  const auto place = [&](double share, double degrees)
   {
-    this->Charts[static_cast<std::size_t>(chart)]->SetSize(
-      vtkRectf(static_cast<float>(left + gap), static_cast<float>(bottom + gap),
-        static_cast<float>(w - 2.0 * gap), static_cast<float>(h - 2.0 * gap)));
+    const double angle = vtkMath::RadiansFromDegrees(degrees);
+    return center + share * radius * QPointF(std::sin(angle), -std::cos(angle));
   };
+  const auto drawCircle = [&](double share)
+  {
+    const double r = share * radius;
+    painter.drawArc(
+      QRectF(center.x() - r, center.y() - r, 2.0 * r, 2.0 * r), 0, 16 * (allAround ? 360 : 180));
+  };
+  const auto drawRay = [&](double degrees, const QPen& pen)
+  {
+    painter.setPen(pen);
+    painter.drawLine(center, place(1.0, degrees));
+  };
+  for (int degrees = -150; degrees <= 180; degrees += 30)
+  {
+    if (std::abs(degrees) < 90 || (allAround && std::abs(degrees) > 90))
+    {
+      drawRay(degrees, MakePen(GridColor, 1.0));
+      painter.setPen(Qt::darkGray);
+      DrawCentered(painter, place(1.0 + 0.8 * line / radius, degrees), QString::number(degrees));
+    }
+  }
+  painter.setPen(GridColor);
+  drawCircle(1.0);
+  const std::size_t step =
+    1 + scale.GetTicks().size() / (allAround ? 4 : 5); // as fit beside each other
+  for (std::size_t k = 0; k < scale.GetTicks().size(); k += step)
+  {
+    const auto& [share, text] = scale.GetTicks()[scale.GetTicks().size() - 1 - k];
+    painter.setPen(GridColor);
+    drawCircle(share);
+    painter.setPen(Qt::darkGray);
+    DrawCentered(
+      painter, place(share, 90.0) + QPointF(0.0, 0.6 * line), QString::fromStdString(text));
+  }
+  painter.setPen(MakePen(Qt::darkGray, allAround ? 2.0 : 1.0)); // the surface
+  painter.drawLine(place(1.0, -90.0), place(1.0, 90.0));
+  drawRay(-state.LobeThetaI, MakePen(LightColor, 3.0));
+  drawRay(state.LobeThetaI, MakePen(LightColor, 1.0, true)); // the mirror direction
+  if (allAround)
+  {
+    drawRay(180.0 - state.LobeThetaI, MakePen(LightColor, 1.0, true)); // straight on
+  }
+  DrawLines(painter, lines, false,
+    [&](double degrees, double value) { return place(scale.Find(value), degrees); });
+  painter.setPen(Qt::black);
+  DrawCentered(
+    painter, { center.x(), area.top() + 0.8 * line }, tr("f (1/sr) in the plane of incidence"));
+}
+
+//------------------------------------------------------------------------------
+// Slices two by two; or the polar chart above the same over an axis.
+void SliceView::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.fillRect(this->rect(), QColor(247, 247, 247));
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double w = this->width();
+  const double h = this->height();
+  if (this->Model->GetState().SlicePolar)
+  {
+    this->DrawPolar(painter, QRectF(0.0, 0.0, w, 0.6 * h));
+    this->DrawChart(painter, Plane, QRectF(0.0, 0.6 * h, w, 0.4 * h));
+    return;
+  }
   for (int k = 0; k < 4; ++k)
   {
-    place(k, k % 2 == 0 ? 0.0 : 0.5 * width, k < 2 ? 0.5 * height : 0.0, 0.5 * width, 0.5 * height);
+    this->DrawChart(
+      painter, k, QRectF(k % 2 == 0 ? 0.0 : 0.5 * w, k < 2 ? 0.0 : 0.5 * h, 0.5 * w, 0.5 * h));
   }
-  const double texts = this->Polar->GetHeight(0.0, ratio);
-  const double share = this->Polar->IsAllAround() ? 0.7 : 1.2;
-  const double polar = std::min(width - 2.0 * gap, std::max(gap, share * height - 2.0 * texts));
-  const double rest = height - this->Polar->GetHeight(polar, ratio);
-  this->Polar->Place(0.5 * (width - polar), rest, polar, ratio);
-  place(Plane, 0.0, 0.0, width, rest);
 }
 
 //------------------------------------------------------------------------------
-void SliceView::resizeEvent(QResizeEvent* event)
-{
-  this->PlaceCharts(); // first: the superclass draws at once
-  QVTKOpenGLNativeWidget::resizeEvent(event);
-}
-
-//------------------------------------------------------------------------------
-QWidget* MakeSlicePanel(Session* session, Comparison* comparison)
+QWidget* MakeSlicePanel(Session* session)
 {
   auto* panel = new QWidget;
-  auto* view = new SliceView(session, comparison);
-  auto* logarithmic = MakeBox(QObject::tr("Lo&g"), QObject::tr("Draw f on a logarithmic axis"));
-  auto* polar = MakeBox(QObject::tr("&Polar"),
-    QObject::tr("f in the plane of incidence of the lobe's light, whose direction is yellow"));
-  polar->setObjectName("polar");
+  auto* view = new SliceView(session);
   auto* legend = new QLabel;
   legend->setObjectName("slice legend");
   legend->setTextFormat(Qt::RichText);
   legend->setWordWrap(true);
-  std::array<QDoubleSpinBox*, 3> angles;
   auto* row = new QHBoxLayout;
-  const QString names[3] = { QObject::tr("θ&h"), QObject::tr("θ&d"), QObject::tr("&φd") };
-  for (std::size_t k = 0; k < 3; ++k)
+  const auto add = [&](const QString& name, double largest, auto value)
   {
-    angles[k] = MakeField(0.0, k < 2 ? 90.0 : 180.0, 1, 5.0, "°",
+    auto* field = MakeField(0.0, largest, 1, 5.0, "°",
       QObject::tr("The other two slices are cut at this angle (Rusinkiewicz 1998)"));
-    AddNamed(row, names[k], angles[k]);
-  }
-  row->addWidget(logarithmic);
+    AddNamed(row, name, Bind(field, session, &Session::slicesChanged, value));
+  };
+  add(
+    QObject::tr("θ&h"), 90.0, [](auto& state) -> auto& { return state.SliceThetaH; });
+  add(
+    QObject::tr("θ&d"), 90.0, [](auto& state) -> auto& { return state.SliceThetaD; });
+  add(
+    QObject::tr("&φd"), 180.0, [](auto& state) -> auto& { return state.SlicePhiD; });
+  row->addWidget(Bind(
+    MakeBox(QObject::tr("Lo&g"), QObject::tr("Draw f on a logarithmic axis")), session,
+    &Session::slicesChanged, [](auto& state) -> auto& { return state.SliceLogarithmic; }));
+  auto* polar = Bind(
+    MakeBox(
+      QObject::tr("&Polar"), QObject::tr("f in the plane of incidence of the lobe's light, whose "
+                                         "direction is yellow")),
+    session, &Session::slicesChanged, [](auto& state) -> auto& { return state.SlicePolar; });
+  polar->setObjectName("polar");
   row->addWidget(polar);
   row->addStretch(1);
   auto* layout = MakeColumn(panel);
   layout->addLayout(row);
   layout->addWidget(view, 1);
   layout->addWidget(legend);
-
-  const auto set = [=]()
-  {
-    session->SetSlices(
-      angles[0]->value(), angles[1]->value(), angles[2]->value(), logarithmic->isChecked());
-  };
-  for (QDoubleSpinBox* angle : angles)
-  {
-    OnChange(angle, set);
-  }
-  OnChange(logarithmic, set);
-  OnChange(polar, [=](bool on) { session->SetSlicePolar(on); });
-  const auto update = [=]()
-  {
-    const State& state = session->GetState();
-    Show(angles[0], state.SliceThetaH);
-    Show(angles[1], state.SliceThetaD);
-    Show(angles[2], state.SlicePhiD);
-    Show(logarithmic, state.SliceLogarithmic);
-    Show(polar, state.SlicePolar);
-  };
-  QObject::connect(session, &Session::slicesChanged, panel, update);
-  update();
   QObject::connect(view, &SliceView::updated, panel,
     [=]()
     {
-      const std::vector<ComparedMaterial> materials = view->GetMaterials();
+      const std::vector<ChartedMaterial> materials = view->GetMaterials();
       QStringList lines;
       for (std::size_t k = 0; k < materials.size() && materials.size() > 1; ++k)
       {
-        const Color color = GetMaterialColor(k);
         lines << QString("<span style='color:%1'>&#9632;</span>&nbsp;%2")
-                   .arg(QColor(color[0], color[1], color[2]).name(),
+                   .arg(GetMaterialColor(k).name(),
                      QString::fromStdString(materials[k].Name).toHtmlEscaped());
       }
       legend->setText(
         lines.isEmpty() ? QString() : QObject::tr("Luminance: ") + lines.join("&ensp; "));
       legend->setVisible(!lines.isEmpty());
     });
+  return panel;
+}
+
+namespace
+{
+constexpr int ImageSize = 256;
+
+//------------------------------------------------------------------------------
+// A perfectly white matte surface, f = 1/pi, is white.
+QImage DrawSlice(vtkBRDF* brdf, double phiD, double stops, bool isSquared)
+{
+  vtkNew<vtkBRDFImageSource> source;
+  source->SetBRDF(brdf);
+  source->SetResolution(ImageSize);
+  source->SetPhiD(phiD);
+  source->SetUseThetaHSquared(isSquared);
+  source->Update();
+  vtkImageData* slice = source->GetOutput();
+  const double factor = vtkMath::Pi() * std::exp2(stops);
+  tool::Picture picture(ImageSize, ImageSize);
+  for (int k = 0; k < 3 * ImageSize * ImageSize; ++k)
+  {
+    const int x = k / 3 % ImageSize;
+    const int y = k / 3 / ImageSize;
+    picture.At(x, y)[k % 3] =
+      static_cast<float>(tool::RollOff(factor * slice->GetScalarComponentAsDouble(x, y, 0, k % 3)));
+  }
+  return MakeQImage(picture);
+}
+
+/// The picture with its axes.
+class ImageSlice : public QWidget
+{
+public:
+  QImage Image;
+  bool IsSquared = false;
+
+  ImageSlice()
+  {
+    this->setMinimumSize(200, 200);
+    this->setAccessibleName(QObject::tr("Image slice"));
+    this->setToolTip(QObject::tr(
+      "f over theta_h and theta_d (Burley 2012): the left edge is the highlight, the top its "
+      "Fresnel reflection, the right edge grazing retroreflection"));
+  }
+
+protected:
+  void paintEvent(QPaintEvent*) override
+  {
+    QPainter painter(this);
+    if (this->Image.isNull())
+    {
+      painter.drawText(this->rect(), Qt::AlignCenter, QObject::tr("Being drawn …"));
+      return;
+    }
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    const double line = this->fontMetrics().height();
+    const double left = this->fontMetrics().horizontalAdvance("90 θd") + 8.0;
+    const double size = std::min(this->width() - left - line, this->height() - 3.0 * line - 6.0);
+    const QRectF frame(left, 1.5 * line, size, size);
+    ChartTicks across, upwards;
+    for (const int degrees : { 0, 30, 60, 90 })
+    {
+      const double share = degrees / 90.0;
+      across.emplace_back(this->IsSquared ? std::sqrt(share) : share, std::to_string(degrees));
+      upwards.emplace_back(share, std::to_string(degrees));
+    }
+    across.back().second += " θh";
+    upwards.back().second += " θd";
+    painter.drawImage(frame, this->Image);
+    DrawAxes(painter, frame, across, upwards);
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+QWidget* MakeImagePanel(Session* session, Jobs* jobs)
+{
+  auto* panel = new QWidget;
+  auto* slice = new ImageSlice;
+  auto* phiD = MakeField(
+    0.0, 180.0, 1, 15.0, "°", QObject::tr("Azimuth of the difference at which the image is cut"));
+  phiD->setValue(90.0);
+  auto* stops = MakeField(-10.0, 10.0, 1, 1.0, QObject::tr(" stops"),
+    QObject::tr("Exposure; at 0 a perfectly white matte surface is white"));
+  stops->setKeyboardTracking(true);
+  auto* squared =
+    MakeBox(QObject::tr("√θ&h"), QObject::tr("Stretch small theta_h, as MERL's files do"));
+  auto* row = new QHBoxLayout;
+  AddNamed(row, QObject::tr("&φd"), phiD);
+  AddNamed(row, QObject::tr("E&xposure"), stops);
+  row->addWidget(squared);
+  row->addStretch(1);
+  auto* layout = MakeColumn(panel);
+  layout->addLayout(row);
+  layout->addWidget(slice, 1);
+  const auto draw = [=]()
+  {
+    if (!session->GetMaterial().BRDF)
+    {
+      return;
+    }
+    jobs->Compute(
+      "image slice", QObject::tr("drawing the image slice"),
+      [material = MakeSnapshot(session->GetMaterial()), angle = phiD->value(),
+        exposure = stops->value(), isSquared = squared->isChecked()]()
+      { return std::pair(DrawSlice(material.BRDF, angle, exposure, isSquared), isSquared); },
+      [=](const std::pair<QImage, bool>& drawn)
+      {
+        slice->Image = drawn.first;
+        slice->IsSquared = drawn.second;
+        slice->update();
+      });
+  };
+  OnChange(phiD, draw);
+  OnChange(stops, draw);
+  OnChange(squared, draw);
+  QObject::connect(session, &Session::materialChanged, panel, draw);
   return panel;
 }
 } // namespace explorer

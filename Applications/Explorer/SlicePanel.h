@@ -4,32 +4,27 @@
  * @file
  * Charts of materials with the angles at which they cut: slices over theta_h, theta_d and phi_d,
  * and the albedo with the transmittance; or f in the plane of incidence of the lobe's light, on
- * both sides of the surface where the material transmits.
+ * both sides of the surface where the material transmits; and the image slice.
  */
 
 #ifndef SlicePanel_h
 #define SlicePanel_h
 
-#include "Comparison.h"
 #include "Curves.h"
-#include "RenderView.h"
 #include "Session.h"
+
+#include <QWidget>
 
 #include <nlohmann/json.hpp>
 
 #include <array>
-#include <memory>
 #include <vector>
 
-class vtkChartXY;
-class vtkContextActor;
-class vtkRenderer;
+class QPainter;
 
 namespace explorer
 {
-class PolarChart;
-
-class SliceView : public RenderView
+class SliceView : public QWidget
 {
   Q_OBJECT
 
@@ -44,8 +39,7 @@ public:
     NumberOfCharts
   };
 
-  SliceView(Session* session, Comparison* comparison, QWidget* parent = nullptr);
-  ~SliceView() override;
+  explicit SliceView(Session* session);
 
   /// What tool::InspectMaterial found.
   void SetInspection(const nlohmann::ordered_json& info);
@@ -57,27 +51,22 @@ public:
   const std::vector<Curve>& GetTransmittances() const { return this->Transmitted; }
 
   /// The material that is shown, then those that it is compared with.
-  std::vector<ComparedMaterial> GetMaterials() const;
+  std::vector<ChartedMaterial> GetMaterials() const;
 
 signals:
   void updated();
 
 protected:
-  void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
 private:
   void Update();
-  Curve Sample(int chart, const ComparedMaterial& material) const;
-  void Draw(int chart);
+  Curve Sample(int chart, const ChartedMaterial& material) const;
+  void DrawChart(QPainter& painter, int chart, const QRectF& area) const;
+  void DrawPolar(QPainter& painter, const QRectF& area) const;
   bool IsAllAround() const;
-  void PlaceCharts();
 
   Session* Model;
-  Comparison* Compared;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkContextActor> Scene;
-  std::array<vtkNew<vtkChartXY>, NumberOfCharts> Charts;
-  std::unique_ptr<PolarChart> Polar;
   std::array<std::vector<Curve>, NumberOfCharts> Curves;
   Curve Albedos;        // of the material that is shown; empty until it was measured
   Curve Transmittances; // the same
@@ -86,7 +75,10 @@ private:
 
 /// The view with its fields. The label "slice legend" has the names of materials in the colors of
 /// their curves, and is empty of one material; the box "polar" chooses the plane of incidence.
-QWidget* MakeSlicePanel(Session* session, Comparison* comparison);
+QWidget* MakeSlicePanel(Session* session);
+
+/// The image slice: f over theta_h and theta_d as a picture.
+QWidget* MakeImagePanel(Session* session, Jobs* jobs);
 } // namespace explorer
 
 #endif

@@ -66,6 +66,22 @@ vtkSmartPointer<vtkPolyDataMapper2D> MakeViewportMapper(vtkPolyData* data)
 }
 
 //------------------------------------------------------------------------------
+// A line or a polygon of all points.
+vtkSmartPointer<vtkPolyData> MakeCell(vtkPoints* points)
+{
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(static_cast<int>(points->GetNumberOfPoints()));
+  for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k)
+  {
+    cells->InsertCellPoint(k);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  points->GetNumberOfPoints() == 2 ? data->SetLines(cells) : data->SetPolys(cells);
+  return data;
+}
+
+//------------------------------------------------------------------------------
 // Of tool::MakeErrorColors, in percent, at the bottom of the view.
 vtkSmartPointer<vtkScalarBarActor> MakeErrorLegend()
 {
@@ -133,77 +149,55 @@ vtkSmartPointer<vtkPolyData> MakeSky()
 class ImageQuad
 {
 public:
-  explicit ImageQuad(vtkRenderer* renderer);
-  ImageQuad(const ImageQuad&) = delete;
-  void operator=(const ImageQuad&) = delete;
+  explicit ImageQuad(vtkRenderer* renderer)
+  {
+    this->Points->SetNumberOfPoints(4);
+    this->Coordinates->SetNumberOfComponents(2);
+    this->Coordinates->SetNumberOfTuples(4);
+    this->Texture->SetColorModeToDirectScalars();
+    this->Texture->InterpolateOn();
+    vtkSmartPointer<vtkPolyData> data = MakeCell(this->Points);
+    data->GetPointData()->SetTCoords(this->Coordinates);
+    this->Actor->SetMapper(MakeViewportMapper(data));
+    this->Actor->SetTexture(this->Texture);
+    this->Actor->SetLayerNumber(0);
+    this->Actor->VisibilityOff();
+    renderer->AddViewProp(this->Actor);
+  }
 
   /// RGBA of unsigned char, any size; null: none.
-  void SetImage(vtkImageData* image);
-  bool HasImage() const { return this->Filled; }
+  void SetImage(vtkImageData* image)
+  {
+    this->HasImage = image != nullptr;
+    if (image)
+    {
+      this->Texture->SetInputData(image);
+    }
+  }
 
-  /// The strip's ends, shares of the view's width.
-  void SetSpan(double begin, double end);
+  /// The strip's ends, shares of the view's width; and whether the image, where there is one, is
+  /// shown.
+  void Show(double begin, double end, bool visible)
+  {
+    const double corners[4][2] = { { begin, 0.0 }, { end, 0.0 }, { end, 1.0 }, { begin, 1.0 } };
+    for (int k = 0; k < 4; ++k)
+    {
+      this->Points->SetPoint(k, corners[k][0], corners[k][1], 0.0);
+      this->Coordinates->SetTuple(k, corners[k]);
+    }
+    this->Points->Modified();
+    this->Coordinates->Modified();
+    this->Actor->SetVisibility(visible && this->HasImage);
+  }
 
-  /// Whether the image, where there is one, is shown.
-  void SetVisible(bool visible);
+  bool HasImage = false;
 
 private:
   vtkNew<vtkPoints> Points;
   vtkNew<vtkFloatArray> Coordinates;
-  vtkNew<vtkPolyData> Data;
   vtkNew<vtkTexture> Texture;
   vtkNew<vtkTexturedActor2D> Actor;
-  bool Filled = false;
 };
-
-//------------------------------------------------------------------------------
-ImageQuad::ImageQuad(vtkRenderer* renderer)
-{
-  this->Points->SetNumberOfPoints(4);
-  this->Coordinates->SetNumberOfComponents(2);
-  this->Coordinates->SetNumberOfTuples(4);
-  vtkNew<vtkCellArray> cells;
-  const vtkIdType corners[4] = { 0, 1, 2, 3 };
-  cells->InsertNextCell(4, corners);
-  this->Data->SetPoints(this->Points);
-  this->Data->SetPolys(cells);
-  this->Data->GetPointData()->SetTCoords(this->Coordinates);
-  this->Texture->SetColorModeToDirectScalars();
-  this->Texture->InterpolateOn();
-  this->Actor->SetMapper(MakeViewportMapper(this->Data));
-  this->Actor->SetTexture(this->Texture);
-  this->Actor->SetLayerNumber(0);
-  this->Actor->VisibilityOff();
-  this->SetSpan(0.0, 1.0);
-  renderer->AddViewProp(this->Actor);
-}
-
-//------------------------------------------------------------------------------
-void ImageQuad::SetImage(vtkImageData* image)
-{
-  this->Filled = image != nullptr;
-  if (image)
-  {
-    this->Texture->SetInputData(image);
-  }
-}
-
-//------------------------------------------------------------------------------
-void ImageQuad::SetSpan(double begin, double end)
-{
-  const double corners[4][2] = { { begin, 0.0 }, { end, 0.0 }, { end, 1.0 }, { begin, 1.0 } };
-  for (int k = 0; k < 4; ++k)
-  {
-    this->Points->SetPoint(k, corners[k][0], corners[k][1], 0.0);
-    this->Coordinates->SetTuple(k, corners[k]);
-  }
-  this->Points->Modified();
-  this->Coordinates->Modified();
-  this->Data->Modified();
-}
-
-//------------------------------------------------------------------------------
-void ImageQuad::SetVisible(bool visible) { this->Actor->SetVisibility(visible && this->Filled); }
 
 //------------------------------------------------------------------------------
 SplitView::SplitView(Session* session, Jobs* jobs, std::array<Side*, 2> sides, QWidget* parent)
@@ -239,9 +233,9 @@ SplitView::SplitView(Session* session, Jobs* jobs, std::array<Side*, 2> sides, Q
   this->Front->SetLayer(2);
   this->Window->AddRenderer(this->Front);
   this->Camera = this->Front->GetActiveCamera();
-  for (int k = 0; k < 3; ++k)
+  for (auto& quad : this->Quads)
   {
-    this->Quads[static_cast<std::size_t>(k)] = std::make_unique<ImageQuad>(this->Front);
+    quad = std::make_unique<ImageQuad>(this->Front);
   }
   this->MakeLabels();
 
@@ -269,14 +263,8 @@ SplitView::~SplitView() = default;
 //------------------------------------------------------------------------------
 void SplitView::MakeLabels()
 {
-  vtkNew<vtkCellArray> cells;
-  const vtkIdType ends[2] = { 0, 1 };
-  cells->InsertNextCell(2, ends);
   this->LinePoints->SetNumberOfPoints(2);
-  vtkNew<vtkPolyData> line;
-  line->SetPoints(this->LinePoints);
-  line->SetLines(cells);
-  this->Line->SetMapper(MakeViewportMapper(line));
+  this->Line->SetMapper(MakeViewportMapper(MakeCell(this->LinePoints)));
   this->Line->GetProperty()->SetColor(1.0, 1.0, 1.0);
   this->Line->GetProperty()->SetLineWidth(2.0f);
   this->Line->SetLayerNumber(1);
@@ -304,8 +292,7 @@ void SplitView::MakeLabels()
 //------------------------------------------------------------------------------
 bool SplitView::IsDifference() const
 {
-  return this->Model->GetState().Show == Shown::Difference &&
-         this->Quads[DifferenceQuad]->HasImage();
+  return this->Model->GetState().Show == Shown::Difference && this->Quads[DifferenceQuad]->HasImage;
 }
 
 //------------------------------------------------------------------------------
@@ -380,16 +367,15 @@ void SplitView::UpdatePicture()
   const double ends[3][2] = { { 0.0, split }, { split, 1.0 }, { 0.0, 1.0 } };
   for (int k = 0; k < 3; ++k)
   {
-    ImageQuad& quad = *this->Quads[static_cast<std::size_t>(k)];
-    quad.SetSpan(ends[k][0], ends[k][1]);
-    quad.SetVisible(difference == (k == DifferenceQuad));
+    this->Quads[static_cast<std::size_t>(k)]->Show(
+      ends[k][0], ends[k][1], difference == (k == DifferenceQuad));
   }
   for (std::size_t k = 0; k < 2; ++k)
   {
     // Never nothing: a side that is not seen is drawn, and so planned for, too.
     this->Sides[k]->GetRenderer()->SetViewport(
       std::min(ends[k][0], 1.0 - LeastWidth), 0.0, std::max(ends[k][1], LeastWidth), 1.0);
-    this->Sides[k]->SetVisible(!this->Quads[k]->HasImage());
+    this->Sides[k]->SetVisible(!this->Quads[k]->HasImage);
     this->Labels[k]->SetVisibility(!difference);
   }
   this->LinePoints->SetPoint(0, split, 0.0, 0.0);
@@ -450,12 +436,14 @@ void SplitView::TakeCamera()
 //------------------------------------------------------------------------------
 void SplitView::OnMoved()
 {
-  CameraState camera;
-  this->Camera->GetPosition(camera.Position.data());
-  this->Camera->GetFocalPoint(camera.FocalPoint.data());
-  this->Camera->GetViewUp(camera.ViewUp.data());
-  camera.ViewAngle = this->Camera->GetViewAngle();
-  this->Model->SetCamera(camera);
+  this->Model->Edit(&Session::cameraChanged,
+    [this](State& state)
+    {
+      this->Camera->GetPosition(state.Camera.Position.data());
+      this->Camera->GetFocalPoint(state.Camera.FocalPoint.data());
+      this->Camera->GetViewUp(state.Camera.ViewUp.data());
+      state.Camera.ViewAngle = this->Camera->GetViewAngle();
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -552,21 +540,18 @@ void SplitView::DragTo(const QPoint& place)
 //------------------------------------------------------------------------------
 bool SplitView::ObeyKey(QKeyEvent* press)
 {
-  const int key = press->key();
-  const double right = key == Qt::Key_Right ? 1.0 : key == Qt::Key_Left ? -1.0 : 0.0;
-  const double down = key == Qt::Key_Down ? 1.0 : key == Qt::Key_Up ? -1.0 : 0.0;
+  const QPoint arrow = GetArrow(press);
   const bool turnsLight =
     this->Model->IsDirectional() && (press->modifiers() & Qt::ControlModifier);
-  if (turnsLight && (right != 0.0 || down != 0.0))
+  if (turnsLight)
   {
-    this->TurnLight(KeyStep * right, KeyStep * down);
-    return true;
+    this->TurnLight(KeyStep * arrow.x(), KeyStep * arrow.y());
   }
-  if (right != 0.0)
+  else if (arrow.x() != 0)
   {
-    this->Model->SetSplit(this->Model->GetState().Split + 0.01 * right);
+    this->Model->SetSplit(this->Model->GetState().Split + 0.01 * arrow.x());
   }
-  return right != 0.0;
+  return arrow.x() != 0 || (turnsLight && !arrow.isNull());
 }
 
 //------------------------------------------------------------------------------

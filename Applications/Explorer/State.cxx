@@ -109,6 +109,15 @@ bool IsNumber(const ordered_json& value, double least, double largest)
 }
 
 //------------------------------------------------------------------------------
+// A list of so many items that are all right; with count 0: of any number up to MostFiles.
+template <typename Test>
+bool IsList(const ordered_json& value, std::size_t count, const Test& isRight)
+{
+  return value.is_array() && (count == 0 ? value.size() <= MostFiles : value.size() == count) &&
+         std::all_of(value.begin(), value.end(), isRight);
+}
+
+//------------------------------------------------------------------------------
 std::string DescribeRange(double least, double largest)
 {
   return " from " + tool::FormatNumber(least) + " to " + tool::FormatNumber(largest);
@@ -119,30 +128,50 @@ std::string DescribeRange(double least, double largest)
 bool IsEdit(const ordered_json& edit)
 {
   constexpr double largest = std::numeric_limits<float>::max();
-  return edit.is_array() && edit.size() == 4 && edit[0].is_number_integer() &&
-         IsNumber(edit[0], 0.0, 2147483646.0) &&
-         std::all_of(edit.begin() + 1, edit.end(),
-           [](const ordered_json& value) { return IsNumber(value, -largest, largest); });
+  return IsList(
+           edit, 4, [](const ordered_json& value) { return IsNumber(value, -largest, largest); }) &&
+         edit[0].is_number_integer() && IsNumber(edit[0], 0.0, 2147483646.0);
 }
 
 /**
- * Takes the state's fields out of JSON. What is absent keeps its value; what is
- * wrong throws tool::Error, which names the file, the field and what was
- * expected.
+ * Takes the state's fields out of JSON. What is absent keeps its value; what is wrong throws
+ * tool::Error, which names the file, the field and what was expected.
  */
-class Reader
+struct Reader
 {
-public:
-  /// name: of the file and, of an object in it, its field.
-  Reader(const ordered_json& object, std::string name)
-    : Object(object)
-    , Name(std::move(name))
-  {
-  }
+  const ordered_json& Object;
+  std::string Name; // of the file and, of an object in it, its field
 
   [[noreturn]] void Fail(const std::string& key, const std::string& expected) const
   {
     throw tool::Error(this->Name + ": \"" + key + "\": expected " + expected);
+  }
+
+  template <typename Value, typename Test>
+  void Take(const std::string& key, Value& value, const std::string& expected, Test isRight) const
+  {
+    const auto found = this->Object.find(key);
+    if (found != this->Object.end())
+    {
+      if (!isRight(*found))
+      {
+        this->Fail(key, expected);
+      }
+      value = found->template get<Value>();
+    }
+  }
+
+  // An object in it; an empty one where it is absent.
+  Reader Open(const std::string& key) const
+  {
+    static const ordered_json nothing = ordered_json::object();
+    const auto found = this->Object.find(key);
+    const ordered_json& object = found == this->Object.end() ? nothing : *found;
+    if (!object.is_object())
+    {
+      this->Fail(key, "an object");
+    }
+    return { object, this->Name + ": \"" + key + "\"" };
   }
 
   void operator()(const char* key, double& value, double least, double largest) const
@@ -173,22 +202,16 @@ public:
   void operator()(const char* key, std::array<double, 3>& values) const
   {
     this->Take(key, values, "three numbers",
-      [](const ordered_json& given)
-      {
-        return given.is_array() && given.size() == 3 &&
-               std::all_of(given.begin(), given.end(),
-                 [](const ordered_json& item) { return IsNumber(item, -1e30, 1e30); });
+      [](const ordered_json& given) {
+        return IsList(
+          given, 3, [](const ordered_json& item) { return IsNumber(item, -1e30, 1e30); });
       });
   }
   void operator()(const std::string& key, std::vector<std::string>& values) const
   {
     this->Take(key, values, "a list of texts",
       [](const ordered_json& given)
-      {
-        return given.is_array() && given.size() <= MostFiles &&
-               std::all_of(given.begin(), given.end(),
-                 [](const ordered_json& item) { return item.is_string(); });
-      });
+      { return IsList(given, 0, [](const ordered_json& item) { return item.is_string(); }); });
     const std::set<std::string> different(values.begin(), values.end());
     if (key == "compared" &&
         (values.size() > MostCompared || different.size() != values.size() || different.count("")))
@@ -196,25 +219,23 @@ public:
       this->Fail(key, "at most " + std::to_string(MostCompared) + " different materials");
     }
   }
-
   void operator()(const char* key, std::array<std::string, 2>& methods) const
   {
     std::vector<std::string> given(methods.begin(), methods.end());
     (*this)(std::string(key), given);
     // A method of older states that is gone.
     std::replace(given.begin(), given.end(), std::string("basis"), std::string("planned"));
-    std::string known;
-    for (const MethodName& name : GetMethodNames())
-    {
-      known += (known.empty() ? "" : ", ") + name.Key;
-    }
     if (given.size() != 2 || !IsMethod(given[0]) || !IsMethod(given[1]))
     {
+      std::string known;
+      for (const MethodName& name : GetMethodNames())
+      {
+        known += (known.empty() ? "" : ", ") + name.Key;
+      }
       this->Fail(key, "two of " + known);
     }
     std::copy(given.begin(), given.end(), methods.begin());
   }
-
   void operator()(const char* key, Shown& shown) const
   {
     std::string given = "split";
@@ -222,7 +243,6 @@ public:
       [](const ordered_json& one) { return one == "split" || one == "difference"; });
     shown = given == "split" ? Shown::Split : Shown::Difference;
   }
-
   void operator()(const char* key, CameraState& camera) const
   {
     const Reader fields = this->Open(key);
@@ -240,100 +260,63 @@ public:
     }
   }
 
+  // As many numbers as a parameter has; one of them may stand alone.
   void operator()(const char* key, ModelStates& states) const
   {
     const Reader models = this->Open(key);
-    for (const auto& item : models.Object.items())
+    for (const auto& [name, values] : models.Object.items())
     {
-      const ParametricModel* model = FindModel("model:" + item.key());
+      const ParametricModel* model = FindModel("model:" + name);
       if (!model)
       {
-        models.Fail(item.key(), "the name of a model, such as \"Lambert\"");
+        models.Fail(name, "the name of a model, such as \"Lambert\"");
       }
-      const Reader parameters = models.Open(item.key());
-      for (const auto& value : item.value().items())
+      const Reader fields = models.Open(name);
+      for (const auto& [field, value] : values.items())
       {
-        states[item.key()][value.key()] = parameters.TakeParameter(*model, value.key());
+        const auto parameter = std::find_if(model->Parameters.begin(), model->Parameters.end(),
+          [&, &wanted = field](const ModelParameter& one) { return one.Key == wanted; });
+        if (parameter == model->Parameters.end())
+        {
+          fields.Fail(field, "a parameter of this model");
+        }
+        const ordered_json given = value.is_array() ? value : ordered_json::array({ value });
+        const std::size_t count = parameter->Default.size();
+        if (!IsList(given, count,
+              [&](const ordered_json& item)
+              { return IsNumber(item, parameter->Least, parameter->Largest); }))
+        {
+          fields.Fail(
+            field, (count == 1 ? std::string("a number") : std::to_string(count) + " numbers") +
+                     DescribeRange(parameter->Least, parameter->Largest));
+        }
+        if (!parameter->Choices.empty() && given[0] != std::floor(given[0].get<double>()))
+        {
+          fields.Fail(field, "a whole number");
+        }
+        states[name][field] = given.get<std::vector<double>>();
       }
     }
   }
-
   void operator()(const char* key, std::map<std::string, SampleEdits>& edits) const
   {
     const Reader materials = this->Open(key);
     std::size_t count = 0;
-    for (const auto& item : materials.Object.items())
+    for (const auto& [file, list] : materials.Object.items())
     {
-      const ordered_json& list = item.value();
       count += list.size();
-      if (!list.is_array() || count > MostEdits || !std::all_of(list.begin(), list.end(), IsEdit))
+      if (!IsList(list, list.size(), IsEdit) || count > MostEdits)
       {
-        materials.Fail(
-          item.key(), "a list of [row, red, green, blue] with finite numbers, at most " +
-                        std::to_string(MostEdits) + " of all materials");
+        materials.Fail(file, "a list of [row, red, green, blue] with finite numbers, at most " +
+                               std::to_string(MostEdits) + " of all materials");
       }
       for (const ordered_json& edit : list)
       {
-        edits[item.key()][edit[0].get<int>()] = { edit[1].get<float>(), edit[2].get<float>(),
+        edits[file][edit[0].get<int>()] = { edit[1].get<float>(), edit[2].get<float>(),
           edit[3].get<float>() };
       }
     }
   }
-
-private:
-  template <typename Value, typename Test>
-  void Take(const std::string& key, Value& value, const std::string& expected, Test isRight) const
-  {
-    const auto found = this->Object.find(key);
-    if (found != this->Object.end() && !isRight(*found))
-    {
-      this->Fail(key, expected);
-    }
-    value = found != this->Object.end() ? found->template get<Value>() : value;
-  }
-
-  // An object in it; an empty one where it is absent.
-  Reader Open(const std::string& key) const
-  {
-    static const ordered_json nothing = ordered_json::object();
-    const auto found = this->Object.find(key);
-    const ordered_json& object = found == this->Object.end() ? nothing : *found;
-    if (!object.is_object())
-    {
-      this->Fail(key, "an object");
-    }
-    return Reader(object, this->Name + ": \"" + key + "\"");
-  }
-
-  // As many numbers as the parameter has; one of them may stand alone.
-  std::vector<double> TakeParameter(const ParametricModel& model, const std::string& key) const
-  {
-    const auto parameter = std::find_if(model.Parameters.begin(), model.Parameters.end(),
-      [&key](const ModelParameter& one) { return one.Key == key; });
-    if (parameter == model.Parameters.end())
-    {
-      this->Fail(key, "a parameter of this model");
-    }
-    const ordered_json& value = this->Object.at(key);
-    const ordered_json given = value.is_array() ? value : ordered_json::array({ value });
-    const std::size_t count = parameter->Default.size();
-    if (given.size() != count || !std::all_of(given.begin(), given.end(),
-                                   [&](const ordered_json& item) {
-                                     return IsNumber(item, parameter->Least, parameter->Largest);
-                                   }))
-    {
-      this->Fail(key, (count == 1 ? std::string("a number") : std::to_string(count) + " numbers") +
-                        DescribeRange(parameter->Least, parameter->Largest));
-    }
-    if (!parameter->Choices.empty() && given[0] != std::floor(given[0].get<double>()))
-    {
-      this->Fail(key, "a whole number");
-    }
-    return given.get<std::vector<double>>();
-  }
-
-  const ordered_json& Object;
-  std::string Name;
 };
 
 /// Takes numbers that are not allowed as the nearest that are.
@@ -400,26 +383,34 @@ const std::vector<MethodName>& GetMethodNames()
 //------------------------------------------------------------------------------
 std::string GetMethodName(const std::string& key)
 {
-  for (const MethodName& name : GetMethodNames())
-  {
-    if (name.Key == key)
-    {
-      return name.Name;
-    }
-  }
-  return key;
+  const std::vector<MethodName>& names = GetMethodNames();
+  const auto found = std::find_if(
+    names.begin(), names.end(), [&key](const MethodName& name) { return name.Key == key; });
+  return found != names.end() ? found->Name : key;
 }
 
 //------------------------------------------------------------------------------
 bool IsMethod(const std::string& key)
 {
-  const std::vector<MethodName>& names = GetMethodNames();
-  return std::any_of(
-    names.begin(), names.end(), [&key](const MethodName& name) { return name.Key == key; });
+  return std::any_of(GetMethodNames().begin(), GetMethodNames().end(),
+    [&key](const MethodName& name) { return name.Key == key; });
 }
 
 //------------------------------------------------------------------------------
-void Limit(State& state) { Visit(state, Limiter()); }
+void Limit(State& state)
+{
+  // Angles come back after a turn.
+  const auto wrap = [](double& degrees, double least)
+  { degrees = least + std::fmod(std::fmod(degrees - least, 360.0) + 360.0, 360.0); };
+  wrap(state.Rotation, -180.0);
+  wrap(state.Light.Phi, -180.0);
+  wrap(state.LobePhiI, 0.0);
+  Visit(state, Limiter());
+  while ((state.Lights & (state.Lights - 1)) != 0) // to the largest power of two that is not more
+  {
+    state.Lights &= state.Lights - 1;
+  }
+}
 
 //------------------------------------------------------------------------------
 std::string WriteState(const State& state)
@@ -446,7 +437,7 @@ State ReadState(const std::string& text, const std::string& name)
   {
     throw tool::Error(name + ": is no JSON object, as the explorer's states are" + reason);
   }
-  const Reader fields(json, name);
+  const Reader fields{ json, name };
   if (json.value("format", ordered_json()) != FormatName)
   {
     fields.Fail("format", std::string("\"") + FormatName + "\"");

@@ -119,7 +119,7 @@ struct State
   bool SlicePolar = false; // a polar plot for the lobe's light in the slices' place
 };
 
-/// Takes numbers that are not allowed as the nearest that are.
+/// Takes numbers that are not allowed as the nearest that are, and angles within a turn.
 void Limit(State& state);
 
 /// As JSON.

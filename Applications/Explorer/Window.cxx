@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window.h"
 
-#include "Comparison.h"
 #include "Files.h"
 #include "LightPanel.h"
 #include "LobePanel.h"
@@ -11,7 +10,7 @@
 #include "Panels.h"
 #include "Report.h"
 #include "RunGuarded.h"
-#include "SamplePanel.h"
+#include "Samples.h"
 #include "SlicePanel.h"
 #include "Tool.h"
 
@@ -193,7 +192,6 @@ Window::Window(const State& state, QWidget* parent)
   : QMainWindow(parent)
   , Background(new Jobs)
   , Model(new Session(Background, this))
-  , Compared(new Comparison(Model, Background, this))
   , Sides{ new Side(0, Model, Background, this), new Side(1, Model, Background, this) }
   , View(new SplitView(Model, Background, Sides))
   , Measured(new Evaluation(Model, Background, Sides, View->GetCamera(), this))
@@ -253,7 +251,7 @@ void Window::MakePanels()
   narrow->setParent(this->Tabs);
   this->Tabs->tabBar()->setStyle(narrow);
   this->Tabs->setUsesScrollButtons(false); // the panel is as wide as its tabs: none is hidden
-  auto* slices = MakeSlicePanel(this->Model, this->Compared);
+  auto* slices = MakeSlicePanel(this->Model);
   this->Findings = new FindingsPanel(this->Model, this->Background);
   this->Samples = new SamplePanel(this->Model);
   const std::pair<QString, QWidget*> tabs[] = {
@@ -290,8 +288,7 @@ void Window::MakePanels()
     return made;
   };
   QDockWidget* left = dock(tr("Scene"), "scene",
-    MakeListPanel(
-      this->Model, this->Compared, [this](const QString& kind) { this->OpenFiles(kind); }),
+    MakeListPanel(this->Model, [this](const QString& kind) { this->OpenFiles(kind); }),
     Qt::LeftDockWidgetArea);
   QDockWidget* right = dock(tr("Analysis"), "analysis", this->Tabs, Qt::RightDockWidgetArea);
   this->resizeDocks({ left, right }, { 230, 460 }, Qt::Horizontal);
@@ -330,7 +327,8 @@ void Window::MakeMenus()
   redo->setShortcut(QKeySequence::Redo);
   menu->addActions({ undo, redo });
   menu->addSeparator();
-  add(tr("Take back &all edits"), QKeySequence(), [this]() { this->Samples->Revert(); });
+  add(
+    tr("Take back &all edits"), QKeySequence(), [this]() { this->Samples->GetModel()->Revert(); });
 
   this->MakeViewMenu();
   menu = this->menuBar()->addMenu(tr("&Help"));
@@ -357,8 +355,8 @@ void Window::MakeViewMenu()
   add(tr("&Reset camera"), Qt::Key_Home, [this]() { this->View->ResetCamera(); });
   QAction* difference = add(tr("&Difference"), Qt::CTRL | Qt::Key_D,
     [this](bool on) { this->Model->SetShown(on ? Shown::Difference : Shown::Split); });
-  QAction* backdrop =
-    add(tr("&Backdrop"), Qt::CTRL | Qt::Key_B, [this](bool on) { this->Model->SetBackdrop(on); });
+  QAction* backdrop = add(tr("&Backdrop"), Qt::CTRL | Qt::Key_B,
+    [this](bool on) { this->Model->Set(&State::Backdrop, on, &Session::pictureChanged); });
   difference->setCheckable(true);
   backdrop->setCheckable(true);
   connect(this->Model, &Session::pictureChanged, this,
@@ -371,13 +369,14 @@ void Window::MakeViewMenu()
     [this]()
     {
       const std::string& file = this->Model->GetState().Material;
-      this->Compared->SetCompared(file, !this->Compared->IsCompared(file));
+      this->Model->SetCompared(file, !this->Model->IsCompared(file));
     });
   QMenu* heights = view->addMenu(tr("Exact &picture"));
   for (const int height : { 128, 256, 512, 1024 })
   {
     heights->addAction(tr("%1 pixels high").arg(height), this,
-      [this, height]() { this->Model->SetReferenceHeight(height); });
+      [this, height]()
+      { this->Model->Set(&State::ReferenceHeight, height, &Session::referenceHeightChanged); });
   }
   view->addSeparator();
   for (QDockWidget* dock : this->findChildren<QDockWidget*>())
@@ -511,28 +510,47 @@ QWidget* Window::ShowTab(const QString& title)
 // Panels that are not in front have drawn nothing yet: each comes to the front for its picture.
 ReportData Window::CollectReport()
 {
+  const State& state = this->Model->GetState();
   ReportData data;
-  data.Explored = this->Model->GetState();
-  data.Material = this->Model->GetMaterial().Name;
-  data.Inspection = this->Findings->GetInspection();
   data.Size = this->Measured->GetSize();
   data.Visible = this->Measured->GetSurface();
-  data.Reference =
-    this->Measured->IsComplete() ? this->Measured->GetReferenceRadiance() : std::vector<double>();
+  if (this->Measured->IsComplete())
+  {
+    data.Reference = this->Measured->GetReferenceRadiance();
+  }
+  data.Figures = { { "format", "measured-brdf explorer report" },
+    { "material", this->Model->GetMaterial().Name }, { "environment", state.Environment },
+    { "width", data.Size.Width }, { "height", data.Size.Height },
+    { "sides", nlohmann::ordered_json::array() }, { "plan", "" },
+    { "state", nlohmann::ordered_json::parse(WriteState(state)) } };
+  if (this->Model->IsDirectional())
+  {
+    data.Figures["light"] = { { "theta", state.Light.Theta }, { "phi", state.Light.Phi },
+      { "irradiance", state.Light.Irradiance } };
+  }
+  if (this->Findings->GetInspection().is_object())
+  {
+    data.Figures["info"] = this->Findings->GetInspection();
+  }
   for (int k = 0; k < 2; ++k)
   {
-    const Side* side = this->Sides[static_cast<std::size_t>(k)];
-    ReportSide& entry = data.Sides[static_cast<std::size_t>(k)];
-    entry.Description = side->Describe().toStdString();
-    entry.IsReference = side->IsReference();
-    entry.Radiance = this->Measured->GetRadiance(k);
-    entry.Frame = this->Measured->GetFigures(k).Frame;
-    vtkRadiancePlanner* planner = entry.IsReference ? nullptr : side->GetPlanner();
+    const Side* side = this->GetSide(k);
+    nlohmann::ordered_json entry = { { "description", side->Describe().toStdString() } };
+    vtkRadiancePlanner* planner = side->IsReference() ? nullptr : side->GetPlanner();
     if (planner && planner->GetChoice() >= 0)
     {
-      entry.PredictedError = planner->GetPredictedError(planner->GetChoice());
-      data.Plan = planner->GetPlan();
+      entry["predicted_error"] = planner->GetPredictedError(planner->GetChoice());
+      data.Figures["plan"] = planner->GetPlan();
     }
+    if (this->Measured->GetFigures(k).Frame > 0.0)
+    {
+      entry["frame_ms"] = this->Measured->GetFigures(k).Frame;
+    }
+    if (!side->IsReference())
+    {
+      data.Radiance[static_cast<std::size_t>(k)] = this->Measured->GetRadiance(k);
+    }
+    data.Figures["sides"].push_back(entry);
   }
   data.Pictures.emplace_back(tr("Picture: A left, B right"), this->View->Grab());
   const int shown = this->Tabs->currentIndex();

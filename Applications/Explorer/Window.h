@@ -24,7 +24,6 @@ class QTabWidget;
 
 namespace explorer
 {
-class Comparison;
 class FindingsPanel;
 class MessageBar;
 class SamplePanel;
@@ -96,7 +95,6 @@ private:
 
   Jobs* Background; // the first to be deleted: no job finds anything gone
   Session* Model;
-  Comparison* Compared;
   std::array<Side*, 2> Sides;
   SplitView* View;
   Evaluation* Measured;

@@ -300,17 +300,14 @@ std::string FormatValue(double value)
 void RoundValues(SurfaceModel* model)
 {
   std::vector<double> values = model->GetValues();
-  std::size_t at = 0;
-  for (const ModelParameter& parameter : model->GetParameters())
+  for (std::size_t at = 0; at < values.size(); ++at)
   {
-    for (std::size_t c = 0; c < parameter.Size; ++c, ++at)
+    const ModelParameter& parameter = *model->GetNumbers()[at].Parameter;
+    if (values[at] != parameter.Neutral)
     {
-      if (values[at] != parameter.Neutral)
-      {
-        // Down where a bound has more decimals.
-        const double rounded = std::round(1e4 * values[at]) / 1e4;
-        values[at] = rounded <= parameter.Most ? rounded : std::floor(1e4 * values[at]) / 1e4;
-      }
+      // Down where a bound has more decimals.
+      const double rounded = std::round(1e4 * values[at]) / 1e4;
+      values[at] = rounded <= parameter.Most ? rounded : std::floor(1e4 * values[at]) / 1e4;
     }
   }
   model->SetValues(values);

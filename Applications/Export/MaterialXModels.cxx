@@ -255,9 +255,7 @@ Layer GetZeltnerSheen(const Directions& d, double weight, const dvec3& color, do
   return layer;
 }
 
-// Where the numbers of a parameter begin.
-namespace Standard
-{
+/// Where the numbers of a parameter begin: both models have the same ones in the same order.
 enum Place : std::size_t
 {
   BaseColor = 0,
@@ -275,27 +273,6 @@ enum Place : std::size_t
   Anisotropy = 18,
   Rotation = 19
 };
-}
-namespace OpenPbr
-{
-enum Place : std::size_t
-{
-  BaseColor = 0,
-  Metalness = 3,
-  Roughness = 4,
-  SpecularWeight = 5,
-  SpecularColor = 6,
-  SpecularIndex = 9,
-  Coat = 10,
-  CoatRoughness = 11,
-  CoatIndex = 12,
-  Fuzz = 13,
-  FuzzColor = 14,
-  FuzzRoughness = 17,
-  Anisotropy = 18,
-  Rotation = 19
-};
-}
 
 //------------------------------------------------------------------------------
 // Directions in a frame that is turned by a share of a turn, clockwise about the normal: MaterialX'
@@ -309,25 +286,23 @@ Directions TurnClockwise(const Directions& d, double turns)
 //------------------------------------------------------------------------------
 dvec3 ShadeStandardSurface(const ModelNumbers& v, const Directions& directions)
 {
-  const double anisotropy = v[Standard::Anisotropy];
-  const Directions d = TurnClockwise(directions, anisotropy > 0.0 ? v[Standard::Rotation] : 0.0);
-  const Widths widths = GetStandardWidths(v[Standard::Roughness], anisotropy);
-  const dvec3 base = v.Color(Standard::BaseColor);
-  const dvec3 specularColor = v.Color(Standard::SpecularColor);
-  const double specular = v[Standard::Specular];
+  const double anisotropy = v[Anisotropy];
+  const Directions d = TurnClockwise(directions, anisotropy > 0.0 ? v[Rotation] : 0.0);
+  const Widths widths = GetStandardWidths(v[Roughness], anisotropy);
+  const dvec3 base = v.Color(BaseColor);
+  const dvec3 specularColor = v.Color(SpecularColor);
+  const double specular = v[Specular];
 
-  const Layer sheen = GetContyKullaSheen(
-    d, v[Standard::Sheen], v.Color(Standard::SheenColor), v[Standard::SheenRoughness]);
-  const Layer dielectric =
-    GetDielectric(d, specular, specularColor, v[Standard::SpecularIndex], widths);
+  const Layer sheen = GetContyKullaSheen(d, v[Sheen], v.Color(SheenColor), v[SheenRoughness]);
+  const Layer dielectric = GetDielectric(d, specular, specularColor, v[SpecularIndex], widths);
   dvec3 f = Over(dielectric, Over(sheen, base / Pi));
-  const double metalness = v[Standard::Metalness];
+  const double metalness = v[Metalness];
   if (metalness > 0.0)
   {
     f = glm::mix(f, GetConductor(d, base, specular * specularColor, widths), metalness);
   }
-  const Layer coat = GetDielectric(d, v[Standard::Coat], dvec3(1.0), v[Standard::CoatIndex],
-    GetStandardWidths(v[Standard::CoatRoughness], 0.0));
+  const Layer coat =
+    GetDielectric(d, v[Coat], dvec3(1.0), v[CoatIndex], GetStandardWidths(v[CoatRoughness], 0.0));
   return Over(coat, f);
 }
 
@@ -335,20 +310,20 @@ dvec3 ShadeStandardSurface(const ModelNumbers& v, const Directions& directions)
 // The base looks rougher through a rough coat.
 double GetCoatedRoughness(const ModelNumbers& v)
 {
-  const double own = v[OpenPbr::Roughness];
+  const double own = v[Roughness];
   const double coated =
-    std::pow(std::min(2.0 * std::pow(v[OpenPbr::CoatRoughness], 4) + std::pow(own, 4), 1.0), 0.25);
-  return own + (coated - own) * v[OpenPbr::Coat];
+    std::pow(std::min(2.0 * std::pow(v[CoatRoughness], 4) + std::pow(own, 4), 1.0), 0.25);
+  return own + (coated - own) * v[Coat];
 }
 
 //------------------------------------------------------------------------------
 // The index relative to the coat's, and scaled for the reflectance that specular_weight asks for.
 double GetCoatedIndex(const ModelNumbers& v)
 {
-  const double own = v[OpenPbr::SpecularIndex];
-  const double ratio = own / v[OpenPbr::CoatIndex];
-  const double eta = own + (std::max(ratio, 1.0 / ratio) - own) * v[OpenPbr::Coat];
-  const double f0 = std::clamp(v[OpenPbr::SpecularWeight] * ReflectanceOfIndex(eta), 0.0, 0.99999);
+  const double own = v[SpecularIndex];
+  const double ratio = own / v[CoatIndex];
+  const double eta = own + (std::max(ratio, 1.0 / ratio) - own) * v[Coat];
+  const double f0 = std::clamp(v[Specular] * ReflectanceOfIndex(eta), 0.0, 0.99999);
   const double root = std::copysign(std::sqrt(f0), eta - 1.0);
   return (1.0 + root) / (1.0 - root);
 }
@@ -357,41 +332,39 @@ double GetCoatedIndex(const ModelNumbers& v)
 // Light that the coat reflects back onto the base.
 dvec3 GetDarkening(const ModelNumbers& v)
 {
-  const double index = v[OpenPbr::CoatIndex];
+  const double index = v[CoatIndex];
   const double back = 1.0 - (1.0 - ReflectanceOfIndex(index)) / (index * index);
-  const dvec3 base = v.Color(OpenPbr::BaseColor);
-  const dvec3 albedo = glm::mix(base, base * v[OpenPbr::SpecularWeight], v[OpenPbr::Metalness]);
+  const dvec3 base = v.Color(BaseColor);
+  const dvec3 albedo = glm::mix(base, base * v[Specular], v[Metalness]);
   const dvec3 darkening = dvec3(1.0 - back) / (dvec3(1.0) - albedo * back);
-  return glm::mix(dvec3(1.0), darkening, v[OpenPbr::Coat]);
+  return glm::mix(dvec3(1.0), darkening, v[Coat]);
 }
 
 //------------------------------------------------------------------------------
 dvec3 ShadeOpenPbr(const ModelNumbers& v, const Directions& directions)
 {
-  const double anisotropy = v[OpenPbr::Anisotropy];
-  const Directions d = TurnClockwise(directions, anisotropy > 0.0 ? v[OpenPbr::Rotation] : 0.0);
+  const double anisotropy = v[Anisotropy];
+  const Directions d = TurnClockwise(directions, anisotropy > 0.0 ? v[Rotation] : 0.0);
   const Widths widths = GetOpenPbrWidths(GetCoatedRoughness(v), anisotropy);
-  const dvec3 base = v.Color(OpenPbr::BaseColor);
-  const dvec3 specularColor = v.Color(OpenPbr::SpecularColor);
-  const double weight = v[OpenPbr::SpecularWeight];
+  const dvec3 base = v.Color(BaseColor);
+  const dvec3 specularColor = v.Color(SpecularColor);
+  const double weight = v[Specular];
 
   // The diffuse part at base_diffuse_roughness 0: Lambert.
   dvec3 f = Over(GetDielectric(d, 1.0, specularColor, GetCoatedIndex(v), widths), base / Pi);
-  const double metalness = v[OpenPbr::Metalness];
+  const double metalness = v[Metalness];
   if (metalness > 0.0)
   {
     f = glm::mix(f, GetSchlickMetal(d, weight, base, weight * specularColor, widths), metalness);
   }
-  const double coatWeight = v[OpenPbr::Coat];
+  const double coatWeight = v[Coat];
   if (coatWeight > 0.0)
   {
-    const Layer coat = GetDielectric(d, coatWeight, dvec3(1.0), v[OpenPbr::CoatIndex],
-      GetOpenPbrWidths(v[OpenPbr::CoatRoughness], 0.0));
+    const Layer coat = GetDielectric(
+      d, coatWeight, dvec3(1.0), v[CoatIndex], GetOpenPbrWidths(v[CoatRoughness], 0.0));
     f = Over(coat, f * glm::clamp(GetDarkening(v), 0.0, 1.0));
   }
-  return Over(
-    GetZeltnerSheen(d, v[OpenPbr::Fuzz], v.Color(OpenPbr::FuzzColor), v[OpenPbr::FuzzRoughness]),
-    f);
+  return Over(GetZeltnerSheen(d, v[Sheen], v.Color(SheenColor), v[SheenRoughness]), f);
 }
 }
 

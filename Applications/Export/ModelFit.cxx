@@ -200,6 +200,9 @@ constexpr Limits Free = { 0.0, 1.0, 1.0, false };
 constexpr Limits Dielectric = { 0.0, 0.0, 1.0, true };
 constexpr Limits Metal = { 0.3, 1.0, 0.6, true };
 
+constexpr int FewIterations = 10; // to choose between starts
+constexpr int MostIterations = 40;
+
 class Search
 {
 public:
@@ -210,7 +213,6 @@ public:
     , Allowed(limits)
     , Proceed(proceed)
     , Reference(sphere.Sum(brdf))
-    , Neutral(model->GetValues())
   {
     if (std::none_of(
           this->Reference.begin(), this->Reference.end(), [](double value) { return value > 0.0; }))
@@ -238,20 +240,12 @@ public:
     {
       for (const Candidate& start : this->FindStarts(base, part, part == Feature::Core ? 3 : 2))
       {
-        const Candidate found = this->Refine(start, features, 10);
+        const Candidate found = this->Refine(start, features, FewIterations);
         best = found.Error < best.Error ? found : best;
       }
     }
     return best;
   }
-
-  /// The same after as many iterations as it takes.
-  Candidate Finish(const Candidate& start, const std::vector<Feature>& features) const
-  {
-    return this->Refine(start, features, 40);
-  }
-
-  const std::vector<double>& GetNeutral() const { return this->Neutral; }
 
 private:
   double GetError(const std::vector<double>& values) const
@@ -261,14 +255,29 @@ private:
       this->Sphere.Sum(this->Model), this->Reference, this->Sphere.GetNumberOfLights());
   }
 
-  // The best starts of a part before they are refined.
+  // The best starts of a part before they are refined: the k-th takes the k-th start of each of its
+  // parameters, or the last one.
   std::vector<Candidate> FindStarts(
     const std::vector<double>& base, Feature part, std::size_t most) const
   {
+    const std::vector<ModelNumber>& numbers = this->Model->GetNumbers();
     std::vector<Candidate> starts;
-    for (std::size_t k = 0; k < this->GetNumberOfStarts(part); ++k)
+    std::size_t count = 1;
+    for (std::size_t k = 0; k < count; ++k)
     {
-      Candidate start{ this->GetStart(base, part, k) };
+      Candidate start{ base };
+      for (std::size_t at = 0; at < numbers.size(); ++at)
+      {
+        const std::vector<double>& list = numbers[at].Parameter->Starts;
+        if (numbers[at].Parameter->Part == part)
+        {
+          count = std::max(count, list.size());
+          const double value =
+            list.empty() ? this->Albedo[numbers[at].Channel] : list[std::min(k, list.size() - 1)];
+          const FreeValue range = this->GetRange(at);
+          start.Values[at] = std::clamp(value, range.Least, range.Most);
+        }
+      }
       start.Error = this->GetError(start.Values);
       starts.push_back(start);
     }
@@ -289,38 +298,9 @@ private:
     return values;
   }
 
-  std::size_t GetNumberOfStarts(Feature part) const
+  FreeValue GetRange(std::size_t at) const
   {
-    std::size_t count = 0;
-    for (const ModelParameter& parameter : this->Model->GetParameters())
-    {
-      count = std::max(count, parameter.Part == part ? parameter.Starts.size() : 0);
-    }
-    return count;
-  }
-
-  std::vector<double> GetStart(std::vector<double> values, Feature part, std::size_t start) const
-  {
-    std::size_t at = 0;
-    for (const ModelParameter& parameter : this->Model->GetParameters())
-    {
-      for (std::size_t c = 0; c < parameter.Size; ++c, ++at)
-      {
-        if (parameter.Part == part)
-        {
-          values[at] = parameter.Starts.empty()
-                         ? this->Albedo[c]
-                         : parameter.Starts[std::min(start, parameter.Starts.size() - 1)];
-          const FreeValue range = this->GetRange(parameter, at);
-          values[at] = std::clamp(values[at], range.Least, range.Most);
-        }
-      }
-    }
-    return values;
-  }
-
-  FreeValue GetRange(const ModelParameter& parameter, std::size_t at) const
-  {
+    const ModelParameter& parameter = *this->Model->GetNumbers()[at].Parameter;
     double least = parameter.Least;
     double most =
       this->Allowed.AreUsual ? std::min(parameter.Most, parameter.MostUsual) : parameter.Most;
@@ -339,23 +319,21 @@ private:
   std::vector<FreeValue> GetFree(const std::vector<Feature>& features) const
   {
     std::vector<FreeValue> free;
-    std::size_t at = 0;
-    for (const ModelParameter& parameter : this->Model->GetParameters())
+    for (std::size_t at = 0; at < this->Model->GetNumbers().size(); ++at)
     {
-      const bool isFree =
-        std::find(features.begin(), features.end(), parameter.Part) != features.end();
-      for (std::size_t c = 0; c < parameter.Size; ++c, ++at)
+      const Feature part = this->Model->GetNumbers()[at].Parameter->Part;
+      const FreeValue range = this->GetRange(at);
+      if (std::find(features.begin(), features.end(), part) != features.end() &&
+          range.Least < range.Most)
       {
-        const FreeValue range = this->GetRange(parameter, at);
-        if (isFree && range.Least < range.Most)
-        {
-          free.push_back(range);
-        }
+        free.push_back(range);
       }
     }
     return free;
   }
 
+public:
+  /// A fit of the parts' values from a start; the start itself where none is better.
   Candidate Refine(
     const Candidate& start, const std::vector<Feature>& features, int iterations) const
   {
@@ -395,6 +373,7 @@ private:
     return found.Error < start.Error ? found : start;
   }
 
+private:
   // All models begin with a color.
   static constexpr std::size_t MetallicPlace = 3;
   static constexpr std::size_t RoughnessPlace = 4;
@@ -404,7 +383,6 @@ private:
   Limits Allowed;
   const std::function<void()>& Proceed;
   std::vector<double> Reference;
-  std::vector<double> Neutral;
   std::array<double, 3> Albedo{};
 };
 
@@ -436,7 +414,8 @@ ModelFit FitWithin(const std::string& model, vtkBRDF* brdf, const LitSphere& sph
   const std::function<void()> goOn = [&]() { proceed(share); };
   const Search search(fit.Model, brdf, sphere, limits, goOn);
   std::vector<Feature> features = { Feature::Core };
-  Candidate best = search.Finish(search.Try({ search.GetNeutral() }, features), features);
+  Candidate best =
+    search.Refine(search.Try({ fit.Model->GetValues() }, features), features, MostIterations);
   std::vector<Feature> choices = GetChoices(fit.Model, brdf);
   const double rounds = static_cast<double>(choices.size()) + 1.0;
   for (bool worthIt = true; worthIt && !choices.empty();)
@@ -456,7 +435,7 @@ ModelFit FitWithin(const std::string& model, vtkBRDF* brdf, const LitSphere& sph
     for (std::size_t k = 0; k < tries.size() && !worthIt; ++k)
     {
       features.push_back(tries[k].second);
-      const Candidate next = search.Finish(tries[k].first, features);
+      const Candidate next = search.Refine(tries[k].first, features, MostIterations);
       worthIt = best.Error - next.Error >= std::max(WorthIt * best.Error, WorthAtLeast);
       if (!worthIt)
       {

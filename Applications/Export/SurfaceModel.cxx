@@ -56,10 +56,15 @@ vtkSmartPointer<SurfaceModel> SurfaceModel::Make(const std::string& name)
 void SurfaceModel::SetModel(const ShadingModel& model)
 {
   this->Model = &model;
+  this->Numbers.clear();
   this->Values.clear();
   for (const ModelParameter& parameter : model.Parameters)
   {
-    this->Values.insert(this->Values.end(), parameter.Size, parameter.Neutral);
+    for (std::size_t c = 0; c < parameter.Size; ++c)
+    {
+      this->Numbers.push_back({ &parameter, c });
+      this->Values.push_back(parameter.Neutral);
+    }
   }
 }
 
@@ -78,14 +83,12 @@ void SurfaceModel::SetValues(const std::vector<double>& values)
 //------------------------------------------------------------------------------
 std::size_t SurfaceModel::Find(const std::string& name) const
 {
-  std::size_t k = 0;
-  for (const ModelParameter& parameter : this->GetParameters())
+  for (std::size_t k = 0; k < this->Numbers.size(); ++k)
   {
-    if (parameter.Name == name)
+    if (this->Numbers[k].Parameter->Name == name)
     {
       return k;
     }
-    k += parameter.Size;
   }
   throw std::invalid_argument(this->GetTitle() + " has no parameter " + name);
 }
@@ -100,16 +103,13 @@ std::array<double, 3> SurfaceModel::GetColor(const std::string& name) const
 //------------------------------------------------------------------------------
 bool SurfaceModel::HasFeature(Feature feature) const
 {
-  auto value = this->Values.begin();
-  for (const ModelParameter& parameter : this->GetParameters())
+  for (std::size_t k = 0; k < this->Numbers.size(); ++k)
   {
-    const auto end = value + static_cast<std::ptrdiff_t>(parameter.Size);
-    if (parameter.Part == feature &&
-        std::any_of(value, end, [&](double number) { return number != parameter.Neutral; }))
+    const ModelParameter& parameter = *this->Numbers[k].Parameter;
+    if (parameter.Part == feature && this->Values[k] != parameter.Neutral)
     {
       return true;
     }
-    value = end;
   }
   return false;
 }

@@ -70,6 +70,13 @@ struct ModelNumbers
   }
 };
 
+/// One number of a parameter.
+struct ModelNumber
+{
+  const ModelParameter* Parameter;
+  std::size_t Channel; // of a color, else 0
+};
+
 /// A shading model: its parameters, and f as a function of their numbers.
 struct ShadingModel
 {
@@ -98,7 +105,8 @@ public:
   const std::vector<ModelParameter>& GetParameters() const { return this->Model->Parameters; }
 
   ///@{
-  /// All numbers of all parameters in that order; as many as there are.
+  /// All numbers of all parameters in that order, and their values; as many as there are.
+  const std::vector<ModelNumber>& GetNumbers() const { return this->Numbers; }
   void SetValues(const std::vector<double>& values);
   const std::vector<double>& GetValues() const { return this->Values; }
   ///@}
@@ -130,6 +138,7 @@ private:
   std::size_t Find(const std::string& name) const;
 
   const ShadingModel* Model;
+  std::vector<ModelNumber> Numbers;
   std::vector<double> Values;
 };
 

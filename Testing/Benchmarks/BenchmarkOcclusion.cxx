@@ -1,20 +1,28 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What surfaces hide from themselves: the error of drawing without it, with a factor of ambient
-// occlusion, and with vtkSurfaceVisibilityFilter's arrays, against traced light (no bounce), over
-// meshes x materials x maps; and the time of a frame. A line of CSV for each. Needs an OpenGL
-// context. Errors are those of occlusion alone (OcclusionTruth.h).
+// occlusion, with vtkSurfaceVisibilityFilter's arrays (black) and with --bounce also with one
+// bounce (SetOcclusionBounce), over meshes x materials x maps; and the time of a frame. A line of
+// CSV for each. Needs an OpenGL context.
+//
+// The truth of a pixel is what the mapper draws without occlusion, times the visible share of its
+// light (OcclusionTruth.h). With --bounce, what vtkTracedRadianceIntegrator finds with a bounce and
+// not without comes to it, from the same samples; two seeds tell its noise. So errors are those of
+// occlusion alone.
 #include "FloatWindow.h"
 #include "OcclusionMeshes.h"
 #include "OcclusionTruth.h"
+#include "vtkDoubleArray.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
-#include "vtkPolyData.h"
 #include "vtkSurfaceVisibilityFilter.h"
+#include "vtkTracedRadianceIntegrator.h"
+#include "vtkTracedScene.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -24,50 +32,253 @@ using namespace occlusiontruth;
 
 namespace
 {
-struct Errors
+struct Options
 {
-  double Off = 0.0, Ambient = 0.0, On = 0.0, All = 0.0;
+  std::vector<std::string> Meshes, Maps, Materials;
+  bool Bounce = false;
+  int Pixels = 300;
+  int Samples = 1024;
+  int Rays = 0;
+  int Rounds = 0;
+  std::string Pictures;
 };
 
-Errors Compare(const std::vector<Pixel>& pixels, const std::vector<std::vector<glm::vec3>>& kernels,
-  const Map& map, const FloatPicture& off, const FloatPicture& on)
+/// What is drawn: without occlusion, with it, and with a bounce; frames also with a light that
+/// turns.
+enum Mode
 {
-  Errors errors;
-  for (std::size_t k = 0; k < pixels.size(); ++k)
+  Off,
+  Black,
+  Bounced,
+  Turning
+};
+
+/// Sums over pictures of the errors off, ambient, black and bounced.
+struct Totals
+{
+  std::array<double, 4> Sums{}, Worst{};
+  int Count = 0;
+  int Worse = 0; // pictures whose last mode is further off than the first that it is to mend
+};
+
+// What one bounce adds at pixels, and the sum of its standard errors.
+struct TracedBounce
+{
+  std::vector<glm::dvec3> Radiance;
+  double Noise = 0.0;
+
+  explicit TracedBounce(std::size_t count)
+    : Radiance(count, glm::dvec3(0.0))
   {
-    const Shares shares = GetShares(pixels[k], kernels[k], map);
-    const glm::dvec3 drawn = off.Get(pixels[k].X, pixels[k].Y);
-    const glm::dvec3 truth = drawn * shares.Visible;
-    errors.All += Sum(truth);
-    errors.Off += Sum(drawn - truth);
-    errors.Ambient += Sum(drawn * shares.Open - truth);
-    errors.On += Sum(on.Get(pixels[k].X, pixels[k].Y) - truth);
   }
-  return errors;
+
+  void Trace(vtkPolyData* hits, vtkDataArray* views, vtkTracedRadianceIntegrator* integrator)
+  {
+    for (int seed = 0; seed < 2; ++seed)
+    {
+      vtkNew<vtkDoubleArray> radiance[2];
+      integrator->SetSeed(seed);
+      for (int bounces = 0; bounces < 2; ++bounces)
+      {
+        integrator->SetNumberOfBounces(bounces);
+        integrator->Integrate(hits, views, radiance[bounces]);
+      }
+      for (std::size_t k = 0; k < this->Radiance.size(); ++k)
+      {
+        glm::dvec3 values[2];
+        radiance[0]->GetTuple(static_cast<vtkIdType>(k), &values[0].x);
+        radiance[1]->GetTuple(static_cast<vtkIdType>(k), &values[1].x);
+        const glm::dvec3 half = values[1] - values[0];
+        this->Noise += seed == 1 ? 0.5 * Sum(this->Radiance[k] - half) : 0.0;
+        this->Radiance[k] = seed == 0 ? half : 0.5 * (this->Radiance[k] + half);
+      }
+    }
+  }
+};
+
+void SetMode(vtkMeasuredBRDFMapper* mapper, int mode)
+{
+  mapper->SetOcclusionMode(mode == Off ? 0 : 1);
+  mapper->SetOcclusionBounce(mode == Bounced);
 }
 
+/// The least time of a frame by each mode, of as many rounds.
+std::array<double, 4> TimeFrames(vtkMeasuredBRDFMapper* mapper, FloatWindow& window,
+  vtkEnvironment* environment, const Options& options)
+{
+  std::array<double, 4> frames{};
+  for (int round = 0; round < options.Rounds; ++round)
+  {
+    for (const int mode : { Off, Black, Bounced, Turning })
+    {
+      if (mode == Bounced && !options.Bounce)
+      {
+        continue;
+      }
+      SetMode(mapper, mode);
+      window.Draw();
+      double seconds = 0.0;
+      for (int frame = 0; frame < 2; ++frame)
+      {
+        environment->SetRotationY(mode == Turning ? 1e-3 * (2 * round + frame + 1) : 0.0);
+        const double start = GetSeconds();
+        window.Draw();
+        seconds += 0.5 * (GetSeconds() - start);
+      }
+      environment->SetRotationY(0.0);
+      double& least = frames[static_cast<std::size_t>(mode)];
+      least = round == 0 ? seconds : std::min(least, seconds);
+    }
+  }
+  return frames;
+}
+
+void Measure(const std::string& name, const std::vector<Material>& materials,
+  const std::vector<Map>& maps, const Options& options, Totals& totals)
+{
+  const auto surface = MakeOcclusionMesh(name);
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  filter->SetInputData(surface);
+  filter->SetBothSides(options.Bounce);
+  if (options.Rays > 0)
+  {
+    filter->SetNumberOfRays(options.Rays);
+  }
+  const double begun = GetSeconds();
+  filter->Update();
+  const double traced = GetSeconds();
+  filter->SetBounce(options.Bounce);
+  filter->Update();
+  const double bounced = GetSeconds();
+  SurfaceTracer tracer;
+  tracer.AddSurface(surface);
+  tracer.Build();
+  vtkNew<vtkMeasuredBRDFMapper> mapper;
+  mapper->SetInputConnection(filter->GetOutputPort());
+  FloatWindow window(mapper, surface);
+  std::vector<Pixel> pixels = FindPixels(surface, tracer, window, options.Pixels);
+  TracePixels(tracer, pixels);
+  vtkNew<vtkTracedScene> scene;
+  scene->AddSurface(surface);
+  vtkNew<vtkDoubleArray> rays[3]; // origins, directions, views
+  for (const auto& array : rays)
+  {
+    array->SetNumberOfComponents(3);
+  }
+  for (const Pixel& pixel : pixels)
+  {
+    glm::dvec3 eye, direction;
+    window.GetRay(pixel.X, pixel.Y, &eye.x, &direction.x);
+    rays[0]->InsertNextTuple(&eye.x);
+    rays[1]->InsertNextTuple(&direction.x);
+    rays[2]->InsertNextTuple(&pixel.View.x);
+  }
+  vtkNew<vtkPolyData> hits;
+  scene->CastRays(rays[0], rays[1], hits);
+  for (const Material& material : materials)
+  {
+    const auto kernels = MakeKernels(material.BRDF, pixels);
+    for (const Map& map : maps)
+    {
+      vtkNew<vtkHybridRadianceIntegrator> integrator;
+      integrator->SetLightAngle(LampDegrees);
+      mapper->SetBRDF(material.BRDF);
+      mapper->SetEnvironment(map.Environment);
+      mapper->SetIntegrator(integrator);
+      TracedBounce bounce(pixels.size());
+      if (options.Bounce)
+      {
+        vtkNew<vtkTracedRadianceIntegrator> reference;
+        reference->SetScene(scene);
+        reference->SetBRDF(material.BRDF);
+        reference->SetEnvironment(map.Environment);
+        reference->SetNumberOfSamples(options.Samples / 2);
+        reference->UnoccludedReferenceOff();
+        bounce.Trace(hits, rays[2], reference);
+      }
+      FloatPicture pictures[3];
+      for (int mode = 0; mode <= (options.Bounce ? Bounced : Black); ++mode)
+      {
+        SetMode(mapper, mode);
+        pictures[mode] = window.Render();
+        if (!options.Pictures.empty())
+        {
+          const char* const endings[] = { "-off.png", "-black.png", "-bounce.png" };
+          pictures[mode].Write(options.Pictures + "/" + name + "-" + material.Name + "-" +
+                               map.Name.substr(0, map.Name.find('.')) + endings[mode]);
+        }
+      }
+      std::array<double, 4> errors{};
+      double all = 0.0;
+      for (std::size_t k = 0; k < pixels.size(); ++k)
+      {
+        const auto get = [&](int mode) { return pictures[mode].Get(pixels[k].X, pixels[k].Y); };
+        const Shares shares = GetShares(pixels[k], kernels[k], map);
+        const glm::dvec3 truth = get(Off) * shares.Visible + bounce.Radiance[k];
+        all += Sum(truth);
+        errors[0] += Sum(get(Off) - truth);
+        errors[1] += Sum(get(Off) * shares.Open - truth);
+        errors[2] += Sum(get(Black) - truth);
+        errors[3] += options.Bounce ? Sum(get(Bounced) - truth) : 0.0;
+      }
+      std::printf("%s,%lld,%.2f,%.2f,%s,%s,%.2f", name.c_str(),
+        static_cast<long long>(surface->GetNumberOfPoints()), traced - begun, bounced - traced,
+        material.Name.c_str(), map.Name.c_str(), 100.0 * bounce.Noise / all);
+      for (std::size_t k = 0; k < errors.size(); ++k)
+      {
+        errors[k] /= all;
+        std::printf(",%.2f", 100.0 * errors[k]);
+        totals.Sums[k] += errors[k];
+        totals.Worst[k] = std::max(totals.Worst[k], errors[k]);
+      }
+      for (const double seconds : TimeFrames(mapper, window, map.Environment, options))
+      {
+        std::printf(",%.1f", 1e3 * seconds);
+      }
+      std::printf("\n");
+      std::fflush(stdout);
+      totals.Worse += options.Bounce ? errors[3] > errors[2] : errors[2] > errors[0];
+      ++totals.Count;
+    }
+  }
+}
+
+/// The names that were asked for, or these.
+std::vector<std::string> Choose(
+  const std::vector<std::string>& asked, const std::vector<std::string>& usual)
+{
+  return asked.empty() ? usual : asked;
+}
 }
 
 int main(int argc, char** argv)
 {
-  std::vector<std::string> meshes = { "bumps", "gear", "isosurface", "knob", "molecule", "torus" };
-  std::vector<std::string> maps = { "city.exr", "courtyard.exr", "interior.exr", "studio.exr",
-    "sunset.exr", "pmndrs_sunrise.hdr" };
-  int pixelCount = 300;
-  int rounds = 0;
-  int rays = 0;
-  std::string pictures;
-  std::vector<std::string> names;
+  Options options;
   CLI::App app("The error of what surfaces hide from themselves.");
-  app.add_option("--meshes", meshes, "Those of the default, or .vtp files with point normals");
-  app.add_option("--maps", maps, "Files of the data folder, or embedded names");
-  app.add_option("--materials", names, "Names of materials; none: all");
-  app.add_option("--pixels", pixelCount, "Of each picture");
-  app.add_option("--rays", rays, "From each point; 0: as the filter has it");
-  app.add_option("--rounds", rounds, "Of frames for times; 0: none");
-  app.add_option("--pictures", pictures, "Folder for pictures");
+  app.add_flag("--bounce", options.Bounce, "Compare with traced light that bounces once");
+  app.add_option("--meshes", options.Meshes,
+    "bumps, fine-bumps, gear, isosurface, knob, molecule, torus, or .vtp files with point normals");
+  app.add_option("--maps", options.Maps, "Files of the data folder, or embedded names");
+  app.add_option("--materials", options.Materials, "Names of materials");
+  app.add_option("--pixels", options.Pixels, "Of each picture");
+  app.add_option("--samples", options.Samples, "Traced directions of each pixel, for a bounce");
+  app.add_option("--rays", options.Rays, "From each point; 0: as the filter has it");
+  app.add_option("--rounds", options.Rounds, "Of frames for times; 0: none");
+  app.add_option("--pictures", options.Pictures, "Folder for pictures");
   CLI11_PARSE(app, argc, argv);
-
+  using Names = std::vector<std::string>;
+  const bool bounce = options.Bounce;
+  const Names meshes = Choose(
+    options.Meshes, bounce ? Names{ "gear", "isosurface", "knob", "molecule" }
+                           : Names{ "bumps", "gear", "isosurface", "knob", "molecule", "torus" });
+  const Names maps =
+    Choose(options.Maps, bounce ? Names{ "city.exr", "interior.exr", "studio.exr" }
+                                : Names{ "city.exr", "courtyard.exr", "interior.exr", "studio.exr",
+                                    "sunset.exr", "pmndrs_sunrise.hdr" });
+  const Names names = Choose(options.Materials,
+    bounce
+      ? Names{ "lambert", "grey", "orange", "blinn50", "satin_purple" }
+      : Names{ "lambert", "blinn50", "blinn400", "cardboard", "satin_purple", "vch_ultra_pink" });
   std::vector<Map> environments;
   for (const std::string& name : maps)
   {
@@ -78,98 +289,25 @@ int main(int argc, char** argv)
   }
   std::vector<Material> materials = MakeMaterials();
   const auto isLeftOut = [&names](const Material& material)
-  { return !names.empty() && std::find(names.begin(), names.end(), material.Name) == names.end(); };
+  { return std::find(names.begin(), names.end(), material.Name) == names.end(); };
   materials.erase(std::remove_if(materials.begin(), materials.end(), isLeftOut), materials.end());
   vtkObject::GlobalWarningDisplayOn(); // readers turn it off
-  std::printf("mesh,points,trace s,material,map,off %%,ambient %%,on %%,frame off ms,frame on "
-              "ms,light turns ms\n");
-  double sums[3] = { 0.0, 0.0, 0.0 };
-  double worst[3] = { 0.0, 0.0, 0.0 };
-  int worse = 0;
-  int count = 0;
-  for (const std::string& name : meshes)
+  std::printf("mesh,points,trace s,bounce s,material,map,noise %%,off %%,ambient %%,black %%,"
+              "bounce %%,frame off ms,frame black ms,frame bounce ms,light turns ms\n");
+  Totals totals;
+  for (const std::string& mesh : meshes)
   {
-    const auto surface = MakeOcclusionMesh(name);
-    vtkNew<vtkSurfaceVisibilityFilter> filter;
-    filter->SetInputData(surface);
-    if (rays > 0)
-    {
-      filter->SetNumberOfRays(rays);
-    }
-    const double before = GetSeconds();
-    filter->Update();
-    const double seconds = GetSeconds() - before;
-    SurfaceTracer tracer;
-    tracer.AddSurface(surface);
-    tracer.Build();
-    vtkNew<vtkMeasuredBRDFMapper> mapper;
-    mapper->SetInputConnection(filter->GetOutputPort());
-    FloatWindow window(mapper, surface);
-    std::vector<Pixel> pixels = FindPixels(surface, tracer, window, pixelCount);
-    TracePixels(tracer, pixels);
-    for (const Material& material : materials)
-    {
-      const auto kernels = MakeKernels(material.BRDF, pixels);
-      for (const Map& map : environments)
-      {
-        vtkNew<vtkHybridRadianceIntegrator> integrator;
-        integrator->SetLightAngle(LampDegrees);
-        mapper->SetBRDF(material.BRDF);
-        mapper->SetEnvironment(map.Environment);
-        mapper->SetIntegrator(integrator);
-        mapper->SetOcclusionModeToOff();
-        const FloatPicture off = window.Render();
-        mapper->SetOcclusionModeToAuto();
-        const FloatPicture on = window.Render();
-        const Errors errors = Compare(pixels, kernels, map, off, on);
-        const double values[3] = { errors.Off / errors.All, errors.Ambient / errors.All,
-          errors.On / errors.All };
-        // Without, with the light at rest, and with a light that turns.
-        double frames[3] = { 0.0, 0.0, 0.0 };
-        for (int mode = 0; rounds > 0 && mode < 3; ++mode)
-        {
-          frames[mode] = HUGE_VAL;
-        }
-        for (int round = 0; round < 3 * rounds; ++round)
-        {
-          const int mode = round % 3;
-          mapper->SetOcclusionMode(std::min(mode, 1));
-          window.Draw();
-          double seconds = 0.0;
-          for (int frame = 0; frame < 2; ++frame)
-          {
-            map.Environment->SetRotationY(mode == 2 ? 1e-3 * (round + frame) : 0.0);
-            const double start = GetSeconds();
-            window.Draw();
-            seconds += GetSeconds() - start;
-          }
-          map.Environment->SetRotationY(0.0);
-          frames[mode] = std::min(frames[mode], 0.5 * seconds);
-        }
-        std::printf("%s,%lld,%.2f,%s,%s,%.2f,%.2f,%.2f,%.1f,%.1f,%.1f\n", name.c_str(),
-          static_cast<long long>(surface->GetNumberOfPoints()), seconds, material.Name.c_str(),
-          map.Name.c_str(), 100.0 * values[0], 100.0 * values[1], 100.0 * values[2],
-          1e3 * frames[0], 1e3 * frames[1], 1e3 * frames[2]);
-        std::fflush(stdout);
-        if (!pictures.empty())
-        {
-          const std::string file = pictures + "/" + name + "-" + material.Name + "-" +
-                                   map.Name.substr(0, map.Name.find('.'));
-          off.Write(file + "-off.png");
-          on.Write(file + "-on.png");
-        }
-        for (int k = 0; k < 3; ++k)
-        {
-          sums[k] += values[k];
-          worst[k] = std::max(worst[k], values[k]);
-        }
-        worse += values[2] > values[0] ? 1 : 0;
-        ++count;
-      }
-    }
+    Measure(mesh, materials, environments, options, totals);
   }
-  std::printf("mean,,,,,%.2f,%.2f,%.2f\nworst,,,,,%.2f,%.2f,%.2f\nworse than off,%d of %d\n",
-    100.0 * sums[0] / count, 100.0 * sums[1] / count, 100.0 * sums[2] / count, 100.0 * worst[0],
-    100.0 * worst[1], 100.0 * worst[2], worse, count);
+  for (const bool worst : { false, true })
+  {
+    std::printf(worst ? "worst,,,,,," : "mean,,,,,,");
+    for (std::size_t k = 0; k < totals.Sums.size(); ++k)
+    {
+      std::printf(",%.2f", 100.0 * (worst ? totals.Worst[k] : totals.Sums[k] / totals.Count));
+    }
+    std::printf("\n");
+  }
+  std::printf("worse than %s,%d of %d\n", bounce ? "black" : "off", totals.Worse, totals.Count);
   return 0;
 }

@@ -4,17 +4,12 @@
 // materials and maps, against many more points as cameras all around see them, with other rays. A
 // line of CSV for each mesh, material and map, then how far the predictions were off. Errors, not
 // times.
+#include "BenchmarkCase.h"
 #include "vtkAppendPolyData.h"
-#include "vtkBRDF.h"
-#include "vtkBRDFReader.h"
 #include "vtkContourFilter.h"
 #include "vtkCubeSource.h"
 #include "vtkCylinderSource.h"
 #include "vtkDoubleArray.h"
-#include "vtkEmbeddedEnvironments.h"
-#include "vtkEmbeddedMaterials.h"
-#include "vtkEnvironment.h"
-#include "vtkEnvironmentReader.h"
 #include "vtkNew.h"
 #include "vtkOcclusionPredictor.h"
 #include "vtkPLYReader.h"
@@ -37,6 +32,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -131,36 +127,12 @@ vtkSmartPointer<vtkPolyData> MakeMesh(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkBRDF> FindBRDF(const std::string& name)
-{
-  if (name.find('/') == std::string::npos)
-  {
-    return vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
-  }
-  vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(name);
-  return reader->Read() ? reader->GetBRDF() : nullptr;
-}
-
-vtkSmartPointer<vtkEnvironment> FindEnvironment(const std::string& name)
-{
-  if (name.find('/') == std::string::npos)
-  {
-    return vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment(name));
-  }
-  vtkNew<vtkEnvironmentReader> reader;
-  reader->SetFileName(name);
-  return reader->Read() ? reader->GetEnvironment() : nullptr;
-}
-
 std::string GetStem(const std::string& path)
 {
-  const std::size_t slash = path.rfind('/');
-  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+  const std::string name = std::filesystem::path(path).filename().string();
   return name.substr(0, name.find('.'));
 }
 
-//------------------------------------------------------------------------------
 /// A mesh, and points of it as cameras all around see them.
 struct Case
 {
@@ -245,10 +217,10 @@ int main(int argc, char** argv)
     KeepLast(drawn, views, points, mesh);
     for (const std::string& light : environments)
     {
-      const vtkSmartPointer<vtkEnvironment> environment = FindEnvironment(light);
+      const vtkSmartPointer<vtkEnvironment> environment = BenchmarkCase::FindEnvironment(light);
       for (const std::string& material : materials)
       {
-        const vtkSmartPointer<vtkBRDF> brdf = FindBRDF(material);
+        const vtkSmartPointer<vtkBRDF> brdf = BenchmarkCase::FindBRDF(material);
         if (!environment || !brdf)
         {
           std::fprintf(stderr, "%s, %s: not found\n", material.c_str(), light.c_str());

@@ -28,6 +28,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace occlusiontruth
@@ -164,8 +165,14 @@ struct Material
 inline std::vector<Material> MakeMaterials()
 {
   std::vector<Material> materials;
-  vtkNew<vtkLambertBRDF> matte;
-  materials.push_back({ "lambert", matte });
+  const std::pair<const char*, glm::dvec3> mattes[] = { { "lambert", glm::dvec3(1.0) },
+    { "grey", glm::dvec3(0.5) }, { "orange", glm::dvec3(0.7, 0.3, 0.1) } };
+  for (const auto& [name, albedo] : mattes)
+  {
+    vtkNew<vtkLambertBRDF> matte;
+    matte->SetAlbedo(albedo.x, albedo.y, albedo.z);
+    materials.push_back({ name, matte });
+  }
   for (const double exponent : { 50.0, 400.0 })
   {
     vtkNew<vtkBlinnPhongBRDF> gloss;

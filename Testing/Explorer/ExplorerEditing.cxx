@@ -6,7 +6,7 @@
 #include "ExplorerTest.h"
 #include "Files.h"
 #include "LightPanel.h"
-#include "SamplePanel.h"
+#include "Samples.h"
 #include "SlicePanel.h"
 #include "Tool.h"
 
@@ -338,7 +338,13 @@ void ExplorerEditing::samplesOfATable()
   const int row = panel->GetView()->currentIndex().row();
   QCOMPARE(model->GetTable().GetAngles(row)[0], 90.0 * 0.01); // the first of 5
   QCOMPARE(model->GetTable().GetAngles(row)[1], 56.25);       // of 4, the nearest to 60
-  window->GetSession()->SetSlices(40.0, 10.0, 20.0, true);
+  window->GetSession()->Edit(&Session::slicesChanged,
+    [](State& now)
+    {
+      now.SliceThetaH = 40.0;
+      now.SliceThetaD = 10.0;
+      now.SlicePhiD = 20.0;
+    });
   panel->GoToSlices();
   const std::array<double, 3> cut =
     model->GetTable().GetAngles(panel->GetView()->currentIndex().row());
@@ -400,7 +406,7 @@ void ExplorerEditing::samplesAreEdited()
   QTRY_COMPARE_WITH_TIMEOUT(first(), 0.25f, Patience);
   panel->GetUndoStack()->redo();
   QTRY_COMPARE_WITH_TIMEOUT(first(), 0.5f, Patience);
-  panel->Revert();
+  panel->GetModel()->Revert();
   QVERIFY(window->GetSession()->GetState().Edits.empty());
   panel->GetUndoStack()->undo();
   QCOMPARE(window->GetSession()->GetState().Edits.at(state.Material).size(), std::size_t(1));
@@ -481,7 +487,7 @@ void ExplorerEditing::editsAreNotLostOnClosing()
   QTRY_VERIFY_WITH_TIMEOUT(!window->GetSession()->HasUnsavedEdits(), Patience);
   QVERIFY(close(QMessageBox::Cancel));
   QCOMPARE(asked, 3);
-  window->GetSamplePanel()->Revert(); // nothing is edited, nothing can be lost
+  window->GetSamplePanel()->GetModel()->Revert(); // nothing is edited, nothing can be lost
   QVERIFY(!window->GetSession()->HasUnsavedEdits());
 }
 

@@ -3,7 +3,7 @@
 // Makes the pictures of docs/explorer.md: ExplorerScreenshots FOLDER [HEIGHT [editing|FILE.xml]],
 // or saves the picture of a state: ExplorerScreenshots STATE.json SIZE PICTURE.png
 #include "Files.h"
-#include "SamplePanel.h"
+#include "Samples.h"
 #include "Window.h"
 
 #include "vtkBRDFResampler.h"
@@ -107,15 +107,15 @@ static void ShootTransmission(Window& window, const QString& folder, const QStri
   Session* session = window.GetSession();
   session->SetMaterial(file.toStdString());
   session->SetMethod(1, method::PBR);
-  session->SetLobe(40.0, 200.0, true);
+  session->SetLobe(40.0, 200.0);
   window.ShowTab("Lobe");
   Settle(window);
   Shoot(window, folder, "transmission");
-  session->SetSlicePolar(true);
+  session->Set(&State::SlicePolar, true, &Session::slicesChanged);
   window.ShowTab("Slices");
   Settle(window);
   Shoot(window, folder, "transmission-polar");
-  session->SetSlicePolar(false);
+  session->Set(&State::SlicePolar, false, &Session::slicesChanged);
   Shoot(window, folder, "transmission-slices");
   window.ShowTab("Material");
   Shoot(window, folder, "transmission-findings");
@@ -186,10 +186,10 @@ int main(int argc, char* argv[])
   window.ShowTab("Slices");
   Shoot(window, folder, "slices");
   window.GetSession()->SetCompared({ "nickel", "yellow-matte-plastic", "blue-car-paint" });
-  window.GetSession()->SetSlicePolar(true);
+  window.GetSession()->Set(&State::SlicePolar, true, &Session::slicesChanged);
   Settle(window);
   Shoot(window, folder, "polar");
-  window.GetSession()->SetSlicePolar(false);
+  window.GetSession()->Set(&State::SlicePolar, false, &Session::slicesChanged);
   window.GetSession()->SetCompared({});
   window.ShowTab("Image");
   Shoot(window, folder, "image");

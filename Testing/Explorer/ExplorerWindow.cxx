@@ -414,7 +414,7 @@ void ExplorerWindow::stateComesBack()
     QTRY_COMPARE_WITH_TIMEOUT(session->GetState().Mesh, std::string("ball-on-foot"), Patience);
     CameraState camera = session->GetState().Camera;
     camera.Position[0] += 0.5;
-    session->SetCamera(camera);
+    session->Set(&State::Camera, camera, &Session::cameraChanged);
     QVERIFY(session->Save(path.toStdString()));
     saved = WriteState(session->GetState());
   }
@@ -485,7 +485,7 @@ void ExplorerWindow::slicesAndFindings()
   // theta_h = 90 degrees may be below the horizon
   QVERIFY(view->GetCurves(SliceView::ThetaH).front().Degrees.size() >= 360);
   // Half vector 0, difference 30 degrees: light from there, seen from the mirror direction.
-  window->GetSession()->SetSlices(0.0, 30.0, 90.0, false);
+  window->GetSession()->Set(&State::SliceThetaD, 30.0, &Session::slicesChanged);
   const double s = 0.5;
   const double c = std::sqrt(0.75);
   const double i[3] = { 0.0, s, c };
@@ -512,7 +512,7 @@ void ExplorerWindow::materialsAreCompared()
   QTRY_VERIFY_WITH_TIMEOUT(view->GetMaterials().size() == 2, Patience);
   QTRY_VERIFY(view->GetCurves(SliceView::ThetaH).size() == 2);
   QTRY_VERIFY(legend->text().contains("nickel"));
-  window->GetSession()->SetSlicePolar(true);
+  window->GetSession()->Set(&State::SlicePolar, true, &Session::slicesChanged);
   QTRY_VERIFY(view->GetCurves(SliceView::Plane).size() == 2);
   QCOMPARE(window->GetSession()->GetState().Compared, std::vector<std::string>{ "nickel" });
   box->click();
@@ -545,7 +545,8 @@ void ExplorerWindow::transmissionIsShown()
   Drop(*window, file);
   QTRY_VERIFY_WITH_TIMEOUT(lobe->GetTransmission() != nullptr, Patience);
   QVERIFY(note->isVisible());
-  session->SetLobe(40.0, 30.0, false);
+  session->Set(&State::LobeLogarithmic, false, &Session::lobeChanged);
+  session->SetLobe(40.0, 30.0);
   lobe->Update();
   QVERIFY(lobe->GetOutput()->GetBounds()[4] < -0.5);
   QTest::qWait(300);
@@ -566,7 +567,7 @@ void ExplorerWindow::transmissionIsShown()
   QTRY_VERIFY_WITH_TIMEOUT(charts->GetTransmittances().front().Degrees.size() == 10, Patience);
   const Curve& shown = charts->GetTransmittances().front();
   QVERIFY(std::abs(shown.Values[0][1] - 7.0 * vtkMath::Pi()) < 1.0); // the file's other side
-  session->SetSlicePolar(true);
+  session->Set(&State::SlicePolar, true, &Session::slicesChanged);
   const Curve& plane = charts->GetCurves(SliceView::Plane).front();
   QVERIFY(plane.Degrees.front() < -90.0 && plane.Degrees.back() > 90.0);
   const auto* findings = this->Find<QLabel>("findings");
@@ -576,7 +577,7 @@ void ExplorerWindow::transmissionIsShown()
 
   this->Show(MakeState());
   QVERIFY(!lobe->GetTransmission());
-  session->SetSlicePolar(true);
+  session->Set(&State::SlicePolar, true, &Session::slicesChanged);
   QVERIFY(charts->GetCurves(SliceView::Plane).front().Degrees.back() < 90.0);
   QVERIFY(charts->GetTransmittances().front().Degrees.empty());
   window->ShowTab("Lobe");

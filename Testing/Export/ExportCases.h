@@ -37,15 +37,12 @@ inline std::vector<ExportCase> ReadExportCases(const std::string& path)
     ExportCase made{ entry.at("name"), entry.at("model"), {} };
     made.Fit.Model = tool::SurfaceModel::Make(made.Model);
     std::vector<double> values;
-    for (const tool::ModelParameter& parameter : made.Fit.Model->GetParameters())
+    for (const auto& [parameter, channel] : made.Fit.Model->GetNumbers())
     {
-      const auto found = entry.at("values").find(parameter.Name);
-      for (std::size_t c = 0; c < parameter.Size; ++c)
-      {
-        values.push_back(found == entry.at("values").end() ? parameter.Neutral
-                         : parameter.Size == 1             ? found->get<double>()
-                                                           : found->at(c).get<double>());
-      }
+      const auto found = entry.at("values").find(parameter->Name);
+      values.push_back(found == entry.at("values").end() ? parameter->Neutral
+                       : parameter->Size == 1            ? found->get<double>()
+                                                         : found->at(channel).get<double>());
     }
     made.Fit.Model->SetValues(values);
     for (const std::string part : entry.at("parts"))

@@ -331,9 +331,11 @@ def main():
         "format": "measured-brdf shading models", "version": 1, "renderer": screen.context.info["GL_RENDERER"],
         "pairs": [{"i": list(light), "o": list(view)} for light, view in pairs], "results": results,
     }
+    # A line for each pair and each case.
+    fields = [f' "{key}": [\n  ' + ",\n  ".join(map(json.dumps, value)) + "\n ]" if isinstance(value, list)
+              else f' "{key}": {json.dumps(value)}' for key, value in record.items()]
     with open(arguments.output, "w", encoding="ascii") as file:
-        json.dump(record, file, indent=1)
-        file.write("\n")
+        file.write("{\n" + ",\n".join(fields) + "\n}\n")
 
 
 if __name__ == "__main__":

@@ -1026,7 +1026,7 @@ add("Export.materialx-without-compensation", "MaterialXModels.cxx",
 add("Export.materialx-layer-lets-all-through", "MaterialXModels.cxx", "return top.Response + base * top.Throughput;",
     "return top.Response + base;", MODELS)
 add("Export.openpbr-coat-leaves-the-base-smooth", "MaterialXModels.cxx",
-    "return own + (coated - own) * v[OpenPbr::Coat];", "return own;", MODELS)
+    "return own + (coated - own) * v[Coat];", "return own;", MODELS)
 add("Export.openpbr-coat-does-not-darken", "MaterialXModels.cxx", "f * glm::clamp(GetDarkening(v), 0.0, 1.0)", "f",
     MODELS)
 add("Export.preview-surface-clearcoat-index", "PbrModels.cxx",

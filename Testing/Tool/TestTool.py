@@ -1305,7 +1305,7 @@ class Export(ToolTest):
 
     def test_gltf(self):
         sheet, report = self.path("sheet.png"), self.path("report.json")
-        result = self.export("gltf", "gold.gltf", "--sheet", sheet, "--report", report, "--json")
+        result = self.export("gltf", "gold.gltf", "--closest", "--sheet", sheet, "--report", report, "--json")
         self.check(result, 0)
         figures = read_json(report)
         self.assertEqual(json.loads(result.stdout), figures)

@@ -1,0 +1,772 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Panels.h"
+
+#include "Controls.h"
+#include "Inspection.h"
+#include "Measuring.h"
+#include "Sheets.h"
+#include "SplitView.h"
+#include "Tool.h"
+
+#include "vtkEnvironment.h"
+#include "vtkRadiancePlanner.h"
+
+#include <QFontDatabase>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QTextBrowser>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+namespace explorer
+{
+//------------------------------------------------------------------------------
+QWidget* MakePictureBar(Session* session)
+{
+  auto* bar = new QWidget;
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(6, 3, 6, 3);
+  std::array<QComboBox*, 2> methods;
+  for (int k = 0; k < 2; ++k)
+  {
+    auto* list = new QComboBox;
+    for (const MethodName& name : GetMethodNames())
+    {
+      AddItem(list, name.Name, QString::fromStdString(name.Key), name.Description);
+    }
+    list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    list->setMinimumContentsLength(10);
+    list->setToolTip(k == 0 ? QObject::tr("What the left side is drawn by")
+                            : QObject::tr("What the right side is drawn by"));
+    list->setAccessibleName(k == 0 ? QObject::tr("Method A") : QObject::tr("Method B"));
+    list->setObjectName(k == 0 ? "method A" : "method B");
+    AddNamed(row, k == 0 ? QObject::tr("&A") : QObject::tr("&B"), list);
+    OnChange(
+      list, [=](const QVariant& key) { session->SetMethod(k, key.toString().toStdString()); });
+    methods[static_cast<std::size_t>(k)] = list;
+  }
+  auto* lights = new QComboBox;
+  for (int count = 1; count <= MostLights; count *= 2)
+  {
+    lights->addItem(QString::number(count), count);
+  }
+  lights->setToolTip(QObject::tr(
+    "How many lights stand for the environment: of the light set, soft lights and the thesis"));
+  lights->setAccessibleName(QObject::tr("Number of lights"));
+  auto* difference = new QToolButton;
+  difference->setText(QObject::tr("Difference"));
+  difference->setCheckable(true);
+  difference->setToolTip(QObject::tr("Show |A - B| instead of the pictures (Ctrl+D)"));
+  auto* exposure = MakeField(-MostStops, MostStops, 1, 0.5, "",
+    QObject::tr("Exposure of both sides in stops; at 0 the picture is that of the mapper"));
+  exposure->setKeyboardTracking(true);
+  exposure->setAccessibleName(QObject::tr("Exposure"));
+  auto* fit = new QToolButton;
+  fit->setText(QObject::tr("Fit"));
+  fit->setToolTip(QObject::tr(
+    "The exposure that shows a white matte surface as 70 % of white in this environment"));
+  AddNamed(row, QObject::tr("&Lights"), lights);
+  row->addWidget(difference);
+  AddNamed(row, QObject::tr("E&xposure"), exposure);
+  row->addWidget(fit);
+  row->addStretch(1);
+
+  OnChange(lights, [=](const QVariant& count) { session->SetLights(count.toInt()); });
+  OnChange(difference, [=](bool on) { session->SetShown(on ? Shown::Difference : Shown::Split); });
+  Bind(
+    exposure, session, &Session::pictureChanged,
+    [](auto& state) -> auto& { return state.Exposure; });
+  QObject::connect(fit, &QToolButton::clicked, session,
+    [=]()
+    {
+      session->Set(&State::Exposure, std::log2(tool::ChooseExposure(session->GetEnvironment())),
+        &Session::pictureChanged);
+    });
+  Follow(session, bar,
+    { &Session::methodsChanged, &Session::pictureChanged, &Session::environmentChanged },
+    [=]()
+    {
+      const State& state = session->GetState();
+      for (std::size_t k = 0; k < 2; ++k)
+      {
+        Show(methods[k], QString::fromStdString(state.Methods[k]));
+      }
+      Show(lights, state.Lights);
+      lights->setEnabled(!session->IsDirectional()); // there is one, whatever is chosen
+      Show(difference, state.Show == Shown::Difference);
+      fit->setEnabled(session->GetEnvironment() != nullptr);
+    });
+  return bar;
+}
+
+namespace
+{
+//------------------------------------------------------------------------------
+QTreeWidget* MakeTree(const QString& name)
+{
+  auto* list = new QTreeWidget;
+  list->setHeaderHidden(true);
+  list->setRootIsDecorated(false);
+  list->setIndentation(12);
+  list->setUniformRowHeights(true);
+  list->setAccessibleName(name);
+  list->setExpandsOnDoubleClick(false);
+  return list;
+}
+
+//------------------------------------------------------------------------------
+// Headings with their items; the one that is shown is selected.
+void FillList(QTreeWidget* list, const std::vector<Item>& items, const std::string& current)
+{
+  list->clear();
+  std::map<std::string, QTreeWidgetItem*> headings;
+  for (const Item& item : items)
+  {
+    QTreeWidgetItem*& heading = headings[item.Kind];
+    if (!heading)
+    {
+      QString title = QString::fromStdString(item.Kind);
+      title.replace(0, 1, title.left(1).toUpper());
+      heading = new QTreeWidgetItem(list, { title });
+      heading->setFlags(Qt::ItemIsEnabled);
+      QFont font = heading->font(0);
+      font.setBold(true);
+      heading->setFont(0, font);
+    }
+    auto* line = new QTreeWidgetItem(heading, { QString::fromStdString(item.Name) });
+    line->setData(0, Qt::UserRole, QString::fromStdString(item.File));
+    line->setToolTip(0, QString::fromStdString(item.Source));
+    if (item.File == current)
+    {
+      list->setCurrentItem(line);
+    }
+  }
+  list->expandAll();
+  if (list->currentItem())
+  {
+    list->scrollToItem(list->currentItem());
+  }
+}
+
+//------------------------------------------------------------------------------
+// Calls a function with each item of a list that stands for a file, and its file.
+template <typename Function>
+void ForEachItem(QTreeWidget* list, const Function& function)
+{
+  for (int k = 0; k < list->topLevelItemCount(); ++k)
+  {
+    for (int j = 0; j < list->topLevelItem(k)->childCount(); ++j)
+    {
+      QTreeWidgetItem* item = list->topLevelItem(k)->child(j);
+      function(item, item->data(0, Qt::UserRole).toString());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Widgets: a tick of a list's own would also choose the material.
+void AddCompareBoxes(QTreeWidget* list, Session* session)
+{
+  ForEachItem(list,
+    [=](QTreeWidgetItem* item, const QString& file)
+    {
+      auto* box = MakeBox("", QObject::tr("Draw it in the slices' charts, too"));
+      box->setFocusPolicy(Qt::NoFocus); // View, Compare has a key
+      box->setObjectName("compare " + file);
+      box->setAccessibleName(QObject::tr("Compare %1").arg(item->text(0)));
+      box->setChecked(session->IsCompared(file.toStdString()));
+      list->setItemWidget(item, 1, box);
+      OnChange(box, [=](bool on) { session->SetCompared(file.toStdString(), on); });
+    });
+}
+
+//------------------------------------------------------------------------------
+// Hides what has not the words in its name or its heading's.
+void Filter(QTreeWidget* list, const QString& words)
+{
+  for (int k = 0; k < list->topLevelItemCount(); ++k)
+  {
+    list->topLevelItem(k)->setHidden(true);
+  }
+  ForEachItem(list,
+    [&words](QTreeWidgetItem* item, const QString&)
+    {
+      const bool fits = item->text(0).contains(words, Qt::CaseInsensitive) ||
+                        item->parent()->text(0).contains(words, Qt::CaseInsensitive);
+      item->setHidden(!fits);
+      item->parent()->setHidden(item->parent()->isHidden() && !fits);
+    });
+}
+}
+
+//------------------------------------------------------------------------------
+QWidget* MakeListPanel(Session* session, const std::function<void(const QString&)>& open)
+{
+  auto* panel = new QWidget;
+  panel->setMinimumWidth(200);
+  auto* search = new QLineEdit;
+  search->setPlaceholderText(QObject::tr("Find a material"));
+  search->setClearButtonEnabled(true);
+  search->setAccessibleName(QObject::tr("Find a material"));
+  auto* materials = MakeTree(QObject::tr("Materials"));
+  materials->setColumnCount(2); // the second: whether it is in the charts
+  materials->header()->setStretchLastSection(false);
+  materials->header()->setMinimumSectionSize(8);
+  materials->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  materials->header()->setSectionResizeMode(1, QHeaderView::Fixed);
+  materials->header()->resizeSection(1, QCheckBox().sizeHint().width() + 6);
+  auto* environments = MakeTree(QObject::tr("Environments"));
+  auto* meshes = new QComboBox;
+  meshes->setAccessibleName(QObject::tr("Mesh"));
+  meshes->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+
+  auto* layout = MakeColumn(panel);
+  const auto add = [&](const QString& title, QWidget* list, const QString& kind, int stretch,
+                     const QString& toolTip)
+  {
+    auto* label = new QLabel(title);
+    label->setBuddy(list);
+    auto* button = new QPushButton(QObject::tr("Open…"));
+    button->setToolTip(toolTip);
+    auto* row = new QHBoxLayout;
+    row->addWidget(label);
+    row->addStretch(1);
+    row->addWidget(button);
+    layout->addLayout(row);
+    if (list == materials)
+    {
+      layout->addWidget(search);
+    }
+    layout->addWidget(list, stretch);
+    QObject::connect(button, &QPushButton::clicked, panel, [=]() { open(kind); });
+  };
+  add(QObject::tr("&Materials"), materials, "materials", 5,
+    QObject::tr("Open material files; or drop them into the window"));
+  add(QObject::tr("En&vironments"), environments, "environments", 2,
+    QObject::tr("Open environment images; or drop them into the window"));
+  add(QObject::tr("M&esh"), meshes, "meshes", 0,
+    QObject::tr("Open a mesh; or drop it into the window"));
+
+  const auto choose = [=](QTreeWidget* list, void (Session::*set)(const std::string&))
+  {
+    QObject::connect(list, &QTreeWidget::currentItemChanged, session,
+      [=](QTreeWidgetItem* item)
+      {
+        const QString file = item ? item->data(0, Qt::UserRole).toString() : QString();
+        if (!file.isEmpty())
+        {
+          (session->*set)(file.toStdString());
+        }
+      });
+  };
+  choose(materials, &Session::SetMaterial);
+  choose(environments, &Session::SetEnvironment);
+  OnChange(meshes, [=](const QVariant& file) { session->SetMesh(file.toString().toStdString()); });
+  QObject::connect(search, &QLineEdit::textChanged, panel,
+    [=](const QString& words) { Filter(materials, words.trimmed()); });
+  Follow(session, panel, { &Session::listsChanged },
+    [=]()
+    {
+      const QSignalBlocker quiet[] = { QSignalBlocker(materials), QSignalBlocker(environments) };
+      const State& state = session->GetState();
+      FillList(materials, session->GetMaterials(), state.Material);
+      AddCompareBoxes(materials, session);
+      FillList(environments, session->GetEnvironments(), state.Environment);
+      meshes->clear();
+      for (const Item& item : session->GetMeshes())
+      {
+        AddItem(meshes, item.Name, QString::fromStdString(item.File), item.Source);
+      }
+      Show(meshes, QString::fromStdString(state.Mesh));
+      Filter(materials, search->text().trimmed());
+    });
+  QObject::connect(session, &Session::comparedChanged, panel,
+    [=]()
+    {
+      ForEachItem(materials,
+        [=](QTreeWidgetItem* item, const QString& file)
+        {
+          auto* box = static_cast<QCheckBox*>(materials->itemWidget(item, 1));
+          Show(box, session->IsCompared(file.toStdString()));
+        });
+    });
+  return panel;
+}
+
+namespace
+{
+constexpr int StepsPerDecade = 40; // of the slider, from 0.1 % to 100 %
+constexpr int Steps = 3 * StepsPerDecade;
+
+//------------------------------------------------------------------------------
+// A row of a table, as HTML: words in the first column and the one of that number, else figures.
+QString MakeRow(const QStringList& cells, int words = -1, bool bold = false)
+{
+  QString row = "<tr>";
+  for (int k = 0; k < cells.size(); ++k)
+  {
+    row += QString("<td align='%1' style='padding:1px 6px'>%2</td>")
+             .arg(k == 0 || k == words ? "left" : "right",
+               bold ? "<b>" + cells[k].toHtmlEscaped() + "</b>" : cells[k].toHtmlEscaped());
+  }
+  return row + "</tr>";
+}
+
+//------------------------------------------------------------------------------
+QString FormatError(double share)
+{
+  return share < 0.0 ? QString("–") : QString::fromStdString(tool::FormatPercent(share));
+}
+
+//------------------------------------------------------------------------------
+QString FormatTime(double value) { return QString::fromStdString(tool::FormatMilliseconds(value)); }
+
+//------------------------------------------------------------------------------
+// Of a pixel, times a table's.
+QString FormatCost(double value) { return QString::number(value, 'f', 2); }
+
+//------------------------------------------------------------------------------
+// The tolerance, in percent, by a slider and a field.
+QLayout* MakeToleranceRow(Session* session)
+{
+  auto* slider = new QSlider(Qt::Horizontal);
+  slider->setObjectName("tolerance");
+  slider->setRange(0, Steps);
+  slider->setPageStep(StepsPerDecade / 4);
+  slider->setTickInterval(StepsPerDecade);
+  slider->setTickPosition(QSlider::TicksBelow);
+  slider->setToolTip(
+    QObject::tr("Error that a plan has to stay below, relative to the mean radiance"));
+  slider->setAccessibleName(QObject::tr("Tolerance"));
+  auto* percent = MakeField(0.1, 100.0, 2, 1.0, " %", "");
+  percent->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  auto* row = new QHBoxLayout;
+  AddNamed(row, QObject::tr("&Tolerance "), slider);
+  row->addWidget(percent);
+  row->setStretchFactor(slider, 1);
+  QObject::connect(slider, &QSlider::valueChanged, session,
+    [=](int value)
+    { session->SetTolerance(std::pow(10.0, -3.0 + static_cast<double>(value) / StepsPerDecade)); });
+  OnChange(percent, [=](double value) { session->SetTolerance(value / 100.0); });
+  Follow(session, slider, { &Session::toleranceChanged },
+    [=]()
+    {
+      const double tolerance = session->GetState().Tolerance;
+      Show(slider, std::round((std::log10(tolerance) + 3.0) * StepsPerDecade));
+      Show(percent, 100.0 * tolerance);
+    });
+  return row;
+}
+
+//------------------------------------------------------------------------------
+// What was predicted and measured of both sides.
+QString MakeFigures(const std::array<Side*, 2>& sides, const Evaluation& evaluation)
+{
+  QStringList rows[] = { { "", "A", "B" }, { QObject::tr("Error, predicted") },
+    { QObject::tr("Error, measured") }, { QObject::tr("Cost, predicted") },
+    { QObject::tr("Frame, measured") } };
+  for (int k = 0; k < 2; ++k)
+  {
+    const Side* side = sides[static_cast<std::size_t>(k)];
+    vtkRadiancePlanner* planner = side->IsReference() ? nullptr : side->GetPlanner();
+    const int choice = planner && side->IsReady() ? planner->GetChoice() : -1;
+    const SideFigures& figures = evaluation.GetFigures(k);
+    rows[1] << FormatError(choice < 0 ? -1.0 : planner->GetPredictedError(choice));
+    rows[2] << (side->IsReference()    ? QObject::tr("exact")
+                : figures.Error >= 0.0 ? FormatError(figures.Error)
+                                       : QString("…"));
+    rows[3] << (choice < 0 ? QString("–") : FormatCost(planner->GetPredictedCost(choice)));
+    rows[4] << (figures.Frame > 0.0 ? FormatTime(figures.Frame) : QString("–"));
+  }
+  QString table;
+  for (const QStringList& row : rows)
+  {
+    table += MakeRow(row);
+  }
+  return "<table width='100%'>" + table + "</table>";
+}
+
+//------------------------------------------------------------------------------
+// What was chosen of what, and why.
+QString MakeCandidates(vtkRadiancePlanner* planner)
+{
+  QString table = MakeRow({ QObject::tr("Method"), QObject::tr("Error"), QObject::tr("Cost"),
+                            QObject::tr("MB"), QObject::tr("Set-up"), QObject::tr("Sizes") },
+    5);
+  for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
+  {
+    const bool chosen = k == planner->GetChoice();
+    const double megabytes = 1e-6 * static_cast<double>(planner->GetTextureBytes(k));
+    table += MakeRow(
+      { (chosen ? "▸ " : "") + QString::fromStdString(planner->GetMethodName(k)),
+        FormatError(planner->GetPredictedError(k)), FormatCost(planner->GetPredictedCost(k)),
+        QString::number(megabytes, 'f', 2), FormatTime(planner->GetSetUpMilliseconds(k)),
+        QString::fromStdString(planner->GetDescription(k)) },
+      5, chosen);
+  }
+  return "<p>" + QString::fromStdString(planner->GetReason()).toHtmlEscaped() + "</p><table>" +
+         table + "</table>";
+}
+}
+
+//------------------------------------------------------------------------------
+QWidget* MakePlanPanel(
+  Session* session, std::array<Side*, 2> sides, Evaluation* evaluation, SplitView* view)
+{
+  auto* panel = new QWidget;
+  auto* text = new QTextBrowser;
+  text->setAccessibleName(QObject::tr("Plan"));
+  auto* frame = new QLabel(QString("–"));
+  auto* layout = MakeColumn(panel);
+  layout->addLayout(MakeToleranceRow(session));
+  layout->addWidget(text, 1);
+  layout->addWidget(frame);
+
+  const auto update = [=]()
+  {
+    QString html = MakeFigures(sides, *evaluation);
+    const auto planned = std::find_if(sides.begin(), sides.end(),
+      [](Side* side) { return side->GetPlanner() && side->GetPlanner()->GetChoice() >= 0; });
+    if (planned == sides.end())
+    {
+      html += session->IsDirectional()
+                ? QObject::tr("No plan: under one directional light there is nothing to integrate.")
+                : QObject::tr("No plan: neither side is planned, or the plan is being made.");
+    }
+    else
+    {
+      html +=
+        ((*planned)->IsReady() ? QString()
+                               : QObject::tr("(a new plan, or its picture, is being made) ")) +
+        MakeCandidates((*planned)->GetPlanner());
+    }
+    const tool::Size& size = evaluation->GetSize();
+    html +=
+      QObject::tr("<p>Errors are relative L1: mean |x - r| / mean r. Predicted: over a sphere "
+                  "seen from everywhere. Measured: of this view in %1 x %2 pixels, where the "
+                  "exact picture and the frame are made. Cost: of a pixel, times a "
+                  "table's.</p>")
+        .arg(size.Width)
+        .arg(size.Height);
+    const int place = text->verticalScrollBar()->value();
+    text->setHtml(html);
+    text->verticalScrollBar()->setValue(place);
+  };
+  for (Side* side : sides)
+  {
+    QObject::connect(side, &Side::changed, panel, update);
+  }
+  QObject::connect(evaluation, &Evaluation::changed, panel, update);
+  QObject::connect(view, &SplitView::framed, panel,
+    [=](double milliseconds)
+    { frame->setText(QObject::tr("Last frame of the window: %1").arg(FormatTime(milliseconds))); });
+  update();
+  return panel;
+}
+
+namespace
+{
+constexpr int SliderSteps = 400;
+constexpr int TitleWidth = 130; // pixels
+
+//------------------------------------------------------------------------------
+// The slider's steps are equal, or, where the parameter says so, equal in log(1 + x).
+double ToScale(const ModelParameter& parameter, double value)
+{
+  return parameter.IsLogarithmic ? std::log1p(value) : value;
+}
+
+//------------------------------------------------------------------------------
+double ToValue(const ModelParameter& parameter, int step)
+{
+  const double least = ToScale(parameter, parameter.Least);
+  const double largest = ToScale(parameter, parameter.Largest);
+  const double place = least + (largest - least) * step / SliderSteps;
+  return parameter.IsLogarithmic ? std::expm1(place) : place;
+}
+
+//------------------------------------------------------------------------------
+double ToStep(const ModelParameter& parameter, double value)
+{
+  const double least = ToScale(parameter, parameter.Least);
+  const double largest = ToScale(parameter, parameter.Largest);
+  return std::round(SliderSteps * (ToScale(parameter, value) - least) / (largest - least));
+}
+
+//------------------------------------------------------------------------------
+// A number of a model by a slider and a field, or one of a few choices.
+QWidget* MakeParameterRow(
+  Session* session, const ParametricModel& model, const ModelParameter& parameter, std::size_t k)
+{
+  const bool isColor = parameter.Default.size() > 1;
+  const QString channels[3] = { QObject::tr(", red"), QObject::tr(", green"),
+    QObject::tr(", blue") };
+  const QString title =
+    QString::fromStdString(parameter.Name) + (isColor ? channels[k] : QString());
+  const QString name =
+    QString::fromStdString(parameter.Key) + (isColor ? QString(" %1").arg(k) : QString());
+  const auto get = [=, &model]()
+  { return GetValues(model, session->GetState().Models).at(parameter.Key)[k]; };
+  const auto set = [=, &model](double value)
+  {
+    std::vector<double> values = GetValues(model, session->GetState().Models).at(parameter.Key);
+    values[k] = value;
+    session->SetModelValues(model.Key, parameter.Key, values);
+  };
+  auto* row = new QWidget;
+  row->setToolTip(QString::fromStdString(parameter.Description));
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* label = new QLabel(title);
+  label->setMinimumWidth(TitleWidth);
+  layout->addWidget(label);
+  if (!parameter.Choices.empty())
+  {
+    auto* choices = new QComboBox;
+    for (std::size_t j = 0; j < parameter.Choices.size(); ++j)
+    {
+      AddItem(choices, parameter.Choices[j], static_cast<double>(j));
+    }
+    choices->setAccessibleName(title);
+    choices->setObjectName(name);
+    layout->addWidget(choices);
+    layout->addStretch(1);
+    OnChange(choices, [=](const QVariant& choice) { set(choice.toDouble()); });
+    Follow(session, row, { &Session::modelsChanged }, [=]() { Show(choices, get()); });
+    return row;
+  }
+  auto* slider = new QSlider(Qt::Horizontal);
+  slider->setRange(0, SliderSteps);
+  slider->setPageStep(SliderSteps / 20);
+  auto* field =
+    MakeField(parameter.Least, parameter.Largest, parameter.Largest > 100.0 ? 1 : 3, 1.0, "", "");
+  field->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  layout->addWidget(slider, 1);
+  layout->addWidget(field);
+  for (QWidget* widget : { static_cast<QWidget*>(slider), static_cast<QWidget*>(field) })
+  {
+    widget->setAccessibleName(title);
+    widget->setObjectName(name);
+  }
+  QObject::connect(
+    slider, &QSlider::valueChanged, row, [=](int step) { set(ToValue(parameter, step)); });
+  OnChange(field, set);
+  Follow(session, row, { &Session::modelsChanged },
+    [=]()
+    {
+      Show(field, get());
+      Show(slider, ToStep(parameter, get()));
+    });
+  return row;
+}
+}
+
+//------------------------------------------------------------------------------
+QWidget* MakeModelPanel(Session* session, const std::function<void()>& save)
+{
+  auto* panel = new QWidget;
+  auto* models = new QComboBox;
+  models->addItem(QObject::tr("None"), QString());
+  for (const ParametricModel& model : GetModels())
+  {
+    AddItem(models, model.Name, QString::fromStdString(GetModelFile(model)));
+  }
+  models->setAccessibleName(QObject::tr("Model"));
+  models->setObjectName("models");
+  auto* button = new QPushButton(QObject::tr("&Save as…"));
+  button->setToolTip(QObject::tr("Write the material with these parameters to a file (.exr)"));
+  auto* text = new QLabel;
+  text->setWordWrap(true);
+  auto* row = new QHBoxLayout;
+  AddNamed(row, QObject::tr("&Model"), models);
+  row->addWidget(button);
+  row->setStretchFactor(models, 1);
+  auto* layout = MakeColumn(panel);
+  layout->addLayout(row);
+  layout->addWidget(text);
+  layout->addStretch(1);
+
+  const auto update = [=]()
+  {
+    const std::string& file = session->GetState().Material;
+    const ParametricModel* model = FindModel(file);
+    Show(models, model ? QString::fromStdString(file) : QString());
+    auto* before = panel->findChild<QWidget*>("parameters", Qt::FindDirectChildrenOnly);
+    if (before && before->property("model").toString() == models->currentData().toString())
+    {
+      return;
+    }
+    delete before;
+    auto* rows = new QWidget;
+    rows->setObjectName("parameters");
+    rows->setProperty("model", models->currentData());
+    layout->insertWidget(2, rows);
+    text->setText(model ? QString::fromStdString(model->Description)
+                        : QObject::tr("The material that is shown is no model. Choose one here or "
+                                      "in the list of materials."));
+    auto* column = new QVBoxLayout(rows);
+    column->setContentsMargins(0, 0, 0, 0);
+    for (const ModelParameter& parameter :
+      model ? model->Parameters : std::vector<ModelParameter>())
+    {
+      for (std::size_t k = 0; k < parameter.Default.size(); ++k)
+      {
+        column->addWidget(MakeParameterRow(session, *model, parameter, k));
+      }
+    }
+  };
+  QObject::connect(button, &QPushButton::clicked, panel, [save]() { save(); });
+  OnChange(models,
+    [=](const QVariant& file)
+    {
+      if (!file.toString().isEmpty())
+      {
+        session->SetMaterial(file.toString().toStdString());
+      }
+      else
+      {
+        update(); // "none" is no choice
+      }
+    });
+  Follow(session, panel, { &Session::listsChanged }, update);
+  return panel;
+}
+
+namespace
+{
+// Where a deviation is worth a warning.
+constexpr double ReciprocityLimit = 0.01; // relative
+constexpr double Rounding = 1e-9;
+constexpr double NegativeMassLimit = 0.001; // share
+
+//------------------------------------------------------------------------------
+std::string Format(const char* format, double value)
+{
+  char text[64];
+  std::snprintf(text, sizeof(text), format, value);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+Finding FindTransmission(const nlohmann::ordered_json& transmission)
+{
+  const auto share = [](const nlohmann::ordered_json& row)
+  {
+    const std::array<double, 3> rgb = row["light"];
+    return tool::FormatPercent(vtkEnvironment::GetLuminance(rgb.data()));
+  };
+  const nlohmann::ordered_json& rows = transmission["per_angle"];
+  const double total = transmission["largest_reflectance_and_transmittance"];
+  const bool gains = transmission["gains_energy"];
+  return { !gains, "Transmission",
+    "Transmits " + share(rows.front()) + " of light along the normal, " + share(rows.back()) +
+      " at " + Format("%.0f degrees", rows.back()["degrees"]) + "; with what is reflected " +
+      Format("%.3f at most (azimuths averaged)", total) +
+      (gains ? ": more light than it gets" : "") + ". Not drawn in the picture" };
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<Finding> FindFindings(const nlohmann::ordered_json& info)
+{
+  std::vector<Finding> findings;
+  const double reciprocity = info["reciprocity_error"];
+  findings.push_back({ reciprocity <= ReciprocityLimit, "Reciprocity",
+    (reciprocity < Rounding
+        ? std::string("f(i,o) and f(o,i) are equal but for rounding")
+        : "f(i,o) and f(o,i) differ by " + tool::FormatPercent(reciprocity) + " (RMS " +
+            tool::FormatPercent(info["reciprocity_rms_error"]) + ")") +
+      (info["reciprocal_by_construction"] ? "; reciprocal by construction" : "") });
+  const double albedo = info["largest_albedo"];
+  const bool gains = info["gains_energy"];
+  findings.push_back({ !gains, "Energy",
+    "The largest albedo is " + Format("%.3f", albedo) +
+      (gains ? ": the material gives back more light than it gets"
+             : "; no reflectance is above 1") });
+  const auto negative = info["negative_values"].get<long long>();
+  const double mass = info["negative_mass"];
+  findings.push_back({ mass <= NegativeMassLimit, "Negative values",
+    negative == 0 && !(mass > 0.0)
+      ? std::string("None")
+      : tool::FormatCount(static_cast<std::size_t>(negative), "stored value") + ", " +
+          tool::FormatPercent(mass) + " of all f, clamped to 0" });
+  const auto invalid = info["invalid_values"].get<long long>();
+  findings.push_back({ invalid == 0, "Invalid values",
+    invalid == 0 ? std::string("None")
+                 : tool::FormatCount(static_cast<std::size_t>(invalid), "stored value") +
+                     " not finite, replaced" });
+  if (info.contains("transmission"))
+  {
+    findings.push_back(FindTransmission(info["transmission"]));
+  }
+  return findings;
+}
+
+//------------------------------------------------------------------------------
+QString MakeFindingsTable(const nlohmann::ordered_json& info)
+{
+  QString rows;
+  for (const Finding& finding : FindFindings(info))
+  {
+    rows += QString("<tr><td style='color:%1'>%2</td><td style='padding:2px "
+                    "8px'><b>%3</b></td><td>%4</td></tr>")
+              .arg(finding.IsGood ? "#2e8c3e" : "#c8641e", finding.IsGood ? "✔" : "⚠",
+                QString::fromStdString(finding.Name).toHtmlEscaped(),
+                QString::fromStdString(finding.Text).toHtmlEscaped());
+  }
+  return "<table>" + rows + "</table>";
+}
+
+//------------------------------------------------------------------------------
+FindingsPanel::FindingsPanel(Session* session, Jobs* jobs)
+{
+  auto* findings = new QLabel;
+  findings->setObjectName("findings");
+  findings->setWordWrap(true);
+  findings->setTextFormat(Qt::RichText);
+  findings->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  findings->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  auto* text = new QPlainTextEdit;
+  text->setReadOnly(true);
+  text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  text->setLineWrapMode(QPlainTextEdit::NoWrap);
+  text->setAccessibleName(tr("What is known of the material"));
+  auto* layout = MakeColumn(this);
+  layout->addWidget(findings);
+  layout->addWidget(text, 1);
+  const auto show = [=](const nlohmann::ordered_json& info)
+  {
+    this->Info = info;
+    findings->setText(MakeFindingsTable(info));
+    text->setPlainText(QString::fromStdString(tool::FormatInspection(info)));
+    emit this->inspected();
+  };
+  connect(session, &Session::materialChanged, this,
+    [=]()
+    {
+      this->Info = nullptr;
+      findings->setText(tr("Being measured …"));
+      text->clear();
+      jobs->Compute(
+        "findings", tr("measuring the material"),
+        [material = MakeSnapshot(session->GetMaterial())]()
+        { return tool::InspectMaterial(material); },
+        show,
+        [=](const QString& problem)
+        {
+          findings->clear();
+          session->Say(problem, true);
+        });
+    });
+}
+} // namespace explorer
