@@ -18,7 +18,6 @@ namespace tool
 ///@{
 /// Add one subcommand each.
 void AddAcquireCommand(CLI::App& app);
-void AddPhotographCommand(CLI::App& app);
 void AddProjectCommand(CLI::App& app);
 void AddRepresentationsCommand(CLI::App& app);
 void AddStabilityCommand(CLI::App& app);

@@ -14,7 +14,6 @@ void AddCommands(CLI::App& app)
   tool::AddAcquireCommand(app);
   tool::AddProjectCommand(app);
   tool::AddRepresentationsCommand(app);
-  tool::AddPhotographCommand(app);
   tool::AddStabilityCommand(app);
 }
 }
@@ -23,8 +22,8 @@ int main(int argc, char* argv[])
 {
   return tool::RunProgram(argc, argv,
     { "measured-brdf-lab",
-      "Experiments with measured materials: the thesis's device, bases and figures, simulated\n"
-      "photographs, and every known way to fail, measured.",
+      "Experiments with measured materials: the thesis's device, bases and figures, and every known\n"
+      "way to fail, measured.",
       "Start with:\n"
       "  measured-brdf-lab thesis -o output/thesis            the thesis's figures\n"
       "  measured-brdf-lab representations gold-paint         what each form of it would cost\n"

@@ -2,22 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialMapFiles.h"
 
-#include "BoundedJson.h"
 #include "Files.h"
-#include "Inputs.h"
 #include "Picture.h"
 #include "Tool.h"
 
 #include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkPictureReader.h"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
@@ -26,24 +20,6 @@ namespace
 {
 constexpr int MaterialsPerImage = 3; // alpha is no place for a weight: programs multiply by it
 constexpr double LargestCode = 65535.0;
-constexpr std::uintmax_t MostBytes = std::uintmax_t(1) << 24; // of a description
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> ReadWeights(const std::string& path)
-{
-  vtkNew<vtkPictureReader> reader;
-  reader->SetFileName(path);
-  if (!reader->Read())
-  {
-    tool::TakeErrorText();
-    throw tool::Error(reader->GetErrorMessage());
-  }
-  if (!reader->GetNotes().empty())
-  {
-    tool::PrintNote(path + ": " + reader->GetNotes());
-  }
-  return reader->GetPicture();
-}
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> MakeWeightImage(vtkMaterialMap* map, int first)
@@ -84,57 +60,6 @@ void MakeFolder(const std::string& path)
   {
     throw Error(path + ": the folder can't be made" + (error ? ": " + error.message() : ""));
   }
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkMaterialMap> MakeMaterialMap(
-  const std::vector<std::string>& materials, const std::vector<std::string>& images)
-{
-  auto map = vtkSmartPointer<vtkMaterialMap>::New();
-  map->SetModeToTextures();
-  for (const std::string& file : materials)
-  {
-    const Material material = LoadMaterial(file);
-    map->AddMaterial(material.BRDF, material.Name);
-  }
-  for (const std::string& file : images)
-  {
-    map->AddWeightImage(ReadWeights(file));
-  }
-  return map;
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkMaterialMap> ReadMaterialMap(const std::string& path)
-{
-  std::error_code error;
-  const std::uintmax_t size = fs::file_size(path, error);
-  if (error || size > MostBytes)
-  {
-    throw Error(path + ": " + (error ? error.message() : "too large for a material map"));
-  }
-  std::ifstream file(path, std::ios::binary);
-  std::vector<std::string> materials, images;
-  const fs::path folder = fs::path(path).parent_path();
-  try
-  {
-    const ordered_json description = measuredbrdf::ParseJson<ordered_json>(file);
-    for (const ordered_json& material : description.at("materials"))
-    {
-      const std::string name = material.at("material").get<std::string>();
-      const bool isFile = name.find_first_of("/.#") != std::string::npos;
-      materials.push_back(isFile ? (folder / name).string() : name);
-    }
-    for (const ordered_json& image : description.at("weights"))
-    {
-      images.push_back((folder / image.get<std::string>()).string());
-    }
-  }
-  catch (const std::exception& e)
-  {
-    throw Error(path + ": no material map: " + e.what());
-  }
-  return MakeMaterialMap(materials, images);
 }
 
 //------------------------------------------------------------------------------

@@ -9,27 +9,13 @@
 #define MaterialMapFiles_h
 
 #include "vtkMaterialMap.h"
-#include "vtkSmartPointer.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
-#include <vector>
-
-class vtkImageData;
 
 namespace tool
 {
-/**
- * A map from materials (as on the command line) and images of weights; each image has the weights
- * of the next three or four of them in its channels. Throws Error.
- */
-vtkSmartPointer<vtkMaterialMap> MakeMaterialMap(
-  const std::vector<std::string>& materials, const std::vector<std::string>& images);
-
-/// A map that WriteMaterialMap wrote. Throws Error.
-vtkSmartPointer<vtkMaterialMap> ReadMaterialMap(const std::string& path);
-
 /**
  * Write FOLDER/map.json and FOLDER/weights-N.png, three materials in each. materials: what the
  * description says of each of them, "material" being a built-in name or a file, which is relative

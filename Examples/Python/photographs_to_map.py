@@ -23,7 +23,7 @@ from vtkmeasuredbrdf import (
     vtkMaterialMap,
     vtkMaterialMapFitter,
     vtkMeasuredBRDFMapper,
-    vtkSimulatedPhotographSet,
+    vtkPhotographSet,
 )
 
 MATERIALS = ("nickel", "red-fabric2", "blue-metallic-paint")
@@ -48,12 +48,35 @@ def make_sample(size):
     return sample
 
 
+def draw_directions(random):
+    """Light and view about a half vector near the normal, none beyond 80 degrees: sharp highlights are seen, too."""
+    while True:
+        theta, turn = 0.5 * np.pi * random.random() ** 2, 2.0 * np.pi * random.random()
+        half = np.array([np.sin(theta) * np.cos(turn), np.sin(theta) * np.sin(turn), np.cos(theta)])
+        light = random.normal(size=3)
+        light /= np.linalg.norm(light)
+        view = 2.0 * half.dot(light) * half - light
+        if min(light[2], view[2]) > 0.17:
+            return light, view
+
+
 def photograph(sample, count):
     """Photographs with noise of 0.5 % of full scale, each exposed for its brightest material."""
-    photographs = vtkSimulatedPhotographSet()
-    photographs.SetMaterialMap(sample)
-    photographs.SetNoise(0.005)
-    photographs.AddHalfVectorDirections(count, 0.0)
+    random = np.random.default_rng(1)
+    weights = vtk_to_numpy(sample.GetWeightImage(0).GetPointData().GetScalars())
+    photographs = vtkPhotographSet()
+    for _ in range(count):
+        light, view = draw_directions(random)
+        values = np.zeros((len(MATERIALS), 3))
+        for k, value in enumerate(values):
+            sample.GetBRDF(k).Evaluate(light, view, value)
+        exposure = 0.9 / (photographs.GetIrradiance() * light[2] * values.max())
+        pixels = exposure * photographs.GetIrradiance() * light[2] * weights @ values
+        pixels += random.normal(scale=0.005, size=pixels.shape)
+        picture = vtkImageData()
+        picture.SetDimensions(sample.GetWeightImage(0).GetDimensions())
+        picture.GetPointData().SetScalars(numpy_to_vtk(pixels.astype(np.float32), deep=True))
+        photographs.AddPhotograph(picture, light, view, exposure)
     return photographs
 
 

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMaterialMapFitter.h"
 
-#include "MaterialMapFit.h"
-#include "PhotographPasses.h"
+#include "NumberText.h"
+#include "ParallelFor.h"
 #include "Printable.h"
 #include "Setters.h"
+#include "TableMaterials.h"
+#include "TexelWeights.h"
 #include "vtkBRDF.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
@@ -14,6 +16,10 @@
 #include "vtkPhotographSet.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
 
 using namespace measuredbrdf;
 
@@ -21,47 +27,88 @@ vtkStandardNewMacro(vtkMaterialMapFitter);
 
 namespace
 {
-constexpr int MostComponents = 4; // of a weight image
+constexpr double Alike = 1e-3;             // relative difference of materials that are the same
+constexpr double UncertainWeight = 0.1;    // standard deviation that is reported
+constexpr double PureWeight = 0.9;         // a found material should have it somewhere
+constexpr double UsualBrightness = 0.05;   // deviation from 1 that needs no word
+constexpr std::size_t MostLookalikes = 10; // that are listed
+constexpr std::size_t MostComponents = 4;  // of a weight image
 
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> NewImage(int width, int height, int components)
+std::string FormatPercent(double share) { return NumberText(100.0 * share, 2) + " %"; }
+
+double GetDifference(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
+{
+  const double size = std::max(a.norm(), b.norm());
+  return size > 0.0 ? (a - b).norm() / size : 0.0;
+}
+
+vtkSmartPointer<vtkImageData> NewImage(int width, int height, std::size_t components)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(width, height, 1);
-  image->AllocateScalars(VTK_FLOAT, components);
+  image->AllocateScalars(VTK_FLOAT, static_cast<int>(components));
   return image;
 }
 
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkMaterialMap> MakeMap(const MapFitResult& result)
+// count of the texels, one at random in each of as many equal parts of the picture.
+std::vector<std::size_t> DrawSample(std::size_t texels, std::size_t count, unsigned int seed)
 {
-  auto map = vtkSmartPointer<vtkMaterialMap>::New();
-  map->SetModeToTextures();
-  const int materials = static_cast<int>(result.Materials.size());
-  for (const MapMaterial& material : result.Materials)
+  std::vector<std::size_t> sample(std::min(texels, count));
+  std::mt19937 random(seed);
+  for (std::size_t k = 0; k < sample.size(); ++k)
   {
-    map->AddMaterial(material.Material.BRDF, material.Material.Name);
+    const double place = static_cast<double>(k) + static_cast<double>(random()) * 0x1p-32;
+    const double share = place / static_cast<double>(sample.size());
+    sample[k] =
+      sample.size() == texels
+        ? k
+        : std::min(static_cast<std::size_t>(share * static_cast<double>(texels)), texels - 1);
   }
-  for (int first = 0; first < materials; first += MostComponents)
-  {
-    const int components = std::min(MostComponents, materials - first);
-    const auto image = NewImage(result.Width, result.Height, components);
-    auto* values = static_cast<float*>(image->GetScalarPointer());
-    for (std::size_t texel = 0; texel < result.Errors.size(); ++texel)
-    {
-      const float* weights = &result.Weights[texel * static_cast<std::size_t>(materials)];
-      values = std::copy_n(weights + first, components, values);
-    }
-    map->AddWeightImage(image);
-  }
-  return map;
+  return sample;
 }
 }
 
 //------------------------------------------------------------------------------
-struct vtkMaterialMapFitter::Results : MapFitResult
+// A fit while it runs, and what it found.
+struct vtkMaterialMapFitter::Results
 {
-  Results() { this->Converged = false; } // before the first Fit
+  /// What is known of a material of the result.
+  struct MapMaterial
+  {
+    NamedMaterial Material;
+    double Coverage = 0.0;    // mean of its weights
+    double LargestWeight = 0; // of all texels
+    double Uncertainty = 0.0; // standard deviation of a weight, where all weights are free
+  };
+
+  vtkMaterialMapFitter* Fitter = nullptr; // while it runs
+  std::vector<MapMaterial> Materials;
+  double MeanError = 0.0;
+  double Error95 = 0.0;
+  double WorstError = 0.0;
+  std::size_t WorstTexel = 0;
+  std::size_t TexelsWithoutData = 0;
+  std::array<std::uint64_t, 4> PixelCounts{}; // of each PixelState
+  double FactorError = 0.0;                   // of the factorization, before tables; tables only
+  double SeenShare = 0.0;                     // of the tables' cells; tables only
+  int Iterations = 0;                         // tables only
+  bool Converged = false;
+  int Passes = 0; // over all photographs
+  std::vector<std::string> Findings;
+
+  // While it runs:
+  int Width = 0;
+  int Height = 0;
+  std::vector<float> Weights; // [texel][material]; 0 where a texel has no valid photograph
+  std::vector<float> Errors;  // of each texel, relative; -1 there
+  MaterialValues Values;      // of the materials
+  MaterialValues LibraryValues;
+  std::vector<int> Chosen; // the materials in the library
+  double Residual = 0.0;   // sum of squares over all texels
+  double Samples = 0.0;    // valid values of all texels
+  double Texels = 0.0;     // that have a valid photograph
+  double Cross = 0.0;      // sum over all pixels of data times model
+  double Model = 0.0;      // and of the model's squares
 
   vtkIdType Count(PixelState state) const
   {
@@ -74,6 +121,302 @@ struct vtkMaterialMapFitter::Results : MapFitResult
     const bool exists =
       material >= 0 && static_cast<std::size_t>(material) < this->Materials.size();
     return exists ? this->Materials[static_cast<std::size_t>(material)] : MapMaterial();
+  }
+
+  std::size_t GetNumberOfTexels() const
+  {
+    return static_cast<std::size_t>(this->Width) * static_cast<std::size_t>(this->Height);
+  }
+
+  std::size_t GetMemory() const
+  {
+    return static_cast<std::size_t>(this->Fitter->MemoryLimit) << 20;
+  }
+
+  // Throws MapFitError and MapFitStopped.
+  void Run()
+  {
+    PhotographPasses passes(this->Fitter->Photographs,
+      [this](double share)
+      {
+        this->Fitter->InvokeEvent(vtkCommand::ProgressEvent, &share);
+        return !this->Fitter->Abort;
+      });
+    this->Width = passes.GetWidth();
+    this->Height = passes.GetHeight();
+    const bool isLibrary = this->Fitter->Method == LIBRARY;
+    isLibrary ? this->ChooseMaterials(passes) : this->FindTables(passes);
+    this->SolveAll(passes, isLibrary ? 0.5 : 0.6);
+    this->Summarize();
+    passes.Proceed(1.0);
+    this->FindLookalikes();
+    this->FindUncertainties();
+    this->PixelCounts = passes.GetPixelCounts();
+    this->Passes = passes.GetNumberOfPasses();
+  }
+
+  // As many texels as the memory holds, at most as many as the user wants.
+  std::vector<std::size_t> GetSample(std::size_t bytesPerTexel) const
+  {
+    const std::size_t most = std::max<std::size_t>(this->GetMemory() / bytesPerTexel, 1);
+    return DrawSample(this->GetNumberOfTexels(),
+      std::min(most, static_cast<std::size_t>(this->Fitter->NumberOfSampleTexels)),
+      this->Fitter->Seed);
+  }
+
+  // From a library to a few of its materials.
+  void ChooseMaterials(PhotographPasses& passes)
+  {
+    const auto& library = this->Fitter->Library;
+    this->LibraryValues = EvaluateMaterials(this->Fitter->Photographs, library, {});
+    TexelSums sums(this->LibraryValues, this->GetSample(TexelSums::GetBytesPerTexel(
+                                          library.size(), this->LibraryValues.Scales.size())));
+    passes.Run(0.0, 0.35, [&](int k, const PhotographPixels& pixels) { sums.Add(k, pixels); });
+    this->Chosen = SelectMaterials(sums, this->Fitter->MaximumNumberOfMaterials,
+      this->Fitter->Tolerance, [&](double share) { passes.Proceed(0.35 + 0.15 * share); });
+    if (this->Chosen.empty())
+    {
+      throw MapFitError("no pixel is valid: all are saturated, black or not finite");
+    }
+    for (const int k : this->Chosen)
+    {
+      this->Materials.emplace_back().Material = library[static_cast<std::size_t>(k)];
+    }
+    this->Values = { this->LibraryValues.Values(Eigen::all, this->Chosen),
+      this->LibraryValues.Scales };
+    this->Converged = true;
+  }
+
+  // New materials from the photographs.
+  void FindTables(PhotographPasses& passes)
+  {
+    const int photographs = this->Fitter->Photographs->GetNumberOfPhotographs();
+    // The factorization keeps the sample twice, as floats.
+    const std::vector<std::size_t> sample =
+      this->GetSample(static_cast<std::size_t>(photographs) * 25);
+    TableMaterials tables(this->Fitter, sample.size());
+    passes.Run(
+      0.0, 0.3, [&](int k, const PhotographPixels& pixels) { tables.Add(k, pixels, sample); });
+    tables.Find([&](double share) { passes.Proceed(0.3 + 0.3 * share); });
+    for (const NamedMaterial& found : tables.Materials)
+    {
+      this->Materials.emplace_back().Material = found;
+    }
+    this->FactorError = tables.FactorError;
+    this->Iterations = tables.Iterations;
+    this->Converged = tables.Converged;
+    this->SeenShare = tables.SeenShare;
+    this->Values = EvaluateMaterials(this->Fitter->Photographs, tables.Materials, tables.Scales);
+  }
+
+  // Weights of all texels, band by band: as many texels at once as the memory holds.
+  void SolveAll(PhotographPasses& passes, double start)
+  {
+    const std::size_t texels = this->GetNumberOfTexels();
+    const std::size_t materials = this->Materials.size();
+    this->Weights.assign(materials * texels, 0.0f);
+    this->Errors.assign(texels, -1.0f);
+    const std::size_t bytes =
+      TexelSums::GetBytesPerTexel(materials, this->Values.Scales.size()) + sizeof(double) * 4;
+    const std::size_t band = std::clamp<std::size_t>(this->GetMemory() / bytes, 1, texels);
+    for (std::size_t first = 0; first < texels; first += band)
+    {
+      std::vector<std::size_t> numbers(std::min(band, texels - first));
+      std::iota(numbers.begin(), numbers.end(), first);
+      TexelSums sums(this->Values, std::move(numbers));
+      const double begin = static_cast<double>(first) / static_cast<double>(texels);
+      const double part =
+        static_cast<double>(sums.GetNumberOfTexels()) / static_cast<double>(texels);
+      passes.Run(start + (1.0 - start) * begin, start + (1.0 - start) * (begin + 0.9 * part),
+        [&](int k, const PhotographPixels& pixels) { sums.Add(k, pixels); });
+      this->SolveBand(sums);
+    }
+  }
+
+  void SolveBand(const TexelSums& sums)
+  {
+    const std::size_t materials = this->Materials.size();
+    std::vector<int> columns(materials);
+    std::iota(columns.begin(), columns.end(), 0);
+    struct Sums
+    {
+      double Residual = 0.0, Cross = 0.0, Model = 0.0;
+    };
+    std::vector<Sums> found(sums.GetNumberOfTexels());
+    measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(found.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+        {
+          const WeightSolution solution = SolveTexel(sums, k, columns);
+          const std::size_t texel = sums.GetTexel(k);
+          std::transform(solution.Weights.begin(), solution.Weights.end(),
+            &this->Weights[materials * texel], [](double w) { return static_cast<float>(w); });
+          if (sums.GetNumberOfPhotographs(k) > 0)
+          {
+            const double squares = sums.GetSquares(k);
+            const double cross = sums.GetRight(k, columns).dot(solution.Weights);
+            this->Errors[texel] =
+              static_cast<float>(std::sqrt(solution.Residual / (squares > 0.0 ? squares : 1.0)));
+            found[k] = { solution.Residual, cross, solution.Residual - squares + 2.0 * cross };
+          }
+        }
+      });
+    for (std::size_t k = 0; k < found.size(); ++k) // in one order on any number of threads
+    {
+      this->Residual += found[k].Residual;
+      this->Cross += found[k].Cross;
+      this->Model += found[k].Model;
+      this->Samples += 3.0 * static_cast<double>(sums.GetNumberOfPhotographs(k));
+      this->Texels += sums.GetNumberOfPhotographs(k) > 0 ? 1.0 : 0.0;
+    }
+  }
+
+  // Errors of the texels, and what is known of each material.
+  void Summarize()
+  {
+    const std::size_t materials = this->Materials.size();
+    std::vector<float> errors;
+    for (std::size_t texel = 0; texel < this->Errors.size(); ++texel)
+    {
+      const float error = this->Errors[texel];
+      if (error < 0.0f)
+      {
+        continue;
+      }
+      errors.push_back(error);
+      if (error > this->WorstError)
+      {
+        this->WorstError = error;
+        this->WorstTexel = texel;
+      }
+      for (std::size_t m = 0; m < materials; ++m)
+      {
+        const double weight = this->Weights[materials * texel + m];
+        MapMaterial& material = this->Materials[m];
+        material.Coverage += weight / this->Texels;
+        material.LargestWeight = std::max(material.LargestWeight, weight);
+      }
+    }
+    this->TexelsWithoutData = this->Errors.size() - errors.size();
+    if (errors.empty())
+    {
+      return;
+    }
+    const auto count = static_cast<double>(errors.size());
+    this->MeanError = std::accumulate(errors.begin(), errors.end(), 0.0) / count;
+    const auto rank = errors.begin() + static_cast<std::ptrdiff_t>(std::ceil(0.95 * count)) - 1;
+    std::nth_element(errors.begin(), rank, errors.end());
+    this->Error95 = *rank;
+
+    // Standard deviation of each material's weight in a texel that all photographs see, where no
+    // weight is 0: the residual's variance, propagated. Infinite where the photographs do not tell.
+    const SmallVector variances =
+      GetShareVariances(this->Values.Values.transpose() * this->Values.Values);
+    const double unknowns = static_cast<double>(materials - 1) * this->Texels;
+    const double freedom = std::max(this->Samples - unknowns, 1.0);
+    for (std::size_t m = 0; m < materials; ++m)
+    {
+      const double variance = variances[static_cast<Eigen::Index>(m)];
+      this->Materials[m].Uncertainty = std::isinf(variance)
+                                         ? std::numeric_limits<double>::infinity()
+                                         : std::sqrt(this->Residual / freedom * variance);
+    }
+  }
+
+  void FindLookalikes()
+  {
+    std::vector<std::string> pairs;
+    for (std::size_t a = 0; a < this->Materials.size(); ++a)
+    {
+      const std::string name = "'" + this->Materials[a].Material.second + "' ";
+      const auto compare = [&](const Eigen::MatrixXd& values, std::size_t column)
+      {
+        return GetDifference(this->Values.Values.col(static_cast<Eigen::Index>(a)),
+          values.col(static_cast<Eigen::Index>(column)));
+      };
+      for (std::size_t b = a + 1; b < this->Materials.size(); ++b)
+      {
+        const double difference = compare(this->Values.Values, b);
+        if (difference < Alike)
+        {
+          pairs.push_back(name + "and '" + this->Materials[b].Material.second +
+                          "' are the same in these photographs (difference " +
+                          FormatPercent(difference) + "): only the sum of their weights is known");
+        }
+      }
+      for (std::size_t b = 0; !this->Chosen.empty() && b < this->Fitter->Library.size(); ++b)
+      {
+        const double difference = compare(this->LibraryValues.Values, b);
+        if (difference < Alike && std::find(this->Chosen.begin(), this->Chosen.end(),
+                                    static_cast<int>(b)) == this->Chosen.end())
+        {
+          pairs.push_back(name + "could as well be '" + this->Fitter->Library[b].second +
+                          "': in these photographs they differ by " + FormatPercent(difference));
+        }
+      }
+    }
+    const std::size_t listed = std::min(pairs.size(), MostLookalikes);
+    this->Findings.assign(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(listed));
+    if (listed < pairs.size())
+    {
+      this->Findings.push_back("and " + std::to_string(pairs.size() - listed) +
+                               " more pairs of materials that look alike");
+    }
+  }
+
+  void FindUncertainties()
+  {
+    for (const MapMaterial& material : this->Materials)
+    {
+      const std::string name = "'" + material.Material.second + "'";
+      if (std::isinf(material.Uncertainty))
+      {
+        this->Findings.push_back(
+          "the weights of " + name + " are not determined by these photographs");
+      }
+      else if (material.Uncertainty > UncertainWeight)
+      {
+        this->Findings.push_back("the weights of " + name + " are uncertain by " +
+                                 NumberText(material.Uncertainty, 2) + " (standard deviation)");
+      }
+      if (this->Chosen.empty() && material.LargestWeight < PureWeight)
+      {
+        this->Findings.push_back("no place is of " + name + " alone (at most " +
+                                 NumberText(material.LargestWeight, 2) +
+                                 "): what it looks like alone is extrapolated");
+      }
+    }
+    const double brightness = this->Model > 0.0 ? this->Cross / this->Model : 1.0;
+    if (std::abs(brightness - 1.0) > UsualBrightness)
+    {
+      this->Findings.push_back("with all materials times " + NumberText(brightness, 3) +
+                               " the photographs would fit better: check irradiance and exposures, "
+                               "or the library lacks a material");
+    }
+  }
+
+  vtkSmartPointer<vtkMaterialMap> MakeMap() const
+  {
+    auto map = vtkSmartPointer<vtkMaterialMap>::New();
+    map->SetModeToTextures();
+    const std::size_t materials = this->Materials.size();
+    for (const MapMaterial& material : this->Materials)
+    {
+      map->AddMaterial(material.Material.first, material.Material.second);
+    }
+    for (std::size_t first = 0; first < materials; first += MostComponents)
+    {
+      const std::size_t components = std::min(MostComponents, materials - first);
+      const auto image = NewImage(this->Width, this->Height, components);
+      auto* values = static_cast<float*>(image->GetScalarPointer());
+      for (std::size_t at = first; at < this->Weights.size(); at += materials)
+      {
+        values = std::copy_n(&this->Weights[at], components, values);
+      }
+      map->AddWeightImage(image);
+    }
+    return map;
   }
 };
 
@@ -164,44 +507,31 @@ bool vtkMaterialMapFitter::Fit()
     return false;
   }
   this->Abort = false;
-  MapFitOptions options;
-  options.FindsTables = this->Method == TABLES;
-  for (const auto& [brdf, name] : this->Library)
+  Results results;
+  results.Fitter = this;
+  try
   {
-    options.Library.push_back({ brdf, name });
+    results.Run();
   }
-  options.Most = this->MaximumNumberOfMaterials;
-  options.Tolerance = this->Tolerance;
-  options.Compactness = this->Compactness;
-  options.Smoothness = this->Smoothness;
-  std::copy_n(this->TableDimensions, 3, options.TableDimensions.begin());
-  options.SampleTexels = this->NumberOfSampleTexels;
-  options.MemoryBytes = static_cast<std::size_t>(this->MemoryLimit) << 20;
-  options.Seed = this->Seed;
-  options.Proceed = [this](double share)
-  {
-    this->InvokeEvent(vtkCommand::ProgressEvent, &share);
-    return !this->Abort;
-  };
-  MapFitResult result = FitMaterialMap(this->Photographs, options);
-  if (result.Stopped)
+  catch (const MapFitStopped&)
   {
     return false;
   }
-  if (!result.Problem.empty())
+  catch (const MapFitError& error)
   {
-    vtkErrorMacro("Fit: " << ToPrintable(result.Problem) << ".");
+    vtkErrorMacro("Fit: " << ToPrintable(error.what()) << ".");
     return false;
   }
-  this->Output = MakeMap(result);
-  this->ErrorImage = NewImage(result.Width, result.Height, 1);
-  std::copy(result.Errors.begin(), result.Errors.end(),
+  this->Output = results.MakeMap();
+  this->ErrorImage = NewImage(results.Width, results.Height, 1);
+  std::copy(results.Errors.begin(), results.Errors.end(),
     static_cast<float*>(this->ErrorImage->GetScalarPointer()));
-  this->WorstTexel[0] = static_cast<int>(result.WorstTexel) % result.Width;
-  this->WorstTexel[1] = static_cast<int>(result.WorstTexel) / result.Width;
-  result.Weights.clear(); // they are in the images
-  result.Errors.clear();
-  static_cast<MapFitResult&>(*this->Found) = std::move(result);
+  this->WorstTexel[0] = static_cast<int>(results.WorstTexel) % results.Width;
+  this->WorstTexel[1] = static_cast<int>(results.WorstTexel) / results.Width;
+  *this->Found = std::move(results);
+  this->Found->Weights = {}; // they are in the images
+  this->Found->Errors = {};
+  this->Found->LibraryValues = {};
   return true;
 }
 
@@ -214,6 +544,9 @@ double vtkMaterialMapFitter::GetSeenShare() { return this->Found->SeenShare; }
 int vtkMaterialMapFitter::GetNumberOfIterations() { return this->Found->Iterations; }
 bool vtkMaterialMapFitter::GetConverged() { return this->Found->Converged; }
 int vtkMaterialMapFitter::GetNumberOfPasses() { return this->Found->Passes; }
+double vtkMaterialMapFitter::GetCoverage(int k) { return this->Found->Get(k).Coverage; }
+double vtkMaterialMapFitter::GetLargestWeight(int k) { return this->Found->Get(k).LargestWeight; }
+double vtkMaterialMapFitter::GetUncertainty(int k) { return this->Found->Get(k).Uncertainty; }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMaterialMapFitter::GetNumberOfSaturatedPixels()
@@ -237,24 +570,6 @@ vtkIdType vtkMaterialMapFitter::GetNumberOfInvalidPixels()
 vtkIdType vtkMaterialMapFitter::GetNumberOfTexelsWithoutData()
 {
   return static_cast<vtkIdType>(this->Found->TexelsWithoutData);
-}
-
-//------------------------------------------------------------------------------
-double vtkMaterialMapFitter::GetCoverage(int material)
-{
-  return this->Found->Get(material).Coverage;
-}
-
-//------------------------------------------------------------------------------
-double vtkMaterialMapFitter::GetLargestWeight(int material)
-{
-  return this->Found->Get(material).LargestWeight;
-}
-
-//------------------------------------------------------------------------------
-double vtkMaterialMapFitter::GetUncertainty(int material)
-{
-  return this->Found->Get(material).Uncertainty;
 }
 
 //------------------------------------------------------------------------------

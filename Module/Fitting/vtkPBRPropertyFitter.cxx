@@ -26,8 +26,8 @@ vtkStandardNewMacro(vtkPBRPropertyFitter);
 namespace
 {
 // Rings of pixels, each of the same area on the sphere's disc, and pixels of a ring.
-constexpr int NumberOfViews = 12;
-constexpr int NumberOfAzimuths = 16;
+constexpr int NumberOfPBRViews = 12;
+constexpr int NumberOfPBRAzimuths = 16;
 constexpr int TangentsOfAnisotropic = 4;
 
 // Directions to the light are drawn from the cosine and from GGX lobes of these roughnesses, and
@@ -57,9 +57,9 @@ public:
   /// ten degrees. The sphere is seen from +z.
   PBRPicture(vtkBRDF* brdf, const Light& light)
   {
-    for (int k = 0; k < NumberOfViews; ++k)
+    for (int k = 0; k < NumberOfPBRViews; ++k)
     {
-      this->AddView(std::sqrt(1.0 - (k + 0.5) / NumberOfViews));
+      this->AddView(std::sqrt(1.0 - (k + 0.5) / NumberOfPBRViews));
       this->AddPixels(k, light);
     }
     this->Draw(brdf);
@@ -164,10 +164,10 @@ private:
   {
     const double z = this->ViewCosines[static_cast<std::size_t>(view)];
     const double r = std::sqrt(1.0 - z * z);
-    for (int k = 0; k < NumberOfAzimuths; ++k)
+    for (int k = 0; k < NumberOfPBRAzimuths; ++k)
     {
       // Rings are turned against each other.
-      const double phi = 2.0 * Pi * (k + 0.5 * (view % 2)) / NumberOfAzimuths;
+      const double phi = 2.0 * Pi * (k + 0.5 * (view % 2)) / NumberOfPBRAzimuths;
       const glm::dvec3 normal(r * std::cos(phi), r * std::sin(phi), z);
       // The eye at +z lies in the plane of tangent and normal.
       const glm::dvec3 tangent(-z * std::cos(phi), -z * std::sin(phi), r);
@@ -195,7 +195,7 @@ private:
     const auto tangents = static_cast<std::size_t>(this->NumberOfTangents);
     this->Reference.assign(3 * this->Pixels.size() * tangents, 0.0);
     std::vector<double> f;
-    for (int view = 0; view < NumberOfViews; ++view)
+    for (int view = 0; view < NumberOfPBRViews; ++view)
     {
       const std::vector<Direction>& directions = this->Directions[static_cast<std::size_t>(view)];
       const double z = this->ViewCosines[static_cast<std::size_t>(view)];
@@ -245,7 +245,7 @@ private:
     {
       return moments;
     }
-    std::vector<std::vector<double>> lobes(NumberOfViews);
+    std::vector<std::vector<double>> lobes(NumberOfPBRViews);
     for (std::size_t view = 0; view < lobes.size(); ++view)
     {
       for (const Direction& d : this->Directions[view])

@@ -6,6 +6,7 @@
 #include "EmbeddedFits.h" // made of EmbeddedFits.fit
 #include "MaterialFormat.h"
 #include "Printable.h"
+#include "Registry.h"
 #include "vtkBRDF.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
@@ -16,8 +17,6 @@
 #endif
 
 #include <algorithm>
-#include <numeric>
-#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkEmbeddedMaterials);
@@ -61,44 +60,6 @@ const std::vector<Material> Materials = {
   { CarPaint, "car paint" },
 #endif
 };
-
-// Letters to insert, remove or exchange to make one name of the other (Levenshtein 1966).
-std::size_t GetEditDistance(const std::string& a, const std::string& b)
-{
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 1; i <= a.size(); ++i)
-  {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j)
-    {
-      const std::size_t exchanged = diagonal + (a[i - 1] != b[j - 1]);
-      diagonal = row[j];
-      row[j] = std::min({ exchanged, row[j] + 1, row[j - 1] + 1 });
-    }
-  }
-  return row[b.size()];
-}
-
-// Three names in quotes, the nearest first.
-std::string FindNearest(const std::string& name)
-{
-  const std::string start = name.substr(0, 64); // no name is as long, and a typo is short
-  std::vector<std::pair<std::size_t, std::string>> names;
-  for (const Material& material : Materials)
-  {
-    names.emplace_back(GetEditDistance(start, material.Name), material.Name);
-  }
-  std::stable_sort(
-    names.begin(), names.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::string text;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    text += (k > 0 ? ", " : "") + measuredbrdf::Quote(names[k].second);
-  }
-  return text;
-}
 
 vtkSmartPointer<vtkBRDF> MakeMaterial(const std::string& name)
 {
@@ -157,9 +118,12 @@ vtkBRDF* vtkEmbeddedMaterials::NewBRDF(const std::string& name)
                                                       << "' cannot be read.");
       return nullptr;
     }
-    vtkErrorWithObjectMacro(self.Get(), "NewBRDF: there is no embedded material "
-                                          << measuredbrdf::Quote(name) << "; the nearest names are "
-                                          << FindNearest(name) << ".");
+    vtkErrorWithObjectMacro(self.Get(),
+      "NewBRDF: there is no embedded material "
+        << measuredbrdf::Quote(name) << ", only "
+        << measuredbrdf::JoinNames(
+             Materials, [](const Material& material) { return measuredbrdf::Quote(material.Name); })
+        << ".");
     return nullptr;
   }
   const vtkSmartPointer<vtkBRDF> brdf = MakeMaterial(name);

@@ -42,8 +42,8 @@ public:
   ///@}
 
   /**
-   * A new BRDF the caller owns, or null, with an error message that gives the nearest names, where
-   * there is none of that name.
+   * A new BRDF the caller owns, or null, with an error message that gives the names, where there is
+   * none of that name.
    */
   VTK_NEWINSTANCE static vtkBRDF* NewBRDF(const std::string& name);
 

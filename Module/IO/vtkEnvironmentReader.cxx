@@ -20,9 +20,7 @@ vtkStandardNewMacro(vtkEnvironmentReader);
 
 namespace
 {
-using measuredbrdf::BadValues;
-using measuredbrdf::FileError;
-using measuredbrdf::Projection;
+using namespace measuredbrdf;
 
 // The maps know the projections by these numbers.
 static_assert(
@@ -30,75 +28,48 @@ static_assert(
   static_cast<int>(Projection::VerticalStrip) == vtkEnvironmentReader::CUBE_VERTICAL_STRIP);
 
 //------------------------------------------------------------------------------
-struct Image
+// Linear RGB, row 0 at the bottom.
+ImageFile ReadLinear(const std::string& path, const std::string& layer)
 {
-  int Width = 0;
-  int Height = 0;
-  std::vector<float> Pixels; // RGB, row 0 at the bottom
-  measuredbrdf::ImageEnvmap Envmap = measuredbrdf::ImageEnvmap::None;
-  std::string Notes;
-  BadValues Bad; // set to 0, of probes that had to be converted
-
-  void AddNote(const std::string& note) { this->Notes += (this->Notes.empty() ? "" : "\n") + note; }
-};
-
-//------------------------------------------------------------------------------
-Image ReadImage(const std::string& path, const std::string& layer)
-{
-  measuredbrdf::ImageFile file =
-    measuredbrdf::ReadImageFile(path, measuredbrdf::ImageValues::Color, layer);
-
-  Image image;
-  image.Width = file.Width;
-  image.Height = file.Height;
-  image.Pixels = std::move(file.Pixels);
-  const std::size_t row = std::size_t(image.Width) * 3;
+  ImageFile image = ReadImageFile(path, false, layer);
   std::vector<float>& pixels = image.Pixels;
-  if (file.IsEncoded)
+  std::vector<std::string> notes;
+  if (image.IsEncoded)
   {
     std::transform(pixels.begin(), pixels.end(), pixels.begin(),
-      [](float value) { return static_cast<float>(measuredbrdf::DecodeSRGB(value)); });
-    image.AddNote("Integer values were taken as sRGB-encoded and made linear.");
+      [](float value) { return static_cast<float>(DecodeSRGB(value)); });
+    notes.emplace_back("Integer values were taken as sRGB-encoded and made linear.");
   }
-  if (file.Channels == 1)
+  if (image.Channels == 1)
   {
     for (std::size_t k = 0; k < pixels.size(); k += 3)
     {
       pixels[k + 1] = pixels[k + 2] = pixels[k];
     }
-    image.AddNote("One channel: taken as gray.");
+    notes.emplace_back("One channel: taken as gray.");
   }
-  // Files begin with the top row.
+  image.Notes.insert(image.Notes.begin(), notes.begin(), notes.end());
+  const std::ptrdiff_t row = std::ptrdiff_t(3) * image.Width;
   for (int y = 0; y < image.Height / 2; ++y)
   {
     std::swap_ranges(pixels.begin() + y * row, pixels.begin() + (y + 1) * row,
       pixels.begin() + (image.Height - 1 - y) * row);
   }
-  for (const std::string& note : file.Notes)
-  {
-    image.AddNote(note);
-  }
-  image.Envmap = file.Envmap;
   return image;
 }
 
-//------------------------------------------------------------------------------
-std::string FormatSize(const Image& image)
+std::string FormatSize(const ImageFile& image)
 {
   return std::to_string(image.Width) + " x " + std::to_string(image.Height);
 }
 
 //------------------------------------------------------------------------------
 // What an image without a given projection is by its shape.
-Projection DetectProjection(Image& image)
+Projection DetectProjection(ImageFile& image)
 {
-  if (image.Envmap == measuredbrdf::ImageEnvmap::Cube)
+  if (image.Envmap != ImageEnvmap::None)
   {
-    return Projection::VerticalStrip;
-  }
-  if (image.Envmap == measuredbrdf::ImageEnvmap::LatLong)
-  {
-    return Projection::LatLong;
+    return image.Envmap == ImageEnvmap::Cube ? Projection::VerticalStrip : Projection::LatLong;
   }
   constexpr int smallestFace = 8;
   for (const Projection projection : { Projection::HorizontalCross, Projection::VerticalCross,
@@ -108,7 +79,8 @@ Projection DetectProjection(Image& image)
     const int faces = projection <= Projection::VerticalCross ? 4 : 6;
     if (longest >= faces * smallestFace && FitsProjection(projection, image.Width, image.Height))
     {
-      image.AddNote("By its size taken as a " + GetProjectionName(projection) + " of cube faces.");
+      image.Notes.push_back(
+        "By its size taken as a " + GetProjectionName(projection) + " of cube faces.");
       return projection;
     }
   }
@@ -117,25 +89,25 @@ Projection DetectProjection(Image& image)
 
 //------------------------------------------------------------------------------
 // OpenEXR's envmap attribute says where the axes are (ImfEnvmap.h); elsewhere images follow VTK.
-void AlignWithAxes(Projection projection, Image& image)
+void AlignWithAxes(Projection projection, ImageFile& image)
 {
-  const auto row = 3 * static_cast<std::ptrdiff_t>(image.Width);
-  if (image.Envmap == measuredbrdf::ImageEnvmap::Cube && projection == Projection::VerticalStrip)
+  const std::ptrdiff_t row = std::ptrdiff_t(3) * image.Width;
+  const auto begin = image.Pixels.begin();
+  if (image.Envmap == ImageEnvmap::Cube && projection == Projection::VerticalStrip)
   {
     // The last two faces are +z and -z as they are seen there; in OpenGL's cubes, what is seen
     // towards -z comes first.
-    const auto face = row * image.Width;
+    const std::ptrdiff_t face = row * image.Width;
     if (std::int64_t(image.Height) == 6 * std::int64_t(image.Width))
     {
-      std::swap_ranges(
-        image.Pixels.begin(), image.Pixels.begin() + face, image.Pixels.begin() + face);
+      std::swap_ranges(begin, begin + face, begin + face);
     }
   }
-  else if (image.Envmap == measuredbrdf::ImageEnvmap::LatLong && projection == Projection::LatLong)
+  else if (image.Envmap == ImageEnvmap::LatLong && projection == Projection::LatLong)
   {
     // The center is +z and +x is in the middle of the left half; here, the center is +x.
-    const std::ptrdiff_t quarter = 3 * ((static_cast<std::ptrdiff_t>(image.Width) + 2) / 4);
-    for (auto at = image.Pixels.begin(); at != image.Pixels.end(); at += row)
+    const std::ptrdiff_t quarter = 3 * ((std::ptrdiff_t(image.Width) + 2) / 4);
+    for (auto at = begin; at != image.Pixels.end(); at += row)
     {
       std::rotate(at, at + (row - quarter), at + row);
     }
@@ -143,44 +115,43 @@ void AlignWithAxes(Projection projection, Image& image)
 }
 
 //------------------------------------------------------------------------------
-BadValues GetRepaired(const std::string& path, const std::optional<BadValues>& converted)
+// Returns what was set to 0 of a probe that had to be converted.
+BadValues FillFromImage(const std::string& path, Projection projection, bool given,
+  ImageFile& image, vtkEnvironment* environment)
 {
-  if (!converted)
-  {
-    throw FileError(path + ": image pixels: were refused");
-  }
-  return *converted;
-}
-
-//------------------------------------------------------------------------------
-void FillFromImage(const std::string& path, Projection projection, bool given, Image& image,
-  vtkEnvironment* environment)
-{
+  std::optional<BadValues> bad;
   if (projection == Projection::LatLong)
   {
-    if (std::uint64_t(image.Width) != 2 * std::uint64_t(image.Height))
+    if (std::int64_t(image.Width) != 2 * std::int64_t(image.Height))
     {
-      image.AddNote(
+      image.Notes.push_back(
         "The size " + FormatSize(image) + " is not 2:1; it is stretched over the sphere.");
     }
     if (image.Width == image.Height && !given)
     {
-      image.AddNote("Square images are often angular maps or mirror balls: say so if it is one.");
+      image.Notes.emplace_back(
+        "Square images are often angular maps or mirror balls: say so if it is one.");
     }
-    if (!environment->SetPixels(image.Width, image.Height, std::move(image.Pixels)))
+    if (environment->SetPixels(image.Width, image.Height, std::move(image.Pixels)))
     {
-      throw FileError(path + ": image pixels: were refused");
+      bad.emplace();
     }
-    return;
   }
-  if (!FitsProjection(projection, image.Width, image.Height))
+  else if (FitsProjection(projection, image.Width, image.Height))
+  {
+    bad = ConvertProbe(projection, image.Width, image.Height, std::move(image.Pixels), environment);
+  }
+  else
   {
     throw FileError(path + ": image size: found " + FormatSize(image) + ", expected " +
                     GetExpectedSize(projection) + " for a probe of type " +
                     GetProjectionName(projection));
   }
-  image.Bad = GetRepaired(path,
-    ConvertProbe(projection, image.Width, image.Height, std::move(image.Pixels), environment));
+  if (!bad)
+  {
+    throw FileError(path + ": image pixels: were refused");
+  }
+  return *bad;
 }
 
 //------------------------------------------------------------------------------
@@ -207,36 +178,43 @@ std::vector<std::string> FindFaces(const std::string& pattern)
 }
 
 //------------------------------------------------------------------------------
-void FillFromFaces(
-  const std::string& pattern, const std::string& layer, Image& first, vtkEnvironment* environment)
+// first: what is noted of it. Returns what was set to 0.
+BadValues FillFromFaces(const std::string& pattern, const std::string& layer, ImageFile& first,
+  vtkEnvironment* environment)
 {
   const std::vector<std::string> paths = FindFaces(pattern);
   std::vector<std::vector<float>> faces;
   for (const std::string& path : paths)
   {
-    Image image = ReadImage(path, layer);
+    ImageFile image = ReadLinear(path, layer);
+    const auto fail = [&](const std::string& expected) {
+      throw FileError(path + ": cube face: found " + FormatSize(image) + ", expected " + expected);
+    };
+    constexpr std::int64_t most = MaximumProbeTexels / 6;
     if (image.Width != image.Height)
     {
-      throw FileError(path + ": cube face: found " + FormatSize(image) + ", expected a square");
+      fail("a square");
     }
-    constexpr std::int64_t most = measuredbrdf::MaximumProbeTexels / 6;
     if (std::int64_t(image.Width) * image.Height > most)
     {
-      throw FileError(path + ": cube face: found " + FormatSize(image) +
-                      ", expected six faces of at most " + std::to_string(most) + " texels each");
+      fail("six faces of at most " + std::to_string(most) + " texels each");
+    }
+    if (!faces.empty() && image.Width != first.Width)
+    {
+      fail(FormatSize(first) + " as " + paths.front());
     }
     faces.push_back(std::move(image.Pixels));
     if (faces.size() == 1)
     {
       first = std::move(image);
     }
-    else if (image.Width != first.Width)
-    {
-      throw FileError(path + ": cube face: found " + FormatSize(image) + ", expected " +
-                      FormatSize(first) + " as " + paths.front());
-    }
   }
-  first.Bad = GetRepaired(pattern, measuredbrdf::ConvertCubeFaces(first.Width, faces, environment));
+  const auto bad = ConvertCubeFaces(first.Width, faces, environment);
+  if (!bad)
+  {
+    throw FileError(pattern + ": image pixels: were refused");
+  }
+  return *bad;
 }
 }
 
@@ -248,31 +226,32 @@ bool vtkEnvironmentReader::Read()
   const bool done = measuredbrdf::CatchFileError(this->FileName, this->ErrorMessage,
     [&]()
     {
-      Image image;
+      ImageFile image;
+      BadValues bad;
       const auto environment = vtkSmartPointer<vtkEnvironment>::New();
       if (this->FileName.find("%s") != std::string::npos &&
           !vtksys::SystemTools::FileExists(this->FileName)) // "80%sky.hdr" is a name, too
       {
-        FillFromFaces(this->FileName, this->Layer, image, environment);
+        bad = FillFromFaces(this->FileName, this->Layer, image, environment);
       }
       else
       {
-        image = ReadImage(this->FileName, this->Layer);
+        image = ReadLinear(this->FileName, this->Layer);
         const bool given = this->Projection != AUTOMATIC;
         const auto projection =
-          given ? static_cast<::Projection>(this->Projection) : DetectProjection(image);
+          given ? static_cast<measuredbrdf::Projection>(this->Projection) : DetectProjection(image);
         AlignWithAxes(projection, image);
-        FillFromImage(this->FileName, projection, given, image, environment);
+        bad = FillFromImage(this->FileName, projection, given, image, environment);
       }
-      environment->SetName(measuredbrdf::GetFileStem(this->FileName));
-      const vtkIdType negative = environment->GetNumberOfNegativeValues() + image.Bad.Negative;
-      const vtkIdType nonFinite = environment->GetNumberOfNonFiniteValues() + image.Bad.NotFinite;
+      environment->SetName(GetFileStem(this->FileName));
+      const vtkIdType negative = environment->GetNumberOfNegativeValues() + bad.Negative;
+      const vtkIdType nonFinite = environment->GetNumberOfNonFiniteValues() + bad.NotFinite;
       if (negative > 0 || nonFinite > 0)
       {
-        image.AddNote(std::to_string(negative) + " negative and " + std::to_string(nonFinite) +
-                      " non-finite values were set to 0.");
+        image.Notes.push_back(std::to_string(negative) + " negative and " +
+                              std::to_string(nonFinite) + " non-finite values were set to 0.");
       }
-      this->Notes = image.Notes;
+      this->Notes = image.JoinNotes();
       this->Environment = environment;
     });
   if (!done)

@@ -52,13 +52,9 @@ bool vtkPictureReader::Read()
   const bool done = measuredbrdf::CatchFileError(this->FileName, this->ErrorMessage,
     [&]()
     {
-      const ImageFile file =
-        measuredbrdf::ReadImageFile(this->FileName, measuredbrdf::ImageValues::ColorAndAlpha);
+      const ImageFile file = measuredbrdf::ReadImageFile(this->FileName, true);
       CheckValues(this->FileName, file);
-      for (const std::string& note : file.Notes)
-      {
-        this->Notes += (this->Notes.empty() ? "" : "\n") + note;
-      }
+      this->Notes = file.JoinNotes();
       this->Picture = measuredbrdf::MakeImageData(file, file.IsEncoded, this->KeepsGray);
     });
   if (!done)

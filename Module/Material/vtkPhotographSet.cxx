@@ -16,18 +16,6 @@
 
 vtkStandardNewMacro(vtkPhotographSet);
 
-namespace
-{
-// Sattler et al. 2003: the rings of directions.
-struct Ring
-{
-  int Theta;
-  int Azimuths;
-};
-constexpr Ring BonnRings[] = { { 0, 1 }, { 15, 6 }, { 30, 12 }, { 45, 18 }, { 60, 20 },
-  { 75, 24 } };
-}
-
 //------------------------------------------------------------------------------
 vtkPhotographSet::vtkPhotographSet() = default;
 vtkPhotographSet::~vtkPhotographSet() = default;
@@ -184,27 +172,6 @@ measuredbrdfSetClampedMacro(vtkPhotographSet, SaturationLevel, double,
   std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max());
 measuredbrdfSetClampedMacro(vtkPhotographSet, BlackLevel, double,
   std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max());
-
-//------------------------------------------------------------------------------
-bool vtkPhotographSet::GetBonnDirection(int index, double angles[2])
-{
-  angles[0] = angles[1] = 0.0;
-  if (index < 0)
-  {
-    return false;
-  }
-  for (const Ring& ring : BonnRings)
-  {
-    if (index < ring.Azimuths)
-    {
-      angles[0] = ring.Theta;
-      angles[1] = 360.0 * index / ring.Azimuths;
-      return true;
-    }
-    index -= ring.Azimuths;
-  }
-  return false;
-}
 
 //------------------------------------------------------------------------------
 void vtkPhotographSet::GetDirection(double theta, double phi, double direction[3])

@@ -134,14 +134,6 @@ public:
   static std::string FindDirectionProblem(const double direction[3], const std::string& what);
   static std::string FindExposureProblem(double exposure);
 
-  /**
-   * One of the 81 directions of the Bonn database's measurements (Sattler, Sarlette, Klein 2003,
-   * "Efficient and realistic visualization of cloth"): polar angles of 0, 15, ..., 75 degrees with
-   * 1, 6, 12, 18, 20 and 24 azimuths. Degrees; false beyond the last.
-   */
-  static bool GetBonnDirection(int index, double angles[2]);
-  static constexpr int NumberOfBonnDirections = 81;
-
   /// The unit direction of a polar angle and an azimuth in degrees.
   static void GetDirection(double theta, double phi, double direction[3]);
 

@@ -37,7 +37,7 @@ void PrintLibrary()
       for (const double noise : { 0.0, 0.005, 0.02 })
       {
         const auto photographs = NewPhotographs(original, count, 0.0);
-        photographs->SetNoise(noise);
+        photographs->Noise = noise;
         vtkNew<vtkMaterialMapFitter> fitter;
         fitter->SetPhotographs(photographs);
         fitter->SetMaximumNumberOfMaterials(8);
@@ -67,9 +67,9 @@ void PrintTables()
       {
         for (const double noise : { 0.0, 0.01 })
         {
-          vtkNew<vtkSimulatedPhotographSet> photographs;
-          photographs->SetMaterialMap(original);
-          photographs->SetNoise(noise);
+          vtkNew<SimulatedPhotographs> photographs;
+          photographs->Map = original;
+          photographs->Noise = noise;
           half ? photographs->AddHalfVectorDirections(count, 0.0)
                : photographs->AddBonnDirections(count, 0.0);
           vtkNew<vtkMaterialMapFitter> fitter;

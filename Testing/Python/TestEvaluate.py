@@ -40,7 +40,7 @@ for name in names:
     brdf.Evaluate((0.6, 0.0, 0.8), (-0.6, 0.0, 0.8), value)
     assert min(value) >= 0.0 and max(value) > 0.0, (name, value)
     assert all(map(math.isfinite, value)), (name, value)
-# A typo is said, with the nearest names; kept off the terminal, where this test looks for errors.
+# A typo is said, with the names; kept off the terminal, where this test looks for errors.
 vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
 said = vtkStringOutputWindow()
 vtkOutputWindow.SetInstance(said)

@@ -13,22 +13,22 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
-# name, largest input in bytes, dictionary
+# name, largest input in bytes
 targets="
-  Astm             2048 Astm
-  BsdfXml          8192 BsdfXml
-  DirectionsCsv    2048 DirectionsCsv
-  Environment      1024 Environment
-  ExrHeader        2048 Exr
-  ExrMaterial      8192 Exr
-  Fit              2048 Fit
-  MaterialData      512 MaterialData
-  Mbsdf            4096 Mbsdf
-  Merl             4096 Merl
-  OpenMaterial     2048 OpenMaterial
-  PhotographList   2048 PhotographList
-  Tensor           8192 Tensor
-  Utia              256 Utia"
+  Astm             2048
+  BsdfXml          8192
+  DirectionsCsv    2048
+  Environment      1024
+  ExrHeader        2048
+  ExrMaterial      8192
+  Fit              2048
+  MaterialData      512
+  Mbsdf            4096
+  Merl             4096
+  OpenMaterial     2048
+  PhotographList   2048
+  Tensor           8192
+  Utia              256"
 
 usage() {
   echo "usage: cmake/ci/fuzz.sh [-x EXECUTIONS] [SECONDS] [TARGET...]; targets:" $(awk '{ print $1 }' <<<"$targets") >&2
@@ -79,7 +79,7 @@ export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
 findings=$build/findings
 mkdir -p "$findings"
 status=0
-while read -r name length dictionary; do
+while read -r name length; do
   [ -n "$name" ] || continue
   if [ $# -gt 0 ] && [[ " $* " != *" $name "* ]]; then
     continue
@@ -91,7 +91,7 @@ while read -r name length dictionary; do
   "$build/bin/MakeFuzzSeeds" "$name" "$seeds"
   start=$SECONDS
   if "$build/bin/Fuzz$name" -max_total_time="$seconds" -runs="$executions" \
-    -max_len="$length" -rss_limit_mb=2048 -timeout=20 -dict="Testing/Fuzz/$dictionary.dict" \
+    -max_len="$length" -rss_limit_mb=2048 -timeout=20 -use_value_profile=1 \
     -artifact_prefix="$findings/$name-" -print_final_stats=1 -verbosity=1 "$corpus" "$seeds" >"$log" 2>&1; then
     printf '%-16s %10s executions in %s s, %s inputs kept\n' "$name" \
       "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")" "$((SECONDS - start))" "$(find "$corpus" -type f | wc -l)"

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace measuredbrdf
@@ -29,7 +30,7 @@ class Decoder
 {
 public:
   Decoder(vtkPhotographSet* set, bool isFloat)
-    : Gamma(set->GetGamma())
+    : Set(set)
     , Transfer(set->GetTransfer())
     , HasLevels(!isFloat || set->GetLevelsForFloats())
     , Black(set->GetBlackLevel())
@@ -56,51 +57,42 @@ public:
     return this->HasLevels && most <= this->Black ? PixelState::Black : PixelState::Valid;
   }
 
-  double GetLinear(double stored) const
+  float GetLinear(double stored) const
   {
     if (this->Transfer == vtkPhotographSet::LINEAR)
     {
-      return stored;
+      return static_cast<float>(stored);
     }
     // Negative values, which noise makes, mirror the curve.
     const double magnitude = std::abs(stored);
     const double linear = this->Transfer == vtkPhotographSet::SRGB
                             ? DecodeSRGB(magnitude)
-                            : std::pow(magnitude, this->Gamma);
-    return std::copysign(std::min(linear, LargestValue), stored);
-  }
-
-  // Of each code; empty for types of more than 16 bits.
-  std::vector<float> MakeTable(int type) const
-  {
-    const std::size_t codes = type == VTK_UNSIGNED_CHAR ? 256 : 65536;
-    std::vector<float> table;
-    for (std::size_t k = 0; k < codes && (type == VTK_UNSIGNED_CHAR || type == VTK_UNSIGNED_SHORT);
-         ++k)
-    {
-      table.push_back(static_cast<float>(
-        this->GetLinear(static_cast<double>(k) / static_cast<double>(codes - 1))));
-    }
-    return table;
+                            : std::pow(magnitude, this->Set->GetGamma());
+    return static_cast<float>(std::copysign(std::min(linear, LargestValue), stored));
   }
 
 private:
-  double Gamma;
+  vtkPhotographSet* Set;
   int Transfer;
   bool HasLevels;
   double Black;
   double Saturation;
 };
 
+std::string FormatSize(int width, int height)
+{
+  return std::to_string(width) + " x " + std::to_string(height);
+}
+
+// What keeps a picture from being a photograph; "" if nothing.
 std::string FindPictureProblem(vtkImageData* picture)
 {
   const int* size = picture->GetDimensions();
   vtkDataArray* values = picture->GetPointData()->GetScalars();
   if (!values || size[0] < 1 || size[1] < 1 || size[2] != 1)
   {
-    return "size: found " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
-           std::to_string(size[2]) + (values ? "" : " without values") +
-           ", expected a picture of one slice";
+    return "size: found " + FormatSize(size[0], size[1]) + " x " + std::to_string(size[2]) +
+           (values ? "" : " without values") + ", expected a picture of one slice";
   }
   const int components = values->GetNumberOfComponents();
   if (components != 1 && components != 3 && components != 4)
@@ -114,130 +106,99 @@ std::string FindPictureProblem(vtkImageData* picture)
     return "found values of type " + std::string(values->GetDataTypeAsString()) +
            ", expected unsigned integers or floats";
   }
-  return std::string();
-}
-
-std::string FormatSize(int width, int height)
-{
-  return std::to_string(width) + " x " + std::to_string(height);
+  return "";
 }
 }
 
-std::array<std::uint64_t, 4> PhotographPixels::CountStates() const
+PhotographPasses::PhotographPasses(vtkPhotographSet* set, std::function<bool(double)> report)
+  : Set(set)
+  , Report(std::move(report))
 {
-  std::array<std::uint64_t, 4> counts{};
-  for (const PixelState state : this->States)
+  const PhotographPixels first = this->Read(0);
+  this->Width = first.Width;
+  this->Height = first.Height;
+}
+
+PhotographPixels PhotographPasses::Read(int index) const
+{
+  const ScopedErrorCapture error(this->Set);
+  const auto picture = vtkSmartPointer<vtkImageData>::Take(this->Set->NewPicture(index));
+  std::string problem = picture                   ? FindPictureProblem(picture)
+                        : error.GetText().empty() ? "there is no picture"
+                                                  : error.GetText();
+  const int* size = picture ? picture->GetDimensions() : nullptr;
+  if (problem.empty() && this->Width > 0 && (size[0] != this->Width || size[1] != this->Height))
   {
-    ++counts[static_cast<std::size_t>(state)];
+    problem = "size: found " + FormatSize(size[0], size[1]) + ", expected the first photograph's " +
+              FormatSize(this->Width, this->Height);
   }
-  return counts;
-}
-
-std::string ReadPhotograph(vtkPhotographSet* set, int index, PhotographPixels& pixels)
-{
-  const ScopedErrorCapture error(set);
-  const auto picture = vtkSmartPointer<vtkImageData>::Take(set->NewPicture(index));
-  if (!picture)
-  {
-    return error.GetText().empty() ? "there is no picture" : error.GetText();
-  }
-  const std::string problem = FindPictureProblem(picture);
   if (!problem.empty())
   {
-    return problem;
+    const std::string given = this->Set->GetName(index);
+    const std::string name = given.empty() ? "photograph " + std::to_string(index) : given;
+    const bool isNamed = problem.find(name) != std::string::npos;
+    throw MapFitError(isNamed ? problem : name + ": " + problem);
   }
   vtkDataArray* values = picture->GetPointData()->GetScalars();
   const bool isFloat = IsFloat(values->GetDataType());
   const double divisor = isFloat ? 1.0 : values->GetDataTypeMax();
-  const int components = values->GetNumberOfComponents();
-  const Decoder decoder(set, isFloat);
-  const std::vector<float> table = decoder.MakeTable(values->GetDataType());
-  const vtkIdType count = values->GetNumberOfTuples();
-  pixels.Width = picture->GetDimensions()[0];
-  pixels.Height = picture->GetDimensions()[1];
-  pixels.Values.assign(3 * static_cast<std::size_t>(count), 0.0f);
-  pixels.States.assign(static_cast<std::size_t>(count), PixelState::Valid);
-  for (vtkIdType k = 0; k < count; ++k)
+  const bool isGray = values->GetNumberOfComponents() == 1;
+  const Decoder decoder(this->Set, isFloat);
+  std::vector<float> table; // of each code, where there are few
+  if (divisor == 255.0 || divisor == 65535.0)
+  {
+    for (double code = 0.0; code <= divisor; ++code)
+    {
+      table.push_back(decoder.GetLinear(code / divisor));
+    }
+  }
+  PhotographPixels pixels;
+  pixels.Width = size[0];
+  pixels.Height = size[1];
+  for (vtkIdType k = 0; k < values->GetNumberOfTuples(); ++k)
   {
     double rgb[3];
     for (int c = 0; c < 3; ++c)
     {
-      rgb[c] = values->GetComponent(k, components == 1 ? 0 : c) / divisor;
+      rgb[c] = values->GetComponent(k, isGray ? 0 : c) / divisor;
     }
-    const PixelState state = decoder.GetState(rgb);
-    pixels.States[static_cast<std::size_t>(k)] = state;
-    for (int c = 0; c < 3 && state == PixelState::Valid; ++c)
+    pixels.States.push_back(decoder.GetState(rgb));
+    for (const double value : rgb)
     {
-      pixels.Values[3 * static_cast<std::size_t>(k) + static_cast<std::size_t>(c)] =
-        table.empty() ? static_cast<float>(decoder.GetLinear(rgb[c]))
-                      : table[static_cast<std::size_t>(std::lround(rgb[c] * divisor))];
+      pixels.Values.push_back(pixels.States.back() != PixelState::Valid ? 0.0f
+                              : table.empty()
+                                ? decoder.GetLinear(value)
+                                : table[static_cast<std::size_t>(std::lround(value * divisor))]);
     }
   }
-  return std::string();
+  return pixels;
 }
 
-PhotographPasses::PhotographPasses(vtkPhotographSet* set, std::function<bool(double)> proceed)
-  : Set(set)
-  , Report(std::move(proceed))
-{
-}
-
-void PhotographPasses::Read(int index, PhotographPixels& pixels) const
-{
-  const std::string problem = ReadPhotograph(this->Set, index, pixels);
-  if (problem.empty())
-  {
-    return;
-  }
-  const std::string name = this->Set->GetName(index);
-  const bool named = !name.empty() && problem.find(name) != std::string::npos;
-  throw PhotographError(
-    (named ? "" : (name.empty() ? "photograph " + std::to_string(index) : name) + ": ") + problem);
-}
-
-void PhotographPasses::Open()
-{
-  PhotographPixels pixels;
-  this->Read(0, pixels);
-  this->Width = pixels.Width;
-  this->Height = pixels.Height;
-}
-
-bool PhotographPasses::Run(
+void PhotographPasses::Run(
   double from, double to, const std::function<void(int, const PhotographPixels&)>& use)
 {
   const int count = this->Set->GetNumberOfPhotographs();
-  PhotographPixels pixels;
   for (int k = 0; k < count; ++k)
   {
-    if (!this->Proceed(from + (to - from) * k / count))
-    {
-      return false;
-    }
-    this->Read(k, pixels);
-    if (pixels.Width != this->Width || pixels.Height != this->Height)
-    {
-      const std::string name = this->Set->GetName(k);
-      throw PhotographError((name.empty() ? "photograph " + std::to_string(k) : name) +
-                            ": size: found " + FormatSize(pixels.Width, pixels.Height) +
-                            ", expected the first photograph's " +
-                            FormatSize(this->Width, this->Height));
-    }
+    this->Proceed(from + (to - from) * k / count);
+    const PhotographPixels pixels = this->Read(k);
     if (this->NumberOfPasses == 0)
     {
-      const auto counts = pixels.CountStates();
-      std::transform(counts.begin(), counts.end(), this->PixelCounts.begin(),
-        this->PixelCounts.begin(), std::plus<std::uint64_t>());
+      for (const PixelState state : pixels.States)
+      {
+        ++this->PixelCounts[static_cast<std::size_t>(state)];
+      }
     }
     use(k, pixels);
   }
   ++this->NumberOfPasses;
-  return true;
 }
 
-bool PhotographPasses::Proceed(double share)
+void PhotographPasses::Proceed(double share) const
 {
-  this->Stopped = this->Stopped || !this->Report(share);
-  return !this->Stopped;
+  if (!this->Report(share))
+  {
+    throw MapFitStopped();
+  }
 }
 } // namespace measuredbrdf

@@ -8,16 +8,14 @@
 #ifndef TableMaterials_h
 #define TableMaterials_h
 
-#include "ConvexFactorization.h"
 #include "TexelWeights.h"
 
 #include <Eigen/Core>
 
 #include <functional>
-#include <string>
 #include <vector>
 
-class vtkPhotographSet;
+class vtkMaterialMapFitter;
 
 namespace measuredbrdf
 {
@@ -25,34 +23,30 @@ namespace measuredbrdf
 class TableMaterials
 {
 public:
-  TableMaterials(vtkPhotographSet* set, const MapFitOptions& options, std::size_t sampleSize);
+  /// The fitter has the photographs and the options.
+  TableMaterials(vtkMaterialMapFitter* fitter, std::size_t sampleSize);
 
   /// Take the sample's texels from a photograph; all photographs must be added.
   void Add(int photograph, const PhotographPixels& pixels, const std::vector<std::size_t>& sample);
 
-  /// Returns what keeps it from working, "" if nothing or if it was stopped.
-  std::string Find(const std::function<bool(double)>& proceed);
+  /// proceed: called with the share done; may throw. Throws MapFitError.
+  void Find(const std::function<void(double)>& proceed);
 
-  const std::vector<NamedMaterial>& GetMaterials() const { return this->Materials; }
-  const Factorization& GetFactorization() const { return this->Factors; }
-  double GetSeenShare() const { return this->SeenShare; }
-
-  /// Each photograph's unit of error: the mean of its valid pixels plus NoiseFloor.
-  const std::vector<double>& GetScales() const { return this->Scales; }
+  std::vector<NamedMaterial> Materials;
+  std::vector<double> Scales; // each photograph's unit of error: the mean of its valid pixels plus
+                              // NoiseFloor
+  double FactorError = 0.0;
+  int Iterations = 0;
+  bool Converged = false;
+  double SeenShare = 0.0; // of the tables' cells
 
 private:
-  std::string MakeTables();
+  void MakeTables(const Eigen::MatrixXd& values);
 
-  vtkPhotographSet* Set;
-  const MapFitOptions& Options;
+  vtkMaterialMapFitter* Fitter;
   Eigen::MatrixXf Data;            // [3 photograph + channel, texel]
-  std::vector<unsigned char> Mask; // [texel][photograph]
+  std::vector<unsigned char> Mask; // [texel][photograph], not 0 where data say nothing
   std::vector<double> Means;       // of the valid pixels of each photograph, linear; -1: none
-  std::vector<double> Scales;
-  bool HasMasked = false;
-  Factorization Factors;
-  double SeenShare = 0.0;
-  std::vector<NamedMaterial> Materials;
 };
 } // namespace measuredbrdf
 

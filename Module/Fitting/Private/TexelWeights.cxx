@@ -8,49 +8,30 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace measuredbrdf
 {
-MaterialValues MaterialValues::Select(const std::vector<int>& materials) const
-{
-  MaterialValues some;
-  some.Scales = this->Scales;
-  some.Values.resize(this->Values.rows(), static_cast<Eigen::Index>(materials.size()));
-  for (std::size_t k = 0; k < materials.size(); ++k)
-  {
-    some.Values.col(static_cast<Eigen::Index>(k)) = this->Values.col(materials[k]);
-  }
-  return some;
-}
-
 TexelSums::TexelSums(const MaterialValues& materials, std::vector<std::size_t> texels)
   : Materials(materials)
   , Texels(std::move(texels))
   , Matrix(materials.Values.transpose() * materials.Values)
   , Right(Eigen::MatrixXd::Zero(
-      materials.GetNumberOfMaterials(), static_cast<Eigen::Index>(this->Texels.size())))
+      materials.Values.cols(), static_cast<Eigen::Index>(this->Texels.size())))
   , Squares(this->Texels.size(), 0.0)
   , Masked(this->Texels.size(), 0)
-  , WordsPerTexel((static_cast<std::size_t>(materials.GetNumberOfPhotographs()) + 63) / 64)
+  , WordsPerTexel((materials.Scales.size() + 63) / 64)
+  , Masks(this->WordsPerTexel * this->Texels.size(), 0)
 {
 }
 
-std::size_t TexelSums::GetBytesPerTexel(Eigen::Index materials, int photographs)
+std::size_t TexelSums::GetBytesPerTexel(std::size_t materials, std::size_t photographs)
 {
-  const std::size_t words = (static_cast<std::size_t>(photographs) + 63) / 64;
-  return 8 * (static_cast<std::size_t>(materials) + 1 + words + 1) + 4;
+  return 8 * (materials + 1 + (photographs + 63) / 64 + 1) + 4;
 }
 
 void TexelSums::Add(int photograph, const PhotographPixels& pixels)
 {
   const auto bit = static_cast<std::size_t>(photograph);
-  const bool masks = std::any_of(this->Texels.begin(), this->Texels.end(),
-    [&](std::size_t texel) { return pixels.States[texel] != PixelState::Valid; });
-  if (masks && this->Masks.empty())
-  {
-    this->Masks.assign(this->WordsPerTexel * this->Texels.size(), 0);
-  }
   const Eigen::MatrixXd rows = this->Materials.Values.middleRows<3>(3 * photograph).transpose();
   const double inverse = 1.0 / this->Materials.Scales[bit];
   measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(this->Texels.size()),
@@ -76,31 +57,24 @@ void TexelSums::Add(int photograph, const PhotographPixels& pixels)
 SmallMatrix TexelSums::GetMatrix(std::size_t k, const std::vector<int>& columns) const
 {
   const auto n = static_cast<Eigen::Index>(columns.size());
-  const int photographs = this->Materials.GetNumberOfPhotographs();
+  const std::size_t photographs = this->Materials.Scales.size();
   // The sum of the valid ones, or all but the masked ones: what is less work.
-  const bool subtract = 2 * this->Masked[k] <= static_cast<std::uint32_t>(photographs);
+  const bool subtract = 2 * this->Masked[k] <= photographs;
   SmallMatrix matrix = SmallMatrix::Zero(n, n);
-  for (Eigen::Index a = 0; a < n && subtract; ++a)
+  if (subtract)
   {
-    for (Eigen::Index b = 0; b < n; ++b)
-    {
-      matrix(a, b) =
-        this->Matrix(columns[static_cast<std::size_t>(a)], columns[static_cast<std::size_t>(b)]);
-    }
+    matrix = this->Matrix(columns, columns);
   }
-  for (int p = 0; p<photographs&& this->Masked[k]> 0; ++p)
+  for (std::size_t p = 0; p<photographs&& this->Masked[k]> 0; ++p)
   {
     if (this->IsMasked(k, p) != subtract)
     {
       continue;
     }
-    for (int c = 0; c < 3; ++c)
+    for (std::size_t c = 0; c < 3; ++c)
     {
-      SmallVector row(n);
-      for (Eigen::Index a = 0; a < n; ++a)
-      {
-        row[a] = this->Materials.Values(3 * p + c, columns[static_cast<std::size_t>(a)]);
-      }
+      const SmallVector row =
+        this->Materials.Values(static_cast<Eigen::Index>(3 * p + c), columns).transpose();
       matrix += (subtract ? -1.0 : 1.0) * row * row.transpose();
     }
   }
@@ -109,53 +83,38 @@ SmallMatrix TexelSums::GetMatrix(std::size_t k, const std::vector<int>& columns)
 
 SmallVector TexelSums::GetRight(std::size_t k, const std::vector<int>& columns) const
 {
-  SmallVector right(static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t a = 0; a < columns.size(); ++a)
-  {
-    right[static_cast<Eigen::Index>(a)] = this->Right(columns[a], static_cast<Eigen::Index>(k));
-  }
-  return right;
-}
-
-int TexelSums::GetNumberOfPhotographs(std::size_t k) const
-{
-  return this->Materials.GetNumberOfPhotographs() - static_cast<int>(this->Masked[k]);
+  return this->Right(columns, static_cast<Eigen::Index>(k));
 }
 
 MaterialValues EvaluateMaterials(vtkPhotographSet* set, const std::vector<NamedMaterial>& materials,
   const std::vector<double>& scales)
 {
   const int photographs = set->GetNumberOfPhotographs();
+  const auto count = static_cast<Eigen::Index>(materials.size());
   MaterialValues result;
-  result.Values.resize(3 * photographs, static_cast<Eigen::Index>(materials.size()));
+  result.Values.resize(3 * photographs, count);
   result.Scales = scales;
   for (const NamedMaterial& material : materials)
   {
-    material.BRDF->Prepare();
+    material.first->Prepare();
   }
   for (int k = 0; k < photographs; ++k)
   {
     double light[3], view[3];
     set->GetLight(k, light);
     set->GetView(k, view);
-    const double scale = set->GetScale(k);
-    double logarithms = 0.0;
-    for (std::size_t m = 0; m < materials.size(); ++m)
+    auto rows = result.Values.middleRows<3>(3 * k);
+    for (Eigen::Index m = 0; m < count; ++m)
     {
-      double f[3];
-      materials[m].BRDF->Evaluate(light, view, f);
-      for (int c = 0; c < 3; ++c)
-      {
-        result.Values(3 * k + c, static_cast<Eigen::Index>(m)) = scale * f[c];
-        logarithms += std::log(scale * f[c] + NoiseFloor);
-      }
+      Eigen::Vector3d f;
+      materials[static_cast<std::size_t>(m)].first->Evaluate(light, view, f.data());
+      rows.col(m) = set->GetScale(k) * f;
     }
     if (scales.empty())
     {
-      result.Scales.push_back(std::exp(
-        logarithms / (3.0 * static_cast<double>(std::max<std::size_t>(materials.size(), 1)))));
+      result.Scales.push_back(std::exp((rows.array() + NoiseFloor).log().mean()));
     }
-    result.Values.middleRows<3>(3 * k) /= result.Scales[static_cast<std::size_t>(k)];
+    rows /= result.Scales[static_cast<std::size_t>(k)];
   }
   return result;
 }
@@ -163,50 +122,38 @@ MaterialValues EvaluateMaterials(vtkPhotographSet* set, const std::vector<NamedM
 namespace
 {
 constexpr int MostRounds = 8;         // of exchanges
-constexpr double Exchange = 1e-3;     // an exchange must lower the sum by this share
+constexpr double LeastGain = 1e-3;    // an exchange must lower the sum by this share
 constexpr double NothingLeft = 1e-14; // of the sum of squares: rounding
 
 class Selection
 {
 public:
-  Selection(const TexelSums& sums, const SelectionOptions& options, int materials)
+  Selection(
+    const TexelSums& sums, int most, double tolerance, const std::function<void(double)>& proceed)
     : Sums(sums)
-    , Options(options)
-    , Materials(materials)
+    , Most(std::min(most, sums.GetNumberOfMaterials()))
+    , Tolerance(tolerance)
+    , Proceed(proceed)
   {
     for (std::size_t k = 0; k < sums.GetNumberOfTexels(); ++k)
     {
-      this->Squares += sums.GetSquares(k);
+      this->Least += NothingLeft * sums.GetSquares(k);
     }
   }
 
   std::vector<int> Run()
   {
-    while (static_cast<int>(this->Chosen.size()) < std::min(this->Options.Most, this->Materials))
+    // It ends where nothing is left to describe, or the next material does not pay.
+    while (static_cast<int>(this->Chosen.size()) < this->Most && this->Error > this->Least &&
+           this->Exchange(this->Chosen.size(), this->Chosen.empty() ? 0.0 : this->Tolerance, 0.0))
     {
-      double error = 0.0;
-      const std::vector<int> best = this->FindBest(this->Chosen.size(), error);
-      if (best.empty())
-      {
-        return {};
-      }
-      if (!this->Chosen.empty() && error >= (1.0 - this->Options.Tolerance) * this->Error)
-      {
-        break; // it does not pay
-      }
-      this->Chosen = best;
-      this->Error = error;
-      if (this->Error <= NothingLeft * this->Squares)
-      {
-        break;
-      }
     }
     for (int round = 0; round < MostRounds && this->Improve(); ++round)
     {
     }
     this->RemoveIdle();
     std::sort(this->Chosen.begin(), this->Chosen.end());
-    return this->IsStopped ? std::vector<int>() : this->Chosen;
+    return this->Chosen;
   }
 
 private:
@@ -221,34 +168,12 @@ private:
     return sum;
   }
 
-  // The errors of many sets, a thread for some of them.
-  std::vector<double> GetErrors(const std::vector<std::vector<int>>& sets)
-  {
-    std::vector<double> errors(sets.size());
-    constexpr std::size_t batch = 32; // so that Proceed is asked now and then
-    for (std::size_t first = 0; first < sets.size() && !this->IsStopped; first += batch)
-    {
-      measuredbrdf::ParallelFor(static_cast<vtkIdType>(first),
-        static_cast<vtkIdType>(std::min(first + batch, sets.size())), 1,
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          for (vtkIdType k = begin; k < end; ++k)
-          {
-            errors[static_cast<std::size_t>(k)] = this->GetError(sets[static_cast<std::size_t>(k)]);
-          }
-        });
-      const double share = static_cast<double>(this->Chosen.size()) / this->Options.Most;
-      this->IsStopped = !this->Options.Proceed(std::min(share, 1.0));
-    }
-    return errors;
-  }
-
-  // Of the sets in which another material stands at a place, behind the last one to add it, the one
-  // that leaves least, which error says; empty if it was stopped or there is none.
-  std::vector<int> FindBest(std::size_t place, double& error)
+  // Puts another material at a place, behind the last one to add it: the one that leaves least, if
+  // that is less than the error by a share and a margin. Returns whether it is.
+  bool Exchange(std::size_t place, double share, double margin)
   {
     std::vector<std::vector<int>> sets;
-    for (int k = 0; k < this->Materials; ++k)
+    for (int k = 0; k < this->Sums.GetNumberOfMaterials(); ++k)
     {
       if (std::find(this->Chosen.begin(), this->Chosen.end(), k) == this->Chosen.end())
       {
@@ -257,14 +182,29 @@ private:
         sets.back()[place] = k;
       }
     }
-    const std::vector<double> errors = this->GetErrors(sets);
-    if (this->IsStopped || errors.empty())
+    std::vector<double> errors(sets.size());
+    constexpr std::size_t batch = 32; // so that progress is told now and then
+    for (std::size_t first = 0; first < sets.size(); first += batch)
     {
-      return {};
+      measuredbrdf::ParallelFor(static_cast<vtkIdType>(first),
+        static_cast<vtkIdType>(std::min(first + batch, sets.size())), 1,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+          {
+            errors[k] = this->GetError(sets[k]);
+          }
+        });
+      this->Proceed(static_cast<double>(this->Chosen.size()) / this->Most);
     }
     const auto best = std::min_element(errors.begin(), errors.end());
-    error = *best;
-    return sets[static_cast<std::size_t>(best - errors.begin())];
+    if (best == errors.end() || !(*best < (1.0 - share) * this->Error - margin))
+    {
+      return false;
+    }
+    this->Error = *best;
+    this->Chosen = sets[static_cast<std::size_t>(best - errors.begin())];
+    return true;
   }
 
   // Exchange one material where that helps.
@@ -272,16 +212,8 @@ private:
   {
     for (std::size_t place = 0; place < this->Chosen.size(); ++place)
     {
-      double error = 0.0;
-      const std::vector<int> best = this->FindBest(place, error);
-      if (best.empty())
+      if (this->Exchange(place, LeastGain, this->Least))
       {
-        return false;
-      }
-      if (error < (1.0 - Exchange) * this->Error - NothingLeft * this->Squares)
-      {
-        this->Error = error;
-        this->Chosen = best;
         return true;
       }
     }
@@ -296,7 +228,7 @@ private:
       std::vector<int> without = this->Chosen;
       without.erase(without.begin() + static_cast<std::ptrdiff_t>(place));
       const double error = this->GetError(without);
-      if ((1.0 - this->Options.Tolerance) * error <= this->Error + NothingLeft * this->Squares)
+      if ((1.0 - this->Tolerance) * error <= this->Error + this->Least)
       {
         this->Chosen = without;
         this->Error = error;
@@ -309,12 +241,12 @@ private:
   }
 
   const TexelSums& Sums;
-  const SelectionOptions& Options;
-  int Materials;
+  int Most;
+  double Tolerance;
+  const std::function<void(double)>& Proceed;
   std::vector<int> Chosen;
-  double Squares = 0.0;
+  double Least = 0.0; // sum of squares that is as good as nothing
   double Error = std::numeric_limits<double>::infinity();
-  bool IsStopped = false;
 };
 }
 
@@ -335,14 +267,16 @@ WeightSolution SolveTexel(const TexelSums& sums, std::size_t k, const std::vecto
   return solution;
 }
 
-std::vector<int> SelectMaterials(const TexelSums& sums, const SelectionOptions& options)
+std::vector<int> SelectMaterials(
+  const TexelSums& sums, int most, double tolerance, const std::function<void(double)>& proceed)
 {
-  const int materials = sums.GetNumberOfMaterials();
-  bool any = false;
   for (std::size_t k = 0; k < sums.GetNumberOfTexels(); ++k)
   {
-    any = any || sums.GetNumberOfPhotographs(k) > 0;
+    if (sums.GetNumberOfPhotographs(k) > 0)
+    {
+      return Selection(sums, most, tolerance, proceed).Run();
+    }
   }
-  return any ? Selection(sums, options, materials).Run() : std::vector<int>();
+  return {};
 }
 } // namespace measuredbrdf

@@ -9,20 +9,23 @@
 #define TexelWeights_h
 
 #include "LinearLeastSquares.h"
-#include "MapFitData.h"
 #include "PhotographPasses.h"
+#include "vtkBRDF.h"
+#include "vtkSmartPointer.h"
 
 #include <Eigen/Core>
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
+#include <utility>
 #include <vector>
-
-class vtkPhotographSet;
 
 namespace measuredbrdf
 {
+using NamedMaterial = std::pair<vtkSmartPointer<vtkBRDF>, std::string>;
+
 /// A photograph's unit of error is what it shows on the average plus this, as a linear value (1:
 /// full scale): photographs count alike, but for those too dark to say much.
 constexpr double NoiseFloor = 0.01;
@@ -33,12 +36,6 @@ struct MaterialValues
 {
   Eigen::MatrixXd Values;
   std::vector<double> Scales; // of each photograph: its unit of error, as a linear value
-
-  int GetNumberOfPhotographs() const { return static_cast<int>(this->Scales.size()); }
-  Eigen::Index GetNumberOfMaterials() const { return this->Values.cols(); }
-
-  /// Some of the materials.
-  MaterialValues Select(const std::vector<int>& materials) const;
 };
 
 /**
@@ -60,32 +57,30 @@ public:
   TexelSums(const MaterialValues& materials, std::vector<std::size_t> texels);
 
   /// Bytes that each texel takes.
-  static std::size_t GetBytesPerTexel(Eigen::Index materials, int photographs);
+  static std::size_t GetBytesPerTexel(std::size_t materials, std::size_t photographs);
 
   /// Add the next photograph, on several threads.
   void Add(int photograph, const PhotographPixels& pixels);
 
-  int GetNumberOfMaterials() const
-  {
-    return static_cast<int>(this->Materials.GetNumberOfMaterials());
-  }
+  int GetNumberOfMaterials() const { return static_cast<int>(this->Matrix.rows()); }
   std::size_t GetNumberOfTexels() const { return this->Texels.size(); }
   std::size_t GetTexel(std::size_t k) const { return this->Texels[k]; }
 
-  /// Of the materials at some of the columns. Fewer than MaximumNumberOfUnknowns.
+  /// Of the materials at some of the columns, at most MaximumNumberOfUnknowns.
   SmallMatrix GetMatrix(std::size_t k, const std::vector<int>& columns) const;
   SmallVector GetRight(std::size_t k, const std::vector<int>& columns) const;
   double GetSquares(std::size_t k) const { return this->Squares[k]; }
 
   /// Valid photographs of a texel.
-  int GetNumberOfPhotographs(std::size_t k) const;
+  std::size_t GetNumberOfPhotographs(std::size_t k) const
+  {
+    return this->Materials.Scales.size() - this->Masked[k];
+  }
 
 private:
-  bool IsMasked(std::size_t k, int photograph) const
+  bool IsMasked(std::size_t k, std::size_t photograph) const
   {
-    const auto bit = static_cast<std::size_t>(photograph);
-    return !this->Masks.empty() &&
-           (this->Masks[k * this->WordsPerTexel + bit / 64] >> (bit % 64) & 1u) != 0;
+    return (this->Masks[k * this->WordsPerTexel + photograph / 64] >> (photograph % 64) & 1u) != 0;
   }
 
   const MaterialValues& Materials;
@@ -93,9 +88,9 @@ private:
   Eigen::MatrixXd Matrix;            // of all photographs
   Eigen::MatrixXd Right;             // [material, texel]
   std::vector<double> Squares;       // of each texel
-  std::vector<std::uint64_t> Masks;  // of each texel; empty while nothing is masked
   std::vector<std::uint32_t> Masked; // how many photographs of each texel
   std::size_t WordsPerTexel;
+  std::vector<std::uint64_t> Masks; // of each texel
 };
 
 struct WeightSolution
@@ -107,20 +102,15 @@ struct WeightSolution
 /// The best convex weights of some of the materials for a texel.
 WeightSolution SolveTexel(const TexelSums& sums, std::size_t k, const std::vector<int>& columns);
 
-struct SelectionOptions
-{
-  int Most = 4;                        // materials
-  double Tolerance = 0.02;             // a material must lower the sum of squares by this share
-  std::function<bool(double)> Proceed; // share done; false: stop
-};
-
 /**
- * Which materials describe all texels best: forward selection, that is orthogonal matching pursuit
- * (Tropp, Gilbert, Strauss 2006, for many signals at once) with convex weights, then exchanges of
- * one material for another and removals while they pay. Empty if it was stopped or there is no
- * texel with a valid photograph.
+ * Which materials, `most` at most, describe all texels best: forward selection, that is orthogonal
+ * matching pursuit (Tropp, Gilbert, Strauss 2006, for many signals at once) with convex weights,
+ * then exchanges of one material for another and removals while they pay. A material is taken if it
+ * lowers the sum of squares by the share tolerance. Empty if there is no texel with a valid
+ * photograph. proceed: called with the share done; may throw.
  */
-std::vector<int> SelectMaterials(const TexelSums& sums, const SelectionOptions& options);
+std::vector<int> SelectMaterials(
+  const TexelSums& sums, int most, double tolerance, const std::function<void(double)>& proceed);
 } // namespace measuredbrdf
 
 #endif

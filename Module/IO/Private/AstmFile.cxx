@@ -18,6 +18,7 @@
  */
 
 #include "GonioTable.h"
+#include "HalfVector.h"
 #include "MaterialFormat.h"
 #include "NumberText.h"
 #include "SpectralColor.h"
@@ -25,10 +26,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,92 +39,85 @@ namespace measuredbrdf
 namespace
 {
 constexpr const char* AstmFormatName = "ASTM E1392 text";
-
-struct AstmTexts
-{
-  std::vector<std::string> Header;  // lines before VARS
-  std::vector<std::string> Columns; // that VARS names
-  std::vector<double> Numbers;      // row by row
-  std::vector<std::size_t> Lines;   // of the rows in the file, from 1
-
-  std::size_t GetNumberOfRows() const { return this->Lines.size(); }
-};
-
 constexpr std::size_t MostColumns = 4096 + 4;
 constexpr std::size_t LongestHeader = 65536; // bytes
 constexpr std::string_view Blanks = " \t\r";
+constexpr double RightAngle = 90.0;
+constexpr double AngleRounding = 1e-3; // degrees
+constexpr double MostTurns = 2.0;      // of azimuths
+constexpr std::size_t NoColumn = static_cast<std::size_t>(-1);
+const char* const AngleNames[4] = { "theta_i", "phi_i", "theta_s", "phi_s" };
 
-std::string_view Trim(std::string_view text)
+std::string_view TrimBlanks(std::string_view text)
 {
-  const std::size_t first = text.find_first_not_of(Blanks);
-  return first == std::string_view::npos
-           ? std::string_view()
-           : text.substr(first, text.find_last_not_of(Blanks) - first + 1);
-}
-
-// The value of a line "KEY value", or null where it has another key.
-bool HasKey(std::string_view line, std::string_view key, std::string_view& value)
-{
-  if (line.substr(0, key.size()) != key ||
-      (line.size() > key.size() && Blanks.find(line[key.size()]) == std::string_view::npos))
-  {
-    return false;
-  }
-  value = Trim(line.substr(key.size()));
-  return true;
+  const std::size_t first = std::min(text.find_first_not_of(Blanks), text.size());
+  return text.substr(first, text.find_last_not_of(Blanks) + 1 - first);
 }
 
 // Up to the separator, which is stepped over with it.
-std::string_view Take(std::string_view& text, char separator)
+std::string_view TakeUntil(std::string_view& text, char separator)
 {
   const std::size_t length = std::min(text.find(separator), text.size());
   const std::string_view part = text.substr(0, length);
   text.remove_prefix(std::min(length + 1, text.size()));
-  return part;
+  return TrimBlanks(part);
 }
 
-void SkipMark(std::string_view& text) // of byte order
+// Whether a line is "KEY value" or the key alone.
+bool HasKey(std::string_view line, std::string_view key, std::string_view& value)
 {
-  if (text.substr(0, 3) == "\xef\xbb\xbf")
-  {
-    text.remove_prefix(3);
-  }
+  const bool has = line.substr(0, key.size()) == key &&
+                   (line.size() == key.size() || Blanks.find(line[key.size()]) < Blanks.size());
+  value = has ? TrimBlanks(line.substr(key.size())) : std::string_view();
+  return has;
 }
 
-/// Throws FileError where VARS or NUM_POINTS is wrong or missing, or a row has another number of
-/// numbers.
-class AstmParser
+std::string_view SkipByteOrderMark(std::string_view text)
+{
+  return text.substr(text.substr(0, 3) == "\xef\xbb\xbf" ? 3 : 0);
+}
+
+//------------------------------------------------------------------------------
+// The text taken apart. Throws FileError where VARS or NUM_POINTS is wrong or missing, or a row has
+// another number of numbers.
+class AstmText
 {
 public:
-  explicit AstmParser(const FileBytes& file)
-    : Path(file.GetPath())
-    , Rest(file.GetView())
-  {
-    SkipMark(this->Rest);
-  }
-
-  /// onlyHeader: leave out the rows.
-  AstmTexts Parse(bool onlyHeader = false)
+  AstmText(const FileBytes& file, bool onlyHeader)
+    : File(file)
+    , Rest(SkipByteOrderMark(file.GetView()))
   {
     this->ReadHeader();
     if (!onlyHeader)
     {
       this->ReadRows();
     }
-    return std::move(this->Texts);
+  }
+
+  std::vector<std::string> Header;  // lines before VARS
+  std::vector<std::string> Columns; // that VARS names
+  std::vector<double> Numbers;      // row by row
+  std::vector<std::size_t> Lines;   // of the rows in the file, from 1
+
+  std::size_t GetNumberOfRows() const { return this->Lines.size(); }
+  const double* GetRow(std::size_t row) const { return &this->Numbers[row * this->Columns.size()]; }
+
+  [[noreturn]] void FailAt(
+    std::size_t line, const std::string& field, const std::string& what) const
+  {
+    FailIn(this->File, AstmFormatName, "line " + std::to_string(line) + field, what);
   }
 
 private:
   [[noreturn]] void Fail(const std::string& field, const std::string& what) const
   {
-    throw FileError(this->Path + ": " + AstmFormatName + ", line " + std::to_string(this->Line) +
-                    ", " + field + ": " + what);
+    this->FailAt(this->Line, ", " + field, what);
   }
 
   std::string_view TakeLine()
   {
     ++this->Line;
-    return Trim(Take(this->Rest, '\n'));
+    return TakeUntil(this->Rest, '\n');
   }
 
   void ReadHeader()
@@ -141,16 +134,15 @@ private:
       }
       if (HasKey(line, "NUM_POINTS", value))
       {
-        double points = 0.0;
-        if (!ParseNumber(value, points) || points < 1.0 || points != std::floor(points))
+        if (!ParseNumber(value, this->Points) || this->Points < 1.0 ||
+            this->Points != std::floor(this->Points))
         {
           this->Fail("NUM_POINTS", "found " + Quote(value) + ", expected a whole number from 1");
         }
-        this->Points = points;
       }
       else if (!line.empty())
       {
-        this->Texts.Header.emplace_back(line);
+        this->Header.emplace_back(line);
       }
     }
     this->Fail("VARS", "no such line in the first " + std::to_string(LongestHeader) +
@@ -161,15 +153,14 @@ private:
   {
     while (!names.empty())
     {
-      const std::string_view name = Trim(Take(names, ','));
-      if (name.empty() || this->Texts.Columns.size() == MostColumns)
+      this->Columns.emplace_back(TakeUntil(names, ','));
+      if (this->Columns.back().empty() || this->Columns.size() > MostColumns)
       {
         this->Fail(
           "VARS", "expected 1 to " + std::to_string(MostColumns) + " names with commas between");
       }
-      this->Texts.Columns.emplace_back(name);
     }
-    if (this->Texts.Columns.empty())
+    if (this->Columns.empty())
     {
       this->Fail("VARS", "names no column");
     }
@@ -177,7 +168,6 @@ private:
 
   void ReadRows()
   {
-    const std::size_t columns = this->Texts.Columns.size();
     while (!this->Rest.empty())
     {
       std::string_view line = this->TakeLine();
@@ -189,51 +179,46 @@ private:
       std::size_t count = 0;
       for (; !line.empty(); ++count)
       {
-        const std::string_view word = Trim(Take(line, ','));
+        const std::string_view word = TakeUntil(line, ',');
         double number = 0.0;
         if (!ParseNumber(word, number))
         {
           this->Fail("number " + std::to_string(count + 1),
             "found " + Quote(word) + ", expected a finite number");
         }
-        if (count < columns)
-        {
-          this->Texts.Numbers.push_back(number);
-        }
+        this->Numbers.push_back(number);
       }
-      this->Texts.Lines.push_back(this->Line);
-      if (count != columns)
+      this->Lines.push_back(this->Line);
+      if (count != this->Columns.size())
       {
         this->Fail("row", "found " + std::to_string(count) + " numbers, expected the " +
-                            std::to_string(columns) + " that VARS names");
+                            std::to_string(this->Columns.size()) + " that VARS names");
       }
     }
-    const std::size_t rows = this->Texts.GetNumberOfRows();
+    const std::size_t rows = this->GetNumberOfRows();
     if (rows == 0 || (this->Points > 0.0 && this->Points != static_cast<double>(rows)))
     {
-      const std::string points = this->Points > 0.0 ? NumberText(this->Points, 15) : "at least 1";
-      this->Fail("end", "found " + std::to_string(rows) + " rows, expected " + points +
-                          (this->Points > 0.0 ? " (NUM_POINTS)" : ""));
+      this->Fail("end", "found " + std::to_string(rows) + " rows, expected " +
+                          (this->Points > 0.0 ? NumberText(this->Points, 15) + " (NUM_POINTS)"
+                                              : std::string("at least 1")));
     }
   }
 
-  std::string Path;
+  const FileBytes& File;
   std::string_view Rest;
   std::size_t Line = 0;
   double Points = 0.0; // 0: not said
-  AstmTexts Texts;
 };
 
 //------------------------------------------------------------------------------
 // Whether a line of the text's beginning is VARS.
 bool HasAstmColumns(std::string_view text)
 {
-  std::string_view rest = text.substr(0, LongestHeader);
-  SkipMark(rest);
+  std::string_view rest = SkipByteOrderMark(text.substr(0, LongestHeader));
   while (!rest.empty())
   {
     std::string_view value;
-    if (HasKey(Trim(Take(rest, '\n')), "VARS", value) &&
+    if (HasKey(TakeUntil(rest, '\n'), "VARS", value) &&
         value.find("theta_") != std::string_view::npos)
     {
       return true;
@@ -242,135 +227,110 @@ bool HasAstmColumns(std::string_view text)
   return false;
 }
 
-constexpr double Degree = 3.14159265358979323846 / 180.0;
-constexpr double RightAngle = 90.0;
-constexpr double Rounding = 1e-3; // of angles, degrees
-constexpr double MostTurns = 2.0; // of azimuths
-constexpr std::size_t None = static_cast<std::size_t>(-1);
-
-const char* const AngleNames[4] = { "theta_i", "phi_i", "theta_s", "phi_s" };
-
-[[noreturn]] void Fail(const FileBytes& file, const std::string& field, const std::string& what)
-{
-  throw FileError(file.GetPath() + ": " + AstmFormatName + ", " + field + ": " + what);
-}
-
+//------------------------------------------------------------------------------
 // Where things stand in a row.
-struct Columns
+struct AstmColumns
 {
-  std::array<std::size_t, 4> Angles = { None, None, None, None }; // as AngleNames
+  std::array<std::size_t, 4> Angles; // as AngleNames
   std::vector<std::size_t> Values;
+  std::vector<double> Wavelengths; // of the values, ascending; empty: they have none
 };
-
-Columns FindColumns(const FileBytes& file, const std::vector<std::string>& names)
-{
-  Columns columns;
-  for (std::size_t k = 0; k < names.size(); ++k)
-  {
-    const auto* const found = std::find(AngleNames, AngleNames + 4, names[k]);
-    if (found == AngleNames + 4)
-    {
-      columns.Values.push_back(k);
-      continue;
-    }
-    std::size_t& place = columns.Angles[static_cast<std::size_t>(found - AngleNames)];
-    if (place != None)
-    {
-      Fail(file, "VARS", "names " + Quote(names[k]) + " twice");
-    }
-    place = k;
-  }
-  for (const std::size_t k : { 0, 2, 3 })
-  {
-    if (columns.Angles[k] == None)
-    {
-      Fail(file, "VARS",
-        std::string("names no ") + AngleNames[k] +
-          ", expected theta_i, phi_i, theta_s, phi_s and values");
-    }
-  }
-  if (columns.Values.empty())
-  {
-    Fail(file, "VARS", "names no column of values");
-  }
-  return columns;
-}
 
 // 550 of "550nm"; 0: it is no such name.
 double ToWavelength(const std::string& name)
 {
   double wavelength = 0.0;
-  const char* const end = name.data() + name.size();
-  const auto read = std::from_chars(name.data(), end, wavelength);
-  const bool good =
-    read.ec == std::errc() && std::string(read.ptr, end) == "nm" && std::isfinite(wavelength);
-  return good && wavelength > 0.0 ? wavelength : 0.0;
+  const bool hasUnit = name.size() > 2 && name.compare(name.size() - 2, 2, "nm") == 0;
+  return hasUnit && ParseNumber(std::string_view(name).substr(0, name.size() - 2), wavelength)
+           ? std::max(wavelength, 0.0)
+           : 0.0;
 }
 
-// The columns' wavelengths, ascending with the columns; empty: they have none.
-std::vector<double> FindWavelengths(
-  const FileBytes& file, const std::vector<std::string>& names, Columns& columns)
+AstmColumns FindColumns(const FileBytes& file, const std::vector<std::string>& names)
 {
-  std::vector<std::pair<double, std::size_t>> found;
-  for (const std::size_t k : columns.Values)
+  const auto fail = [&file](const std::string& what)
+  { FailIn(file, AstmFormatName, "VARS", what); };
+  AstmColumns columns;
+  columns.Angles.fill(NoColumn);
+  std::vector<std::pair<double, std::size_t>> values; // wavelength and column
+  for (std::size_t k = 0; k < names.size(); ++k)
   {
-    const double wavelength = ToWavelength(names[k]);
-    if (wavelength > 0.0)
+    const auto angle =
+      static_cast<std::size_t>(std::find(AngleNames, AngleNames + 4, names[k]) - AngleNames);
+    if (angle == 4)
     {
-      found.emplace_back(wavelength, k);
+      values.emplace_back(ToWavelength(names[k]), k);
+      continue;
+    }
+    if (columns.Angles[angle] != NoColumn)
+    {
+      fail("names " + Quote(names[k]) + " twice");
+    }
+    columns.Angles[angle] = k;
+  }
+  for (const std::size_t k : { 0, 2, 3 })
+  {
+    if (columns.Angles[k] == NoColumn)
+    {
+      fail(std::string("names no ") + AngleNames[k] +
+           ", expected theta_i, phi_i, theta_s, phi_s and values");
     }
   }
-  if (found.size() != columns.Values.size())
+  if (values.empty())
   {
-    return {};
+    fail("names no column of values");
   }
-  std::sort(found.begin(), found.end());
-  std::vector<double> wavelengths;
-  for (std::size_t k = 0; k < found.size(); ++k)
+  const bool isSpectral =
+    std::all_of(values.begin(), values.end(), [](const auto& value) { return value.first > 0.0; });
+  if (isSpectral)
   {
-    if (k > 0 && found[k].first == found[k - 1].first)
+    std::sort(values.begin(), values.end());
+  }
+  for (const auto& [wavelength, column] : values)
+  {
+    columns.Values.push_back(column);
+    if (isSpectral && !columns.Wavelengths.empty() && columns.Wavelengths.back() == wavelength)
     {
-      Fail(file, "VARS", "names " + GetWavelengthName(found[k].first) + " twice");
+      fail("names " + GetWavelengthName(wavelength) + " twice");
     }
-    columns.Values[k] = found[k].second;
-    wavelengths.push_back(found[k].first);
+    if (isSpectral)
+    {
+      columns.Wavelengths.push_back(wavelength);
+    }
   }
-  return wavelengths;
+  return columns;
 }
 
-// What the values are: weights of the columns, of which some are left out.
+// What the values are: the chosen ones, and their weights.
 SpectralChannels FindChannels(const FileBytes& file, const std::vector<std::string>& names,
-  Columns& columns, const std::string& material)
+  const AstmColumns& columns, const std::string& material)
 {
   SpectralChannels channels;
-  const std::vector<double> wavelengths = FindWavelengths(file, names, columns);
-  if (!wavelengths.empty())
+  if (!columns.Wavelengths.empty())
   {
-    const std::string problem = channels.Choose(wavelengths, material);
-    if (!problem.empty())
+    try
     {
-      Fail(file, "name", problem);
+      return ChooseChannels(columns.Wavelengths, material);
     }
-    std::vector<std::size_t> chosen;
-    for (const std::size_t k : channels.Chosen)
+    catch (const std::runtime_error& e)
     {
-      chosen.push_back(columns.Values[k]);
+      FailIn(file, AstmFormatName, "name", e.what());
     }
-    columns.Values = chosen;
-    return channels;
   }
   if (!material.empty())
   {
-    Fail(file, "name", "found " + Quote("#" + material) + ", but the columns are no wavelengths");
+    FailIn(file, AstmFormatName, "name",
+      "found " + Quote("#" + material) + ", but the columns are no wavelengths");
   }
   std::string together;
   for (const std::size_t k : columns.Values)
   {
+    channels.Chosen.push_back(channels.Chosen.size());
     together += (together.empty() ? "" : ",") + names[k];
   }
   if (columns.Values.size() == 1)
   {
-    channels.Weights = { { 1.0, 1.0, 1.0 } };
+    channels.Weights = { glm::dvec3(1.0) };
     channels.Note = "Gray, of the column " + Quote(together) + ".";
   }
   else if (together == "R,G,B")
@@ -381,13 +341,13 @@ SpectralChannels FindChannels(const FileBytes& file, const std::vector<std::stri
   {
     for (std::size_t j = 0; j < 3; ++j)
     {
-      channels.Weights.push_back({ XYZToRGB[0][j], XYZToRGB[1][j], XYZToRGB[2][j] });
+      channels.Weights.emplace_back(XYZToRGB[0][j], XYZToRGB[1][j], XYZToRGB[2][j]);
     }
     channels.Note = "X, Y, Z were taken to be under D65.";
   }
   else
   {
-    Fail(file, "VARS",
+    FailIn(file, AstmFormatName, "VARS",
       "found the values " + Quote(together) +
         ", expected R,G,B or X,Y,Z or wavelengths such as 550nm, or one column");
   }
@@ -396,13 +356,13 @@ SpectralChannels FindChannels(const FileBytes& file, const std::vector<std::stri
 
 //------------------------------------------------------------------------------
 // Polar angles of radians are at most pi/2.
-bool AreDegrees(const AstmTexts& texts, const Columns& columns)
+bool AreDegrees(const AstmText& text, const AstmColumns& columns)
 {
-  for (std::size_t row = 0; row < texts.GetNumberOfRows(); ++row)
+  for (std::size_t row = 0; row < text.GetNumberOfRows(); ++row)
   {
-    const double* numbers = &texts.Numbers[row * texts.Columns.size()];
+    const double* numbers = text.GetRow(row);
     if (std::max(std::abs(numbers[columns.Angles[0]]), std::abs(numbers[columns.Angles[2]])) >
-        (RightAngle + Rounding) * Degree)
+        ToRadians(RightAngle + AngleRounding))
     {
       return true;
     }
@@ -410,15 +370,19 @@ bool AreDegrees(const AstmTexts& texts, const Columns& columns)
   return false;
 }
 
-// Polar angles that are not negative.
-GonioAngles ToAngles(const FileBytes& file, std::size_t line, std::array<double, 4> angles)
+// A row's angles in degrees, polar ones that are not negative.
+std::array<float, 4> GetAngles(
+  const AstmText& text, const AstmColumns& columns, std::size_t row, bool degrees)
 {
+  std::array<double, 4> angles = {};
   for (std::size_t k = 0; k < 4; ++k)
   {
+    const double angle = columns.Angles[k] == NoColumn ? 0.0 : text.GetRow(row)[columns.Angles[k]];
+    angles[k] = degrees ? angle : ToDegrees(angle);
     const double most = k % 2 == 0 ? RightAngle : MostTurns * 360.0;
-    if (!(std::abs(angles[k]) <= most + Rounding))
+    if (!(std::abs(angles[k]) <= most + AngleRounding))
     {
-      Fail(file, "line " + std::to_string(line),
+      text.FailAt(text.Lines[row], "",
         std::string(AngleNames[k]) + " is " + NumberText(angles[k]) + " degrees, expected " +
           NumberText(-most) + " to " + NumberText(most));
     }
@@ -436,46 +400,40 @@ GonioAngles ToAngles(const FileBytes& file, std::size_t line, std::array<double,
     static_cast<float>(angles[2]), static_cast<float>(angles[3]) };
 }
 
-GonioReadings Arrange(
-  const FileBytes& file, const AstmTexts& texts, const Columns& columns, MaterialFile& result)
+std::vector<GonioReading> GetReadings(const AstmText& text, const AstmColumns& columns,
+  const SpectralChannels& channels, MaterialFile& result)
 {
-  const bool degrees = AreDegrees(texts, columns);
+  const bool degrees = AreDegrees(text, columns);
   result.AddNote(std::string("Angles were taken as ") + (degrees ? "degrees." : "radians."));
-  GonioReadings readings;
-  readings.Channels = columns.Values.size();
-  for (std::size_t row = 0; row < texts.GetNumberOfRows(); ++row)
+  std::vector<GonioReading> readings;
+  for (std::size_t row = 0; row < text.GetNumberOfRows(); ++row)
   {
-    const std::size_t line = texts.Lines[row];
-    const double* numbers = &texts.Numbers[row * texts.Columns.size()];
-    std::array<double, 4> angles = {};
-    for (std::size_t k = 0; k < 4; ++k)
+    const std::array<float, 4> angles = GetAngles(text, columns, row, degrees);
+    glm::dvec3 color(0.0);
+    for (std::size_t k = 0; k < channels.Chosen.size(); ++k)
     {
-      const double angle = columns.Angles[k] == None ? 0.0 : numbers[columns.Angles[k]];
-      angles[k] = degrees ? angle : angle / Degree;
-    }
-    readings.Angles.push_back(ToAngles(file, line, angles));
-    for (const std::size_t k : columns.Values)
-    {
-      const auto value = static_cast<float>(numbers[k]);
-      if (!std::isfinite(value))
+      const double value = text.GetRow(row)[columns.Values[channels.Chosen[k]]];
+      if (!std::isfinite(static_cast<float>(value)))
       {
-        Fail(file, "line " + std::to_string(line),
-          "found " + NumberText(numbers[k]) + ", expected a number that 32 bits can hold");
+        text.FailAt(text.Lines[row], "",
+          "found " + NumberText(value) + ", expected a number that 32 bits can hold");
       }
-      result.NumberOfNegativeValues += value < 0.0f;
-      readings.Values.push_back(value);
+      result.NumberOfNegativeValues += value < 0.0;
+      color += channels.Weights[k] * value;
     }
+    readings.push_back({ angles[0], angles[1], angles[2], angles[3], color });
   }
   return readings;
 }
+
 //------------------------------------------------------------------------------
 MaterialFile ReadAstm(const FileBytes& file, const std::string& material)
 {
-  const AstmTexts texts = AstmParser(file).Parse();
+  const AstmText text(file, false);
+  const AstmColumns columns = FindColumns(file, text.Columns);
+  const SpectralChannels channels = FindChannels(file, text.Columns, columns, material);
   MaterialFile result;
-  Columns columns = FindColumns(file, texts.Columns);
-  const SpectralChannels channels = FindChannels(file, texts.Columns, columns, material);
-  for (const std::string& line : texts.Header)
+  for (const std::string& line : text.Header)
   {
     result.AddNote("File header: " + line);
   }
@@ -483,18 +441,13 @@ MaterialFile ReadAstm(const FileBytes& file, const std::string& material)
   {
     result.AddNote(channels.Note);
   }
-  GonioReadings readings = Arrange(file, texts, columns, result);
-  readings.Weights = channels.Weights;
+  std::vector<GonioReading> readings = GetReadings(text, columns, channels, result);
   if (result.NumberOfNegativeValues > 0)
   {
     result.AddNote(std::to_string(result.NumberOfNegativeValues) +
                    " values are negative: kept, clamped at 0 after interpolation.");
   }
-  const std::string problem = MakeGonioTable(std::move(readings), result);
-  if (!problem.empty())
-  {
-    Fail(file, "rows", problem);
-  }
+  MakeGonioTable(std::move(readings), file.GetPath() + ": " + AstmFormatName + ", rows", result);
   result.BRDF->SetName(GetFileStem(file.GetPath()) + (material.empty() ? "" : " " + material));
   result.BRDF->SetSource("ASTM E1392 text file " + GetFileTitle(file.GetPath()));
   return result;
@@ -503,10 +456,8 @@ MaterialFile ReadAstm(const FileBytes& file, const std::string& material)
 //------------------------------------------------------------------------------
 std::vector<std::string> ListAstmWavelengths(const FileBytes& file)
 {
-  const AstmTexts texts = AstmParser(file).Parse(true);
-  Columns columns = FindColumns(file, texts.Columns);
   std::vector<std::string> names;
-  for (const double wavelength : FindWavelengths(file, texts.Columns, columns))
+  for (const double wavelength : FindColumns(file, AstmText(file, true).Columns).Wavelengths)
   {
     names.push_back(GetWavelengthName(wavelength));
   }

@@ -4,7 +4,6 @@
 
 #include "FileBytes.h"
 
-#include <fstream>
 #include <map>
 
 namespace measuredbrdf
@@ -125,17 +124,6 @@ void CheckExrHeader(const FileBytes& file, const std::string& format)
   const bool multiPart = (reader.Read<std::uint32_t>("version") & MultiPartFlag) != 0;
   while (CheckHeader(reader) && multiPart)
   {
-  }
-}
-
-//------------------------------------------------------------------------------
-void CheckExrImage(const std::string& path)
-{
-  char magic[sizeof(ExrMagic)] = "";
-  std::ifstream(path, std::ios::binary).read(magic, sizeof(magic) - 1);
-  if (std::string(magic) == ExrMagic)
-  {
-    CheckExrHeader(FileBytes(path), "OpenEXR image");
   }
 }
 } // namespace measuredbrdf

@@ -22,9 +22,6 @@ constexpr const char ExrMagic[] = "\x76\x2f\x31\x01";
  * calls the file's format.
  */
 void CheckExrHeader(const FileBytes& file, const std::string& format);
-
-/// The same for an image file that begins with ExrMagic; nothing for any other file.
-void CheckExrImage(const std::string& path);
 } // namespace measuredbrdf
 
 #endif

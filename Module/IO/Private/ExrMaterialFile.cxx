@@ -50,7 +50,7 @@ constexpr int JsonVersion = 1;
 constexpr int MaximumDepth = 16; // of terms in terms
 
 // ZIP (deflate) shrinks by 1032 at most; what a header promises beyond that is a lie.
-constexpr std::uint64_t MaximumCompression = 1032;
+constexpr double MaximumCompression = 1032.0;
 
 const std::array<const char*, 3> ColorChannels = { "R", "G", "B" };
 const char* const GrayChannel = "Y";
@@ -90,28 +90,24 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// Width and height of the part that holds an array; false where OpenEXR has no such image.
-bool GetExtent(const std::vector<int>& shape, int& width, int& height)
+// The pixels of the part that holds an array; an empty box where OpenEXR has no such image.
+Imath::Box2i GetWindow(const std::vector<int>& shape)
 {
-  std::int64_t rows = 1;
-  for (std::size_t axis = 0; axis < shape.size(); ++axis)
+  constexpr double most = std::numeric_limits<int>::max() / 2;
+  double rows = 1.0;
+  double width = 1.0;
+  double least = 1.0;
+  for (const int size : shape)
   {
-    if (shape[axis] < 1)
-    {
-      return false;
-    }
-    if (axis + 1 < shape.size())
-    {
-      rows *= shape[axis];
-      if (rows > std::numeric_limits<int>::max() / 2)
-      {
-        return false;
-      }
-    }
+    rows *= width;
+    width = size;
+    least = std::min(least, width);
   }
-  width = shape.empty() ? 1 : shape.back();
-  height = static_cast<int>(rows);
-  return width <= std::numeric_limits<int>::max() / 2;
+  if (least < 1.0 || rows > most || width > most)
+  {
+    return {};
+  }
+  return { Imath::V2i(0, 0), Imath::V2i(static_cast<int>(width) - 1, static_cast<int>(rows) - 1) };
 }
 
 //------------------------------------------------------------------------------
@@ -170,13 +166,11 @@ std::vector<Imf::Header> MakeHeaders(const std::vector<Part>& parts, Imf::PixelT
   std::vector<Imf::Header> headers;
   for (const Part& part : parts)
   {
-    int width = 0;
-    int height = 0;
-    if (!GetExtent(part.Array->Shape, width, height))
+    const Imath::Box2i window = GetWindow(part.Array->Shape);
+    if (window.isEmpty())
     {
       throw std::runtime_error("array " + Quote(part.Name) + " is too large for an image");
     }
-    const Imath::Box2i window(Imath::V2i(0, 0), Imath::V2i(width - 1, height - 1));
     display.extendBy(window);
     Imf::Header& exr = headers.emplace_back(window, window);
     exr.compression() = Imf::ZIP_COMPRESSION;
@@ -222,9 +216,9 @@ void WritePart(Imf::MultiPartOutputFile& output, int index, const Part& part,
 class PartReader
 {
 public:
-  PartReader(Imf::MultiPartInputFile& input, std::uint64_t fileSize)
+  PartReader(Imf::MultiPartInputFile& input, std::size_t fileSize)
     : Input(input)
-    , BytesLeft(fileSize * MaximumCompression)
+    , BytesLeft(double(fileSize) * MaximumCompression)
   {
     for (int k = 0; k < input.parts(); ++k)
     {
@@ -237,29 +231,26 @@ public:
 
   void Read(const std::string& name, vtkBRDFData::Array& array)
   {
+    const auto fail = [&name](const std::string& what)
+    { throw std::runtime_error("part " + Quote(name) + what); };
     const auto found = this->Parts.find(name);
     if (found == this->Parts.end())
     {
-      throw std::runtime_error("part " + Quote(name) + " is missing");
+      fail(" is missing");
     }
     const Imf::Header& header = this->Input.header(found->second);
-    const Imath::Box2i window = header.dataWindow();
-    int width = 0;
-    int height = 0;
-    if (!GetExtent(array.Shape, width, height) || window.min != Imath::V2i(0, 0) ||
-        window.max != Imath::V2i(width - 1, height - 1))
+    const Imath::Box2i window = GetWindow(array.Shape);
+    if (window.isEmpty() || header.dataWindow() != window)
     {
-      throw std::runtime_error("part " + Quote(name) +
-                               ": its data window does not hold the shape that " + "attribute '" +
-                               AttributeName + "' gives");
+      fail(std::string(": its data window does not hold the shape that attribute '") +
+           AttributeName + "' gives");
     }
     if (header.hasType() && header.type() != Imf::SCANLINEIMAGE)
     {
-      throw std::runtime_error("part " + Quote(name) + ": found type " + Quote(header.type()) +
-                               ", expected " + Imf::SCANLINEIMAGE);
+      fail(": found type " + Quote(header.type()) + ", expected " + Imf::SCANLINEIMAGE);
     }
     int channels = 0;
-    std::uint64_t texelBytes = 0; // in the file
+    double texelBytes = 0.0; // in the file
     for (auto it = header.channels().begin(); it != header.channels().end(); ++it)
     {
       const Imf::Channel& channel = it.channel();
@@ -268,34 +259,33 @@ public:
       if ((channel.type != Imf::FLOAT && channel.type != Imf::HALF) || channel.xSampling != 1 ||
           channel.ySampling != 1)
       {
-        throw std::runtime_error("part " + Quote(name) + ", channel " + Quote(it.name()) +
-                                 ": expected 32-bit or 16-bit floats, not subsampled");
+        fail(
+          ", channel " + Quote(it.name()) + ": expected 32-bit or 16-bit floats, not subsampled");
       }
     }
     if (channels != array.Channels)
     {
-      throw std::runtime_error("part " + Quote(name) + ": found " + std::to_string(channels) +
-                               " channels, expected " + std::to_string(array.Channels));
+      fail(": found " + std::to_string(channels) + " channels, expected " +
+           std::to_string(array.Channels));
     }
-    if (width * texelBytes > this->BytesLeft / height) // the product of the three may overflow
+    const int height = window.max.y + 1;
+    const std::size_t row = std::size_t(window.max.x + 1) * std::size_t(array.Channels);
+    this->BytesLeft -= (window.max.x + 1.0) * height * texelBytes;
+    if (this->BytesLeft < 0.0)
     {
-      throw std::runtime_error(
-        "part " + Quote(name) + ": its size is more than a file of this length can hold");
+      fail(": its size is more than a file of this length can hold");
     }
-    this->BytesLeft -= width * texelBytes * height;
-
-    const std::size_t row = std::size_t(width) * array.Channels * sizeof(float);
-    array.Values.resize(row / sizeof(float) * height);
+    array.Values.resize(row * std::size_t(height));
     Imf::FrameBuffer buffer;
     for (int k = 0; k < array.Channels; ++k)
     {
       const char* channel = GetChannelName(array.Channels, k);
       if (!header.channels().findChannel(channel))
       {
-        throw std::runtime_error("part " + Quote(name) + ": channel " + channel + " is missing");
+        fail(std::string(": channel ") + channel + " is missing");
       }
       buffer.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&array.Values[k]),
-                               sizeof(float) * array.Channels, row));
+                               sizeof(float) * array.Channels, sizeof(float) * row));
     }
     try
     {
@@ -305,14 +295,14 @@ public:
     }
     catch (const std::exception& e)
     {
-      throw std::runtime_error("part " + Quote(name) + ": " + e.what());
+      fail(std::string(": ") + e.what());
     }
   }
 
 private:
   Imf::MultiPartInputFile& Input;
   std::map<std::string, int> Parts;
-  std::uint64_t BytesLeft;
+  double BytesLeft;
 };
 
 //------------------------------------------------------------------------------

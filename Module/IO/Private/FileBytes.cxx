@@ -24,6 +24,13 @@ using FilePointer = std::unique_ptr<std::FILE, FileCloser>;
 }
 
 //------------------------------------------------------------------------------
+void FailIn(const FileBytes& file, const std::string& format, const std::string& field,
+  const std::string& what)
+{
+  throw FileError(file.GetPath() + ": " + format + ", " + field + ": " + what);
+}
+
+//------------------------------------------------------------------------------
 bool CatchFileError(const std::string& path, std::string& error, const std::function<void()>& run)
 {
   try
@@ -165,6 +172,20 @@ const char* ByteReader::Take(std::uint64_t count, const std::string& field)
   }
   const char* bytes = this->File.GetData() + this->Offset;
   this->Offset += static_cast<std::size_t>(count);
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+const char* ByteReader::TakeRest(std::uint64_t count, const std::string& values)
+{
+  const std::size_t begin = this->Offset;
+  const std::uint64_t found = this->GetRemaining();
+  const char* bytes = found < count ? nullptr : this->Take(count, "values");
+  if (!bytes || !this->IsPadding())
+  {
+    this->FailAt(begin, "values",
+      values + " need " + std::to_string(count) + " bytes, found " + std::to_string(found));
+  }
   return bytes;
 }
 

@@ -35,6 +35,11 @@ public:
   }
 };
 
+/// Throw FileError: "PATH: FORMAT, FIELD: what".
+class FileBytes;
+[[noreturn]] void FailIn(const FileBytes& file, const std::string& format, const std::string& field,
+  const std::string& what);
+
 /// Whether run() came back. If not, error says what it threw, and names the file: a FileError, or
 /// anything else, such as that memory ran out.
 bool CatchFileError(const std::string& path, std::string& error, const std::function<void()>& run);
@@ -107,6 +112,9 @@ public:
 
   /// The next count bytes, stepped over.
   const char* Take(std::uint64_t count, const std::string& field);
+
+  /// The next count bytes, behind which there is nothing but padding. values: what they are.
+  const char* TakeRest(std::uint64_t count, const std::string& values);
 
   /// Whether at most 4 KiB of zeros, white space and DOS's end of file are left: what transfers and
   /// editors add behind the data.

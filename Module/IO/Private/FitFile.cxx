@@ -21,6 +21,8 @@
 #include "vtkNew.h"
 #include "vtkSumBRDF.h"
 
+#include <glm/glm.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -38,18 +40,12 @@ namespace
 {
 constexpr const char* FitFormatName = "published fits (text)";
 constexpr int DeepestTerm = 16;
+constexpr double NoiseOfFigures = 1e-6; // that figures may lie beyond their bounds by
+constexpr const char* DecimalHint = " (decimals follow a point, not a comma)";
 
-bool IsNameCharacter(char c)
-{
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-         c == '_' || c == '.';
-}
-
-/// Throws FileError: "PATH: FORMAT, line N: what".
-[[noreturn]] void FailAtLine(const std::string& path, int line, const std::string& what)
-{
-  throw FileError(path + ": " + FitFormatName + ", line " + std::to_string(line) + ": " + what);
-}
+// Ngan et al. fitted MERL's data without its color scale (1, 1.15, 1.66)/1500 (MerlFile.cxx)
+// relative to red, so their figures need it; Low et al. applied it.
+constexpr double NganScale[3] = { 1.0, 1.15, 1.66 };
 
 /// Model(attribute = value, ..., Model(...), ...)
 struct FitCall
@@ -58,8 +54,17 @@ struct FitCall
   int Line = 0;
   std::map<std::string, std::vector<double>> Attributes;
   std::vector<FitCall> Terms;
+
+  /// Whether it or a term of it is a model whose name begins so.
+  bool Uses(const std::string& start) const
+  {
+    return this->Model.compare(0, start.size(), start) == 0 ||
+           std::any_of(this->Terms.begin(), this->Terms.end(),
+             [&](const FitCall& term) { return term.Uses(start); });
+  }
 };
 
+//------------------------------------------------------------------------------
 /**
  * Recursive descent over the grammar. Every method steps over white space and comments first, and
  * throws FileError where the text is not what it reads.
@@ -67,17 +72,16 @@ struct FitCall
 class FitParser
 {
 public:
-  /// Both stay with the caller.
-  FitParser(const std::string& path, std::string_view text)
-    : Path(path)
-    , Text(text)
+  explicit FitParser(const FileBytes& file)
+    : File(file)
+    , Text(file.GetView())
   {
+    constexpr std::string_view mark = "\xef\xbb\xbf"; // that some editors begin UTF-8 with
+    this->Place = this->Text.substr(0, mark.size()) == mark ? mark.size() : 0;
   }
 
-  int GetLine() const { return this->Line; }
-
-  /// The text of all comments so far.
-  const std::string& GetComments() const { return this->Comments; }
+  int Line = 1;
+  std::string Comments; // the text of all of them so far
 
   bool IsAtEnd()
   {
@@ -109,14 +113,15 @@ public:
     }
   }
 
-  FitCall ReadCall(int depth = 0)
+  /// What follows a model's name.
+  FitCall ReadCall(const std::string& model, int depth = 0)
   {
     if (depth > DeepestTerm)
     {
-      FailAtLine(this->Path, this->Line, "models are nested too deeply");
+      this->FailAt(this->Line, "models are nested too deeply");
     }
     FitCall call;
-    call.Model = this->ReadName("a model's name");
+    call.Model = model;
     call.Line = this->Line;
     this->Expect('(');
     if (this->Accept(')'))
@@ -125,34 +130,38 @@ public:
     }
     do
     {
-      const std::size_t begin = this->Place;
-      const int line = this->Line;
       const std::string name = this->ReadName("an attribute or a model");
-      if (name[0] >= '0' && name[0] <= '9')
+      if (std::isdigit(static_cast<unsigned char>(name[0])) != 0)
       {
-        FailAtLine(this->Path, this->Line,
-          "expected an attribute or a model, found " + Quote(name) +
-            " (decimals follow a point, not a comma)");
+        this->FailAt(
+          this->Line, "expected an attribute or a model, found " + Quote(name) + DecimalHint);
       }
-      if (this->Accept('='))
+      if (!this->Accept('='))
       {
-        if (!call.Attributes.emplace(name, this->ReadValue(name)).second)
-        {
-          FailAtLine(this->Path, this->Line, "attribute " + Quote(name) + " appears twice");
-        }
+        call.Terms.push_back(this->ReadCall(name, depth + 1));
       }
-      else
+      else if (!call.Attributes.emplace(name, this->ReadValue(name)).second)
       {
-        this->Place = begin;
-        this->Line = line;
-        call.Terms.push_back(this->ReadCall(depth + 1));
+        this->FailAt(this->Line, "attribute " + Quote(name) + " appears twice");
       }
     } while (this->Accept(','));
     this->Expect(')');
     return call;
   }
 
+  /// Throws FileError: "PATH: FORMAT, line N: what".
+  [[noreturn]] void FailAt(int line, const std::string& what) const
+  {
+    FailIn(this->File, FitFormatName, "line " + std::to_string(line), what);
+  }
+
 private:
+  static bool IsNameCharacter(char c)
+  {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_' || c == '.';
+  }
+
   void SkipSpace()
   {
     for (; this->Place < this->Text.size(); ++this->Place)
@@ -161,19 +170,10 @@ private:
       if (c == '#')
       {
         const std::size_t end = std::min(this->Text.find('\n', this->Place), this->Text.size());
-        // A comment inside a call is met twice where ReadCall goes back: taken once.
-        if (this->Place >= this->CommentsEnd)
-        {
-          this->Comments.append(this->Text.substr(this->Place + 1, end - this->Place - 1));
-          this->CommentsEnd = end;
-        }
-        this->Place = end;
-        if (end == this->Text.size())
-        {
-          return;
-        }
+        this->Comments.append(this->Text.substr(this->Place + 1, end - this->Place - 1));
+        this->Place = end - 1;
       }
-      if (this->Text[this->Place] == '\n')
+      else if (c == '\n')
       {
         ++this->Line;
       }
@@ -187,94 +187,76 @@ private:
   bool Accept(char character)
   {
     this->SkipSpace();
-    if (this->Place < this->Text.size() && this->Text[this->Place] == character)
-    {
-      ++this->Place;
-      return true;
-    }
-    return false;
-  }
-
-  double ReadNumber(const std::string& attribute)
-  {
-    this->SkipSpace();
-    this->Place += this->Place < this->Text.size() && this->Text[this->Place] == '+';
-    const char* begin = this->Text.data() + this->Place;
-    double value = 0.0;
-    // Not strtod: its decimal sign follows the locale.
-    const auto result = std::from_chars(begin, this->Text.data() + this->Text.size(), value);
-    if (result.ec != std::errc() || !std::isfinite(value))
-    {
-      this->Expected("a finite number for attribute " + Quote(attribute));
-    }
-    this->Place += static_cast<std::size_t>(result.ptr - begin);
-    return value;
+    const bool is = this->Place < this->Text.size() && this->Text[this->Place] == character;
+    this->Place += is ? 1 : 0;
+    return is;
   }
 
   std::vector<double> ReadValue(const std::string& attribute)
   {
     std::vector<double> values;
-    if (!this->Accept('['))
-    {
-      values.push_back(this->ReadNumber(attribute));
-      return values;
-    }
+    const bool isList = this->Accept('[');
     do
     {
-      values.push_back(this->ReadNumber(attribute));
-    } while (this->Accept(','));
-    this->Expect(']');
+      this->Accept('+');
+      double value = 0.0;
+      this->SkipSpace();
+      const char* begin = this->Text.data() + this->Place;
+      // Not strtod: its decimal sign follows the locale.
+      const auto result = std::from_chars(begin, this->Text.data() + this->Text.size(), value);
+      if (result.ec != std::errc() || !std::isfinite(value))
+      {
+        this->Expected("a finite number for attribute " + Quote(attribute));
+      }
+      this->Place += static_cast<std::size_t>(result.ptr - begin);
+      values.push_back(value);
+    } while (isList && this->Accept(','));
+    if (isList)
+    {
+      this->Expect(']');
+    }
     return values;
   }
 
   [[noreturn]] void Expected(const std::string& what)
   {
     this->SkipSpace();
-    std::string found = "the end of the file";
-    if (this->Place < this->Text.size())
-    {
-      const std::string_view rest = this->Text.substr(this->Place, 24);
-      found = Quote(rest.substr(0, rest.find_first_of("\r\n")));
-    }
-    FailAtLine(this->Path, this->Line, "expected " + what + ", found " + found);
+    const std::string_view rest = this->Text.substr(std::min(this->Place, this->Text.size()), 24);
+    this->FailAt(this->Line,
+      "expected " + what + ", found " +
+        (rest.empty() ? "the end of the file" : Quote(rest.substr(0, rest.find_first_of("\r\n")))));
   }
 
-  const std::string& Path;
+  const FileBytes& File;
   std::string_view Text;
   std::size_t Place = 0;
-  int Line = 1;
-  std::string Comments;
-  std::size_t CommentsEnd = 0;
 };
 
-// Ngan et al. fitted MERL's data without its color scale (1, 1.15, 1.66)/1500 (MerlFile.cxx)
-// relative to red, so their figures need it; Low et al. applied it.
-constexpr double NganScale[3] = { 1.0, 1.15, 1.66 };
-
-constexpr double Noise = 1e-6; // that figures may lie beyond their bounds by
-
-bool StartsWith(const std::string& text, const std::string& start)
-{
-  return text.compare(0, start.size(), start) == 0;
-}
-
 //------------------------------------------------------------------------------
-// Makes BRDFs of calls, scaled by Scale, and complains about what does not fit.
-class Builder
+// A material of the text.
+struct FitEntry
+{
+  std::string Name;
+  FitCall Expression;
+};
+
+// Makes BRDFs of an entry's calls, and complains about what does not fit.
+class FitBuilder
 {
 public:
-  /// result takes notes.
-  Builder(
-    const std::string& path, const std::string& name, const double scale[3], MaterialFile& result)
-    : Path(path)
-    , Name(name)
+  /// scale: of albedos; result takes notes.
+  FitBuilder(
+    const FitParser& parser, const FitEntry& entry, const double scale[3], MaterialFile& result)
+    : Parser(parser)
+    , Name(entry.Name)
+    , Scale(scale)
     , Result(result)
   {
-    std::copy_n(scale, 3, this->Scale);
   }
 
   void AddTerms(const FitCall& call, vtkSumBRDF* sum) const
   {
+    const bool isNgan = call.Model == "NganAshikhminShirley";
     if (call.Model == "Aggregate")
     {
       this->CheckAttributes(call, {}, true);
@@ -291,31 +273,25 @@ public:
     {
       this->CheckAttributes(call, { "albedo" });
       vtkNew<vtkLambertBRDF> term;
-      double albedo[3];
-      this->GetAlbedo(call, albedo);
-      term->SetAlbedo(albedo);
+      term->SetAlbedo(&this->GetAlbedo(call)[0]);
       sum->AddTerm(term);
     }
     else if (call.Model == "NganBlinnPhong")
     {
       this->CheckAttributes(call, { "albedo", "sharpness" });
       vtkNew<vtkBlinnPhongBRDF> term;
-      double specular[3];
-      this->GetAlbedo(call, specular);
-      term->SetSpecular(specular);
+      term->SetSpecular(&this->GetAlbedo(call)[0]);
       term->SetExponent(this->GetNumber(call, "sharpness", 0.0, 1e6));
       sum->AddTerm(term);
     }
-    else if (call.Model == "NganAshikhminShirley" || call.Model == "LowAshikhminShirley")
+    else if (isNgan || call.Model == "LowAshikhminShirley")
     {
       this->CheckAttributes(call, { "albedo", "fresnelReflectance", "sharpness" });
       vtkNew<vtkAshikhminShirleyBRDF> term;
-      double scale[3];
-      this->GetAlbedo(call, scale);
-      term->SetSpecularScale(scale);
+      term->SetSpecularScale(&this->GetAlbedo(call)[0]);
       const double exponent = this->GetNumber(call, "sharpness", 0.0, 1e6);
       term->SetExponents(exponent, exponent);
-      if (StartsWith(call.Model, "Ngan"))
+      if (isNgan)
       {
         const double reflectance = this->GetNumber(call, "fresnelReflectance", 0.0, 1.0);
         term->SetReflectance(reflectance, reflectance, reflectance);
@@ -339,7 +315,7 @@ public:
 private:
   [[noreturn]] void Complain(const FitCall& call, const std::string& what) const
   {
-    FailAtLine(this->Path, call.Line,
+    this->Parser.FailAt(call.Line,
       "material " + Quote(this->Name) + ", " + ToPrintable(call.Model, LongestName) + ": " + what);
   }
 
@@ -369,10 +345,9 @@ private:
     }
     if (found->second.size() != count)
     {
-      this->Complain(call,
-        "attribute '" + name + "' has " + std::to_string(found->second.size()) +
-          " numbers, expected " + std::to_string(count) +
-          (found->second.size() == 2 * count ? " (decimals follow a point, not a comma)" : ""));
+      this->Complain(call, "attribute '" + name + "' has " + std::to_string(found->second.size()) +
+                             " numbers, expected " + std::to_string(count) +
+                             (found->second.size() == 2 * count ? DecimalHint : ""));
     }
     return found->second;
   }
@@ -383,13 +358,16 @@ private:
     return this->Repair(call, name, this->GetAttribute(call, name, 1)[0], lowest, highest);
   }
 
-  void GetAlbedo(const FitCall& call, double albedo[3]) const
+  glm::dvec3 GetAlbedo(const FitCall& call) const
   {
     const std::vector<double>& values = this->GetAttribute(call, "albedo", 3);
+    glm::dvec3 albedo;
     for (int k = 0; k < 3; ++k)
     {
-      albedo[k] = this->Repair(call, "albedo", values[k], 0.0, HUGE_VAL) * this->Scale[k];
+      const double value = values[static_cast<std::size_t>(k)];
+      albedo[k] = this->Repair(call, "albedo", value, 0.0, HUGE_VAL) * this->Scale[k];
     }
+    return albedo;
   }
 
   // In bounds, or what rounding put beyond them.
@@ -397,84 +375,64 @@ private:
     const FitCall& call, const std::string& name, double value, double lowest, double highest) const
   {
     const double repaired = std::clamp(value, lowest, highest);
-    if (std::abs(value - repaired) > Noise * std::max(std::abs(repaired), 1.0))
+    if (std::abs(value - repaired) > NoiseOfFigures * std::max(std::abs(repaired), 1.0))
     {
-      TextStream text;
-      text << "attribute '" << name << (value < 0.0 ? "' is negative: " : "' is ") << value
-           << ", expected " << lowest;
-      text << (highest < HUGE_VAL ? " to " : " or more");
-      if (highest < HUGE_VAL)
-      {
-        text << highest;
-      }
-      this->Complain(call, text.str());
+      this->Complain(call, "attribute '" + name + (value < 0.0 ? "' is negative: " : "' is ") +
+                             NumberText(value) + ", expected " + NumberText(lowest) +
+                             (highest < HUGE_VAL ? " to " + NumberText(highest) : " or more"));
     }
     if (value != repaired)
     {
-      TextStream text;
-      text << call.Model << ": attribute '" << name << "' is " << value << ", beyond " << repaired
-           << " by rounding: taken as that.";
-      this->Result.AddNote(text.str());
+      this->Result.AddNote(call.Model + ": attribute '" + name + "' is " + NumberText(value) +
+                           ", beyond " + NumberText(repaired) + " by rounding: taken as that.");
       this->Result.NumberOfNegativeValues += value < 0.0;
     }
     return repaired;
   }
 
-  const std::string& Path;
+  const FitParser& Parser;
   const std::string& Name;
+  const double* Scale;
   MaterialFile& Result;
-  double Scale[3];
 };
 
 //------------------------------------------------------------------------------
-bool AnyModel(const FitCall& call, const std::string& start)
-{
-  return StartsWith(call.Model, start) ||
-         std::any_of(call.Terms.begin(), call.Terms.end(),
-           [&](const FitCall& term) { return AnyModel(term, start); });
-}
-
 /**
  * The text taken apart. Strict: one wrong entry makes the whole text wrong.
  */
 class FitFile
 {
 public:
-  /// path: what errors call the text.
-  FitFile(const std::string& path, std::string_view text)
-    : Path(path)
+  explicit FitFile(const FileBytes& file)
+    : File(file)
+    , Parser(file)
   {
-    constexpr std::string_view mark = "\xef\xbb\xbf"; // that some editors begin UTF-8 with
-    FitParser parser(path, text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text);
     std::map<std::string, int> lines;
-    while (!parser.IsAtEnd())
+    while (!this->Parser.IsAtEnd())
     {
-      Entry entry;
-      const int line = parser.GetLine();
-      entry.Name = parser.ReadName("a material's name");
-      parser.Expect('=');
-      entry.Expression = parser.ReadCall();
-      const auto inserted = lines.emplace(entry.Name, line);
-      if (!inserted.second)
+      const int line = this->Parser.Line;
+      const std::string name = this->Parser.ReadName("a material's name");
+      const auto [first, isNew] = lines.emplace(name, line);
+      if (!isNew)
       {
-        FailAtLine(path, line,
-          "material " + Quote(entry.Name) + " was already given in line " +
-            std::to_string(inserted.first->second));
+        this->Parser.FailAt(line, "material " + Quote(name) + " was already given in line " +
+                                    std::to_string(first->second));
       }
-      this->Entries.push_back(std::move(entry));
+      this->Parser.Expect('=');
+      const std::string model = this->Parser.ReadName("a model's name");
+      this->Entries.push_back({ name, this->Parser.ReadCall(model) });
     }
     if (this->Entries.empty())
     {
-      FailAtLine(path, parser.GetLine(), "no material; expected lines 'name = Aggregate(...)'");
+      this->Parser.FailAt(this->Parser.Line, "no material; expected lines 'name = Aggregate(...)'");
     }
-    this->Comments = parser.GetComments();
   }
 
   /// In the order of the text.
   std::vector<std::string> GetNames() const
   {
     std::vector<std::string> names;
-    for (const Entry& entry : this->Entries)
+    for (const FitEntry& entry : this->Entries)
     {
       names.push_back(entry.Name);
     }
@@ -484,29 +442,26 @@ public:
   /// The material of that name; empty: the only one. Throws where there is no such one.
   MaterialFile GetMaterial(const std::string& name) const
   {
-    const Entry& entry = this->Find(name);
+    const FitEntry& entry = this->Find(name);
+    const FitCall& expression = entry.Expression;
+    const bool low = expression.Uses("Low");
     const bool ngan =
-      AnyModel(entry.Expression, "Ngan") ||
-      (!AnyModel(entry.Expression, "Low") && this->Comments.find("Ngan") != std::string::npos);
-    const bool low = AnyModel(entry.Expression, "Low");
+      expression.Uses("Ngan") || (!low && this->Parser.Comments.find("Ngan") != std::string::npos);
     const double one[3] = { 1.0, 1.0, 1.0 };
-
     MaterialFile result;
     vtkNew<vtkSumBRDF> sum;
-    Builder(this->Path, entry.Name, ngan ? NganScale : one, result).AddTerms(entry.Expression, sum);
+    FitBuilder(this->Parser, entry, ngan ? NganScale : one, result).AddTerms(expression, sum);
     sum->SetName(entry.Name);
-
     std::string models;
-    for (const FitCall& term : entry.Expression.Terms)
+    for (const FitCall& term : expression.Terms)
     {
       models += (models.empty() ? "" : " + ") + term.Model;
     }
-    sum->SetSource((models.empty() ? entry.Expression.Model : models) + " fit" +
+    sum->SetSource((models.empty() ? expression.Model : models) + " fit" +
                    (ngan   ? " by Ngan et al. 2005"
                      : low ? " by Low et al. 2012"
                            : "") +
-                   ", " + GetFileTitle(this->Path));
-
+                   ", " + GetFileTitle(this->File.GetPath()));
     if (ngan)
     {
       result.AddNote("Ngan's figures lack MERL's color scale: albedos were multiplied by 1.00, "
@@ -517,38 +472,29 @@ public:
   }
 
 private:
-  struct Entry
+  const FitEntry& Find(const std::string& name) const
   {
-    std::string Name;
-    FitCall Expression;
-  };
-
-  const Entry& Find(const std::string& name) const
-  {
-    if (name.empty() && this->Entries.size() == 1)
-    {
-      return this->Entries.front();
-    }
+    const std::size_t count = this->Entries.size();
     const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
-      [&](const Entry& entry) { return entry.Name == name; });
+      [&](const FitEntry& entry) { return name.empty() ? count == 1 : entry.Name == name; });
     if (found != this->Entries.end())
     {
       return *found;
     }
     std::string some;
-    for (std::size_t k = 0; k < std::min<std::size_t>(3, this->Entries.size()); ++k)
+    for (std::size_t k = 0; k < std::min<std::size_t>(3, count); ++k)
     {
       some += (k ? ", " : "") + ToPrintable(this->Entries[k].Name, LongestName);
     }
-    throw FileError(this->Path + ": " + FitFormatName + ": " +
+    throw FileError(this->File.GetPath() + ": " + FitFormatName + ": " +
                     (name.empty() ? "choose one with #name" : "no material " + Quote(name)) +
-                    " among its " + std::to_string(this->Entries.size()) + " materials (" + some +
-                    (this->Entries.size() > 3 ? ", ...)" : ")"));
+                    " among its " + std::to_string(count) + " materials (" + some +
+                    (count > 3 ? ", ...)" : ")"));
   }
 
-  std::string Path;
-  std::string Comments;
-  std::vector<Entry> Entries;
+  const FileBytes& File;
+  FitParser Parser;
+  std::vector<FitEntry> Entries;
 };
 
 //------------------------------------------------------------------------------
@@ -576,7 +522,6 @@ bool CanReadFits(const vtkBRDFFormat::File& file)
 
 const MaterialFormat FitFormat = { FitFormatName,
   "published fits in .fit (FITS.fit#NAME for one of several)", ".fit", CanReadFits,
-  [](const FileBytes& file, const std::string& name)
-  { return FitFile(file.GetPath(), file.GetView()).GetMaterial(name); },
-  [](const FileBytes& file) { return FitFile(file.GetPath(), file.GetView()).GetNames(); } };
+  [](const FileBytes& file, const std::string& name) { return FitFile(file).GetMaterial(name); },
+  [](const FileBytes& file) { return FitFile(file).GetNames(); } };
 } // namespace measuredbrdf

@@ -1,21 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ImageFormats.h"
+#include "ImageFile.h"
 
 #include "FileBytes.h"
+#include "NumberText.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <fstream>
-#include <string_view>
+#include <iterator>
 
 namespace measuredbrdf
 {
 namespace
 {
-constexpr std::uint64_t MaximumTexels = std::uint64_t(1) << 28;
-constexpr std::int64_t MaximumSide = 1 << 16;
-constexpr std::int64_t MaximumChannels = 1024;
+constexpr double MaximumTexels = 1 << 28;
+constexpr double MaximumSide = 1 << 16;
+constexpr double MaximumChannels = 1024;
 
 // How a file of the format begins.
 struct Beginning
@@ -101,8 +103,8 @@ ImageSize PeekJpeg(Peek& file, std::uintmax_t fileSize)
     }
     if (marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc)
     {
-      size.Height = static_cast<std::int64_t>(file.Get(at + 5, 2, true));
-      size.Width = static_cast<std::int64_t>(file.Get(at + 7, 2, true));
+      size.Height = double(file.Get(at + 5, 2, true));
+      size.Width = double(file.Get(at + 7, 2, true));
       return size;
     }
     at += 2 + std::max<std::uint64_t>(file.Get(at + 2, 2, true), 2);
@@ -117,13 +119,12 @@ ImageSize PeekBitmap(Peek& file)
   ImageSize size;
   if (file.Get(14, 4, false) == 12)
   {
-    size.Width = static_cast<std::int64_t>(file.Get(18, 2, false));
-    size.Height = static_cast<std::int64_t>(file.Get(20, 2, false));
+    size.Width = double(file.Get(18, 2, false));
+    size.Height = double(file.Get(20, 2, false));
     return size;
   }
   size.Width = static_cast<std::int32_t>(file.Get(18, 4, false));
-  size.Height = static_cast<std::int32_t>(file.Get(22, 4, false));
-  size.Height = size.Height < 0 ? -size.Height : size.Height;
+  size.Height = std::abs(double(static_cast<std::int32_t>(file.Get(22, 4, false))));
   return size;
 }
 }
@@ -146,62 +147,47 @@ const ImageFormat& RecognizeImage(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-bool IsImageFormat(const ImageFormat& format, const char* reader)
-{
-  return std::strcmp(format.Reader, reader) == 0;
-}
-
-//------------------------------------------------------------------------------
-std::uint64_t GetTexelWeight(std::int64_t channels)
-{
-  return static_cast<std::uint64_t>(std::max<std::int64_t>(channels, 1) + 3) / 4;
-}
+double GetTexelWeight(double channels) { return std::ceil(std::max(channels, 1.0) / 4.0); }
 
 //------------------------------------------------------------------------------
 void CheckImageSize(const std::string& path, const ImageFormat& format, const ImageSize& size,
   std::uintmax_t fileSize)
 {
-  const std::string found = std::to_string(size.Width) + " x " + std::to_string(size.Height);
-  if (size.Width < 1 || size.Height < 1 || size.Channels < 1)
+  const auto number = [](double value) { return NumberText(value, 15); };
+  const std::string with = " with " + number(size.Channels) + " channels";
+  const auto fail = [&](const std::string& field, const std::string& what)
+  { throw FileError(path + ": " + field + ": found " + what); };
+  const std::string found = number(size.Width) + " x " + number(size.Height);
+  if (std::min({ size.Width, size.Height, size.Channels }) < 1)
   {
-    throw FileError(path + ": image size: found " + found + " with " +
-                    std::to_string(size.Channels) + " channels, expected at least 1 x 1 with 1");
+    fail("image size", found + with + ", expected at least 1 x 1 with 1");
   }
-  if (size.Width > MaximumSide || size.Height > MaximumSide)
+  if (std::max(size.Width, size.Height) > MaximumSide)
   {
-    throw FileError(path + ": image size: found " + found + ", expected sides of at most " +
-                    std::to_string(MaximumSide));
+    fail("image size", found + ", expected sides of at most " + number(MaximumSide));
   }
-  const std::uint64_t texels =
-    static_cast<std::uint64_t>(size.Width) * static_cast<std::uint64_t>(size.Height);
+  const double texels = size.Width * size.Height;
   if (texels > MaximumTexels)
   {
-    throw FileError(path + ": image size: found " + found + ", expected at most " +
-                    std::to_string(MaximumTexels) + " texels");
+    fail("image size", found + ", expected at most " + number(MaximumTexels) + " texels");
   }
   if (size.Channels > MaximumChannels)
   {
-    throw FileError(path + ": image channels: found " + std::to_string(size.Channels) +
-                    ", expected at most " + std::to_string(MaximumChannels));
+    fail("image channels", number(size.Channels) + ", expected at most " + number(MaximumChannels));
   }
-  const std::uint64_t weight = GetTexelWeight(size.Channels);
+  const double weight = GetTexelWeight(size.Channels);
   if (size.TileWidth > 0 &&
-      (size.TileWidth > MaximumSide || size.TileHeight > MaximumSide ||
-        static_cast<std::uint64_t>(size.TileWidth) *
-            static_cast<std::uint64_t>(std::max<std::int64_t>(size.TileHeight, 1)) * weight >
-          BlockTexels))
+      (std::max(size.TileWidth, size.TileHeight) > MaximumSide ||
+        size.TileWidth * std::max(size.TileHeight, 1.0) * weight > BlockTexels))
   {
-    throw FileError(path + ": tile size: found " + std::to_string(size.TileWidth) + " x " +
-                    std::to_string(size.TileHeight) + " with " + std::to_string(size.Channels) +
-                    " channels, expected at most " + std::to_string(BlockTexels / weight) +
-                    " texels");
+    fail("tile size", number(size.TileWidth) + " x " + number(size.TileHeight) + with +
+                        ", expected at most " + number(std::floor(BlockTexels / weight)) +
+                        " texels");
   }
-  if (texels * weight > BlockTexels &&
-      (texels * weight - BlockTexels) / format.TexelsPerByte > fileSize)
+  if ((texels * weight - BlockTexels) / format.TexelsPerByte > static_cast<double>(fileSize))
   {
-    throw FileError(path + ": image size: found " + found + " with " +
-                    std::to_string(size.Channels) + " channels, more than a file of " +
-                    std::to_string(fileSize) + " bytes can hold");
+    fail("image size",
+      found + with + ", more than a file of " + std::to_string(fileSize) + " bytes can hold");
   }
 }
 
@@ -209,11 +195,11 @@ void CheckImageSize(const std::string& path, const ImageFormat& format, const Im
 void CheckStoredSize(const std::string& path, const ImageFormat& format, std::uintmax_t fileSize)
 {
   Peek file(path);
-  if (IsImageFormat(format, Jpeg.Reader))
+  if (format.Is(Jpeg.Reader))
   {
     CheckImageSize(path, format, PeekJpeg(file, fileSize), fileSize);
   }
-  else if (IsImageFormat(format, Bitmap.Reader))
+  else if (format.Is(Bitmap.Reader))
   {
     CheckImageSize(path, format, PeekBitmap(file), fileSize);
   }

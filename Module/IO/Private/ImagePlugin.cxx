@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ImageDecoder.h"
+#include "ImageFile.h"
 
 #include "AbsentLibraries.h"
 #include "FileBytes.h"

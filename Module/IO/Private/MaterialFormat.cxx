@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialFormat.h"
 
+#include "NumberText.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 namespace measuredbrdf
 {
@@ -90,6 +92,20 @@ bool HasExtension(const std::string& path, std::string_view extension)
   return path.size() >= extension.size() &&
          std::equal(extension.rbegin(), extension.rend(), path.rbegin(),
            [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
+//------------------------------------------------------------------------------
+void NoteStrangeAlbedo(vtkBRDF* brdf, double darkest, const std::string& hint, MaterialFile& result)
+{
+  const double o[3] = { 0.5, 0.0, std::sqrt(0.75) };
+  double albedo[3];
+  brdf->GetDirectionalAlbedo(o, albedo);
+  const double largest = *std::max_element(albedo, albedo + 3);
+  if (largest > 1.0 || largest < darkest)
+  {
+    result.AddNote("The material reflects " + NumberText(largest, 3) +
+                   " times the light toward a view at 30 degrees: " + hint);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -89,6 +89,11 @@ bool HasMagic(const vtkBRDFFormat::File& file, std::string_view magic);
 /// Whether a path ends so, whatever the case; extension: lower case, with the dot.
 bool HasExtension(const std::string& path, std::string_view extension);
 
+/// What the material reflects toward a view at 30 degrees, as a note, where that is more than all
+/// light or less than darkest. hint: what the values may be instead.
+void NoteStrangeAlbedo(
+  vtkBRDF* brdf, double darkest, const std::string& hint, MaterialFile& result);
+
 /// Bytes of padding that a reader left out, as a note; nothing where there are none.
 void NotePadding(const ByteReader& reader, MaterialFile& result);
 } // namespace measuredbrdf

@@ -54,26 +54,6 @@ std::array<int, 3> ReadSizes(ByteReader& reader)
 }
 
 //------------------------------------------------------------------------------
-// The stored values, red first; nothing but padding is behind them.
-const char* TakeValues(ByteReader& reader, const std::array<int, 3>& sizes, std::size_t cells)
-{
-  const std::uint64_t needed = std::uint64_t(cells) * 3 * sizeof(double);
-  ByteReader rest = reader;
-  if (reader.GetRemaining() > needed)
-  {
-    rest.Take(needed, "values");
-  }
-  if (reader.GetRemaining() < needed || (reader.GetRemaining() > needed && !rest.IsPadding()))
-  {
-    reader.Fail("values", std::to_string(sizes[0]) + " x " + std::to_string(sizes[1]) + " x " +
-                            std::to_string(sizes[2]) + " RGB values need " +
-                            std::to_string(needed) + " bytes, found " +
-                            std::to_string(reader.GetRemaining()));
-  }
-  return reader.Take(needed, "values");
-}
-
-//------------------------------------------------------------------------------
 struct Cells
 {
   std::vector<float> RGB;
@@ -133,7 +113,9 @@ MaterialFile ReadMerl(const FileBytes& file, const std::string&)
   ByteReader reader(file, MerlFormatName);
   const std::array<int, 3> sizes = ReadSizes(reader);
   const std::size_t count = std::size_t(sizes[0]) * sizes[1] * sizes[2];
-  const char* bytes = TakeValues(reader, sizes, count);
+  const char* bytes = reader.TakeRest(std::uint64_t(count) * 3 * sizeof(double),
+    std::to_string(sizes[0]) + " x " + std::to_string(sizes[1]) + " x " + std::to_string(sizes[2]) +
+      " RGB values");
   MaterialFile result;
   Cells cells = ScaleValues(bytes, count, result);
 

@@ -12,11 +12,12 @@
  * fewer than two are visible, give gray, by the first of them; `path#905nm` picks one.
  */
 
+#include "BoundedJson.h"
 #include "GonioTable.h"
+#include "HalfVector.h"
 #include "MaterialFormat.h"
 #include "NumberText.h"
 #include "SpectralColor.h"
-#include "vtkNew.h"
 
 #include <nlohmann/json.hpp>
 
@@ -27,7 +28,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numeric>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -41,158 +42,45 @@ namespace
 using Json = nlohmann::json;
 
 constexpr const char* OpenMaterialFormatName = "OpenMATERIAL 3D";
-
-using Row = std::array<double, 5>;
-
-struct OpenMaterialTexts
-{
-  std::map<std::string, std::string> Metadata; // its texts, and lists of texts joined by ", "
-  /// Wavelength (m), zenith angle of incidence, of exit, azimuth of exit from incidence (rad), f
-  /// (1/sr). Rows that hold a null are left out.
-  std::vector<Row> Rows;
-  std::size_t Nulls = 0; // rows left out
-};
-
-constexpr int DeepestLevel = 32;
-constexpr std::size_t LongestText = 1000; // of the metadata, in bytes
 constexpr const char* TableName = "lookupTable";
 constexpr const char* MetadataNames[] = { "name", "sources", "authors", "copyrights", "license" };
+constexpr std::size_t LongestText = 1000; // of the metadata, in bytes
+constexpr std::size_t MostWavelengths = 4096;
+constexpr double Nanometer = 1e-9;
+constexpr double SameWavelength = 1e-6;   // relative
+constexpr double RoundingOfAngles = 1e-5; // rad, of six decimals
 
-[[noreturn]] void Fail(const FileBytes& file, const std::string& field, const std::string& what)
+// Wavelength (m), zenith angle of incidence, of exit, azimuth of exit from incidence (rad), f
+// (1/sr).
+using OpenMaterialRow = std::array<double, 5>;
+
+[[noreturn]] void FailOpenMaterial(
+  const FileBytes& file, const std::string& field, const std::string& what)
 {
-  throw FileError(file.GetPath() + ": " + OpenMaterialFormatName + ", " + field + ": " + what);
+  FailIn(file, OpenMaterialFormatName, field, what);
 }
 
-/// Takes what is known, wherever it stands in the right place, as the parser comes by; of the
-/// document nothing but a row is kept.
-class OpenMaterialParser
+//------------------------------------------------------------------------------
+// The text, or the texts of a list, with ", " between.
+std::string JoinTexts(const Json& value)
 {
-public:
-  explicit OpenMaterialParser(const FileBytes& file)
-    : File(file)
+  std::string joined;
+  for (const Json& text : value.is_array() ? value : Json::array({ value }))
   {
+    const std::string more =
+      text.is_string() ? (joined.empty() ? "" : ", ") + text.get<std::string>() : std::string();
+    joined += joined.size() + more.size() <= LongestText ? more : "";
   }
+  return joined;
+}
 
-  // Throws FileError where it is no JSON, is nested deeper than 32 levels, has no "brdf" with a
-  // "lookupTable" of rows of five numbers, or has one twice.
-  OpenMaterialTexts Parse()
+Json ParseOpenMaterial(const FileBytes& file)
+{
+  try
   {
-    try
-    {
-      const char* bytes = this->File.GetData();
-      const auto take = [this](int depth, Json::parse_event_t event, const Json& value)
-      { return this->Take(depth, event, value); };
-      std::ignore = Json::parse(bytes, bytes + this->File.GetSize(), take);
-    }
-    catch (const Json::exception& problem)
-    {
-      this->FailToParse(problem);
-    }
-    if (!this->HasBrdf)
-    {
-      Fail(this->File, "brdf",
-        "is missing: expected the look-up table of a BRDF (NAME_brdf.xompt), not another property");
-    }
-    if (!this->HasTable)
-    {
-      Fail(this->File, TableName, "is missing in 'brdf'");
-    }
-    return std::move(this->Texts);
+    return ParseJson<Json>(file.GetView());
   }
-
-private:
-  // Whether to keep what the event is of; depth: of levels around it.
-  bool Take(int depth, Json::parse_event_t event, const Json& value)
-  {
-    using Event = Json::parse_event_t;
-    const bool begins = event == Event::object_start || event == Event::array_start;
-    if (begins && depth >= DeepestLevel)
-    {
-      Fail(this->File, "JSON", "is nested deeper than " + std::to_string(DeepestLevel) + " levels");
-    }
-    if (event == Event::key && depth == 1)
-    {
-      this->Top = value.get<std::string>();
-      this->Second.clear();
-      return this->Top == "metadata" || this->Top == "brdf";
-    }
-    const bool isTable = this->Top == "brdf" && this->Second == TableName;
-    if (event == Event::key && depth == 2)
-    {
-      this->Second = value.get<std::string>();
-      return this->Top == "brdf" ? this->Second == TableName
-                                 : std::find(std::begin(MetadataNames), std::end(MetadataNames),
-                                     this->Second) != std::end(MetadataNames);
-    }
-    if (event == Event::value && value.is_string() && this->Top == "metadata")
-    {
-      std::string& text = this->Texts.Metadata[this->Second];
-      const std::string more = (text.empty() ? "" : ", ") + value.get<std::string>();
-      text += text.size() + more.size() <= LongestText ? more : "";
-    }
-    else if (isTable && depth == 3 && !begins && event != Event::key)
-    {
-      this->TakeRow(value);
-      return false;
-    }
-    this->HasBrdf =
-      this->HasBrdf || (event == Event::object_start && depth == 1 && this->Top == "brdf");
-    if (isTable && event == Event::array_start && depth == 2)
-    {
-      if (this->HasTable)
-      {
-        Fail(this->File, TableName, "appears twice");
-      }
-      this->HasTable = true;
-    }
-    return isTable || (event == Event::object_start ? depth <= 1 : begins && depth == 2);
-  }
-
-  void TakeRow(const Json& value)
-  {
-    const auto fail = [this](const std::string& what)
-    {
-      Fail(this->File,
-        std::string(TableName) + ", row " +
-          std::to_string(this->Texts.Rows.size() + this->Texts.Nulls + 1),
-        "found " + what);
-    };
-    const auto expectNumbers = [&fail](const Json& found)
-    {
-      const char* const what = found.is_object()    ? "an object"
-                               : found.is_array()   ? "a list"
-                               : found.is_string()  ? "a text"
-                               : found.is_boolean() ? "a truth value"
-                                                    : "a number alone";
-      fail(std::string(what) + ", expected five numbers");
-    };
-    if (!value.is_array())
-    {
-      expectNumbers(value);
-    }
-    for (const Json& number : value)
-    {
-      if (!number.is_number() && !number.is_null())
-      {
-        expectNumbers(number);
-      }
-    }
-    Row row = {};
-    if (value.size() != row.size())
-    {
-      fail(std::to_string(value.size()) + " numbers, expected 5: wavelength, three angles, value");
-    }
-    if (std::any_of(value.begin(), value.end(), [](const Json& one) { return one.is_null(); }))
-    {
-      ++this->Texts.Nulls;
-      return;
-    }
-    std::transform(
-      value.begin(), value.end(), row.begin(), [](const Json& one) { return one.get<double>(); });
-    this->Texts.Rows.push_back(row);
-  }
-
-  [[noreturn]] void FailToParse(const Json::exception& problem) const
+  catch (const Json::exception& problem)
   {
     // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ..."; or of a
     // number that is too large, in quotes, without its place.
@@ -201,33 +89,42 @@ private:
     const std::size_t quote = text.find('\'');
     const std::string number =
       quote == std::string::npos ? "" : text.substr(quote + 1, text.rfind('\'') - quote - 1);
-    const std::size_t at = parse ? parse->byte : this->File.GetView().find(number);
-    const std::size_t bracket = text.find("] ");
-    ByteReader(this->File, OpenMaterialFormatName)
-      .FailAt(at, "JSON", bracket == std::string::npos ? text : text.substr(bracket + 2));
+    const std::size_t at = parse ? parse->byte : file.GetView().find(number);
+    ByteReader(file, OpenMaterialFormatName).FailAt(at, "JSON", text.substr(text.find("] ") + 2));
   }
+  catch (const std::runtime_error& problem)
+  {
+    FailOpenMaterial(file, "JSON", problem.what());
+  }
+}
 
-  const FileBytes& File;
-  OpenMaterialTexts Texts;
-  std::string Top;    // key in the file's object
-  std::string Second; // key in that
-  bool HasBrdf = false;
-  bool HasTable = false;
-};
-
-constexpr double Degree = 3.14159265358979323846 / 180.0;
-constexpr double Nanometer = 1e-9;
-constexpr double SameWavelength = 1e-6; // relative
-constexpr std::size_t MostWavelengths = 4096;
-// What rounding to six decimals adds to an angle, rad.
-constexpr double Rounding = 1e-5;
-// Cells of angles and wavelengths for each row; small tables may be emptier.
-constexpr std::size_t CellsPerRow = 4;
-constexpr std::size_t SmallTable = 4096;
-
-//------------------------------------------------------------------------------
-void CheckRow(const FileBytes& file, const Row& row, std::size_t number)
+// The row of the table; false: it holds a null. Throws FileError, "PLACE: ...", for any other that
+// is no five numbers in the schema's ranges.
+bool ParseRow(
+  const FileBytes& file, const std::string& place, const Json& value, OpenMaterialRow& row)
 {
+  const auto fail = [&](const std::string& what) { FailOpenMaterial(file, place, what); };
+  if (!value.is_array())
+  {
+    fail("found " + std::string(value.type_name()) + " alone, expected five numbers");
+  }
+  for (const Json& number : value)
+  {
+    if (!number.is_number() && !number.is_null())
+    {
+      fail("found " + std::string(number.type_name()) + ", expected five numbers");
+    }
+  }
+  if (value.size() != row.size())
+  {
+    fail("found " + std::to_string(value.size()) +
+         " numbers, expected 5: wavelength, three angles, value");
+  }
+  if (std::any_of(value.begin(), value.end(), [](const Json& one) { return one.is_null(); }))
+  {
+    return false;
+  }
+  value.get_to(row);
   struct Range
   {
     const char* Name;
@@ -235,30 +132,81 @@ void CheckRow(const FileBytes& file, const Row& row, std::size_t number)
     double Most;
   };
   // The schema's, and azimuths counted the other way round.
+  constexpr double largest = std::numeric_limits<float>::max();
   constexpr Range ranges[] = { { "wavelength", 1e-9, 17.16e-3 },
-    { "incident zenith angle", 0.0, 90.0 * Degree }, { "exit zenith angle", 0.0, 90.0 * Degree },
-    { "exit azimuth angle", -360.0 * Degree, 360.0 * Degree },
-    { "value", -std::numeric_limits<float>::max(), std::numeric_limits<float>::max() } };
+    { "incident zenith angle", 0.0, 0.5 * Pi }, { "exit zenith angle", 0.0, 0.5 * Pi },
+    { "exit azimuth angle", -2.0 * Pi, 2.0 * Pi }, { "value", -largest, largest } };
   for (std::size_t k = 0; k < row.size(); ++k)
   {
-    const double margin = k == 0 ? 0.0 : Rounding;
-    if (!(row[k] >= ranges[k].Least - margin && row[k] <= ranges[k].Most + margin) ||
-        !std::isfinite(static_cast<float>(row[k])))
+    const double margin = k == 0 ? 0.0 : RoundingOfAngles;
+    if (!(row[k] >= ranges[k].Least - margin && row[k] <= ranges[k].Most + margin))
     {
-      Fail(file, "lookupTable, row " + std::to_string(number),
-        std::string(ranges[k].Name) + " is " + NumberText(row[k]) + ", expected " +
-          NumberText(ranges[k].Least) + " to " + NumberText(ranges[k].Most));
+      fail(std::string(ranges[k].Name) + " is " + NumberText(row[k]) + ", expected " +
+           NumberText(ranges[k].Least) + " to " + NumberText(ranges[k].Most));
     }
   }
+  return true;
 }
 
-// Ascending, those that rounding explains once.
-std::vector<double> FindWavelengths(const FileBytes& file, const std::vector<Row>& rows)
+//------------------------------------------------------------------------------
+struct OpenMaterialTable
+{
+  std::map<std::string, std::string> Metadata; // its texts, and lists of texts joined by ", "
+  std::vector<OpenMaterialRow> Rows;           // but for those that hold a null
+  std::size_t Nulls = 0;                       // rows left out
+};
+
+// Throws FileError where it is no JSON, has no "brdf" with a "lookupTable" of rows of five numbers,
+// or has one twice.
+OpenMaterialTable ReadTable(const FileBytes& file)
+{
+  const Json document = ParseOpenMaterial(file);
+  const auto brdf = document.find("brdf");
+  if (brdf == document.end() || !brdf->is_object())
+  {
+    FailOpenMaterial(file, "brdf",
+      "is missing: expected the look-up table of a BRDF (NAME_brdf.xompt), not another property");
+  }
+  const auto rows = brdf->find(TableName);
+  if (rows == brdf->end() || !rows->is_array())
+  {
+    FailOpenMaterial(file, TableName, "is missing in 'brdf'");
+  }
+  const std::string key = "\"" + std::string(TableName) + "\"";
+  if (file.GetView().find(key, file.GetView().find(key) + 1) != std::string_view::npos)
+  {
+    FailOpenMaterial(file, TableName, "appears twice"); // of which JSON keeps one
+  }
+  OpenMaterialTable table;
+  for (std::size_t k = 0; k < rows->size(); ++k)
+  {
+    OpenMaterialRow row = {};
+    const std::string place = std::string(TableName) + ", row " + std::to_string(k + 1);
+    if (ParseRow(file, place, (*rows)[k], row))
+    {
+      table.Rows.push_back(row);
+    }
+  }
+  table.Nulls = rows->size() - table.Rows.size();
+  const Json metadata = document.value("metadata", Json::object());
+  for (const char* name : MetadataNames)
+  {
+    if (metadata.is_object() && metadata.contains(name))
+    {
+      table.Metadata[name] = JoinTexts(metadata[name]);
+    }
+  }
+  return table;
+}
+
+//------------------------------------------------------------------------------
+// Ascending, in nanometers, those that rounding explains once.
+std::vector<double> FindWavelengths(const FileBytes& file, const OpenMaterialTable& table)
 {
   std::vector<double> all;
-  for (const Row& row : rows)
+  for (const OpenMaterialRow& row : table.Rows)
   {
-    all.push_back(row[0]);
+    all.push_back(row[0] / Nanometer);
   }
   std::sort(all.begin(), all.end());
   std::vector<double> different;
@@ -271,140 +219,131 @@ std::vector<double> FindWavelengths(const FileBytes& file, const std::vector<Row
   }
   if (different.size() > MostWavelengths)
   {
-    Fail(file, "lookupTable",
+    FailOpenMaterial(file, TableName,
       "found " + std::to_string(different.size()) + " wavelengths, expected at most " +
         std::to_string(MostWavelengths));
   }
   return different;
 }
 
-std::vector<double> ToNanometers(std::vector<double> wavelengths)
-{
-  for (double& wavelength : wavelengths)
-  {
-    wavelength /= Nanometer;
-  }
-  return wavelengths;
-}
-
-std::size_t FindWavelength(const std::vector<double>& wavelengths, double wavelength)
-{
-  const auto next = std::upper_bound(wavelengths.begin(), wavelengths.end(), wavelength);
-  return static_cast<std::size_t>(next - wavelengths.begin()) - 1;
-}
-
 //------------------------------------------------------------------------------
-// A reading for each of the different directions, a channel for each chosen wavelength.
-GonioReadings Arrange(const FileBytes& file, const std::vector<Row>& rows,
-  const std::vector<double>& wavelengths, const std::vector<double>& chosen)
+// A reading for each of the different directions at which all chosen wavelengths were read.
+std::vector<GonioReading> GetReadings(const FileBytes& file, const OpenMaterialTable& table,
+  const std::vector<double>& wavelengths, const SpectralChannels& channels, MaterialFile& result)
 {
-  const auto toDegrees = [](double radians)
-  { return std::clamp(static_cast<float>(radians / Degree), -360.0f, 360.0f); };
-  std::vector<std::pair<GonioAngles, std::size_t>> listed; // directions and row
-  std::vector<std::size_t> channels(rows.size());
-  for (std::size_t k = 0; k < rows.size(); ++k)
+  const auto toDegrees = [](double radians, float least, float most)
+  { return std::clamp(static_cast<float>(ToDegrees(radians)), least, most); };
+  struct Value
   {
-    const double wavelength = wavelengths[FindWavelength(wavelengths, rows[k][0])];
-    const auto found = std::lower_bound(chosen.begin(), chosen.end(), wavelength);
-    if (found != chosen.end() && *found == wavelength)
+    std::array<float, 3> Angles; // theta_i, theta_o, phi; degrees
+    std::size_t Channel;         // in channels.Chosen
+    double F;
+  };
+  std::vector<Value> values;
+  for (const OpenMaterialRow& row : table.Rows)
+  {
+    const auto next = std::upper_bound(wavelengths.begin(), wavelengths.end(), row[0] / Nanometer);
+    const auto wavelength = static_cast<std::size_t>(next - wavelengths.begin()) - 1;
+    const auto found = std::lower_bound(channels.Chosen.begin(), channels.Chosen.end(), wavelength);
+    if (found != channels.Chosen.end() && *found == wavelength)
     {
-      channels[k] = static_cast<std::size_t>(found - chosen.begin());
-      listed.push_back({ { std::clamp(toDegrees(rows[k][1]), 0.0f, 90.0f), 0.0f,
-                           std::clamp(toDegrees(rows[k][2]), 0.0f, 90.0f), toDegrees(rows[k][3]) },
-        k });
+      values.push_back({ { toDegrees(row[1], 0.0f, 90.0f), toDegrees(row[2], 0.0f, 90.0f),
+                           toDegrees(row[3], -360.0f, 360.0f) },
+        static_cast<std::size_t>(found - channels.Chosen.begin()), row[4] });
     }
   }
-  const auto toTuple = [](const GonioAngles& angles) {
-    return std::array<float, 3>{ angles.ThetaI, angles.ThetaO, angles.PhiO };
-  };
-  // Rows of the same directions side by side, and one behind the other where they repeat.
-  std::stable_sort(listed.begin(), listed.end(),
-    [&](const auto& a, const auto& b) { return toTuple(a.first) < toTuple(b.first); });
+  std::stable_sort(values.begin(), values.end(),
+    [](const Value& a, const Value& b)
+    { return std::tie(a.Angles, a.Channel) < std::tie(b.Angles, b.Channel); });
 
-  GonioReadings readings;
-  readings.Channels = chosen.size();
-  const std::size_t most = CellsPerRow * rows.size() + SmallTable;
-  std::vector<std::size_t> taken(readings.Channels, 0); // the last reading that has the channel
-  const float unread = std::numeric_limits<float>::quiet_NaN();
-  for (const auto& [angles, row] : listed)
+  std::vector<GonioReading> readings;
+  std::size_t incomplete = 0;
+  for (auto value = values.begin(); value != values.end();)
   {
-    const std::size_t channel = channels[row];
-    const std::size_t count = readings.Angles.size();
-    if (count == 0 || toTuple(readings.Angles.back()) != toTuple(angles) || taken[channel] == count)
+    const std::array<float, 3> angles = value->Angles;
+    glm::dvec3 color(0.0);
+    std::size_t read = 0; // channels
+    while (value != values.end() && value->Angles == angles)
     {
-      if ((count + 1) * readings.Channels > most)
+      const std::size_t channel = value->Channel;
+      double sum = 0.0;
+      int count = 0;
+      for (; value != values.end() && value->Angles == angles && value->Channel == channel; ++value)
       {
-        Fail(file, "lookupTable",
-          "its " + std::to_string(readings.Channels) +
-            " wavelengths have too few directions in common");
+        sum += value->F;
+        ++count;
       }
-      readings.Angles.push_back(angles);
-      readings.Values.resize(readings.Values.size() + readings.Channels, unread);
+      color += channels.Weights[channel] * (sum / count);
+      ++read;
     }
-    taken[channel] = readings.Angles.size();
-    readings.Values[(taken[channel] - 1) * readings.Channels + channel] =
-      static_cast<float>(rows[row][4]);
+    if (read < channels.Chosen.size())
+    {
+      ++incomplete;
+      continue;
+    }
+    readings.push_back({ angles[0], 0.0f, angles[1], angles[2], color });
+  }
+  if (readings.empty())
+  {
+    FailOpenMaterial(file, TableName,
+      "its " + std::to_string(channels.Chosen.size()) +
+        " wavelengths have no directions in common");
+  }
+  if (incomplete > 0)
+  {
+    result.AddNote(
+      std::to_string(incomplete) + " directions lack some of the wavelengths: left out.");
   }
   return readings;
 }
 
 //------------------------------------------------------------------------------
-std::string DescribeSource(const FileBytes& file, const OpenMaterialTexts& texts)
+MaterialFile ReadOpenMaterial(const FileBytes& file, const std::string& material)
 {
+  const OpenMaterialTable table = ReadTable(file);
+  if (table.Rows.empty())
+  {
+    FailOpenMaterial(file, TableName, "found no row without a null");
+  }
+  MaterialFile result;
+  result.NumberOfNegativeValues = std::count_if(
+    table.Rows.begin(), table.Rows.end(), [](const OpenMaterialRow& row) { return row[4] < 0.0; });
+  const std::vector<double> wavelengths = FindWavelengths(file, table);
+  SpectralChannels channels;
+  try
+  {
+    channels = ChooseChannels(wavelengths, material);
+  }
+  catch (const std::runtime_error& e)
+  {
+    FailOpenMaterial(file, "name", e.what());
+  }
+  result.AddNote(channels.Note);
+  MakeGonioTable(GetReadings(file, table, wavelengths, channels, result),
+    file.GetPath() + ": " + OpenMaterialFormatName + ", " + TableName, result);
+  if (table.Nulls > 0)
+  {
+    result.AddNote(std::to_string(table.Nulls) + " rows hold a null: left out.");
+  }
+  std::string name = GetFileStem(file.GetPath());
   std::string source = "OpenMATERIAL 3D file " + GetFileTitle(file.GetPath());
   for (const std::string field : MetadataNames)
   {
-    const auto found = texts.Metadata.find(field);
-    if (field != "name" && found != texts.Metadata.end() && !found->second.empty())
+    const auto found = table.Metadata.find(field);
+    if (found != table.Metadata.end() && !found->second.empty())
     {
-      source += "; " + field + ": " + found->second;
+      if (field == "name")
+      {
+        name = found->second;
+      }
+      else
+      {
+        source += "; " + field + ": " + found->second;
+      }
     }
   }
-  return source;
-}
-//------------------------------------------------------------------------------
-MaterialFile ReadOpenMaterial(const FileBytes& file, const std::string& material)
-{
-  const OpenMaterialTexts texts = OpenMaterialParser(file).Parse();
-  if (texts.Rows.empty())
-  {
-    Fail(file, "lookupTable", "found no row without a null");
-  }
-  MaterialFile result;
-  for (std::size_t k = 0; k < texts.Rows.size(); ++k)
-  {
-    CheckRow(file, texts.Rows[k], k + 1);
-    result.NumberOfNegativeValues += texts.Rows[k][4] < 0.0;
-  }
-  const std::vector<double> wavelengths = FindWavelengths(file, texts.Rows);
-  SpectralChannels channels;
-  const std::string unknown = channels.Choose(ToNanometers(wavelengths), material);
-  if (!unknown.empty())
-  {
-    Fail(file, "name", unknown);
-  }
-  result.AddNote(channels.Note);
-  std::vector<double> chosen;
-  for (const std::size_t k : channels.Chosen)
-  {
-    chosen.push_back(wavelengths[k]);
-  }
-  GonioReadings readings = Arrange(file, texts.Rows, wavelengths, chosen);
-  readings.Weights = channels.Weights;
-  const std::string problem = MakeGonioTable(std::move(readings), result);
-  if (!problem.empty())
-  {
-    Fail(file, "lookupTable", problem);
-  }
-  if (texts.Nulls > 0)
-  {
-    result.AddNote(std::to_string(texts.Nulls) + " rows hold a null: left out.");
-  }
-  const auto name = texts.Metadata.find("name");
-  const bool named = name != texts.Metadata.end() && !name->second.empty();
-  result.BRDF->SetName((named ? name->second : GetFileStem(file.GetPath())) +
-                       (material.empty() ? "" : " " + material));
-  result.BRDF->SetSource(DescribeSource(file, texts));
+  result.BRDF->SetName(name + (material.empty() ? "" : " " + material));
+  result.BRDF->SetSource(source);
   return result;
 }
 
@@ -424,8 +363,7 @@ bool CanReadOpenMaterial(const vtkBRDFFormat::File& file)
 std::vector<std::string> ListOpenMaterialWavelengths(const FileBytes& file)
 {
   std::vector<std::string> names;
-  for (const double wavelength :
-    ToNanometers(FindWavelengths(file, OpenMaterialParser(file).Parse().Rows)))
+  for (const double wavelength : FindWavelengths(file, ReadTable(file)))
   {
     names.push_back(GetWavelengthName(wavelength));
   }

@@ -10,12 +10,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <initializer_list>
+#include <iterator>
 #include <map>
+#include <regex>
+#include <set>
 #include <sstream>
 
 namespace measuredbrdf
@@ -48,6 +49,16 @@ void Check(const std::string& where, const ListedPhotograph& photograph)
   if (!problem.empty())
   {
     throw FileError(where + ": " + problem);
+  }
+}
+
+void CheckNumber(const std::string& path, const PhotographList& list, const std::string& what)
+{
+  constexpr std::size_t most = vtkPhotographSet::MaximumNumberOfPhotographs;
+  if (list.Photographs.empty() || list.Photographs.size() > most)
+  {
+    throw FileError(path + ": found " + std::to_string(list.Photographs.size()) + " " + what +
+                    ", expected 1 to " + std::to_string(most));
   }
 }
 
@@ -208,77 +219,79 @@ std::vector<std::string> SplitLine(const std::string& line)
   return fields;
 }
 
-// The first line of a list in CSV names the columns.
-using Columns = std::map<std::string, std::size_t>;
+//------------------------------------------------------------------------------
+// What a column of a list in CSV is in an entry of one in JSON, as a JSON pointer.
+const std::map<std::string, std::string> CsvColumns = { { "file", "/file" },
+  { "exposure", "/exposure" }, { "light_theta", "/light/theta" }, { "light_phi", "/light/phi" },
+  { "light_x", "/light/0" }, { "light_y", "/light/1" }, { "light_z", "/light/2" },
+  { "view_theta", "/view/theta" }, { "view_phi", "/view/phi" }, { "view_x", "/view/0" },
+  { "view_y", "/view/1" }, { "view_z", "/view/2" } };
 
-Columns ParseHeader(const std::string& where, const std::vector<std::string>& fields)
+void CheckColumns(const std::string& where, const std::vector<std::string>& columns)
 {
-  Columns columns;
-  for (std::size_t k = 0; k < fields.size(); ++k)
+  const std::set<std::string> names(columns.begin(), columns.end());
+  if (names.size() < columns.size())
   {
-    if (!columns.emplace(fields[k], k).second)
-    {
-      throw FileError(where + ": found two columns " + Quote(fields[k]));
-    }
+    const auto first = std::find_if(columns.begin(), columns.end(),
+      [&](const std::string& name)
+      { return std::count(columns.begin(), columns.end(), name) > 1; });
+    throw FileError(where + ": found two columns " + Quote(*first));
   }
+  std::vector<std::string> needed = { "file" };
   for (const std::string direction : { "light", "view" })
   {
-    const bool angles = columns.count(direction + "_theta") > 0;
+    const bool angles = names.count(direction + "_theta") > 0;
     for (const char* part : { "_x", "_y", "_z", "_theta", "_phi" })
     {
-      const bool isAngle = std::string(part).size() > 2;
-      if (isAngle == angles && columns.count(direction + part) == 0)
+      if ((std::string(part).size() > 2) == angles)
       {
-        throw FileError(where + ": found no column '" + direction + part +
-                        "', expected file, light_theta, light_phi, view_theta, view_phi in "
-                        "degrees, or light_x ... view_z, and where wanted exposure");
+        needed.insert(needed.end() - 1, direction + part);
       }
     }
   }
-  if (columns.count("file") == 0)
+  for (const std::string& name : needed)
   {
-    throw FileError(where + ": found no column 'file'");
+    if (names.count(name) == 0)
+    {
+      throw FileError(where + ": found no column '" + name +
+                      "', expected file, light_theta, light_phi, view_theta, view_phi in degrees, "
+                      "or light_x ... view_z, and where wanted exposure");
+    }
   }
-  return columns;
 }
 
 // A row of a list in CSV as an entry of one in JSON.
-json MakeEntry(
-  const std::string& where, const Columns& columns, const std::vector<std::string>& fields)
+json MakeEntry(const std::string& where, const std::vector<std::string>& columns,
+  const std::vector<std::string>& fields)
 {
   if (fields.size() != columns.size())
   {
     throw FileError(where + ": found " + std::to_string(fields.size()) + " columns, expected " +
                     std::to_string(columns.size()));
   }
-  const auto getNumber = [&](const std::string& column)
+  json entry;
+  for (std::size_t k = 0; k < columns.size(); ++k)
   {
-    const std::string& text = fields[columns.at(column)];
+    const auto column = CsvColumns.find(columns[k]);
     double value = 0.0;
-    if (!ParseNumber(text, value))
+    if (column == CsvColumns.end())
+    {
+      continue; // a note, say
+    }
+    if (columns[k] != "file" && !ParseNumber(fields[k], value))
     {
       throw FileError(
-        where + ": " + column + ": found " + Quote(text) + ", expected a finite number");
+        where + ": " + columns[k] + ": found " + Quote(fields[k]) + ", expected a finite number");
     }
-    return value;
-  };
-  json entry;
-  entry["file"] = fields[columns.at("file")];
-  for (const std::string name : { "light", "view" })
-  {
-    if (columns.count(name + "_theta") > 0)
-    {
-      entry[name]["theta"] = getNumber(name + "_theta");
-      entry[name]["phi"] = getNumber(name + "_phi");
-    }
-    else
-    {
-      entry[name] = { getNumber(name + "_x"), getNumber(name + "_y"), getNumber(name + "_z") };
-    }
+    entry[json::json_pointer(column->second)] =
+      columns[k] == "file" ? json(fields[k]) : json(value);
   }
-  if (columns.count("exposure") > 0)
+  for (const char* name : { "light", "view" })
   {
-    entry["exposure"] = getNumber("exposure");
+    if (entry[name].size() == 3 && entry[name].is_object()) // columns in another order
+    {
+      entry[name] = { entry[name]["0"], entry[name]["1"], entry[name]["2"] };
+    }
   }
   return entry;
 }
@@ -286,7 +299,7 @@ json MakeEntry(
 PhotographList ParseCsvList(const FileBytes& file)
 {
   PhotographList list;
-  Columns columns;
+  std::vector<std::string> columns; // that the first line names
   std::istringstream text{ std::string(file.GetView()) };
   std::string line;
   for (int number = 1; std::getline(text, line); ++number)
@@ -300,7 +313,8 @@ PhotographList ParseCsvList(const FileBytes& file)
     const std::vector<std::string> fields = SplitLine(line);
     if (columns.empty())
     {
-      columns = ParseHeader(where, fields);
+      CheckColumns(where, fields);
+      columns = fields;
     }
     else
     {
@@ -310,29 +324,14 @@ PhotographList ParseCsvList(const FileBytes& file)
   return list;
 }
 
-// The number behind a key of two letters that begins a word; returns how many there are.
-int FindAngle(const std::string& name, const char* key, double& angle)
+//------------------------------------------------------------------------------
+// The number behind a key of two letters that begins a word; false unless there is exactly one.
+bool FindAngle(const std::string& name, const std::string& key, double& angle)
 {
-  const auto letter = [&name](std::size_t k)
-  { return k < name.size() ? std::tolower(static_cast<unsigned char>(name[k])) : 0; };
-  int count = 0;
-  for (std::size_t k = 0; k + 2 < name.size(); ++k)
-  {
-    const bool begins = k == 0 || std::isalnum(static_cast<unsigned char>(name[k - 1])) == 0;
-    if (!begins || letter(k) != key[0] || letter(k + 1) != key[1])
-    {
-      continue;
-    }
-    const std::size_t first = k + 2;
-    std::size_t last = name.find_first_not_of("0123456789", first + (name[first] == '-' ? 1 : 0));
-    last = last == std::string::npos ? name.size() : last;
-    if (last > first && std::isdigit(static_cast<unsigned char>(name[last - 1])) != 0 &&
-        last - first < 10)
-    {
-      count += ParseNumber(std::string_view(name).substr(first, last - first), angle);
-    }
-  }
-  return count;
+  const std::regex pattern(
+    "(?:^|[^A-Za-z0-9])" + key + "(-?[0-9]{1,9})(?![0-9])", std::regex::icase);
+  const std::sregex_iterator found(name.begin(), name.end(), pattern);
+  return std::distance(found, std::sregex_iterator()) == 1 && ParseNumber((*found)[1].str(), angle);
 }
 }
 
@@ -347,13 +346,7 @@ PhotographList ParsePhotographList(const FileBytes& file)
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const bool isJson = first != std::string_view::npos && text[first] == '{';
   PhotographList list = isJson ? ParseJsonList(file) : ParseCsvList(file);
-  if (list.Photographs.empty() ||
-      list.Photographs.size() > std::size_t(vtkPhotographSet::MaximumNumberOfPhotographs))
-  {
-    throw FileError(file.GetPath() + ": found " + std::to_string(list.Photographs.size()) +
-                    " photographs, expected 1 to " +
-                    std::to_string(vtkPhotographSet::MaximumNumberOfPhotographs));
-  }
+  CheckNumber(file.GetPath(), list, "photographs");
   return list;
 }
 
@@ -364,7 +357,7 @@ bool ParsePhotographName(const std::string& path, ListedPhotograph& photograph)
   const char* const keys[] = { "tl", "pl", "tv", "pv" };
   for (std::size_t k = 0; k < 4; ++k)
   {
-    if (FindAngle(name, keys[k], angles[k]) != 1)
+    if (!FindAngle(name, keys[k], angles[k]))
     {
       return false;
     }
@@ -414,14 +407,7 @@ PhotographList ListPhotographFolder(const std::string& folder, std::size_t& igno
   {
     throw FileError(folder + ": " + error.message());
   }
-  if (list.Photographs.empty() ||
-      list.Photographs.size() > std::size_t(vtkPhotographSet::MaximumNumberOfPhotographs))
-  {
-    throw FileError(folder + ": found " + std::to_string(list.Photographs.size()) +
-                    " files whose names say directions, like tl015_pl030_tv045_pv060.jpg; "
-                    "expected 1 to " +
-                    std::to_string(vtkPhotographSet::MaximumNumberOfPhotographs));
-  }
+  CheckNumber(folder, list, "files whose names say directions, like tl015_pl030_tv045_pv060.jpg");
   std::sort(list.Photographs.begin(), list.Photographs.end(),
     [](const ListedPhotograph& a, const ListedPhotograph& b) { return a.File < b.File; });
   return list;

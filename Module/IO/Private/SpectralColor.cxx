@@ -6,8 +6,12 @@
 #include "Printable.h"
 #include "XYZColor.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <stdexcept>
 
 namespace measuredbrdf
 {
@@ -58,22 +62,37 @@ constexpr double Table[81][4] = { { 0.001368, 3.9e-05, 0.006450001, 49.9755 },
   { 0.000117413, 4.24e-05, 0, 56.6118 }, { 8.307527e-05, 3e-05, 0, 66.8054 },
   { 5.870652e-05, 2.12e-05, 0, 65.0941 }, { 4.150994e-05, 1.499e-05, 0, 63.3828 } };
 
-// What column c of the table is at a wavelength.
-double GetEntry(double wavelength, int c)
+// What the table's columns are at a wavelength.
+glm::dvec4 GetEntry(double wavelength)
 {
   const double place = (wavelength - FirstVisible) / TableStep;
   const auto low = std::min(static_cast<std::size_t>(place), std::size(Table) - 2);
   const double t = place - static_cast<double>(low);
-  return (1.0 - t) * Table[low][c] + t * Table[low + 1][c];
+  return glm::mix(glm::make_vec4(Table[low]), glm::make_vec4(Table[low + 1]), t);
+}
+
+bool IsVisible(double wavelength)
+{
+  return wavelength > FirstVisible - 0.5 && wavelength < LastVisible + 0.5;
+}
+
+std::string ListWavelengths(const std::vector<double>& wavelengths)
+{
+  constexpr std::size_t most = 8;
+  std::string names;
+  for (std::size_t k = 0; k < wavelengths.size() && k < most; ++k)
+  {
+    names += (k > 0 ? ", " : "") + GetWavelengthName(wavelengths[k]);
+  }
+  return names + (wavelengths.size() > most ? ", ..." : "");
 }
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::array<double, 3>> GetSpectralWeights(const std::vector<double>& wavelengths)
+std::vector<glm::dvec3> GetSpectralWeights(const std::vector<double>& wavelengths)
 {
-  // Of X, Y, Z at first.
-  std::vector<std::array<double, 3>> weights(wavelengths.size(), { 0.0, 0.0, 0.0 });
-  std::array<double, 3> sums = { 0.0, 0.0, 0.0 };
+  std::vector<glm::dvec3> weights(wavelengths.size(), glm::dvec3(0.0)); // of X, Y, Z at first
+  glm::dvec3 sums(0.0);
   const std::size_t last = wavelengths.size() - 1;
   std::size_t low = 0;
   for (double l = FirstVisible; l <= LastVisible; l += 1.0)
@@ -87,87 +106,60 @@ std::vector<std::array<double, 3>> GetSpectralWeights(const std::vector<double>&
       high > low
         ? std::clamp((l - wavelengths[low]) / (wavelengths[high] - wavelengths[low]), 0.0, 1.0)
         : 0.0;
-    for (int j = 0; j < 3; ++j)
-    {
-      const double light = GetEntry(l, 3) * GetEntry(l, j);
-      weights[low][j] += (1.0 - t) * light;
-      weights[high][j] += t * light;
-      sums[j] += light;
-    }
+    const glm::dvec4 entry = GetEntry(l);
+    const glm::dvec3 light = entry.w * glm::dvec3(entry);
+    weights[low] += (1.0 - t) * light;
+    weights[high] += t * light;
+    sums += light;
   }
-  for (std::array<double, 3>& weight : weights)
+  // The matrices are lists of rows, glm's of columns.
+  const glm::dmat3 toXyz = glm::transpose(glm::make_mat3(&RGBToXYZ[0][0]));
+  const glm::dmat3 toRgb = glm::transpose(glm::make_mat3(&XYZToRGB[0][0]));
+  const glm::dvec3 white = toXyz * glm::dvec3(1.0);
+  for (glm::dvec3& weight : weights)
   {
-    std::array<double, 3> xyz;
-    for (int j = 0; j < 3; ++j)
-    {
-      const double white = RGBToXYZ[j][0] + RGBToXYZ[j][1] + RGBToXYZ[j][2];
-      xyz[j] = weight[j] / sums[j] * white;
-    }
-    for (int c = 0; c < 3; ++c)
-    {
-      weight[c] = XYZToRGB[c][0] * xyz[0] + XYZToRGB[c][1] * xyz[1] + XYZToRGB[c][2] * xyz[2];
-    }
+    weight = toRgb * (weight / sums * white);
   }
   return weights;
-}
-
-namespace
-{
-constexpr std::size_t ListedNames = 8;
-
-bool IsVisible(double wavelength)
-{
-  return wavelength > FirstVisible - 0.5 && wavelength < LastVisible + 0.5;
-}
-
-std::string List(const std::vector<double>& wavelengths)
-{
-  std::string names;
-  for (std::size_t k = 0; k < wavelengths.size() && k < ListedNames; ++k)
-  {
-    names += (k > 0 ? ", " : "") + GetWavelengthName(wavelengths[k]);
-  }
-  return names + (wavelengths.size() > ListedNames ? ", ..." : "");
-}
 }
 
 //------------------------------------------------------------------------------
 std::string GetWavelengthName(double nanometers) { return NumberText(nanometers) + "nm"; }
 
 //------------------------------------------------------------------------------
-std::string SpectralChannels::Choose(
-  const std::vector<double>& wavelengths, const std::string& name)
+SpectralChannels ChooseChannels(const std::vector<double>& wavelengths, const std::string& name)
 {
-  this->Chosen.clear();
+  SpectralChannels channels;
   std::vector<double> chosen;
   for (std::size_t k = 0; k < wavelengths.size(); ++k)
   {
     if (name.empty() ? IsVisible(wavelengths[k]) : GetWavelengthName(wavelengths[k]) == name)
     {
-      this->Chosen.push_back(k);
+      channels.Chosen.push_back(k);
       chosen.push_back(wavelengths[k]);
     }
   }
   if (!name.empty() && chosen.empty())
   {
-    return "there is no wavelength " + Quote(name) + ", only " + List(wavelengths);
+    throw std::runtime_error(
+      "there is no wavelength " + Quote(name) + ", only " + ListWavelengths(wavelengths));
   }
   if (name.empty() && chosen.size() > 1)
   {
-    this->Weights = GetSpectralWeights(chosen);
-    this->Note = std::to_string(chosen.size()) + " of " + std::to_string(wavelengths.size()) +
-                 " wavelengths, " + GetWavelengthName(chosen.front()) + " to " +
-                 GetWavelengthName(chosen.back()) +
-                 ": summed over the CIE 1931 color-matching functions under D65.";
-    return "";
+    channels.Weights = GetSpectralWeights(chosen);
+    channels.Note = std::to_string(chosen.size()) + " of " + std::to_string(wavelengths.size()) +
+                    " wavelengths, " + GetWavelengthName(chosen.front()) + " to " +
+                    GetWavelengthName(chosen.back()) +
+                    ": summed over the CIE 1931 color-matching functions under D65.";
+    return channels;
   }
-  this->Chosen.assign(1, name.empty() ? 0 : this->Chosen.front());
-  this->Weights = { { 1.0, 1.0, 1.0 } };
-  const double wavelength = wavelengths[this->Chosen.front()];
-  this->Note = "Gray, of the wavelength " + GetWavelengthName(wavelength) +
-               (name.empty() && wavelengths.size() > 1
-                   ? "; FILE#" + GetWavelengthName(wavelengths.back()) + " picks another one."
-                   : ".");
-  return "";
+  channels.Chosen.assign(1, name.empty() ? 0 : channels.Chosen.front());
+  channels.Weights = { glm::dvec3(1.0) };
+  channels.Note = "Gray, of the wavelength " +
+                  GetWavelengthName(wavelengths[channels.Chosen.front()]) +
+                  (name.empty() && wavelengths.size() > 1
+                      ? "; FILE#" + GetWavelengthName(wavelengths.back()) + " picks another one."
+                      : ".");
+  return channels;
 }
 } // namespace measuredbrdf

@@ -19,7 +19,8 @@
 #ifndef SpectralColor_h
 #define SpectralColor_h
 
-#include <array>
+#include <glm/glm.hpp>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -31,24 +32,25 @@ constexpr double LastVisible = 780.0;
 
 /// RGB = sum over k of weights[k] f(wavelengths[k]); wavelengths: nm, ascending, at least one. The
 /// weights of each component add up to 1.
-std::vector<std::array<double, 3>> GetSpectralWeights(const std::vector<double>& wavelengths);
+std::vector<glm::dvec3> GetSpectralWeights(const std::vector<double>& wavelengths);
 
 /// "905nm", as in `path#905nm`.
 std::string GetWavelengthName(double nanometers);
 
+/// Which of a file's wavelengths become RGB, and how.
 struct SpectralChannels
 {
-  std::vector<std::size_t> Chosen;            // of the wavelengths
-  std::vector<std::array<double, 3>> Weights; // RGB = sum of weights * value, of each chosen one
+  std::vector<std::size_t> Chosen;
+  std::vector<glm::dvec3> Weights; // RGB = sum of weights * value, of each chosen one
   std::string Note;
-
-  /**
-   * The visible wavelengths, as SpectralColor.h sums them; fewer than two of them: the first
-   * wavelength alone, gray. name: empty, or which wavelength, gray. Returns an empty string, or
-   * that there is no such one. wavelengths: nm, ascending, at least one.
-   */
-  std::string Choose(const std::vector<double>& wavelengths, const std::string& name);
 };
+
+/**
+ * The visible wavelengths, as GetSpectralWeights sums them; fewer than two of them: the first
+ * wavelength alone, gray. name: empty, or which wavelength, gray. Throws std::runtime_error where
+ * there is no such one. wavelengths: nm, ascending, at least one.
+ */
+SpectralChannels ChooseChannels(const std::vector<double>& wavelengths, const std::string& name);
 } // namespace measuredbrdf
 
 #endif

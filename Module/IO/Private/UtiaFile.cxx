@@ -45,21 +45,6 @@ double DecodeDisplay(double value)
   return DisplayScale * DecodeSRGB(std::max(value, 0.0) / DisplayUnit);
 }
 
-// What the material reflects of light at 30 degrees; more than all of it cannot be.
-std::string DescribeAlbedo(vtkBRDF* brdf)
-{
-  const double o[3] = { 0.5, 0.0, std::sqrt(0.75) };
-  double albedo[3];
-  brdf->GetDirectionalAlbedo(o, albedo);
-  const double largest = *std::max_element(albedo, albedo + 3);
-  if (largest <= 1.0)
-  {
-    return "";
-  }
-  return "The material reflects " + NumberText(largest, 3) +
-         " times the light at 30 degrees: its values are scaled in some way, or display colors "
-         "(FILE.bin#display).";
-}
 //------------------------------------------------------------------------------
 MaterialFile ReadUtia(const FileBytes& file, const std::string& material)
 {
@@ -69,17 +54,7 @@ MaterialFile ReadUtia(const FileBytes& file, const std::string& material)
     throw FileError(file.GetPath() + ": " + Name + ", name: found " + Quote("#" + material) +
                     ", expected '#display' or none");
   }
-  ByteReader rest = reader;
-  if (reader.GetRemaining() > UtiaBytes)
-  {
-    rest.Take(UtiaBytes, "values");
-  }
-  if (reader.GetRemaining() < UtiaBytes || (reader.GetRemaining() > UtiaBytes && !rest.IsPadding()))
-  {
-    reader.Fail("values", "3 planes of 288 x 288 numbers need " + std::to_string(UtiaBytes) +
-                            " bytes, found " + std::to_string(reader.GetRemaining()));
-  }
-  const char* bytes = reader.Take(UtiaBytes, "values");
+  const char* bytes = reader.TakeRest(UtiaBytes, "3 planes of 288 x 288 numbers");
   MaterialFile result;
   std::vector<float> rgb(3 * Plane);
   for (std::size_t c = 0; c < 3; ++c)
@@ -126,11 +101,8 @@ MaterialFile ReadUtia(const FileBytes& file, const std::string& material)
       (material == Display ? "taken as 0." : "kept, clamped at 0 after interpolation."));
   }
   NotePadding(reader, result);
-  const std::string albedo = DescribeAlbedo(table);
-  if (!albedo.empty())
-  {
-    result.AddNote(albedo);
-  }
+  NoteStrangeAlbedo(
+    table, 0.0, "its values are scaled in some way, or display colors (FILE.bin#display).", result);
   result.BRDF = table;
   return result;
 }

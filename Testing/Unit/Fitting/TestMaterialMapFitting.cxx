@@ -41,7 +41,7 @@ TEST(MaterialMapFitter, NoiseMakesWeightsAsUncertainAsItSays)
   for (const int count : { 40, 160 })
   {
     const auto photographs = NewPhotographs(original, count);
-    photographs->SetNoise(0.01);
+    photographs->Noise = 0.01;
     vtkNew<vtkMaterialMapFitter> fitter;
     fitter->SetPhotographs(photographs);
     for (int k = 0; k < original->GetNumberOfMaterials(); ++k)
@@ -80,8 +80,8 @@ TEST(MaterialMapFitter, NoiseMakesWeightsAsUncertainAsItSays)
 TEST(MaterialMapFitter, FindsMaterialsAsTables)
 {
   const auto original = NewMappedSample(Three, 32);
-  vtkNew<vtkSimulatedPhotographSet> photographs;
-  photographs->SetMaterialMap(original);
+  vtkNew<SimulatedPhotographs> photographs;
+  photographs->Map = original;
   photographs->AddHalfVectorDirections(400, 0.0);
   vtkNew<vtkMaterialMapFitter> fitter;
   fitter->SetPhotographs(photographs);

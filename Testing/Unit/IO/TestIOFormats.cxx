@@ -32,24 +32,15 @@ TEST(IOReader, RefusesWhatIsNoMaterialFile)
   ExpectRefused(folder, folder("missing.binary"), { "no such file" });
   ExpectRefused(folder, folder(""), { "directory" });
   ExpectBytesRefused(folder, "", { "empty" });
-  ExpectBytesRefused(folder, std::string("\x01\x02", 2), { "no known format" });
-  ExpectBytesRefused(folder, std::string(64, '\xff'), { "no known format", "-1, -1, -1" });
-  ExpectBytesRefused(folder, std::string(64, '\0'), { "no known format", "bytes are 0" });
-  ExpectBytesRefused(folder,
-    "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 13132812\n",
-    { "no known format", "pointer of Git LFS" });
-  ExpectBytesRefused(folder,
-    "<!DOCTYPE html>\n<html lang=en>\n<head><title>a.xml</title></head><body>404</body></html>\n",
-    { "no known format", "web page" });
-  ExpectBytesRefused(folder,
-    "# BRDF of a sample\nSource  Measured\nSymmetry  PlaneSymmetrical\nScatterType  BRDF\n"
-    "SampleRotation  1\n0\n",
-    { "no known format", "Zemax", "ScatterType" });
-  ExpectBytesRefused(folder, "<?xml version=\"1.0\"?>\n<other/>\n",
-    { "no known format", "XML without", "WindowElement", "<?xml" });
-  ExpectBytesRefused(folder, std::string("PK\x03\x04\0\0", 6), { "ZIP archive" });
-  ExpectBytesRefused(folder, "just some words\n",
-    { "no known format", "published fits", "text that begins 'just some words'" });
+  ExpectAllRefused(folder, "no known format",
+    { { std::string("\x01\x02", 2), {} }, { std::string(64, '\xff'), { "-1, -1, -1" } },
+      { std::string(64, '\0'), { "bytes are 0" } },
+      { "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\n", { "pointer of Git LFS" } },
+      { "<!DOCTYPE html>\n<html lang=en>\n<body>404</body></html>\n", { "web page" } },
+      { "# BRDF\nScatterType  BRDF\nSampleRotation  1\n0\n", { "Zemax", "ScatterType" } },
+      { "<?xml version=\"1.0\"?>\n<other/>\n", { "XML without", "WindowElement", "<?xml" } },
+      { std::string("PK\x03\x04\0\0", 6), { "ZIP archive" } },
+      { "just some words\n", { "published fits", "text that begins 'just some words'" } } });
 
   vtkNew<vtkBRDFReader> reader;
   vtkNew<ErrorCounter> errors;
@@ -94,10 +85,7 @@ TEST(IOReader, ReportsProgress)
 TEST(IOMerl, Reads)
 {
   const Folder folder;
-  WriteBytes(folder("sample.binary"), MakeMerl(2, 3, 4));
-  vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(folder("sample.binary"));
-  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  const auto reader = ReadFile(WriteBytes(folder("sample.binary"), MakeMerl(2, 3, 4)));
   EXPECT_EQ(reader->GetFormatName(), Merl);
   EXPECT_EQ(reader->GetNumberOfNegativeValues(), 3);
   EXPECT_EQ(reader->GetNumberOfInvalidValues(), 0);
@@ -130,10 +118,7 @@ TEST(IOMerl, CountsWhatIsNotFinite)
   Overwrite(bytes, 12 + 8, std::numeric_limits<double>::infinity());
   Overwrite(bytes, 12 + 16, -std::numeric_limits<double>::infinity());
   Overwrite(bytes, 12 + 24, 1e300); // beyond float
-  WriteBytes(folder("a.binary"), bytes);
-  vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(folder("a.binary"));
-  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  const auto reader = ReadFile(WriteBytes(folder("a.binary"), bytes));
   EXPECT_EQ(reader->GetNumberOfInvalidValues(), 4);
   EXPECT_EQ(reader->GetNumberOfNegativeValues(), 3);
   EXPECT_EQ(vtkTabulatedBRDF::SafeDownCast(reader->GetBRDF())->GetNumberOfInvalidCells(), 5);
@@ -188,10 +173,8 @@ TEST(IOTensor, Reads)
 {
   const Folder folder;
   const vtkAdaptiveWarpBRDF::Tables tables = MakeTables();
-  WriteBytes(folder("stuff.bsdf"), MakeTensor(MakeTensorFields(tables)));
-  vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(folder("stuff.bsdf"));
-  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  const auto reader =
+    ReadFile(WriteBytes(folder("stuff.bsdf"), MakeTensor(MakeTensorFields(tables))));
   EXPECT_EQ(reader->GetFormatName(), Tensor);
   EXPECT_EQ(
     reader->GetNumberOfNegativeValues(), std::count_if(tables.Rgb.Values.begin(),
@@ -222,36 +205,25 @@ TEST(IOTensor, RefusesBadFiles)
   ExpectTruncationsRefused(folder, good.substr(0, headerEnd), 12, 1, Tensor);
   ExpectTruncationsRefused(folder, good, headerEnd, 61, Tensor);
 
-  std::string bytes = good;
-  bytes[3] = 'X';
-  ExpectBytesRefused(folder, bytes, { "no known format" });
-  bytes = good;
-  bytes[12] = 2;
-  ExpectBytesRefused(folder, bytes, { Tensor, "version", "2.0" });
-  bytes = good;
-  bytes[13] = 1;
-  ExpectBytesRefused(folder, bytes, { Tensor, "version", "1.1" });
-  bytes = good;
-  Overwrite(bytes, 14, std::numeric_limits<std::uint32_t>::max());
-  ExpectBytesRefused(folder, bytes, { Tensor, "field 10 of 4294967295" });
-
   // The first field: name length at 18, name, then dimensions, type, offset, shape.
   const std::size_t rank = 18 + 2 + fields[0].Name.size();
-  bytes = good;
-  Overwrite(bytes, rank, std::uint16_t(65535));
-  ExpectBytesRefused(folder, bytes, { Tensor, "description", "65535" });
-  bytes = good;
-  bytes[rank + 2] = 12;
-  ExpectBytesRefused(folder, bytes, { Tensor, "description", "type" });
+  const auto put = [&good](std::size_t at, auto value)
+  {
+    std::string bytes = good;
+    Overwrite(bytes, at, value);
+    return bytes;
+  };
+  ExpectBytesRefused(folder, put(3, 'X'), { "no known format" });
+  ExpectAllRefused(folder, Tensor,
+    { { put(12, '\2'), { "version", "2.0" } }, { put(13, '\1'), { "version", "1.1" } },
+      { put(14, std::numeric_limits<std::uint32_t>::max()), { "field 10 of 4294967295" } },
+      { put(rank, std::uint16_t(65535)), { "description", "65535" } },
+      { put(rank + 2, '\x0c'), { "description", "type" } } });
   for (const std::uint64_t lie :
     { std::uint64_t(1) << 31, ~std::uint64_t(0), std::uint64_t(1) << 63 })
   {
-    bytes = good;
-    Overwrite(bytes, rank + 3, lie);
-    ExpectBytesRefused(folder, bytes, { Tensor, "description", "data" });
-    bytes = good;
-    Overwrite(bytes, rank + 11, lie);
-    ExpectBytesRefused(folder, bytes, { Tensor, "description" });
+    ExpectBytesRefused(folder, put(rank + 3, lie), { Tensor, "description", "data" });
+    ExpectBytesRefused(folder, put(rank + 11, lie), { Tensor, "description" });
   }
 }
 
@@ -380,44 +352,22 @@ TEST(IOTensor, AgreesWithTheAuthorsCode)
     ASSERT_TRUE(brdf);
     std::string name = entry.path().stem().string();
     name = name.substr(0, name.rfind("_rgb"));
-    std::ifstream csv(SharedData + "/expected/" + name + ".pairs.csv");
-    struct Row
-    {
-      double V[9];
-    };
-    std::vector<Row> rows;
-    double maximum = 0.0;
-    for (std::string line; std::getline(csv, line);)
-    {
-      if (line.empty() || line[0] == '#' || line[0] == 'i')
-      {
-        continue;
-      }
-      std::replace(line.begin(), line.end(), ',', ' ');
-      std::istringstream numbers(line);
-      Row row;
-      for (double& value : row.V)
-      {
-        numbers >> value;
-      }
-      ASSERT_TRUE(numbers);
-      maximum = std::max({ maximum, row.V[6], row.V[7], row.V[8] });
-      rows.push_back(row);
-    }
+    const auto rows = ReadCsv(SharedData + "/expected/" + name + ".pairs.csv");
     ASSERT_EQ(rows.size(), 400u);
-    for (const Row& row : rows)
+    double maximum = 0.0;
+    for (const std::vector<double>& row : rows)
+    {
+      maximum = std::max({ maximum, row[6], row[7], row[8] });
+    }
+    for (const std::vector<double>& row : rows)
     {
       double f[3];
-      brdf->Evaluate(row.V, row.V + 3, f);
-      for (int k = 0; k < 3; ++k)
+      brdf->Evaluate(row.data(), row.data() + 3, f);
+      for (std::size_t k = 0; k < 3; ++k)
       {
-        const double expected = row.V[6 + k];
-        const double error = std::abs(f[k] - expected);
-        ASSERT_LE(error, 1e-3 * maximum);
-        if (expected > 0.01 * maximum)
-        {
-          ASSERT_LE(error, 1e-2 * expected);
-        }
+        const double expected = row[6 + k];
+        ASSERT_LE(std::abs(f[k] - expected),
+          std::min(1e-3 * maximum, expected > 0.01 * maximum ? 1e-2 * expected : maximum));
       }
     }
     ++files;
@@ -433,15 +383,13 @@ TEST(IOMbsdf, Reads)
   {
     for (const bool transmission : { false, true })
     {
-      WriteBytes(folder("paint.mbsdf"), MakeMbsdf(color, 3, 4, transmission));
-      vtkNew<vtkBRDFReader> reader;
-      reader->SetFileName(folder("paint.mbsdf"));
-      ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+      const auto reader =
+        ReadFile(WriteBytes(folder("paint.mbsdf"), MakeMbsdf(color, 3, 4, transmission)));
       EXPECT_EQ(reader->GetFormatName(), Mbsdf);
       EXPECT_EQ(reader->GetNumberOfNegativeValues(), 1);
       EXPECT_EQ(reader->GetNotes().find("transmission") != std::string::npos, transmission);
-      EXPECT_NE(reader->GetNotes().find("centers"), std::string::npos);
-      EXPECT_NE(reader->GetNotes().find("made by a test"), std::string::npos);
+      ExpectNote(reader, "centers");
+      ExpectNote(reader, "made by a test");
       auto* table = vtkTabulatedBRDF::SafeDownCast(reader->GetBRDF());
       ASSERT_TRUE(table);
       EXPECT_EQ(table->GetParameterization(), vtkTabulatedBRDF::INCIDENT_OUTGOING);
@@ -470,26 +418,24 @@ TEST(IOMbsdf, RefusesBadFiles)
   ExpectBytesRefused(folder, good + "x", { Mbsdf });
   ExpectBytesRefused(folder, both + "x", { Mbsdf, "1 bytes follow" });
 
-  std::string bytes = good;
-  bytes[18] = '2'; // V2
-  ExpectBytesRefused(folder, bytes, { "published fits" });
+  const auto put = [&good, block](std::size_t at, std::uint32_t value)
+  {
+    std::string bytes = good;
+    Overwrite(bytes, block + at, value);
+    return bytes;
+  };
+  ExpectBytesRefused(folder, Replace(good, "V1", "V2"), { "published fits" });
   for (const std::size_t field : { 4, 8 })
   {
     for (const std::uint32_t lie : { 0u, 2049u, 1u << 31, ~0u })
     {
-      bytes = good;
-      Overwrite(bytes, block + field, lie);
       ExpectBytesRefused(
-        folder, bytes, { Mbsdf, field == 4 ? "theta" : "phi", std::to_string(lie) });
+        folder, put(field, lie), { Mbsdf, field == 4 ? "theta" : "phi", std::to_string(lie) });
     }
-    bytes = good;
-    Overwrite(bytes, block + field, 2048u);
-    ExpectBytesRefused(folder, bytes, { Mbsdf, "values", "needs" });
+    ExpectBytesRefused(folder, put(field, 2048u), { Mbsdf, "values", "needs" });
   }
-  bytes = good;
-  Overwrite(bytes, block, 2u);
-  ExpectBytesRefused(folder, bytes, { Mbsdf, "type", "found 2" });
-  bytes = both;
+  ExpectBytesRefused(folder, put(0, 2u), { Mbsdf, "type", "found 2" });
+  std::string bytes = both;
   bytes.erase(bytes.find("MBSDF_DATA_REFLECTION"), transmission - both.find("MBSDF_DATA_REF"));
   ExpectBytesRefused(folder, bytes, { Mbsdf, "transmission only" });
 }
@@ -501,10 +447,7 @@ TEST(IOMbsdf, CountsWhatIsNotFinite)
   std::string bytes = MakeMbsdf(true, 3, 4);
   Overwrite(bytes, bytes.size() - 4, std::numeric_limits<float>::quiet_NaN());
   Overwrite(bytes, bytes.size() - 8, std::numeric_limits<float>::infinity());
-  WriteBytes(folder("a.mbsdf"), bytes);
-  vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(folder("a.mbsdf"));
-  ASSERT_TRUE(reader->Read());
+  const auto reader = ReadFile(WriteBytes(folder("a.mbsdf"), bytes));
   EXPECT_EQ(reader->GetNumberOfInvalidValues(), 2);
   EXPECT_EQ(vtkTabulatedBRDF::SafeDownCast(reader->GetBRDF())->GetNumberOfInvalidCells(), 1);
 }

@@ -3,13 +3,12 @@
 // What an image's header says: each file says in its own way how its pixels are to be read.
 #include "ErrorCatcher.h"
 #include "TestIOHelpers.h"
+#include "TestImages.h"
 
 #include "vtkEnvironment.h"
 #include "vtkEnvironmentReader.h"
 #include "vtkImageData.h"
 #include "vtkPictureReader.h"
-
-#include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <array>
@@ -21,16 +20,6 @@ using namespace testio;
 namespace
 {
 using Spec = OIIO::ImageSpec;
-
-/// One image of RGB in OpenImageIO's words; values: top row first.
-void WriteWithSpec(const std::string& path, const Spec& spec, const std::vector<float>& values)
-{
-  auto out = OIIO::ImageOutput::create(path);
-  ASSERT_TRUE(out) << OIIO::geterror();
-  ASSERT_TRUE(out->open(path, spec)) << out->geterror();
-  ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, values.data())) << out->geterror();
-  out->close();
-}
 
 /// 1, 2, 3, ... as gray texels: every texel is another.
 std::vector<float> CountTexels(int texels)
@@ -213,7 +202,7 @@ TEST(IOImageHeaders, OrientationTurns)
       }
       Spec spec(orientation > 4 ? 2 : 3, orientation > 4 ? 3 : 2, 3, OIIO::TypeDesc::FLOAT);
       spec.attribute("Orientation", orientation);
-      WriteWithSpec(folder(name), spec, values);
+      WriteImage(folder(name), spec, values);
       const Found found = ReadTopFirst(folder(name));
       EXPECT_EQ(found.Width, 3);
       EXPECT_EQ(found.Height, 2);
@@ -225,7 +214,7 @@ TEST(IOImageHeaders, OrientationTurns)
   spec.attribute("Orientation", 3);
   std::vector<float> halves(3 * 16 * 16, 0.0f);
   std::fill(halves.begin() + 3 * 16 * 8, halves.end(), 1.0f);
-  WriteWithSpec(folder("a.jpg"), spec, halves);
+  WriteImage(folder("a.jpg"), spec, halves);
   EXPECT_NEAR(ReadTopFirst(folder("a.jpg")).Values.front(), 1.0, 0.02);
   vtkNew<vtkPictureReader> picture;
   picture->SetFileName(folder("a.jpg"));
@@ -270,13 +259,13 @@ TEST(IOImageHeaders, ChromaticitiesBecomeRec709)
     0.33767f };
   Spec spec(2, 2, 3, OIIO::TypeDesc::FLOAT);
   spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), chromaticities);
-  WriteWithSpec(folder("ap1.exr"), spec, colors);
+  WriteImage(folder("ap1.exr"), spec, colors);
   ExpectValues(ReadTopFirst(folder("ap1.exr")).Values, ap1, 0.02);
 
   // Rec. 709's own, rounded: not a bit changes.
   const float own[8] = { 0.64f, 0.33f, 0.3f, 0.6f, 0.15f, 0.06f, 0.31271f, 0.32902f };
   spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), own);
-  WriteWithSpec(folder("own.exr"), spec, colors);
+  WriteImage(folder("own.exr"), spec, colors);
   EXPECT_EQ(ReadTopFirst(folder("own.exr")).Values, ToDoubles(colors));
 
   // All zero, as some programs write: the header says nothing.
@@ -303,7 +292,7 @@ TEST(IOImageHeaders, DataWindowsAreBlackOutside)
   spec.full_y = -5;
   spec.full_width = 4;
   spec.full_height = 3;
-  WriteWithSpec(folder("inside.exr"), spec, CountTexels(4));
+  WriteImage(folder("inside.exr"), spec, CountTexels(4));
   Found found = ReadTopFirst(folder("inside.exr"));
   EXPECT_EQ(found.Width, 4);
   EXPECT_EQ(found.Height, 3);
@@ -316,7 +305,7 @@ TEST(IOImageHeaders, DataWindowsAreBlackOutside)
   EXPECT_TRUE(Contains(found.Notes, "8 texels of the display window")) << found.Notes;
 
   spec.x = 13; // half of it outside
-  WriteWithSpec(folder("moved.exr"), spec, CountTexels(4));
+  WriteImage(folder("moved.exr"), spec, CountTexels(4));
   found = ReadTopFirst(folder("moved.exr"));
   EXPECT_EQ(found.Width, 4);
   EXPECT_EQ(found.Values[3 * 7], 1.0);
@@ -324,11 +313,11 @@ TEST(IOImageHeaders, DataWindowsAreBlackOutside)
   EXPECT_TRUE(Contains(found.Notes, "2 texels outside")) << found.Notes;
 
   spec.x = 20; // all of it
-  WriteWithSpec(folder("away.exr"), spec, CountTexels(4));
+  WriteImage(folder("away.exr"), spec, CountTexels(4));
   EXPECT_EQ(ReadTopFirst(folder("away.exr")).Values, std::vector<double>(36, 0.0));
 
   spec.full_width = spec.full_height = 60000; // no memory for nothing
-  WriteWithSpec(folder("huge.exr"), spec, CountTexels(4));
+  WriteImage(folder("huge.exr"), spec, CountTexels(4));
   const double before = GetPeakMemory();
   EXPECT_TRUE(Contains(RefuseImage(folder("huge.exr")), "display window"));
   EXPECT_LT(GetPeakMemory() - before, 1e8);
@@ -341,7 +330,7 @@ TEST(IOImageHeaders, LayersAreChosenByName)
   Spec spec(1, 1, 7, OIIO::TypeDesc::FLOAT);
   spec.channelnames = { "View.AO.R", "View.AO.G", "View.AO.B", "View.Combined.R", "View.Combined.G",
     "View.Combined.B", "View.Depth.Z" };
-  WriteWithSpec(folder("blender.exr"), spec, { 1, 2, 3, 4, 5, 6, 7 });
+  WriteImage(folder("blender.exr"), spec, { 1, 2, 3, 4, 5, 6, 7 });
   Found found = ReadTopFirst(folder("blender.exr"));
   EXPECT_EQ(found.Values, (std::vector<double>{ 4, 5, 6 }));
   EXPECT_TRUE(Contains(found.Notes, "'View.AO', 'View.Combined': 'View.Combined' was taken"))
@@ -351,7 +340,7 @@ TEST(IOImageHeaders, LayersAreChosenByName)
   EXPECT_TRUE(Contains(RefuseImage(folder("blender.exr"), "View.Mist"), "'View.Combined'"));
 
   spec.channelnames = { "AO.R", "AO.G", "AO.B", "R", "G", "B", "Z" };
-  WriteWithSpec(folder("unnamed.exr"), spec, { 1, 2, 3, 4, 5, 6, 7 });
+  WriteImage(folder("unnamed.exr"), spec, { 1, 2, 3, 4, 5, 6, 7 });
   EXPECT_EQ(ReadTopFirst(folder("unnamed.exr")).Values, (std::vector<double>{ 4, 5, 6 }));
 
   // Two parts: the first has a layer's name, the second none.
@@ -390,7 +379,7 @@ TEST(IOImageHeaders, EnvmapAttributeNamesTheAxes)
   {
     cube.insert(cube.end(), 3 * 64, static_cast<float>(face + 1));
   }
-  WriteWithSpec(folder("cube.exr"), spec, cube);
+  WriteImage(folder("cube.exr"), spec, cube);
   Spec around(64, 32, 3, OIIO::TypeDesc::FLOAT);
   around.attribute("textureformat", "LatLong Environment");
   std::vector<float> map;
@@ -402,7 +391,7 @@ TEST(IOImageHeaders, EnvmapAttributeNamesTheAxes)
       map.insert(map.end(), 3, static_cast<float>(face + 1));
     }
   }
-  WriteWithSpec(folder("around.exr"), around, map);
+  WriteImage(folder("around.exr"), around, map);
   for (const char* name : { "cube.exr", "around.exr" })
   {
     vtkNew<vtkEnvironmentReader> reader;
@@ -422,14 +411,13 @@ TEST(IOImageHeaders, InfinityIsALargeValue)
 {
   const Folder folder;
   const float infinity = std::numeric_limits<float>::infinity();
-  WriteWithSpec(folder("sun.exr"), Spec(2, 1, 3, OIIO::TypeDesc::HALF),
+  WriteImage(folder("sun.exr"), Spec(2, 1, 3, OIIO::TypeDesc::HALF),
     { 300000.0f, infinity, 1.0f, 2.0f, -infinity, std::nanf("") });
   Found found = ReadTopFirst(folder("sun.exr"));
   EXPECT_EQ(found.Values, (std::vector<double>{ 65504, 65504, 1, 2, 0, 0 }));
   EXPECT_TRUE(Contains(found.Notes, "2 values of +infinity were taken as 65504")) << found.Notes;
   // In a file of floats, no value is above it.
-  WriteWithSpec(
-    folder("float.exr"), Spec(1, 1, 3, OIIO::TypeDesc::FLOAT), { infinity, 1.0f, 3e6f });
+  WriteImage(folder("float.exr"), Spec(1, 1, 3, OIIO::TypeDesc::FLOAT), { infinity, 1.0f, 3e6f });
   found = ReadTopFirst(folder("float.exr"));
   EXPECT_EQ(found.Values, (std::vector<double>{ 3e6, 1, 3e6 }));
 }
@@ -479,7 +467,7 @@ TEST(IOImageHeaders, MemoryFollowsChannelsAndTiles)
   // A tile of 1024 x 1024 texels is fine; of 64 channels of floats, it would take 268 MB.
   Spec spec(16, 16, 64, OIIO::TypeDesc::FLOAT);
   spec.tile_width = spec.tile_height = 64;
-  WriteWithSpec(folder("fine.tif"), spec, std::vector<float>(64 * 16 * 16, 0.5f));
+  WriteImage(folder("fine.tif"), spec, std::vector<float>(64 * 16 * 16, 0.5f));
   EXPECT_EQ(ReadTopFirst(folder("fine.tif")).Width, 16);
   std::string tiff = ReadBytes(folder("fine.tif"));
   const auto put = [&tiff](int tag, int value) // little-endian, SHORT or LONG
@@ -502,7 +490,7 @@ TEST(IOImageHeaders, MemoryFollowsChannelsAndTiles)
   EXPECT_TRUE(Contains(message, "tile size: found 1024 x 1024 with 64 channels")) << message;
 
   // A JPEG file of 65500 x 65500, progressive: its reader would allocate 25 GB as it opens it.
-  WriteWithSpec(
+  WriteImage(
     folder("a.jpg"), Spec(16, 16, 3, OIIO::TypeDesc::UINT8), std::vector<float>(3 * 256, 0.5f));
   std::string jpeg = ReadBytes(folder("a.jpg"));
   const std::size_t frame = jpeg.find("\xff\xc0");

@@ -43,15 +43,13 @@ TEST(IOOpenMaterial, InterpolatesBetweenUnevenAngles)
     WriteBytes(
       folder("road.xompt"), MakeOpenMaterial({ 400.0, 555.5, 700.0 }, { 0.0, 10.0, 45.0, 90.0 },
                               { 0.0, 5.0, 60.0, 90.0 }, phi, value));
-    vtkNew<vtkBRDFReader> reader;
-    reader->SetFileName(folder("road.xompt"));
-    ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+    const auto reader = ReadFile(folder("road.xompt"));
     EXPECT_EQ(reader->GetFormatName(), OpenMaterialFormat);
     EXPECT_EQ(reader->GetBRDF()->GetName(), "road");
     EXPECT_NE(reader->GetBRDF()->GetSource().find("CC0-1.0"), std::string::npos);
     EXPECT_TRUE(reader->GetBRDF()->IsIsotropic());
     EXPECT_EQ(reader->GetNotes().find("mirrored") != std::string::npos, phi.back() == 180.0);
-    EXPECT_EQ(reader->GetNotes().find("missing"), std::string::npos) << reader->GetNotes();
+    ExpectNote(reader, "missing", false);
     ExpectFormula(reader->GetBRDF(), gray, 2e-6);
   }
 }
@@ -70,12 +68,7 @@ TEST(IOOpenMaterial, AzimuthsRunAboutTheNormal)
   {
     for (const double azimuth : { 45.0, 90.0, 135.0, 270.0 })
     {
-      double i[3];
-      double o[3];
-      double f[3];
-      Point(50.0, light, i);
-      Point(70.0, light + azimuth, o);
-      brdf->Evaluate(i, o, f);
+      const glm::dvec3 f = EvaluateAt(brdf, 50.0, light, 70.0, light + azimuth);
       EXPECT_NEAR(f[0], value(905.0, 50.0, 70.0, azimuth), 1e-6) << light << " " << azimuth;
     }
   }
@@ -135,7 +128,7 @@ TEST(IOOpenMaterial, OneWavelengthIsGray)
   reader->SetFileName(folder("a.xompt"));
   EXPECT_EQ(reader->GetMaterialNames(), (std::vector<std::string>{ "905nm", "1550nm" }));
   ASSERT_TRUE(reader->Read());
-  EXPECT_NE(reader->GetNotes().find("Gray, of the wavelength 905nm"), std::string::npos);
+  ExpectNote(reader, "Gray, of the wavelength 905nm");
 }
 
 //------------------------------------------------------------------------------
@@ -161,23 +154,16 @@ TEST(IOOpenMaterial, HolesAreFilledAndReported)
     }
   }
   rows += ",[9.05e-7, 0.1, 0.1, 0.1, null]";
-  WriteBytes(folder("a.xompt"), MakeOpenMaterialFile("9.05e-7", rows));
-  vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(folder("a.xompt"));
-  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  const auto reader =
+    ReadFile(WriteBytes(folder("a.xompt"), MakeOpenMaterialFile("9.05e-7", rows)));
   for (const char* part : { "values are missing in the grid", "1 rows hold a null", "mirrored",
          "light at 0 to 60 and views at 0 to 60" })
   {
-    EXPECT_NE(reader->GetNotes().find(part), std::string::npos) << reader->GetNotes();
+    ExpectNote(reader, part);
   }
   const double gray[3] = { 1.0, 1.0, 1.0 };
   ExpectFormula(reader->GetBRDF(), gray, 2e-6, 60.0); // holes lie on lines: exact again
-  double i[3];
-  double o[3];
-  double f[3];
-  Point(80.0, 10.0, i);
-  Point(85.0, 40.0, o);
-  reader->GetBRDF()->Evaluate(i, o, f);
+  const glm::dvec3 f = EvaluateAt(reader->GetBRDF(), 80.0, 10.0, 85.0, 40.0);
   EXPECT_NEAR(f[0], Shape(60.0, 60.0, 30.0), 2e-6); // constant beyond
 }
 
@@ -197,10 +183,8 @@ TEST(IOOpenMaterial, ScatteredViewsAreInterpolated)
       rows += (rows.empty() ? "" : ",") + MakeOpenMaterialRow(905.0, i, o, p, Shape(i, o, p));
     }
   }
-  WriteBytes(folder("a.xompt"), MakeOpenMaterialFile("9.05e-7", rows));
-  vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(folder("a.xompt"));
-  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  const auto reader =
+    ReadFile(WriteBytes(folder("a.xompt"), MakeOpenMaterialFile("9.05e-7", rows)));
   const std::string notes = reader->GetNotes();
   EXPECT_NE(notes.find("The views are scattered"), std::string::npos) << notes;
   const std::size_t at = notes.find("readings is ");
@@ -243,18 +227,17 @@ TEST(IOOpenMaterial, RefusesBadFiles)
   const auto expect = [&folder](const std::string& bytes, std::vector<std::string> words)
   {
     words.push_back(OpenMaterialFormat);
-    WriteBytes(folder("a.xompt"), bytes);
-    ExpectRefused(folder, folder("a.xompt"), words);
+    ExpectRefused(folder, WriteBytes(folder("a.xompt"), bytes), words);
   };
   const std::string good = "[5e-7, 0.1, 0.2, 0.3, 0.4]";
   const auto rows = [](const std::string& text) { return MakeOpenMaterialFile("5e-7", text); };
   expect(rows(good + ", [5e-7, 0.1, 0.2, 0.3]"), { "row 2", "found 4 numbers, expected 5" });
   expect(rows(good + ", [5e-7, 0, 0, 0, 1, 2]"), { "row 2", "found 6" });
-  expect(rows("5"), { "row 1", "a number alone" });
-  expect(rows("[5e-7, 0, 0, 0, \"x\"]"), { "row 1", "found a text" });
-  expect(rows("[5e-7, 0, 0, 0, [1]]"), { "row 1", "found a list" });
-  expect(rows("[5e-7, 0, 0, 0, {}]"), { "row 1", "found an object" });
-  expect(rows("[5e-7, 0, 0, true, 0]"), { "row 1", "found a truth value" });
+  expect(rows("5"), { "row 1", "number alone" });
+  expect(rows("[5e-7, 0, 0, 0, \"x\"]"), { "row 1", "found string" });
+  expect(rows("[5e-7, 0, 0, 0, [1]]"), { "row 1", "found array" });
+  expect(rows("[5e-7, 0, 0, 0, {}]"), { "row 1", "found object" });
+  expect(rows("[5e-7, 0, 0, true, 0]"), { "row 1", "found boolean" });
   expect(rows(""), { "lookupTable", "no row" });
   expect(rows("[null, 0, 0, 0, 0]"), { "lookupTable", "no row" });
   expect(rows("[500, 0, 0, 0, 1]"), { "row 1", "wavelength is 500", "0.01716" });
@@ -277,19 +260,17 @@ TEST(IOOpenMaterial, RefusesBadFiles)
 TEST(IOOpenMaterial, HostileFilesAreRefusedInLittleMemory)
 {
   const Folder folder;
-  const auto expect = [&folder](const std::string& bytes, const std::string& word)
-  {
-    WriteBytes(folder("a.xompt"), bytes);
-    ExpectRefused(folder, folder("a.xompt"), { OpenMaterialFormat, word });
+  const auto expect = [&folder](const std::string& bytes, const std::string& word) {
+    ExpectRefused(folder, WriteBytes(folder("a.xompt"), bytes), { OpenMaterialFormat, word });
   };
   const double before = GetPeakMemory();
-  expect("{\"brdf\":" + std::string(1 << 20, '['), "deeper than 32");
+  expect("{\"brdf\":" + std::string(1 << 20, '['), "nested deeper");
   std::string objects;
   for (int k = 0; k < 100000; ++k)
   {
     objects += "{\"a\":";
   }
-  expect("{\"x\":" + objects, "deeper than 32");
+  expect("{\"x\":" + objects, "nested deeper");
   // Each row's angles are its own: a full grid of them would have 1e12 nodes.
   std::string sparse;
   std::string many;
@@ -323,12 +304,7 @@ TEST(IOOpenMaterial, ReadsMeasuredAsphalt)
   const auto camera = Read((folder / "example_material_camera_brdf.xompt").string());
   ASSERT_TRUE(camera);
   EXPECT_EQ(camera->GetName(), "asphalt_brdf_for_camera");
-  double i[3];
-  double o[3];
-  double f[3];
-  Point(30.0, 0.0, i);
-  Point(0.0, 0.0, o);
-  camera->Evaluate(i, o, f);
+  const glm::dvec3 f = EvaluateAt(camera, 30.0, 0.0, 0.0, 0.0);
   // By the program that SpectraForTests.h names.
   const double expected[3] = { 2.36343433e-5, 1.94732855e-5, 1.57571673e-5 };
   for (int c = 0; c < 3; ++c)
@@ -337,10 +313,8 @@ TEST(IOOpenMaterial, ReadsMeasuredAsphalt)
   }
   const auto lidar = Read((folder / "example_material_lidar_brdf.xompt").string());
   ASSERT_TRUE(lidar);
-  Point(88.0, 20.0, i);
-  Point(40.0, 200.0, o);
-  lidar->Evaluate(i, o, f);
-  EXPECT_NEAR(f[0], 0.000663154, 1e-7); // a row of the file
-  EXPECT_EQ(f[0], f[2]);
+  const glm::dvec3 row = EvaluateAt(lidar, 88.0, 20.0, 40.0, 200.0);
+  EXPECT_NEAR(row.x, 0.000663154, 1e-7); // a row of the file
+  EXPECT_EQ(row.x, row.z);
 }
 }

@@ -6,12 +6,11 @@
 
 #include "ErrorCatcher.h"
 #include "TestIOHelpers.h"
+#include "TestImages.h"
 
 #include "vtkImageData.h"
 #include "vtkPhotographSet.h"
 #include "vtkPhotographSetReader.h"
-
-#include <OpenImageIO/imageio.h>
 
 #include <filesystem>
 
@@ -22,17 +21,8 @@ namespace
 void WriteTwoRows(const std::string& path, int channels, const std::vector<float>& pixels,
   OIIO::TypeDesc type, const std::string& space = "")
 {
-  auto out = OIIO::ImageOutput::create(path);
-  ASSERT_TRUE(out) << OIIO::geterror();
-  OIIO::ImageSpec spec(
-    static_cast<int>(pixels.size()) / channels / 2, 2, channels, type); // two rows
-  if (!space.empty())
-  {
-    spec.attribute("oiio:ColorSpace", space);
-  }
-  ASSERT_TRUE(out->open(path, spec)) << out->geterror();
-  ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, pixels.data())) << out->geterror();
-  out->close();
+  const int width = static_cast<int>(pixels.size()) / channels / 2;
+  WriteImage(path, width, 2, channels, pixels, type, space);
 }
 
 const std::vector<float> SixPixels = { 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0.2f, 0.4f,

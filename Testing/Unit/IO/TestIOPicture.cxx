@@ -3,11 +3,10 @@
 // vtkPictureReader.
 #include "ErrorCatcher.h"
 #include "TestIOHelpers.h"
+#include "TestImages.h"
 
 #include "vtkImageData.h"
 #include "vtkPictureReader.h"
-
-#include <OpenImageIO/imageio.h>
 
 #include <limits>
 
@@ -18,14 +17,10 @@ namespace
 void WritePicture(const std::string& path, int width, int height, int channels,
   const std::vector<float>& pixels, OIIO::TypeDesc type)
 {
-  auto out = OIIO::ImageOutput::create(path);
-  ASSERT_TRUE(out) << OIIO::geterror();
   OIIO::ImageSpec spec(width, height, channels, type);
   spec.alpha_channel = channels == 2 || channels == 4 ? channels - 1 : -1;
   spec.attribute("oiio:UnassociatedAlpha", 1);
-  ASSERT_TRUE(out->open(path, spec)) << out->geterror();
-  ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, pixels.data())) << out->geterror();
-  out->close();
+  WriteImage(path, spec, pixels);
 }
 
 void ExpectPicture(const std::string& path, int type, int width, int height, int components,

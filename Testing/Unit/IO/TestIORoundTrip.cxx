@@ -235,6 +235,8 @@ TEST(IOWriter, RefusesBadPlaces)
   ExpectWriteRefused(lambert, folder("missing/m.exr"), { "cannot be written" });
   std::filesystem::create_directory(folder("d.exr"));
   ExpectWriteRefused(lambert, folder("d.exr"), { "directory" });
+  vtkNew<vtkBasisBRDF> empty;
+  ExpectWriteRefused(empty, folder("m.exr"), { "Basis", "'coefficients' is empty" });
   // Nor is it stored as its superclass, which it is not.
   vtkNew<BrokenBRDF> broken;
   ExpectWriteRefused(broken, folder("m.exr"), { "BrokenBRDF has no form" });
@@ -258,7 +260,7 @@ TEST(IOWriter, RefusesBadPlaces)
 }
 
 //------------------------------------------------------------------------------
-TEST(IOExrRoundTrip, FormulasComeBack)
+TEST(IOExrRoundTrip, EveryModelComesBack)
 {
   NEEDS_OPENEXR();
   vtkNew<vtkLambertBRDF> lambert;
@@ -275,25 +277,39 @@ TEST(IOExrRoundTrip, FormulasComeBack)
   shirley->SetExponents(10.1, 1000.3);
   shirley->SetFresnelModelToDielectric();
   shirley->SetIndexOfRefraction(1.77);
-  for (vtkBRDF* material : std::initializer_list<vtkBRDF*>{ lambert, phong, shirley })
-  {
-    RoundTrip(material);
-  }
-  const auto back = RoundTrip(lambert);
-  EXPECT_EQ(vtkLambertBRDF::SafeDownCast(back)->GetAlbedo()[1], 1.0 / 3.0);
-  EXPECT_EQ(back->GetResamplingTolerance(), 0.0123456789012345);
-}
-
-//------------------------------------------------------------------------------
-TEST(IOExrRoundTrip, TablesComeBack)
-{
-  NEEDS_OPENEXR();
   vtkNew<vtkDistributionBRDF> distribution;
   auto values = MakeValues(3 * 16 * 4);
   values[1] = 0.5f;
   ASSERT_TRUE(distribution->SetDistribution(16, 4, values));
   ASSERT_TRUE(distribution->SetFresnel(8, std::vector<float>(24, 0.7f)));
-  RoundTrip(distribution);
+  vtkNew<vtkAngleBasisBRDF> patches;
+  ASSERT_EQ(
+    patches->SetMatrix({ { 20.0f, 90.0f }, { 1, 3 } }, { { 90.0f }, { 5 } }, MakeValues(3 * 4 * 5)),
+    "");
+  vtkNew<vtkAngularTableBRDF> angles;
+  ASSERT_EQ(angles->SetValues({ { 0.0f, 30.0f, 90.0f }, { 0.0f, 180.0f } },
+              { { 0.0f, 90.0f }, { 0.0f, 120.0f, 240.0f } }, MakeValues(3 * 6 * 6)),
+    "");
+  vtkTensorTreeBRDF::Tree tree;
+  tree.Dimensions = 4;
+  tree.Nodes = { { 1, 0 }, { 2, 1 }, { 0, 0 } };
+  tree.Children = { 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1 };
+  tree.Values = MakeValues(17);
+  vtkNew<vtkTensorTreeBRDF> branches;
+  ASSERT_EQ(branches->SetTree(tree), "");
+  vtkNew<vtkAdaptiveWarpBRDF> warp;
+  ASSERT_EQ(warp->SetTables(MakeTables()), "");
+  vtkNew<vtkSumBRDF> empty, inner, sum;
+  inner->SetName("inner");
+  inner->AddTerm(MakeMerlTable());
+  inner->AddTerm(MakeTable(vtkTabulatedBRDF::INCIDENT_OUTGOING, vtkTabulatedBRDF::FULL_TURN));
+  sum->SetName("outer");
+  sum->AddTerm(lambert);
+  sum->AddTerm(inner);
+  sum->AddTerm(warp);
+  sum->AddTerm(empty);
+  std::vector<vtkSmartPointer<vtkBRDF>> materials = { lambert.Get(), phong.Get(), shirley.Get(),
+    distribution.Get(), patches.Get(), angles.Get(), branches.Get(), warp.Get(), sum.Get() };
   for (const int range : { 0, 1 })
   {
     for (const int parameterization : { 0, 1 })
@@ -302,37 +318,27 @@ TEST(IOExrRoundTrip, TablesComeBack)
       table->SetPrecision(vtkTabulatedBRDF::FLOAT32);
       table->SetResamplingError(0.1 + 0.2);
       table->SetCosineWeighted(range == 1);
-      const auto back = RoundTrip(table);
-      EXPECT_EQ(vtkTabulatedBRDF::SafeDownCast(back)->GetNumberOfInvalidCells(), 1);
+      materials.push_back(table);
     }
     vtkNew<vtkAnisotropicTabulatedBRDF> anisotropic;
     const int size[4] = { 3, 2, 5, 4 };
     ASSERT_TRUE(anisotropic->SetVolume(range, size, MakeValues(3 * 3 * 2 * 5 * 4)));
     anisotropic->SetResamplingError(0.1 + 0.2);
     anisotropic->SetCosineWeighted(range == 1);
-    RoundTrip(anisotropic);
+    materials.push_back(anisotropic.Get());
   }
-  vtkNew<vtkAngleBasisBRDF> patches;
-  ASSERT_EQ(
-    patches->SetMatrix({ { 20.0f, 90.0f }, { 1, 3 } }, { { 90.0f }, { 5 } }, MakeValues(3 * 4 * 5)),
-    "");
-  RoundTrip(patches);
-  vtkNew<vtkAngularTableBRDF> angles;
-  ASSERT_EQ(angles->SetValues({ { 0.0f, 30.0f, 90.0f }, { 0.0f, 180.0f } },
-              { { 0.0f, 90.0f }, { 0.0f, 120.0f, 240.0f } }, MakeValues(3 * 6 * 6)),
-    "");
-  RoundTrip(angles);
-  vtkTensorTreeBRDF::Tree tree;
-  tree.Dimensions = 4;
-  tree.Nodes = { { 1, 0 }, { 2, 1 }, { 0, 0 } };
-  tree.Children = { 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1 };
-  tree.Values = MakeValues(17);
-  vtkNew<vtkTensorTreeBRDF> branches;
-  ASSERT_EQ(branches->SetTree(tree), "");
-  RoundTrip(branches);
-  vtkNew<vtkAdaptiveWarpBRDF> warp;
-  ASSERT_EQ(warp->SetTables(MakeTables()), "");
-  RoundTrip(warp);
+  for (const int basis : { 0, 1, 2, 3 })
+  {
+    const auto material = MakeBasis(basis, basis == 3 ? 20 : basis, basis == 0 ? 1 : 2);
+    material->SetIncidentCosine((basis & 1) != 0);
+    material->SetOutgoingCosine((basis & 2) != 0);
+    material->SetResamplingTolerance(0.3); // small tables: only the file matters
+    materials.push_back(material);
+  }
+  for (vtkBRDF* material : materials)
+  {
+    RoundTrip(material);
+  }
 }
 
 #if MEASUREDBRDF_WITH_OPENEXR
@@ -364,52 +370,6 @@ TEST(IOExr, ChannelsAreNamedForTheirColors)
 #endif
 
 //------------------------------------------------------------------------------
-TEST(IOExrRoundTrip, BasesComeBack)
-{
-  NEEDS_OPENEXR();
-  for (const int basis : { 0, 1, 2, 3 })
-  {
-    for (const int flags : { 0, 1, 2, 3 })
-    {
-      const auto material = MakeBasis(basis, flags == 3 ? 20 : flags, flags == 0 ? 1 : 2);
-      material->SetIncidentCosine((flags & 1) != 0);
-      material->SetOutgoingCosine((flags & 2) != 0);
-      material->SetResamplingError(0.1 + 0.2);
-      material->SetResamplingTolerance(0.3); // small tables: only the file matters
-      RoundTrip(material);
-    }
-  }
-  vtkNew<vtkBasisBRDF> empty;
-  const Folder folder;
-  ExpectWriteRefused(empty, folder("e.exr"), { "Basis", "'coefficients' is empty" });
-}
-
-//------------------------------------------------------------------------------
-TEST(IOExrRoundTrip, SumOfSums)
-{
-  NEEDS_OPENEXR();
-  vtkNew<vtkAdaptiveWarpBRDF> warp;
-  ASSERT_EQ(warp->SetTables(MakeTables()), "");
-  vtkNew<vtkLambertBRDF> lambert;
-  vtkNew<vtkSumBRDF> inner;
-  inner->SetName("inner");
-  inner->AddTerm(MakeMerlTable());
-  inner->AddTerm(MakeTable(vtkTabulatedBRDF::INCIDENT_OUTGOING, vtkTabulatedBRDF::FULL_TURN));
-  vtkNew<vtkSumBRDF> sum;
-  sum->SetName("outer");
-  sum->AddTerm(lambert);
-  sum->AddTerm(inner);
-  sum->AddTerm(warp);
-  RoundTrip(sum);
-
-  vtkNew<vtkSumBRDF> empty;
-  const Folder folder;
-  Write(empty, folder("e.exr"));
-  const vtkSmartPointer<vtkBRDF> read = Read(folder("e.exr"));
-  EXPECT_EQ(vtkSumBRDF::SafeDownCast(read)->GetNumberOfTerms(), 0);
-}
-
-//------------------------------------------------------------------------------
 TEST(IOExr, CountsValues)
 {
   NEEDS_OPENEXR();
@@ -419,9 +379,7 @@ TEST(IOExr, CountsValues)
   const int size[3] = { 1, 1, 2 };
   ASSERT_TRUE(table->SetVolume(0, 0, size, { 1, -2, 3, 4, nan, 6 }));
   Write(table, folder("t.exr"));
-  vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(folder("t.exr"));
-  ASSERT_TRUE(reader->Read());
+  const auto reader = ReadFile(folder("t.exr"));
   EXPECT_EQ(reader->GetFormatName(), Exr);
   EXPECT_EQ(reader->GetNumberOfNegativeValues(), 1);
   EXPECT_EQ(reader->GetNumberOfInvalidValues(), 3); // the table makes the whole cell NaN
@@ -442,37 +400,26 @@ TEST(IOExr, RefusesBadFiles)
   Write(sum, folder("s.exr"));
   ExpectTruncationsRefused(folder, ReadBytes(folder("s.exr")), 1, 17, Exr);
 
-  ExpectBytesRefused(
-    folder, Replace(good, "measuredBRDF", "measuredBRDX"), { Exr, "'measuredBRDF' is missing" });
-  ExpectBytesRefused(folder, Replace(good, "\"measured-brdf\"", "\"measured-bsdf\""),
-    { Exr, "measured-bsdf", "expected 'measured-brdf'" });
-  ExpectBytesRefused(folder, Replace(good, "\"version\":1", "\"version\":7"), { Exr, "version 7" });
-  ExpectBytesRefused(
-    folder, Replace(good, "\"version\":1", "\"version\";1"), { Exr, "parse error" });
-  ExpectBytesRefused(
-    folder, Replace(good, "\"Tabulated\"", "\"Tabulatex\""), { Exr, "unknown model 'Tabulatex'" });
-  ExpectBytesRefused(folder, Replace(good, "\"half-turn\"", "\"half-torn\""),
-    { Exr, "Tabulated", "'azimuthRange'" });
-  ExpectBytesRefused(folder, Replace(good, "\"azimuthRange\"", "\"azimuthRangx\""),
-    { Exr, "Tabulated", "'azimuthRange'" });
-  ExpectBytesRefused(folder,
-    Replace(good, "\"resamplingTolerance\":[0.01]", "\"resamplingTolerance\":[7.01]"),
-    { Exr, "'resamplingTolerance' is out of range" });
-  ExpectBytesRefused(folder,
-    Replace(good, "\"resamplingTolerance\":[0.01]", "\"resamplingTolerance\":[null]"),
-    { Exr, "measuredBRDF" });
-  for (const char* shape : { "[4,5,7]", "[5,5,6]", "[0,5,6]", "[4,5,0]", "[-4,5,6", "[4,9,9]" })
-  {
-    const std::string to = shape;
-    ExpectBytesRefused(
-      folder, Replace(good, "[4,5,6]", to.size() < 7 ? to + "]" : to.substr(0, 7)), { Exr });
-  }
-  ExpectBytesRefused(
-    folder, Replace(good, "\"channels\":3", "\"channels\":1"), { Exr, "'volume'", "3 channels" });
-  ExpectBytesRefused(
-    folder, Replace(good, "\"channels\":3", "\"channels\":9"), { Exr, "1 or 3 channels" });
-  ExpectBytesRefused(
-    folder, Replace(good, "{\"volume\":", "{\"volvme\":"), { Exr, "part 'volvme' is missing" });
+  const auto change = [&good](const std::string& from, const std::string& to)
+  { return Replace(good, from, to); };
+  ExpectAllRefused(folder, Exr,
+    { { change("measuredBRDF", "measuredBRDX"), { "'measuredBRDF' is missing" } },
+      { change("\"measured-brdf\"", "\"measured-bsdf\""),
+        { "measured-bsdf", "expected 'measured-brdf'" } },
+      { change("\"version\":1", "\"version\":7"), { "version 7" } },
+      { change("\"version\":1", "\"version\";1"), { "parse error" } },
+      { change("\"Tabulated\"", "\"Tabulatex\""), { "unknown model 'Tabulatex'" } },
+      { change("\"half-turn\"", "\"half-torn\""), { "Tabulated", "'azimuthRange'" } },
+      { change("\"azimuthRange\"", "\"azimuthRangx\""), { "Tabulated", "'azimuthRange'" } },
+      { change("Tolerance\":[0.01]", "Tolerance\":[7.01]"),
+        { "'resamplingTolerance' is out of range" } },
+      { change("Tolerance\":[0.01]", "Tolerance\":[null]"), { "measuredBRDF" } },
+      { change("[4,5,6]", "[4,5,7]"), {} }, { change("[4,5,6]", "[5,5,6]"), {} },
+      { change("[4,5,6]", "[0,5,6]"), {} }, { change("[4,5,6]", "[4,5,0]"), {} },
+      { change("[4,5,6]", "[-4,5,6]"), {} }, { change("[4,5,6]", "[4,9,9]"), {} },
+      { change("\"channels\":3", "\"channels\":1"), { "'volume'", "3 channels" } },
+      { change("\"channels\":3", "\"channels\":9"), { "1 or 3 channels" } },
+      { change("{\"volume\":", "{\"volvme\":"), { "part 'volvme' is missing" } } });
 }
 
 //------------------------------------------------------------------------------
@@ -536,31 +483,6 @@ TEST(IOExr, RefusesTooMuch)
   bytes.replace(place, shape.size(), "\"shape\":[441,9999,9999]");
   bytes.insert(bytes.find("\"name\":\"") + 8, 3, ' ');
   ExpectBytesRefused(folder, bytes, { Exr, "Basis", "1.32274e+11", "at most 67108864" });
-
-  vtkNew<vtkSumBRDF> sum;
-  vtkNew<vtkLambertBRDF> lambert;
-  for (int k = 1; k < vtkSumBRDF::MaximumNumberOfTerms; ++k)
-  {
-    sum->AddTerm(lambert);
-  }
-  vtkNew<vtkLambertBRDF> last;
-  last->SetName(std::string(1000, 'x'));
-  sum->AddTerm(last);
-  Write(sum, folder("s.exr"));
-  // The last term becomes two that are as long together.
-  bytes = ReadBytes(folder("s.exr"));
-  const std::size_t begin = bytes.rfind("{\"arrays\"", bytes.find(last->GetName()));
-  const std::size_t end = bytes.find('}', bytes.find("\"terms\":[]", begin)) + 1;
-  const std::string term = bytes.substr(begin, end - begin);
-  const std::size_t bare = term.size() - 1000;
-  const std::string first = Replace(term, last->GetName(), std::string(1000, ' '));
-  ASSERT_LT(bare, 900u);
-  std::string unnamed = first;
-  unnamed.erase(unnamed.find("  "), 1000);
-  std::string padded = first;
-  padded.erase(padded.find("  "), bare + 1);
-  bytes.replace(begin, term.size(), unnamed + "," + padded);
-  ExpectBytesRefused(folder, bytes, { Exr, "65 terms, expected at most 64" });
 }
 
 //------------------------------------------------------------------------------

@@ -111,11 +111,9 @@ TEST(IOSpectral, AgreesWithAnotherProgramsSum)
       SCOPED_TRACE(spectrum.Name);
       WriteBytes(
         folder("a_spec.bsdf"), MakeSpectral(MakeEvenTables(), wavelengths, spectrum.Value));
-      vtkNew<vtkBRDFReader> reader;
-      reader->SetFileName(folder("a_spec.bsdf"));
-      ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+      const auto reader = ReadFile(folder("a_spec.bsdf"));
       EXPECT_EQ(reader->GetBRDF()->GetName(), "a_spec");
-      EXPECT_NE(reader->GetNotes().find("D65"), std::string::npos) << reader->GetNotes();
+      ExpectNote(reader, "D65");
       EXPECT_EQ(
         reader->GetNotes().find("Constant beyond") != std::string::npos, wavelengths[0] > 380.0f);
       const bool isOutside = spectrum.RGB[0] < 0.0 || spectrum.RGB[2] < 0.0;

@@ -8,6 +8,7 @@
 #ifndef AngleFormula_h
 #define AngleFormula_h
 
+#include "TestDirections.h"
 #include "vtkBRDF.h"
 
 #include <gtest/gtest.h>
@@ -18,13 +19,10 @@
 
 namespace testio
 {
-/// A direction from degrees.
-inline void Point(double theta, double phi, double d[3])
+/// f of light and view in degrees.
+inline glm::dvec3 EvaluateAt(vtkBRDF* brdf, double thetaI, double phiI, double thetaO, double phiO)
 {
-  constexpr double degree = 3.14159265358979323846 / 180.0;
-  d[0] = std::sin(theta * degree) * std::cos(phi * degree);
-  d[1] = std::sin(theta * degree) * std::sin(phi * degree);
-  d[2] = std::cos(theta * degree);
+  return Evaluate(brdf, FromDegrees(thetaI, phiI), FromDegrees(thetaO, phiO));
 }
 
 /// Linear in each angle, and one value along the normals: interpolation between any nodes is exact.
@@ -48,12 +46,7 @@ inline void Compare(
     const double light = 360.0 * number(random);
     const double angles[3] = { horizon * number(random), horizon * number(random),
       360.0 * number(random) };
-    double i[3];
-    double o[3];
-    double f[3];
-    Point(angles[0], light, i);
-    Point(angles[1], light + angles[2], o);
-    brdf->Evaluate(i, o, f);
+    const glm::dvec3 f = EvaluateAt(brdf, angles[0], light, angles[1], light + angles[2]);
     for (int c = 0; c < 3; ++c)
     {
       const double difference = f[c] - color[c] * Shape(angles[0], angles[1], angles[2]);

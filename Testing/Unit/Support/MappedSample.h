@@ -8,6 +8,7 @@
 #ifndef MappedSample_h
 #define MappedSample_h
 
+#include "SimulatedPhotographs.h"
 #include "vtkBRDF.h"
 #include "vtkDataArray.h"
 #include "vtkEmbeddedMaterials.h"
@@ -16,7 +17,6 @@
 #include "vtkMaterialMapFitter.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkSimulatedPhotographSet.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -69,11 +69,11 @@ inline vtkSmartPointer<vtkMaterialMap> NewMappedSample(
 }
 
 /// Its photographs under pairs of the Bonn database's directions.
-inline vtkSmartPointer<vtkSimulatedPhotographSet> NewPhotographs(
+inline vtkSmartPointer<SimulatedPhotographs> NewPhotographs(
   vtkMaterialMap* map, int count, double exposure = 1.0)
 {
-  auto photographs = vtkSmartPointer<vtkSimulatedPhotographSet>::New();
-  photographs->SetMaterialMap(map);
+  auto photographs = vtkSmartPointer<SimulatedPhotographs>::New();
+  photographs->Map = map;
   photographs->AddBonnDirections(count, exposure);
   return photographs;
 }
@@ -135,9 +135,9 @@ inline WeightDifference CompareWeights(vtkMaterialMap* found, vtkMaterialMap* or
 inline double ComparePhotographs(vtkMaterialMap* found, vtkMaterialMap* original, bool mirror)
 {
   constexpr int count = 100;
-  vtkNew<vtkSimulatedPhotographSet> sets[2];
-  sets[0]->SetMaterialMap(found);
-  sets[1]->SetMaterialMap(original);
+  vtkNew<SimulatedPhotographs> sets[2];
+  sets[0]->Map = found;
+  sets[1]->Map = original;
   std::mt19937 random(3);
   const auto number = [&](double from, double to)
   { return from + (to - from) * static_cast<double>(random()) * 0x1p-32; };
@@ -152,7 +152,7 @@ inline double ComparePhotographs(vtkMaterialMap* found, vtkMaterialMap* original
     vtkSmartPointer<vtkImageData> pictures[2];
     for (int of = 0; of < 2; ++of)
     {
-      sets[of]->AddDirections(light, view);
+      sets[of]->Add(light, view);
       pictures[of].TakeReference(sets[of]->NewPicture(k));
     }
     vtkDataArray* x = pictures[0]->GetPointData()->GetScalars();

@@ -22,6 +22,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -30,7 +31,9 @@
 #include <functional>
 #include <iterator>
 #include <random>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #if defined(__linux__)
@@ -41,12 +44,14 @@ namespace testio
 {
 using Folder = ::TestFolder;
 
-inline void WriteBytes(const std::string& path, const std::string& bytes)
+/// Returns the path.
+inline std::string WriteBytes(const std::string& path, const std::string& bytes)
 {
   // A new file each time: some file systems flush one that is truncated and written again.
   std::error_code error;
   std::filesystem::remove(path, error);
   std::ofstream(path, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
+  return path;
 }
 
 /// The text with the first `old` in it replaced, which must be there.
@@ -141,13 +146,23 @@ inline bool SameBits(const std::vector<float>& a, const std::vector<float>& b)
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
 }
 
-inline vtkSmartPointer<vtkBRDF> Read(const std::string& path)
+/// The reader of a file that is read without error.
+inline vtkSmartPointer<vtkBRDFReader> ReadFile(const std::string& path)
 {
-  vtkNew<vtkBRDFReader> reader;
+  auto reader = vtkSmartPointer<vtkBRDFReader>::New();
   reader->SetFileName(path);
   EXPECT_TRUE(reader->Read()) << reader->GetErrorMessage();
   EXPECT_EQ(reader->GetErrorMessage(), "");
-  return reader->GetBRDF();
+  return reader;
+}
+
+inline vtkSmartPointer<vtkBRDF> Read(const std::string& path) { return ReadFile(path)->GetBRDF(); }
+
+/// Whether the reader's notes hold the words.
+inline void ExpectNote(vtkBRDFReader* reader, const std::string& words, bool holds = true)
+{
+  EXPECT_EQ(reader->GetNotes().find(words) != std::string::npos, holds)
+    << words << " in: " << reader->GetNotes();
 }
 
 inline void Write(vtkBRDF* brdf, const std::string& path)
@@ -186,12 +201,46 @@ inline void ExpectRefused(
   }
 }
 
+/// A file's bytes, and words of the message that refuses them.
+using Refusals = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
 inline void ExpectBytesRefused(
   const Folder& folder, const std::string& bytes, const std::vector<std::string>& words)
 {
   const std::string path = folder("bad.file");
   WriteBytes(path, bytes);
   ExpectRefused(folder, path, words);
+}
+
+/// All of them are refused, with the format named.
+inline void ExpectAllRefused(
+  const Folder& folder, const std::string& format, const Refusals& refusals)
+{
+  for (const auto& [bytes, words] : refusals)
+  {
+    std::vector<std::string> all = words;
+    all.push_back(format);
+    SCOPED_TRACE(words.empty() ? format : words.back());
+    ExpectBytesRefused(folder, bytes, all);
+  }
+}
+
+/// Rows of numbers with commas between, but for comments and the line of names.
+inline std::vector<std::vector<double>> ReadCsv(const std::string& path)
+{
+  std::vector<std::vector<double>> rows;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);)
+  {
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream numbers(line);
+    std::vector<double> row{ std::istream_iterator<double>(numbers), {} };
+    if (!row.empty())
+    {
+      rows.push_back(row);
+    }
+  }
+  return rows;
 }
 
 /// Every shorter beginning of the bytes (every `step`-th length) is refused with `format` named.
