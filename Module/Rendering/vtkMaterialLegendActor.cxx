@@ -368,27 +368,6 @@ void vtkMaterialLegendActor::PlaceEntries(
 }
 
 //------------------------------------------------------------------------------
-int vtkMaterialLegendActor::GetNumberOfEntries()
-{
-  this->UpdateEntries();
-  return static_cast<int>(this->Impl->Entries.size());
-}
-
-//------------------------------------------------------------------------------
-std::string vtkMaterialLegendActor::GetLabel(int entry)
-{
-  const bool known = entry >= 0 && entry < this->GetNumberOfEntries();
-  return known ? this->Impl->Entries[static_cast<std::size_t>(entry)]->Label : "";
-}
-
-//------------------------------------------------------------------------------
-vtkImageData* vtkMaterialLegendActor::GetSphere(int entry)
-{
-  const bool known = entry >= 0 && entry < this->GetNumberOfEntries();
-  return known ? this->Impl->Entries[static_cast<std::size_t>(entry)]->Picture.Get() : nullptr;
-}
-
-//------------------------------------------------------------------------------
 int vtkMaterialLegendActor::RenderOverlay(vtkViewport* viewport)
 {
   int drawn = 0;

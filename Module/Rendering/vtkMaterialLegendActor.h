@@ -29,7 +29,6 @@
 #include <string> // for labels
 
 class vtkEnvironment;
-class vtkImageData;
 class vtkMaterialMap;
 class vtkTextProperty;
 
@@ -78,19 +77,6 @@ public:
    * Font, color and style of the names and the title. Sizes are found so that all fit.
    */
   vtkTextProperty* GetTextProperty();
-
-  /**
-   * How many materials are shown; and the text of one, "" where there is none of that number.
-   */
-  int GetNumberOfEntries();
-  std::string GetLabel(int entry);
-
-  /**
-   * The picture of an entry's sphere: SphereResolution squared, RGBA in floats, of which 1 is white
-   * and opaque; null where there is none of that number, or where it could not be made, after an
-   * error event.
-   */
-  vtkImageData* GetSphere(int entry);
 
   int RenderOverlay(vtkViewport* viewport) override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;

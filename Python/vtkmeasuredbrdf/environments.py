@@ -17,6 +17,7 @@ from typing import Any, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkTexture
@@ -229,10 +230,9 @@ def _from_array(source: ArrayLike, srgb: bool | None) -> Any:
     else:
         array = array.astype(array.dtype.newbyteorder("="), copy=False)
     pixels = np.ascontiguousarray(array[::-1])  # C++ begins with the bottom row
-    scalars = _new_scalars(pixels)
     image = vtkImageData()
     image.SetDimensions(pixels.shape[1], pixels.shape[0], 1)
-    image.GetPointData().SetScalars(scalars)
+    image.GetPointData().SetScalars(numpy_to_vtk(pixels.reshape(-1, pixels.shape[-1])))
     return _from_image(image, srgb, 4)
 
 
@@ -263,14 +263,3 @@ def _from_image(image: Any, srgb: bool | None, level: int = 3) -> Any:
                       "the largest value for +infinity",
                       stacklevel=level)
     return environment
-
-
-def _new_scalars(pixels: NDArray[Any]) -> Any:
-    """A VTK array on the pixels' memory."""
-    from vtkmodules.vtkCommonCore import vtkFloatArray, vtkUnsignedCharArray, vtkUnsignedShortArray
-
-    kinds = {"f4": vtkFloatArray, "u1": vtkUnsignedCharArray, "u2": vtkUnsignedShortArray}
-    scalars = kinds[pixels.dtype.str[1:]]()
-    scalars.SetNumberOfComponents(pixels.shape[-1])
-    scalars.SetVoidArray(pixels, pixels.size, 1)
-    return scalars

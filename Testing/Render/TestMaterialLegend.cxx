@@ -4,7 +4,6 @@
 
 #include "RenderFixture.h"
 #include "vtkEnvironment.h"
-#include "vtkImageData.h"
 #include "vtkLambertBRDF.h"
 #include "vtkMaterialLegendActor.h"
 #include "vtkMaterialMap.h"
@@ -67,27 +66,6 @@ protected:
   vtkNew<vtkMaterialMap> Map;
   vtkNew<vtkMaterialLegendActor> Legend;
 };
-
-TEST_F(MaterialLegend, ListsMaterialsWithTheirNames)
-{
-  ASSERT_EQ(this->Legend->GetNumberOfEntries(), 2);
-  EXPECT_EQ(this->Legend->GetLabel(0), "4");
-  EXPECT_EQ(this->Legend->GetLabel(1), "sky");
-  EXPECT_EQ(this->Legend->GetLabel(2), "");
-  EXPECT_EQ(this->Legend->GetSphere(-1), nullptr);
-  this->Legend->SetSphereResolution(64);
-  vtkImageData* sphere = this->Legend->GetSphere(1);
-  ASSERT_NE(sphere, nullptr);
-  EXPECT_EQ(sphere->GetDimensions()[0], 64);
-  EXPECT_EQ(sphere->GetScalarComponentAsDouble(0, 0, 0, 3), 0.0);
-  EXPECT_EQ(sphere->GetScalarComponentAsDouble(32, 32, 0, 3), 1.0);
-  EXPECT_NEAR(sphere->GetScalarComponentAsDouble(32, 32, 0, 2), std::pow(0.5, 1 / 2.2), 0.015);
-  EXPECT_EQ(this->Legend->GetSphere(1), sphere); // made once
-  this->Red->SetAlbedo(0.2, 0.2, 0.2);
-  EXPECT_EQ(this->Legend->GetSphere(1), sphere); // another one's change
-  this->Legend->SetMaterialMap(nullptr);
-  EXPECT_EQ(this->Legend->GetNumberOfEntries(), 0);
-}
 
 TEST_F(MaterialLegend, DrawsSpheresBelowEachOther)
 {

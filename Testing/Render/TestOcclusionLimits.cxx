@@ -3,9 +3,9 @@
 // Self-shadowing that a graphics card has no room for, and materials that throw while they are
 // drawn: the surface is drawn, and the cause is said once.
 #include "EventCounter.h"
+#include "MaterialShading.h"
 #include "OcclusionTools.h"
 #include "RenderFixture.h"
-#include "ShaderLimits.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkCommand.h"
 #include "vtkEmbeddedEnvironments.h"

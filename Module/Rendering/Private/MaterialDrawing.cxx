@@ -135,12 +135,6 @@ MaterialDrawing::SweepAtEnd::~SweepAtEnd()
 
 void MaterialDrawing::KeepPlansInUse()
 {
-  const bool same = !this->AreUsesNew || !this->HasMembers;
-  this->AreUsesNew = false;
-  if (same)
-  {
-    return;
-  }
   std::set<vtkBRDF*> inUse; // as GetMember has them
   std::set<vtkBRDF*> known = { nullptr };
   const auto add = [this](std::set<vtkBRDF*>& members, vtkBRDF* brdf)
@@ -207,7 +201,6 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   }
   request.Timing = timings[this->Settings->PlanningMode];
   request.Member = this->GetMember(use.first);
-  this->HasMembers = this->HasMembers || request.Member;
   request.Renderer = state.Renderer;
   return request;
 }
@@ -381,7 +374,6 @@ DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState&
 void MaterialDrawing::ResolveAll(
   ViewFrame& frame, const FrameState& state, const std::vector<MaterialUse>& uses)
 {
-  this->AreUsesNew = true;
   const PlanJob::Hold hold;             // until what stands in is made
   std::vector<DrawnMaterial> materials; // the last ones stay until these have their textures
   for (const MaterialUse& use : uses)

@@ -221,8 +221,6 @@ private:
   std::map<std::pair<const void*, vtkRenderer*>, ViewFrame> Frames;
   std::shared_ptr<const VisibleSurface> Seen; // what PlanForView plans for
   vtkTimeStamp SeenTime;
-  bool HasMembers = false;          // whether others than the mapper's material were planned for
-  bool AreUsesNew = true;           // whether materials were looked up since KeepPlansInUse
   const ViewFrame* Frame = nullptr; // drawn now
   vtkWeakPointer<vtkRenderer> LastRenderer;
   SelectedMaterials Selected;

@@ -5,7 +5,6 @@
 #include "BRDFShader.h"
 #include "OcclusionShader.h"
 #include "RenderPassQueries.h"
-#include "ShaderLimits.h"
 
 #include "vtkActor.h"
 #include "vtkBRDF.h"
@@ -19,8 +18,10 @@
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderUtilities.h" // VTK's OpenGL, whichever library it loads it with
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPointData.h"
@@ -33,12 +34,25 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <atomic>
+#include <limits>
 #include <numeric>
 
 namespace measuredbrdf
 {
 namespace
 {
+constexpr std::size_t Unlimited = std::numeric_limits<std::size_t>::max();
+std::atomic<std::size_t> LargestAttributes{ Unlimited };
+std::atomic<std::size_t> LargestVaryings{ Unlimited };
+
+void ReadLimit(vtkOpenGLState* state, unsigned int name, std::size_t& limit)
+{
+  int value = 0;
+  state->vtkglGetIntegerv(name, &value);
+  limit = value > 0 ? static_cast<std::size_t>(value) : limit;
+}
+
 // What VTK's mapper hands to its subclasses only: pointers to members that are named through a
 // subclass reach them in any of its objects.
 class Inside : public vtkOpenGLPolyDataMapper
@@ -195,6 +209,22 @@ void AddAfterTag(vtkShader* shader, const std::string& tag, const std::string& l
   vtkShaderProgram::Substitute(source, tag, tag + "\n" + lines, false);
   shader->SetSource(source);
 }
+}
+
+ShaderLimits ShaderLimits::Read(vtkOpenGLState* state)
+{
+  ShaderLimits limits;
+  ReadLimit(state, GL_MAX_VERTEX_ATTRIBS, limits.Attributes);
+  ReadLimit(state, GL_MAX_VARYING_COMPONENTS, limits.Varyings);
+  limits.Attributes = std::min<std::size_t>(limits.Attributes, LargestAttributes);
+  limits.Varyings = std::min<std::size_t>(limits.Varyings, LargestVaryings);
+  return limits;
+}
+
+void ShaderLimits::SetMost(std::size_t attributes, std::size_t varyings)
+{
+  LargestAttributes = attributes > 0 ? attributes : Unlimited;
+  LargestVaryings = varyings > 0 ? varyings : Unlimited;
 }
 
 MaterialShading::MaterialShading(

@@ -29,6 +29,7 @@
 class vtkActor;
 class vtkOpenGLHelper;
 class vtkOpenGLPolyDataMapper;
+class vtkOpenGLState;
 class vtkPolyData;
 class vtkRenderer;
 class vtkShaderProgram;
@@ -36,6 +37,23 @@ class vtkWindow;
 
 namespace measuredbrdf
 {
+/// How much goes into and through the stages of a shader.
+struct ShaderLimits
+{
+  ///@{
+  /// What OpenGL 3.2 guarantees: attributes of a vertex, and components of what a stage hands to
+  /// the next one.
+  std::size_t Attributes = 16;
+  std::size_t Varyings = 60;
+  ///@}
+
+  /// Of a graphics card.
+  static ShaderLimits Read(vtkOpenGLState* state);
+
+  /// For tests: Read gives no more than these from now on; zeros: what there is.
+  static void SetMost(std::size_t attributes, std::size_t varyings);
+};
+
 /// Counts the calls of a function that have not returned yet, whatever way they end.
 class Depth
 {

@@ -70,6 +70,7 @@ vtkIdType GetRepaired(vtkEnvironment* environment)
 std::vector<float> TakeFace(vtkImageData* image, bool sRGB, vtkIdType& repaired)
 {
   vtkNew<vtkEnvironment> face;
+  const ScopedErrorCapture error(face); // the mapper says what is wrong, once
   if (!face->SetImage(image, sRGB) || face->GetWidth() != face->GetHeight())
   {
     return {};
