@@ -3,8 +3,7 @@
 #include "vtkCompositeMeasuredBRDFMapper.h"
 
 #include "BlockBatch.h"
-#include "BlockMaterials.h"
-#include "BlockParts.h"
+#include "CompositeBlocks.h"
 #include "DrawTimer.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkObjectFactory.h"
@@ -25,7 +24,7 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
   explicit Internals(vtkMapper* self)
     : Drawing(std::make_shared<MaterialDrawing>(self, [this]() { return this->GetUsesToCome(); }))
     , Settings(Drawing->GetSettings())
-    , Parts(Drawing)
+    , Blocks(Drawing)
   {
     this->Drawing->SetPlansMapsForView(false); // blocks would plan one after the other
   }
@@ -52,7 +51,7 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
     {
       uses.push_back({ brdf, {} });
     }
-    for (const MaterialUse& use : this->Parts.GetUses())
+    for (const MaterialUse& use : this->Blocks.GetUses())
     {
       if (brdfs.insert(use.first).second)
       {
@@ -62,29 +61,9 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
     return uses;
   }
 
-  // Brought up to date while the composite mapper renders, when its input is.
-  void UpdateBlocks(vtkAlgorithm* mapper)
-  {
-    const std::string missing =
-      this->Blocks.Update(mapper->GetInputDataObject(0, 0), this->Settings);
-    if (!missing.empty() && this->Drawing->WarnOnce("blocks: " + missing))
-    {
-      vtkWarningWithObjectMacro(
-        mapper, << "Materials are set for blocks that the data do not have: " << missing << ".");
-    }
-    this->Parts.Update(this->Blocks);
-  }
-
-  void Initialize(BlockBatch* batch, vtkAlgorithm* mapper)
-  {
-    batch->Initialize(
-      this->Drawing, &this->Blocks, &this->Parts, [this, mapper]() { this->UpdateBlocks(mapper); });
-  }
-
   std::shared_ptr<MaterialDrawing> Drawing; // shared with the batches
   MaterialSettings& Settings;
-  BlockMaterials Blocks;
-  BlockParts Parts; // of blocks of several materials
+  CompositeBlocks Blocks;
   DrawTimer Timer;
   int RenderDepth = 0; // greater than 0 inside of Render
 };
@@ -126,7 +105,7 @@ vtkCompositeMeasuredBRDFMapper::~vtkCompositeMeasuredBRDFMapper() = default;
 vtkCompositePolyDataMapperDelegator* vtkCompositeMeasuredBRDFMapper::CreateADelegator()
 {
   vtkNew<BlockBatch> batch;
-  this->Impl->Initialize(batch, this);
+  batch->Initialize(this->Impl->Drawing, &this->Impl->Blocks);
   Delegator* delegator = Delegator::New();
   delegator->SetBatch(batch);
   return delegator;
@@ -135,7 +114,7 @@ vtkCompositePolyDataMapperDelegator* vtkCompositeMeasuredBRDFMapper::CreateADele
 vtkCompositeMapperHelper2* vtkCompositeMeasuredBRDFMapper::CreateHelper()
 {
   BlockBatch* batch = BlockBatch::New();
-  this->Impl->Initialize(batch, this);
+  batch->Initialize(this->Impl->Drawing, &this->Impl->Blocks);
   return batch;
 }
 #endif
@@ -335,7 +314,7 @@ vtkIdType vtkCompositeMeasuredBRDFMapper::GetTextureBytes()
 {
   std::set<const vtkTextureObject*> counted;
   return CountTextureBytes(this->Impl->Drawing->GetLastFrame(), counted) +
-         this->Impl->Parts.GetImageBytes();
+         this->Impl->Blocks.GetImageBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -360,7 +339,7 @@ void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* act
     return; // the superclass wants both
   }
   const Depth inside(this->Impl->RenderDepth);
-  this->Impl->Parts.Begin();
+  this->Impl->Blocks.Begin();
   vtkDataObject* input = this->GetInputDataObject(0, 0);
   this->Impl->Timer.Start(input ? input->GetNumberOfElements(vtkDataObject::CELL) : 0);
   vtkObject* style = this->GetCompositeDataDisplayAttributes();
@@ -369,7 +348,7 @@ void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* act
     [&]()
     {
       this->Superclass::Render(renderer, actor);
-      this->Impl->Parts.Render(renderer, actor);
+      this->Impl->Blocks.Render(renderer, actor);
     },
     style ? style->GetMTime() : 0);
   this->Impl->Timer.Stop();
@@ -381,7 +360,7 @@ void vtkCompositeMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   if (this->Impl->RenderDepth == 0)
   {
-    this->Impl->Parts.ReleaseGraphicsResources(window);
+    this->Impl->Blocks.ReleaseGraphicsResources(window);
     this->Impl->Timer.ReleaseGraphicsResources();
   }
   this->Superclass::ReleaseGraphicsResources(window);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeasuredBRDFMapper.h"
 
+#include "DividedSurface.h"
 #include "DrawTimer.h"
 #include "MaterialShading.h"
-#include "PartMappers.h"
 #include "RenderPassQueries.h"
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
@@ -58,7 +58,7 @@ struct vtkMeasuredBRDFMapper::Internals : public MaterialShading
   }
 
   vtkMeasuredBRDFMapper* Self;
-  PartMappers Parts; // of a surface that a material map divides
+  DividedSurface Parts; // of a surface that a material map divides
   MaterialSettings& Settings;
   DrawTimer Timer; // of these
 };
@@ -181,16 +181,14 @@ bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
     this->GetInputAlgorithm()->Update();
   }
   vtkPolyData* input = this->GetInput();
-  ScalarStyle scalars;
-  scalars.Read(this);
-  this->Impl->Parts.Expect(input, actor, this, scalars, !this->ExtraAttributes.empty());
   if (!this->Impl->Parts.Divide(input))
   {
     return false;
   }
   this->Impl->Drawing->Forget(this); // what the whole was drawn with
   this->Impl->Timer.Start(input->GetNumberOfCells());
-  this->Impl->Parts.Render(ren, actor, this, this->Superclass::GetMTime(),
+  this->Impl->Parts.Render(
+    ren, actor, this, this->Superclass::GetMTime(),
     [this](vtkPolyDataMapper* mapper)
     {
       for (const auto& [name, attribute] : this->ExtraAttributes)
@@ -206,7 +204,8 @@ bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
             attribute.DataArrayName.c_str(), attribute.FieldAssociation, attribute.ComponentNumber);
         }
       }
-    });
+    },
+    nullptr);
   this->Impl->Timer.Stop();
   this->TimeToDraw = this->Impl->Timer.GetSeconds();
   return true;

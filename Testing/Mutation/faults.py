@@ -795,11 +795,11 @@ add("Rendering.padding-is-transparent", "ShaderTextures.cxx", "triples[k + 2], 1
 add("Rendering.hard-lights-get-soft-textures", "ShaderTextures.cxx",
     "FindShared(brdf, softLights, window);", "FindShared(brdf, true, window);",
     "Mapper.SoftLightsOfTablesCostHardOnesNothing")
-add("Rendering.block-indices-from-one", "BlockMaterials.cxx", "index = this->Next++;",
+add("Rendering.block-indices-from-one", "CompositeBlocks.cxx", "index = this->Next++;",
     "index = ++this->Next;", "Composite.MaterialsOfBlocks")
-add("Rendering.block-behind-the-last", "BlockMaterials.cxx", "if (index >= this->Next)",
+add("Rendering.block-behind-the-last", "CompositeBlocks.cxx", "if (index >= this->Next)",
     "if (index > this->Next)", "Composite.MissingBlocksAreSaidOnce")
-add("Rendering.blocks-do-not-inherit", "BlockMaterials.cxx", "childName, material);",
+add("Rendering.blocks-do-not-inherit", "CompositeBlocks.cxx", "childName, material);",
     "childName, { this->Settings.BRDF, false });", "Composite.MaterialsOfBlocks")
 
 add("Rendering.scene-lights-stay", "MaterialDrawing.cxx",
@@ -1062,43 +1062,30 @@ add("Material.map-weights-fall-below-0", "vtkMaterialMap.cxx",
 add("Material.map-parameters-divide-anew", "vtkMaterialMap.cxx", "vtkMTimeType time = this->Superclass::GetMTime();",
     "vtkMTimeType time = this->Materials.empty() || !this->Materials[0].BRDF ? this->Superclass::GetMTime() : "
     "this->Materials[0].BRDF->GetMTime();", "MaterialMap.ParametersOfAMaterialDivideNothingAnew")
-add("Rendering.map-weights-are-not-divided-by-their-sum", "PolygonMaterials.cxx", "static_cast<float>(weight / sum)",
+add("Rendering.map-weights-are-not-divided-by-their-sum", "MaterialPieces.cxx", "static_cast<float>(weight / sum)",
     "static_cast<float>(weight)", "Parts.WeightsAreDividedByTheirSum")
-add("Rendering.map-points-of-two-parts-are-not-doubled", "PartSurfaces.cxx", "if (mixed && first != owner)",
-    "if (mixed && first == NoOwner)", "Parts.ClassesThatMeetHaveSlotsOfTheirOwn")
-add("Rendering.map-borders-run-off-the-middle", "ClassBorders.cxx", "c < 0 ? 0.5 * sum", "c < 0 ? 0.51 * sum",
+add("Rendering.map-points-of-two-parts-are-not-doubled", "MaterialParts.cxx", "(owner != groups.size() && owner != g)",
+    "false", "Parts.ManySetsAreMerged|MaterialMapping.ValuesBlendInEachPixel")
+add("Rendering.map-borders-run-off-the-middle", "MaterialPieces.cxx", "const vtkIdType toB = this->FindPoint(b, other, 0, 0.5);",
+    "const vtkIdType toB = this->FindPoint(b, other, 0, 0.51);",
     "Parts.BordersBetweenClassesOfPointsAreCut")
-add("Rendering.map-edges-are-cut-twice", "ClassBorders.cxx", "if (isNew)", "if (true)",
+add("Rendering.map-edges-are-cut-twice", "MaterialPieces.cxx", "try_emplace({ low, high, which }, 0);\n  if (isNew)",
+    "try_emplace({ low, high, which }, 0);\n  if (true)",
     "Parts.BordersBetweenClassesOfPointsAreCut")
-add("Rendering.map-lone-corners-lose-their-class", "ClassBorders.cxx", "{ other, toA, toB }, this->GetClass(other)", "{ other, toA, toB }, cls",
-    "ClassBorders.AreTheSameInBothWays")
-add("Rendering.map-colored-points-are-cut", "PartMappers.cxx", "cellFlag == 0;", "cellFlag == 7;",
-    "ClassBorders.ColorsOfPointsKeepPolygonsWhole")
-add("Rendering.map-hidden-skies-are-cut", "PartMappers.cxx", "return settings.OcclusionMode != 0 &&",
-    "return settings.OcclusionMode > 5 &&", "ClassBorders.HiddenSkiesKeepPolygonsWhole")
-add("Rendering.map-nearest-is-the-first", "PartMapper.cxx", '" > brdfMost ? "', '" > 2.0 ? "',
-    "ClassBorders.AreTheSameInBothWays")
-add("Rendering.map-classes-that-meet-share-a-slot", "MaterialPartition.cxx", "taken[slot] = true;",
-    "taken[slot] = false;", "Parts.ClassesThatMeetHaveSlotsOfTheirOwn")
-add("Rendering.map-borders-take-the-last-shader", "ClassesMapper.cxx",
-    "ofBorder == this->WasOfBorder ? this->Last : nullptr", "this->Last", "ClassBorders.AreTheSameInBothWays")
-add("Rendering.map-hats-fall-at-the-ends", "PolygonMaterials.cxx", "if (k + 1 < knots.size())",
-    "if (k + 2 < knots.size())", "MaterialMapping.ValuesBlendInEachPixel")
-add("Rendering.map-the-rest-is-drawn-twice", "PartMapper.cxx", "if (brdfNearest != brdfSlot)",
-    "if (brdfNearest > 9)", "ClassBorders.AreTheSameInBothWays")
-add("Rendering.map-scalars-that-choose-color", "PartMappers.cxx", "if (colored || ",
-    "if (!colored || ",
+add("Rendering.map-lone-corners-lose-their-class", "MaterialPieces.cxx",
+    "{ other, toA, toB }, cell, { this->Classes[other] }", "{ other, toA, toB }, cell, { cls }",
+    "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
+add("Rendering.map-hidden-skies-are-bytes", "MaterialPieces.cxx", "HorizonCode::PackNormal(normal, bytes);", "",
+    "Cuts.WithHiddenSkiesAreUnseen")
+add("Rendering.map-values-fall-beside-their-knots", "MaterialPieces.cxx", "(*knot - from) / (to - from)",
+    "0.9 * (*knot - from) / (to - from)", "MaterialMapping.ValuesBlendInEachPixel")
+add("Rendering.map-scalars-that-choose-color", "DividedSurface.cxx", "if ((ofMap && all) || ",
+    "if (",
     "MaterialMapping.ScalarsThatChooseDoNotColor")
-add("Rendering.map-classes-keep-the-last-textures", "ShaderTextures.cxx",
-    "if (!last.Has(uploaded.Texture.get()))", "if (false)",
-    "ManyClasses.OfSeveralShadersUnderALight")
-add("Rendering.map-classes-released-elsewhere", "ClassesMapper.cxx",
+add("Rendering.map-classes-released-elsewhere", "PartsMapper.cxx",
     "this->OwnWindow->PushContext();", "", "ManyClasses.LeaveOtherWindowsAlone")
-add("Rendering.map-classes-keep-the-last-numbers", "ShaderTextures.cxx",
-    "if (last && last->Inputs.Terms[term].Uniforms[k].Values == uniform.Values)", "if (last)",
-    "ManyClasses.OfSeveralShadersUnderALight")
-add("Rendering.map-classes-share-cell-colors", "ClassesMapper.cxx",
-    "if (program->IsUniformUsed(\"PrimitiveIDOffset\"))", "if (false)",
+add("Rendering.map-classes-share-cell-colors", "PartsMapper.cxx",
+    "this->PrimitiveIDOffset = this->Shown->FirstPrimitive;", "",
     "ManyClasses.ColorsOfCellsStayTheirOwn")
 add("Rendering.map-changed-materials-stay", "MaterialDrawing.cxx",
     "stamp.SettingsTime = this->Settings->GetMTime();", "stamp.SettingsTime = 1;",
@@ -1310,18 +1297,17 @@ add("Shaders.hidden-sky-odds", "vtkBRDFHiddenSky.glsl", "(12.0 / (12.0 + kappa))
 add("Shaders.hidden-irradiance-counts", "vtkBRDFEnvironmentTable.glsl", "sum += BRDF_OPEN_IRRADIANCE(",
     "sum += (", "OcclusionTest.MatteSurfacesLackTheHiddenIrradiance")
 
-add("Rendering.map-bands-of-a-scale-overlap", "PartMapper.cxx", "brdfAt < brdfBand.x || brdfAt >= brdfBand.y",
-    "brdfAt >= brdfBand.y", "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
-add("Rendering.map-values-end-at-points", "PolygonMaterials.cxx", "-FarOff, FarOff)", "0.0, 1.0)",
+add("Rendering.map-ends-of-a-scale-are-mixed", "MaterialPieces.cxx", "std::max<std::size_t>(band, 1) - 1", "band",
+    "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle|MaterialMapping.ValuesBlendInEachPixel")
+add("Rendering.map-values-end-at-points", "MaterialPieces.cxx", "std::clamp((value - low) / span, -FarOff, FarOff)", "std::clamp((value - low) / span, 0.0, 1.0)",
     "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
-add("Rendering.map-colors-blocks-of-one-class", "BlockBatch.cxx",
-    "return this->AreColorsOfMap[static_cast<std::size_t>(std::max(this->Shown, 0))];", "return false;",
-    "MaterialMapBlocks.ScalarsThatChooseColorNoBlock")
-add("Rendering.map-scalars-hide-blocks-colors", "PartMappers.cxx", "|| this->OverridesColor)", ")",
+add("Rendering.map-scalars-color-beside-no-material", "PartsMapper.cxx",
+    "return this->AreColorsOfMap &&", "return false &&", "MaterialMapping.ScalarsThatChooseDoNotColor")
+add("Rendering.map-scalars-hide-blocks-colors", "DividedSurface.cxx", "|| overrides)", ")",
     "MaterialMapBlocks.ABlocksColorGoesBeforeScalars")
-add("Rendering.map-second-weight-array-colors", "PolygonMaterials.cxx",
-    "if (own.FindWeights(input, map, k).empty() && own.Array == array)",
-    "if (k == 0 && own.FindWeights(input, map, k).empty() && own.Array == array)", "MaterialMapping.NoneOfSeveralWeightArraysColors")
+add("Rendering.map-second-weight-array-colors", "MaterialPieces.cxx",
+    "reads = reads || MapArray::FindWeights(input, map, k)",
+    "reads = reads || MapArray::FindWeights(input, map, 0)", "MaterialMapping.NoneOfSeveralWeightArraysColors")
 add("Rendering.map-images-are-looked-at-by-the-first", "WeightImages.cxx", "width = std::max(width, size[0]);",
     "width = width > 0 ? width : size[0];", "Parts.ImagesMayDifferInSize")
 add("Rendering.map-images-of-zeros-are-odd", "WeightImages.cxx", "if (anyLeft)",
@@ -1330,7 +1316,7 @@ add("Rendering.map-waits-for-materials-that-left", "MapperPlans.cxx", "inUse.cou
     "MaterialMapping.PlansOfMaterialsThatLeaveAreGivenUp")
 add("Rendering.map-time-is-not-taken", "vtkMeasuredBRDFMapper.cxx", "this->TimeToDraw = this->Impl->Timer.GetSeconds();", "",
     "MaterialMapping.TimeOfAllPartsIsTaken")
-add("Rendering.map-nothing-is-highlighted", "PartMappers.cxx", "this->Highlight->SetSelection(selection);", "",
+add("Rendering.map-nothing-is-highlighted", "DividedSurface.cxx", "this->Highlight->SetSelection(selection);", "",
     "MaterialMapping.SelectedCellsAreHighlighted")
 add("Rendering.map-names-upload-images", "WeightImages.cxx",
     "source.emplace_back(map->GetWeightImage(k), map->GetWeightImage(k)->GetMTime());",

@@ -91,17 +91,15 @@ void BatchOcclusion::Append(vtkOpenGLVertexBufferObjectGroup* buffers, vtkIdType
   }
 }
 
-void BlockBatch::Initialize(std::shared_ptr<MaterialDrawing> drawing,
-  const BlockMaterials* materials, BlockParts* parts, std::function<void()> update)
+void BlockBatch::Initialize(std::shared_ptr<MaterialDrawing> drawing, CompositeBlocks* blocks)
 {
   this->Drawing = std::move(drawing);
-  this->Materials = materials;
-  this->Parts = parts;
-  this->UpdateBlocks = std::move(update);
+  this->All = blocks;
 }
 
+// With all that the data set says of the block. Since VTK 9.3 each may have its own scalars.
 template <typename Record>
-BlockStyle BlockBatch::GetStyle(const Record& block)
+void BlockBatch::Announce(vtkPolyData* surface, const Record& block)
 {
   BlockStyle style;
   style.IsVisible = block.Visibility;
@@ -110,12 +108,26 @@ BlockStyle BlockBatch::GetStyle(const Record& block)
   style.OverridesColor = block.OverridesColor;
   std::copy_n(block.AmbientColor.GetData(), 3, style.AmbientColor);
   std::copy_n(block.DiffuseColor.GetData(), 3, style.DiffuseColor);
+  vtkOpenGLPolyDataMapper* host = this->All->Announce(surface, style);
+  host->vtkMapper::ShallowCopy(this);
+  host->SetSeamlessU(this->GetSeamlessU());
+  host->SetSeamlessV(this->GetSeamlessV());
+  host->SetVBOShiftScaleMethod(this->GetVBOShiftScaleMethod());
+  host->SetSelection(this->GetSelection());
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-  style.Scalars.ReadRecord(block);
-#else
-  style.Scalars.Read(this);
+  host->SetScalarVisibility(block.ScalarVisibility);
+  host->SetUseLookupTableScalarRange(block.UseLookupTableScalarRange);
+  host->SetInterpolateScalarsBeforeMapping(block.InterpolateScalarsBeforeMapping);
+  host->SetColorMode(block.ColorMode);
+  host->SetScalarMode(block.ScalarMode);
+  host->SetArrayAccessMode(block.ArrayAccessMode);
+  host->SetArrayComponent(block.ArrayComponent);
+  host->SetArrayId(block.ArrayId);
+  host->SetArrayName(block.ArrayName.c_str());
+  host->SetFieldDataTupleId(block.FieldDataTupleId);
+  host->SetScalarRange(block.ScalarRange[0], block.ScalarRange[1]);
+  host->SetLookupTable(block.LookupTable);
 #endif
-  return style;
 }
 
 template <typename Visit>
@@ -124,62 +136,49 @@ void BlockBatch::ForEachBlock(const Visit& visit)
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
   for (auto& element : this->VTKPolyDataToGLBatchElement)
   {
-    auto& block = element.second->Parent;
-    visit(block.PolyData, &block.Visibility, [this, &block]() { return this->GetStyle(block); });
+    visit(element.second->Parent.PolyData, element.second->Parent);
   }
 #else
   for (auto& element : this->Data)
   {
-    visit(element.first, &element.second->Visibility,
-      [this, &element]() { return this->GetStyle(*element.second); });
+    visit(element.first, *element.second);
   }
 #endif
 }
 
 std::vector<BlockBatch::MaterialUse> BlockBatch::GetMaterialUses()
 {
-  this->UpdateBlocks();
+  this->All->Update();
   // The superclass may have moved its records of blocks: they are looked up in each frame.
   std::size_t count = 0;
-  const unsigned long revision =
-    this->Materials->GetRevision() + this->Parts->GetRevision(); // neither ever falls
-  // What colors blocks counts, too.
-  const vtkMTimeType time = std::max(this->GetMTime(), this->Parent->GetMTime());
-  bool same = this->Revision == revision && this->SortTime == time;
+  bool same = this->Revision == this->All->GetRevision();
   this->ForEachBlock(
-    [this, &count, &same](vtkPolyData* surface, bool* visible, const auto& getStyle)
+    [&](vtkPolyData* surface, auto& record)
     {
-      if (this->Parts->IsDivided(surface))
+      if (this->All->IsDivided(surface))
       {
-        this->Parts->Announce(surface, getStyle(), this);
+        this->Announce(surface, record);
       }
       same = same && count < this->Blocks.size() && this->Blocks[count].Surface == surface;
       if (same)
       {
-        this->Blocks[count].Visible = visible;
+        this->Blocks[count].Visible = &record.Visibility;
       }
       ++count;
     });
   if (!same || count != this->Blocks.size())
   {
-    this->Revision = revision;
-    this->SortTime = time;
+    this->Revision = this->All->GetRevision();
     this->Sort();
   }
   return this->Uses;
-}
-
-// A block of a single class, for one, is not colored by the array of classes.
-bool BlockBatch::IgnoresScalars()
-{
-  return this->AreColorsOfMap[static_cast<std::size_t>(std::max(this->Shown, 0))];
 }
 
 void BlockBatch::AddOcclusion(vtkRenderer*)
 {
   this->Occlusion.Clear();
   this->ForEachBlock(
-    [this](vtkPolyData* surface, bool*, const auto&)
+    [this](vtkPolyData* surface, const auto&)
     {
       this->CheckVertices(surface);
       this->Occlusion.Announce(this->Drawing->FindOcclusion(surface, this, false));
@@ -243,35 +242,31 @@ void BlockBatch::Sort()
   this->Blocks.clear();
   this->Uses.clear();
   this->BlocksOf.clear();
-  this->AreColorsOfMap.clear();
   this->HasDivided = false;
-  std::map<std::pair<vtkBRDF*, bool>, std::size_t> places;
+  std::map<vtkBRDF*, std::size_t> places;
   this->ForEachBlock(
-    [this, &places](vtkPolyData* surface, bool* visible, const auto& getStyle)
+    [&](vtkPolyData* surface, auto& record)
     {
-      if (this->Parts->IsDivided(surface)) // never shown
+      if (this->All->IsDivided(surface)) // never shown
       {
         this->HasDivided = true;
-        this->Blocks.push_back({ surface, visible, true });
+        this->Blocks.push_back({ surface, &record.Visibility, true });
         return;
       }
-      vtkBRDF* brdf = this->Parts->GetBRDF(surface, *this->Materials);
-      const bool colors = this->Parts->AreColorsOfMap(surface, getStyle().Scalars);
-      const auto [place, isNew] = places.try_emplace({ brdf, colors }, this->Uses.size());
+      vtkBRDF* brdf = this->All->GetBRDF(surface);
+      const auto [place, isNew] = places.try_emplace(brdf, this->Uses.size());
       if (isNew)
       {
         this->Uses.push_back({ brdf, {} });
-        this->AreColorsOfMap.push_back(colors);
         this->BlocksOf.emplace_back();
       }
       this->Uses[place->second].second.push_back(surface);
       this->BlocksOf[place->second].push_back(this->Blocks.size());
-      this->Blocks.push_back({ surface, visible, true });
+      this->Blocks.push_back({ surface, &record.Visibility, true });
     });
   if (this->Uses.empty()) // nothing is left to show
   {
     this->Uses.push_back({ nullptr, {} });
-    this->AreColorsOfMap.push_back(false);
     this->BlocksOf.emplace_back();
   }
 }
