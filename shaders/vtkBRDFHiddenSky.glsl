@@ -255,16 +255,3 @@ vec3 brdfSkyIrradiance(mat4 red, mat4 green, mat4 blue, vec3 n)
   vec4 v = vec4(n, 1.0);
   return max(vec3(dot(v, red * v), dot(v, green * v), dot(v, blue * v)), vec3(0.0));
 }
-
-// Two numbers within 0 to 1 as one, in steps of 1 / 4094: what is kept of a point.
-float brdfSkyPair(float one, float other)
-{
-  vec2 steps = floor(clamp(vec2(one, other), 0.0, 1.0) * 4094.0 + 0.5);
-  return steps.x + 4096.0 * steps.y;
-}
-
-vec2 brdfSkyUnpair(float pair)
-{
-  float other = floor(pair * (1.0 / 4096.0));
-  return vec2(pair - 4096.0 * other, other) * (1.0 / 4094.0);
-}

@@ -290,14 +290,6 @@ bool vtkMeasuredBRDFMapper::GetNeedToRebuildShaders(
 }
 
 //------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::UpdateShaders(
-  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
-{
-  this->Impl->PrepareShaders(cellBO, ren, actor);
-  this->Superclass::UpdateShaders(cellBO, ren, actor);
-}
-
-//------------------------------------------------------------------------------
 void vtkMeasuredBRDFMapper::ReplaceShaderValues(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor)
 {

@@ -1226,16 +1226,6 @@ add("Rendering.shared-created-light-shines", "RenderPassQueries.cxx", "other->Ge
     "false &&", "MapperShading.LightThatVTKCreated")
 add("Rendering.plans-before-stay", "MapperPlans.cxx", "    this->Clear(); // none", "    // none",
     "Views.SwitchedPlansAreMadeAnew")
-add("Rendering.kept-light-does-not-turn", "OcclusionShader.cxx", "add(turn[column]);", "add(0.0 * turn[column]);",
-    "OcclusionPointsTest.LightMayTurnAndRestAgain")
-add("Rendering.views-take-each-others-light", "OcclusionVertexCache.cxx", "state->Of.View == question.View &&", "true &&",
-    "OcclusionPointsTest.ViewsKeepTheirOwn")
-add("Rendering.kept-light-in-programs-of-depths", "OcclusionVertexCache.cxx", "if (drawn.Program->IsAttributeUsed(names[k].c_str()))",
-    "if (true)", "OcclusionPointsTest.PeelingReportsNothing")
-add("Rendering.kept-light-of-several-materials", "MaterialShading.cxx", "this->Drawing->GetMaterials().size() <= 1 &&",
-    "", "OcclusionPointsTest.BlocksAreTheSame")
-add("Rendering.kept-light-of-other-codes", "OcclusionVertexCache.cxx", "state->Of.Time == question.Time &&", "true &&",
-    "OcclusionPointsTest.WhatChangesIsSeen")
 add("Rendering.hidden-sky-of-the-wrong-side", "OcclusionShader.cxx",
     "dot(normalVCVSOutput, brdfSkyNormalVSOutput) > 0.0", "dot(normalVCVSOutput, brdfSkyNormalVSOutput) < 2.0",
     "OcclusionTest.NormalsMayPointEitherWay")

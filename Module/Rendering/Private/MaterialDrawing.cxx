@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialDrawing.h"
 
-#include "OcclusionVertexCache.h"
 #include "RenderPassQueries.h"
 #include "RunGuarded.h"
 #include "SharedIntegrators.h"
@@ -89,7 +88,6 @@ MaterialDrawing::SweepAtEnd::~SweepAtEnd()
 {
   SweepIntegrators(); // which hold environments
   SweepEnvironments();
-  SweepCaptures();
 }
 
 void MaterialDrawing::KeepPlansInUse()
