@@ -1154,17 +1154,17 @@ add("Fetch.files-have-no-names", "FetchCatalog.cxx", "return entry.Name == name 
 # What surfaces hide
 
 add("Visibility.hidden-rays-without-cosine", "HorizonCode.cxx", "transfer[j] += d.z * values[j];",
-    "transfer[j] += values[j];", "HiddenSky.ACraterHidesTheLowSky")
+    "transfer[j] += values[j];", "HorizonLight.ACraterHidesTheLowSky")
 add("Visibility.sectors-count-backwards", "HorizonCode.cxx", "return SectorWidth * sector;",
     "return -SectorWidth * sector;", "OcclusionTest.LobesLackTheirHiddenShare")
 add("Visibility.empty-sectors-at-the-horizon", "HorizonCode.cxx", "interval = { place, place };",
-    "interval = { 0.0 * place, 0.0 };", "HiddenSky.FloatingBodiesEndBetweenSectors")
+    "interval = { 0.0 * place, 0.0 };", "HorizonLight.FloatingBodiesEndBetweenSectors")
 add("Visibility.openings-from-the-horizon", "HorizonCode.cxx", "const bool asks = this->Opening &&", "const bool asks = !this->Opening &&",
-    "HiddenSky.SillsOfOpeningsHideTheHorizon")
+    "HorizonLight.SillsOfOpeningsHideTheHorizon")
 add("Visibility.narrow-slits-are-open", "HorizonCode.cxx", "intervals.IsOpening() && width == 0", "intervals.IsOpening() && width < 0",
-    "HiddenSky.NarrowSlitsAreDark")
+    "HorizonLight.NarrowSlitsAreDark")
 add("Visibility.hollows-by-what-they-hide", "HorizonCode.cxx", "this->Opening = misfit[1] < misfit[0];",
-    "this->Opening = false;", "HiddenSky.HollowsHideFromBothSides")
+    "this->Opening = false;", "HorizonLight.HollowsHideFromBothSides")
 add("Visibility.strata-without-offset", "HorizonCode.cxx",
     "return ReverseBits(static_cast<unsigned>(sector)) + 0.5 / Sectors;", "return 0.5;",
     "SurfaceVisibility.BlocksHideOneAnother")
@@ -1178,7 +1178,8 @@ add("Visibility.rays-begin-below-twisted-quads", "SurfacePoints.cxx", "ForEachFa
     "ForEachFace(surface, Faces::Polygons,", "SurfaceVisibility.TwistedQuadsAreLeftFromTheirTriangles")
 add("Rendering.occlusion-whatever-it-costs", "AutomaticOcclusion.cxx", "if (!worth || this->IsStopped ||",
     "if (this->IsStopped ||", "OcclusionTest.AutoModelsWhatIsWorthIt")
-add("Rendering.mappers-trace-apart", "SharedTrace.cxx", "found = traces[content].lock();", "found;",
+add("Rendering.mappers-trace-apart", "SharedTrace.cxx", "traces.FindOrMake(content,",
+    "traces.FindOrMake(content + std::to_string(input->GetMTime()),",
     "SharedTraceTest.MappersOfOneSurfaceTraceOnce|SharedTraceTest.OccludersAreNotShared")
 add("Rendering.shared-without-the-bounce", "SharedTrace.h", "(!withBounce || this->HasBounce)", "true",
     "SharedTraceTest.MappersOfOneSurfaceTraceOnce")
@@ -1242,7 +1243,7 @@ add("Visibility.bounce-of-all-rays", "VisibilityTask.cxx", "met > 0.0 ? hidden /
 add("Visibility.bounce-of-the-other-side", "VisibilityTask.cxx", "== (glm::dot(facet, direction) > 0.0)",
     "!= (glm::dot(facet, direction) > 0.0)", "BouncedLight.BouncesAreThoseOfTracedLight")
 add("Rendering.bounce-without-albedo", "OcclusionShader.cxx", "light.Bounce->Albedo * turned[j] *", "turned[j] *",
-    "BounceTest.ShadersAgreeWithTheCppForms|BounceTest.PicturesComeNearTracedLight")
+    "BounceTest.ShadersAgreeWithTheCppForms")
 add("Shaders.bounce-by-the-root", "vtkBRDFBouncedLight.glsl", "max(a.x * a.x * sum, vec3(0.0))",
     "max(a.x * sum, vec3(0.0))", "BounceTest.ShadersAgreeWithTheCppForms")
 add("Rendering.stale-visibility", "OcclusionArrays.cxx", "problem = isPart ? \"\" : CheckKey(surface);",

@@ -100,7 +100,7 @@ TEST_F(MaterialMapping, MoreThanTheTextureUnitsHoldIsSaidOnce)
   {
     for (int c = 0; c < 3; ++c)
     {
-      const float value = image.RGBA[static_cast<std::size_t>(4 * k + c)];
+      const float value = image.RGBA[4 * k + c];
       ASSERT_TRUE(std::isfinite(value) && value > 0.0f);
     }
   }

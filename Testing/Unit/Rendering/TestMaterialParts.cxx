@@ -115,14 +115,14 @@ protected:
     this->Map->SetModeToValues();
     for (int k = 0; k < count; ++k)
     {
-      this->Map->AddMaterial(this->Materials[static_cast<std::size_t>(k % 40)], step * k);
+      this->Map->AddMaterial(this->Materials[k % 40], step * k);
     }
   }
   void AddMaterials(int count)
   {
     for (int k = 0; k < count; ++k)
     {
-      this->Map->AddMaterial(this->Materials[static_cast<std::size_t>(k)]);
+      this->Map->AddMaterial(this->Materials[k]);
     }
   }
 
@@ -139,10 +139,7 @@ protected:
     }
     return count;
   }
-  double GetShare(int material) const
-  {
-    return this->Divided.GetShare(this->Materials[static_cast<std::size_t>(material)]);
-  }
+  double GetShare(int material) const { return this->Divided.GetShare(this->Materials[material]); }
 
   vtkNew<vtkPolyData> Plane;
   vtkNew<vtkMaterialMap> Map;

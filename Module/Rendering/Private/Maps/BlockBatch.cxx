@@ -60,33 +60,32 @@ void BatchOcclusion::Append(vtkOpenGLVertexBufferObjectGroup* buffers, vtkIdType
   {
     return;
   }
-  const bool whole = arrays && (arrays->HasBack || !this->Sides.Both);
-  const std::shared_ptr<OcclusionArrays> open = whole ? nullptr : OcclusionArrays::MakeOpen(points);
+  const bool hasBack = arrays && arrays->HasBack;
+  const bool hasBounce = arrays && arrays->HasBounce;
+  const bool isWhole =
+    arrays && (hasBack || !this->Sides.Both) && (hasBounce || !this->Sides.Bounced);
+  const auto open = isWhole ? nullptr : OcclusionArrays::MakeOpen(points);
   this->Kept.push_back(arrays);
   this->Kept.push_back(open);
-  if (this->Sides.Bounced)
+  for (int side = 0; side < (this->Sides.Both ? 2 : 1); ++side)
   {
-    const bool has = arrays && arrays->HasBounce;
-    const std::shared_ptr<OcclusionArrays> dark =
-      open || (has && whole) ? open : OcclusionArrays::MakeOpen(points);
-    this->Kept.push_back(dark);
-    buffers->AppendDataArray(
-      "brdfBounce", has ? arrays->BounceFront : dark->BounceFront, VTK_FLOAT);
-    if (this->Sides.Both)
+    const std::string suffix = side == 0 ? "" : "Back";
+    const bool isGiven = side == 0 ? arrays != nullptr : hasBack;
+    const OcclusionArrays::Side& codes = !isGiven    ? open->Front
+                                         : side == 0 ? arrays->Front
+                                                     : arrays->Back;
+    for (std::size_t k = 0; k < OcclusionArrays::Attributes; ++k)
     {
-      buffers->AppendDataArray("brdfBounceBack",
-        has && arrays->HasBack ? arrays->BounceBack : dark->BounceFront, VTK_FLOAT);
+      buffers->AppendDataArray(
+        ("brdfSky" + suffix + std::to_string(k)).c_str(), codes[k], VTK_FLOAT);
     }
-  }
-  const OcclusionArrays::Side& front = arrays ? arrays->Front : open->Front;
-  for (std::size_t k = 0; k < OcclusionArrays::Attributes; ++k)
-  {
-    const std::string number = std::to_string(k);
-    buffers->AppendDataArray(("brdfSky" + number).c_str(), front[k], VTK_FLOAT);
-    if (this->Sides.Both)
+    if (this->Sides.Bounced)
     {
-      buffers->AppendDataArray(("brdfSkyBack" + number).c_str(),
-        arrays && arrays->HasBack ? arrays->Back[k] : open->Front[k], VTK_FLOAT);
+      buffers->AppendDataArray(("brdfBounce" + suffix).c_str(),
+        !isGiven || !hasBounce ? open->BounceFront
+        : side == 0            ? arrays->BounceFront
+                               : arrays->BounceBack,
+        VTK_FLOAT);
     }
   }
 }
@@ -109,7 +108,10 @@ void BlockBatch::Announce(vtkPolyData* surface, const Record& block)
   std::copy_n(block.AmbientColor.GetData(), 3, style.AmbientColor);
   std::copy_n(block.DiffuseColor.GetData(), 3, style.DiffuseColor);
   vtkOpenGLPolyDataMapper* host = this->All->Announce(surface, style);
-  host->vtkMapper::ShallowCopy(this);
+  if (host->GetMTime() < this->GetMTime()) // else it would go back and forth between both
+  {
+    host->vtkMapper::ShallowCopy(this);
+  }
   host->SetSeamlessU(this->GetSeamlessU());
   host->SetSeamlessV(this->GetSeamlessV());
   host->SetVBOShiftScaleMethod(this->GetVBOShiftScaleMethod());
@@ -123,7 +125,7 @@ void BlockBatch::Announce(vtkPolyData* surface, const Record& block)
   host->SetArrayAccessMode(block.ArrayAccessMode);
   host->SetArrayComponent(block.ArrayComponent);
   host->SetArrayId(block.ArrayId);
-  host->SetArrayName(block.ArrayName.c_str());
+  host->SetArrayName(std::string(block.ArrayName).c_str());
   host->SetFieldDataTupleId(block.FieldDataTupleId);
   host->SetScalarRange(block.ScalarRange[0], block.ScalarRange[1]);
   host->SetLookupTable(block.LookupTable);
@@ -206,68 +208,41 @@ void BlockBatch::ShowOnly(int material)
   {
     return;
   }
-  if (material < 0)
+  for (Block& block : this->Blocks)
   {
-    for (Block& block : this->Blocks)
-    {
-      *block.Visible = block.IsVisible;
-    }
-  }
-  else if (this->Shown < 0)
-  {
-    for (Block& block : this->Blocks)
-    {
-      block.IsVisible = *block.Visible;
-      *block.Visible = false;
-    }
-  }
-  else
-  {
-    for (std::size_t k : this->BlocksOf[static_cast<std::size_t>(this->Shown)])
-    {
-      *this->Blocks[k].Visible = false;
-    }
+    block.IsVisible = this->Shown < 0 ? *block.Visible : block.IsVisible;
+    *block.Visible = block.IsVisible && (material < 0 || block.Use == material);
   }
   this->Shown = material;
-  for (std::size_t k = 0;
-       material >= 0 && k < this->BlocksOf[static_cast<std::size_t>(material)].size(); ++k)
-  {
-    Block& block = this->Blocks[this->BlocksOf[static_cast<std::size_t>(material)][k]];
-    *block.Visible = block.IsVisible;
-  }
 }
 
 void BlockBatch::Sort()
 {
   this->Blocks.clear();
   this->Uses.clear();
-  this->BlocksOf.clear();
   this->HasDivided = false;
-  std::map<vtkBRDF*, std::size_t> places;
+  std::map<vtkBRDF*, int> places;
   this->ForEachBlock(
     [&](vtkPolyData* surface, auto& record)
     {
       if (this->All->IsDivided(surface)) // never shown
       {
         this->HasDivided = true;
-        this->Blocks.push_back({ surface, &record.Visibility, true });
+        this->Blocks.push_back({ surface, &record.Visibility, true, -1 });
         return;
       }
       vtkBRDF* brdf = this->All->GetBRDF(surface);
-      const auto [place, isNew] = places.try_emplace(brdf, this->Uses.size());
+      const auto [place, isNew] = places.try_emplace(brdf, static_cast<int>(this->Uses.size()));
       if (isNew)
       {
         this->Uses.push_back({ brdf, {} });
-        this->BlocksOf.emplace_back();
       }
       this->Uses[place->second].second.push_back(surface);
-      this->BlocksOf[place->second].push_back(this->Blocks.size());
-      this->Blocks.push_back({ surface, &record.Visibility, true });
+      this->Blocks.push_back({ surface, &record.Visibility, true, place->second });
     });
   if (this->Uses.empty()) // nothing is left to show
   {
     this->Uses.push_back({ nullptr, {} });
-    this->BlocksOf.emplace_back();
   }
 }
 } // namespace measuredbrdf

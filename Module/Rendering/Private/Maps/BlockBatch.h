@@ -92,6 +92,7 @@ private:
     vtkPolyData* Surface;
     bool* Visible;  // the superclass's record
     bool IsVisible; // what it says while others are hidden
+    int Use;        // of its material; -1: it is divided, and never shown
   };
 
   template <typename Record>
@@ -103,7 +104,6 @@ private:
   CompositeBlocks* All = nullptr;
   std::vector<Block> Blocks; // in the superclass's order
   std::vector<MaterialUse> Uses;
-  std::vector<std::vector<std::size_t>> BlocksOf; // of each use
   unsigned long Revision = 0;
   int Shown = -1;
   bool HasDivided = false;

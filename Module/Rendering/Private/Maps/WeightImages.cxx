@@ -154,13 +154,7 @@ std::shared_ptr<WeightTextures> WeightTextures::Find(
 {
   using Key = std::pair<vtkMaterialMap*, vtkOpenGLRenderWindow*>;
   static HeldObjects<Key, WeightTextures> shared;
-  std::shared_ptr<WeightTextures> found = shared.Find({ map, window });
-  if (!found)
-  {
-    found = std::make_shared<WeightTextures>();
-    shared.Add({ map, window }, found);
-  }
-  return found;
+  return shared.FindOrMake({ map, window }, []() { return std::make_shared<WeightTextures>(); });
 }
 
 std::string WeightTextures::Update(vtkMaterialMap* map, vtkOpenGLRenderWindow* window)

@@ -7,7 +7,6 @@
 #include "LampWindow.h"
 #include "LocalFrame.h"
 #include "NumberText.h"
-#include "UniformVectors.h"
 #include "vtkActor.h"
 #include "vtkBRDFBouncedLight.h"
 #include "vtkBRDFHiddenSky.h"
@@ -554,7 +553,7 @@ glm::dmat3 GetNearestOrthogonal(const glm::dmat3& matrix)
 // degree 2, times what each degree makes of irradiance (Ramamoorthi, Hanrahan 2001, eq. 11).
 glm::mat4 GetIrradianceForm(const sky::Colors& light, int channel)
 {
-  const auto a = [&](int j) { return light[static_cast<std::size_t>(j)][channel]; };
+  const auto a = [&](int j) { return light[j][channel]; };
   const double c0 = Pi * 0.282094791773878140;
   const double c1 = 2.0 * Pi / 3.0 * 0.488602511902919920;
   const double c2 = Pi / 4.0 * 1.092548430592079200;
@@ -577,6 +576,24 @@ glm::mat4 GetIrradianceForm(const sky::Colors& light, int channel)
 void SetFloats(vtkShaderProgram* program, const std::string& name, const std::vector<float>& values)
 {
   program->SetUniform1fv(name.c_str(), static_cast<int>(values.size()), values.data());
+}
+
+// Of no vectors: nothing, as GLSL has no empty arrays.
+void SetVectors(
+  vtkShaderProgram* program, const std::string& name, const std::vector<glm::dvec3>& vectors)
+{
+  std::vector<float> values;
+  for (const glm::dvec3& vector : vectors)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      values.push_back(static_cast<float>(vector[c]));
+    }
+  }
+  if (!values.empty())
+  {
+    program->SetUniform3fv(name.c_str(), static_cast<int>(vectors.size()), values.data());
+  }
 }
 
 void SetFours(
