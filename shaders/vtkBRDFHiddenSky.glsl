@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What of the sky is hidden from a point, for the vertex shader. C++ twin (tests):
-// Testing/Unit/Support/HiddenSky.h.
+// Testing/Unit/Support/HorizonLight.h.
 
 // Three bytes of a code, which one float holds.
 vec3 brdfSkyBytes(float three)
@@ -44,7 +44,7 @@ vec3 brdfSkySlope(vec2 lobe, mat3 toModel, vec3 normal, vec3 across)
 }
 
 // Six elevations of a sector, nearly in the middles of even steps of the sine: their cosines are
-// 0.3948 + 0.0301 (20, 19, 17, 14, 9, 0), so that two exponentials make all six (HiddenSky.cxx), and
+// 0.3948 + 0.0301 (20, 19, 17, 14, 9, 0), so that two exponentials make all six (HorizonLight.h), and
 // their reciprocals those of the opposite sector.
 const vec3 brdfSkySine0 = vec3(0.07993597437950033, 0.2559123091998511, 0.4222058147396838);
 const vec3 brdfSkySine1 = vec3(0.5777694695983857, 0.7462194784378119, 0.9187670869159387);
@@ -254,17 +254,4 @@ vec3 brdfSkyIrradiance(mat4 red, mat4 green, mat4 blue, vec3 n)
 {
   vec4 v = vec4(n, 1.0);
   return max(vec3(dot(v, red * v), dot(v, green * v), dot(v, blue * v)), vec3(0.0));
-}
-
-// Two numbers within 0 to 1 as one, in steps of 1 / 4094: what is kept of a point.
-float brdfSkyPair(float one, float other)
-{
-  vec2 steps = floor(clamp(vec2(one, other), 0.0, 1.0) * 4094.0 + 0.5);
-  return steps.x + 4096.0 * steps.y;
-}
-
-vec2 brdfSkyUnpair(float pair)
-{
-  float other = floor(pair * (1.0 / 4096.0));
-  return vec2(pair - 4096.0 * other, other) * (1.0 / 4094.0);
 }

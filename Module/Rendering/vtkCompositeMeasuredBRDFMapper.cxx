@@ -3,8 +3,7 @@
 #include "vtkCompositeMeasuredBRDFMapper.h"
 
 #include "BlockBatch.h"
-#include "BlockMaterials.h"
-#include "BlockParts.h"
+#include "CompositeBlocks.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkObjectFactory.h"
 #include "vtkPBRPropertyFitter.h"
@@ -24,7 +23,7 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
   explicit Internals(vtkMapper* self)
     : Drawing(std::make_shared<MaterialDrawing>(self, [this]() { return this->GetUsesToCome(); }))
     , Settings(Drawing->GetSettings())
-    , Parts(Drawing)
+    , Blocks(Drawing)
   {
   }
 
@@ -45,7 +44,7 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
     {
       uses.push_back({ brdf, {} });
     }
-    for (const MaterialUse& use : this->Parts.GetUses())
+    for (const MaterialUse& use : this->Blocks.GetUses())
     {
       if (brdfs.insert(use.first).second)
       {
@@ -55,29 +54,9 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
     return uses;
   }
 
-  // Brought up to date while the composite mapper renders, when its input is.
-  void UpdateBlocks(vtkAlgorithm* mapper)
-  {
-    const std::string missing =
-      this->Blocks.Update(mapper->GetInputDataObject(0, 0), this->Settings);
-    if (!missing.empty() && this->Drawing->WarnOnce("blocks: " + missing))
-    {
-      vtkWarningWithObjectMacro(
-        mapper, << "Materials are set for blocks that the data do not have: " << missing << ".");
-    }
-    this->Parts.Update(this->Blocks);
-  }
-
-  void Initialize(BlockBatch* batch, vtkAlgorithm* mapper)
-  {
-    batch->Initialize(
-      this->Drawing, &this->Blocks, &this->Parts, [this, mapper]() { this->UpdateBlocks(mapper); });
-  }
-
   std::shared_ptr<MaterialDrawing> Drawing; // shared with the batches
   MaterialSettings& Settings;
-  BlockMaterials Blocks;
-  BlockParts Parts;    // of blocks of several materials
+  CompositeBlocks Blocks;
   int RenderDepth = 0; // greater than 0 inside of Render
 };
 
@@ -118,7 +97,7 @@ vtkCompositeMeasuredBRDFMapper::~vtkCompositeMeasuredBRDFMapper() = default;
 vtkCompositePolyDataMapperDelegator* vtkCompositeMeasuredBRDFMapper::CreateADelegator()
 {
   vtkNew<BlockBatch> batch;
-  this->Impl->Initialize(batch, this);
+  batch->Initialize(this->Impl->Drawing, &this->Impl->Blocks);
   Delegator* delegator = Delegator::New();
   delegator->SetBatch(batch);
   return delegator;
@@ -127,7 +106,7 @@ vtkCompositePolyDataMapperDelegator* vtkCompositeMeasuredBRDFMapper::CreateADele
 vtkCompositeMapperHelper2* vtkCompositeMeasuredBRDFMapper::CreateHelper()
 {
   BlockBatch* batch = BlockBatch::New();
-  this->Impl->Initialize(batch, this);
+  batch->Initialize(this->Impl->Drawing, &this->Impl->Blocks);
   return batch;
 }
 #endif
@@ -213,7 +192,7 @@ vtkIdType vtkCompositeMeasuredBRDFMapper::GetTextureBytes()
 {
   std::set<const vtkTextureObject*> counted;
   return CountTextureBytes(this->Impl->Drawing->GetLastFrame(), counted) +
-         this->Impl->Parts.GetImageBytes();
+         this->Impl->Blocks.GetImageBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -238,14 +217,14 @@ void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* act
     return; // the superclass wants both
   }
   const Depth inside(this->Impl->RenderDepth);
-  this->Impl->Parts.Begin();
+  this->Impl->Blocks.Begin();
   vtkObject* style = this->GetCompositeDataDisplayAttributes();
   this->Impl->Drawing->Render(
     renderer, actor,
     [&]()
     {
       this->Superclass::Render(renderer, actor);
-      this->Impl->Parts.Render(renderer, actor);
+      this->Impl->Blocks.Render(renderer, actor);
     },
     style ? style->GetMTime() : 0);
 }
@@ -255,7 +234,7 @@ void vtkCompositeMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   if (this->Impl->RenderDepth == 0)
   {
-    this->Impl->Parts.ReleaseGraphicsResources(window);
+    this->Impl->Blocks.ReleaseGraphicsResources(window);
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeasuredBRDFMapper.h"
 
+#include "DividedSurface.h"
 #include "MaterialShading.h"
-#include "PartMappers.h"
 #include "RenderPassQueries.h"
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
@@ -57,7 +57,7 @@ struct vtkMeasuredBRDFMapper::Internals : public MaterialShading
   }
 
   vtkMeasuredBRDFMapper* Self;
-  PartMappers Parts; // of a surface that a material map divides
+  DividedSurface Parts; // of a surface that a material map divides
   MaterialSettings& Settings;
 };
 
@@ -101,9 +101,6 @@ bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
     this->GetInputAlgorithm()->Update();
   }
   vtkPolyData* input = this->GetInput();
-  ScalarStyle scalars;
-  scalars.Read(this);
-  this->Impl->Parts.Expect(input, actor, this, scalars, !this->ExtraAttributes.empty());
   if (!this->Impl->Parts.Divide(input))
   {
     return false;
@@ -125,7 +122,8 @@ bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
             attribute.DataArrayName.c_str(), attribute.FieldAssociation, attribute.ComponentNumber);
         }
       }
-    });
+    },
+    nullptr);
   this->TimeToDraw = this->Impl->Parts.GetTimeToDraw();
   return true;
 }
@@ -202,14 +200,6 @@ bool vtkMeasuredBRDFMapper::GetNeedToRebuildShaders(
 {
   const bool rebuild = this->Superclass::GetNeedToRebuildShaders(cellBO, ren, actor);
   return this->Impl->AreShadersOutdated(cellBO, ren) || rebuild;
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::UpdateShaders(
-  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
-{
-  this->Impl->PrepareShaders(cellBO, ren, actor);
-  this->Superclass::UpdateShaders(cellBO, ren, actor);
 }
 
 //------------------------------------------------------------------------------

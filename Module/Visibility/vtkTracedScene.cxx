@@ -57,7 +57,7 @@ void FillHits(const std::vector<SurfacePoint>& found, vtkPolyData* hits)
   cells->SetNumberOfTuples(count);
   for (vtkIdType k = 0; k < count; ++k)
   {
-    const SurfacePoint& point = found[static_cast<std::size_t>(k)];
+    const SurfacePoint& point = found[k];
     points->SetPoint(k, &point.Position.x);
     normals->SetTuple(k, &point.Normal.x);
     facets->SetTuple(k, &point.Facet.x);
@@ -111,7 +111,7 @@ int vtkTracedScene::AddSurface(vtkPolyData* surface, vtkMatrix4x4* matrix)
   vtkMatrix4x4* taken = matrix ? matrix : identity;
   for (int k = 0; k < 16; ++k)
   {
-    added.Matrix[static_cast<std::size_t>(k)] = taken->GetElement(k / 4, k % 4);
+    added.Matrix[k] = taken->GetElement(k / 4, k % 4);
   }
   const std::array<double, 16>& m = added.Matrix;
   if (!std::all_of(m.begin(), m.end(), [](double value) { return std::isfinite(value); }) ||
@@ -233,7 +233,7 @@ bool vtkTracedScene::CastRays(vtkDataArray* origins, vtkDataArray* directions, v
         glm::dvec3 direction;
         origins->GetTuple(k, &origin.x);
         directions->GetTuple(k, &direction.x);
-        scene.Cast(origin, direction, found[static_cast<std::size_t>(k)]);
+        scene.Cast(origin, direction, found[k]);
       }
     });
   FillHits(found, hits);
@@ -325,7 +325,7 @@ void vtkTracedSurfaces::TakeNormals(Surface& surface) const
     const double length = glm::length(n);
     for (int c = 0; c < 3; ++c)
     {
-      surface.Normals[3 * static_cast<std::size_t>(k) + static_cast<std::size_t>(c)] =
+      surface.Normals[3 * k + c] =
         length > 0.0 && std::isfinite(length) ? static_cast<float>(n[c] / length) : 0.0f;
     }
   }
@@ -349,14 +349,14 @@ bool vtkTracedSurfaces::Cast(
   point.Normal = glm::dvec3(0.0);
   point.Surface = hit.Surface;
   point.Cell = hit.Cell;
-  const std::vector<float>& normals = this->Surfaces[static_cast<std::size_t>(hit.Surface)].Normals;
+  const std::vector<float>& normals = this->Surfaces[hit.Surface].Normals;
   for (int k = 0; k < 3; ++k)
   {
     p[k] = glm::dvec3(corners[k][0], corners[k][1], corners[k][2]);
     point.Position += hit.Barycentrics[k] * p[k];
     if (!normals.empty())
     {
-      const float* normal = &normals[3 * static_cast<std::size_t>(hit.Points[k])];
+      const float* normal = &normals[3 * hit.Points[k]];
       n[k] = Toward(glm::dvec3(normal[0], normal[1], normal[2]), point.Facet);
       point.Normal += hit.Barycentrics[k] * n[k];
     }

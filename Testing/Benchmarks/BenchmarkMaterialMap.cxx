@@ -145,11 +145,9 @@ public:
       this->AddClasses(classes, false);
     }
     this->AddColoredClasses(64);
-    this->AddUncutClasses(64);
     this->Materials.swap(this->OtherMaterials);
     this->NameEnd = ", tables of 17 to 129 rows";
     this->AddClasses(64, false);
-    this->AddUncutClasses(64);
     this->Materials.swap(this->OtherMaterials);
     this->NameEnd.clear();
     this->AddInSun();
@@ -280,17 +278,6 @@ private:
     return this->Add(
       std::to_string(classes) + " classes of " + (ofCells ? "cells" : "points") + this->NameEnd, 1,
       sphere, this->NewMap(vtkMaterialMap::CLASSES, classes));
-  }
-
-  // Polygons are drawn once for each class: vertices have an attribute that a program might read.
-  void AddUncutClasses(int classes)
-  {
-    if (Kind* kind = this->AddClasses(classes, false))
-    {
-      kind->Name += ", drawn for each class";
-      kind->Mapper->MapDataArrayToVertexAttribute(
-        "unused", "data", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
-    }
   }
 
   // In white: nothing changes.

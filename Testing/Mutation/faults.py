@@ -781,11 +781,11 @@ add("Rendering.padding-is-transparent", "ShaderTextures.cxx", "triples[k + 2], 1
 add("Rendering.hard-lights-get-soft-textures", "ShaderTextures.cxx",
     "FindShared(brdf, softLights, window);", "FindShared(brdf, true, window);",
     "Mapper.SoftLightsOfTablesCostHardOnesNothing")
-add("Rendering.block-indices-from-one", "BlockMaterials.cxx", "index = this->Next++;",
+add("Rendering.block-indices-from-one", "CompositeBlocks.cxx", "index = this->Next++;",
     "index = ++this->Next;", "Composite.MaterialsOfBlocks")
-add("Rendering.block-behind-the-last", "BlockMaterials.cxx", "if (index >= this->Next)",
+add("Rendering.block-behind-the-last", "CompositeBlocks.cxx", "if (index >= this->Next)",
     "if (index > this->Next)", "Composite.MissingBlocksAreSaidOnce")
-add("Rendering.blocks-do-not-inherit", "BlockMaterials.cxx", "childName, material);",
+add("Rendering.blocks-do-not-inherit", "CompositeBlocks.cxx", "childName, material);",
     "childName, { this->Settings.BRDF, false });", "Composite.MaterialsOfBlocks")
 
 add("Rendering.scene-lights-stay", "MaterialDrawing.cxx",
@@ -1048,43 +1048,30 @@ add("Material.map-weights-fall-below-0", "vtkMaterialMap.cxx",
 add("Material.map-parameters-divide-anew", "vtkMaterialMap.cxx", "vtkMTimeType time = this->Superclass::GetMTime();",
     "vtkMTimeType time = this->Materials.empty() || !this->Materials[0].BRDF ? this->Superclass::GetMTime() : "
     "this->Materials[0].BRDF->GetMTime();", "MaterialMap.ParametersOfAMaterialDivideNothingAnew")
-add("Rendering.map-weights-are-not-divided-by-their-sum", "PolygonMaterials.cxx", "static_cast<float>(weight / sum)",
+add("Rendering.map-weights-are-not-divided-by-their-sum", "MaterialPieces.cxx", "static_cast<float>(weight / sum)",
     "static_cast<float>(weight)", "Parts.WeightsAreDividedByTheirSum")
-add("Rendering.map-points-of-two-parts-are-not-doubled", "PartSurfaces.cxx", "if (mixed && first != owner)",
-    "if (mixed && first == NoOwner)", "Parts.ClassesThatMeetHaveSlotsOfTheirOwn")
-add("Rendering.map-borders-run-off-the-middle", "ClassBorders.cxx", "c < 0 ? 0.5 * sum", "c < 0 ? 0.51 * sum",
+add("Rendering.map-points-of-two-parts-are-not-doubled", "MaterialParts.cxx", "(owner != groups.size() && owner != g)",
+    "false", "Parts.ManySetsAreMerged|MaterialMapping.ValuesBlendInEachPixel")
+add("Rendering.map-borders-run-off-the-middle", "MaterialPieces.cxx", "const vtkIdType toB = this->FindPoint(b, other, 0, 0.5);",
+    "const vtkIdType toB = this->FindPoint(b, other, 0, 0.51);",
     "Parts.BordersBetweenClassesOfPointsAreCut")
-add("Rendering.map-edges-are-cut-twice", "ClassBorders.cxx", "if (isNew)", "if (true)",
+add("Rendering.map-edges-are-cut-twice", "MaterialPieces.cxx", "try_emplace({ low, high, which }, 0);\n  if (isNew)",
+    "try_emplace({ low, high, which }, 0);\n  if (true)",
     "Parts.BordersBetweenClassesOfPointsAreCut")
-add("Rendering.map-lone-corners-lose-their-class", "ClassBorders.cxx", "{ other, toA, toB }, this->GetClass(other)", "{ other, toA, toB }, cls",
-    "ClassBorders.AreTheSameInBothWays")
-add("Rendering.map-colored-points-are-cut", "PartMappers.cxx", "cellFlag == 0;", "cellFlag == 7;",
-    "ClassBorders.ColorsOfPointsKeepPolygonsWhole")
-add("Rendering.map-hidden-skies-are-cut", "PartMappers.cxx", "return settings.OcclusionMode != 0 &&",
-    "return settings.OcclusionMode > 5 &&", "ClassBorders.HiddenSkiesKeepPolygonsWhole")
-add("Rendering.map-nearest-is-the-first", "PartMapper.cxx", '" > brdfMost ? "', '" > 2.0 ? "',
-    "ClassBorders.AreTheSameInBothWays")
-add("Rendering.map-classes-that-meet-share-a-slot", "MaterialPartition.cxx", "taken[slot] = true;",
-    "taken[slot] = false;", "Parts.ClassesThatMeetHaveSlotsOfTheirOwn")
-add("Rendering.map-borders-take-the-last-shader", "ClassesMapper.cxx",
-    "ofBorder == this->WasOfBorder ? this->Last : nullptr", "this->Last", "ClassBorders.AreTheSameInBothWays")
-add("Rendering.map-hats-fall-at-the-ends", "PolygonMaterials.cxx", "if (k + 1 < knots.size())",
-    "if (k + 2 < knots.size())", "MaterialMapping.ValuesBlendInEachPixel")
-add("Rendering.map-the-rest-is-drawn-twice", "PartMapper.cxx", "if (brdfNearest != brdfSlot)",
-    "if (brdfNearest > 9)", "ClassBorders.AreTheSameInBothWays")
-add("Rendering.map-scalars-that-choose-color", "PartMappers.cxx", "if (colored || ",
-    "if (!colored || ",
+add("Rendering.map-lone-corners-lose-their-class", "MaterialPieces.cxx",
+    "{ other, toA, toB }, cell, { this->Classes[other] }", "{ other, toA, toB }, cell, { cls }",
+    "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
+add("Rendering.map-hidden-skies-are-bytes", "MaterialPieces.cxx", "HorizonCode::PackNormal(normal, bytes);", "",
+    "Cuts.WithHiddenSkiesAreUnseen")
+add("Rendering.map-values-fall-beside-their-knots", "MaterialPieces.cxx", "(*knot - from) / (to - from)",
+    "0.9 * (*knot - from) / (to - from)", "MaterialMapping.ValuesBlendInEachPixel")
+add("Rendering.map-scalars-that-choose-color", "DividedSurface.cxx", "if ((ofMap && all) || ",
+    "if (",
     "MaterialMapping.ScalarsThatChooseDoNotColor")
-add("Rendering.map-classes-keep-the-last-textures", "ShaderTextures.cxx",
-    "if (!last.Has(uploaded.Texture.get()))", "if (false)",
-    "ManyClasses.OfSeveralShadersUnderALight")
-add("Rendering.map-classes-released-elsewhere", "ClassesMapper.cxx",
+add("Rendering.map-classes-released-elsewhere", "PartsMapper.cxx",
     "this->OwnWindow->PushContext();", "", "ManyClasses.LeaveOtherWindowsAlone")
-add("Rendering.map-classes-keep-the-last-numbers", "ShaderTextures.cxx",
-    "if (last && last->Inputs.Terms[term].Uniforms[k].Values == uniform.Values)", "if (last)",
-    "ManyClasses.OfSeveralShadersUnderALight")
-add("Rendering.map-classes-share-cell-colors", "ClassesMapper.cxx",
-    "if (program->IsUniformUsed(\"PrimitiveIDOffset\"))", "if (false)",
+add("Rendering.map-classes-share-cell-colors", "PartsMapper.cxx",
+    "this->PrimitiveIDOffset = this->Shown->FirstPrimitive;", "",
     "ManyClasses.ColorsOfCellsStayTheirOwn")
 add("Rendering.map-members-share-instances", "BRDFShader.cxx", "return 100 * member;", "return 0 * member;",
     "MaterialMapping.ValuesBlendInEachPixel")
@@ -1142,17 +1129,17 @@ add("Fetch.files-have-no-names", "FetchCatalog.cxx", "return entry.Name == name 
 # What surfaces hide
 
 add("Visibility.hidden-rays-without-cosine", "HorizonCode.cxx", "transfer[j] += d.z * values[j];",
-    "transfer[j] += values[j];", "HiddenSky.ACraterHidesTheLowSky")
+    "transfer[j] += values[j];", "HorizonLight.ACraterHidesTheLowSky")
 add("Visibility.sectors-count-backwards", "HorizonCode.cxx", "return SectorWidth * sector;",
     "return -SectorWidth * sector;", "OcclusionTest.LobesLackTheirHiddenShare")
 add("Visibility.empty-sectors-at-the-horizon", "HorizonCode.cxx", "interval = { place, place };",
-    "interval = { 0.0 * place, 0.0 };", "HiddenSky.FloatingBodiesEndBetweenSectors")
+    "interval = { 0.0 * place, 0.0 };", "HorizonLight.FloatingBodiesEndBetweenSectors")
 add("Visibility.openings-from-the-horizon", "HorizonCode.cxx", "const bool asks = this->Opening &&", "const bool asks = !this->Opening &&",
-    "HiddenSky.SillsOfOpeningsHideTheHorizon")
+    "HorizonLight.SillsOfOpeningsHideTheHorizon")
 add("Visibility.narrow-slits-are-open", "HorizonCode.cxx", "intervals.IsOpening() && width == 0", "intervals.IsOpening() && width < 0",
-    "HiddenSky.NarrowSlitsAreDark")
+    "HorizonLight.NarrowSlitsAreDark")
 add("Visibility.hollows-by-what-they-hide", "HorizonCode.cxx", "this->Opening = misfit[1] < misfit[0];",
-    "this->Opening = false;", "HiddenSky.HollowsHideFromBothSides")
+    "this->Opening = false;", "HorizonLight.HollowsHideFromBothSides")
 add("Visibility.strata-without-offset", "HorizonCode.cxx",
     "return ReverseBits(static_cast<unsigned>(sector)) + 0.5 / Sectors;", "return 0.5;",
     "SurfaceVisibility.BlocksHideOneAnother")
@@ -1166,7 +1153,8 @@ add("Visibility.rays-begin-below-twisted-quads", "SurfacePoints.cxx", "ForEachFa
     "ForEachFace(surface, Faces::Polygons,", "SurfaceVisibility.TwistedQuadsAreLeftFromTheirTriangles")
 add("Rendering.occlusion-whatever-it-costs", "AutomaticOcclusion.cxx", "if (!worth || this->IsStopped ||",
     "if (this->IsStopped ||", "OcclusionTest.AutoModelsWhatIsWorthIt")
-add("Rendering.mappers-trace-apart", "SharedTrace.cxx", "found = traces[content].lock();", "found;",
+add("Rendering.mappers-trace-apart", "SharedTrace.cxx", "traces.FindOrMake(content,",
+    "traces.FindOrMake(content + std::to_string(input->GetMTime()),",
     "SharedTraceTest.MappersOfOneSurfaceTraceOnce|SharedTraceTest.OccludersAreNotShared")
 add("Rendering.shared-without-the-bounce", "SharedTrace.h", "(!withBounce || this->HasBounce)", "true",
     "SharedTraceTest.MappersOfOneSurfaceTraceOnce")
@@ -1209,16 +1197,6 @@ add("Rendering.what-throws-is-not-drawn", "MaterialShading.cxx", "tries = !this-
     "tries = false;", "LimitsTest.AThrowIsOneErrorAndTheNextRenderWorks")
 add("Rendering.shared-created-light-shines", "RenderPassQueries.cxx", "other->GetLights() == renderer->GetLights() &&",
     "false &&", "MapperShading.LightThatVTKCreated")
-add("Rendering.kept-light-does-not-turn", "OcclusionShader.cxx", "add(turn[column]);", "add(0.0 * turn[column]);",
-    "OcclusionPointsTest.LightMayTurnAndRestAgain")
-add("Rendering.views-take-each-others-light", "OcclusionVertexCache.cxx", "state->Of.View == question.View &&", "true &&",
-    "OcclusionPointsTest.ViewsKeepTheirOwn")
-add("Rendering.kept-light-in-programs-of-depths", "OcclusionVertexCache.cxx", "if (drawn.Program->IsAttributeUsed(names[k].c_str()))",
-    "if (true)", "OcclusionPointsTest.PeelingReportsNothing")
-add("Rendering.kept-light-of-several-materials", "MaterialShading.cxx", "this->Drawing->GetMaterials().size() <= 1 &&",
-    "", "OcclusionPointsTest.BlocksAreTheSame")
-add("Rendering.kept-light-of-other-codes", "OcclusionVertexCache.cxx", "state->Of.Time == question.Time &&", "true &&",
-    "OcclusionPointsTest.WhatChangesIsSeen")
 add("Rendering.hidden-sky-of-the-wrong-side", "OcclusionShader.cxx",
     "dot(normalVCVSOutput, brdfSkyNormalVSOutput) > 0.0", "dot(normalVCVSOutput, brdfSkyNormalVSOutput) < 2.0",
     "OcclusionTest.NormalsMayPointEitherWay")
@@ -1235,7 +1213,7 @@ add("Visibility.bounce-of-all-rays", "VisibilityTask.cxx", "met > 0.0 ? hidden /
 add("Visibility.bounce-of-the-other-side", "VisibilityTask.cxx", "== (glm::dot(facet, direction) > 0.0)",
     "!= (glm::dot(facet, direction) > 0.0)", "BouncedLight.BouncesAreThoseOfTracedLight")
 add("Rendering.bounce-without-albedo", "OcclusionShader.cxx", "light.Bounce->Albedo * turned[j] *", "turned[j] *",
-    "BounceTest.ShadersAgreeWithTheCppForms|BounceTest.PicturesComeNearTracedLight")
+    "BounceTest.ShadersAgreeWithTheCppForms")
 add("Shaders.bounce-by-the-root", "vtkBRDFBouncedLight.glsl", "max(a.x * a.x * sum, vec3(0.0))",
     "max(a.x * sum, vec3(0.0))", "BounceTest.ShadersAgreeWithTheCppForms")
 add("Rendering.stale-visibility", "OcclusionArrays.cxx", "problem = isPart ? \"\" : CheckKey(surface);",
@@ -1280,18 +1258,17 @@ add("Shaders.hidden-sky-odds", "vtkBRDFHiddenSky.glsl", "(12.0 / (12.0 + kappa))
 add("Shaders.hidden-irradiance-counts", "vtkBRDFEnvironmentTable.glsl", "sum += BRDF_OPEN_IRRADIANCE(",
     "sum += (", "OcclusionTest.MatteSurfacesLackTheHiddenIrradiance")
 
-add("Rendering.map-bands-of-a-scale-overlap", "PartMapper.cxx", "brdfAt < brdfBand.x || brdfAt >= brdfBand.y",
-    "brdfAt >= brdfBand.y", "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
-add("Rendering.map-values-end-at-points", "PolygonMaterials.cxx", "-FarOff, FarOff)", "0.0, 1.0)",
+add("Rendering.map-ends-of-a-scale-are-mixed", "MaterialPieces.cxx", "std::max<std::size_t>(band, 1) - 1", "band",
+    "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle|MaterialMapping.ValuesBlendInEachPixel")
+add("Rendering.map-values-end-at-points", "MaterialPieces.cxx", "std::clamp((value - low) / span, -FarOff, FarOff)", "std::clamp((value - low) / span, 0.0, 1.0)",
     "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
-add("Rendering.map-colors-blocks-of-one-class", "BlockBatch.cxx",
-    "return this->AreColorsOfMap[static_cast<std::size_t>(std::max(this->Shown, 0))];", "return false;",
-    "MaterialMapBlocks.ScalarsThatChooseColorNoBlock")
-add("Rendering.map-scalars-hide-blocks-colors", "PartMappers.cxx", "|| this->OverridesColor)", ")",
+add("Rendering.map-scalars-color-beside-no-material", "PartsMapper.cxx",
+    "return this->AreColorsOfMap &&", "return false &&", "MaterialMapping.ScalarsThatChooseDoNotColor")
+add("Rendering.map-scalars-hide-blocks-colors", "DividedSurface.cxx", "|| overrides)", ")",
     "MaterialMapBlocks.ABlocksColorGoesBeforeScalars")
-add("Rendering.map-second-weight-array-colors", "PolygonMaterials.cxx",
-    "if (own.FindWeights(input, map, k).empty() && own.Array == array)",
-    "if (k == 0 && own.FindWeights(input, map, k).empty() && own.Array == array)", "MaterialMapping.NoneOfSeveralWeightArraysColors")
+add("Rendering.map-second-weight-array-colors", "MaterialPieces.cxx",
+    "reads = reads || MapArray::FindWeights(input, map, k)",
+    "reads = reads || MapArray::FindWeights(input, map, 0)", "MaterialMapping.NoneOfSeveralWeightArraysColors")
 add("Rendering.map-images-are-looked-at-by-the-first", "WeightImages.cxx", "width = std::max(width, size[0]);",
     "width = width > 0 ? width : size[0];", "Parts.ImagesMayDifferInSize")
 add("Rendering.map-images-of-zeros-are-odd", "WeightImages.cxx", "if (anyLeft)",
@@ -1300,7 +1277,7 @@ add("Rendering.map-waits-for-materials-that-left", "MapperPlans.cxx", "inUse.cou
     "MaterialMapping.PlansOfMaterialsThatLeaveAreGivenUp")
 add("Rendering.map-time-is-not-taken", "vtkMeasuredBRDFMapper.cxx", "this->TimeToDraw = this->Impl->Parts.GetTimeToDraw();", "",
     "MaterialMapping.TimeOfAllPartsIsTaken")
-add("Rendering.map-nothing-is-highlighted", "PartMappers.cxx", "this->Highlight->SetSelection(selection);", "",
+add("Rendering.map-nothing-is-highlighted", "DividedSurface.cxx", "this->Highlight->SetSelection(selection);", "",
     "MaterialMapping.SelectedCellsAreHighlighted")
 add("Rendering.map-names-upload-images", "WeightImages.cxx",
     "source.emplace_back(map->GetWeightImage(k), map->GetWeightImage(k)->GetMTime());",

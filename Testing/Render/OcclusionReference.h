@@ -8,7 +8,7 @@
 #ifndef OcclusionReference_h
 #define OcclusionReference_h
 
-#include "HiddenSky.h"
+#include "HorizonLight.h"
 #include "LampWindow.h"
 #include "OcclusionLight.h"
 
@@ -53,7 +53,7 @@ struct ReferenceHidden
 
 /// Seen from a unit direction in the surface's axes.
 inline ReferenceHidden GetReferenceHidden(const measuredbrdf::OcclusionLight& material,
-  const measuredbrdf::HiddenSky& sky, const glm::dvec3& view, const glm::dmat3& toEnvironment)
+  const measuredbrdf::HorizonLight& sky, const glm::dvec3& view, const glm::dmat3& toEnvironment)
 {
   using measuredbrdf::Pi;
   const glm::dvec3 n = sky.GetNormal();
@@ -104,7 +104,7 @@ inline ReferenceHidden GetReferenceHidden(const measuredbrdf::OcclusionLight& ma
 
 /// What a point adds that reflects what comes back from what it hides.
 inline glm::dvec3 GetReferenceBounce(const measuredbrdf::OcclusionLight& material,
-  const measuredbrdf::HiddenSky& sky, const measuredbrdf::BouncedLight& bounced,
+  const measuredbrdf::HorizonLight& sky, const measuredbrdf::BouncedLight& bounced,
   const glm::dvec3& view, const glm::dmat3& toEnvironment)
 {
   const ReferenceLobe seen(material.Lobes, sky.GetNormal(), view);

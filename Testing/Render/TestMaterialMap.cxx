@@ -178,7 +178,7 @@ TEST_F(MaterialMapping, LampsAsAreas)
     {
       const glm::dvec3 n = glm::normalize(glm::dvec3(0.14 * k - 0.2, 0.1 * k - 0.3, 1.0));
       const int texel = FindTexel(this->Environment, 2.0 * n.z * n - glm::dvec3(0.0, 0.0, 1.0));
-      std::fill_n(&rgb[3 * static_cast<std::size_t>(texel)], 3, 300.0f);
+      std::fill_n(&rgb[3 * texel], 3, 300.0f);
     }
     ASSERT_TRUE(this->Environment->SetPixels(width, width / 2, rgb));
     hybrid->SetBRDF(this->Materials[0]);

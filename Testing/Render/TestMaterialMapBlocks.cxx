@@ -159,7 +159,7 @@ TEST_F(MaterialMapBlocks, BordersOfCellsAreThoseOfBlocks)
     block->GetCellData()->Initialize();
     const auto index = static_cast<unsigned int>(k);
     this->Blocks->SetBlock(index, block);
-    this->Composite->SetBlockBRDF(index + 1, this->Materials[static_cast<std::size_t>(k)]);
+    this->Composite->SetBlockBRDF(index + 1, this->Materials[k]);
   }
   this->Actor->SetMapper(this->Composite);
   const FloatImage blocks = this->RenderEncoded();

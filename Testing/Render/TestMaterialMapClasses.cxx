@@ -89,31 +89,6 @@ TEST_F(ManyClasses, ColorsOfCellsStayTheirOwn)
   this->ExpectEachAlone();
 }
 
-// Three meet in a triangle, at random, in more ways than there are parts for: none is left out.
-TEST_F(ManyClasses, OfPointsMeetInManyWays)
-{
-  constexpr int classes = 16; // four bits
-  this->AddMaterials(classes);
-  this->Sheet->GetCellData()->RemoveArray("data");
-  const auto classOf = [](vtkIdType point)
-  { return static_cast<int>((2654435761u * static_cast<unsigned int>(point)) >> 28); };
-  this->SetPoints([&](vtkIdType point, int) { return static_cast<double>(classOf(point)); });
-  this->RenderAlone();
-  this->ExpectMixture(
-    [&](const Place& place, int k)
-    {
-      double shares[classes] = {};
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        shares[classOf(place.Corners[corner])] += place.Shares[corner];
-      }
-      std::vector<double> sorted(shares, shares + classes);
-      std::sort(sorted.rbegin(), sorted.rend());
-      const bool close = sorted[0] - sorted[1] < 1e-4;
-      return close || place.OnDiagonal ? -1.0 : (shares[k] == sorted[0] ? 1.0 : 0.0);
-    });
-}
-
 // What is known of a frame's materials holds until something changes.
 TEST_F(ManyClasses, FollowEveryChange)
 {

@@ -219,7 +219,7 @@ TEST_F(MaterialMapping, ShaderEventsAreTheMappers)
   this->Mapper->SetMaterialMap(this->Map);
   EventCounter events(this->Mapper, vtkCommand::UpdateShaderEvent);
   this->Window->Render();
-  EXPECT_EQ(events.Count, 1); // one shader draws both
+  EXPECT_EQ(events.Count, 2); // one for each
 }
 
 // A map that fits no more leaves no plans and textures behind.

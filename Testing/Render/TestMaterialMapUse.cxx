@@ -100,7 +100,7 @@ TEST_F(MaterialMapping, MoreThanTheTextureUnitsHoldIsSaidOnce)
   {
     for (int c = 0; c < 3; ++c)
     {
-      const float value = image.RGBA[static_cast<std::size_t>(4 * k + c)];
+      const float value = image.RGBA[4 * k + c];
       ASSERT_TRUE(std::isfinite(value) && value > 0.0f);
     }
   }
@@ -131,6 +131,12 @@ TEST_F(MaterialMapping, ScalarsThatChooseDoNotColor)
   this->SetClassesOfCells(2);
   this->Sheet->GetCellData()->SetActiveScalars("data");
   this->ExpectMixture([](const Place& place, int k) { return GetWeightInTurns(place, k, 2); });
+  this->Map->AddMaterial(nullptr, 7.0); // beside a class without a material, too
+  this->SetCells(
+    [](vtkIdType cell, int) { return cell == 0 ? 7.0 : static_cast<double>(cell % 2); });
+  this->Sheet->GetCellData()->SetActiveScalars("data");
+  this->ExpectMixture([](const Place& place, int k)
+    { return place.Cell == 0 ? -1.0 : GetWeightInTurns(place, k, 2); });
   this->ColorCellsRed(); // other scalars do
   const FloatImage colored = this->RenderLinear();
   EXPECT_LT(colored.At(20, 30)[1], 0.01 * this->Alone[0].At(20, 30)[1]);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shading with what surfaces hide from themselves: the shaders against HiddenSky in C++, and the
+// Shading with what surfaces hide from themselves: the shaders against HorizonLight in C++, and the
 // mappers' use of vtkSurfaceVisibilityFilter's arrays.
 #include "AutomaticOcclusion.h"
 #include "EnvironmentPrecomputation.h"
@@ -50,7 +50,7 @@
 #include <utility>
 #include <vector>
 
-using measuredbrdf::HiddenSky;
+using measuredbrdf::HorizonLight;
 
 namespace
 {
@@ -167,7 +167,7 @@ protected:
   {
     const measuredbrdf::OcclusionLight light(brdf, this->Environment, integrator);
     const measuredbrdf::OcclusionAxes axes(this->Renderer, this->Actor, { this->Environment });
-    const HiddenSky sky(GetCode(this->Surface, 4));
+    const HorizonLight sky(GetCode(this->Surface, 4));
     const ReferenceHidden hidden = GetReferenceHidden(light, sky, view, axes.ToEnvironment[0]);
     Expected expected = { hidden.Irradiance, hidden.Lobe, {} };
     for (const glm::dvec3& lamp : light.Lamps)
@@ -195,7 +195,7 @@ protected:
     for (vtkIdType point = 0; point < bytes->GetNumberOfTuples(); ++point)
     {
       const double high = this->Surface->GetPoint(point)[0] > 0.1 ? right : sine;
-      for (int s = 0; s < HiddenSky::Sectors; ++s)
+      for (int s = 0; s < HorizonLight::Sectors; ++s)
       {
         bytes->SetTypedComponent(point, 3 + 2 * s, 0);
         bytes->SetTypedComponent(
@@ -210,8 +210,8 @@ protected:
   /// hollows.
   void TurnInsideOut()
   {
-    const HiddenSky::Rays rays(8);
-    const HiddenSky::Code all = HiddenSky::Encode({ 0.0, 0.0, 1.0 }, rays,
+    const HorizonLight::Rays rays(8);
+    const HorizonLight::Code all = HorizonLight::Encode({ 0.0, 0.0, 1.0 }, rays,
       std::vector<char>(rays.GetDirections().size(), 1), [](const glm::dvec3&) { return true; });
     vtkUnsignedCharArray* sky =
       GetBytes(this->Surface, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName());
@@ -219,17 +219,17 @@ protected:
       GetBytes(this->Surface, vtkSurfaceVisibilityFilter::GetHiddenLightArrayName());
     for (vtkIdType point = 0; point < sky->GetNumberOfTuples(); ++point)
     {
-      unsigned char* bounds = sky->GetPointer(point * HiddenSky::SectorBytes) + 3;
-      for (int s = 0; s < HiddenSky::Sectors; ++s)
+      unsigned char* bounds = sky->GetPointer(point * HorizonLight::SectorBytes) + 3;
+      for (int s = 0; s < HorizonLight::Sectors; ++s)
       {
         std::swap(bounds[2 * s], bounds[2 * s + 1]);
       }
-      unsigned char* transfer = light->GetPointer(point * HiddenSky::TransferBytes);
-      for (int j = 0; j < HiddenSky::TransferBytes; ++j)
+      unsigned char* transfer = light->GetPointer(point * HorizonLight::TransferBytes);
+      for (int j = 0; j < HorizonLight::TransferBytes; ++j)
       {
-        const int whole = all[static_cast<std::size_t>(HiddenSky::SectorBytes + j)];
+        const int whole = all[HorizonLight::SectorBytes + j];
         transfer[j] = static_cast<unsigned char>(
-          std::clamp(HiddenSky::OpenTransfer + whole - transfer[j], 0, 255));
+          std::clamp(HorizonLight::OpenTransfer + whole - transfer[j], 0, 255));
       }
     }
     sky->Modified();
@@ -440,7 +440,7 @@ TEST_F(OcclusionTest, ShadowEdgesCrossTriangles)
   std::vector<float> pixels(3 * 128 * 64, 0.02f);
   for (int c = 0; c < 3; ++c)
   {
-    pixels[static_cast<std::size_t>(3 * (128 * 24 + 40) + c)] = 2000.0f;
+    pixels[3 * (128 * 24 + 40) + c] = 2000.0f;
   }
   this->Environment->SetPixels(128, 64, pixels);
   vtkNew<vtkLambertBRDF> brdf;
@@ -492,7 +492,7 @@ TEST_F(OcclusionTest, OddsOfLobesAreInterpolated)
   const auto getHidden = [&](vtkIdType point)
   {
     const glm::dvec3 view = 5.0 * this->GetView() - glm::make_vec3(this->Surface->GetPoint(point));
-    const HiddenSky sky(GetCode(this->Surface, point));
+    const HorizonLight sky(GetCode(this->Surface, point));
     return GetReferenceHidden(light, sky, glm::normalize(view), axes.ToEnvironment[0]).Lobe.x;
   };
   const double few = getHidden(4);
@@ -523,9 +523,9 @@ TEST_F(OcclusionTest, PanelsAreHiddenOneByOne)
     for (int k = 0; k < 16; ++k)
     {
       const int at = 3 * (64 * (row + k / 4) + column + k % 4);
-      pixels[static_cast<std::size_t>(at)] = 8.0f;
-      pixels[static_cast<std::size_t>(at + 1)] = 6.0f;
-      pixels[static_cast<std::size_t>(at + 2)] = static_cast<float>(row);
+      pixels[at] = 8.0f;
+      pixels[at + 1] = 6.0f;
+      pixels[at + 2] = static_cast<float>(row);
     }
   }
   this->Environment->SetPixels(64, 32, pixels);
@@ -564,35 +564,12 @@ TEST_F(OcclusionTest, PanelsAreHiddenOneByOne)
   EXPECT_GT(largest[1], 0.3);
   // What sectors hide and harmonics do not are slivers, which hide no panel.
   GetBytes(this->Surface, vtkSurfaceVisibilityFilter::GetHiddenLightArrayName())
-    ->Fill(HiddenSky::OpenTransfer);
+    ->Fill(HorizonLight::OpenTransfer);
   this->SetHorizons(0.9, 0.9);
   this->Mapper->SetBRDF(matte);
   this->Mapper->SetIntegrator(table);
   const glm::dvec3 open = this->RenderMiddle(0);
   EXPECT_LT(glm::length(this->RenderMiddle(1) - open), 1e-3 * glm::length(open));
-}
-
-// Of many lamps the irradiance holds the Lambert part, of which each lamp takes its own away.
-TEST_F(OcclusionTest, ManyLampsAreHiddenOneByOne)
-{
-  SpreadCode(this->Surface, 4);
-  vtkNew<vtkLambertBRDF> brdf;
-  const auto hybrid = MakeIntegrator<vtkHybridRadianceIntegrator>();
-  this->Mapper->SetBRDF(brdf);
-  this->Mapper->SetIntegrator(hybrid);
-  const glm::dvec3 f = GetReflectance(brdf);
-  for (const double rotation : { 0.0, 240.0 })
-  {
-    this->Environment->SetRotationY(rotation);
-    const glm::dvec3 off = this->RenderMiddle(0);
-    const glm::dvec3 on = this->RenderMiddle(1);
-    const Expected expected = this->Evaluate(brdf, hybrid, this->GetView());
-    ASSERT_TRUE(
-      vtkHybridRadianceIntegrator::AreWindowed(brdf, static_cast<int>(expected.Lamps.size())));
-    const glm::dvec3 wanted = off - f * expected.HiddenIrradiance;
-    EXPECT_LT(glm::length(on - wanted), 3e-3 * glm::length(off)) << rotation;
-    EXPECT_LT(glm::length(on), 0.99 * glm::length(off)) << rotation;
-  }
 }
 
 // Other methods take all that is reflected as one lobe, which of a matte surface is a cosine: it
@@ -664,41 +641,9 @@ TEST_F(OcclusionTest, ActorsMayBeTurnedMirroredAndScaled)
   const measuredbrdf::OcclusionLight light(brdf, this->Environment, table);
   const measuredbrdf::OcclusionAxes axes(this->Renderer, this->Actor, { this->Environment });
   const glm::dvec3 f = GetReflectance(brdf);
-  const glm::dvec3 hidden =
-    HiddenSky(GetCode(this->Surface, 4)).GetHiddenIrradiance(light.GetLight(axes.ToEnvironment[0]));
+  const glm::dvec3 hidden = HorizonLight(GetCode(this->Surface, 4))
+                              .GetHiddenIrradiance(light.GetLight(axes.ToEnvironment[0]));
   EXPECT_LT(glm::length(lit - f * hidden - mirrored), 2e-3 * glm::length(lit));
-}
-
-// Blocks with arrays and blocks without share buffers.
-TEST_F(OcclusionTest, CompositeMappersDrawTheSame)
-{
-  vtkNew<vtkBlinnPhongBRDF> brdf;
-  brdf->SetExponent(20.0);
-  const auto hybrid = MakeIntegrator<vtkHybridRadianceIntegrator>();
-  this->Mapper->SetBRDF(brdf);
-  this->Mapper->SetIntegrator(hybrid);
-  const glm::dvec3 plain = this->RenderMiddle(1);
-  const glm::dvec3 off = this->RenderMiddle(0);
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  vtkNew<vtkPolyData> other;
-  other->DeepCopy(MakeSquare(0.05));
-  for (vtkIdType k = 0; k < other->GetNumberOfPoints(); ++k)
-  {
-    double p[3];
-    other->GetPoint(k, p);
-    other->GetPoints()->SetPoint(k, p[0] + 0.8, p[1] + 0.8, 0.5);
-  }
-  blocks->SetBlock(0, other); // without arrays
-  blocks->SetBlock(2, this->Surface);
-  vtkNew<vtkCompositeMeasuredBRDFMapper> composite;
-  composite->SetInputDataObject(blocks);
-  composite->SetBRDF(brdf);
-  composite->SetIntegrator(hybrid);
-  composite->SetEnvironment(this->Environment);
-  this->Actor->SetMapper(composite);
-  EXPECT_LT(glm::length(ToVector(this->RenderLinear().At(32, 32)) - plain), 1e-4 * plain.x);
-  composite->SetOcclusionModeToOff();
-  EXPECT_LT(glm::length(ToVector(this->RenderLinear().At(32, 32)) - off), 1e-4 * plain.x);
 }
 
 // On request the mapper traces what has no arrays.

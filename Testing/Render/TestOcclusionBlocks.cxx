@@ -260,31 +260,3 @@ TEST_F(OcclusionBlocks, ManyAreListedOnce)
   }
   EXPECT_EQ(listings[0], listings[1]);
 }
-
-// What a frame asks of a forecast that has its answer.
-TEST_F(OcclusionBlocks, ForecastsOfManyBlocksCostLittle)
-{
-  for (const int count : { 1, 10000 })
-  {
-    const auto blocks = MakeTriangles(count);
-    measuredbrdf::OcclusionQuestion question;
-    question.Input = blocks;
-    question.Materials.push_back(
-      { this->BRDF.Get(), this->Environment, this->Environment->GetPixelsMTime(), 0.01 });
-    measuredbrdf::AutomaticOcclusion forecast;
-    const double start = GetProcessorTime();
-    forecast.Update(question);
-    const double first = GetProcessorTime() - start;
-    EXPECT_EQ(forecast.GetError(), 0.0);
-    constexpr int frames = 200;
-    const double begun = GetProcessorTime();
-    for (int frame = 0; frame < frames; ++frame)
-    {
-      forecast.Update(question);
-    }
-    const double each = (GetProcessorTime() - begun) / frames;
-    std::printf(
-      "%d blocks: first frame %.3f s of processor time, then %.4f ms\n", count, first, 1e3 * each);
-    EXPECT_LT(each, 0.1 * first);
-  }
-}

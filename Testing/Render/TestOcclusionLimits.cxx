@@ -139,25 +139,6 @@ protected:
   vtkNew<vtkActor> Actor;
 };
 
-// Positions, normals, colors, texture coordinates, tangents, and twelve of two sides and a bounce:
-// one more than OpenGL guarantees, and than Mesa has.
-TEST_F(LimitsTest, SeventeenAttributes)
-{
-  ShaderLimits::SetMost(16, 0);
-  this->Mapper->SetInputData(MakeRichBowl(true));
-  const WarningTexts warnings(this->Mapper);
-  const EventCounter errors(this->Mapper, vtkCommand::ErrorEvent);
-  for (int frame = 0; frame < 2; ++frame)
-  {
-    EXPECT_TRUE(IsDrawn(this->RenderLinear()));
-  }
-  ASSERT_EQ(warnings.Texts.size(), 1u);
-  EXPECT_NE(
-    warnings.Texts[0].find("without what comes back from what is hidden"), std::string::npos)
-    << warnings.Texts[0];
-  EXPECT_EQ(errors.Count, 0);
-}
-
 // The same picture as a mapper's that was asked for less, in each stage.
 TEST_F(LimitsTest, DrawsWhatThereIsRoomFor)
 {

@@ -10,7 +10,6 @@
 #include "vtkEnvironment.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLODActor.h"
-#include "vtkLODProp3D.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -148,58 +147,6 @@ TEST_F(OcclusionStability, ActorsWithLevelsKeepTheSurfacesArrays)
       }
     }
     this->Renderer->RemoveActor(actor);
-  }
-  EXPECT_TRUE(this->Warnings.empty());
-}
-
-// Levels of our own mappers, which trace: each its own mesh, and anew where that changes.
-TEST_F(OcclusionStability, LevelsTraceTheirOwnMeshes)
-{
-  vtkNew<vtkSphereSource> sources[2];
-  vtkNew<vtkMeasuredBRDFMapper> mappers[2];
-  vtkNew<vtkLODProp3D> levels;
-  levels->AutomaticLODSelectionOff();
-  int ids[2];
-  for (int k = 0; k < 2; ++k)
-  {
-    sources[k]->SetThetaResolution(k == 0 ? 32 : 12);
-    sources[k]->SetPhiResolution(k == 0 ? 24 : 9);
-    sources[k]->SetRadius(0.9);
-    sources[k]->SetEndPhi(115.0); // a bowl, seen from outside until it is turned
-    this->SetUpMapper(mappers[k]);
-    mappers[k]->SetInputConnection(sources[k]->GetOutputPort());
-    mappers[k]->SetOcclusionModeToOn();
-    ids[k] = levels->AddLOD(mappers[k], 0.0);
-  }
-  levels->RotateX(180.0);
-  this->Mapper->SetOcclusionModeToOn();
-  this->Actor->RotateX(180.0);
-  const auto drawAlone = [&](int k)
-  {
-    this->Mapper->SetInputConnection(sources[k]->GetOutputPort());
-    levels->VisibilityOff();
-    this->Actor->VisibilityOn();
-    const FloatImage picture = this->RenderLinear();
-    this->Actor->VisibilityOff();
-    levels->VisibilityOn();
-    return picture;
-  };
-  this->Renderer->AddViewProp(levels);
-  FloatImage before[2];
-  for (const double end : { 115.0, 150.0 })
-  {
-    sources[0]->SetEndPhi(end); // the other one stays as it is
-    for (const int k : { 0, 1, 0 })
-    {
-      const FloatImage alone = drawAlone(k);
-      levels->SetSelectedLODID(ids[k]);
-      EXPECT_LT(Compare(this->RenderLinear(), alone), 1e-6) << k << ", " << end;
-      EXPECT_EQ(end > 120.0 && k == 0 && Compare(alone, before[0]) < 0.02, false);
-      if (end < 120.0)
-      {
-        before[k] = alone;
-      }
-    }
   }
   EXPECT_TRUE(this->Warnings.empty());
 }

@@ -3,7 +3,6 @@
 #include "MaterialDrawing.h"
 
 #include "NumberText.h"
-#include "OcclusionVertexCache.h"
 #include "RenderPassQueries.h"
 #include "RunGuarded.h"
 #include "SharedIntegrators.h"
@@ -130,7 +129,6 @@ MaterialDrawing::SweepAtEnd::~SweepAtEnd()
 {
   SweepIntegrators(); // which hold environments
   SweepEnvironments();
-  SweepCaptures();
 }
 
 void MaterialDrawing::KeepPlansInUse()

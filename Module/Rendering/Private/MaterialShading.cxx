@@ -326,7 +326,6 @@ void MaterialShading::ReleaseMaterials(vtkWindow* window)
   {
     this->Drawing->ReleaseGraphicsResources(window, this->Mapper);
   }
-  this->Points.Release(window);
 }
 
 bool MaterialShading::AreBuffersOutdated() const
@@ -344,7 +343,6 @@ void MaterialShading::PrepareBuffers(vtkRenderer* ren)
   const ShaderLimits limits = ShaderLimits::Read(static_cast<vtkOpenGLRenderer*>(ren)->GetState());
   this->MostAttributes = limits.Attributes;
   this->MostVaryings = limits.Varyings;
-  this->OcclusionTime.Modified();
   this->Drawing->BeginOcclusion(this->Mapper);
   this->HasBadNormals = false;
   this->AddOcclusion(ren);
@@ -460,24 +458,6 @@ bool MaterialShading::AreShadersOutdated(const vtkOpenGLHelper& cellBO, vtkRende
   const bool changed = key != last;
   last = std::move(key);
   return changed;
-}
-
-void MaterialShading::PrepareShaders(
-  const vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
-{
-  if (!this->UsesMaterial(&cellBO))
-  {
-    return;
-  }
-  const SurfaceOcclusion occlusion = this->GetOcclusion();
-  if (occlusion.Layout.Kept)
-  {
-    this->KeepOcclusion(occlusion, ren, actor);
-  }
-  else
-  {
-    this->Points.Drop();
-  }
 }
 
 void MaterialShading::ReplaceValues(Shaders shaders, vtkActor* actor, const Step& replace)
@@ -655,10 +635,6 @@ void MaterialShading::SetMapperUniforms(vtkOpenGLHelper& cellBO, vtkRenderer* re
   }
   this->Drawing->GetSums().SetUniforms(program);
   this->SetOcclusionUniforms(program, ren, actor);
-  if (this->GetOcclusion().Layout.Kept)
-  {
-    this->Points.AddTo(cellBO);
-  }
   const bool modulate = this->Drawing->GetSettings().ScalarColoringMode != 0;
   program->SetUniformi("brdfModulate", modulate ? (this->HasScalarColors() ? 2 : 1) : 0);
 }
@@ -678,15 +654,6 @@ void MaterialShading::SetPropertyUniforms(vtkOpenGLHelper& cellBO, vtkActor* act
     cellBO.Program->SetUniform3f("diffuseColorUniformBF", back->GetDiffuseColor());
     cellBO.Program->SetUniformf("diffuseIntensityBF", 1.0f);
   }
-}
-
-// Whether the light's part of the shader is made for each point beforehand: of one material, since
-// each of several would make it for all points.
-bool MaterialShading::MayKeepOcclusion() const
-{
-  return this->Points.IsPossible() && this->Drawing->GetMaterials().size() <= 1 &&
-         this->Mapper->GetVBOs()->GetVBO("brdfSky0")->GetNumberOfTuples() >=
-           OcclusionVertexCache::GetLeastPoints();
 }
 
 // Whether a vertex shader may read so many attributes, and the stages hand on so much, with what
@@ -715,7 +682,7 @@ MaterialShading::SurfaceOcclusion MaterialShading::GetOcclusion()
     return occlusion;
   }
   OcclusionLayout& layout = occlusion.Layout;
-  layout = { this->HasBuffer("brdfSkyBack0", 4), this->HasBuffer("brdfBounce", 3), false };
+  layout = { this->HasBuffer("brdfSkyBack0", 4), this->HasBuffer("brdfBounce", 3) };
   const char* leftOut = "";
   while (!this->FitsOcclusion(occlusion))
   {
@@ -743,35 +710,7 @@ MaterialShading::SurfaceOcclusion MaterialShading::GetOcclusion()
       << this->MostAttributes << " vertex attributes and " << this->MostVaryings
       << " components of varyings.");
   }
-  if (!occlusion.Lights.empty() && this->MayKeepOcclusion())
-  {
-    layout.Kept = true;
-    layout.Kept = !GetKeptNames(occlusion.Lights, layout).empty() && // of what hides
-                  this->FitsOcclusion(occlusion);
-  }
   return occlusion;
-}
-
-// Before triangles are drawn: what of their points rests while the light does, unless it is kept.
-void MaterialShading::KeepOcclusion(
-  const SurfaceOcclusion& occlusion, vtkRenderer* ren, vtkActor* actor)
-{
-  const auto& [lights, layout] = occlusion;
-  const OcclusionAxes axes(ren, actor, this->GetEnvironments());
-  const OcclusionVertexCache::Question question = { ren, actor,
-    GetKeptInputs(lights, layout, axes.ToEnvironment), this->OcclusionTime };
-  if (this->Points.Find(lights, layout, question))
-  {
-    return;
-  }
-  vtkOpenGLVertexBufferObjectGroup* buffers = this->Mapper->GetVBOs();
-  vtkShaderProgram* program = this->Points.Begin(
-    vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), buffers, lights, layout);
-  if (program) // if not, each drawn triangle makes it
-  {
-    this->SetOcclusionUniforms(program, ren, actor);
-    this->Points.Make(buffers->GetVBO("brdfSky0")->GetNumberOfTuples(), question);
-  }
 }
 
 std::vector<vtkEnvironment*> MaterialShading::GetEnvironments() const

@@ -15,9 +15,7 @@
 #define MaterialShading_h
 
 #include "MaterialDrawing.h"
-#include "OcclusionVertexCache.h"
 #include "vtkShader.h"
-#include "vtkTimeStamp.h"
 
 #include <cstddef>
 #include <functional>
@@ -101,7 +99,6 @@ public:
   ///@{
   /// UpdateShaders, and what BuildShaders writes: ReplaceLight returns whether a material did it.
   bool AreShadersOutdated(const vtkOpenGLHelper& cellBO, vtkRenderer* ren);
-  void PrepareShaders(const vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor);
   void ReplaceValues(Shaders shaders, vtkActor* actor, const Step& replace);
   bool ReplaceLight(Shaders shaders, vtkRenderer* ren, vtkActor* actor);
   ///@}
@@ -171,8 +168,6 @@ private:
   void PassOcclusionOn(Shaders shaders);
   SurfaceOcclusion GetOcclusion();
   bool FitsOcclusion(const SurfaceOcclusion& occlusion) const;
-  bool MayKeepOcclusion() const;
-  void KeepOcclusion(const SurfaceOcclusion& occlusion, vtkRenderer* ren, vtkActor* actor);
   void SetOcclusionUniforms(vtkShaderProgram* program, vtkRenderer* ren, vtkActor* actor);
   std::vector<vtkEnvironment*> GetEnvironments() const;
 
@@ -187,8 +182,6 @@ private:
   std::size_t MostAttributes = 0; // of the graphics card that has the buffers
   std::size_t MostVaryings = 0;
   std::size_t VaryingsOfBase = 0; // for clipping planes and edges, in this frame
-  vtkTimeStamp OcclusionTime;     // when the buffers were built
-  OcclusionVertexCache Points;    // of the buffers
 };
 } // namespace measuredbrdf
 

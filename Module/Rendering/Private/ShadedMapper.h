@@ -68,11 +68,6 @@ protected:
     const bool rebuild = this->Base::GetNeedToRebuildShaders(cellBO, ren, actor);
     return this->AreShadersOutdated(cellBO, ren) || rebuild;
   }
-  void UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override
-  {
-    this->PrepareShaders(cellBO, ren, actor);
-    this->Base::UpdateShaders(cellBO, ren, actor);
-  }
   void ReplaceShaderValues(Shaders shaders, vtkRenderer* ren, vtkActor* actor) override
   {
     this->ReplaceValues(

@@ -114,14 +114,26 @@ public:
     return known == this->Objects.end() ? nullptr : known->second.lock();
   }
 
+  /// The object, made now if nobody holds one: whoever asks for a key has the same.
+  template <typename Make>
+  std::shared_ptr<T> FindOrMake(const Key& key, const Make& make)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    std::shared_ptr<T> found = this->Objects[key].lock();
+    if (!found)
+    {
+      this->Forget();
+      found = make();
+      this->Objects[key] = found;
+    }
+    return found;
+  }
+
   /// Those that nobody holds any more are forgotten. Null: nothing is added.
   void Add(const Key& key, const std::shared_ptr<T>& object)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    for (auto it = this->Objects.begin(); it != this->Objects.end();)
-    {
-      it = it->second.expired() ? this->Objects.erase(it) : std::next(it);
-    }
+    this->Forget();
     if (object)
     {
       this->Objects[key] = object;
@@ -129,6 +141,14 @@ public:
   }
 
 private:
+  void Forget()
+  {
+    for (auto it = this->Objects.begin(); it != this->Objects.end();)
+    {
+      it = it->second.expired() ? this->Objects.erase(it) : std::next(it);
+    }
+  }
+
   std::mutex Mutex;
   std::map<Key, std::weak_ptr<T>> Objects;
 };

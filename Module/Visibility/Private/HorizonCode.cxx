@@ -74,7 +74,7 @@ public:
     double misfit[2] = { 0.0, 0.0 };
     for (int s = 0; s < Sectors; ++s)
     {
-      Flags& own = flags[static_cast<std::size_t>(s)];
+      Flags& own = flags[s];
       own = this->FindFlags(s);
       misfit[0] += this->FindRun(own).Misfit;
       Flags visible = own;
@@ -84,12 +84,12 @@ public:
     this->Opening = misfit[1] < misfit[0];
     for (int s = 0; s < Sectors; ++s)
     {
-      Flags& own = flags[static_cast<std::size_t>(s)];
+      Flags& own = flags[s];
       if (this->Opening)
       {
         own.flip();
       }
-      this->Intervals[static_cast<std::size_t>(s)] = this->Find(s, own);
+      this->Intervals[s] = this->Find(s, own);
     }
     this->PlaceEmpty();
   }
@@ -99,10 +99,7 @@ public:
   /// their middles, weighted by their sines.
   bool IsOpening() const { return this->Opening; }
 
-  const Interval& Get(int sector) const
-  {
-    return this->Intervals[static_cast<std::size_t>(sector)];
-  }
+  const Interval& Get(int sector) const { return this->Intervals[sector]; }
 
 private:
   using Flags = std::vector<bool>; // of places in a sector's middle: whether they are inside
@@ -131,7 +128,7 @@ private:
     for (int s = sector - 1; s <= sector + 1; ++s)
     {
       const int turn = (s + Sectors) % Sectors;
-      count += this->Hidden[static_cast<std::size_t>(turn * this->Elevations + k)] ? 1 : 0;
+      count += this->Hidden[turn * this->Elevations + k] ? 1 : 0;
     }
     return count;
   }
@@ -159,7 +156,7 @@ private:
   // As many places as are inside, where most of them are.
   Run FindRun(const Flags& flags) const
   {
-    const auto isInside = [&flags](int k) { return flags[static_cast<std::size_t>(k)] ? 1 : 0; };
+    const auto isInside = [&flags](int k) { return flags[k] ? 1 : 0; };
     Run run;
     run.Count = static_cast<int>(std::count(flags.begin(), flags.end(), true));
     int inside = static_cast<int>(std::count(flags.begin(), flags.begin() + run.Count, true));
@@ -255,12 +252,12 @@ private:
     const double zenith = this->Zenith == 1 ? 1.0 : 0.0; // where sectors beside it do not tell
     for (int s = 0; s < Sectors; ++s)
     {
-      Interval& interval = this->Intervals[static_cast<std::size_t>(s)];
+      Interval& interval = this->Intervals[s];
       double sum = 0.0;
       int count = 0;
       for (const int other : { s + Sectors - 1, s + 1 })
       {
-        const Interval& beside = found[static_cast<std::size_t>(other % Sectors)];
+        const Interval& beside = found[other % Sectors];
         if (!beside.IsEmpty())
         {
           ++count;

@@ -43,10 +43,10 @@ std::vector<Band> MakeBands(const std::vector<glm::dvec3>& directions)
     Eigen::MatrixXd values(Width, 2 * l + 1);
     for (int k = 0; k < Width; ++k)
     {
-      const Values at = Evaluate(directions[static_cast<std::size_t>(k)]);
+      const Values at = Evaluate(directions[k]);
       for (int m = 0; m < 2 * l + 1; ++m)
       {
-        values(k, m) = at[static_cast<std::size_t>(l * l + m)];
+        values(k, m) = at[l * l + m];
       }
     }
     bands.push_back({ values.completeOrthogonalDecomposition().pseudoInverse() });
@@ -64,7 +64,7 @@ Values GetCosineTransfer(const glm::dvec3& n)
   {
     for (int m = 0; m < 2 * l + 1; ++m)
     {
-      values[static_cast<std::size_t>(l * l + m)] *= bands[l];
+      values[l * l + m] *= bands[l];
     }
   }
   return values;
@@ -92,11 +92,11 @@ Colors Rotate(const Colors& light, const glm::dmat3& r)
         for (int n = 0; n < 2 * l + 1; ++n)
         {
           const auto at = static_cast<std::size_t>(l * l + n);
-          value += turned[static_cast<std::size_t>(k)][at] * light[at];
+          value += turned[k][at] * light[at];
         }
-        sum += bands[static_cast<std::size_t>(l)].FromValues(m, k) * value;
+        sum += bands[l].FromValues(m, k) * value;
       }
-      result[static_cast<std::size_t>(l * l + m)] = sum;
+      result[l * l + m] = sum;
     }
   }
   return result;

@@ -154,8 +154,8 @@ std::vector<SurfaceVertex> FindSurfacePoints(vtkPolyData* surface)
       const Face face = MakeFace(surface, ids, count);
       for (vtkIdType k = 0; IsFinite(face.Area) && k < count; ++k)
       {
-        points[static_cast<std::size_t>(ids[k])].Normal += face.Area;
-        used[static_cast<std::size_t>(ids[k])] = 1;
+        points[ids[k]].Normal += face.Area;
+        used[ids[k]] = 1;
       }
     });
   for (std::size_t k = 0; k < points.size(); ++k)
@@ -183,12 +183,12 @@ std::vector<SurfaceVertex> FindSurfacePoints(vtkPolyData* surface)
       const double area = glm::length(face.Area);
       for (vtkIdType k = 0; area > 0.0 && std::isfinite(area) && k < count; ++k)
       {
-        SurfaceVertex& point = points[static_cast<std::size_t>(ids[k])];
+        SurfaceVertex& point = points[ids[k]];
         const double cosine = glm::dot(face.Area, point.Normal) / area;
         const double merit = cosine * cosine * cosine * cosine * std::sqrt(area);
-        if (merit > best[static_cast<std::size_t>(ids[k])])
+        if (merit > best[ids[k]])
         {
-          best[static_cast<std::size_t>(ids[k])] = merit;
+          best[ids[k]] = merit;
           point.Origin = glm::mix(GetPoint(surface, ids[k]), face.Middle, Inwards);
           point.FaceNormal = face.Area / (cosine < 0.0 ? -area : area);
         }
@@ -210,7 +210,7 @@ double GetLeastCosine(vtkPolyData* surface, const std::vector<glm::dvec3>& norma
       double least = area > 0.0 && std::isfinite(area) ? 1.0 : -1.0;
       for (vtkIdType k = 0; least >= 0.0 && k < count; ++k)
       {
-        const glm::dvec3& normal = normals[static_cast<std::size_t>(ids[k])];
+        const glm::dvec3& normal = normals[ids[k]];
         least = std::min(least, std::abs(glm::dot(face.Area, normal)) / area);
       }
       if (least >= 0.0)

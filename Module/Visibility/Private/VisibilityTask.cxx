@@ -151,10 +151,8 @@ void OpenBuriedPoints(vtkPolyData* surface, SideArrays& side)
     hidden.push_back(HorizonCode::GetHiddenCosine(side.Get(k)));
     sources.push_back(k);
   }
-  const auto isMoreHidden = [&hidden](vtkIdType a, vtkIdType b)
-  { return hidden[static_cast<std::size_t>(a)] > hidden[static_cast<std::size_t>(b)]; };
-  const auto isBuried = [&hidden](vtkIdType k)
-  { return hidden[static_cast<std::size_t>(k)] > buried; };
+  const auto isMoreHidden = [&hidden](vtkIdType a, vtkIdType b) { return hidden[a] > hidden[b]; };
+  const auto isBuried = [&hidden](vtkIdType k) { return hidden[k] > buried; };
   ForEachFace(surface, Faces::Polygons,
     [&](const vtkIdType* corners, vtkIdType count, vtkIdType)
     {
@@ -168,7 +166,7 @@ void OpenBuriedPoints(vtkPolyData* surface, SideArrays& side)
       }
       for (vtkIdType k = 0; nearest >= 0 && k < count; ++k)
       {
-        vtkIdType& source = sources[static_cast<std::size_t>(corners[k])];
+        vtkIdType& source = sources[corners[k]];
         if (isBuried(corners[k]) && (source == corners[k] || isMoreHidden(nearest, source)))
         {
           source = nearest;
@@ -177,10 +175,10 @@ void OpenBuriedPoints(vtkPolyData* surface, SideArrays& side)
     });
   for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k)
   {
-    if (sources[static_cast<std::size_t>(k)] != k)
+    if (sources[k] != k)
     {
-      side.Set(k, side.Get(sources[static_cast<std::size_t>(k)]));
-      side.Sources[k] = sources[static_cast<std::size_t>(k)];
+      side.Set(k, side.Get(sources[k]));
+      side.Sources[k] = sources[k];
     }
   }
 }
@@ -273,9 +271,8 @@ bool VisibilityTask::TraceSky(std::vector<SurfaceArrays>& traced)
         thread_local std::vector<char> hidden;
         for (std::size_t side = 0; side < arrays.Sides.size(); ++side)
         {
-          arrays.Sides[side].Set(
-            k, TracePoint(this->Tracer, this->Settings.Farthest, rays,
-                 points[static_cast<std::size_t>(k)], side == 0 ? 1.0 : -1.0, hidden));
+          arrays.Sides[side].Set(k, TracePoint(this->Tracer, this->Settings.Farthest, rays,
+                                      points[k], side == 0 ? 1.0 : -1.0, hidden));
         }
       });
     if (!whole)
@@ -314,8 +311,7 @@ bool VisibilityTask::TraceBounce(std::vector<SurfaceArrays>& traced)
           const auto source = sides[side].Sources.find(k); // a buried point has another's
           const vtkIdType from = source == sides[side].Sources.end() ? k : source->second;
           const BounceCode::Code code = TraceBounced(this->Tracer, this->Settings.Farthest, rays,
-            known, points[static_cast<std::size_t>(from)], side == 0 ? 1.0 : -1.0,
-            sides[side].Get(from));
+            known, points[from], side == 0 ? 1.0 : -1.0, sides[side].Get(from));
           std::copy(
             code.begin(), code.end(), sides[side].Bounced->GetPointer(k * BounceCode::Bytes));
         }

@@ -3,7 +3,7 @@
 // One bounce of what is hidden: its code, and what vtkSurfaceVisibilityFilter finds, against traced
 // light.
 #include "HalfVector.h"
-#include "HiddenSky.h"
+#include "HorizonLight.h"
 #include "SkyHarmonics.h"
 #include "TraceSurface.h"
 #include "vtkSurfaceVisibilityFilter.h"
@@ -34,7 +34,7 @@
 #include <vector>
 
 using measuredbrdf::BouncedLight;
-using measuredbrdf::HiddenSky;
+using measuredbrdf::HorizonLight;
 namespace sky = measuredbrdf::sky;
 
 namespace
@@ -133,7 +133,7 @@ TEST(BouncedLight, HollowsGetLighterAndNeverLighterThanTheSky)
     double bounced = 0.0;
     for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k)
     {
-      const double direct = 1.0 - HiddenSky(GetCode(surface, k)).GetHiddenCosine();
+      const double direct = 1.0 - HorizonLight(GetCode(surface, k)).GetHiddenCosine();
       const double bounce = GetBounce(surface, k).GetTransfer()[0] * uniform / Pi;
       EXPECT_LE(direct + bounce, 1.0 + 1e-9) << endPhi << " " << k;
       EXPECT_GE(bounce, 0.0);
@@ -182,7 +182,7 @@ TEST(BouncedLight, BouncesAreThoseOfTracedLight)
       glm::dvec3 d;
       vtkEnvironment::GetDirection((x + 0.5) / width, (y + 0.5) / (width / 2), &d.x);
       const sky::Values values = sky::Evaluate(d);
-      const float* rgb = &pixels[3 * static_cast<std::size_t>(y * width + x)];
+      const float* rgb = &pixels[3 * (y * width + x)];
       for (std::size_t j = 0; j < values.size(); ++j)
       {
         light[j] +=
@@ -302,7 +302,7 @@ TEST(BouncedLight, IsTracedOnTopOfTheSky)
     occluded->SetSelfOcclusion(self);
     occluded->AddOccluder(ball->GetOutput());
     vtkPolyData* dark = Trace(occluded, plane->GetOutput());
-    EXPECT_GT(HiddenSky(GetCode(dark, dark->FindPoint(middle))).GetHiddenCosine(), 0.05);
+    EXPECT_GT(HorizonLight(GetCode(dark, dark->FindPoint(middle))).GetHiddenCosine(), 0.05);
     EXPECT_EQ(GetBounce(dark, dark->FindPoint(middle)).GetTransfer()[0], 0.0);
   }
 }
@@ -322,42 +322,4 @@ TEST(BouncedLight, OfAnEarlierRunGoes)
   EXPECT_EQ(
     anew->GetPointData()->GetNumberOfArrays(), old->GetPointData()->GetNumberOfArrays() - 4);
   EXPECT_TRUE(GetBounced(old));
-}
-
-// Stopped within the bounce: no arrays; and it begins anew.
-TEST(BouncedLight, CanBeStopped)
-{
-  const auto hollow = MakeHollow(120.0);
-  vtkNew<vtkSurfaceVisibilityFilter> filter;
-  filter->BounceOn();
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void* progress)
-    {
-      if (*static_cast<double*>(progress) > 0.6 && *static_cast<double*>(progress) < 1.0)
-      {
-        vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-      }
-    });
-  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
-  vtkNew<vtkMultiBlockDataSet> blocks; // progress between blocks
-  for (unsigned int k = 0; k < 4; ++k)
-  {
-    blocks->SetBlock(k, hollow);
-  }
-  filter->SetInputDataObject(blocks);
-  filter->Update();
-  const auto getFirst = [&filter]()
-  {
-    return vtkPolyData::SafeDownCast(
-      vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetBlock(0));
-  };
-  EXPECT_EQ(filter->GetNumberOfTraces(), 0);
-  EXPECT_FALSE(GetBytes(getFirst(), vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()));
-  filter->RemoveObserver(tag);
-  filter->SetAbortExecute(0);
-  filter->Modified();
-  filter->Update();
-  EXPECT_EQ(filter->GetNumberOfTraces(), 1);
-  EXPECT_TRUE(GetBounced(getFirst()));
 }

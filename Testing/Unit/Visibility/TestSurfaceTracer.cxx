@@ -246,7 +246,7 @@ TEST(SurfaceTracer, DescribesTheHit)
   glm::dvec3 position(0.0);
   for (int c = 0; c < 3; ++c)
   {
-    position += hit.Barycentrics[c] * points[static_cast<std::size_t>(hit.Points[c])];
+    position += hit.Barycentrics[c] * points[hit.Points[c]];
   }
   EXPECT_NEAR(position.x, 1.0, 1e-6); // of the surface itself
   EXPECT_NEAR(position.y, 2.9, 1e-6);
@@ -344,29 +344,6 @@ TEST(SurfaceTracer, TakesPilesAndNests)
   const double outside[3] = { 0.6, 0.6, 1.0 };
   EXPECT_TRUE(tracer.IsOccluded(inside, down, 0.0, Far));
   EXPECT_FALSE(tracer.IsOccluded(outside, down, 0.0, Far));
-}
-
-// The offset's rule, and slits: four offsets wide is seen, narrower than the offset is not.
-TEST(SurfaceTracer, SeesSlitsWiderThanTheOffset)
-{
-  for (const double width : { 0.25, 4.0 })
-  {
-    // Two sheets of 2 x 2, their distance in offsets of 2^-20.
-    const double gap = width * 0x1p-20;
-    const vtkSmartPointer<vtkPolyData> sheets =
-      MakeSurface({ { -1, -1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 }, { -1, -1, gap },
-                    { 1, -1, gap }, { 1, 1, gap }, { -1, 1, gap } },
-        { { 0, 1, 2, 3 }, { 4, 5, 6, 7 } });
-    SurfaceTracer tracer;
-    tracer.AddSurface(sheets);
-    tracer.Build();
-    EXPECT_NEAR(tracer.GetOffset(), 0x1p-20, 1e-3 * 0x1p-20);
-    const double point[3] = { 0.1, 0.3, 0.0 };
-    const double up[3] = { 0.0, 0.0, 1.0 };
-    double origin[3];
-    tracer.OffsetOrigin(point, up, up, origin);
-    EXPECT_EQ(tracer.IsOccluded(origin, up, 0.0, Far), width > 1.0);
-  }
 }
 
 } // namespace

@@ -60,48 +60,45 @@ void BatchOcclusion::Append(vtkOpenGLVertexBufferObjectGroup* buffers, vtkIdType
   {
     return;
   }
-  const bool whole = arrays && (arrays->HasBack || !this->Sides.Both);
-  const std::shared_ptr<OcclusionArrays> open = whole ? nullptr : OcclusionArrays::MakeOpen(points);
+  const bool hasBack = arrays && arrays->HasBack;
+  const bool hasBounce = arrays && arrays->HasBounce;
+  const bool isWhole =
+    arrays && (hasBack || !this->Sides.Both) && (hasBounce || !this->Sides.Bounced);
+  const auto open = isWhole ? nullptr : OcclusionArrays::MakeOpen(points);
   this->Kept.push_back(arrays);
   this->Kept.push_back(open);
-  if (this->Sides.Bounced)
+  for (int side = 0; side < (this->Sides.Both ? 2 : 1); ++side)
   {
-    const bool has = arrays && arrays->HasBounce;
-    const std::shared_ptr<OcclusionArrays> dark =
-      open || (has && whole) ? open : OcclusionArrays::MakeOpen(points);
-    this->Kept.push_back(dark);
-    buffers->AppendDataArray(
-      "brdfBounce", has ? arrays->BounceFront : dark->BounceFront, VTK_FLOAT);
-    if (this->Sides.Both)
+    const std::string suffix = side == 0 ? "" : "Back";
+    const bool isGiven = side == 0 ? arrays != nullptr : hasBack;
+    const OcclusionArrays::Side& codes = !isGiven    ? open->Front
+                                         : side == 0 ? arrays->Front
+                                                     : arrays->Back;
+    for (std::size_t k = 0; k < OcclusionArrays::Attributes; ++k)
     {
-      buffers->AppendDataArray("brdfBounceBack",
-        has && arrays->HasBack ? arrays->BounceBack : dark->BounceFront, VTK_FLOAT);
+      buffers->AppendDataArray(
+        ("brdfSky" + suffix + std::to_string(k)).c_str(), codes[k], VTK_FLOAT);
     }
-  }
-  const OcclusionArrays::Side& front = arrays ? arrays->Front : open->Front;
-  for (std::size_t k = 0; k < OcclusionArrays::Attributes; ++k)
-  {
-    const std::string number = std::to_string(k);
-    buffers->AppendDataArray(("brdfSky" + number).c_str(), front[k], VTK_FLOAT);
-    if (this->Sides.Both)
+    if (this->Sides.Bounced)
     {
-      buffers->AppendDataArray(("brdfSkyBack" + number).c_str(),
-        arrays && arrays->HasBack ? arrays->Back[k] : open->Front[k], VTK_FLOAT);
+      buffers->AppendDataArray(("brdfBounce" + suffix).c_str(),
+        !isGiven || !hasBounce ? open->BounceFront
+        : side == 0            ? arrays->BounceFront
+                               : arrays->BounceBack,
+        VTK_FLOAT);
     }
   }
 }
 
-void BlockBatch::Initialize(std::shared_ptr<MaterialDrawing> drawing,
-  const BlockMaterials* materials, BlockParts* parts, std::function<void()> update)
+void BlockBatch::Initialize(std::shared_ptr<MaterialDrawing> drawing, CompositeBlocks* blocks)
 {
   this->Drawing = std::move(drawing);
-  this->Materials = materials;
-  this->Parts = parts;
-  this->UpdateBlocks = std::move(update);
+  this->All = blocks;
 }
 
+// With all that the data set says of the block. Since VTK 9.3 each may have its own scalars.
 template <typename Record>
-BlockStyle BlockBatch::GetStyle(const Record& block)
+void BlockBatch::Announce(vtkPolyData* surface, const Record& block)
 {
   BlockStyle style;
   style.IsVisible = block.Visibility;
@@ -110,12 +107,29 @@ BlockStyle BlockBatch::GetStyle(const Record& block)
   style.OverridesColor = block.OverridesColor;
   std::copy_n(block.AmbientColor.GetData(), 3, style.AmbientColor);
   std::copy_n(block.DiffuseColor.GetData(), 3, style.DiffuseColor);
+  vtkOpenGLPolyDataMapper* host = this->All->Announce(surface, style);
+  if (host->GetMTime() < this->GetMTime()) // else it would go back and forth between both
+  {
+    host->vtkMapper::ShallowCopy(this);
+  }
+  host->SetSeamlessU(this->GetSeamlessU());
+  host->SetSeamlessV(this->GetSeamlessV());
+  host->SetVBOShiftScaleMethod(this->GetVBOShiftScaleMethod());
+  host->SetSelection(this->GetSelection());
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-  style.Scalars.ReadRecord(block);
-#else
-  style.Scalars.Read(this);
+  host->SetScalarVisibility(block.ScalarVisibility);
+  host->SetUseLookupTableScalarRange(block.UseLookupTableScalarRange);
+  host->SetInterpolateScalarsBeforeMapping(block.InterpolateScalarsBeforeMapping);
+  host->SetColorMode(block.ColorMode);
+  host->SetScalarMode(block.ScalarMode);
+  host->SetArrayAccessMode(block.ArrayAccessMode);
+  host->SetArrayComponent(block.ArrayComponent);
+  host->SetArrayId(block.ArrayId);
+  host->SetArrayName(std::string(block.ArrayName).c_str());
+  host->SetFieldDataTupleId(block.FieldDataTupleId);
+  host->SetScalarRange(block.ScalarRange[0], block.ScalarRange[1]);
+  host->SetLookupTable(block.LookupTable);
 #endif
-  return style;
 }
 
 template <typename Visit>
@@ -124,62 +138,49 @@ void BlockBatch::ForEachBlock(const Visit& visit)
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
   for (auto& element : this->VTKPolyDataToGLBatchElement)
   {
-    auto& block = element.second->Parent;
-    visit(block.PolyData, &block.Visibility, [this, &block]() { return this->GetStyle(block); });
+    visit(element.second->Parent.PolyData, element.second->Parent);
   }
 #else
   for (auto& element : this->Data)
   {
-    visit(element.first, &element.second->Visibility,
-      [this, &element]() { return this->GetStyle(*element.second); });
+    visit(element.first, *element.second);
   }
 #endif
 }
 
 std::vector<BlockBatch::MaterialUse> BlockBatch::GetMaterialUses()
 {
-  this->UpdateBlocks();
+  this->All->Update();
   // The superclass may have moved its records of blocks: they are looked up in each frame.
   std::size_t count = 0;
-  const unsigned long revision =
-    this->Materials->GetRevision() + this->Parts->GetRevision(); // neither ever falls
-  // What colors blocks counts, too.
-  const vtkMTimeType time = std::max(this->GetMTime(), this->Parent->GetMTime());
-  bool same = this->Revision == revision && this->SortTime == time;
+  bool same = this->Revision == this->All->GetRevision();
   this->ForEachBlock(
-    [this, &count, &same](vtkPolyData* surface, bool* visible, const auto& getStyle)
+    [&](vtkPolyData* surface, auto& record)
     {
-      if (this->Parts->IsDivided(surface))
+      if (this->All->IsDivided(surface))
       {
-        this->Parts->Announce(surface, getStyle(), this);
+        this->Announce(surface, record);
       }
       same = same && count < this->Blocks.size() && this->Blocks[count].Surface == surface;
       if (same)
       {
-        this->Blocks[count].Visible = visible;
+        this->Blocks[count].Visible = &record.Visibility;
       }
       ++count;
     });
   if (!same || count != this->Blocks.size())
   {
-    this->Revision = revision;
-    this->SortTime = time;
+    this->Revision = this->All->GetRevision();
     this->Sort();
   }
   return this->Uses;
-}
-
-// A block of a single class, for one, is not colored by the array of classes.
-bool BlockBatch::IgnoresScalars()
-{
-  return this->AreColorsOfMap[static_cast<std::size_t>(std::max(this->Shown, 0))];
 }
 
 void BlockBatch::AddOcclusion(vtkRenderer*)
 {
   this->Occlusion.Clear();
   this->ForEachBlock(
-    [this](vtkPolyData* surface, bool*, const auto&)
+    [this](vtkPolyData* surface, const auto&)
     {
       this->CheckVertices(surface);
       this->Occlusion.Announce(this->Drawing->FindOcclusion(surface, this, false));
@@ -207,72 +208,41 @@ void BlockBatch::ShowOnly(int material)
   {
     return;
   }
-  if (material < 0)
+  for (Block& block : this->Blocks)
   {
-    for (Block& block : this->Blocks)
-    {
-      *block.Visible = block.IsVisible;
-    }
-  }
-  else if (this->Shown < 0)
-  {
-    for (Block& block : this->Blocks)
-    {
-      block.IsVisible = *block.Visible;
-      *block.Visible = false;
-    }
-  }
-  else
-  {
-    for (std::size_t k : this->BlocksOf[static_cast<std::size_t>(this->Shown)])
-    {
-      *this->Blocks[k].Visible = false;
-    }
+    block.IsVisible = this->Shown < 0 ? *block.Visible : block.IsVisible;
+    *block.Visible = block.IsVisible && (material < 0 || block.Use == material);
   }
   this->Shown = material;
-  for (std::size_t k = 0;
-       material >= 0 && k < this->BlocksOf[static_cast<std::size_t>(material)].size(); ++k)
-  {
-    Block& block = this->Blocks[this->BlocksOf[static_cast<std::size_t>(material)][k]];
-    *block.Visible = block.IsVisible;
-  }
 }
 
 void BlockBatch::Sort()
 {
   this->Blocks.clear();
   this->Uses.clear();
-  this->BlocksOf.clear();
-  this->AreColorsOfMap.clear();
   this->HasDivided = false;
-  std::map<std::pair<vtkBRDF*, bool>, std::size_t> places;
+  std::map<vtkBRDF*, int> places;
   this->ForEachBlock(
-    [this, &places](vtkPolyData* surface, bool* visible, const auto& getStyle)
+    [&](vtkPolyData* surface, auto& record)
     {
-      if (this->Parts->IsDivided(surface)) // never shown
+      if (this->All->IsDivided(surface)) // never shown
       {
         this->HasDivided = true;
-        this->Blocks.push_back({ surface, visible, true });
+        this->Blocks.push_back({ surface, &record.Visibility, true, -1 });
         return;
       }
-      vtkBRDF* brdf = this->Parts->GetBRDF(surface, *this->Materials);
-      const bool colors = this->Parts->AreColorsOfMap(surface, getStyle().Scalars);
-      const auto [place, isNew] = places.try_emplace({ brdf, colors }, this->Uses.size());
+      vtkBRDF* brdf = this->All->GetBRDF(surface);
+      const auto [place, isNew] = places.try_emplace(brdf, static_cast<int>(this->Uses.size()));
       if (isNew)
       {
         this->Uses.push_back({ brdf, {} });
-        this->AreColorsOfMap.push_back(colors);
-        this->BlocksOf.emplace_back();
       }
       this->Uses[place->second].second.push_back(surface);
-      this->BlocksOf[place->second].push_back(this->Blocks.size());
-      this->Blocks.push_back({ surface, visible, true });
+      this->Blocks.push_back({ surface, &record.Visibility, true, place->second });
     });
   if (this->Uses.empty()) // nothing is left to show
   {
     this->Uses.push_back({ nullptr, {} });
-    this->AreColorsOfMap.push_back(false);
-    this->BlocksOf.emplace_back();
   }
 }
 } // namespace measuredbrdf

@@ -10,9 +10,7 @@
 
 #include "vtkColor.h" // which VTK's header takes for included
 
-#include "BlockMaterials.h"
-#include "BlockParts.h"
-#include "BlockStyle.h"
+#include "CompositeBlocks.h"
 #include "OcclusionArrays.h"
 #include "OcclusionShader.h"
 #include "ShadedMapper.h"
@@ -27,7 +25,6 @@ using GLenum = unsigned int; // which the next header takes for declared
 #endif
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -74,16 +71,13 @@ public:
   static BlockBatch* New();
   vtkTypeMacro(BlockBatch, ShadedMapper<BatchBase>);
 
-  /// update: what brings the blocks' materials up to date.
-  void Initialize(std::shared_ptr<MaterialDrawing> drawing, const BlockMaterials* materials,
-    BlockParts* parts, std::function<void()> update);
+  void Initialize(std::shared_ptr<MaterialDrawing> drawing, CompositeBlocks* blocks);
 
 protected:
   BlockBatch() = default;
   ~BlockBatch() override = default;
 
   std::vector<MaterialUse> GetMaterialUses() override;
-  bool IgnoresScalars() override;
   void AddOcclusion(vtkRenderer* ren) override;
   void AppendOneBufferObject(vtkRenderer* ren, vtkActor* actor, BlockRecord* record,
     vtkIdType& offset, std::vector<unsigned char>& colors, std::vector<float>& normals) override;
@@ -98,23 +92,19 @@ private:
     vtkPolyData* Surface;
     bool* Visible;  // the superclass's record
     bool IsVisible; // what it says while others are hidden
+    int Use;        // of its material; -1: it is divided, and never shown
   };
 
   template <typename Record>
-  BlockStyle GetStyle(const Record& block);
+  void Announce(vtkPolyData* surface, const Record& block);
   template <typename Visit>
   void ForEachBlock(const Visit& visit);
   void Sort();
 
-  const BlockMaterials* Materials = nullptr;
-  BlockParts* Parts = nullptr;
-  std::function<void()> UpdateBlocks;
+  CompositeBlocks* All = nullptr;
   std::vector<Block> Blocks; // in the superclass's order
   std::vector<MaterialUse> Uses;
-  std::vector<std::vector<std::size_t>> BlocksOf; // of each use
-  std::vector<bool> AreColorsOfMap;               // of each use
   unsigned long Revision = 0;
-  vtkMTimeType SortTime = 0;
   int Shown = -1;
   bool HasDivided = false;
   BatchOcclusion Occlusion;

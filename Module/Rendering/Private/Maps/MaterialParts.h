@@ -15,8 +15,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
-#include <array>
-#include <map>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -26,30 +24,39 @@ class vtkPolyData;
 
 namespace measuredbrdf
 {
+class MaterialPieces;
+
 /// How the weights of a part's materials are found in a pixel.
 enum class MixtureKind
 {
   Single,  // one material, or none
   Weights, // point attributes
-  Nearest, // only where the material's own is the largest; elsewhere another part draws
-  Value,   // hat functions of a point attribute
   Images   // images over the texture coordinates
 };
 
 struct MaterialPart
 {
-  vtkSmartPointer<vtkPolyData> Surface;          // all parts share the points, so that no gap shows
-  std::vector<vtkSmartPointer<vtkBRDF>> Members; // none: the superclass draws
+  vtkSmartPointer<vtkPolyData> Surface;          // polygons; all parts have the points in common
+  std::vector<vtkSmartPointer<vtkBRDF>> Members; // none: VTK's class draws
   MixtureKind Kind = MixtureKind::Single;
-  bool HasRest = false; // Images: some pixels have no material; they are another part's,
-  bool IsRest = false;  // that is drawn by the superclass, this one
-  int NumberOfWeights = 0;
-  int Slot = 0; // Nearest: the weight that is the largest where the pixel is this part's
-  std::vector<double> Knots; // Value: each member's place on the scale, from 0 to 1, rising
-  bool IsBand = false;       // Value: places out of Band are another part's, its end, too
-  std::array<float, 2> Band = { -1e30f, 1e30f };
-  std::vector<int> Components; // Images: each member's, counted over all images
+  bool HasRest = false;        // Images: some pixels have no material; they are another part's,
+  bool IsRest = false;         // that is drawn by VTK's class, this one
+  int NumberOfWeights = 0;     // of the members, and of the rest
+  std::vector<int> Components; // Images: each weight's, counted over all images; -1: the rest
 };
+
+/// Names of the point arrays of parts, and of the vertex attributes that they become.
+namespace partarrays
+{
+/// Weights in an array: components of a vertex attribute.
+constexpr int WeightsPerArray = 4;
+
+/// The weights of members from WeightsPerArray times number on.
+inline std::string GetWeights(int number) { return "brdfWeights" + std::to_string(number); }
+
+/// Texture coordinates of weights in images.
+constexpr const char* Coordinates = "brdfCoordinates";
+} // namespace partarrays
 
 class MaterialParts
 {
@@ -57,21 +64,8 @@ public:
   /// Most weights that meet in a part: vertex attributes have room for no more.
   static constexpr int MaximumNumberOfWeights = 32;
 
-  /// The same on a scale of values, so that their textures fit into the 16 units that every
-  /// graphics card has. Polygons of more of them are drawn in bands (MaterialPartition).
-  static constexpr int MaximumNumberInBand = 5;
-
   /// Parts are merged, where weights allow that, until there are no more of them than this.
   static constexpr int WantedNumberOfParts = 32;
-
-  /// Whether polygons are cut along the borders between classes of points (ClassBorders). Until
-  /// this is called they stay whole. Where they once may not be cut, they stay whole until the
-  /// input or the map change: actors and windows that share a mapper may differ in it.
-  void SetMayCut(bool may)
-  {
-    this->MayCut = may;
-    this->IsCutForbidden = this->IsCutForbidden || !may;
-  }
 
   /// Divide anew if the input, the map or the material for the rest changed. Returns why the map
   /// cannot be used (there are no parts then), or "". warning: what is odd about the data, or "".
@@ -84,6 +78,12 @@ public:
   bool HasFailed() const { return !this->Input; }
 
   const std::vector<MaterialPart>& Get() const { return this->Parts; }
+
+  /// The polygons of all parts, one after the other, and the input's vertices and lines.
+  vtkPolyData* GetWhole() const { return this->Whole; }
+
+  /// Arrays of weights, of the part that needs most.
+  int GetNumberOfWeightArrays() const { return this->NumberOfWeightArrays; }
 
   /// Rises with each division.
   unsigned long GetRevision() const { return this->Revision; }
@@ -101,13 +101,21 @@ public:
   }
 
 private:
-  std::string Divide(vtkPolyData* input, vtkMaterialMap* map, vtkBRDF* others);
-  void AddPart(MaterialPart part);
-  void Drop();
-  void MeasureShares(const std::map<vtkBRDF*, double>& areas);
+  struct Group
+  {
+    std::vector<int> Materials; // as MaterialPieces numbers them
+    std::vector<std::size_t> Pieces;
+  };
 
-  // Looked up in every frame.
-  struct Use
+  void Divide(vtkPolyData* input, vtkMaterialMap* map, vtkBRDF* others);
+  std::vector<Group> MakeGroups(const MaterialPieces& pieces);
+  void MakeSurfaces(
+    vtkPolyData* input, const MaterialPieces& pieces, const std::vector<Group>& groups);
+  void AddPart(MaterialPart part);
+  void MeasureShares(const MaterialPieces& pieces);
+  void Drop();
+
+  struct Use // looked up in every frame
   {
     double Share = 0.0;
     std::vector<vtkPolyData*> Surfaces;
@@ -115,6 +123,8 @@ private:
   const Use& Find(vtkBRDF* brdf) const;
 
   std::vector<MaterialPart> Parts;
+  vtkSmartPointer<vtkPolyData> Whole;
+  int NumberOfWeightArrays = 0;
   std::vector<vtkBRDF*> BRDFs;
   std::unordered_map<vtkBRDF*, Use> Uses;
   std::string Problem;
@@ -125,9 +135,6 @@ private:
   vtkMTimeType MapTime = 0;
   vtkSmartPointer<vtkBRDF> Others;
   unsigned long Revision = 0;
-  bool MayCut = false;
-  bool IsCutForbidden = false;
-  bool IsCut = false; // as was wanted and allowed
 };
 } // namespace measuredbrdf
 

@@ -11,10 +11,6 @@ void SelectedMaterials::Set(const DrawnMaterials& materials, MixtureText text)
 {
   const bool ready = std::all_of(
     materials.begin(), materials.end(), [](const DrawnMaterial* drawn) { return drawn->IsReady; });
-  if (ready && this->FollowOn(materials, text))
-  {
-    return;
-  }
   this->Clear();
   if (!ready)
   {
@@ -34,28 +30,6 @@ void SelectedMaterials::Set(const DrawnMaterials& materials, MixtureText text)
       }
     }
   }
-}
-
-// One after another of the same shader.
-bool SelectedMaterials::FollowOn(const DrawnMaterials& materials, const MixtureText& text)
-{
-  if (this->Materials.size() != 1 || materials.size() != 1 || !(text == this->Mixture) ||
-      this->Materials[0]->Key != materials[0]->Key)
-  {
-    return false;
-  }
-  std::size_t place = 0;
-  for (ShaderTextures* textures : { materials[0]->Material.get(), materials[0]->Radiance.get() })
-  {
-    if (textures && textures != this->Textures[place])
-    {
-      textures->ActivateAfter(*this->Textures[place]);
-      this->Textures[place] = textures;
-    }
-    place += textures ? 1 : 0;
-  }
-  this->Materials = materials;
-  return true;
 }
 
 void SelectedMaterials::Clear()

@@ -21,12 +21,6 @@ struct MixtureText
   std::string Declarations;
   std::string Implementation;
   std::vector<int> Slots; // of the materials' weights; none: there is one material
-
-  bool operator==(const MixtureText& other) const
-  {
-    return this->Slots == other.Slots && this->Declarations == other.Declarations &&
-           this->Implementation == other.Implementation;
-  }
 };
 
 class SelectedMaterials
@@ -49,8 +43,6 @@ public:
   bool AreAnyAnisotropic() const;
 
 private:
-  bool FollowOn(const DrawnMaterials& materials, const MixtureText& text);
-
   DrawnMaterials Materials;
   std::vector<ShaderTextures*> Textures; // of the materials, those that several share once
   MixtureText Mixture;

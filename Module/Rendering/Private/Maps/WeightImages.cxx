@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WeightImages.h"
 
-#include "ParallelFor.h"
+#include "SharedObjects.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMaterialMap.h"
@@ -13,8 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <mutex>
 #include <utility>
 
 namespace measuredbrdf
@@ -25,8 +23,8 @@ vtkDataArray* GetScalars(vtkImageData* image) { return image->GetPointData()->Ge
 
 bool IsInteger(int type) { return type != VTK_FLOAT && type != VTK_DOUBLE; }
 
-// Why the images cannot be used, or "". warning: what is odd about them.
-std::string Check(vtkMaterialMap* map, std::string& warning)
+// warning: what is odd about them.
+void Check(vtkMaterialMap* map, std::string& warning)
 {
   int components = 0;
   bool anyLeft = false; // weights of no material
@@ -39,15 +37,15 @@ std::string Check(vtkMaterialMap* map, std::string& warning)
     image->GetDimensions(dimensions);
     if (!scalars || dimensions[2] != 1 || image->GetNumberOfPoints() == 0)
     {
-      return name + " is not an image of one slice with scalars";
+      throw MapProblem(name + " is not an image of one slice with scalars");
     }
     if (scalars->GetNumberOfComponents() > 4 ||
         scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
     {
-      return name + " has " + std::to_string(scalars->GetNumberOfComponents()) +
-             " components and " + std::to_string(scalars->GetNumberOfTuples()) +
-             " tuples, expected 1 to 4 components and " +
-             std::to_string(image->GetNumberOfPoints()) + " tuples";
+      throw MapProblem(name + " has " + std::to_string(scalars->GetNumberOfComponents()) +
+                       " components and " + std::to_string(scalars->GetNumberOfTuples()) +
+                       " tuples, expected 1 to 4 components and " +
+                       std::to_string(image->GetNumberOfPoints()) + " tuples");
     }
     for (int c = 0; c < scalars->GetNumberOfComponents(); ++c)
     {
@@ -61,15 +59,14 @@ std::string Check(vtkMaterialMap* map, std::string& warning)
   }
   if (components < map->GetNumberOfMaterials())
   {
-    return "its weight images have " + std::to_string(components) + " components for " +
-           std::to_string(map->GetNumberOfMaterials()) + " materials";
+    throw MapProblem("its weight images have " + std::to_string(components) + " components for " +
+                     std::to_string(map->GetNumberOfMaterials()) + " materials");
   }
   if (anyLeft) // image files often have three components for two materials
   {
     warning = "the last " + std::to_string(components - map->GetNumberOfMaterials()) +
               " components of the weight images belong to no material";
   }
-  return "";
 }
 
 // Values as floats, at least 0; bad is raised by the number of others.
@@ -93,150 +90,71 @@ std::vector<float> GetValues(vtkImageData* image, std::size_t& bad)
   return values;
 }
 
-// The texels of a line of an image that the center of a texel of a finer line lies between, as
-// textures are interpolated.
-struct Between
-{
-  Between(int texel, int count, int size, bool repeats)
-  {
-    const double at = (texel + 0.5) * size / count - 0.5;
-    const double below = std::floor(at + Exact);
-    this->Share = at - below < Exact ? 0.0 : at - below;
-    const auto limit = [size, repeats](double k)
-    {
-      const double turned =
-        repeats ? k - size * std::floor(k / size) : std::clamp(k, 0.0, size - 1.0);
-      return static_cast<std::size_t>(turned);
-    };
-    this->Low = limit(below);
-    this->High = this->Share > 0.0 ? limit(below + 1.0) : this->Low;
-  }
-
-  static constexpr double Exact = 1e-9; // texels
-  std::size_t Low;
-  std::size_t High;
-  double Share; // of High
-};
-
-struct MeasuredImage
-{
-  std::vector<float> Values;
-  std::size_t Width;
-  std::size_t Components;
-  std::vector<Between> Columns;
-  std::vector<Between> Rows;
-
-  double Get(std::size_t column, std::size_t row, std::size_t component) const
-  {
-    const Between& x = this->Columns[column];
-    const Between& y = this->Rows[row];
-    const auto line = [&](std::size_t at)
-    {
-      const float* texels = &this->Values[at * this->Width * this->Components + component];
-      return texels[x.Low * this->Components] * (1.0 - x.Share) +
-             texels[x.High * this->Components] * x.Share;
-    };
-    return line(y.Low) * (1.0 - y.Share) + line(y.High) * y.Share;
-  }
-};
 }
 
-// Weights are looked at where the texels of the finest image have their centers: a texel of a
-// coarser one is seen there, too.
-WeightShares MeasureWeightImages(vtkMaterialMap* map)
+// Weights are looked at in the texels of a grid as fine as the finest image, each at the nearest
+// texel of the others.
+std::vector<double> MeasureWeightImages(vtkMaterialMap* map, std::string& warning)
 {
-  WeightShares shares;
-  shares.Problem = Check(map, shares.Warning);
-  if (!shares.Problem.empty())
-  {
-    return shares;
-  }
-  const auto materials = static_cast<std::size_t>(map->GetNumberOfMaterials());
+  Check(map, warning);
   int width = 0;
   int height = 0;
+  std::size_t bad = 0;
+  std::vector<std::vector<float>> values;
   for (int k = 0; k < map->GetNumberOfWeightImages(); ++k)
   {
     const int* size = map->GetWeightImage(k)->GetDimensions();
     width = std::max(width, size[0]);
     height = std::max(height, size[1]);
+    values.push_back(GetValues(map->GetWeightImage(k), bad));
   }
-  std::size_t bad = 0;
-  std::vector<MeasuredImage> images;
-  for (int k = 0; k < map->GetNumberOfWeightImages(); ++k)
+  const std::size_t materials = map->GetNumberOfMaterials();
+  std::vector<double> means(materials + 1, 0.0);
+  std::vector<double> weights(materials + 1, 0.0);
+  for (int y = 0; y < height; ++y)
   {
-    vtkImageData* image = map->GetWeightImage(k);
-    const int* size = image->GetDimensions();
-    images.push_back({ GetValues(image, bad), static_cast<std::size_t>(size[0]),
-      static_cast<std::size_t>(GetScalars(image)->GetNumberOfComponents()), {}, {} });
     for (int x = 0; x < width; ++x)
     {
-      images.back().Columns.emplace_back(x, width, size[0], map->GetRepeatWeightImages());
-    }
-    for (int y = 0; y < height; ++y)
-    {
-      images.back().Rows.emplace_back(y, height, size[1], map->GetRepeatWeightImages());
-    }
-  }
-  const std::size_t columns = materials + 1;
-  std::vector<double> sums(static_cast<std::size_t>(height) * columns, 0.0); // of each row
-  ParallelFor(0, height,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      std::vector<double> weights(columns);
-      for (auto row = static_cast<std::size_t>(begin); row < static_cast<std::size_t>(end); ++row)
+      std::size_t material = 0;
+      double sum = 0.0;
+      for (std::size_t k = 0; k < values.size(); ++k)
       {
-        for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x)
+        vtkImageData* image = map->GetWeightImage(static_cast<int>(k));
+        const int* size = image->GetDimensions();
+        const std::size_t components = GetScalars(image)->GetNumberOfComponents();
+        const std::size_t column = (2 * x + 1) * size[0] / (2 * width);
+        const std::size_t row = (2 * y + 1) * size[1] / (2 * height);
+        for (std::size_t c = 0; c < components && material < materials; ++c)
         {
-          std::size_t material = 0;
-          double sum = 0.0;
-          for (const MeasuredImage& image : images)
-          {
-            for (std::size_t c = 0; c < image.Components && material < materials; ++c)
-            {
-              weights[++material] = image.Get(x, row, c);
-              sum += weights[material];
-            }
-          }
-          sums[row * columns] += sum > 0.0 ? 0.0 : 1.0;
-          for (std::size_t k = 1; k < columns && sum > 0.0; ++k)
-          {
-            sums[row * columns + k] += weights[k] / sum;
-          }
+          weights[++material] = values[k][(row * size[0] + column) * components + c];
+          sum += weights[material];
         }
       }
-    });
-  shares.Means.assign(columns, 0.0);
-  for (std::size_t k = 0; k < sums.size(); ++k)
+      means[0] += sum > 0.0 ? 0.0 : 1.0;
+      for (std::size_t k = 1; k <= materials && sum > 0.0; ++k)
+      {
+        means[k] += weights[k] / sum;
+      }
+    }
+  }
+  for (double& mean : means)
   {
-    shares.Means[k % columns] += sums[k] / (static_cast<double>(width) * height);
+    mean /= static_cast<double>(width) * height;
   }
   if (bad > 0)
   {
-    shares.Warning += (shares.Warning.empty() ? "" : "; ") + std::to_string(bad) +
-                      " weights in images are negative, infinite or NaN and count as 0";
+    warning += (warning.empty() ? "" : "; ") + std::to_string(bad) +
+               " weights in images are negative, infinite or NaN and count as 0";
   }
-  return shares;
+  return means;
 }
 
 std::shared_ptr<WeightTextures> WeightTextures::Find(
   vtkMaterialMap* map, vtkOpenGLRenderWindow* window)
 {
   using Key = std::pair<vtkMaterialMap*, vtkOpenGLRenderWindow*>;
-  static std::map<Key, std::weak_ptr<WeightTextures>> shared;
-  static std::mutex mutex; // windows may be drawn by different threads
-  const std::lock_guard<std::mutex> lock(mutex);
-  for (auto it = shared.begin(); it != shared.end();)
-  {
-    it = it->second.expired() ? shared.erase(it) : std::next(it);
-  }
-  std::weak_ptr<WeightTextures>& known = shared[Key(map, window)];
-  std::shared_ptr<WeightTextures> found = known.lock();
-  if (!found)
-  {
-    found = std::make_shared<WeightTextures>();
-    known = found;
-  }
-  return found;
+  static HeldObjects<Key, WeightTextures> shared;
+  return shared.FindOrMake({ map, window }, []() { return std::make_shared<WeightTextures>(); });
 }
 
 std::string WeightTextures::Update(vtkMaterialMap* map, vtkOpenGLRenderWindow* window)

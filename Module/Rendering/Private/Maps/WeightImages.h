@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,16 +26,17 @@ class vtkTextureObject;
 
 namespace measuredbrdf
 {
-/// What is in a map's images of weights, with the weights of a place divided by their sum.
-struct WeightShares
+/// Why a map cannot be used.
+class MapProblem : public std::runtime_error
 {
-  std::string Problem;       // why they cannot be used, or ""
-  std::string Warning;       // what is odd about them, or ""
-  std::vector<double> Means; // the share of places without any weight, then each material's mean
+public:
+  using std::runtime_error::runtime_error;
 };
 
-/// Images may differ in size.
-WeightShares MeasureWeightImages(vtkMaterialMap* map);
+/// Of a map's images of weights, with the weights of a place divided by their sum: the share of
+/// places without any weight, then each material's mean. Images may differ in size. warning: what
+/// is odd about them, or "". Throws a MapProblem where they cannot be used.
+std::vector<double> MeasureWeightImages(vtkMaterialMap* map, std::string& warning);
 
 /// Shared by all that draw by the map in a window.
 class WeightTextures
@@ -48,7 +50,6 @@ public:
   void Activate();
   void Deactivate();
   void SetUniforms(vtkShaderProgram* program) const;
-  std::size_t GetNumberOfSamplers() const { return this->Textures.size(); }
   std::size_t GetBytes() const { return this->Bytes; }
 
   /// How often the images were uploaded: for tests.

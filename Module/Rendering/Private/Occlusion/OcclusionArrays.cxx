@@ -303,7 +303,6 @@ vtkDataObject* OcclusionCache::Trace(vtkPolyData* surface, vtkDataObject* input,
     this->TracedInput = input;
     this->TracedTimes = std::move(times);
     this->TracedBounce = withBounce;
-    ++this->Traces;
   }
   this->IsTracedChecked = true;
   return this->Traced;
@@ -318,7 +317,6 @@ void OcclusionCache::Expect(vtkDataObject* input)
     this->ExpectedTime = input->GetMTime();
     this->Most = std::max({ this->Most, Least, 2 * GetBlocks(input).size() });
     this->Entries.SetMost(this->Most);
-    this->Wholes.SetMost(this->Most);
   }
 }
 
@@ -326,19 +324,8 @@ vtkSmartPointer<vtkPolyData> OcclusionCache::FindWhole(
   vtkPolyData* surface, vtkDataObject* input, bool withBounce)
 {
   this->Expect(input);
-  const vtkMTimeType time = std::max(surface->GetMTime(), input->GetMTime());
-  Whole& whole = this->Wholes[surface];
-  vtkDataObject* all = this->Trace(surface, input, withBounce);
-  if (whole.Time != time || whole.WithBounce != withBounce || whole.Trace != this->Traces)
-  {
-    whole = { time, withBounce, this->Traces, surface };
-    if (vtkPolyData* traced = this->WholePairs.Find(all, input, surface))
-    {
-      whole.Surface = vtkSmartPointer<vtkPolyData>::New(); // the filter's own changes with others
-      whole.Surface->ShallowCopy(traced);
-    }
-  }
-  return whole.Surface;
+  vtkPolyData* traced = this->Pairs.Find(this->Trace(surface, input, withBounce), input, surface);
+  return traced ? traced : surface;
 }
 
 std::shared_ptr<OcclusionArrays> OcclusionCache::Find(

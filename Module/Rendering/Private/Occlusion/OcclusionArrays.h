@@ -16,7 +16,6 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -87,13 +86,6 @@ public:
     vtkPolyData* surface, vtkDataObject* input, bool withBounce);
 
 private:
-  struct Whole
-  {
-    vtkMTimeType Time = 0;
-    bool WithBounce = false;
-    std::uint64_t Trace = 0; // another block may have moved
-    vtkSmartPointer<vtkPolyData> Surface;
-  };
   struct Entry
   {
     vtkMTimeType Time = 0;
@@ -109,7 +101,6 @@ private:
   vtkDataObject* Trace(vtkPolyData* surface, vtkDataObject* input, bool withBounce);
 
   RecentlyUsed<vtkPolyData*, Entry> Entries{ Least };
-  RecentlyUsed<vtkPolyData*, Whole> Wholes{ Least };
   ///@{
   /// The input, traced as it was last asked for.
   using Times = std::unordered_map<vtkDataObject*, vtkMTimeType>; // only compared
@@ -119,13 +110,11 @@ private:
   Times TracedTimes; // of the input and its blocks
   bool TracedBounce = false;
   bool IsTracedChecked = false; // whether all times were compared
-  std::uint64_t Traces = 0;
   ///@}
   vtkDataObject* Expected = nullptr; // only compared
   vtkMTimeType ExpectedTime = 0;
   std::size_t Most = Least;
   BlockPairs Pairs; // of what is drawn
-  BlockPairs WholePairs;
 };
 } // namespace measuredbrdf
 

@@ -103,10 +103,10 @@ sky::Colors MakeLight(vtkEnvironment* environment, const EnvironmentPrecomputati
         const std::complex<double> a = harmonics->Get(c, l, m);
         const auto middle = static_cast<std::size_t>(l * (l + 1));
         const double scale = m == 0 ? 1.0 : std::sqrt(2.0);
-        colors[middle + static_cast<std::size_t>(m)][c] = scale * a.real();
+        colors[middle + m][c] = scale * a.real();
         if (m > 0)
         {
-          colors[middle - static_cast<std::size_t>(m)][c] = -scale * a.imag();
+          colors[middle - m][c] = -scale * a.imag();
         }
       }
     }

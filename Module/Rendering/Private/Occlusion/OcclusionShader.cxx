@@ -116,13 +116,6 @@ struct Varying
   std::string Open; // its value where nothing is hidden
 };
 
-// A float of the vertex cache: an expression that makes it, and text that reads it (#V).
-struct Field
-{
-  std::string Make;
-  std::string Read;
-};
-
 // A material of the shader on one side of the surface: 0, the one that codes of one side are about,
 // or 1, whose names end in "Back". In its text, #M is the material's number, #SIDE the side's name
 // and #OUT both.
@@ -154,29 +147,14 @@ public:
   std::vector<Varying> GetVaryings() const;
   std::string Declare() const;
 
-  // Varyings of a point that hides nothing. declare: as variables of the shader.
-  std::string MakeOpenCode(bool declare) const;
+  // Varyings of a point that hides nothing.
+  std::string MakeOpenCode() const;
 
-  // What rests while the light does: hidden light; how it differs from the rest, panels and lamps
-  // where a point hides something at all.
-  std::string DeclareResting() const;
+  // Hidden light.
   std::string MakeLightCode() const;
-  std::string MakeRestingCode(bool withLobe) const;
 
-  // What depends on the view: the hidden share of the lobe, and of its light.
-  std::string MakeLobeCode() const;
-  std::string MakePanelsInLobe() const;
-  std::string MakeTableLampCode() const;
-  std::string MakeOddsCode() const;
-
-  // The vertex cache.
-  std::size_t CountVectors() const;
-  std::string GetVectorName(std::size_t k) const
-  {
-    return this->Text("brdfKept#OUT_" + std::to_string(k));
-  }
-  std::string MakeWriting() const;
-  std::string MakeReading() const;
+  // Where a point hides something at all: the hidden share of the lobe, of panels and of lamps.
+  std::string MakeShareCode() const;
 
 private:
   std::string Text(const std::string& text, const Words& more = {}) const
@@ -199,10 +177,9 @@ private:
     }
     return all;
   }
-  std::string MakePanelCode(bool withLobe) const;
-  // What panels and lamps in tables are weighted against.
-  bool NeedsRest() const { return (this->HasLobe && this->HasPanels) || this->HasTableLamps; }
-  std::vector<Field> GetFields() const;
+  std::string MakeLobeCode() const;
+  std::string MakePanelCode() const;
+  std::string MakeTableLampCode() const;
 
   std::string Digits; // of the material's number
   std::string Side;
@@ -269,34 +246,14 @@ uniform vec3 brdfBouncedLobe#M[#VIEWS];
                             { "#LAMPS", std::to_string(this->Lamps) } });
 }
 
-std::string Member::MakeOpenCode(bool declare) const
+std::string Member::MakeOpenCode() const
 {
   std::string text;
   for (const Varying& varying : this->GetVaryings())
   {
-    text += "  " + (declare ? varying.Type + " " : std::string()) + varying.Name +
-            "VSOutput = " + varying.Type + "(" + varying.Open + ");\n";
+    text += "  " + varying.Name + "VSOutput = " + varying.Type + "(" + varying.Open + ");\n";
   }
   return text;
-}
-
-std::string Member::DeclareResting() const
-{
-  std::string text;
-  if (this->HasLobe)
-  {
-    text = "  vec3 brdfRest#M = vec3(0.0);\n  vec3 brdfContrast#M = vec3(0.0);\n";
-  }
-  if (this->HasLobe && this->HasPanels)
-  {
-    text += "  float brdfTrust#M = 0.0;\n  float brdfEdge#M[" +
-            std::to_string(this->Light->Panels.size()) + "];\n";
-    for (std::size_t k = 0; k < this->Light->Panels.size(); ++k)
-    {
-      text += "  brdfEdge#M[" + std::to_string(k) + "] = 0.0;\n";
-    }
-  }
-  return this->Text(text);
 }
 
 std::string Member::MakeLightCode() const
@@ -310,18 +267,18 @@ std::string Member::MakeLightCode() const
   return this->Text(text + "  brdfHiddenLight#OUTVSOutput = max(brdfSum#M, vec3(0.0));\n");
 }
 
-std::string Member::MakeRestingCode(bool withLobe) const
+std::string Member::MakeShareCode() const
 {
   std::string text;
   if (this->HasLobe)
   {
-    text =
-      R"(  brdfRest#M = brdfSkyIrradiance(brdfSkyRed#M, brdfSkyGreen#M, brdfSkyBlue#M, brdfSkyN);
-  brdfContrast#M = brdfSkyContrast(brdfHiddenLight#OUTVSOutput, brdfRest#M, brdfSkyHidden);
+    text = R"(  vec3 brdfRest#M =
+    brdfSkyIrradiance(brdfSkyRed#M, brdfSkyGreen#M, brdfSkyBlue#M, brdfSkyN);
+  vec3 brdfContrast#M = brdfSkyContrast(brdfHiddenLight#OUTVSOutput, brdfRest#M, brdfSkyHidden);
 )";
   }
-  text += withLobe ? this->MakeLobeCode() : "";
-  text += this->HasPanels ? this->MakePanelCode(withLobe && this->HasLobe) : "";
+  text += this->MakeLobeCode();
+  text += this->HasPanels ? this->MakePanelCode() : "";
   // Each lamp's margin, and what is hidden of it where the irradiance holds it.
   text += this->ForLamps(R"(  vec3 brdfLamp#M_#K = brdfSkyLamp#M[#K] * brdfSkyAxes;
   vec2 brdfAzimuth#M_#K = brdfLamp#M_#K.xy / max(length(brdfLamp#M_#K.xy), 1e-6);
@@ -332,6 +289,11 @@ std::string Member::MakeRestingCode(bool withLobe) const
 )" + (this->Light->LampLight.empty() ? "" : R"(  brdfHiddenLight#OUTVSOutput +=
     clamp(0.5 - #MARGIN, 0.0, 1.0) * max(brdfLamp#M_#K.z, 0.0) * brdfSkyLampLight#M[#K];
 )"));
+  text += this->HasTableLamps ? this->MakeTableLampCode() : "";
+  // Odds are what is interpolated between points.
+  text += this->HasLobe
+            ? "  brdfHiddenLobe#OUTVSOutput = brdfSkyOdds(brdfHiddenLobe#OUTVSOutput);\n"
+            : "";
   return this->Text(text);
 }
 
@@ -389,15 +351,14 @@ const char* const Shine = R"(    vec2 seen;
 const char* const EndShine = "  brdfHiddenLobe#OUTVSOutput = brdfLobeLost#M / brdfLobeAll#M;\n";
 
 // Bright panels of the map, each on its own: their light, and with the lobe what it loses of them.
-std::string Member::MakePanelCode(bool withLobe) const
+std::string Member::MakePanelCode() const
 {
-  std::string text = withLobe ? BeginShine : "";
-  text += this->HasLobe ? "" : "  float brdfTrust#M;\n";
+  std::string text = this->HasLobe ? BeginShine : "";
   // How much less the harmonics say is hidden than the sectors.
   text += "  float brdfInSectors#M = 0.0;\n" +
           ForSectors("  brdfInSectors#M += brdfSkySquare(#BOUNDS);\n") +
           R"(  brdfInSectors#M = brdfSkyOpening ? 1.0 - brdfInSectors#M : brdfInSectors#M;
-  brdfTrust#M = clamp(brdfSkyHidden / max(brdfInSectors#M, 1e-6), 0.0, 1.0);
+  float brdfTrust#M = clamp(brdfSkyHidden / max(brdfInSectors#M, 1e-6), 0.0, 1.0);
   for (int k = 0; k < #COUNT; ++k)
   {
     vec4 panel = brdfSkyPanel#M[k];
@@ -413,29 +374,10 @@ std::string Member::MakePanelCode(bool withLobe) const
     vec3 light = glow.rgb * brdfSkyPanelRise(z, glow.w);
     brdfHiddenLight#OUTVSOutput += hidden * light;
 )";
-  text += withLobe ? Shine : this->HasLobe ? "    brdfEdge#M[k] = edge;\n" : "";
+  text += this->HasLobe ? Shine : "";
   text += "  }\n";
-  text += withLobe ? EndShine : "";
+  text += this->HasLobe ? EndShine : "";
   return this->Text(text, { { "#COUNT", std::to_string(this->Light->Panels.size()) } });
-}
-
-// What the lobe loses of panels whose edges are in the vertex cache.
-std::string Member::MakePanelsInLobe() const
-{
-  std::string text = BeginShine;
-  for (std::size_t k = 0; k < this->Light->Panels.size(); ++k)
-  {
-    text += Fill(R"(  {
-    vec4 panel = brdfSkyPanel#M[#K];
-    float edge = brdfEdge#M[#K];
-    vec4 glow = brdfSkyPanelLight#M[#K];
-    float z = dot(panel.xyz, brdfSkyN);
-    vec3 light = glow.rgb * brdfSkyPanelRise(z, glow.w);
-)" + std::string(Shine) +
-                   "  }\n",
-      { { "#K", std::to_string(k) } });
-  }
-  return this->Text(text + EndShine);
 }
 
 // After panels and the lamps' margins: what the table holds of lamps (LampWindow) is hidden by
@@ -457,101 +399,6 @@ std::string Member::MakeTableLampCode() const
     brdfLobeLost#M += clamp(0.5 - #MARGIN, 0.0, 1.0) * light;
   }
 )") + EndShine);
-}
-
-// What is interpolated between points.
-std::string Member::MakeOddsCode() const
-{
-  return this->HasLobe
-           ? this->Text("  brdfHiddenLobe#OUTVSOutput = brdfSkyOdds(brdfHiddenLobe#OUTVSOutput);\n")
-           : "";
-}
-
-//------------------------------------------------------------------------------
-// The hidden light and the rest's as floats; numbers within known bounds in pairs, two in a float.
-std::vector<Field> Member::GetFields() const
-{
-  std::vector<Field> fields;
-  const auto addVector = [&fields](const std::string& name)
-  {
-    for (const char* part : { ".x", ".y", ".z" })
-    {
-      fields.push_back({ name + part, "  " + name + part + " = #V;\n" });
-    }
-  };
-  std::vector<Field> halves; // made, 0 to 1, of #V; read from it
-  const auto addHalf = [&halves](const std::string& name, double least, double most)
-  {
-    const std::string low = Number(least);
-    halves.push_back({ "(" + name + " - " + low + ") * " + Number(1.0 / (most - least)),
-      "  " + name + " = #V * " + Number(most - least) + " + " + low + ";\n" });
-  };
-  addVector(this->Text("brdfHiddenLight#OUTVSOutput"));
-  if (this->HasLobe)
-  {
-    for (const char* part : { ".x", ".y", ".z" })
-    {
-      addHalf(this->Text("brdfContrast#M") + part, -6.0, 6.0);
-    }
-  }
-  if (this->NeedsRest())
-  {
-    addVector(this->Text("brdfRest#M"));
-  }
-  if (this->HasLobe && this->HasPanels)
-  {
-    for (std::size_t k = 0; k < this->Light->Panels.size(); ++k)
-    {
-      addHalf(this->Text("brdfEdge#M[" + std::to_string(k) + "]"), 0.0, 1.0);
-    }
-    addHalf(this->Text("brdfTrust#M"), 0.0, 1.0);
-  }
-  for (std::size_t k = 0; k < this->Lamps; ++k)
-  {
-    addHalf(this->GetLamp(k), -HorizonCode::LargestMargin, HorizonCode::LargestMargin);
-  }
-  halves.resize((halves.size() + 1) / 2 * 2, { "0.0", "" });
-  for (std::size_t k = 0; k < halves.size(); k += 2)
-  {
-    const std::string pair = this->Text("brdfPair#M_" + std::to_string(k / 2));
-    fields.push_back({ "brdfSkyPair(" + halves[k].Make + ", " + halves[k + 1].Make + ")",
-      "  vec2 " + pair + " = brdfSkyUnpair(#V);\n" +
-        Fill(halves[k].Read, { { "#V", pair + ".x" } }) +
-        Fill(halves[k + 1].Read, { { "#V", pair + ".y" } }) });
-  }
-  return fields;
-}
-
-// Of GetFields, for each frame.
-std::size_t Member::CountVectors() const
-{
-  const std::size_t panels = this->HasPanels ? this->Light->Panels.size() + 1 : 0;
-  const std::size_t halves = (this->HasLobe ? 3 + panels : 0) + this->Lamps;
-  return (3 + (this->NeedsRest() ? 3 : 0) + (halves + 1) / 2 + 3) / 4;
-}
-
-std::string Member::MakeWriting() const
-{
-  std::vector<Field> fields = this->GetFields();
-  fields.resize(4 * this->CountVectors(), { "0.0", "" });
-  std::string text;
-  for (std::size_t k = 0; k < fields.size(); k += 4)
-  {
-    text += "  " + this->GetVectorName(k / 4) + " = vec4(" + fields[k].Make + ", " +
-            fields[k + 1].Make + ", " + fields[k + 2].Make + ", " + fields[k + 3].Make + ");\n";
-  }
-  return text;
-}
-
-std::string Member::MakeReading() const
-{
-  std::string text = this->DeclareResting();
-  const std::vector<Field> fields = this->GetFields();
-  for (std::size_t k = 0; k < fields.size(); ++k)
-  {
-    text += Fill(fields[k].Read, { { "#V", this->GetVectorName(k / 4) + "." + Component(k) } });
-  }
-  return text;
 }
 
 //------------------------------------------------------------------------------
@@ -584,12 +431,12 @@ std::string UnpackNormal(std::size_t side)
     { { "#SIDE", GetSideName(side) } });
 }
 
-// So many bytes of a side's code, and what follows from them: the code's frame, how much is hidden,
+// The bytes of a side's code, and what follows from them: the code's frame, how much is hidden,
 // sectors' bounds. Most points are open: they need no sums over sectors.
-std::string UnpackCode(std::size_t side, int bytes)
+std::string UnpackCode(std::size_t side)
 {
   std::string text;
-  for (std::size_t k = 1; k < static_cast<std::size_t>(bytes) / 3; ++k)
+  for (std::size_t k = 1; k < static_cast<std::size_t>(HorizonCode::Bytes) / 3; ++k)
   {
     text += "  vec3 brdfCode" + std::to_string(k) + " = brdfSkyBytes(brdfSky" + GetSideName(side) +
             std::to_string(k / 4) + "." + Component(k) + ");\n";
@@ -626,31 +473,18 @@ std::string MakeSideCode(
   std::string text;
   for (const Member& member : members)
   {
-    text += member.MakeOpenCode(false);
+    text += member.MakeOpenCode();
   }
   text += "  {\n" + UnpackNormal(side) +
           "  vec3 brdfSkyNormalVC = normalize(brdfSkyN * brdfSkyToModel);\n"
           "  float brdfSkyCosine = dot(brdfSkyNormalVC, brdfSkyO);\n";
   text += side == 0 ? "  brdfSkyNormalVSOutput = brdfSkyNormalVC;\n" : "";
   text += "  if (brdfSkyCosine > brdfSkyLeast)\n  {\n";
-  const auto shines = [](const Member& member) { return member.HasLobe || member.IsBouncing; };
-  if (!layout.Kept || std::any_of(members.begin(), members.end(), shines))
-  {
-    text += UnpackCode(side, layout.Kept ? HorizonCode::SectorBytes + 1 : HorizonCode::Bytes) +
-            MakeViewCode();
-  }
+  text += UnpackCode(side) + MakeViewCode();
   for (const Member& member : members)
   {
-    text += layout.Kept ? member.MakeReading() : member.DeclareResting() + member.MakeLightCode();
-    if (layout.Kept && !shines(member))
-    {
-      continue;
-    }
-    text += "  if (brdfSkyMatters)\n  {\n";
-    text += layout.Kept ? member.MakeLobeCode() : member.MakeRestingCode(true);
-    text += layout.Kept && member.HasPanels && member.HasLobe ? member.MakePanelsInLobe() : "";
-    text += member.HasTableLamps ? member.MakeTableLampCode() : "";
-    text += member.MakeOddsCode() + "  }\n";
+    text +=
+      member.MakeLightCode() + "  if (brdfSkyMatters)\n  {\n" + member.MakeShareCode() + "  }\n";
   }
   return text + "  }\n  }\n";
 }
@@ -730,7 +564,7 @@ glm::dmat3 GetNearestOrthogonal(const glm::dmat3& matrix)
 // degree 2, times what each degree makes of irradiance (Ramamoorthi, Hanrahan 2001, eq. 11).
 glm::mat4 GetIrradianceForm(const sky::Colors& light, int channel)
 {
-  const auto a = [&](int j) { return light[static_cast<std::size_t>(j)][channel]; };
+  const auto a = [&](int j) { return light[j][channel]; };
   const double c0 = Pi * 0.282094791773878140;
   const double c1 = 2.0 * Pi / 3.0 * 0.488602511902919920;
   const double c2 = Pi / 4.0 * 1.092548430592079200;
@@ -753,6 +587,24 @@ glm::mat4 GetIrradianceForm(const sky::Colors& light, int channel)
 void SetFloats(vtkShaderProgram* program, const std::string& name, const std::vector<float>& values)
 {
   program->SetUniform1fv(name.c_str(), static_cast<int>(values.size()), values.data());
+}
+
+// Of no vectors: nothing, as GLSL has no empty arrays.
+void SetVectors(
+  vtkShaderProgram* program, const std::string& name, const std::vector<glm::dvec3>& vectors)
+{
+  std::vector<float> values;
+  for (const glm::dvec3& vector : vectors)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      values.push_back(static_cast<float>(vector[c]));
+    }
+  }
+  if (!values.empty())
+  {
+    program->SetUniform3fv(name.c_str(), static_cast<int>(vectors.size()), values.data());
+  }
 }
 
 void SetFours(
@@ -809,86 +661,13 @@ std::string GetOcclusionKey(const OcclusionLights& lights, const OcclusionLayout
                      (light->HasLobe ? "" : "m") + (light->Bounce ? "b" : "")
                  : "/open";
   }
-  return key + (layout.TwoSided ? "/both" : "") + (layout.Bounced ? "/bounced" : "") +
-         (layout.Kept ? "/kept" : "");
-}
-
-std::vector<std::string> GetKeptNames(const OcclusionLights& lights, const OcclusionLayout& layout)
-{
-  std::vector<std::string> names;
-  for (std::size_t side = 0; side < CountSides(layout); ++side)
-  {
-    for (const Member& member : GetMembers(lights, layout, side))
-    {
-      for (std::size_t k = 0; k < member.CountVectors(); ++k)
-      {
-        names.push_back(member.GetVectorName(k));
-      }
-    }
-  }
-  return names;
+  return key + (layout.TwoSided ? "/both" : "") + (layout.Bounced ? "/bounced" : "");
 }
 
 OcclusionNeeds CountOcclusionNeeds(const OcclusionLights& lights, const OcclusionLayout& layout)
 {
-  constexpr std::size_t sectors = 3; // attributes of a code's normal and sectors
-  const std::size_t ofSide =
-    (layout.Kept ? sectors : OcclusionArrays::Attributes) + (layout.Bounced ? 1 : 0);
-  return { CountSides(layout) * ofSide + (layout.Kept ? GetKeptNames(lights, layout).size() : 0),
+  return { CountSides(layout) * (OcclusionArrays::Attributes + (layout.Bounced ? 1 : 0)),
     4 * GetVaryings(lights, layout).size() };
-}
-
-std::string MakeKeptShader(const OcclusionLights& lights, const OcclusionLayout& layout)
-{
-  std::string text = "//VTK::System::Dec\n" + DeclareCodes(lights, layout);
-  for (const std::string& name : GetKeptNames(lights, layout))
-  {
-    text += "out vec4 " + name + ";\n";
-  }
-  text += "void main()\n{\n";
-  for (std::size_t side = 0; side < CountSides(layout); ++side)
-  {
-    text += "  {\n" + UnpackNormal(side) + UnpackCode(side, HorizonCode::Bytes);
-    for (const Member& member : GetMembers(lights, layout, side))
-    {
-      text += member.MakeOpenCode(true) + member.DeclareResting() + member.MakeLightCode() +
-              "  if (brdfSkyMatters)\n  {\n" + member.MakeRestingCode(false) + "  }\n" +
-              member.MakeWriting();
-    }
-    text += "  }\n";
-  }
-  return text + "  gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // out of sight\n}\n";
-}
-
-std::vector<double> GetKeptInputs(const OcclusionLights& lights, const OcclusionLayout& layout,
-  const std::vector<glm::dmat3>& toEnvironment)
-{
-  std::vector<double> inputs;
-  const auto add = [&inputs](const glm::dvec3& v) {
-    inputs.insert(inputs.end(), { v.x, v.y, v.z });
-  };
-  for (const Member& member : GetMembers(lights, layout, 0))
-  {
-    const glm::dmat3& turn = toEnvironment[member.Index];
-    for (int column = 0; column < 3; ++column)
-    {
-      add(turn[column]);
-    }
-    for (const std::vector<glm::dvec3>* vectors :
-      { &member.Light->Lamps, &member.Light->LampLight })
-    {
-      inputs.push_back(static_cast<double>(vectors->size()));
-      std::for_each(vectors->begin(), vectors->end(), add);
-    }
-    std::for_each(member.Light->Light.begin(), member.Light->Light.end(), add);
-    for (const EnvironmentPanels::Panel& panel : member.Light->Panels)
-    {
-      add(panel.Direction);
-      add(panel.Irradiance);
-      inputs.push_back(panel.Concentration);
-    }
-  }
-  return inputs;
 }
 
 OcclusionText MakeOcclusionText(const OcclusionLights& lights, const OcclusionLayout& layout)
@@ -897,11 +676,6 @@ OcclusionText MakeOcclusionText(const OcclusionLights& lights, const OcclusionLa
   text.VertexDeclarations = DeclareCodes(lights, layout) +
                             "uniform mat3 brdfSkyToModel;\n"
                             "uniform float brdfSkyParallel, brdfSkyLeast;\n";
-  for (const std::string& name :
-    layout.Kept ? GetKeptNames(lights, layout) : std::vector<std::string>())
-  {
-    text.VertexDeclarations += "in vec4 " + name + ";\n";
-  }
   text.VertexCode = "  vec3 brdfSkyO = brdfSkyParallel > 0.5 ? vec3(0.0, 0.0, 1.0)\n"
                     "    : normalize(-vertexVCVSOutput.xyz);\n";
   for (std::size_t side = 0; side < CountSides(layout); ++side)

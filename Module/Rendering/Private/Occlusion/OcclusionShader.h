@@ -39,8 +39,6 @@ struct OcclusionLayout
 {
   bool TwoSided = false;
   bool Bounced = false; // what comes back from what is hidden
-  bool Kept =
-    false; // what rests while the light does, from the vertex cache (OcclusionVertexCache.h)
 };
 
 /// Same key, same text. "" without any.
@@ -69,15 +67,6 @@ OcclusionNeeds CountOcclusionNeeds(const OcclusionLights& lights, const Occlusio
 
 /// The macros that the environment's terms of a member use; light null: for no occlusion.
 std::string DefineOcclusion(const OcclusionLight* light, std::size_t member);
-
-///@{
-/// The vertex shader that fills the vertex cache; names of its outputs, attributes of four floats
-/// each of the shader that draws; and all numbers that they depend on, but for the codes.
-std::string MakeKeptShader(const OcclusionLights& lights, const OcclusionLayout& layout);
-std::vector<std::string> GetKeptNames(const OcclusionLights& lights, const OcclusionLayout& layout);
-std::vector<double> GetKeptInputs(const OcclusionLights& lights, const OcclusionLayout& layout,
-  const std::vector<glm::dmat3>& toEnvironment);
-///@}
 
 /// How a surface, the view and environments are turned against each other.
 struct OcclusionAxes

@@ -4,6 +4,7 @@
 
 #include "ContentHash.h"
 #include "ScopedErrorCapture.h"
+#include "SharedObjects.h"
 #include "SurfaceBlocks.h"
 #include "SurfacePoints.h"
 #include "vtkCommand.h"
@@ -15,7 +16,6 @@
 
 #include <chrono>
 #include <cstddef>
-#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -117,20 +117,8 @@ std::shared_ptr<SharedTrace> SharedTrace::Find(vtkDataObject* input)
 {
   const std::string content = GetContentKey(input);
   // Never destroyed: VTK may be gone when statics are.
-  static std::mutex& mutex = *new std::mutex;
-  static auto& traces = *new std::map<std::string, std::weak_ptr<SharedTrace>>;
-  const std::lock_guard<std::mutex> lock(mutex);
-  for (auto it = traces.begin(); it != traces.end();)
-  {
-    it = it->second.expired() ? traces.erase(it) : std::next(it);
-  }
-  std::shared_ptr<SharedTrace> found = traces[content].lock();
-  if (!found)
-  {
-    found = std::make_shared<SharedTrace>();
-    traces[content] = found;
-  }
-  return found;
+  static auto& traces = *new HeldObjects<std::string, SharedTrace>;
+  return traces.FindOrMake(content, []() { return std::make_shared<SharedTrace>(); });
 }
 
 vtkSmartPointer<vtkDataObject> SharedTrace::Attach(

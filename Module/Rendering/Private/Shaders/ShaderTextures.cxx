@@ -362,32 +362,6 @@ void ShaderTextures::Deactivate()
   }
 }
 
-bool ShaderTextures::Has(const vtkTextureObject* texture) const
-{
-  return std::any_of(this->Textures.begin(), this->Textures.end(),
-    [texture](const Uploaded& uploaded) { return uploaded.Texture.get() == texture; });
-}
-
-// A texture may stand for several samplers of either.
-void ShaderTextures::ActivateAfter(const ShaderTextures& last)
-{
-  for (const Uploaded& uploaded : last.Textures)
-  {
-    if (!this->Has(uploaded.Texture.get()))
-    {
-      uploaded.Texture->Deactivate();
-    }
-  }
-  for (Uploaded& uploaded : this->Textures)
-  {
-    if (!last.Has(uploaded.Texture.get()))
-    {
-      uploaded.Texture->Activate();
-    }
-    uploaded.Unit = uploaded.Texture->GetTextureUnit();
-  }
-}
-
 std::size_t ShaderTextures::CountBytes(std::set<const vtkTextureObject*>& counted) const
 {
   std::size_t bytes = 0;
@@ -398,29 +372,18 @@ std::size_t ShaderTextures::CountBytes(std::set<const vtkTextureObject*>& counte
   return bytes;
 }
 
-void ShaderTextures::SetUniforms(
-  vtkShaderProgram* program, std::size_t firstInstance, const ShaderTextures* last) const
+void ShaderTextures::SetUniforms(vtkShaderProgram* program, std::size_t firstInstance) const
 {
   const auto numbered = [firstInstance](const std::string& name, std::size_t term)
   { return name + std::to_string(firstInstance + term); };
-  for (std::size_t k = 0; k < this->Textures.size(); ++k)
+  for (const Uploaded& uploaded : this->Textures)
   {
-    const Uploaded& uploaded = this->Textures[k];
-    if (!last || last->Textures[k].Unit != uploaded.Unit)
-    {
-      program->SetUniformi(numbered(uploaded.Sampler, uploaded.Term).c_str(), uploaded.Unit);
-    }
+    program->SetUniformi(numbered(uploaded.Sampler, uploaded.Term).c_str(), uploaded.Unit);
   }
   for (std::size_t term = 0; term < this->Inputs.Terms.size(); ++term)
   {
-    const auto& uniforms = this->Inputs.Terms[term].Uniforms;
-    for (std::size_t k = 0; k < uniforms.size(); ++k)
+    for (const vtkBRDFShaderInputs::Uniform& uniform : this->Inputs.Terms[term].Uniforms)
     {
-      const vtkBRDFShaderInputs::Uniform& uniform = uniforms[k];
-      if (last && last->Inputs.Terms[term].Uniforms[k].Values == uniform.Values)
-      {
-        continue;
-      }
       const std::string name = numbered(uniform.Name, term);
       if (uniform.Values.size() == 1)
       {

@@ -49,12 +49,8 @@ public:
 
   void Activate();
   void Deactivate();
-  /// Instead of last, of the same shader: what both share stays bound.
-  void ActivateAfter(const ShaderTextures& last);
-  /// firstInstance: the number that stands for INSTANCE in the first term's names. last: whose
-  /// uniforms of the same names the program has, bound to the same units; null: nobody's.
-  void SetUniforms(vtkShaderProgram* program, std::size_t firstInstance,
-    const ShaderTextures* last = nullptr) const;
+  /// firstInstance: the number that stands for INSTANCE in the first term's names.
+  void SetUniforms(vtkShaderProgram* program, std::size_t firstInstance) const;
 
   const vtkBRDFShaderInputs& GetInputs() const { return this->Inputs; }
   /// Those that are not counted yet.
@@ -62,7 +58,6 @@ public:
   std::size_t GetNumberOfSamplers() const { return this->Textures.size(); }
 
 private:
-  bool Has(const vtkTextureObject* texture) const;
   /// Upload what a source makes at that time. What it can't make is not asked for again until it
   /// changes.
   template <typename Make>

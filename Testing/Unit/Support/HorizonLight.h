@@ -6,8 +6,8 @@
  * reference for shaders/vtkBRDFHiddenSky.glsl and vtkBRDFBouncedLight.glsl.
  */
 
-#ifndef HiddenSky_h
-#define HiddenSky_h
+#ifndef HorizonLight_h
+#define HorizonLight_h
 
 #include "HalfVector.h" // for Pi
 #include "HorizonCode.h"
@@ -54,7 +54,7 @@ inline double GetSectorAzimuth(std::size_t sector)
   return SectorWidth * static_cast<double>(sector);
 }
 
-class HiddenSky : public HorizonCode
+class HorizonLight : public HorizonCode
 {
 public:
   /// Between two sines of elevation. What is within half a byte's step of the horizon or the zenith
@@ -69,7 +69,7 @@ public:
   };
 
   /// A code to evaluate.
-  explicit HiddenSky(const Code& code);
+  explicit HorizonLight(const Code& code);
 
   const glm::dvec3& GetNormal() const { return this->Frame[2]; }
 
@@ -162,7 +162,7 @@ namespace sky
 glm::dvec3 GetIrradiance(const Colors& light, const glm::dvec3& normal);
 }
 
-inline HiddenSky::HiddenSky(const Code& code)
+inline HorizonLight::HorizonLight(const Code& code)
   : Frame(FrameAbout(UnpackNormal(code.data())))
 {
   int span = 0;
@@ -191,12 +191,12 @@ inline HiddenSky::HiddenSky(const Code& code)
   this->Trust = std::clamp(this->GetHiddenCosine() / std::max(inSectors, 1e-6), 0.0, 1.0);
 }
 
-inline double HiddenSky::GetHiddenCosine() const
+inline double HorizonLight::GetHiddenCosine() const
 {
   return std::clamp(this->Transfer[0] * std::sqrt(4.0 * Pi) / Pi, 0.0, 1.0);
 }
 
-inline glm::dvec3 HiddenSky::GetHiddenIrradiance(const sky::Colors& light) const
+inline glm::dvec3 HorizonLight::GetHiddenIrradiance(const sky::Colors& light) const
 {
   glm::dvec3 sum(0.0);
   for (std::size_t j = 0; j < sky::Harmonics; ++j)
@@ -206,7 +206,7 @@ inline glm::dvec3 HiddenSky::GetHiddenIrradiance(const sky::Colors& light) const
   return glm::max(sum, glm::dvec3(0.0));
 }
 
-inline double HiddenSky::GetHiddenShare(const glm::dvec3& slope) const
+inline double HorizonLight::GetHiddenShare(const glm::dvec3& slope) const
 {
   const glm::dvec3 local = ToLocal(this->Frame, slope);
   const double kappa = glm::length(slope);
@@ -232,7 +232,7 @@ inline double HiddenSky::GetHiddenShare(const glm::dvec3& slope) const
   return this->Opening ? 1.0 - share : share;
 }
 
-inline HiddenSky::Interval HiddenSky::GetBounds(const glm::dvec3& local, double last) const
+inline HorizonLight::Interval HorizonLight::GetBounds(const glm::dvec3& local, double last) const
 {
   const double sine = std::max(std::hypot(local.x, local.y), 1e-6);
   double sum = 0.0;
@@ -252,7 +252,7 @@ inline HiddenSky::Interval HiddenSky::GetBounds(const glm::dvec3& local, double 
   return { GetSine(low / sum), GetSine(high / sum) };
 }
 
-inline double HiddenSky::GetLampMargin(const glm::dvec3& direction) const
+inline double HorizonLight::GetLampMargin(const glm::dvec3& direction) const
 {
   const glm::dvec3 local = ToLocal(this->Frame, direction);
   const Interval bounds = this->GetBounds(local, std::cos(SectorWidth));
@@ -267,17 +267,17 @@ inline double HiddenSky::GetLampMargin(const glm::dvec3& direction) const
   return this->Opening ? -outside : outside;
 }
 
-inline double HiddenSky::GetVisibleLamp(const glm::dvec3& direction) const
+inline double HorizonLight::GetVisibleLamp(const glm::dvec3& direction) const
 {
   return std::clamp(this->GetLampMargin(direction) + 0.5, 0.0, 1.0);
 }
 
-inline double HiddenSky::GetHiddenPanel(const glm::dvec3& direction, double radius) const
+inline double HorizonLight::GetHiddenPanel(const glm::dvec3& direction, double radius) const
 {
   return this->GetHiddenPanel(direction, radius, radius, 0.0);
 }
 
-inline double HiddenSky::GetHiddenPanel(
+inline double HorizonLight::GetHiddenPanel(
   const glm::dvec3& direction, double radius, double seenRadius, double rise) const
 {
   const glm::dvec3 local = ToLocal(this->Frame, direction);
@@ -323,7 +323,7 @@ inline double HiddenSky::GetHiddenPanel(
 
 // Share of the irradiance between two sines of elevation that is within the bounds of sectors about
 // an azimuth.
-inline double HiddenSky::GetCovered(
+inline double HorizonLight::GetCovered(
   const glm::dvec3& local, double last, const Interval& ends) const
 {
   const double sine = std::max(std::hypot(local.x, local.y), 1e-6);
@@ -343,7 +343,7 @@ inline double HiddenSky::GetCovered(
   return std::clamp(inside / std::max(all, 1e-6), 0.0, 1.0);
 }
 
-inline glm::dvec3 HiddenSky::GetHiddenLight(double hiddenShare, double kappa,
+inline glm::dvec3 HorizonLight::GetHiddenLight(double hiddenShare, double kappa,
   const glm::dvec3& hiddenIrradiance, const glm::dvec3& irradiance) const
 {
   const double cosine = this->GetHiddenCosine();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Codes of hidden skies against closed forms.
 #include "HalfVector.h"
-#include "HiddenSky.h"
+#include "HorizonLight.h"
 #include "LocalFrame.h"
 
 #include <glm/glm.hpp>
@@ -16,7 +16,7 @@
 
 namespace
 {
-using measuredbrdf::HiddenSky;
+using measuredbrdf::HorizonLight;
 namespace sky = measuredbrdf::sky;
 
 using measuredbrdf::Pi;
@@ -29,15 +29,15 @@ glm::dvec3 RandomDirection(std::mt19937& generator)
 
 // The code of a point about which `isHidden(direction in the code's frame)`.
 template <typename IsHidden>
-HiddenSky::Code Encode(const glm::dvec3& normal, int elevations, const IsHidden& isHidden)
+HorizonLight::Code Encode(const glm::dvec3& normal, int elevations, const IsHidden& isHidden)
 {
-  const HiddenSky::Rays rays(elevations);
+  const HorizonLight::Rays rays(elevations);
   std::vector<char> hidden;
   for (const glm::dvec3& d : rays.GetDirections())
   {
     hidden.push_back(isHidden(d) ? 1 : 0);
   }
-  return HiddenSky::Encode(normal, rays, hidden, isHidden);
+  return HorizonLight::Encode(normal, rays, hidden, isHidden);
 }
 
 // Light of random harmonics.
@@ -70,10 +70,10 @@ glm::dvec3 GetRadiance(const sky::Colors& light, const glm::dvec3& d)
   return sum;
 }
 
-TEST(HiddenSky, HarmonicsAreOrthonormal)
+TEST(HorizonLight, HarmonicsAreOrthonormal)
 {
   // Rays of both hemispheres; 4096 of them integrate products of degree 8 to 1e-3.
-  const HiddenSky::Rays rays(256);
+  const HorizonLight::Rays rays(256);
   std::vector<std::vector<double>> products(
     sky::Harmonics, std::vector<double>(sky::Harmonics, 0.0));
   for (glm::dvec3 d : rays.GetDirections())
@@ -99,7 +99,7 @@ TEST(HiddenSky, HarmonicsAreOrthonormal)
   }
 }
 
-TEST(HiddenSky, RotatesLight)
+TEST(HorizonLight, RotatesLight)
 {
   std::mt19937 generator(3);
   for (int k = 0; k < 20; ++k)
@@ -113,25 +113,25 @@ TEST(HiddenSky, RotatesLight)
   }
 }
 
-TEST(HiddenSky, KeepsNormals)
+TEST(HorizonLight, KeepsNormals)
 {
   std::mt19937 generator(4);
   for (int k = 0; k < 1000; ++k)
   {
     const glm::dvec3 normal = RandomDirection(generator);
     std::uint8_t bytes[3];
-    HiddenSky::PackNormal(normal, bytes);
-    EXPECT_GT(glm::dot(normal, HiddenSky::UnpackNormal(bytes)), std::cos(1e-3));
+    HorizonLight::PackNormal(normal, bytes);
+    EXPECT_GT(glm::dot(normal, HorizonLight::UnpackNormal(bytes)), std::cos(1e-3));
   }
 }
 
 // A wall hides half of the sky: half of the irradiance from a uniform sky.
-TEST(HiddenSky, AWallHidesHalf)
+TEST(HorizonLight, AWallHidesHalf)
 {
   const glm::dvec3 normal(0.0, 0.0, 1.0);
   // x < 0 about the frame's own axes, which are the world's here; the wall lies between sectors
   // of the rays as in their middles.
-  const HiddenSky wall(Encode(normal, 16, [](const glm::dvec3& d) { return d.x < 0.0; }));
+  const HorizonLight wall(Encode(normal, 16, [](const glm::dvec3& d) { return d.x < 0.0; }));
   EXPECT_NEAR(wall.GetHiddenCosine(), 0.5, 0.02);
   EXPECT_NEAR(
     wall.GetHiddenShare(4.0 * normal), 0.5, 0.06); // sectors cut in half count at the horizon
@@ -150,10 +150,10 @@ TEST(HiddenSky, AWallHidesHalf)
 
 // Up to an elevation all around, as in the middle of a crater: cos^2 of it is hidden... of a
 // uniform sky sin^2 of the elevation is.
-TEST(HiddenSky, ACraterHidesTheLowSky)
+TEST(HorizonLight, ACraterHidesTheLowSky)
 {
   const double sine = 0.5;
-  const HiddenSky crater(
+  const HorizonLight crater(
     Encode({ 0.6, 0.0, 0.8 }, 16, [&](const glm::dvec3& d) { return d.z < sine; }));
   EXPECT_NEAR(crater.GetHiddenCosine(), sine * sine, 0.01);
   const glm::dvec3 normal = crater.GetNormal();
@@ -176,9 +176,9 @@ TEST(HiddenSky, ACraterHidesTheLowSky)
 
 // A body that floats above a third of the horizon: beside it, where sectors are empty, it does not
 // come down.
-TEST(HiddenSky, FloatingBodiesEndBetweenSectors)
+TEST(HorizonLight, FloatingBodiesEndBetweenSectors)
 {
-  const HiddenSky sky(Encode({ 0.0, 0.0, 1.0 }, 16,
+  const HorizonLight sky(Encode({ 0.0, 0.0, 1.0 }, 16,
     [](const glm::dvec3& d) { return d.z > 0.5 && d.z < 0.7 && d.x > 0.5; }));
   for (double degrees = -180.0; degrees < 180.0; degrees += 5.0)
   {
@@ -192,11 +192,11 @@ TEST(HiddenSky, FloatingBodiesEndBetweenSectors)
 }
 
 // In a hollow the near wall and the one opposite hide, and their edges meet where it is narrow.
-TEST(HiddenSky, HollowsHideFromBothSides)
+TEST(HorizonLight, HollowsHideFromBothSides)
 {
   const auto isHidden = [](const glm::dvec3& d)
   { return 2.0 * d.z * d.x < 0.6; }; // sin(2 elevation) cos(azimuth): the rim of a sphere
-  const HiddenSky hollow(Encode({ 0.0, 0.0, 1.0 }, 8, isHidden));
+  const HorizonLight hollow(Encode({ 0.0, 0.0, 1.0 }, 8, isHidden));
   double wrong = 0.0;
   double all = 0.0;
   for (double degrees = 0.0; degrees < 360.0; degrees += 1.5)
@@ -234,9 +234,9 @@ TEST(HiddenSky, HollowsHideFromBothSides)
 
 // A cave's mouth with a sill below the lowest rays of every other sector: its edge does not jump
 // between sectors.
-TEST(HiddenSky, SillsOfOpeningsHideTheHorizon)
+TEST(HorizonLight, SillsOfOpeningsHideTheHorizon)
 {
-  const HiddenSky cave(Encode({ 0.0, 0.0, 1.0 }, 8,
+  const HorizonLight cave(Encode({ 0.0, 0.0, 1.0 }, 8,
     [](const glm::dvec3& d) { return d.x < 0.2 || d.z < 0.06 || d.z > 0.7; }));
   for (double degrees = -40.0; degrees <= 40.0; degrees += 5.0)
   {
@@ -247,9 +247,9 @@ TEST(HiddenSky, SillsOfOpeningsHideTheHorizon)
 }
 
 // A slit that is narrower than a byte's step is nothing, not an open sky.
-TEST(HiddenSky, NarrowSlitsAreDark)
+TEST(HorizonLight, NarrowSlitsAreDark)
 {
-  const HiddenSky slit(Encode(
+  const HorizonLight slit(Encode(
     { 0.0, 0.0, 1.0 }, 256, [](const glm::dvec3& d) { return d.z < 0.5015 || d.z > 0.5025; }));
   EXPECT_LT(slit.GetVisibleLamp({ 0.0, 0.0, 1.0 }), 0.01);
   EXPECT_LT(slit.GetVisibleLamp({ std::sqrt(0.91), 0.0, 0.3 }), 0.01);
