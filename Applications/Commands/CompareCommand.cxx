@@ -476,7 +476,7 @@ void AddCompareCommand(CLI::App& app)
     "JSON file to write: relative_l1, relative_rmse, rel_mse, median_relative, p99_relative, "
     "percentile_95, percentile_99 (of the pixels' errors over the mean radiance), smape, flip, "
     "hdr_flip, ssim (null for fewer than 11 x 11 compared pixels), delta_e_2000, "
-    "delta_e_itp, frame_ms, setup_ms, setup_cpu_ms (of all threads), texture_bytes, lights, "
+    "frame_ms, setup_ms, setup_cpu_ms (of all threads), texture_bytes, lights, "
     "predicted_error, some of these for "
     "VTK's shading (pbr_...), and the material, environment and picture");
   command->add_option("-o,--output", options->Output,

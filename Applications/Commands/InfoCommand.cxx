@@ -30,8 +30,7 @@ void Run(const InfoOptions& options)
   // Names come from files: bytes that are no UTF-8 are replaced rather than fatal.
   tool::PrintOut(options.Json
                    ? info.dump(2, ' ', true, ordered_json::error_handler_t::replace) + "\n"
-                 : isMesh ? tool::FormatMeshInspection(info)
-                          : tool::FormatInspection(info));
+                   : tool::FormatInspection(info));
 }
 }
 

@@ -95,66 +95,106 @@ ordered_json Advise(const std::string& file, vtkBRDF* brdf)
 }
 
 //------------------------------------------------------------------------------
-std::string Line(const std::string& label, const std::string& value)
-{
-  std::string padded = label;
-  padded.resize(std::max<std::size_t>(26, padded.size() + 1), ' ');
-  return value.empty() ? "" : padded + value + "\n";
-}
-
-//------------------------------------------------------------------------------
-std::string Short(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4g", value);
-  return text;
-}
-
-// "indexOfRefraction" as "index of refraction"
-std::string SplitWords(const std::string& camelCase)
+// "indexOfRefraction" and "gains_energy" as words.
+std::string ToWords(const std::string& key)
 {
   std::string words;
-  for (const char c : camelCase)
+  for (const char c : key)
   {
     words += c >= 'A' && c <= 'Z' ? std::string(" ") + static_cast<char>(c - 'A' + 'a')
-                                  : std::string(1, c);
+                                  : std::string(1, c == '_' ? ' ' : c);
   }
   return words;
 }
 
 //------------------------------------------------------------------------------
-std::string FormatModel(const ordered_json& d, const std::string& indent)
+std::string FormatValue(const ordered_json& value, const char* format = "%.4g")
 {
-  std::string text = Line(indent + "model", d["model"]);
-  const auto list = [](const ordered_json& values, const char* between)
+  if (value.is_number_float())
   {
-    std::string line;
-    for (const ordered_json& value : values)
+    char text[40];
+    std::snprintf(text, sizeof(text), format, value.get<double>());
+    return text;
+  }
+  if (value.is_array())
+  {
+    std::string list;
+    for (const ordered_json& one : value)
     {
-      line += (line.empty() ? "" : between) + Short(value);
+      list += (list.empty() ? "" : ", ") + FormatValue(one, format);
     }
-    return line;
-  };
-  const ordered_json options = d.value("options", ordered_json::object());
-  const ordered_json allNumbers = d.value("numbers", ordered_json::object());
-  const ordered_json arrays = d.value("arrays", ordered_json::object());
-  for (const auto& [name, option] : options.items())
-  {
-    text += Line(indent + SplitWords(name), option);
+    return list;
   }
-  for (const auto& [name, numbers] : allNumbers.items())
+  return value.is_boolean()  ? (value.get<bool>() ? "yes" : "no")
+         : value.is_string() ? value.get<std::string>()
+                             : value.dump();
+}
+
+//------------------------------------------------------------------------------
+// Rows with the same keys, under these.
+std::string FormatTable(const ordered_json& rows, const std::string& indent)
+{
+  constexpr std::size_t width = 10; // of a cell
+  const auto pad = [](const std::string& text, std::size_t cells)
+  { return std::string(std::max(cells * width, text.size() + 1) - text.size(), ' ') + text; };
+  std::string heads = indent;
+  std::string text;
+  for (const ordered_json& row : rows)
   {
-    text += Line(indent + SplitWords(name), list(numbers, ", "));
+    text += indent;
+    for (const auto& [key, value] : row.items())
+    {
+      const std::size_t cells = value.is_array() ? value.size() : 1;
+      heads += &row == &rows.front() ? pad(ToWords(key), cells) : "";
+      for (std::size_t k = 0; k < cells; ++k)
+      {
+        text +=
+          value.is_array() ? pad(FormatValue(value[k], "%.4f"), 1) : pad(FormatValue(value), 1);
+      }
+    }
+    text += "\n";
   }
-  for (const auto& [name, array] : arrays.items())
+  return heads + "\n" + text;
+}
+
+//------------------------------------------------------------------------------
+// A line for each key, and what it holds below it.
+std::string FormatObject(const ordered_json& object, const std::string& indent)
+{
+  std::string text;
+  for (const auto& [key, value] : object.items())
   {
-    text += Line(indent + SplitWords(name),
-      list(array["shape"], " x ") + (array["channels"] == 3 ? " RGB triples" : " numbers"));
-  }
-  const ordered_json terms = d.value("terms", ordered_json::array());
-  for (const ordered_json& term : terms)
-  {
-    text += FormatModel(term, indent + "  ");
+    std::string label = indent + ToWords(key);
+    const bool hasObjects = value.is_array() && !value.empty() && value.front().is_object();
+    if (value.is_object() && value.contains("shape"))
+    {
+      label.resize(std::max<std::size_t>(26, label.size() + 1), ' ');
+      for (const ordered_json& size : value["shape"])
+      {
+        label += (&size == &value["shape"].front() ? "" : " x ") + size.dump();
+      }
+      text += label + (value["channels"] == 3 ? " RGB triples\n" : " numbers\n");
+    }
+    else if (value.is_object())
+    {
+      text += label + "\n" + FormatObject(value, indent + "  ");
+    }
+    else if (hasObjects && value.front().contains("model"))
+    {
+      for (const ordered_json& part : value)
+      {
+        text += label + "\n" + FormatObject(part, indent + "  ");
+      }
+    }
+    else if (hasObjects)
+    {
+      text += label + "\n" + FormatTable(value, indent);
+    }
+    else if (const std::string said = FormatValue(value); !said.empty())
+    {
+      label.resize(std::max<std::size_t>(26, label.size() + 1), ' ');
+      text += label + said + "\n";
+    }
   }
   return text;
 }
@@ -214,50 +254,7 @@ ordered_json InspectMaterial(const Material& material)
 }
 
 //------------------------------------------------------------------------------
-std::string FormatInspection(const ordered_json& info)
-{
-  std::string text =
-    Line("name", info["name"]) + Line("source", info["source"]) + Line("format", info["format"]) +
-    FormatModel(info, "") + Line("isotropic", info["isotropic"] ? "yes" : "no") +
-    Line("negative values", std::to_string(info["negative_values"].get<long long>())) +
-    Line("invalid values", std::to_string(info["invalid_values"].get<long long>())) +
-    Line("range (1/sr)",
-      "R " + Short(info["range"]["minimum"][0]) + " to " + Short(info["range"]["maximum"][0]) +
-        ", G " + Short(info["range"]["minimum"][1]) + " to " + Short(info["range"]["maximum"][1]) +
-        ", B " + Short(info["range"]["minimum"][2]) + " to " + Short(info["range"]["maximum"][2])) +
-    Line("reciprocity error",
-      Short(info["reciprocity_error"]) + " relative (RMS " + Short(info["reciprocity_rms_error"]) +
-        ")" + (info["reciprocal_by_construction"] ? "; reciprocal by construction" : "")) +
-    (info["negative_mass"] > 0.0
-        ? Line("negative mass", Short(info["negative_mass"]) + " of all, before the clamp")
-        : "") +
-    Line("shader inputs", info["shader_inputs"]["description"]) +
-    (info.contains("recommendation") ? Line("thesis mode", info["recommendation"]["reason"]) : "");
-  text += "\n        directional albedo         reflectance\n"
-          "        (view at that angle)       (light from that angle)\n"
-          "  angle      R       G       B         R       G       B\n";
-  for (std::size_t k = 0; k < info["albedo"].size(); ++k)
-  {
-    const ordered_json& albedo = info["albedo"][k]["rgb"];
-    const ordered_json& reflectance = info["reflectance_per_angle"][k]["rgb"];
-    char line[120];
-    std::snprintf(line, sizeof(line), "  %4.0f  %7.4f %7.4f %7.4f   %7.4f %7.4f %7.4f\n",
-      info["albedo"][k]["degrees"].get<double>(), albedo[0].get<double>(), albedo[1].get<double>(),
-      albedo[2].get<double>(), reflectance[0].get<double>(), reflectance[1].get<double>(),
-      reflectance[2].get<double>());
-    text += line;
-  }
-  if (info["gains_energy"])
-  {
-    text += "  (a reflectance above 1: this material gives back more light than it gets)\n";
-  }
-  if (info.contains("transmission"))
-  {
-    text += FormatTransmission(info["transmission"]);
-  }
-  const std::string notes = info["notes"];
-  return text + (notes.empty() ? "" : "\nnotes: " + notes + "\n");
-}
+std::string FormatInspection(const ordered_json& info) { return FormatObject(info, ""); }
 
 namespace
 {
@@ -325,58 +322,9 @@ ordered_json InspectTransmission(vtkBTDF* transmission, const ordered_json& info
   return result;
 }
 
-//------------------------------------------------------------------------------
-std::string FormatTransmission(const ordered_json& transmission)
-{
-  std::string text =
-    "\n        transmittance\n"
-    "        (view at that angle,       (light from that angle)    (light from that"
-    " angle,\n"
-    "        a white sky behind)                                    on the back)\n"
-    "  angle      R       G       B         R       G       B         R       G"
-    "       B\n";
-  for (const ordered_json& row : transmission["per_angle"])
-  {
-    char part[64];
-    std::snprintf(part, sizeof(part), "  %4.0f", row["degrees"].get<double>());
-    text += part;
-    for (const char* role : { "view", "light", "back_light" })
-    {
-      const ordered_json& rgb = row[role];
-      std::snprintf(part, sizeof(part), "%s%7.4f %7.4f %7.4f", role[0] == 'v' ? "  " : "   ",
-        rgb[0].get<double>(), rgb[1].get<double>(), rgb[2].get<double>());
-      text += part;
-    }
-    text += "\n";
-  }
-  char line[200];
-  std::snprintf(line, sizeof(line),
-    "  reflected and transmitted together: at most %.4f; light on the back: %.4f transmitted%s\n",
-    transmission["largest_reflectance_and_transmittance"].get<double>(),
-    transmission["largest_transmittance_of_back"].get<double>(),
-    transmission["gains_energy"] ? " (more light than it gets)" : "");
-  text += line;
-  if (!transmission["both_sides"])
-  {
-    return text + "  one side is measured; the other follows by reciprocity\n";
-  }
-  std::snprintf(line, sizeof(line),
-    "  both sides are measured; they differ from reciprocity by %.4g, relative\n",
-    transmission["reciprocity_error"].get<double>());
-  return text + line;
-}
-
 namespace
 {
 constexpr double GlossExponent = 50.0;
-
-//------------------------------------------------------------------------------
-std::string CountLine(const char* label, const ordered_json& count)
-{
-  char line[80];
-  std::snprintf(line, sizeof(line), "%-26s%lld\n", label, count.get<long long>());
-  return line;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -406,26 +354,5 @@ ordered_json InspectMesh(const std::string& file)
     }
   }
   return info;
-}
-
-//------------------------------------------------------------------------------
-std::string FormatMeshInspection(const ordered_json& info)
-{
-  char name[27];
-  std::snprintf(name, sizeof(name), "%-26s", "mesh");
-  std::string text = name + info["name"].get<std::string>() + "\n";
-  text += CountLine("points", info["points"]) + CountLine("triangles", info["triangles"]) +
-          CountLine("degenerate triangles", info["skipped_triangles"]);
-  text += "\nunoccluded light: error of leaving out what this mesh hides of the environment\n"
-          "  environment   material   relative L1\n";
-  for (const ordered_json& row : info["unoccluded"])
-  {
-    char line[160];
-    std::snprintf(line, sizeof(line), "  %-13s %-10s %5.1f %% +- %.1f %%\n",
-      row["environment"].get<std::string>().c_str(), row["material"].get<std::string>().c_str(),
-      100.0 * row["error"].get<double>(), 100.0 * row["uncertainty"].get<double>());
-    text += line;
-  }
-  return text + "\nAs seen from everywhere; gloss: a Blinn-Phong lobe of exponent 50.\n";
 }
 } // namespace tool

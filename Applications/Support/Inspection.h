@@ -23,7 +23,7 @@ namespace tool
 /// what `info --json` prints. Takes about a second, transmission a few more. Throws Error.
 nlohmann::ordered_json InspectMaterial(const Material& material);
 
-/// The same for people: what `info` prints.
+/// The same for people, as all that is inspected here: what `info` prints.
 std::string FormatInspection(const nlohmann::ordered_json& info);
 
 enum class TransmissionRole
@@ -43,15 +43,9 @@ std::array<double, 3> MeasureTransmittance(
 nlohmann::ordered_json InspectTransmission(
   vtkBTDF* transmission, const nlohmann::ordered_json& info);
 
-/// The same for people.
-std::string FormatTransmission(const nlohmann::ordered_json& transmission);
-
 /// Points, triangles, bounds, and the predicted error of leaving occlusion out, for a matte and a
 /// glossy material under each built-in map: what `info MESH --json` prints. Throws Error.
 nlohmann::ordered_json InspectMesh(const std::string& file);
-
-/// The same for people: what `info MESH` prints.
-std::string FormatMeshInspection(const nlohmann::ordered_json& info);
 } // namespace tool
 
 #endif

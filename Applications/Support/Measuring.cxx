@@ -66,8 +66,8 @@ const std::vector<Metric>& GetMetrics()
     { "flip", "FLIP", false, true, [](Metrics* m) { return m->GetFLIP(); } },
     { "hdr_flip", "HDR-FLIP", false, true, [](Metrics* m) { return m->GetHDRFLIP(); } },
     { "ssim", "SSIM", false, false, [](Metrics* m) { return m->GetSSIM(); } },
-    { "delta_e_2000", "Delta E 2000", false, true, [](Metrics* m) { return m->GetDeltaE2000(); } },
-    { "delta_e_itp", "Delta E ITP", false, true, [](Metrics* m) { return m->GetDeltaEITP(); } } };
+    { "delta_e_2000", "Delta E 2000", false, true,
+      [](Metrics* m) { return m->GetDeltaE2000(); } } };
   return metrics;
 }
 

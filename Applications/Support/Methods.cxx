@@ -16,9 +16,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <sstream>
 #include <utility>
 
 namespace tool
@@ -92,25 +92,6 @@ std::vector<vtkRadianceIntegrator::Size> GetSizes(const std::string& method)
 }
 
 //------------------------------------------------------------------------------
-std::string ListMethodsWithSizes()
-{
-  std::vector<std::string> names;
-  for (const auto& method : vtkRadianceMethods::GetMethods())
-  {
-    if (!GetSizes(method->GetMethodName()).empty())
-    {
-      names.push_back(method->GetMethodName());
-    }
-  }
-  std::string line;
-  for (std::size_t k = 0; k < names.size(); ++k)
-  {
-    line += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + names[k];
-  }
-  return line;
-}
-
-//------------------------------------------------------------------------------
 // "table (ROWS,VIEW_ANGLES,AZIMUTHS, default 65,16,16)" of each.
 std::string DescribeSizes()
 {
@@ -166,7 +147,7 @@ std::vector<int> ParseSizes(const std::string& method, const std::string& text)
   const std::vector<vtkRadianceIntegrator::Size> ranges = GetSizes(method);
   if (ranges.empty())
   {
-    throw tool::UsageError("--sizes: has no effect without --method " + ListMethodsWithSizes());
+    throw tool::UsageError("--sizes: has no effect with --method " + method);
   }
   std::string wanted;
   for (const vtkRadianceIntegrator::Size& size : ranges)
@@ -174,35 +155,28 @@ std::vector<int> ParseSizes(const std::string& method, const std::string& text)
     wanted += (wanted.empty() ? "" : ",") + size.Name + " in [" + std::to_string(size.Least) + "-" +
               std::to_string(size.Largest) + "]";
   }
-  const auto fail = [&]()
-  {
-    throw tool::UsageError(
-      "--sizes: '" + text + "' is not " + wanted + " (--method " + method + ")");
-  };
   std::vector<int> sizes;
-  const char* at = text.data();
-  const char* end = at + text.size();
+  std::istringstream stream(text);
+  stream >> std::noskipws;
   for (const vtkRadianceIntegrator::Size& range : ranges)
   {
     int value = 0;
-    const auto parsed = std::from_chars(at, end, value);
-    if (parsed.ec != std::errc() || value < range.Least || value > range.Largest)
+    if (!(stream >> value) || value < range.Least || value > range.Largest)
     {
-      fail();
+      break;
     }
     sizes.push_back(value);
-    at = parsed.ptr;
-    if (at == end)
+    const int next = stream.get();
+    if (next == std::istringstream::traits_type::eof())
     {
       return sizes;
     }
-    if (*at++ != ',')
+    if (next != ',')
     {
-      fail();
+      break;
     }
   }
-  fail();
-  return sizes;
+  throw tool::UsageError("--sizes: '" + text + "' is not " + wanted + " (--method " + method + ")");
 }
 
 //------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
 #include "vtkExactRadianceIntegrator.h"
 
 #include "LocalFrame.h"
-#include "TexelDirections.h"
+#include "TexelTree.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkObjectFactory.h"

@@ -9,7 +9,7 @@
 #include "ParallelFor.h"
 #include "ScopedErrorCapture.h"
 #include "Setters.h"
-#include "TexelDirections.h"
+#include "TexelTree.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkBRDF.h"
 #include "vtkCallbackCommand.h"

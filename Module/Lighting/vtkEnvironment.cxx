@@ -256,12 +256,6 @@ bool vtkEnvironment::SetImage(vtkImageData* image, bool sRGB)
     return false;
   }
 
-  vtkFloatArray* floats = vtkArrayDownCast<vtkFloatArray>(scalars);
-  if (floats && components == 3 && !sRGB)
-  {
-    const float* first = floats->GetPointer(0);
-    return this->SetPixels(size[0], size[1], std::vector<float>(first, first + 3 * count));
-  }
   std::vector<float> rgb;
   const measuredbrdf::BadValues bad = measuredbrdf::DecodeRadiance(scalars, count, sRGB, rgb);
   this->Adopt(size[0], size[1], std::move(rgb), bad.Negative, bad.NotFinite);
@@ -428,17 +422,14 @@ void vtkEnvironment::GetTotal(double rgb[3])
   const float* pixel = this->Pixels->data();
   for (int y = 0; y < this->Height; ++y)
   {
-    double row[3] = { 0.0, 0.0, 0.0 };
+    glm::dvec3 row(0.0);
     for (int x = 0; x < this->Width; ++x, pixel += 3)
     {
-      row[0] += pixel[0];
-      row[1] += pixel[1];
-      row[2] += pixel[2];
+      row += glm::dvec3(pixel[0], pixel[1], pixel[2]);
     }
-    const double solidAngle = this->GetTexelSolidAngle(y);
     for (int c = 0; c < 3; ++c)
     {
-      rgb[c] += row[c] * solidAngle;
+      rgb[c] += row[c] * this->GetTexelSolidAngle(y);
     }
   }
 }

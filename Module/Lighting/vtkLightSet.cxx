@@ -142,16 +142,19 @@ vtkPolyData* vtkLightSet::NewPolyData()
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(count);
-  vtkNew<vtkDoubleArray> irradiance;
-  irradiance->SetName("Irradiance");
-  irradiance->SetNumberOfComponents(3);
-  irradiance->SetNumberOfTuples(count);
-  vtkNew<vtkDoubleArray> solidAngle;
-  solidAngle->SetName("SolidAngle");
-  solidAngle->SetNumberOfTuples(count);
-  vtkNew<vtkDoubleArray> concentration;
-  concentration->SetName("Concentration");
-  concentration->SetNumberOfTuples(count);
+  vtkPolyData* lights = vtkPolyData::New();
+  const auto addArray = [lights, count](const char* name, int components)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(count);
+    lights->GetPointData()->AddArray(array);
+    return array.Get();
+  };
+  vtkDoubleArray* irradiance = addArray("Irradiance", 3);
+  vtkDoubleArray* solidAngle = addArray("SolidAngle", 1);
+  vtkDoubleArray* concentration = addArray("Concentration", 1);
   vtkNew<vtkCellArray> vertices;
   for (vtkIdType k = 0; k < count; ++k)
   {
@@ -162,13 +165,8 @@ vtkPolyData* vtkLightSet::NewPolyData()
     concentration->SetValue(k, light.Concentration);
     vertices->InsertNextCell(1, &k);
   }
-
-  vtkPolyData* lights = vtkPolyData::New();
   lights->SetPoints(points);
   lights->SetVerts(vertices);
-  lights->GetPointData()->AddArray(irradiance);
-  lights->GetPointData()->AddArray(solidAngle);
-  lights->GetPointData()->AddArray(concentration);
   return lights;
 }
 

@@ -5,7 +5,7 @@
 #include "HalfVector.h" // for Pi
 #include "LightTree.h"
 #include "ParallelFor.h"
-#include "TexelDirections.h"
+#include "TexelTree.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
 #include "vtkObjectFactory.h"

@@ -9,7 +9,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkTabulatedBRDF.h"
 
-#include <glm/gtc/type_ptr.hpp>
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -106,15 +106,12 @@ void vtkBRDFAnalysis::UpdateAlbedos()
     for (int k = 0; k < azimuths; ++k)
     {
       const double phi = 2.0 * Pi * k / azimuths;
-      const double d[3] = { std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
-        std::cos(theta) };
+      const glm::dvec3 d(
+        std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
       double albedo[3];
-      double reflectance[3];
-      this->BRDF->GetDirectionalAlbedo(d, albedo);
-      const glm::dvec3 sum =
-        IntegrateReflection(this->BRDF, glm::make_vec3(d), IntegralOver::Views);
-      std::copy_n(&sum.x, 3, reflectance);
-      for (std::size_t c = 0; c < 3; ++c)
+      this->BRDF->GetDirectionalAlbedo(&d.x, albedo);
+      const glm::dvec3 reflectance = IntegrateReflection(this->BRDF, d, IntegralOver::Views);
+      for (int c = 0; c < 3; ++c)
       {
         this->Albedos[j][c] += albedo[c] / azimuths;
         this->Reflectances[j][c] += reflectance[c] / azimuths;

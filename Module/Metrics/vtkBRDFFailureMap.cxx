@@ -13,6 +13,10 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 
+#define GLM_ENABLE_EXPERIMENTAL
+#include <glm/gtx/component_wise.hpp>
+#include <glm/gtx/rotate_vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -46,14 +50,6 @@ struct Cell
 };
 
 //------------------------------------------------------------------------------
-glm::dvec3 Turn(const glm::dvec3& v, double azimuth)
-{
-  const double c = std::cos(azimuth);
-  const double s = std::sin(azimuth);
-  return { c * v.x - s * v.y, s * v.x + c * v.y, v.z };
-}
-
-//------------------------------------------------------------------------------
 class Comparison
 {
 public:
@@ -61,7 +57,8 @@ public:
     : Cells(cells)
     , Azimuths(azimuths)
     , Isotropic(reference->IsIsotropic() && brdf->IsIsotropic())
-    , BRDFs{ reference, brdf }
+    , Reference(reference)
+    , BRDF(brdf)
   {
   }
 
@@ -110,20 +107,14 @@ private:
     if (!this->Isotropic)
     {
       const double turn = 2.0 * Pi * std::fmod(k * measuredbrdf::GoldenRatio, 1.0);
-      i = Turn(i, turn);
-      o = Turn(o, turn);
+      i = glm::rotateZ(i, turn);
+      o = glm::rotateZ(o, turn);
     }
-    double f[2][3];
-    for (int which = 0; which < 2; ++which)
-    {
-      this->BRDFs[which]->Evaluate(&i.x, &o.x, f[which]);
-    }
-    double difference = 0.0;
-    for (int c = 0; c < 3; ++c)
-    {
-      difference += std::abs(f[1][c] - f[0][c]);
-      cell.Reference += f[0][c];
-    }
+    glm::dvec3 r, f;
+    this->Reference->Evaluate(&i.x, &o.x, &r.x);
+    this->BRDF->Evaluate(&i.x, &o.x, &f.x);
+    const double difference = glm::compAdd(glm::abs(f - r));
+    cell.Reference += glm::compAdd(r);
     cell.Difference += difference;
     if (difference > cell.Largest)
     {
@@ -134,7 +125,8 @@ private:
 
   int Azimuths;
   bool Isotropic;
-  vtkBRDF* BRDFs[2];
+  vtkBRDF* Reference;
+  vtkBRDF* BRDF;
 };
 
 //------------------------------------------------------------------------------

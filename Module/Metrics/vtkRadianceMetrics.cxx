@@ -26,8 +26,7 @@ vtkStandardNewMacro(vtkRadianceMetrics);
 
 namespace
 {
-constexpr double ReferenceLuminance = 100.0; // cd/m2
-constexpr double RelMSEFloor = 0.01;         // of the squared mean
+constexpr double RelMSEFloor = 0.01; // of the squared mean
 
 //------------------------------------------------------------------------------
 // Sorts the values. share in [0,1]; linear between neighbors.
@@ -143,7 +142,6 @@ bool vtkRadianceMetrics::Compare(vtkDataArray* radiance, vtkDataArray* reference
   }
   const vtkIdType count = reference->GetNumberOfTuples();
   double total = 0.0;
-  double luminance = 0.0;
   double difference = 0.0;
   double squares = 0.0;
   double symmetric = 0.0;
@@ -167,7 +165,6 @@ bool vtkRadianceMetrics::Compare(vtkDataArray* radiance, vtkDataArray* reference
     total += sum;
     difference += pixel;
     differences.push_back(pixel);
-    luminance += vtkEnvironment::GetLuminance(r);
     if (sum > 0.0)
     {
       relative.push_back(pixel / sum);
@@ -179,16 +176,12 @@ bool vtkRadianceMetrics::Compare(vtkDataArray* radiance, vtkDataArray* reference
     return false;
   }
   const double values = 3.0 * static_cast<double>(count);
-  const double scale = ReferenceLuminance * static_cast<double>(count) / luminance;
   const double floor = RelMSEFloor * total * total / (values * values);
-  double deltaE = 0.0;
   double relativeSquares = 0.0;
   for (vtkIdType k = 0; k < count; ++k)
   {
     radiance->GetTuple(k, x);
     reference->GetTuple(k, r);
-    deltaE += measuredbrdf::GetDeltaEITP(
-      { scale * x[0], scale * x[1], scale * x[2] }, { scale * r[0], scale * r[1], scale * r[2] });
     for (int c = 0; c < 3; ++c)
     {
       const double d = x[c] - r[c];
@@ -204,7 +197,6 @@ bool vtkRadianceMetrics::Compare(vtkDataArray* radiance, vtkDataArray* reference
   this->Percentile95 = GetPercentile(differences, 0.95) / mean;
   this->Percentile99 = GetPercentile(differences, 0.99) / mean;
   this->SMAPE = symmetric / values;
-  this->DeltaEITP = deltaE / static_cast<double>(count);
   return true;
 }
 
@@ -280,17 +272,14 @@ double vtkRadianceMetrics::ComputeDeltaE2000(const double lab1[3], const double 
 void vtkRadianceMetrics::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "RelativeL1: " << this->RelativeL1 << "\n";
-  os << indent << "RelativeRMSE: " << this->RelativeRMSE << "\n";
-  os << indent << "RelMSE: " << this->RelMSE << "\n";
-  os << indent << "MedianRelative: " << this->MedianRelative << "\n";
-  os << indent << "P99Relative: " << this->P99Relative << "\n";
-  os << indent << "Percentile95: " << this->Percentile95 << "\n";
-  os << indent << "Percentile99: " << this->Percentile99 << "\n";
-  os << indent << "SMAPE: " << this->SMAPE << "\n";
-  os << indent << "DeltaEITP: " << this->DeltaEITP << "\n";
-  os << indent << "FLIP: " << this->FLIP << "\n";
-  os << indent << "HDRFLIP: " << this->HDRFLIP << "\n";
-  os << indent << "SSIM: " << this->SSIM << "\n";
-  os << indent << "DeltaE2000: " << this->DeltaE2000 << "\n";
+  const std::pair<const char*, double> figures[] = { { "RelativeL1", this->RelativeL1 },
+    { "RelativeRMSE", this->RelativeRMSE }, { "RelMSE", this->RelMSE },
+    { "MedianRelative", this->MedianRelative }, { "P99Relative", this->P99Relative },
+    { "Percentile95", this->Percentile95 }, { "Percentile99", this->Percentile99 },
+    { "SMAPE", this->SMAPE }, { "FLIP", this->FLIP }, { "HDRFLIP", this->HDRFLIP },
+    { "SSIM", this->SSIM }, { "DeltaE2000", this->DeltaE2000 } };
+  for (const auto& [name, value] : figures)
+  {
+    os << indent << name << ": " << value << "\n";
+  }
 }

@@ -88,12 +88,6 @@ public:
   vtkGetMacro(SMAPE, double);
 
   /**
-   * Mean of the pixels' color difference Delta E ITP (ITU-R BT.2124), with radiance scaled so that
-   * the reference's mean luminance is 100 cd/m2. A difference of 1 is just visible.
-   */
-  vtkGetMacro(DeltaEITP, double);
-
-  /**
    * Mean FLIP (Andersson et al. 2020) of the covered pixels, in [0,1], of the last ComparePictures:
    * 67 pixels per degree, tone mapped by x^(1/2.2) with the 99th percentile of the covered
    * reference's channels at 1.
@@ -138,7 +132,6 @@ protected:
   double Percentile95 = 0.0;
   double Percentile99 = 0.0;
   double SMAPE = 0.0;
-  double DeltaEITP = 0.0;
   double FLIP = 0.0;
   double HDRFLIP = 0.0;
   double SSIM = 0.0;

@@ -493,9 +493,9 @@ void ExplorerParts::transmissionIsFound()
     QCOMPARE(findings.back().IsGood, reflectance < 0.7);
     // Its luminance: 0.3 (0.2126 + 0.7152 / 2).
     QVERIFY2(findings.back().Text.find("Transmits 17.1 %") == 0, findings.back().Text.c_str());
-    const std::string text = tool::FormatTransmission(transmission);
+    const std::string text = tool::FormatInspection(transmission);
     QVERIFY2(
-      text.find("  60   0.2000  0.1000  0.0000    0.3000") != std::string::npos, text.c_str());
+      text.find("60    0.2000    0.1000    0.0000    0.3000") != std::string::npos, text.c_str());
   }
 }
 

@@ -216,7 +216,7 @@ class Materials(ToolTest):
         self.assertEqual(info["format"], "embedded")
 
     def test_info(self):
-        self.check(run("info", "gold-paint"), 0, "directional albedo", "reciprocity", "embedded")
+        self.check(run("info", "gold-paint"), 0, "albedo", "reciprocity", "embedded")
         info = json.loads(run("info", self.write_fits(), "--json").stdout)
         self.assertEqual(info["name"], "flat")
         self.assertEqual(info["negative_values"], 0)
@@ -271,7 +271,7 @@ class Materials(ToolTest):
         end = "</Layer></Optical></WindowElement>"
         reflection, front = block.format("Reflection Back", 0.1), block.format("Transmission Front", 0.05)
         sheet = self.write("sheet.xml", start + reflection + front + end)
-        self.check(run("info", sheet), 0, "transmittance", "0.1571", "at most 0.47", "follows by reciprocity",
+        self.check(run("info", sheet), 0, "0.1571", "transmittance 0.47",
                    "Pictures show reflection only")
         transmission = json.loads(run("info", sheet, "--json").stdout)["transmission"]
         self.assertEqual([row["degrees"] for row in transmission["per_angle"]], [*range(0, 81, 10), 85])
@@ -285,9 +285,10 @@ class Materials(ToolTest):
         self.check(converted, 0, "relative L2 error", ": 0\n")
         self.assertIn("sheet.xml: its transmission is left out", converted.stderr)
         bright = self.write("bright.xml", start + reflection + front + block.format("Transmission Back", 0.25) + end)
-        self.check(run("info", bright), 0, "differ from reciprocity by 4,")  # |0.05 - 0.25| / 0.05
+        self.assertRegex(run("info", bright).stdout, "  reciprocity error +4\n")  # |0.05 - 0.25| / 0.05
         gains = self.write("gains.xml", start + reflection + block.format("Transmission Front", 0.25) + end)
-        self.check(run("info", gains), 0, "at most 1.09", "more light than it gets")
+        self.check(run("info", gains), 0, "transmittance 1.1")
+        self.assertRegex(run("info", gains).stdout, "  gains energy +yes\n")
         only = self.write("only.xml", start + front + end)
         self.check(run("info", only), 1, "only.xml", "transmission only")
         self.assertNotIn("transmittance", run("info", "gold-paint").stdout)
@@ -746,7 +747,7 @@ class Thesis(ToolTest):
         self.assertEqual(advice["representation"], "fit")
         self.assertGreater(advice["in_zone_residual"], 0.5)
         self.assertGreater(advice["negative_mass"], 0.01)
-        self.assertIn("thesis mode", run("info", "pink-felt").stdout)
+        self.assertIn("recommendation", run("info", "pink-felt").stdout)
 
 
 class RenderTest(ToolTest):
@@ -950,7 +951,7 @@ class Compare(ToolTest):
         table = self.compare("--tolerance", "0.05")
         keys = (
             "method lights relative_l1 relative_rmse median_relative p99_relative percentile_95 rel_mse smape "
-            "flip hdr_flip ssim delta_e_2000 delta_e_itp frame_ms pbr_frame_ms pbr_relative_l1 "
+            "flip hdr_flip ssim delta_e_2000 frame_ms pbr_frame_ms pbr_relative_l1 "
             "setup_ms pbr_setup_ms texture_bytes predicted_error reference_pixels"
         ).split()
         self.assertLessEqual(set(keys), set(table))
@@ -964,7 +965,6 @@ class Compare(ToolTest):
         self.assertLess(table["relative_l1"], 0.3 * table["pbr_relative_l1"])
         self.assertLess(table["pbr_relative_l1"], 0.5)
         self.assertTrue(0 < table["flip"] < table["pbr_flip"] < 0.5)
-        self.assertTrue(0 < table["delta_e_itp"] < 2)
         self.assertTrue(30 <= table["reference_pixels"] <= 64 < table["covered_pixels"])
         for key in ("frame_ms", "pbr_frame_ms", "setup_ms", "setup_cpu_ms", "pbr_setup_cpu_ms", "texture_bytes"):
             self.assertGreater(table[key], 0)
@@ -1432,7 +1432,7 @@ class Occlusion(ToolTest):
             self.assertGreater(row["error"], 0.005)
             self.assertLess(row["error"], 0.5)
             self.assertLess(row["uncertainty"], 0.5 * row["error"] + 0.01)
-        self.check(run("info", "ball-on-foot"), 0, "unoccluded light", "sky", "diffuse", "gloss")
+        self.check(run("info", "ball-on-foot"), 0, "unoccluded", "sky", "diffuse", "gloss")
         self.check(run("info", self.path("none.ply")), 1, "none.ply")
 
     def test_plan(self):

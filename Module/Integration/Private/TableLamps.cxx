@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TableLamps.h"
 
+#include "EnvironmentPrecomputation.h"
 #include "LampBRDF.h"
-#include "LampSet.h"
 #include "LightTexture.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironmentLamps.h"

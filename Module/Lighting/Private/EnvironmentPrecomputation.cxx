@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EnvironmentPrecomputation.h"
 
-#include "LampSet.h"
 #include "LightTree.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetGenerator.h"
@@ -72,17 +71,10 @@ std::shared_ptr<const EnvironmentPrecomputation::Lamps> EnvironmentPrecomputatio
 
 std::shared_ptr<const EnvironmentPrecomputation::Lamps>
 EnvironmentPrecomputation::GetExtractedEmitters(
-  vtkEnvironment* environment, double share, int maximum, const GoOn& goOn)
+  vtkEnvironment* environment, double share, int maximum, const GoOn& goOn, double angle)
 {
-  return this->Bright.Get({ share, maximum }, goOn,
-    [&]() { return this->Keep(ExtractedEmitters(environment, share, maximum)); });
-}
-
-std::shared_ptr<const EnvironmentPrecomputation::Lamps> EnvironmentPrecomputation::GetLamps(
-  vtkEnvironment* environment, double angle, int maximum, const GoOn& goOn)
-{
-  return this->LampsOf.Get({ angle, maximum }, goOn,
-    [&]() { return this->Keep(ExtractedEmitters::FindLamps(environment, angle, maximum)); });
+  return this->Bright.Get({ share, maximum, angle }, goOn,
+    [&]() { return this->Keep(ExtractedEmitters(environment, share, maximum, angle)); });
 }
 
 std::shared_ptr<const EnvironmentHarmonics> EnvironmentPrecomputation::GetHarmonics(

@@ -9,16 +9,19 @@
 #ifndef EnvironmentPrecomputation_h
 #define EnvironmentPrecomputation_h
 
-#include "ConcurrentCache.h"
 #include "EnvironmentHarmonics.h"
 #include "EnvironmentPanels.h"
 #include "EnvironmentPyramid.h"
 #include "ExtractedEmitters.h"
+#include "RecentlyUsed.h"
 #include "SharedExponent.h"
 #include "TexelChanges.h"
 #include "vtkEnvironment.h"
+#include "vtkLightSet.h"
 #include "vtkSmartPointer.h"
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -27,11 +30,84 @@
 #include <utility>
 #include <vector>
 
-class vtkLightSet;
 class vtkLightSetGenerator;
 
 namespace measuredbrdf
 {
+/// Values that threads share, those asked for last. The first thread that asks for a value makes
+/// it. Do not use this inside a parallel loop (vtkSMPTools): a thread that makes a value may
+/// execute another part of that loop while it waits for its own parallel loop.
+template <typename Key, typename Value>
+class ConcurrentCache
+{
+public:
+  using Pointer = std::shared_ptr<const Value>;
+
+  /// More values are not kept; whoever has one keeps it.
+  static constexpr std::size_t Most = 32;
+
+  /// The value, made by make() if there is none. Other threads that ask for the same value wait.
+  /// They call goOn() regularly and get null once it returns false. If make returns null or throws,
+  /// the next thread makes the value.
+  template <typename GoOn, typename Make>
+  Pointer Get(const Key& key, const GoOn& goOn, const Make& make)
+  {
+    const std::shared_ptr<Entry> entry = this->Find(key);
+    std::unique_lock<std::timed_mutex> lock(entry->Making, std::defer_lock);
+    while (!lock.try_lock_for(std::chrono::milliseconds(10)))
+    {
+      if (!goOn())
+      {
+        return nullptr;
+      }
+    }
+    if (!entry->Made)
+    {
+      entry->Made = make();
+    }
+    return entry->Made;
+  }
+
+private:
+  struct Entry
+  {
+    std::timed_mutex Making;
+    Pointer Made;
+  };
+
+  std::shared_ptr<Entry> Find(const Key& key)
+  {
+    const std::lock_guard<std::mutex> lock(this->Access);
+    std::shared_ptr<Entry>& entry = this->Entries[key];
+    if (!entry)
+    {
+      entry = std::make_shared<Entry>();
+    }
+    return entry;
+  }
+
+  std::mutex Access;
+  RecentlyUsed<Key, std::shared_ptr<Entry>> Entries{ Most };
+};
+
+/// A light for each lamp. Its parts are a few smaller lights that add up to it.
+class LampSet : public vtkLightSet
+{
+public:
+  static LampSet* New();
+  vtkTypeMacro(LampSet, vtkLightSet);
+
+  std::vector<std::vector<ExtractedEmitters::Part>> Parts; // by lamp
+
+protected:
+  LampSet() = default;
+  ~LampSet() override = default;
+
+private:
+  LampSet(const LampSet&) = delete;
+  void operator=(const LampSet&) = delete;
+};
+
 /**
  * The environment that is given must be the parts' own or a snapshot of it. goOn is called now and
  * then while it takes long, by the calling thread; where it says false the result is null. What
@@ -61,9 +137,13 @@ public:
   ///@{
   /// ExtractedEmitters, and its FindLamps.
   std::shared_ptr<const Lamps> GetExtractedEmitters(
-    vtkEnvironment* environment, double share, int maximum, const GoOn& goOn);
+    vtkEnvironment* environment, double share, int maximum, const GoOn& goOn, double angle = 0.0);
   std::shared_ptr<const Lamps> GetLamps(
-    vtkEnvironment* environment, double angle, int maximum, const GoOn& goOn);
+    vtkEnvironment* environment, double angle, int maximum, const GoOn& goOn)
+  {
+    return this->GetExtractedEmitters(
+      environment, ExtractedEmitters::LampShare, maximum, goOn, angle);
+  }
   ///@}
 
   /// Up to the given degree at least.
@@ -99,8 +179,7 @@ private:
   using LightSet = vtkSmartPointer<vtkLightSet>;
   std::mutex Access;
   std::vector<std::weak_ptr<const TexelChanges>> Rests;
-  ConcurrentCache<std::pair<double, int>, Lamps> Bright;
-  ConcurrentCache<std::pair<double, int>, Lamps> LampsOf;
+  ConcurrentCache<std::tuple<double, int, double>, Lamps> Bright; // share, maximum, angle
   // Keys hold the rest: its address is not used again while something is known of it.
   ConcurrentCache<std::pair<Rest, int>, EnvironmentHarmonics> Harmonics; // rest, degree
   ConcurrentCache<Rest, EnvironmentPanels> Panels;

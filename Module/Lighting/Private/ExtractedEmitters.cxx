@@ -216,59 +216,40 @@ std::vector<ExtractedEmitters::Part> Group(const std::vector<ExtractedEmitters::
 ExtractedEmitters::Ranking::Ranking(vtkEnvironment* environment, double share)
 {
   const std::vector<float>& pixels = environment->GetPixels();
-  const int width = environment->GetWidth();
-  // Twice over the pixels is cheaper than to keep their luminances.
-  const auto visit = [&](const auto& take)
+  std::vector<double> luminances;
+  for (std::size_t k = 0; k < pixels.size() / 3; ++k)
   {
-    std::size_t k = 0;
-    for (int y = 0; y < environment->GetHeight(); ++y)
-    {
-      const double solidAngle = environment->GetTexelSolidAngle(y);
-      for (int x = 0; x < width; ++x, ++k)
-      {
-        const double rgb[3] = { pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2] };
-        take(vtkEnvironment::GetLuminance(rgb) * solidAngle, static_cast<int>(k));
-      }
-    }
-  };
-  visit([this](double luminance, int) { this->Total += luminance; });
+    const double rgb[3] = { pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2] };
+    luminances.push_back(
+      vtkEnvironment::GetLuminance(rgb) *
+      environment->GetTexelSolidAngle(static_cast<int>(k) / environment->GetWidth()));
+    this->Total += luminances.back();
+  }
   const double least = GetLeast(this->Total, share, environment);
-  visit(
-    [this, least](double luminance, int texel)
+  for (std::size_t k = 0; k < luminances.size(); ++k)
+  {
+    if (luminances[k] > least)
     {
-      if (luminance > least)
-      {
-        this->Texels.emplace_back(luminance, texel);
-      }
-    });
+      this->Texels.emplace_back(luminances[k], static_cast<int>(k));
+    }
+  }
   std::sort(this->Texels.begin(), this->Texels.end(), std::greater<std::pair<double, int>>());
 }
 
-ExtractedEmitters::ExtractedEmitters(vtkEnvironment* environment, double share, int maximum)
+ExtractedEmitters::ExtractedEmitters(
+  vtkEnvironment* environment, double share, int maximum, double angle)
 {
   environment = environment->GetSubdivided();
-  if (share < 1.0 && maximum > 0)
+  if (share >= 1.0 || maximum <= 0)
   {
-    this->Extract(environment, Ranking(environment, share), share, maximum, 0.0);
+    return;
   }
-}
-
-ExtractedEmitters ExtractedEmitters::FindLamps(
-  vtkEnvironment* environment, double angle, int maximum)
-{
-  environment = environment->GetSubdivided();
-  ExtractedEmitters found;
-  if (maximum <= 0)
-  {
-    return found;
-  }
-  double share = LampShare;
   const Ranking ranking(environment, share);
-  while (!found.Extract(environment, ranking, share, maximum, angle) && share < DefaultShare)
+  while (!this->Extract(environment, ranking, share, maximum, angle) && angle > 0.0 &&
+         share < DefaultShare)
   {
     share *= 2.0;
   }
-  return found;
 }
 
 bool ExtractedEmitters::Extract(

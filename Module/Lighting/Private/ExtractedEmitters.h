@@ -42,29 +42,28 @@ struct ExtractedEmitters
   static constexpr double LampShare = 1e-3; // least share, if many texels make few lights
 
   /**
-   * Extract each texel that holds more than share of all luminance and more than 32 times the mean
-   * (at most the brightest maximum texels); share >= 1: none. The environment must not be empty.
+   * Extract the texels that hold more than share of all luminance and more than 32 times the mean
+   * (at most the brightest maximum ones) from an environment that is not empty; share >= 1: none.
+   *
+   * With an angle (radians), lights consist of the texels within it of the light's brightest one.
+   * Two lights are merged if all their texels lie within the angle of the common mean, or within
+   * twice the angle if one holds less than 1 % of the other. A light has the sum of its texels,
+   * their mean direction, and the variance of what is between their neighbors' centers. The share
+   * is then the least one, up to DefaultShare by factors of two, for which maximum lights hold all
+   * texels. A panel that needs more is not a lamp.
    */
-  ExtractedEmitters(vtkEnvironment* environment, double share, int maximum);
+  ExtractedEmitters(vtkEnvironment* environment, double share, int maximum, double angle = 0.0);
 
-  /**
-   * Extract lights of several texels each: the texels within angle (radians) of the light's
-   * brightest one. Two lights are merged if all their texels lie within the angle of the common
-   * mean, or within twice the angle if one holds less than 1 % of the other. A light has the sum of
-   * its texels, their mean direction, and the variance of what is between their neighbors'
-   * centers. The share is the least one, from LampShare to DefaultShare
-   * by factors of two, for which maximum lights hold all texels. A panel that needs more is not a
-   * lamp.
-   */
-  static ExtractedEmitters FindLamps(vtkEnvironment* environment, double angle, int maximum);
+  static ExtractedEmitters FindLamps(vtkEnvironment* environment, double angle, int maximum)
+  {
+    return { environment, LampShare, maximum, angle };
+  }
 
   std::vector<Light> Lights;
   /// Changes of GetSubdivided(): the mean of their neighbors in place of the lights' texels.
   TexelChanges Rest;
 
 private:
-  ExtractedEmitters() = default;
-
   /// The texels that hold more than a share of all luminance, the brightest first.
   struct Ranking
   {

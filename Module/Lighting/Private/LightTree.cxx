@@ -5,7 +5,7 @@
 #include "HalfVector.h" // for Pi
 #include "ParallelFor.h"
 #include "SRGB.h"
-#include "TexelDirections.h"
+#include "TexelTree.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
 

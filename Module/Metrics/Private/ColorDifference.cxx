@@ -4,6 +4,8 @@
 
 #include "XYZColor.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,20 +18,10 @@ constexpr double Degree = 3.14159265358979323846 / 180.0;
 //------------------------------------------------------------------------------
 Color Multiply(const double matrix[3][3], const Color& v)
 {
-  Color result;
-  for (int r = 0; r < 3; ++r)
-  {
-    result[r] = matrix[r][0] * v[0] + matrix[r][1] * v[1] + matrix[r][2] * v[2];
-  }
-  return result;
+  return v * glm::make_mat3(&matrix[0][0]); // by rows
 }
 
-//------------------------------------------------------------------------------
-const Color& GetWhite()
-{
-  static const Color white = Multiply(RGBToXYZ, { 1.0, 1.0, 1.0 });
-  return white;
-}
+const Color White = Multiply(RGBToXYZ, Color(1.0));
 
 //------------------------------------------------------------------------------
 // Hue in [0,360), 0 of grays.
@@ -46,59 +38,23 @@ double GetChromaShare(double c)
   const double c7 = std::pow(c, 7.0);
   return c7 / (c7 + std::pow(25.0, 7.0));
 }
-
-//------------------------------------------------------------------------------
-// Perceptual quantizer of ITU-R BT.2100: cd/m2 -> [0,1].
-double EncodePQ(double luminance)
-{
-  constexpr double m1 = 2610.0 / 16384.0;
-  constexpr double m2 = 2523.0 / 4096.0 * 128.0;
-  constexpr double c1 = 3424.0 / 4096.0;
-  constexpr double c2 = 2413.0 / 4096.0 * 32.0;
-  constexpr double c3 = 2392.0 / 4096.0 * 32.0;
-  const double y = std::pow(std::clamp(luminance / 10000.0, 0.0, 1.0), m1);
-  return std::pow((c1 + c2 * y) / (1.0 + c3 * y), m2);
 }
 
 //------------------------------------------------------------------------------
-// Linear Rec. 709 in cd/m2 -> ITP of BT.2124: ICtCp of BT.2100 with Ct halved.
-Color ToITP(const Color& rgb)
-{
-  // Rec. 2020 (ITU-R BT.2087).
-  const double r = 0.6274 * rgb[0] + 0.3293 * rgb[1] + 0.0433 * rgb[2];
-  const double g = 0.0691 * rgb[0] + 0.9195 * rgb[1] + 0.0114 * rgb[2];
-  const double b = 0.0164 * rgb[0] + 0.0880 * rgb[1] + 0.8956 * rgb[2];
-  const double l = EncodePQ((1688.0 * r + 2146.0 * g + 262.0 * b) / 4096.0);
-  const double m = EncodePQ((683.0 * r + 2951.0 * g + 462.0 * b) / 4096.0);
-  const double s = EncodePQ((99.0 * r + 309.0 * g + 3688.0 * b) / 4096.0);
-  return { 0.5 * (l + m), 0.5 * (6610.0 * l - 13613.0 * m + 7003.0 * s) / 4096.0,
-    (17933.0 * l - 17390.0 * m - 543.0 * s) / 4096.0 };
-}
-}
+Color ToRelativeXYZ(const Color& linear) { return Multiply(RGBToXYZ, linear) / White; }
 
 //------------------------------------------------------------------------------
-Color ToRelativeXYZ(const Color& linear)
-{
-  const Color& white = GetWhite();
-  const Color xyz = Multiply(RGBToXYZ, linear);
-  return { xyz[0] / white[0], xyz[1] / white[1], xyz[2] / white[2] };
-}
-
-//------------------------------------------------------------------------------
-Color FromRelativeXYZ(const Color& xyz)
-{
-  const Color& white = GetWhite();
-  return Multiply(XYZToRGB, { white[0] * xyz[0], white[1] * xyz[1], white[2] * xyz[2] });
-}
+Color FromRelativeXYZ(const Color& xyz) { return Multiply(XYZToRGB, White * xyz); }
 
 //------------------------------------------------------------------------------
 Color ToLab(const Color& relativeXYZ)
 {
-  Color t = relativeXYZ;
-  for (double& value : t)
+  constexpr double delta = 6.0 / 29.0;
+  Color t;
+  for (int c = 0; c < 3; ++c)
   {
-    constexpr double delta = 6.0 / 29.0;
-    value =
+    const double value = relativeXYZ[c];
+    t[c] =
       value > delta * delta * delta ? std::cbrt(value) : value / (3.0 * delta * delta) + 4.0 / 29.0;
   }
   return { 116.0 * t[1] - 16.0, 500.0 * (t[0] - t[1]), 200.0 * (t[1] - t[2]) };
@@ -146,13 +102,5 @@ double GetDeltaE2000(const Color& lab1, const Color& lab2)
   const double c = dC / sC;
   const double h = dH / sH;
   return std::sqrt(std::max(l * l + c * c + h * h + rotation * c * h, 0.0));
-}
-
-//------------------------------------------------------------------------------
-double GetDeltaEITP(const Color& linear1, const Color& linear2)
-{
-  const Color a = ToITP(linear1);
-  const Color b = ToITP(linear2);
-  return 720.0 * std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 } // namespace measuredbrdf

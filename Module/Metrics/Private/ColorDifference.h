@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Visible differences between two colors: CIELAB's Delta E 2000 and BT.2124's Delta E ITP.
+ * The visible difference between two colors: CIELAB's Delta E 2000.
  */
 
 #ifndef ColorDifference_h
 #define ColorDifference_h
 
-#include <array>
+#include <glm/glm.hpp>
 
 namespace measuredbrdf
 {
-using Color = std::array<double, 3>;
+using Color = glm::dvec3;
 
 /// Linear Rec. 709 to XYZ, divided by the XYZ of white (1,1,1), D65; and back.
 Color ToRelativeXYZ(const Color& linear);
@@ -26,9 +26,6 @@ Color ToLab(const Color& relativeXYZ);
  * 142:2001; branches of the hue as in Sharma, Wu, Dalal 2005).
  */
 double GetDeltaE2000(const Color& lab1, const Color& lab2);
-
-/// Delta E ITP (ITU-R BT.2124) of linear Rec. 709 in cd/m2; a difference of 1 is just visible.
-double GetDeltaEITP(const Color& linear1, const Color& linear2);
 } // namespace measuredbrdf
 
 #endif

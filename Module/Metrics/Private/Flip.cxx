@@ -4,7 +4,9 @@
 
 #include "ColorDifference.h"
 #include "HalfVector.h" // for Pi
-#include "SeparableFilter.h"
+#include "ParallelFor.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <array>
@@ -33,6 +35,57 @@ constexpr double ExposureTarget = 0.85;
 constexpr double DarkestMedian = 0x1p-23;
 
 using Opponent = std::array<Plane, 3>;
+
+/// Weights at -radius ... radius of a pixel.
+using Kernel = Eigen::ArrayXd;
+
+//------------------------------------------------------------------------------
+Kernel MakeGaussian(double sigma, int radius)
+{
+  const Kernel x = Kernel::LinSpaced(2 * radius + 1, -radius, radius);
+  const Kernel weights = (-x * x / (2.0 * sigma * sigma)).exp();
+  return weights / weights.sum();
+}
+
+//------------------------------------------------------------------------------
+// First or second derivative of a Gaussian; the positive weights' sum is 1, the negative ones' -1.
+Kernel MakeDerivative(int order, double sigma, int radius)
+{
+  const Kernel x = Kernel::LinSpaced(2 * radius + 1, -radius, radius);
+  Kernel weights = (-x * x / (2.0 * sigma * sigma)).exp();
+  weights *= order == 1 ? Kernel(-x) : Kernel(x * x / (sigma * sigma) - 1.0);
+  const Kernel positive = weights.max(0.0);
+  const Kernel negative = weights.min(0.0);
+  return positive / positive.sum() - negative / negative.sum();
+}
+
+//------------------------------------------------------------------------------
+// Beyond the border, the border's pixels are repeated.
+Plane FilterColumns(const Plane& plane, const Kernel& kernel)
+{
+  Plane result = Plane::Zero(plane.rows(), plane.cols());
+  ParallelFor(0, static_cast<vtkIdType>(plane.cols()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (Eigen::Index y = begin; y < end; ++y)
+      {
+        for (Eigen::Index k = 0; k < kernel.size(); ++k)
+        {
+          const Eigen::Index from =
+            std::clamp<Eigen::Index>(y + k - kernel.size() / 2, 0, plane.cols() - 1);
+          result.col(y) += kernel[k] * plane.col(from);
+        }
+      }
+    });
+  return result;
+}
+
+//------------------------------------------------------------------------------
+// The sum under a kernel that is the product of both.
+Plane Filter(const Plane& plane, const Kernel& alongX, const Kernel& alongY)
+{
+  return FilterColumns(FilterColumns(plane.transpose(), alongX).transpose(), alongY);
+}
 
 //------------------------------------------------------------------------------
 // CIELAB with Hunt's adjustment: color counts for less where it is dark.
@@ -64,14 +117,14 @@ double Redistribute(double hyab)
 // YCxCz: CIELAB without its cube roots.
 Opponent MakeOpponent(int width, int height, const std::vector<double>& linear)
 {
-  const Plane empty{ width, height, {} };
-  Opponent planes{ empty, empty, empty };
-  for (std::size_t k = 0; k < linear.size(); k += 3)
+  Opponent planes;
+  planes.fill(Plane(width, height));
+  for (std::size_t k = 0; k < linear.size() / 3; ++k)
   {
-    const Color t = ToRelativeXYZ({ linear[k], linear[k + 1], linear[k + 2] });
-    planes[0].Values.push_back(116.0 * t[1] - 16.0);
-    planes[1].Values.push_back(500.0 * (t[0] - t[1]));
-    planes[2].Values.push_back(200.0 * (t[1] - t[2]));
+    const Color t = ToRelativeXYZ(glm::make_vec3(&linear[3 * k]));
+    planes[0].data()[k] = 116.0 * t[1] - 16.0;
+    planes[1].data()[k] = 500.0 * (t[0] - t[1]);
+    planes[2].data()[k] = 200.0 * (t[1] - t[2]);
   }
   return planes;
 }
@@ -88,7 +141,7 @@ struct Sensitivity
       static_cast<int>(std::ceil(3.0 * std::sqrt(widest) * degree * PixelsPerDegree));
     const double sigma = std::sqrt(b) * degree * PixelsPerDegree;
     this->Weights = MakeGaussian(sigma, radius);
-    const double share = this->Weights[static_cast<std::size_t>(radius)];
+    const double share = this->Weights[radius];
     this->Sum = std::sqrt(Pi / b) / (share * share);
   }
 
@@ -104,49 +157,25 @@ std::vector<Color> SeeColors(const Opponent& planes)
   constexpr double amplitudes[2] = { 34.1, 13.5 }; // of blue-yellow
   const Plane y = Filter(planes[0], light.Weights, light.Weights);
   const Plane cx = Filter(planes[1], redGreen.Weights, redGreen.Weights);
-  const Plane cz1 = Filter(planes[2], wide.Weights, wide.Weights);
-  const Plane cz2 = Filter(planes[2], narrow.Weights, narrow.Weights);
   const double sum1 = amplitudes[0] * wide.Sum;
   const double sum2 = amplitudes[1] * narrow.Sum;
+  const Plane cz = (sum1 * Filter(planes[2], wide.Weights, wide.Weights) +
+                     sum2 * Filter(planes[2], narrow.Weights, narrow.Weights)) /
+                   (sum1 + sum2);
   std::vector<Color> seen;
-  for (std::size_t k = 0; k < y.Values.size(); ++k)
+  for (Eigen::Index k = 0; k < y.size(); ++k)
   {
-    const double cz = (sum1 * cz1.Values[k] + sum2 * cz2.Values[k]) / (sum1 + sum2);
-    const double luminance = (y.Values[k] + 16.0) / 116.0;
-    Color linear =
-      FromRelativeXYZ({ luminance + cx.Values[k] / 500.0, luminance, luminance - cz / 200.0 });
-    for (double& value : linear)
-    {
-      value = std::clamp(value, 0.0, 1.0);
-    }
-    seen.push_back(ToHuntLab(linear));
+    const double luminance = (y.data()[k] + 16.0) / 116.0;
+    const Color linear = FromRelativeXYZ(
+      { luminance + cx.data()[k] / 500.0, luminance, luminance - cz.data()[k] / 200.0 });
+    seen.push_back(ToHuntLab(glm::clamp(linear, 0.0, 1.0)));
   }
   return seen;
 }
 
 //------------------------------------------------------------------------------
-// First or second derivative of a Gaussian; the positive weights' sum is 1, the negative ones' -1.
-Kernel MakeDerivative(int order, double sigma, int radius)
-{
-  Kernel kernel;
-  double positive = 0.0;
-  double negative = 0.0;
-  for (int x = -radius; x <= radius; ++x)
-  {
-    const double g = std::exp(-x * x / (2.0 * sigma * sigma));
-    kernel.push_back(order == 1 ? -x * g : (x * x / (sigma * sigma) - 1.0) * g);
-    (kernel.back() > 0.0 ? positive : negative) += std::abs(kernel.back());
-  }
-  for (double& weight : kernel)
-  {
-    weight /= weight > 0.0 ? positive : negative;
-  }
-  return kernel;
-}
-
-//------------------------------------------------------------------------------
 // Strength of the edge (order 1) or of the point (2) at each pixel, of luminance in [0,1].
-std::vector<double> FindFeatures(const Plane& luminance, int order)
+Plane FindFeatures(const Plane& luminance, int order)
 {
   constexpr double sigma = 0.5 * FeatureWidth * PixelsPerDegree;
   const int radius = static_cast<int>(std::ceil(3.0 * sigma));
@@ -154,13 +183,7 @@ std::vector<double> FindFeatures(const Plane& luminance, int order)
   const Kernel derivative = MakeDerivative(order, sigma, radius);
   const Plane alongX = Filter(luminance, derivative, smooth);
   const Plane alongY = Filter(luminance, smooth, derivative);
-  std::vector<double> strength;
-  for (std::size_t k = 0; k < alongX.Values.size(); ++k)
-  {
-    // The offset of Y falls out.
-    strength.push_back(std::hypot(alongX.Values[k], alongY.Values[k]) / 116.0);
-  }
-  return strength;
+  return (alongX.square() + alongY.square()).sqrt() / 116.0; // the offset of Y falls out
 }
 }
 
@@ -172,20 +195,13 @@ std::vector<double> ComputeFlip(
   const Opponent b = MakeOpponent(width, height, reference);
   const std::vector<Color> seenA = SeeColors(a);
   const std::vector<Color> seenB = SeeColors(b);
-  std::vector<double> features(seenA.size(), 0.0);
-  for (const int order : { 1, 2 })
-  {
-    const std::vector<double> f = FindFeatures(a[0], order);
-    const std::vector<double> g = FindFeatures(b[0], order);
-    for (std::size_t k = 0; k < features.size(); ++k)
-    {
-      features[k] = std::max(features[k], std::abs(f[k] - g[k]));
-    }
-  }
+  const Plane features = (FindFeatures(a[0], 1) - FindFeatures(b[0], 1))
+                           .abs()
+                           .max((FindFeatures(a[0], 2) - FindFeatures(b[0], 2)).abs());
   std::vector<double> flip;
-  for (std::size_t k = 0; k < features.size(); ++k)
+  for (std::size_t k = 0; k < seenA.size(); ++k)
   {
-    const double feature = std::pow(features[k] / std::sqrt(2.0), FeatureExponent);
+    const double feature = std::pow(features.data()[k] / std::sqrt(2.0), FeatureExponent);
     flip.push_back(std::pow(Redistribute(HyAB(seenA[k], seenB[k])), 1.0 - feature));
   }
   return flip;
@@ -249,5 +265,21 @@ std::vector<double> ComputeHDRFlip(int width, int height, const std::vector<doub
     }
   }
   return largest;
+}
+
+//------------------------------------------------------------------------------
+Plane ComputeSimilarity(const Plane& picture, const Plane& reference)
+{
+  constexpr double c1 = 0.01 * 0.01;
+  constexpr double c2 = 0.03 * 0.03;
+  const Kernel window = MakeGaussian(1.5, SimilarityRadius);
+  const auto getMean = [&window](const Plane& plane) { return Filter(plane, window, window); };
+  const Plane x = getMean(picture);
+  const Plane r = getMean(reference);
+  const Plane variances =
+    getMean(picture.square()) - x.square() + getMean(reference.square()) - r.square();
+  const Plane covariance = getMean(picture * reference) - x * r;
+  return (2.0 * x * r + c1) * (2.0 * covariance + c2) /
+         ((x.square() + r.square() + c1) * (variances + c2));
 }
 } // namespace measuredbrdf

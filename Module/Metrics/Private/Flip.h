@@ -11,16 +11,35 @@
  * pixels per degree, then CIELAB with Hunt's adjustment and the HyAB distance. Features: edges and
  * points of the luminance by derivatives of a Gaussian; where they differ, the color difference
  * has a larger weight.
+ *
+ * And SSIM, which is computed by the same filters.
  */
 
 #ifndef Flip_h
 #define Flip_h
+
+#include <Eigen/Core>
 
 #include <functional>
 #include <vector>
 
 namespace measuredbrdf
 {
+/// A picture of one value a pixel, (x, y).
+using Plane = Eigen::ArrayXXd;
+
+/// Pixels on each side of the one that a window of SSIM belongs to.
+constexpr int SimilarityRadius = 5;
+
+/**
+ * SSIM, the structural similarity index (Wang, Bovik, Sheikh, Simoncelli, "Image Quality
+ * Assessment: From Error Visibility to Structural Similarity", 2004), written from the paper, about
+ * each pixel, in [-1,1]; 1 means equal. It uses a Gaussian window of 11 x 11 pixels, sigma 1.5;
+ * values in [0,1], C1 = 0.01^2, C2 = 0.03^2. Within SimilarityRadius of the border the window is
+ * not whole: the paper leaves these pixels out.
+ */
+Plane ComputeSimilarity(const Plane& picture, const Plane& reference);
+
 /// FLIP of each pixel, in [0,1]: pictures of width x height linear Rec. 709 triples in [0,1].
 /// Beyond the border, the border's pixels are repeated.
 std::vector<double> ComputeFlip(

@@ -6,11 +6,12 @@
 #include "Flip.h"
 #include "NumberText.h"
 #include "SRGB.h"
-#include "SeparableFilter.h"
 #include "vtkDataArray.h"
 #include "vtkEnvironment.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -157,50 +158,40 @@ std::vector<std::size_t> FindCompared(const int* size, const PictureArea& area)
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> PictureValues::Lay(double background) const
+std::vector<double> PictureValues::Show(double background, double (*convert)(double, bool)) const
 {
-  std::vector<double> laid = this->Color;
-  if (this->HasTransparency)
+  std::vector<double> values = this->Color;
+  for (std::size_t k = 0; k < values.size(); ++k)
   {
-    for (std::size_t k = 0; k < laid.size(); ++k)
+    if (this->HasTransparency)
     {
       const double alpha = this->Alpha[k / 3];
-      laid[k] = (this->IsEncoded ? alpha * laid[k] : laid[k]) + (1.0 - alpha) * background;
+      values[k] = (this->IsEncoded ? alpha * values[k] : values[k]) + (1.0 - alpha) * background;
     }
+    values[k] = convert(values[k], this->IsEncoded);
   }
-  return laid;
+  return values;
 }
 
 //------------------------------------------------------------------------------
 std::vector<double> PictureValues::GetLinear(double background) const
 {
-  std::vector<double> values = this->Lay(background);
-  if (this->IsEncoded)
-  {
-    std::transform(values.begin(), values.end(), values.begin(), DecodeSRGB);
-  }
-  return values;
+  return this->Show(
+    background, [](double value, bool isEncoded) { return isEncoded ? DecodeSRGB(value) : value; });
 }
 
 //------------------------------------------------------------------------------
 std::vector<double> PictureValues::GetDisplayed(double background) const
 {
-  std::vector<double> values = this->Lay(background);
-  if (!this->IsEncoded)
-  {
-    std::transform(values.begin(), values.end(), values.begin(),
-      [](double value) { return EncodeSRGB(std::min(value, 1.0)); });
-  }
-  return values;
+  return this->Show(background, [](double value, bool isEncoded)
+    { return isEncoded ? value : EncodeSRGB(std::min(value, 1.0)); });
 }
 
 //------------------------------------------------------------------------------
 std::vector<double> PictureValues::GetDisplayedLight(double background) const
 {
-  std::vector<double> values = this->GetLinear(background);
-  std::transform(values.begin(), values.end(), values.begin(),
-    [](double value) { return std::min(value, 1.0); });
-  return values;
+  return this->Show(background, [](double value, bool isEncoded)
+    { return std::min(isEncoded ? DecodeSRGB(value) : value, 1.0); });
 }
 
 //------------------------------------------------------------------------------
@@ -305,10 +296,10 @@ PictureError ComputeRadianceFlip(const PicturePair& pair, double background)
 //------------------------------------------------------------------------------
 Plane GetLuma(const PicturePair& pair, const std::vector<double>& displayed)
 {
-  Plane plane{ pair.Width, pair.Height, {} };
-  for (std::size_t k = 0; k < displayed.size(); k += 3)
+  Plane plane(pair.Width, pair.Height);
+  for (std::size_t k = 0; k < displayed.size() / 3; ++k)
   {
-    plane.Values.push_back(vtkEnvironment::GetLuminance(&displayed[k]));
+    plane.data()[k] = vtkEnvironment::GetLuminance(&displayed[3 * k]);
   }
   return plane;
 }
@@ -319,7 +310,7 @@ PictureError ComputeStructuralSimilarity(const PicturePair& pair, double backgro
   const Plane similarity = ComputeSimilarity(GetLuma(pair, pair.Picture.GetDisplayed(background)),
     GetLuma(pair, pair.Reference.GetDisplayed(background)));
   PictureError error;
-  error.Map.assign(similarity.Values.size(), 0.0);
+  error.Map.assign(static_cast<std::size_t>(similarity.size()), 0.0);
   const auto isInside = [](int at, int size)
   { return at >= SimilarityRadius && at < size - SimilarityRadius; };
   double sum = 0.0;
@@ -330,9 +321,9 @@ PictureError ComputeStructuralSimilarity(const PicturePair& pair, double backgro
     if (isInside(static_cast<int>(k % width), pair.Width) &&
         isInside(static_cast<int>(k / width), pair.Height))
     {
-      sum += similarity.Values[k];
+      sum += similarity.data()[k];
       ++count;
-      error.Map[k] = 1.0 - similarity.Values[k];
+      error.Map[k] = 1.0 - similarity.data()[k];
     }
   }
   if (count == 0)
@@ -349,9 +340,8 @@ PictureError ComputeColorDifference(const PicturePair& pair, double background)
 {
   const std::vector<double> picture = pair.Picture.GetDisplayedLight(background);
   const std::vector<double> reference = pair.Reference.GetDisplayedLight(background);
-  const auto getLab = [](const std::vector<double>& linear, std::size_t k) {
-    return ToLab(ToRelativeXYZ({ linear[3 * k], linear[3 * k + 1], linear[3 * k + 2] }));
-  };
+  const auto getLab = [](const std::vector<double>& linear, std::size_t k)
+  { return ToLab(ToRelativeXYZ(glm::make_vec3(&linear[3 * k]))); };
   PictureError error;
   error.Map.assign(reference.size() / 3, 0.0);
   for (const std::size_t k : pair.Compared)

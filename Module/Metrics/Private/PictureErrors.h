@@ -35,7 +35,7 @@ struct PictureValues
   std::vector<double> GetDisplayedLight(double background) const;
 
 private:
-  std::vector<double> Lay(double background) const;
+  std::vector<double> Show(double background, double (*convert)(double, bool isEncoded)) const;
 };
 
 /// Which pixels count.

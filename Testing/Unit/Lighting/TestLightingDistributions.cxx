@@ -13,10 +13,6 @@
 using measuredbrdf::Distribution1D;
 using measuredbrdf::Distribution2D;
 
-namespace
-{
-} // namespace
-
 //------------------------------------------------------------------------------
 TEST(Distribution1D, ProbabilitiesAndInversion)
 {
@@ -141,40 +137,6 @@ TEST(Distribution2D, SamplesFollowTheWeights)
   EXPECT_LT(chiSquare, cells - 1 + 5.0 * std::sqrt(2.0 * (cells - 1)));
   // Remainders are uniform again: mean 1/2, standard deviation 1/sqrt(12 n).
   EXPECT_NEAR(sumX / draws, 0.5, 5.0 / std::sqrt(12.0 * draws));
-}
-
-// p(x, y) = 6 x^2 y, tabulated and inverted on a regular grid: means of x and y are 3/4 and 2/3.
-TEST(Distribution2D, TabulatedDensity)
-{
-  const std::size_t n = 128;
-  std::vector<double> weights(n * n);
-  for (std::size_t k = 0; k < weights.size(); ++k)
-  {
-    const double x = (double(k % n) + 0.5) / n;
-    const double y = (double(k / n) + 0.5) / n;
-    weights[k] = 6.0 * x * x * y;
-  }
-  const Distribution2D d(weights, n, n);
-  EXPECT_NEAR(d.GetTotal() / double(n * n), 1.0, 1e-4);
-  const int grid = 500;
-  double meanX = 0.0;
-  double meanY = 0.0;
-  for (int k = 0; k < grid * grid; ++k)
-  {
-    std::size_t x;
-    std::size_t y;
-    double inX;
-    double inY;
-    const double u = (k % grid + 0.5) / grid;
-    const double v = (k / grid + 0.5) / grid;
-    d.Invert(u, v, x, y, inX, inY);
-    ASSERT_NEAR((double(x) + inX) / n, std::cbrt(u), 1.0 / n); // marginals are independent here
-    ASSERT_NEAR((double(y) + inY) / n, std::sqrt(v), 1.0 / n);
-    meanX += (double(x) + inX) / n / (grid * grid);
-    meanY += (double(y) + inY) / n / (grid * grid);
-  }
-  EXPECT_NEAR(meanX, 0.75, 1e-4);
-  EXPECT_NEAR(meanY, 2.0 / 3.0, 1e-4);
 }
 
 //------------------------------------------------------------------------------

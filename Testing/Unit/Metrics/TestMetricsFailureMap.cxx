@@ -4,6 +4,7 @@
 
 #include "ErrorCatcher.h"
 #include "ExpectStops.h"
+#include "TestBasisHelpers.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFFailureMap.h"
@@ -13,12 +14,9 @@
 #include "vtkImageData.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -26,36 +24,12 @@ namespace
 {
 constexpr double Degree = 3.14159265358979323846 / 180.0;
 
-// Any function of a pair, in all channels.
-class FormulaBRDF : public vtkBRDF
-{
-public:
-  static FormulaBRDF* New();
-  vtkTypeMacro(FormulaBRDF, vtkBRDF);
+using testbasis::FunctionBRDF;
 
-  void GetBounds(double, double lower[3], double upper[3]) override
-  {
-    std::fill_n(lower, 3, 0.0);
-    std::fill_n(upper, 3, 1e9);
-  }
-  void GetShaderInputs(vtkBRDFShaderInputs&) override {}
-  bool IsIsotropic() override { return this->Isotropic; }
-
-  std::function<double(const double i[3], const double o[3])> Formula;
-  bool Isotropic = true;
-
-protected:
-  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override
-  {
-    std::fill_n(f, 3, this->Formula(i, o));
-  }
-};
-vtkStandardNewMacro(FormulaBRDF);
-
-double GetPolar(const double d[3]) { return std::acos(d[2]) / Degree; }
+double GetPolar(const glm::dvec3& d) { return std::acos(d.z) / Degree; }
 
 // Of i from o, in [0,360).
-double GetAzimuth(const double i[3], const double o[3])
+double GetAzimuth(const glm::dvec3& i, const glm::dvec3& o)
 {
   const double phi = (std::atan2(i[1], i[0]) - std::atan2(o[1], o[0])) / Degree;
   return phi < -1e-9 ? phi + 360.0 : phi;
@@ -99,17 +73,17 @@ TEST(BRDFFailureMap, OfAnEvenFactorIsEven)
 // A spot of error in i, o and azimuth is found where it is, by the share that it has of its ring.
 TEST(BRDFFailureMap, FindsTheWorstAngles)
 {
-  vtkNew<FormulaBRDF> reference;
-  vtkNew<FormulaBRDF> spotted;
+  vtkNew<FunctionBRDF> reference;
+  vtkNew<FunctionBRDF> spotted;
   for (const bool isotropic : { true, false })
   {
-    reference->Formula = [](const double*, const double*) { return 2.0; };
-    spotted->Formula = [](const double* i, const double* o)
+    reference->Function = [](const auto&, const auto&) { return glm::dvec3(2.0); };
+    spotted->Function = [](const glm::dvec3& i, const glm::dvec3& o)
     {
       const bool spot = std::abs(GetPolar(i) - 63.0) < 1.0 && std::abs(GetPolar(o) - 21.0) < 1.0 &&
                         std::abs(GetAzimuth(i, o) - 120.0) < 4.0;
       const bool lesser = std::abs(GetPolar(i) - 9.0) < 1.0 && std::abs(GetPolar(o) - 81.0) < 1.0;
-      return spot ? 8.0 : lesser ? 2.1 : 2.0;
+      return glm::dvec3(spot ? 8.0 : lesser ? 2.1 : 2.0);
     };
     spotted->Isotropic = isotropic;
     vtkNew<vtkBRDFFailureMap> map;
@@ -142,14 +116,11 @@ TEST(BRDFFailureMap, FindsTheWorstAngles)
 // An error of the highlight only is where theta_h is small, whatever theta_d.
 TEST(BRDFFailureMap, HalfDifferenceShowsTheHighlight)
 {
-  vtkNew<FormulaBRDF> reference;
-  vtkNew<FormulaBRDF> wide;
-  reference->Formula = [](const double*, const double*) { return 1.0; };
-  wide->Formula = [](const double* i, const double* o)
-  {
-    const double h[3] = { i[0] + o[0], i[1] + o[1], i[2] + o[2] };
-    return h[2] / std::hypot(h[0], h[1], h[2]) > std::cos(10.0 * Degree) ? 1.5 : 1.0;
-  };
+  vtkNew<FunctionBRDF> reference;
+  vtkNew<FunctionBRDF> wide;
+  reference->Function = [](const auto&, const auto&) { return glm::dvec3(1.0); };
+  wide->Function = [](const glm::dvec3& i, const glm::dvec3& o)
+  { return glm::dvec3(glm::normalize(i + o).z > std::cos(10.0 * Degree) ? 1.5 : 1.0); };
   vtkNew<vtkBRDFFailureMap> map;
   map->SetReference(reference);
   map->SetBRDF(wide);
@@ -167,11 +138,11 @@ TEST(BRDFFailureMap, HalfDifferenceShowsTheHighlight)
 // With the azimuth of the whole pair, where a BRDF has one: the mean of 1 + 0.5 cos(2 phi).
 TEST(BRDFFailureMap, AveragesAnisotropy)
 {
-  vtkNew<FormulaBRDF> reference;
-  vtkNew<FormulaBRDF> brushed;
-  reference->Formula = [](const double*, const double*) { return 1.0; };
-  brushed->Formula = [](const double*, const double* o)
-  { return 1.0 + 0.5 * std::cos(2.0 * std::atan2(o[1], o[0])); };
+  vtkNew<FunctionBRDF> reference;
+  vtkNew<FunctionBRDF> brushed;
+  reference->Function = [](const auto&, const auto&) { return glm::dvec3(1.0); };
+  brushed->Function = [](const auto&, const glm::dvec3& o)
+  { return glm::dvec3(1.0 + 0.5 * std::cos(2.0 * std::atan2(o.y, o.x))); };
   brushed->Isotropic = false;
   vtkNew<vtkBRDFFailureMap> map;
   map->SetReference(reference);
@@ -227,9 +198,9 @@ TEST(LogCosineDistance, OfLambertMaterials)
   b->SetAlbedo(0.8, 0.8, 0.4); // one channel of three
   EXPECT_NEAR(vtkBRDFResampler::GetLogCosineDistance(a, b), 0.0644433235 / std::sqrt(3.0), 1e-5);
   // f c large: a factor is its logarithm, whatever the size. 1/c keeps f c constant.
-  vtkNew<FormulaBRDF> bright;
-  vtkNew<FormulaBRDF> brighter;
-  bright->Formula = [](const double* i, const double*) { return 1e6 / i[2]; };
-  brighter->Formula = [](const double* i, const double*) { return 1.1e6 / i[2]; };
+  vtkNew<FunctionBRDF> bright;
+  vtkNew<FunctionBRDF> brighter;
+  bright->Function = [](const glm::dvec3& i, const auto&) { return glm::dvec3(1e6 / i.z); };
+  brighter->Function = [](const glm::dvec3& i, const auto&) { return glm::dvec3(1.1e6 / i.z); };
   EXPECT_NEAR(vtkBRDFResampler::GetLogCosineDistance(bright, brighter), std::log(1.1), 1e-5);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What plans take and keep, and what those of one environment share.
 
-#include "ConcurrentCache.h"
+#include "EnvironmentPrecomputation.h"
 #include "HeapCounter.h"
 #include "vtkBRDF.h"
 #include "vtkEmbeddedMaterials.h"
