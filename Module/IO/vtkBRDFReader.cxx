@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBRDFReader.h"
 
-#include "AbsentLibraries.h"
-#include "ExrHeader.h"
 #include "FileBytes.h"
 #include "vtkBRDFFormats.h"
 #include "vtkCommand.h"

@@ -50,6 +50,21 @@ bool CatchFileError(const std::string& path, std::string& error, const std::func
  */
 std::uintmax_t CheckFile(const std::string& path);
 
+/// How messages begin where this build lacks an optional library.
+constexpr const char NoOpenEXR[] = "this build has no OpenEXR (MEASUREDBRDF_WITH_OPENEXR): ";
+constexpr const char NoOpenImageIO[] =
+  "this build has no OpenImageIO (MEASUREDBRDF_WITH_OPENIMAGEIO): ";
+
+constexpr const char ExrMagic[] = "\x76\x2f\x31\x01";
+
+/**
+ * OpenEXR allocates what a file's header claims before it reads; this looks at the claims first.
+ * The file begins with ExrMagic. Throws FileError, with the attribute and the byte, where an
+ * attribute of the header claims more than the file holds. format: what the message calls the
+ * file's format.
+ */
+void CheckExrHeader(const FileBytes& file, const std::string& format);
+
 /// A file's name without folders and extension.
 std::string GetFileStem(const std::string& path);
 
