@@ -8,9 +8,10 @@
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkObjectFactory.h"
 
+#include <vtksys/SystemTools.hxx>
+
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <filesystem>
 
@@ -76,9 +77,7 @@ std::string DescribeContent(std::string_view bytes)
   }
   if (IsText(start))
   {
-    std::string lower(start);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-      [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string lower = vtksys::SystemTools::LowerCase(std::string(start));
     const std::size_t first = std::min(lower.find_first_not_of(" \t\r\n"), lower.size());
     if (lower.find("<html") != std::string::npos || lower.find("<!doctype html") == first)
     {

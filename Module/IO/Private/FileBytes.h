@@ -24,6 +24,8 @@
 
 namespace measuredbrdf
 {
+class FileBytes;
+
 /// What is wrong with a file, for people: names the file and the place. Whatever the file or its
 /// name holds, the text is fit for a terminal.
 class FileError : public std::runtime_error
@@ -36,7 +38,6 @@ public:
 };
 
 /// Throw FileError: "PATH: FORMAT, FIELD: what".
-class FileBytes;
 [[noreturn]] void FailIn(const FileBytes& file, const std::string& format, const std::string& field,
   const std::string& what);
 

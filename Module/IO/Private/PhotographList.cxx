@@ -30,8 +30,6 @@ const std::map<std::string, int> Transfers = { { "automatic", vtkPhotographSet::
   { "linear", vtkPhotographSet::LINEAR }, { "srgb", vtkPhotographSet::SRGB },
   { "power", vtkPhotographSet::POWER } };
 
-std::string Quote(const std::string& text) { return "'" + ToPrintable(text, LongestName) + "'"; }
-
 // Throws where a direction or the exposure cannot be used.
 void Check(const std::string& where, const ListedPhotograph& photograph)
 {
