@@ -318,7 +318,7 @@ void AddSvbrdfCommand(CLI::App& app)
     "each texel");
   command
     ->add_option("PHOTOGRAPHS", options->Input,
-      "A list in JSON or CSV with files, directions and exposures, or a folder of files named like "
+      "A list in JSON with files, directions and exposures, or a folder of files named like "
       "tl015_pl030_tv045_pv060.jpg (light and view, polar angle and azimuth), as the Bonn and UTIA "
       "databases name them")
     ->required();

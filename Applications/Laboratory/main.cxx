@@ -22,7 +22,8 @@ int main(int argc, char* argv[])
 {
   return tool::RunProgram(argc, argv,
     { "measured-brdf-lab",
-      "Experiments with measured materials: the thesis's device, bases and figures, and every known\n"
+      "Experiments with measured materials: the thesis's device, bases and figures, and every "
+      "known\n"
       "way to fail, measured.",
       "Start with:\n"
       "  measured-brdf-lab thesis -o output/thesis            the thesis's figures\n"

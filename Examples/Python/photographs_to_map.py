@@ -48,16 +48,30 @@ def make_sample(size):
     return sample
 
 
-def draw_directions(random):
-    """Light and view about a half vector near the normal, none beyond 80 degrees: sharp highlights are seen, too."""
-    while True:
-        theta, turn = 0.5 * np.pi * random.random() ** 2, 2.0 * np.pi * random.random()
-        half = np.array([np.sin(theta) * np.cos(turn), np.sin(theta) * np.sin(turn), np.cos(theta)])
-        light = random.normal(size=3)
-        light /= np.linalg.norm(light)
+def radical_inverse(index, base):
+    """Low-discrepancy numbers (van der Corput)."""
+    result, digit = 0.0, 1.0 / base
+    while index:
+        result, index, digit = result + index % base * digit, index // base, digit / base
+    return result
+
+
+def directions(count):
+    """Light and view by half and difference angles, dense about the mirror direction, none beyond 80 degrees."""
+    index = 0
+    while count:
+        index += 1
+        h = 0.5 * np.pi * radical_inverse(index, 2) ** 2
+        d, p, turn = np.array([0.5, 2.0, 2.0]) * np.pi * [radical_inverse(index, base) for base in (3, 5, 7)]
+        half = np.array([np.sin(h), 0.0, np.cos(h)])
+        light = np.array([np.cos(h) * np.sin(d) * np.cos(p) + np.sin(h) * np.cos(d), np.sin(d) * np.sin(p),
+                          np.cos(h) * np.cos(d) - np.sin(h) * np.sin(d) * np.cos(p)])
         view = 2.0 * half.dot(light) * half - light
-        if min(light[2], view[2]) > 0.17:
-            return light, view
+        if min(light[2], view[2]) > 0.1736:
+            c, s = np.cos(turn), np.sin(turn)
+            rotation = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])  # lights come from all sides
+            count -= 1
+            yield rotation @ light, rotation @ view
 
 
 def photograph(sample, count):
@@ -65,8 +79,7 @@ def photograph(sample, count):
     random = np.random.default_rng(1)
     weights = vtk_to_numpy(sample.GetWeightImage(0).GetPointData().GetScalars())
     photographs = vtkPhotographSet()
-    for _ in range(count):
-        light, view = draw_directions(random)
+    for light, view in directions(count):
         values = np.zeros((len(MATERIALS), 3))
         for k, value in enumerate(values):
             sample.GetBRDF(k).Evaluate(light, view, value)

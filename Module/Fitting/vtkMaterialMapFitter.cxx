@@ -194,7 +194,11 @@ struct vtkMaterialMapFitter::Results
     // The factorization keeps the sample twice, as floats.
     const std::vector<std::size_t> sample =
       this->GetSample(static_cast<std::size_t>(photographs) * 25);
-    TableMaterials tables(this->Fitter, sample.size());
+    const int* size = this->Fitter->TableDimensions;
+    TableMaterials tables(this->Fitter->Photographs,
+      { this->Fitter->MaximumNumberOfMaterials, this->Fitter->Seed, this->Fitter->Compactness,
+        this->Fitter->Smoothness, { size[0], size[1], size[2] } },
+      sample.size());
     passes.Run(
       0.0, 0.3, [&](int k, const PhotographPixels& pixels) { tables.Add(k, pixels, sample); });
     tables.Find([&](double share) { passes.Proceed(0.3 + 0.3 * share); });

@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBRDFReader.h"
 
-#include "AbsentLibraries.h"
-#include "ExrHeader.h"
 #include "FileBytes.h"
 #include "vtkBRDFFormats.h"
 #include "vtkCommand.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkObjectFactory.h"
 
+#include <vtksys/SystemTools.hxx>
+
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <filesystem>
 
@@ -78,9 +77,7 @@ std::string DescribeContent(std::string_view bytes)
   }
   if (IsText(start))
   {
-    std::string lower(start);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-      [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string lower = vtksys::SystemTools::LowerCase(std::string(start));
     const std::size_t first = std::min(lower.find_first_not_of(" \t\r\n"), lower.size());
     if (lower.find("<html") != std::string::npos || lower.find("<!doctype html") == first)
     {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBRDFWriter.h"
 
-#include "AbsentLibraries.h"
 #include "FileBytes.h"
 #include "vtkBRDFFormats.h"
 #include "vtkMeasuredBRDFConfigure.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEmbeddedEnvironments.h"
 
-#include "AbsentLibraries.h"
+#include "FileBytes.h"
 #include "vtkEnvironment.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEmbeddedMaterials.h"
 
-#include "AbsentLibraries.h"
 #include "EmbeddedFits.h" // made of EmbeddedFits.fit
 #include "MaterialFormat.h"
 #include "Printable.h"

@@ -11,8 +11,6 @@
  *   where it is left out. Beside the array may stand irradiance, transfer ("automatic", "linear",
  *   "srgb", "power"), gamma, saturation, black and levels_for_floats (vtkPhotographSet), and a
  *   comment.
- * - a list in CSV with the columns file, light_theta, light_phi, view_theta, view_phi (degrees) or
- *   light_x to view_z, and where wanted exposure. Lines that begin with # are comments.
  * - a folder of files named by the convention of the Bonn and UTIA databases, such as "00000 tl015
  *   pl030 tv045 pv060.jpg" or "tl015_pl030_tv045_pv060.exr": polar angle and azimuth of light and
  *   view. Its folders are looked into, too. Other files are ignored and counted.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FuzzTarget.h"
 
-#include "ExrHeader.h"
+#include "FileBytes.h"
 
 // Behind the magic, which the caller has seen.
 int FuzzExrHeader(const std::uint8_t* data, std::size_t size)

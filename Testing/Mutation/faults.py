@@ -576,12 +576,10 @@ add("IO.tensor-zeros-are-noise", "TensorFile.cxx", "return value < 0.0f && value
     "return value <= 0.0f && value >= floor;", "IOTensor.Reads|IOTolerance.TensorDensitiesWithRoundingNoise")
 add("IO.tensor-overlapping-fields", "TensorFile.cxx", "total += field.Bytes;",
     "total = field.second.Bytes;", "IOTensor.RefusesBadFields")
-add("IO.mbsdf-gray-planes", "MbsdfFile.cxx", "rgb[k] = gray[k / 3];", "rgb[k] = gray[k % cells];",
+add("IO.mbsdf-gray-planes", "MbsdfFile.cxx", ": stored[k / 3]);", ": stored[k % stored.size()]);",
     "IOMbsdf.Reads")
 add("IO.mbsdf-line-ends-of-dos", "MbsdfFile.cxx",
     "length > 0 && rest[length - 1] == '\\r' ? length - 1 : length", "length", "IOTolerance.MbsdfOfDosAndPadding")
-add("IO.mbsdf-counts-gray-thrice", "MbsdfFile.cxx", "block.Channels == 3 ? 1 : 3;",
-    "block.Channels == 3 ? 1 : 1;", "IOMbsdf.CountsWhatIsNotFinite|IOMbsdf.Reads")
 add("IO.fits-scale-of-ngan", "FitFile.cxx", "{ 1.0, 1.15, 1.66 }", "{ 1.0, 1.66, 1.15 }", "IOFits.ScalesNgan")
 add("IO.fits-byte-order-mark", "FitFile.cxx", "this->Text.substr(0, mark.size()) == mark ?",
     "this->Text.substr(0, 0) == mark ?", "IOTolerance.FitsFromEditors")

@@ -153,12 +153,10 @@ class Errors(SvbrdfTest):
         out = ["-o", self.path("x")]
         self.check(run("svbrdf", self.path("absent.json"), *out), 1, "absent.json")
         self.check(run("svbrdf", self.folder, *out), 1, "names say directions")
-        with open(self.path("list.csv"), "w", encoding="ascii") as file:
-            file.write("file,light_theta,light_phi,view_theta,view_phi\na.png,100,0,0,0\n")
-        self.check(run("svbrdf", self.path("list.csv"), *out), 1, "list.csv: line 2", "100")
-        with open(self.path("list.csv"), "w", encoding="ascii") as file:
-            file.write("file,light_theta,light_phi,view_theta,view_phi\nlist.csv,10,0,0,0\n")
-        self.check(run("svbrdf", self.path("list.csv"), *out), 1, "list.csv")
+        for name, theta, words in (("a.png", 100, ("photograph 0", "100")), ("list.json", 10, ())):
+            self.write("list.json", json.dumps({"photographs": [
+                {"file": name, "light": {"theta": theta}, "view": {"theta": 0}}]}))
+            self.check(run("svbrdf", self.path("list.json"), *out), 1, "list.json", *words)
 
 
 if __name__ == "__main__":

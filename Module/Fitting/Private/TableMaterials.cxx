@@ -5,7 +5,6 @@
 #include "HalfVector.h"
 #include "ParallelFor.h"
 #include "SymmetricEigen.h"
-#include "vtkMaterialMapFitter.h"
 #include "vtkPhotographSet.h"
 #include "vtkTabulatedBRDF.h"
 
@@ -517,15 +516,16 @@ std::vector<double> TableCompletion::Complete(const std::vector<double>& values)
 }
 
 //------------------------------------------------------------------------------
-TableMaterials::TableMaterials(vtkMaterialMapFitter* fitter, std::size_t sampleSize)
-  : Fitter(fitter)
-  , Means(static_cast<std::size_t>(fitter->GetPhotographs()->GetNumberOfPhotographs()), -1.0)
+TableMaterials::TableMaterials(
+  vtkPhotographSet* photographs, const TableOptions& options, std::size_t sampleSize)
+  : Photographs(photographs)
+  , Options(options)
+  , Means(static_cast<std::size_t>(photographs->GetNumberOfPhotographs()), -1.0)
 {
-  const std::size_t photographs = this->Means.size();
-  this->Data.resize(
-    static_cast<Eigen::Index>(3 * photographs), static_cast<Eigen::Index>(sampleSize));
-  this->Mask.assign(sampleSize * photographs, 0);
-  this->Scales.assign(photographs, NoiseFloor);
+  const std::size_t count = this->Means.size();
+  this->Data.resize(static_cast<Eigen::Index>(3 * count), static_cast<Eigen::Index>(sampleSize));
+  this->Mask.assign(sampleSize * count, 0);
+  this->Scales.assign(count, NoiseFloor);
 }
 
 //------------------------------------------------------------------------------
@@ -575,10 +575,9 @@ void TableMaterials::Find(const std::function<void(double)>& proceed)
     this->Data.middleRows<3>(3 * static_cast<Eigen::Index>(k)) /=
       static_cast<float>(this->Scales[k]);
   }
-  const Factorization factors =
-    Alternation(this->Data, this->Mask, this->Fitter->GetMaximumNumberOfMaterials(),
-      this->Fitter->GetCompactness(), this->Fitter->GetSeed())
-      .Run(proceed);
+  const Factorization factors = Alternation(
+    this->Data, this->Mask, this->Options.Materials, this->Options.Compactness, this->Options.Seed)
+                                  .Run(proceed);
   this->FactorError = factors.RelativeError;
   this->Iterations = factors.Iterations;
   this->Converged = factors.Converged;
@@ -588,7 +587,6 @@ void TableMaterials::Find(const std::function<void(double)>& proceed)
 //------------------------------------------------------------------------------
 void TableMaterials::MakeTables(const Eigen::MatrixXd& factors)
 {
-  vtkPhotographSet* photographs = this->Fitter->GetPhotographs();
   std::vector<TablePoint> points;
   std::vector<int> seen; // the points' photographs
   for (std::size_t k = 0; k < this->Means.size(); ++k)
@@ -597,16 +595,15 @@ void TableMaterials::MakeTables(const Eigen::MatrixXd& factors)
     {
       seen.push_back(static_cast<int>(k));
       TablePoint point;
-      photographs->GetLight(seen.back(), point.I);
-      photographs->GetView(seen.back(), point.O);
+      this->Photographs->GetLight(seen.back(), point.I);
+      this->Photographs->GetView(seen.back(), point.O);
       // A logarithm's error is that of the value over the value.
       point.Weight = std::max(std::pow(this->Means[k] / this->Scales[k], 2), 1e-6);
       points.push_back(point);
     }
   }
-  std::array<int, 3> dimensions;
-  this->Fitter->GetTableDimensions(dimensions.data());
-  const TableCompletion completion(points, dimensions, this->Fitter->GetSmoothness());
+  const std::array<int, 3>& dimensions = this->Options.Dimensions;
+  const TableCompletion completion(points, dimensions, this->Options.Smoothness);
   this->SeenShare = completion.GetSeenShare();
   for (Eigen::Index m = 0; m < factors.cols(); ++m)
   {
@@ -617,7 +614,7 @@ void TableMaterials::MakeTables(const Eigen::MatrixXd& factors)
       for (const int k : seen)
       {
         values.push_back(factors(3 * k + c, m) * this->Scales[static_cast<std::size_t>(k)] /
-                         photographs->GetScale(k));
+                         this->Photographs->GetScale(k));
       }
       const std::vector<double> cells = completion.Complete(values);
       volume.resize(3 * cells.size());

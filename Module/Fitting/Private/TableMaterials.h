@@ -12,19 +12,28 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <functional>
 #include <vector>
 
-class vtkMaterialMapFitter;
-
 namespace measuredbrdf
 {
+/// As vtkMaterialMapFitter has them.
+struct TableOptions
+{
+  int Materials;
+  unsigned int Seed;
+  double Compactness;
+  double Smoothness;
+  std::array<int, 3> Dimensions;
+};
+
 /// A sample of texels is factored; each material's values in the photographs become a table.
 class TableMaterials
 {
 public:
-  /// The fitter has the photographs and the options.
-  TableMaterials(vtkMaterialMapFitter* fitter, std::size_t sampleSize);
+  TableMaterials(
+    vtkPhotographSet* photographs, const TableOptions& options, std::size_t sampleSize);
 
   /// Take the sample's texels from a photograph; all photographs must be added.
   void Add(int photograph, const PhotographPixels& pixels, const std::vector<std::size_t>& sample);
@@ -43,7 +52,8 @@ public:
 private:
   void MakeTables(const Eigen::MatrixXd& values);
 
-  vtkMaterialMapFitter* Fitter;
+  vtkPhotographSet* Photographs;
+  TableOptions Options;
   Eigen::MatrixXf Data;            // [3 photograph + channel, texel]
   std::vector<unsigned char> Mask; // [texel][photograph], not 0 where data say nothing
   std::vector<double> Means;       // of the valid pixels of each photograph, linear; -1: none

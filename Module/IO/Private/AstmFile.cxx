@@ -28,7 +28,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -308,14 +307,7 @@ SpectralChannels FindChannels(const FileBytes& file, const std::vector<std::stri
   SpectralChannels channels;
   if (!columns.Wavelengths.empty())
   {
-    try
-    {
-      return ChooseChannels(columns.Wavelengths, material);
-    }
-    catch (const std::runtime_error& e)
-    {
-      FailIn(file, AstmFormatName, "name", e.what());
-    }
+    return ChooseChannels(columns.Wavelengths, material, file.GetPath() + ": " + AstmFormatName);
   }
   if (!material.empty())
   {
@@ -452,21 +444,12 @@ MaterialFile ReadAstm(const FileBytes& file, const std::string& material)
   result.BRDF->SetSource("ASTM E1392 text file " + GetFileTitle(file.GetPath()));
   return result;
 }
-
-//------------------------------------------------------------------------------
-std::vector<std::string> ListAstmWavelengths(const FileBytes& file)
-{
-  std::vector<std::string> names;
-  for (const double wavelength : FindColumns(file, AstmText(file, true).Columns).Wavelengths)
-  {
-    names.push_back(GetWavelengthName(wavelength));
-  }
-  return names;
-}
 }
 
 const MaterialFormat AstmFormat = { AstmFormatName, "ASTM E1392 .astm (as Cornell's)", ".astm",
   [](const vtkBRDFFormat::File& file)
   { return HasExtension(file.Path, ".astm") || HasAstmColumns(file.Bytes); },
-  ReadAstm, ListAstmWavelengths };
+  ReadAstm,
+  [](const FileBytes& file)
+  { return GetWavelengthNames(FindColumns(file, AstmText(file, true).Columns).Wavelengths); } };
 } // namespace measuredbrdf

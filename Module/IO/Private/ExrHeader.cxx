@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ExrHeader.h"
 
 #include "FileBytes.h"
 

@@ -10,8 +10,8 @@
  */
 
 #include "BoundedJson.h"
-#include "ExrHeader.h"
 #include "ExrStream.h"
+#include "FileBytes.h"
 #include "MaterialFormat.h"
 #include "NumberText.h"
 #include "vtkBRDFData.h"

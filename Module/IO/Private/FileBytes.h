@@ -24,6 +24,8 @@
 
 namespace measuredbrdf
 {
+class FileBytes;
+
 /// What is wrong with a file, for people: names the file and the place. Whatever the file or its
 /// name holds, the text is fit for a terminal.
 class FileError : public std::runtime_error
@@ -36,7 +38,6 @@ public:
 };
 
 /// Throw FileError: "PATH: FORMAT, FIELD: what".
-class FileBytes;
 [[noreturn]] void FailIn(const FileBytes& file, const std::string& format, const std::string& field,
   const std::string& what);
 
@@ -49,6 +50,21 @@ bool CatchFileError(const std::string& path, std::string& error, const std::func
  * unreadable or empty.
  */
 std::uintmax_t CheckFile(const std::string& path);
+
+/// How messages begin where this build lacks an optional library.
+constexpr const char NoOpenEXR[] = "this build has no OpenEXR (MEASUREDBRDF_WITH_OPENEXR): ";
+constexpr const char NoOpenImageIO[] =
+  "this build has no OpenImageIO (MEASUREDBRDF_WITH_OPENIMAGEIO): ";
+
+constexpr const char ExrMagic[] = "\x76\x2f\x31\x01";
+
+/**
+ * OpenEXR allocates what a file's header claims before it reads; this looks at the claims first.
+ * The file begins with ExrMagic. Throws FileError, with the attribute and the byte, where an
+ * attribute of the header claims more than the file holds. format: what the message calls the
+ * file's format.
+ */
+void CheckExrHeader(const FileBytes& file, const std::string& format);
 
 /// A file's name without folders and extension.
 std::string GetFileStem(const std::string& path);

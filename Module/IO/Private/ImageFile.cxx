@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageFile.h"
 
-#include "ExrHeader.h"
 #include "FileBytes.h"
 #include "NumberText.h"
 #include "RadianceValues.h"

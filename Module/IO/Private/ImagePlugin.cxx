@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageFile.h"
 
-#include "AbsentLibraries.h"
 #include "FileBytes.h"
 #include "vtkMeasuredBRDFConfigure.h"
 

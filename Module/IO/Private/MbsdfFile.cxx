@@ -130,33 +130,15 @@ void ReadRest(ByteReader& reader, MaterialFile& result)
 }
 
 //------------------------------------------------------------------------------
-std::vector<float> GetRGB(const Block& block)
+// RGB of each cell. result counts values as they are stored: a scalar once.
+std::vector<float> GetRGB(const Block& block, MaterialFile& result)
 {
-  const std::size_t cells = block.Values / block.Channels;
-  std::vector<float> rgb(cells * 3);
-  if (block.Channels == 3)
+  std::vector<float> stored(block.Values);
+  ByteReader::Copy(stored.data(), block.Data, stored.size());
+  for (const float value : stored)
   {
-    ByteReader::Copy(rgb.data(), block.Data, rgb.size());
-    return rgb;
-  }
-  std::vector<float> gray(cells);
-  ByteReader::Copy(gray.data(), block.Data, cells);
-  for (std::size_t k = 0; k < rgb.size(); ++k)
-  {
-    rgb[k] = gray[k / 3];
-  }
-  return rgb;
-}
-
-//------------------------------------------------------------------------------
-// Counted as stored: a scalar counts once.
-void CountValues(const std::vector<float>& rgb, const Block& block, MaterialFile& result)
-{
-  const std::size_t step = block.Channels == 3 ? 1 : 3;
-  for (std::size_t k = 0; k < rgb.size(); k += step)
-  {
-    result.NumberOfNegativeValues += std::isfinite(rgb[k]) && rgb[k] < 0.0f;
-    result.NumberOfInvalidValues += !std::isfinite(rgb[k]);
+    result.NumberOfNegativeValues += std::isfinite(value) && value < 0.0f;
+    result.NumberOfInvalidValues += !std::isfinite(value);
   }
   if (result.NumberOfInvalidValues > 0)
   {
@@ -169,7 +151,14 @@ void CountValues(const std::vector<float>& rgb, const Block& block, MaterialFile
                    std::to_string(block.Values) +
                    " values are negative: kept, clamped at 0 after interpolation.");
   }
+  std::vector<float> rgb;
+  for (std::size_t k = 0; k < 3 * stored.size() / block.Channels; ++k)
+  {
+    rgb.push_back(block.Channels == 3 ? stored[k] : stored[k / 3]);
+  }
+  return rgb;
 }
+
 //------------------------------------------------------------------------------
 MaterialFile ReadMbsdf(const FileBytes& file, const std::string&)
 {
@@ -178,8 +167,7 @@ MaterialFile ReadMbsdf(const FileBytes& file, const std::string&)
   ReadHeader(reader, result);
   const Block block = ReadBlock(reader, "reflection");
   ReadRest(reader, result);
-  std::vector<float> rgb = GetRGB(block);
-  CountValues(rgb, block, result);
+  std::vector<float> rgb = GetRGB(block, result);
   result.AddNote("Samples are taken to lie at the centers of their cells, theta over [0, pi/2], "
                  "delta phi over [0, pi] (mirror-symmetric).");
 

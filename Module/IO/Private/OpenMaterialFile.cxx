@@ -309,18 +309,11 @@ MaterialFile ReadOpenMaterial(const FileBytes& file, const std::string& material
   result.NumberOfNegativeValues = std::count_if(
     table.Rows.begin(), table.Rows.end(), [](const OpenMaterialRow& row) { return row[4] < 0.0; });
   const std::vector<double> wavelengths = FindWavelengths(file, table);
-  SpectralChannels channels;
-  try
-  {
-    channels = ChooseChannels(wavelengths, material);
-  }
-  catch (const std::runtime_error& e)
-  {
-    FailOpenMaterial(file, "name", e.what());
-  }
+  const std::string place = file.GetPath() + ": " + OpenMaterialFormatName;
+  const SpectralChannels channels = ChooseChannels(wavelengths, material, place);
   result.AddNote(channels.Note);
-  MakeGonioTable(GetReadings(file, table, wavelengths, channels, result),
-    file.GetPath() + ": " + OpenMaterialFormatName + ", " + TableName, result);
+  MakeGonioTable(
+    GetReadings(file, table, wavelengths, channels, result), place + ", " + TableName, result);
   if (table.Nulls > 0)
   {
     result.AddNote(std::to_string(table.Nulls) + " rows hold a null: left out.");
@@ -358,19 +351,10 @@ bool CanReadOpenMaterial(const vtkBRDFFormat::File& file)
            (start.find("OpenMATERIAL-3D") != std::string_view::npos ||
              start.find("openMaterial3dVersion") != std::string_view::npos));
 }
-
-//------------------------------------------------------------------------------
-std::vector<std::string> ListOpenMaterialWavelengths(const FileBytes& file)
-{
-  std::vector<std::string> names;
-  for (const double wavelength : FindWavelengths(file, ReadTable(file)))
-  {
-    names.push_back(GetWavelengthName(wavelength));
-  }
-  return names;
-}
 }
 
 const MaterialFormat OpenMaterialFormat = { OpenMaterialFormatName, "OpenMATERIAL 3D .xompt",
-  ".xompt", CanReadOpenMaterial, ReadOpenMaterial, ListOpenMaterialWavelengths };
+  ".xompt", CanReadOpenMaterial, ReadOpenMaterial, [](const FileBytes& file) {
+    return GetWavelengthNames(FindWavelengths(file, ReadTable(file)));
+  } };
 } // namespace measuredbrdf

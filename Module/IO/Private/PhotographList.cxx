@@ -16,8 +16,6 @@
 #include <iterator>
 #include <map>
 #include <regex>
-#include <set>
-#include <sstream>
 
 namespace measuredbrdf
 {
@@ -31,8 +29,6 @@ constexpr int DeepestFolder = 8;
 const std::map<std::string, int> Transfers = { { "automatic", vtkPhotographSet::AUTOMATIC },
   { "linear", vtkPhotographSet::LINEAR }, { "srgb", vtkPhotographSet::SRGB },
   { "power", vtkPhotographSet::POWER } };
-
-std::string Quote(const std::string& text) { return "'" + ToPrintable(text, LongestName) + "'"; }
 
 // Throws where a direction or the exposure cannot be used.
 void Check(const std::string& where, const ListedPhotograph& photograph)
@@ -176,7 +172,18 @@ void ParseSettings(const std::string& path, const json& root, PhotographList& li
   }
 }
 
-PhotographList ParseJsonList(const FileBytes& file)
+//------------------------------------------------------------------------------
+// The number behind a key of two letters that begins a word; false unless there is exactly one.
+bool FindAngle(const std::string& name, const std::string& key, double& angle)
+{
+  const std::regex pattern(
+    "(?:^|[^A-Za-z0-9])" + key + "(-?[0-9]{1,9})(?![0-9])", std::regex::icase);
+  const std::sregex_iterator found(name.begin(), name.end(), pattern);
+  return std::distance(found, std::sregex_iterator()) == 1 && ParseNumber((*found)[1].str(), angle);
+}
+}
+
+PhotographList ParsePhotographList(const FileBytes& file)
 {
   const std::string& path = file.GetPath();
   json root;
@@ -203,150 +210,7 @@ PhotographList ParseJsonList(const FileBytes& file)
     list.Photographs.push_back(
       ParsePhotograph(path + ": photograph " + std::to_string(k), (*found)[k]));
   }
-  return list;
-}
-
-std::vector<std::string> SplitLine(const std::string& line)
-{
-  std::vector<std::string> fields;
-  std::istringstream rest(line + ",");
-  for (std::string field; std::getline(rest, field, ',');)
-  {
-    const std::size_t first = field.find_first_not_of(" \t\r");
-    const std::size_t last = field.find_last_not_of(" \t\r");
-    fields.push_back(first == std::string::npos ? "" : field.substr(first, last + 1 - first));
-  }
-  return fields;
-}
-
-//------------------------------------------------------------------------------
-// What a column of a list in CSV is in an entry of one in JSON, as a JSON pointer.
-const std::map<std::string, std::string> CsvColumns = { { "file", "/file" },
-  { "exposure", "/exposure" }, { "light_theta", "/light/theta" }, { "light_phi", "/light/phi" },
-  { "light_x", "/light/0" }, { "light_y", "/light/1" }, { "light_z", "/light/2" },
-  { "view_theta", "/view/theta" }, { "view_phi", "/view/phi" }, { "view_x", "/view/0" },
-  { "view_y", "/view/1" }, { "view_z", "/view/2" } };
-
-void CheckColumns(const std::string& where, const std::vector<std::string>& columns)
-{
-  const std::set<std::string> names(columns.begin(), columns.end());
-  if (names.size() < columns.size())
-  {
-    const auto first = std::find_if(columns.begin(), columns.end(),
-      [&](const std::string& name)
-      { return std::count(columns.begin(), columns.end(), name) > 1; });
-    throw FileError(where + ": found two columns " + Quote(*first));
-  }
-  std::vector<std::string> needed = { "file" };
-  for (const std::string direction : { "light", "view" })
-  {
-    const bool angles = names.count(direction + "_theta") > 0;
-    for (const char* part : { "_x", "_y", "_z", "_theta", "_phi" })
-    {
-      if ((std::string(part).size() > 2) == angles)
-      {
-        needed.insert(needed.end() - 1, direction + part);
-      }
-    }
-  }
-  for (const std::string& name : needed)
-  {
-    if (names.count(name) == 0)
-    {
-      throw FileError(where + ": found no column '" + name +
-                      "', expected file, light_theta, light_phi, view_theta, view_phi in degrees, "
-                      "or light_x ... view_z, and where wanted exposure");
-    }
-  }
-}
-
-// A row of a list in CSV as an entry of one in JSON.
-json MakeEntry(const std::string& where, const std::vector<std::string>& columns,
-  const std::vector<std::string>& fields)
-{
-  if (fields.size() != columns.size())
-  {
-    throw FileError(where + ": found " + std::to_string(fields.size()) + " columns, expected " +
-                    std::to_string(columns.size()));
-  }
-  json entry;
-  for (std::size_t k = 0; k < columns.size(); ++k)
-  {
-    const auto column = CsvColumns.find(columns[k]);
-    double value = 0.0;
-    if (column == CsvColumns.end())
-    {
-      continue; // a note, say
-    }
-    if (columns[k] != "file" && !ParseNumber(fields[k], value))
-    {
-      throw FileError(
-        where + ": " + columns[k] + ": found " + Quote(fields[k]) + ", expected a finite number");
-    }
-    entry[json::json_pointer(column->second)] =
-      columns[k] == "file" ? json(fields[k]) : json(value);
-  }
-  for (const char* name : { "light", "view" })
-  {
-    if (entry[name].size() == 3 && entry[name].is_object()) // columns in another order
-    {
-      entry[name] = { entry[name]["0"], entry[name]["1"], entry[name]["2"] };
-    }
-  }
-  return entry;
-}
-
-PhotographList ParseCsvList(const FileBytes& file)
-{
-  PhotographList list;
-  std::vector<std::string> columns; // that the first line names
-  std::istringstream text{ std::string(file.GetView()) };
-  std::string line;
-  for (int number = 1; std::getline(text, line); ++number)
-  {
-    const std::size_t first = line.find_first_not_of(" \t\r");
-    if (first == std::string::npos || line[first] == '#')
-    {
-      continue;
-    }
-    const std::string where = file.GetPath() + ": line " + std::to_string(number);
-    const std::vector<std::string> fields = SplitLine(line);
-    if (columns.empty())
-    {
-      CheckColumns(where, fields);
-      columns = fields;
-    }
-    else
-    {
-      list.Photographs.push_back(ParsePhotograph(where, MakeEntry(where, columns, fields)));
-    }
-  }
-  return list;
-}
-
-//------------------------------------------------------------------------------
-// The number behind a key of two letters that begins a word; false unless there is exactly one.
-bool FindAngle(const std::string& name, const std::string& key, double& angle)
-{
-  const std::regex pattern(
-    "(?:^|[^A-Za-z0-9])" + key + "(-?[0-9]{1,9})(?![0-9])", std::regex::icase);
-  const std::sregex_iterator found(name.begin(), name.end(), pattern);
-  return std::distance(found, std::sregex_iterator()) == 1 && ParseNumber((*found)[1].str(), angle);
-}
-}
-
-PhotographList ParsePhotographList(const FileBytes& file)
-{
-  if (file.GetSize() > MostListBytes)
-  {
-    throw FileError(file.GetPath() + ": found " + std::to_string(file.GetSize()) +
-                    " bytes, expected a list of at most " + std::to_string(MostListBytes));
-  }
-  const std::string_view text = file.GetView();
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  const bool isJson = first != std::string_view::npos && text[first] == '{';
-  PhotographList list = isJson ? ParseJsonList(file) : ParseCsvList(file);
-  CheckNumber(file.GetPath(), list, "photographs");
+  CheckNumber(path, list, "photographs");
   return list;
 }
 

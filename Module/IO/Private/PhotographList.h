@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which photographs there are, and how each was taken: from a list in JSON or CSV, or from the
- * files' names.
+ * Which photographs there are, and how each was taken: from a list in JSON, or from the files'
+ * names.
  */
 
 #ifndef PhotographList_h
@@ -39,8 +39,7 @@ struct PhotographList
 /// A list of at most this many bytes is read.
 constexpr std::size_t MostListBytes = std::size_t(1) << 28;
 
-/// JSON where the first character that is no space is '{', else CSV. Throws FileError naming file
-/// and entry or line.
+/// Of a list in JSON. Throws FileError naming file and entry.
 PhotographList ParsePhotographList(const FileBytes& file);
 
 /**

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SpectralColor.h"
 
+#include "FileBytes.h"
 #include "NumberText.h"
 #include "Printable.h"
 #include "XYZColor.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <stdexcept>
 
 namespace measuredbrdf
 {
@@ -75,17 +75,6 @@ bool IsVisible(double wavelength)
 {
   return wavelength > FirstVisible - 0.5 && wavelength < LastVisible + 0.5;
 }
-
-std::string ListWavelengths(const std::vector<double>& wavelengths)
-{
-  constexpr std::size_t most = 8;
-  std::string names;
-  for (std::size_t k = 0; k < wavelengths.size() && k < most; ++k)
-  {
-    names += (k > 0 ? ", " : "") + GetWavelengthName(wavelengths[k]);
-  }
-  return names + (wavelengths.size() > most ? ", ..." : "");
-}
 }
 
 //------------------------------------------------------------------------------
@@ -127,7 +116,19 @@ std::vector<glm::dvec3> GetSpectralWeights(const std::vector<double>& wavelength
 std::string GetWavelengthName(double nanometers) { return NumberText(nanometers) + "nm"; }
 
 //------------------------------------------------------------------------------
-SpectralChannels ChooseChannels(const std::vector<double>& wavelengths, const std::string& name)
+std::vector<std::string> GetWavelengthNames(const std::vector<double>& wavelengths)
+{
+  std::vector<std::string> names;
+  for (const double wavelength : wavelengths)
+  {
+    names.push_back(GetWavelengthName(wavelength));
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+SpectralChannels ChooseChannels(
+  const std::vector<double>& wavelengths, const std::string& name, const std::string& where)
 {
   SpectralChannels channels;
   std::vector<double> chosen;
@@ -141,8 +142,14 @@ SpectralChannels ChooseChannels(const std::vector<double>& wavelengths, const st
   }
   if (!name.empty() && chosen.empty())
   {
-    throw std::runtime_error(
-      "there is no wavelength " + Quote(name) + ", only " + ListWavelengths(wavelengths));
+    constexpr std::size_t most = 8;
+    std::string some;
+    for (std::size_t k = 0; k < wavelengths.size() && k < most; ++k)
+    {
+      some += (k > 0 ? ", " : "") + GetWavelengthName(wavelengths[k]);
+    }
+    throw FileError(where + ", name: there is no wavelength " + Quote(name) + ", only " + some +
+                    (wavelengths.size() > most ? ", ..." : ""));
   }
   if (name.empty() && chosen.size() > 1)
   {

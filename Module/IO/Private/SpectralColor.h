@@ -34,8 +34,11 @@ constexpr double LastVisible = 780.0;
 /// weights of each component add up to 1.
 std::vector<glm::dvec3> GetSpectralWeights(const std::vector<double>& wavelengths);
 
+///@{
 /// "905nm", as in `path#905nm`.
 std::string GetWavelengthName(double nanometers);
+std::vector<std::string> GetWavelengthNames(const std::vector<double>& wavelengths);
+///@}
 
 /// Which of a file's wavelengths become RGB, and how.
 struct SpectralChannels
@@ -47,10 +50,11 @@ struct SpectralChannels
 
 /**
  * The visible wavelengths, as GetSpectralWeights sums them; fewer than two of them: the first
- * wavelength alone, gray. name: empty, or which wavelength, gray. Throws std::runtime_error where
- * there is no such one. wavelengths: nm, ascending, at least one.
+ * wavelength alone, gray. name: empty, or which wavelength, gray. Throws FileError, "WHERE, name:
+ * ...", where there is no such one. wavelengths: nm, ascending, at least one.
  */
-SpectralChannels ChooseChannels(const std::vector<double>& wavelengths, const std::string& name);
+SpectralChannels ChooseChannels(
+  const std::vector<double>& wavelengths, const std::string& name, const std::string& where);
 } // namespace measuredbrdf
 
 #endif

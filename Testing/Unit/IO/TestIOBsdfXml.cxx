@@ -143,6 +143,7 @@ TEST(IOBsdfXml, RefusesBadFiles)
       { change("0.110000", "nan"), { "value 1", "nan" } },
       { change("0.110000,", ""), { "found 24 values, expected 25" } },
       { change("0.110000", "0.1 0.2"), { "more than the 25" } },
+      { change("7.010000", "nan"), { "ScatteringData of 'Transmission Back'", "value 1" } },
       { change("Columns", "TensorTree5"), { "IncidentDataStructure", "TensorTree5" } },
       { change("<AngleBasisName>Five", "<AngleBasisName>Six"),
         { "AngleBasis", "does not define", "Five" } },

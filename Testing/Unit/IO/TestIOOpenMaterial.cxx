@@ -89,29 +89,6 @@ TEST(IOOpenMaterial, CopiesAreIsotropic)
 }
 
 //------------------------------------------------------------------------------
-TEST(IOOpenMaterial, SpectraBecomeColors)
-{
-  const Folder folder;
-  for (const TestSpectrum& spectrum : TestSpectra)
-  {
-    SCOPED_TRACE(spectrum.Name);
-    // Infrared and radar stand in the same file, and do not count.
-    std::vector<double> nanometers = Count(380.0, 2.0, 201);
-    nanometers.push_back(905.0);
-    nanometers.push_back(3.9e6);
-    WriteBytes(
-      folder("a.xompt"), MakeOpenMaterial(nanometers, { 0.0, 90.0 }, { 0.0, 90.0 }, { 0.0, 180.0 },
-                           [&](double l, double i, double o, double p)
-                           { return (l < 800.0 ? spectrum.Value(l) : 1e3) * Shape(i, o, p); }));
-    const auto brdf = Read(folder("a.xompt"));
-    ASSERT_TRUE(brdf);
-    const double color[3] = { std::max(spectrum.RGB[0], 0.0), std::max(spectrum.RGB[1], 0.0),
-      std::max(spectrum.RGB[2], 0.0) };
-    ExpectFormula(brdf, color, 0.15 * SpectrumTolerance);
-  }
-}
-
-//------------------------------------------------------------------------------
 TEST(IOOpenMaterial, OneWavelengthIsGray)
 {
   const Folder folder;

@@ -88,19 +88,6 @@ TEST(IOPhotographs, ReadsLists)
   EXPECT_EQ(picture->GetScalarType(), VTK_FLOAT);
   EXPECT_EQ(picture->GetScalarComponentAsDouble(0, 1, 0, 0), 1.0); // the top row is the last
   EXPECT_FLOAT_EQ(static_cast<float>(picture->GetScalarComponentAsDouble(2, 0, 0, 1)), 0.4f);
-
-  WriteBytes(folder("list.csv"),
-    "# ours\nfile, light_theta, light_phi, view_x, view_y, view_z, exposure, note\n\n"
-    "a.exr, 15, 30, 0, 3, 3, 2, \r\n" +
-      folder("a.exr") + ",0,0,0,0,1,1e-2,x\n");
-  reader->SetFileName(folder("list.csv"));
-  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
-  ASSERT_EQ(reader->GetPhotographs()->GetNumberOfPhotographs(), 2);
-  reader->GetPhotographs()->GetLight(0, direction);
-  ExpectDirection(direction, 15.0, 30.0);
-  reader->GetPhotographs()->GetView(0, direction);
-  ExpectDirection(direction, 45.0, 90.0);
-  EXPECT_EQ(reader->GetPhotographs()->GetExposure(1), 0.01);
 }
 
 //------------------------------------------------------------------------------
@@ -171,16 +158,6 @@ TEST(IOPhotographs, RefusesHostileLists)
     { with(list(entry), "{", "{\"gamma\": null,"), "gamma: expected a finite number" },
     { with(list(entry), "{", "{\"levels_for_floats\": 1,"), "expected true or false" },
     { std::string(100000, '['), "" },
-    { "file\na.exr\n", "line 1: found no column 'light_x'" },
-    { "file,light_theta,view_theta,view_phi\n", "found no column 'light_phi'" },
-    { "file,file,light_theta,light_phi,view_theta,view_phi\n0,0,0,0,a.exr\n",
-      "found two columns 'file'" },
-    { "light_theta,light_phi,view_theta,view_phi\n", "found no column 'file'" },
-    { "file,light_theta,light_phi,view_theta,view_phi\n", "found 0 photographs" },
-    { "file,light_theta,light_phi,view_theta,view_phi\na.exr,1,2,3\n", "line 2: found 4 columns" },
-    { "file,light_theta,light_phi,view_theta,view_phi\na.exr,1,2,3,x\n", "view_phi: found 'x'" },
-    { "file,light_theta,light_phi,view_theta,view_phi\na.exr,1,2,95,0\n", "polar angle of 95" },
-    { "file,light_theta,light_phi,view_theta,view_phi\na.exr,1,2,nan,0\n", "found 'nan'" },
   };
   for (const auto& bad : cases)
   {
@@ -202,11 +179,10 @@ TEST(IOPhotographs, NamesAFileThatIsNoImage)
 {
   const Folder folder;
   WriteBytes(folder("a.png"), "no image");
-  WriteBytes(folder("list.csv"),
-    "file,light_theta,light_phi,view_theta,view_phi\na.png,0,0,0,0\nb.tif,0,0,0,0\n");
+  WriteBytes(folder("list.json"), Replace(Replace(GoodList, "a.exr", "a.png"), "a.exr", "b.tif"));
   WriteTwoRows(folder("b.tif"), 3, SixPixels, OIIO::TypeDesc::UINT16, "linear");
   vtkNew<vtkPhotographSetReader> reader;
-  reader->SetFileName(folder("list.csv"));
+  reader->SetFileName(folder("list.json"));
   ASSERT_TRUE(reader->Read());
   ErrorCatcher errors(reader->GetPhotographs());
   EXPECT_EQ(reader->GetPhotographs()->NewPicture(0), nullptr);

@@ -1,24 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkBRDFWriter: what is written reads back the same.
+#include "EveryModel.h"
 #include "NeedsLibrary.h"
 #include "TestIOHelpers.h"
 
-#include "vtkAngleBasisBRDF.h"
-#include "vtkAngularTableBRDF.h"
 #include "vtkAnisotropicTabulatedBRDF.h"
-#include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFData.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFModels.h"
 #include "vtkBasisBRDF.h"
-#include "vtkBlinnPhongBRDF.h"
-#include "vtkDistributionBRDF.h"
 #include "vtkLambertBRDF.h"
 #include "vtkObjectFactory.h"
 #include "vtkSumBRDF.h"
 #include "vtkTabulatedBRDF.h"
-#include "vtkTensorTreeBRDF.h"
 
 #if MEASUREDBRDF_WITH_OPENEXR
 #include <ImfFrameBuffer.h>
@@ -263,53 +258,19 @@ TEST(IOWriter, RefusesBadPlaces)
 TEST(IOExrRoundTrip, EveryModelComesBack)
 {
   NEEDS_OPENEXR();
-  vtkNew<vtkLambertBRDF> lambert;
-  lambert->SetAlbedo(0.1, 1.0 / 3.0, 1.25);
-  lambert->SetName("paper");
-  lambert->SetResamplingTolerance(0.0123456789012345);
-  vtkNew<vtkBlinnPhongBRDF> phong;
-  phong->SetSpecular(0.1, 0.2, 1.0 / 7.0);
-  phong->SetExponent(1234.5678901234567);
-  vtkNew<vtkAshikhminShirleyBRDF> shirley;
-  shirley->SetSpecularScale(0.9, 0.8, 0.7);
-  shirley->SetReflectance(0.1, 0.2, 0.3);
-  shirley->SetDiffuse(0.3, 0.2, 0.1);
-  shirley->SetExponents(10.1, 1000.3);
-  shirley->SetFresnelModelToDielectric();
-  shirley->SetIndexOfRefraction(1.77);
-  vtkNew<vtkDistributionBRDF> distribution;
-  auto values = MakeValues(3 * 16 * 4);
-  values[1] = 0.5f;
-  ASSERT_TRUE(distribution->SetDistribution(16, 4, values));
-  ASSERT_TRUE(distribution->SetFresnel(8, std::vector<float>(24, 0.7f)));
-  vtkNew<vtkAngleBasisBRDF> patches;
-  ASSERT_EQ(
-    patches->SetMatrix({ { 20.0f, 90.0f }, { 1, 3 } }, { { 90.0f }, { 5 } }, MakeValues(3 * 4 * 5)),
-    "");
-  vtkNew<vtkAngularTableBRDF> angles;
-  ASSERT_EQ(angles->SetValues({ { 0.0f, 30.0f, 90.0f }, { 0.0f, 180.0f } },
-              { { 0.0f, 90.0f }, { 0.0f, 120.0f, 240.0f } }, MakeValues(3 * 6 * 6)),
-    "");
-  vtkTensorTreeBRDF::Tree tree;
-  tree.Dimensions = 4;
-  tree.Nodes = { { 1, 0 }, { 2, 1 }, { 0, 0 } };
-  tree.Children = { 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1 };
-  tree.Values = MakeValues(17);
-  vtkNew<vtkTensorTreeBRDF> branches;
-  ASSERT_EQ(branches->SetTree(tree), "");
-  vtkNew<vtkAdaptiveWarpBRDF> warp;
-  ASSERT_EQ(warp->SetTables(MakeTables()), "");
+  auto materials = MakeEveryModel([](std::size_t count) { return MakeValues(count); });
+  ASSERT_FALSE(materials.empty());
+  materials.front()->SetName("paper");
+  materials.front()->SetResamplingTolerance(0.0123456789012345);
   vtkNew<vtkSumBRDF> empty, inner, sum;
   inner->SetName("inner");
   inner->AddTerm(MakeMerlTable());
   inner->AddTerm(MakeTable(vtkTabulatedBRDF::INCIDENT_OUTGOING, vtkTabulatedBRDF::FULL_TURN));
   sum->SetName("outer");
-  sum->AddTerm(lambert);
+  sum->AddTerm(materials.front());
   sum->AddTerm(inner);
-  sum->AddTerm(warp);
   sum->AddTerm(empty);
-  std::vector<vtkSmartPointer<vtkBRDF>> materials = { lambert.Get(), phong.Get(), shirley.Get(),
-    distribution.Get(), patches.Get(), angles.Get(), branches.Get(), warp.Get(), sum.Get() };
+  materials.push_back(sum.Get());
   for (const int range : { 0, 1 })
   {
     for (const int parameterization : { 0, 1 })

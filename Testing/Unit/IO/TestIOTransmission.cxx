@@ -149,23 +149,6 @@ TEST(IOTransmission, UsesReciprocityForTheMissingSide)
 }
 
 //------------------------------------------------------------------------------
-TEST(IOTransmission, ReadsColor)
-{
-  const Folder folder;
-  const std::string more = MakeBsdfXmlBlock("CIE-X", "Transmission Back", 2.0 * 7.0, 0.0) +
-                           MakeBsdfXmlBlock("CIE-Z", "Transmission Back", 0.0, 0.0);
-  WriteBytes(folder("a.xml"), MakeBsdfXml("Columns", more));
-  const auto btdf = ReadTransmission(folder("a.xml"));
-  ASSERT_TRUE(btdf);
-  const glm::dvec3 i(0.0, 0.0, -1.0);
-  const glm::dvec3 o(0.0, 0.0, 1.0);
-  glm::dvec3 f;
-  btdf->Evaluate(&i.x, &o.x, &f.x);
-  EXPECT_NEAR(f.x, 7.0 * (2.0 * 3.1462519 - 1.6661246), 1e-4);
-  EXPECT_NEAR(f.z, 0.0, 1e-12) << "a negative blue counts as 0";
-}
-
-//------------------------------------------------------------------------------
 TEST(IOTransmission, ReadsTensorTrees)
 {
   const Folder folder;
@@ -191,32 +174,6 @@ TEST(IOTransmission, ReadsTensorTrees)
     EXPECT_NEAR(GetTransmittance(btdf, i), Pi / 4.0 * (4 * (k & 12) + 6), 1e-4);
     EXPECT_NEAR(GetSkyTransmittance(btdf, o), Pi / 4.0 * (4 * (k & 3) + 24), 1e-4); // the light's
   }
-}
-
-//------------------------------------------------------------------------------
-// Whatever is wrong with a block of transmission is said with its name, and nothing is read.
-TEST(IOTransmission, NamesBadBlocks)
-{
-  const Folder folder;
-  const std::string good = MakeBothSides();
-  const auto refuse = [&](const std::string& old, const std::string& with, const std::string& what)
-  {
-    ExpectBytesRefused(folder, Replace(good, old, with),
-      { BsdfXmlFormat, "ScatteringData of 'Transmission Front'", what });
-  };
-  for (const char* bad : { "nan", "inf", "1e99", "0.02x" })
-  {
-    refuse("0.021000", bad, std::string("value 1: found '") + bad);
-  }
-  refuse("0.021000,", "", "found 24 values, expected 25");
-  refuse("0.021000", "1 2", "more than the 25");
-  ExpectBytesRefused(folder,
-    MakeBsdfXmlTree(3, "{1}", MakeBsdfXmlTreeBlock("Transmission Back", "{{1}{2}}")),
-    { BsdfXmlFormat, "ScatteringData of 'Transmission Back'", "2 children" });
-  ExpectBytesRefused(folder,
-    Replace(good, "Transmission Back</WavelengthDataDirection><ColumnAngleBasis>Five",
-      "Transmission Back</WavelengthDataDirection><ColumnAngleBasis>Six"),
-    { BsdfXmlFormat, "does not define 'Six'" });
 }
 
 //------------------------------------------------------------------------------

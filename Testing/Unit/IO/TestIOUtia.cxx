@@ -93,18 +93,6 @@ TEST(IOUtia, DisplayColorsAreDecoded)
   ExpectRefused(folder, folder("cloth.bin#other"), { "UTIA binary", "'#other'", "'#display'" });
 }
 
-TEST(IOUtia, MoreLightThanThereIsIsNoted)
-{
-  const Folder folder;
-  WriteBytes(folder("dim.bin"), MakeUtia(0.5));
-  WriteBytes(folder("bright.bin"), MakeUtia(30.0));
-  vtkNew<vtkBRDFReader> reader;
-  ASSERT_TRUE(ReadUtia(folder("dim.bin"), reader));
-  ExpectNote(reader, "times the light", false);
-  ASSERT_TRUE(ReadUtia(folder("bright.bin"), reader));
-  ExpectNote(reader, "times the light");
-}
-
 TEST(IOUtia, NegativeValuesCountAsNothing)
 {
   const Folder folder;
