@@ -4,13 +4,12 @@
 
 #include "LocalFrame.h"
 #include "Methods.h"
-#include "Tool.h"
+#include "ParallelFor.h"
 
 #include "vtkBRDF.h"
 #include "vtkDoubleArray.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -56,36 +55,26 @@ std::vector<double> DrawDirectional(
 {
   const std::array<double, 3> direction = GetDirection(light);
   const auto tangents = tool::MakeTangents(surface.Normals);
-  vtkNew<vtkDoubleArray> lights;
-  vtkNew<vtkDoubleArray> views;
-  vtkNew<vtkDoubleArray> values;
-  for (vtkDoubleArray* array : { lights.Get(), views.Get() })
-  {
-    array->SetNumberOfComponents(3);
-    array->Allocate(static_cast<vtkIdType>(surface.Normals.size()));
-  }
-  for (std::size_t k = 0; k < surface.Normals.size(); k += 3)
-  {
-    glm::dvec3 tangent;
-    tangents->GetTuple(static_cast<vtkIdType>(k / 3), &tangent.x);
-    const measuredbrdf::Frame frame =
-      measuredbrdf::FrameAbout(glm::make_vec3(&surface.Normals[k]), tangent);
-    const glm::dvec3 towards = measuredbrdf::ToLocal(frame, glm::make_vec3(direction.data()));
-    const glm::dvec3 view = measuredbrdf::ToLocal(frame, glm::make_vec3(&surface.Views[k]));
-    lights->InsertNextTuple(&towards.x);
-    views->InsertNextTuple(&view.x);
-  }
-  if (!brdf->EvaluateArray(lights, views, values))
-  {
-    throw tool::Error("exact picture: " + tool::TakeErrorText());
-  }
+  brdf->Prepare();
   std::vector<double> radiance(surface.Normals.size());
-  for (std::size_t k = 0; k < radiance.size(); ++k)
-  {
-    const double cosine = lights->GetValue(static_cast<vtkIdType>(k - k % 3 + 2));
-    radiance[k] =
-      values->GetValue(static_cast<vtkIdType>(k)) * light.Irradiance * std::max(0.0, cosine);
-  }
+  measuredbrdf::ParallelFor(0, tangents->GetNumberOfTuples(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        const auto at = static_cast<std::size_t>(3 * k);
+        double tangent[3];
+        tangents->GetTuple(k, tangent);
+        const measuredbrdf::Frame frame =
+          measuredbrdf::FrameAbout(glm::make_vec3(&surface.Normals[at]), glm::make_vec3(tangent));
+        const glm::dvec3 i = measuredbrdf::ToLocal(frame, glm::make_vec3(direction.data()));
+        const glm::dvec3 o = measuredbrdf::ToLocal(frame, glm::make_vec3(&surface.Views[at]));
+        glm::dvec3 f;
+        brdf->Evaluate(&i.x, &o.x, &f.x);
+        f *= light.Irradiance * std::max(0.0, i.z);
+        std::copy_n(&f.x, 3, &radiance[at]);
+      }
+    });
   return radiance;
 }
 } // namespace explorer

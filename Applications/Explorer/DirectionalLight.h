@@ -33,7 +33,7 @@ void PlaceLight(vtkLight* light, const LightState& state);
 /**
  * The exact radiance of a surface's pixels, 3 doubles each: f(light, view) E cos(theta), without
  * what the surface hides from itself. Anisotropic materials are turned about the up axis, as the
- * mapper does without tangents. Throws tool::Error.
+ * mapper does without tangents.
  */
 std::vector<double> DrawDirectional(
   vtkBRDF* brdf, const tool::Surface& surface, const LightState& light);

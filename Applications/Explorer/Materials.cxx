@@ -4,7 +4,6 @@
 
 #include "Files.h"
 #include "Meshes.h"
-#include "Samples.h"
 #include "State.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
@@ -334,35 +333,9 @@ tool::Material MakeSnapshot(const tool::Material& material)
 }
 
 //------------------------------------------------------------------------------
-const SampleEdits& FindEdits(const std::map<std::string, SampleEdits>& all, const std::string& file)
+MadeMaterial MakeMaterial(const std::string& file, const ModelStates& models)
 {
-  const auto found = all.find(file);
-  static const SampleEdits none;
-  return found == all.end() ? none : found->second;
-}
-
-//------------------------------------------------------------------------------
-bool MadeMaterial::IsAnother(const MaterialSettings& settings) const
-{
-  return this->Edits != FindEdits(settings.Edits, this->Shown.File) ||
-         this->Values != FindValues(this->Shown.File, settings.Models);
-}
-
-//------------------------------------------------------------------------------
-MadeMaterial MakeMaterial(const std::string& file, const MaterialSettings& settings)
-{
-  return RemakeMaterialOf(LoadMaterial(file, settings.Models), settings);
-}
-
-//------------------------------------------------------------------------------
-MadeMaterial RemakeMaterialOf(const tool::Material& original, const MaterialSettings& settings)
-{
-  MadeMaterial made;
-  made.Original =
-    FindModel(original.File) ? LoadMaterial(original.File, settings.Models) : original;
-  made.Values = FindValues(original.File, settings.Models);
-  made.Edits = FindEdits(settings.Edits, original.File);
-  made.Shown = ApplyEdits(made.Original, made.Edits);
+  MadeMaterial made{ LoadMaterial(file, models), FindValues(file, models) };
   made.Shown.BRDF->Prepare();
   if (made.Shown.Transmission)
   {

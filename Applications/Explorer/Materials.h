@@ -3,7 +3,7 @@
 /**
  * @file
  * What can be shown: what is built in, models with parameters, and files; and a material as it is
- * shown, made of parameters and with the edits of its samples. Without Qt.
+ * shown. Without Qt.
  */
 
 #ifndef Materials_h
@@ -107,33 +107,14 @@ tool::Material LoadMaterial(const std::string& file, const ModelStates& states);
 /// A copy for another thread; the material itself where its class has none.
 tool::Material MakeSnapshot(const tool::Material& material);
 
-/// The edits of a material's samples among those of all.
-const SampleEdits& FindEdits(
-  const std::map<std::string, SampleEdits>& all, const std::string& file);
-
-/// What a state says of all materials beside their files.
-struct MaterialSettings
-{
-  ModelStates Models;
-  std::map<std::string, SampleEdits> Edits;
-};
-
 struct MadeMaterial
 {
-  tool::Material Original; // without edits
-  tool::Material Shown;    // prepared
-  ModelValues Values;      // of a model; empty for others
-  SampleEdits Edits;
-
-  /// Whether it would be another one by these settings.
-  bool IsAnother(const MaterialSettings& settings) const;
+  tool::Material Shown; // prepared
+  ModelValues Values;   // of a model; empty for others
 };
 
 /// By its file or name. Takes long. Throws tool::Error.
-MadeMaterial MakeMaterial(const std::string& file, const MaterialSettings& settings);
-
-/// The same by other settings, without reading it again.
-MadeMaterial RemakeMaterialOf(const tool::Material& original, const MaterialSettings& settings);
+MadeMaterial MakeMaterial(const std::string& file, const ModelStates& models);
 } // namespace explorer
 
 #endif

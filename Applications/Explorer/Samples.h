@@ -3,7 +3,7 @@
 /**
  * @file
  * A material as rows of samples: those that its table holds, or f at the angles of MERL's tables;
- * and the panel that shows and edits them.
+ * and the panel that shows them.
  */
 
 #ifndef Samples_h
@@ -16,13 +16,10 @@
 #include <QAbstractTableModel>
 #include <QLabel>
 #include <QTableView>
-#include <QUndoStack>
 
 #include <array>
 #include <optional>
 #include <string>
-
-class QPushButton;
 
 namespace explorer
 {
@@ -38,9 +35,6 @@ public:
   /// brdf: prepared, and not changed while this is used; null: no rows.
   explicit SampleTable(vtkBRDF* brdf = nullptr);
 
-  /// Whether rows are values of a table; else f is evaluated.
-  bool IsStored() const { return this->Table != nullptr; }
-
   int GetNumberOfRows() const;
 
   /// Columns: three angles in degrees, then red, green and blue.
@@ -48,9 +42,6 @@ public:
 
   /// Of GetNames' first three.
   std::array<double, 3> GetAngles(int row) const;
-
-  /// Whether both directions are above the horizon; other rows hold no material.
-  bool IsAbove(int row) const;
 
   /// Nothing below the horizon, or where nothing was measured.
   std::optional<Value> GetValue(int row) const;
@@ -62,8 +53,6 @@ public:
   std::string GetNote() const;
 
 private:
-  bool GetDirections(int row, double i[3], double o[3]) const;
-
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkTabulatedBRDF* Table = nullptr; // BRDF, or null
   std::array<int, 3> Dimensions = { 0, 0, 0 };
@@ -71,37 +60,20 @@ private:
   int AzimuthRange = vtkTabulatedBRDF::HALF_TURN;
 };
 
-/// A copy with other values in some rows; without edits the material itself. Edits that its table
-/// has no rows for are left out, which its notes say. Throws tool::Error.
-tool::Material ApplyEdits(const tool::Material& original, const SampleEdits& edits);
-
-/// The rows of a SampleTable, with the session's edits over them. What is edited goes through an
-/// undo stack into the session's edits of that material.
+/// The rows of the SampleTable of the material that is shown.
 class SampleModel : public QAbstractTableModel
 {
   Q_OBJECT
 
 public:
-  static constexpr int FirstColor = 3; ///< of the columns; those before it are angles
-
-  SampleModel(Session* session, QUndoStack* undo, QObject* parent);
+  SampleModel(Session* session, QObject* parent);
 
   const SampleTable& GetTable() const { return this->Table; }
-
-  /// Those of the material that is shown.
-  const SampleEdits& GetEdits() const;
-
-  /// Takes back all edits of this material; that can be undone.
-  void Revert();
 
   int rowCount(const QModelIndex& parent = QModelIndex()) const override;
   int columnCount(const QModelIndex& parent = QModelIndex()) const override;
   QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-  Qt::ItemFlags flags(const QModelIndex& index) const override;
-
-  /// Refuses, with a message of the session, what is no number from 0 to LargestSample.
-  bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
 
   /// Nothing: typing in the view would search millions of rows.
   QModelIndexList match(
@@ -111,12 +83,7 @@ public:
   }
 
 private:
-  void Push(const QString& title, const SampleEdits& edits);
-
-  Session* Model;
-  QUndoStack* Undo;
   SampleTable Table;
-  vtkSmartPointer<vtkBRDF> Shown; // what Table reads
 };
 
 /// The table with its buttons.
@@ -129,7 +96,6 @@ public:
 
   QTableView* GetView() const { return this->View; }
   SampleModel* GetModel() const { return this->Samples; }
-  QUndoStack* GetUndoStack() const { return this->Undo; }
 
   /// What the values are.
   QString GetNote() const { return this->Note->text(); }
@@ -145,7 +111,6 @@ private:
   void GoTo(const std::array<double, 3>& degrees);
 
   Session* Model;
-  QUndoStack* Undo;
   SampleModel* Samples;
   QTableView* View;
   QLabel* Note;

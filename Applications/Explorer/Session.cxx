@@ -58,7 +58,6 @@ void Session::Replace(const State& state, bool withCamera)
 {
   const State before = this->Current;
   this->Current = state;
-  this->SavedEdits = state.Edits;
   this->Current.Material = before.Material;
   this->Current.Environment = before.Environment;
   this->Current.Mesh = before.Mesh;
@@ -69,10 +68,8 @@ void Session::Replace(const State& state, bool withCamera)
       AddOnce(this->Current.MaterialFiles, file); // so that it can be taken out
     }
   }
-  emit this->replaced();
   emit this->listsChanged();
   emit this->modelsChanged();
-  emit this->editsChanged();
   this->SetMaterial(state.Material);
   this->Remake.start(); // where it is the one that is shown
   this->SetCompared(state.Compared);
@@ -109,7 +106,7 @@ void Session::Open(const QStringList& files)
   // One job at a time: this one also reads what the one that it stops has not
   // read.
   this->Background->Start("open", tr("reading"),
-    [this, names = this->Opening, settings = this->GetMaterialSettings()](const Jobs::Post& post)
+    [this, names = this->Opening, models = this->Current.Models](const Jobs::Post& post)
     {
       for (const std::string& name : names)
       {
@@ -119,7 +116,7 @@ void Session::Open(const QStringList& files)
         }
         try
         {
-          this->OpenOne(name, settings, post);
+          this->OpenOne(name, models, post);
         }
         catch (const std::exception& error)
         {
@@ -133,8 +130,7 @@ void Session::Open(const QStringList& files)
 
 //------------------------------------------------------------------------------
 // On a thread. What was asked for before by other means is not waited for.
-void Session::OpenOne(
-  const std::string& file, const MaterialSettings& settings, const Jobs::Post& post)
+void Session::OpenOne(const std::string& file, const ModelStates& models, const Jobs::Post& post)
 {
   const auto take = [this, &post](const char* job, const auto&... taken)
   {
@@ -145,7 +141,7 @@ void Session::OpenOne(
         this->Take(taken...);
       });
   };
-  const auto readMaterial = [&]() { take("material", MakeMaterial(file, settings)); };
+  const auto readMaterial = [&]() { take("material", MakeMaterial(file, models)); };
   const auto readEnvironment = [&]() { take("environment", tool::LoadEnvironment(file), file); };
   const FileKind kind = FindFileKind(file);
   switch (kind)
@@ -186,11 +182,16 @@ void Session::OpenOne(
 }
 
 //------------------------------------------------------------------------------
-// The one before is the current one again.
-void Session::FailToRead(const QString& text)
+// Where it cannot be read, the one before is the current one again.
+template <typename Reading, typename Taking>
+void Session::Read(const char* job, Reading read, Taking take)
 {
-  this->Say(text, true);
-  emit this->listsChanged();
+  this->Background->Compute(job, tr("reading"), read, take,
+    [this](const QString& text)
+    {
+      this->Say(text, true);
+      emit this->listsChanged();
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -201,11 +202,9 @@ void Session::SetMaterial(const std::string& file)
     this->Background->Stop("material");
     return;
   }
-  this->Background->Compute(
-    "material", tr("reading"),
-    [file, settings = this->GetMaterialSettings()]() { return MakeMaterial(file, settings); },
-    [this](const MadeMaterial& made) { this->Take(made); },
-    [this](const QString& text) { this->FailToRead(text); });
+  this->Read(
+    "material", [file, models = this->Current.Models]() { return MakeMaterial(file, models); },
+    [this](const MadeMaterial& made) { this->Take(made); });
 }
 
 //------------------------------------------------------------------------------
@@ -220,10 +219,9 @@ void Session::SetEnvironment(const std::string& file)
     }
     return;
   }
-  this->Background->Compute(
-    "environment", tr("reading"), [file]() { return tool::LoadEnvironment(file); },
-    [this, file](const vtkSmartPointer<vtkEnvironment>& read) { this->Take(read, file); },
-    [this](const QString& text) { this->FailToRead(text); });
+  this->Read(
+    "environment", [file]() { return tool::LoadEnvironment(file); },
+    [this, file](const vtkSmartPointer<vtkEnvironment>& read) { this->Take(read, file); });
 }
 
 //------------------------------------------------------------------------------
@@ -235,10 +233,9 @@ void Session::SetMesh(const std::string& file)
     return;
   }
   this->IsCameraGiven = false;
-  this->Background->Compute(
-    "mesh", tr("reading"), [file]() { return LoadMeshByName(file); },
-    [this, file](const vtkSmartPointer<vtkPolyData>& read) { this->Take(read, file); },
-    [this](const QString& text) { this->FailToRead(text); });
+  this->Read(
+    "mesh", [file]() { return LoadMeshByName(file); },
+    [this, file](const vtkSmartPointer<vtkPolyData>& read) { this->Take(read, file); });
 }
 
 //------------------------------------------------------------------------------
@@ -324,7 +321,7 @@ void Session::ReadCompared()
         }
         try
         {
-          const MadeMaterial made = MakeMaterial(file, { models, {} });
+          const MadeMaterial made = MakeMaterial(file, models);
           const tool::Material& read = made.Shown;
           const ChartedMaterial material{ file, read.Name, read.BRDF, SampleAlbedo(read.BRDF),
             made.Values, read.Transmission,
@@ -371,40 +368,29 @@ void Session::Take(const MadeMaterial& made)
 }
 
 //------------------------------------------------------------------------------
-MaterialSettings Session::GetMaterialSettings() const
-{
-  return { this->Current.Models, this->Current.Edits };
-}
-
-//------------------------------------------------------------------------------
-// The material that is shown with other parameters or edits; another one is not
-// waited for.
+// The model that is shown with other parameters; another material is not waited
+// for.
 void Session::RemakeMaterial()
 {
-  const MaterialSettings settings = this->GetMaterialSettings();
+  const ModelStates& models = this->Current.Models;
   if (std::any_of(this->Compared.begin(), this->Compared.end(),
-        [&](const auto& one)
-        { return one.second.Values != FindValues(one.first, settings.Models); }))
+        [&](const auto& one) { return one.second.Values != FindValues(one.first, models); }))
   {
     this->ReadCompared();
   }
-  if (!this->Made.Shown.BRDF || !this->Made.IsAnother(settings))
+  const std::string& file = this->Made.Shown.File;
+  if (!this->Made.Shown.BRDF || this->Made.Values == FindValues(file, models))
   {
-    this->Background->Stop("remake"); // of settings that are taken back
+    this->Background->Stop("remake"); // of parameters that are taken back
     return;
   }
   this->Background->Compute(
-    "remake", tr("making the material"),
-    [original = this->Made.Original, settings]() { return RemakeMaterialOf(original, settings); },
+    "remake", tr("making the material"), [file, models]() { return MakeMaterial(file, models); },
     [this](const MadeMaterial& made)
     {
       if (made.Shown.File == this->Made.Shown.File)
       {
         this->Made = made;
-        if (made.Shown.Notes != made.Original.Notes)
-        {
-          this->Say(QString::fromStdString(made.Shown.Notes), true);
-        }
         emit this->materialChanged();
       }
     });
@@ -453,32 +439,16 @@ void Session::SaveMaterial(const std::string& path)
   }
   const tool::Material shown = MakeSnapshot(this->Made.Shown);
   this->Background->Start("save material", tr("writing the material"),
-    [this, path, shown, edits = this->Made.Edits](const Jobs::Post& post)
+    [this, path, shown](const Jobs::Post& post)
     {
       tool::WriteMaterial(shown.BRDF, path);
       post(
-        [this, path, shown, edits]()
+        [this, path, shown]()
         {
-          const auto current = this->Current.Edits.find(shown.File);
-          if (current != this->Current.Edits.end() && current->second == edits)
-          {
-            this->SavedEdits[shown.File] = edits; // not where others came meanwhile
-          }
           this->Say(tr("Saved: %1").arg(QString::fromStdString(path)) +
                       (shown.Transmission ? tr(" (its transmission is left out)") : QString()),
             false);
         });
-    });
-}
-
-//------------------------------------------------------------------------------
-bool Session::HasUnsavedEdits() const
-{
-  return std::any_of(this->Current.Edits.begin(), this->Current.Edits.end(),
-    [this](const auto& edits)
-    {
-      const auto saved = this->SavedEdits.find(edits.first);
-      return saved == this->SavedEdits.end() || saved->second != edits.second;
     });
 }
 
@@ -504,7 +474,6 @@ bool Session::Save(const std::string& path)
     [&]()
     {
       SaveState(this->Current, path);
-      this->SavedEdits = this->Current.Edits;
       this->Say(tr("Saved: %1").arg(QString::fromStdString(path)), false);
     });
 }
@@ -541,21 +510,6 @@ void Session::SetModelValues(
     }
   }
   emit this->modelsChanged();
-  this->Remake.start();
-}
-
-//------------------------------------------------------------------------------
-void Session::SetEdits(const std::string& file, const SampleEdits& edits)
-{
-  if (edits.empty())
-  {
-    this->Current.Edits.erase(file);
-  }
-  else
-  {
-    this->Current.Edits[file] = edits;
-  }
-  emit this->editsChanged();
   this->Remake.start();
 }
 

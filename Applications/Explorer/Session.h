@@ -87,9 +87,6 @@ public:
   vtkPolyData* GetMesh() const { return this->Mesh; }
   ///@}
 
-  /// The material without the edits of its samples.
-  const tool::Material& GetOriginal() const { return this->Made.Original; }
-
   /// Whether one directional light is in an environment's place.
   bool IsDirectional() const { return this->Current.Environment == DirectionalLightName; }
 
@@ -97,7 +94,7 @@ public:
   /// directional light.
   bool IsLit() const { return this->Environment || this->IsDirectional(); }
 
-  /// Whether the material waits for parameters or edits to come to rest.
+  /// Whether the material waits for parameters to come to rest.
   bool IsWaiting() const { return this->Remake.isActive(); }
 
   ///@{
@@ -125,17 +122,10 @@ public:
   void SetSplit(double share) { this->Set(&State::Split, share, &Session::pictureChanged); }
   ///@}
 
-  ///@{
-  /// A parameter of a model, and the edits of a table: what is shown of it
-  /// follows in the background. Parameters that are not known change nothing.
+  /// A parameter of a model: what is shown of it follows in the background. Parameters that are not
+  /// known change nothing.
   void SetModelValues(
     const std::string& key, const std::string& parameter, const std::vector<double>& values);
-  void SetEdits(const std::string& file, const SampleEdits& edits);
-  ///@}
-
-  /// Whether there are edits of samples that neither a state that was opened or
-  /// saved has, nor a material that was saved.
-  bool HasUnsavedEdits() const;
 
   ///@{
   /// State files. False with a message where that does not work.
@@ -146,7 +136,7 @@ public:
   bool Try(const std::function<void()>& what);
   ///@}
 
-  /// The material that is shown, with its parameters and edits, as a file
+  /// The material that is shown, with its parameters, as a file
   /// (.exr), in the background.
   void SaveMaterial(const std::string& path);
 
@@ -161,7 +151,6 @@ signals:
   void rotationChanged();
   void lightChanged();
   void modelsChanged();
-  void editsChanged();
   void meshChanged();
   void toleranceChanged();
   void methodsChanged();
@@ -169,15 +158,14 @@ signals:
   void referenceHeightChanged();
   void cameraChanged();
   void cameraReplaced(); // by another state
-  void replaced();       // all of the state, by another
   void lobeChanged();
   void slicesChanged();
   void messaged(const QString& text, bool isError);
 
 private:
-  void OpenOne(const std::string& file, const MaterialSettings& settings, const Jobs::Post& post);
-  void FailToRead(const QString& text);
-  MaterialSettings GetMaterialSettings() const;
+  void OpenOne(const std::string& file, const ModelStates& models, const Jobs::Post& post);
+  template <typename Reading, typename Taking>
+  void Read(const char* job, Reading read, Taking take);
   void RemakeMaterial();
   void ReadCompared();
   void Take(const MadeMaterial& made);
@@ -186,7 +174,6 @@ private:
 
   Jobs* Background;
   State Current;
-  std::map<std::string, SampleEdits> SavedEdits; // those that are in a file
   MadeMaterial Made;
   std::map<std::string, ChartedMaterial> Compared; // by their files
   QTimer Remake;

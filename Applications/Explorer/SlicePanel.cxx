@@ -123,8 +123,7 @@ std::vector<ChartedMaterial> SliceView::GetMaterials() const
     {}, shown.Transmission, this->Transmittances } };
   for (const ChartedMaterial& material : this->Model->GetComparedMaterials())
   {
-    // An edited material may be seen beside its original.
-    if (material.File != shown.File || shown.BRDF != this->Model->GetOriginal().BRDF)
+    if (material.File != shown.File)
     {
       materials.push_back(material);
     }
@@ -316,8 +315,9 @@ void SliceView::paintEvent(QPaintEvent*)
   const double h = this->height();
   if (this->Model->GetState().SlicePolar)
   {
-    this->DrawPolar(painter, QRectF(0.0, 0.0, w, 0.6 * h));
-    this->DrawChart(painter, Plane, QRectF(0.0, 0.6 * h, w, 0.4 * h));
+    const double polar = (this->IsAllAround() ? 0.6 : 0.45) * h;
+    this->DrawPolar(painter, QRectF(0.0, 0.0, w, polar));
+    this->DrawChart(painter, Plane, QRectF(0.0, polar, w, h - polar));
     return;
   }
   for (int k = 0; k < 4; ++k)

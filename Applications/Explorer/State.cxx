@@ -16,7 +16,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <set>
 #include <sstream>
 
@@ -43,7 +42,6 @@ void Visit(SomeState& state, const Visitor& visit)
   visit("material", state.Material);
   visit("compared", state.Compared);
   visit("models", state.Models);
-  visit("edits", state.Edits);
   visit("environment", state.Environment);
   visit("light_theta", state.Light.Theta, 0.0, 180.0);
   visit("light_phi", state.Light.Phi, -180.0, 180.0);
@@ -88,18 +86,6 @@ struct Writer
     this->Object[key] = { { "position", camera.Position }, { "focal_point", camera.FocalPoint },
       { "view_up", camera.ViewUp }, { "view_angle", camera.ViewAngle } };
   }
-  // {"a.binary": [[row, red, green, blue], ...]}
-  void operator()(const char* key, const std::map<std::string, SampleEdits>& edits) const
-  {
-    this->Object[key] = ordered_json::object();
-    for (const auto& [file, list] : edits)
-    {
-      for (const auto& [row, rgb] : list)
-      {
-        this->Object[key][file].push_back({ row, rgb[0], rgb[1], rgb[2] });
-      }
-    }
-  }
 };
 
 //------------------------------------------------------------------------------
@@ -121,16 +107,6 @@ bool IsList(const ordered_json& value, std::size_t count, const Test& isRight)
 std::string DescribeRange(double least, double largest)
 {
   return " from " + tool::FormatNumber(least) + " to " + tool::FormatNumber(largest);
-}
-
-//------------------------------------------------------------------------------
-// Beside the value that was entered stand those of the file, whatever they are.
-bool IsEdit(const ordered_json& edit)
-{
-  constexpr double largest = std::numeric_limits<float>::max();
-  return IsList(
-           edit, 4, [](const ordered_json& value) { return IsNumber(value, -largest, largest); }) &&
-         edit[0].is_number_integer() && IsNumber(edit[0], 0.0, 2147483646.0);
 }
 
 /**
@@ -298,25 +274,6 @@ struct Reader
       }
     }
   }
-  void operator()(const char* key, std::map<std::string, SampleEdits>& edits) const
-  {
-    const Reader materials = this->Open(key);
-    std::size_t count = 0;
-    for (const auto& [file, list] : materials.Object.items())
-    {
-      count += list.size();
-      if (!IsList(list, list.size(), IsEdit) || count > MostEdits)
-      {
-        materials.Fail(file, "a list of [row, red, green, blue] with finite numbers, at most " +
-                               std::to_string(MostEdits) + " of all materials");
-      }
-      for (const ordered_json& edit : list)
-      {
-        edits[file][edit[0].get<int>()] = { edit[1].get<float>(), edit[2].get<float>(),
-          edit[3].get<float>() };
-      }
-    }
-  }
 };
 
 /// Takes numbers that are not allowed as the nearest that are.
@@ -452,6 +409,10 @@ State ReadState(const std::string& text, const std::string& name)
   {
     json.erase("exposure");
   }
+  if (!json.value("edits", ordered_json()).empty())
+  {
+    fields.Fail("edits", "no samples: they are edited in a material's file");
+  }
   State state;
   Visit(state, fields);
   if ((state.Lights & (state.Lights - 1)) != 0)
@@ -499,12 +460,6 @@ State LoadState(const std::string& path)
     std::transform(list->begin(), list->end(), list->begin(),
       [&](const std::string& file) { return Resolve(file, folder); });
   }
-  std::map<std::string, SampleEdits> edits;
-  for (const auto& [file, list] : state.Edits)
-  {
-    edits[Resolve(file, folder)] = list;
-  }
-  state.Edits = edits;
   return state;
 }
 } // namespace explorer

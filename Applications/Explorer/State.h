@@ -59,12 +59,6 @@ using ModelValues = std::map<std::string, std::vector<double>>;
 /// What was set of each model, by its key (ModelMaterials.h).
 using ModelStates = std::map<std::string, ModelValues>;
 
-/// Samples of a table that were changed: their red, green and blue, by row
-/// (SampleTable.h).
-using SampleEdits = std::map<int, std::array<float, 3>>;
-constexpr std::size_t MostEdits = 5000; // of all materials of a state
-constexpr double LargestSample = 1e6;   // that can be entered
-
 struct CameraState
 {
   std::array<double, 3> Position = { 2.0, 1.7, 3.5 };
@@ -95,8 +89,7 @@ struct State
   std::string Material = "gold-paint"; // a built-in name or a file
   std::vector<std::string> Compared;   // materials in the charts beside it, at most MostCompared
   ModelStates Models;                  // of "model:KEY" in a material's place
-  std::map<std::string, SampleEdits> Edits; // of materials, by their files; none is empty
-  std::string Environment = "hall";         // or DirectionalLightName
+  std::string Environment = "hall";    // or DirectionalLightName
   LightState Light;
   double Rotation = 0.0;       // of the environment about +y, degrees in [-180, 180)
   std::string Mesh = "sphere"; // or "ball-on-foot", or a file

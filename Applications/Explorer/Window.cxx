@@ -20,7 +20,6 @@
 
 #include <QAction>
 #include <QBuffer>
-#include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -36,7 +35,6 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <QToolButton>
-#include <QUndoStack>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -319,17 +317,6 @@ void Window::MakeMenus()
   menu->addSeparator();
   add(tr("&Quit"), QKeySequence::Quit, [this]() { this->close(); });
 
-  menu = this->menuBar()->addMenu(tr("&Edit")); // of samples
-  QUndoStack* stack = this->Samples->GetUndoStack();
-  QAction* undo = stack->createUndoAction(this, tr("&Undo"));
-  undo->setShortcut(QKeySequence::Undo);
-  QAction* redo = stack->createRedoAction(this, tr("&Redo"));
-  redo->setShortcut(QKeySequence::Redo);
-  menu->addActions({ undo, redo });
-  menu->addSeparator();
-  add(
-    tr("Take back &all edits"), QKeySequence(), [this]() { this->Samples->GetModel()->Revert(); });
-
   this->MakeViewMenu();
   menu = this->menuBar()->addMenu(tr("&Help"));
   add(tr("&About"), QKeySequence(),
@@ -419,41 +406,8 @@ void Window::OpenFiles(const QString& kind)
                               : kind == "meshes"
                                 ? QStringList{ meshes, all }
                                 : QStringList{ all, materials, environments, meshes, states };
-  this->Open(QFileDialog::getOpenFileNames(this, tr("Open"), QString(), filters.join(";;")));
+  this->Model->Open(QFileDialog::getOpenFileNames(this, tr("Open"), QString(), filters.join(";;")));
 }
-
-//------------------------------------------------------------------------------
-void Window::Open(const QStringList& files)
-{
-  const bool isState = std::any_of(files.begin(), files.end(),
-    [](const QString& file) { return file.endsWith(".json", Qt::CaseInsensitive); });
-  if (!isState || this->MayDropEdits())
-  {
-    this->Model->Open(files);
-  }
-}
-
-//------------------------------------------------------------------------------
-// Asks where samples were edited and are in no file.
-bool Window::MayDropEdits()
-{
-  if (!this->Model->HasUnsavedEdits())
-  {
-    return true;
-  }
-  const auto answer = QMessageBox::question(this, tr("Edited samples"),
-    tr("Samples were edited and are not saved. Save them in a state?"),
-    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
-  if (answer == QMessageBox::Save)
-  {
-    this->AskForState();
-    return !this->Model->HasUnsavedEdits();
-  }
-  return answer == QMessageBox::Discard;
-}
-
-//------------------------------------------------------------------------------
-void Window::closeEvent(QCloseEvent* event) { event->setAccepted(this->MayDropEdits()); }
 
 //------------------------------------------------------------------------------
 void Window::AskForMaterial()
@@ -603,8 +557,7 @@ void Window::dropEvent(QDropEvent* event)
     }
   }
   event->acceptProposedAction();
-  // Afterwards: a question must not keep the program waiting that the files come from.
-  QTimer::singleShot(0, this, [this, files]() { this->Open(files); });
+  this->Model->Open(files);
 }
 
 //------------------------------------------------------------------------------

@@ -74,7 +74,6 @@ public:
   bool IsSettled() const;
 
 protected:
-  void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -84,8 +83,6 @@ private:
   void MakeViewMenu();
   void MakeStatusBar();
   void OpenFiles(const QString& kind);
-  void Open(const QStringList& files);
-  bool MayDropEdits();
   void AskForMaterial();
   void AskForState();
   void Poll();

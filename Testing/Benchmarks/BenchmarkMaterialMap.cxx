@@ -8,9 +8,9 @@
 //   BenchmarkMaterialMap [ROUNDS [NAME [PIXELS]]]
 //
 // ROUNDS: frames of each kind in turns (default 25). NAME: only those of which it is a part, and
-// the first. CACHE: a folder that plans come from and go to, for a second run. PIXELS: the window's
-// width and height (default 500).
+// the first. PIXELS: the window's width and height (default 500).
 
+#include "FrameScene.h"
 #include "vtkActor.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCamera.h"
@@ -48,34 +48,9 @@ double GetMilliseconds(std::clock_t start)
   return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// Materials that differ. exponent: of the gloss of each.
-template <typename Exponent>
-std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials(int count, const Exponent& exponent)
+vtkSmartPointer<vtkPolyData> MakeMappedSphere(int resolution = 180)
 {
-  std::vector<vtkSmartPointer<vtkBRDF>> materials;
-  for (int k = 0; k < count; ++k)
-  {
-    vtkNew<vtkLambertBRDF> base;
-    base->SetAlbedo(0.1 + 0.8 * k / count, 0.3, 0.2);
-    vtkNew<vtkBlinnPhongBRDF> gloss;
-    gloss->SetSpecular(0.1, 0.1, 0.1);
-    gloss->SetExponent(exponent(k));
-    vtkNew<vtkSumBRDF> material;
-    material->AddTerm(base);
-    material->AddTerm(gloss);
-    materials.push_back(material.Get());
-  }
-  return materials;
-}
-
-vtkSmartPointer<vtkPolyData> MakeSphere(int resolution = 180)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(resolution);
-  sphere->SetPhiResolution(resolution);
-  sphere->Update();
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->ShallowCopy(sphere->GetOutput());
+  const vtkSmartPointer<vtkPolyData> copy = MakeSphere(0.5, resolution);
   vtkNew<vtkFloatArray> coordinates;
   coordinates->SetName("coordinates");
   coordinates->SetNumberOfComponents(2);
@@ -134,7 +109,7 @@ public:
   void AddAll(const std::string& wanted)
   {
     this->Wanted = wanted;
-    this->Add("one material", 1, MakeSphere(), nullptr);
+    this->Add("one material", 1, MakeMappedSphere(), nullptr);
     this->Kinds.front().Mapper->SetBRDF(this->Materials[0]);
     for (int classes : { 2, 8, 24, 256, 1024 })
     {
@@ -151,8 +126,8 @@ public:
     this->Materials.swap(this->OtherMaterials);
     this->NameEnd.clear();
     this->AddInSun();
-    if (Kind* fine = this->Add(
-          "one material, as many triangles as 64 classes of points", 1, MakeSphere(235), nullptr))
+    if (Kind* fine = this->Add("one material, as many triangles as 64 classes of points", 1,
+          MakeMappedSphere(235), nullptr))
     {
       fine->Mapper->SetBRDF(this->Materials[0]);
     }
@@ -173,7 +148,7 @@ public:
     const std::size_t before = this->Kinds.size();
     this->Materials.swap(this->MaterialsInSun);
     this->NameEnd = ", three shaders, suns as lights";
-    if (Kind* one = this->Add("one material, suns as lights", 1, MakeSphere(), nullptr))
+    if (Kind* one = this->Add("one material, suns as lights", 1, MakeMappedSphere(), nullptr))
     {
       one->Mapper->SetBRDF(this->Materials[0]);
     }
@@ -255,7 +230,7 @@ private:
   // Wedges about the z axis.
   Kind* AddClasses(int classes, bool ofCells)
   {
-    const vtkSmartPointer<vtkPolyData> sphere = MakeSphere();
+    const vtkSmartPointer<vtkPolyData> sphere = MakeMappedSphere();
     vtkNew<vtkIntArray> array;
     array->SetName("data");
     const vtkIdType count = ofCells ? sphere->GetNumberOfCells() : sphere->GetNumberOfPoints();
@@ -302,7 +277,7 @@ private:
 
   void AddValues(int materials)
   {
-    const vtkSmartPointer<vtkPolyData> sphere = MakeSphere();
+    const vtkSmartPointer<vtkPolyData> sphere = MakeMappedSphere();
     vtkNew<vtkFloatArray> array;
     array->SetName("data");
     for (vtkIdType p = 0; p < sphere->GetNumberOfPoints(); ++p)
@@ -316,7 +291,7 @@ private:
 
   void AddWeights(int materials)
   {
-    const vtkSmartPointer<vtkPolyData> sphere = MakeSphere();
+    const vtkSmartPointer<vtkPolyData> sphere = MakeMappedSphere();
     vtkNew<vtkFloatArray> array;
     array->SetName("data");
     array->SetNumberOfComponents(materials);
@@ -335,7 +310,8 @@ private:
     image->AllocateScalars(VTK_UNSIGNED_CHAR, materials);
     image->GetPointData()->GetScalars()->Fill(100.0);
     map->AddWeightImage(image);
-    this->Add(std::to_string(materials) + " weights in an image", materials, MakeSphere(), map);
+    this->Add(
+      std::to_string(materials) + " weights in an image", materials, MakeMappedSphere(), map);
   }
 
   vtkNew<vtkEnvironment> Environment;

@@ -28,8 +28,6 @@
 #include "vtkSumBRDF.h"
 #include "vtkTexture.h"
 #include "vtkVersion.h"
-#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
-#endif
 
 #include <malloc.h>
 
@@ -64,23 +62,10 @@ vtkSmartPointer<vtkPolyData> MakeOneOfMany(int index, int side)
   return sphere->GetOutput();
 }
 
-/// Materials that differ, from matte to satin.
+/// From matte to satin.
 std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials(int count)
 {
-  std::vector<vtkSmartPointer<vtkBRDF>> materials;
-  for (int k = 0; k < count; ++k)
-  {
-    vtkNew<vtkLambertBRDF> base;
-    base->SetAlbedo(0.1 + 0.8 * k / count, 0.3, 0.2);
-    vtkNew<vtkBlinnPhongBRDF> gloss;
-    gloss->SetSpecular(0.1, 0.1, 0.1);
-    gloss->SetExponent(5.0 + 15.0 * k / count);
-    vtkNew<vtkSumBRDF> material;
-    material->AddTerm(base);
-    material->AddTerm(gloss);
-    materials.push_back(material.Get());
-  }
-  return materials;
+  return ::MakeMaterials(count, [count](int k) { return 5.0 + 15.0 * k / count; });
 }
 
 /// A camera that sees side x side units, and light from a built-in hall.

@@ -12,10 +12,12 @@
 #include "vtkActor.h"
 #include "vtkBasisBRDF.h"
 #include "vtkBasisProjector.h"
+#include "vtkBlinnPhongBRDF.h"
 #include "vtkCamera.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkImageData.h"
+#include "vtkLambertBRDF.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -26,6 +28,7 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
+#include "vtkSumBRDF.h"
 #include "vtkTabulatedBRDF.h"
 #include "vtkTexture.h"
 
@@ -124,12 +127,32 @@ inline vtkSmartPointer<vtkBRDF> MakeBasis(int order)
   return projector->GetOutput();
 }
 
-/// Of 64,000 triangles.
-inline vtkSmartPointer<vtkPolyData> MakeSphere(double radius)
+/// Materials that differ. exponent: of the gloss of each.
+template <typename Exponent>
+std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials(int count, const Exponent& exponent)
+{
+  std::vector<vtkSmartPointer<vtkBRDF>> materials;
+  for (int k = 0; k < count; ++k)
+  {
+    vtkNew<vtkLambertBRDF> base;
+    base->SetAlbedo(0.1 + 0.8 * k / count, 0.3, 0.2);
+    vtkNew<vtkBlinnPhongBRDF> gloss;
+    gloss->SetSpecular(0.1, 0.1, 0.1);
+    gloss->SetExponent(exponent(k));
+    vtkNew<vtkSumBRDF> material;
+    material->AddTerm(base);
+    material->AddTerm(gloss);
+    materials.push_back(material.Get());
+  }
+  return materials;
+}
+
+/// By default of 64,000 triangles.
+inline vtkSmartPointer<vtkPolyData> MakeSphere(double radius, int resolution = 180)
 {
   vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(180);
-  sphere->SetPhiResolution(180);
+  sphere->SetThetaResolution(resolution);
+  sphere->SetPhiResolution(resolution);
   sphere->SetRadius(radius);
   sphere->Update();
   return sphere->GetOutput();

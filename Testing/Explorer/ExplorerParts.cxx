@@ -34,7 +34,6 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -61,16 +60,6 @@ vtkSmartPointer<vtkTabulatedBRDF> MakeTable(int parameterization)
   auto table = vtkSmartPointer<vtkTabulatedBRDF>::New();
   table->SetVolume(parameterization, vtkTabulatedBRDF::HALF_TURN, Dimensions, rgb);
   return table;
-}
-
-//------------------------------------------------------------------------------
-tool::Material MakeTableMaterial(vtkBRDF* brdf)
-{
-  tool::Material material;
-  material.BRDF = brdf;
-  material.File = "table.exr";
-  material.Name = "table";
-  return material;
 }
 }
 
@@ -104,9 +93,6 @@ private slots:
   void samplesAreTheTables();
   void samplesAreFound();
   void otherMaterialsAreSampled();
-  void editsAreInACopy();
-  void editsThatDoNotFitAreLeftOut();
-  void oddSamplesStayReadable();
 };
 
 //------------------------------------------------------------------------------
@@ -139,7 +125,6 @@ void ExplorerParts::stateRoundTrip()
   state.Light = { 30.0, -75.0, 2.5 };
   state.Models["BlinnPhong"]["exponent"] = { 300.0 };
   state.Models["BlinnPhong"]["specular"] = { 0.1, 0.2, 0.3 };
-  state.Edits["/a/b.binary"][7] = { 0.5f, 0.25f, 0.1f };
   state.Compared = { "chrome", "/a/b.binary" };
   const std::string text = WriteState(state);
   const State again = ReadState(text, "state");
@@ -149,7 +134,6 @@ void ExplorerParts::stateRoundTrip()
   QVERIFY(again.SlicePolar);
   QCOMPARE(again.Light.Phi, -75.0);
   QVERIFY(again.Models == state.Models);
-  QVERIFY(again.Edits == state.Edits);
   QCOMPARE(again.Methods[1], std::string("thesis"));
   QCOMPARE(again.Camera.ViewUp[2], 1.0);
   QVERIFY(again.Show == Shown::Difference);
@@ -196,10 +180,7 @@ void ExplorerParts::badStates_data()
     { R"("models": {"BlinnPhong": {"exponent": 1e7}})", "\"exponent\": expected a number from 0" },
     { R"("models": {"AshikhminShirley": {"fresnel": 0.5}})",
       "\"fresnel\": expected a whole number" },
-    { R"("edits": [])", "edits" },
-    { R"("edits": {"a.exr": [[1, 0, 0]]})", "\"a.exr\": expected a list" },
-    { R"("edits": {"a.exr": [[-1, 0, 0, 0]]})", "\"a.exr\"" },
-    { R"("edits": {"a.exr": [[1, 0, 0, 1e300]]})", "\"a.exr\"" },
+    { R"("edits": {"a.exr": [[1, 0, 0, 0]]})", "\"edits\": expected no samples" },
     { R"("camera": 3)", "an object" },
     { R"("camera": {"position": [0, 0, 0], "focal_point": [0, 0, 0]})", "position" },
     { R"("camera": {"view_up": [0, 0, 0]})", "view_up" },
@@ -701,13 +682,6 @@ void ExplorerParts::modelsAreMaterials()
   QCOMPARE(material.Name, std::string("Lambert"));
   QVERIFY(!FindModel("Lambert") && !FindModel("model:Phong"));
   QVERIFY_EXCEPTION_THROWN(LoadMaterial("model:Phong", states), tool::Error);
-  MadeMaterial made = MakeMaterial("model:Lambert", { states, {} });
-  QVERIFY(!made.IsAnother({ states, {} }));
-  states["Lambert"]["albedo"][0] = 0.6;
-  QVERIFY(made.IsAnother({ states, {} }));
-  made = RemakeMaterialOf(made.Original, { states, {} });
-  made.Shown.BRDF->Evaluate(up, up, f);
-  QVERIFY(std::abs(f[0] - 0.6 / vtkMath::Pi()) < 1e-12);
 }
 
 //------------------------------------------------------------------------------
@@ -720,12 +694,10 @@ void ExplorerParts::samplesAreTheTables()
     const auto brdf = MakeTable(parameterization);
     const SampleTable table(brdf);
     QCOMPARE(table.GetNumberOfRows(), 120);
-    QVERIFY(table.IsStored());
     int above = 0;
     for (int row = 0; row < 120; ++row)
     {
       const auto rgb = table.GetValue(row);
-      QCOMPARE(rgb.has_value(), table.IsAbove(row));
       if (!rgb)
       {
         continue;
@@ -788,70 +760,11 @@ void ExplorerParts::otherMaterialsAreSampled()
   vtkNew<vtkLambertBRDF> brdf;
   brdf->SetAlbedo(vtkMath::Pi(), 0.0, 0.0);
   const SampleTable table(brdf);
-  QVERIFY(!table.IsStored());
   QCOMPARE(table.GetNumberOfRows(), 180 * 90 * 90);
   QVERIFY(std::abs(table.GetValue(0).value()[0] - 1.0f) < 1e-6f);
   QVERIFY(!table.GetValue(table.GetNumberOfRows() - 1)); // theta_h and theta_d near 90
-  QVERIFY(table.GetNote().find("cannot be edited") != std::string::npos);
+  QVERIFY(table.GetNote().find("is no table") != std::string::npos);
   QCOMPARE(SampleTable().GetNumberOfRows(), 0);
-}
-
-//------------------------------------------------------------------------------
-void ExplorerParts::editsAreInACopy()
-{
-  const auto brdf = MakeTable(vtkTabulatedBRDF::HALF_DIFFERENCE);
-  const std::vector<float> before = brdf->GetVolume();
-  const tool::Material original = MakeTableMaterial(brdf);
-  QVERIFY(ApplyEdits(original, {}).BRDF == brdf);
-  SampleEdits edits;
-  edits[7] = { 100.0f, 200.0f, 300.0f };
-  const tool::Material edited = ApplyEdits(original, edits);
-  QVERIFY(edited.BRDF != brdf);
-  QCOMPARE(edited.Name, std::string("table (edited)"));
-  QVERIFY(brdf->GetVolume() == before);
-  auto* table = vtkTabulatedBRDF::SafeDownCast(edited.BRDF);
-  QVERIFY(table);
-  for (std::size_t k = 0; k < before.size(); ++k)
-  {
-    QCOMPARE(table->GetVolume()[k], k / 3 == 7 ? 100.0f * (1 + k % 3) : before[k]);
-  }
-}
-
-//------------------------------------------------------------------------------
-void ExplorerParts::editsThatDoNotFitAreLeftOut()
-{
-  SampleEdits edits;
-  edits[120] = { 1.0f, 1.0f, 1.0f }; // the table ends at 119
-  const auto brdf = MakeTable(vtkTabulatedBRDF::HALF_DIFFERENCE);
-  vtkNew<vtkLambertBRDF> lambert;
-  for (vtkBRDF* one : { static_cast<vtkBRDF*>(brdf), static_cast<vtkBRDF*>(lambert) })
-  {
-    const tool::Material edited = ApplyEdits(MakeTableMaterial(one), edits);
-    QVERIFY(edited.BRDF == one);
-    QVERIFY(edited.Notes.find("table.exr: 1 of its edits") != std::string::npos);
-  }
-  edits[7] = { 100.0f, 200.0f, 300.0f }; // the others stay
-  const tool::Material edited = ApplyEdits(MakeTableMaterial(brdf), edits);
-  QVERIFY(edited.Notes.find("table.exr: 1 of its edits") != std::string::npos);
-  auto* table = vtkTabulatedBRDF::SafeDownCast(edited.BRDF);
-  QVERIFY(table && table->GetVolume()[3 * 7 + 2] == 300.0f);
-}
-
-//------------------------------------------------------------------------------
-// Of a sample that was not measured nothing is taken; beside an edited channel negative ones stay.
-void ExplorerParts::oddSamplesStayReadable()
-{
-  const auto brdf = MakeTable(vtkTabulatedBRDF::HALF_DIFFERENCE);
-  std::vector<float> volume = brdf->GetVolume();
-  volume[3 * 7 + 1] = std::numeric_limits<float>::quiet_NaN();
-  const int dimensions[3] = { brdf->GetDimensions()[0], brdf->GetDimensions()[1],
-    brdf->GetDimensions()[2] };
-  QVERIFY(brdf->SetVolume(
-    brdf->GetParameterization(), brdf->GetAzimuthRange(), dimensions, std::move(volume)));
-  QVERIFY(!SampleTable(brdf).GetValue(7));
-  State state;
-  state.Edits["table.exr"][7] = { 0.5f, -0.01f, 2e6f };
-  QVERIFY(ReadState(WriteState(state), "s").Edits == state.Edits);
 }
 
 //------------------------------------------------------------------------------

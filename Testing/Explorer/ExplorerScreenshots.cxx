@@ -92,8 +92,6 @@ void ShootEditing(Window& window, const QString& folder)
   SamplePanel* panel = window.GetSamplePanel();
   window.ShowTab("Samples");
   panel->GoToLobe();
-  const int row = panel->GetView()->currentIndex().row();
-  panel->GetModel()->setData(panel->GetModel()->index(row, 3), "2.5");
   Settle(window);
   Shoot(window, folder, "samples");
 }
