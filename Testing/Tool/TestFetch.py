@@ -263,11 +263,6 @@ class Download(FetchTest):
         self.check(self.run_tool("info", SIZED), 0, SIZED)
         self.check(self.run_tool("info", f"{SIZED}_rgb.bsdf", cwd=self.folder), 1, f"say {SIZED}")
 
-    def test_proxy(self):
-        self.serve(path=f"{self.server.url}{rgl(FREE)}")  # as proxies are asked
-        self.environment["http_proxy"] = self.server.url
-        self.check_fetched(self.fetch_free())
-
 
 class Faults(FetchTest):
     def test_wrong_bytes(self):
@@ -305,11 +300,6 @@ class Faults(FetchTest):
             self.check(self.fetch_free(), 1, rgl(FREE), bad.split(":")[0])
         self.check_nothing_kept()
 
-    def test_redirect_whose_text_never_ends(self):
-        self.serve(redirect="/there", endless=True)
-        self.serve(path="/there")
-        self.check_fetched(self.fetch_free("--timeout", "1"))
-
     def test_slow(self):
         self.serve(cut=1000, pause=30)
         began = time.monotonic()
@@ -340,11 +330,6 @@ class Resume(FetchTest):
         self.check_fetched(result, os.path.join(self.cache, f"{SIZED}_rgb.bsdf"), content)
         self.assertIn(f"{rgl(SIZED)}, byte 100000: the connection was closed", result.stderr)
         self.assertEqual(self.server.get_ranges(), [None, "bytes=100000-"])
-
-    def test_cut_twice_in_one_run(self):
-        self.serve(cut=100000, cuts=2)
-        self.check_fetched(self.fetch_free("--retries", "2"))
-        self.assertEqual(self.server.get_ranges(), [None, "bytes=100000-", "bytes=200000-"])
 
     def test_without_a_sum_nothing_is_resumed(self):
         self.serve(cut=100000, cuts=2)
