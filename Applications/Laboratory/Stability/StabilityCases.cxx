@@ -519,29 +519,6 @@ void RunRemade(Context& context)
 }
 
 //------------------------------------------------------------------------------
-// Plans change where the material does: what shows of that?
-void RunPlanSwitches(Context& context)
-{
-  const int frames = context.Pick(6, 16);
-  const Environment environment = context.MakeLight("sky", 64);
-  const Pairs pairs = MakeSpherePairs(context.Pick(120, 250));
-  std::vector<BRDF> materials;
-  std::vector<Radiance> reference;
-  for (int t = 0; t < frames; ++t)
-  {
-    materials.push_back(MakePlastic(8.0 * std::pow(16.0, static_cast<double>(t) / (frames - 1))));
-    reference.push_back(IntegrateReference(materials.back(), environment, pairs));
-  }
-  const auto& methods = GetMethods();
-  const auto plan = std::find_if(
-    methods.begin(), methods.end(), [](const auto& method) { return method.first == "auto"; });
-  const auto draw = [&](int t)
-  { return Integrate(plan->second(materials[static_cast<std::size_t>(t)], environment), pairs); };
-  context.Add("auto", "flicker ratio, exponent 8 to 128 by frames, planned for each",
-    GetFlicker(draw, reference), 1.1);
-}
-
-//------------------------------------------------------------------------------
 // Coordinates far from 1, and far from the origin.
 void RunWorlds(Context& context)
 {
@@ -887,7 +864,6 @@ const std::vector<Case>& GetCases()
     { "seams", "geometry", "a sun on the map's seam", RunSeams },
     { "motion", "temporal", "environment, object or camera on the move", RunMotion },
     { "remade", "temporal", "everything made anew for each frame", RunRemade },
-    { "plan-switches", "temporal", "plans that change on the way", RunPlanSwitches },
     { "worlds", "scale", "coordinates far from 1", RunWorlds },
     { "oddities", "data", "asymmetry, negative, missing and very large values", RunOddities },
     { "convergence", "convergence", "order of convergence of every method", RunConvergence },
