@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChartMeter.h"
 
+#include "LocalFrame.h"
 #include "ParetoFront.h"
 #include "Progress.h"
 #include "ReferencePicture.h"
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -64,72 +64,17 @@ int CountFetches(vtkRadianceIntegrator* integrator)
 }
 
 //------------------------------------------------------------------------------
-/// FNV-1a, 64 bits.
-class Hash
+template <typename T>
+void Append(std::string& bytes, const std::vector<T>& values)
 {
-public:
-  void Add(const void* data, std::size_t bytes)
-  {
-    const auto* at = static_cast<const unsigned char*>(data);
-    for (std::size_t k = 0; k < bytes; ++k)
-    {
-      this->State = (this->State ^ at[k]) * 0x100000001b3u;
-    }
-  }
-
-  template <typename T>
-  void Add(const std::vector<T>& values)
-  {
-    this->Add(values.data(), values.size() * sizeof(T));
-  }
-
-  std::string GetText() const
-  {
-    char text[17];
-    std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(this->State));
-    return text;
-  }
-
-private:
-  std::uint64_t State = 0xcbf29ce484222325u;
-};
+  bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+}
 
 //------------------------------------------------------------------------------
 // A direction of the upper hemisphere; those of all k cover it evenly.
-void MakeDirection(int k, double turn, double direction[3])
+glm::dvec3 MakeDirection(int k, double turn)
 {
-  const double z = (k + 0.5) / FingerprintPairs;
-  const double s = std::sqrt(1.0 - z * z);
-  direction[0] = s * std::cos(turn * k);
-  direction[1] = s * std::sin(turn * k);
-  direction[2] = z;
-}
-
-//------------------------------------------------------------------------------
-void AddMaterial(Hash& hash, vtkBRDF* brdf)
-{
-  for (int k = 0; k < FingerprintPairs; ++k)
-  {
-    double i[3];
-    double o[3];
-    MakeDirection(k, 2.4, i);
-    MakeDirection(k * 37 % FingerprintPairs, 1.7, o);
-    double f[3];
-    brdf->Evaluate(i, o, f);
-    hash.Add(f, sizeof(f));
-  }
-}
-
-//------------------------------------------------------------------------------
-// Some metrics are not a number for pictures that are too small for them.
-bool AreAlike(const std::map<std::string, double>& a, const std::map<std::string, double>& b)
-{
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-    [](const auto& one, const auto& other)
-    {
-      return one.first == other.first &&
-             (one.second == other.second || (std::isnan(one.second) && std::isnan(other.second)));
-    });
+  return measuredbrdf::ToDirection((k + 0.5) / FingerprintPairs, turn * k);
 }
 
 //------------------------------------------------------------------------------
@@ -154,7 +99,7 @@ namespace tool
 struct ChartMeter::Timed
 {
   std::unique_ptr<OffscreenScene> Window;
-  ChartPoint Point;
+  ChartJson Point;
   std::vector<double> Frames;
   double Expected = 0.0; // ms
   int Like = -1;         // index of one that draws the same, and is timed instead
@@ -172,15 +117,16 @@ struct ChartMeter::Timed
 // the same pixels out of the same textures.
 int ChartMeter::FindAlike(const std::vector<Timed>& all, const Timed& timed)
 {
-  if (timed.Point.Method != PlannerMethod || !timed.Window)
+  if (timed.Point["method"] != PlannerMethod || !timed.Window)
   {
     return -1;
   }
   const auto found = std::find_if(all.begin(), all.end(),
     [&timed](const Timed& other)
     {
-      return other.Window && AreAlike(other.Point.Errors, timed.Point.Errors) &&
-             other.Point.Bytes == timed.Point.Bytes;
+      // As text: some metrics are not a number for pictures that are too small for them.
+      return other.Window && other.Point["errors"].dump() == timed.Point["errors"].dump() &&
+             other.Point["texture_bytes"] == timed.Point["texture_bytes"];
     });
   return found == all.end() ? -1 : static_cast<int>(found - all.begin());
 }
@@ -216,12 +162,21 @@ nlohmann::ordered_json ChartMeter::DescribeRenderer() const
 //------------------------------------------------------------------------------
 std::string ChartMeter::GetFingerprint(const Material& material, vtkEnvironment* environment) const
 {
-  Hash hash;
-  AddMaterial(hash, material.BRDF);
-  hash.Add(environment->GetPixels());
-  hash.Add(this->Visible.Normals);
-  hash.Add(this->Visible.Views);
-  return hash.GetText();
+  std::string bytes;
+  for (int k = 0; k < FingerprintPairs; ++k)
+  {
+    const glm::dvec3 i = MakeDirection(k, 2.4);
+    const glm::dvec3 o = MakeDirection(k * 37 % FingerprintPairs, 1.7);
+    std::vector<double> f(3);
+    material.BRDF->Evaluate(&i.x, &o.x, f.data());
+    Append(bytes, f);
+  }
+  Append(bytes, environment->GetPixels());
+  Append(bytes, this->Visible.Normals);
+  Append(bytes, this->Visible.Views);
+  char text[17];
+  std::snprintf(text, sizeof(text), "%016zx", std::hash<std::string>()(bytes));
+  return text;
 }
 
 //------------------------------------------------------------------------------
@@ -235,7 +190,7 @@ void ChartMeter::Place(OffscreenScene& stage) const
 
 //------------------------------------------------------------------------------
 double ChartMeter::FillErrors(
-  ChartPoint& point, OffscreenScene& stage, const std::vector<double>& reference) const
+  ChartJson& point, OffscreenScene& stage, const std::vector<double>& reference) const
 {
   vtkNew<vtkRadianceMetrics> metrics;
   const auto begin = std::chrono::steady_clock::now();
@@ -245,7 +200,7 @@ double ChartMeter::FillErrors(
   tool::Measure(metrics, Grid(this->Visible, this->Scene.Picture), rgb, reference);
   for (const Metric& metric : GetMetrics())
   {
-    point.Errors[metric.Name] = metric.Get(metrics);
+    point["errors"][metric.Name] = metric.Get(metrics);
   }
   return frame;
 }
@@ -277,19 +232,20 @@ ChartMeter::Timed ChartMeter::Begin(const ChartSize& size, const Material& mater
     method = MakeMethod(options, drawn, environment);
   }
   scene->Begin(method, environment, size.Options.Plan);
-  timed.Point.SetUp = GetElapsed(begin);
+  timed.Point["setup_ms"] = GetElapsed(begin);
   timed.Planner = method.Planner;
   if (vtkRadiancePlanner* planner = plan ? plan : method.Planner.Get())
   {
     const int index = plan ? plan->GetInteractiveChoice() : planner->GetChoice();
-    timed.Point.Plan = planner->GetPlan();
-    timed.Point.PredictedError = planner->GetPredictedError(index);
-    timed.Point.PredictedPictureError = planner->GetPredictedPictureError(index);
-    timed.Point.MeetsTolerance = plan ? timed.Point.PredictedError <= size.Options.Plan.Tolerance
-                                      : planner->GetMeetsTolerance();
+    const double predicted = planner->GetPredictedError(index);
+    timed.Point["predicted_error"] = predicted;
+    timed.Point["predicted_picture_error"] = planner->GetPredictedPictureError(index);
+    timed.Point["meets_tolerance"] =
+      plan ? predicted <= size.Options.Plan.Tolerance : planner->GetMeetsTolerance();
+    timed.Point["plan"] = planner->GetPlan();
   }
-  timed.Point.Bytes = static_cast<double>(scene->GetTextureBytes());
-  timed.Point.Fetches = CountFetches(method.Integrator);
+  timed.Point["texture_bytes"] = scene->GetTextureBytes();
+  timed.Point["texture_fetches"] = CountFetches(method.Integrator);
   timed.Expected = this->FillErrors(timed.Point, *scene, reference);
   if (timed.GetRounds(FewestRounds) == 0)
   {
@@ -310,10 +266,10 @@ ChartMeter::Timed ChartMeter::BeginStock(
   stock->SetLight(environment);
   stock->SetMaterial(StockMaterial());
   stock->TimeFrame();
-  timed.Point.SetUp = GetElapsed(begin);
+  timed.Point["setup_ms"] = GetElapsed(begin);
   stock->Fit(this->Visible, this->Scene.Picture, reference);
-  timed.Point.Bytes = static_cast<double>(stock->GetTextureBytes());
-  timed.Point.Fetches = StockFetches;
+  timed.Point["texture_bytes"] = stock->GetTextureBytes();
+  timed.Point["texture_fetches"] = StockFetches;
   timed.Expected = this->FillErrors(timed.Point, *stock, reference);
   timed.Window = std::move(stock);
   return timed;
@@ -345,19 +301,19 @@ void ChartMeter::TimeFrames(std::vector<Timed>& all, const std::function<void(do
 }
 
 //------------------------------------------------------------------------------
-ChartPair ChartMeter::Measure(
+ChartJson ChartMeter::Measure(
   const Material& material, vtkEnvironment* environment, const std::function<void(double)>& show)
 {
-  ChartPair pair;
-  pair.Material = material.Name;
-  pair.Environment = environment->GetName();
-  pair.Fingerprint = this->GetFingerprint(material, environment);
-  pair.NumberOfPixels = this->Visible.Pixels.size();
-  pair.Load = GetLoad();
+  double load = -1.0;
+  getloadavg(&load, 1); // of the last minute: what else was running
   const auto occlusion =
     PredictOcclusion(MakeTracedScene(this->Scene.Mesh), material.BRDF, environment);
-  pair.UnoccludedError = occlusion->GetError();
-  pair.UnoccludedUncertainty = occlusion->GetUncertainty();
+  ChartJson pair = { { "material", material.Name }, { "environment", environment->GetName() },
+    { "fingerprint", this->GetFingerprint(material, environment) },
+    { "pixels", this->Visible.Pixels.size() }, { "load", load },
+    { "unoccluded_error", occlusion->GetError() },
+    { "unoccluded_uncertainty", occlusion->GetUncertainty() }, // two standard errors
+    { "points", ChartJson::array() } };
   const std::vector<double> reference =
     DrawReference(material.BRDF, environment, this->Visible, this->Scene.Picture).Radiance;
   show(ReferenceShare);
@@ -374,10 +330,10 @@ ChartPair ChartMeter::Measure(
     catch (const Error& error)
     {
       Interruptible::Check();
-      timed.Point.Left = error.what(); // a method need not suit every material
+      timed.Point["left_out"] = error.what(); // a method need not suit every material
     }
-    timed.Point.Method = size.Method->Name;
-    timed.Point.Size = name;
+    timed.Point["method"] = size.Method->Name;
+    timed.Point["size"] = name;
     timed.Like = FindAlike(all, timed);
     if (timed.Like >= 0)
     {
@@ -390,7 +346,7 @@ ChartPair ChartMeter::Measure(
     Interruptible::Check();
     const ChartSize& size = this->Sizes[k];
     // What the size before leads to expect; sizes come smallest first.
-    const bool follows = !all.empty() && all.back().Point.Method == size.Method->Name &&
+    const bool follows = !all.empty() && all.back().Point["method"] == size.Method->Name &&
                          size.Method->Name != PlannerMethod;
     double expected = follows ? all.back().Expected : 0.0;
     if (follows && size.Method->Grows)
@@ -400,9 +356,8 @@ ChartPair ChartMeter::Measure(
     if (expected > this->Scene.Slowest)
     {
       Timed timed;
-      timed.Point.Method = size.Method->Name;
-      timed.Point.Size = size.Size;
-      timed.Point.Left = "a frame would take about " + FormatSeconds(expected);
+      timed.Point = { { "method", size.Method->Name }, { "size", size.Size },
+        { "left_out", "a frame would take about " + FormatSeconds(expected) } };
       timed.Expected = expected;
       all.push_back(std::move(timed));
     }
@@ -425,13 +380,13 @@ ChartPair ChartMeter::Measure(
       timed.Like < 0 ? timed.Frames : all[static_cast<std::size_t>(timed.Like)].Frames;
     if (!frames.empty())
     {
-      timed.Point.Frame = GetQuantile(frames, 0.5);
-      timed.Point.FrameLow = GetQuantile(frames, 0.25);
-      timed.Point.FrameHigh = GetQuantile(frames, 0.75);
-      timed.Point.NumberOfFrames = static_cast<int>(frames.size());
+      timed.Point["frame_ms"] = GetQuantile(frames, 0.5);
+      timed.Point["frame_ms_quartiles"] = { GetQuantile(frames, 0.25), GetQuantile(frames, 0.75) };
+      timed.Point["frames"] = frames.size();
     }
-    pair.Points.push_back(timed.Point);
+    pair["points"].push_back(timed.Point);
   }
+  RatePair(pair);
   return pair;
 }
 } // namespace tool

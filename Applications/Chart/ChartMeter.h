@@ -62,7 +62,7 @@ public:
    * the machine down slows all. show gets the share done. Throws Error, also where Ctrl-C was
    * pressed. Needs an Interruptible.
    */
-  ChartPair Measure(
+  ChartJson Measure(
     const Material& material, vtkEnvironment* environment, const std::function<void(double)>& show);
 
 private:
@@ -77,7 +77,7 @@ private:
   void TimeFrames(std::vector<Timed>& all, const std::function<void(double)>& show) const;
   void Place(OffscreenScene& stage) const;
   double FillErrors( // returns what its frame took, in ms
-    ChartPoint& point, OffscreenScene& stage, const std::vector<double>& reference) const;
+    ChartJson& point, OffscreenScene& stage, const std::vector<double>& reference) const;
 
   ChartScene Scene;
   std::vector<ChartSize> Sizes;

@@ -18,35 +18,22 @@ namespace
 {
 using tool::MethodOptions;
 
+using Apply = std::function<void(const std::string& size, MethodOptions& options)>;
+
 //------------------------------------------------------------------------------
-void ApplyLights(const std::string& size, MethodOptions& options, const char* set, bool soft)
+Apply ApplyLights(const std::string& set, bool soft = false)
 {
-  options.Method = "light-set";
-  options.Lights.Method = set;
-  options.Lights.Count = std::atoi(size.c_str());
-  options.Lights.Soft = soft;
+  return [set, soft](const std::string& size, MethodOptions& options)
+  {
+    options.Method = "light-set";
+    options.Lights.Method = set;
+    options.Lights.Count = std::atoi(size.c_str());
+    options.Lights.Soft = soft;
+  };
 }
 
 //------------------------------------------------------------------------------
-void ApplyMedianCut(const std::string& size, MethodOptions& options)
-{
-  ApplyLights(size, options, "median-cut", false);
-}
-
-//------------------------------------------------------------------------------
-void ApplyImportance(const std::string& size, MethodOptions& options)
-{
-  ApplyLights(size, options, "importance", false);
-}
-
-//------------------------------------------------------------------------------
-void ApplySoftLights(const std::string& size, MethodOptions& options)
-{
-  ApplyLights(size, options, "variance", true);
-}
-
-//------------------------------------------------------------------------------
-std::function<void(const std::string&, MethodOptions&)> ApplySizes(const std::string& method)
+Apply ApplySizes(const std::string& method)
 {
   return [method](const std::string& size, MethodOptions& options)
   {
@@ -135,11 +122,11 @@ static std::vector<ChartMethod> MakeChartMethods()
     { "filtered", "filtered samples", { 0.80, 0.47, 0.65 }, true, { "4", "16", "64" },
       { "4", "8", "16", "32", "64", "128", "256" }, ApplySizes("filtered") },
     { "soft-lights", "soft lights", { 0.90, 0.62, 0.0 }, true, { "16", "64", "256" },
-      { "4", "16", "64", "256", "1024", "4096" }, ApplySoftLights },
+      { "4", "16", "64", "256", "1024", "4096" }, ApplyLights("variance", true) },
     { "median-cut", "median cut", { 0.84, 0.37, 0.0 }, true, { "16", "64", "256" },
-      { "4", "16", "64", "256", "1024", "4096" }, ApplyMedianCut },
+      { "4", "16", "64", "256", "1024", "4096" }, ApplyLights("median-cut") },
     { "importance", "random lights", { 0.34, 0.71, 0.91 }, true, { "64" },
-      { "4", "16", "64", "256", "1024", "4096" }, ApplyImportance },
+      { "4", "16", "64", "256", "1024", "4096" }, ApplyLights("importance") },
     // Its own size first: the first of each is never left out.
     { ThesisMethod, "thesis", { 0.35, 0.35, 0.35 }, true, { "64,6", "16,6" },
       { "64,6", "16,6", "4,6", "64,2", "64,12", "256,6" }, ApplyThesis },

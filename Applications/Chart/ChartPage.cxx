@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChartPage.h"
 
-#include "Files.h"
 #include "LogAxis.h"
 #include "Picture.h"
 #include "Tool.h"
@@ -21,23 +20,15 @@
 #include "vtkRect.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkSVGExporter.h"
 #include "vtkStdString.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTextProperty.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <stdlib.h> // mkdtemp
-
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
-
-namespace fs = std::filesystem;
 
 namespace
 {
@@ -85,49 +76,6 @@ protected:
 vtkStandardNewMacro(Overlay);
 
 //------------------------------------------------------------------------------
-// With the size that it is meant for, and a box that lets viewers scale it.
-std::string MakeScalable(std::string text)
-{
-  const std::string drawn = "width=\"" + std::to_string(Smooth * Width) + "\" height=\"" +
-                            std::to_string(Smooth * Height) + "\"";
-  const std::size_t at = text.find(drawn);
-  if (at != std::string::npos)
-  {
-    text.replace(at, drawn.size(),
-      "width=\"" + std::to_string(Width) + "\" height=\"" + std::to_string(Height) +
-        "\" viewBox=\"0 0 " + std::to_string(Smooth * Width) + " " +
-        std::to_string(Smooth * Height) + "\"");
-  }
-  return text;
-}
-
-//------------------------------------------------------------------------------
-// The window's charts as SVG. VTK writes it to files only, and does not say when it cannot.
-std::string MakeSVG(vtkRenderWindow* window, const std::string& title)
-{
-  std::string folder = (fs::temp_directory_path() / "measured-brdf-XXXXXX").string();
-  if (!mkdtemp(folder.data()))
-  {
-    throw tool::Error(folder + ": no folder for a temporary file can be made");
-  }
-  const fs::path path = fs::path(folder) / "chart.svg";
-  vtkNew<vtkSVGExporter> exporter;
-  exporter->SetRenderWindow(window);
-  exporter->SetTitle(title.c_str());
-  exporter->SetFileName(path.c_str());
-  exporter->Write();
-  std::ifstream in(path);
-  const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  std::error_code ignored;
-  fs::remove_all(folder, ignored);
-  if (text.find("</svg>") == std::string::npos)
-  {
-    throw tool::Error(path.string() + ": the chart could not be written there whole");
-  }
-  return text;
-}
-
-//------------------------------------------------------------------------------
 void DrawText(vtkContext2D* painter, double x, double y, const std::string& text, int size,
   const RGB& color, bool bold = false, bool right = false)
 {
@@ -155,12 +103,12 @@ bool IsDrawn(const tool::PagePoint& point)
 }
 
 //------------------------------------------------------------------------------
-// Draws one page. The chart's own coordinates are pixels: VTK's SVG would stretch its lines else.
+// Draws one page. The chart's own coordinates are pixels.
 class Painter
 {
 public:
   explicit Painter(const tool::Page& page);
-  void Write(const std::string& stem);
+  void Write(const std::string& path);
 
 private:
   void SetUpAxis(vtkAxis* axis, const tool::LogAxis& scale, int length, tool::Unit unit) const;
@@ -308,7 +256,7 @@ void Painter::DrawTexts(vtkContext2D* painter) const
 }
 
 //------------------------------------------------------------------------------
-void Painter::Write(const std::string& stem)
+void Painter::Write(const std::string& path)
 {
   vtkChartXY* chart = this->Chart;
   chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
@@ -325,7 +273,6 @@ void Painter::Write(const std::string& stem)
   actor->GetScene()->AddItem(overlay);
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1.0, 1.0, 1.0);
-  renderer->SetBackgroundAlpha(1.0); // of the SVG
   renderer->AddActor(actor);
   actor->GetScene()->SetRenderer(renderer);
   vtkNew<vtkRenderWindow> window;
@@ -341,20 +288,18 @@ void Painter::Write(const std::string& stem)
   tool::Picture picture(Smooth * Width, Smooth * Height);
   if (bytes->GetNumberOfValues() != 3 * static_cast<vtkIdType>(Smooth * Width) * Smooth * Height)
   {
-    throw tool::Error(stem + ".png: the chart can't be read back: " + tool::TakeErrorText());
+    throw tool::Error(path + ": the chart can't be read back: " + tool::TakeErrorText());
   }
   for (vtkIdType k = 0; k < bytes->GetNumberOfValues(); ++k)
   {
     picture.Pixels[static_cast<std::size_t>(k / 3 * 4 + k % 3)] = bytes->GetValue(k) / 255.0f;
   }
-  tool::WritePNG(
-    stem + ".png", tool::Downsample(picture, Smooth), [](double shown) { return shown; });
-  tool::WriteWhole(stem + ".svg", MakeScalable(MakeSVG(window, this->Page.Title)));
+  tool::WritePNG(path, tool::Downsample(picture, Smooth), [](double shown) { return shown; });
 }
 }
 
 namespace tool
 {
 //------------------------------------------------------------------------------
-void DrawPage(const Page& page, const std::string& stem) { Painter(page).Write(stem); }
+void DrawPage(const Page& page, const std::string& path) { Painter(page).Write(path); }
 } // namespace tool

@@ -51,9 +51,8 @@ struct Page
   std::vector<PagePoint> Front; // a band below the curves; empty: none
 };
 
-/// STEM.png and STEM.svg, each whole or not at all. What is not positive and finite is left out.
-/// Throws Error.
-void DrawPage(const Page& page, const std::string& stem);
+/// A PNG picture, whole or not at all. What is not positive and finite is left out. Throws Error.
+void DrawPage(const Page& page, const std::string& path);
 } // namespace tool
 
 #endif

@@ -28,30 +28,17 @@ struct Dot
 };
 
 //------------------------------------------------------------------------------
-double GetCost(const tool::ChartPoint& point, tool::Cost cost)
-{
-  switch (cost)
-  {
-    case tool::Cost::SetUp:
-      return point.SetUp;
-    case tool::Cost::Memory:
-      return point.Bytes;
-    default:
-      return point.Frame;
-  }
-}
-
-//------------------------------------------------------------------------------
-std::vector<Dot> ListDots(const tool::ChartPair& pair, const std::string& metric, tool::Cost cost)
+std::vector<Dot> ListDots(
+  const tool::ChartJson& pair, const std::string& metric, const std::string& figure)
 {
   std::vector<Dot> dots;
-  for (const tool::ChartPoint& point : pair.Points)
+  for (const tool::ChartJson& point : pair.at("points"))
   {
-    const auto error = point.Errors.find(metric);
-    if (point.IsMeasured() && error != point.Errors.end())
+    const double error = tool::GetPointError(point, metric);
+    if (!point.contains("left_out"))
     {
-      dots.push_back(
-        { point.Method, point.Size, GetCost(point, cost), std::max(error->second, LeastError) });
+      dots.push_back({ point.at("method"), point.at("size"), tool::GetFigure(point, figure),
+        std::isnan(error) ? error : std::max(error, LeastError) });
     }
   }
   return dots;
@@ -60,20 +47,21 @@ std::vector<Dot> ListDots(const tool::ChartPair& pair, const std::string& metric
 //------------------------------------------------------------------------------
 // Means of what all pairs have: others would be means over easier pairs.
 std::vector<Dot> ListMeans(
-  const tool::ChartResults& results, const std::string& metric, tool::Cost cost)
+  const tool::ChartJson& results, const std::string& metric, const std::string& figure)
 {
   std::vector<Dot> means;
-  if (results.Pairs.empty())
+  const tool::ChartJson& pairs = results.at("pairs");
+  if (pairs.empty())
   {
     return means;
   }
-  for (const Dot& first : ListDots(results.Pairs.front(), metric, cost))
+  for (const Dot& first : ListDots(pairs.front(), metric, figure))
   {
     std::vector<double> costs;
     std::vector<double> errors;
-    for (const tool::ChartPair& pair : results.Pairs)
+    for (const tool::ChartJson& pair : pairs)
     {
-      for (const Dot& dot : ListDots(pair, metric, cost))
+      for (const Dot& dot : ListDots(pair, metric, figure))
       {
         if (dot.Method == first.Method && dot.Size == first.Size)
         {
@@ -82,7 +70,7 @@ std::vector<Dot> ListMeans(
         }
       }
     }
-    if (costs.size() == results.Pairs.size())
+    if (costs.size() == pairs.size())
     {
       means.push_back({ first.Method, first.Size, tool::GetGeometricMean(costs),
         tool::GetGeometricMean(errors) });
@@ -166,56 +154,56 @@ void Fill(tool::Page& page, const std::vector<Dot>& dots, const tool::Metric& me
 }
 
 //------------------------------------------------------------------------------
-std::string DescribePicture(const tool::ChartResults& results)
+std::string DescribePicture(const tool::ChartJson& results)
 {
-  const std::string renderer = results.Machine.value("renderer", "");
-  return results.Settings.value("size", "") + " pixels, " + renderer.substr(0, renderer.find(" ("));
+  const std::string renderer = results.at("machine").value("renderer", "");
+  return results.at("settings").value("size", "") + " pixels, " +
+         renderer.substr(0, renderer.find(" ("));
 }
 }
 
 namespace tool
 {
 //------------------------------------------------------------------------------
-Page MakePairPage(const ChartResults& results, const ChartPair& pair, const Metric& metric)
+Page MakePairPage(const ChartJson& results, const ChartJson& pair, const Metric& metric)
 {
   Page page;
-  page.Title = pair.Material + " under " + pair.Environment;
+  page.Title =
+    pair["material"].get<std::string>() + " under " + pair["environment"].get<std::string>();
   page.Subtitle = DescribePicture(results);
-  page.XLabel = "time of a frame";
-  page.XUnit = Unit::Milliseconds;
-  Fill(page, ListDots(pair, metric.Name, Cost::Frame), metric);
+  page.XLabel = Summaries[0].Label;
+  page.XUnit = Summaries[0].Kind;
+  Fill(page, ListDots(pair, metric.Name, Summaries[0].Figure), metric);
   return page;
 }
 
 //------------------------------------------------------------------------------
-Page MakeSummaryPage(const ChartResults& results, const Metric& metric, Cost cost)
+Page MakeSummaryPage(const ChartJson& results, const Metric& metric, const Summary& summary)
 {
+  const ChartJson& pairs = results.at("pairs");
   std::set<std::string> materials;
   std::set<std::string> environments;
-  for (const ChartPair& pair : results.Pairs)
+  for (const ChartJson& pair : pairs)
   {
-    materials.insert(pair.Material);
-    environments.insert(pair.Environment);
+    materials.insert(pair["material"]);
+    environments.insert(pair["environment"]);
   }
   Page page;
-  page.Title = cost == Cost::Frame   ? "Accuracy against speed"
-               : cost == Cost::SetUp ? "Accuracy against set-up time"
-                                     : "Accuracy against texture memory";
-  page.Subtitle = "Geometric means of " + FormatCount(results.Pairs.size(), "pair") + " of " +
+  page.Title = summary.Title;
+  page.Subtitle = "Geometric means of " + FormatCount(pairs.size(), "pair") + " of " +
                   FormatCount(materials.size(), "material") + " and " +
                   FormatCount(environments.size(), "environment") + ", " + DescribePicture(results);
-  page.XLabel = cost == Cost::Frame   ? "time of a frame"
-                : cost == Cost::SetUp ? "set-up, until the first frame is done"
-                                      : "textures";
-  page.XUnit = cost == Cost::Memory ? Unit::Bytes : Unit::Milliseconds;
-  Fill(page, ListMeans(results, metric.Name, cost), metric);
+  page.XLabel = summary.Label;
+  page.XUnit = summary.Kind;
+  Fill(page, ListMeans(results, metric.Name, summary.Figure), metric);
   return page;
 }
 
 //------------------------------------------------------------------------------
-std::string MakeFileName(const ChartPair& pair)
+std::string MakeFileName(const ChartJson& pair)
 {
-  std::string name = pair.Material + "." + pair.Environment;
+  std::string name =
+    pair["material"].get<std::string>() + "." + pair["environment"].get<std::string>();
   std::replace_if(
     name.begin(), name.end(),
     [](unsigned char c)

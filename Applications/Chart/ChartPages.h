@@ -17,24 +17,31 @@
 namespace tool
 {
 /// One pair: error over frame time, the front, the planner's choices.
-Page MakePairPage(const ChartResults& results, const ChartPair& pair, const Metric& metric);
+Page MakePairPage(const ChartJson& results, const ChartJson& pair, const Metric& metric);
 
-/// What a summary's errors are shown over.
-enum class Cost
+/// A summary shows errors over the frame time, the set-up or the memory.
+struct Summary
 {
-  Frame,
-  SetUp,
-  Memory
+  const char* File;   // without its ending
+  const char* Figure; // of a point
+  const char* Title;
+  const char* Label;
+  Unit Kind;
 };
+constexpr Summary Summaries[] = { { "summary", "frame_ms", "Accuracy against speed",
+                                    "time of a frame", Unit::Milliseconds },
+  { "setup", "setup_ms", "Accuracy against set-up time", "set-up, until the first frame is done",
+    Unit::Milliseconds },
+  { "memory", "texture_bytes", "Accuracy against texture memory", "textures", Unit::Bytes } };
 
 /**
  * All pairs: geometric means of each method and size that all pairs have. Those of a single pair
  * are its figures.
  */
-Page MakeSummaryPage(const ChartResults& results, const Metric& metric, Cost cost);
+Page MakeSummaryPage(const ChartJson& results, const Metric& metric, const Summary& summary);
 
 /// A file's name for a pair, without its ending: letters, digits and -_. only.
-std::string MakeFileName(const ChartPair& pair);
+std::string MakeFileName(const ChartJson& pair);
 } // namespace tool
 
 #endif

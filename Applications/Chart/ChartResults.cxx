@@ -12,148 +12,40 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 namespace
 {
-using JSON = nlohmann::ordered_json;
+using JSON = tool::ChartJson;
+
+constexpr char ChartFormat[] = "measured-brdf chart";
+constexpr int ChartVersion = 1;
 
 // What the planner is asked for: on the front, or this much above its time.
 constexpr double FrontMargin = 0.2;
 
 //------------------------------------------------------------------------------
-std::vector<tool::CostPoint> GetCosts(const tool::ChartPair& pair, const std::string& metric)
+// What is not a number is null in JSON.
+double GetNumber(const JSON& object, const std::string& name)
+{
+  const auto found = object.find(name);
+  return found == object.end() || found->is_null() ? std::numeric_limits<double>::quiet_NaN()
+                                                   : found->get<double>();
+}
+
+//------------------------------------------------------------------------------
+std::vector<tool::CostPoint> GetCosts(const JSON& pair, const std::string& metric)
 {
   std::vector<tool::CostPoint> costs;
-  for (const tool::ChartPoint& point : pair.Points)
+  for (const JSON& point : pair.at("points"))
   {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const auto error = point.Errors.find(metric);
-    costs.push_back({ point.IsMeasured() ? point.Frame : nan,
-      error == point.Errors.end() ? nan : error->second });
+    costs.push_back({ tool::GetFigure(point, "frame_ms"), tool::GetPointError(point, metric) });
   }
   return costs;
-}
-
-//------------------------------------------------------------------------------
-JSON WritePoint(const tool::ChartPoint& point)
-{
-  JSON json = { { "method", point.Method }, { "size", point.Size } };
-  if (!point.IsMeasured())
-  {
-    json["left_out"] = point.Left;
-    return json;
-  }
-  for (const auto& [name, value] : point.Errors)
-  {
-    json["errors"][name] = value;
-  }
-  json["frame_ms"] = point.Frame;
-  json["frame_ms_quartiles"] = { point.FrameLow, point.FrameHigh };
-  json["frames"] = point.NumberOfFrames;
-  json["setup_ms"] = point.SetUp;
-  json["texture_bytes"] = point.Bytes;
-  json["texture_fetches"] = point.Fetches;
-  if (point.Method == tool::PlannerMethod)
-  {
-    json["predicted_error"] = point.PredictedError;
-    json["predicted_picture_error"] = point.PredictedPictureError;
-    json["meets_tolerance"] = point.MeetsTolerance;
-    json["plan"] = point.Plan;
-  }
-  return json;
-}
-
-//------------------------------------------------------------------------------
-// What is not a number is null in JSON.
-double GetNumber(const JSON& json)
-{
-  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
-}
-
-//------------------------------------------------------------------------------
-tool::ChartPoint ReadPoint(const JSON& json)
-{
-  tool::ChartPoint point;
-  point.Method = json.at("method").get<std::string>();
-  point.Size = json.at("size").get<std::string>();
-  if (json.contains("left_out"))
-  {
-    point.Left = json.at("left_out").get<std::string>();
-    return point;
-  }
-  for (const auto& item : json.at("errors").items())
-  {
-    point.Errors[item.key()] = GetNumber(item.value());
-  }
-  point.Frame = json.at("frame_ms").get<double>();
-  point.FrameLow = json.at("frame_ms_quartiles").at(0).get<double>();
-  point.FrameHigh = json.at("frame_ms_quartiles").at(1).get<double>();
-  point.NumberOfFrames = json.at("frames").get<int>();
-  point.SetUp = json.at("setup_ms").get<double>();
-  point.Bytes = GetNumber(json.at("texture_bytes"));
-  point.Fetches = json.value("texture_fetches", 0);
-  if (point.Method == tool::PlannerMethod)
-  {
-    point.PredictedError = json.at("predicted_error").get<double>();
-    point.PredictedPictureError = json.value("predicted_picture_error", point.PredictedError);
-    point.MeetsTolerance = json.at("meets_tolerance").get<bool>();
-    point.Plan = json.at("plan").get<std::string>();
-  }
-  return point;
-}
-
-//------------------------------------------------------------------------------
-JSON WritePair(const tool::ChartPair& pair)
-{
-  const std::string metric = tool::GetMetrics().front().Name;
-  JSON json = { { "material", pair.Material }, { "environment", pair.Environment },
-    { "fingerprint", pair.Fingerprint }, { "pixels", pair.NumberOfPixels }, { "load", pair.Load },
-    { "unoccluded_error", pair.UnoccludedError },
-    { "unoccluded_uncertainty", pair.UnoccludedUncertainty }, { "points", JSON::array() },
-    { "front", JSON::array() }, { "planner", JSON::array() } };
-  for (const tool::ChartPoint& point : pair.Points)
-  {
-    json["points"].push_back(WritePoint(point));
-  }
-  for (const std::size_t k : tool::FindFront(pair, metric))
-  {
-    json["front"].push_back(k);
-  }
-  for (const tool::PlannerFigure& figure : tool::RatePlanner(pair, metric))
-  {
-    json["planner"].push_back(
-      { { "point", figure.Point }, { "tolerance", std::stod(pair.Points[figure.Point].Size) },
-        { "in_view", tool::IsInView(pair.Points[figure.Point].Size) },
-        { "interacting", tool::IsInteracting(pair.Points[figure.Point].Size) },
-        { "time_over_front", figure.OverFront } });
-  }
-  return json;
-}
-
-//------------------------------------------------------------------------------
-tool::ChartPair ReadPair(const JSON& json)
-{
-  tool::ChartPair pair;
-  pair.Material = json.at("material").get<std::string>();
-  pair.Environment = json.at("environment").get<std::string>();
-  pair.Fingerprint = json.at("fingerprint").get<std::string>();
-  pair.NumberOfPixels = json.at("pixels").get<std::size_t>();
-  pair.Load = json.at("load").get<double>();
-  if (json.contains("unoccluded_error")) // earlier versions did not have it
-  {
-    pair.UnoccludedError = GetNumber(json.at("unoccluded_error"));
-    pair.UnoccludedUncertainty = GetNumber(json.at("unoccluded_uncertainty"));
-  }
-  for (const JSON& point : json.at("points"))
-  {
-    pair.Points.push_back(ReadPoint(point));
-  }
-  return pair;
 }
 
 //------------------------------------------------------------------------------
@@ -169,13 +61,14 @@ std::string Quote(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-std::string FormatFinite(double value)
+// A cell after others.
+std::string MakeCell(double value)
 {
-  return std::isfinite(value) ? tool::FormatNumber(value) : "";
+  return "," + (std::isfinite(value) ? tool::FormatNumber(value) : "");
 }
 
 //------------------------------------------------------------------------------
-std::string MakeCSV(const tool::ChartResults& results)
+std::string MakeCSV(const JSON& results)
 {
   std::string text =
     "material,environment,method,size,setup_ms,frame_ms,frame_ms_lower_quartile,"
@@ -185,29 +78,32 @@ std::string MakeCSV(const tool::ChartResults& results)
     text += "," + metric.Name;
   }
   text += ",unoccluded_error\n";
-  for (const tool::ChartPair& pair : results.Pairs)
+  for (const JSON& pair : results.at("pairs"))
   {
-    const std::vector<std::size_t> front = tool::FindFront(pair, tool::GetMetrics().front().Name);
-    for (std::size_t k = 0; k < pair.Points.size(); ++k)
+    for (std::size_t k = 0; k < pair.at("points").size(); ++k)
     {
-      const tool::ChartPoint& point = pair.Points[k];
-      text += Quote(pair.Material) + "," + Quote(pair.Environment) + "," + point.Method + "," +
-              Quote(point.Size);
-      const double figures[] = { point.SetUp, point.Frame, point.FrameLow, point.FrameHigh,
-        static_cast<double>(point.NumberOfFrames), point.Bytes,
-        static_cast<double>(point.Fetches) };
-      for (const double figure : figures)
+      const JSON& point = pair["points"][k];
+      const JSON quartiles = point.value("frame_ms_quartiles", JSON::array({ nullptr, nullptr }));
+      text += Quote(pair.at("material")) + "," + Quote(pair.at("environment")) + "," +
+              point.at("method").get<std::string>() + "," + Quote(point.at("size")) +
+              MakeCell(tool::GetFigure(point, "setup_ms")) +
+              MakeCell(tool::GetFigure(point, "frame_ms"));
+      for (const JSON& quartile : quartiles)
       {
-        text += "," + (point.IsMeasured() ? FormatFinite(figure) : "");
+        text += quartile.is_null() ? "," : MakeCell(quartile);
       }
-      text += std::find(front.begin(), front.end(), k) != front.end() ? ",1" : ",0";
-      text += "," + (point.IsMeasured() ? "" : Quote(point.Left));
+      for (const char* name : { "frames", "texture_bytes", "texture_fetches" })
+      {
+        text += MakeCell(tool::GetFigure(point, name));
+      }
+      const JSON& front = pair.at("front");
+      text += std::find(front.begin(), front.end(), k) != front.end() ? ",1," : ",0,";
+      text += point.contains("left_out") ? Quote(point["left_out"]) : "";
       for (const tool::Metric& metric : tool::GetMetrics())
       {
-        const auto error = point.Errors.find(metric.Name);
-        text += "," + (error == point.Errors.end() ? "" : FormatFinite(error->second));
+        text += MakeCell(tool::GetPointError(point, metric.Name));
       }
-      text += "," + FormatFinite(pair.UnoccludedError) + "\n";
+      text += MakeCell(GetNumber(pair, "unoccluded_error")) + "\n";
     }
   }
   return text;
@@ -244,87 +140,101 @@ void CheckSame(const std::string& path, const char* what, const JSON& there, con
 namespace tool
 {
 //------------------------------------------------------------------------------
-const ChartPair* ChartResults::Find(
-  const std::string& material, const std::string& environment) const
+const ChartJson* FindPair(
+  const ChartJson& results, const std::string& material, const std::string& environment)
 {
-  const auto found = std::find_if(this->Pairs.begin(), this->Pairs.end(),
-    [&](const ChartPair& pair)
-    { return pair.Material == material && pair.Environment == environment; });
-  return found == this->Pairs.end() ? nullptr : &*found;
+  for (const ChartJson& pair : results.at("pairs"))
+  {
+    if (pair.at("material") == material && pair.at("environment") == environment)
+    {
+      return &pair;
+    }
+  }
+  return nullptr;
 }
 
 //------------------------------------------------------------------------------
-double GetLoad()
+double GetFigure(const ChartJson& point, const std::string& name) { return GetNumber(point, name); }
+
+//------------------------------------------------------------------------------
+double GetPointError(const ChartJson& point, const std::string& metric)
 {
-  double load = 0.0;
-  return getloadavg(&load, 1) == 1 ? load : -1.0;
+  return GetNumber(point.value("errors", ChartJson::object()), metric);
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::size_t> FindFront(const ChartPair& pair, const std::string& metric)
+void RatePair(ChartJson& pair)
 {
-  return FindFront(GetCosts(pair, metric));
+  const std::string metric = GetMetrics().front().Name;
+  const std::vector<double> over = RatePlanner(pair, metric);
+  pair["front"] = FindFront(GetCosts(pair, metric));
+  pair["planner"] = ChartJson::array();
+  for (std::size_t k = 0; k < pair["points"].size(); ++k)
+  {
+    const ChartJson& point = pair["points"][k];
+    if (point["method"] == PlannerMethod && !point.contains("left_out"))
+    {
+      const std::string size = point["size"];
+      pair["planner"].push_back({ { "point", k }, { "tolerance", std::stod(size) },
+        { "in_view", IsInView(size) }, { "interacting", IsInteracting(size) },
+        { "time_over_front", over[pair["planner"].size()] } });
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
-std::vector<PlannerFigure> RatePlanner(const ChartPair& pair, const std::string& metric)
+std::vector<double> RatePlanner(const ChartJson& pair, const std::string& metric)
 {
   const std::vector<CostPoint> costs = GetCosts(pair, metric);
-  std::vector<PlannerFigure> figures;
-  for (std::size_t k = 0; k < pair.Points.size(); ++k)
+  std::vector<double> over;
+  for (std::size_t k = 0; k < costs.size(); ++k)
   {
-    if (pair.Points[k].Method == PlannerMethod && pair.Points[k].IsMeasured())
+    const ChartJson& point = pair.at("points")[k];
+    if (point.at("method") == PlannerMethod && !point.contains("left_out"))
     {
-      figures.push_back({ k, costs[k].Cost / GetFrontCost(costs, costs[k].Error) });
+      over.push_back(costs[k].Cost / GetFrontCost(costs, costs[k].Error));
     }
   }
-  return figures;
+  return over;
 }
 
 //------------------------------------------------------------------------------
-double GetShareWithin(const ChartResults& results, const std::string& metric, double margin)
+double GetShareWithin(const ChartJson& results, const std::string& metric, double margin)
 {
-  int all = 0;
-  int within = 0;
-  for (const ChartPair& pair : results.Pairs)
+  std::vector<double> all;
+  for (const ChartJson& pair : results.at("pairs"))
   {
-    for (const PlannerFigure& figure : RatePlanner(pair, metric))
-    {
-      ++all;
-      within += figure.OverFront <= 1.0 + margin;
-    }
+    const std::vector<double> over = RatePlanner(pair, metric);
+    all.insert(all.end(), over.begin(), over.end());
   }
-  return all > 0 ? static_cast<double>(within) / all : std::numeric_limits<double>::quiet_NaN();
+  const auto within =
+    std::count_if(all.begin(), all.end(), [margin](double over) { return over <= 1.0 + margin; });
+  return all.empty() ? std::numeric_limits<double>::quiet_NaN()
+                     : static_cast<double>(within) / static_cast<double>(all.size());
 }
 
 //------------------------------------------------------------------------------
-void SaveResults(const std::string& folder, const ChartResults& results)
+void SaveResults(const std::string& folder, ChartJson& results)
 {
-  JSON json = { { "format", ChartResults::Format }, { "version", ChartResults::Version },
-    { "date", GetToday() }, { "settings", results.Settings }, { "machine", results.Machine },
-    { "planner_within_20_percent_of_front",
-      GetShareWithin(results, GetMetrics().front().Name, FrontMargin) },
-    { "pairs", JSON::array() } };
-  for (const ChartPair& pair : results.Pairs)
-  {
-    json["pairs"].push_back(WritePair(pair));
-  }
+  results["date"] = GetToday();
+  results["planner_within_20_percent_of_front"] =
+    GetShareWithin(results, GetMetrics().front().Name, FrontMargin);
   WriteWhole(folder + "/results.csv", MakeCSV(results));
-  WriteWhole(
-    folder + "/results.json", json.dump(1, ' ', false, JSON::error_handler_t::replace) + "\n");
+  WriteWhole(folder + "/results.json",
+    results.dump(1, ' ', false, ChartJson::error_handler_t::replace) + "\n");
 }
 
 //------------------------------------------------------------------------------
-ChartResults LoadResults(const std::string& folder, const JSON& settings, const JSON& machine)
+ChartJson LoadResults(
+  const std::string& folder, const ChartJson& settings, const ChartJson& machine)
 {
-  ChartResults results;
-  results.Settings = settings;
-  results.Machine = machine;
   const std::string path = folder + "/results.json";
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored))
   {
-    return results;
+    return { { "format", ChartFormat }, { "version", ChartVersion }, { "date", "" },
+      { "settings", settings }, { "machine", machine },
+      { "planner_within_20_percent_of_front", nullptr }, { "pairs", ChartJson::array() } };
   }
   errno = 0;
   std::ifstream file(path);
@@ -332,37 +242,34 @@ ChartResults LoadResults(const std::string& folder, const JSON& settings, const 
   {
     throw Error(path + ": can't be opened: " + std::strerror(errno));
   }
-  JSON json;
+  ChartJson results;
   try
   {
-    json = measuredbrdf::ParseJson<JSON>(file);
+    results = measuredbrdf::ParseJson<ChartJson>(file);
   }
   catch (const std::exception&)
   {
     // It has no format then; below.
   }
-  const auto get = [&json](const char* name)
-  { return json.is_object() && json.contains(name) ? json.at(name) : JSON(); };
-  if (get("format") != ChartResults::Format)
+  const auto get = [&results](const char* name)
+  { return results.is_object() && results.contains(name) ? results.at(name) : ChartJson(); };
+  if (get("format") != ChartFormat)
   {
     throw Error(path + ": was not written by 'measured-brdf chart', and is left as it is. Write to "
                        "another folder");
   }
-  if (get("version") != ChartResults::Version)
+  if (get("version") != ChartVersion)
   {
     throw Error(path + ": is of version " + get("version").dump() +
-                " of its format, this program "
-                "goes on with version " +
-                std::to_string(ChartResults::Version) + ". Write to another folder");
+                " of its format, this program goes on with version " +
+                std::to_string(ChartVersion) + ". Write to another folder");
   }
   CheckSame(path, "setting", get("settings"), settings);
   CheckSame(path, "machine", get("machine"), machine);
   try
   {
-    for (const JSON& pair : json.at("pairs"))
-    {
-      results.Pairs.push_back(ReadPair(pair));
-    }
+    FindPair(results, "", "");
+    MakeCSV(results); // which needs all of it
   }
   catch (const std::exception& e) // of nlohmann: missing, or of another type
   {

@@ -16,7 +16,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -31,9 +30,9 @@ namespace fs = std::filesystem;
 struct ChartOptions
 {
   std::vector<std::string> Files;
-  std::string Environments = "sky,hall";
-  std::string Methods;
-  std::string Tolerances = "0.01,0.02,0.05";
+  std::vector<std::string> Environments = { "sky", "hall" };
+  std::vector<std::string> Methods; // all
+  std::vector<double> Tolerances = { 0.01, 0.02, 0.05 };
   std::string Sweep = "small";
   std::string Metric = "relative_l1";
   std::string Mesh;
@@ -51,55 +50,6 @@ const std::vector<std::string> DefaultMaterials = { "pink-felt", "violet-rubber"
   "nickel" };
 constexpr int LargestChartedPicture = 4096;
 constexpr double Margin = 0.2;
-
-//------------------------------------------------------------------------------
-// "a,b" -> parts, none empty, none twice. Throws UsageError.
-std::vector<std::string> SplitList(const std::string& option, const std::string& text)
-{
-  std::vector<std::string> parts(1);
-  for (const char c : text)
-  {
-    if (c == ',')
-    {
-      parts.emplace_back();
-      continue;
-    }
-    parts.back() += c;
-  }
-  std::set<std::string> seen;
-  for (const std::string& part : parts)
-  {
-    if (part.empty())
-    {
-      throw tool::UsageError(
-        option + ": '" + text + "' is not a list of names with commas between them");
-    }
-    if (!seen.insert(part).second)
-    {
-      throw tool::UsageError(option + ": '" + part + "' appears twice");
-    }
-  }
-  return parts;
-}
-
-//------------------------------------------------------------------------------
-std::vector<double> ParseTolerances(const std::string& text)
-{
-  std::vector<double> tolerances;
-  for (const std::string& part : SplitList("--tolerances", text))
-  {
-    double value = 0.0;
-    const auto parsed = std::from_chars(part.data(), part.data() + part.size(), value);
-    if (parsed.ec != std::errc() || parsed.ptr != part.data() + part.size() ||
-        !(value >= 1e-3 && value <= 1.0))
-    {
-      throw tool::UsageError(
-        "--tolerances: '" + part + "' is not a number between 0.001 and 1, like 0.02");
-    }
-    tolerances.push_back(value);
-  }
-  return tolerances;
-}
 
 //------------------------------------------------------------------------------
 // Those of the charts that are there by name.
@@ -128,6 +78,17 @@ std::string Join(const std::vector<std::string>& parts)
 }
 
 //------------------------------------------------------------------------------
+std::string JoinTolerances(const std::vector<double>& tolerances)
+{
+  std::vector<std::string> parts;
+  for (const double tolerance : tolerances)
+  {
+    parts.push_back(tool::FormatNumber(tolerance));
+  }
+  return Join(parts);
+}
+
+//------------------------------------------------------------------------------
 std::vector<tool::Material> LoadMaterials(const std::vector<std::string>& files)
 {
   std::vector<tool::Material> materials;
@@ -153,11 +114,11 @@ std::vector<tool::Material> LoadMaterials(const std::vector<std::string>& files)
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkSmartPointer<vtkEnvironment>> LoadEnvironments(const std::string& list)
+std::vector<vtkSmartPointer<vtkEnvironment>> LoadEnvironments(const std::vector<std::string>& files)
 {
   std::vector<vtkSmartPointer<vtkEnvironment>> environments;
   std::set<std::string> names;
-  for (const std::string& file : SplitList("--environments", list))
+  for (const std::string& file : files)
   {
     environments.push_back(tool::LoadEnvironment(file));
     if (!names.insert(environments.back()->GetName()).second)
@@ -179,19 +140,19 @@ struct Task
 // The pairs that the results do not have yet. Throws Error where one has changed since.
 std::vector<Task> ListTasks(const std::vector<tool::Material>& materials,
   const std::vector<vtkSmartPointer<vtkEnvironment>>& environments, const tool::ChartMeter& meter,
-  const tool::ChartResults& results, const std::string& folder)
+  const tool::ChartJson& results, const std::string& folder)
 {
   std::vector<Task> tasks;
   for (const tool::Material& material : materials)
   {
     for (const vtkSmartPointer<vtkEnvironment>& environment : environments)
     {
-      const tool::ChartPair* kept = results.Find(material.Name, environment->GetName());
+      const tool::ChartJson* kept = tool::FindPair(results, material.Name, environment->GetName());
       if (!kept)
       {
         tasks.push_back({ &material, environment });
       }
-      else if (kept->Fingerprint != meter.GetFingerprint(material, environment))
+      else if (kept->at("fingerprint") != meter.GetFingerprint(material, environment))
       {
         throw tool::Error(folder + "/results.json: " + material.Name + " under " +
                           environment->GetName() +
@@ -204,8 +165,8 @@ std::vector<Task> ListTasks(const std::vector<tool::Material>& materials,
 
 //------------------------------------------------------------------------------
 // What there is so far is in the folder after each pair.
-void MeasureAll(const std::vector<Task>& tasks, tool::ChartMeter& meter,
-  tool::ChartResults& results, const tool::Metric& metric, const std::string& folder)
+void MeasureAll(const std::vector<Task>& tasks, tool::ChartMeter& meter, tool::ChartJson& results,
+  const tool::Metric& metric, const std::string& folder)
 {
   tool::ProgressBar bar("measuring");
   for (std::size_t k = 0; k < tasks.size(); ++k)
@@ -214,7 +175,7 @@ void MeasureAll(const std::vector<Task>& tasks, tool::ChartMeter& meter,
     { bar.Update((static_cast<double>(k) + share) / static_cast<double>(tasks.size())); };
     try
     {
-      results.Pairs.push_back(meter.Measure(*tasks[k].Material, tasks[k].Environment, show));
+      results["pairs"].push_back(meter.Measure(*tasks[k].Material, tasks[k].Environment, show));
     }
     catch (const tool::Error&)
     {
@@ -227,30 +188,18 @@ void MeasureAll(const std::vector<Task>& tasks, tool::ChartMeter& meter,
                         "; the same command continues from there");
     }
     tool::SaveResults(folder, results);
-    const tool::ChartPair& pair = results.Pairs.back();
+    const tool::ChartJson& pair = results["pairs"].back();
     tool::DrawPage(
-      tool::MakePairPage(results, pair, metric), folder + "/" + tool::MakeFileName(pair));
-  }
-}
-
-//------------------------------------------------------------------------------
-void DrawSummaries(
-  const tool::ChartResults& results, const tool::Metric& metric, const std::string& folder)
-{
-  const std::pair<tool::Cost, const char*> summaries[] = { { tool::Cost::Frame, "summary" },
-    { tool::Cost::SetUp, "setup" }, { tool::Cost::Memory, "memory" } };
-  for (const auto& [cost, name] : summaries)
-  {
-    tool::DrawPage(tool::MakeSummaryPage(results, metric, cost), folder + "/" + name);
+      tool::MakePairPage(results, pair, metric), folder + "/" + tool::MakeFileName(pair) + ".png");
   }
 }
 
 //------------------------------------------------------------------------------
 void PrintVerdict(
-  const tool::ChartResults& results, const ChartOptions& options, const tool::ChartMeter& meter)
+  const tool::ChartJson& results, const ChartOptions& options, const tool::ChartMeter& meter)
 {
   std::size_t figures = 0;
-  for (const tool::ChartPair& pair : results.Pairs)
+  for (const tool::ChartJson& pair : results["pairs"])
   {
     figures += tool::RatePlanner(pair, options.Metric).size();
   }
@@ -259,8 +208,8 @@ void PrintVerdict(
     "The planner's %zu points: %.0f %% on the front of all that was measured or within %.0f %% of "
     "its time.\n",
     figures, 100.0 * tool::GetShareWithin(results, options.Metric, Margin), 100.0 * Margin);
-  tool::PrintOut(tool::FormatCount(results.Pairs.size(), "pair") + " in " + options.Folder +
-                 ": summary.png, setup.png, memory.png, one of each pair (and .svg), results.csv, "
+  tool::PrintOut(tool::FormatCount(results["pairs"].size(), "pair") + " in " + options.Folder +
+                 ": summary.png, setup.png, memory.png, one of each pair, results.csv, "
                  "results.json\nErrors are those of " +
                  meter.DescribePixels() + ".\n" + text);
 }
@@ -286,10 +235,9 @@ void Run(const ChartOptions& options)
   const tool::Size size = tool::ParseSize("--size", options.Size, LargestChartedPicture);
   const tool::View view = tool::ParseView(options.View);
   const std::vector<std::string> methods =
-    options.Methods.empty() ? ListMethods() : SplitList("--methods", options.Methods);
-  const std::vector<double> tolerances = ParseTolerances(options.Tolerances);
+    options.Methods.empty() ? ListMethods() : options.Methods;
   const std::vector<tool::ChartSize> sizes =
-    tool::ListChartSizes(methods, tolerances, options.Sweep == "full", options.ForView);
+    tool::ListChartSizes(methods, options.Tolerances, options.Sweep == "full", options.ForView);
   if (!(options.Slowest > 0.0))
   {
     throw tool::UsageError(
@@ -311,16 +259,20 @@ void Run(const ChartOptions& options)
   nlohmann::ordered_json machine = tool::DescribeMachine();
   machine.update(meter.DescribeRenderer());
   const nlohmann::ordered_json settings = { { "methods", Join(methods) },
-    { "sweep", options.Sweep }, { "tolerances", options.Tolerances },
+    { "sweep", options.Sweep }, { "tolerances", JoinTolerances(options.Tolerances) },
     { "mesh", options.Mesh.empty() ? "sphere" : options.Mesh }, { "size", options.Size },
     { "view", options.View }, { "reference_pixels", DescribeLimit(options.ReferencePixels) },
     { "rounds", options.Rounds }, { "slowest", options.Slowest }, { "for_view", options.ForView } };
-  tool::ChartResults results = tool::LoadResults(options.Folder, settings, machine);
+  tool::ChartJson results = tool::LoadResults(options.Folder, settings, machine);
 
   const tool::Metric& metric = FindMetric(options.Metric);
   MeasureAll(ListTasks(materials, environments, meter, results, options.Folder), meter, results,
     metric, options.Folder);
-  DrawSummaries(results, metric, options.Folder);
+  for (const tool::Summary& summary : tool::Summaries)
+  {
+    tool::DrawPage(tool::MakeSummaryPage(results, metric, summary),
+      options.Folder + "/" + summary.File + ".png");
+  }
   PrintVerdict(results, options, meter);
 }
 }
@@ -333,18 +285,33 @@ void AddChartCommand(CLI::App& app)
   auto options = std::make_shared<ChartOptions>();
   CLI::App* command = app.add_subcommand(
     "chart", "Chart the speed and accuracy of the methods for your materials on your machine");
+  const CLI::Validator notEmpty([](const std::string& part)
+    { return std::string(part.empty() ? "expected names with commas between them" : ""); },
+    "NAME");
   command->add_option("FILE", options->Files,
     std::string("Materials, each as in the other commands: ") + GetMaterialHelp() +
       ". Default: " + Join(DefaultMaterials));
-  command->add_option("--environments", options->Environments,
-    "Environments, with commas between them, each as in the other commands (default sky,hall)");
+  command
+    ->add_option("--environments", options->Environments,
+      "Environments, with commas between them, each as in the other commands (default sky,hall)")
+    ->delimiter(',')
+    ->allow_extra_args(false)
+    ->check(notEmpty);
   AddProjectionOption(command);
-  command->add_option("--methods", options->Methods,
-    "Methods, with commas between them (default all): " + Join(ListMethods()) +
-      ". VTK's own shading is always included");
-  command->add_option("--tolerances", options->Tolerances,
-    "Tolerances whose plans are marked, with commas between them, from 0.001 to 1 (default " +
-      options->Tolerances + ")");
+  command
+    ->add_option("--methods", options->Methods,
+      "Methods, with commas between them (default all): " + Join(ListMethods()) +
+        ". VTK's own shading is always included")
+    ->delimiter(',')
+    ->allow_extra_args(false)
+    ->check(notEmpty);
+  command
+    ->add_option("--tolerances", options->Tolerances,
+      "Tolerances whose plans are marked, with commas between them, from 0.001 to 1 (default " +
+        JoinTolerances(options->Tolerances) + ")")
+    ->delimiter(',')
+    ->allow_extra_args(false)
+    ->check(CLI::Range(0.001, 1.0));
   command
     ->add_option(
       "--sweep", options->Sweep, "small (default): a few sizes of each method; full: all of them")

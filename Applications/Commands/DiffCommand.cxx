@@ -38,40 +38,36 @@ struct DiffOptions
   bool Dart = false;
 };
 
-// A metric and its value that is still good.
+// A metric, its value that is still good, and what was found.
 struct Test
 {
   int Metric;
   double Threshold;
+  double Value = 0.0;
+  bool Passed = true;
+  double Badness = 0.0; // 1 at the threshold
+  Image HeatMap = nullptr;
+
+  std::string GetName() const { return vtkPictureDifference::GetMetricName(this->Metric); }
 };
 
-// What one test found.
-struct Finding
-{
-  double Value;
-  bool Passed;
-  double Badness; // 1 at the threshold
-  Image HeatMap;
-};
-
+// All tests against one baseline.
 struct PictureComparison
 {
   std::string Baseline;
-  std::vector<Finding> Findings; // of each test
+  std::vector<Test> Tests;
 
+  // The one that is furthest beyond its threshold.
+  const Test& FindWorst() const
+  {
+    return *std::max_element(this->Tests.begin(), this->Tests.end(),
+      [](const Test& a, const Test& b) { return a.Badness < b.Badness; });
+  }
   bool HasPassed() const
   {
-    return std::all_of(this->Findings.begin(), this->Findings.end(),
-      [](const Finding& finding) { return finding.Passed; });
+    return std::all_of(
+      this->Tests.begin(), this->Tests.end(), [](const Test& test) { return test.Passed; });
   }
-  // The test that is furthest beyond its threshold.
-  std::size_t FindWorst() const
-  {
-    const auto worst = std::max_element(this->Findings.begin(), this->Findings.end(),
-      [](const Finding& a, const Finding& b) { return a.Badness < b.Badness; });
-    return static_cast<std::size_t>(worst - this->Findings.begin());
-  }
-  double GetBadness() const { return this->Findings[this->FindWorst()].Badness; }
 };
 
 //------------------------------------------------------------------------------
@@ -119,30 +115,30 @@ std::vector<Test> MakeTests(const DiffOptions& options, bool hasFloats)
     throw tool::UsageError("--threshold: found " + std::to_string(options.Thresholds.size()) +
                            ", expected none or one for each --metric");
   }
-  std::vector<Test> tests;
+  std::vector<int> metrics;
   for (const std::string& name : options.Metrics)
   {
-    tests.push_back({ vtkPictureDifference::FindMetric(name), 0.0 });
+    metrics.push_back(vtkPictureDifference::FindMetric(name));
   }
-  if (tests.empty())
+  if (metrics.empty())
   {
-    tests.push_back(
-      { hasFloats ? vtkPictureDifference::HDR_FLIP : vtkPictureDifference::FLIP, 0.0 });
+    metrics.push_back(hasFloats ? vtkPictureDifference::HDR_FLIP : vtkPictureDifference::FLIP);
   }
-  for (std::size_t k = 0; k < tests.size(); ++k)
+  std::vector<Test> tests;
+  for (std::size_t k = 0; k < metrics.size(); ++k)
   {
-    tests[k].Threshold = options.Thresholds.empty()
-                           ? vtkPictureDifference::GetDefaultThreshold(tests[k].Metric)
-                           : options.Thresholds[k];
+    tests.push_back({ metrics[k], options.Thresholds.empty()
+                                    ? vtkPictureDifference::GetDefaultThreshold(metrics[k])
+                                    : options.Thresholds[k] });
   }
   return tests;
 }
 
 //------------------------------------------------------------------------------
-double GetBadness(const Test& test, double value)
+double GetBadness(const Test& test)
 {
   const bool similarity = vtkPictureDifference::IsSimilarity(test.Metric);
-  const double error = similarity ? 1.0 - value : value;
+  const double error = similarity ? 1.0 - test.Value : test.Value;
   const double allowed = similarity ? 1.0 - test.Threshold : test.Threshold;
   return error <= 0.0    ? 0.0
          : allowed > 0.0 ? error / allowed
@@ -150,41 +146,43 @@ double GetBadness(const Test& test, double value)
 }
 
 //------------------------------------------------------------------------------
-PictureComparison Compare(const DiffOptions& options, const std::vector<Test>& tests,
-  vtkImageData* picture, vtkImageData* baseline, vtkImageData* mask, const std::string& name)
+PictureComparison Compare(
+  const DiffOptions& options, vtkImageData* picture, vtkImageData* mask, const std::string& path)
 {
+  const Image baseline = ReadPicture(path);
+  const bool hasFloats =
+    picture->GetScalarType() == VTK_FLOAT && baseline->GetScalarType() == VTK_FLOAT;
   vtkNew<vtkPictureDifference> difference;
   difference->SetBorder(options.Border);
   difference->SetMask(mask);
   difference->SetIgnoreAlpha(options.IgnoreAlpha);
-  PictureComparison comparison{ name, {} };
-  for (const Test& test : tests)
+  PictureComparison comparison{ path, MakeTests(options, hasFloats) };
+  for (Test& test : comparison.Tests)
   {
     difference->SetMetric(test.Metric);
     if (!difference->Compare(picture, baseline))
     {
       tool::TakeErrorText(); // the same
       throw tool::InputError(
-        options.Picture + " against " + name + ": " + difference->GetErrorMessage());
+        options.Picture + " against " + path + ": " + difference->GetErrorMessage());
     }
-    const double value = difference->GetValue();
-    comparison.Findings.push_back({ value, difference->IsWithin(test.Threshold),
-      GetBadness(test, value), Image::Take(difference->NewHeatMap()) });
+    test.Value = difference->GetValue();
+    test.Passed = difference->IsWithin(test.Threshold);
+    test.Badness = GetBadness(test);
+    test.HeatMap = Image::Take(difference->NewHeatMap());
   }
   return comparison;
 }
 
 //------------------------------------------------------------------------------
-std::string FormatFindings(const PictureComparison& comparison, const std::vector<Test>& tests)
+std::string FormatFindings(const PictureComparison& comparison)
 {
   std::string text;
-  for (std::size_t k = 0; k < tests.size(); ++k)
+  for (const Test& test : comparison.Tests)
   {
-    const bool similarity = vtkPictureDifference::IsSimilarity(tests[k].Metric);
-    text += (k > 0 ? ", " : "") + vtkPictureDifference::GetMetricName(tests[k].Metric) + "=" +
-            tool::FormatNumber(comparison.Findings[k].Value) +
-            (similarity ? " (at least " : " (at most ") + tool::FormatNumber(tests[k].Threshold) +
-            ")";
+    text += (text.empty() ? "" : ", ") + test.GetName() + "=" + tool::FormatNumber(test.Value) +
+            (vtkPictureDifference::IsSimilarity(test.Metric) ? " (at least " : " (at most ") +
+            tool::FormatNumber(test.Threshold) + ")";
   }
   return text;
 }
@@ -225,17 +223,15 @@ std::string FormatMeasurementFile(const std::string& name, const std::string& pa
 
 //------------------------------------------------------------------------------
 // For CDash: numbers always, pictures where the test failed, under the names that vtkTesting uses.
-void PrintMeasurements(const DiffOptions& options, const std::vector<Test>& tests,
-  const PictureComparison& comparison, const std::string& heatMap)
+void PrintMeasurements(
+  const DiffOptions& options, const PictureComparison& comparison, const std::string& heatMap)
 {
   std::string text;
-  for (std::size_t k = 0; k < tests.size(); ++k)
+  for (const Test& test : comparison.Tests)
   {
-    const std::string name = vtkPictureDifference::GetMetricName(tests[k].Metric);
-    const auto add = [&text](const std::string& figure, double value)
-    { text += FormatMeasurement(figure, "numeric/double", tool::FormatNumber(value)); };
-    add(name, comparison.Findings[k].Value);
-    add(name + "_threshold", tests[k].Threshold);
+    text += FormatMeasurement(test.GetName(), "numeric/double", tool::FormatNumber(test.Value)) +
+            FormatMeasurement(
+              test.GetName() + "_threshold", "numeric/double", tool::FormatNumber(test.Threshold));
   }
   text += FormatMeasurement("BaselineImage", "text/string", comparison.Baseline);
   if (!comparison.HasPassed())
@@ -249,7 +245,7 @@ void PrintMeasurements(const DiffOptions& options, const std::vector<Test>& test
 
 //------------------------------------------------------------------------------
 // The best of all baselines.
-PictureComparison CompareAll(const DiffOptions& options, std::vector<Test>& tests)
+PictureComparison CompareAll(const DiffOptions& options)
 {
   const Image picture = ReadPicture(options.Picture);
   const Image mask = options.Mask.empty() ? Image() : ReadPicture(options.Mask);
@@ -261,14 +257,8 @@ PictureComparison CompareAll(const DiffOptions& options, std::vector<Test>& test
   PictureComparison best;
   for (const std::string& path : baselines)
   {
-    const Image baseline = ReadPicture(path);
-    if (tests.empty())
-    {
-      tests = MakeTests(
-        options, picture->GetScalarType() == VTK_FLOAT && baseline->GetScalarType() == VTK_FLOAT);
-    }
-    PictureComparison comparison = Compare(options, tests, picture, baseline, mask, path);
-    if (best.Findings.empty() || comparison.GetBadness() < best.GetBadness())
+    PictureComparison comparison = Compare(options, picture, mask, path);
+    if (best.Tests.empty() || comparison.FindWorst().Badness < best.FindWorst().Badness)
     {
       best = std::move(comparison);
     }
@@ -301,19 +291,18 @@ void Run(const DiffOptions& options)
 {
   CheckOptions(options);
   const bool dart = options.Dart || IsRunByCTest();
-  std::vector<Test> tests;
   PictureComparison comparison;
   std::string heatMap = options.Output;
   try
   {
-    comparison = CompareAll(options, tests);
+    comparison = CompareAll(options);
     if (heatMap.empty() && dart && !comparison.HasPassed())
     {
       heatMap = std::filesystem::path(options.Picture).stem().string() + ".diff.png";
     }
     if (!heatMap.empty())
     {
-      tool::WritePNG(heatMap, comparison.Findings[comparison.FindWorst()].HeatMap);
+      tool::WritePNG(heatMap, comparison.FindWorst().HeatMap);
     }
   }
   catch (const tool::InputError&)
@@ -329,12 +318,12 @@ void Run(const DiffOptions& options)
   {
     throw tool::InputError(e.what());
   }
-  const std::string found = FormatFindings(comparison, tests);
+  const std::string found = FormatFindings(comparison);
   tool::PrintOut((comparison.HasPassed() ? "passed: " : "failed: ") + found + ", baseline " +
                  comparison.Baseline + "\n");
   if (dart)
   {
-    PrintMeasurements(options, tests, comparison, heatMap);
+    PrintMeasurements(options, comparison, heatMap);
   }
   if (!comparison.HasPassed())
   {

@@ -36,7 +36,7 @@ struct ExportOptions
   std::string To;
   std::string Output;
   std::string Model;
-  std::string FitUnder = "sky,hall,neutral";
+  std::vector<std::string> FitUnder = { "sky", "hall", "neutral" };
   std::string Environment = MEASUREDBRDF_WITH_OPENEXR ? "room" : "";
   std::string View = "30,20";
   std::string Sheet;
@@ -69,23 +69,6 @@ const tool::ExportTarget& FindTarget(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> Split(const std::string& option, const std::string& text)
-{
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (std::size_t end = 0; end != std::string::npos; begin = end + 1)
-  {
-    end = text.find(',', begin);
-    parts.push_back(text.substr(begin, end - begin));
-  }
-  if (std::find(parts.begin(), parts.end(), "") != parts.end())
-  {
-    throw tool::UsageError(option + ": '" + text + "' is no list A,B,... of environments");
-  }
-  return parts;
-}
-
-//------------------------------------------------------------------------------
 // The gray studio that vtkPBRPropertyFitter fits under.
 vtkSmartPointer<vtkEnvironment> MakeNeutral()
 {
@@ -111,7 +94,7 @@ vtkSmartPointer<vtkEnvironment> MakeNeutral()
 std::vector<Light> LoadLights(const ExportOptions& options)
 {
   std::vector<Light> lights;
-  for (const std::string& name : Split("--fit-under", options.FitUnder))
+  for (const std::string& name : options.FitUnder)
   {
     lights.push_back({ name == Neutral ? MakeNeutral() : tool::LoadEnvironment(name), true });
   }
@@ -148,7 +131,7 @@ void Check(const ExportOptions& options, const tool::ExportTarget& target)
     throw tool::UsageError("--environment: this build has no 'room'; name a light that the fit "
                            "does not see");
   }
-  const std::vector<std::string> seen = Split("--fit-under", options.FitUnder);
+  const std::vector<std::string>& seen = options.FitUnder;
   if (std::find(seen.begin(), seen.end(), options.Environment) != seen.end())
   {
     throw tool::UsageError("--environment: the fit sees '" + options.Environment +
@@ -397,9 +380,14 @@ void AddExportCommand(CLI::App& app)
     ->add_option("--model", options->Model,
       "Of --to mtlx: standard_surface, open_pbr or both (default), a material each")
     ->check(CLI::IsMember({ "standard_surface", "open_pbr", "both" }));
-  command->add_option("--fit-under", options->FitUnder,
-    "Lights that the fit sees, A,B,...: environments as for --environment, or 'neutral', a gray "
-    "studio (default sky,hall,neutral)");
+  command
+    ->add_option("--fit-under", options->FitUnder,
+      "Lights that the fit sees, A,B,...: environments as for --environment, or 'neutral', a gray "
+      "studio (default sky,hall,neutral)")
+    ->delimiter(',')
+    ->allow_extra_args(false)
+    ->check([](const std::string& name)
+      { return std::string(name.empty() ? "expected a list A,B,... of environments" : ""); });
   command->add_option("--environment", options->Environment,
     std::string("A light that the fit does not see, for one more error (default room). ") +
       EnvironmentHelp);

@@ -11,8 +11,6 @@
 #include "vtkBlinnPhongBRDFFitter.h"
 #include "vtkDistributionBRDFFitter.h"
 #include "vtkMeasuredBRDFConfigure.h"
-#include "vtkNew.h"
-#include "vtkPBRPropertyFitter.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -97,9 +95,6 @@ const std::map<std::string, Model> Models = {
 #endif
 };
 
-// The vtkProperty nearest to the material, which is no vtkBRDF.
-const char* const PBR = "pbr";
-
 // What --model auto tries where a basis does not suit, each with its number of lobes.
 const std::pair<const char*, int> Candidates[] = { { "d-brdf", 1 },
 #if MEASUREDBRDF_WITH_CERES
@@ -110,26 +105,11 @@ const std::pair<const char*, int> Candidates[] = { { "d-brdf", 1 },
 //------------------------------------------------------------------------------
 void Check(const FitOptions& options, const CLI::App* command)
 {
-  if (options.Model == PBR)
-  {
-    if (!options.Output.empty())
-    {
-      throw tool::UsageError(
-        "--output: --model pbr prints the values of a vtkProperty and writes no file");
-    }
-  }
-  else if (options.Output.empty())
-  {
-    throw tool::UsageError("--output is required");
-  }
-  else if (tool::Extension(options.Output) != ".exr")
+  if (tool::Extension(options.Output) != ".exr")
   {
     throw tool::UsageError(options.Output + ": OUT must end in .exr");
   }
-  else
-  {
-    tool::CheckWritable(options.Output);
-  }
+  tool::CheckWritable(options.Output);
   if (command->count("--samples") > 0 &&
       (options.Samples < MinimumNumberOfSamples || options.Samples > MaximumNumberOfSamples))
   {
@@ -138,7 +118,7 @@ void Check(const FitOptions& options, const CLI::App* command)
                            " to " + std::to_string(MaximumNumberOfSamples) +
                            ", more would need gigabytes of memory");
   }
-  // auto and pbr take no option of a model.
+  // auto takes no option of a model.
   const auto found = Models.find(options.Model);
   const Model model = found == Models.end() ? Model{ false, false, false, nullptr } : found->second;
   const std::pair<const char*, bool> taken[] = { { "--lobes", model.HasLobes },
@@ -309,51 +289,7 @@ void RunAuto(
 }
 
 //------------------------------------------------------------------------------
-void RunPBR(
-  const FitOptions& options, const tool::Material& material, const std::function<double()>& seconds)
-{
-  vtkNew<vtkPBRPropertyFitter> fitter;
-  fitter->SetBRDF(material.BRDF);
-  if (!fitter->Update())
-  {
-    throw tool::Error(options.File + ": " + tool::TakeErrorText());
-  }
-  const double* color = fitter->GetBaseColor();
-  const ordered_json figures = { { "BaseColor", { color[0], color[1], color[2] } },
-    { "Metallic", fitter->GetMetallic() }, { "Roughness", fitter->GetRoughness() },
-    { "BaseIOR", fitter->GetBaseIOR() }, { "EdgeTint", fitter->GetEdgeTint() },
-    { "CoatStrength", fitter->GetCoatStrength() }, { "CoatRoughness", fitter->GetCoatRoughness() },
-    { "CoatIOR", fitter->GetCoatIOR() } };
-  if (options.Json)
-  {
-    PrintJson({ { "input", options.File }, { "model", options.Model }, { "vtkProperty", figures },
-      { "relative_l1_error", fitter->GetRelativeError() },
-      { "closest_error", fitter->GetClosestError() }, { "seconds", seconds() } });
-    return;
-  }
-  std::ostringstream text;
-  text.precision(4);
-  text << options.File << " -> vtkProperty (physically based, linear color)\n";
-  for (const auto& figure : figures.items())
-  {
-    std::string name = figure.key();
-    name.resize(14, ' ');
-    text << name;
-    for (const double value :
-      figure.value().is_array() ? figure.value() : ordered_json::array({ figure.value() }))
-    {
-      text << " " << value;
-    }
-    text << "\n";
-  }
-  text << "relative L1 error of a sphere under neutral light: " << fitter->GetRelativeError()
-       << " with values such as people set by hand, " << fitter->GetClosestError() << " with any\n"
-       << seconds() << " s\n";
-  tool::PrintOut(text.str());
-}
-
-//------------------------------------------------------------------------------
-void Run(const FitOptions& options, const CLI::App* command)
+void RunFit(const FitOptions& options, const CLI::App* command)
 {
   Check(options, command);
   tool::Interruptible interruptible;
@@ -364,11 +300,6 @@ void Run(const FitOptions& options, const CLI::App* command)
   if (options.Model == "auto")
   {
     RunAuto(options, material, seconds);
-    return;
-  }
-  if (options.Model == PBR)
-  {
-    RunPBR(options, material, seconds);
     return;
   }
   const vtkSmartPointer<vtkBRDFFitter> fitter = FitModel(options, material.BRDF);
@@ -408,10 +339,9 @@ void AddFitCommand(CLI::App& app)
 #else
       "it has a Lambert part, too. auto: a basis where it does not ring, otherwise the D-BRDF. "
 #endif
-      "pbr: the vtkProperty whose physically based shading is closest under a neutral light, for "
-      "programs without measured materials; it is printed and no file is written")
+      "For programs without measured materials there is export")
     ->required()
-    ->check(CLI::IsMember(Names(Models, { "auto", PBR })));
+    ->check(CLI::IsMember(Names(Models, { "auto" })));
   command->add_option("--lobes", options->Lobes, "Number of lobes of analytic models (default 1)")
     ->check(CLI::Range(1, 3));
   command
@@ -434,12 +364,12 @@ void AddFitCommand(CLI::App& app)
   command->add_flag("--anisotropic", options->Anisotropic,
     "Let the lobes be anisotropic (default: where the material is)");
   command->add_flag("--json", options->Json, "Write JSON instead of text");
-  command->add_option("-o,--output", options->Output, "File to write, ending in .exr");
+  command->add_option("-o,--output", options->Output, "File to write, ending in .exr")->required();
   command->footer(
     "The residual is the root mean square of these differences over direction pairs that the\n"
     "fit did not use. The relative L2 error weights f by both cosines.\n\n"
     "Example:\n  measured-brdf fit satin_purple_rgb.bsdf --model ashikhmin-shirley --lobes 2 \\\n"
     "    -o satin.exr");
-  command->callback([options, command]() { Run(*options, command); });
+  command->callback([options, command]() { RunFit(*options, command); });
 }
 } // namespace tool

@@ -10,7 +10,6 @@
 #include "Tool.h"
 
 #include "vtkEmbeddedMaterials.h"
-#include "vtkNew.h"
 #include "vtkRadianceIntegrator.h"
 
 #include <CLI/CLI.hpp>
@@ -26,8 +25,6 @@ struct GalleryOptions
   std::string Environment = "sky";
   std::string Size = "1920x1200";
   std::string Output;
-  tool::LightSetOptions Lights;
-  bool UseLights = false; // else as planned
 };
 
 constexpr int LargestSheet = 8192;
@@ -120,7 +117,6 @@ void Run(const GalleryOptions& options)
   {
     throw tool::UsageError(options.Output + ": the picture must end in .png");
   }
-  options.Lights.Check();
   std::vector<tool::Material> materials;
   for (const std::string& file : options.Files.empty() ? ChooseEmbedded() : options.Files)
   {
@@ -156,19 +152,12 @@ void Run(const GalleryOptions& options)
   tool::Scene scene;
   scene.SetMesh(tool::MakeBallOnFoot());
   scene.SetView(25.0, 14.0, 1.02);
+  scene.SetLight(environment, nullptr);
   tool::ProgressBar bar("rendering");
   for (int k = 0; k < n; ++k)
   {
     materials[k].BRDF->Prepare();
     scene.SetMaterial(materials[k].BRDF);
-    if (options.UseLights)
-    {
-      scene.SetLight(environment, options.Lights);
-    }
-    else
-    {
-      scene.SetLight(environment, nullptr);
-    }
     tool::Picture tile = scene.Render(TileSmooth * tileWidth, TileSmooth * tileHeight);
     tool::ComposeOver(tile, scene, backdrop, exposure);
     tool::RollOff(tile);
@@ -200,22 +189,13 @@ void AddGalleryCommand(CLI::App& app)
   command->add_option(
     "--environment", options->Environment, std::string(EnvironmentHelp) + " (default)");
   AddProjectionOption(command);
-  options->Lights.AddTo(command, "--lights");
   command->add_option("--size", options->Size,
     "Size of the whole picture in pixels, WIDTHxHEIGHT (default 1920x1200)");
   command->add_option("-o,--output", options->Output, "PNG picture to write")->required();
-  command->footer(
-    "Example:\n  measured-brdf gallery --environment studio.exr -o gallery.png\n\n"
-    "With --lights, that many lights replace the environment. Without, the planner chooses a\n"
-    "method for each material, for an error of at most 2 %.\n"
-    "The exposure makes a white wall light gray; highlights are compressed.\n"
-    "Needs OpenGL; without a screen, put 'xvfb-run -a' before it.");
-  command->callback(
-    [options, command]()
-    {
-      options->UseLights =
-        command->count("--lights") + command->count("--light-set") + command->count("--seed") > 0;
-      Run(*options);
-    });
+  command->footer("Example:\n  measured-brdf gallery --environment studio.exr -o gallery.png\n\n"
+                  "The planner chooses a method for each material, for an error of at most 2 %.\n"
+                  "The exposure makes a white wall light gray; highlights are compressed.\n"
+                  "Needs OpenGL; without a screen, put 'xvfb-run -a' before it.");
+  command->callback([options]() { Run(*options); });
 }
 } // namespace tool

@@ -4,6 +4,7 @@
 #include "Inputs.h"
 #include "Laboratory.h"
 #include "MaterialMapFiles.h"
+#include "Measuring.h"
 #include "Meshes.h"
 #include "Progress.h"
 #include "Scenes.h"
@@ -22,7 +23,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -77,14 +77,6 @@ std::string GetOrigin(const tool::Material& material)
     }
   }
   return material.Format;
-}
-
-//------------------------------------------------------------------------------
-std::string FormatErrorPercent(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), value < 0.1 ? "%.1f %%" : "%.0f %%", 100.0 * value);
-  return text;
 }
 
 //------------------------------------------------------------------------------
@@ -153,7 +145,7 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
   RunMaker(fitter.Get(), &vtkDistributionBRDFFitter::Fit, material.Name);
   exhibit.BRDF = fitter->GetOutput();
   exhibit.Note = begin + "D-BRDF of the " + GetOrigin(material) + "; basis residual " +
-                 FormatErrorPercent(advisor->GetInZoneResidual());
+                 tool::FormatPercent(advisor->GetInZoneResidual());
   return exhibit;
 }
 
@@ -280,7 +272,7 @@ public:
         if (reference)
         {
           note = exhibit.Note + "image error " +
-                 FormatErrorPercent(GetPictureDifference(picture, *reference));
+                 tool::FormatPercent(GetPictureDifference(picture, *reference));
         }
         else
         {
@@ -349,7 +341,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-void Run(const ThesisCommandOptions& options)
+void RunThesis(const ThesisCommandOptions& options)
 {
   tool::MakeFolder(options.Output);
   const tool::Interruptible interruptible;
@@ -388,6 +380,6 @@ void AddThesisCommand(CLI::App& app)
     ->required();
   command->footer("Example:\n  measured-brdf-lab thesis -o output/thesis\n\n"
                   "Needs OpenGL; without a screen, put 'xvfb-run -a' before it.");
-  command->callback([options]() { Run(*options); });
+  command->callback([options]() { RunThesis(*options); });
 }
 } // namespace tool

@@ -15,7 +15,7 @@ class Resource:
     cut: the connection ends after so many bytes of an answer's body, in the first `cuts` answers that are longer.
     pause: seconds of silence after those bytes, instead of an end.
     status: answers with this status, in the first `failures` answers (all: None).
-    redirect: where to; endless: with a text that never ends. ignores_range, without_length: as they say.
+    redirect: where to. ignores_range, without_length: as they say.
     extra: bytes that are sent beyond what was announced (no length is announced then).
     delay: seconds before the answer.
     """
@@ -26,7 +26,7 @@ class Resource:
         self.pause = self.delay = 0
         self.cuts = 1
         self.extra = b""
-        self.endless = self.ignores_range = self.without_length = False
+        self.ignores_range = self.without_length = False
         for name, value in faults.items():
             assert hasattr(self, name), name
             setattr(self, name, value)
@@ -45,26 +45,12 @@ class Handler(http.server.BaseHTTPRequestHandler):
             resource = server.resources.get(self.path)
         if resource is None:
             return self.answer(404, b"<html>no such page</html>")
-        if resource.redirect and resource.endless:
-            return self.move_endlessly(resource)
         if resource.redirect:
             return self.answer(302, b"moved", [("Location", resource.redirect)])
         if resource.status and (resource.failures is None or resource.failures > 0):
             resource.failures = resource.failures and resource.failures - 1
             return self.answer(resource.status, b"<html>an error</html>")
         return self.serve(resource)
-
-    def move_endlessly(self, resource):
-        self.close_connection = True
-        self.send_response(302)
-        self.send_header("Location", resource.redirect)
-        self.send_header("Connection", "close")
-        self.end_headers()
-        try:
-            while not self.server.owner.stop.wait(0.001):
-                self.wfile.write(b"moved " * 1000)
-        except OSError:
-            pass
 
     def answer(self, status, body, headers=()):
         self.send_response(status)

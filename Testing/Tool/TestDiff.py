@@ -4,7 +4,6 @@
 
 import os
 import re
-import shutil
 import struct
 import subprocess
 import sys
@@ -106,26 +105,6 @@ class DiffVerdict(DiffTest):
         os.remove(self.path("valid_2.png"))
         self.check(self.diff("out.png", "valid.png", "--alternatives"), 1, "differs from valid.png")
 
-    def test_border_mask_and_alpha(self):
-        self.draw("a.png", stripes)
-        self.draw("edge.png", lambda x, y: stripes(x, y) if 0 < x < WIDTH - 1 else (255, 255, 255))
-        exact = ["--metric", "max_difference"]
-        self.check(self.diff("edge.png", "a.png", *exact), 1)
-        self.check(self.diff("edge.png", "a.png", *exact, "--border", 1), 0)
-        self.draw("mask.png", lambda x, y: (255,) * 3 if 0 < x < WIDTH - 1 else (0,) * 3)
-        self.check(self.diff("edge.png", "a.png", *exact, "--mask", "mask.png"), 0)
-        self.draw("clear.png", stripes, alpha=lambda x, y: 0)
-        self.check(self.diff("clear.png", "a.png"), 1)
-        self.check(self.diff("clear.png", "a.png", "--ignore-alpha"), 0)
-
-    def test_floats_are_compared_by_hdr_flip(self):
-        self.draw_floats("a.tif", [0.1, 1.0, 100.0, 1.0] * 8)
-        self.draw_floats("b.tif", [0.1, 1.0, 200.0, 1.0] * 8)
-        self.check(self.diff("a.tif", "a.tif"), 0, "hdr_flip=0 ")
-        self.check(self.diff("b.tif", "a.tif"), 1, "hdr_flip=")
-        relative = self.diff("b.tif", "a.tif", "--metric", "relative_l1", "--threshold", 2)
-        self.assertAlmostEqual(self.value(relative, "relative_l1"), 100.0 / 102.1, 7)
-
 
 class DiffForCTest(DiffTest):
     def test_measurements(self):
@@ -147,27 +126,6 @@ class DiffForCTest(DiffTest):
             self.assertEqual(os.path.basename(path), names[name])
         self.assertEqual(self.diff("a.png", "a.png", "--dart").stdout, passed.stdout)
 
-    def test_ctest_takes_them(self):
-        """By a real CTest: it leaves them in Test.xml, which it would send to CDash."""
-        ctest = shutil.which("ctest")
-        if not ctest:
-            self.skipTest("skipped: no ctest")
-        self.draw("a.png", stripes)
-        self.draw("out.png", moved)
-        self.write("DartConfiguration.tcl", b"SourceDirectory: .\nBuildDirectory: .\n")
-        test = f'add_test(diff "{TestTool.PROGRAM}" "diff" "{self.path("out.png")}" "{self.path("a.png")}")\n'
-        self.write("CTestTestfile.cmake", test.encode())
-        environment = {k: v for k, v in os.environ.items() if k not in CTEST}
-        command = [ctest, "-D", "ExperimentalTest"]
-        subprocess.run(command, capture_output=True, timeout=120, cwd=self.folder, env=environment, check=False)
-        found = [os.path.join(path, "Test.xml") for path, _, names in os.walk(self.folder) if "Test.xml" in names]
-        self.assertEqual(len(found), 1)
-        with open(found[0], encoding="utf-8") as file:
-            text = file.read()
-        self.assertRegex(text, r'type="numeric/double" name="flip"')
-        for name in ("TestImage", "DifferenceImage", "ValidImage"):
-            self.assertRegex(text, f'<NamedMeasurement[^>]*name="{name}"[^>]*type="image/png"')
-
     def test_a_missing_baseline_leaves_the_picture(self):
         self.draw("out.png", stripes)
         result = self.diff("out.png", "none.png", ctest=True)
@@ -183,21 +141,10 @@ class DiffBadInput(DiffTest):
         self.check(self.diff("a.png", "a.png", "--mask", "wide.png"), 2, "mask", "80 x 48")
         self.check(self.diff("none.png", "a.png"), 2, "none.png")
         self.check(self.diff("a.png", "."), 2)
-        with open(self.path("a.png"), "rb") as file:
-            content = file.read()
-        self.write("cut.png", content[: len(content) // 2])
-        self.check(self.diff("cut.png", "a.png"), 2, "cut.png")
         self.write("junk.png", b"junk" * 9)
         self.check(self.diff("a.png", "junk.png"), 2, "junk.png")
-        self.write("empty.png", b"")
-        self.check(self.diff("a.png", "empty.png"), 2, "empty.png")
-        huge = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 60000 +X 60000\n"
-        self.write("huge.hdr", huge + bytes(400))
-        self.check(self.diff("huge.hdr", "a.png"), 2, "huge.hdr", "60000")
         self.draw_floats("nan.tif", [1.0, float("nan"), 1.0])
         self.check(self.diff("nan.tif", "nan.tif"), 2, "nan.tif", "pixel (1, 0)", "nan", "finite")
-        self.draw_floats("negative.tif", [1.0, -2.0, 1.0])
-        self.check(self.diff("negative.tif", "negative.tif"), 2, "negative.tif", "picture", "-2", "at least 0")
         self.check(self.diff("a.png", "a.png", "--border", 24), 2, "no pixel")
         self.check(self.diff("a.png", "wide.png", "-o", "no/heat.png"), 2)
         self.check(self.diff("a.png", "a.png", "-o", "no/heat.png"), 2, "no/heat.png")

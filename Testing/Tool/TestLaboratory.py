@@ -244,14 +244,6 @@ class Stability(ToolTest):
         self.check(run("stability", "-o", "/proc/no"), 1, "/proc/no")
         self.assertEqual(os.listdir(folder), [])
 
-    def test_interrupt(self):
-        folder = self.path("out")
-        command = [TestTool.PROGRAM + "-lab", "stability", "--case", "convergence", "--case", "fits", "-o", folder]
-        status, said = self.interrupt(command)
-        self.assertEqual(status, 1, said)
-        self.assertIn("interrupted", said)
-        self.assertEqual(os.listdir(folder), [])
-
 
 class FitOfBases(ToolTest):
     def test_models(self):

@@ -63,7 +63,16 @@ class MeshDamage(ToolTest):
         binary = head.replace("ascii", "binary_little_endian") + face
         points = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
         far = [{"bufferView": 0, "componentType": 5126, "count": 2000000, "type": "VEC3"}]
+        vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
         cases = {
+            "cut.ply": "ply\nformat ascii 1.0\nelement vertex 3\n",
+            "many.ply": head.replace("3", "999999999") + face,
+            "flat.ply": head.replace(FLOATS, "property float x\n") + face + "0 0 0\n1 0 0\n0 1 0\n",
+            "corner.ply": head + face + "0 0 0\n1 0 0\n0 1 0\n3 0 1 99\n",
+            "nan.ply": head + face + "nan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+            "far.obj": vertices + "f 1 2 9\n",
+            "normal.obj": vertices + "f 1//1 2//1 3//1\n",
+            "empty.obj": "",
             "face.ply": head + face + "0 0 0\n1 0 0\n0 1 0\n3 0\n",
             "points.ply": binary.encode() + points[:-8],
             "missing.ply": head.replace("3", "30") + face + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",

@@ -14,8 +14,6 @@
 #include "vtkAshikhminShirleyBRDFFitter.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBasisBRDF.h"
-#include "vtkBasisExtrapolator.h"
-#include "vtkBasisProjector.h"
 #include "vtkBlinnPhongBRDFFitter.h"
 #include "vtkDistributionBRDFFitter.h"
 #include "vtkEmbeddedMaterials.h"
@@ -171,48 +169,6 @@ void RunZenith(Context& context)
     context.Add(Name(basis, 6), "jump where light passes along the normal, relative", worst,
       { 0.01, { { Name(vtkBasisBRDF::LEGENDRE_FOURIER, 6), 1.0 } },
         "Legendre x Fourier does not vanish at a zone's edges, nor at the zenith" });
-  }
-}
-
-//------------------------------------------------------------------------------
-void RunExtrapolation(Context& context)
-{
-  const double outside[2] = { 57.0, 80.0 };
-  for (const double exponent : { 2.0, 10.0, 50.0 })
-  {
-    const BRDF lobe = MakeLobe(exponent);
-    vtkNew<vtkBasisProjector> projector;
-    projector->SetInput(lobe);
-    projector->SetBasis(vtkBasisBRDF::LEGENDRE_FOURIER);
-    projector->SetIncidentZone(StabilityZone[0], StabilityZone[1]);
-    projector->SetOutgoingZone(StabilityZone[0], StabilityZone[1]);
-    if (!projector->Project())
-    {
-      throw Error("projection: " + TakeErrorText());
-    }
-    const auto measure = [&](vtkBRDF* brdf)
-    {
-      return vtkBRDFResampler::GetZoneRelativeL2Error(
-        lobe, brdf, outside, StabilityZone, ErrorPairs);
-    };
-    const double held = measure(projector->GetOutput());
-    vtkNew<vtkBasisExtrapolator> extrapolator;
-    extrapolator->SetInput(projector->GetOutput());
-    for (const bool regularized : { true, false })
-    {
-      if (!regularized)
-      {
-        extrapolator->SetCriterion(vtkBasisExtrapolator::FIXED);
-        extrapolator->SetLambda(0.0);
-      }
-      const bool accepted = extrapolator->Extrapolate();
-      const bool taken = accepted || !regularized;
-      context.Add(!regularized ? "unregularized" : (accepted ? "accepted" : "refused"),
-        "error outside the zone over that of holding its edge, exponent " + Say(exponent),
-        measure(taken ? extrapolator->GetOutput() : projector->GetOutput()) / held,
-        { 1.0, { { "unregularized", Unlimited } }, "ill-posed: shown on purpose" },
-        "residual inside " + Say(extrapolator->GetInZoneResidual()) + ", holding: " + Say(held));
-    }
   }
 }
 
@@ -563,58 +519,6 @@ void RunRemade(Context& context)
 }
 
 //------------------------------------------------------------------------------
-// Plans change where the material does: what shows of that?
-void RunPlanSwitches(Context& context)
-{
-  const int frames = context.Pick(6, 16);
-  const Environment environment = context.MakeLight("sky", 64);
-  const Pairs pairs = MakeSpherePairs(context.Pick(120, 250));
-  std::vector<BRDF> materials;
-  std::vector<Radiance> reference;
-  for (int t = 0; t < frames; ++t)
-  {
-    materials.push_back(MakePlastic(8.0 * std::pow(16.0, static_cast<double>(t) / (frames - 1))));
-    reference.push_back(IntegrateReference(materials.back(), environment, pairs));
-  }
-  const auto& methods = GetMethods();
-  const auto plan = std::find_if(
-    methods.begin(), methods.end(), [](const auto& method) { return method.first == "auto"; });
-  const auto draw = [&](int t)
-  { return Integrate(plan->second(materials[static_cast<std::size_t>(t)], environment), pairs); };
-  context.Add("auto", "flicker ratio, exponent 8 to 128 by frames, planned for each",
-    GetFlicker(draw, reference), 1.1);
-}
-
-//------------------------------------------------------------------------------
-void RunEnvironmentSizes(Context& context)
-{
-  using Size = std::pair<int, int>;
-  const std::vector<Size> sizes = context.Short
-                                    ? std::vector<Size>{ { 1, 1 }, { 3, 5 }, { 256, 128 } }
-                                    : std::vector<Size>{ { 1, 1 }, { 2, 1 }, { 1, 64 }, { 3, 5 },
-                                        { 64, 32 }, { 1024, 512 }, { 8192, 4096 } };
-  const BRDF brdf = context.Choose(MakePlastic(20.0));
-  const Pairs pairs = MakeSpherePairs(100);
-  const Radiance reference =
-    IntegrateReference(brdf, MakeEnvironment(256, 128, GetSmoothRadiance), pairs);
-  for (const auto& [width, height] : sizes)
-  {
-    const Environment environment = MakeEnvironment(width, height, GetSmoothRadiance);
-    const std::string size = std::to_string(width) + "x" + std::to_string(height);
-    for (const auto& [name, make] : GetMethods())
-    {
-      const Radiance radiance = Integrate(make(brdf, environment), pairs);
-      context.Add(name, "negative or not finite, map of " + size, CountBad(radiance), 0.0);
-      if (width >= 64) // smaller maps are another light
-      {
-        context.Add(name, "error under a smooth map of " + size, GetRelativeL1(radiance, reference),
-          { 0.05, { { "filtered", 0.1 } }, "few lights under a smooth sky" });
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 // Coordinates far from 1, and far from the origin.
 void RunWorlds(Context& context)
 {
@@ -951,7 +855,6 @@ const std::vector<Case>& GetCases()
   static const std::vector<Case> cases = {
     { "ringing", "bases", "harmonics of low order on sharp lobes", RunRinging },
     { "zenith", "bases", "light along the normal, where azimuths mean nothing", RunZenith },
-    { "extrapolation", "bases", "harmonics beyond the zone that was measured", RunExtrapolation },
     { "sun", "range", "one texel of 2e5 times the mean", RunSun },
     { "dots", "sampling", "few lights on a sharp lobe", RunDots },
     { "fireflies", "sampling", "bright texels that samples hit or miss", RunFireflies },
@@ -961,8 +864,6 @@ const std::vector<Case>& GetCases()
     { "seams", "geometry", "a sun on the map's seam", RunSeams },
     { "motion", "temporal", "environment, object or camera on the move", RunMotion },
     { "remade", "temporal", "everything made anew for each frame", RunRemade },
-    { "plan-switches", "temporal", "plans that change on the way", RunPlanSwitches },
-    { "environment-sizes", "scale", "environments from 1x1 to 8192x4096", RunEnvironmentSizes },
     { "worlds", "scale", "coordinates far from 1", RunWorlds },
     { "oddities", "data", "asymmetry, negative, missing and very large values", RunOddities },
     { "convergence", "convergence", "order of convergence of every method", RunConvergence },

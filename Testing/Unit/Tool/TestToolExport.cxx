@@ -4,7 +4,6 @@
 #include "ExportCases.h"
 #include "ExportFiles.h"
 #include "LitSphere.h"
-#include "PBRShading.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -152,41 +151,6 @@ TEST(ExportModels, AgreeWithOtherImplementations)
     std::printf("%s: off by at most %.1e\n", made.Name.c_str(), worst);
   }
   EXPECT_GE(compared, 3 * 12 * 20);
-}
-
-//------------------------------------------------------------------------------
-TEST(ExportModels, AgreeWithTheFittersShading)
-{
-  const auto model = tool::SurfaceModel::Make("vtk_pbr");
-  //                  color          metallic roughness index tint        coat roughness index
-  model->SetValues({ 0.5, 0.5, 0.5, 0.4, 0.3, 1.7, 0.6, 0.6, 0.6, 0.7, 0.2, 1.4, 0.0, 0.0 });
-  measuredbrdf::PBRParameters p;
-  p.Roughness = 0.3;
-  p.Metallic = 0.4;
-  p.BaseIOR = 1.7;
-  p.EdgeTint = 0.6;
-  p.CoatStrength = 0.7;
-  p.CoatRoughness = 0.2;
-  p.CoatIOR = 1.4;
-  const double f90 = measuredbrdf::GetPBRGrazing(p, { 0.5, 0.5, 0.5 });
-  for (const double theta : { 0.1, 0.7, 1.3 })
-  {
-    const double i[3] = { std::sin(theta), 0.0, std::cos(theta) };
-    const double o[3] = { -0.48, 0.36, 0.8 };
-    const tool::Directions d({ i[0], i[1], i[2] }, { o[0], o[1], o[2] });
-    const double s = std::pow(1.0 - d.VdH, 5);
-    measuredbrdf::PBRMoments moments[3];
-    const double lobes[3] = { 1.0 / vtkMath::Pi(),
-      measuredbrdf::GetPBRLobe(d.NdH, d.NdV, d.NdL, p.Roughness),
-      measuredbrdf::GetPBRLobe(d.NdH, d.NdV, d.NdL, p.CoatRoughness) };
-    for (int k = 0; k < 3; ++k)
-    {
-      moments[k] = { lobes[k], lobes[k] * s, lobes[k] * s * s, lobes[k] * s * s * s };
-    }
-    const double expected =
-      measuredbrdf::GetPBRRadiance(p, 0.5, f90, moments[0], moments[1], moments[2]);
-    EXPECT_NEAR(Evaluate(model, i, o)[1], expected, 1e-12);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -410,24 +374,6 @@ TEST(ExportFit, UsualValues)
 }
 
 //------------------------------------------------------------------------------
-TEST(ExportFit, EndsWhereItIsTold)
-{
-  vtkNew<vtkLambertBRDF> lambert;
-  tool::LitSphere sphere(Front, true);
-  sphere.AddLight(MakeSky());
-  int calls = 0;
-  const auto proceed = [&calls](double)
-  {
-    if (++calls == 3)
-    {
-      throw std::range_error("enough");
-    }
-  };
-  EXPECT_THROW(tool::FitModel("gltf", lambert, sphere, false, proceed), std::range_error);
-  EXPECT_EQ(calls, 3);
-}
-
-//------------------------------------------------------------------------------
 // A light a thousand times as bright changes nothing: each counts by its relative error.
 TEST(ExportFit, EveryLightCountsTheSame)
 {
@@ -488,24 +434,6 @@ TEST(ExportFiles, NumbersAndNames)
   tool::RoundValues(model);
   EXPECT_DOUBLE_EQ(model->GetValues()[0], 0.1235);
   EXPECT_DOUBLE_EQ(model->GetValues().back(), 3.1415);
-}
-
-//------------------------------------------------------------------------------
-// Every case has its values in its target's range, and so have all starts and neutral values.
-TEST(ExportFiles, RangesAreKept)
-{
-  for (const char* name : { "gltf", "standard_surface", "open_pbr", "preview_surface", "vtk_pbr" })
-  {
-    const auto model = tool::SurfaceModel::Make(name);
-    for (const tool::ModelParameter& parameter : model->GetParameters())
-    {
-      for (const double start : parameter.Starts)
-      {
-        EXPECT_TRUE(start >= 0.0 && start <= parameter.Most) << parameter.Name;
-      }
-      EXPECT_LT(parameter.Least, parameter.Most) << parameter.Name;
-    }
-  }
 }
 
 //------------------------------------------------------------------------------
