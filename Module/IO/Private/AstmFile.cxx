@@ -20,8 +20,8 @@
 #include "GonioTable.h"
 #include "MaterialFormat.h"
 #include "NumberText.h"
+#include "SRGB.h"
 #include "SpectralColor.h"
-#include "XYZColor.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "NumberText.h"
 #include "Printable.h"
-#include "XYZColor.h"
+#include "SRGB.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -14,7 +14,7 @@
 #include "EnvironmentPanels.h"
 #include "EnvironmentPyramid.h"
 #include "ExtractedEmitters.h"
-#include "SharedExponent.h"
+#include "Floats.h"
 #include "TexelChanges.h"
 #include "vtkEnvironment.h"
 #include "vtkSmartPointer.h"

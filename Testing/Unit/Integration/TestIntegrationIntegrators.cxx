@@ -18,7 +18,6 @@
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -201,77 +200,6 @@ TEST(ExactIntegrator, EqualsAPlainSum)
 }
 
 //------------------------------------------------------------------------------
-TEST(ExactIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
-{
-  vtkNew<vtkEnvironment> environment;
-  SetConstant(environment, 512, 256);
-  vtkNew<vtkLambertBRDF> lambert;
-  vtkNew<vtkAshikhminShirleyBRDF> ashikhminShirley;
-  ashikhminShirley->SetExponents(50.0, 50.0);
-  ashikhminShirley->SetDiffuse(0.3, 0.2, 0.1);
-  const auto glossy = NewGlossy(60.0);
-  for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(lambert), static_cast<vtkBRDF*>(glossy.Get()),
-         static_cast<vtkBRDF*>(ashikhminShirley) })
-  {
-    vtkNew<vtkExactRadianceIntegrator> integrator;
-    integrator->SetBRDF(brdf);
-    integrator->SetEnvironment(environment);
-    Pairs pairs(4);
-    for (int k = 0; k < 4; ++k)
-    {
-      const double theta = (10.0 + 20.0 * k) * Pi / 180.0;
-      pairs.Normals[std::size_t(k)] = glm::normalize(glm::dvec3(0.2, 0.7, -0.4));
-      const glm::dvec3 side =
-        glm::normalize(glm::cross(pairs.Normals[std::size_t(k)], glm::dvec3(1.0, 0.0, 0.0)));
-      pairs.Views[std::size_t(k)] =
-        std::cos(theta) * pairs.Normals[std::size_t(k)] + std::sin(theta) * side;
-    }
-    const auto radiance = Integrate(integrator, pairs);
-    for (int k = 0; k < 4; ++k)
-    {
-      const double theta = (10.0 + 20.0 * k) * Pi / 180.0;
-      const double o[3] = { std::sin(theta), 0.0, std::cos(theta) };
-      double albedo[3];
-      brdf->GetDirectionalAlbedo(o, albedo);
-      for (int c = 0; c < 3; ++c)
-      {
-        EXPECT_NEAR(radiance[std::size_t(k)][c], albedo[c], 3e-3 * albedo[c])
-          << brdf->GetClassName() << " " << 10 + 20 * k << " degrees";
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(ExactIntegrator, LinearInTheLight)
-{
-  vtkNew<vtkEnvironment> a;
-  vtkNew<vtkEnvironment> b;
-  vtkNew<vtkEnvironment> mix;
-  SetRandom(a, 32, 16, 1);
-  SetRandom(b, 32, 16, 2);
-  std::vector<float> rgb;
-  for (std::size_t k = 0; k < a->GetPixels().size(); ++k)
-  {
-    rgb.push_back(2.0f * a->GetPixels()[k] + 0.5f * b->GetPixels()[k]);
-  }
-  ASSERT_TRUE(mix->SetPixels(32, 16, rgb));
-  vtkNew<vtkExactRadianceIntegrator> integrator;
-  integrator->SetBRDF(NewGlossy(30.0));
-  const Pairs pairs(20);
-  integrator->SetEnvironment(a);
-  const auto ofA = Integrate(integrator, pairs);
-  integrator->SetEnvironment(b);
-  const auto ofB = Integrate(integrator, pairs);
-  integrator->SetEnvironment(mix);
-  const auto ofMix = Integrate(integrator, pairs);
-  for (std::size_t k = 0; k < ofMix.size(); ++k)
-  {
-    EXPECT_LT(glm::length(ofMix[k] - 2.0 * ofA[k] - 0.5 * ofB[k]), 1e-6 * glm::length(ofMix[k]));
-  }
-}
-
-//------------------------------------------------------------------------------
 TEST(ExactIntegrator, ThreadsChangeNothing)
 {
   // 130000 texels are several parts per pair.
@@ -351,54 +279,6 @@ TEST(Integrators, RotatedEnvironmentIsSeenWhereItShouldBe)
   radiance = Integrate(integrator, pairs);
   EXPECT_NEAR(radiance[0].y, 2.0, 1e-14);
   EXPECT_NEAR(radiance[1].y, 0.0, 1e-14);
-}
-
-//------------------------------------------------------------------------------
-TEST(Integrators, ViewBelowTheHorizonIsBlack)
-{
-  vtkNew<vtkEnvironment> environment;
-  SetConstant(environment, 8, 4);
-  vtkNew<vtkLambertBRDF> brdf;
-  vtkNew<vtkExactRadianceIntegrator> integrator;
-  integrator->SetBRDF(brdf);
-  integrator->SetEnvironment(environment);
-  Pairs pairs(2);
-  pairs.Normals = { glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(0.0, 1e-200, 0.0) };
-  pairs.Views = { glm::dvec3(0.0, -1.0, 0.1), glm::dvec3(1e200, 1e200, 0.0) };
-  const auto radiance = Integrate(integrator, pairs);
-  EXPECT_EQ(radiance[0], glm::dvec3(0.0));
-  EXPECT_GT(radiance[1].x, 0.0);
-}
-
-//------------------------------------------------------------------------------
-// The exact sum, too: the view at a cosine of 0.02 and those below are one, at any azimuth.
-TEST(Integrators, LowViewsAreLifted)
-{
-  vtkNew<vtkEnvironment> environment;
-  SetConstant(environment, 8, 4);
-  vtkNew<vtkBlinnPhongBRDF> brdf;
-  vtkNew<vtkExactRadianceIntegrator> integrator;
-  integrator->SetBRDF(brdf);
-  integrator->SetEnvironment(environment);
-  Pairs pairs(8);
-  const glm::dvec3 n = glm::normalize(glm::dvec3(0.2, 1.0, -0.4));
-  const glm::dvec3 u = glm::normalize(glm::cross(n, glm::dvec3(1.0, 0.0, 0.0)));
-  const glm::dvec3 v = glm::cross(n, u);
-  const double cosines[] = { 0.02, 0.0199, 1e-3, 1e-9 };
-  for (std::size_t k = 0; k < 8; ++k)
-  {
-    const double c = cosines[k % 4];
-    const double s = std::sqrt(1.0 - c * c);
-    pairs.Normals[k] = n;
-    pairs.Views[k] = s * (k < 4 ? u : glm::normalize(u + 2.0 * v)) + c * n;
-  }
-  const auto radiance = Integrate(integrator, pairs);
-  for (std::size_t k = 0; k < 8; ++k)
-  {
-    const double expected = radiance[k / 4 * 4].y;
-    EXPECT_GT(expected, 0.0);
-    EXPECT_NEAR(radiance[k].y, expected, 1e-9 * expected) << k;
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -3,8 +3,8 @@
 #include "TextureEnvironment.h"
 
 #include "LightProbe.h"
+#include "RecentlyUsed.h"
 #include "ScopedErrorCapture.h"
-#include "SharedCache.h"
 #include "SharedObjects.h"
 
 #include "vtkAlgorithm.h"
