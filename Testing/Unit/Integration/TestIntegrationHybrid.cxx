@@ -304,21 +304,6 @@ TEST(LobeSampler, DrawsByTheKernel)
 }
 
 //------------------------------------------------------------------------------
-TEST(HybridIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
-{
-  const auto environment = NewConstantEnvironment(256, 128, 2.0f);
-  for (const char* name : { "blue-fabric", "nickel", "violet-rubber" })
-  {
-    const auto brdf = NewEmbedded(name);
-    const FurnacePairs pairs(brdf, 2.0, { 0.0, 17.0, 41.0, 63.0, 78.0, 85.0 });
-    const double error =
-      GetRelativeError(pairs.Integrate(NewHybrid(brdf, environment)), pairs.Expected);
-    std::printf("%s: %.2e\n", name, error);
-    EXPECT_LT(error, 0.01);
-  }
-}
-
-//------------------------------------------------------------------------------
 // What each part gains, against the exact sum.
 TEST(HybridIntegrator, EveryPartPays)
 {

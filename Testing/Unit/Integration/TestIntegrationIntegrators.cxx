@@ -200,23 +200,6 @@ TEST(ExactIntegrator, EqualsAPlainSum)
 }
 
 //------------------------------------------------------------------------------
-TEST(ExactIntegrator, ThreadsChangeNothing)
-{
-  // 130000 texels are several parts per pair.
-  vtkNew<vtkEnvironment> environment;
-  SetRandom(environment, 512, 256);
-  vtkNew<vtkExactRadianceIntegrator> integrator;
-  integrator->SetBRDF(NewGlossy(30.0));
-  integrator->SetEnvironment(environment);
-  const Pairs pairs(5);
-  const auto all = Integrate(integrator, pairs);
-  vtkSMPTools::Initialize(1);
-  const auto one = Integrate(integrator, pairs);
-  vtkSMPTools::Initialize();
-  EXPECT_EQ(all, one);
-}
-
-//------------------------------------------------------------------------------
 TEST(Integrators, RotatingEverythingChangesNothing)
 {
   vtkNew<vtkEnvironment> environment;
@@ -326,58 +309,6 @@ TEST(Integrators, ErrorsLeaveTheOutputAlone)
   ErrorCatcher loopErrors(loop);
   EXPECT_FALSE(loop->Integrate(three, three, radiance));
   EXPECT_EQ(loopErrors.Take(), 1);
-}
-
-//------------------------------------------------------------------------------
-TEST(Integrators, ProgressAndAbort)
-{
-  vtkNew<vtkEnvironment> environment;
-  SetConstant(environment, 64, 32);
-  vtkNew<vtkExactRadianceIntegrator> integrator;
-  integrator->SetBRDF(NewGlossy(30.0));
-  integrator->SetEnvironment(environment);
-  ErrorCatcher errors(integrator);
-  const Pairs pairs(5000);
-  const auto normals = NewVectors(pairs.Normals);
-  const auto views = NewVectors(pairs.Views);
-  vtkNew<vtkDoubleArray> radiance;
-
-  struct State
-  {
-    double Last = 0.0;
-    int Calls = 0;
-    double AbortAt = 2.0;
-  } state;
-  vtkNew<vtkCallbackCommand> progress;
-  progress->SetClientData(&state);
-  progress->SetCallback(
-    [](vtkObject* caller, unsigned long, void* data, void* fraction)
-    {
-      auto* s = static_cast<State*>(data);
-      const double now = *static_cast<double*>(fraction);
-      EXPECT_GT(now, s->Last);
-      s->Last = now;
-      ++s->Calls;
-      if (now >= s->AbortAt)
-      {
-        static_cast<vtkRadianceIntegrator*>(caller)->SetAbort(true);
-      }
-    });
-  integrator->AddObserver(vtkCommand::ProgressEvent, progress);
-
-  state.AbortAt = 1e-4;
-  EXPECT_FALSE(integrator->Integrate(normals, views, radiance));
-  EXPECT_EQ(errors.Take(), 1);
-  EXPECT_LT(state.Last, 1.0);
-  EXPECT_EQ(radiance->GetNumberOfTuples(), 0);
-
-  // The next run starts afresh.
-  state = State();
-  EXPECT_TRUE(integrator->Integrate(normals, views, radiance));
-  EXPECT_EQ(errors.Take(), 0);
-  EXPECT_EQ(state.Last, 1.0);
-  EXPECT_GT(state.Calls, 3);
-  EXPECT_EQ(radiance->GetNumberOfTuples(), 5000);
 }
 
 //------------------------------------------------------------------------------
