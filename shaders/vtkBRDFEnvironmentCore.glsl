@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What vtkBRDFEnvironmentTable.glsl, which comes behind it, lacks of sharp lobes: sum over k of
 // W_k(theta_o) A_k(axis), A_k turned by the azimuth of the plane of incidence. C++ twin:
-// RadianceCore, ShaderWeights.
-uniform sampler2D brdfCoreProfileINSTANCE; // over theta_o: roots of W_0, W_1, ..., eight a row
+// RadianceCore.
+uniform sampler2D brdfCoreProfileINSTANCE; // over theta_o: W_0, W_1, ..., four numbers a row
 uniform sampler2D brdfCoreFieldsINSTANCE; // A_k, two where turned, one above the other
-CORE_UNIFORMS
 
 struct brdfCorePlaceINSTANCE
 {

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Radiance integrated ahead of time: c E(n) + s T(axis, view angle, azimuth), and what
 // vtkBRDFEnvironmentCore.glsl and vtkBRDFEnvironmentLamps.glsl add. C++ twin: vtkTableRadianceIntegrator.
-uniform sampler2D brdfTableProfileINSTANCE; // over theta_o: roots of s and c; sin delta - sin theta_o
-uniform vec3 brdfTableShareINSTANCE; // of a step of s's root
-uniform vec3 brdfTableLambertINSTANCE; // largest root of c
+uniform sampler2D brdfTableProfileINSTANCE; // over theta_o: s, sin delta - sin theta_o; below it c
 uniform sampler3D brdfTableRadianceINSTANCE; // azimuth and polar angle of axis; psi within view angles
 uniform sampler2D brdfTableIrradianceINSTANCE; // octahedral, over the normal
 uniform float brdfTableIrradianceScaleINSTANCE; // of its values
@@ -17,13 +15,9 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
   float sine = length(o.xy);
   float rest = max(1.0 - brdfQuadrant(sine, o.z) / brdfTableLastViewINSTANCE, 0.0);
   int view = int((1.0 - sqrt(rest)) * float(textureSize(brdfTableProfileINSTANCE, 0).x - 1) + 0.5);
-  vec4 pairs = texelFetch(brdfTableProfileINSTANCE, ivec2(view, 0), 0);
-  vec3 whole = floor(pairs.rgb);
-  vec3 share = whole * brdfTableShareINSTANCE;
-  vec3 lambert = (pairs.rgb - whole) * brdfTableLambertINSTANCE;
-  share *= share;
-  lambert *= lambert;
-  float sinDelta = sine + pairs.w;
+  vec4 profile = texelFetch(brdfTableProfileINSTANCE, ivec2(view, 0), 0);
+  vec3 lambert = HAS_FLOOR != 0 ? texelFetch(brdfTableProfileINSTANCE, ivec2(view, 1), 0).rgb : vec3(0.0);
+  float sinDelta = sine + profile.w;
   vec2 axis = vec2(sqrt(max(1.0 - sinDelta * sinDelta, 0.0)), sinDelta);
   vec2 azimuth = sine > 1e-6 ? o.xy / sine : vec2(1.0, 0.0);
   vec3 across = frame[0] * azimuth.x + frame[1] * azimuth.y;
@@ -46,7 +40,7 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
   vec3 low = texture(brdfTableRadianceINSTANCE, at).rgb;
   at.z += slices / size.z;
   vec3 high = texture(brdfTableRadianceINSTANCE, at).rgb;
-  vec3 sum = BRDF_OPEN_LOBE(mix(low, high, w - angle) * share);
+  vec3 sum = BRDF_OPEN_LOBE(mix(low, high, w - angle) * profile.rgb);
   if (HAS_FLOOR != 0)
   {
     float side = float(textureSize(brdfTableIrradianceINSTANCE, 0).x);

@@ -88,10 +88,9 @@ namespace tool
 void TraceOptions::AddTo(CLI::App* command)
 {
   command
-    ->add_option("--samples", this->Samples,
-      "Where light is traced, directions a pixel (default 512), or 0: the middle of every texel of "
-      "the map")
-    ->check(CLI::Range(0, 1 << 24));
+    ->add_option(
+      "--samples", this->Samples, "Where light is traced, directions a pixel (default 512)")
+    ->check(CLI::Range(8, 1 << 24));
   command
     ->add_option("--bounces", this->Bounces,
       "Where light is traced, how often that of surfaces was reflected at most (default 0: what "

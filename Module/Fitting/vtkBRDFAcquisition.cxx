@@ -3,7 +3,6 @@
 #include "vtkBRDFAcquisition.h"
 
 #include "BasisFunctions.h"
-#include "GaussLegendre.h"
 #include "HalfVector.h" // for angles
 #include "LocalFrame.h"
 #include "ParallelFor.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBasisExtrapolator.h"
 
-#include "GaussLegendre.h"
+#include "BasisFunctions.h"
 #include "HalfVector.h" // for angles
 #include "LocalFrame.h"
 #include "Setters.h"

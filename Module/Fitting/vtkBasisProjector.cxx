@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBasisProjector.h"
 
-#include "GaussLegendre.h"
+#include "BasisFunctions.h"
 #include "HalfVector.h" // for angles
 #include "LocalFrame.h"
 #include "ParallelFor.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRepresentationAdvisor.h"
 
+#include "LowDiscrepancy.h"
 #include "NumberText.h"
 #include "Setters.h"
-#include "ZonePairs.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBasisProjector.h"
 #include "vtkCommand.h"

@@ -7,7 +7,6 @@
 #include "LightLanes.h"
 #include "LocalFrame.h"
 #include "ParallelFor.h"
-#include "ReflectionGuide.h"
 #include "TexelTree.h"
 #include "vtkBRDF.h"
 #include "vtkDataArray.h"
@@ -30,14 +29,6 @@ constexpr int PairsTogether = 4;
 using AdaptiveSumOfFour = measuredbrdf::AdaptiveSum<PairsTogether>;
 constexpr double SingleShare = 0.7; // of the tolerance: one pair is as exact then as four together
 }
-
-//------------------------------------------------------------------------------
-struct vtkAdaptiveRadianceIntegrator::Pair
-{
-  glm::dvec3 Normal;
-  glm::dvec3 View;
-  glm::dvec3 Tangent;
-};
 
 //------------------------------------------------------------------------------
 struct vtkAdaptiveRadianceIntegrator::Internals
@@ -72,12 +63,11 @@ vtkAdaptiveRadianceIntegrator::~vtkAdaptiveRadianceIntegrator() = default;
 //------------------------------------------------------------------------------
 bool vtkAdaptiveRadianceIntegrator::Begin()
 {
-  vtkEnvironment* environment = this->Environment;
-  if (!environment || environment->GetPixels().empty())
+  if (!this->HasLight())
   {
-    vtkErrorMacro("Integrate: there is no environment, or it is empty.");
     return false;
   }
+  vtkEnvironment* environment = this->Environment;
   if (!this->Prepared || !this->Prepared->IsOf(environment, this->BRDF))
   {
     this->Prepared = std::make_unique<Internals>(environment, this->BRDF);
@@ -95,7 +85,8 @@ void vtkAdaptiveRadianceIntegrator::IntegratePart(
 
 //------------------------------------------------------------------------------
 // Adds what it reflects.
-void vtkAdaptiveRadianceIntegrator::SumPair(const Pair& pair, double tolerance, double* radiance)
+void vtkAdaptiveRadianceIntegrator::SumPair(
+  const vtkDirectionPair& pair, double tolerance, double* radiance)
 {
   const measuredbrdf::Frame frame = measuredbrdf::FrameAbout(pair.Normal, pair.Tangent);
   const measuredbrdf::AdaptiveSum<1>::Pair one{ frame, measuredbrdf::ToLocal(frame, pair.View) };
@@ -103,17 +94,14 @@ void vtkAdaptiveRadianceIntegrator::SumPair(const Pair& pair, double tolerance, 
   glm::dvec3 result;
   sum.Run(this->Prepared->Texels, this->Prepared->Guide, this->BRDF, &one, tolerance, &result);
   this->Evaluations += sum.GetNumberOfEvaluations();
-  for (int c = 0; c < 3; ++c)
-  {
-    radiance[c] += result[c];
-  }
+  measuredbrdf::AddRGB(result, radiance);
 }
 
 //------------------------------------------------------------------------------
-void vtkAdaptiveRadianceIntegrator::IntegrateFour(const Pair* pairs, double* radiance)
+void vtkAdaptiveRadianceIntegrator::IntegrateFour(const vtkDirectionPair* pairs, double* radiance)
 {
   const bool areNear = std::all_of(pairs, pairs + PairsTogether,
-    [pairs](const Pair& pair)
+    [pairs](const vtkDirectionPair& pair)
     {
       const double apart =
         2.0 * glm::distance(pair.Normal, pairs->Normal) + glm::distance(pair.View, pairs->View);
@@ -123,8 +111,8 @@ void vtkAdaptiveRadianceIntegrator::IntegrateFour(const Pair* pairs, double* rad
   {
     for (int k = 0; k < PairsTogether; ++k)
     {
-      const Pair& pair = pairs[k];
-      const auto isSame = [&pair](const Pair& other)
+      const vtkDirectionPair& pair = pairs[k];
+      const auto isSame = [&pair](const vtkDirectionPair& other)
       { return other.Normal == pair.Normal && other.View == pair.View; };
       const auto same = std::find_if(pairs, pairs + k, isSame);
       if (same != pairs + k) // it fills the four up
@@ -166,63 +154,21 @@ bool vtkAdaptiveRadianceIntegrator::EvaluatesManyLights()
 bool vtkAdaptiveRadianceIntegrator::IntegrateNeighbors(
   vtkDataArray* normals, vtkDataArray* views, vtkDataArray* radiance)
 {
-  this->Abort = false;
-  if (!normals || !views || !radiance)
-  {
-    vtkErrorMacro("IntegrateNeighbors: normals, views and radiance are needed.");
-    return false;
-  }
-  const vtkIdType count = normals->GetNumberOfTuples();
-  if (count % PairsTogether != 0)
-  {
-    vtkErrorMacro("IntegrateNeighbors: found " << count << " pairs, expected a multiple of "
-                                               << PairsTogether << ".");
-    return false;
-  }
-  std::vector<Pair> pairs;
-  const std::string problem = measuredbrdf::TakePairs(normals, views, nullptr, pairs);
-  if (!problem.empty())
-  {
-    vtkErrorMacro("IntegrateNeighbors: " << problem);
-    return false;
-  }
-  if (!this->Prepare())
-  {
-    return false;
-  }
-  if (!this->BRDF->IsIsotropic())
+  if (this->BRDF && !this->BRDF->IsIsotropic())
   {
     vtkErrorMacro("IntegrateNeighbors: found an anisotropic BRDF, expected an isotropic one.");
     return false;
   }
-  measuredbrdf::TurnPairs(this->Environment.Get(), pairs);
-  std::vector<double> sums(3 * pairs.size(), 0.0);
-  const auto sumBatch = [&](vtkIdType first, vtkIdType size)
+  const auto sumFours = [this](const vtkDirectionPair* pairs, vtkIdType fours, double* sums)
   {
-    measuredbrdf::ParallelFor(first, first + size,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType four = begin; four < end && !this->Abort; ++four)
-        {
-          const auto at = static_cast<std::size_t>(four * PairsTogether);
-          this->IntegrateFour(&pairs[at], &sums[3 * at]);
-        }
-      });
+    measuredbrdf::ParallelForEach(
+      fours,
+      [&](vtkIdType four)
+      { this->IntegrateFour(pairs + PairsTogether * four, sums + 3 * PairsTogether * four); },
+      &this->Abort, 0);
   };
-  if (!measuredbrdf::WorkInBatches(
-        count / PairsTogether, sumBatch, [this](double share) { return this->Report(share); }))
-  {
-    vtkErrorMacro("IntegrateNeighbors: aborted.");
-    return false;
-  }
-  radiance->SetNumberOfComponents(3);
-  radiance->SetNumberOfTuples(count);
-  for (vtkIdType k = 0; k < count; ++k)
-  {
-    radiance->SetTuple(k, &sums[3 * static_cast<std::size_t>(k)]);
-  }
-  radiance->Modified();
-  return true;
+  return this->IntegrateGroups(
+    "IntegrateNeighbors", normals, views, radiance, nullptr, PairsTogether, sumFours);
 }
 
 //------------------------------------------------------------------------------

@@ -83,9 +83,8 @@ private:
   void operator=(const vtkAdaptiveRadianceIntegrator&) = delete;
 
   double Tolerance = 1e-3;
-  struct Pair;
-  void IntegrateFour(const Pair* pairs, double* radiance);
-  void SumPair(const Pair& pair, double tolerance, double* radiance);
+  void IntegrateFour(const vtkDirectionPair* pairs, double* radiance);
+  void SumPair(const vtkDirectionPair& pair, double tolerance, double* radiance);
   struct Internals;
   std::unique_ptr<const Internals> Prepared; // null: nothing yet
   std::atomic<vtkTypeInt64> Evaluations{ 0 };

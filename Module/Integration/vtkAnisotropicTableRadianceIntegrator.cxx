@@ -2,21 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAnisotropicTableRadianceIntegrator.h"
 
-#include "AnisotropicViews.h"
+#include "Candidates.h"
+#include "DirectionPairs.h"
 #include "EnvironmentHarmonics.h"
 #include "EnvironmentPrecomputation.h"
 #include "FieldSynthesis.h"
 #include "HalfVector.h" // for Pi
-#include "LinearSpline.h"
 #include "LobePlacement.h"
+#include "LobeViews.h"
 #include "MaterialPrecomputation.h"
 #include "ModuleShader.h"
 #include "ParallelFor.h"
-#include "PixelCosts.h"
 #include "RadianceTable.h"
-#include "RingLimiter.h"
 #include "Setters.h"
-#include "TableCandidates.h"
 #include "TableSynthesis.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironmentAnisotropic.h"
@@ -67,7 +65,7 @@ struct AnisotropicTable
 
   std::size_t GetNumberOfTexels() const
   {
-    return static_cast<std::size_t>(this->Columns) * static_cast<std::size_t>(this->Rows);
+    return static_cast<std::size_t>(this->Columns) * this->Rows;
   }
 
   /// Where the map of a view angle, an azimuth psi and a view's azimuth begins, in texels.
@@ -153,82 +151,37 @@ glm::dvec3 AnisotropicTable::Evaluate(
 
 namespace
 {
+constexpr int NumberOfNodes = 64; // of the kernels' integrals over theta_i
+
 using Kernels = MaterialPrecomputation::AnisotropicKernels;
 using Expanded = std::vector<std::vector<std::complex<float>>>;
 
 Expanded ExpandKernels(const Kernels& knots, int degree, int orders)
 {
   Expanded kernels(knots.size());
-  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(knots.size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        const std::size_t knot = static_cast<std::size_t>(k);
-        kernels[knot] = knots[knot]->Expand(degree, orders);
-      }
-    });
+  measuredbrdf::ParallelForEach(
+    knots.size(), [&](std::size_t k) { kernels[k] = knots[k]->Expand(degree, orders); });
   return kernels;
 }
 
-// One order's kernels of one view angle, by channel: degrees x (real part, imaginary part of each
-// azimuth of the view).
-std::array<FieldSynthesis::Matrix, 3> PickOrder(
+// One order's kernels of one view angle: the real part and the imaginary part of each azimuth of
+// the view.
+FieldSynthesis::Kernels PickOrder(
   const Expanded& kernels, std::size_t first, int count, int order, int degree, int rows)
 {
-  std::array<FieldSynthesis::Matrix, 3> matrices;
-  for (int channel = 0; channel < 3; ++channel)
+  FieldSynthesis::Kernels picked(3 * 2 * count, degree + 1);
+  for (int l = 0; l <= degree; ++l)
   {
-    FieldSynthesis::Matrix& matrix = matrices[static_cast<std::size_t>(channel)];
-    matrix.resize(degree + 1, 2 * count);
-    for (int k = 0; k < count; ++k)
+    const float taper = static_cast<float>(GetTaper(l, degree, rows));
+    for (int k = 0; k < 3 * count; ++k)
     {
-      const std::complex<float>* in =
-        &kernels[first + static_cast<std::size_t>(k)]
-                [static_cast<std::size_t>((3 * order + channel) * (degree + 1))];
-      for (int l = 0; l <= degree; ++l)
-      {
-        const float taper = static_cast<float>(GetTaper(l, degree, rows));
-        matrix(l, 2 * k) = taper * in[l].real();
-        matrix(l, 2 * k + 1) = taper * in[l].imag();
-      }
+      const std::complex<float> of = kernels[first + static_cast<std::size_t>(k % count)]
+                                            [(3 * order + k / count) * (degree + 1) + l];
+      picked(2 * k, l) = taper * of.real();
+      picked(2 * k + 1, l) = taper * of.imag();
     }
   }
-  return matrices;
-}
-
-// One order's fields of one view angle, turned to each psi.
-void AddOrder(int order, int angle, const std::array<FieldSynthesis::Field, 3>& fields,
-  const AnisotropicTable& table, std::vector<float>& radiance)
-{
-  const std::size_t texels = table.GetNumberOfTexels();
-  measuredbrdf::ParallelFor(0, table.Azimuths + 1, 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (int azimuth = static_cast<int>(begin); azimuth < static_cast<int>(end); ++azimuth)
-      {
-        const double gain = GetLinearSplineGain(static_cast<double>(order) / table.Azimuths);
-        const std::complex<float> turn =
-          std::polar(static_cast<float>(order == 0 ? 1.0 : 2.0 * gain),
-            static_cast<float>(-2.0 * Pi * order * static_cast<double>(azimuth) / table.Azimuths));
-        for (int view = 0; view < table.ViewAzimuths; ++view)
-        {
-          float* out = &radiance[3 * table.GetMap(angle, azimuth, view)];
-          for (std::size_t channel = 0; channel < 3; ++channel)
-          {
-            const std::complex<float>* real =
-              &fields[channel][2 * static_cast<std::size_t>(view) * texels];
-            const std::complex<float>* imaginary = real + texels;
-            for (std::size_t texel = 0; texel < texels; ++texel)
-            {
-              const float re = real[texel].real() - imaginary[texel].imag();
-              const float im = real[texel].imag() + imaginary[texel].real();
-              out[3 * texel + channel] += turn.real() * re - turn.imag() * im;
-            }
-          }
-        }
-      }
-    });
+  return picked;
 }
 }
 
@@ -240,23 +193,38 @@ double SynthesizeAnisotropic(const EnvironmentHarmonics& environment, const Kern
 {
   const int orders = std::min(table.Azimuths / 2, degree); // as many as the azimuths can tell apart
   const Expanded kernels = ExpandKernels(knots, degree, orders);
-  std::vector<float> radiance(3 * table.GetMap(table.Angles, 0, 0));
-  FieldSynthesis synthesis(environment, table.Rows, table.Columns, MapNodes::Poles);
+  // An angle's maps at all azimuths of the view lie side by side.
+  const std::size_t texels = table.GetNumberOfTexels();
+  AzimuthSeries series(
+    table.Angles, table.Azimuths, texels * static_cast<std::size_t>(table.ViewAzimuths));
+  FieldSynthesis synthesis(MapPart(table.Rows, table.Columns), MapNodes::Poles);
   for (int angle = 0; angle < table.Angles; ++angle)
   {
-    const std::size_t first = static_cast<std::size_t>(angle * table.ViewAzimuths);
+    const std::size_t first = angle * table.ViewAzimuths;
     for (int order = 0; order <= orders; ++order)
     {
-      std::array<FieldSynthesis::Field, 3> fields;
-      synthesis.Run(
-        order, PickOrder(kernels, first, table.ViewAzimuths, order, degree, table.Rows), fields);
-      AddOrder(order, angle, fields, table, radiance);
+      FieldSynthesis::Fields fields;
+      synthesis.Run(order,
+        { { environment,
+          PickOrder(kernels, first, table.ViewAzimuths, order, degree, table.Rows) } },
+        fields);
+      for (FieldSynthesis::Field& field : fields) // real and imaginary parts of kernels become one
+      {
+        for (std::size_t k = 0; k < field.size() / 2; ++k)
+        {
+          const std::complex<float>* of = &field[k / texels * 2 * texels + k % texels];
+          field[k] = of[0] + std::complex<float>(-of[texels].imag(), of[texels].real());
+        }
+        field.resize(field.size() / 2);
+      }
+      series.Set(order, fields, static_cast<std::size_t>(angle));
       if (!goOn((angle * (orders + 1.0) + order + 1.0) / (table.Angles * (orders + 1.0))))
       {
         return 0.0;
       }
     }
   }
+  std::vector<float> radiance = series.TakeRadiance();
   LiftDarkRings(
     radiance, static_cast<std::size_t>(table.Rows), static_cast<std::size_t>(table.Columns));
   return PackRadiance(radiance, table.Radiance);
@@ -286,40 +254,20 @@ void MakeAnisotropicProfile(
     {
       const int angle = low + corner % 2;
       const int azimuth = (from + corner / 2) % table.ViewAzimuths;
-      between.Add(knots[static_cast<std::size_t>(angle * table.ViewAzimuths + azimuth)]->GetMeans(),
+      between.Add(knots[angle * table.ViewAzimuths + azimuth]->GetMeans(),
         (corner % 2 ? w - low : 1.0 - w + low) * (corner / 2 ? p - from : 1.0 - p + from));
-    }
-    glm::dvec3 share(0.0);
-    for (int c = 0; c < 3; ++c)
-    {
-      const double wanted = lobe.Amplitude[c] + Pi * (lobe.Floor[c] - between.Floor[c]);
-      share[c] = between.Amplitude[c] > 0.0 ? std::max(wanted, 0.0) / between.Amplitude[c] : 0.0;
     }
     const double phi = views.GetAzimuth(azimuthIndex);
     const glm::dvec2 out(std::cos(phi), std::sin(phi));
-    const glm::dvec3 layers[3] = { { lobe.Axis.x * out.x + lobe.Axis.y * out.y,
-                                     lobe.Axis.y * out.x - lobe.Axis.x * out.y, w },
-      share * scale, between.Floor };
-    for (int layer = 0; layer < 3; ++layer)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        table
-          .Profile[3 * static_cast<std::size_t>(layer * count + k) + static_cast<std::size_t>(c)] =
-          static_cast<float>(layers[layer][c]);
-      }
-    }
-    table.HasFloor = table.HasFloor || between.Floor != glm::dvec3(0.0);
+    const bool hasFloor = PutProfile(lobe, between,
+      { lobe.Axis.x * out.x + lobe.Axis.y * out.y, lobe.Axis.y * out.x - lobe.Axis.x * out.y, w },
+      scale, static_cast<std::size_t>(k), table.Profile);
+    table.HasFloor = table.HasFloor || hasFloor;
   }
 }
 } // namespace measuredbrdf
 
 using namespace measuredbrdf;
-
-namespace
-{
-constexpr int NumberOfNodes = 64; // of the kernels' integrals over theta_i
-}
 
 struct vtkAnisotropicTableRadianceIntegrator::Tables : AnisotropicTable
 {
@@ -337,10 +285,8 @@ vtkAnisotropicTableRadianceIntegrator::~vtkAnisotropicTableRadianceIntegrator() 
 //------------------------------------------------------------------------------
 bool vtkAnisotropicTableRadianceIntegrator::Begin()
 {
-  this->Abort = false; // one that an earlier run left
-  if (!this->Environment || this->Environment->GetPixels().empty())
+  if (!this->HasLight())
   {
-    vtkErrorMacro("Prepare: there is no environment, or it is empty.");
     return false;
   }
   auto table = std::make_unique<Tables>(this->NumberOfRows, this->NumberOfViewAngles,
@@ -369,10 +315,6 @@ bool vtkAnisotropicTableRadianceIntegrator::MakeTable(Tables& table)
     return false;
   }
   const AnisotropicViews& views = parts->GetAnisotropicViews(this->BRDF, this->Abort);
-  if (this->Abort)
-  {
-    return false;
-  }
   const MaterialPrecomputation::AnisotropicKernels& knots = parts->GetAnisotropicKernels(
     this->BRDF, table.Angles, table.ViewAzimuths, NumberOfNodes, this->Abort);
   const double scale = this->Abort ? 0.0
@@ -398,10 +340,7 @@ void vtkAnisotropicTableRadianceIntegrator::IntegratePart(
 {
   const glm::dvec3 sum =
     this->Data->Evaluate(glm::make_vec3(n), glm::make_vec3(o), glm::make_vec3(t));
-  for (int c = 0; c < 3; ++c)
-  {
-    radiance[c] += sum[c];
-  }
+  measuredbrdf::AddRGB(sum, radiance);
 }
 
 //------------------------------------------------------------------------------
@@ -427,29 +366,19 @@ bool vtkAnisotropicTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs&
     { "VIEW_AZIMUTHS", std::to_string(table.ViewAzimuths) + ".0" } };
   term.Uniforms.push_back(
     { "brdfTableLastView", { static_cast<float>(LobeViews::GetLastAngle() * 2.0 / Pi) } });
-  const auto add = [&term](const char* name, int width, int height,
-                     int depth) -> vtkBRDFShaderInputs::Texture&
-  {
-    vtkBRDFShaderInputs::Texture texture;
-    texture.Name = name;
-    texture.Dimensions = { width, height, depth };
-    texture.ThreeD = depth > 1;
-    term.Textures.push_back(std::move(texture));
-    return term.Textures.back();
-  };
   term.Fetches = 6; // two of the profile, four views
   vtkBRDFShaderInputs::Texture& profile =
-    add("brdfTableProfile", AnisotropicViews::Angles, AnisotropicViews::Azimuths, 3);
+    AddTexture(term, "brdfTableProfile", AnisotropicViews::Angles, AnisotropicViews::Azimuths, 3);
   profile.Data = table.Profile;
   profile.Repeat[1] = true;
-  vtkBRDFShaderInputs::Texture& radiance = add("brdfTableRadiance", table.Columns,
+  vtkBRDFShaderInputs::Texture& radiance = AddTexture(term, "brdfTableRadiance", table.Columns,
     table.Rows * table.ViewAzimuths, table.Angles * (table.Azimuths + 1));
   radiance.SharedExponents = table.Radiance;
   radiance.Repeat[0] = true;
   if (table.HasFloor)
   {
-    add("brdfTableIrradiance", RadianceTable::IrradianceSide, RadianceTable::IrradianceSide, 1)
-      .SharedExponents = table.Irradiance->Texels;
+    constexpr int side = RadianceTable::IrradianceSide;
+    AddTexture(term, "brdfTableIrradiance", side, side).SharedExponents = table.Irradiance->Texels;
     term.Uniforms.push_back({ "brdfTableIrradianceScale", { table.Irradiance->Scale } });
     term.Fetches += 2; // with its profile
   }
@@ -473,26 +402,14 @@ measuredbrdfSetClampedMacro(
 //------------------------------------------------------------------------------
 std::vector<vtkRadianceIntegrator::Size> vtkAnisotropicTableRadianceIntegrator::GetSizes()
 {
-  return { { "rows", 9, 129, this->NumberOfRows },
-    { "view angles", 2, 32, this->NumberOfViewAngles },
-    { "azimuths", 4, 64, this->NumberOfAzimuths },
-    { "view azimuths", 2, 32, this->NumberOfViewAzimuths } };
-}
-
-//------------------------------------------------------------------------------
-void vtkAnisotropicTableRadianceIntegrator::SetSize(int index, int value)
-{
-  switch (index)
-  {
-    case 0:
-      return this->SetNumberOfRows(value);
-    case 1:
-      return this->SetNumberOfViewAngles(value);
-    case 2:
-      return this->SetNumberOfAzimuths(value);
-    default:
-      this->SetNumberOfViewAzimuths(value);
-  }
+  return { { "rows", 9, 129, this->NumberOfRows,
+             [this](int value) { this->SetNumberOfRows(value); } },
+    { "view angles", 2, 32, this->NumberOfViewAngles,
+      [this](int value) { this->SetNumberOfViewAngles(value); } },
+    { "azimuths", 4, 64, this->NumberOfAzimuths,
+      [this](int value) { this->SetNumberOfAzimuths(value); } },
+    { "view azimuths", 2, 32, this->NumberOfViewAzimuths,
+      [this](int value) { this->SetNumberOfViewAzimuths(value); } } };
 }
 
 //------------------------------------------------------------------------------

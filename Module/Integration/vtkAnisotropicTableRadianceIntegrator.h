@@ -102,7 +102,6 @@ protected:
   vtkAnisotropicTableRadianceIntegrator();
   ~vtkAnisotropicTableRadianceIntegrator() override;
 
-  void SetSize(int index, int value) override;
   bool Begin() override;
   void IntegratePart(
     int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;

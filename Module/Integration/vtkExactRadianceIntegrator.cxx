@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkExactRadianceIntegrator.h"
 
+#include "DirectionPairs.h"
 #include "LocalFrame.h"
 #include "TexelTree.h"
 #include "vtkBRDF.h"
@@ -24,13 +25,11 @@ vtkStandardNewMacro(vtkExactRadianceIntegrator);
 //------------------------------------------------------------------------------
 bool vtkExactRadianceIntegrator::Begin()
 {
-  vtkEnvironment* environment = this->Environment;
-  if (!environment || environment->GetPixels().empty())
+  if (!this->HasLight())
   {
-    vtkErrorMacro("Integrate: there is no environment, or it is empty.");
     return false;
   }
-  environment = environment->GetSubdivided();
+  vtkEnvironment* environment = this->Environment->GetSubdivided();
   const measuredbrdf::TexelDirections directions(environment->GetWidth(), environment->GetHeight());
   this->Texels.clear();
   for (int y = 0; y < environment->GetHeight(); ++y)
@@ -79,10 +78,7 @@ void vtkExactRadianceIntegrator::IntegratePart(
       sum += cosine * f * glm::make_vec3(&this->Texels[k + 3]);
     }
   }
-  for (int c = 0; c < 3; ++c)
-  {
-    radiance[c] += sum[c];
-  }
+  measuredbrdf::AddRGB(sum, radiance);
 }
 
 //------------------------------------------------------------------------------

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFactoredRadianceIntegrator.h"
 
+#include "Candidates.h"
+#include "DirectionPairs.h"
 #include "EnvironmentPrecomputation.h"
 #include "MaterialPrecomputation.h"
-#include "PixelCosts.h"
+#include "ModuleShader.h"
 #include "Printable.h"
 #include "RadianceCore.h"
 #include "Setters.h"
-#include "ShaderWeights.h"
-#include "TableCandidates.h" // for GetTableBytes
 #include "TableSynthesis.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironmentCore.h"
@@ -58,18 +58,8 @@ bool vtkFactoredRadianceIntegrator::UsesBRDFOnGPU() { return this->Lamps && !thi
 //------------------------------------------------------------------------------
 bool vtkFactoredRadianceIntegrator::Begin()
 {
-  this->Abort = false; // one that an earlier run left
-  if (!this->Environment || this->Environment->GetPixels().empty())
+  if (!this->HasLight() || !this->IsIsotropic("factored tables"))
   {
-    vtkErrorMacro("Prepare: there is no environment, or it is empty.");
-    return false;
-  }
-  if (!this->BRDF->IsIsotropic())
-  {
-    vtkErrorMacro(
-      "Prepare: factored tables are for isotropic materials; "
-      << (this->BRDF->GetName().empty() ? "this one" : measuredbrdf::Quote(this->BRDF->GetName()))
-      << " is not.");
     return false;
   }
   const auto broad = this->NewTable();
@@ -140,10 +130,7 @@ void vtkFactoredRadianceIntegrator::IntegratePart(
 {
   glm::dvec3 sum = this->Sharp->Evaluate(glm::make_vec3(n), glm::make_vec3(o), glm::make_vec3(t));
   AddTo(this->Broad, n, o, t, &sum.x);
-  for (int c = 0; c < 3; ++c)
-  {
-    radiance[c] += std::max(sum[c], 0.0);
-  }
+  AddRGB(glm::max(sum, 0.0), radiance);
 }
 
 //------------------------------------------------------------------------------
@@ -164,32 +151,32 @@ bool vtkFactoredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   vtkBRDFShaderInputs::Term& term = inputs.Terms.at(0);
   term.Source = std::string(vtkBRDFEnvironmentCore) + term.Source;
   term.Shader = "vtkBRDFEnvironmentCore";
-  const ShaderWeights weights(core);
-  std::string uniforms, steps;
-  for (int row = 0; row < weights.Rows; ++row)
+  const int modes = core.Orders.size();
+  const int rows = RadianceCore::CountWeightRows(modes);
+  std::string steps;
+  for (int row = 0; row < rows; ++row)
   {
-    steps += ShaderWeights::GetUnpacking(row);
+    const std::string number = std::to_string(row);
+    steps += "vec4 weights" + number + " = texelFetch(brdfCoreProfileINSTANCE, ivec2(view, " +
+             number + "), 0); ";
   }
+  const auto getWeight = [](int number)
+  { return "weights" + std::to_string(number / 4) + "." + "xyzw"[number % 4]; };
   int order = 0;
-  for (std::size_t mode = 0; mode < core.Orders.size(); ++mode)
+  for (int mode = 0; mode < modes; ++mode)
   {
     const int next = core.Orders[mode];
     for (; order < next; ++order)
     {
       steps += "brdfCoreTurnINSTANCE(at); ";
     }
-    const std::string unit = "brdfCoreUnit" + std::to_string(mode);
-    const float* const values = &core.Units[3 * mode];
-    term.Uniforms.push_back({ unit, { values, values + 3 } });
-    uniforms += "uniform vec3 " + unit + "INSTANCE;\n";
-    const int number = 3 * static_cast<int>(mode);
     steps += std::string("sum += ") +
-             (next > 0 ? "brdfCoreTurnedINSTANCE" : "brdfCoreFieldINSTANCE") + "(at) * (vec3(" +
-             ShaderWeights::GetName(number) + ", " + ShaderWeights::GetName(number + 1) + ", " +
-             ShaderWeights::GetName(number + 2) + ") * " + unit + "INSTANCE); ";
+             (next > 0 ? "brdfCoreTurnedINSTANCE" : "brdfCoreFieldINSTANCE") + "(at) * vec3(" +
+             getWeight(3 * mode) + ", " + getWeight(3 * mode + 1) + ", " + getWeight(3 * mode + 2) +
+             "); ";
   }
   const int fields = core.GetNumberOfFields();
-  term.Fetches += weights.Rows + fields;
+  term.Fetches += rows + fields;
   for (vtkBRDFShaderInputs::Constant& constant : term.Constants)
   {
     if (constant.Name == "SHARP_PART")
@@ -197,24 +184,16 @@ bool vtkFactoredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
       constant.Value = "brdfCoreINSTANCE(view, position, turn)";
     }
   }
-  term.Constants.push_back({ "CORE_UNIFORMS", uniforms });
   term.Constants.push_back({ "CORE_STEPS", steps });
   term.Constants.push_back({ "CORE_FIELDS", std::to_string(fields) });
-  const auto add =
-    [&term](const char* name, int width, int height, bool half, const std::vector<float>& data)
-  {
-    vtkBRDFShaderInputs::Texture texture;
-    texture.Name = name;
-    texture.Dimensions = { width, height, 1 };
-    texture.Components = half ? 3 : 4;
-    texture.HalfFloat = half;
-    texture.Repeat[0] = half; // maps are round
-    texture.Data = data;
-    term.Textures.push_back(std::move(texture));
-  };
-  add(
-    "brdfCoreProfile", static_cast<int>(ShaderWeights::Size), weights.Rows, false, weights.Texels);
-  add("brdfCoreFields", core.Columns, core.Rows * fields, true, core.Fields);
+  vtkBRDFShaderInputs::Texture& profile = AddTexture(term, "brdfCoreProfile", ProfileTexels, rows);
+  profile.Components = 4;
+  profile.Data = core.GetShaderWeights();
+  vtkBRDFShaderInputs::Texture& maps =
+    AddTexture(term, "brdfCoreFields", core.Columns, core.Rows * fields);
+  maps.HalfFloat = true;
+  maps.Repeat[0] = true; // they are round
+  maps.Data = core.Fields;
   inputs.Description += "; " + std::to_string(fields) + " maps of " + std::to_string(core.Columns) +
                         " x " + std::to_string(core.Rows) + " of its sharp part";
   form = std::move(inputs);
@@ -232,28 +211,15 @@ measuredbrdfSetClampedMacro(vtkFactoredRadianceIntegrator, SmoothingDegree, doub
 //------------------------------------------------------------------------------
 std::vector<vtkRadianceIntegrator::Size> vtkFactoredRadianceIntegrator::GetSizes()
 {
-  return { { "rows", 8, 512, this->NumberOfRows }, { "maps", 1, 32, this->NumberOfFields },
-    { "table rows", 9, 513, this->NumberOfTableRows },
-    { "view angles", 2, 64, this->NumberOfViewAngles },
-    { "azimuths", 4, 64, this->NumberOfAzimuths } };
-}
-
-//------------------------------------------------------------------------------
-void vtkFactoredRadianceIntegrator::SetSize(int index, int value)
-{
-  switch (index)
-  {
-    case 0:
-      return this->SetNumberOfRows(value);
-    case 1:
-      return this->SetNumberOfFields(value);
-    case 2:
-      return this->SetNumberOfTableRows(value);
-    case 3:
-      return this->SetNumberOfViewAngles(value);
-    default:
-      this->SetNumberOfAzimuths(value);
-  }
+  return { { "rows", 8, 512, this->NumberOfRows,
+             [this](int value) { this->SetNumberOfRows(value); } },
+    { "maps", 1, 32, this->NumberOfFields, [this](int value) { this->SetNumberOfFields(value); } },
+    { "table rows", 9, 513, this->NumberOfTableRows,
+      [this](int value) { this->SetNumberOfTableRows(value); } },
+    { "view angles", 2, 64, this->NumberOfViewAngles,
+      [this](int value) { this->SetNumberOfViewAngles(value); } },
+    { "azimuths", 4, 64, this->NumberOfAzimuths,
+      [this](int value) { this->SetNumberOfAzimuths(value); } } };
 }
 
 //------------------------------------------------------------------------------
@@ -262,8 +228,7 @@ vtkIdType vtkFactoredRadianceIntegrator::EstimateTextureBytes()
   const vtkIdType texels = static_cast<vtkIdType>(2 * this->NumberOfRows) * this->NumberOfRows;
   return GetTableBytes(this->NumberOfTableRows, this->NumberOfViewAngles, this->NumberOfAzimuths) +
          6 * texels * this->NumberOfFields +
-         16 * static_cast<vtkIdType>(ShaderWeights::Size) *
-           ShaderWeights::CountRows(this->NumberOfFields);
+         16 * ProfileTexels * RadianceCore::CountWeightRows(this->NumberOfFields);
 }
 
 //------------------------------------------------------------------------------

@@ -107,7 +107,6 @@ protected:
   vtkFactoredRadianceIntegrator();
   ~vtkFactoredRadianceIntegrator() override;
 
-  void SetSize(int index, int value) override;
   void CopyProperties(vtkRadianceIntegrator* source) override;
   bool Begin() override;
   void IntegratePart(

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFilteredRadianceIntegrator.h"
 
+#include "Candidates.h"
+#include "DirectionPairs.h"
 #include "EnvironmentPrecomputation.h"
 #include "EnvironmentPyramid.h"
 #include "HalfVector.h" // for Pi
@@ -10,7 +12,6 @@
 #include "LowDiscrepancy.h"
 #include "ModuleShader.h"
 #include "ParallelFor.h"
-#include "PixelCosts.h"
 #include "Printable.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
@@ -35,63 +36,6 @@
 
 namespace measuredbrdf
 {
-class ReflectionSamples
-{
-public:
-  /// Views that are tabulated, from the normal to MinimumViewCosine.
-  static constexpr int NumberOfViews = 128;
-
-  /**
-   * Density of f cos in its own integral, in 1/sr, at which half of it is sharp. Lights replace a
-   * broad part well, as f hardly varies between them; samples alone miss small panels there.
-   * Lambert's peak, 1/pi, lies below. Of 0.5, 0.7, 1, 2, 3 and 10, 1 was the best compromise
-   * between studios with small panels and smooth skies.
-   */
-  static constexpr double Floor = 1.0;
-
-  struct Sample
-  {
-    glm::vec3 Direction; // to the light, where the view's azimuth is 0; not unit in between
-    float Level;         // 1/2 log2 of the share of the sphere that it stands for
-    glm::vec3 Weight;    // sharp part of f cos / (N pdf), RGB
-    float Limit;         // of the view: sum of the channels of f cos at Floor
-  };
-
-  /**
-   * count samples (a Fibonacci lattice, the first ones spread evenly, too) of the sharp part of f
-   * cos (LobeSampler). brdf is isotropic and prepared. Views are tabulated in parallel; a raised
-   * abort leaves the rest black.
-   */
-  ReflectionSamples(vtkBRDF* brdf, int count, const std::atomic<bool>& abort);
-
-  int GetNumberOfSamples() const { return this->Count; }
-
-  /// Tabulated sample k of a view.
-  const Sample& Get(int view, int k) const
-  {
-    return this->Samples[static_cast<std::size_t>(view) * static_cast<std::size_t>(this->Count) +
-                         static_cast<std::size_t>(k)];
-  }
-
-  /// Sample k at a coordinate between views.
-  Sample Interpolate(double coordinate, int k) const;
-
-  /// Share of f cos (RGB) that the samples have (LobeSampler).
-  static double GetSharpShare(const glm::dvec3& f, double limit);
-
-  /// Where unit o falls between the tabulated views: in [0, NumberOfViews - 1].
-  static double GetCoordinate(const glm::dvec3& o);
-
-  /// Tabulated view, azimuth 0.
-  static glm::dvec3 GetView(int view);
-
-private:
-  void Tabulate(vtkBRDF* brdf, const std::vector<glm::dvec2>& points, int view);
-
-  int Count;
-  std::vector<Sample> Samples;
-};
-
 namespace
 {
 // Views are denser towards the horizon, where weights change fast: uniform in 1 - sqrt(1 - angle),
@@ -127,96 +71,111 @@ std::vector<glm::dvec2> MakePoints(int count)
 }
 }
 
-ReflectionSamples::ReflectionSamples(vtkBRDF* brdf, int count, const std::atomic<bool>& abort)
-  : Count(count)
-  , Samples(static_cast<std::size_t>(count) * NumberOfViews,
-      Sample{ glm::vec3(0.0f, 0.0f, 1.0f), 0.0f, glm::vec3(0.0f), 0.0f })
+class ReflectionSamples
 {
-  const std::vector<glm::dvec2> points = MakePoints(count);
-  measuredbrdf::ParallelFor(0, NumberOfViews, 1,
-    [this, brdf, &points, &abort](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType view = begin; view < end && !abort; ++view)
-      {
-        this->Tabulate(brdf, points, static_cast<int>(view));
-      }
-    });
-  // Draws that fall below the horizon weigh nothing, but their neighbors fade towards them: these
-  // do so where they are.
-  for (int k = 0; k < this->Count; ++k)
+public:
+  // Views that are tabulated, from the normal to MinimumViewCosine.
+  static constexpr int NumberOfViews = 128;
+
+  // Density of f cos in its own integral, in 1/sr, at which half of it is sharp. Lights replace a
+  // broad part well, as f hardly varies between them; samples alone miss small panels there.
+  // Lambert's peak, 1/pi, lies below. Of 0.5, 0.7, 1, 2, 3 and 10, 1 was the best compromise
+  // between studios with small panels and smooth skies.
+  static constexpr double Floor = 1.0;
+
+  struct Sample
   {
-    for (int view = 1; view < 2 * NumberOfViews; ++view)
+    glm::vec3 Direction; // to the light, where the view's azimuth is 0; not unit in between
+    float Level;         // 1/2 log2 of the share of the sphere that it stands for
+    glm::vec3 Weight;    // sharp part of f cos / (N pdf), RGB
+    float Limit;         // of the view: sum of the channels of f cos at Floor
+  };
+
+  // So many samples of the sharp part of f cos (LobeSampler) for each view. brdf is isotropic and
+  // prepared. A raised abort leaves the rest black.
+  ReflectionSamples(vtkBRDF* brdf, int count, const std::atomic<bool>& abort)
+    : Count(count)
+    , Samples(static_cast<std::size_t>(count) * NumberOfViews,
+        Sample{ glm::vec3(0.0f, 0.0f, 1.0f), 0.0f, glm::vec3(0.0f), 0.0f })
+  {
+    const std::vector<glm::dvec2> points = MakePoints(count);
+    measuredbrdf::ParallelForEach(
+      NumberOfViews, [&](int view) { this->Tabulate(brdf, points, view); }, &abort);
+    // Draws that fall below the horizon weigh nothing, but their neighbors fade towards them: these
+    // do so where they are.
+    for (int k = 0; k < this->Count; ++k)
     {
-      const bool up = view < NumberOfViews;
-      const int to = up ? view : 2 * NumberOfViews - 1 - view;
-      const int from = std::clamp(up ? to - 1 : to + 1, 0, NumberOfViews - 1);
-      Sample& sample = this->Samples[static_cast<std::size_t>(to * this->Count + k)];
-      const Sample& other = this->Get(from, k);
-      if (sample.Weight == glm::vec3(0.0f) && other.Weight != glm::vec3(0.0f))
+      for (int view = 1; view < 2 * NumberOfViews; ++view)
       {
-        sample.Direction = other.Direction;
-        sample.Level = other.Level;
+        const bool up = view < NumberOfViews;
+        const int to = up ? view : 2 * NumberOfViews - 1 - view;
+        const int from = std::clamp(up ? to - 1 : to + 1, 0, NumberOfViews - 1);
+        Sample& sample = this->Samples[to * this->Count + k];
+        const Sample& other = this->Get(from, k);
+        if (sample.Weight == glm::vec3(0.0f) && other.Weight != glm::vec3(0.0f))
+        {
+          sample.Direction = other.Direction;
+          sample.Level = other.Level;
+        }
       }
     }
   }
-}
 
-void ReflectionSamples::Tabulate(vtkBRDF* brdf, const std::vector<glm::dvec2>& points, int view)
-{
-  const glm::dvec3 o = GetView(view);
-  const LobeSampler lobe(brdf, o, nullptr, Floor);
-  const float limit = static_cast<float>(lobe.GetLimit());
-  Sample* samples = &this->Samples[static_cast<std::size_t>(view * this->Count)];
-  for (int k = 0; k < this->Count; ++k)
+  int GetNumberOfSamples() const { return this->Count; }
+
+  // Tabulated sample k of a view.
+  const Sample& Get(int view, int k) const { return this->Samples[view * this->Count + k]; }
+
+  // Sample k for unit o.
+  Sample Interpolate(const glm::dvec3& o, int k) const
   {
-    samples[k].Limit = limit;
-    if (lobe.IsBlack())
-    {
-      continue;
-    }
-    double density = 0.0;
-    const glm::dvec3 i = lobe.Sample(points[static_cast<std::size_t>(k)], density);
-    if (!(i.z > 0.0) || !(density > 0.0))
-    {
-      continue;
-    }
-    density *= this->Count;
-    glm::dvec3 f;
-    brdf->Evaluate(&i.x, &o.x, &f.x);
-    f *= i.z;
-    samples[k].Direction = i;
-    samples[k].Level = static_cast<float>(-0.5 * std::log2(4.0 * Pi * density));
-    samples[k].Weight = f * (GetSharpShare(f, limit) / density);
+    const double angle = std::atan2(std::hypot(o.x, o.y), o.z) * 2.0 / Pi;
+    const double coordinate = FromAngle(angle) / LastView * (NumberOfViews - 1);
+    const int view = std::clamp(static_cast<int>(coordinate), 0, NumberOfViews - 2);
+    const float t = static_cast<float>(std::min(coordinate - view, 1.0));
+    const Sample& a = this->Get(view, k);
+    const Sample& b = this->Get(view + 1, k);
+    return { a.Direction + t * (b.Direction - a.Direction), a.Level + t * (b.Level - a.Level),
+      a.Weight + t * (b.Weight - a.Weight), a.Limit + t * (b.Limit - a.Limit) };
   }
-}
 
-ReflectionSamples::Sample ReflectionSamples::Interpolate(double coordinate, int k) const
-{
-  const int view = std::clamp(static_cast<int>(coordinate), 0, NumberOfViews - 2);
-  const float t = static_cast<float>(std::min(coordinate - view, 1.0));
-  const Sample& a = this->Get(view, k);
-  const Sample& b = this->Get(view + 1, k);
-  return { a.Direction + t * (b.Direction - a.Direction), a.Level + t * (b.Level - a.Level),
-    a.Weight + t * (b.Weight - a.Weight), a.Limit + t * (b.Limit - a.Limit) };
-}
+  // Share of f cos (RGB) that the samples have (LobeSampler).
+  static double GetSharpShare(const glm::dvec3& f, double limit)
+  {
+    return LobeSampler::GetSharpShare(f.x + f.y + f.z, limit);
+  }
 
-double ReflectionSamples::GetSharpShare(const glm::dvec3& f, double limit)
-{
-  return LobeSampler::GetSharpShare(f.x + f.y + f.z, limit);
-}
+private:
+  void Tabulate(vtkBRDF* brdf, const std::vector<glm::dvec2>& points, int view)
+  {
+    const double rest = 1.0 - LastView * view / (NumberOfViews - 1);
+    const double theta = 0.5 * Pi * (1.0 - rest * rest);
+    const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
+    const LobeSampler lobe(brdf, o, nullptr, Floor);
+    const float limit = static_cast<float>(lobe.GetLimit());
+    Sample* sample = &this->Samples[view * this->Count];
+    for (const glm::dvec2& point : points)
+    {
+      double density = 0.0;
+      const glm::dvec3 i = lobe.IsBlack() ? glm::dvec3(0.0) : lobe.Sample(point, density);
+      sample->Limit = limit;
+      if (i.z > 0.0 && density > 0.0)
+      {
+        density *= this->Count;
+        glm::dvec3 f;
+        brdf->Evaluate(&i.x, &o.x, &f.x);
+        f *= i.z;
+        sample->Direction = i;
+        sample->Level = static_cast<float>(-0.5 * std::log2(4.0 * Pi * density));
+        sample->Weight = f * (GetSharpShare(f, limit) / density);
+      }
+      ++sample;
+    }
+  }
 
-double ReflectionSamples::GetCoordinate(const glm::dvec3& o)
-{
-  const double angle = std::atan2(std::hypot(o.x, o.y), o.z) * 2.0 / Pi;
-  return FromAngle(angle) / LastView * (NumberOfViews - 1);
-}
-
-glm::dvec3 ReflectionSamples::GetView(int view)
-{
-  const double rest = 1.0 - LastView * view / (NumberOfViews - 1);
-  const double theta = 0.5 * Pi * (1.0 - rest * rest);
-  return glm::dvec3(std::sin(theta), 0.0, std::cos(theta));
-}
+  int Count;
+  std::vector<Sample> Samples;
+};
 } // namespace measuredbrdf
 
 using namespace measuredbrdf;
@@ -251,8 +210,8 @@ vtkBRDFShaderInputs::Texture NewTexture(const char* name, int components, int wi
   texture.Name = name;
   texture.Components = components;
   texture.Dimensions = { width, height, 1 };
-  texture.Data.reserve(static_cast<std::size_t>(components) * static_cast<std::size_t>(width) *
-                       static_cast<std::size_t>(height));
+  texture.Data.reserve(
+    static_cast<std::size_t>(components) * width * static_cast<std::size_t>(height));
   return texture;
 }
 
@@ -285,7 +244,7 @@ vtkBRDFShaderInputs::Texture NewPyramidTexture(const EnvironmentPyramid& pyramid
 vtkBRDFShaderInputs::Texture NewBroadTexture(vtkLightSet* lights, int count)
 {
   vtkBRDFShaderInputs::Texture texture = NewTexture("brdfLights", 3, count, 2);
-  texture.Data.resize(static_cast<std::size_t>(6 * count), 0.0f);
+  texture.Data.resize(6 * count, 0.0f);
   std::vector<std::pair<double, int>> columns;
   for (int k = 0; k < lights->GetNumberOfLights(); ++k)
   {
@@ -322,21 +281,11 @@ int vtkFilteredRadianceIntegrator::GetNumberOfExtractedLights()
 //------------------------------------------------------------------------------
 bool vtkFilteredRadianceIntegrator::Begin()
 {
-  if (!this->Environment || this->Environment->GetPixels().empty())
+  if (!this->HasLight() || !this->IsIsotropic("filtered samples"))
   {
-    vtkErrorMacro("Integrate: there is no environment, or it is empty.");
-    return false;
-  }
-  if (!this->BRDF->IsIsotropic())
-  {
-    vtkErrorMacro("Integrate: the material "
-                  << measuredbrdf::Quote(this->BRDF->GetName()) << " ("
-                  << this->BRDF->GetClassName()
-                  << ") is anisotropic; filtered importance sampling takes isotropic ones.");
     return false;
   }
   Internals& impl = *this->Impl;
-  this->Abort = false; // one that an earlier run left
   if (!impl.Samples || impl.SampledBRDF.GetPointer() != this->BRDF.Get() ||
       impl.SamplesTime < this->BRDF->GetMTime() ||
       impl.Samples->GetNumberOfSamples() != this->NumberOfSamples)
@@ -382,7 +331,6 @@ void vtkFilteredRadianceIntegrator::IntegratePart(
   const Frame turned(frame * glm::dvec3(a, 0.0), frame * glm::dvec3(-a.y, a.x, 0.0), frame[2]);
 
   const Internals& impl = *this->Impl;
-  const double coordinate = ReflectionSamples::GetCoordinate(view);
   const float level = impl.Pyramid->GetLevel(4.0 * Pi);
   const auto reflect = [&](const glm::dvec3& direction) // f cos
   {
@@ -397,7 +345,7 @@ void vtkFilteredRadianceIntegrator::IntegratePart(
   glm::dvec3 sum(0.0);
   for (int k = 0; k < impl.Samples->GetNumberOfSamples(); ++k)
   {
-    const ReflectionSamples::Sample sample = impl.Samples->Interpolate(coordinate, k);
+    const ReflectionSamples::Sample sample = impl.Samples->Interpolate(view, k);
     const glm::dvec3 d = turned * glm::normalize(glm::dvec3(sample.Direction));
     sum += glm::dvec3(sample.Weight * impl.Pyramid->Sample(d, sample.Level + level));
     if (k < impl.Lights->GetNumberOfLights())
@@ -413,10 +361,7 @@ void vtkFilteredRadianceIntegrator::IntegratePart(
   {
     sum += reflect(lamp.Direction) * lamp.Irradiance;
   }
-  for (int c = 0; c < 3; ++c)
-  {
-    radiance[c] += sum[c];
-  }
+  measuredbrdf::AddRGB(sum, radiance);
 }
 
 //------------------------------------------------------------------------------
@@ -487,11 +432,9 @@ std::string vtkFilteredRadianceIntegrator::GetMethodDescription()
 //------------------------------------------------------------------------------
 std::vector<vtkRadianceIntegrator::Size> vtkFilteredRadianceIntegrator::GetSizes()
 {
-  return { { "samples", 1, 1024, this->NumberOfSamples } };
+  return { { "samples", 1, 1024, this->NumberOfSamples,
+    [this](int value) { this->SetNumberOfSamples(value); } } };
 }
-
-//------------------------------------------------------------------------------
-void vtkFilteredRadianceIntegrator::SetSize(int, int value) { this->SetNumberOfSamples(value); }
 
 //------------------------------------------------------------------------------
 std::vector<std::vector<int>> vtkFilteredRadianceIntegrator::GetCandidateSizes(bool)

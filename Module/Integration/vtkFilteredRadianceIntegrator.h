@@ -76,7 +76,6 @@ protected:
   vtkFilteredRadianceIntegrator();
   ~vtkFilteredRadianceIntegrator() override;
 
-  void SetSize(int index, int value) override;
   /// Fails for anisotropic materials.
   bool Begin() override;
   void IntegratePart(

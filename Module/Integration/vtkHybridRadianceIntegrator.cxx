@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHybridRadianceIntegrator.h"
 
+#include "Candidates.h"
 #include "EnvironmentPrecomputation.h"
 #include "HalfVector.h" // for Pi
-#include "LampBRDF.h"
-#include "LampWindow.h"
+#include "Lamps.h"
+#include "LowDiscrepancy.h" // for GoldenRatio
 #include "MaterialPrecomputation.h"
-#include "PixelCosts.h"
 #include "Printable.h"
 #include "Setters.h"
-#include "TableCandidates.h"
-#include "TailRegularity.h"
 #include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFShaderInputs.h"
@@ -37,9 +35,6 @@ namespace
 {
 constexpr int SmallTableRows = 33; // beside maps
 
-// Degree of the blur where lamps stay in the map: the table's rows would show in a narrower halo.
-constexpr double HaloDegree = 2.0;
-
 // A planner's lamps of many texels are several lights (degrees) where more than so much of the
 // albedo lies in lobes narrower than twice LampAngle.
 constexpr double FineLampAngle = 0.6;
@@ -51,6 +46,72 @@ constexpr int LightsEverywhere = 2;
 constexpr double LargestIrregularity = 0.1; // of materials whose tails a table holds
 constexpr double Finding = 1.8;
 constexpr double Found = 0.15;
+
+constexpr int TailViews = 8;
+constexpr int TailDirections = 24;
+constexpr double TailStep = 3.75 * Pi / 180.0;    // half of a step of 13 view angles
+constexpr double NearestTail = 12.0 * Pi / 180.0; // to the mirror direction
+constexpr double FarthestTail = 80.0 * Pi / 180.0;
+
+// A direction given by its angle from the mirror direction of the view, and its azimuth about that.
+glm::dvec3 GetTailDirection(double view, double angle, double azimuth)
+{
+  const double s = std::sin(view);
+  const double c = std::cos(view);
+  return std::sin(angle) *
+           (std::cos(azimuth) * glm::dvec3(c, 0.0, s) + glm::dvec3(0.0, std::sin(azimuth), 0.0)) +
+         std::cos(angle) * glm::dvec3(-s, 0.0, c);
+}
+
+double GetTailKernel(vtkBRDF* brdf, double view, const glm::dvec3& i)
+{
+  const glm::dvec3 o(std::sin(view), 0.0, std::cos(view));
+  glm::dvec3 f;
+  brdf->Evaluate(&i.x, &o.x, &f.x);
+  const double sum = f.x + f.y + f.z;
+  return std::isfinite(sum) ? sum * i.z : 0.0;
+}
+
+// How far f cos(theta_i) of an isotropic material, 12 degrees and more from the mirror direction,
+// is from the mean of its values at views 3.75 degrees to either side, mirrored about the plane of
+// incidence: the sum of differences by the sum of values, 0 for the smoothest. Noise from cell to
+// cell and lobes without that symmetry have a large one. A thousand evaluations of f, the same ones
+// each time.
+double GetTailIrregularity(vtkBRDF* brdf)
+{
+  double difference = 0.0;
+  double total = 0.0;
+  for (int v = 0; v < TailViews; ++v)
+  {
+    const double view = TailStep * (1 + 2 * v);
+    for (int k = 0; k < TailDirections; ++k)
+    {
+      const double t = (k + 0.5) / TailDirections; // equal solid angles
+      const double angle =
+        std::acos(std::cos(NearestTail) + t * (std::cos(FarthestTail) - std::cos(NearestTail)));
+      const double azimuth = 2.0 * Pi * GoldenRatio * (k + 1 + v * TailDirections);
+      const glm::dvec3 i = GetTailDirection(view, angle, azimuth);
+      double mean = 0.0;
+      bool isAbove = i.z > 0.0;
+      for (const double side : { view - TailStep, view + TailStep })
+      {
+        for (const double turn : { azimuth, -azimuth })
+        {
+          const glm::dvec3 neighbor = GetTailDirection(side, angle, turn);
+          isAbove = isAbove && neighbor.z > 0.0;
+          mean += isAbove ? 0.25 * GetTailKernel(brdf, side, neighbor) : 0.0;
+        }
+      }
+      if (isAbove)
+      {
+        const double kernel = GetTailKernel(brdf, view, i);
+        difference += std::abs(kernel - mean);
+        total += std::max(kernel, mean);
+      }
+    }
+  }
+  return total > 0.0 ? difference / total : 0.0;
+}
 
 constexpr double AngleUnits = 10.0; // of the size that is the light angle, per degree
 int ToAngleSize(double degrees) { return static_cast<int>(std::lround(AngleUnits * degrees)); }
@@ -91,18 +152,8 @@ int vtkHybridRadianceIntegrator::GetNumberOfLights() { return this->Impl->Number
 //------------------------------------------------------------------------------
 bool vtkHybridRadianceIntegrator::Begin()
 {
-  this->Abort = false; // one that an earlier run left
-  if (!this->Environment || this->Environment->GetPixels().empty())
+  if (!this->HasLight() || (this->NumberOfMaps > 0 && !this->IsIsotropic("maps of the sharp part")))
   {
-    vtkErrorMacro("Prepare: there is no environment, or it is empty.");
-    return false;
-  }
-  if (!this->BRDF->IsIsotropic() && this->NumberOfMaps > 0)
-  {
-    vtkErrorMacro(
-      "Prepare: maps of the sharp part are for isotropic materials; "
-      << (this->BRDF->GetName().empty() ? "this one" : measuredbrdf::Quote(this->BRDF->GetName()))
-      << " is not.");
     return false;
   }
   const auto goOn = [this]() { return this->Report(0.0); };
@@ -191,15 +242,9 @@ vtkSmartPointer<vtkRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroad(
     auto factored = vtkSmartPointer<vtkFactoredRadianceIntegrator>::New();
     factored->SetRest(rest);
     factored->SetLamps(lamps, lampForm);
-    factored->SetNumberOfRows(this->NumberOfRows);
-    factored->SetNumberOfFields(this->NumberOfMaps);
-    factored->SetNumberOfTableRows(std::min(this->NumberOfRows, SmallTableRows));
-    factored->SetNumberOfViewAngles(this->NumberOfViewAngles);
-    factored->SetNumberOfAzimuths(this->NumberOfAzimuths);
-    if (this->MaximumNumberOfLights == 0 && this->CountLights(this->LightAngle, PlannedLights) > 0)
-    {
-      factored->SetSmoothingDegree(HaloDegree);
-    }
+    factored->SetSizes({ std::min(this->NumberOfRows, 512), this->NumberOfMaps,
+      std::min(this->NumberOfRows, SmallTableRows), this->NumberOfViewAngles,
+      this->NumberOfAzimuths });
     broad = factored;
   }
   else
@@ -207,9 +252,7 @@ vtkSmartPointer<vtkRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroad(
     auto table = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
     table->SetRest(rest);
     table->SetLamps(lamps, lampForm);
-    table->SetNumberOfRows(this->NumberOfRows);
-    table->SetNumberOfViewAngles(this->NumberOfViewAngles);
-    table->SetNumberOfAzimuths(this->NumberOfAzimuths);
+    table->SetSizes({ this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths });
     table->SetQuick(this->Quick);
     broad = table;
   }
@@ -274,31 +317,17 @@ std::string vtkHybridRadianceIntegrator::GetMethodDescription()
 //------------------------------------------------------------------------------
 std::vector<vtkRadianceIntegrator::Size> vtkHybridRadianceIntegrator::GetSizes()
 {
-  return { { "rows", 9, 513, this->NumberOfRows },
-    { "view angles", 2, 64, this->NumberOfViewAngles },
-    { "azimuths", 4, 64, this->NumberOfAzimuths }, { "maps", 0, 32, this->NumberOfMaps },
-    { "lights", 0, 1024, this->MaximumNumberOfLights },
-    { "light angle", 0, 300, ToAngleSize(this->LightAngle) } };
-}
-
-//------------------------------------------------------------------------------
-void vtkHybridRadianceIntegrator::SetSize(int index, int value)
-{
-  switch (index)
-  {
-    case 0:
-      return this->SetNumberOfRows(value);
-    case 1:
-      return this->SetNumberOfViewAngles(value);
-    case 2:
-      return this->SetNumberOfAzimuths(value);
-    case 3:
-      return this->SetNumberOfMaps(value);
-    case 4:
-      return this->SetMaximumNumberOfLights(value);
-    default:
-      this->SetLightAngle(value / AngleUnits);
-  }
+  return { { "rows", 9, 513, this->NumberOfRows,
+             [this](int value) { this->SetNumberOfRows(value); } },
+    { "view angles", 2, 64, this->NumberOfViewAngles,
+      [this](int value) { this->SetNumberOfViewAngles(value); } },
+    { "azimuths", 4, 64, this->NumberOfAzimuths,
+      [this](int value) { this->SetNumberOfAzimuths(value); } },
+    { "maps", 0, 32, this->NumberOfMaps, [this](int value) { this->SetNumberOfMaps(value); } },
+    { "lights", 0, 1024, this->MaximumNumberOfLights,
+      [this](int value) { this->SetMaximumNumberOfLights(value); } },
+    { "light angle", 0, 300, ToAngleSize(this->LightAngle),
+      [this](int value) { this->SetLightAngle(value / AngleUnits); } } };
 }
 
 //------------------------------------------------------------------------------
@@ -336,8 +365,12 @@ int vtkHybridRadianceIntegrator::CountLights(double angle, int maximum)
 //------------------------------------------------------------------------------
 bool vtkHybridRadianceIntegrator::AreWindowed(vtkBRDF* brdf, int lights)
 {
-  return lights > LightsEverywhere && brdf && brdf->IsIsotropic() &&
-         GetTailIrregularity(brdf) < LargestIrregularity;
+  if (lights <= LightsEverywhere || !brdf || !brdf->IsIsotropic())
+  {
+    return false;
+  }
+  brdf->Prepare();
+  return GetTailIrregularity(brdf) < LargestIrregularity;
 }
 
 //------------------------------------------------------------------------------

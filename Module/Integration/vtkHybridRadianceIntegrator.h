@@ -126,7 +126,6 @@ protected:
   vtkHybridRadianceIntegrator();
   ~vtkHybridRadianceIntegrator() override;
 
-  void SetSize(int index, int value) override;
   void CopyProperties(vtkRadianceIntegrator* source) override;
   /// Fails for anisotropic materials with maps.
   bool Begin() override;

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLightSetRadianceIntegrator.h"
 
+#include "Candidates.h"
 #include "EnvironmentPrecomputation.h"
-#include "LampBRDF.h"
-#include "LightTexture.h"
+#include "Lamps.h"
 #include "LocalFrame.h"
 #include "ModuleShader.h"
-#include "PixelCosts.h"
 #include "ScopedErrorCapture.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
@@ -223,11 +222,9 @@ std::string vtkLightSetRadianceIntegrator::GetMethodDescription()
 //------------------------------------------------------------------------------
 std::vector<vtkRadianceIntegrator::Size> vtkLightSetRadianceIntegrator::GetSizes()
 {
-  return { { "lights", 1, vtkLightSetGenerator::MaximumNumberOfLights, this->NumberOfLights } };
+  return { { "lights", 1, vtkLightSetGenerator::MaximumNumberOfLights, this->NumberOfLights,
+    [this](int value) { this->SetNumberOfLights(value); } } };
 }
-
-//------------------------------------------------------------------------------
-void vtkLightSetRadianceIntegrator::SetSize(int, int value) { this->SetNumberOfLights(value); }
 
 //------------------------------------------------------------------------------
 void vtkLightSetRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)

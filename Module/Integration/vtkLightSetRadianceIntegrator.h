@@ -105,7 +105,6 @@ protected:
   vtkLightSetRadianceIntegrator();
   ~vtkLightSetRadianceIntegrator() override;
 
-  void SetSize(int index, int value) override;
   void CopyProperties(vtkRadianceIntegrator* source) override;
   bool Begin() override;
   void IntegratePart(

@@ -3,7 +3,9 @@
 #include "vtkRadianceIntegrator.h"
 
 #include "DirectionPairs.h"
+#include "LocalFrame.h"
 #include "ParallelFor.h"
+#include "Printable.h"
 #include "ScopedErrorCapture.h"
 #include "vtkBRDF.h"
 #include "vtkCallbackCommand.h"
@@ -13,17 +15,49 @@
 #include "vtkNew.h"
 
 #include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <vector>
 
-// Unit vectors; the tangent may be zero.
-struct vtkRadianceIntegrator::Pair
+namespace
 {
-  glm::dvec3 Normal;
-  glm::dvec3 View;
-  glm::dvec3 Tangent;
-};
+using measuredbrdf::IsFiniteDirection;
+using measuredbrdf::NormalizeAny;
+
+// Appends pairs, whose tangents may be null, from arrays; what is wrong with these, or "".
+std::string TakePairs(vtkDataArray* normals, vtkDataArray* views, vtkDataArray* tangents,
+  vtkIdType size, std::vector<vtkDirectionPair>& pairs)
+{
+  const vtkIdType count = normals->GetNumberOfTuples();
+  for (vtkDataArray* array : { normals, views, tangents })
+  {
+    if (array && (array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() != count))
+    {
+      return "normals, views and tangents must have 3 components and equally many tuples.";
+    }
+  }
+  if (count % size != 0)
+  {
+    return "found " + std::to_string(count) + " pairs, expected a multiple of " +
+           std::to_string(size) + ".";
+  }
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    const glm::dvec3 n = measuredbrdf::GetDirection(normals, k);
+    const glm::dvec3 v = measuredbrdf::GetDirection(views, k);
+    const glm::dvec3 t = measuredbrdf::GetDirection(tangents, k);
+    if (!IsFiniteDirection(n) || !IsFiniteDirection(v) || !IsFiniteDirection(t) ||
+        n == glm::dvec3(0.0) || v == glm::dvec3(0.0))
+    {
+      return "pair " + std::to_string(k) + " holds a direction that is zero or not finite.";
+    }
+    const glm::dvec3 normal = NormalizeAny(n);
+    pairs.push_back({ normal, measuredbrdf::LiftView(NormalizeAny(v), normal), NormalizeAny(t) });
+  }
+  return "";
+}
+}
 
 //------------------------------------------------------------------------------
 vtkRadianceIntegrator::vtkRadianceIntegrator() = default;
@@ -54,11 +88,37 @@ bool vtkRadianceIntegrator::Prepare()
     return true;
   }
   this->BRDF->Prepare();
+  this->Abort = false; // one that an earlier run left
   if (!this->Begin())
   {
     return false;
   }
   this->PrepareTime.Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceIntegrator::HasLight()
+{
+  const bool isThere = this->Environment && !this->Environment->GetPixels().empty();
+  if (!isThere)
+  {
+    vtkErrorMacro("Prepare: there is no environment, or it is empty.");
+  }
+  return isThere;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceIntegrator::IsIsotropic(const char* what)
+{
+  if (!this->BRDF->IsIsotropic())
+  {
+    const std::string name = this->BRDF->GetName();
+    vtkErrorMacro("Prepare: " << what << " are for isotropic materials; "
+                              << (name.empty() ? "this one" : measuredbrdf::Quote(name)) << " ("
+                              << this->BRDF->GetClassName() << ") is not.");
+    return false;
+  }
   return true;
 }
 
@@ -119,7 +179,7 @@ bool vtkRadianceIntegrator::SetSizes(const std::vector<int>& values)
   }
   for (std::size_t k = 0; k < values.size(); ++k)
   {
-    this->SetSize(static_cast<int>(k), values[k]);
+    sizes[k].Set(values[k]);
   }
   return true;
 }
@@ -142,20 +202,48 @@ std::vector<std::vector<int>> vtkRadianceIntegrator::GetCandidateSizes(bool) { r
 bool vtkRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs&) { return false; }
 
 //------------------------------------------------------------------------------
+// Each pair in parts.
 bool vtkRadianceIntegrator::Integrate(
   vtkDataArray* normals, vtkDataArray* views, vtkDataArray* radiance, vtkDataArray* tangents)
 {
-  this->Abort = false;
-  if (!normals || !views || !radiance)
+  std::vector<double> parts;
+  const auto sumPairs = [&](const vtkDirectionPair* pairs, vtkIdType size, double* sums)
   {
-    vtkErrorMacro("Integrate: normals, views and radiance are needed.");
-    return false;
-  }
-  std::vector<Pair> pairs;
-  const std::string problem = measuredbrdf::TakePairs(normals, views, tangents, pairs);
+    const vtkIdType count = std::max(this->GetNumberOfParts(), 1);
+    parts.assign(3 * static_cast<std::size_t>(size * count), 0.0);
+    measuredbrdf::ParallelForEach(
+      size * count,
+      [&](vtkIdType item)
+      {
+        const vtkDirectionPair& pair = pairs[item / count];
+        if (glm::dot(pair.Normal, pair.View) > 0.0)
+        {
+          this->IntegratePart(static_cast<int>(item % count), &pair.Normal.x, &pair.View.x,
+            &pair.Tangent.x, &parts[3 * item]);
+        }
+      },
+      &this->Abort, 0);
+    for (vtkIdType k = 0; k < 3 * size * count; ++k)
+    {
+      sums[k / (3 * count) * 3 + k % 3] += parts[k];
+    }
+  };
+  return this->IntegrateGroups("Integrate", normals, views, radiance, tangents, 1, sumPairs);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceIntegrator::IntegrateGroups(const char* method, vtkDataArray* normals,
+  vtkDataArray* views, vtkDataArray* radiance, vtkDataArray* tangents, vtkIdType size,
+  const SumGroups& sum)
+{
+  this->Abort = false;
+  std::vector<vtkDirectionPair> pairs;
+  const std::string problem = !normals || !views || !radiance
+                                ? "normals, views and radiance are needed."
+                                : TakePairs(normals, views, tangents, size, pairs);
   if (!problem.empty())
   {
-    vtkErrorMacro("Integrate: " << problem);
+    vtkErrorMacro(<< method << ": " << problem);
     return false;
   }
   if (!this->Prepare())
@@ -164,59 +252,33 @@ bool vtkRadianceIntegrator::Integrate(
   }
   if (this->Environment)
   {
-    measuredbrdf::TurnPairs(this->Environment, pairs);
+    double rows[9];
+    this->Environment->GetWorldToEnvironment(rows);
+    const glm::dmat3 turn = glm::transpose(glm::make_mat3(rows)); // glm takes columns
+    for (vtkDirectionPair& pair : pairs)
+    {
+      pair = { turn * pair.Normal, turn * pair.View, turn * pair.Tangent };
+    }
   }
-  std::vector<double> result(3 * pairs.size(), 0.0);
-  if (!this->SumPairs(pairs, result))
+  const vtkIdType count = pairs.size();
+  std::vector<double> sums(3 * pairs.size(), 0.0);
+  if (!measuredbrdf::WorkInBatches(
+        count / size,
+        [&](vtkIdType first, vtkIdType groups)
+        { sum(&pairs[first * size], groups, &sums[3 * first * size]); },
+        [this](double progress) { return this->Report(progress); }))
   {
-    vtkErrorMacro("Integrate: aborted.");
+    vtkErrorMacro(<< method << ": aborted.");
     return false;
   }
-  const vtkIdType count = static_cast<vtkIdType>(pairs.size());
   radiance->SetNumberOfComponents(3);
   radiance->SetNumberOfTuples(count);
   for (vtkIdType k = 0; k < count; ++k)
   {
-    radiance->SetTuple(k, &result[3 * static_cast<std::size_t>(k)]);
+    radiance->SetTuple(k, &sums[3 * k]);
   }
   radiance->Modified();
   return true;
-}
-
-//------------------------------------------------------------------------------
-// Batches of pairs, each pair in parts.
-bool vtkRadianceIntegrator::SumPairs(const std::vector<Pair>& pairs, std::vector<double>& result)
-{
-  const vtkIdType parts = std::max(this->GetNumberOfParts(), 1);
-  std::vector<double> sums;
-  const auto sumBatch = [&](vtkIdType first, vtkIdType size)
-  {
-    sums.assign(3 * static_cast<std::size_t>(size * parts), 0.0);
-    measuredbrdf::ParallelFor(0, size * parts,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType item = begin; item < end && !this->Abort; ++item)
-        {
-          const Pair& pair = pairs[static_cast<std::size_t>(first + item / parts)];
-          if (glm::dot(pair.Normal, pair.View) > 0.0)
-          {
-            this->IntegratePart(static_cast<int>(item % parts), &pair.Normal.x, &pair.View.x,
-              &pair.Tangent.x, &sums[3 * static_cast<std::size_t>(item)]);
-          }
-        }
-      });
-    for (std::size_t item = 0; item < sums.size() / 3; ++item)
-    {
-      const std::size_t pair =
-        static_cast<std::size_t>(first) + item / static_cast<std::size_t>(parts);
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        result[3 * pair + c] += sums[3 * item + c];
-      }
-    }
-  };
-  return measuredbrdf::WorkInBatches(static_cast<vtkIdType>(pairs.size()), sumBatch,
-    [this](double progress) { return this->Report(progress); });
 }
 
 //------------------------------------------------------------------------------

@@ -22,12 +22,14 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for BRDF, Environment
 
-#include <atomic> // for Abort
-#include <memory> // for Precomputation
-#include <string> // for names
-#include <vector> // for sizes
+#include <atomic>     // for Abort
+#include <functional> // for sizes
+#include <memory>     // for Precomputation
+#include <string>     // for names
+#include <vector>     // for sizes
 
 struct vtkBRDFShaderInputs;
+struct vtkDirectionPair;
 
 class vtkBRDF;
 class vtkDataArray;
@@ -127,6 +129,7 @@ public:
     int Least;
     int Largest;
     int Value;
+    std::function<void(int)> Set; // takes a value in that range
   };
 
   ///@{
@@ -185,9 +188,6 @@ protected:
   vtkRadianceIntegrator();
   ~vtkRadianceIntegrator() override;
 
-  /// Take a size, which is in its range; index: in GetSizes.
-  virtual void SetSize(int vtkNotUsed(index), int vtkNotUsed(value)) {}
-
   /// Take the properties of another integrator of the same class. Those that are no sizes need an
   /// override, which calls the superclass's.
   virtual void CopyProperties(vtkRadianceIntegrator* source);
@@ -195,6 +195,13 @@ protected:
   /// Check and precompute before the threads start, called when inputs changed since the last
   /// success; false (after an error event) stops.
   virtual bool Begin() = 0;
+
+  ///@{
+  /// For Begin: whether there is light, and whether the material is isotropic, as methods that are
+  /// described by `what` need it. An error event where it is not so.
+  bool HasLight();
+  bool IsIsotropic(const char* what);
+  ///@}
 
   /// Raise ProgressEvent; returns whether to go on.
   bool Report(double progress);
@@ -207,6 +214,14 @@ protected:
   /// zero, n.o > 0. Thread safe.
   virtual void IntegratePart(
     int part, const double n[3], const double o[3], const double t[3], double radiance[3]) = 0;
+
+  using SumGroups =
+    std::function<void(const vtkDirectionPair* pairs, vtkIdType groups, double* sums)>;
+
+  /// Integrate of groups of so many pairs, which sum adds to zeros, some groups at a time; method:
+  /// what errors call it.
+  bool IntegrateGroups(const char* method, vtkDataArray* normals, vtkDataArray* views,
+    vtkDataArray* radiance, vtkDataArray* tangents, vtkIdType size, const SumGroups& sum);
 
   /// For integrators that are made of others: IntegratePart of a prepared one whose sum is one
   /// part.
@@ -229,9 +244,6 @@ protected:
 private:
   vtkRadianceIntegrator(const vtkRadianceIntegrator&) = delete;
   void operator=(const vtkRadianceIntegrator&) = delete;
-
-  struct Pair;
-  bool SumPairs(const std::vector<Pair>& pairs, std::vector<double>& result);
 };
 
 #endif

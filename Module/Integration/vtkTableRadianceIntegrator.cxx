@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTableRadianceIntegrator.h"
 
+#include "Candidates.h"
+#include "DirectionPairs.h"
 #include "EnvironmentPrecomputation.h"
 #include "HalfVector.h" // for Pi
+#include "Lamps.h"
+#include "LobePlacement.h" // for ProfileTexels
 #include "MaterialPrecomputation.h"
 #include "ModuleShader.h"
-#include "PixelCosts.h"
 #include "Printable.h"
 #include "RadianceTable.h"
 #include "Setters.h"
-#include "ShaderProfile.h"
-#include "TableCandidates.h"
-#include "TableLamps.h"
 #include "TableSynthesis.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironmentTable.h"
@@ -83,18 +83,8 @@ void vtkTableRadianceIntegrator::AddLamps(Tables& table)
 //------------------------------------------------------------------------------
 bool vtkTableRadianceIntegrator::Begin()
 {
-  this->Abort = false; // one that an earlier run left
-  if (!this->Environment || this->Environment->GetPixels().empty())
+  if (!this->HasLight() || !this->IsIsotropic("tables of radiance"))
   {
-    vtkErrorMacro("Prepare: there is no environment, or it is empty.");
-    return false;
-  }
-  if (!this->BRDF->IsIsotropic())
-  {
-    vtkErrorMacro(
-      "Prepare: tables of radiance are for isotropic materials; "
-      << (this->BRDF->GetName().empty() ? "this one" : measuredbrdf::Quote(this->BRDF->GetName()))
-      << " is not.");
     return false;
   }
   auto table =
@@ -162,10 +152,7 @@ void vtkTableRadianceIntegrator::IntegratePart(
 {
   const glm::dvec3 sum = this->Data->Evaluate(
     glm::make_vec3(n), glm::make_vec3(o), glm::make_vec3(t), this->Data->Lamps.get());
-  for (int c = 0; c < 3; ++c)
-  {
-    radiance[c] += sum[c];
-  }
+  measuredbrdf::AddRGB(sum, radiance);
 }
 
 //------------------------------------------------------------------------------
@@ -184,26 +171,13 @@ bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   term.Uniforms.push_back({ "brdfTableAngles", { static_cast<float>(table.Angles) } });
   term.Uniforms.push_back(
     { "brdfTableLastView", { static_cast<float>(LobeViews::GetLastAngle() * 2.0 / Pi) } });
-  const auto add = [&term](const char* name, int width, int height,
-                     int depth) -> vtkBRDFShaderInputs::Texture&
-  {
-    vtkBRDFShaderInputs::Texture texture;
-    texture.Name = name;
-    texture.Dimensions = { width, height, depth };
-    texture.ThreeD = depth > 1;
-    term.Textures.push_back(std::move(texture));
-    return term.Textures.back();
-  };
   term.Fetches = 3; // the profile and two view angles
-  const ShaderProfile packed(table);
-  term.Uniforms.push_back({ "brdfTableShare", { packed.Share.begin(), packed.Share.end() } });
-  term.Uniforms.push_back({ "brdfTableLambert", { packed.Lambert.begin(), packed.Lambert.end() } });
   vtkBRDFShaderInputs::Texture& profile =
-    add("brdfTableProfile", static_cast<int>(ShaderProfile::Size), 1, 1);
+    AddTexture(term, "brdfTableProfile", ProfileTexels, table.HasFloor ? 2 : 1);
   profile.Components = 4;
-  profile.Data = packed.Texels;
-  vtkBRDFShaderInputs::Texture& radiance =
-    add("brdfTableRadiance", table.Columns, table.GetHeight(), table.Angles * (table.Azimuths + 1));
+  profile.Data = table.GetShaderProfile();
+  vtkBRDFShaderInputs::Texture& radiance = AddTexture(term, "brdfTableRadiance", table.Columns,
+    table.GetHeight(), table.Angles * (table.Azimuths + 1));
   radiance.SharedExponents = table.Radiance;
   radiance.Repeat[0] = true;
   const TableTiles& tiles = table.Tiles;
@@ -213,17 +187,17 @@ bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
     term.Constants.back().Value = "brdfTilePositionINSTANCE(position, brdfTableRowsINSTANCE)";
     term.Uniforms.push_back({ "brdfTileAcross", { static_cast<float>(tiles.Across) } });
     vtkBRDFShaderInputs::Texture& places =
-      add("brdfTilePlaces", tiles.CountColumns(), tiles.CountRows(), 1);
+      AddTexture(term, "brdfTilePlaces", tiles.CountColumns(), tiles.CountRows(), 1);
     places.Components = 1;
     places.Data = tiles.Places;
     ++term.Fetches;
   }
   if (table.HasFloor)
   {
-    add("brdfTableIrradiance", RadianceTable::IrradianceSide, RadianceTable::IrradianceSide, 1)
-      .SharedExponents = table.Irradiance->Texels;
+    constexpr int side = RadianceTable::IrradianceSide;
+    AddTexture(term, "brdfTableIrradiance", side, side).SharedExponents = table.Irradiance->Texels;
     term.Uniforms.push_back({ "brdfTableIrradianceScale", { table.Irradiance->Scale } });
-    ++term.Fetches;
+    term.Fetches += 2; // with its profile
   }
   form = vtkBRDFShaderInputs();
   form.QuantizationError = std::ldexp(1.0, -9);
@@ -252,23 +226,12 @@ measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfNodes, int, 16, 
 //------------------------------------------------------------------------------
 std::vector<vtkRadianceIntegrator::Size> vtkTableRadianceIntegrator::GetSizes()
 {
-  return { { "rows", 9, 513, this->NumberOfRows },
-    { "view angles", 2, 64, this->NumberOfViewAngles },
-    { "azimuths", 4, 64, this->NumberOfAzimuths } };
-}
-
-//------------------------------------------------------------------------------
-void vtkTableRadianceIntegrator::SetSize(int index, int value)
-{
-  switch (index)
-  {
-    case 0:
-      return this->SetNumberOfRows(value);
-    case 1:
-      return this->SetNumberOfViewAngles(value);
-    default:
-      this->SetNumberOfAzimuths(value);
-  }
+  return { { "rows", 9, 513, this->NumberOfRows,
+             [this](int value) { this->SetNumberOfRows(value); } },
+    { "view angles", 2, 64, this->NumberOfViewAngles,
+      [this](int value) { this->SetNumberOfViewAngles(value); } },
+    { "azimuths", 4, 64, this->NumberOfAzimuths,
+      [this](int value) { this->SetNumberOfAzimuths(value); } } };
 }
 
 //------------------------------------------------------------------------------

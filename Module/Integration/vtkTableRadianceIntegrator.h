@@ -146,7 +146,6 @@ protected:
   vtkTableRadianceIntegrator();
   ~vtkTableRadianceIntegrator() override;
 
-  void SetSize(int index, int value) override;
   void CopyProperties(vtkRadianceIntegrator* source) override;
   bool Begin() override;
   void IntegratePart(

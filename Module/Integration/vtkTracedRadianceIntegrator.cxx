@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTracedRadianceIntegrator.h"
 
+#include "DirectionPairs.h"
 #include "Distribution.h"
 #include "HalfVector.h" // for Pi
 #include "LocalFrame.h"
@@ -12,7 +13,6 @@
 #include "TexelTree.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkBRDF.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -25,31 +25,124 @@
 #include "vtkTracedSurfaces.h"
 
 #include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace measuredbrdf
 {
+namespace
+{
+// The mean over a texel of what is interpolated linearly between the middles of it and its
+// neighbors.
+constexpr double OwnShare = 0.75;
+constexpr double NeighborShare = 0.125;
+// Below this cosine of the latitude, next to a pole, densities per solid angle end.
+constexpr double LeastCosine = 1e-6;
+
+// Of the draws: by the sky's radiance, by the material, and by the cosine, which leaves no
+// direction out.
+enum Strategy
+{
+  ByLight,
+  ByMaterial,
+  ByCosine
+};
+constexpr std::array<double, 3> Shares = { 0.5, 0.375, 0.125 };
+
+// splitmix64 (Steele, Lea, Flood 2014): a different stream for each key.
+std::uint64_t Mix(std::uint64_t x)
+{
+  x += 0x9e3779b97f4a7c15ull;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
+  return x ^ (x >> 31);
+}
+
+double ToUnit(std::uint64_t x) { return static_cast<double>(x >> 11) * 0x1p-53; }
+}
+
+// Directions of the world in proportion to the light that comes from there.
 class SkySampler
 {
 public:
-  /// World directions; the environment must stay, and its rotation is taken as it is now.
-  explicit SkySampler(vtkEnvironment* environment);
+  // The environment must stay, and its rotation is taken as it is now.
+  explicit SkySampler(vtkEnvironment* environment)
+    : Environment(environment)
+    , Width(static_cast<std::size_t>(environment->GetWidth()))
+    , Height(static_cast<std::size_t>(environment->GetHeight()))
+  {
+    double m[9];
+    environment->GetWorldToEnvironment(m);
+    this->ToEnvironment = glm::transpose(glm::make_mat3(m)); // glm takes columns
+    const std::vector<float>& pixels = environment->GetPixels();
+    std::vector<double> sums(this->Width * this->Height); // of the channels, mixed along rows
+    const auto sum = [&](std::size_t x, std::size_t y)
+    { return Sum(glm::dvec3(glm::make_vec3(&pixels[3 * (y * this->Width + x)]))); };
+    for (std::size_t k = 0; k < sums.size(); ++k)
+    {
+      const std::size_t x = k % this->Width;
+      const std::size_t y = k / this->Width;
+      sums[k] = OwnShare * sum(x, y) +
+                NeighborShare *
+                  (sum((x + this->Width - 1) % this->Width, y) + sum((x + 1) % this->Width, y));
+    }
+    std::vector<double> weights(sums.size());
+    for (std::size_t k = 0; k < sums.size(); ++k)
+    {
+      const std::size_t x = k % this->Width;
+      const std::size_t y = k / this->Width;
+      const std::size_t below = y > 0 ? y - 1 : 0;
+      const std::size_t above = std::min(y + 1, this->Height - 1);
+      weights[k] = environment->GetTexelSolidAngle(static_cast<int>(y)) *
+                   (OwnShare * sums[k] + NeighborShare * (sums[below * this->Width + x] +
+                                                           sums[above * this->Width + x]));
+    }
+    this->Texels = Distribution2D(weights, this->Width, this->Height);
+  }
 
-  /// Whether there is no light at all: then nothing can be drawn.
+  // Whether there is no light at all: then nothing can be drawn.
   bool IsBlack() const { return this->Texels.IsZero(); }
 
-  /// Unit direction from two uniform numbers.
-  glm::dvec3 Sample(const glm::dvec2& u) const;
+  glm::dvec3 Sample(const glm::dvec2& u) const
+  {
+    std::size_t x = 0, y = 0;
+    double inX = 0.0, inY = 0.0;
+    this->Texels.Invert(u.x, u.y, x, y, inX, inY);
+    glm::dvec3 d;
+    vtkEnvironment::GetDirection((static_cast<double>(x) + inX) / static_cast<double>(this->Width),
+      (static_cast<double>(y) + inY) / static_cast<double>(this->Height), &d.x);
+    return d * this->ToEnvironment; // transposed: back to the world
+  }
 
-  /// Its density in 1/sr, and the radiance from there.
-  double GetDensity(const glm::dvec3& direction) const;
-  glm::dvec3 GetRadiance(const glm::dvec3& direction) const;
+  // In 1/sr.
+  double GetDensity(const glm::dvec3& direction) const
+  {
+    const glm::dvec3 d = this->ToEnvironment * direction;
+    double u = 0.0, v = 0.0;
+    vtkEnvironment::GetCoordinates(&d.x, u, v);
+    const double width = static_cast<double>(this->Width);
+    const double height = static_cast<double>(this->Height);
+    const auto x = static_cast<std::size_t>(std::clamp(std::floor(u * width), 0.0, width - 1.0));
+    const auto y = static_cast<std::size_t>(std::clamp(std::floor(v * height), 0.0, height - 1.0));
+    const double cosine = std::max(std::sqrt(std::max(1.0 - d.y * d.y, 0.0)), LeastCosine);
+    return this->Texels.GetProbability(x, y) * width * height / (2.0 * Pi * Pi * cosine);
+  }
+
+  glm::dvec3 GetRadiance(const glm::dvec3& direction) const
+  {
+    const glm::dvec3 d = this->ToEnvironment * direction;
+    glm::dvec3 radiance;
+    this->Environment->GetRadiance(&d.x, &radiance.x);
+    return radiance;
+  }
+
+  static double Sum(const glm::dvec3& rgb) { return rgb.x + rgb.y + rgb.z; }
 
 private:
   vtkEnvironment* Environment;
@@ -69,17 +162,16 @@ public:
     std::uint32_t Seed;
   };
 
-  /// materials: of each surface; all prepared.
+  // materials: of each surface; all prepared.
   TracedRadiance(
     const vtkTracedSurfaces& scene, vtkEnvironment* environment, std::vector<vtkBRDF*> materials)
     : Scene(scene)
     , Sky(environment)
-    , Environment(environment)
     , Materials(std::move(materials))
   {
   }
 
-  /// Sums over samples; two independent halves, for the noise.
+  // Sums over samples; two independent halves, for the noise.
   struct Sums
   {
     std::array<glm::dvec3, 2> Open{ glm::dvec3(0.0), glm::dvec3(0.0) };    // if nothing were hidden
@@ -87,22 +179,66 @@ public:
     std::array<glm::dvec3, 2> Bounced{ glm::dvec3(0.0), glm::dvec3(0.0) }; // from what hides it
   };
 
-  /// A point with a material, a frame about its shading normal and a unit view in it.
+  // A point with a material, a frame about its shading normal and a unit view in it.
   struct Receiver
   {
     SurfacePoint Point;
     vtkBRDF* Material;
     Frame Local;
     glm::dvec3 View;
+
+    Receiver(const SurfacePoint& point, vtkBRDF* material, const glm::dvec3& view,
+      const glm::dvec3& tangent)
+      : Point(point)
+      , Material(material)
+      , Local(FrameAbout(point.Normal, tangent))
+      , View(LiftView(ToLocal(this->Local, view)))
+    {
+    }
+    glm::dvec3 Evaluate(const glm::dvec3& light) const
+    {
+      glm::dvec3 f;
+      this->Material->Evaluate(&light.x, &this->View.x, &f.x);
+      return f * light.z;
+    }
   };
-  Receiver MakeReceiver(const SurfacePoint& point, vtkBRDF* material, const glm::dvec3& view,
-    const glm::dvec3& tangent) const;
 
-  /// By samples. index: of the point, which has samples of its own.
-  Sums Sample(const Receiver& receiver, std::uint32_t index, const Settings& settings) const;
-
-  /// By the centers of all texels (of vtkEnvironment::GetSubdivided).
-  Sums SumTexels(const Receiver& receiver, std::uint32_t index, const Settings& settings) const;
+  // index: of the point, which has samples of its own.
+  Sums Sample(const Receiver& receiver, std::uint32_t index, const Settings& settings) const
+  {
+    const std::uint64_t key = Mix(Mix(settings.Seed) + index);
+    std::array<int, 3> counts{};
+    counts[ByLight] =
+      this->Sky.IsBlack() ? 0 : static_cast<int>(std::round(Shares[ByLight] * settings.Samples));
+    counts[ByMaterial] = static_cast<int>(std::round(Shares[ByMaterial] * settings.Samples));
+    counts[ByCosine] = std::max(settings.Samples - counts[ByLight] - counts[ByMaterial], 1);
+    const double total = counts[ByLight] + counts[ByMaterial] + counts[ByCosine];
+    const std::array<double, 3> shares = { counts[ByLight] / total, counts[ByMaterial] / total,
+      counts[ByCosine] / total };
+    Sums sums;
+    for (std::size_t s = 0; s < 3; ++s)
+    {
+      for (int k = 0; k < counts[s]; ++k)
+      {
+        // Each half of a strategy's points is spread as evenly as the whole.
+        const std::size_t half = k % 2;
+        const std::uint64_t shift = Mix(key + 2 * s + half);
+        const auto point = static_cast<std::uint32_t>(k / 2 + 1);
+        const glm::dvec2 u(Wrap01(RadicalInverse(point, 2) + ToUnit(shift)),
+          Wrap01(RadicalInverse(point, 3) + ToUnit(Mix(shift))));
+        Draw draw;
+        const double density = this->MakeDraw(receiver, static_cast<Strategy>(s), u, draw)
+                                 ? this->GetDensity(receiver, draw, shares)
+                                 : 0.0;
+        if (density > 0.0)
+        {
+          this->Add(receiver, draw, 1.0 / (density * total), settings.Bounces, Mix(shift + point),
+            half, sums);
+        }
+      }
+    }
+    return sums;
+  }
 
 private:
   struct Draw
@@ -110,340 +246,103 @@ private:
     glm::dvec3 Direction; // world
     glm::dvec3 Local;
   };
-  enum Strategy
+
+  // Whether it is above the horizon.
+  bool MakeDraw(const Receiver& receiver, Strategy strategy, const glm::dvec2& u, Draw& draw) const
   {
-    ByLight,
-    ByMaterial,
-    ByCosine
-  };
-  bool DrawDirection(
-    const Receiver& receiver, Strategy strategy, const glm::dvec2& u, Draw& draw) const;
-  double GetDensity(
-    const Receiver& receiver, const Draw& draw, const std::array<double, 3>& shares) const;
-  void Add(const Receiver& receiver, const Draw& draw, double weight, int bounces,
-    std::uint64_t path, Sums& sums, std::size_t half) const;
-  glm::dvec3 Follow(SurfacePoint point, glm::dvec3 view, int bounces, std::uint64_t path) const;
-
-  const vtkTracedSurfaces& Scene;
-  SkySampler Sky;
-  vtkEnvironment* Environment;
-  std::vector<vtkBRDF*> Materials;
-};
-
-namespace
-{
-// The mean over a texel of what is interpolated linearly between the middles of it and its
-// neighbors.
-constexpr double OwnShare = 0.75;
-constexpr double NeighborShare = 0.125;
-// Below this cosine of the latitude, next to a pole, densities per solid angle end.
-constexpr double LeastCosine = 1e-6;
-
-glm::dmat3 GetTurn(vtkEnvironment* environment)
-{
-  double m[9];
-  environment->GetWorldToEnvironment(m);
-  return glm::dmat3(m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]); // glm takes columns
-}
-} // namespace
-
-//------------------------------------------------------------------------------
-SkySampler::SkySampler(vtkEnvironment* environment)
-  : Environment(environment)
-  , ToEnvironment(GetTurn(environment))
-  , Width(static_cast<std::size_t>(environment->GetWidth()))
-  , Height(static_cast<std::size_t>(environment->GetHeight()))
-{
-  const std::vector<float>& pixels = environment->GetPixels();
-  std::vector<double> sums(this->Width * this->Height); // of the channels, mixed along rows
-  const auto sum = [&](std::size_t x, std::size_t y)
-  {
-    const float* p = &pixels[3 * (y * this->Width + x)];
-    return static_cast<double>(p[0]) + static_cast<double>(p[1]) + static_cast<double>(p[2]);
-  };
-  for (std::size_t y = 0; y < this->Height; ++y)
-  {
-    for (std::size_t x = 0; x < this->Width; ++x)
+    if (strategy == ByLight)
     {
-      const std::size_t left = x > 0 ? x - 1 : this->Width - 1;
-      const std::size_t right = x + 1 < this->Width ? x + 1 : 0;
-      sums[y * this->Width + x] =
-        OwnShare * sum(x, y) + NeighborShare * (sum(left, y) + sum(right, y));
+      draw.Direction = this->Sky.Sample(u);
+      draw.Local = ToLocal(receiver.Local, draw.Direction);
+      return draw.Local.z > 0.0;
     }
-  }
-  std::vector<double> weights(sums.size());
-  for (std::size_t y = 0; y < this->Height; ++y)
-  {
-    const std::size_t below = y > 0 ? y - 1 : 0;
-    const std::size_t above = std::min(y + 1, this->Height - 1);
-    const double solidAngle = environment->GetTexelSolidAngle(static_cast<int>(y));
-    for (std::size_t x = 0; x < this->Width; ++x)
+    if (strategy == ByCosine)
     {
-      weights[y * this->Width + x] =
-        solidAngle *
-        (OwnShare * sums[y * this->Width + x] +
-          NeighborShare * (sums[below * this->Width + x] + sums[above * this->Width + x]));
+      SampleCosine(u.x, u.y, &draw.Local.x);
     }
-  }
-  this->Texels = Distribution2D(weights, this->Width, this->Height);
-}
-
-//------------------------------------------------------------------------------
-glm::dvec3 SkySampler::Sample(const glm::dvec2& u) const
-{
-  std::size_t x = 0;
-  std::size_t y = 0;
-  double inX = 0.0;
-  double inY = 0.0;
-  this->Texels.Invert(u.x, u.y, x, y, inX, inY);
-  glm::dvec3 d;
-  vtkEnvironment::GetDirection((static_cast<double>(x) + inX) / static_cast<double>(this->Width),
-    (static_cast<double>(y) + inY) / static_cast<double>(this->Height), &d.x);
-  return d * this->ToEnvironment; // transposed: back to the world
-}
-
-//------------------------------------------------------------------------------
-double SkySampler::GetDensity(const glm::dvec3& direction) const
-{
-  const glm::dvec3 d = this->ToEnvironment * direction;
-  double u = 0.0;
-  double v = 0.0;
-  vtkEnvironment::GetCoordinates(&d.x, u, v);
-  const double width = static_cast<double>(this->Width);
-  const double height = static_cast<double>(this->Height);
-  const auto x = static_cast<std::size_t>(std::clamp(std::floor(u * width), 0.0, width - 1.0));
-  const auto y = static_cast<std::size_t>(std::clamp(std::floor(v * height), 0.0, height - 1.0));
-  const double cosine = std::max(std::sqrt(std::max(1.0 - d.y * d.y, 0.0)), LeastCosine);
-  return this->Texels.GetProbability(x, y) * width * height / (2.0 * Pi * Pi * cosine);
-}
-
-//------------------------------------------------------------------------------
-glm::dvec3 SkySampler::GetRadiance(const glm::dvec3& direction) const
-{
-  const glm::dvec3 d = this->ToEnvironment * direction;
-  glm::dvec3 radiance;
-  this->Environment->GetRadiance(&d.x, &radiance.x);
-  return radiance;
-}
-
-namespace
-{
-// Of the draws: by the sky's radiance, by the material, by the cosine, which leaves no direction
-// out.
-constexpr std::array<double, 3> Shares = { 0.5, 0.375, 0.125 };
-
-// splitmix64 (Steele, Lea, Flood 2014): a different stream for each key.
-std::uint64_t Mix(std::uint64_t x)
-{
-  x += 0x9e3779b97f4a7c15ull;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-  return x ^ (x >> 31);
-}
-
-double ToUnit(std::uint64_t x) { return static_cast<double>(x >> 11) * 0x1p-53; }
-
-bool IsZero(const glm::dvec3& v) { return v.x == 0.0 && v.y == 0.0 && v.z == 0.0; }
-} // namespace
-
-//------------------------------------------------------------------------------
-TracedRadiance::Receiver TracedRadiance::MakeReceiver(const SurfacePoint& point, vtkBRDF* material,
-  const glm::dvec3& view, const glm::dvec3& tangent) const
-{
-  Receiver receiver{ point, material, FrameAbout(point.Normal, tangent), glm::dvec3(0.0) };
-  receiver.View = LiftView(ToLocal(receiver.Local, view));
-  return receiver;
-}
-
-//------------------------------------------------------------------------------
-bool TracedRadiance::DrawDirection(
-  const Receiver& receiver, Strategy strategy, const glm::dvec2& u, Draw& draw) const
-{
-  if (strategy == ByLight)
-  {
-    draw.Direction = this->Sky.Sample(u);
-    draw.Local = ToLocal(receiver.Local, draw.Direction);
-    return draw.Local.z > 0.0;
-  }
-  if (strategy == ByMaterial)
-  {
-    if (!receiver.Material->Sample(&receiver.View.x, u.x, u.y, &draw.Local.x))
+    else if (!receiver.Material->Sample(&receiver.View.x, u.x, u.y, &draw.Local.x))
     {
       return false;
     }
+    draw.Direction = receiver.Local * draw.Local;
+    return draw.Local.z > 0.0;
   }
-  else
-  {
-    const double radius = std::sqrt(u.x);
-    draw.Local = glm::dvec3(radius * std::cos(2.0 * Pi * u.y), radius * std::sin(2.0 * Pi * u.y),
-      std::sqrt(std::max(1.0 - u.x, 0.0)));
-  }
-  draw.Direction = receiver.Local * draw.Local;
-  return draw.Local.z > 0.0;
-}
 
-//------------------------------------------------------------------------------
-double TracedRadiance::GetDensity(
-  const Receiver& receiver, const Draw& draw, const std::array<double, 3>& shares) const
-{
-  double density = shares[ByCosine] * draw.Local.z / Pi;
-  if (shares[ByLight] > 0.0)
+  double GetDensity(
+    const Receiver& receiver, const Draw& draw, const std::array<double, 3>& shares) const
   {
-    density += shares[ByLight] * this->Sky.GetDensity(draw.Direction);
+    double density = shares[ByCosine] * draw.Local.z / Pi;
+    if (shares[ByLight] > 0.0)
+    {
+      density += shares[ByLight] * this->Sky.GetDensity(draw.Direction);
+    }
+    const double material = receiver.Material->Pdf(&draw.Local.x, &receiver.View.x);
+    return density + shares[ByMaterial] * (std::isfinite(material) ? material : 0.0);
   }
-  const double material = receiver.Material->Pdf(&draw.Local.x, &receiver.View.x);
-  return density + shares[ByMaterial] * (std::isfinite(material) ? material : 0.0);
-}
 
-//------------------------------------------------------------------------------
-// weight: solid angle that the direction stands for, in sr.
-void TracedRadiance::Add(const Receiver& receiver, const Draw& draw, double weight, int bounces,
-  std::uint64_t path, Sums& sums, std::size_t half) const
-{
-  glm::dvec3 f;
-  receiver.Material->Evaluate(&draw.Local.x, &receiver.View.x, &f.x);
-  f *= weight * draw.Local.z;
-  const glm::dvec3 open = f * this->Sky.GetRadiance(draw.Direction);
-  if (IsZero(f) || (bounces == 0 && IsZero(open)))
+  // weight: solid angle that the direction stands for, in sr.
+  void Add(const Receiver& receiver, const Draw& draw, double weight, int bounces,
+    std::uint64_t path, std::size_t half, Sums& sums) const
   {
-    return;
-  }
-  sums.Open[half] += open;
-  if (bounces == 0)
-  {
-    if (!this->Scene.IsHidden(receiver.Point, draw.Direction))
+    const glm::dvec3 f = weight * receiver.Evaluate(draw.Local);
+    const glm::dvec3 open = f * this->Sky.GetRadiance(draw.Direction);
+    if (f == glm::dvec3(0.0) || (bounces == 0 && open == glm::dvec3(0.0)))
+    {
+      return;
+    }
+    sums.Open[half] += open;
+    SurfacePoint hit;
+    if (bounces > 0 && this->Scene.CastFrom(receiver.Point, draw.Direction, hit))
+    {
+      sums.Bounced[half] += f * this->Follow(hit, -draw.Direction, bounces, path);
+    }
+    else if (bounces > 0 || !this->Scene.IsHidden(receiver.Point, draw.Direction))
     {
       sums.Visible[half] += open;
     }
-    return;
   }
-  SurfacePoint hit;
-  if (this->Scene.CastFrom(receiver.Point, draw.Direction, hit))
-  {
-    sums.Bounced[half] += f * this->Follow(hit, -draw.Direction, bounces, path);
-  }
-  else
-  {
-    sums.Visible[half] += open;
-  }
-}
 
-//------------------------------------------------------------------------------
-// One path from a point that a ray has met: an estimate of the radiance towards where it came from.
-glm::dvec3 TracedRadiance::Follow(
-  SurfacePoint point, glm::dvec3 view, int bounces, std::uint64_t path) const
-{
-  glm::dvec3 share(1.0);
-  std::array<double, 3> shares = Shares;
-  if (this->Sky.IsBlack())
+  // One path from a point that a ray has met: an estimate of the radiance towards where it came
+  // from.
+  glm::dvec3 Follow(SurfacePoint point, glm::dvec3 view, int bounces, std::uint64_t path) const
   {
-    shares = { 0.0, 0.5, 0.5 };
-  }
-  for (int k = 0; k < bounces; ++k)
-  {
-    const Receiver receiver = this->MakeReceiver(
-      point, this->Materials[static_cast<std::size_t>(point.Surface)], view, glm::dvec3(0.0));
-    path = Mix(path);
-    const double choice = ToUnit(path);
-    path = Mix(path);
-    glm::dvec2 u;
-    u.x = ToUnit(path);
-    path = Mix(path);
-    u.y = ToUnit(path);
-    const Strategy strategy = choice < shares[ByLight]                        ? ByLight
-                              : choice < shares[ByLight] + shares[ByMaterial] ? ByMaterial
-                                                                              : ByCosine;
-    Draw draw;
-    if (!this->DrawDirection(receiver, strategy, u, draw))
+    glm::dvec3 share(1.0);
+    const std::array<double, 3> shares =
+      this->Sky.IsBlack() ? std::array<double, 3>{ 0.0, 0.5, 0.5 } : Shares;
+    const auto getNext = [&path]() { return ToUnit(path = Mix(path)); };
+    for (int k = 0; k < bounces; ++k)
     {
-      break;
-    }
-    const double density = this->GetDensity(receiver, draw, shares);
-    glm::dvec3 f;
-    receiver.Material->Evaluate(&draw.Local.x, &receiver.View.x, &f.x);
-    share *= f * draw.Local.z / density;
-    if (!(density > 0.0) || IsZero(share))
-    {
-      break;
-    }
-    if (!this->Scene.CastFrom(point, draw.Direction, point))
-    {
-      return share * this->Sky.GetRadiance(draw.Direction);
-    }
-    view = -draw.Direction;
-  }
-  return glm::dvec3(0.0);
-}
-
-//------------------------------------------------------------------------------
-TracedRadiance::Sums TracedRadiance::Sample(
-  const Receiver& receiver, std::uint32_t index, const Settings& settings) const
-{
-  const std::uint64_t key = Mix(Mix(settings.Seed) + index);
-  std::array<int, 3> counts{};
-  counts[ByLight] =
-    this->Sky.IsBlack() ? 0 : static_cast<int>(std::round(Shares[ByLight] * settings.Samples));
-  counts[ByMaterial] = static_cast<int>(std::round(Shares[ByMaterial] * settings.Samples));
-  counts[ByCosine] = std::max(settings.Samples - counts[ByLight] - counts[ByMaterial], 1);
-  const double total = counts[ByLight] + counts[ByMaterial] + counts[ByCosine];
-  std::array<double, 3> shares{};
-  for (std::size_t s = 0; s < 3; ++s)
-  {
-    shares[s] = counts[s] / total;
-  }
-  Sums sums;
-  for (std::size_t s = 0; s < 3; ++s)
-  {
-    for (int k = 0; k < counts[s]; ++k)
-    {
-      // Each half of a strategy's points is spread as evenly as the whole.
-      const std::size_t half = static_cast<std::size_t>(k % 2);
-      const std::uint64_t shift = Mix(key + 2 * s + half);
-      const auto point = static_cast<std::uint32_t>(k / 2 + 1);
-      const glm::dvec2 u(Wrap01(RadicalInverse(point, 2) + ToUnit(shift)),
-        Wrap01(RadicalInverse(point, 3) + ToUnit(Mix(shift))));
+      const Receiver receiver(point, this->Materials[point.Surface], view, glm::dvec3(0.0));
+      const double choice = getNext();
+      const double first = getNext();
+      const double second = getNext();
+      const Strategy strategy = choice < shares[ByLight]                        ? ByLight
+                                : choice < shares[ByLight] + shares[ByMaterial] ? ByMaterial
+                                                                                : ByCosine;
       Draw draw;
-      if (this->DrawDirection(receiver, static_cast<Strategy>(s), u, draw))
+      if (!this->MakeDraw(receiver, strategy, { first, second }, draw))
       {
-        const double density = this->GetDensity(receiver, draw, shares);
-        if (density > 0.0)
-        {
-          this->Add(receiver, draw, 1.0 / (density * total), settings.Bounces, Mix(shift + point),
-            sums, half);
-        }
+        break;
       }
+      const double density = this->GetDensity(receiver, draw, shares);
+      share *= receiver.Evaluate(draw.Local) / density;
+      if (!(density > 0.0) || share == glm::dvec3(0.0))
+      {
+        break;
+      }
+      if (!this->Scene.CastFrom(point, draw.Direction, point))
+      {
+        return share * this->Sky.GetRadiance(draw.Direction);
+      }
+      view = -draw.Direction;
     }
+    return glm::dvec3(0.0);
   }
-  return sums;
-}
 
-//------------------------------------------------------------------------------
-TracedRadiance::Sums TracedRadiance::SumTexels(
-  const Receiver& receiver, std::uint32_t index, const Settings& settings) const
-{
-  vtkEnvironment* environment = this->Environment->GetSubdivided();
-  const TexelDirections directions(environment->GetWidth(), environment->GetHeight());
-  double m[9];
-  this->Environment->GetWorldToEnvironment(m);
-  const glm::dmat3 toWorld(m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]); // transposed
-  Sums sums;
-  for (int y = 0; y < environment->GetHeight(); ++y)
-  {
-    for (int x = 0; x < environment->GetWidth(); ++x)
-    {
-      Draw draw;
-      draw.Direction = toWorld * directions.Get(x, y);
-      draw.Local = ToLocal(receiver.Local, draw.Direction);
-      if (draw.Local.z > 0.0)
-      {
-        const auto texel = static_cast<std::uint64_t>(y) * 1000003u + static_cast<std::uint64_t>(x);
-        this->Add(receiver, draw, environment->GetTexelSolidAngle(y), settings.Bounces,
-          Mix(Mix(settings.Seed + texel) + index), sums, static_cast<std::size_t>(x % 2));
-      }
-    }
-  }
-  return sums;
-}
+  const vtkTracedSurfaces& Scene;
+  SkySampler Sky;
+  std::vector<vtkBRDF*> Materials;
+};
 } // namespace measuredbrdf
 
 namespace
@@ -454,8 +353,6 @@ using measuredbrdf::TracedRadiance;
 constexpr int FewestSamples = 8;
 constexpr int MostSamples = 1 << 24;
 constexpr int MostBounces = 1000;
-// What the calling thread waits for between two looks at the abort flag and the progress.
-constexpr std::chrono::milliseconds BatchTime(100);
 constexpr double OpenShare = 0.5; // of the progress, where the reference is integrated first
 
 bool Fits(vtkDataArray* array, int components, vtkIdType count)
@@ -467,14 +364,8 @@ bool Fits(vtkDataArray* array, int components, vtkIdType count)
 // Unit length; zero where that is not possible.
 glm::dvec3 GetUnit(vtkDataArray* array, vtkIdType k)
 {
-  glm::dvec3 d(0.0);
-  if (array)
-  {
-    array->GetTuple(k, &d.x);
-  }
-  const double largest = std::max({ std::abs(d.x), std::abs(d.y), std::abs(d.z) });
-  return largest > 0.0 && std::isfinite(d.x + d.y + d.z) ? glm::normalize(d / largest)
-                                                         : glm::dvec3(0.0);
+  const glm::dvec3 d = measuredbrdf::GetDirection(array, k);
+  return measuredbrdf::IsFiniteDirection(d) ? measuredbrdf::NormalizeAny(d) : glm::dvec3(0.0);
 }
 
 void Put(const std::vector<glm::dvec3>& values, vtkDataArray* array)
@@ -488,12 +379,11 @@ void Put(const std::vector<glm::dvec3>& values, vtkDataArray* array)
   array->Modified();
 }
 
-double Sum(const glm::dvec3& rgb) { return rgb.x + rgb.y + rgb.z; }
-
 // What samples say of light that is known as a whole: the visible share of it, channel by channel.
 glm::dvec3 GetVisible(const glm::dvec3& whole, const glm::dvec3& open, const glm::dvec3& visible)
 {
-  const double share = Sum(open) > 0.0 ? Sum(visible) / Sum(open) : 1.0;
+  const double all = open.x + open.y + open.z;
+  const double share = all > 0.0 ? (visible.x + visible.y + visible.z) / all : 1.0;
   glm::dvec3 result;
   for (int c = 0; c < 3; ++c)
   {
@@ -511,7 +401,7 @@ struct vtkTracedRadianceIntegrator::Run
   std::vector<glm::dvec3> Open; // by the reference; empty: from the samples
   std::vector<glm::dvec3> Radiance;
   std::vector<glm::dvec3> Unoccluded;
-  std::vector<double> Errors;
+  std::vector<glm::dvec3> Errors;
 };
 
 vtkStandardNewMacro(vtkTracedRadianceIntegrator);
@@ -524,24 +414,9 @@ vtkTracedRadianceIntegrator::~vtkTracedRadianceIntegrator() = default;
 vtkCxxSetSmartPointerMacro(vtkTracedRadianceIntegrator, Scene, vtkTracedScene);
 vtkCxxSetSmartPointerMacro(vtkTracedRadianceIntegrator, BRDF, vtkBRDF);
 vtkCxxSetSmartPointerMacro(vtkTracedRadianceIntegrator, Environment, vtkEnvironment);
+measuredbrdfSetClampedMacro(
+  vtkTracedRadianceIntegrator, NumberOfSamples, int, FewestSamples, MostSamples);
 measuredbrdfSetClampedMacro(vtkTracedRadianceIntegrator, NumberOfBounces, int, 0, MostBounces);
-
-//------------------------------------------------------------------------------
-void vtkTracedRadianceIntegrator::SetNumberOfSamples(int value)
-{
-  const int taken = value == 0 ? 0 : std::clamp(value, FewestSamples, MostSamples);
-  if (taken != value)
-  {
-    vtkWarningMacro("SetNumberOfSamples: " << value << " is neither 0 nor from " << FewestSamples
-                                           << " to " << MostSamples << "; " << taken
-                                           << " is taken.");
-  }
-  if (this->NumberOfSamples != taken)
-  {
-    this->NumberOfSamples = taken;
-    this->Modified();
-  }
-}
 
 //------------------------------------------------------------------------------
 vtkTracedScene* vtkTracedRadianceIntegrator::GetScene() { return this->Scene; }
@@ -641,11 +516,10 @@ bool vtkTracedRadianceIntegrator::Integrate(vtkPolyData* points, vtkDataArray* v
     const bool valid = surface >= 0.0 && surface < static_cast<double>(materials.size()) &&
                        point.Normal != glm::dvec3(0.0) && view != glm::dvec3(0.0) &&
                        std::isfinite(glm::dot(point.Position, point.Position));
-    vtkBRDF* material = valid ? materials[static_cast<std::size_t>(surface)] : nullptr;
-    run.Receivers.push_back(run.Tracer->MakeReceiver(point, material, view, GetUnit(tangents, k)));
+    vtkBRDF* material = valid ? materials[surface] : nullptr;
+    run.Receivers.emplace_back(point, material, view, GetUnit(tangents, k));
   }
-  if (!(this->UnoccludedReference && this->NumberOfSamples > 0 && !this->IntegrateOpen(run)) &&
-      this->Trace(run))
+  if ((!this->UnoccludedReference || this->IntegrateOpen(run)) && this->Trace(run))
   {
     Put(run.Radiance, radiance);
     if (unoccluded)
@@ -679,20 +553,19 @@ bool vtkTracedRadianceIntegrator::IntegrateOpen(Run& run)
     reference->SetEnvironment(this->Environment);
     const double share =
       OpenShare * static_cast<double>(members.size()) / static_cast<double>(run.Receivers.size());
-    const auto follow = [&](double progress) { return this->Report(done + share * progress); };
-    using Follow = decltype(follow);
-    vtkNew<vtkCallbackCommand> command;
-    command->SetClientData(const_cast<void*>(static_cast<const void*>(&follow)));
-    command->SetCallback(
-      [](vtkObject* caller, unsigned long, void* self, void* progress)
+    struct Follower
+    {
+      vtkTracedRadianceIntegrator* Whole;
+      double Done;
+      double Share;
+      void Take(vtkObject* caller, unsigned long, void* progress)
       {
         static_cast<vtkRadianceIntegrator*>(caller)->SetAbort(
-          !(*static_cast<Follow*>(self))(*static_cast<double*>(progress)));
-      });
-    reference->AddObserver(vtkCommand::ProgressEvent, command);
-    std::vector<glm::dvec3> normals;
-    std::vector<glm::dvec3> views;
-    std::vector<glm::dvec3> tangents;
+          !this->Whole->Report(this->Done + this->Share * *static_cast<double*>(progress)));
+      }
+    } follower{ this, done, share };
+    reference->AddObserver(vtkCommand::ProgressEvent, &follower, &Follower::Take);
+    std::vector<glm::dvec3> normals, views, tangents;
     for (const std::size_t k : members)
     {
       const TracedRadiance::Receiver& receiver = run.Receivers[k];
@@ -724,7 +597,7 @@ bool vtkTracedRadianceIntegrator::Trace(Run& run)
   const std::size_t count = run.Receivers.size();
   run.Radiance.assign(count, glm::dvec3(0.0));
   run.Unoccluded.assign(count, glm::dvec3(0.0));
-  run.Errors.assign(count, 0.0);
+  run.Errors.assign(count, glm::dvec3(0.0));
   const TracedRadiance::Settings settings{ this->NumberOfSamples, this->NumberOfBounces,
     static_cast<std::uint32_t>(this->Seed) };
   const auto integrate = [&](std::size_t k)
@@ -735,15 +608,13 @@ bool vtkTracedRadianceIntegrator::Trace(Run& run)
       return;
     }
     const auto index = static_cast<std::uint32_t>(k);
-    const TracedRadiance::Sums sums = settings.Samples > 0
-                                        ? run.Tracer->Sample(receiver, index, settings)
-                                        : run.Tracer->SumTexels(receiver, index, settings);
+    const TracedRadiance::Sums sums = run.Tracer->Sample(receiver, index, settings);
     const bool open = !run.Open.empty();
-    run.Unoccluded[k] = open ? run.Open[k] : sums.Open[0] + sums.Open[1];
+    const glm::dvec3 all = sums.Open[0] + sums.Open[1];
     const glm::dvec3 visible = sums.Visible[0] + sums.Visible[1];
+    run.Unoccluded[k] = open ? run.Open[k] : all;
     run.Radiance[k] =
-      sums.Bounced[0] + sums.Bounced[1] +
-      (open ? GetVisible(run.Open[k], sums.Open[0] + sums.Open[1], visible) : visible);
+      sums.Bounced[0] + sums.Bounced[1] + (open ? GetVisible(run.Open[k], all, visible) : visible);
     glm::dvec3 halves[2];
     for (std::size_t h = 0; h < 2; ++h)
     {
@@ -751,15 +622,12 @@ bool vtkTracedRadianceIntegrator::Trace(Run& run)
         2.0 * sums.Bounced[h] +
         (open ? GetVisible(run.Open[k], sums.Open[h], sums.Visible[h]) : 2.0 * sums.Visible[h]);
     }
-    run.Errors[k] = settings.Samples > 0 ? 0.5 * Sum(glm::abs(halves[0] - halves[1])) : 0.0;
+    run.Errors[k] = 0.5 * glm::abs(halves[0] - halves[1]);
   };
   const double begun = run.Open.empty() ? 0.0 : OpenShare;
-  std::size_t batch = 1;
-  for (std::size_t first = 0; first < count;)
+  const auto traceBatch = [&](vtkIdType first, vtkIdType size)
   {
-    const std::size_t size = std::min(batch, count - first);
-    const auto start = std::chrono::steady_clock::now();
-    measuredbrdf::ParallelFor(static_cast<vtkIdType>(first), static_cast<vtkIdType>(first + size),
+    measuredbrdf::ParallelFor(first, first + size,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType k = begin; k < end && !this->Abort; ++k)
@@ -767,25 +635,19 @@ bool vtkTracedRadianceIntegrator::Trace(Run& run)
           integrate(static_cast<std::size_t>(k));
         }
       });
-    first += size;
-    if (std::chrono::steady_clock::now() - start < BatchTime / 2)
-    {
-      batch *= 2;
-    }
-    const double share = static_cast<double>(first) / static_cast<double>(count);
-    if (!this->Report(begun + (1.0 - begun) * share))
-    {
-      return false;
-    }
-  }
-  double error = 0.0;
-  double radiance = 0.0;
-  for (std::size_t k = 0; k < count; ++k)
+  };
+  if (!measuredbrdf::WorkInBatches(static_cast<vtkIdType>(count), traceBatch,
+        [&](double share) { return this->Report(begun + (1.0 - begun) * share); }))
   {
-    error += run.Errors[k];
-    radiance += Sum(run.Radiance[k]);
+    return false;
   }
-  this->Noise = radiance > 0.0 ? error / radiance : 0.0;
+  const auto sum = [](const std::vector<glm::dvec3>& values)
+  {
+    const glm::dvec3 all = std::accumulate(values.begin(), values.end(), glm::dvec3(0.0));
+    return all.x + all.y + all.z;
+  };
+  const double radiance = sum(run.Radiance);
+  this->Noise = radiance > 0.0 ? sum(run.Errors) / radiance : 0.0;
   return true;
 }
 

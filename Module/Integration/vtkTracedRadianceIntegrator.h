@@ -9,18 +9,13 @@
  * else 0. L_h is what leaves the point that hides it: nothing with 0 bounces; with b bounces the
  * same integral there, with b - 1. vtkRadianceIntegrator and its subclasses leave V out (V = 1).
  *
- * Two ways to integrate:
- *
- * * Samples (default). Directions are drawn by the sky's radiance, by the material and by the
- * cosine, and weighted by the mixture's density (Veach, Guibas 1995). They fall within texels too,
- * so neither L nor V is rounded to their centers. With UnoccludedReference (default) the samples
- * give only the share V of the light, channel by channel, and vtkAdaptiveRadianceIntegrator gives
- * the light itself: where nothing is hidden, the result is that reference. Each point has its own
- * fixed samples: the same call gives the same result, with any number of threads. GetNoise tells
- * how far other samples would be off; it falls as 1/sqrt(samples), or faster.
- * * Every texel (SetNumberOfSamples(0)): the sum of vtkExactRadianceIntegrator with one ray towards
- * the center of each texel that is above the horizon. V is that of the center: a shadow's edge is
- *   off by up to half a texel.
+ * Directions are drawn by the sky's radiance, by the material and by the cosine, and weighted by
+ * the mixture's density (Veach, Guibas 1995). They fall within texels too, so neither L nor V is
+ * rounded to their centers. With UnoccludedReference (default) the samples give only the share V of
+ * the light, channel by channel, and vtkAdaptiveRadianceIntegrator gives the light itself: where
+ * nothing is hidden, the result is that reference. Each point has its own fixed samples: the same
+ * call gives the same result, with any number of threads. GetNoise tells how far other samples
+ * would be off; it falls as 1/sqrt(samples), or faster.
  *
  * Bounces follow one path for each sample that is hidden.
  */
@@ -78,7 +73,7 @@ public:
 
   ///@{
   /**
-   * Directions a point, from 8 to 2^24 (default 512); 0: the center of every texel.
+   * Directions a point, from 8 to 2^24 (default 512).
    */
   virtual void SetNumberOfSamples(int numberOfSamples);
   vtkGetMacro(NumberOfSamples, int);
@@ -131,8 +126,7 @@ public:
 
   /**
    * By how much the last result would differ with other samples: the standard error of a point,
-   * mean over all, relative to their mean radiance; from two halves of the samples. 0 before any,
-   * and with every texel.
+   * mean over all, relative to their mean radiance; from two halves of the samples. 0 before any.
    */
   vtkGetMacro(Noise, double);
 

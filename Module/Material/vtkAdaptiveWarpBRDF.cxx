@@ -4,12 +4,12 @@
 
 #include "BilinearWarp.h"
 #include "ContentHash.h"
+#include "Floats.h"
 #include "HalfVector.h"
 #include "NumberText.h"
 #include "OneByOne.h"
 #include "PackedWarp.h"
 #include "RenderableTable.h"
-#include "RoundingNoise.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"

@@ -3,7 +3,7 @@
 #include "vtkAshikhminShirleyBRDF.h"
 
 #include "ContentHash.h"
-#include "FiniteFloat.h"
+#include "Floats.h"
 #include "HalfVector.h"
 #include "LaneMath.h"
 #include "ModuleShader.h"

@@ -48,7 +48,7 @@ struct vtkBRDFShaderInputs
     std::array<bool, 3> Repeat = { false, false, false }; // else clamp to edge
     std::vector<float> Data;                              // x fastest, components interleaved
     // In place of Data, where it is not empty: RGB >= 0 in 32 bits a texel (GL_RGB9_E5, see
-    // SharedExponent.h); Components and HalfFloat then do not count.
+    // Floats.h); Components and HalfFloat then do not count.
     std::vector<std::uint32_t> SharedExponents;
     // Whether it is stored with a fourth component: true for 2D textures of 32 bits, because
     // software renderers then fetch them faster (7 % of a radiance table's frame).
@@ -108,7 +108,7 @@ struct vtkBRDFShaderInputs
 
   /// Texture fetches of a pixel, of an integrator's inputs with those of the material that lights
   /// need, or with none. Where lamps are evaluated near the lobe's axis only, these are of one
-  /// turn: a pixel takes one for each lamp that is near, or for each of its parts (TableLamps.h).
+  /// turn: a pixel takes one for each lamp that is near, or for each of its parts (Lamps.h).
   int CountFetches(const vtkBRDFShaderInputs& material) const
   {
     int once = 0;

@@ -11,7 +11,6 @@
 #include "ModuleShader.h"
 #include "NumberText.h"
 #include "Setters.h"
-#include "ZonePairs.h"
 #include "vtkBRDFBasis.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"

@@ -3,11 +3,11 @@
 #include "vtkDistributionBRDF.h"
 
 #include "ContentHash.h"
+#include "Floats.h"
 #include "HalfVector.h"
 #include "HalfVectorSampler.h"
 #include "ModuleShader.h"
 #include "Neighbors.h"
-#include "RoundingNoise.h"
 #include "ZonalKernel.h"
 #include "vtkBRDFDistribution.h"
 #include "vtkBRDFExchange.h"

@@ -3,6 +3,7 @@
 #include "vtkTabulatedBRDF.h"
 
 #include "ContentHash.h"
+#include "Floats.h"
 #include "HalfVector.h"
 #include "HalfVectorSampler.h"
 #include "LaneMath.h"
@@ -11,7 +12,6 @@
 #include "NumberText.h"
 #include "OneByOne.h"
 #include "Setters.h"
-#include "SharedExponent.h"
 #include "VolumeInterpolation.h"
 #include "ZonalKernel.h"
 #include "vtkBRDFExchange.h"

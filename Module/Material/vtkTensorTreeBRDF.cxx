@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTensorTreeBRDF.h"
 
-#include "ConcentricMap.h"
 #include "ContentHash.h"
+#include "HalfVector.h"
 #include "RenderableTable.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"

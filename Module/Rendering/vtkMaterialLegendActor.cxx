@@ -3,7 +3,7 @@
 #include "vtkMaterialLegendActor.h"
 
 #include "NumberText.h"
-#include "RunGuarded.h"
+#include "ParallelFor.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkCellType.h"

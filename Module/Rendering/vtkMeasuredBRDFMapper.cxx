@@ -106,7 +106,8 @@ bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
     return false;
   }
   this->Impl->Drawing->Forget(this); // what the whole was drawn with
-  this->Impl->Parts.Render(ren, actor, this, this->Superclass::GetMTime(),
+  this->Impl->Parts.Render(
+    ren, actor, this, this->Superclass::GetMTime(),
     [this](vtkPolyDataMapper* mapper)
     {
       for (const auto& [name, attribute] : this->ExtraAttributes)

@@ -4,7 +4,6 @@
 
 #include "MaterialSource.h"
 #include "ParallelFor.h"
-#include "RunGuarded.h"
 #include "Setters.h"
 
 #include "vtkFloatArray.h"

@@ -6,7 +6,6 @@
 #include "LocalFrame.h"
 #include "MaterialSource.h"
 #include "ParallelFor.h"
-#include "RunGuarded.h"
 #include "Setters.h"
 
 #include "vtkCellArray.h"

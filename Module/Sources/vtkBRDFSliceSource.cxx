@@ -5,7 +5,6 @@
 #include "MaterialSource.h"
 #include "NumberText.h"
 #include "ParallelFor.h"
-#include "RunGuarded.h"
 #include "Setters.h"
 
 #include "vtkDoubleArray.h"

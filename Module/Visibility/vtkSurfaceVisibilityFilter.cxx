@@ -3,7 +3,7 @@
 #include "vtkSurfaceVisibilityFilter.h"
 
 #include "ContentHash.h"
-#include "RunGuarded.h"
+#include "ParallelFor.h"
 #include "Setters.h"
 #include "SurfacePoints.h"
 #include "SurfaceTracer.h"

@@ -8,7 +8,7 @@
 #include "BenchmarkCase.h"
 #include "EnvironmentPrecomputation.h"
 #include "HalfVector.h" // for Pi
-#include "LampBRDF.h"
+#include "Lamps.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
 #include "vtkSMPTools.h"

@@ -73,9 +73,9 @@ const std::vector<Group>& GetTableGroups()
     { { "texture(brdfTableRadiance0, at).rgb", "at" } } };
   static const Group irradiance{ "the fetch of irradiance, and its octahedron",
     { { "texture(brdfTableIrradiance0, normalAt).rgb", "vec3(0.5)" } } };
-  static const Group profile{ "the profile's texel, and taking it apart",
+  static const Group profile{ "the profile's texels",
     { { "texelFetch(brdfTableProfile0, ivec2(view, 0), 0)", "vec4(rest)" },
-      { "floor(pairs.rgb)", "vec3(0.5)" } } };
+      { "texelFetch(brdfTableProfile0, ivec2(view, 1), 0)", "vec4(0.5)" } } };
   static const Group view{ "the view's angle: an arc tangent, a root, a power",
     { { "max(1.0 - brdfQuadrant(sine, o.z) / brdfTableLastView0, 0.0)", "o.z" },
       { "(1.0 - sqrt(rest))", "rest" }, { "pow(rest, 2.0 / 3.0)", "rest" } } };

@@ -54,7 +54,7 @@ add("Core.half-difference-azimuth", "HalfVector.h", "cosPhi * i.y - sinPhi * i.x
     "cosPhi * i.y + sinPhi * i.x;", "Tabulated.InterpolatesTrilinearly|Resampler.ErrorFallsAndIsReported")
 add("Core.sample-cosine-radius", "HalfVector.h", "const double r = std::sqrt(u1);", "const double r = u1;",
     "Sampling.FollowsItsPdf")
-add("Core.gauss-legendre-weight", "GaussLegendre.h", "2.0 / ((1.0 - x * x)", "1.0 / ((1.0 - x * x)",
+add("Core.gauss-legendre-weight", "BasisFunctions.h", "2.0 / ((1.0 - x * x)", "1.0 / ((1.0 - x * x)",
     "GaussLegendre.KnownRules")
 add("Core.legendre-recurrence-sign", "BasisFunctions.h", "x * p1 - k * p0) / (k + 1.0)",
     "x * p1 + k * p0) / (k + 1.0)", "BasisFunctions.Orthonormal")
@@ -82,7 +82,7 @@ add("Core.left-handed-frame", "LocalFrame.h", "return Frame(p / length, glm::cro
     "return Frame(p / length, glm::cross(p / length, n), n);",
     "Parity.Tables|ExactIntegrator.EqualsAPlainSum|Integrators.RotatingEverythingChangesNothing")
 add("Core.views-are-lifted-too-far", "LocalFrame.h", "MinimumViewCosine = 0.02;", "MinimumViewCosine = 0.05;",
-    "MapperShading.GrazingViews|TableIntegrator.GrazingViewsAreLifted")
+    "MapperShading.GrazingViews|EveryMethod.LowViewsAreLifted")
 add("Core.hash-of-the-last-piece", "ContentHash.cxx", "{ this->State[0], this->State[1], piece.low64",
     "{ 0, 0, piece.low64", "ContentKey.EverythingThatCountsChangesIt")
 add("Core.warp-weights-of-slices", "BilinearWarp.h", "result.Weight[k] *= 1.0 - w;", "result.Weight[k] *= w;",
@@ -224,7 +224,7 @@ add("Lighting.harmonics-of-one-hemisphere", "EnvironmentHarmonics.cxx", "(north 
     "EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
 add("Lighting.old-light-in-new-pixels", "vtkEnvironment.cxx",
     "this->Parts = vtkEnvironment::MakeParts();\n  this->PixelsTime", "this->PixelsTime",
-    "PlanMemory.GoesWithThePixels|FilteredIntegrator.FollowsItsInputs|TableIntegrator.RebuildsExactlyWhenItMust")
+    "PlanMemory.GoesWithThePixels|EveryMethod.FollowsItsInputs")
 add("Lighting.concentration-formula", "vtkLightSet.cxx", "r * (3.0 - r * r)", "r * (2.0 - r * r)",
     "LightConcentration.FromVariance")
 add("Lighting.light-set-without-concentration", "vtkLightSet.cxx",
@@ -272,16 +272,14 @@ add("Integration.adaptive-looks-nowhere-first", "AdaptiveSum.cxx",
 add("Integration.group-has-one-frame", "AdaptiveSum.cxx",
     "step.Turn(count, this->Rows[pair]);", "step.Turn(count, this->Rows[0]);", "AdaptiveGroup.IsWithinItsTolerance")
 add("Integration.group-takes-the-first-pair-for-all", "AdaptiveSum.cxx",
-    "std::copy_n(this->Steps[pair].Values[c] + at,", "std::copy_n(this->Steps[0].Values[c] + at,", "AdaptiveGroup.IsWithinItsTolerance")
-add("Integration.middles-that-do-not-count-stay", "SquareMiddles.cxx",
+    "this->Steps[pair].GetValue(at + quarter)", "this->Steps[0].GetValue(at + quarter)", "AdaptiveGroup.IsWithinItsTolerance")
+add("Integration.middles-that-do-not-count-stay", "AdaptiveSum.cxx",
     "this->Lights[c][k] = this->Lights[c][this->Numbers[k]];", "this->Lights[c][k] = this->Lights[c][k];",
     "SquareMiddles.TurnsAndWeighs")
-add("Integration.queue-sorts-by-octaves", "ErrorQueue.h", "bits >> 21", "bits >> 23",
-    "ErrorQueue.GivesTheLargestFirst")
 add("Lighting.quarters-of-a-part-are-the-other-way", "TexelTree.cxx",
     "2 * x + k % 2, 2 * y + k / 2);",
     "2 * x + k / 2, 2 * y + k % 2);", "TexelTree.QuartersAreTheSquaresBelow")
-add("Integration.peaks-of-the-wrong-azimuth", "ReflectionGuide.cxx",
+add("Integration.peaks-of-the-wrong-azimuth", "AdaptiveSum.cxx",
     "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, o.y) / s", "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, -o.y) / s",
     "ReflectionGuide.KnowsPeaks")
 add("Integration.core-takes-the-blur-too", "RadianceCore.cxx", "inTable * share[channel] * taken", "0.0",
@@ -300,11 +298,11 @@ add("Integration.irradiance-in-one-unit-only", "TableSynthesis.cxx",
 add("Integration.table-without-its-blur", "TableSynthesis.cxx", "smoothed[b % size] * static_cast<float>(knot", "static_cast<float>(knot",
     "FactoredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo|FactoredIntegrator.MirrorsInFewMegabytes")
 add("Integration.no-splines-along-rows", "FieldSynthesis.cxx", "of.Above != MapPart::None && of.Below != MapPart::None", "false", "LinearSpline.*|TableReference.ErrorFallsWithSize*|AnisotropicTable.*")
-add("Integration.tiles-where-nothing-bends", "TableTiles.cxx", "scores[a] > scores[b]", "scores[a] < scores[b]",
+add("Integration.tiles-where-nothing-bends", "RadianceTable.cxx", "scores[a] > scores[b]", "scores[a] < scores[b]",
     "TableTiles.*")
-add("Integration.tiles-with-seams", "TableTiles.cxx", "!tile.Inside[static_cast<std::size_t>(k)]", "false",
+add("Integration.tiles-with-seams", "RadianceTable.cxx", "!tile.Inside[k]", "false",
     "TableTiles.NoSeams")
-add("Integration.tiles-of-any-size", "TableTiles.cxx", "std::ceil((others + LeastTileBytes) / BytesStep)", "std::ceil((others + LeastTileBytes) / BytesStep + 1.0)",
+add("Integration.tiles-of-any-size", "RadianceTable.cxx", "std::ceil((others + LeastTileBytes) / BytesStep)", "std::ceil((others + LeastTileBytes) / BytesStep + 1.0)",
     "TableTiles.FillWhatIsAllowed")
 add("Integration.tiles-of-few-nodes", "vtkTableRadianceIntegrator.cxx", "constexpr int NodesOfTiles = 2; ", "constexpr int NodesOfTiles = 1; ",
     "TableTiles.KernelsHaveNodesEnough")
@@ -314,28 +312,26 @@ add("Integration.forgotten-nodes-stay-so", "MaterialPrecomputation.cxx", "(areNo
     "MaterialPrecomputation.MakesForgottenNodesAgain")
 add("Integration.nodes-made-again-for-nothing", "MaterialPrecomputation.cxx", "use.Nodes || known", "true || known",
     "MaterialPrecomputation.MakesForgottenNodesAgain")
-add("Integration.rings-end-at-the-seam", "RingLimiter.cxx", "first.FillEnds(row);", "", "RingLimiter.*")
+add("Integration.rings-end-at-the-seam", "RadianceTable.cxx", "padded << map.rightCols(3), map, map.leftCols(3);", "padded << map.leftCols(3), map, map.rightCols(3);", "RingLimiter.*")
 add("Lighting.sets-of-one-tree-are-one-set", "EnvironmentPrecomputation.cxx", "tree.FillLightSet(count, sets->back());",
     "tree.FillLightSet(count / 2 + 1, sets->back());", "EnvironmentPrecomputation.SetsOfOneTreeAreThoseOfTheirOwn")
 add("Integration.beyond-the-pole-unturned", "FieldSynthesis.cxx", "order % 2 != 0 ? -1.0f : 1.0f", "order % 2 != 0 ? 1.0f : 1.0f",
     "AnisotropicTable.*|TableIntegrator.*|LinearSpline.*")
-add("Integration.products-miss-a-vector", "MatrixProduct.cxx", "left.First[row] * of[v];", "left.First[row] * of[0];",
+add("Integration.products-miss-a-vector", "SynthesisLanes.cxx", "left.First[row] * of[v];", "left.First[row] * of[0];",
     "MatrixProduct.*")
-add("Integration.stage-unturned", "RowTransform.cxx", "difference.AddTurned(other, -turn);", "difference.AddTurned(other, turn);", "RowTransform.*")
-add("Integration.odd-parts-left-out", "RowTransform.cxx", "RunOddParts(lines, size, this->Odd, this->Turns.data());", "", "RowTransform.*")
-add("Integration.lanes-begin-at-degree-zero", "WignerLanes.cxx", "{ out[0] + first, out[1] + first,",
+add("Integration.lanes-begin-at-degree-zero", "SynthesisLanes.cxx", "{ out[0] + first, out[1] + first,",
     "{ out[0], out[1] + first,", "WignerLanes.*")
 add("Integration.expanded-kernels-of-other-orders", "MaterialPrecomputation.cxx", "static_cast<std::ptrdiff_t>(row) * (known.Degree + 1)",
     "static_cast<std::ptrdiff_t>(row) * (degree + 1)", "MaterialPrecomputation.KeepsExpandedKernels")
 add("Integration.degrees-left-out", "TableSynthesis.cxx", "constexpr double LeastShare = 1e-4;", "constexpr double LeastShare = 1e9;",
     "TableReference.*|TableIntegrator.*")
-add("Integration.rings-stay", "RingLimiter.cxx", "constexpr float LeastShare = 0.75f;", "constexpr float LeastShare = 0.0f;",
+add("Integration.rings-stay", "RadianceTable.cxx", "constexpr float LeastOfBlur = 0.75f;", "constexpr float LeastOfBlur = 0.0f;",
     "RingLimiter.*")
-add("Integration.edges-bleed", "RingLimiter.cxx", "for (int pass = 0; pass < 2; ++pass) // as far", "for (int pass = 0; pass < 1; ++pass) // as far",
+add("Integration.edges-bleed", "RadianceTable.cxx", "for (int pass = 0; pass < 2; ++pass) // as far", "for (int pass = 0; pass < 1; ++pass) // as far",
     "RingLimiter.*")
-add("Integration.anisotropic-azimuths-from-the-axis", "AnisotropicLobe.cxx", "std::polar(1.0, -k * azimuth)", "std::polar(1.0, k * azimuth)",
+add("Integration.anisotropic-azimuths-from-the-axis", "LobeHarmonics.cxx", "std::polar(1.0, -k * azimuth)", "std::polar(1.0, k * azimuth)",
     "AnisotropicTable.Converges")
-add("Integration.anisotropic-conjugate-forgotten", "AnisotropicLobe.cxx", "from < 0 ? std::conj(in[l]) : in[l]", "in[l]",
+add("Integration.anisotropic-conjugate-forgotten", "LobeHarmonics.cxx", "from < 0 ? std::conj(in[l]) : in[l]", "in[l]",
     "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")
 add("Integration.anisotropic-half-turn-forgotten", "vtkAnisotropicTableRadianceIntegrator.cxx", "(again ? 1.0 / this->Periods : 0.0)", "0.0",
     "AnisotropicTable.BrushedMetalInTwelveMegabytes|AnisotropicTable.Converges")
@@ -371,21 +367,21 @@ add("Rendering.samples-however-long-they-take", "SampleSums.cxx",
 add("Rendering.samples-of-a-subframe-twice", "BRDFShader.cxx",
     "ivec2(brdfPart.xy) *", "ivec2(brdfPart.x, brdfPart.y + 1.0) *", "Samples.ShowTheSameAsAllAtOnce")
 add("Integration.filtered-keeps-samples-of-the-old-material", "vtkFilteredRadianceIntegrator.cxx",
-    "impl.SamplesTime < this->BRDF->GetMTime() ||", "", "FilteredIntegrator.FollowsItsInputs")
+    "impl.SamplesTime < this->BRDF->GetMTime() ||", "", "EveryMethod.FollowsItsInputs")
 add("Integration.filtered-keeps-the-number-of-samples", "vtkFilteredRadianceIntegrator.cxx",
     "impl.Samples->GetNumberOfSamples() != this->NumberOfSamples)", "impl.Samples->GetNumberOfSamples() < 1)",
-    "FilteredIntegrator.FollowsItsInputs|FilteredReference.Converges")
+    "EveryMethod.FollowsItsInputs|FilteredReference.Converges")
 add("Integration.filtered-level-of-the-sphere", "vtkFilteredRadianceIntegrator.cxx",
     "impl.Pyramid->GetLevel(4.0 * Pi)", "impl.Pyramid->GetLevel(16.0 * Pi)",
     "FilteredReference.Converges|FilteredIntegrator.MirrorShowsTheEnvironment")
 add("Integration.filtered-adds-the-sharp-part-twice", "vtkFilteredRadianceIntegrator.cxx",
     "f * (1.0 - ReflectionSamples::GetSharpShare(f, sample.Limit))", "f",
     "FilteredIntegrator.BroadLobesSeeSmallPanels|Parity.FilteredIntegrator")
-add("Integration.filtered-takes-anisotropic-materials", "vtkFilteredRadianceIntegrator.cxx",
-    "if (!this->BRDF->IsIsotropic())", "if (this->BRDF == nullptr)", "FilteredIntegrator.BadInputs")
+add("Integration.filtered-takes-anisotropic-materials", "vtkRadianceIntegrator.cxx",
+    "if (!this->BRDF->IsIsotropic())", "if (this->BRDF == nullptr)", "EveryMethod.RefusesAndKeepsGoing")
 add("Integration.samples-see-too-sharply", "vtkFilteredRadianceIntegrator.cxx", "-0.5 * std::log2(4.0 * Pi * density)",
     "-1.0 * std::log2(4.0 * Pi * density)",
-    "FilteredReference.Converges|FilteredIntegrator.RotatingEverythingChangesNothing|FilteredIntegrator.RealSun")
+    "FilteredReference.Converges|EveryMethod.TurnsWithItsEnvironment|FilteredIntegrator.RealSun")
 add("Integration.samples-of-the-whole-material", "vtkFilteredRadianceIntegrator.cxx", "f * (GetSharpShare(f, limit) / density)",
     "f * (1.0 / density)", "FilteredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
 add("Integration.samples-do-not-interpolate", "vtkFilteredRadianceIntegrator.cxx", "a.Weight + t * (b.Weight - a.Weight)",
@@ -393,7 +389,7 @@ add("Integration.samples-do-not-interpolate", "vtkFilteredRadianceIntegrator.cxx
 add("Integration.light-set-without-cosine", "vtkLightSetRadianceIntegrator.cxx",
     "radiance[c] += light.z * f[c] * irradiance[c];", "radiance[c] += f[c] * irradiance[c];",
     "LightSetIntegrator.ConvergesToTheReference")
-add("Integration.spread-is-the-concentration", "LightTexture.cxx",
+add("Integration.spread-is-the-concentration", "Lamps.cxx",
     "concentration > 0.0 ? 1.0 / concentration : 0.0", "concentration > 0.0 ? concentration : 0.0",
     "SoftLights.LowerTheErrorOfSharpLobesAndTables")
 add("Integration.light-set-changes-unseen", "vtkLightSetRadianceIntegrator.cxx",
@@ -401,7 +397,7 @@ add("Integration.light-set-changes-unseen", "vtkLightSetRadianceIntegrator.cxx",
     "Mapper.RebuildsExactlyWhenItMust|Scene.LightsAreUploadedOnce")
 add("Integration.light-set-copy-is-hard", "vtkLightSetRadianceIntegrator.cxx",
     "this->SetSoftLights(lights->SoftLights);", "", "RadianceMethods.CopiesHaveEveryProperty")
-add("Integration.light-set-last-row", "LightTexture.cxx",
+add("Integration.light-set-last-row", "Lamps.cxx",
     "(count + LightsPerRow - 1) / LightsPerRow", "count / LightsPerRow",
     "Mapper.ManyLightsAndHugeValues|Mapper.LightSetMatchesCpuPerPixel")
 add("Integration.lights-cost-nothing", "vtkLightSetRadianceIntegrator.cxx",
@@ -410,7 +406,7 @@ add("Integration.lights-cost-nothing", "vtkLightSetRadianceIntegrator.cxx",
 add("Integration.table-azimuth-mirrored", "LobePlacement.h",
     "this->Across = glm::dvec3(azimuth.x, 0.0, -azimuth.y);",
     "this->Across = glm::dvec3(-azimuth.x, 0.0, azimuth.y);",
-    "TableReference.ErrorFallsWithSize|TableIntegrator.TurningEverythingChangesNothing|Parity.TableIntegrator")
+    "TableReference.ErrorFallsWithSize|EveryMethod.TurnsWithItsEnvironment|Parity.TableIntegrator")
 add("Integration.table-polar-unit", "LobePlacement.h", "this->Polar = std::atan2(sine, d.y) / pi;",
     "this->Polar = std::atan2(sine, d.y) / (2.0 * pi);", "TableReference.ErrorFallsWithSize|Parity.TableIntegrator")
 add("Integration.table-profile-step", "LobePlacement.h", "GetTexel(profile, size * row + low + 1), exact - low);",
@@ -422,7 +418,7 @@ add("Integration.axes-jump", "LobeViews.cxx", "this->Views[k].Means.Delta = limi
     "LobeViews.AxesMoveSlowly")
 add("Integration.axes-tilt-along-the-normal", "LobeViews.cxx",
     "std::clamp(0.5 * (above + below), -farthest, farthest)", "0.5 * (above + below)", "LobeViews.AxesMoveSlowly")
-add("Core.shared-exponent-rounds-down", "SharedExponent.h",
+add("Core.shared-exponent-rounds-down", "Floats.h",
     "static_cast<std::uint32_t>(value * scale + 0.5f)", "static_cast<std::uint32_t>(value * scale)",
     "SharedExponent.ErrorIsAPartOfTheLargestComponent|SharedExponent.Ends")
 add("Integration.octahedron-folded-once", "LobePlacement.h",
@@ -430,8 +426,8 @@ add("Integration.octahedron-folded-once", "LobePlacement.h",
     "OctahedralMap.ThereAndBack|OctahedralMap.HasNoSeam")
 add("Integration.sharp-share-is-all", "LobeViews.cxx", "cell.Energy - energy / solidAngle * cell.SolidAngle",
     "cell.Energy", "LobeViews.TellsSharpFromBroad")
-add("Integration.views-are-not-lifted", "DirectionPairs.h", "LiftView(NormalizeAny(v), normal)",
-    "NormalizeAny(v)", "Integrators.LowViewsAreLifted")
+add("Integration.views-are-not-lifted", "vtkRadianceIntegrator.cxx", "LiftView(NormalizeAny(v), normal)",
+    "NormalizeAny(v)", "EveryMethod.LowViewsAreLifted")
 
 # Metrics
 
@@ -657,18 +653,15 @@ add("Planning.crowds-count-as-many", "PlanPairs.cxx", "pairs.Weights.push_back(1
 add("Planning.pictures-know-no-points", "PlanSample.cxx", "points->Weigh(all);", "", "PlanSample.OfPicturesKnowTheirPoints")
 add("Integration.other-half-unmirrored", "FieldSynthesis.cxx", "getOut(places.Mirror, -m) = sign * (even - odd);",
     "getOut(places.Mirror, -m) = sign * (even + odd);", "FieldSynthesis.IsTheSumOverHarmonics")
-add("Integration.kinds-that-are-none-count", "FieldSynthesis.cxx", "other.Real.tail(beyond) = other.Imaginary.tail(beyond) = 0.0f;", "",
-    "FieldSynthesis.IsTheSumOverHarmonics")
-add("Integration.odd-parts-unturned", "RowTransform.cxx", "turns[j * k % length * (size / length)]", "turns[j * k % length]", "RowTransform.*")
-add("Integration.tiles-without-the-lifted-rings", "TableTiles.cxx", "LiftDarkRingsOfMap(patch.data(), Wide, Wide);", "",
+add("Integration.tiles-without-the-lifted-rings", "RadianceTable.cxx", "LiftDarkRingsOfMap(patch.data(), Wide, Wide);", "",
     "TableTiles.NeedTheNodesAboutThem")
-add("Integration.azimuths-turn-backwards", "AzimuthSeries.cxx", "gain * std::sin(angle)", "-gain * std::sin(angle)",
+add("Integration.azimuths-turn-backwards", "TableSynthesis.cxx", "gain * std::sin(angle)", "-gain * std::sin(angle)",
     "AzimuthSeries.TurnsEachOrder")
 add("Planning.memory-decides-nothing", "PlanSearch.cxx", "(a.Cost == b.Cost && a.Bytes < b.Bytes)", "false",
     "Planner.EvaluateAllListsEveryMethod")
 add("Planning.pictures-without-their-density", "PlanComparison.cxx", "std::max(std::sin(turned), LeastSine);", "1.0;",
     "PlanPictures.AreWhatCamerasSee")
-add("Core.cache-lends-twice", "SharedCache.h", "{ return other == key; }", "{ (void)other; return false; }",
+add("Core.cache-lends-twice", "RecentlyUsed.h", "{ return other == key; }", "{ (void)other; return false; }",
     "SharedCache.LendsToOneAndKeepsTheLastOnes")
 add("Planning.sample-without-weights", "PlanSample.cxx", "weights[k] / draws[k]", "weights[k]",
     "PlanSample.LooksWhereMethodsDiffer")
@@ -904,11 +897,10 @@ add("Shaders.pyramid-levels-are-not-mixed", "vtkBRDFEnvironmentPyramid.glsl", "l
     "level + 1.0), 0.0)", "Parity.FilteredIntegrator")
 add("Shaders.table-azimuth-slices", "vtkBRDFEnvironmentTable.glsl", "fract(psi) * (slices - 1.0)",
     "fract(psi) * (slices - 2.0)", "Parity.TableIntegrator")
-add("Shaders.table-floor-of-another-part", "vtkBRDFEnvironmentTable.glsl", "(pairs.rgb - whole) * brdfTableLambertINSTANCE", "whole * brdfTableLambertINSTANCE",
+add("Shaders.table-floor-of-another-part", "vtkBRDFEnvironmentTable.glsl", "texelFetch(brdfTableProfileINSTANCE, ivec2(view, 1), 0)", "texelFetch(brdfTableProfileINSTANCE, ivec2(view, 0), 0)",
     "Parity.TableIntegrator")
-add("Integration.shader-profile-of-the-view-before", "ShaderProfile.h", "return static_cast<double>(texel) /",
-    "return (static_cast<double>(texel) - 0.5) /",
-    "ShaderProfile.HoldsWhatIsInterpolated")
+add("Integration.shader-profile-of-the-view-before", "RadianceTable.cxx", "= k / (ProfileTexels - 1.0)",
+    "= (k - 0.5) / (ProfileTexels - 1.0)", "ShaderProfile.HoldsWhatIsInterpolated")
 add("Material.shirley-lanes-of-one-exponent", "vtkAshikhminShirleyBRDF.cxx", "exponents[1] * ySquare", "exponents[0] * ySquare",
     "ManyLights.OfAshikhminShirley")
 add("Material.lane-logarithm-near-zero-everywhere", "LaneMath.h", "return s > 0.25f ? large : small;", "return small;",
@@ -917,16 +909,13 @@ add("Integration.lanes-of-whoever-derives", "LightLanes.cxx", "brdf && typeid(*b
     "LightLanes.AreTheMaterial")
 add("Integration.lanes-of-the-last-term", "LightLanes.cxx", "term > 0 ? sum[k] : 0.0f", "0.0f",
     "LightLanes.AreTheMaterial")
-add("Integration.shader-weights-all-in-the-integral-part", "ShaderWeights.cxx", "1.0 : 1.0 / Fractions", "1.0 : 1.0",
-    "ShaderWeights.HoldsThoseOfModes")
-add("Integration.core-weights-of-another-channel", "RadianceCore.cxx", "make_vec3(&this->Units[3 * k])", "vec3(this->Units[3 * k])",
-    "Parity.FactoredIntegrator")
-add("Integration.core-weights-without-their-signs", "ShaderWeights.cxx", '" *= abs(" + low', '" *= (" + low', "Parity.FactoredIntegrator")
+add("Integration.core-weights-of-another-channel", "RadianceCore.cxx", "static_cast<float>(weights[c])", "static_cast<float>(weights[0])",
+    "ShaderWeights.HoldsThoseOfModes|Parity.FactoredIntegrator")
 add("Shaders.lamps-parts-by-the-count", "vtkBRDFEnvironmentLamps.glsl", "floor(whole.a / COUNT_BASE)", "whole.a - COUNT_BASE * floor(whole.a / COUNT_BASE)",
     "Parity.HybridOfWideLamps")
-add("Integration.lamps-count-one-part-more", "TableLamps.cxx", "CountBase * start + std::max", "CountBase * start + 1 + std::max",
+add("Integration.lamps-count-one-part-more", "Lamps.cxx", "CountBase * start + std::max", "CountBase * start + 1 + std::max",
     "Parity.HybridOfWideLamps")
-add("Integration.lamps-window-with-an-edge", "LampWindow.h", "x < 1.0 ? root * root : 0.0", "x < 1.0 ? 1.0 : 0.0",
+add("Integration.lamps-window-with-an-edge", "Lamps.h", "x < 1.0 ? root * root : 0.0", "x < 1.0 ? 1.0 : 0.0",
     "LampWindow.EndsWithoutAnEdge|HybridLamps.NothingShowsWhereTheWindowEnds")
 add("Integration.lamps-in-the-table-again", "LobeHarmonics.cxx", "1.0 - window.GetWeight(i, axis)", "1.0",
     "HybridLamps.AddUpToTheLamps")
@@ -938,15 +927,15 @@ add("Integration.lamps-have-no-parts", "MaterialPrecomputation.cxx", "LampBRDF::
     "HybridLamps.HaveParts")
 add("Integration.lamps-of-resampled-materials", "vtkHybridRadianceIntegrator.cxx", "!this->BRDF->IsRenderable()", "this->BRDF == nullptr",
     "HybridLamps.MaterialsWithoutGLSLTakeTheTableOfMeans")
-add("Integration.lamps-parts-are-the-first", "TableLamps.cxx", "    first += count;\n", "", "Parity.HybridOfWideLamps")
-add("Integration.lamp-lobes-of-half-a-turn", "LampBRDF.cxx", "FindCorners(2.0 * std::abs(u.x)", "FindCorners(std::abs(u.x)",
+add("Integration.lamps-parts-are-the-first", "Lamps.cxx", "    first += count;\n", "", "Parity.HybridOfWideLamps")
+add("Integration.lamp-lobes-of-half-a-turn", "Lamps.cxx", "FindCorners(2.0 * std::abs(u.x)", "FindCorners(std::abs(u.x)",
     "LampBRDF.IsTheMeanOverALamp")
 add("Integration.lamps-seen-from-the-horizon", "LobeViews.cxx", "GetAngle(k) <= farthest", "GetAngle(k) <= Pi",
     "LampBRDF.IsForLobesAsNarrowAsLamps")
 add("Lighting.lamps-of-one-texel-are-points", "ExtractedEmitters.cxx", "0.5 * (row * row + column * column) / 6.0", "0.0",
     "ExtractedEmitters.LampsAreOneLightEach|HybridLamps.AreAreasForNarrowLobes")
 add("Shaders.lamp-lobes-of-half-a-turn", "vtkBRDFEnvironmentLampLobe.glsl", "u.x = 2.0 * abs", "u.x = abs", "Parity.HybridOfWideLamps")
-add("Integration.lamps-lambert-part-twice", "TableLamps.cxx", "(f - lambert) * part.Irradiance", "f * part.Irradiance",
+add("Integration.lamps-lambert-part-twice", "Lamps.cxx", "(f - lambert) * part.Irradiance", "f * part.Irradiance",
     "HybridLamps.AddUpToTheLamps|Parity.HybridIntegrator")
 add("Shaders.lamps-only-the-first", "vtkBRDFEnvironmentLamps.glsl", "while (found != 0)", "while (false)",
     "Parity.HybridOfManyLamps")
@@ -1276,7 +1265,7 @@ add("Rendering.map-nothing-is-highlighted", "DividedSurface.cxx", "this->Highlig
 add("Rendering.map-names-upload-images", "WeightImages.cxx",
     "source.emplace_back(map->GetWeightImage(k), map->GetWeightImage(k)->GetMTime());",
     "source.emplace_back(map->GetWeightImage(k), map->GetMTime());", "MaterialMapping.OnlyChangedImagesAreUploaded")
-add("Integration.tails-of-one-side", "TailRegularity.cxx", "for (const double turn : { azimuth, -azimuth })",
+add("Integration.tails-of-one-side", "vtkHybridRadianceIntegrator.cxx", "for (const double turn : { azimuth, -azimuth })",
     "for (const double turn : { azimuth, azimuth })", "TailRegularity.OfOddTables")
 add("Visibility.occluders-stay", "vtkSurfaceVisibilityFilter.cxx", "occluder.Matrix ? occluder.Matrix->GetMTime() : 0", "0",
     "OcclusionStability.OccludersMayMove")

@@ -9,7 +9,7 @@
 #define OcclusionReference_h
 
 #include "HorizonLight.h"
-#include "LampWindow.h"
+#include "Lamps.h"
 #include "OcclusionLight.h"
 
 #include <glm/glm.hpp>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BackgroundThreads.h"
 
-#include "RunGuarded.h"
+#include "ParallelFor.h"
 #include "vtkSMPTools.h"
 
 #include <chrono>
@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-#if !defined(_WIN32)
 #include <unistd.h>
-#endif
 
 namespace measuredbrdf
 {
@@ -68,20 +66,11 @@ private:
     }
     this->Register();
     this->TakeDone(done);
-    std::list<Entry> made;
-    try
+    try // there may be no memory, or no thread
     {
-      made.emplace_back();
-    }
-    catch (const std::exception&) // no memory
-    {
-      return false;
-    }
-    const auto place = made.begin();
-    this->Entries.splice(this->Entries.end(), made);
-    place->Stop = std::move(stop);
-    try
-    {
+      std::list<Entry> made(1);
+      const auto place = made.begin();
+      place->Stop = std::move(stop);
       place->Thread = std::thread(
         [this, place, own = std::move(work)]() mutable
         {
@@ -91,10 +80,10 @@ private:
           place->IsDone = true;
           this->Changed.notify_all();
         });
+      this->Entries.splice(this->Entries.end(), made);
     }
-    catch (const std::exception&) // no thread, or no memory for one
+    catch (const std::exception&)
     {
-      this->Entries.erase(place);
       return false;
     }
     return true;
@@ -129,17 +118,12 @@ private:
     {
       vtkSMPTools::GetEstimatedNumberOfThreads();
       this->IsRegistered = std::atexit([]() { Get().End(); }) == 0;
-#if !defined(_WIN32)
       this->Process = ::getpid();
-#endif
     }
   }
 
   void End()
   {
-#if defined(_WIN32)
-    return; // other threads are gone, perhaps with locks held, when libraries end there
-#else
     if (::getpid() != this->Process) // a fork has none of the threads
     {
       return;
@@ -177,7 +161,6 @@ private:
     {
       (*release)();
     }
-#endif
   }
 
   std::mutex Mutex;
@@ -186,9 +169,7 @@ private:
   std::vector<std::function<void()>> Releases;
   bool IsRegistered = false;
   bool IsEnding = false;
-#if !defined(_WIN32)
   pid_t Process = 0;
-#endif
 };
 }
 

@@ -145,8 +145,8 @@ public:
   {
     u = glm::clamp(u, glm::dvec2(0.0), glm::dvec2(1.0));
     // Row by the marginal CDF.
-    const std::size_t height = static_cast<std::size_t>(this->Height);
-    const std::size_t width = static_cast<std::size_t>(this->Width);
+    const std::size_t height = this->Height;
+    const std::size_t width = this->Width;
     const auto marginal = [&](std::size_t y)
     { return this->Lookup(this->Marginal, y, height, slices); };
     const std::size_t row = FindInterval(height, u.y, marginal);
@@ -178,12 +178,12 @@ public:
   {
     glm::dvec2 fraction;
     const std::size_t cell = this->FindCell(u, fraction);
-    const std::size_t width = static_cast<std::size_t>(this->Width);
+    const std::size_t width = this->Width;
     const std::size_t row = cell / width;
     // All that is looked up, in one pass over the slices.
     Patch v{ 0.0, 0.0, 0.0, 0.0 };
     double before0 = 0.0, before1 = 0.0, r0 = 0.0, r1 = 0.0, below = 0.0;
-    const std::size_t height = static_cast<std::size_t>(this->Height);
+    const std::size_t height = this->Height;
     for (int k = 0; k < slices.Count; ++k)
     {
       const std::size_t slice = slices.Index[k];
@@ -277,7 +277,7 @@ private:
 
   double RowTotal(std::size_t row, const Slices& slices) const
   {
-    const std::size_t width = static_cast<std::size_t>(this->Width);
+    const std::size_t width = this->Width;
     return this->Lookup(this->Conditional, (row + 1) * width - 1, this->GetSliceSize(), slices);
   }
 
@@ -293,7 +293,7 @@ private:
 
   void AddPatch(std::size_t cell, std::size_t slice, double weight, Patch& patch) const
   {
-    const std::size_t width = static_cast<std::size_t>(this->Width);
+    const std::size_t width = this->Width;
     const double* v = &this->Values[slice * this->GetSliceSize() + cell];
     patch.V00 += weight * v[0];
     patch.V10 += weight * v[1];

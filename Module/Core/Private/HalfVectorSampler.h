@@ -46,7 +46,7 @@ std::vector<double> MeanOverDifferenceAngles(int nTheta, int nPhi, Function eval
         o = turn(o);
         double f[3];
         evaluate(&i.x, &o.x, f);
-        weights[static_cast<std::size_t>(cell)] += (f[0] + f[1] + f[2]) * i.z;
+        weights[cell] += (f[0] + f[1] + f[2]) * i.z;
       }
     }
   }
@@ -67,7 +67,7 @@ public:
     , LobeShare(lobeShare)
   {
     std::vector<double> masses(weights.size());
-    this->SolidAngles.resize(static_cast<std::size_t>(nTheta));
+    this->SolidAngles.resize(nTheta);
     for (int t = 0; t < nTheta; ++t)
     {
       this->SolidAngles[t] = (this->CosineAt(t) - this->CosineAt(t + 1)) * 2.0 * Pi / nPhi;
@@ -83,6 +83,9 @@ public:
       this->LobeShare = 0.0;
     }
   }
+
+  /// Integral of the density over all half vectors; not above 0: all draws are cosine-weighted.
+  double GetTotal() const { return this->Cells.GetTotal(); }
 
   bool Sample(const glm::dvec3& o, double u1, double u2, glm::dvec3& i) const
   {

@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A bounded cache: values by their keys, those that were used last.
+ * Bounded caches: values by their keys, those that were used last.
  */
 
 #ifndef RecentlyUsed_h
 #define RecentlyUsed_h
 
+#include "BackgroundThreads.h"
+
 #include <cstddef>
 #include <iterator>
 #include <list>
 #include <map>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 namespace measuredbrdf
@@ -42,26 +46,35 @@ public:
   /// The value of a key, a new one where there is none. The one used longest ago goes for it.
   Value& operator[](const Key& key)
   {
+    Value& value = this->Add(key);
+    this->TakeSurplus();
+    return value;
+  }
+
+  /// The same, but none goes yet.
+  Value& Add(const Key& key)
+  {
     if (Value* known = this->Find(key))
     {
       return *known;
     }
-    this->Entries.emplace_front(key, Value());
-    try
-    {
-      this->Places.emplace(key, this->Entries.begin());
-    }
-    catch (...) // no memory
-    {
-      this->Entries.pop_front();
-      throw;
-    }
+    std::list<Entry> made;
+    made.emplace_back(key, Value());
+    this->Places.emplace(key, made.begin());
+    this->Entries.splice(this->Entries.begin(), made);
+    return this->Entries.front().second;
+  }
+
+  /// Those used longest ago, which are too many, for the caller to destroy.
+  std::list<std::pair<Key, Value>> TakeSurplus()
+  {
+    std::list<Entry> surplus;
     while (this->Entries.size() > this->Most)
     {
       this->Places.erase(this->Entries.back().first);
-      this->Entries.pop_back();
+      surplus.splice(surplus.end(), this->Entries, std::prev(this->Entries.end()));
     }
-    return this->Entries.front().second;
+    return surplus;
   }
 
   /// Remove all whose key and value the condition holds for.
@@ -80,10 +93,13 @@ public:
     }
   }
 
-  void Clear()
+  void Clear() { this->TakeAll(); }
+
+  /// All, for the caller to destroy.
+  std::list<std::pair<Key, Value>> TakeAll()
   {
     this->Places.clear();
-    this->Entries.clear();
+    return std::exchange(this->Entries, {});
   }
 
   /// How many are kept from now on, at least one.
@@ -102,6 +118,63 @@ private:
   std::list<Entry> Entries;
   std::map<Key, typename std::list<Entry>::iterator> Places;
   std::size_t Most;
+};
+
+/// A RecentlyUsed that any thread may call.
+template <typename Key, typename Value>
+class SharedCache
+{
+public:
+  explicit SharedCache(std::size_t most)
+    : Values(most)
+  {
+  }
+
+  /// One for the process. Threads of a program may ask it after the statics are gone, so it stays;
+  /// its values go when the process ends (ReleaseAtExit).
+  static SharedCache& MakeForProcess(std::size_t most)
+  {
+    auto* made = new SharedCache(most);
+    ReleaseAtExit([made]() { made->Clear(); });
+    return *made;
+  }
+
+  /// A copy of what is known.
+  std::optional<Value> Find(const Key& key)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    const Value* known = this->Values.Find(key);
+    return known ? std::optional<Value>(*known) : std::nullopt;
+  }
+
+  void Put(const Key& key, Value value)
+  {
+    std::list<std::pair<Key, Value>> surplus; // destroyed, as what is replaced, after the lock
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    std::swap(this->Values.Add(key), value);
+    surplus = this->Values.TakeSurplus();
+  }
+
+  /// What is known is the caller's own from now on: others find nothing until it is put back.
+  std::optional<Value> Take(const Key& key)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    Value* known = this->Values.Find(key);
+    std::optional<Value> taken = known ? std::optional<Value>(std::move(*known)) : std::nullopt;
+    this->Values.RemoveIf([&key](const Key& other, const Value&) { return other == key; });
+    return taken;
+  }
+
+  void Clear()
+  {
+    std::list<std::pair<Key, Value>> all; // likewise
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    all = this->Values.TakeAll();
+  }
+
+private:
+  std::mutex Mutex;
+  RecentlyUsed<Key, Value> Values;
 };
 } // namespace measuredbrdf
 

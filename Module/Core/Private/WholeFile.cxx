@@ -9,13 +9,9 @@
 #include <stdexcept>
 #include <system_error>
 
-#if defined(_WIN32)
-#include <fstream>
-#else
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#endif
 
 namespace measuredbrdf
 {
@@ -94,7 +90,6 @@ std::string MakePartName()
   return name + ".part";
 }
 
-#if !defined(_WIN32)
 // For names in a folder, which need not be readable.
 #if defined(O_PATH)
 constexpr int ForNames = O_PATH | O_DIRECTORY | O_CLOEXEC;
@@ -159,14 +154,12 @@ void WriteInto(const std::string& path, std::string_view bytes)
     FailToWrite(path);
   }
 }
-#endif
 }
 
 //------------------------------------------------------------------------------
 void CheckWritePlace(const std::string& path)
 {
   const fs::path place = FindPlace(path);
-#if !defined(_WIN32)
   std::error_code error;
   if (!place.empty() && ::access(GetFolder(place).c_str(), W_OK) != 0)
   {
@@ -176,32 +169,9 @@ void CheckWritePlace(const std::string& path)
   {
     FailToWrite(path);
   }
-#endif
 }
 
 //------------------------------------------------------------------------------
-#if defined(_WIN32)
-void WriteWholeFile(const std::string& path, std::string_view bytes)
-{
-  CheckWritePlace(path);
-  const fs::path place = FindPlace(path);
-  const fs::path part = GetFolder(place) / MakePartName();
-  std::ofstream file(part, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  std::error_code error = std::make_error_code(std::errc::io_error);
-  if (file)
-  {
-    fs::rename(part, place, error);
-  }
-  if (error)
-  {
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    FailToWrite(path, error.message());
-  }
-}
-#else
 void WriteWholeFile(const std::string& path, std::string_view bytes)
 {
   CheckWritePlace(path);
@@ -237,5 +207,4 @@ void WriteWholeFile(const std::string& path, std::string_view bytes)
   // The name, too, where the folder is readable; the file is whole either way.
   OpenFile(::openat(folder.Get(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC)).Sync();
 }
-#endif
 } // namespace measuredbrdf

@@ -13,16 +13,23 @@
 #ifndef WignerD_h
 #define WignerD_h
 
-#include "LogFactorial.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <math.h> // for lgamma_r, which is POSIX's
 #include <vector>
 
 namespace measuredbrdf
 {
+/// A thread-safe log n!. (In some C libraries std::lgamma also writes the sign of the gamma
+/// function to a global variable.)
+inline double LogFactorial(int n)
+{
+  int sign;
+  return ::lgamma_r(n + 1.0, &sign);
+}
+
 /// The recursion's coefficients for one m and k, to be used for many theta.
 class WignerD
 {
@@ -54,7 +61,7 @@ public:
     }
     this->Sign = negative ? -1.0 : 1.0;
     double before = 0.0; // the root of the degree below: at the first one it is 0
-    this->Steps.reserve(static_cast<std::size_t>(this->Last - l));
+    this->Steps.reserve(this->Last - l);
     for (int degree = l; degree < this->Last; ++degree)
     {
       const double d = degree;
@@ -73,7 +80,7 @@ public:
   bool IsEmpty() const { return this->First > this->Last; }
 
   ///@{
-  /// The recursion, for those who do it on their own (WignerLanes.h): d at the lowest degree, of
+  /// The recursion, for those who do it on their own (SynthesisLanes.h): d at the lowest degree, of
   /// the logarithms of cos(theta/2) and sin(theta/2), and
   /// d[l + 1] = A (cos(theta) - B) d[l] - C d[l - 1].
   struct Step

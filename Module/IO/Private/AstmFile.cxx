@@ -21,8 +21,8 @@
 #include "HalfVector.h"
 #include "MaterialFormat.h"
 #include "NumberText.h"
+#include "SRGB.h"
 #include "SpectralColor.h"
-#include "XYZColor.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "FileBytes.h"
 #include "NumberText.h"
 #include "Printable.h"
-#include "XYZColor.h"
+#include "SRGB.h"
 
 #include <glm/gtc/type_ptr.hpp>
 

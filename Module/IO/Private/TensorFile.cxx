@@ -9,9 +9,9 @@
  * RGB as SpectralColor.h says: sums over the CIE 1931 color-matching functions under D65.
  */
 
+#include "Floats.h"
 #include "MaterialFormat.h"
 #include "NumberText.h"
-#include "RoundingNoise.h"
 #include "SpectralColor.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkSmartPointer.h"

@@ -3,7 +3,13 @@
 #include "AdaptiveSum.h"
 
 #include "HalfVector.h" // for Pi
+#include "LobeSampler.h"
+#include "LowDiscrepancy.h"
+#include "ParallelFor.h"
+#include "TexelTree.h"
 #include "vtkBRDF.h"
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +17,254 @@
 
 namespace measuredbrdf
 {
+namespace
+{
+// So that sums of a few, and their errors, stay finite in single precision.
+constexpr float LargestValue = 1e36f;
+}
+
+void SquareMiddles::SetQuarters(std::size_t at, const TexelTree& texels, int level, int x, int y)
+{
+  float* const directions[3] = { this->Directions[0] + at, this->Directions[1] + at,
+    this->Directions[2] + at };
+  float* const irradiances[3] = { this->Irradiances[0] + at, this->Irradiances[1] + at,
+    this->Irradiances[2] + at };
+  texels.GetQuarters(level, x, y, directions, irradiances);
+}
+
+void SquareMiddles::Turn(int count, const float rows[9])
+{
+  const auto some = [count](float* of) { return Eigen::Map<Eigen::ArrayXf>(of, count); };
+  const auto x = some(this->Directions[0]);
+  const auto y = some(this->Directions[1]);
+  const auto z = some(this->Directions[2]);
+  for (int c = 0; c < 3; ++c)
+  {
+    some(this->Lights[c]) = rows[3 * c] * x + rows[3 * c + 1] * y + rows[3 * c + 2] * z;
+  }
+  some(this->Cosines) = some(this->Lights[2]);
+  for (int c = 0; c < 3; ++c)
+  {
+    some(this->Factors[c]) = some(this->Irradiances[c]) * some(this->Cosines);
+  }
+  // No branch: which ones count is a matter of chance.
+  this->Counting = 0;
+  for (int k = 0; k < count; ++k)
+  {
+    this->Numbers[this->Counting] = k;
+    const float sum = this->Irradiances[0][k] + this->Irradiances[1][k] + this->Irradiances[2][k];
+    this->Counting += static_cast<int>(this->Cosines[k] > 0.0f) & static_cast<int>(sum > 0.0f);
+  }
+  for (int c = 0; c < 3 && this->Counting < count; ++c)
+  {
+    for (int k = 0; k < this->Counting; ++k)
+    {
+      this->Lights[c][k] = this->Lights[c][this->Numbers[k]];
+      this->Factors[c][k] = this->Factors[c][this->Numbers[k]];
+    }
+  }
+}
+
+void SquareMiddles::Weigh(int count, float f[3][Most])
+{
+  const auto some = [this](float* of) { return Eigen::Map<Eigen::ArrayXf>(of, this->Counting); };
+  for (int c = 0; c < 3; ++c)
+  {
+    const Eigen::ArrayXf values = some(f[c]) * some(this->Factors[c]);
+    some(f[c]) = values.isNaN().select(0.0f, values).min(LargestValue); // infinite f, black light
+    std::fill_n(this->Values[c], count, 0.0f);
+    for (int k = 0; k < this->Counting; ++k)
+    {
+      this->Values[c][this->Numbers[k]] = f[c][k];
+    }
+  }
+}
+
+namespace
+{
+constexpr std::uint32_t NumberOfDraws = 64;
+constexpr int NumberOfViews = 256; // over theta_o
+
+glm::dvec2 GetPoint(std::uint32_t k)
+{
+  return glm::dvec2((k + 0.5) / NumberOfDraws, RadicalInverse(k, 2));
+}
+
+double GetTheta(int view) { return 0.5 * Pi * (view + 0.5) / NumberOfViews; }
+
+// Peaks: of every fourth view, over a square that the hemisphere fills by area.
+constexpr int ViewsPerPeaks = 4;
+constexpr int PeakSize = 64;
+constexpr int PeakLevels = 6; // 64, 32, ..., 2
+constexpr int PeakCellsOfView = 5460;
+constexpr double PeakWidth = 2.50662827 / PeakSize; // of a first cell, in rad: of sqrt(2 Pi)
+
+int GetLevelOffset(int level)
+{
+  int offset = 0;
+  for (int k = 0; k < level; ++k)
+  {
+    offset += (PeakSize >> k) * (PeakSize >> k);
+  }
+  return offset;
+}
+
+// Within 1e-5 for 0 <= t <= 1: Abramowitz, Stegun 1964, 4.4.49.
+double GetArcTangent(double t)
+{
+  const double s = t * t;
+  return t * (0.9998660 + s * (-0.3302995 + s * (0.1801410 + s * (-0.0851330 + s * 0.0208351))));
+}
+
+// HemisphereToSquare to 1e-5, which sums call at each step, to [0,1]^2.
+glm::dvec2 ToPeakSquare(const glm::dvec3& d)
+{
+  const double r = std::sqrt(std::max(1.0 - d.z, 0.0));
+  const double ax = std::abs(d.x);
+  const double ay = std::abs(d.y);
+  const double largest = std::max(ax, ay);
+  const double a = largest > 0.0 ? r * GetArcTangent(std::min(ax, ay) / largest) * 4.0 / Pi : 0.0;
+  const glm::dvec2 p = ax > ay ? glm::dvec2(r, a) : glm::dvec2(a, r);
+  return glm::dvec2(std::copysign(p.x, d.x), std::copysign(p.y, d.y)) * 0.5 + 0.5;
+}
+}
+
+ReflectionGuide::ReflectionGuide(vtkBRDF* brdf)
+  : BRDF(brdf)
+{
+  if (!brdf->IsIsotropic())
+  {
+    return;
+  }
+  const LobeTable table(brdf);
+  std::vector<std::vector<Draw>> views(NumberOfViews);
+  measuredbrdf::ParallelForEach(NumberOfViews,
+    [&](int view)
+    {
+      const double theta = GetTheta(view);
+      const LobeSampler sampler(brdf, glm::dvec3(std::sin(theta), 0.0, std::cos(theta)), &table);
+      for (std::uint32_t k = 0; k < NumberOfDraws && !sampler.IsBlack(); ++k)
+      {
+        double density = 0.0;
+        const glm::dvec3 i = sampler.Sample(GetPoint(k), density);
+        if (i.z > 0.0 && density > 0.0)
+        {
+          views[view].push_back({ i, 1.0 / (NumberOfDraws * density) });
+        }
+      }
+    });
+  this->Views = std::move(views);
+  this->TabulatePeaks();
+}
+
+void ReflectionGuide::TabulatePeaks()
+{
+  constexpr int views = NumberOfViews / ViewsPerPeaks;
+  this->PeakCells.resize(static_cast<std::size_t>(views) * PeakCellsOfView);
+  measuredbrdf::ParallelForEach(views,
+    [&](int view)
+    {
+      const double theta = 0.5 * Pi * (static_cast<double>(view) + 0.5) / views;
+      const double o[3] = { std::sin(theta), 0.0, std::cos(theta) };
+      float* fine = &this->PeakCells[static_cast<std::size_t>(view) * PeakCellsOfView];
+      for (int k = 0; k < PeakSize * PeakSize; ++k)
+      {
+        const glm::dvec3 i = SquareToHemisphere(
+          (glm::dvec2(k % PeakSize, k / PeakSize) + 0.5) * (2.0 / PeakSize) - 1.0);
+        glm::dvec3 f;
+        this->BRDF->Evaluate(&i.x, o, &f.x);
+        fine[k] = static_cast<float>(f.x + f.y + f.z);
+      }
+      for (int level = 1; level < PeakLevels; ++level)
+      {
+        const int size = PeakSize >> level;
+        float* coarse = fine + 4 * size * size;
+        for (int k = 0; k < size * size; ++k)
+        {
+          const float* from = fine + 2 * (k / size) * 2 * size + 2 * (k % size);
+          coarse[k] =
+            std::max(std::max(from[0], from[1]), std::max(from[2 * size], from[2 * size + 1]));
+        }
+        fine = coarse;
+      }
+    });
+}
+
+ReflectionGuide::Peaks ReflectionGuide::GetPeaks(const glm::dvec3& o) const
+{
+  Peaks peaks;
+  if (!this->PeakCells.empty())
+  {
+    constexpr int views = NumberOfViews / ViewsPerPeaks;
+    const int view = static_cast<int>(std::acos(std::min(o.z, 1.0)) / (0.5 * Pi) * views);
+    peaks.Cells =
+      &this->PeakCells[static_cast<std::size_t>(std::clamp(view, 0, views - 1)) * PeakCellsOfView];
+    const double s = std::hypot(o.x, o.y);
+    peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, o.y) / s : glm::dvec2(1.0, 0.0);
+  }
+  return peaks;
+}
+
+double ReflectionGuide::Peaks::Get(const glm::dvec3& i, double radius, double& solidAngle) const
+{
+  constexpr double cell = 2.0 * Pi / (PeakSize * PeakSize);
+  solidAngle = cell;
+  if (!this->Cells)
+  {
+    return 0.0;
+  }
+  // Two cells by two of a level whose cells are as wide as the radius, the nearest ones.
+  int level = 0;
+  for (double width = PeakWidth; level + 1 < PeakLevels && width < radius; width *= 2.0)
+  {
+    ++level;
+  }
+  const int size = PeakSize >> level;
+  const glm::dvec2 uv = ToPeakSquare(glm::dvec3(this->Azimuth.x * i.x + this->Azimuth.y * i.y,
+                          this->Azimuth.x * i.y - this->Azimuth.y * i.x, i.z)) *
+                          static_cast<double>(size) -
+                        0.5;
+  const float* cells = this->Cells + GetLevelOffset(level);
+  const int x = std::clamp(static_cast<int>(std::floor(uv.x)), 0, size - 2);
+  const int y = std::clamp(static_cast<int>(std::floor(uv.y)), 0, size - 2);
+  const float* from = cells + y * size + x;
+  return std::max(std::max(from[0], from[1]), std::max(from[size], from[size + 1]));
+}
+
+void ReflectionGuide::Draws(const glm::dvec3& o, std::vector<Draw>& draws) const
+{
+  draws.clear();
+  if (this->Views.empty())
+  {
+    for (std::uint32_t k = 0; k < NumberOfDraws; ++k)
+    {
+      const glm::dvec2 u = GetPoint(k);
+      glm::dvec3 i;
+      if (this->BRDF->Sample(&o.x, u.x, u.y, &i.x))
+      {
+        const double density = this->BRDF->Pdf(&i.x, &o.x);
+        if (density > 0.0)
+        {
+          draws.push_back({ i, 1.0 / (NumberOfDraws * density) });
+        }
+      }
+    }
+    return;
+  }
+  const int view = static_cast<int>(std::acos(std::min(o.z, 1.0)) / (0.5 * Pi) * NumberOfViews);
+  draws = this->Views[std::clamp(view, 0, NumberOfViews - 1)];
+  const double s = std::hypot(o.x, o.y);
+  if (s > 0.0)
+  {
+    for (Draw& draw : draws) // about the normal, to the view's azimuth
+    {
+      const glm::dvec3 d = draw.Direction;
+      draw.Direction.x = (o.x * d.x - o.y * d.y) / s;
+      draw.Direction.y = (o.y * d.x + o.x * d.y) / s;
+    }
+  }
+}
+
 namespace
 {
 constexpr int WidestBase = 16; // squares across the map to begin with
@@ -113,7 +367,7 @@ constexpr std::size_t MostSquares = 1 << 20;
 constexpr std::size_t MostSquaresOfSeveral = 1 << 16;
 ///@}
 
-float SumOf(const float rgb[3]) { return (rgb[0] + rgb[1]) + rgb[2]; }
+float SumOf(const glm::vec3& rgb) { return (rgb.x + rgb.y) + rgb.z; }
 
 // Of the sum of squares' errors, and of the sum of their squares: errors of either sign cancel, but
 // for the part that they have in common.
@@ -239,11 +493,11 @@ void AdaptiveSum<Size>::Make(std::size_t first, std::size_t last)
     for (int pair = 0; pair < Size; ++pair)
     {
       auto& of = this->All[k].Of[pair];
-      for (int c = 0; c < 3; ++c)
+      for (std::size_t quarter = 0; quarter < 4; ++quarter)
       {
-        std::copy_n(this->Steps[pair].Values[c] + at, 4, of.Quarters[c]);
+        of.Quarters[quarter] = this->Steps[pair].GetValue(at + quarter);
+        of.Cosines[quarter] = this->Steps[pair].Cosines[at + quarter];
       }
-      std::copy_n(this->Steps[pair].Cosines + at, 4, of.Cosines);
     }
     this->Finish(k);
   }
@@ -260,16 +514,10 @@ void AdaptiveSum<Size>::Finish(std::size_t index)
   const float left = level > 0 ? std::max(rest, LeastRest) : PartRest;
   for (auto& of : square.Of)
   {
-    float changed = 0.0f;
-    for (int c = 0; c < 3; ++c)
-    {
-      const float* const quarters = of.Quarters[c];
-      const float sum = (quarters[0] + quarters[1]) + (quarters[2] + quarters[3]);
-      const float change = sum - of.Whole[c];
-      changed += std::abs(change);
-      of.Value[c] = isLast ? sum : std::max(sum + rest * change, 0.0f);
-    }
-    of.Error = isLast ? 0.0f : left * changed;
+    const glm::vec3 sum = (of.Quarters[0] + of.Quarters[1]) + (of.Quarters[2] + of.Quarters[3]);
+    const glm::vec3 change = sum - of.Whole;
+    of.Value = isLast ? sum : glm::max(sum + rest * change, 0.0f);
+    of.Error = isLast ? 0.0f : left * SumOf(glm::abs(change));
   }
   if (!isLast)
   {
@@ -312,7 +560,7 @@ void AdaptiveSum<Size>::Keep(std::size_t index)
   if (this->IsQueuing && square.IsQueued)
   {
     square.Key = this->GetKey(square);
-    this->Queue.Add(square.Key, static_cast<std::uint32_t>(index));
+    this->Queue.emplace(square.Key, static_cast<std::uint32_t>(index));
   }
 }
 
@@ -323,10 +571,7 @@ void AdaptiveSum<Size>::Count(const Square& square, double sign)
   for (int pair = 0; pair < Size; ++pair)
   {
     const auto& of = square.Of[pair];
-    for (int c = 0; c < 3; ++c)
-    {
-      this->Totals[pair][c] += sign * of.Value[c];
-    }
+    this->Totals[pair] += sign * glm::dvec3(of.Value);
     const double error = of.Error;
     this->Errors[pair] += sign * error;
     this->Squares[pair] += sign * error * error;
@@ -380,10 +625,7 @@ void AdaptiveSum<Size>::AddQuarters(std::size_t index)
     {
       for (int pair = 0; pair < Size; ++pair)
       {
-        for (int c = 0; c < 3; ++c)
-        {
-          this->Totals[pair][c] += this->All[index].Of[pair].Quarters[c][k];
-        }
+        this->Totals[pair] += glm::dvec3(this->All[index].Of[pair].Quarters[k]);
       }
       continue;
     }
@@ -395,10 +637,7 @@ void AdaptiveSum<Size>::AddQuarters(std::size_t index)
       auto& to = quarter.Of[pair];
       to.LeastError = InheritedShare * from.Error;
       to.Cosine = from.Cosines[k];
-      for (int c = 0; c < 3; ++c)
-      {
-        to.Whole[c] = from.Quarters[c][k];
-      }
+      to.Whole = from.Quarters[k];
     }
   }
 }
@@ -438,21 +677,15 @@ void AdaptiveSum<Size>::Start(const ReflectionGuide& guide)
       for (int pair = 0; pair < Size; ++pair)
       {
         const SquareMiddles& middles = this->Steps[pair];
-        for (int c = 0; c < 3; ++c)
-        {
-          if (square)
-          {
-            square->Of[pair].Whole[c] = middles.Values[c][k];
-          }
-          else
-          {
-            this->Totals[pair][c] += middles.Values[c][k];
-          }
-        }
         if (square)
         {
           square->Of[pair].LeastError = 0.0f;
           square->Of[pair].Cosine = middles.Cosines[k];
+          square->Of[pair].Whole = middles.GetValue(k);
+        }
+        else
+        {
+          this->Totals[pair] += glm::dvec3(middles.GetValue(k));
         }
       }
     }
@@ -468,7 +701,7 @@ void AdaptiveSum<Size>::Start(const ReflectionGuide& guide)
     if (square.IsQueued)
     {
       square.Key = this->GetKey(square);
-      this->Queue.Add(square.Key, static_cast<std::uint32_t>(k));
+      this->Queue.emplace(square.Key, static_cast<std::uint32_t>(k));
     }
   }
 }
@@ -504,7 +737,7 @@ void AdaptiveSum<Size>::Run(const TexelTree& texels, const ReflectionGuide& guid
   this->NumberOfAll = 0;
   this->NumberOfMade = 0;
   this->Evaluations = 0;
-  this->Queue.Clear();
+  this->Queue = {};
   for (int pair = 0; pair < Size; ++pair)
   {
     this->Pairs[pair] = pairs[pair];
@@ -517,17 +750,18 @@ void AdaptiveSum<Size>::Run(const TexelTree& texels, const ReflectionGuide& guid
     this->Totals[pair] = glm::dvec3(0.0);
   }
   this->Start(guide);
-  while (!this->Queue.IsEmpty() && this->NumberOfAll < most && this->FindWeights())
+  while (!this->Queue.empty() && this->NumberOfAll < most && this->FindWeights())
   {
-    for (int k = 0; k < dividedAtOnce && !this->Queue.IsEmpty();)
+    for (int k = 0; k < dividedAtOnce && !this->Queue.empty();)
     {
-      const std::uint32_t index = this->Queue.Take();
+      const std::uint32_t index = this->Queue.top().second;
+      this->Queue.pop();
       Square& square = this->All[index];
       const float key = this->GetKey(square);
       if (key < StaleShare * square.Key) // it was queued for a pair that is exact by now
       {
         square.Key = key;
-        this->Queue.Add(key, index);
+        this->Queue.emplace(key, index);
         continue;
       }
       this->Count(square, -1.0);

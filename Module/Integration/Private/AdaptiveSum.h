@@ -9,20 +9,104 @@
 #ifndef AdaptiveSum_h
 #define AdaptiveSum_h
 
-#include "ErrorQueue.h"
 #include "LightLanes.h"
 #include "LocalFrame.h"
-#include "ReflectionGuide.h"
-#include "SquareMiddles.h"
 #include "TexelTree.h"
+#include "vtkSmartPointer.h"
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <queue>
+#include <utility>
 #include <vector>
+
+class vtkBRDF;
 
 namespace measuredbrdf
 {
+/// The middles of many squares of the sky in one step of an adaptive sum, one beside the other, in
+/// single precision: sums of many are not.
+struct SquareMiddles
+{
+  static constexpr int Most = 64;
+
+  // To be set: of each middle.
+  float Directions[3][Most]; // in the sky's frame
+  float Irradiances[3][Most];
+
+  // What Turn finds: of each middle, and of those that count, which are above the horizon and not
+  // black.
+  float Cosines[Most];    // of theta_i
+  float Lights[3][Most];  // their directions in the local frame
+  float Factors[3][Most]; // irradiance times cosine
+  int Numbers[Most];      // of those that count
+  int Counting;
+
+  // What Weigh finds: of each middle, f times its factor; 0 where it does not count.
+  float Values[3][Most];
+  glm::vec3 GetValue(std::size_t k) const
+  {
+    return { this->Values[0][k], this->Values[1][k], this->Values[2][k] };
+  }
+
+  /// Sets those of a square's four quarters, from number at on.
+  void SetQuarters(std::size_t at, const TexelTree& texels, int level, int x, int y);
+
+  /// rows: of the matrix from the sky's frame to the local one, 3 by 3.
+  void Turn(int count, const float rows[9]);
+
+  /// f: of those that count, by channel; room for Most each.
+  void Weigh(int count, float f[3][Most]);
+};
+/// Where a view is reflected to, so that sums over the environment know where to look: a few
+/// directions drawn from f cos(theta_i), and the peaks of f, which few draws and few points of a
+/// sum may both miss.
+class ReflectionGuide
+{
+public:
+  /// Unit direction, and the solid angle in sr in which a draw is alone on average.
+  struct Draw
+  {
+    glm::dvec3 Direction;
+    double SolidAngle;
+  };
+
+  /// Of a prepared BRDF, which is used later on.
+  explicit ReflectionGuide(vtkBRDF* brdf);
+
+  /// Draws for unit o above the horizon, in its frame; draws is replaced.
+  void Draws(const glm::dvec3& o, std::vector<Draw>& draws) const;
+
+  /// The largest f of one view, by direction.
+  class Peaks
+  {
+  public:
+    /// In rad: within less, it is not known whether a peak is inside or beside.
+    static constexpr double GetResolution() { return 0.04; }
+
+    /// Sum of the channels, about unit i within so many radians and somewhat beyond; and the solid
+    /// angle that this peak fills at least. 0 where nothing is known.
+    double Get(const glm::dvec3& i, double radius, double& solidAngle) const;
+
+  private:
+    friend class ReflectionGuide;
+    const float* Cells = nullptr; // all levels
+    glm::dvec2 Azimuth;           // the view's: cosine and sine
+  };
+  Peaks GetPeaks(const glm::dvec3& o) const;
+
+private:
+  void TabulatePeaks();
+
+  vtkSmartPointer<vtkBRDF> BRDF;
+  std::vector<std::vector<Draw>> Views; // of an isotropic BRDF, their azimuth 0
+  std::vector<float> PeakCells;         // likewise: view, level, cell of the hemisphere's square
+};
+
 /// Small where draws of f are, and large elsewhere.
 class FirstSquares
 {
@@ -56,12 +140,6 @@ private:
   std::vector<Drawn> Near; // those of a square behind those of the larger one
   std::vector<Square> Squares;
 };
-} // namespace measuredbrdf
-
-class vtkBRDF;
-
-namespace measuredbrdf
-{
 /**
  * The sky's squares are divided where the estimated error is largest, until the sum's error is
  * within the tolerance. Squares are made many at a time, so that f is evaluated for many directions
@@ -102,10 +180,10 @@ private:
     {
       float LeastError; // a square where the larger one was wrong may agree with its quarters
       float Cosine;     // of theta_i of its middle
-      float Whole[3];
-      float Value[3];
+      glm::vec3 Whole;
+      glm::vec3 Value;
       float Error;
-      float Quarters[3][4];
+      glm::vec3 Quarters[4];
       float Cosines[4];
     } Of[Size]; // the pairs
   };
@@ -140,7 +218,7 @@ private:
   std::vector<Square> All;      // divided ones, too, and room for more
   std::size_t NumberOfAll = 0;  // without that room
   std::size_t NumberOfMade = 0; // that have quarters
-  ErrorQueue Queue;             // of those that are not divided
+  std::priority_queue<std::pair<float, std::uint32_t>> Queue; // those that are not divided, by Key
   FirstSquares First;
   SquareMiddles Steps[Size];
 };

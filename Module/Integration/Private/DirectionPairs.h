@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Pairs of normal and view from arrays, and work on many of them that can be stopped.
+ * Pairs of normal and view, directions from arrays, and work on many of them that can be stopped.
  */
 
 #ifndef DirectionPairs_h
 #define DirectionPairs_h
 
-#include "LocalFrame.h"
 #include "vtkDataArray.h"
-#include "vtkEnvironment.h"
 
 #include <glm/glm.hpp>
 
@@ -19,6 +17,14 @@
 #include <cmath>
 #include <string>
 #include <vector>
+
+/// Unit vectors; the tangent may be zero.
+struct vtkDirectionPair
+{
+  glm::dvec3 Normal;
+  glm::dvec3 View;
+  glm::dvec3 Tangent;
+};
 
 namespace measuredbrdf
 {
@@ -32,6 +38,14 @@ inline glm::dvec3 GetDirection(vtkDataArray* array, vtkIdType index)
   return d;
 }
 
+inline void AddRGB(const glm::dvec3& rgb, double sum[3])
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    sum[c] += rgb[c];
+  }
+}
+
 /// Unit vector; zero stays zero. Scaled first, so that no finite length over- or underflows.
 inline glm::dvec3 NormalizeAny(const glm::dvec3& d)
 {
@@ -42,50 +56,6 @@ inline glm::dvec3 NormalizeAny(const glm::dvec3& d)
 inline bool IsFiniteDirection(const glm::dvec3& d)
 {
   return std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z);
-}
-
-/// Appends pairs of unit normal, view and tangent, which may be zero or null; what is wrong with
-/// the arrays, or "".
-template <typename Pair>
-std::string TakePairs(
-  vtkDataArray* normals, vtkDataArray* views, vtkDataArray* tangents, std::vector<Pair>& pairs)
-{
-  const vtkIdType count = normals->GetNumberOfTuples();
-  for (vtkDataArray* array : { normals, views, tangents })
-  {
-    if (array && (array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() != count))
-    {
-      return "normals, views and tangents must have 3 components and equally many tuples.";
-    }
-  }
-  for (vtkIdType k = 0; k < count; ++k)
-  {
-    const glm::dvec3 n = GetDirection(normals, k);
-    const glm::dvec3 v = GetDirection(views, k);
-    const glm::dvec3 t = GetDirection(tangents, k);
-    if (!IsFiniteDirection(n) || !IsFiniteDirection(v) || !IsFiniteDirection(t) ||
-        n == glm::dvec3(0.0) || v == glm::dvec3(0.0))
-    {
-      return "pair " + std::to_string(k) + " holds a direction that is zero or not finite.";
-    }
-    const glm::dvec3 normal = NormalizeAny(n);
-    pairs.push_back({ normal, LiftView(NormalizeAny(v), normal), NormalizeAny(t) });
-  }
-  return "";
-}
-
-/// Into the environment's frame.
-template <typename Pair>
-void TurnPairs(vtkEnvironment* environment, std::vector<Pair>& pairs)
-{
-  double rows[9];
-  environment->GetWorldToEnvironment(rows);
-  const glm::dmat3 turn(rows[0], rows[3], rows[6], rows[1], rows[4], rows[7], rows[2], rows[5],
-    rows[8]); // glm takes columns
-  for (Pair& pair : pairs)
-  {
-    pair = { turn * pair.Normal, turn * pair.View, turn * pair.Tangent };
-  }
 }
 
 /// Calls work(first, size) for one batch after the other of so many things, larger ones until one

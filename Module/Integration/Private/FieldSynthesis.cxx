@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FieldSynthesis.h"
 
-#include "HalfVector.h" // for Pi
-#include "LinearSpline.h"
-#include "MatrixProduct.h"
 #include "ParallelFor.h"
-#include "RowTransform.h"
 #include "WignerD.h"
 
+#include <unsupported/Eigen/FFT>
+
 #include <algorithm>
-#include <cmath>
-#include <complex>
 #include <cstdlib>
+#include <utility>
 
 namespace measuredbrdf
 {
@@ -26,75 +23,85 @@ constexpr std::size_t Beyond = 16;
 
 using Numbers = Eigen::Map<Eigen::ArrayXf>;
 using KnownNumbers = Eigen::Map<const Eigen::ArrayXf>;
+}
 
-// All kinds of a degree side by side.
-std::vector<float> Pack(const DegreeSum::Kernels& kernels)
+MapPart::MapPart(int allRows, int allColumns, const std::vector<char>* wanted)
+  : AllRows(allRows)
+  , AllColumns(allColumns)
+  , Numbers(static_cast<std::size_t>(allRows) * allColumns, None)
 {
-  const Eigen::Index count = kernels[0].cols();
-  const Eigen::Index degrees = kernels[0].rows();
-  std::vector<float> packed(static_cast<std::size_t>(3 * count * degrees));
-  for (Eigen::Index channel = 0; channel < 3; ++channel)
+  std::size_t at = 0;
+  for (int row = 0; row < allRows; ++row)
   {
-    for (Eigen::Index kernel = 0; kernel < count; ++kernel)
+    Row of{ row, this->Count, {} };
+    for (int column = 0; column < allColumns; ++column, ++at)
     {
-      const auto of = kernels[static_cast<std::size_t>(channel)].col(kernel);
-      for (Eigen::Index l = 0; l < degrees; ++l)
+      if (!wanted || (*wanted)[at])
       {
-        packed[static_cast<std::size_t>((l * 3 + channel) * count + kernel)] = of[l];
+        of.Columns.push_back(column);
+        this->Numbers[at] = static_cast<int>(this->Count++);
       }
     }
-  }
-  return packed;
-}
-
-// Adds b_lk a_lm of each degree from the first on: real parts of all kinds, imaginary parts, and
-// what fills the width.
-void AddLit(const EnvironmentHarmonics& light, int m, int first, const std::vector<float>& packed,
-  std::size_t kinds, std::size_t width, std::vector<float>& lit)
-{
-  const Eigen::Index count = static_cast<Eigen::Index>(kinds / 3);
-  for (std::size_t k = 0; k * width < lit.size(); ++k)
-  {
-    const std::size_t l = static_cast<std::size_t>(first) + k;
-    const float* of = &packed[l * kinds];
-    float* out = &lit[k * width];
-    for (int channel = 0; channel < 3; ++channel, of += count, out += count)
+    if (!of.Columns.empty())
     {
-      const std::complex<double> a = light.Get(channel, static_cast<int>(l), m);
-      const KnownNumbers b(of, count);
-      Numbers(out, count) += static_cast<float>(a.real()) * b;
-      Numbers(out + kinds, count) += static_cast<float>(a.imag()) * b;
+      this->Rows.push_back(std::move(of));
     }
   }
 }
+
+int MapPart::Find(int row, int column) const
+{
+  const int last = this->AllRows - 1;
+  if (row < 0 || row > last)
+  {
+    row = row < 0 ? -row : 2 * last - row;
+    column += this->AllColumns / 2;
+  }
+  column = (column % this->AllColumns + this->AllColumns) % this->AllColumns;
+  return this->Numbers[row * this->AllColumns + column];
 }
 
-DegreeSum::DegreeSum(const std::vector<double>& theta, const std::vector<int>& rows)
-  : Wanted(rows.size())
+FieldSynthesis::FieldSynthesis(MapPart nodes, MapNodes places)
+  : Nodes(std::move(nodes))
+  , Places(places)
 {
-  const std::size_t last = theta.size() - 1;
-  std::vector<Row> all(theta.size(), { None, None });
+  const int last = this->Nodes.GetAllRows() - 1;
+  std::vector<RowPair> all(static_cast<std::size_t>(last + 1), { None, None });
+  const std::vector<MapPart::Row>& rows = this->Nodes.GetRows();
   for (std::size_t k = 0; k < rows.size(); ++k)
   {
-    const std::size_t row = static_cast<std::size_t>(rows[k]);
-    all[row].Place = all[last - row].Mirror = k;
-  }
-  std::vector<int> both;
-  for (std::size_t row = 0; row < all.size(); ++row)
-  {
-    if (all[row].Place != None || all[row].Mirror != None)
+    const int place = rows[k].Place;
+    all[place].Place = k;
+    all[last - place].Mirror = k;
+    for (const int column : rows[k].Columns)
     {
-      both.push_back(static_cast<int>(row));
+      this->NeighborsOf.push_back({ this->Nodes.Find(place - 1, column),
+        this->Nodes.Find(place + 1, column), place == 0, place == last });
     }
   }
-  this->All = MakePanels(theta, all, both);
+  std::vector<int> both;
+  for (int row = 0; row <= last; ++row)
+  {
+    const RowPair& pair = all[row];
+    if (pair.Place != None || pair.Mirror != None)
+    {
+      both.push_back(row);
+    }
+  }
+  this->All = this->MakePanels(all, both);
   both.resize((both.size() + 1) / 2);
-  this->North = MakePanels(theta, all, both);
+  this->North = this->MakePanels(all, both);
 }
 
-// Rows that are too many are wanted nowhere.
-std::vector<DegreeSum::Panel> DegreeSum::MakePanels(
-  const std::vector<double>& theta, const std::vector<Row>& rows, const std::vector<int>& at)
+double FieldSynthesis::GetPolarAngle(int row) const
+{
+  const int rows = this->Nodes.GetAllRows();
+  return this->Places == MapNodes::Centers ? Pi * (row + 0.5) / rows : Pi * row / (rows - 1);
+}
+
+// The last panel's rows that are too many are wanted nowhere.
+std::vector<FieldSynthesis::Panel> FieldSynthesis::MakePanels(
+  const std::vector<RowPair>& rows, const std::vector<int>& at) const
 {
   std::vector<Panel> panels;
   for (std::size_t first = 0; first < at.size(); first += WignerLanes::Count)
@@ -104,9 +111,9 @@ std::vector<DegreeSum::Panel> DegreeSum::MakePanels(
     for (std::size_t lane = 0; lane < WignerLanes::Count; ++lane)
     {
       const bool isThere = first + lane < at.size();
-      const std::size_t row = static_cast<std::size_t>(isThere ? at[first + lane] : at.back());
-      angles[lane] = theta[row];
-      panel.Rows[lane] = isThere ? rows[row] : Row{ None, None };
+      const int row = isThere ? at[first + lane] : at.back();
+      angles[lane] = this->GetPolarAngle(row);
+      panel.Rows[lane] = isThere ? rows[row] : RowPair{ None, None };
     }
     panel.Angles = WignerLanes(angles);
     panels.push_back(panel);
@@ -114,46 +121,56 @@ std::vector<DegreeSum::Panel> DegreeSum::MakePanels(
   return panels;
 }
 
-void DegreeSum::Run(int order, const std::vector<Part>& parts)
+void FieldSynthesis::Run(int order, const std::vector<Part>& parts, Fields& result)
 {
   const Kernels& kernels = parts.front().Of;
-  this->Degree = static_cast<int>(kernels[0].rows()) - 1;
-  this->Kinds = 3 * static_cast<std::size_t>(kernels[0].cols());
+  this->Degree = static_cast<int>(kernels.cols()) - 1;
+  this->Kinds = static_cast<std::size_t>(kernels.rows());
   this->Width = RoundUp(2 * this->Kinds, ProductColumns);
   this->Orders = 2 * static_cast<std::size_t>(this->Degree) + 1;
-  this->Series.resize(this->Wanted * this->Orders * this->Width + Beyond);
-  this->Known.assign(this->Wanted * this->Orders, 0);
+  this->Known.assign(this->Nodes.GetRows().size() * this->Orders, 0);
+  this->Series.resize(this->Known.size() * this->Width + Beyond);
   this->Conjugate.assign(this->Width, -1.0f);
   std::fill_n(this->Conjugate.begin(), this->Kinds, 1.0f);
-  Packed packed;
-  for (const Part& part : parts)
+  for (Field& field : result)
   {
-    packed.push_back(Pack(part.Of));
+    field.resize(this->Nodes.GetNumberOfNodes() * this->Kinds / 3);
   }
-  measuredbrdf::ParallelFor(0, this->Degree + 1, 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType m = begin; m < end; ++m)
-      {
-        this->AddOrders(static_cast<int>(m), order, parts, packed);
-      }
-    });
+  measuredbrdf::ParallelForEach(
+    this->Degree + 1, [&](int m) { this->SumDegrees(m, order, parts); });
+  this->SumOrders(order, result);
+  if (this->Places == MapNodes::Poles)
+  {
+    this->FitRows(order, result);
+  }
 }
 
-// Of m and -m.
-void DegreeSum::AddOrders(int m, int order, const std::vector<Part>& parts, const Packed& packed)
+// The sums of m and -m.
+void FieldSynthesis::SumDegrees(int m, int order, const std::vector<Part>& parts)
 {
   const WignerD functions(m, order, this->Degree);
   if (functions.IsEmpty())
   {
     return;
   }
+  // b_lk a_lm of each degree: real parts of all kinds, imaginary parts, and what fills the width.
   const int first = functions.GetFirst();
-  const std::size_t size = static_cast<std::size_t>(this->Degree + 1 - first);
+  const std::size_t size = this->Degree + 1 - first;
   std::vector<float> lit(size * this->Width, 0.0f);
-  for (std::size_t part = 0; part < parts.size(); ++part)
+  const Eigen::Index count = this->Kinds / 3;
+  for (const Part& part : parts)
   {
-    AddLit(parts[part].Light, m, first, packed[part], this->Kinds, this->Width, lit);
+    for (int l = first; l <= this->Degree; ++l)
+    {
+      const float* of = part.Of.col(l).data();
+      float* out = &lit[static_cast<std::size_t>(l - first) * this->Width];
+      for (int channel = 0; channel < 3; ++channel, of += count, out += count)
+      {
+        const std::complex<double> a = part.Light.Get(channel, l, m);
+        Numbers(out, count) += static_cast<float>(a.real()) * KnownNumbers(of, count);
+        Numbers(out + this->Kinds, count) += static_cast<float>(a.imag()) * KnownNumbers(of, count);
+      }
+    }
   }
   std::vector<float> turns(ProductRows * size);
   for (const Panel& panel : order > 0 ? this->All : this->North)
@@ -166,11 +183,10 @@ void DegreeSum::AddOrders(int m, int order, const std::vector<Part>& parts, cons
   }
 }
 
-void DegreeSum::Multiply(const Panel& panel, int m, int order, int first, std::size_t size,
+void FieldSynthesis::Multiply(const Panel& panel, int m, int order, int first, std::size_t size,
   std::size_t begin, const std::vector<float>& turns, const std::vector<float>& lit)
 {
   static_assert(ProductRows == WignerLanes::Count, "a panel is what is turned at a time");
-  const std::size_t begins[2] = { begin, begin + 1 };
   const bool isOdd = (first + static_cast<int>(begin) - order) % 2 != 0; // the first l - k
   const float sign = m % 2 != 0 ? -1.0f : 1.0f;
   constexpr std::size_t together = 3 * ProductColumns;
@@ -180,12 +196,12 @@ void DegreeSum::Multiply(const Panel& panel, int m, int order, int first, std::s
     const std::size_t columns = std::min(together, this->Width - column);
     for (std::size_t part = 0; part < 2; ++part)
     {
-      const std::size_t from = begins[part];
+      const std::size_t from = begin + part;
       measuredbrdf::Multiply({ turns.data() + ProductRows * from, 2 * ProductRows },
         { lit.data() + from * this->Width + column, 2 * this->Width }, ProductRows,
         from < size ? (size - from + 1) / 2 : 0, columns, sums[part]);
     }
-    const Eigen::Index count = static_cast<Eigen::Index>(columns);
+    const Eigen::Index count = columns;
     const KnownNumbers conjugate(&this->Conjugate[column], count);
     for (std::size_t row = 0; row < ProductRows; ++row)
     {
@@ -197,7 +213,7 @@ void DegreeSum::Multiply(const Panel& panel, int m, int order, int first, std::s
         this->Known[item] = 1;
         return Numbers(&this->Series[item * this->Width + column], count);
       };
-      const Row& places = panel.Rows[row];
+      const RowPair& places = panel.Rows[row];
       if (places.Place != None)
       {
         getOut(places.Place, m) = conjugate * (even + odd);
@@ -214,244 +230,83 @@ void DegreeSum::Multiply(const Panel& panel, int m, int order, int first, std::s
   }
 }
 
-namespace
+// The real parts of all kinds, then the imaginary parts; a few more numbers may be read. Null: all
+// are 0.
+const float* FieldSynthesis::GetSum(std::size_t row, int m) const
 {
-using Lane = Eigen::Array<float, RowTransform::Lines, 1>; // a part of an item, of eight kinds
-
-struct Item
-{
-  Lane Real, Imaginary;
-
-  Item(const float* real, const float* imaginary)
-    : Real(Eigen::Map<const Lane>(real))
-    , Imaginary(Eigen::Map<const Lane>(imaginary))
-  {
-  }
-
-  void Multiply(const std::complex<float>& factor)
-  {
-    const Lane real = factor.real() * this->Real - factor.imag() * this->Imaginary;
-    this->Imaginary = factor.real() * this->Imaginary + factor.imag() * this->Real;
-    this->Real = real;
-  }
-};
-
-void AddTo(float* at, const Lane& real, const Lane& imaginary)
-{
-  Eigen::Map<Lane>(at) += real;
-  Eigen::Map<Lane>(at + RowTransform::Lines) += imaginary;
+  const std::size_t at = row * this->Orders + static_cast<std::size_t>(m + this->Degree);
+  return this->Known[at] ? &this->Series[at * this->Width] : nullptr;
 }
 
-// Where a row's terms lie in a Fourier transform of the columns, and what each is multiplied by.
-class RowTerms
+// The sum over m, by fast Fourier transforms over the azimuth.
+void FieldSynthesis::SumOrders(int order, Fields& result) const
 {
-public:
-  RowTerms(int degree, const RowTransform& transform, MapNodes nodes)
-    : Degree(static_cast<std::size_t>(degree))
+  using Number = std::complex<float>;
+  const std::size_t nodes = this->Nodes.GetNumberOfNodes();
+  const std::size_t each = this->Kinds / 3;
+  const int columns = this->Nodes.GetAllColumns();
+  const auto getPlace = [columns](int m) { return (m % columns + columns) % columns; };
+  std::vector<Number> factors; // of m from -Degree on
+  for (int m = -this->Degree; m <= this->Degree; ++m)
   {
-    const int columns = static_cast<int>(transform.GetSize());
-    for (int m = -degree; m <= degree; ++m)
-    {
-      const double frequency = static_cast<double>(m) / columns;
-      this->Factors.push_back(nodes == MapNodes::Centers // half a column on
-                                ? std::polar(1.0f, static_cast<float>(-Pi * frequency))
-                                : static_cast<float>(GetLinearSplineGain(frequency)));
-      const int place = (m % columns + columns) % columns;
-      this->Places.push_back(
-        RowTransform::Item * transform.GetPlace(static_cast<std::size_t>(place)));
-    }
+    const double frequency = static_cast<double>(m) / columns;
+    factors.push_back(this->Places == MapNodes::Centers // half a column on
+                        ? std::polar(1.0f, static_cast<float>(-Pi * frequency))
+                        : static_cast<float>(GetLinearSplineGain(frequency)));
   }
-
-  /// Of some kinds from the first on.
-  void Add(const DegreeSum& sums, std::size_t row, std::size_t first, float* lines) const
-  {
-    const int degree = static_cast<int>(this->Degree);
-    for (int m = -degree; m <= degree; ++m)
+  measuredbrdf::ParallelForEach(this->Nodes.GetRows().size(),
+    [&](std::size_t row)
     {
-      if (const float* in = sums.Get(row, m))
+      thread_local Eigen::FFT<float> transform; // keeps what it knows of a size
+      const MapPart::Row& place = this->Nodes.GetRows()[row];
+      std::vector<Number> terms(columns), sums(columns);
+      for (std::size_t kind = 0; kind < this->Kinds; ++kind)
       {
-        const std::size_t k = static_cast<std::size_t>(m + degree);
-        Item item(in + first, in + sums.GetNumberOfKinds() + first);
-        item.Multiply(this->Factors[k]);
-        AddTo(lines + this->Places[k], item.Real, item.Imaginary);
-      }
-    }
-  }
-
-  /// Of real fields, whose terms of m and -m are conjugates: those of m >= 0 suffice, and the real
-  /// parts are those fields, the imaginary parts the next ones, if there are any.
-  void AddReal(const DegreeSum& sums, std::size_t row, std::size_t first, float* lines) const
-  {
-    const std::size_t kinds = sums.GetNumberOfKinds();
-    const std::size_t next = std::min(first + RowTransform::Lines, kinds);
-    const Eigen::Index beyond = // kinds that are none
-      static_cast<Eigen::Index>(RowTransform::Lines - std::min(RowTransform::Lines, kinds - next));
-    for (std::size_t m = 0; m <= this->Degree; ++m)
-    {
-      const float* in = sums.Get(row, static_cast<int>(m));
-      if (!in)
-      {
-        continue;
-      }
-      const std::complex<float> factor = this->Factors[this->Degree + m];
-      Item one(in + first, in + kinds + first);
-      Item other(in + next, in + kinds + next);
-      other.Real.tail(beyond) = other.Imaginary.tail(beyond) = 0.0f;
-      one.Multiply(factor);
-      other.Multiply(factor);
-      AddTo(lines + this->Places[this->Degree + m], one.Real - other.Imaginary,
-        one.Imaginary + other.Real);
-      if (m > 0)
-      {
-        AddTo(lines + this->Places[this->Degree - m], one.Real + other.Imaginary,
-          other.Real - one.Imaginary);
-      }
-    }
-  }
-
-private:
-  std::size_t Degree;
-  std::vector<std::complex<float>> Factors;
-  std::vector<std::size_t> Places;
-};
-
-std::vector<double> GetPolarAngles(int rows, MapNodes nodes)
-{
-  std::vector<double> angles;
-  for (int row = 0; row < rows; ++row)
-  {
-    angles.push_back(nodes == MapNodes::Centers ? Pi * (row + 0.5) / rows : Pi * row / (rows - 1));
-  }
-  return angles;
-}
-}
-
-FieldSynthesis::FieldSynthesis(
-  const EnvironmentHarmonics& environment, int rows, int columns, MapNodes nodes)
-  : FieldSynthesis(environment, MapPart::OfAll(rows, columns), nodes)
-{
-}
-
-FieldSynthesis::FieldSynthesis(
-  const EnvironmentHarmonics& environment, const MapPart& part, MapNodes nodes)
-  : Environment(environment)
-  , Part(part)
-  , Nodes(nodes)
-  , Degrees(GetPolarAngles(part.GetAllRows(), nodes), part.GetRows())
-{
-  if (nodes == MapNodes::Poles)
-  {
-    this->FindNeighbors();
-  }
-}
-
-void FieldSynthesis::Run(
-  int order, const Kernels& kernels, std::array<Field, 3>& result, const More* more)
-{
-  for (Field& field : result)
-  {
-    field.resize(this->Part.GetNumberOfNodes() * static_cast<std::size_t>(kernels[0].cols()));
-  }
-  std::vector<DegreeSum::Part> parts{ { this->Environment, kernels } };
-  if (more)
-  {
-    parts.push_back({ more->Light, more->Kernels });
-  }
-  this->Degrees.Run(order, parts);
-  this->SumOrders(order, result);
-  if (this->Nodes == MapNodes::Poles)
-  {
-    this->FitRows(order, result);
-  }
-}
-
-void FieldSynthesis::FindNeighbors()
-{
-  const int last = this->Part.GetAllRows() - 1;
-  for (std::size_t row = 0; row < this->Part.GetRows().size(); ++row)
-  {
-    const int at = this->Part.GetRows()[row];
-    for (const int column : this->Part.GetColumns(row))
-    {
-      this->NeighborsOf.push_back(
-        { this->Part.Find(at - 1, column), this->Part.Find(at + 1, column), at == 0, at == last });
-    }
-  }
-}
-
-// Linear splines along the meridians. Beyond a pole the meridian opposite goes on, in a frame that
-// is turned by half a turn.
-void FieldSynthesis::FitRows(int order, std::array<Field, 3>& result) const
-{
-  const std::size_t nodes = this->Part.GetNumberOfNodes();
-  const float sign = order % 2 != 0 ? -1.0f : 1.0f;
-  const std::size_t maps = nodes > 0 ? result[0].size() / nodes : 0;
-  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(3 * maps), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      Field known(nodes);
-      for (std::size_t map = static_cast<std::size_t>(begin); map < static_cast<std::size_t>(end);
-           ++map)
-      {
-        std::complex<float>* values = &result[map / maps][map % maps * nodes];
-        std::copy(values, values + nodes, known.begin());
-        for (std::size_t node = 0; node < nodes; ++node)
+        std::fill(terms.begin(), terms.end(), 0.0f);
+        for (int m = order > 0 ? -this->Degree : 0; m <= this->Degree; ++m)
         {
-          const Neighbors& of = this->NeighborsOf[node];
-          if (of.Above != MapPart::None && of.Below != MapPart::None)
+          if (const float* const of = this->GetSum(row, m))
           {
-            const std::complex<float>& above = known[static_cast<std::size_t>(of.Above)];
-            const std::complex<float>& below = known[static_cast<std::size_t>(of.Below)];
-            values[node] = FitLinearSpline(of.IsAbovePole ? sign * above : above, known[node],
-              of.IsBelowPole ? sign * below : below);
+            const Number term =
+              factors[m + this->Degree] * Number(of[kind], of[this->Kinds + kind]);
+            terms[getPlace(m)] += term;
+            if (order == 0 && m > 0) // which is real
+            {
+              terms[getPlace(-m)] += std::conj(term);
+            }
           }
+        }
+        transform.fwd(sums.data(), terms.data(), columns);
+        Number* out = &result[kind / each][kind % each * nodes + place.FirstNode];
+        for (const int column : place.Columns)
+        {
+          *out++ = order > 0 ? sums[column] : Number(sums[column].real());
         }
       }
     });
 }
 
-// The sum over m, by fast Fourier transforms over the azimuth, some kinds at a time.
-void FieldSynthesis::SumOrders(int order, std::array<Field, 3>& result) const
+// Linear splines along the meridians. Beyond a pole the meridian opposite goes on, in a frame that
+// is turned by half a turn.
+void FieldSynthesis::FitRows(int order, Fields& result) const
 {
-  const std::size_t columns = static_cast<std::size_t>(this->Part.GetAllColumns());
-  const std::size_t nodes = this->Part.GetNumberOfNodes();
-  const std::size_t kinds = this->Degrees.GetNumberOfKinds();
-  const std::size_t each = kinds / 3;
-  const RowTransform transform(columns);
-  const RowTerms terms(this->Degrees.GetDegree(), transform, this->Nodes);
-  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(this->Part.GetRows().size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
+  const std::size_t nodes = this->Nodes.GetNumberOfNodes();
+  const float sign = order % 2 != 0 ? -1.0f : 1.0f;
+  const std::size_t maps = nodes > 0 ? this->Kinds / 3 : 0;
+  measuredbrdf::ParallelForEach(3 * maps,
+    [&](std::size_t map)
     {
-      std::vector<float> lines(columns * RowTransform::Item);
-      for (std::size_t row = static_cast<std::size_t>(begin); row < static_cast<std::size_t>(end);
-           ++row)
+      std::complex<float>* values = &result[map / maps][map % maps * nodes];
+      const Field known(values, values + nodes);
+      for (std::size_t node = 0; node < nodes; ++node)
       {
-        // Of order 0, which is real, eight more kinds are the imaginary parts.
-        const std::size_t together = order > 0 ? RowTransform::Lines : 2 * RowTransform::Lines;
-        for (std::size_t first = 0; first < kinds; first += together)
+        const Neighbors& of = this->NeighborsOf[node];
+        if (of.Above != MapPart::None && of.Below != MapPart::None)
         {
-          std::fill(lines.begin(), lines.end(), 0.0f);
-          if (order > 0)
-          {
-            terms.Add(this->Degrees, row, first, lines.data());
-          }
-          else
-          {
-            terms.AddReal(this->Degrees, row, first, lines.data());
-          }
-          transform.Run(lines.data());
-          for (std::size_t kind = first; kind < std::min(first + together, kinds); ++kind)
-          {
-            std::complex<float>* out =
-              &result[kind / each][kind % each * nodes + this->Part.GetFirstNode(row)];
-            const std::size_t line = kind - first;
-            for (const int column : this->Part.GetColumns(row))
-            {
-              const float* of =
-                &lines[static_cast<std::size_t>(column) * RowTransform::Item + line];
-              *out++ = { of[0], order > 0 ? of[RowTransform::Lines] : 0.0f };
-            }
-          }
+          const std::complex<float>& above = known[of.Above];
+          const std::complex<float>& below = known[of.Below];
+          values[node] = FitLinearSpline(of.IsAbovePole ? sign * above : above, known[node],
+            of.IsBelowPole ? sign * below : below);
         }
       }
     });

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightLanes.h"
 
-#include "FiniteFloat.h"
+#include "Floats.h"
 #include "OneByOne.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
@@ -36,7 +36,7 @@ LightLanes::LightLanes(vtkBRDF* brdf)
   , Lambert(GetJust<vtkLambertBRDF>(brdf))
 {
   auto* sum = GetJust<vtkSumBRDF>(brdf);
-  this->Terms.reserve(static_cast<std::size_t>(sum ? sum->GetNumberOfTerms() : 0));
+  this->Terms.reserve(sum ? sum->GetNumberOfTerms() : 0);
   for (int k = 0; sum && k < sum->GetNumberOfTerms(); ++k)
   {
     this->Terms.emplace_back(sum->GetTerm(k));

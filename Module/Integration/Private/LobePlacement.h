@@ -9,10 +9,10 @@
 #ifndef LobePlacement_h
 #define LobePlacement_h
 
+#include "Floats.h"
 #include "LobeViews.h"
 #include "LocalFrame.h"
 #include "Neighbors.h"
-#include "SharedExponent.h"
 
 #include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -51,12 +51,12 @@ struct MapPosition
 /// RGB of a texel, stored as three floats or with a shared exponent.
 inline glm::dvec3 GetTexel(const std::vector<float>& data, int index)
 {
-  return glm::dvec3(glm::make_vec3(&data[3 * static_cast<std::size_t>(index)]));
+  return glm::dvec3(glm::make_vec3(&data[3 * index]));
 }
 
 inline glm::dvec3 GetTexel(const std::vector<std::uint32_t>& data, int index)
 {
-  return glm::dvec3(UnpackSharedExponent(data[static_cast<std::size_t>(index)]));
+  return glm::dvec3(UnpackSharedExponent(data[index]));
 }
 ///@}
 
@@ -114,7 +114,7 @@ inline glm::dvec3 GetCenteredValue(const std::vector<float>& data, int rows, int
 }
 
 /// A row of profiles over theta_o, LobeViews::NumberOfViews texels each, at u in [0,1]. Tables are
-/// looked up at the nearest of many such values (ShaderProfile.h).
+/// looked up at the nearest of many such values (RadianceTable.h).
 inline glm::dvec3 GetProfileValue(const std::vector<float>& profile, int row, double u)
 {
   constexpr int size = LobeViews::NumberOfViews;

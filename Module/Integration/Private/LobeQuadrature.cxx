@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LobeQuadrature.h"
 
-#include "ConcentricMap.h"
+#include "HalfVector.h" // for Pi
 #include "LightLanes.h"
 #include "LowDiscrepancy.h"
 #include "RetroLobe.h"
@@ -31,9 +31,8 @@ Points MakePoints(double a, double b, double side)
   Points points;
   for (int k = 0; k < PointsPerSide * PointsPerSide; ++k)
   {
-    points[static_cast<std::size_t>(k)] =
-      SquareToHemisphere({ a + side * (k % PointsPerSide + 0.5) / PointsPerSide,
-        b + side * (k / PointsPerSide + 0.5) / PointsPerSide });
+    points[k] = SquareToHemisphere({ a + side * (k % PointsPerSide + 0.5) / PointsPerSide,
+      b + side * (k / PointsPerSide + 0.5) / PointsPerSide });
   }
   return points;
 }
@@ -65,7 +64,7 @@ const Points& GetPoints(double a, double b, double side, int level, Points& room
   }
   const int column = static_cast<int>((a + 1.0) / side);
   const int row = static_cast<int>((b + 1.0) / side);
-  return known[static_cast<std::size_t>(((1 << (2 * level)) - 1) / 3 + (row << level) + column)];
+  return known[((1 << (2 * level)) - 1) / 3 + (row << level) + column];
 }
 
 struct Node
@@ -91,8 +90,8 @@ public:
 
   void Split(int index)
   {
-    const Node node = this->Nodes[static_cast<std::size_t>(index)];
-    this->Nodes[static_cast<std::size_t>(index)].Child = static_cast<int>(this->Nodes.size());
+    const Node node = this->Nodes[index];
+    this->Nodes[index].Child = static_cast<int>(this->Nodes.size());
     const double half = node.GetSide() / 2.0;
     for (int k = 0; k < 4; ++k)
     {
@@ -103,9 +102,9 @@ public:
   int FindLeaf(const glm::dvec2& p) const
   {
     int index = 0;
-    while (this->Nodes[static_cast<std::size_t>(index)].Child >= 0)
+    while (this->Nodes[index].Child >= 0)
     {
-      const Node& node = this->Nodes[static_cast<std::size_t>(index)];
+      const Node& node = this->Nodes[index];
       const double half = node.GetSide() / 2.0;
       index = node.Child + (p.x >= node.A + half ? 1 : 0) + (p.y >= node.B + half ? 2 : 0);
     }
@@ -174,7 +173,7 @@ int SplitWhereLobesAre(
     const glm::dvec2 p = HemisphereToSquare(i);
     for (int leaf = tree.FindLeaf(p); leaves < most; leaf = tree.FindLeaf(p))
     {
-      const Node& node = tree.Nodes[static_cast<std::size_t>(leaf)];
+      const Node& node = tree.Nodes[leaf];
       if (node.Cell.SolidAngle <= wanted || node.Level >= Levels)
       {
         break;
@@ -198,7 +197,7 @@ int SplitTowardsTheViewer(vtkBRDF* brdf, const glm::dvec3& o, int leaves, int mo
     for (int leaf = tree.FindLeaf(p); peak > 3.0 * RetroLobe::LeastPeak / Pi && leaves < most;
          leaf = tree.FindLeaf(p))
     {
-      const Node& node = tree.Nodes[static_cast<std::size_t>(leaf)];
+      const Node& node = tree.Nodes[leaf];
       const glm::dvec3& w = node.Cell.Weight;
       if (w.x + w.y + w.z >= 0.5 * peak * node.Cell.Cosine || node.Level >= Levels)
       {
@@ -231,7 +230,7 @@ void SplitByPriority(int leaves, int count, Tree& tree)
     for (int k = static_cast<int>(tree.Nodes.size()) - 4; k < static_cast<int>(tree.Nodes.size());
          ++k)
     {
-      queue.emplace(GetPriority(tree.Nodes[static_cast<std::size_t>(k)]), k);
+      queue.emplace(GetPriority(tree.Nodes[k]), k);
     }
   }
 }
@@ -242,7 +241,7 @@ LobeQuadrature::LobeQuadrature(vtkBRDF* brdf, const glm::dvec3& o, int count)
   Tree tree(brdf, o);
   for (int level = 0, first = 0; level < 2; ++level)
   {
-    const int last = static_cast<int>(tree.Nodes.size());
+    const int last = tree.Nodes.size();
     for (; first < last; ++first)
     {
       tree.Split(first);
@@ -281,5 +280,51 @@ glm::dvec3 LobeQuadrature::GetFloor(double minimumCosine) const
     }
   }
   return least;
+}
+
+namespace
+{
+constexpr double FloorCosine = 0.17; // 80 degrees: measured f drops or soars beyond
+constexpr double LeastShare = 1e-6;  // of the albedo: below, the rest is rounding of floats
+
+// The normal where there is no direction.
+glm::dvec3 ToUnit(const glm::dvec3& d)
+{
+  const double length = glm::length(d);
+  return length > 0.0 ? d / length : glm::dvec3(0.0, 0.0, 1.0);
+}
+}
+
+LobeMeans::LobeMeans(const LobeQuadrature& quadrature)
+  : Floor(glm::max(quadrature.GetFloor(FloorCosine), glm::dvec3(0.0)))
+{
+  const glm::dvec3 albedo = quadrature.GetAlbedo();
+  this->Albedo = albedo.x + albedo.y + albedo.z;
+  glm::dvec3 axis(0.0);
+  for (const LobeQuadrature::Cell& cell : quadrature.GetCells())
+  {
+    this->Amplitude += cell.Weight - this->Floor * cell.Cosine;
+    const double energy = LobeQuadrature::GetEnergy(cell, this->Floor);
+    const double density = energy / cell.SolidAngle;
+    axis += cell.Direction * (energy * density * density);
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    if (this->Amplitude[c] <= LeastShare * Pi * this->Floor[c])
+    {
+      this->Amplitude[c] = 0.0;
+    }
+  }
+  this->Axis = ToUnit(axis);
+  this->Delta = std::atan2(-this->Axis.x, this->Axis.z);
+}
+
+void LobeMeans::Add(const LobeMeans& other, double weight)
+{
+  this->Floor += weight * other.Floor;
+  this->Amplitude += weight * other.Amplitude;
+  this->Delta += weight * other.Delta;
+  this->Axis += weight * other.Axis;
+  this->Albedo += weight * other.Albedo;
 }
 } // namespace measuredbrdf

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The kernel f(i,o) cos(theta_i) of one view as a set of cells of the hemisphere, small where it is
- * large: sum over cells of weight x mean radiance of the cell is the outgoing radiance.
+ * The kernel f(i,o) cos(theta_i) of one view: as a set of cells of the hemisphere, small where it
+ * is large, and in a few numbers, which come from these cells.
  */
 
 #ifndef LobeQuadrature_h
@@ -49,6 +49,35 @@ public:
 
 private:
   std::vector<Cell> Cells;
+};
+
+class LobeQuadrature;
+
+/// Of a view o, which is (sin theta, 0, cos theta) for isotropic materials.
+struct LobeMeans
+{
+  LobeMeans() = default;
+  explicit LobeMeans(const LobeQuadrature& quadrature);
+
+  /// For interpolation, which is a weighted sum.
+  void Add(const LobeMeans& other, double weight);
+
+  /// The Lambert part c in 1/sr: the least f up to 80 degrees.
+  glm::dvec3 Floor = glm::dvec3(0.0);
+
+  /// Directional albedo of the rest, which is 0 where it is rounding; never negative.
+  glm::dvec3 Amplitude = glm::dvec3(0.0);
+
+  ///@{
+  /// The rest's mean direction, weighted by its cube so that the sharpest part of a kernel
+  /// decides. Of an isotropic material it is (-sin delta, 0, cos delta); LobeViews then limits how
+  /// fast its own deltas change from view to view.
+  glm::dvec3 Axis = glm::dvec3(0.0);
+  double Delta = 0.0;
+  ///@}
+
+  /// Directional albedo, the sum of all channels.
+  double Albedo = 0.0;
 };
 } // namespace measuredbrdf
 

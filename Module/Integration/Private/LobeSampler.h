@@ -10,11 +10,12 @@
 #ifndef LobeSampler_h
 #define LobeSampler_h
 
-#include "Distribution.h"
+#include "HalfVectorSampler.h"
 #include "RetroLobe.h"
 
 #include <glm/glm.hpp>
 
+#include <optional>
 #include <vector>
 
 class vtkBRDF;
@@ -58,19 +59,19 @@ public:
   }
 
   /// Whether nothing is reflected: then nothing can be drawn.
-  bool IsBlack() const { return this->Cells.IsZero() && !(this->RetroShare > 0.0); }
+  bool IsBlack() const { return !(this->Cells->GetTotal() > 0.0) && !(this->RetroShare > 0.0); }
 
   /// Unit i and its density in 1/sr from two uniform numbers. Below the horizon, which only the
   /// rim's cells cross, it weighs nothing.
   glm::dvec3 Sample(const glm::dvec2& u, double& density) const;
 
 private:
-  double GetCellDensity(const glm::dvec3& h) const;
+  double GetCellDensity(const glm::dvec3& i) const;
   double GetSharpShare(double value) const { return GetSharpShare(value, this->Limit); }
 
   glm::dvec3 View;
   double Limit = 0.0;
-  Distribution2D Cells;
+  std::optional<HalfVectorSampler> Cells;
   RetroLobe Retro;
   double RetroShare = 0.0; // of the draws
 };

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LobeViews.h"
 
+#include "HalfTurn.h"
+#include "HalfVector.h" // for Pi
 #include "LobeQuadrature.h"
 #include "LocalFrame.h"
 #include "ParallelFor.h"
+#include "vtkBRDF.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,13 +19,7 @@ namespace measuredbrdf
 namespace
 {
 constexpr int ViewCells = 512; // of a view's quadrature
-constexpr int QuickCells = 128;
-
-// Views are found from coarse to fine: one is interpolated where those about it agree, by so much
-// of the albedo and so many radians, with what their neighbors say.
-constexpr int Stride = 8;
-constexpr double LargestBend = 1e-3;
-constexpr double LargestQuickBend = 0.03;
+constexpr int QuickViewCells = 64;
 
 constexpr double KnotPower = 1.5;   // 1: evenly spaced
 constexpr double FastestAxis = 1.5; // times the view's angle; mirror directions: 1
@@ -58,60 +55,22 @@ const std::atomic<bool> LobeViews::Never{ false };
 LobeViews::LobeViews(vtkBRDF* brdf, const std::atomic<bool>& abort, bool quick)
   : Views(NumberOfViews)
 {
-  const int cells = quick ? QuickCells : ViewCells;
-  const double bend = quick ? LargestQuickBend : LargestBend;
-  std::vector<int> wanted;
-  for (int k = 0; k < NumberOfViews - 1; k += Stride)
-  {
-    wanted.push_back(k);
-  }
-  wanted.push_back(NumberOfViews - 1);
-  this->Evaluate(brdf, wanted, cells, abort);
-  std::vector<int> known = wanted; // sorted
-  std::vector<std::pair<int, int>> gaps;
-  for (std::size_t k = 0; k + 1 < known.size(); ++k)
-  {
-    gaps.emplace_back(known[k], known[k + 1]);
-  }
-  while (!gaps.empty() && !abort)
-  {
-    wanted.clear();
-    std::vector<LobeMeans> guesses;
-    for (const auto& [low, high] : gaps)
+  measuredbrdf::ParallelForEach(
+    NumberOfViews,
+    [&](int k)
     {
-      wanted.push_back((low + high) / 2);
-      guesses.push_back(this->Interpolate(known, wanted.back()));
-    }
-    this->Evaluate(brdf, wanted, cells, abort);
-    std::vector<std::pair<int, int>> finer;
-    for (std::size_t k = 0; k < gaps.size(); ++k)
-    {
-      const auto [low, high] = gaps[k];
-      const int middle = wanted[k];
-      const LobeMeans& means = this->Views[static_cast<std::size_t>(middle)].Means;
-      if (LobeMeans::GetDistance(means, guesses[k]) > bend)
+      const double theta = GetAngle(k);
+      const LobeQuadrature quadrature(brdf, glm::dvec3(std::sin(theta), 0.0, std::cos(theta)),
+        quick ? QuickViewCells : ViewCells);
+      View& view = this->Views[k];
+      view.Means = LobeMeans(quadrature);
+      for (const LobeQuadrature::Cell& cell : quadrature.GetCells())
       {
-        for (const auto& gap : { std::pair(low, middle), std::pair(middle, high) })
-        {
-          if (gap.second - gap.first > 1)
-          {
-            finer.push_back(gap);
-          }
-        }
+        view.Cells.push_back(
+          { LobeQuadrature::GetEnergy(cell, view.Means.Floor), cell.SolidAngle });
       }
-    }
-    known.insert(known.end(), wanted.begin(), wanted.end());
-    std::sort(known.begin(), known.end());
-    gaps = finer;
-  }
-  for (int k = 0; k < NumberOfViews; ++k)
-  {
-    View& view = this->Views[static_cast<std::size_t>(k)];
-    if (view.Cells.empty())
-    {
-      view.Means = this->Interpolate(known, k);
-    }
-  }
+    },
+    &abort);
   this->LimitAxes();
 }
 
@@ -125,7 +84,7 @@ void LobeViews::LimitAxes()
     double below = -HUGE_VAL;
     for (int other = 0; other < NumberOfViews; ++other)
     {
-      const double delta = this->Views[static_cast<std::size_t>(other)].Means.Delta;
+      const double delta = this->Views[other].Means.Delta;
       const double reach = FastestAxis * std::abs(GetAngle(k) - GetAngle(other));
       above = std::min(above, delta + reach);
       below = std::max(below, delta - reach);
@@ -143,55 +102,9 @@ double LobeViews::GetAxis(double theta) const
 {
   const double exact = GetPosition(theta);
   const int low = std::min(static_cast<int>(exact), NumberOfViews - 2);
-  const double below = this->Views[static_cast<std::size_t>(low)].Means.Delta;
+  const double below = this->Views[low].Means.Delta;
   const double above = this->Views[static_cast<std::size_t>(low) + 1].Means.Delta;
   return below + (exact - low) * (above - below);
-}
-
-void LobeViews::Evaluate(
-  vtkBRDF* brdf, const std::vector<int>& indices, int cells, const std::atomic<bool>& abort)
-{
-  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(indices.size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType k = begin; k < end && !abort; ++k)
-      {
-        const int index = indices[static_cast<std::size_t>(k)];
-        const double theta = GetAngle(index);
-        const LobeQuadrature quadrature(
-          brdf, glm::dvec3(std::sin(theta), 0.0, std::cos(theta)), cells);
-        View& view = this->Views[static_cast<std::size_t>(index)];
-        view.Means = LobeMeans(quadrature);
-        for (const LobeQuadrature::Cell& cell : quadrature.GetCells())
-        {
-          view.Cells.push_back(
-            { LobeQuadrature::GetEnergy(cell, view.Means.Floor), cell.SolidAngle });
-        }
-      }
-    });
-}
-
-// Cubic, after Lagrange, through the four known ones about it.
-LobeMeans LobeViews::Interpolate(const std::vector<int>& known, int index) const
-{
-  const int count = static_cast<int>(known.size());
-  const int above =
-    static_cast<int>(std::lower_bound(known.begin(), known.end(), index) - known.begin());
-  const int first = std::clamp(above - 2, 0, count - 4);
-  LobeMeans sum;
-  for (int k = first; k < first + 4; ++k)
-  {
-    const int at = known[static_cast<std::size_t>(k)];
-    double weight = 1.0;
-    for (int other = first; other < first + 4; ++other)
-    {
-      const int node = known[static_cast<std::size_t>(other)];
-      weight *= other == k ? 1.0 : static_cast<double>(index - node) / (at - node);
-    }
-    sum.Add(this->Views[static_cast<std::size_t>(at)].Means, weight);
-  }
-  sum.Clamp();
-  return sum;
 }
 
 double LobeViews::GetSharpShare(double solidAngle, double farthest) const
@@ -199,7 +112,7 @@ double LobeViews::GetSharpShare(double solidAngle, double farthest) const
   double largest = 0.0;
   for (int k = 0; k < NumberOfViews && GetAngle(k) <= farthest; ++k)
   {
-    const View& view = this->Views[static_cast<std::size_t>(k)];
+    const View& view = this->Views[k];
     double energy = 0.0;
     for (const Cell& cell : view.Cells)
     {
@@ -216,5 +129,43 @@ double LobeViews::GetSharpShare(double solidAngle, double farthest) const
     }
   }
   return largest;
+}
+
+namespace
+{
+constexpr int AnisotropicViewCells = 256; // of a view's quadrature
+}
+
+glm::dvec3 AnisotropicViews::GetView(double theta, double phi)
+{
+  const double s = std::sin(theta);
+  return glm::dvec3(s * std::cos(phi), s * std::sin(phi), std::cos(theta));
+}
+
+double AnisotropicViews::GetAngle(int index) { return LobeViews::GetAngle(index, Angles); }
+
+double AnisotropicViews::GetAzimuth(int index, int count) const
+{
+  return 2.0 * Pi * index / (this->Periods * count);
+}
+
+const LobeMeans& AnisotropicViews::Get(int angle, int azimuth) const
+{
+  return this->Means[azimuth * Angles + angle];
+}
+
+AnisotropicViews::AnisotropicViews(vtkBRDF* brdf, const std::atomic<bool>& abort)
+  : Periods(IsSameAfterHalfATurn(brdf) ? 2 : 1)
+  , Means(static_cast<std::size_t>(Angles * Azimuths))
+{
+  measuredbrdf::ParallelForEach(
+    this->Means.size(),
+    [&](std::size_t k)
+    {
+      const int index = static_cast<int>(k);
+      this->Means[k] = LobeMeans(LobeQuadrature(brdf,
+        GetView(GetAngle(index % Angles), this->GetAzimuth(index / Angles)), AnisotropicViewCells));
+    },
+    &abort);
 }
 } // namespace measuredbrdf

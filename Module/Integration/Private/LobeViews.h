@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A material's lobes over all view angles.
+ * A material's lobes over all views: of an isotropic one over the view's polar angle, of an
+ * anisotropic one over its azimuth, too.
  */
 
 #ifndef LobeViews_h
 #define LobeViews_h
 
-#include "LobeMeans.h"
+#include "LobeQuadrature.h"
+
+#include <glm/glm.hpp>
 
 #include <atomic>
 #include <vector>
@@ -52,7 +55,7 @@ public:
   struct View
   {
     LobeMeans Means;
-    std::vector<Cell> Cells; // none: interpolated. The first and the last view have some.
+    std::vector<Cell> Cells;
   };
   const std::vector<View>& GetViews() const { return this->Views; }
 
@@ -70,12 +73,36 @@ public:
 private:
   static const std::atomic<bool> Never;
 
-  void Evaluate(
-    vtkBRDF* brdf, const std::vector<int>& indices, int cells, const std::atomic<bool>& abort);
   void LimitAxes();
-  LobeMeans Interpolate(const std::vector<int>& known, int index) const;
 
   std::vector<View> Views;
+};
+
+class AnisotropicViews
+{
+public:
+  static constexpr int Angles = 24;   // polar angles; they crowd towards the horizon, as LobeViews'
+  static constexpr int Azimuths = 16; // over the period
+
+  /// A view at a polar angle and an azimuth, in radians.
+  static glm::dvec3 GetView(double theta, double phi);
+
+  /// Of a prepared BRDF. Of no use where it was aborted.
+  AnisotropicViews(vtkBRDF* brdf, const std::atomic<bool>& abort);
+
+  /// How often f repeats itself while the sample is turned once about its normal: 1 or 2.
+  int GetPeriods() const { return this->Periods; }
+
+  static double GetAngle(int index);
+
+  /// Of so many azimuths over the period; those of the views where none are said. In radians.
+  double GetAzimuth(int index, int count = Azimuths) const;
+
+  const LobeMeans& Get(int angle, int azimuth) const;
+
+private:
+  int Periods;
+  std::vector<LobeMeans> Means;
 };
 } // namespace measuredbrdf
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialPrecomputation.h"
 
-#include "LampBRDF.h"
+#include "Lamps.h"
 #include "LocalFrame.h"
 #include "ParallelFor.h"
 #include "vtkBRDF.h"
@@ -40,17 +40,15 @@ const MaterialPrecomputation::Kernels& MaterialPrecomputation::GetKernels(
                            { return !kernel || (areNodesWanted && !kernel->HasNodes()); }))
   {
     kernels.clear();
-    kernels.resize(static_cast<std::size_t>(angles));
-    measuredbrdf::ParallelFor(0, angles, 1,
-      [&](vtkIdType begin, vtkIdType end)
+    kernels.resize(angles);
+    measuredbrdf::ParallelForEach(
+      angles,
+      [&](int k)
       {
-        for (vtkIdType k = begin; k < end && !abort; ++k)
-        {
-          kernels[static_cast<std::size_t>(k)] = std::make_unique<LobeHarmonics>(brdf,
-            LobeViews::GetKnotAngle(static_cast<int>(k), angles), resolution,
-            this->Quick ? QuickKernelCells : KernelCells);
-        }
-      });
+        kernels[k] = std::make_unique<LobeHarmonics>(brdf, LobeViews::GetKnotAngle(k, angles),
+          resolution, this->Quick ? QuickKernelCells : KernelCells);
+      },
+      &abort);
   }
   return kernels;
 }
@@ -158,34 +156,6 @@ void MaterialPrecomputation::Trim(int mostAngles, int mostNodes)
   }
 }
 
-std::size_t MaterialPrecomputation::GetBytes() const
-{
-  std::size_t bytes =
-    this->LampForms.size() * static_cast<std::size_t>(LampBRDF::GetTextureBytes());
-  for (const auto& [sizes, kernels] : this->KernelsOf)
-  {
-    for (const auto& kernel : kernels)
-    {
-      bytes += kernel ? kernel->GetBytes() : 0;
-    }
-  }
-  for (const auto& [kernels, expansion] : this->Expansions)
-  {
-    for (const std::vector<float>& harmonics : expansion.Harmonics)
-    {
-      bytes += harmonics.size() * sizeof(float);
-    }
-  }
-  if (this->Views)
-  {
-    for (const LobeViews::View& view : this->Views->GetViews())
-    {
-      bytes += sizeof(view) + view.Cells.size() * sizeof(LobeViews::Cell);
-    }
-  }
-  return bytes;
-}
-
 const AnisotropicViews& MaterialPrecomputation::GetAnisotropicViews(
   vtkBRDF* brdf, const std::atomic<bool>& abort)
 {
@@ -206,19 +176,18 @@ const MaterialPrecomputation::AnisotropicKernels& MaterialPrecomputation::GetAni
       std::any_of(kernels.begin(), kernels.end(), [](const auto& kernel) { return !kernel; }))
   {
     kernels.clear();
-    kernels.resize(static_cast<std::size_t>(angles * azimuths));
-    measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(kernels.size()), 1,
-      [&](vtkIdType begin, vtkIdType end)
+    kernels.resize(angles * azimuths);
+    measuredbrdf::ParallelForEach(
+      kernels.size(),
+      [&](std::size_t k)
       {
-        for (vtkIdType k = begin; k < end && !abort; ++k)
-        {
-          const int knot = static_cast<int>(k);
-          kernels[static_cast<std::size_t>(k)] = std::make_unique<AnisotropicLobe>(brdf,
-            AnisotropicViews::GetView(LobeViews::GetKnotAngle(knot / azimuths, angles),
-              views.GetAzimuth(knot % azimuths, azimuths)),
-            resolution);
-        }
-      });
+        const int knot = static_cast<int>(k);
+        kernels[k] = std::make_unique<AnisotropicLobe>(brdf,
+          AnisotropicViews::GetView(LobeViews::GetKnotAngle(knot / azimuths, angles),
+            views.GetAzimuth(knot % azimuths, azimuths)),
+          resolution);
+      },
+      &abort);
   }
   return kernels;
 }

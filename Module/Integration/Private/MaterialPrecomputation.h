@@ -9,8 +9,6 @@
 #ifndef MaterialPrecomputation_h
 #define MaterialPrecomputation_h
 
-#include "AnisotropicLobe.h"
-#include "AnisotropicViews.h"
 #include "LobeHarmonics.h"
 #include "LobeViews.h"
 #include "vtkRadianceIntegrator.h"
@@ -87,9 +85,6 @@ public:
   /// Without what few plans need: what a factored table lacks, and the nodes of kernels at more
   /// than so many angles or of more than so many nodes. Their harmonics stay.
   void Trim(int mostAngles, int mostNodes);
-
-  /// Of an isotropic material's data on the heap, about.
-  std::size_t GetBytes() const;
 
 private:
   const bool Quick;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RadianceCore.h"
 
-#include "ClampedCosine.h"
 #include "FieldSynthesis.h"
 #include "LobeHarmonics.h"
 #include "LobePlacement.h"
@@ -11,8 +10,8 @@
 #include "TableSynthesis.h"
 #include "WignerD.h"
 
+#include <glm/glm.hpp>
 #include <glm/gtc/packing.hpp>
-#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <array>
@@ -78,7 +77,7 @@ std::vector<double> TurnCosine(double delta, int degree)
     for (int l = functions.GetFirst(); l <= degree; ++l)
     {
       turned[GetIndex(order, 0, degree, l)] =
-        sign * d[static_cast<std::size_t>(l - functions.GetFirst())] * GetClampedCosine(l);
+        sign * d[l - functions.GetFirst()] * GetClampedCosine(l);
     }
   }
   return turned;
@@ -114,7 +113,7 @@ void ExpandKnot(const CoreKernels& kernels, const std::vector<std::vector<float>
         const std::size_t k = GetIndex(order, channel, degree, l);
         const double taken =
           glm::mix(table[low][k], table[low + 1][k], static_cast<float>(between));
-        result[static_cast<std::size_t>(order)](l, column) =
+        result[order](l, column) =
           GetTaper(l, degree, kernels.Rows) *
           (whole[k] * amplitude + lambert * cosine[GetIndex(order, 0, degree, l)] -
             inTable * share[channel] * taken);
@@ -133,15 +132,8 @@ Matrices ExpandKernels(const CoreKernels& kernels)
     kernels.Known.GetExpanded(kernels.Knots, kernels.Degree, LargestOrder);
   Matrices result(LargestOrder + 1,
     Eigen::MatrixXd::Zero(kernels.Degree + 1, 3 * static_cast<Eigen::Index>(kernels.Knots.size())));
-  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(kernels.Knots.size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType knot = begin; knot < end; ++knot)
-      {
-        const std::size_t at = static_cast<std::size_t>(knot);
-        ExpandKnot(kernels, table, at, whole[at], result);
-      }
-    });
+  measuredbrdf::ParallelForEach(kernels.Knots.size(),
+    [&](std::size_t knot) { ExpandKnot(kernels, table, knot, whole[knot], result); });
   return result;
 }
 
@@ -152,7 +144,7 @@ void Decompose(int order, const Eigen::MatrixXd& kernels, const std::vector<doub
   Eigen::MatrixXd weighted = kernels;
   for (Eigen::Index l = 0; l < weighted.rows(); ++l)
   {
-    weighted.row(l) *= std::pow(power[static_cast<std::size_t>(l)], 0.5 * PowerExponent);
+    weighted.row(l) *= std::pow(power[l], 0.5 * PowerExponent);
   }
   weighted = weighted * weights.asDiagonal();
   const SymmetricEigen eigen(weighted.transpose() * weighted);
@@ -217,14 +209,11 @@ std::vector<CoreMode> ChooseModes(
     [&kernels]() { return ExpandKernels(kernels); });
   const double least = LeastEnergy * std::pow(power[0], PowerExponent) * total;
   std::array<std::vector<CoreMode>, LargestOrder + 1> byOrder;
-  measuredbrdf::ParallelFor(0, LargestOrder + 1, 1,
-    [&](vtkIdType begin, vtkIdType end)
+  measuredbrdf::ParallelForEach(LargestOrder + 1,
+    [&](int order)
     {
-      for (int order = static_cast<int>(begin); order < static_cast<int>(end); ++order)
-      {
-        const std::size_t at = static_cast<std::size_t>(order);
-        Decompose(order, expanded[at], power, weights, least, byOrder[at]);
-      }
+      const std::size_t at = order;
+      Decompose(order, expanded[at], power, weights, least, byOrder[at]);
     });
   std::vector<CoreMode> modes;
   for (std::vector<CoreMode>& of : byOrder)
@@ -265,8 +254,7 @@ int RadianceCore::GetNumberOfFields() const
 
 // A mode's fields, as the synthesis has them, scaled to what a texture holds; returns what undoes
 // that.
-double RadianceCore::AddFields(
-  int order, const std::array<FieldSynthesis::Field, 3>& fields, std::size_t mode)
+double RadianceCore::AddFields(int order, const FieldSynthesis::Fields& fields, std::size_t mode)
 {
   const std::size_t texels = this->GetNumberOfTexels();
   // 2 Re(e^(-i m psi) G) = 2 cos(m psi) Re G + 2 sin(m psi) Im G.
@@ -286,23 +274,21 @@ double RadianceCore::AddFields(
   float* const real = &this->Fields[first];
   const auto pack = [scale, share](float value)
   { return glm::unpackHalf1x16(glm::packHalf1x16(scale * (share * value))); };
-  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(texels), PackedTexels,
-    [&](vtkIdType begin, vtkIdType end)
+  measuredbrdf::ParallelForEach(
+    texels,
+    [&](std::size_t texel)
     {
-      for (std::size_t texel = static_cast<std::size_t>(begin);
-           texel < static_cast<std::size_t>(end); ++texel)
+      for (std::size_t channel = 0; channel < 3; ++channel)
       {
-        for (std::size_t channel = 0; channel < 3; ++channel)
+        const std::complex<float> value = fields[channel][mode * texels + texel];
+        real[3 * texel + channel] = pack(value.real());
+        if (order > 0)
         {
-          const std::complex<float> value = fields[channel][mode * texels + texel];
-          real[3 * texel + channel] = pack(value.real());
-          if (order > 0)
-          {
-            real[3 * (texels + texel) + channel] = pack(value.imag());
-          }
+          real[3 * (texels + texel) + channel] = pack(value.imag());
         }
       }
-    });
+    },
+    nullptr, PackedTexels);
   this->Orders.push_back(order);
   return 1.0 / static_cast<double>(scale);
 }
@@ -311,7 +297,7 @@ bool RadianceCore::Make(const EnvironmentHarmonics& environment, const LobeViews
   const CoreKernels& kernels, int fields, const std::function<bool(double)>& goOn)
 {
   const std::vector<CoreMode> modes = ChooseModes(environment, kernels, fields);
-  FieldSynthesis synthesis(environment, this->Rows, this->Columns, MapNodes::Centers);
+  FieldSynthesis synthesis(MapPart(this->Rows, this->Columns), MapNodes::Centers);
   constexpr int size = LobeViews::NumberOfViews;
   this->Profile.assign(3 * size * (1 + modes.size()), 0.0f);
   const auto put = [this](std::size_t row, int view, const glm::dvec3& value)
@@ -325,7 +311,7 @@ bool RadianceCore::Make(const EnvironmentHarmonics& environment, const LobeViews
   };
   for (int view = 0; view < size; ++view)
   {
-    const double delta = views.GetViews()[static_cast<std::size_t>(view)].Means.Delta;
+    const double delta = views.GetViews()[view].Means.Delta;
     put(0, view, { 0.0, std::cos(delta), std::sin(delta) });
   }
   for (std::size_t k = 0, next = 0; k < modes.size(); k = next)
@@ -335,14 +321,15 @@ bool RadianceCore::Make(const EnvironmentHarmonics& environment, const LobeViews
     {
       ++next;
     }
-    FieldSynthesis::Matrix functions(
-      modes[k].Function.size(), static_cast<Eigen::Index>(next - k)); // turned alike
-    for (std::size_t mode = k; mode < next; ++mode)
+    const Eigen::Index count = next - k; // turned alike
+    FieldSynthesis::Kernels functions(3 * count, modes[k].Function.size());
+    for (Eigen::Index row = 0; row < 3 * count; ++row)
     {
-      functions.col(static_cast<Eigen::Index>(mode - k)) = modes[mode].Function.cast<float>();
+      functions.row(row) =
+        modes[k + static_cast<std::size_t>(row % count)].Function.cast<float>().transpose();
     }
-    std::array<FieldSynthesis::Field, 3> fieldsOfModes;
-    synthesis.Run(order, { functions, functions, functions }, fieldsOfModes);
+    FieldSynthesis::Fields fieldsOfModes;
+    synthesis.Run(order, { { environment, functions } }, fieldsOfModes);
     for (std::size_t mode = k; mode < next; ++mode)
     {
       const double scale = this->AddFields(order, fieldsOfModes, mode - k);
@@ -356,36 +343,27 @@ bool RadianceCore::Make(const EnvironmentHarmonics& environment, const LobeViews
       return false;
     }
   }
-  this->SetUnits();
   return true;
 }
 
-void RadianceCore::SetUnits()
+std::vector<float> RadianceCore::GetShaderWeights() const
 {
-  constexpr std::size_t size = 3 * static_cast<std::size_t>(LobeViews::NumberOfViews);
-  constexpr auto most = static_cast<float>(MostSteps * MostSteps);
-  this->Units.assign(3 * this->Orders.size(), 0.0f);
-  for (std::size_t k = size; k < this->Profile.size(); ++k) // after the row of the axis
+  const int modes = this->Orders.size();
+  std::vector<float> texels(4 * ProfileTexels * CountWeightRows(modes), 0.0f);
+  for (int mode = 0; mode < modes; ++mode)
   {
-    float& unit = this->Units[3 * (k / size - 1) + k % 3];
-    unit = std::max(unit, std::abs(this->Profile[k]) / most);
-  }
-}
-
-glm::dvec3 RadianceCore::GetSteps(std::size_t mode, double u) const
-{
-  const glm::dvec3 weights = GetProfileValue(this->Profile, static_cast<int>(1 + mode), u);
-  glm::dvec3 steps(0.0);
-  for (int c = 0; c < 3; ++c)
-  {
-    const double unit = static_cast<double>(this->Units[3 * mode + static_cast<std::size_t>(c)]);
-    if (unit > 0.0)
+    for (int k = 0; k < ProfileTexels; ++k)
     {
-      const double root = std::round(std::sqrt(std::abs(weights[c]) / unit));
-      steps[c] = std::copysign(std::min(root, MostSteps), weights[c]);
+      const glm::dvec3 weights =
+        GetProfileValue(this->Profile, 1 + mode, k / (ProfileTexels - 1.0));
+      for (int c = 0; c < 3; ++c)
+      {
+        const int number = 3 * mode + c;
+        texels[4 * (number / 4 * ProfileTexels + k) + number % 4] = static_cast<float>(weights[c]);
+      }
     }
   }
-  return steps;
+  return texels;
 }
 
 glm::dvec3 RadianceCore::Evaluate(
@@ -415,8 +393,7 @@ glm::dvec3 RadianceCore::Evaluate(
               turn.y * GetCenteredValue(this->Fields, this->Rows, this->Columns, first, at);
       first += texels;
     }
-    const glm::dvec3 steps = this->GetSteps(k, u);
-    sum += field * steps * glm::abs(steps) * glm::dvec3(glm::make_vec3(&this->Units[3 * k]));
+    sum += field * GetProfileValue(this->Profile, static_cast<int>(1 + k), u);
   }
   return sum;
 }

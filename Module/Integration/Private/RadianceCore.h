@@ -17,6 +17,7 @@
 
 #include "EnvironmentHarmonics.h"
 #include "FieldSynthesis.h"
+#include "LobePlacement.h" // for ProfileTexels
 #include "LobeViews.h"
 #include "MaterialPrecomputation.h"
 #include "Neighbors.h"
@@ -28,6 +29,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace measuredbrdf
@@ -83,23 +85,16 @@ struct RadianceCore
   std::vector<float> Profile; // RGB, ProfileSize x (1 + modes): (0, cos, sin delta); W_k
   std::vector<float> Fields;  // RGB, Columns x Rows x fields, of 16 bits: A_k and, for m > 0, B_k
 
-  /// Weights are rounded to n |n| Unit, n a whole number of at most MostSteps to either side, so
-  /// that small weights keep more of their digits, and two have room in a float (ShaderWeights). A
-  /// channel's largest |W| takes MostSteps.
-  static constexpr double MostSteps = 2047.0;
-  std::vector<float> Units; // RGB of each mode
-
   int GetNumberOfFields() const;
+
+  /// Weights as shaders read them: those of all modes one after the other, four in a texel RGBA of
+  /// a row of ProfileTexels; and how many rows so many modes take.
+  std::vector<float> GetShaderWeights() const;
+  static int CountWeightRows(int modes) { return (3 * modes + 3) / 4; }
   std::size_t GetNumberOfTexels() const
   {
-    return static_cast<std::size_t>(this->Columns) * static_cast<std::size_t>(this->Rows);
+    return static_cast<std::size_t>(this->Columns) * this->Rows;
   }
-
-  /// From Profile, when it has all its values.
-  void SetUnits();
-
-  /// n of a mode's weights where profiles are read, at u.
-  glm::dvec3 GetSteps(std::size_t mode, double u) const;
 
   /// Radiance, of either sign, towards o about the normal n, as the shader looks it up; t: a unit
   /// tangent or zero.
@@ -111,8 +106,10 @@ struct RadianceCore
     const CoreKernels& kernels, int fields, const std::function<bool(double)>& goOn);
 
 private:
-  double AddFields(int order, const std::array<FieldSynthesis::Field, 3>& fields, std::size_t mode);
+  double AddFields(int order, const FieldSynthesis::Fields& fields, std::size_t mode);
 };
+
+struct RadianceCore;
 } // namespace measuredbrdf
 
 #endif

@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TableSynthesis.h"
 
-#include "AzimuthSeries.h"
-#include "ClampedCosine.h"
 #include "FieldSynthesis.h"
+#include "Floats.h"
 #include "HalfVector.h" // for Pi
 #include "LobeHarmonics.h"
 #include "LobePlacement.h"
 #include "ParallelFor.h"
-#include "RingLimiter.h"
-#include "SharedExponent.h"
-#include "TableTiles.h"
+#include "RadianceTable.h"
+#include "SynthesisLanes.h"
 
 #include <Eigen/Core>
 #include <glm/glm.hpp>
@@ -21,12 +19,101 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <functional>
 #include <utility>
 
 namespace measuredbrdf
 {
+namespace
+{
+constexpr std::size_t Together = 512; // values of each slice, which fit into a core's cache
+}
+
+AzimuthSeries::AzimuthSeries(int angles, int azimuths, std::size_t texels)
+  : Angles(angles)
+  , Azimuths(azimuths)
+  , Size(3 * texels)
+  , Values(this->Size * this->GetSlices() * static_cast<std::size_t>(angles))
+{
+}
+
+// A slice has the real field of order 0, and two have the real and the imaginary parts of another.
+void AzimuthSeries::Set(int order, const FieldSynthesis::Fields& fields, std::size_t firstAngle)
+{
+  const std::size_t texels = this->Size / 3;
+  measuredbrdf::ParallelForEach(fields[0].size() / texels,
+    [&](std::size_t angle)
+    {
+      const std::size_t slice = 2 * static_cast<std::size_t>(order) - (order > 0 ? 1 : 0);
+      float* real = &this->Values[((firstAngle + angle) * this->GetSlices() + slice) * this->Size];
+      float* imaginary = order > 0 ? real + this->Size : nullptr;
+      for (std::size_t k = 0; k < this->Size; ++k)
+      {
+        const std::complex<float> value = fields[k % 3][angle * texels + k / 3];
+        real[k] = value.real();
+        if (imaginary)
+        {
+          imaginary[k] = value.imag();
+        }
+      }
+    });
+}
+
+// What each number of the series counts for at each azimuth: slices x rows, one for each azimuth
+// and some of zeros.
+std::vector<float> AzimuthSeries::GetTurns() const
+{
+  const std::size_t slices = this->GetSlices();
+  const std::size_t rows = RoundUp(slices, ProductRows);
+  std::vector<float> turns(rows * slices, 0.0f);
+  for (std::size_t azimuth = 0; azimuth < slices; ++azimuth)
+  {
+    turns[azimuth] = 1.0f;
+    for (int order = 1; order <= this->GetLastOrder(); ++order)
+    {
+      const double gain = 2.0 * GetLinearSplineGain(static_cast<double>(order) / this->Azimuths);
+      const double angle = 2.0 * Pi * order * static_cast<double>(azimuth) / this->Azimuths;
+      const std::size_t at = 2 * static_cast<std::size_t>(order) * rows + azimuth;
+      turns[at - rows] = static_cast<float>(gain * std::cos(angle));
+      turns[at] = static_cast<float>(gain * std::sin(angle));
+    }
+  }
+  return turns;
+}
+
+std::vector<float> AzimuthSeries::TakeRadiance()
+{
+  const std::size_t slices = this->GetSlices();
+  const std::size_t rows = RoundUp(slices, ProductRows);
+  const std::vector<float> turns = this->GetTurns();
+  const std::size_t blocks = (this->Size + Together - 1) / Together;
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(blocks) * this->Angles, 16,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<float> series(slices * Together, 0.0f);
+      std::vector<float> radiance(rows * Together);
+      for (std::size_t k = begin; k < static_cast<std::size_t>(end); ++k)
+      {
+        const std::size_t first = k % blocks * Together;
+        const std::size_t count = std::min(Together, this->Size - first);
+        float* values = &this->Values[k / blocks * slices * this->Size + first];
+        for (std::size_t slice = 0; slice < slices; ++slice)
+        {
+          std::copy_n(values + slice * this->Size, count, &series[slice * Together]);
+        }
+        Multiply({ turns.data(), rows }, { series.data(), Together }, rows, slices, Together,
+          radiance.data());
+        for (std::size_t slice = 0; slice < slices; ++slice)
+        {
+          std::copy_n(&radiance[slice * Together], count, values + slice * this->Size);
+        }
+      }
+    });
+  return std::move(this->Values);
+}
+
 namespace
 {
 constexpr float LeastPeak = 1e-30f; // of radiance: less is black
@@ -49,7 +136,7 @@ std::array<std::vector<double>, 3> GetStrengths(const EnvironmentHarmonics& ligh
       {
         sum += 2.0 * std::norm(light.Get(channel, l, m));
       }
-      strengths[static_cast<std::size_t>(channel)].push_back(std::sqrt(sum));
+      strengths[channel].push_back(std::sqrt(sum));
     }
   }
   return strengths;
@@ -95,24 +182,18 @@ int GetNeededDegree(const std::vector<SeenLight>& seen, int order, int degree)
   return std::min(needed, degree);
 }
 
-// One order's, by channel: degrees up to the last x view angles.
-std::array<FieldSynthesis::Matrix, 3> PickOrder(
+// One order's, up to a degree.
+FieldSynthesis::Kernels PickOrder(
   const std::vector<std::vector<float>>& kernels, int order, int degree, int last)
 {
-  std::array<FieldSynthesis::Matrix, 3> matrices;
-  for (int channel = 0; channel < 3; ++channel)
+  const Eigen::Index count = kernels.size();
+  FieldSynthesis::Kernels picked(3 * count, last + 1);
+  for (Eigen::Index row = 0; row < 3 * count; ++row)
   {
-    FieldSynthesis::Matrix& matrix = matrices[static_cast<std::size_t>(channel)];
-    matrix.resize(last + 1, static_cast<Eigen::Index>(kernels.size()));
-    for (std::size_t angle = 0; angle < kernels.size(); ++angle)
-    {
-      const std::size_t begin =
-        static_cast<std::size_t>(3 * order + channel) * static_cast<std::size_t>(degree + 1);
-      matrix.col(static_cast<Eigen::Index>(angle)) =
-        Eigen::Map<const Eigen::VectorXf>(&kernels[angle][begin], last + 1);
-    }
+    const Eigen::Index begin = (3 * order + row / count) * (degree + 1);
+    picked.row(row) = Eigen::Map<const Eigen::RowVectorXf>(&kernels[row % count][begin], last + 1);
   }
-  return matrices;
+  return picked;
 }
 }
 
@@ -159,14 +240,11 @@ double PackRadiance(const std::vector<float>& radiance, RadianceTable::Texels& t
   }
   const float scale = LargestSharedExponent / largest;
   texels.resize(radiance.size() / 3);
-  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(texels.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (std::size_t k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
-      {
-        texels[k] = PackSharedExponent(scale * glm::make_vec3(&radiance[3 * k]));
-      }
-    });
+  measuredbrdf::ParallelForEach(
+    texels.size(),
+    [&](std::size_t k)
+    { texels[k] = PackSharedExponent(scale * glm::make_vec3(&radiance[3 * k])); },
+    nullptr, 0);
   return 1.0 / static_cast<double>(scale);
 }
 
@@ -196,8 +274,8 @@ std::vector<float> SynthesizeMaps(MaterialPrecomputation& parts, const LobeViews
     }
   }
   AzimuthSeries series(table.Angles, table.Azimuths, part.GetNumberOfNodes());
-  FieldSynthesis synthesis(light.Environment, part, MapNodes::Poles);
-  std::array<FieldSynthesis::Field, 3> fields;
+  FieldSynthesis synthesis(part, MapNodes::Poles);
+  FieldSynthesis::Fields fields;
   std::vector<SeenLight> seen{ { kernels, GetStrengths(light.Environment, degree) } };
   if (light.All)
   {
@@ -206,16 +284,13 @@ std::vector<float> SynthesizeMaps(MaterialPrecomputation& parts, const LobeViews
   for (int order = 0; order <= orders; ++order)
   {
     const int last = GetNeededDegree(seen, order, degree);
-    const FieldSynthesis::Kernels of = PickOrder(kernels, order, degree, last);
+    std::vector<FieldSynthesis::Part> lit{ { light.Environment,
+      PickOrder(kernels, order, degree, last) } };
     if (light.All)
     {
-      const FieldSynthesis::More more{ *light.All, PickOrder(outside, order, degree, last) };
-      synthesis.Run(order, of, fields, &more);
+      lit.push_back({ *light.All, PickOrder(outside, order, degree, last) });
     }
-    else
-    {
-      synthesis.Run(order, of, fields);
-    }
+    synthesis.Run(order, lit, fields);
     series.Set(order, fields);
     if (!goOn((order + 1.0) / (orders + 1)))
     {
@@ -252,7 +327,7 @@ double SynthesizeRadiance(MaterialPrecomputation& parts, const LobeViews& views,
     parts.GetExpanded(knots, degree, table.Azimuths / 2);
   }
   std::vector<float> radiance =
-    SynthesizeMaps(parts, views, light, knots, smoothing, MapPart::OfAll(table.Rows, table.Columns),
+    SynthesizeMaps(parts, views, light, knots, smoothing, MapPart(table.Rows, table.Columns),
       fineRows > 0 ? std::min(GetMapDegree(table.Rows), degree) : degree, goOn, table);
   if (radiance.empty())
   {
@@ -278,58 +353,62 @@ double SynthesizeRadiance(MaterialPrecomputation& parts, const LobeViews& views,
   return PackRadiance(radiance, table.Radiance);
 }
 
+bool PutProfile(const LobeMeans& lobe, const LobeMeans& between, const glm::dvec3& first,
+  double scale, std::size_t at, std::vector<float>& profile)
+{
+  glm::dvec3 share(0.0);
+  for (int c = 0; c < 3; ++c)
+  {
+    const double wanted = lobe.Amplitude[c] + Pi * (lobe.Floor[c] - between.Floor[c]);
+    share[c] = between.Amplitude[c] > 0.0 ? std::max(wanted, 0.0) / between.Amplitude[c] : 0.0;
+  }
+  std::size_t out = 3 * at;
+  for (const glm::dvec3& row : { first, share * scale, between.Floor })
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      profile[out + static_cast<std::size_t>(c)] = static_cast<float>(row[c]);
+    }
+    out += profile.size() / 3;
+  }
+  return between.Floor != glm::dvec3(0.0);
+}
+
 void MakeProfile(const LobeViews& views, const MaterialPrecomputation::Kernels& knots, double scale,
   RadianceTable& table)
 {
   table.Profile.resize(3 * 3 * RadianceTable::ProfileSize);
   for (int k = 0; k < RadianceTable::ProfileSize; ++k)
   {
-    const LobeMeans& lobe = views.GetViews()[static_cast<std::size_t>(k)].Means;
-    const double theta = LobeViews::GetAngle(k);
-    // Between the table's view angles both parts are interpolated, however steeply one hands over
-    // to the other; what they miss of the directional albedo goes to the rest.
-    const double w = LobeViews::GetKnotPosition(theta, table.Angles);
+    const LobeMeans& lobe = views.GetViews()[k].Means;
+    const double w = LobeViews::GetKnotPosition(LobeViews::GetAngle(k), table.Angles);
     const std::size_t low = std::min(static_cast<std::size_t>(w), knots.size() - 2);
     const double t = w - static_cast<double>(low);
-    const LobeMeans& below = knots[low]->GetMeans();
-    const LobeMeans& above = knots[low + 1]->GetMeans();
-    const glm::dvec3 floor = glm::mix(below.Floor, above.Floor, t);
-    const glm::dvec3 amplitude = glm::mix(below.Amplitude, above.Amplitude, t);
-    glm::dvec3 share(0.0);
-    for (int c = 0; c < 3; ++c)
-    {
-      const double wanted = lobe.Amplitude[c] + Pi * (lobe.Floor[c] - floor[c]);
-      share[c] = amplitude[c] > 0.0 ? std::max(wanted, 0.0) / amplitude[c] : 0.0;
-    }
-    const glm::dvec3 rowsOf[3] = { { w, std::cos(lobe.Delta), std::sin(lobe.Delta) }, share * scale,
-      floor };
-    for (int row = 0; row < 3; ++row)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        table.Profile[3 * static_cast<std::size_t>(row * RadianceTable::ProfileSize + k) +
-                      static_cast<std::size_t>(c)] = static_cast<float>(rowsOf[row][c]);
-      }
-    }
-    table.HasFloor = table.HasFloor || floor != glm::dvec3(0.0);
+    LobeMeans between;
+    between.Add(knots[low]->GetMeans(), 1.0 - t);
+    between.Add(knots[low + 1]->GetMeans(), t);
+    const bool hasFloor =
+      PutProfile(lobe, between, { w, std::cos(lobe.Delta), std::sin(lobe.Delta) }, scale,
+        static_cast<std::size_t>(k), table.Profile);
+    table.HasFloor = table.HasFloor || hasFloor;
   }
 }
 
 // On the octahedral map's texels, between those of a map of rows that is twice as fine.
 std::shared_ptr<const ScaledTexels> MakeIrradiance(const EnvironmentHarmonics& environment)
 {
-  FieldSynthesis::Matrix cosine(IrradianceDegree + 1, 1);
+  FieldSynthesis::Kernels cosine(3, IrradianceDegree + 1);
   for (int l = 0; l <= IrradianceDegree; ++l)
   {
-    cosine(l, 0) = static_cast<float>(GetClampedCosine(l));
+    cosine.col(l).setConstant(static_cast<float>(GetClampedCosine(l)));
   }
   constexpr int side = RadianceTable::IrradianceSide;
   const int rows = 2 * side - 1;
   const int columns = 2 * (rows - 1);
-  FieldSynthesis synthesis(environment, rows, columns, MapNodes::Poles);
+  FieldSynthesis synthesis(MapPart(rows, columns), MapNodes::Poles);
   std::vector<float> map(3 * static_cast<std::size_t>(columns * rows));
-  std::array<FieldSynthesis::Field, 3> fields;
-  synthesis.Run(0, { cosine, cosine, cosine }, fields);
+  FieldSynthesis::Fields fields;
+  synthesis.Run(0, { { environment, cosine } }, fields);
   for (std::size_t channel = 0; channel < 3; ++channel)
   {
     for (std::size_t texel = 0; texel < fields[channel].size(); ++texel)
@@ -349,5 +428,4 @@ std::shared_ptr<const ScaledTexels> MakeIrradiance(const EnvironmentHarmonics& e
   irradiance->Scale = static_cast<float>(PackRadiance(values, irradiance->Texels));
   return irradiance;
 }
-
 } // namespace measuredbrdf

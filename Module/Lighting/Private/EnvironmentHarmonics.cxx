@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EnvironmentHarmonics.h"
 
-#include "GaussLegendre.h"
+#include "BasisFunctions.h"
 #include "ParallelFor.h"
 #include "TexelChanges.h"
 #include "TexelInterpolation.h"

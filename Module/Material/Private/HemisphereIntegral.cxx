@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HemisphereIntegral.h"
 
-#include "ConcentricMap.h"
+#include "HalfVector.h"
 #include "RetroLobe.h"
 
 #include <algorithm>

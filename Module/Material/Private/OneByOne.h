@@ -8,7 +8,7 @@
 #ifndef OneByOne_h
 #define OneByOne_h
 
-#include "FiniteFloat.h"
+#include "Floats.h"
 #include "vtkBRDF.h"
 
 namespace measuredbrdf

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ColorDifference.h"
 
-#include "XYZColor.h"
+#include "SRGB.h"
 
 #include <glm/gtc/type_ptr.hpp>
 

@@ -3,8 +3,8 @@
 #include "MaterialDrawing.h"
 
 #include "NumberText.h"
+#include "ParallelFor.h"
 #include "RenderPassQueries.h"
-#include "RunGuarded.h"
 #include "SharedIntegrators.h"
 #include "SurfaceBlocks.h"
 #include "TextureEnvironment.h"

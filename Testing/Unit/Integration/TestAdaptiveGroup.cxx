@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Four neighboring pairs that are integrated over the same squares, against each by itself.
 
-#include "SharedData.h"
 #include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
-#include "vtkBRDFReader.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
-#include "vtkEnvironmentReader.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
 #include "vtkTabulatedBRDF.h"
@@ -22,8 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -105,33 +100,6 @@ TEST(AdaptiveGroup, IsWithinItsTolerance)
     gloss->SetDiffuse(0.02, 0.01, 0.03);
     gloss->SetExponents(exponent, exponent);
     EXPECT_LT(GetLargestError(gloss, environment, fours, 0.002), 0.003) << exponent;
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(AdaptiveGroup, OfMeasuredMaterialsIsWithinThreePerMille)
-{
-  for (const char* path : { "rgl/chm_light_blue_rgb.bsdf", "mbsdf/carpaint_red.mbsdf" })
-  {
-    vtkNew<vtkBRDFReader> reader;
-    reader->SetFileName(SharedData + "/materials/" + path);
-    if (!std::ifstream(reader->GetFileName()).good())
-    {
-      GTEST_SKIP() << "no measured data at " << SharedData;
-    }
-    ASSERT_TRUE(reader->Read());
-    for (const char* light : { "studio", "interior", "city" })
-    {
-      vtkNew<vtkEnvironmentReader> environment;
-      environment->SetFileName(SharedData + "/environments/" + light + ".exr");
-      ASSERT_TRUE(environment->Read());
-      Fours fours;
-      fours.AddOfSphere(40);
-      const double error =
-        GetLargestError(reader->GetBRDF(), environment->GetEnvironment(), fours, 0.0024);
-      std::printf("%s, %s: %.3f %%\n", path, light, 100.0 * error);
-      EXPECT_LT(error, 0.003) << path << " " << light;
-    }
   }
 }
 

@@ -3,9 +3,8 @@
 // What the adaptive sum is made of: squares of the sky by fours, many of them at once, and their
 // queue.
 
-#include "ErrorQueue.h"
+#include "AdaptiveSum.h"
 #include "LaneForms.h"
-#include "SquareMiddles.h"
 #include "TexelTree.h"
 #include "vtkEnvironment.h"
 #include "vtkNew.h"
@@ -60,40 +59,6 @@ TEST(TexelTree, QuartersAreTheSquaresBelow)
         }
       }
     }
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(ErrorQueue, GivesTheLargestFirst)
-{
-  ErrorQueue queue;
-  std::mt19937 engine(11);
-  std::vector<float> errors;
-  for (int round = 0; round < 2; ++round) // it is used again
-  {
-    queue.Clear();
-    errors.clear();
-    EXPECT_TRUE(queue.IsEmpty());
-    float largest = 0.0f;
-    for (std::uint32_t k = 0; k < 3000; ++k)
-    {
-      errors.push_back(
-        std::ldexp(1.0f + engine() * 0x1p-32f, static_cast<int>(engine() % 60) - 50));
-      largest = std::max(largest, errors.back());
-      queue.Add(errors.back(), k);
-    }
-    std::vector<char> taken(errors.size(), 0);
-    for (std::size_t k = 0; k < errors.size(); ++k)
-    {
-      ASSERT_FALSE(queue.IsEmpty());
-      const std::uint32_t number = queue.Take();
-      ASSERT_LT(number, errors.size());
-      EXPECT_FALSE(taken[number]);
-      taken[number] = 1;
-      EXPECT_LE(errors[number], 1.25f * largest) << k; // a fourth of an octave
-      largest = errors[number];
-    }
-    EXPECT_TRUE(queue.IsEmpty());
   }
 }
 

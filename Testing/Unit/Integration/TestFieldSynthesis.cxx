@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Maps of kernels that are convolved with an environment, against the sum over harmonics.
 
-#include "AzimuthSeries.h"
 #include "EnvironmentHarmonics.h"
 #include "FieldSynthesis.h"
 #include "HalfVector.h"
 #include "LaneForms.h"
-#include "MapPart.h"
-#include "RowTransform.h"
+#include "SynthesisLanes.h"
+#include "TableSynthesis.h"
 #include "WignerD.h"
-#include "WignerLanes.h"
 #include "vtkEnvironment.h"
 #include "vtkNew.h"
 
@@ -20,6 +18,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -33,25 +32,35 @@ constexpr int FieldDegree = 24;
 constexpr int FieldRows = 12;
 FieldSynthesis::Kernels MakeKernels(int count)
 {
-  FieldSynthesis::Kernels kernels;
-  for (std::size_t channel = 0; channel < 3; ++channel)
+  FieldSynthesis::Kernels kernels(3 * count, FieldDegree + 1);
+  for (int kind = 0; kind < 3 * count; ++kind)
   {
-    kernels[channel].resize(FieldDegree + 1, count);
     for (int l = 0; l <= FieldDegree; ++l)
     {
-      for (int k = 0; k < count; ++k)
-      {
-        kernels[channel](l, k) =
-          static_cast<float>(std::cos(l * (k + 1.0) + static_cast<double>(channel)) / (l + 1.0));
-      }
+      kernels(kind, l) =
+        static_cast<float>(std::cos(l * (kind % count + 1.0) + kind / count) / (l + 1.0));
     }
   }
   return kernels;
 }
 
+// A map's nodes in some columns of some rows.
+MapPart MakePart(int columns, const std::vector<std::pair<int, std::vector<int>>>& rows)
+{
+  std::vector<char> wanted(static_cast<std::size_t>(FieldRows * columns), 0);
+  for (const auto& [row, of] : rows)
+  {
+    for (const int column : of)
+    {
+      wanted[static_cast<std::size_t>(row * columns + column)] = 1;
+    }
+  }
+  return MapPart(FieldRows, columns, &wanted);
+}
+
 // sum_m e^(-i m phi) sum_l d^l_mk(theta) b_l conj(a_lm)
 std::complex<double> Sum(const measuredbrdf::EnvironmentHarmonics& light, int channel, int order,
-  const FieldSynthesis::Kernels& kernels, int kernel, double theta, double phi)
+  const FieldSynthesis::Kernels& kernels, int kind, double theta, double phi)
 {
   std::complex<double> sum = 0.0;
   std::vector<double> d(FieldDegree + 1);
@@ -63,7 +72,7 @@ std::complex<double> Sum(const measuredbrdf::EnvironmentHarmonics& light, int ch
     {
       const std::complex<double> a = light.Get(channel, l, std::abs(m));
       sum += std::polar(1.0, -m * phi) * d[static_cast<std::size_t>(l - functions.GetFirst())] *
-             static_cast<double>(kernels[static_cast<std::size_t>(channel)](l, kernel)) *
+             static_cast<double>(kernels(kind, l)) *
              (m >= 0 ? std::conj(a) : (m % 2 != 0 ? -a : a));
     }
   }
@@ -81,33 +90,33 @@ TEST(FieldSynthesis, IsTheSumOverHarmonics)
   hall->SetToProceduralHall();
   const measuredbrdf::EnvironmentHarmonics light(hall, FieldDegree);
   // Columns that make a power of two, or not, or are fewer than the orders.
-  std::vector<std::pair<measuredbrdf::MapPart, int>> cases{ { MapPart::OfAll(FieldRows, 24), 5 },
-    { MapPart::OfRows(FieldRows, 32, { 1, 4, 9 }), 20 },
-    { MapPart::OfRows(FieldRows, 64, { 3, 8 }), 1 }, { MapPart::OfAll(FieldRows, 64), 12 },
-    { MapPart(FieldRows, 64), 16 } };
-  cases.back().first.AddRow(2, { 0, 63 });
-  cases.back().first.AddRow(7, { 5, 6, 7, 40 });
+  std::vector<int> all(64);
+  std::iota(all.begin(), all.end(), 0);
+  const std::vector<std::pair<MapPart, int>> cases{ { MapPart(FieldRows, 24), 5 },
+    { MakePart(64, { { 1, all }, { 4, all }, { 9, all } }), 20 },
+    { MakePart(64, { { 3, all }, { 8, all } }), 1 }, { MapPart(FieldRows, 64), 12 },
+    { MakePart(64, { { 2, { 0, 63 } }, { 7, { 5, 6, 7, 40 } } }), 16 } };
   for (const auto& [part, count] : cases)
   {
     const FieldSynthesis::Kernels kernels = MakeKernels(count);
-    FieldSynthesis synthesis(light, part, measuredbrdf::MapNodes::Centers);
+    FieldSynthesis synthesis(part, measuredbrdf::MapNodes::Centers);
     const std::size_t nodes = part.GetNumberOfNodes();
     for (const int order : { 0, 1, 2 })
     {
-      std::array<FieldSynthesis::Field, 3> fields;
-      synthesis.Run(order, kernels, fields);
+      FieldSynthesis::Fields fields;
+      synthesis.Run(order, { { light, kernels } }, fields);
       for (std::size_t k = 0; k < 3 * static_cast<std::size_t>(count) * part.GetRows().size(); ++k)
       {
         const std::size_t channel = k % 3;
         const std::size_t kernel = k / 3 % static_cast<std::size_t>(count);
         const std::size_t row = k / 3 / static_cast<std::size_t>(count);
-        const std::vector<int>& columns = part.GetColumns(row);
-        const std::size_t at = (5 * k + 3) % columns.size(); // a column of each
+        const MapPart::Row& place = part.GetRows()[row];
+        const std::size_t at = (5 * k + 3) % place.Columns.size(); // a column of each
+        const std::size_t kind = channel * static_cast<std::size_t>(count) + kernel;
         const std::complex<double> expected = Sum(light, static_cast<int>(channel), order, kernels,
-          static_cast<int>(kernel), Pi * (part.GetRows()[row] + 0.5) / FieldRows,
-          2.0 * Pi * (columns[at] + 0.5) / part.GetAllColumns());
-        const std::complex<float> value =
-          fields[channel][kernel * nodes + part.GetFirstNode(row) + at];
+          static_cast<int>(kind), Pi * (place.Place + 0.5) / FieldRows,
+          2.0 * Pi * (place.Columns[at] + 0.5) / part.GetAllColumns());
+        const std::complex<float> value = fields[channel][kernel * nodes + place.FirstNode + at];
         EXPECT_NEAR(value.real(), expected.real(), 2e-4 * (1.0 + std::abs(expected)))
           << order << ": " << k << " of " << count;
         EXPECT_NEAR(value.imag(), expected.imag(), 2e-4 * (1.0 + std::abs(expected)))
@@ -115,54 +124,6 @@ TEST(FieldSynthesis, IsTheSumOverHarmonics)
       }
     }
   }
-}
-
-//------------------------------------------------------------------------------
-// Against the sum in double: powers of two with an even and an odd number of stages, times odd
-// numbers, and others.
-TEST(RowTransform, IsTheSumOverItems)
-{
-  ForEachLaneForm(
-    [&]()
-    {
-      using measuredbrdf::RowTransform;
-      for (const std::size_t size : { 1u, 2u, 4u, 24u, 25u, 32u, 58u, 96u, 256u, 400u })
-      {
-        const RowTransform transform(size);
-        ASSERT_EQ(transform.GetSize(), size);
-        const auto get = [](std::size_t k, std::size_t line)
-        {
-          const double x = static_cast<double>(k) + 0.3 * static_cast<double>(line);
-          return std::complex<double>(std::sin(1.7 * x), std::cos(2.9 * x));
-        };
-        std::vector<float> lines(size * RowTransform::Item);
-        for (std::size_t k = 0; k < size; ++k)
-        {
-          for (std::size_t line = 0; line < RowTransform::Lines; ++line)
-          {
-            float* at = &lines[transform.GetPlace(k) * RowTransform::Item + line];
-            at[0] = static_cast<float>(get(k, line).real());
-            at[RowTransform::Lines] = static_cast<float>(get(k, line).imag());
-          }
-        }
-        transform.Run(lines.data());
-        for (std::size_t j = 0; j < size; ++j)
-        {
-          for (std::size_t line = 0; line < RowTransform::Lines; ++line)
-          {
-            std::complex<double> sum = 0.0;
-            for (std::size_t k = 0; k < size; ++k)
-            {
-              sum += get(k, line) * std::polar(1.0, -2.0 * Pi * static_cast<double>(j * k) /
-                                                      static_cast<double>(size));
-            }
-            const float* at = &lines[j * RowTransform::Item + line];
-            ASSERT_NEAR(at[0], sum.real(), 1e-4) << j << " of " << size << ", line " << line;
-            ASSERT_NEAR(at[RowTransform::Lines], sum.imag(), 1e-4) << j << " of " << size;
-          }
-        }
-      }
-    });
 }
 
 //------------------------------------------------------------------------------
@@ -237,7 +198,7 @@ TEST(AzimuthSeries, TurnsEachOrder)
   constexpr int azimuths = 16;
   measuredbrdf::AzimuthSeries series(2, azimuths, texels);
   EXPECT_EQ(series.GetLastOrder(), azimuths / 2);
-  std::array<FieldSynthesis::Field, 3> constant, wave;
+  FieldSynthesis::Fields constant, wave;
   for (std::size_t channel = 0; channel < 3; ++channel)
   {
     for (std::size_t k = 0; k < 2 * texels; ++k)

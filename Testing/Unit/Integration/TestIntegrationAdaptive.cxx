@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The adaptive sum against the sum over the points of a fine grid.
 
+#include "AdaptiveSum.h"
 #include "AnisotropicWarp.h"
 #include "ErrorCatcher.h"
 #include "HalfVector.h" // for Pi
-#include "ReflectionGuide.h"
 #include "SharedData.h"
 #include "SpherePairs.h"
 #include "TexelTree.h"
@@ -16,7 +16,6 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkEnvironmentReader.h"
-#include "vtkLambertBRDF.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -248,33 +247,6 @@ TEST(AdaptiveIntegrator, MissesNothingNarrow)
 }
 
 //------------------------------------------------------------------------------
-TEST(AdaptiveIntegrator, RealMaterials)
-{
-  SpherePairs pairs;
-  pairs.AddRandom(3); // two million points each; Testing/Mitsuba has two hundred of other materials
-  for (const auto& [material, light] : { std::pair("acrylic_felt_white", "studio"),
-         { "satin_purple", "interior" }, { "chm_light_blue", "studio" } })
-  {
-    const std::string path = SharedData + "/materials/rgl/" + material + "_rgb.bsdf";
-    if (!std::ifstream(path).good())
-    {
-      GTEST_SKIP() << "no measured data at " << SharedData;
-    }
-    vtkNew<vtkBRDFReader> reader;
-    reader->SetFileName(path);
-    ASSERT_TRUE(reader->Read());
-    vtkNew<vtkEnvironmentReader> environment;
-    environment->SetFileName(SharedData + "/environments/" + light + ".exr");
-    ASSERT_TRUE(environment->Read());
-    vtkEnvironment* sky = environment->GetEnvironment();
-    const double error = GetLargestError(pairs.Integrate(NewAdaptive(reader->GetBRDF(), sky)),
-      pairs.IntegrateExactly(reader->GetBRDF(), NewInterpolated(sky, 4)));
-    std::printf("%s, %s: %.4f %%\n", material, light, 100.0 * error);
-    EXPECT_LT(error, 3e-3);
-  }
-}
-
-//------------------------------------------------------------------------------
 // Hard panels, and a lobe whose peaks lie between the squares' points: agreement by chance.
 TEST(AdaptiveIntegrator, IsNotMisledByChance)
 {
@@ -395,24 +367,4 @@ TEST(AdaptiveIntegrator, StopsSoon)
   EXPECT_EQ(state.Questions, 12); // it stops at once
   std::printf("longest time between two questions: %.3f s\n", state.Longest);
   EXPECT_LT(state.Longest, 1.0); // 0.1 s, on machines with other work to do
-}
-
-//------------------------------------------------------------------------------
-TEST(AdaptiveIntegrator, BlackAndMissing)
-{
-  vtkNew<vtkEnvironment> black;
-  black->SetPixels(2, 1, std::vector<float>(6, 0.0f));
-  vtkNew<vtkLambertBRDF> brdf;
-  SpherePairs pairs;
-  pairs.AddRandom(3);
-  const auto adaptive = NewAdaptive(brdf, black);
-  for (const glm::dvec3& rgb : pairs.Integrate(adaptive))
-  {
-    EXPECT_EQ(rgb, glm::dvec3(0.0));
-  }
-  adaptive->SetEnvironment(nullptr);
-  ErrorCatcher errors(adaptive);
-  vtkNew<vtkDoubleArray> radiance;
-  EXPECT_FALSE(adaptive->Integrate(pairs.Normals, pairs.Views, radiance));
-  EXPECT_EQ(errors.Take(), 1);
 }

@@ -11,7 +11,6 @@
 #include "vtkBRDFShaderInputs.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDF.h"
-#include "vtkDoubleArray.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkEnvironmentReader.h"
@@ -20,13 +19,11 @@
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkSumBRDF.h"
 
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -122,46 +119,6 @@ TEST(FilteredIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
     worst = std::max(worst, error);
   }
   std::printf("furnace against albedo: largest relative difference %.2e\n", worst);
-}
-
-//------------------------------------------------------------------------------
-namespace
-{
-// Fine stripes, which no cubature settles.
-class StripedBRDF : public vtkLambertBRDF
-{
-public:
-  static StripedBRDF* New();
-  vtkTypeMacro(StripedBRDF, vtkLambertBRDF);
-  std::atomic<long> Evaluations{ 0 };
-  void GetDirectionalAlbedo(const double o[3], double albedo[3]) override
-  {
-    this->vtkBRDF::GetDirectionalAlbedo(o, albedo);
-  }
-
-protected:
-  void EvaluateAbove(const double i[3], const double*, double f[3]) override
-  {
-    ++this->Evaluations;
-    std::fill_n(f, 3, std::sin(300.0 * i[0]) > 0.0 ? 0.4 : 0.1);
-  }
-};
-vtkStandardNewMacro(StripedBRDF);
-} // namespace
-
-// Weights of terms, and albedos of 64 views that scale 32 samples each.
-TEST(FilteredIntegrator, SetUpTakesNoFineAlbedos)
-{
-  vtkNew<StripedBRDF> striped;
-  vtkNew<vtkSumBRDF> sum;
-  sum->AddTerm(vtkNew<vtkLambertBRDF>());
-  sum->AddTerm(striped);
-  sum->Prepare();
-  EXPECT_LT(striped->Evaluations.exchange(0), 1 << 15);
-  ViewPairs pairs;
-  pairs.Add(glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.0, 0.0, 1.0));
-  pairs.Integrate(NewFiltered(sum, NewConstantEnvironment(64, 32, 1.0f)));
-  EXPECT_LT(striped->Evaluations, 64 << 18);
 }
 
 //------------------------------------------------------------------------------
@@ -379,86 +336,6 @@ TEST(FilteredIntegrator, MirrorShowsTheEnvironment)
       EXPECT_NEAR(radiance[std::size_t(k)][c], albedo[c] * (2.0 + i[c]), 0.04) << k;
     }
   }
-}
-
-//------------------------------------------------------------------------------
-TEST(FilteredIntegrator, RotatingEverythingChangesNothing)
-{
-  vtkNew<vtkEnvironment> environment;
-  environment->SetToProceduralHall();
-  const auto brdf = NewLobe(60.0);
-  const auto filtered = NewFiltered(brdf, environment);
-  ViewPairs pairs;
-  pairs.AddRandom(25);
-  ExpectTurnsWithItsEnvironment(filtered, pairs, 1e-5); // the map is read in floats
-}
-
-//------------------------------------------------------------------------------
-TEST(FilteredIntegrator, FollowsItsInputs)
-{
-  const auto brdf = NewLobe(60.0);
-  const auto environment = NewConstantEnvironment(16, 8, 1.0f);
-  const auto filtered = NewFiltered(brdf, environment);
-  ViewPairs pairs;
-  pairs.AddRandom(3);
-  const double first = pairs.Integrate(filtered)[0].x;
-  brdf->SetSpecular(0.6, 0.6, 0.6);
-  const double second = pairs.Integrate(filtered)[0].x;
-  EXPECT_NEAR(second, 2.0 * first, 1e-5 * second);
-  ASSERT_TRUE(environment->SetPixels(16, 8, std::vector<float>(3 * 16 * 8, 5.0f)));
-  EXPECT_NEAR(pairs.Integrate(filtered)[0].x, 5.0 * second, 1e-4 * second);
-  // The samples are as many as were asked for last.
-  std::vector<float> uneven(3 * 16 * 8);
-  for (std::size_t k = 0; k < uneven.size(); ++k)
-  {
-    uneven[k] = static_cast<float>(k * 37 % 11);
-  }
-  ASSERT_TRUE(environment->SetPixels(16, 8, uneven));
-  const double many = pairs.Integrate(filtered)[0].x;
-  filtered->SetNumberOfSamples(2);
-  const double few = pairs.Integrate(filtered)[0].x;
-  const auto fresh = NewFiltered(brdf, environment);
-  fresh->SetNumberOfSamples(2);
-  EXPECT_EQ(few, pairs.Integrate(fresh)[0].x);
-  EXPECT_NE(few, many);
-  vtkNew<vtkLambertBRDF> lambert;
-  filtered->SetBRDF(lambert);
-  EXPECT_EQ(
-    pairs.Integrate(filtered)[0].x, pairs.Integrate(NewFiltered(lambert, environment, 2))[0].x);
-}
-
-//------------------------------------------------------------------------------
-TEST(FilteredIntegrator, BadInputs)
-{
-  vtkNew<vtkAshikhminShirleyBRDF> anisotropic;
-  anisotropic->SetName("brushed");
-  anisotropic->SetExponents(10.0, 200.0);
-  const auto environment = NewConstantEnvironment(8, 4, 1.0f);
-  const auto filtered = NewFiltered(anisotropic, environment);
-  ErrorCatcher errors(filtered);
-  EXPECT_FALSE(filtered->Prepare());
-  EXPECT_EQ(errors.Take(), 1);
-  EXPECT_NE(errors.GetText().find("'brushed'"), std::string::npos);
-  vtkBRDFShaderInputs form;
-  form.Description = "untouched";
-  EXPECT_FALSE(filtered->GetShaderInputs(form));
-  EXPECT_EQ(form.Description, "untouched");
-  EXPECT_EQ(errors.Take(), 1);
-  vtkNew<vtkEnvironment> empty;
-  vtkNew<vtkLambertBRDF> lambert;
-  filtered->SetBRDF(lambert);
-  for (vtkEnvironment* none : { static_cast<vtkEnvironment*>(nullptr), empty.Get() })
-  {
-    filtered->SetEnvironment(none);
-    EXPECT_FALSE(filtered->Prepare());
-    EXPECT_EQ(errors.Take(), 1);
-  }
-  filtered->SetEnvironment(environment);
-  EXPECT_TRUE(filtered->Prepare());
-  filtered->SetNumberOfSamples(0);
-  EXPECT_EQ(filtered->GetNumberOfSamples(), 1);
-  filtered->SetNumberOfSamples(100000);
-  EXPECT_EQ(filtered->GetNumberOfSamples(), 1024);
 }
 
 //------------------------------------------------------------------------------

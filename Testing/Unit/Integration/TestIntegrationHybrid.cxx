@@ -7,29 +7,22 @@
 #include "ErrorCatcher.h"
 #include "ExtractedEmitters.h"
 #include "HalfVector.h" // for Pi
-#include "LobeQuadrature.h"
 #include "LobeSampler.h"
 #include "MaterialPrecomputation.h"
-#include "SharedData.h"
 #include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
-#include "vtkBRDFReader.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkBlinnPhongBRDF.h"
-#include "vtkCallbackCommand.h"
 #include "vtkEmbeddedMaterials.h"
-#include "vtkEnvironmentReader.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLambertBRDF.h"
 #include "vtkSmartPointer.h"
 #include "vtkTableRadianceIntegrator.h"
 
 #include <cstdio>
-#include <fstream>
 #include <random>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -236,32 +229,6 @@ TEST(ExtractedEmitters, LampsAreOneLightEach)
 }
 
 //------------------------------------------------------------------------------
-// Few views of a smooth material are evaluated; the others are near what they would have been.
-TEST(LobeViews, InterpolatesWhatIsSmooth)
-{
-  for (const char* name : { "violet-rubber", "nickel", "blue-fabric" })
-  {
-    const auto brdf = NewEmbedded(name);
-    const LobeViews views(brdf);
-    int evaluated = 0;
-    for (int k = 0; k < LobeViews::NumberOfViews; ++k)
-    {
-      const LobeViews::View& view = views.GetViews()[static_cast<std::size_t>(k)];
-      const double theta = LobeViews::GetAngle(k);
-      const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
-      LobeMeans wanted(LobeQuadrature(brdf, o, 512));
-      if (std::string(name) == "blue-fabric") // whose sheen takes over within a few degrees
-      {
-        wanted.Delta = view.Means.Delta;
-      }
-      EXPECT_LT(LobeMeans::GetDistance(view.Means, wanted), 4e-3) << name << " " << k;
-      evaluated += !view.Cells.empty();
-    }
-    EXPECT_LT(evaluated, 50) << name;
-  }
-}
-
-//------------------------------------------------------------------------------
 TEST(LobeViews, AxesMoveSlowly)
 {
   for (const char* name : { "blue-fabric", "nickel", "pink-felt" })
@@ -337,21 +304,6 @@ TEST(LobeSampler, DrawsByTheKernel)
 }
 
 //------------------------------------------------------------------------------
-TEST(HybridIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
-{
-  const auto environment = NewConstantEnvironment(256, 128, 2.0f);
-  for (const char* name : { "blue-fabric", "nickel", "violet-rubber" })
-  {
-    const auto brdf = NewEmbedded(name);
-    const FurnacePairs pairs(brdf, 2.0, { 0.0, 17.0, 41.0, 63.0, 78.0, 85.0 });
-    const double error =
-      GetRelativeError(pairs.Integrate(NewHybrid(brdf, environment)), pairs.Expected);
-    std::printf("%s: %.2e\n", name, error);
-    EXPECT_LT(error, 0.01);
-  }
-}
-
-//------------------------------------------------------------------------------
 // What each part gains, against the exact sum.
 TEST(HybridIntegrator, EveryPartPays)
 {
@@ -400,95 +352,7 @@ TEST(HybridIntegrator, WithoutSunsAndMapsItIsTheTable)
 }
 
 //------------------------------------------------------------------------------
-TEST(HybridIntegrator, RealSun)
-{
-  if (!std::ifstream(SharedData + "/environments/pmndrs_sunrise.hdr") ||
-      !std::ifstream(SharedData + "/materials/rgl/chm_light_blue_rgb.bsdf"))
-  {
-    GTEST_SKIP() << "no pmndrs_sunrise.hdr or chm_light_blue_rgb.bsdf at " << SharedData;
-  }
-  vtkNew<vtkEnvironmentReader> reader;
-  reader->SetFileName(SharedData + "/environments/pmndrs_sunrise.hdr");
-  ASSERT_TRUE(reader->Read());
-  vtkNew<vtkBRDFReader> material;
-  material->SetFileName(SharedData + "/materials/rgl/chm_light_blue_rgb.bsdf");
-  ASSERT_TRUE(material->Read());
-  SpherePairs pairs;
-  pairs.AddRandom(12);
-  const auto hybrid = NewHybrid(material->GetBRDF(), reader->GetEnvironment(), { 256, 12, 8, 8 });
-  const double error = GetRelativeError(
-    pairs.Integrate(hybrid), pairs.IntegrateExactly(material->GetBRDF(), reader->GetEnvironment()));
-  std::printf(
-    "chrome under sunrise: relative L1 %.4f, %d lights\n", error, hybrid->GetNumberOfLights());
-  EXPECT_LT(error, 0.03);
-}
-
-//------------------------------------------------------------------------------
-TEST(HybridIntegrator, TurningEverythingChangesNothing)
-{
-  const auto brdf = NewCoated(500.0);
-  const auto environment = NewSunny(2e4f, 2);
-  SpherePairs pairs;
-  pairs.AddRandom(30);
-  ExpectTurnsWithItsEnvironment(NewHybrid(brdf, environment), pairs);
-}
-
-//------------------------------------------------------------------------------
-TEST(HybridIntegrator, BlackAndTinyEnvironments)
-{
-  SpherePairs pairs;
-  pairs.AddRandom(20);
-  const auto brdf = NewCoated(100.0);
-  for (const glm::dvec3& rgb :
-    pairs.Integrate(NewHybrid(brdf, NewConstantEnvironment(16, 8, 0.0f))))
-  {
-    EXPECT_EQ(rgb, glm::dvec3(0.0));
-  }
-  for (const int height : { 1, 7 })
-  {
-    pairs.Integrate(NewHybrid(brdf, NewConstantEnvironment(1, height, 1.0f))); // finite
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(HybridIntegrator, RefusesAndKeepsGoing)
-{
-  vtkNew<vtkHybridRadianceIntegrator> hybrid;
-  hybrid->SetSizes({ 9, 4, 4, 2 });
-  ErrorCatcher errors(hybrid);
-  vtkBRDFShaderInputs form;
-  form.Description = "mine";
-  EXPECT_FALSE(hybrid->GetShaderInputs(form));
-  EXPECT_EQ(form.Description, "mine");
-  EXPECT_NE(errors.GetText().find("no BRDF"), std::string::npos);
-  vtkNew<vtkAshikhminShirleyBRDF> brushed;
-  brushed->SetName("brushed steel");
-  brushed->SetExponents(10.0, 100.0);
-  hybrid->SetBRDF(brushed);
-  EXPECT_FALSE(hybrid->Prepare());
-  EXPECT_NE(errors.GetText().find("no environment"), std::string::npos);
-  EXPECT_EQ(errors.Take(), 2);
-  hybrid->SetEnvironment(NewSunny(1e5f, 1));
-  EXPECT_FALSE(hybrid->Prepare());
-  EXPECT_EQ(errors.Take(), 1);
-  EXPECT_NE(errors.GetText().find("brushed steel"), std::string::npos) << errors.GetText();
-
-  // Aborted it says so, and works again.
-  brushed->SetExponents(100.0, 100.0);
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback([](vtkObject* self, unsigned long, void*, void*)
-    { static_cast<vtkRadianceIntegrator*>(self)->SetAbort(true); });
-  const unsigned long tag = hybrid->AddObserver(vtkCommand::ProgressEvent, stop);
-  EXPECT_FALSE(hybrid->Prepare());
-  EXPECT_EQ(errors.Take(), 1);
-  EXPECT_NE(errors.GetText().find("aborted"), std::string::npos) << errors.GetText();
-  hybrid->RemoveObserver(tag);
-  EXPECT_TRUE(hybrid->Prepare());
-  EXPECT_EQ(errors.Take(), 0);
-}
-
-//------------------------------------------------------------------------------
-TEST(HybridIntegrator, ShaderInputsAndPrint)
+TEST(HybridIntegrator, ShaderInputs)
 {
   const auto hybrid = NewHybrid(NewCoated(200.0), NewSunny(1e6f, 2));
   vtkBRDFShaderInputs form;
@@ -498,20 +362,6 @@ TEST(HybridIntegrator, ShaderInputsAndPrint)
   EXPECT_EQ(form.Terms[1].Shader, "vtkBRDFLightSet");
   EXPECT_TRUE(hybrid->UsesBRDFOnGPU());
   EXPECT_NE(form.Description.find("2 directional lights"), std::string::npos) << form.Description;
-
-  hybrid->SetNumberOfRows(1);
-  EXPECT_EQ(hybrid->GetNumberOfRows(), 9);
-  hybrid->SetNumberOfMaps(-1);
-  EXPECT_EQ(hybrid->GetNumberOfMaps(), 0);
-  hybrid->SetMaximumNumberOfLights(100000);
-  EXPECT_EQ(hybrid->GetMaximumNumberOfLights(), 1024);
-  std::ostringstream text;
-  hybrid->Print(text);
-  for (const char* line :
-    { "NumberOfRows: 9", "NumberOfMaps: 0", "MaximumNumberOfLights: 1024", "Lights: 2" })
-  {
-    EXPECT_NE(text.str().find(line), std::string::npos) << line;
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -18,7 +18,6 @@
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -201,94 +200,6 @@ TEST(ExactIntegrator, EqualsAPlainSum)
 }
 
 //------------------------------------------------------------------------------
-TEST(ExactIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
-{
-  vtkNew<vtkEnvironment> environment;
-  SetConstant(environment, 512, 256);
-  vtkNew<vtkLambertBRDF> lambert;
-  vtkNew<vtkAshikhminShirleyBRDF> ashikhminShirley;
-  ashikhminShirley->SetExponents(50.0, 50.0);
-  ashikhminShirley->SetDiffuse(0.3, 0.2, 0.1);
-  const auto glossy = NewGlossy(60.0);
-  for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(lambert), static_cast<vtkBRDF*>(glossy.Get()),
-         static_cast<vtkBRDF*>(ashikhminShirley) })
-  {
-    vtkNew<vtkExactRadianceIntegrator> integrator;
-    integrator->SetBRDF(brdf);
-    integrator->SetEnvironment(environment);
-    Pairs pairs(4);
-    for (int k = 0; k < 4; ++k)
-    {
-      const double theta = (10.0 + 20.0 * k) * Pi / 180.0;
-      pairs.Normals[std::size_t(k)] = glm::normalize(glm::dvec3(0.2, 0.7, -0.4));
-      const glm::dvec3 side =
-        glm::normalize(glm::cross(pairs.Normals[std::size_t(k)], glm::dvec3(1.0, 0.0, 0.0)));
-      pairs.Views[std::size_t(k)] =
-        std::cos(theta) * pairs.Normals[std::size_t(k)] + std::sin(theta) * side;
-    }
-    const auto radiance = Integrate(integrator, pairs);
-    for (int k = 0; k < 4; ++k)
-    {
-      const double theta = (10.0 + 20.0 * k) * Pi / 180.0;
-      const double o[3] = { std::sin(theta), 0.0, std::cos(theta) };
-      double albedo[3];
-      brdf->GetDirectionalAlbedo(o, albedo);
-      for (int c = 0; c < 3; ++c)
-      {
-        EXPECT_NEAR(radiance[std::size_t(k)][c], albedo[c], 3e-3 * albedo[c])
-          << brdf->GetClassName() << " " << 10 + 20 * k << " degrees";
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(ExactIntegrator, LinearInTheLight)
-{
-  vtkNew<vtkEnvironment> a;
-  vtkNew<vtkEnvironment> b;
-  vtkNew<vtkEnvironment> mix;
-  SetRandom(a, 32, 16, 1);
-  SetRandom(b, 32, 16, 2);
-  std::vector<float> rgb;
-  for (std::size_t k = 0; k < a->GetPixels().size(); ++k)
-  {
-    rgb.push_back(2.0f * a->GetPixels()[k] + 0.5f * b->GetPixels()[k]);
-  }
-  ASSERT_TRUE(mix->SetPixels(32, 16, rgb));
-  vtkNew<vtkExactRadianceIntegrator> integrator;
-  integrator->SetBRDF(NewGlossy(30.0));
-  const Pairs pairs(20);
-  integrator->SetEnvironment(a);
-  const auto ofA = Integrate(integrator, pairs);
-  integrator->SetEnvironment(b);
-  const auto ofB = Integrate(integrator, pairs);
-  integrator->SetEnvironment(mix);
-  const auto ofMix = Integrate(integrator, pairs);
-  for (std::size_t k = 0; k < ofMix.size(); ++k)
-  {
-    EXPECT_LT(glm::length(ofMix[k] - 2.0 * ofA[k] - 0.5 * ofB[k]), 1e-6 * glm::length(ofMix[k]));
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(ExactIntegrator, ThreadsChangeNothing)
-{
-  // 130000 texels are several parts per pair.
-  vtkNew<vtkEnvironment> environment;
-  SetRandom(environment, 512, 256);
-  vtkNew<vtkExactRadianceIntegrator> integrator;
-  integrator->SetBRDF(NewGlossy(30.0));
-  integrator->SetEnvironment(environment);
-  const Pairs pairs(5);
-  const auto all = Integrate(integrator, pairs);
-  vtkSMPTools::Initialize(1);
-  const auto one = Integrate(integrator, pairs);
-  vtkSMPTools::Initialize();
-  EXPECT_EQ(all, one);
-}
-
-//------------------------------------------------------------------------------
 TEST(Integrators, RotatingEverythingChangesNothing)
 {
   vtkNew<vtkEnvironment> environment;
@@ -354,54 +265,6 @@ TEST(Integrators, RotatedEnvironmentIsSeenWhereItShouldBe)
 }
 
 //------------------------------------------------------------------------------
-TEST(Integrators, ViewBelowTheHorizonIsBlack)
-{
-  vtkNew<vtkEnvironment> environment;
-  SetConstant(environment, 8, 4);
-  vtkNew<vtkLambertBRDF> brdf;
-  vtkNew<vtkExactRadianceIntegrator> integrator;
-  integrator->SetBRDF(brdf);
-  integrator->SetEnvironment(environment);
-  Pairs pairs(2);
-  pairs.Normals = { glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(0.0, 1e-200, 0.0) };
-  pairs.Views = { glm::dvec3(0.0, -1.0, 0.1), glm::dvec3(1e200, 1e200, 0.0) };
-  const auto radiance = Integrate(integrator, pairs);
-  EXPECT_EQ(radiance[0], glm::dvec3(0.0));
-  EXPECT_GT(radiance[1].x, 0.0);
-}
-
-//------------------------------------------------------------------------------
-// The exact sum, too: the view at a cosine of 0.02 and those below are one, at any azimuth.
-TEST(Integrators, LowViewsAreLifted)
-{
-  vtkNew<vtkEnvironment> environment;
-  SetConstant(environment, 8, 4);
-  vtkNew<vtkBlinnPhongBRDF> brdf;
-  vtkNew<vtkExactRadianceIntegrator> integrator;
-  integrator->SetBRDF(brdf);
-  integrator->SetEnvironment(environment);
-  Pairs pairs(8);
-  const glm::dvec3 n = glm::normalize(glm::dvec3(0.2, 1.0, -0.4));
-  const glm::dvec3 u = glm::normalize(glm::cross(n, glm::dvec3(1.0, 0.0, 0.0)));
-  const glm::dvec3 v = glm::cross(n, u);
-  const double cosines[] = { 0.02, 0.0199, 1e-3, 1e-9 };
-  for (std::size_t k = 0; k < 8; ++k)
-  {
-    const double c = cosines[k % 4];
-    const double s = std::sqrt(1.0 - c * c);
-    pairs.Normals[k] = n;
-    pairs.Views[k] = s * (k < 4 ? u : glm::normalize(u + 2.0 * v)) + c * n;
-  }
-  const auto radiance = Integrate(integrator, pairs);
-  for (std::size_t k = 0; k < 8; ++k)
-  {
-    const double expected = radiance[k / 4 * 4].y;
-    EXPECT_GT(expected, 0.0);
-    EXPECT_NEAR(radiance[k].y, expected, 1e-9 * expected) << k;
-  }
-}
-
-//------------------------------------------------------------------------------
 TEST(Integrators, ErrorsLeaveTheOutputAlone)
 {
   vtkNew<vtkEnvironment> environment;
@@ -446,58 +309,6 @@ TEST(Integrators, ErrorsLeaveTheOutputAlone)
   ErrorCatcher loopErrors(loop);
   EXPECT_FALSE(loop->Integrate(three, three, radiance));
   EXPECT_EQ(loopErrors.Take(), 1);
-}
-
-//------------------------------------------------------------------------------
-TEST(Integrators, ProgressAndAbort)
-{
-  vtkNew<vtkEnvironment> environment;
-  SetConstant(environment, 64, 32);
-  vtkNew<vtkExactRadianceIntegrator> integrator;
-  integrator->SetBRDF(NewGlossy(30.0));
-  integrator->SetEnvironment(environment);
-  ErrorCatcher errors(integrator);
-  const Pairs pairs(5000);
-  const auto normals = NewVectors(pairs.Normals);
-  const auto views = NewVectors(pairs.Views);
-  vtkNew<vtkDoubleArray> radiance;
-
-  struct State
-  {
-    double Last = 0.0;
-    int Calls = 0;
-    double AbortAt = 2.0;
-  } state;
-  vtkNew<vtkCallbackCommand> progress;
-  progress->SetClientData(&state);
-  progress->SetCallback(
-    [](vtkObject* caller, unsigned long, void* data, void* fraction)
-    {
-      auto* s = static_cast<State*>(data);
-      const double now = *static_cast<double*>(fraction);
-      EXPECT_GT(now, s->Last);
-      s->Last = now;
-      ++s->Calls;
-      if (now >= s->AbortAt)
-      {
-        static_cast<vtkRadianceIntegrator*>(caller)->SetAbort(true);
-      }
-    });
-  integrator->AddObserver(vtkCommand::ProgressEvent, progress);
-
-  state.AbortAt = 1e-4;
-  EXPECT_FALSE(integrator->Integrate(normals, views, radiance));
-  EXPECT_EQ(errors.Take(), 1);
-  EXPECT_LT(state.Last, 1.0);
-  EXPECT_EQ(radiance->GetNumberOfTuples(), 0);
-
-  // The next run starts afresh.
-  state = State();
-  EXPECT_TRUE(integrator->Integrate(normals, views, radiance));
-  EXPECT_EQ(errors.Take(), 0);
-  EXPECT_EQ(state.Last, 1.0);
-  EXPECT_GT(state.Calls, 3);
-  EXPECT_EQ(radiance->GetNumberOfTuples(), 5000);
 }
 
 //------------------------------------------------------------------------------

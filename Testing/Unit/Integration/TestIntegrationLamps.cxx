@@ -3,8 +3,7 @@
 // Lamps that pixels add where they are near the lobe's axis, and that a table holds elsewhere.
 
 #include "HalfVector.h" // for Pi
-#include "LampBRDF.h"
-#include "LampWindow.h"
+#include "Lamps.h"
 #include "LobeViews.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"

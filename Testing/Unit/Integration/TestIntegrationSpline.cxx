@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is stored for linear interpolation: the spline of least squared error.
 
+#include "FieldSynthesis.h"
 #include "HalfVector.h"
-#include "LinearSpline.h"
 
 #include <gtest/gtest.h>
 

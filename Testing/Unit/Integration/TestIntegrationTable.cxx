@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables of radiance against the exact sum over every texel, and what must hold exactly.
 
-#include "ErrorCatcher.h"
 #include "GatedBRDF.h"
 #include "HalfVector.h" // for Pi
-#include "NeedsLibrary.h"
 #include "SharedData.h"
 #include "SpherePairs.h"
 #include "vtkAshikhminShirleyBRDF.h"
@@ -30,7 +28,6 @@
 #include <cstddef>
 #include <cstdio>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -76,12 +73,10 @@ vtkSmartPointer<vtkBRDF> ReadMaterial(const std::string& name)
 
 bool HasData() { return std::ifstream(SharedData + "/materials/rgl/cardboard_rgb.bsdf").good(); }
 
-// Counts progress events, checks that they rise to 1, may abort at the first.
+// Counts progress events, checks that they rise.
 struct ProgressWatch
 {
-  explicit ProgressWatch(vtkRadianceIntegrator* integrator, bool abort = false)
-    : Integrator(integrator)
-    , Abort(abort)
+  explicit ProgressWatch(vtkRadianceIntegrator* integrator)
   {
     this->Command->SetClientData(this);
     this->Command->SetCallback(
@@ -91,29 +86,14 @@ struct ProgressWatch
         EXPECT_GT(*static_cast<double*>(value), watch->Last);
         watch->Last = *static_cast<double*>(value);
         ++watch->Count;
-        watch->Integrator->SetAbort(watch->Abort);
       });
-    this->Tag = integrator->AddObserver(vtkCommand::ProgressEvent, this->Command);
+    integrator->AddObserver(vtkCommand::ProgressEvent, this->Command);
   }
-  ~ProgressWatch() { this->Integrator->RemoveObserver(this->Tag); }
-  ProgressWatch(const ProgressWatch&) = delete;
-  void operator=(const ProgressWatch&) = delete;
 
-  vtkRadianceIntegrator* Integrator;
-  bool Abort;
   vtkNew<vtkCallbackCommand> Command;
-  unsigned long Tag = 0;
   double Last = 0.0;
   int Count = 0;
 };
-
-// Whether Prepare had anything to do.
-bool Rebuilds(vtkRadianceIntegrator* integrator)
-{
-  ProgressWatch watch(integrator);
-  EXPECT_TRUE(integrator->Prepare());
-  return watch.Count > 0;
-}
 
 double GetLargestDifference(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& b)
 {
@@ -234,64 +214,8 @@ TEST_P(TableMeasured, RealMaterials)
   }
 }
 
-// The same with what the library holds: finer rows for the clear coat.
-TEST(TableIntegrator, CarPaintInTheRoom)
-{
-  NEEDS_OPENEXR();
-  const auto paint =
-    vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("blue-car-paint"));
-  const auto room =
-    vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("room"));
-  ASSERT_TRUE(paint && room);
-  SpherePairs pairs;
-  pairs.AddRandom(12);
-  const auto table = NewTable(paint, room, 65, 12, 16);
-  const double error =
-    GetRelativeError(pairs.Integrate(table), pairs.IntegrateExactly(paint, room));
-  std::printf("blue-car-paint, room, 65 rows: relative L1 %.4f\n", error);
-  EXPECT_LT(error, 0.05);
-}
-
 INSTANTIATE_TEST_SUITE_P(RGL, TableMeasured, testing::Values("studio", "interior"),
   [](const auto& info) { return std::string(info.param); });
-
-//------------------------------------------------------------------------------
-TEST(TableIntegrator, LinearInTheLight)
-{
-  const auto hall = NewSmallEnvironment(true);
-  const auto sky = NewSmallEnvironment(false);
-  vtkNew<vtkEnvironment> both;
-  std::vector<float> rgb = hall->GetPixels();
-  for (std::size_t k = 0; k < rgb.size(); ++k)
-  {
-    rgb[k] = 2.0f * rgb[k] + sky->GetPixels()[k];
-  }
-  ASSERT_TRUE(both->SetPixels(128, 64, rgb));
-  SpherePairs pairs;
-  pairs.AddRandom(60);
-  const auto brdf = NewHybrid(5.0); // no ringing below 0, where radiance is cut off
-  auto sum = pairs.Integrate(NewTable(brdf, hall));
-  const auto other = pairs.Integrate(NewTable(brdf, sky));
-  for (std::size_t k = 0; k < sum.size(); ++k)
-  {
-    sum[k] = 2.0 * sum[k] + other[k];
-  }
-  const double error = GetLargestDifference(sum, pairs.Integrate(NewTable(brdf, both)));
-  std::printf("largest difference %.1e of the largest\n", error);
-  EXPECT_LT(error, 0.01); // dark rings are lifted, which is not linear
-}
-
-//------------------------------------------------------------------------------
-// Everything is built in the environment's own frame.
-TEST(TableIntegrator, TurningEverythingChangesNothing)
-{
-  const auto environment = NewSmallEnvironment(true);
-  const auto table = NewTable(NewHybrid(50.0), environment);
-  SpherePairs pairs;
-  pairs.AddRandom(60);
-  ExpectTurnsWithItsEnvironment(table, pairs);
-  EXPECT_FALSE(Rebuilds(table));
-}
 
 //------------------------------------------------------------------------------
 // Steps of 1e-5 across the poles, the seam of the azimuth, and the view along the normal.
@@ -356,84 +280,6 @@ TEST(TableIntegrator, Continuous)
 }
 
 //------------------------------------------------------------------------------
-// What is measured along the normal need not be the same all around.
-TEST(TableIntegrator, MeasuredMaterialsSeenAlongTheNormal)
-{
-  NEEDS_OPENEXR();
-  const auto environment = NewSmallEnvironment(true);
-  for (const char* name : { "blue-car-paint", "cardboard", "satin_purple", "cc_ibiza_sunset" })
-  {
-    auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
-    if (!brdf && !HasData())
-    {
-      GTEST_SKIP() << "no measured files at " << SharedData << "; the embedded one passed";
-    }
-    brdf = brdf ? brdf : ReadMaterial(name);
-    ASSERT_TRUE(brdf);
-    SpherePairs pairs;
-    for (int k = 0; k < 64; ++k)
-    {
-      const glm::dvec3 n =
-        glm::normalize(glm::dvec3(std::cos(1.1 * k), std::sin(2.3 * k), std::sin(0.7 * k + 0.4)));
-      const glm::dvec3 aside = glm::normalize(glm::cross(n, glm::dvec3(0.3, 1.0, 0.1 * k)));
-      pairs.Add(n, glm::normalize(n + 1e-5 * aside));
-      pairs.Add(n, glm::normalize(n - 1e-5 * aside));
-    }
-    const auto radiance = pairs.Integrate(NewTable(brdf, environment, 33, 12, 16));
-    double step = 0.0;
-    for (std::size_t k = 0; k < radiance.size(); k += 2)
-    {
-      step = std::max(step,
-        std::abs(radiance[k].y - radiance[k + 1].y) / std::max(radiance[k].y, radiance[k + 1].y));
-    }
-    std::printf("%s: steps up to %.1e\n", name, step);
-    EXPECT_LT(step, 1e-2) << name;
-  }
-}
-
-//------------------------------------------------------------------------------
-// cos(theta_o) is at least 0.02; below the horizon there is nothing.
-TEST(TableIntegrator, GrazingViewsAreLifted)
-{
-  const auto table = NewTable(NewHybrid(50.0), NewSmallEnvironment(true));
-  SpherePairs pairs;
-  const glm::dvec3 n(0.0, 0.0, 1.0);
-  for (const double cosine : { 0.02, 0.0199, 0.01, 1e-4, 1e-12, -1e-12, -0.3 })
-  {
-    pairs.Add(n, glm::dvec3(std::sqrt(1.0 - cosine * cosine), 0.0, cosine));
-  }
-  const auto radiance = pairs.Integrate(table);
-  EXPECT_GT(radiance[0].x, 0.0);
-  for (std::size_t k = 1; k < 5; ++k)
-  {
-    EXPECT_NEAR(radiance[k].x, radiance[0].x, 1e-10 * radiance[0].x) << k;
-  }
-  EXPECT_EQ(radiance[5], glm::dvec3(0.0));
-  EXPECT_EQ(radiance[6], glm::dvec3(0.0));
-}
-
-//------------------------------------------------------------------------------
-TEST(TableIntegrator, BlackAndTinyEnvironments)
-{
-  SpherePairs pairs;
-  pairs.AddRandom(40);
-  const auto brdf = NewHybrid(20.0);
-  for (const glm::dvec3& rgb : pairs.Integrate(NewTable(brdf, NewConstantEnvironment(16, 8, 0.0f))))
-  {
-    EXPECT_EQ(rgb, glm::dvec3(0.0));
-  }
-  const int sizes[][2] = { { 1, 1 }, { 1, 7 }, { 5, 1 }, { 2, 1 }, { 1, 256 }, { 301, 1 } };
-  for (const auto& size : sizes)
-  {
-    const auto environment = NewConstantEnvironment(size[0], size[1], 1.0f);
-    const auto radiance = pairs.Integrate(NewTable(brdf, environment)); // finite: checked there
-    const double error = GetRelativeError(radiance, pairs.IntegrateExactly(brdf, environment));
-    std::printf("%d x %d: relative L1 %.3f\n", size[0], size[1], error);
-    EXPECT_LT(error, 1.0); // single directions are beyond the harmonics' degree
-  }
-}
-
-//------------------------------------------------------------------------------
 // One texel 2e5 and 1e7 times the rest, whose table is beyond half float.
 TEST(TableIntegrator, Suns)
 {
@@ -469,26 +315,6 @@ TEST(TableIntegrator, Suns)
 }
 
 //------------------------------------------------------------------------------
-TEST(TableIntegrator, RealSun)
-{
-  if (!std::ifstream(SharedData + "/environments/pmndrs_sunrise.hdr"))
-  {
-    GTEST_SKIP() << "no pmndrs_sunrise.hdr at " << SharedData;
-  }
-  vtkNew<vtkEnvironmentReader> reader;
-  reader->SetFileName(SharedData + "/environments/pmndrs_sunrise.hdr");
-  ASSERT_TRUE(reader->Read());
-  SpherePairs few;
-  few.AddRandom(12);
-  const auto brdf = NewHybrid(5.0);
-  const double error =
-    GetRelativeError(few.Integrate(NewTable(brdf, reader->GetEnvironment(), 65, 16, 16)),
-      few.IntegrateExactly(brdf, reader->GetEnvironment()));
-  std::printf("sunrise, exponent 5: relative L1 %.4f\n", error);
-  EXPECT_LT(error, 0.05);
-}
-
-//------------------------------------------------------------------------------
 TEST(TableIntegrator, AChannelThatReflectsNothingStaysBlack)
 {
   vtkNew<vtkBlinnPhongBRDF> red;
@@ -513,120 +339,13 @@ TEST(TableIntegrator, AChannelThatReflectsNothingStaysBlack)
 }
 
 //------------------------------------------------------------------------------
-TEST(TableIntegrator, RefusesAndKeepsGoing)
+TEST(TableIntegrator, ProgressRisesToOne)
 {
-  vtkNew<vtkTableRadianceIntegrator> table;
-  table->SetNumberOfRows(9);
-  table->SetNumberOfViewAngles(4);
-  table->SetNumberOfAzimuths(4);
-  ErrorCatcher errors(table);
-  vtkBRDFShaderInputs form;
-  form.Description = "mine";
-  EXPECT_FALSE(table->GetShaderInputs(form));
-  EXPECT_EQ(form.Description, "mine");
-  EXPECT_NE(errors.GetText().find("no BRDF"), std::string::npos);
-  vtkNew<vtkAshikhminShirleyBRDF> brushed;
-  brushed->SetName("brushed steel");
-  brushed->SetExponents(10.0, 100.0);
-  table->SetBRDF(brushed);
-  EXPECT_FALSE(table->Prepare());
-  EXPECT_NE(errors.GetText().find("no environment"), std::string::npos);
-  table->SetEnvironment(vtkNew<vtkEnvironment>()); // empty
-  EXPECT_FALSE(table->Prepare());
-  EXPECT_NE(errors.GetText().find("empty"), std::string::npos);
-  EXPECT_EQ(errors.Take(), 3);
-  const auto environment = NewSmallEnvironment(false);
-  table->SetEnvironment(environment);
-  EXPECT_FALSE(table->Prepare());
-  EXPECT_EQ(errors.Take(), 1);
-  EXPECT_NE(errors.GetText().find("brushed steel"), std::string::npos) << errors.GetText();
-  brushed->SetName("");
-  EXPECT_FALSE(table->Prepare());
-  EXPECT_EQ(errors.Take(), 1);
-  EXPECT_NE(errors.GetText().find("isotropic"), std::string::npos) << errors.GetText();
-
-  // Made isotropic it works; progress rises to 1; aborted it says so, and works again.
-  brushed->SetExponents(20.0, 20.0);
-  {
-    ProgressWatch watch(table);
-    EXPECT_TRUE(table->Prepare());
-    EXPECT_GE(watch.Count, 3);
-    EXPECT_EQ(watch.Last, 1.0);
-  }
-  brushed->SetExponents(30.0, 30.0);
-  {
-    ProgressWatch watch(table, true);
-    EXPECT_FALSE(table->Prepare());
-    EXPECT_EQ(watch.Count, 1);
-    EXPECT_EQ(errors.Take(), 1);
-    EXPECT_NE(errors.GetText().find("aborted"), std::string::npos);
-  }
+  const auto table = NewTable(NewHybrid(20.0), NewSmallEnvironment(false), 9, 4, 4);
+  ProgressWatch watch(table);
   EXPECT_TRUE(table->Prepare());
-  EXPECT_EQ(errors.Take(), 0);
-  SpherePairs pairs;
-  pairs.AddRandom(20);
-  vtkNew<vtkTableRadianceIntegrator> fresh;
-  fresh->SetNumberOfRows(9);
-  fresh->SetNumberOfViewAngles(4);
-  fresh->SetNumberOfAzimuths(4);
-  fresh->SetBRDF(brushed);
-  fresh->SetEnvironment(environment);
-  EXPECT_EQ(pairs.Integrate(table), pairs.Integrate(fresh));
-}
-
-//------------------------------------------------------------------------------
-TEST(TableIntegrator, RebuildsExactlyWhenItMust)
-{
-  const auto brdf = NewPhong(5.0);
-  const auto environment = NewSmallEnvironment(false);
-  const auto table = NewTable(brdf, environment, 9, 4, 4);
-  EXPECT_TRUE(Rebuilds(table));
-  EXPECT_FALSE(Rebuilds(table));
-  environment->SetRotationY(77.0);
-  EXPECT_FALSE(Rebuilds(table));
-  brdf->SetExponent(7.0);
-  EXPECT_TRUE(Rebuilds(table));
-  environment->SetPixels(8, 4, std::vector<float>(3 * 8 * 4, 0.3f));
-  EXPECT_TRUE(Rebuilds(table));
-  table->SetNumberOfAzimuths(5);
-  EXPECT_TRUE(Rebuilds(table));
-  table->SetHarmonicDegree(20);
-  EXPECT_TRUE(Rebuilds(table));
-  EXPECT_FALSE(Rebuilds(table));
-  table->SetBRDF(NewPhong(7.0));
-  EXPECT_TRUE(Rebuilds(table));
-}
-
-//------------------------------------------------------------------------------
-TEST(TableIntegrator, SizesAreClampedAndPrinted)
-{
-  vtkNew<vtkTableRadianceIntegrator> table;
-  EXPECT_EQ(table->GetNumberOfRows(), 65);
-  table->SetNumberOfRows(1);
-  EXPECT_EQ(table->GetNumberOfRows(), 9);
-  table->SetNumberOfRows(100000);
-  EXPECT_EQ(table->GetNumberOfRows(), 513);
-  table->SetNumberOfViewAngles(-1);
-  EXPECT_EQ(table->GetNumberOfViewAngles(), 2);
-  table->SetNumberOfViewAngles(65);
-  EXPECT_EQ(table->GetNumberOfViewAngles(), 64);
-  table->SetNumberOfAzimuths(0);
-  EXPECT_EQ(table->GetNumberOfAzimuths(), 4);
-  table->SetNumberOfAzimuths(65);
-  EXPECT_EQ(table->GetNumberOfAzimuths(), 64);
-  table->SetHarmonicDegree(-1);
-  EXPECT_EQ(table->GetHarmonicDegree(), 0);
-  table->SetHarmonicDegree(4000);
-  EXPECT_EQ(table->GetHarmonicDegree(), 1024);
-  table->SetNumberOfNodes(0);
-  EXPECT_EQ(table->GetNumberOfNodes(), 16);
-  std::ostringstream text;
-  table->Print(text);
-  for (const char* line : { "NumberOfRows: 513", "NumberOfViewAngles: 64", "NumberOfAzimuths: 64",
-         "HarmonicDegree: 1024", "NumberOfNodes: 16" })
-  {
-    EXPECT_NE(text.str().find(line), std::string::npos) << line;
-  }
+  EXPECT_GE(watch.Count, 3);
+  EXPECT_EQ(watch.Last, 1.0);
 }
 
 //------------------------------------------------------------------------------

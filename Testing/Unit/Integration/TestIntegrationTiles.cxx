@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables of many rows: a coarse map everywhere, and tiles of a fine one where radiance bends most.
 
+#include "Candidates.h"
+#include "FieldSynthesis.h"
 #include "HalfVector.h" // for Pi
-#include "MapPart.h"
-#include "RingLimiter.h"
+#include "RadianceTable.h"
 #include "SpherePairs.h"
-#include "TableCandidates.h"
-#include "TableTiles.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFShaderInputs.h"
@@ -197,16 +196,16 @@ TEST(TableTiles, NeedTheNodesAboutThem)
   const measuredbrdf::MapPart nodes = tiles.GetFineNodes();
   EXPECT_LT(nodes.GetNumberOfNodes(), fine.size() / 3 / 10);
   std::vector<float> some;
-  for (std::size_t row = 0; row < nodes.GetRows().size(); ++row)
+  for (const measuredbrdf::MapPart::Row& row : nodes.GetRows())
   {
-    for (const int column : nodes.GetColumns(row))
+    for (const int column : row.Columns)
     {
-      const auto at = fine.begin() + 3 * (nodes.GetRows()[row] * columns + column);
+      const auto at = fine.begin() + 3 * (row.Place * columns + column);
       some.insert(some.end(), at, at + 3);
     }
   }
   const std::vector<float> joined = tiles.Join(coarse, nodes, some);
-  EXPECT_EQ(joined, tiles.Join(coarse, measuredbrdf::MapPart::OfAll(rows, columns), fine));
+  EXPECT_EQ(joined, tiles.Join(coarse, measuredbrdf::MapPart(rows, columns), fine));
   std::vector<float> lifted = fine;
   measuredbrdf::LiftDarkRings(lifted, rows, static_cast<std::size_t>(columns));
   // The tile in the eighth row of tiles, but for its edges, and the coarse map in its middle.
@@ -237,27 +236,6 @@ TEST(TableTiles, NeedTheNodesAboutThem)
 }
 
 //------------------------------------------------------------------------------
-TEST(TableTiles, Sizes)
-{
-  for (const int rows : { 9, 33, 112, 113 })
-  {
-    EXPECT_EQ(TableTiles::GetFineRows(rows), 0);
-    EXPECT_EQ(TableTiles::GetRows(rows), rows);
-    EXPECT_TRUE(TableTiles(rows, 72).Places.empty());
-  }
-  for (const int rows : { 114, 130, 137, 200, 257, 258, 513 })
-  {
-    TableTiles tiles(rows, 64 * 65);
-    EXPECT_GE(tiles.FineRows, rows);
-    EXPECT_LT(tiles.FineRows, rows + TableTiles::Intervals);
-    EXPECT_EQ(tiles.FineRows % TableTiles::Intervals, 1);
-    EXPECT_EQ(TableTiles::GetRows(rows) - 1, (tiles.FineRows - 1) / TableTiles::Ratio);
-    EXPECT_GT(tiles.Across, 0);
-    EXPECT_GT(tiles.Down, 0);
-  }
-}
-
-//------------------------------------------------------------------------------
 // Tiles fill textures up to a multiple of 4 MB. What a plan says of memory holds.
 TEST(TableTiles, FillWhatIsAllowed)
 {
@@ -272,20 +250,5 @@ TEST(TableTiles, FillWhatIsAllowed)
     const auto bytes = static_cast<double>(GetTableBytes(table.Rows, table.Angles, table.Azimuths));
     EXPECT_LE(bytes, table.Most) << table.Rows;
     EXPECT_GT(bytes, 0.92 * table.Most) << table.Rows; // rows of tiles are whole
-  }
-}
-
-//------------------------------------------------------------------------------
-// Light that is the same everywhere needs none.
-TEST(TableTiles, NoneWithoutNeed)
-{
-  const auto paint = NewPaint();
-  SpherePairs pairs;
-  pairs.AddRandom(200);
-  vtkNew<vtkEnvironment> black;
-  ASSERT_TRUE(black->SetPixels(4, 2, std::vector<float>(24, 0.0f)));
-  for (const glm::dvec3& radiance : pairs.Integrate(NewTable(paint, black, 137)))
-  {
-    EXPECT_EQ(radiance, glm::dvec3(0.0));
   }
 }

@@ -4,13 +4,11 @@
 #include "ErrorCatcher.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCallbackCommand.h"
-#include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkCubeSource.h"
 #include "vtkDiskSource.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
-#include "vtkExactRadianceIntegrator.h"
 #include "vtkLambertBRDF.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -158,9 +156,6 @@ TEST(Traced, ADiscAbove)
     const double expected = 1.0 - 1.0 / (1.0 + height * height);
     scene.Integrator->SetNumberOfSamples(4096);
     EXPECT_NEAR(scene.Get({ 0, 0, 0 }, { 0, 0, 1 }), expected, 0.006);
-    scene.Integrator->SetNumberOfSamples(0); // centers of texels of 1.4 degrees
-    EXPECT_NEAR(scene.Get({ 0, 0, 0 }, { 0, 0, 1 }), expected, 0.006);
-    EXPECT_EQ(scene.Integrator->GetNoise(), 0.0);
   }
 }
 
@@ -283,23 +278,6 @@ TEST(Traced, BowlsAndFurnaces)
   }
 }
 
-// A closed cavity lets no light in, whatever the bounces.
-TEST(Traced, ClosedCavitiesAreBlack)
-{
-  WhiteScene scene;
-  scene.Scene->AddSurface(MakeBowl(180.0, 30));
-  vtkNew<vtkPolyData> hits;
-  vtkNew<vtkDoubleArray> views;
-  vtkNew<vtkDoubleArray> radiance;
-  CastAll(scene.Scene, 0.0, 200, hits, views);
-  for (const int bounces : { 0, 20 })
-  {
-    scene.Integrator->SetNumberOfBounces(bounces);
-    ASSERT_TRUE(scene.Integrator->Integrate(hits, views, radiance));
-    EXPECT_LT(GetMean(radiance), 1e-4) << bounces;
-  }
-}
-
 // A matrix is as good as points that are moved; mirroring and uneven scaling included.
 TEST(Traced, ScaledAndMirroredActors)
 {
@@ -382,25 +360,6 @@ TEST(Traced, WaysToTraceAgree)
   EXPECT_LT(scene.Integrator->GetNoise(), 0.4 * noise);
   EXPECT_NEAR(few / many, 1.0, 0.01);
   EXPECT_NEAR(integrate(4096, false) / many, 1.0, 0.01);
-  EXPECT_NEAR(integrate(0, true) / many, 1.0, 0.01);
-}
-
-// Without anything in the way, every texel's sum is vtkExactRadianceIntegrator's.
-TEST(Traced, EveryTexelIsTheExactSum)
-{
-  WhiteScene scene;
-  scene.Sky->SetToProceduralSky();
-  scene.Integrator->SetNumberOfSamples(0);
-  const double traced = scene.Get({ 0, 0, 0 }, { 0.6, 0.8, 0 });
-  vtkNew<vtkExactRadianceIntegrator> exact;
-  exact->SetBRDF(scene.White);
-  exact->SetEnvironment(scene.Sky);
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetNumberOfComponents(3);
-  normals->InsertNextTuple3(0.6, 0.8, 0.0);
-  vtkNew<vtkDoubleArray> radiance;
-  ASSERT_TRUE(exact->Integrate(normals, normals, radiance));
-  EXPECT_NEAR(traced / radiance->GetComponent(0, 1), 1.0, 1e-6);
 }
 
 // What bad input does, and that a run can be stopped.

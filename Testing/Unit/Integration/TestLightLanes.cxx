@@ -4,7 +4,6 @@
 
 #include "AnisotropicWarp.h"
 #include "LightLanes.h"
-#include "LobeMeans.h"
 #include "LobeQuadrature.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"

@@ -6,7 +6,7 @@
 #include "LaneForms.h"
 #include "LobeHarmonics.h"
 #include "MaterialPrecomputation.h"
-#include "MatrixProduct.h"
+#include "SynthesisLanes.h"
 #include "vtkBRDF.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkSmartPointer.h"
@@ -103,14 +103,6 @@ TEST(MaterialPrecomputation, KeepsExpandedKernels)
       }
     }
   }
-  const std::size_t bytes = parts.GetBytes();
-  parts.Trim(3, 1024); // their nodes
-  EXPECT_LT(parts.GetBytes() + 4 * 32 * 32 * 3 * sizeof(double), bytes);
-  EXPECT_GT(parts.GetBytes(), 4 * 3 * 5 * 31 * sizeof(float)); // what was expanded stays
-  const std::size_t without = parts.GetBytes();
-  parts.GetKernels(brdf, 3, 64, never);
-  parts.Trim(3, 32); // those of more nodes
-  EXPECT_EQ(parts.GetBytes(), without);
 }
 
 //------------------------------------------------------------------------------

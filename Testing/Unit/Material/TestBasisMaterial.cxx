@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The bases against closed forms and a quadrature of their own; vtkBasisBRDF against plain sums.
 #include "BasisFunctions.h"
-#include "GaussLegendre.h"
 #include "TestBasisHelpers.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkNew.h"

@@ -4,7 +4,7 @@
 
 #include "MaterialPrecomputation.h"
 #include "PlanSearch.h"
-#include "SharedCache.h"
+#include "RecentlyUsed.h"
 #include "vtkBRDF.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"

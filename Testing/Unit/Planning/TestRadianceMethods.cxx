@@ -36,18 +36,21 @@ public:
   static WhiteMethod* New();
   vtkTypeMacro(WhiteMethod, vtkRadianceIntegrator);
   std::string GetMethodName() override { return this->Name; }
-  std::vector<Size> GetSizes() override { return { { "steps", 1, 4, this->Steps } }; }
+  std::vector<Size> GetSizes() override
+  {
+    const auto set = [this](int value)
+    {
+      this->Steps = value;
+      this->Modified();
+    };
+    return { { "steps", 1, 4, this->Steps, set } };
+  }
   std::vector<std::vector<int>> GetCandidateSizes(bool) override { return { { 1 }, { 2 } }; }
   double EstimateCost() override { return 0.1 * this->Steps; }
   std::string Name = "white";
   bool Works = true;
 
 protected:
-  void SetSize(int, int value) override
-  {
-    this->Steps = value;
-    this->Modified();
-  }
   void CopyProperties(vtkRadianceIntegrator* source) override
   {
     this->Superclass::CopyProperties(source);

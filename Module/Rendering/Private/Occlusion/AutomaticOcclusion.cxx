@@ -4,7 +4,7 @@
 
 #include "BackgroundThreads.h"
 #include "LocalFrame.h"
-#include "RunGuarded.h"
+#include "ParallelFor.h"
 #include "ScopedErrorCapture.h"
 #include "SharedTrace.h"
 #include "SurfaceBlocks.h"

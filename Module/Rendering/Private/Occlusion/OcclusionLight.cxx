@@ -5,7 +5,6 @@
 #include "EnvironmentPrecomputation.h"
 #include "HalfVector.h" // for Pi
 #include "HorizonCode.h"
-#include "LobeMeans.h"
 #include "LobeQuadrature.h"
 #include "LocalFrame.h"
 #include "vtkBRDF.h"

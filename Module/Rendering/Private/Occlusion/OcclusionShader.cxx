@@ -4,7 +4,7 @@
 
 #include "HalfVector.h" // for Pi
 #include "HorizonCode.h"
-#include "LampWindow.h"
+#include "Lamps.h"
 #include "LocalFrame.h"
 #include "NumberText.h"
 #include "vtkActor.h"

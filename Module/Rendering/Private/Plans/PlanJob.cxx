@@ -4,7 +4,6 @@
 
 #include "BackgroundThreads.h"
 #include "ParallelFor.h"
-#include "RunGuarded.h"
 #include "ScopedErrorCapture.h"
 #include "vtkBRDF.h"
 #include "vtkCommand.h"

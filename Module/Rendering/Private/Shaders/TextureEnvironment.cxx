@@ -3,6 +3,7 @@
 #include "TextureEnvironment.h"
 
 #include "LightProbe.h"
+#include "RecentlyUsed.h"
 #include "ScopedErrorCapture.h"
 #include "SharedObjects.h"
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TableCandidates.h"
+#include "Candidates.h"
 
 #include "EnvironmentPrecomputation.h"
+#include "LobePlacement.h" // for ProfileTexels
 #include "RadianceTable.h"
-#include "ShaderProfile.h"
 #include "vtkEnvironment.h"
 #include "vtkMath.h"
 
@@ -13,7 +13,7 @@ namespace measuredbrdf
 namespace
 {
 constexpr vtkIdType MapBytes =
-  4 * RadianceTable::IrradianceSide * RadianceTable::IrradianceSide + 16 * ShaderProfile::Size;
+  4 * RadianceTable::IrradianceSide * RadianceTable::IrradianceSide + 2 * 16 * ProfileTexels;
 }
 
 int CountPlannedLights(
@@ -27,7 +27,7 @@ int CountPlannedLights(
 }
 
 // Chosen on nine materials under four maps, and reported on others (docs/methods/planner.md). None
-// is above 12 MB. More than 113 rows have tiles (TableTiles.h).
+// is above 12 MB. More than 113 rows have tiles (RadianceTable.h).
 std::vector<std::vector<int>> GetTableCandidates(bool lamps)
 {
   std::vector<std::vector<int>> sizes = { { 17, 8, 8 }, { 33, 12, 16 } };

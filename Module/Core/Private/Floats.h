@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * RGB in 32 bits: 9 for each component, and 5 for an exponent that they share (OpenGL 4.6 core
- * specification, 8.5.2).
+ * What single precision and the format of textures do to values.
  */
 
-#ifndef SharedExponent_h
-#define SharedExponent_h
+#ifndef Floats_h
+#define Floats_h
 
 #include <glm/glm.hpp>
 
@@ -19,6 +18,37 @@
 
 namespace measuredbrdf
 {
+/// The nearest float, the largest one for values beyond it.
+inline float ToFloat(double value)
+{
+  constexpr double largest = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(value, -largest, largest));
+}
+
+/// Size of rounding noise, as a share of a table's largest value.
+constexpr float RoundingNoise = 1e-5f;
+
+/// The least value that counts as 0 in a table whose values cannot be negative.
+inline float GetNoiseFloor(const std::vector<float>& values)
+{
+  const auto largest = std::max_element(values.begin(), values.end());
+  return largest == values.end() ? 0.0f : -RoundingNoise * std::max(*largest, 0.0f);
+}
+
+/// Set rounding noise (and -0) to 0. Returns false and changes nothing if a value is more negative
+/// than that. For finite values.
+inline bool ClearNoise(std::vector<float>& values)
+{
+  const float floor = GetNoiseFloor(values);
+  if (std::any_of(values.begin(), values.end(), [floor](float v) { return v < floor; }))
+  {
+    return false;
+  }
+  std::replace_if(
+    values.begin(), values.end(), [](float v) { return v <= 0.0f; }, 0.0f);
+  return true;
+}
+
 /// The largest component that the format has; the error of each is at most 2^-9 of the largest.
 constexpr float LargestSharedExponent = 65408.0f;
 

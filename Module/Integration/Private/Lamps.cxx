@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LampBRDF.h"
+#include "Lamps.h"
 
+#include "EnvironmentPrecomputation.h"
+#include "Floats.h"
 #include "HalfDifferenceFill.h"
 #include "HalfVector.h"
 #include "LightLanes.h"
 #include "LobeViews.h"
-#include "SharedExponent.h"
 #include "VolumeInterpolation.h"
+#include "vtkBRDF.h"
 #include "vtkBRDFEnvironmentLampLobe.h"
+#include "vtkBRDFEnvironmentLamps.h"
+#include "vtkLightSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkTabulatedBRDF.h"
@@ -20,7 +24,9 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace measuredbrdf
 {
@@ -122,8 +128,8 @@ protected:
     std::array<glm::dvec3, most> values{};
     std::array<double, most> shares;
     std::size_t count = 0;
-    const LampPoints& rows = this->Rules[static_cast<std::size_t>(along)];
-    const LampPoints& columns = this->Rules[static_cast<std::size_t>(across)];
+    const LampPoints& rows = this->Rules[along];
+    const LampPoints& columns = this->Rules[across];
     for (std::size_t y = 0; y < rows.Places.size(); ++y)
     {
       for (std::size_t x = 0; x < columns.Places.size(); ++x)
@@ -245,5 +251,171 @@ void LampBRDF::AddTo(vtkBRDFShaderInputs::Term& term)
   term.Source = own.Source + term.Source;
   std::move(own.Uniforms.begin(), own.Uniforms.end(), std::back_inserter(term.Uniforms));
   std::move(own.Textures.begin(), own.Textures.end(), std::back_inserter(term.Textures));
+}
+
+double GetSpread(vtkLightSet* lights, int index)
+{
+  const double concentration = lights->GetConcentration(index);
+  return concentration > 0.0 ? 1.0 / concentration : 0.0;
+}
+
+vtkBRDFShaderInputs::Texture MakeLightTexture(vtkLightSet* lights)
+{
+  const int count = lights->GetNumberOfLights();
+  vtkBRDFShaderInputs::Texture texture;
+  texture.Name = "brdfLights";
+  texture.Components = 4;
+  texture.Dimensions = { 2 * std::clamp(count, 1, LightsPerRow),
+    std::max((count + LightsPerRow - 1) / LightsPerRow, 1), 1 };
+  texture.Data.resize(4 * static_cast<std::size_t>(texture.Dimensions[0]) *
+                      static_cast<std::size_t>(texture.Dimensions[1]));
+  for (int k = 0; k < count; ++k)
+  {
+    double direction[3], irradiance[3];
+    lights->GetDirection(k, direction);
+    lights->GetIrradiance(k, irradiance);
+    float* texel = &texture.Data[8 * k];
+    for (int c = 0; c < 3; ++c)
+    {
+      texel[c] = static_cast<float>(direction[c]);
+      texel[4 + c] = static_cast<float>(irradiance[c]);
+    }
+    texel[3] = static_cast<float>(GetSpread(lights, k));
+  }
+  return texture;
+}
+
+namespace
+{
+constexpr int AtOnce = 31; // lamps that a pixel finds together, as bits of a number
+
+// A lamp's first part and how many it has are one number to this base.
+constexpr std::size_t CountBase = 16;
+static_assert(ExtractedEmitters::MostParts < CountBase, "the count must be less than the base");
+}
+
+TableLamps::TableLamps(vtkLightSet* lights, vtkBRDF* shaded)
+  : Shaded(shaded)
+{
+  auto* areas = LampBRDF::SafeDownCast(shaded);
+  auto* lamps = areas && areas->GetSeesParts() ? LampSet::SafeDownCast(lights) : nullptr;
+  this->HaveParts = lamps != nullptr;
+  for (int k = 0; k < lights->GetNumberOfLights(); ++k)
+  {
+    Lamp lamp{ std::vector<Part>(1), {} };
+    lights->GetDirection(k, &lamp.Whole[0].Direction.x);
+    lights->GetIrradiance(k, &lamp.Whole[0].Irradiance.x);
+    for (std::size_t part = 0; lamps && part < lamps->Parts[k].size(); ++part)
+    {
+      lamp.Parts.push_back({ lamps->Parts[k][part].Direction, lamps->Parts[k][part].Irradiance });
+    }
+    this->Lamps.push_back(std::move(lamp));
+  }
+}
+
+TableLamps::~TableLamps() = default;
+
+glm::dvec3 TableLamps::Sum(const Frame& frame, const glm::dvec3& view, const glm::dvec3& axis,
+  const glm::dvec3& lambert) const
+{
+  glm::dvec3 sum(0.0);
+  for (const Lamp& lamp : this->Lamps)
+  {
+    const glm::dvec3& middle = lamp.Whole[0].Direction;
+    const double weight = this->Window.GetWeight(middle, axis);
+    const bool isWhole =
+      lamp.Parts.empty() || this->Window.GetNearness(middle, axis) < LampWindow::PartsNearness;
+    for (const Part& part : isWhole ? lamp.Whole : lamp.Parts)
+    {
+      const glm::dvec3 light = ToLocal(frame, part.Direction);
+      if (weight > 0.0 && light.z > 0.0)
+      {
+        glm::dvec3 f;
+        this->Shaded->Evaluate(&light.x, &view.x, &f.x);
+        sum += weight * light.z * (f - lambert) * part.Irradiance;
+      }
+    }
+  }
+  return sum;
+}
+
+// The lamps and, where they have some, their parts. The fourth component of a lamp: its first part
+// and how many it has, in one number.
+vtkBRDFShaderInputs::Texture TableLamps::MakeTexture() const
+{
+  vtkNew<vtkLightSet> all;
+  for (const auto of : { &Lamp::Whole, &Lamp::Parts })
+  {
+    for (const Lamp& lamp : this->Lamps)
+    {
+      for (const Part& part : lamp.*of)
+      {
+        all->AddLight(&part.Direction.x, &part.Irradiance.x);
+      }
+    }
+  }
+  vtkBRDFShaderInputs::Texture texture = MakeLightTexture(all);
+  std::size_t first = this->Lamps.size();
+  for (std::size_t k = 0; k < this->Lamps.size(); ++k)
+  {
+    const std::size_t count = this->Lamps[k].Parts.size();
+    const std::size_t start = count > 0 ? first : k; // or itself
+    texture.Data[8 * k + 3] =
+      static_cast<float>(CountBase * start + std::max<std::size_t>(count, 1));
+    first += count;
+  }
+  return texture;
+}
+
+void TableLamps::AddTo(vtkBRDFShaderInputs::Term& table) const
+{
+  const int count = static_cast<int>(this->Lamps.size());
+  table.Source = std::string(vtkBRDFEnvironmentLamps) + table.Source;
+  auto* areas = LampBRDF::SafeDownCast(this->Shaded);
+  if (areas)
+  {
+    areas->AddTo(table);
+  }
+  table.Constants.push_back(
+    { "EVALUATE_LAMP", areas ? LampBRDF::GetFunction() : std::string("brdfEvaluate") });
+  for (vtkBRDFShaderInputs::Constant& constant : table.Constants)
+  {
+    if (constant.Name == "LAMPS_PART")
+    {
+      constant.Value = "brdfAddLampsINSTANCE(frame, o, d, lambert)";
+    }
+  }
+  const int turns = (count + AtOnce - 1) / AtOnce; // at least
+  table.Evaluations += areas ? 0 : turns;
+  // The lamp and its light; a part's place. And many lamps are looked for.
+  table.Fetches += turns * ((this->HaveParts ? 3 : 2) + (areas ? 1 : 0)) + (turns > 1 ? count : 0);
+  std::string uniforms;
+  std::string find;
+  if (count > AtOnce)
+  {
+    find = "for (int k = first; k < min(first + LAMPS_AT_ONCE, LAMP_COUNT); ++k)\n    {\n      "
+           "found |= brdfLampNearnessINSTANCE(brdfLampTexelINSTANCE(float(k), 0.0).rgb, d) > 0.0 ? "
+           "1 << (k - first) : 0;\n    }";
+  }
+  for (int k = 0; k < count && count <= AtOnce; ++k) // software renderers fetch and loop slowly
+  {
+    const std::string name = "brdfDirection" + std::to_string(k);
+    const glm::vec3 direction(this->Lamps[k].Whole[0].Direction);
+    table.Uniforms.push_back({ name, { direction.x, direction.y, direction.z } });
+    uniforms += "uniform vec3 " + name + "INSTANCE;\n";
+    find += "found |= brdfLampNearnessINSTANCE(" + name + "INSTANCE, d) > 0.0 ? " +
+            std::to_string(1 << k) + " : 0;\n    ";
+  }
+  table.Constants.push_back({ "LAMP_UNIFORMS", uniforms });
+  table.Constants.push_back({ "FIND_LAMPS", find });
+  table.Constants.push_back({ "LAMP_COUNT", std::to_string(count) });
+  table.Constants.push_back({ "LAMPS_AT_ONCE", std::to_string(AtOnce) });
+  table.Constants.push_back({ "COUNT_BASE", std::to_string(CountBase) + ".0" });
+  table.Constants.push_back({ "HAVE_PARTS", this->HaveParts ? "1" : "0" });
+  table.Uniforms.push_back(
+    { "brdfPartsNearness", { static_cast<float>(LampWindow::PartsNearness) } });
+  table.Constants.push_back({ "LIGHTS_PER_ROW", std::to_string(LightsPerRow) + ".0" });
+  table.Uniforms.push_back({ "brdfLampReach", { static_cast<float>(2.0 * this->Window.Reach) } });
+  table.Textures.push_back(this->MakeTexture());
 }
 } // namespace measuredbrdf

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Wigner's functions of four angles at once, one in each lane of the processor's vectors: what
- * harmonics of kernels and of maps spend their time on.
+ * The inner loops of tables' set-up, on several numbers at a time in the lanes of the processor's
+ * vectors: Wigner's functions of four angles, and products of small matrices. Eigen's products
+ * would take the vectors that every processor has, and so 3 to 4 times as long.
  */
 
-#ifndef WignerLanes_h
-#define WignerLanes_h
+#ifndef SynthesisLanes_h
+#define SynthesisLanes_h
 
 #include "WignerD.h"
 
@@ -44,6 +45,27 @@ private:
 
   Values Cosine{}, LogHalfCosine{}, LogHalfSine{};
 };
+
+/// Rows and columns come in multiples of these; those that are too many hold any finite values.
+constexpr std::size_t ProductRows = 4;
+constexpr std::size_t ProductColumns = 8;
+
+constexpr std::size_t RoundUp(std::size_t count, std::size_t multiple)
+{
+  return (count + multiple - 1) / multiple * multiple;
+}
+
+/// What a product's sum runs over: items of so many numbers, Step numbers apart.
+struct ProductItems
+{
+  const float* First;
+  std::size_t Step;
+};
+
+/// result[r * columns + c] = sum over k < depth of left_k[r] right_k[c], r < rows, c < columns. On
+/// other processors the last bits may differ.
+void Multiply(const ProductItems& left, const ProductItems& right, std::size_t rows,
+  std::size_t depth, std::size_t columns, float* result);
 } // namespace measuredbrdf
 
 #endif

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What holds for every method: bad inputs, aborts, frames, low views, black light, changed inputs.
+
+#include "ErrorCatcher.h"
+#include "SpherePairs.h"
+#include "vtkAdaptiveRadianceIntegrator.h"
+#include "vtkAnisotropicTableRadianceIntegrator.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFShaderInputs.h"
+#include "vtkCallbackCommand.h"
+#include "vtkEnvironment.h"
+#include "vtkExactRadianceIntegrator.h"
+#include "vtkFactoredRadianceIntegrator.h"
+#include "vtkFilteredRadianceIntegrator.h"
+#include "vtkHybridRadianceIntegrator.h"
+#include "vtkLightSetRadianceIntegrator.h"
+#include "vtkTableRadianceIntegrator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace
+{
+struct Method
+{
+  const char* Name;
+  std::function<vtkSmartPointer<vtkRadianceIntegrator>()> New;
+  std::vector<int> Sizes;      // small ones
+  std::vector<int> OtherSizes; // the same with one of them changed
+  bool IsIsotropic;            // takes no other materials
+  double TurnTolerance = 1e-9;
+};
+
+template <typename T>
+vtkSmartPointer<vtkRadianceIntegrator> NewOf()
+{
+  return vtkSmartPointer<T>::New();
+}
+
+const Method Methods[] = {
+  { "table", NewOf<vtkTableRadianceIntegrator>, { 17, 8, 8 }, { 17, 8, 10 }, true },
+  { "anisotropic", NewOf<vtkAnisotropicTableRadianceIntegrator>, { 13, 4, 8, 4 }, { 13, 4, 8, 5 },
+    false },
+  { "factored", NewOf<vtkFactoredRadianceIntegrator>, { 32, 4, 17, 6, 8 }, { 32, 2, 17, 6, 8 },
+    true },
+  { "hybrid", NewOf<vtkHybridRadianceIntegrator>, { 32, 6, 8, 4 }, { 32, 6, 8, 2 }, true },
+  // The map is read in floats.
+  { "filtered", NewOf<vtkFilteredRadianceIntegrator>, { 32 }, { 2 }, true, 1e-5 },
+  { "lights", NewOf<vtkLightSetRadianceIntegrator>, { 16 }, { 8 }, false },
+  { "exact", NewOf<vtkExactRadianceIntegrator>, {}, {}, false },
+  { "adaptive", NewOf<vtkAdaptiveRadianceIntegrator>, {}, {}, false },
+};
+
+vtkNew<vtkAshikhminShirleyBRDF> NewCoat(double u, double v)
+{
+  vtkNew<vtkAshikhminShirleyBRDF> brdf;
+  brdf->SetDiffuse(0.3, 0.2, 0.1);
+  brdf->SetExponents(u, v);
+  return brdf;
+}
+
+class EveryMethod : public testing::TestWithParam<Method>
+{
+protected:
+  vtkSmartPointer<vtkRadianceIntegrator> Make(vtkBRDF* brdf, vtkEnvironment* environment) const
+  {
+    auto made = GetParam().New();
+    EXPECT_TRUE(made->SetSizes(GetParam().Sizes));
+    made->SetBRDF(brdf);
+    made->SetEnvironment(environment);
+    return made;
+  }
+};
+} // namespace
+
+//------------------------------------------------------------------------------
+TEST_P(EveryMethod, RefusesAndKeepsGoing)
+{
+  const auto method = this->Make(nullptr, nullptr);
+  ErrorCatcher errors(method);
+  vtkBRDFShaderInputs form;
+  form.Description = "mine";
+  const auto expectProblem = [&](const char* problem)
+  {
+    EXPECT_FALSE(method->Prepare());
+    EXPECT_EQ(errors.Take(), 1);
+    EXPECT_NE(errors.GetText().find(problem), std::string::npos) << errors.GetText();
+    EXPECT_FALSE(method->GetShaderInputs(form));
+    EXPECT_EQ(form.Description, "mine");
+    errors.Take();
+  };
+  expectProblem("no BRDF");
+  const auto brushed = NewCoat(10.0, 100.0);
+  brushed->SetName("brushed steel");
+  method->SetBRDF(brushed);
+  expectProblem("no environment");
+  method->SetEnvironment(vtkNew<vtkEnvironment>()); // empty
+  expectProblem("");
+  const auto environment = NewSmallEnvironment(true);
+  method->SetEnvironment(environment);
+  if (GetParam().IsIsotropic)
+  {
+    expectProblem("'brushed steel'");
+    brushed->SetName("");
+    expectProblem("isotropic");
+    brushed->SetExponents(20.0, 20.0);
+  }
+
+  // Stopped where it asks, it says so, and works again.
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* self, unsigned long, void*, void*)
+    { static_cast<vtkRadianceIntegrator*>(self)->SetAbort(true); });
+  SpherePairs pairs;
+  pairs.AddRandom(12);
+  vtkNew<vtkDoubleArray> radiance;
+  const unsigned long tag = method->AddObserver(vtkCommand::ProgressEvent, stop);
+  EXPECT_FALSE(method->Integrate(pairs.Normals, pairs.Views, radiance));
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_NE(errors.GetText().find("aborted"), std::string::npos) << errors.GetText();
+  EXPECT_EQ(radiance->GetNumberOfTuples(), 0);
+  method->RemoveObserver(tag);
+  EXPECT_EQ(pairs.Integrate(method), pairs.Integrate(this->Make(brushed, environment)));
+  EXPECT_EQ(errors.Take(), 0);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(EveryMethod, TurnsWithItsEnvironment)
+{
+  const auto environment = NewSmallEnvironment(true);
+  const auto coat = NewCoat(50.0, 50.0);
+  SpherePairs pairs;
+  pairs.AddRandom(30);
+  ExpectTurnsWithItsEnvironment(this->Make(coat, environment), pairs, GetParam().TurnTolerance);
+}
+
+//------------------------------------------------------------------------------
+// cos(theta_o) is at least 0.02, at any azimuth; below the horizon there is nothing.
+TEST_P(EveryMethod, LowViewsAreLifted)
+{
+  const glm::dvec3 n = glm::normalize(glm::dvec3(0.2, 1.0, -0.4));
+  const glm::dvec3 u = glm::normalize(glm::cross(n, glm::dvec3(1.0, 0.0, 0.0)));
+  SpherePairs pairs;
+  for (const glm::dvec3& along : { u, glm::normalize(u + 2.0 * glm::cross(n, u)) })
+  {
+    for (const double cosine : { 0.02, 0.0199, 0.01, 1e-4, 1e-9, -1e-9, -0.3 })
+    {
+      pairs.Add(1e-200 * n, 1e200 * (std::sqrt(1.0 - cosine * cosine) * along + cosine * n));
+    }
+  }
+  const auto radiance =
+    pairs.Integrate(this->Make(NewCoat(50.0, 50.0), NewConstantEnvironment(16, 8, 1.0f)));
+  for (std::size_t k = 0; k < radiance.size(); ++k)
+  {
+    const double expected = k % 7 < 5 ? radiance[k / 7 * 7].y : 0.0;
+    EXPECT_NEAR(radiance[k].y, expected, 1e-9 * expected) << k;
+  }
+  EXPECT_GT(radiance[0].y, 0.0);
+}
+
+//------------------------------------------------------------------------------
+TEST_P(EveryMethod, BlackAndTinyEnvironments)
+{
+  SpherePairs pairs;
+  pairs.AddRandom(8);
+  const auto coat = NewCoat(20.0, 20.0);
+  for (const glm::dvec3& rgb :
+    pairs.Integrate(this->Make(coat, NewConstantEnvironment(16, 8, 0.0f))))
+  {
+    EXPECT_EQ(rgb, glm::dvec3(0.0));
+  }
+  const int sizes[][2] = { { 1, 1 }, { 1, 7 }, { 5, 1 }, { 2, 1 }, { 1, 64 }, { 65, 1 } };
+  for (const auto& size : sizes)
+  {
+    const auto environment = NewConstantEnvironment(size[0], size[1], 1.0f);
+    const auto radiance = pairs.Integrate(this->Make(coat, environment)); // finite: checked there
+    EXPECT_LT(GetRelativeError(radiance, pairs.IntegrateExactly(coat, environment)), 1.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+// The material, its values, the light, and the sizes that were set last.
+TEST_P(EveryMethod, FollowsItsInputs)
+{
+  const auto environment = NewSmallEnvironment(true);
+  const auto coat = NewCoat(20.0, 20.0);
+  const auto method = this->Make(coat, environment);
+  SpherePairs pairs;
+  pairs.AddRandom(4);
+  auto before = pairs.Integrate(method);
+  const auto expectChanged = [&](const char* what)
+  {
+    const auto fresh = this->Make(method->GetBRDF(), environment);
+    fresh->SetSizes(GetParam().OtherSizes);
+    method->SetSizes(GetParam().OtherSizes);
+    const auto now = pairs.Integrate(method);
+    EXPECT_EQ(now, pairs.Integrate(fresh)) << what;
+    EXPECT_NE(now, before) << what;
+    before = now;
+  };
+  if (!GetParam().OtherSizes.empty())
+  {
+    expectChanged("sizes");
+  }
+  coat->SetDiffuse(0.1, 0.2, 0.3);
+  expectChanged("values");
+  std::vector<float> rgb(environment->GetPixels());
+  std::reverse(rgb.begin(), rgb.end());
+  ASSERT_TRUE(environment->SetPixels(128, 64, rgb));
+  expectChanged("light");
+  const auto other = NewCoat(5.0, 5.0);
+  method->SetBRDF(other);
+  expectChanged("material");
+}
+
+//------------------------------------------------------------------------------
+// What is prepared stays while nothing changes but the environment's rotation.
+TEST_P(EveryMethod, IsPreparedOnce)
+{
+  const auto environment = NewSmallEnvironment(false);
+  const auto method = this->Make(NewCoat(5.0, 5.0), environment);
+  ASSERT_TRUE(method->Prepare());
+  int count = 0;
+  vtkNew<vtkCallbackCommand> watch;
+  watch->SetClientData(&count);
+  watch->SetCallback(
+    [](vtkObject*, unsigned long, void* number, void*) { ++*static_cast<int*>(number); });
+  method->AddObserver(vtkCommand::ProgressEvent, watch);
+  environment->SetRotationY(77.0);
+  ASSERT_TRUE(method->Prepare());
+  EXPECT_EQ(count, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  All, EveryMethod, testing::ValuesIn(Methods), [](const auto& info) { return info.param.Name; });
