@@ -134,15 +134,6 @@ void Check(const FitOptions& options, const CLI::App* command)
 }
 
 //------------------------------------------------------------------------------
-void Fit(vtkBRDFFitter* fitter, const std::string& file)
-{
-  if (!tool::RunWithProgress(fitter, &vtkBRDFFitter::Fit, "fitting"))
-  {
-    throw tool::Error(file + ": " + tool::TakeErrorText());
-  }
-}
-
-//------------------------------------------------------------------------------
 ordered_json Describe(const FitOptions& options, vtkBRDFFitter* fitter, double seconds)
 {
   const double* in = fitter->GetInputAlbedo();
@@ -226,7 +217,10 @@ vtkSmartPointer<vtkBRDFFitter> FitModel(const FitOptions& options, vtkBRDF* brdf
   {
     fitter->SetNumberOfSamples(options.Samples);
   }
-  Fit(fitter, options.File);
+  if (!tool::RunWithProgress(fitter.Get(), &vtkBRDFFitter::Fit, "fitting"))
+  {
+    throw tool::Error(options.File + ": " + tool::TakeErrorText());
+  }
   return fitter;
 }
 

@@ -689,23 +689,6 @@ class RenderMethods(RenderTest):
             self.assertEqual(results[1][4], [0, 0, 0])
             self.assertGreater(min(results[1][3]), 0)
 
-    def test_exact(self):
-        # A small picture, and the same by a table of it: pixel by pixel alike, and of one coverage.
-        light = ["--environment", self.write_constant_environment(), "--size", "24x24"]
-        for method in ("exact", "table"):
-            report = self.path("report.json")
-            result = self.render("blue-fabric", method + ".png", *light, "--method", method,
-                                 "--background", "none", "--report", report)
-            self.check(result, 0)
-            values = read_json(report)
-            self.assertEqual(values["method"], method)
-            self.assertGreater(values["frame_ms"], 0)
-        exact, table = read_png(self.path("exact.png")), read_png(self.path("table.png"))
-        self.assertEqual(list(exact[0][:3]), [0, 0, 0])
-        for x in range(24, 48):
-            self.assertLessEqual(abs(exact[12][x] - table[12][x]), 2)
-            self.assertGreater(exact[12][x], 20)
-
 
 class Compare(ToolTest):
     COMMON = ["--environment", "hall", "--size", "64x64", "--reference-pixels", "64"]

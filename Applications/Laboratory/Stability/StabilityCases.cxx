@@ -5,7 +5,6 @@
 #include "LocalFrame.h"
 #include "Meshes.h"
 #include "Progress.h"
-#include "Scenes.h"
 #include "Sheets.h"
 #include "Stability.h"
 #include "Surface.h"
@@ -21,8 +20,6 @@
 #include "vtkNew.h"
 #include "vtkRepresentationAdvisor.h"
 #include "vtkTabulatedBRDF.h"
-#include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
 
 #include <Eigen/Eigenvalues>
 #include <glm/gtc/constants.hpp>
@@ -519,47 +516,6 @@ void RunRemade(Context& context)
 }
 
 //------------------------------------------------------------------------------
-// Coordinates far from 1, and far from the origin.
-void RunWorlds(Context& context)
-{
-  const int size = 64;
-  const BRDF brdf = context.Choose(MakePlastic(50.0));
-  const Environment environment = context.MakeLight("sky", 64);
-  const auto draw = [&](vtkRadianceIntegrator* integrator, double scale, double offset)
-  {
-    vtkNew<vtkTransform> transform;
-    transform->Translate(offset, offset, -offset);
-    transform->Scale(scale, scale, scale);
-    vtkNew<vtkTransformPolyDataFilter> moved;
-    moved->SetInputData(MakeSphere());
-    moved->SetTransform(transform);
-    moved->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-    moved->Update();
-    Scene scene;
-    scene.SetMaterial(brdf);
-    scene.SetLight(environment, integrator);
-    scene.SetMesh(moved->GetOutput());
-    scene.SetView(30.0, 20.0, 0.9);
-    const Picture picture = scene.Render(size, size);
-    return Radiance(
-      Eigen::Map<const Eigen::ArrayXf>(picture.Pixels.data(), 4 * size * size).cast<double>());
-  };
-  for (const auto& [name, make] : GetMethods())
-  {
-    const Integrator integrator = make(brdf, environment);
-    const Radiance usual = draw(integrator, 1.0, 0.0);
-    const auto compare = [&, &method = name](const std::string& what, double scale, double offset)
-    {
-      context.Add(
-        method, "difference, " + what, GetRelativeL1(draw(integrator, scale, offset), usual), 5e-3);
-    };
-    compare("coordinates times 1e6", 1e6, 0.0);
-    compare("coordinates times 1e-6", 1e-6, 0.0);
-    compare("1e5 radii from the origin", 1.0, 1e5);
-  }
-}
-
-//------------------------------------------------------------------------------
 // A table of a plastic, each cell changed: (cell, its value) -> value.
 BRDF MakeOddTable(
   const std::function<double(int, double)>& change, int range = vtkTabulatedBRDF::HALF_TURN)
@@ -864,7 +820,6 @@ const std::vector<Case>& GetCases()
     { "seams", "geometry", "a sun on the map's seam", RunSeams },
     { "motion", "temporal", "environment, object or camera on the move", RunMotion },
     { "remade", "temporal", "everything made anew for each frame", RunRemade },
-    { "worlds", "scale", "coordinates far from 1", RunWorlds },
     { "oddities", "data", "asymmetry, negative, missing and very large values", RunOddities },
     { "convergence", "convergence", "order of convergence of every method", RunConvergence },
     { "gram", "numeric", "how well bases are conditioned", RunGram },
