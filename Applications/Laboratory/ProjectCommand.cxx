@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Acquisition.h"
 #include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
@@ -9,7 +10,6 @@
 #include "Tool.h"
 
 #include "vtkBRDFResampler.h"
-#include "vtkBasisExtrapolator.h"
 #include "vtkBasisProjector.h"
 #include "vtkNew.h"
 
@@ -32,8 +32,7 @@ struct ProjectOptions
   std::string Window = "none";
   bool Extrapolate = false;
   std::string Criterion = "l-curve";
-  double MaximumResidual = 0.0; // the extrapolator's own
-  double MaximumNegativeMass = 0.05;
+  laboratory::ExtrapolationOptions Harmonics;
 };
 
 const std::vector<std::string> Windows = { "none", "hann", "lanczos", "laplacian" };
@@ -97,38 +96,29 @@ vtkSmartPointer<vtkBasisBRDF> Project(
 vtkSmartPointer<vtkBasisBRDF> Extrapolate(
   const ProjectOptions& options, vtkBasisBRDF* input, std::string& text)
 {
-  vtkNew<vtkBasisExtrapolator> extrapolator;
-  extrapolator->SetInput(input);
-  extrapolator->SetOrder(options.Order);
-  extrapolator->SetCriterion(options.Criterion == "l-curve"
-                               ? vtkBasisExtrapolator::L_CURVE
-                               : vtkBasisExtrapolator::CROSS_VALIDATION);
-  extrapolator->SetMaximumResidual(options.MaximumResidual);
-  extrapolator->SetMaximumNegativeMass(options.MaximumNegativeMass);
-  const bool accepted =
-    tool::RunWithProgress(extrapolator.Get(), &vtkBasisExtrapolator::Extrapolate, "extrapolating");
-  const std::string said = tool::TakeErrorText();
-  if (!said.empty())
-  {
-    throw tool::Error(options.File + ": " + said);
-  }
-  const std::string residual = tool::FormatNumber(extrapolator->GetInZoneResidual()) + " (limit " +
-                               tool::FormatNumber(extrapolator->GetResidualLimit()) + ")";
-  if (!accepted)
+  laboratory::ExtrapolationOptions settings = options.Harmonics;
+  settings.Order = options.Order;
+  settings.How = options.Criterion == "l-curve" ? laboratory::Criterion::LCurve
+                                                : laboratory::Criterion::CrossValidation;
+  const laboratory::Extrapolation whole =
+    laboratory::Extrapolate(input, settings, tool::ShowProgress("extrapolating"));
+  const std::string residual = tool::FormatNumber(whole.InZoneResidual) + " (limit " +
+                               tool::FormatNumber(whole.ResidualLimit) + ")";
+  if (!whole.IsAccepted)
   {
     throw tool::Error(options.File + ": harmonics of order " +
-                      std::to_string(extrapolator->GetOutput()->GetOrder()) +
+                      std::to_string(whole.Output->GetOrder()) +
                       " leave a relative residual of " + residual +
                       " inside the zone and a negative mass of " +
-                      tool::FormatNumber(extrapolator->GetNegativeMass()) + " (limit " +
-                      tool::FormatNumber(options.MaximumNegativeMass) +
+                      tool::FormatNumber(whole.NegativeMass) + " (limit " +
+                      tool::FormatNumber(settings.MaximumNegativeMass) +
                       "), too much to trust them outside; nothing was written. Use "
                       "'measured-brdf fit " +
                       options.File + " --model d-brdf' instead");
   }
-  text += "lambda: " + tool::FormatNumber(extrapolator->GetLambda()) + " (" + options.Criterion +
+  text += "lambda: " + tool::FormatNumber(whole.Lambda) + " (" + options.Criterion +
           ")\nrelative residual inside the zone: " + residual + "\n";
-  return extrapolator->GetOutput();
+  return whole.Output;
 }
 
 //------------------------------------------------------------------------------
@@ -213,12 +203,12 @@ void AddProjectCommand(CLI::App& app)
       "How the smoothness of the harmonics is chosen: l-curve (default) or cross-validation")
     ->check(CLI::IsMember({ "l-curve", "cross-validation" }));
   command
-    ->add_option("--maximum-residual", options->MaximumResidual,
+    ->add_option("--maximum-residual", options->Harmonics.MaximumResidual,
       "Largest relative residual inside the zone at which an extrapolation is written (default "
       "0.1 for zonal inputs, 0.03 for others)")
     ->check(CLI::Range(1e-6, 1e6));
   command
-    ->add_option("--maximum-negative-mass", options->MaximumNegativeMass,
+    ->add_option("--maximum-negative-mass", options->Harmonics.MaximumNegativeMass,
       "Largest share of negative values over the hemisphere at which it is written (default 0.05)")
     ->check(CLI::Range(0.0, 1.0));
   command->add_option("-o,--output", options->Output, "File to write, ending in .exr")->required();

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Acquisition.h"
 #include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
 #include "Laboratory.h"
+#include "Methods.h"
 #include "NumberText.h"
 #include "Progress.h"
 #include "Stability.h"
@@ -12,14 +14,12 @@
 #include "vtkAshikhminShirleyBRDFFitter.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBRDFShaderInputs.h"
-#include "vtkBasisExtrapolator.h"
 #include "vtkBasisProjector.h"
 #include "vtkDistributionBRDFFitter.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkMath.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
-#include "vtkRepresentationAdvisor.h"
 
 #include <CLI/CLI.hpp>
 
@@ -27,6 +27,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <memory>
 
 namespace
@@ -96,11 +97,8 @@ public:
 
   std::vector<RepresentationRow> Make()
   {
-    vtkNew<vtkRepresentationAdvisor> advisor;
-    advisor->SetInput(this->Material.BRDF);
-    advisor->SetZone(this->Zone[0], this->Zone[1]);
-    this->RunMaker(advisor.Get(), &vtkRepresentationAdvisor::Update);
-    const bool basis = advisor->GetRecommendation() == vtkRepresentationAdvisor::BASIS;
+    constexpr int advisedOrder = 6;
+    const bool basis = tool::Advise(this->Material.BRDF, advisedOrder, this->Zone).IsBasis;
     for (const int order : this->Settings.Orders)
     {
       const std::string number = " " + std::to_string(order);
@@ -119,14 +117,12 @@ public:
         }
         this->Add(vtkBasisBRDF::GetBasisName(kind) + number, projector.Get(),
           &vtkBasisProjector::Project,
-          basis && kind == vtkBasisBRDF::SPHERICAL_HARMONICS && order == advisor->GetOrder());
+          basis && kind == vtkBasisBRDF::SPHERICAL_HARMONICS && order == advisedOrder);
         zonal = kind == vtkBasisBRDF::ZONAL ? projector->GetOutput() : zonal.Get();
       }
-      // What the extrapolator's gate refuses is taken, too: the table shows why.
-      vtkNew<vtkBasisExtrapolator> extrapolator;
-      extrapolator->SetInput(zonal);
-      this->Add("zonal" + number + ", extended", extrapolator.Get(),
-        &vtkBasisExtrapolator::Extrapolate, false);
+      // What the extrapolation's gate refuses is taken, too: the table shows why.
+      this->Add("zonal" + number + ", extended",
+        [&]() { return laboratory::Extrapolate(zonal).Output; }, false);
     }
     vtkNew<vtkDistributionBRDFFitter> distribution;
     distribution->SetInput(this->Material.BRDF);
@@ -158,14 +154,26 @@ private:
   template <typename Maker, typename Method>
   void Add(const std::string& name, Maker* maker, Method run, bool recommended)
   {
+    this->Add(
+      name,
+      [&]()
+      {
+        this->RunMaker(maker, run);
+        return maker->GetOutput();
+      },
+      recommended);
+  }
+
+  void Add(const std::string& name, const std::function<vtkSmartPointer<vtkBRDF>()>& make,
+    bool recommended)
+  {
     RepresentationRow row;
     row.Material = this->Material.Name;
     row.Representation = name;
     row.Recommended = recommended;
     const auto begin = std::chrono::steady_clock::now();
-    this->RunMaker(maker, run);
+    const vtkSmartPointer<vtkBRDF> brdf = make();
     row.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    vtkBRDF* brdf = maker->GetOutput();
     if (!brdf)
     {
       throw tool::Error(name + ": nothing came out");

@@ -21,7 +21,7 @@ vtkStandardNewMacro(vtkBasisProjector);
 
 namespace
 {
-constexpr int NumberOfAzimuths = 256;
+constexpr int AzimuthNodes = 256;
 
 // Everything that stays the same for all views.
 struct Plan
@@ -79,17 +79,17 @@ Plan MakePlan(vtkBasisProjector* self)
         vtkBasisProjector::GetWindowFactor(self->GetWindow(), order, l);
     }
   }
-  plan.Cosine.resize(NumberOfAzimuths, order + 1);
-  plan.Sine.resize(NumberOfAzimuths, order + 1);
+  plan.Cosine.resize(AzimuthNodes, order + 1);
+  plan.Sine.resize(AzimuthNodes, order + 1);
   for (int m = 0; m <= order; ++m)
   {
     // With these, sum_m a_m sqrt2 cos(m phi) + b_m sqrt2 sin(m phi), plain for m = 0, is the
     // series.
-    const double scale = (m > 0 ? std::sqrt(2.0) : 1.0) / NumberOfAzimuths;
-    for (int p = 0; p < NumberOfAzimuths; ++p)
+    const double scale = (m > 0 ? std::sqrt(2.0) : 1.0) / AzimuthNodes;
+    for (int p = 0; p < AzimuthNodes; ++p)
     {
-      plan.Cosine(p, m) = scale * std::cos(2.0 * Pi * m * p / NumberOfAzimuths);
-      plan.Sine(p, m) = scale * std::sin(2.0 * Pi * m * p / NumberOfAzimuths);
+      plan.Cosine(p, m) = scale * std::cos(2.0 * Pi * m * p / AzimuthNodes);
+      plan.Sine(p, m) = scale * std::sin(2.0 * Pi * m * p / AzimuthNodes);
     }
   }
   return plan;
@@ -102,16 +102,16 @@ std::array<Eigen::MatrixXd, 3> SampleView(
   std::array<Eigen::MatrixXd, 3> samples;
   for (Eigen::MatrixXd& channel : samples)
   {
-    channel.resize(static_cast<Eigen::Index>(plan.Cosines.size()), NumberOfAzimuths);
+    channel.resize(static_cast<Eigen::Index>(plan.Cosines.size()), AzimuthNodes);
   }
   for (std::size_t q = 0; q < plan.Cosines.size(); ++q)
   {
     const double cosine = plan.Cosines[q];
     const double factor =
       (self->GetIncidentCosine() ? cosine : 1.0) * (self->GetOutgoingCosine() ? o.z : 1.0);
-    for (int a = 0; a < NumberOfAzimuths; ++a)
+    for (int a = 0; a < AzimuthNodes; ++a)
     {
-      const glm::dvec3 i = ToDirection(cosine, 2.0 * Pi * a / NumberOfAzimuths);
+      const glm::dvec3 i = ToDirection(cosine, 2.0 * Pi * a / AzimuthNodes);
       double f[3];
       self->GetInput()->Evaluate(&i.x, &o.x, f);
       for (std::size_t c = 0; c < 3; ++c)

@@ -3,15 +3,12 @@
 #include "vtkAdaptiveWarpBRDF.h"
 
 #include "BilinearWarp.h"
-#include "ContentHash.h"
 #include "HalfVector.h"
 #include "NumberText.h"
 #include "OneByOne.h"
 #include "PackedWarp.h"
-#include "RenderableTable.h"
 #include "RoundingNoise.h"
 #include "vtkBRDFExchange.h"
-#include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -24,10 +21,6 @@
 using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkAdaptiveWarpBRDF);
-
-struct vtkAdaptiveWarpBRDF::Renderable : public RenderableTable
-{
-};
 
 struct vtkAdaptiveWarpBRDF::Warps
 {
@@ -203,15 +196,6 @@ double GetJacobian(double unitTheta, const glm::dvec3& h, const glm::dvec3& inci
 }
 
 //------------------------------------------------------------------------------
-vtkAdaptiveWarpBRDF::vtkAdaptiveWarpBRDF()
-  : Resampled(std::make_shared<Renderable>())
-{
-}
-
-//------------------------------------------------------------------------------
-vtkAdaptiveWarpBRDF::~vtkAdaptiveWarpBRDF() = default;
-
-//------------------------------------------------------------------------------
 void vtkAdaptiveWarpBRDF::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -299,7 +283,7 @@ std::string vtkAdaptiveWarpBRDF::SetTables(Tables tables)
   }
   this->Data = std::move(tables);
   this->Warp = std::move(warps);
-  this->Resampled = std::make_shared<Renderable>();
+  this->ResetRenderable();
   this->Modified();
   return "";
 }
@@ -425,27 +409,6 @@ void vtkAdaptiveWarpBRDF::GetBounds(double minimumCosine, double lower[3], doubl
 }
 
 //------------------------------------------------------------------------------
-vtkBRDF* vtkAdaptiveWarpBRDF::GetRenderable()
-{
-  std::string problem;
-  vtkBRDF* table = this->Resampled->Get(this, problem);
-  if (!problem.empty())
-  {
-    vtkWarningMacro(<< problem);
-  }
-  return table;
-}
-
-//------------------------------------------------------------------------------
-vtkBRDF* vtkAdaptiveWarpBRDF::NewQuickRenderable() { return this->Resampled->NewQuick(this); }
-
-//------------------------------------------------------------------------------
-void vtkAdaptiveWarpBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
-{
-  this->GetRenderable()->GetShaderInputs(form);
-}
-
-//------------------------------------------------------------------------------
 void vtkAdaptiveWarpBRDF::ExchangeData(vtkBRDFExchange& exchange)
 {
   if (!exchange.IsLoading())
@@ -475,10 +438,7 @@ void vtkAdaptiveWarpBRDF::ExchangeData(vtkBRDFExchange& exchange)
   tables.Vndf = load("vndf", 4);
   tables.Luminance = load("luminance", 4);
   tables.Rgb = load("rgb", 5);
-  if (!exchange.HasFailed())
-  {
-    exchange.Check(this->SetTables(std::move(tables)));
-  }
+  exchange.Check(this->SetTables(std::move(tables)));
 }
 
 //------------------------------------------------------------------------------
@@ -487,22 +447,6 @@ vtkBRDF* vtkAdaptiveWarpBRDF::NewCopy()
   vtkAdaptiveWarpBRDF* copy = vtkAdaptiveWarpBRDF::New();
   copy->Data = this->Data;
   copy->Warp = this->Warp;                                          // never changes once it is made
-  copy->Resampled = std::make_shared<Renderable>(*this->Resampled); // which shares its table
+  copy->ShareRenderable(this);
   return copy;
-}
-
-//------------------------------------------------------------------------------
-std::pair<std::type_index, std::string> vtkAdaptiveWarpBRDF::GetContent()
-{
-  measuredbrdf::ContentHash hash;
-  hash.AddValues(this->Data.ThetaI);
-  hash.AddValues(this->Data.PhiI);
-  for (const Table* table : { &this->Data.Ndf, &this->Data.Sigma, &this->Data.Vndf,
-         &this->Data.Luminance, &this->Data.Rgb })
-  {
-    hash.AddValues(table->Shape);
-    hash.AddValues(table->Values);
-  }
-  hash.AddValue(this->Data.Jacobian);
-  return { typeid(vtkAdaptiveWarpBRDF), hash.GetText() };
 }

@@ -154,12 +154,8 @@ std::vector<char> FindCells(const std::vector<Probe>& probes, const int size[3],
   {
     const glm::dvec3 u =
       ToHalfDifferenceUnit(glm::make_vec3(probe.I), glm::make_vec3(probe.O), reciprocal);
-    const VolumeCorners corners = { FindCorners(u.x, size[0], true),
-      FindCorners(u.y, size[1], false), FindCorners(u.z, size[2], false) };
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      cells[GetCorner(corners, size, corner)] = 1;
-    }
+    ForCorners<3>(size, FindHalfDifferenceCorners(u, size),
+      [&cells](std::size_t cell, double) { cells[cell] = 1; });
   }
   return cells;
 }

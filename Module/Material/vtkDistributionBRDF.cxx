@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDistributionBRDF.h"
 
-#include "ContentHash.h"
 #include "HalfVector.h"
-#include "HalfVectorSampler.h"
 #include "ModuleShader.h"
 #include "Neighbors.h"
 #include "RoundingNoise.h"
@@ -145,11 +143,6 @@ using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkDistributionBRDF);
 
-struct vtkDistributionBRDF::Sampler : public HalfVectorSampler
-{
-  using HalfVectorSampler::HalfVectorSampler;
-};
-
 struct vtkDistributionBRDF::Levels : public DistributionLevels
 {
   using DistributionLevels::DistributionLevels;
@@ -204,7 +197,7 @@ bool vtkDistributionBRDF::SetDistribution(int nTheta, int nPhi, const std::vecto
   this->NumberOfTheta = nTheta;
   this->NumberOfPhi = nPhi;
   this->Distribution = std::move(values);
-  this->HalfVectorSampler.reset();
+  this->ResetLobe();
   this->WidenedLevels.reset();
   this->Modified();
   return true;
@@ -323,7 +316,7 @@ void vtkDistributionBRDF::PrepareLevels()
 void vtkDistributionBRDF::Prepare()
 {
   this->PrepareLevels();
-  if (this->HalfVectorSampler)
+  if (this->HasLobe())
   {
     return;
   }
@@ -335,25 +328,7 @@ void vtkDistributionBRDF::Prepare()
     weights.push_back(
       cosine * (this->Distribution[k] + this->Distribution[k + 1] + this->Distribution[k + 2]));
   }
-  this->HalfVectorSampler =
-    std::make_unique<Sampler>(weights, this->NumberOfTheta, this->NumberOfPhi, 0.75);
-}
-
-//------------------------------------------------------------------------------
-bool vtkDistributionBRDF::SampleAbove(const double o[3], double u1, double u2, double i[3])
-{
-  this->Prepare();
-  glm::dvec3 direction;
-  const bool above = this->HalfVectorSampler->Sample(glm::make_vec3(o), u1, u2, direction);
-  std::copy_n(glm::value_ptr(direction), 3, i);
-  return above;
-}
-
-//------------------------------------------------------------------------------
-double vtkDistributionBRDF::PdfAbove(const double i[3], const double o[3])
-{
-  this->Prepare();
-  return this->HalfVectorSampler->Pdf(glm::make_vec3(i), glm::make_vec3(o));
+  this->SetLobe(this->NumberOfTheta, this->NumberOfPhi, 0.75, weights);
 }
 
 //------------------------------------------------------------------------------
@@ -448,15 +423,4 @@ vtkBRDF* vtkDistributionBRDF::NewCopy()
   copy->Distribution = this->Distribution;
   copy->Fresnel = this->Fresnel;
   return copy;
-}
-
-//------------------------------------------------------------------------------
-std::pair<std::type_index, std::string> vtkDistributionBRDF::GetContent()
-{
-  measuredbrdf::ContentHash hash;
-  hash.AddValue(this->NumberOfTheta);
-  hash.AddValue(this->NumberOfPhi);
-  hash.AddValues(this->Distribution);
-  hash.AddValues(this->Fresnel);
-  return { typeid(vtkDistributionBRDF), hash.GetText() };
 }

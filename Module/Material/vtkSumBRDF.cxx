@@ -316,19 +316,3 @@ vtkBRDF* vtkSumBRDF::NewCopy()
   }
   return copy;
 }
-
-//------------------------------------------------------------------------------
-std::pair<std::type_index, std::string> vtkSumBRDF::GetContent()
-{
-  std::string keys;
-  for (vtkBRDF* term : this->Terms)
-  {
-    const std::string key = term->GetContentKey();
-    if (key.empty())
-    {
-      return this->Superclass::GetContent();
-    }
-    keys += key;
-  }
-  return { typeid(vtkSumBRDF), keys };
-}

@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Stability: what a global basis does to sharp lobes, and beyond the zone that was measured.
+#include "Acquisition.h"
 #include "Meshes.h"
+#include "Methods.h"
 #include "Sheets.h"
 #include "Stability.h"
 #include "Tool.h"
 
 #include "vtkBRDFResampler.h"
 #include "vtkBasisBRDF.h"
-#include "vtkBasisExtrapolator.h"
 #include "vtkBasisProjector.h"
 #include "vtkLightSet.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
-#include "vtkRepresentationAdvisor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ constexpr double Zone[2] = { 9.0, 57.0 }; // of the device, Ghosh et al. 2007
 constexpr int BasisTile = 96;
 constexpr int Pairs14 = 1 << 14;
 
-// The negative mass that vtkBasisExtrapolator still accepts.
+// The negative mass that an extrapolation may have.
 constexpr double NegativeMass = 0.05;
 
 //------------------------------------------------------------------------------
@@ -116,18 +116,10 @@ void RunRinging(Context& context)
   // The product's answer: the advisor takes a fit where a basis would ring.
   for (const double exponent : exponents)
   {
-    vtkNew<vtkRepresentationAdvisor> advisor;
-    const vtkSmartPointer<vtkBRDF> lobe = MakeLobe(exponent);
-    advisor->SetInput(lobe);
-    advisor->SetOrder(6);
-    if (!advisor->Update())
-    {
-      throw tool::Error("advisor: " + tool::TakeErrorText());
-    }
-    const bool rings = advisor->GetRecommendation() == vtkRepresentationAdvisor::BASIS &&
-                       advisor->GetNegativeMass() > NegativeMass;
+    const tool::Advice advice = tool::Advise(MakeLobe(exponent), 6);
+    const bool rings = advice.IsBasis && advice.NegativeMass > NegativeMass;
     context.Add("advisor", "a ringing basis recommended, exponent " + Say(exponent), rings, 0.0,
-      advisor->GetReason());
+      advice.Reason);
   }
   DrawRinging(context, exponents);
 }
@@ -151,25 +143,22 @@ void RunExtrapolation(Context& context)
     const auto measure = [&](vtkBRDF* brdf)
     { return vtkBRDFResampler::GetZoneRelativeL2Error(lobe, brdf, outside, Zone, Pairs14); };
     const double held = measure(projector->GetOutput());
-    vtkNew<vtkBasisExtrapolator> extrapolator;
-    extrapolator->SetInput(projector->GetOutput());
-    const bool accepted = extrapolator->Extrapolate();
-    const double kept = measure(accepted ? extrapolator->GetOutput() : projector->GetOutput());
-    context.Add(accepted ? "accepted" : "refused",
+    const laboratory::Extrapolation whole = laboratory::Extrapolate(projector->GetOutput());
+    const double kept = measure(whole.IsAccepted ? whole.Output.Get() : projector->GetOutput());
+    context.Add(whole.IsAccepted ? "accepted" : "refused",
       "error outside the zone over that of holding its edge, exponent " + Say(exponent),
       kept / held, 1.0,
-      "residual inside " + Say(extrapolator->GetInZoneResidual()) + ", holding: " + Say(held));
-    vtkNew<vtkBasisExtrapolator> wild;
-    wild->SetInput(projector->GetOutput());
-    wild->SetCriterion(vtkBasisExtrapolator::FIXED);
-    wild->SetLambda(0.0);
-    wild->Extrapolate();
+      "residual inside " + Say(whole.InZoneResidual) + ", holding: " + Say(held));
+    laboratory::ExtrapolationOptions unregularized;
+    unregularized.How = laboratory::Criterion::Fixed;
+    const laboratory::Extrapolation wild =
+      laboratory::Extrapolate(projector->GetOutput(), unregularized);
     context
       .Add("unregularized",
         "error outside the zone over that of holding its edge, exponent " + Say(exponent),
-        measure(wild->GetOutput()) / held, 1.0)
+        measure(wild.Output) / held, 1.0)
       .KnownUpTo(Unlimited, "ill-posed: shown on purpose; Extrapolate " +
-                              std::string(wild->GetAccepted() ? "accepts" : "refuses") + " it");
+                              std::string(wild.IsAccepted ? "accepts" : "refuses") + " it");
   }
 }
 }

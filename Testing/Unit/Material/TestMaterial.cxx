@@ -17,7 +17,6 @@
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDF.h"
 #include "vtkDoubleArray.h"
-#include "vtkImageData.h"
 #include "vtkLambertBRDF.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetRadianceIntegrator.h"
@@ -533,8 +532,6 @@ TEST(Tabulated, RefusesAndKeeps)
   EXPECT_FALSE(table->SetVolume(0, 0, huge, std::vector<float>(24, 1.0f)));
   EXPECT_FALSE(table->SetVolume(2, 0, good, std::vector<float>(24, 1.0f)));
   EXPECT_EQ(table->GetVolume().size(), 24u);
-  auto image = vtkSmartPointer<vtkImageData>::Take(table->NewImageData());
-  EXPECT_EQ(image->GetNumberOfPoints(), 8);
 }
 
 TEST(Tabulated, PrecisionFollowsTheTolerance)
