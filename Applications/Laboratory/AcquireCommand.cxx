@@ -94,8 +94,8 @@ void AddAcquireCommand(CLI::App& app)
     "Standard deviation of the camera's noise, as a share of the brightest pixel of each pair of "
     "photographs (default 0)");
   command
-    ->add_option(
-      "--bits", options->Device.Bits, "Bits of the camera's pixels, 1 to 24; 0 (default): no rounding")
+    ->add_option("--bits", options->Device.Bits,
+      "Bits of the camera's pixels, 1 to 24; 0 (default): no rounding")
     ->check(CLI::Range(0, 24));
   command->add_option("--seed", options->Device.Seed, "Seed of the noise (default 1)");
   command->add_option("-o,--output", options->Output, "File to write, ending in .exr")->required();

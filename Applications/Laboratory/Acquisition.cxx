@@ -189,9 +189,9 @@ Acquisition Acquire(vtkBRDF* sample, const AcquisitionOptions& options, const Pr
         {
           const Eigen::Index pixel = 3 * (t * nPhi + p);
           const double angle = 2.0 * Pi * m * p / nPhi;
-          mean += (std::cos(angle) * same.segment<3>(pixel) +
-                    std::sin(angle) * other.segment<3>(pixel)) /
-                  nPhi;
+          mean +=
+            (std::cos(angle) * same.segment<3>(pixel) + std::sin(angle) * other.segment<3>(pixel)) /
+            nPhi;
           if (!isotropic)
           {
             const Eigen::Vector3d own = same.segment<3>(pixel);

@@ -222,9 +222,8 @@ Extrapolation Extrapolate(
                             .cast<double>();
   const IncidentProblem incident(input, stack, std::min(order, input->GetOrder()));
   Extrapolation result;
-  result.Lambda = options.How == Criterion::Fixed
-                    ? options.Lambda
-                    : ChooseLambda(options.How, harmonics, incident);
+  result.Lambda = options.How == Criterion::Fixed ? options.Lambda
+                                                  : ChooseLambda(options.How, harmonics, incident);
 
   // Over i: coefficients of the harmonics for each sample of o.
   RowMatrix half = RowMatrix::Zero(count, stack.cols());

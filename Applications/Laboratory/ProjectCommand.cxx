@@ -15,7 +15,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <iterator>
 #include <memory>
 #include <vector>
@@ -29,13 +28,10 @@ struct ProjectOptions
   std::string Basis;
   int Order = 0;
   std::string Zone = "9,57";
-  std::string Window = "none";
   bool Extrapolate = false;
   std::string Criterion = "l-curve";
   laboratory::ExtrapolationOptions Harmonics;
 };
-
-const std::vector<std::string> Windows = { "none", "hann", "lanczos", "laplacian" };
 
 //------------------------------------------------------------------------------
 void Check(const ProjectOptions& options, const CLI::App* command)
@@ -78,8 +74,6 @@ vtkSmartPointer<vtkBasisBRDF> Project(
   projector->SetInput(material.BRDF);
   projector->SetBasis(tool::FindBasis(options.Basis));
   projector->SetOrder(options.Order);
-  projector->SetWindow(
-    static_cast<int>(std::find(Windows.begin(), Windows.end(), options.Window) - Windows.begin()));
   if (projector->GetBasis() >= vtkBasisBRDF::ZONAL)
   {
     projector->SetIncidentZone(zone[0], zone[1]);
@@ -107,9 +101,8 @@ vtkSmartPointer<vtkBasisBRDF> Extrapolate(
   if (!whole.IsAccepted)
   {
     throw tool::Error(options.File + ": harmonics of order " +
-                      std::to_string(whole.Output->GetOrder()) +
-                      " leave a relative residual of " + residual +
-                      " inside the zone and a negative mass of " +
+                      std::to_string(whole.Output->GetOrder()) + " leave a relative residual of " +
+                      residual + " inside the zone and a negative mass of " +
                       tool::FormatNumber(whole.NegativeMass) + " (limit " +
                       tool::FormatNumber(settings.MaximumNegativeMass) +
                       "), too much to trust them outside; nothing was written. Use "
@@ -139,7 +132,7 @@ void Run(const ProjectOptions& options, const CLI::App* command)
   }
   else
   {
-    for (const char* option : { "--basis", "--zone", "--window" })
+    for (const char* option : { "--basis", "--zone" })
     {
       if (command->count(option) > 0)
       {
@@ -189,11 +182,6 @@ void AddProjectCommand(CLI::App& app)
   command->add_option("--zone", options->Zone,
     "Polar angles in degrees of light and view (default 9,57): the zone of the last two bases and "
     "of the first printed error");
-  command
-    ->add_option("--window", options->Window,
-      "Damp high degrees against ringing: none (default, and the most accurate), hann, lanczos or "
-      "laplacian")
-    ->check(CLI::IsMember(Windows));
   command->add_flag("--extrapolate", options->Extrapolate,
     "Extrapolate beyond the zone by spherical harmonics. A FILE that is in a basis already (such "
     "as "

@@ -121,8 +121,9 @@ public:
         zonal = kind == vtkBasisBRDF::ZONAL ? projector->GetOutput() : zonal.Get();
       }
       // What the extrapolation's gate refuses is taken, too: the table shows why.
-      this->Add("zonal" + number + ", extended",
-        [&]() { return laboratory::Extrapolate(zonal).Output; }, false);
+      this->Add(
+        "zonal" + number + ", extended", [&]() { return laboratory::Extrapolate(zonal).Output; },
+        false);
     }
     vtkNew<vtkDistributionBRDFFitter> distribution;
     distribution->SetInput(this->Material.BRDF);

@@ -6,8 +6,8 @@
 #include "Progress.h"
 #include "Tool.h"
 
-#include "vtkBRDFShaderInputs.h"
 #include "vtkBRDFResampler.h"
+#include "vtkBRDFShaderInputs.h"
 #include "vtkBasisBRDF.h"
 #include "vtkBasisProjector.h"
 #include "vtkDistributionBRDFFitter.h"

@@ -73,11 +73,6 @@ Plan MakePlan(vtkBasisProjector* self)
       plan.Operators.push_back(
         MakeLeastSquares(plan.Functions, m, plan.Cosines, weights, regularization));
     }
-    for (int l = m; l <= order; ++l)
-    {
-      plan.Operators.back().row(l - m) *=
-        vtkBasisProjector::GetWindowFactor(self->GetWindow(), order, l);
-    }
   }
   plan.Cosine.resize(AzimuthNodes, order + 1);
   plan.Sine.resize(AzimuthNodes, order + 1);
@@ -165,26 +160,6 @@ void vtkBasisProjector::SetInput(vtkBRDF* input)
 }
 
 //------------------------------------------------------------------------------
-double vtkBasisProjector::GetWindowFactor(int window, int order, int l)
-{
-  const double angle = Pi * l / (order + 1.0);
-  switch (window)
-  {
-    case HANN:
-      return 0.5 * (1.0 + std::cos(angle));
-    case LANCZOS:
-      return l > 0 ? std::sin(angle) / angle : 1.0;
-    case LAPLACIAN:
-    {
-      const double ratio = l > 0 ? l * (l + 1.0) / (order * (order + 1.0)) : 0.0;
-      return 1.0 / (1.0 + ratio * ratio);
-    }
-    default:
-      return 1.0;
-  }
-}
-
-//------------------------------------------------------------------------------
 bool vtkBasisProjector::Project()
 {
   if (!this->Input)
@@ -264,7 +239,6 @@ measuredbrdfSetInRangeMacro(
   vtkBasisProjector, Basis, int, vtkBasisBRDF::SPHERICAL_HARMONICS, vtkBasisBRDF::LEGENDRE_FOURIER);
 measuredbrdfSetInRangeMacro(vtkBasisProjector, Method, int, LEAST_SQUARES, INNER_PRODUCT);
 measuredbrdfSetClampedMacro(vtkBasisProjector, Regularization, double, 0.0, 1.0);
-measuredbrdfSetInRangeMacro(vtkBasisProjector, Window, int, NO_WINDOW, LAPLACIAN);
 measuredbrdfSetClampedMacro(vtkBasisProjector, NumberOfTheta, int, 2, 1024);
 measuredbrdfSetClampedMacro(vtkBasisProjector, NumberOfPhi, int, 4, 1024);
 measuredbrdfSetClampedMacro(vtkBasisProjector, NumberOfNodes, int, 8, 1024);
@@ -286,7 +260,6 @@ void vtkBasisProjector::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutgoingCosine: " << (this->OutgoingCosine ? "On" : "Off") << "\n";
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "Regularization: " << this->Regularization << "\n";
-  os << indent << "Window: " << this->Window << "\n";
   os << indent << "NumberOfTheta: " << this->NumberOfTheta << "\n";
   os << indent << "NumberOfPhi: " << this->NumberOfPhi << "\n";
   os << indent << "NumberOfNodes: " << this->NumberOfNodes << "\n";

@@ -73,10 +73,10 @@ public:
   }
 
   int NumberOfCells;
-  int NumberOfNeighbors; // of a sample in p: 2 or, anisotropic, 4
-  std::vector<Place> Places; // by sample
+  int NumberOfNeighbors;                // of a sample in p: 2 or, anisotropic, 4
+  std::vector<Place> Places;            // by sample
   std::vector<std::array<int, 2>> Ties; // neighboring cells, the larger number first
-  Eigen::SparseMatrix<double> Pattern; // zeros at all pairs that a sample or a tie links (lower)
+  Eigen::SparseMatrix<double> Pattern;  // zeros at all pairs that a sample or a tie links (lower)
 
 private:
   Place FindPlace(const FitSample& sample, const DistributionSize& size) const
@@ -389,7 +389,8 @@ Vector SchlickTable(double f0, int n)
   return table;
 }
 
-// The columns that F is a non-negative sum of. model: a vtkDistributionBRDFFitter::FresnelModelType.
+// The columns that F is a non-negative sum of. model: a
+// vtkDistributionBRDFFitter::FresnelModelType.
 Eigen::MatrixXd NewFresnelBasis(int model, int n)
 {
   if (model == vtkDistributionBRDFFitter::FREE)
@@ -553,9 +554,8 @@ std::vector<double> ChooseStarts(vtkDistributionBRDFFitter* fitter, const Distri
                                 fitter->GetFresnelModel() != vtkDistributionBRDFFitter::SCHLICK;
           const int channel = static_cast<int>(c);
           attempt = Try(channels[c],
-            measured
-              ? GuessFresnel(fitter->GetInput(), channels[c].Tables.Lambert, channel, n)
-              : SchlickTable(std::abs(StartReflectances[k]), n));
+            measured ? GuessFresnel(fitter->GetInput(), channels[c].Tables.Lambert, channel, n)
+                     : SchlickTable(std::abs(StartReflectances[k]), n));
         }
         if (k == 0 || attempt.History.back() < best[c].History.back())
         {
@@ -680,8 +680,8 @@ vtkBRDFFitter::Result vtkDistributionBRDFFitter::FitTo(const std::vector<Sample>
   GuessDistribution(this->Input, size, channels);
 
   Result result;
-  result.History = ChooseStarts(this, size, channels,
-    [this](double share) { return this->UpdateProgress(started * share); });
+  result.History = ChooseStarts(
+    this, size, channels, [this](double share) { return this->UpdateProgress(started * share); });
   const int most = this->MaximumNumberOfIterations;
   for (int k = 0; k < most && !result.History.empty() && !result.Converged; ++k)
   {

@@ -261,7 +261,7 @@ void vtkAngularTableBRDF::ExchangeData(vtkBRDFExchange& exchange)
   Nodes view = load("view");
   auto values = exchange.LoadArray("values", 2, 3);
   exchange.Check(
-      this->SetValues(std::move(light), std::move(view), std::move(values.Values), origin));
+    this->SetValues(std::move(light), std::move(view), std::move(values.Values), origin));
 }
 
 //------------------------------------------------------------------------------

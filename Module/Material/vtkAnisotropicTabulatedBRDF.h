@@ -108,7 +108,6 @@ private:
   void operator=(const vtkAnisotropicTabulatedBRDF&) = delete;
 
   std::string FindProblem(int azimuthRange, const int dimensions[4]) const;
-
 };
 
 #endif

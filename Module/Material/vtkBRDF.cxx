@@ -89,8 +89,8 @@ void MapTuples(
   }
   if (to->GetDataType() != VTK_FLOAT && to->GetDataType() != VTK_DOUBLE)
   {
-    throw std::invalid_argument(
-      name + ": found an array of type " + to->GetDataTypeAsString() + ", expected float or double");
+    throw std::invalid_argument(name + ": found an array of type " + to->GetDataTypeAsString() +
+                                ", expected float or double");
   }
   std::vector<vtkSmartPointer<vtkDataArray>> copies; // of an input that is the result, too
   for (Tuples& input : inputs)
@@ -335,10 +335,10 @@ bool vtkBRDF::GetDirectionalAlbedoArray(vtkDataArray* o, vtkDataArray* albedo)
 void vtkBRDF::SetLobe(int nTheta, int nPhi, double share, const std::vector<double>& weights)
 {
   this->Lobe = std::make_shared<HalfVectors>(
-    weights.empty() ? MeanOverDifferenceAngles(nTheta, nPhi,
-                        [this](const double i[3], const double o[3], double f[3])
-                        { this->Evaluate(i, o, f); })
-                    : weights,
+    weights.empty()
+      ? MeanOverDifferenceAngles(nTheta, nPhi,
+          [this](const double i[3], const double o[3], double f[3]) { this->Evaluate(i, o, f); })
+      : weights,
     nTheta, nPhi, share);
 }
 

@@ -107,8 +107,9 @@ public:
       });
     if (!model)
     {
-      throw std::runtime_error(std::string(brdf->GetClassName()) +
-                               " has no form in this format (vtkBRDFModels::Register gives it one)");
+      throw std::runtime_error(
+        std::string(brdf->GetClassName()) +
+        " has no form in this format (vtkBRDFModels::Register gives it one)");
     }
     data = {};
     data.Model = model->GetModelName();

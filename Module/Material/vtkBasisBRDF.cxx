@@ -59,8 +59,7 @@ constexpr int LargestSide = 256; // of the basis table
 constexpr int MostFunctions = (vtkBasisBRDF::MaximumOrder + 1) * (vtkBasisBRDF::MaximumOrder + 1);
 
 // On the stack: one for each evaluation.
-using BasisValues =
-  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, MostFunctions, 1>;
+using BasisValues = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, MostFunctions, 1>;
 using FloatRows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // Samples at u = k / (n-1).
@@ -114,8 +113,9 @@ struct vtkBasisBRDF::Tables
       const double gamma =
         this->GammaRange * (light / this->NumberOfPhi) / (this->NumberOfGamma - 1.0);
       this->Basis.col(light) =
-        this->Evaluate(std::cos(gamma), static_cast<double>(light % this->NumberOfPhi) /
-                                          this->NumberOfPhi)
+        this
+          ->Evaluate(
+            std::cos(gamma), static_cast<double>(light % this->NumberOfPhi) / this->NumberOfPhi)
           .cast<float>();
     }
   }
@@ -129,19 +129,21 @@ struct vtkBasisBRDF::Tables
 
   BasisValues Interpolate(double x, double turn) const
   {
+    const Neighbors gamma = OnAxis(std::acos(x) / this->GammaRange, this->NumberOfGamma);
     const Neighbors phi = OnCircle(turn, this->NumberOfPhi);
-    return Mix(OnAxis(std::acos(x) / this->GammaRange, this->NumberOfGamma),
-      [&](int gamma) -> BasisValues
-      {
-        return Mix(phi, [&](int p) -> BasisValues
-          { return this->Basis.col(gamma * this->NumberOfPhi + p).cast<double>(); });
-      });
+    const auto at = [this](int g, int p)
+    { return this->Basis.col(g * this->NumberOfPhi + p).cast<double>(); };
+    return (1.0 - gamma.Weight) * ((1.0 - phi.Weight) * at(gamma.First, phi.First) +
+                                    phi.Weight * at(gamma.First, phi.Second)) +
+           gamma.Weight * ((1.0 - phi.Weight) * at(gamma.Second, phi.First) +
+                            phi.Weight * at(gamma.Second, phi.Second));
   }
 
   // The sum of basis functions with the coefficients of one sample of o.
   Eigen::Vector3d Sum(int view, const BasisValues& values) const
   {
-    return this->Coefficients.middleCols<3>(3 * view).cast<double>().transpose() * values;
+    return this->Coefficients.middleCols<3>(3 * view).cast<double>().transpose().lazyProduct(
+      values);
   }
 
   // interpolation: relative L2 error of the sums by the basis table's steps, directions weighted by
@@ -352,10 +354,7 @@ void vtkBasisBRDF::Sum(const double i[3], const double o[3], double f[3])
   const Neighbors phi = OnCircle(isotropic ? 0.0 : GetTurn(o[1], o[0]), this->NumberOfPhi);
   const Eigen::Vector3d sum = Mix(OnAxis((thetaO - begin) / (end - begin), this->NumberOfTheta),
     [&](int theta) -> Eigen::Vector3d
-    {
-      return Mix(
-        phi, [&](int p) { return tables.Sum(theta * this->NumberOfPhi + p, values); });
-    });
+    { return Mix(phi, [&](int p) { return tables.Sum(theta * this->NumberOfPhi + p, values); }); });
   double divisor = 1.0;
   if (this->IncidentCosine)
   {
@@ -423,8 +422,8 @@ void vtkBasisBRDF::GetBounds(double minimumCosine, double lower[3], double upper
     divisor *= std::max(std::min(minimumCosine, near), MinimumCosine);
   }
   // sum |C_k| max |B_k|
-  const Eigen::VectorXf sums = tables.Coefficients.cwiseAbs().transpose() *
-                               tables.Basis.cwiseAbs().rowwise().maxCoeff();
+  const Eigen::VectorXf sums =
+    tables.Coefficients.cwiseAbs().transpose() * tables.Basis.cwiseAbs().rowwise().maxCoeff();
   for (Eigen::Index k = 0; k < sums.size(); ++k)
   {
     upper[k % 3] = std::max(upper[k % 3], sums[k] / divisor);
@@ -554,7 +553,7 @@ void vtkBasisBRDF::ExchangeData(vtkBRDFExchange& exchange)
     exchange.Fail(text.str());
   }
   exchange.Check(this->SetCoefficients(basis, static_cast<int>(order), incident, outgoing,
-      coefficients.Shape[1], coefficients.Shape[2], std::move(coefficients.Values)));
+    coefficients.Shape[1], coefficients.Shape[2], std::move(coefficients.Values)));
 }
 
 //------------------------------------------------------------------------------

@@ -48,13 +48,13 @@ struct Storage
 
 constexpr double SharedRounding = 1.0 / 512.0; // of the largest channel
 
-// precision: a vtkTabulatedBRDF::PrecisionType; tolerance: of resampling, of which rounding may take
-// a quarter; volume: RGB, NaN where a cell is invalid.
+// precision: a vtkTabulatedBRDF::PrecisionType; tolerance: of resampling, of which rounding may
+// take a quarter; volume: RGB, NaN where a cell is invalid.
 Storage ChooseStorage(int precision, double tolerance, const std::vector<float>& volume)
 {
-  const bool mayBeShared = precision == vtkTabulatedBRDF::SHARED_EXPONENT &&
-                           4.0 * SharedRounding <= tolerance &&
-                           std::all_of(volume.begin(), volume.end(), [](float v) { return v >= 0.0f; });
+  const bool mayBeShared =
+    precision == vtkTabulatedBRDF::SHARED_EXPONENT && 4.0 * SharedRounding <= tolerance &&
+    std::all_of(volume.begin(), volume.end(), [](float v) { return v >= 0.0f; });
   if (mayBeShared)
   {
     return { true, false, GetPeakScale(volume), SharedRounding, "9 bits and a shared exponent" };
@@ -67,15 +67,14 @@ Storage ChooseStorage(int precision, double tolerance, const std::vector<float>&
 }
 
 // Invalid cells are premultiplied away: the filter then skips them as Evaluate does.
-void FillTexture(vtkBRDFShaderInputs::Texture& texture, const std::vector<float>& volume,
-  const Storage& storage)
+void FillTexture(
+  vtkBRDFShaderInputs::Texture& texture, const std::vector<float>& volume, const Storage& storage)
 {
   texture.HalfFloat = storage.HalfFloat;
   for (std::size_t k = 0; k < volume.size(); k += 3)
   {
     const bool isValid = !std::isnan(volume[k]);
-    const glm::vec3 color =
-      isValid ? storage.Scale * glm::make_vec3(&volume[k]) : glm::vec3(0.0f);
+    const glm::vec3 color = isValid ? storage.Scale * glm::make_vec3(&volume[k]) : glm::vec3(0.0f);
     if (storage.SharedExponents)
     {
       texture.SharedExponents.push_back(PackSharedExponent(color));
@@ -142,8 +141,8 @@ double FindLobeVariance(const std::vector<Cell>& cells, int width, int height, i
   {
     const auto first = cells.begin() + std::ptrdiff_t(z) * width * height;
     const Cell sum = std::accumulate(first, first + width * ((height + 1) / 2), Cell(0.0f));
-    profile.push_back(sum.w > 0.0f ? (double(sum.x) + sum.y + sum.z) / sum.w
-                                   : (z > 0 ? profile.back() : 0.0));
+    profile.push_back(
+      sum.w > 0.0f ? (double(sum.x) + sum.y + sum.z) / sum.w : (z > 0 ? profile.back() : 0.0));
   }
   const double middle = 0.5 * (profile[0] + *std::min_element(profile.begin(), profile.end()));
   for (int z = 1; z < nThetaH; ++z)
@@ -223,9 +222,9 @@ struct vtkTabulatedBRDF::Levels
     const int wanted =
       static_cast<int>(std::ceil(countOfUnitVariance * std::pow(2.0 * this->OwnVariance, -0.25)));
     const int multiple = 1 << ((this->Count - 1) / 4);
-    this->FirstSamples =
-      (std::min(wanted, dimensions[2]) + multiple - 1) / multiple * multiple;
-    this->Dimensions = { width, height, this->GetOffset(this->Count) + this->GetSamples(this->Count) };
+    this->FirstSamples = (std::min(wanted, dimensions[2]) + multiple - 1) / multiple * multiple;
+    this->Dimensions = { width, height,
+      this->GetOffset(this->Count) + this->GetSamples(this->Count) };
     std::vector<Cell> sums(std::size_t(width) * height);
     for (int level = 1; level <= this->Count; ++level)
     {
@@ -276,8 +275,8 @@ struct vtkTabulatedBRDF::Levels
   {
     if (level == 0)
     {
-      return GatherCorners<3>(table.Volume, table.Dimensions,
-        FindHalfDifferenceCorners(u, table.Dimensions));
+      return GatherCorners<3>(
+        table.Volume, table.Dimensions, FindHalfDifferenceCorners(u, table.Dimensions));
     }
     Neighbors z = ClampedNeighbors(u.z, this->GetSamples(level));
     z.First += this->GetOffset(level);
@@ -287,8 +286,8 @@ struct vtkTabulatedBRDF::Levels
         z });
   }
 
-  std::once_flag Made; // by the first of many threads that asks
-  int Count = 1;       // without level 0; 1 to 20
+  std::once_flag Made;  // by the first of many threads that asks
+  int Count = 1;        // without level 0; 1 to 20
   int FirstSamples = 1; // of level 1 along theta_h
   double OwnVariance = 1.0;
   std::array<int, 3> Dimensions = { 0, 0, 0 };
@@ -630,8 +629,7 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     this->Parameterization == HALF_DIFFERENCE || this->AzimuthRange == FULL_TURN;
   texture.Repeat = { periodic, false, false };
 
-  const Storage storage =
-    ChooseStorage(this->Precision, this->ResamplingTolerance, this->Volume);
+  const Storage storage = ChooseStorage(this->Precision, this->ResamplingTolerance, this->Volume);
   FillTexture(texture, this->Volume, storage);
   const bool isHalfDifference = this->Parameterization == HALF_DIFFERENCE;
   SetModuleShader(term, isHalfDifference ? "vtkBRDFHalfDifference" : "vtkBRDFIncidentOutgoing",
@@ -641,8 +639,8 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     { "brdfCosineWeighted", { this->CosineWeighted ? 1.0f : 0.0f } } };
   TextStream text;
   text << (isHalfDifference ? "half/difference" : "incident/outgoing") << " volume "
-       << this->Dimensions[0] << " x " << this->Dimensions[1] << " x " << this->Dimensions[2] << ", "
-       << storage.Text << ", " << texture.GetBytes() << " bytes";
+       << this->Dimensions[0] << " x " << this->Dimensions[1] << " x " << this->Dimensions[2]
+       << ", " << storage.Text << ", " << texture.GetBytes() << " bytes";
   if (this->ResamplingError > 0.0)
   {
     text << ", resampling error " << this->ResamplingError;
@@ -659,8 +657,9 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     wider.Repeat = texture.Repeat;
     FillTexture(wider, levels->Volume, storage);
     term.SoftSource = vtkBRDFHalfDifferenceSoft;
-    const auto add = [&term](const char* name, double value)
-    { term.Uniforms.push_back({ name, { static_cast<float>(value) } }); };
+    const auto add = [&term](const char* name, double value) {
+      term.Uniforms.push_back({ name, { static_cast<float>(value) } });
+    };
     add("brdfNumberOfLevels", levels->Count);
     add("brdfFirstCount", levels->FirstSamples);
     add("brdfOwnVariance", levels->OwnVariance);

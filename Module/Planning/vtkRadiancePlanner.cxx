@@ -188,7 +188,8 @@ bool vtkRadiancePlanner::Search()
   task.MaximumBytes = this->MaximumTextureBytes;
   task.MaximumCost = this->MaximumCost;
   task.IsAborted = [this]() { return this->GetAbort(); };
-  const std::string material = this->BRDF->IsIsotropic() ? vtkBRDFModels::GetContentKey(this->BRDF) : "";
+  const std::string material =
+    this->BRDF->IsIsotropic() ? vtkBRDFModels::GetContentKey(this->BRDF) : "";
   task.Shared = GetKnownMaterials().Take(material).value_or(
     std::make_shared<vtkRadianceIntegrator::Precomputation>());
   if (this->BRDF->IsIsotropic())

@@ -95,17 +95,17 @@ add("Material.tabulated-lanes-have-no-sign", "vtkTabulatedBRDF.cxx",
     "(across < 0.0f ? -turns : turns) *", "turns *", "ManyLights.OfTables")
 add("Material.tabulated-lanes-divide-by-no-cosine", "vtkTabulatedBRDF.cxx",
     "this->CosineWeighted ? static_cast<float>(1.0 / o[2]) : 1.0f;", "1.0f;", "ManyLights.OfTables")
-add("Material.packed-rows-are-all-the-first", "PackedWarp.cxx",
+add("Material.packed-rows-are-all-the-first", "vtkAdaptiveWarpBRDF.cxx",
     "const Floats whole = totals[0] + down * (totals[2] - totals[0]);", "const Floats whole = totals[0];",
     "ManyLights.OfAdaptiveWarps|ManyLights.OfAMeasuredMaterial")
-add("Material.lanes-half-turn-the-wrong-way", "PackedWarp.cxx",
+add("Material.lanes-half-turn-the-wrong-way", "vtkAdaptiveWarpBRDF.cxx",
     "const Floats across = fromX * s.Half.Y - s.Light.Y * s.Half.X;",
     "const Floats across = s.Light.Y * s.Half.X - fromX * s.Half.Y;",
     "ManyLights.OfAdaptiveWarps|ManyLights.OfAMeasuredMaterial")
-add("Material.packed-slices-are-not-mixed", "PackedWarp.cxx",
+add("Material.packed-slices-are-not-mixed", "vtkAdaptiveWarpBRDF.cxx",
     "const std::ptrdiff_t next = this->Thetas.size() > 1 ? 1 : 0;", "const std::ptrdiff_t next = 0;",
     "ManyLights.OfAdaptiveWarps|ManyLights.OfAMeasuredMaterial")
-add("Material.many-lights-share-an-azimuth", "PackedWarp.cxx",
+add("Material.many-lights-share-an-azimuth", "vtkAdaptiveWarpBRDF.cxx",
     "const Floats fromX = size > 0.0f ? s.Light.X : Fill(1.0f);", "const Floats fromX = Fill(1.0f);",
     "ManyLights.OfAdaptiveWarps|ManyLights.OfAMeasuredMaterial")
 add("Core.srgb-exponent", "SRGB.h", "1.055, 2.4)", "1.055, 2.2)", "Environment.DecodesSRGB")
@@ -184,8 +184,7 @@ add("Material.sum-holds-itself", "vtkSumBRDF.cxx", "if (!term || Holds(term, thi
 add("Material.sum-holds-one-more", "vtkSumBRDF.cxx", "this->GetNumberOfTerms() == MaximumNumberOfTerms",
     "this->GetNumberOfTerms() > MaximumNumberOfTerms", "Sum.HoldsSoManyTermsOnly")
 add("Material.sum-of-the-last-term", "vtkSumBRDF.cxx",
-    "EvaluateTerm(term, i, o, part);\n    for (int c = 0; c < 3; ++c)\n    {\n      f[c] += part[c];",
-    "EvaluateTerm(term, i, o, part);\n    for (int c = 0; c < 3; ++c)\n    {\n      f[c] = part[c];",
+    "std::transform(part, part + 3, sum, sum, std::plus<double>());", "std::copy(part, part + 3, sum);",
     "Evaluate.KeepsItsPromises|Parity.ClosedForms|Snapshots.SumsCopyTheirTerms|IOFits.ReadsLow")
 add("Material.snapshot-without-source", "vtkBRDF.cxx", "copy->Source = this->Source;", "",
     "Snapshots.ClosedForms|Snapshots.Tables|Snapshots.SumsCopyTheirTerms")
@@ -737,7 +736,7 @@ add("Material.cells-of-one-side-only", "HalfDifferenceFill.cxx",
     "HalfDifferenceFill.EachCellHoldsItsOwnValue")
 add("Material.cells-slide-too-early", "HalfDifferenceFill.cxx", "cell.IsSlid ? value : nullptr",
     "cell.IsSlid || y > 2 ? value : nullptr", "HalfDifferenceFill.EachCellHoldsItsOwnValue")
-add("Material.resampled-from-seven-corners", "VolumeInterpolation.h", "corner < 1 << Axes; ++corner", "corner < (1 << Axes) - 1; ++corner",
+add("Material.resampled-from-seven-corners", "VolumeInterpolation.h", "cell + axis.Second, weight * axis.Weight, use);", "cell + axis.First, weight * axis.Weight, use);",
     "Resampler.ErrorFallsAndIsReported")
 add("Material.quick-for-another-tolerance", "vtkResampledBRDF.cxx", "made.Table && made.Tolerance == this->ResamplingTolerance;",
     "made.Table;", "QuickTables.StandInUntilTheRealOneIsMade")

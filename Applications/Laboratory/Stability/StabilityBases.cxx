@@ -147,8 +147,7 @@ void RunExtrapolation(Context& context)
     const double kept = measure(whole.IsAccepted ? whole.Output.Get() : projector->GetOutput());
     context.Add(whole.IsAccepted ? "accepted" : "refused",
       "error outside the zone over that of holding its edge, exponent " + Say(exponent),
-      kept / held, 1.0,
-      "residual inside " + Say(whole.InZoneResidual) + ", holding: " + Say(held));
+      kept / held, 1.0, "residual inside " + Say(whole.InZoneResidual) + ", holding: " + Say(held));
     laboratory::ExtrapolationOptions unregularized;
     unregularized.How = laboratory::Criterion::Fixed;
     const laboratory::Extrapolation wild =

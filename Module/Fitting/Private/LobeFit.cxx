@@ -431,7 +431,8 @@ void Unpack(const Layout& layout, const std::vector<double>& parameters, LobeFit
       lobes[lobe].Rise[c] = layout.CoefficientsPerLobe == 2 ? own[1] : 0.0;
     }
   }
-  std::stable_sort(lobes.begin(), lobes.end(), [](const FittedLobe& a, const FittedLobe& b)
+  std::stable_sort(lobes.begin(), lobes.end(),
+    [](const FittedLobe& a, const FittedLobe& b)
     { return a.ExponentU * a.ExponentV < b.ExponentU * b.ExponentV; });
   TextStream report;
   report << "diffuse albedo: " << albedo[0] << " " << albedo[1] << " " << albedo[2] << "\n";
@@ -455,10 +456,10 @@ LobeFitResult FitLobes(const FitSamples& samples, const LobeModel& model, vtkBRD
   constexpr double screened = 0.2, refined = 0.6; // of the progress
   const Layout layout(model);
   const FitSamples few = samples.GetFirst(ScreeningSamples);
-  std::vector<Start> starts = settings->GetStartSeed() > 0
-                                ? DrawStarts(few, layout, settings->GetStartSeed(),
-                                    settings->GetNumberOfStarts())
-                                : Screen(few, layout, [&progress]() { return progress(0.0); });
+  std::vector<Start> starts =
+    settings->GetStartSeed() > 0
+      ? DrawStarts(few, layout, settings->GetStartSeed(), settings->GetNumberOfStarts())
+      : Screen(few, layout, [&progress]() { return progress(0.0); });
   if (starts.empty())
   {
     return LobeFitResult();

@@ -43,22 +43,31 @@ struct VolumeSum
 template <int Axes>
 using VolumeCorners = std::array<Neighbors, Axes>;
 
-/// Calls use(index of the cell, weight) for each corner; the first axis is the fastest.
+/// Calls use(index of the cell, weight) for each corner; the first axis is the fastest. cell,
+/// weight: of the axes beyond.
+template <std::size_t Axes, std::size_t All, typename Use>
+inline void VisitCorners(const int* dimensions, const std::array<Neighbors, All>& corners,
+  std::size_t cell, double weight, const Use& use)
+{
+  if constexpr (Axes == 0)
+  {
+    use(cell, weight);
+  }
+  else
+  {
+    const Neighbors& axis = corners[Axes - 1];
+    cell *= dimensions[Axes - 1];
+    VisitCorners<Axes - 1>(
+      dimensions, corners, cell + axis.First, weight * (1.0 - axis.Weight), use);
+    VisitCorners<Axes - 1>(dimensions, corners, cell + axis.Second, weight * axis.Weight, use);
+  }
+}
+
+/// All of them.
 template <int Axes, typename Use>
 void ForCorners(const int* dimensions, const VolumeCorners<Axes>& corners, const Use& use)
 {
-  for (int corner = 0; corner < 1 << Axes; ++corner)
-  {
-    std::size_t cell = 0;
-    double weight = 1.0;
-    for (int axis = Axes - 1; axis >= 0; --axis)
-    {
-      const bool isSecond = ((corner >> axis) & 1) != 0;
-      cell = cell * dimensions[axis] + (isSecond ? corners[axis].Second : corners[axis].First);
-      weight *= isSecond ? corners[axis].Weight : 1.0 - corners[axis].Weight;
-    }
-    use(cell, weight);
-  }
+  VisitCorners<Axes>(dimensions, corners, 0, 1.0, use);
 }
 
 /// Of RGB triples of a volume, NaN: invalid.
@@ -94,7 +103,8 @@ inline void FindBounds(const std::vector<float>& rgb, double lower[3], double up
   std::fill_n(upper, 3, 0.0);
   for (std::size_t k = 0; k < rgb.size(); ++k)
   {
-    lower[k % 3] = std::min(lower[k % 3], std::isnan(rgb[k]) ? lower[k % 3] : std::max(rgb[k], 0.0f));
+    lower[k % 3] =
+      std::min(lower[k % 3], std::isnan(rgb[k]) ? lower[k % 3] : std::max(rgb[k], 0.0f));
     upper[k % 3] = std::max(upper[k % 3], std::isnan(rgb[k]) ? 0.0 : rgb[k]);
   }
 }

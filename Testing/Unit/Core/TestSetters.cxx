@@ -316,7 +316,6 @@ TEST(Setters, OfFitting)
   ZONE(vtkBasisProjector, OutgoingZone);
   REFUSED(vtkBasisProjector, Method, 0, 1);
   CLAMPED(vtkBasisProjector, Regularization, 0.0, 1.0);
-  REFUSED(vtkBasisProjector, Window, 0, vtkBasisProjector::LAPLACIAN);
   CLAMPED(vtkBasisProjector, NumberOfTheta, 2, 1024);
   CLAMPED(vtkBasisProjector, NumberOfPhi, 4, 1024);
   CLAMPED(vtkBasisProjector, NumberOfNodes, 8, 1024);

@@ -61,7 +61,8 @@ double GetDistance(vtkBasisBRDF* a, vtkBasisBRDF* b)
   return std::sqrt(sum / static_cast<double>(a->GetCoefficients().size()));
 }
 
-vtkSmartPointer<vtkBasisBRDF> ProjectZonal(vtkBRDF* input, int basis, int order,
+vtkSmartPointer<vtkBasisBRDF> ProjectZonal(
+  vtkBRDF* input, int basis, int order,
   const std::function<void(vtkBasisProjector*)>& more = [](vtkBasisProjector*) {})
 {
   vtkNew<vtkBasisProjector> projector;
@@ -386,7 +387,7 @@ TEST(Extrapolator, AnisotropicMaterials)
     const laboratory::Extrapolation whole = Extrapolate(zonal);
     EXPECT_TRUE(whole.IsAccepted);
     EXPECT_EQ(whole.Output->GetNumberOfPhi(), 24);
-    EXPECT_LT(GetZoneError(truth, whole.Output, 0.0, 75.0),
-      0.8 * GetZoneError(truth, zonal, 0.0, 75.0));
+    EXPECT_LT(
+      GetZoneError(truth, whole.Output, 0.0, 75.0), 0.8 * GetZoneError(truth, zonal, 0.0, 75.0));
   }
 }

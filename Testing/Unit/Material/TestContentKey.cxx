@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -197,5 +196,4 @@ TEST(ContentKey, EverythingThatCountsChangesIt)
   sum->AddTerm(phong);
   sum->AddTerm(lambert);
   add(sum); // in another order: another form for the GPU
-  std::printf("%zu keys\n", keys.size());
 }

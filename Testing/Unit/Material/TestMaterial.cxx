@@ -696,7 +696,6 @@ TEST(Resampler, ErrorFallsAndIsReported)
   {
     resampler->ResampleTo(n, n, 2 * n);
     const double error = resampler->GetOutput()->GetResamplingError();
-    std::cout << n << " x " << n << " x " << 2 * n << ": relative L2 " << error << "\n";
     EXPECT_LT(error, 0.6 * last);
     last = error;
   }
@@ -791,8 +790,6 @@ TEST(Resampler, StatesTheTruthOnRealFiles)
       total += weight * glm::dot(f, f);
     }
     const double error = std::sqrt(difference / total);
-    std::cout << name << ": stated " << table->GetResamplingError() << ", measured " << error
-              << "\n";
     EXPECT_NEAR(table->GetResamplingError(), error, 0.3 * error) << name;
   }
 }
