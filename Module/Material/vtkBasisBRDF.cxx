@@ -139,11 +139,20 @@ struct vtkBasisBRDF::Tables
                             phi.Weight * at(gamma.Second, phi.Second));
   }
 
-  // The sum of basis functions with the coefficients of one sample of o.
+  // The sum of basis functions with the coefficients of one sample of o. The channels side by side:
+  // each waits for its own sums only.
   Eigen::Vector3d Sum(int view, const BasisValues& values) const
   {
-    return this->Coefficients.middleCols<3>(3 * view).cast<double>().transpose().lazyProduct(
-      values);
+    const Eigen::Index n = values.size();
+    const float* own = this->Coefficients.data() + 3 * view * n;
+    double red = 0.0, green = 0.0, blue = 0.0;
+    for (Eigen::Index k = 0; k < n; ++k)
+    {
+      red += values[k] * own[k];
+      green += values[k] * own[n + k];
+      blue += values[k] * own[2 * n + k];
+    }
+    return { red, green, blue };
   }
 
   // interpolation: relative L2 error of the sums by the basis table's steps, directions weighted by
