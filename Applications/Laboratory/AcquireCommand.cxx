@@ -1,15 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Acquisition.h"
 #include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
 #include "Laboratory.h"
 #include "Methods.h"
-#include "Progress.h"
 #include "Tool.h"
-
-#include "vtkBRDFAcquisition.h"
-#include "vtkNew.h"
 
 #include <CLI/CLI.hpp>
 
@@ -23,11 +20,8 @@ struct AcquireOptions
   std::string File;
   std::string Output;
   std::string Basis = "zonal";
-  int Order = 6;
   std::string Zone = "9,57";
-  double Noise = 0.0;
-  int Bits = 0;
-  unsigned int Seed = 1;
+  laboratory::AcquisitionOptions Device;
 };
 
 //------------------------------------------------------------------------------
@@ -37,9 +31,10 @@ tool::Range Check(const AcquireOptions& options, const CLI::App* command)
   {
     throw tool::UsageError(options.Output + ": OUT must end in .exr");
   }
-  if (!(options.Noise >= 0.0) || !std::isfinite(options.Noise))
+  const double noise = options.Device.Noise;
+  if (!(noise >= 0.0) || !std::isfinite(noise))
   {
-    throw tool::UsageError("--noise: " + tool::FormatNumber(options.Noise) +
+    throw tool::UsageError("--noise: " + tool::FormatNumber(noise) +
                            " is not a standard deviation; expected 0 or more, like 0.01");
   }
   if (options.Basis != "hemispherical")
@@ -57,29 +52,21 @@ tool::Range Check(const AcquireOptions& options, const CLI::App* command)
 //------------------------------------------------------------------------------
 void Run(const AcquireOptions& options, const CLI::App* command)
 {
+  laboratory::AcquisitionOptions device = options.Device;
   const tool::Range range = Check(options, command);
-  const double zone[2] = { range.Begin, range.End };
+  device.Zone[0] = range.Begin;
+  device.Zone[1] = range.End;
+  device.Basis = tool::FindBasis(options.Basis);
   tool::Interruptible interruptible;
   const tool::Material material = tool::LoadMaterial(options.File);
-  vtkNew<vtkBRDFAcquisition> acquisition;
-  acquisition->SetInput(material.BRDF);
-  acquisition->SetBasis(tool::FindBasis(options.Basis));
-  acquisition->SetOrder(options.Order);
-  acquisition->SetZone(zone);
-  acquisition->SetNoise(options.Noise);
-  acquisition->SetBits(options.Bits);
-  acquisition->SetSeed(options.Seed);
-  if (!tool::RunWithProgress(acquisition.Get(), &vtkBRDFAcquisition::Acquire, "acquiring"))
-  {
-    throw tool::Error(options.File + ": " + tool::TakeErrorText());
-  }
-  vtkBasisBRDF* output = acquisition->GetOutput();
-  tool::WriteMaterial(output, options.Output);
+  const laboratory::Acquisition taken =
+    laboratory::Acquire(material.BRDF, device, tool::ShowProgress("acquiring"));
+  tool::WriteMaterial(taken.Stack, options.Output);
   tool::PrintOut(options.File + " -> " + options.Output + "\n" +
-                 "photographs: " + std::to_string(acquisition->GetNumberOfPhotographs()) + "\n" +
+                 "photographs: " + std::to_string(taken.NumberOfPhotographs) + "\n" +
                  tool::FormatShare("relative L2 error inside the zone",
-                   tool::GetZoneError(material.BRDF, output, zone)) +
-                 tool::DescribeForm(output) + "\n");
+                   tool::GetZoneError(material.BRDF, taken.Stack, device.Zone)) +
+                 tool::DescribeForm(taken.Stack) + "\n");
 }
 }
 
@@ -97,20 +84,20 @@ void AddAcquireCommand(CLI::App& app)
       "Patterns that the projector shows: zonal (default), legendre-fourier or hemispherical")
     ->check(CLI::IsMember({ "zonal", "legendre-fourier", "hemispherical" }));
   command
-    ->add_option("--order", options->Order,
+    ->add_option("--order", options->Device.Order,
       "Order L of the basis (default 6): (L+1)^2 functions, each with two photographs except the "
       "first")
     ->check(CLI::Range(1, static_cast<int>(vtkBasisBRDF::MaximumOrder)));
   command->add_option("--zone", options->Zone,
     "Polar angles in degrees that projector and camera cover (default 9,57)");
-  command->add_option("--noise", options->Noise,
+  command->add_option("--noise", options->Device.Noise,
     "Standard deviation of the camera's noise, as a share of the brightest pixel of each pair of "
     "photographs (default 0)");
   command
-    ->add_option(
-      "--bits", options->Bits, "Bits of the camera's pixels, 1 to 24; 0 (default): no rounding")
+    ->add_option("--bits", options->Device.Bits,
+      "Bits of the camera's pixels, 1 to 24; 0 (default): no rounding")
     ->check(CLI::Range(0, 24));
-  command->add_option("--seed", options->Seed, "Seed of the noise (default 1)");
+  command->add_option("--seed", options->Device.Seed, "Seed of the noise (default 1)");
   command->add_option("-o,--output", options->Output, "File to write, ending in .exr")->required();
   command->footer(
     "The stack of coefficients is a material like any other: use it with 'info', 'render', ...\n"

@@ -8,6 +8,12 @@
 #ifndef Laboratory_h
 #define Laboratory_h
 
+#include "Progress.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+
 namespace CLI
 {
 class App;
@@ -15,6 +21,17 @@ class App;
 
 namespace tool
 {
+/// For work that shows its progress: draws a bar, and throws Error where Ctrl-C was pressed. Needs
+/// an Interruptible.
+inline std::function<void(double)> ShowProgress(const std::string& label)
+{
+  return [bar = std::make_shared<ProgressBar>(label)](double share)
+  {
+    bar->Update(share);
+    Interruptible::Check();
+  };
+}
+
 ///@{
 /// Add one subcommand each.
 void AddAcquireCommand(CLI::App& app);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Acquisition.h"
 #include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
@@ -9,7 +10,6 @@
 #include "Tool.h"
 
 #include "vtkBRDFResampler.h"
-#include "vtkBasisExtrapolator.h"
 #include "vtkBasisProjector.h"
 #include "vtkNew.h"
 
@@ -29,8 +29,7 @@ struct ProjectOptions
   int Order = 0;
   std::string Zone = "9,57";
   bool Extrapolate = false;
-  double MaximumResidual = 0.0; // the extrapolator's own
-  double MaximumNegativeMass = 0.05;
+  laboratory::ExtrapolationOptions Harmonics;
 };
 
 //------------------------------------------------------------------------------
@@ -90,35 +89,26 @@ vtkSmartPointer<vtkBasisBRDF> Project(
 vtkSmartPointer<vtkBasisBRDF> Extrapolate(
   const ProjectOptions& options, vtkBasisBRDF* input, std::string& text)
 {
-  vtkNew<vtkBasisExtrapolator> extrapolator;
-  extrapolator->SetInput(input);
-  extrapolator->SetOrder(options.Order);
-  extrapolator->SetMaximumResidual(options.MaximumResidual);
-  extrapolator->SetMaximumNegativeMass(options.MaximumNegativeMass);
-  const bool accepted =
-    tool::RunWithProgress(extrapolator.Get(), &vtkBasisExtrapolator::Extrapolate, "extrapolating");
-  const std::string said = tool::TakeErrorText();
-  if (!said.empty())
-  {
-    throw tool::Error(options.File + ": " + said);
-  }
-  const std::string residual = tool::FormatNumber(extrapolator->GetInZoneResidual()) + " (limit " +
-                               tool::FormatNumber(extrapolator->GetResidualLimit()) + ")";
-  if (!accepted)
+  laboratory::ExtrapolationOptions settings = options.Harmonics;
+  settings.Order = options.Order;
+  const laboratory::Extrapolation whole =
+    laboratory::Extrapolate(input, settings, tool::ShowProgress("extrapolating"));
+  const std::string residual = tool::FormatNumber(whole.InZoneResidual) + " (limit " +
+                               tool::FormatNumber(whole.ResidualLimit) + ")";
+  if (!whole.IsAccepted)
   {
     throw tool::Error(options.File + ": harmonics of order " +
-                      std::to_string(extrapolator->GetOutput()->GetOrder()) +
-                      " leave a relative residual of " + residual +
-                      " inside the zone and a negative mass of " +
-                      tool::FormatNumber(extrapolator->GetNegativeMass()) + " (limit " +
-                      tool::FormatNumber(options.MaximumNegativeMass) +
+                      std::to_string(whole.Output->GetOrder()) + " leave a relative residual of " +
+                      residual + " inside the zone and a negative mass of " +
+                      tool::FormatNumber(whole.NegativeMass) + " (limit " +
+                      tool::FormatNumber(settings.MaximumNegativeMass) +
                       "), too much to trust them outside; nothing was written. Use "
                       "'measured-brdf fit " +
                       options.File + " --model d-brdf' instead");
   }
-  text += "lambda: " + tool::FormatNumber(extrapolator->GetLambda()) +
+  text += "lambda: " + tool::FormatNumber(whole.Lambda) +
           "\nrelative residual inside the zone: " + residual + "\n";
-  return extrapolator->GetOutput();
+  return whole.Output;
 }
 
 //------------------------------------------------------------------------------
@@ -194,12 +184,12 @@ void AddProjectCommand(CLI::App& app)
     "as "
     "from 'acquire') is not projected again");
   command
-    ->add_option("--maximum-residual", options->MaximumResidual,
+    ->add_option("--maximum-residual", options->Harmonics.MaximumResidual,
       "Largest relative residual inside the zone at which an extrapolation is written (default "
       "0.1 for zonal inputs, 0.03 for others)")
     ->check(CLI::Range(1e-6, 1e6));
   command
-    ->add_option("--maximum-negative-mass", options->MaximumNegativeMass,
+    ->add_option("--maximum-negative-mass", options->Harmonics.MaximumNegativeMass,
       "Largest share of negative values over the hemisphere at which it is written (default 0.05)")
     ->check(CLI::Range(0.0, 1.0));
   command->add_option("-o,--output", options->Output, "File to write, ending in .exr")->required();

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Acquisition.h"
 #include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
 #include "Laboratory.h"
+#include "Methods.h"
 #include "NumberText.h"
 #include "Progress.h"
 #include "Stability.h"
@@ -12,18 +14,17 @@
 #include "vtkAshikhminShirleyBRDFFitter.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBRDFShaderInputs.h"
-#include "vtkBasisExtrapolator.h"
 #include "vtkBasisProjector.h"
 #include "vtkDistributionBRDFFitter.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
-#include "vtkRepresentationAdvisor.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <memory>
 
 namespace
@@ -110,11 +111,8 @@ public:
 private:
   void AddRows()
   {
-    vtkNew<vtkRepresentationAdvisor> advisor;
-    advisor->SetInput(this->Material.BRDF);
-    advisor->SetZone(this->Zone[0], this->Zone[1]);
-    this->RunMaker(advisor.Get(), &vtkRepresentationAdvisor::Update);
-    const bool basis = advisor->GetRecommendation() == vtkRepresentationAdvisor::BASIS;
+    constexpr int advisedOrder = 6;
+    const bool basis = tool::Advise(this->Material.BRDF, advisedOrder, this->Zone).IsBasis;
     for (const int order : this->Settings.Orders)
     {
       const std::string number = " " + std::to_string(order);
@@ -133,14 +131,13 @@ private:
         }
         this->AddRow(vtkBasisBRDF::GetBasisName(kind) + number, projector.Get(),
           &vtkBasisProjector::Project,
-          basis && kind == vtkBasisBRDF::SPHERICAL_HARMONICS && order == advisor->GetOrder());
+          basis && kind == vtkBasisBRDF::SPHERICAL_HARMONICS && order == advisedOrder);
         zonal = kind == vtkBasisBRDF::ZONAL ? projector->GetOutput() : zonal.Get();
       }
-      // What the extrapolator's gate refuses is taken, too: the table shows why.
-      vtkNew<vtkBasisExtrapolator> extrapolator;
-      extrapolator->SetInput(zonal);
-      this->AddRow("zonal" + number + ", extended", extrapolator.Get(),
-        &vtkBasisExtrapolator::Extrapolate, false);
+      // What the extrapolation's gate refuses is taken, too: the table shows why.
+      this->AddRow(
+        "zonal" + number + ", extended", [&]() { return laboratory::Extrapolate(zonal).Output; },
+        false);
     }
     vtkNew<vtkDistributionBRDFFitter> distribution;
     distribution->SetInput(this->Material.BRDF);
@@ -170,10 +167,22 @@ private:
   template <typename Maker, typename Method>
   void AddRow(const std::string& name, Maker* maker, Method run, bool recommended)
   {
+    this->AddRow(
+      name,
+      [&]()
+      {
+        this->RunMaker(maker, run);
+        return maker->GetOutput();
+      },
+      recommended);
+  }
+
+  void AddRow(const std::string& name, const std::function<vtkSmartPointer<vtkBRDF>()>& make,
+    bool recommended)
+  {
     const auto begin = std::chrono::steady_clock::now();
-    this->RunMaker(maker, run);
+    const vtkSmartPointer<vtkBRDF> brdf = make();
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    vtkBRDF* brdf = maker->GetOutput();
     if (!brdf)
     {
       throw tool::Error(name + ": nothing came out");

@@ -1,23 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Acquisition.h"
 #include "Files.h"
 #include "Inputs.h"
 #include "Laboratory.h"
 #include "MaterialMapFiles.h"
 #include "Measuring.h"
 #include "Meshes.h"
+#include "Methods.h"
 #include "Progress.h"
 #include "Scenes.h"
 #include "Sheets.h"
 #include "Tool.h"
 
-#include "vtkBRDFAcquisition.h"
-#include "vtkBasisExtrapolator.h"
-#include "vtkBasisProjector.h"
 #include "vtkDistributionBRDFFitter.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkNew.h"
-#include "vtkRepresentationAdvisor.h"
 
 #include <CLI/CLI.hpp>
 
@@ -118,23 +116,18 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
   Exhibit exhibit;
   exhibit.Name = material.Name;
   const std::string begin = standsFor.empty() ? "" : "For the thesis's " + standsFor + ". ";
-  vtkNew<vtkRepresentationAdvisor> advisor;
-  advisor->SetInput(material.BRDF);
-  advisor->SetOrder(order);
-  RunMaker(advisor.Get(), &vtkRepresentationAdvisor::Update, material.Name);
-  if (advisor->GetRecommendation() == vtkRepresentationAdvisor::BASIS)
+  const tool::Advice advice = tool::Advise(material.BRDF, order);
+  if (advice.IsBasis)
   {
-    vtkNew<vtkBRDFAcquisition> device;
-    device->SetInput(material.BRDF);
-    device->SetOrder(order);
-    device->SetNoise(Noise);
-    device->SetBits(Bits);
-    vtkNew<vtkBasisExtrapolator> extrapolator;
-    RunMaker(device.Get(), &vtkBRDFAcquisition::Acquire, material.Name);
-    extrapolator->SetInput(device->GetOutput());
-    if (RunMaker(extrapolator.Get(), &vtkBasisExtrapolator::Extrapolate, material.Name))
+    laboratory::AcquisitionOptions device;
+    device.Order = order;
+    device.Noise = Noise;
+    device.Bits = Bits;
+    const laboratory::Extrapolation whole = laboratory::Extrapolate(
+      laboratory::Acquire(material.BRDF, device, tool::ShowProgress(material.Name)).Stack);
+    if (whole.IsAccepted)
     {
-      exhibit.BRDF = extrapolator->GetOutput();
+      exhibit.BRDF = whole.Output;
       exhibit.Note = begin + "Simulated acquisition (zonal, order " + std::to_string(order) +
                      ") of the " + GetOrigin(material);
       return exhibit;
@@ -145,7 +138,7 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
   RunMaker(fitter.Get(), &vtkDistributionBRDFFitter::Fit, material.Name);
   exhibit.BRDF = fitter->GetOutput();
   exhibit.Note = begin + "D-BRDF of the " + GetOrigin(material) + "; basis residual " +
-                 tool::FormatPercent(advisor->GetInZoneResidual());
+                 tool::FormatPercent(advice.InZoneResidual);
   return exhibit;
 }
 

@@ -4,6 +4,7 @@
 
 #include "Inputs.h"
 #include "Meshes.h"
+#include "Methods.h"
 #include "Progress.h"
 #include "Tool.h"
 #include "TracedSurface.h"
@@ -20,7 +21,6 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkRepresentationAdvisor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,19 +79,13 @@ ordered_json Describe(vtkBRDF* brdf)
 
 //------------------------------------------------------------------------------
 // Which representation suits (thesis mode): measured, with the figures behind it.
-ordered_json Advise(const std::string& file, vtkBRDF* brdf)
+ordered_json Advise(vtkBRDF* brdf)
 {
-  vtkNew<vtkRepresentationAdvisor> advisor;
-  advisor->SetInput(brdf);
-  if (!advisor->Update())
-  {
-    throw tool::Error(file + ": " + tool::TakeErrorText());
-  }
-  const bool basis = advisor->GetRecommendation() == vtkRepresentationAdvisor::BASIS;
-  return { { "representation", basis ? "basis" : "fit" }, { "order", advisor->GetOrder() },
-    { "in_zone_residual", advisor->GetInZoneResidual() },
-    { "negative_mass", advisor->GetNegativeMass() }, { "overshoot", advisor->GetOvershoot() },
-    { "reason", advisor->GetReason() } };
+  constexpr int order = 6;
+  const tool::Advice advice = tool::Advise(brdf, order);
+  return { { "representation", advice.IsBasis ? "basis" : "fit" }, { "order", order },
+    { "in_zone_residual", advice.InZoneResidual }, { "negative_mass", advice.NegativeMass },
+    { "reason", advice.Reason } };
 }
 
 //------------------------------------------------------------------------------
@@ -243,7 +237,7 @@ ordered_json InspectMaterial(const Material& material)
     { "quantization_error", form.QuantizationError } };
   if (!vtkBasisBRDF::SafeDownCast(brdf))
   {
-    info["recommendation"] = Advise(material.File, brdf);
+    info["recommendation"] = Advise(brdf);
   }
   if (material.Transmission)
   {

@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Methods.h"
 
+#include "NumberText.h"
 #include "Progress.h"
 #include "Tool.h"
 
+#include "vtkBRDFResampler.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkBasisBRDF.h"
+#include "vtkBasisProjector.h"
+#include "vtkDistributionBRDFFitter.h"
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkNew.h"
 #include "vtkRadianceMethods.h"
-#include "vtkRepresentationAdvisor.h"
 
 #include <CLI/CLI.hpp>
 
@@ -51,18 +54,60 @@ std::string DescribeForm(vtkBRDF* brdf)
 }
 
 //------------------------------------------------------------------------------
+Advice Advise(vtkBRDF* brdf, int order, const double* zone)
+{
+  constexpr double limit = 0.10;
+  constexpr int pairs = 1 << 14;
+  vtkNew<vtkBasisProjector> projector;
+  projector->SetInput(brdf);
+  projector->SetBasis(vtkBasisBRDF::ZONAL);
+  projector->SetOrder(order);
+  projector->SetIncidentZone(zone);
+  projector->SetOutgoingZone(zone);
+  if (!RunWithProgress(projector.Get(), &vtkBasisProjector::Project, "measuring"))
+  {
+    throw Error(brdf->GetName() + ": " + TakeErrorText());
+  }
+  vtkBasisBRDF* basis = projector->GetOutput();
+  Advice advice;
+  advice.InZoneResidual = vtkBRDFResampler::GetZoneRelativeL2Error(brdf, basis, zone, zone, pairs);
+  advice.NegativeMass = basis->GetNegativeMass(zone, zone, pairs);
+  advice.IsBasis = advice.InZoneResidual <= limit;
+  advice.Reason = std::string(advice.IsBasis ? "basis" : "fit") + ": at order " +
+                  std::to_string(order) + " over " + FormatNumber(zone[0]) + " to " +
+                  FormatNumber(zone[1]) + " degrees the residual is " +
+                  measuredbrdf::FixedText(100.0 * advice.InZoneResidual, 1) + " % (limit " +
+                  FormatNumber(100.0 * limit) + " %), the negative mass " +
+                  measuredbrdf::FixedText(100.0 * advice.NegativeMass, 2) + " %";
+  return advice;
+}
+
+//------------------------------------------------------------------------------
 Representation Represent(const Material& material, int order)
 {
-  vtkNew<vtkRepresentationAdvisor> advisor;
-  advisor->SetInput(material.BRDF);
-  advisor->SetOrder(order);
-  if (!RunWithProgress(advisor.Get(), &vtkRepresentationAdvisor::Represent, "representing"))
+  if (vtkBasisBRDF::SafeDownCast(material.BRDF))
   {
-    throw Error(material.File + ": " + TakeErrorText());
+    return { material.BRDF, "basis", DescribeForm(material.BRDF), "basis: it is in one already" };
   }
-  const bool basis = advisor->GetRecommendation() == vtkRepresentationAdvisor::BASIS;
-  return { advisor->GetOutput(), basis ? "basis" : "fit", DescribeForm(advisor->GetOutput()),
-    advisor->GetReason() };
+  const Advice advice = Advise(material.BRDF, order);
+  const auto represent = [&](auto* maker, auto run) -> Representation
+  {
+    maker->SetInput(material.BRDF);
+    if (!RunWithProgress(maker, run, "representing"))
+    {
+      throw Error(material.File + ": " + TakeErrorText());
+    }
+    vtkBRDF* output = maker->GetOutput();
+    return { output, advice.IsBasis ? "basis" : "fit", DescribeForm(output), advice.Reason };
+  };
+  if (!advice.IsBasis)
+  {
+    return represent(vtkNew<vtkDistributionBRDFFitter>().Get(), &vtkBRDFFitter::Fit);
+  }
+  vtkNew<vtkBasisProjector> projector;
+  projector->SetBasis(vtkBasisBRDF::SPHERICAL_HARMONICS);
+  projector->SetOrder(order);
+  return represent(projector.Get(), &vtkBasisProjector::Project);
 }
 
 //------------------------------------------------------------------------------

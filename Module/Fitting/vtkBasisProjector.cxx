@@ -21,7 +21,7 @@ vtkStandardNewMacro(vtkBasisProjector);
 
 namespace
 {
-constexpr int NumberOfAzimuths = 256;
+constexpr int AzimuthNodes = 256;
 
 // Everything that stays the same for all views.
 struct Plan
@@ -73,23 +73,18 @@ Plan MakePlan(vtkBasisProjector* self)
       plan.Operators.push_back(
         MakeLeastSquares(plan.Functions, m, plan.Cosines, weights, regularization));
     }
-    for (int l = m; l <= order; ++l)
-    {
-      plan.Operators.back().row(l - m) *=
-        vtkBasisProjector::GetWindowFactor(self->GetWindow(), order, l);
-    }
   }
-  plan.Cosine.resize(NumberOfAzimuths, order + 1);
-  plan.Sine.resize(NumberOfAzimuths, order + 1);
+  plan.Cosine.resize(AzimuthNodes, order + 1);
+  plan.Sine.resize(AzimuthNodes, order + 1);
   for (int m = 0; m <= order; ++m)
   {
     // With these, sum_m a_m sqrt2 cos(m phi) + b_m sqrt2 sin(m phi), plain for m = 0, is the
     // series.
-    const double scale = (m > 0 ? std::sqrt(2.0) : 1.0) / NumberOfAzimuths;
-    for (int p = 0; p < NumberOfAzimuths; ++p)
+    const double scale = (m > 0 ? std::sqrt(2.0) : 1.0) / AzimuthNodes;
+    for (int p = 0; p < AzimuthNodes; ++p)
     {
-      plan.Cosine(p, m) = scale * std::cos(2.0 * Pi * m * p / NumberOfAzimuths);
-      plan.Sine(p, m) = scale * std::sin(2.0 * Pi * m * p / NumberOfAzimuths);
+      plan.Cosine(p, m) = scale * std::cos(2.0 * Pi * m * p / AzimuthNodes);
+      plan.Sine(p, m) = scale * std::sin(2.0 * Pi * m * p / AzimuthNodes);
     }
   }
   return plan;
@@ -102,16 +97,16 @@ std::array<Eigen::MatrixXd, 3> SampleView(
   std::array<Eigen::MatrixXd, 3> samples;
   for (Eigen::MatrixXd& channel : samples)
   {
-    channel.resize(static_cast<Eigen::Index>(plan.Cosines.size()), NumberOfAzimuths);
+    channel.resize(static_cast<Eigen::Index>(plan.Cosines.size()), AzimuthNodes);
   }
   for (std::size_t q = 0; q < plan.Cosines.size(); ++q)
   {
     const double cosine = plan.Cosines[q];
     const double factor =
       (self->GetIncidentCosine() ? cosine : 1.0) * (self->GetOutgoingCosine() ? o.z : 1.0);
-    for (int a = 0; a < NumberOfAzimuths; ++a)
+    for (int a = 0; a < AzimuthNodes; ++a)
     {
-      const glm::dvec3 i = ToDirection(cosine, 2.0 * Pi * a / NumberOfAzimuths);
+      const glm::dvec3 i = ToDirection(cosine, 2.0 * Pi * a / AzimuthNodes);
       double f[3];
       self->GetInput()->Evaluate(&i.x, &o.x, f);
       for (std::size_t c = 0; c < 3; ++c)
@@ -161,26 +156,6 @@ void vtkBasisProjector::SetInput(vtkBRDF* input)
   {
     this->Input = input;
     this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-double vtkBasisProjector::GetWindowFactor(int window, int order, int l)
-{
-  const double angle = Pi * l / (order + 1.0);
-  switch (window)
-  {
-    case HANN:
-      return 0.5 * (1.0 + std::cos(angle));
-    case LANCZOS:
-      return l > 0 ? std::sin(angle) / angle : 1.0;
-    case LAPLACIAN:
-    {
-      const double ratio = l > 0 ? l * (l + 1.0) / (order * (order + 1.0)) : 0.0;
-      return 1.0 / (1.0 + ratio * ratio);
-    }
-    default:
-      return 1.0;
   }
 }
 
@@ -264,7 +239,6 @@ measuredbrdfSetInRangeMacro(
   vtkBasisProjector, Basis, int, vtkBasisBRDF::SPHERICAL_HARMONICS, vtkBasisBRDF::LEGENDRE_FOURIER);
 measuredbrdfSetInRangeMacro(vtkBasisProjector, Method, int, LEAST_SQUARES, INNER_PRODUCT);
 measuredbrdfSetClampedMacro(vtkBasisProjector, Regularization, double, 0.0, 1.0);
-measuredbrdfSetInRangeMacro(vtkBasisProjector, Window, int, NO_WINDOW, LAPLACIAN);
 measuredbrdfSetClampedMacro(vtkBasisProjector, NumberOfTheta, int, 2, 1024);
 measuredbrdfSetClampedMacro(vtkBasisProjector, NumberOfPhi, int, 4, 1024);
 measuredbrdfSetClampedMacro(vtkBasisProjector, NumberOfNodes, int, 8, 1024);
@@ -286,7 +260,6 @@ void vtkBasisProjector::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutgoingCosine: " << (this->OutgoingCosine ? "On" : "Off") << "\n";
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "Regularization: " << this->Regularization << "\n";
-  os << indent << "Window: " << this->Window << "\n";
   os << indent << "NumberOfTheta: " << this->NumberOfTheta << "\n";
   os << indent << "NumberOfPhi: " << this->NumberOfPhi << "\n";
   os << indent << "NumberOfNodes: " << this->NumberOfNodes << "\n";

@@ -38,14 +38,6 @@ public:
     INNER_PRODUCT = 1
   };
 
-  enum WindowType
-  {
-    NO_WINDOW = 0,
-    HANN = 1,
-    LANCZOS = 2,
-    LAPLACIAN = 3
-  };
-
   ///@{
   /**
    * The BRDF to project.
@@ -109,18 +101,6 @@ public:
 
   ///@{
   /**
-   * Factor on the coefficients of degree l against ringing (Sloan 2008): Hann (1 + cos(pi l/W)) /
-   * 2, Lanczos sin(pi l/W) / (pi l/W), with W = order + 1 (the narrowest without a jump), Laplacian
-   * 1 / (1 + s l^2 (l+1)^2) with s = 1 / (order (order+1))^2 (halves the highest degree). The
-   * default is no window, which measures best, because the clamp after the sum costs nothing.
-   */
-  virtual void SetWindow(int window);
-  vtkGetMacro(Window, int);
-  static double GetWindowFactor(int window, int order, int l);
-  ///@}
-
-  ///@{
-  /**
    * Samples of theta_o (default 64, in [2, 1024]) and, for anisotropic materials, of phi_o (default
    * 32, in [4, 1024]).
    */
@@ -174,7 +154,6 @@ protected:
   bool OutgoingCosine = true;
   int Method = LEAST_SQUARES;
   double Regularization = 1e-6;
-  int Window = NO_WINDOW;
   int NumberOfTheta = 64;
   int NumberOfPhi = 32;
   int NumberOfNodes = 96;

@@ -40,35 +40,6 @@ struct DistributionSize
   int NumberOfFresnel;
 };
 
-enum class FresnelShape
-{
-  Monotone, // a table that never falls towards grazing
-  Free,     // a table
-  Schlick   // base + rise (1 - cos theta_d)^5
-};
-
-struct DistributionFitOptions
-{
-  DistributionSize Size;
-  FresnelShape Shape;
-  int NumberOfStarts;
-  unsigned int StartSeed; // 0: starts from the data, else random ones
-  int MaximumNumberOfIterations;
-  double Tolerance;
-  std::function<bool(double)> Progress; // false: stop
-};
-
-/// Tables in vtkDistributionBRDF's order; empty if the fit was stopped. p is normalized, and F
-/// contains the scale.
-struct DistributionFitResult
-{
-  double Albedo[3] = { 0.0, 0.0, 0.0 };
-  std::vector<float> Distribution;
-  std::vector<float> Fresnel;
-  std::vector<double> History; // mean squares over the samples
-  bool Converged = false;
-};
-
 /// The positions of the samples in the tables, shared by the channels. The unknowns of p are its
 /// cells (theta fastest), then the Lambert part.
 class DistributionGeometry
@@ -94,22 +65,18 @@ public:
     double Scale; // 1 / (4 (cos_i + cos_o - cos_i cos_o))
   };
 
-  int GetNumberOfCells() const { return this->NumberOfCells; }
-  int GetNumberOfNeighbors() const { return this->NumberOfNeighbors; } // 2 or, anisotropic, 4
-  const Place& GetPlace(std::size_t sample) const { return this->Places[sample]; }
-
-  /// Pairs of neighboring cells, the larger number first.
-  const std::vector<std::array<int, 2>>& GetTies() const { return this->Ties; }
-
-  /// Zeros at all pairs of unknowns that a sample or a tie links (lower triangle).
-  const Eigen::SparseMatrix<double>& GetPattern() const { return this->Pattern; }
-
   /// Positions of a sample's unknowns (a, b), b <= a, in the pattern's values; b fastest.
   const int* GetPositions(std::size_t sample) const
   {
     const int pairs = (this->NumberOfNeighbors + 1) * (this->NumberOfNeighbors + 2) / 2;
-    return &this->Positions[sample * static_cast<std::size_t>(pairs)];
+    return &this->Positions[sample * pairs];
   }
+
+  int NumberOfCells;
+  int NumberOfNeighbors;                // of a sample in p: 2 or, anisotropic, 4
+  std::vector<Place> Places;            // by sample
+  std::vector<std::array<int, 2>> Ties; // neighboring cells, the larger number first
+  Eigen::SparseMatrix<double> Pattern;  // zeros at all pairs that a sample or a tie links (lower)
 
 private:
   Place FindPlace(const FitSample& sample, const DistributionSize& size) const
@@ -193,11 +160,6 @@ private:
     }
   }
 
-  int NumberOfCells;
-  int NumberOfNeighbors;
-  std::vector<Place> Places;
-  std::vector<std::array<int, 2>> Ties;
-  Eigen::SparseMatrix<double> Pattern;
   std::vector<int> Positions;
 };
 
@@ -257,7 +219,7 @@ private:
   double DistributionAt(const DistributionGeometry::Place& place, const Eigen::VectorXd& p) const
   {
     double value = 0.0;
-    for (int k = 0; k < this->Geometry.GetNumberOfNeighbors(); ++k)
+    for (int k = 0; k < this->Geometry.NumberOfNeighbors; ++k)
     {
       value += place.Weights[k] * p[place.Unknowns[k]];
     }
@@ -271,7 +233,7 @@ private:
     for (std::size_t k = 0; k < this->Samples.size(); ++k)
     {
       const FitSample& sample = this->Samples[k];
-      const DistributionGeometry::Place& place = this->Geometry.GetPlace(k);
+      const DistributionGeometry::Place& place = this->Geometry.Places[k];
       const double f = tables.Lambert + this->DistributionAt(place, tables.P) *
                                           FresnelAt(place, tables.F) * place.Scale;
       const double t = loss.Value(f, sample.I.z) - loss.Value(sample.F[this->Index], sample.I.z);
@@ -292,14 +254,14 @@ private:
 
   void SolveDistribution()
   {
-    const int n = this->Geometry.GetNumberOfNeighbors();
-    const int cells = this->Geometry.GetNumberOfCells();
+    const int n = this->Geometry.NumberOfNeighbors;
+    const int cells = this->Geometry.NumberOfCells;
     const DistributionTables& now = this->Tables;
-    Eigen::SparseMatrix<double> H = this->Geometry.GetPattern();
+    Eigen::SparseMatrix<double> H = this->Geometry.Pattern;
     Eigen::VectorXd g = Eigen::VectorXd::Zero(cells + 1);
     for (std::size_t k = 0; k < this->Samples.size(); ++k)
     {
-      const DistributionGeometry::Place& place = this->Geometry.GetPlace(k);
+      const DistributionGeometry::Place& place = this->Geometry.Places[k];
       const double factor = FresnelAt(place, now.F) * place.Scale;
       double weight, target;
       this->Linearize(this->Samples[k], now.Lambert + this->DistributionAt(place, now.P) * factor,
@@ -321,7 +283,7 @@ private:
     }
     const Eigen::VectorXd known = H.diagonal();
     const double least = 1e-12 * known.mean();
-    for (const auto& tie : this->Geometry.GetTies())
+    for (const auto& tie : this->Geometry.Ties)
     {
       const double strength = Tie * std::max({ known[tie[0]], known[tie[1]], least });
       const double pull = strength * (now.P[tie[0]] - now.P[tie[1]]);
@@ -347,7 +309,7 @@ private:
     Eigen::VectorXd m = Eigen::VectorXd::Zero(n + 1);
     for (std::size_t k = 0; k < this->Samples.size(); ++k)
     {
-      const DistributionGeometry::Place& place = this->Geometry.GetPlace(k);
+      const DistributionGeometry::Place& place = this->Geometry.Places[k];
       const double factor = this->DistributionAt(place, now.P) * place.Scale;
       double weight, target;
       this->Linearize(
@@ -427,14 +389,15 @@ Vector SchlickTable(double f0, int n)
   return table;
 }
 
-// The columns that F is a non-negative sum of.
-Eigen::MatrixXd NewFresnelBasis(FresnelShape shape, int n)
+// The columns that F is a non-negative sum of. model: a
+// vtkDistributionBRDFFitter::FresnelModelType.
+Eigen::MatrixXd NewFresnelBasis(int model, int n)
 {
-  if (shape == FresnelShape::Free)
+  if (model == vtkDistributionBRDFFitter::FREE)
   {
     return Eigen::MatrixXd::Identity(n, n);
   }
-  if (shape == FresnelShape::Monotone)
+  if (model == vtkDistributionBRDFFitter::MONOTONE)
   {
     return Eigen::MatrixXd::Ones(n, n).triangularView<Eigen::Lower>();
   }
@@ -561,18 +524,18 @@ Attempt TryRandom(DistributionChannel channel, int thetas, int fresnels, std::mt
 }
 
 // Each channel continues from its best start. The history of their sum; empty: stopped.
-std::vector<double> ChooseStarts(
-  vtkBRDF* input, const DistributionFitOptions& options, double share, Channels& channels)
+std::vector<double> ChooseStarts(vtkDistributionBRDFFitter* fitter, const DistributionSize& size,
+  Channels& channels, const std::function<bool(double)>& progress)
 {
-  const int n = options.Size.NumberOfFresnel;
-  const bool random = options.StartSeed > 0;
-  const int starts =
-    random ? options.NumberOfStarts
-           : std::min(options.NumberOfStarts, static_cast<int>(std::size(StartReflectances)));
+  const int n = size.NumberOfFresnel;
+  const unsigned int seed = fitter->GetStartSeed();
+  const int starts = seed > 0 ? fitter->GetNumberOfStarts()
+                              : std::min(fitter->GetNumberOfStarts(),
+                                  static_cast<int>(std::size(StartReflectances)));
   std::array<Attempt, 3> best;
   for (int k = 0; k < starts; ++k)
   {
-    if (!options.Progress(share * k / starts))
+    if (!progress(static_cast<double>(k) / starts))
     {
       return {};
     }
@@ -580,20 +543,19 @@ std::vector<double> ChooseStarts(
       [&](std::size_t c)
       {
         Attempt attempt;
-        if (random)
+        if (seed > 0)
         {
-          std::mt19937 generator(options.StartSeed + 7919u * (3u * static_cast<unsigned int>(k) +
-                                                               static_cast<unsigned int>(c)));
-          attempt = TryRandom(channels[c], options.Size.NumberOfTheta, n, generator);
+          std::mt19937 generator(seed + 7919u * static_cast<unsigned int>(3 * k + c));
+          attempt = TryRandom(channels[c], size.NumberOfTheta, n, generator);
         }
         else
         {
-          const bool measured =
-            StartReflectances[k] < 0.0 && options.Shape != FresnelShape::Schlick;
-          const Vector fresnel =
-            measured ? GuessFresnel(input, channels[c].Tables.Lambert, static_cast<int>(c), n)
-                     : SchlickTable(std::abs(StartReflectances[k]), n);
-          attempt = Try(channels[c], fresnel);
+          const bool measured = StartReflectances[k] < 0.0 &&
+                                fitter->GetFresnelModel() != vtkDistributionBRDFFitter::SCHLICK;
+          const int channel = static_cast<int>(c);
+          attempt = Try(channels[c],
+            measured ? GuessFresnel(fitter->GetInput(), channels[c].Tables.Lambert, channel, n)
+                     : SchlickTable(std::abs(StartReflectances[k]), n));
         }
         if (k == 0 || attempt.History.back() < best[c].History.back())
         {
@@ -606,7 +568,7 @@ std::vector<double> ChooseStarts(
   {
     channels[c].Tables = best[c].Tables;
     std::transform(history.begin(), history.end(), best[c].History.begin(), history.begin(),
-      [](double sum, double mean) { return sum + mean; });
+      std::plus<double>());
   }
   return history;
 }
@@ -644,52 +606,6 @@ std::vector<float> Interleave(const Channels& channels, Vector DistributionTable
     }
   }
   return rgb;
-}
-//------------------------------------------------------------------------------
-DistributionFitResult FitDistribution(
-  vtkBRDF* input, const FitSamples& samples, const DistributionFitOptions& options)
-{
-  constexpr double started = 0.3; // of the progress
-  const DistributionGeometry geometry(samples, options.Size);
-  const Eigen::MatrixXd basis = NewFresnelBasis(options.Shape, options.Size.NumberOfFresnel);
-  Channels channels;
-  for (int c = 0; c < 3; ++c)
-  {
-    channels.emplace_back(samples, geometry, basis, options.Shape != FresnelShape::Schlick, c);
-    channels.back().Tables.Lambert = GuessLambert(samples, c);
-  }
-  GuessDistribution(input, options.Size, channels);
-
-  DistributionFitResult result;
-  result.History = ChooseStarts(input, options, started, channels);
-  const int most = options.MaximumNumberOfIterations;
-  for (int k = 0; k < most && !result.History.empty() && !result.Converged; ++k)
-  {
-    if (!options.Progress(started + (1.0 - started) * k / most))
-    {
-      return DistributionFitResult();
-    }
-    ForChannels([&channels](std::size_t c) { channels[c].Sweep(); });
-    double sum = 0.0;
-    for (const DistributionChannel& channel : channels)
-    {
-      sum += channel.GetMeanSquare();
-    }
-    result.Converged = result.History.back() - sum <= options.Tolerance * result.History.back();
-    result.History.push_back(sum);
-  }
-  if (result.History.empty())
-  {
-    return result;
-  }
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    Normalize(options.Size, channels[c].Tables);
-    result.Albedo[c] = Pi * channels[c].Tables.Lambert;
-  }
-  result.Distribution = Interleave(channels, &DistributionTables::P);
-  result.Fresnel = Interleave(channels, &DistributionTables::F);
-  return result;
 }
 }
 } // namespace measuredbrdf
@@ -749,41 +665,74 @@ void vtkDistributionBRDFFitter::GetSize(int& nTheta, int& nPhi)
 //------------------------------------------------------------------------------
 vtkBRDFFitter::Result vtkDistributionBRDFFitter::FitTo(const std::vector<Sample>& samples)
 {
-  int nTheta = 0;
-  int nPhi = 0;
-  this->GetSize(nTheta, nPhi);
-  DistributionFitOptions options;
-  options.Size = { nTheta, nPhi, this->NumberOfFresnelSamples };
-  options.Shape = this->FresnelModel == SCHLICK ? FresnelShape::Schlick
-                  : this->FresnelModel == FREE  ? FresnelShape::Free
-                                                : FresnelShape::Monotone;
-  options.NumberOfStarts = this->NumberOfStarts;
-  options.StartSeed = this->StartSeed;
-  options.MaximumNumberOfIterations = this->MaximumNumberOfIterations;
-  options.Tolerance = this->Tolerance;
-  options.Progress = [this](double share) { return this->UpdateProgress(share); };
-  const DistributionFitResult fit =
-    FitDistribution(this->Input, ToFitSamples(samples, this->Loss), options);
+  constexpr double started = 0.3; // of the progress
+  DistributionSize size = { 0, 0, this->NumberOfFresnelSamples };
+  this->GetSize(size.NumberOfTheta, size.NumberOfPhi);
+  const FitSamples own = ToFitSamples(samples, this->Loss);
+  const DistributionGeometry geometry(own, size);
+  const Eigen::MatrixXd basis = NewFresnelBasis(this->FresnelModel, size.NumberOfFresnel);
+  Channels channels;
+  for (int c = 0; c < 3; ++c)
+  {
+    channels.emplace_back(own, geometry, basis, this->FresnelModel != SCHLICK, c);
+    channels.back().Tables.Lambert = GuessLambert(own, c);
+  }
+  GuessDistribution(this->Input, size, channels);
+
+  Result result;
+  result.History = ChooseStarts(
+    this, size, channels, [this](double share) { return this->UpdateProgress(started * share); });
+  const int most = this->MaximumNumberOfIterations;
+  for (int k = 0; k < most && !result.History.empty() && !result.Converged; ++k)
+  {
+    if (!this->UpdateProgress(started + (1.0 - started) * k / most))
+    {
+      return Result();
+    }
+    ForChannels([&channels](std::size_t c) { channels[c].Sweep(); });
+    double sum = 0.0;
+    for (const DistributionChannel& channel : channels)
+    {
+      sum += channel.GetMeanSquare();
+    }
+    const double before = result.History.back();
+    result.Converged = before - sum <= this->Tolerance * before;
+    result.History.push_back(sum);
+  }
+  if (result.History.empty())
+  {
+    return result;
+  }
+  double albedo[3];
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    Normalize(size, channels[c].Tables);
+    albedo[c] = Pi * channels[c].Tables.Lambert;
+  }
+  const std::vector<float> p = Interleave(channels, &DistributionTables::P);
+  const std::vector<float> fresnel = Interleave(channels, &DistributionTables::F);
   vtkNew<vtkDistributionBRDF> distribution;
-  if (!distribution->SetDistribution(nTheta, nPhi, fit.Distribution) ||
-      !distribution->SetFresnel(this->NumberOfFresnelSamples, fit.Fresnel))
+  if (!distribution->SetDistribution(size.NumberOfTheta, size.NumberOfPhi, p) ||
+      !distribution->SetFresnel(size.NumberOfFresnel, fresnel))
   {
     return Result();
   }
   vtkNew<vtkLambertBRDF> lambert;
-  lambert->SetAlbedo(fit.Albedo[0], fit.Albedo[1], fit.Albedo[2]);
+  lambert->SetAlbedo(albedo);
   vtkNew<vtkSumBRDF> sum;
   sum->AddTerm(lambert);
   sum->AddTerm(distribution);
 
   TextStream report;
-  report << "diffuse albedo: " << fit.Albedo[0] << " " << fit.Albedo[1] << " " << fit.Albedo[2]
-         << "\n";
-  report << "p: " << nTheta << " x " << nPhi << " samples, at the normal " << fit.Distribution[0]
-         << " " << fit.Distribution[1] << " " << fit.Distribution[2] << " 1/sr\n";
-  const std::size_t last = fit.Fresnel.size() - 3;
-  report << "F: " << this->NumberOfFresnelSamples << " samples, from " << fit.Fresnel[0] << " "
-         << fit.Fresnel[1] << " " << fit.Fresnel[2] << " to " << fit.Fresnel[last] << " "
-         << fit.Fresnel[last + 1] << " " << fit.Fresnel[last + 2] << " at grazing\n";
-  return { sum.Get(), fit.History, fit.Converged, report.str() };
+  const auto add = [&report](const char* before, const auto* rgb, const char* after)
+  { report << before << rgb[0] << " " << rgb[1] << " " << rgb[2] << after; };
+  add("diffuse albedo: ", albedo, "\n");
+  report << "p: " << size.NumberOfTheta << " x " << size.NumberOfPhi << " samples";
+  add(", at the normal ", p.data(), " 1/sr\n");
+  report << "F: " << size.NumberOfFresnel << " samples";
+  add(", from ", fresnel.data(), "");
+  add(" to ", &fresnel[fresnel.size() - 3], " at grazing\n");
+  result.BRDF = sum;
+  result.Report = report.str();
+  return result;
 }

@@ -3,6 +3,7 @@
 #include "vtkPBRPropertyFitter.h"
 
 #include "HalfVector.h" // for Pi
+#include "LocalFrame.h"
 #include "LowDiscrepancy.h"
 #include "PBRShading.h"
 #include "vtkBRDF.h"
@@ -11,10 +12,13 @@
 #include "vtkObjectFactory.h"
 #include "vtkProperty.h"
 
+#include <Eigen/Core>
 #include <glm/glm.hpp>
 
 #include <algorithm>
-#include <functional>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <vector>
@@ -46,23 +50,35 @@ double GetLobeDensity(double roughness, double ndh, double hdl)
   return alpha2 * ndh / (Pi * d * d * 4.0 * std::max(hdl, 1e-9));
 }
 
+using Moments = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>; // by pixel: PBRMoments
+
 // Pictures of a sphere under a gray light, drawn by a measured material and by VTK's physically
-// based shading with the same quadrature, so that they can be compared.
+// based shading with the same quadrature, so that they can be compared. The sphere is seen from +z.
 class PBRPicture
 {
 public:
-  using Light = std::function<double(const glm::dvec3&)>;
-
-  /// The brdf must be prepared. The light is gray radiance by direction, with no details finer than
-  /// ten degrees. The sphere is seen from +z.
+  /// The brdf must be prepared. light(direction): gray radiance, with no details finer than ten
+  /// degrees.
+  template <typename Light>
   PBRPicture(vtkBRDF* brdf, const Light& light)
+    : NumberOfTangents(brdf->IsIsotropic() ? 1 : TangentsOfAnisotropic)
+    , Diffuse(NumberOfPixels, 4)
+    , Reference(NumberOfPixels, 3 * this->NumberOfTangents)
   {
     for (int k = 0; k < NumberOfPBRViews; ++k)
     {
-      this->AddView(std::sqrt(1.0 - (k + 0.5) / NumberOfPBRViews));
-      this->AddPixels(k, light);
+      View& view = this->Views[k];
+      view.Cosine = std::sqrt(1.0 - (k + 0.5) / NumberOfPBRViews);
+      AddDirections(view);
+      view.Light.resize(NumberOfPBRAzimuths, static_cast<Eigen::Index>(view.Directions.size()));
+      for (int pixel = 0; pixel < NumberOfPBRAzimuths; ++pixel)
+      {
+        AddLight(view, pixel, 2.0 * Pi * (pixel + 0.5 * (k % 2)) / NumberOfPBRAzimuths, light);
+      }
+      this->Diffuse.middleRows(k * NumberOfPBRAzimuths, NumberOfPBRAzimuths) =
+        view.Light * view.Powers / Pi;
+      this->Draw(brdf, k);
     }
-    this->Draw(brdf);
   }
 
   /// Base color of least error for the other parameters (of a roughness in hundredths), and that
@@ -70,7 +86,6 @@ public:
   double FitColor(const PBRParameters& parameters, std::array<double, 3>& color)
   {
     constexpr int rounds = 2;
-    std::vector<Quadratic> radiance;
     double sum = 0.0;
     // The reflectance at grazing incidence depends on all three channels where F0 is below 2 %:
     // fit, fit again with the one that belongs to the color, and measure with that of the last
@@ -78,9 +93,9 @@ public:
     double f90 = GetPBRGrazing(parameters, color);
     for (int k = 0; k <= rounds; ++k)
     {
-      this->GetRadiance(parameters, f90, radiance);
+      const Eigen::MatrixX3d radiance = this->GetRadiance(parameters, f90);
       sum = 0.0;
-      for (std::size_t channel = 0; channel < 3; ++channel)
+      for (int channel = 0; channel < 3; ++channel)
       {
         sum += k < rounds ? this->FitChannel(radiance, channel, color[channel])
                           : this->GetDistance(radiance, channel, color[channel]);
@@ -92,31 +107,28 @@ public:
       }
       f90 = next;
     }
-    return sum > 0.0 ? sum / this->Total : 0.0;
+    return sum > 0.0 ? sum / this->Reference.sum() : 0.0;
   }
 
 private:
-  // A direction to the light adds f * Weight * L to a pixel's radiance.
-  struct Direction
-  {
-    glm::dvec3 Local;
-    double Weight;
-    double NdH;
-    double S; // (1 - H.L)^5
-  };
-  struct Pixel
-  {
-    int View;
-    std::vector<double> Light; // Weight * L of each of the view's directions
-    PBRMoments Diffuse;
-  };
-  /// Radiance of a pixel as a polynomial of the channel's base color.
-  using Quadratic = std::array<double, 3>;
+  static constexpr int NumberOfPixels = NumberOfPBRViews * NumberOfPBRAzimuths;
 
-  void AddView(double cosine)
+  // Pixels of a ring: they see the sphere at the same angle, and their directions to the light are
+  // the same in the local frame whose x axis lies in the plane of the normal and the eye.
+  struct View
   {
-    const glm::dvec3 o(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
-    std::vector<Direction> directions;
+    double Cosine;
+    std::vector<glm::dvec3> Directions;
+    std::vector<double> Weights; // f * weight * radiance is what a direction adds
+    std::vector<double> NdH;
+    Moments Powers;        // by direction: (1 - H.L)^(5 n), n = 0 to 3
+    Eigen::MatrixXd Light; // pixels x directions: weight * radiance
+  };
+
+  static void AddDirections(View& view)
+  {
+    const glm::dvec3 o(std::sqrt(1.0 - view.Cosine * view.Cosine), 0.0, view.Cosine);
+    std::vector<double> powers;
     const auto add = [&](const glm::dvec3& i)
     {
       if (!(i.z > 1e-6))
@@ -130,13 +142,18 @@ private:
       {
         density += DrawsOfLobe * GetLobeDensity(roughness, h.z, hdl);
       }
-      directions.push_back({ i, i.z / density, h.z, std::pow(1.0 - hdl, 5) });
+      view.Directions.push_back(i);
+      view.Weights.push_back(i.z / density);
+      view.NdH.push_back(h.z);
+      const double s = std::pow(1.0 - hdl, 5);
+      powers.insert(powers.end(), { 1.0, s, s * s, s * s * s });
     };
     for (int k = 0; k < DrawsOfCosine; ++k)
     {
-      const double r = std::sqrt((k + 0.5) / DrawsOfCosine);
-      const double phi = 2.0 * Pi * RadicalInverse(static_cast<std::uint32_t>(k), 2);
-      add({ r * std::cos(phi), r * std::sin(phi), std::sqrt(1.0 - r * r) });
+      glm::dvec3 i;
+      SampleCosine(
+        (k + 0.5) / DrawsOfCosine, RadicalInverse(static_cast<std::uint32_t>(k), 2), &i.x);
+      add(i);
     }
     for (const double roughness : LobeRoughnesses)
     {
@@ -145,174 +162,118 @@ private:
       {
         // Walter et al. 2007, equation 35: tan^2(theta_h) = alpha^2 u / (1 - u).
         const double u = (k + 0.5) / DrawsOfLobe;
-        const double z = 1.0 / std::sqrt(1.0 + alpha2 * u / (1.0 - u));
-        const double r = std::sqrt(1.0 - z * z);
         const double phi = 2.0 * Pi * RadicalInverse(static_cast<std::uint32_t>(k), 2);
-        const glm::dvec3 h(r * std::cos(phi), r * std::sin(phi), z);
-        const double hdo = glm::dot(h, o);
-        if (hdo > 0.0)
+        const glm::dvec3 h = ToDirection(1.0 / std::sqrt(1.0 + alpha2 * u / (1.0 - u)), phi);
+        if (glm::dot(h, o) > 0.0)
         {
-          add(2.0 * hdo * h - o);
+          add(ReflectAbout(o, h));
         }
       }
     }
-    this->ViewCosines.push_back(cosine);
-    this->Directions.push_back(std::move(directions));
+    view.Powers =
+      Eigen::Map<Moments>(powers.data(), static_cast<Eigen::Index>(powers.size()) / 4, 4);
   }
 
-  void AddPixels(int view, const Light& light)
+  // Of the pixel at that azimuth of the sphere. Its tangent points towards the eye.
+  template <typename Light>
+  static void AddLight(View& view, int pixel, double phi, const Light& light)
   {
-    const double z = this->ViewCosines[static_cast<std::size_t>(view)];
-    const double r = std::sqrt(1.0 - z * z);
-    for (int k = 0; k < NumberOfPBRAzimuths; ++k)
+    const glm::dvec3 normal = ToDirection(view.Cosine, phi);
+    const glm::dvec3 tangent(-view.Cosine * std::cos(phi), -view.Cosine * std::sin(phi),
+      std::sqrt(1.0 - view.Cosine * view.Cosine));
+    const glm::dmat3 frame(tangent, glm::cross(normal, tangent), normal);
+    for (std::size_t k = 0; k < view.Directions.size(); ++k)
     {
-      // Rings are turned against each other.
-      const double phi = 2.0 * Pi * (k + 0.5 * (view % 2)) / NumberOfPBRAzimuths;
-      const glm::dvec3 normal(r * std::cos(phi), r * std::sin(phi), z);
-      // The eye at +z lies in the plane of tangent and normal.
-      const glm::dvec3 tangent(-z * std::cos(phi), -z * std::sin(phi), r);
-      const glm::dvec3 bitangent = glm::cross(normal, tangent);
-      Pixel pixel{ view, {}, {} };
-      for (const Direction& d : this->Directions[static_cast<std::size_t>(view)])
+      view.Light(pixel, static_cast<Eigen::Index>(k)) =
+        view.Weights[k] * light(frame * view.Directions[k]);
+    }
+  }
+
+  // The reference's pixels of a ring, for each tangent.
+  void Draw(vtkBRDF* brdf, int k)
+  {
+    const View& view = this->Views[k];
+    Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> f(view.Directions.size(), 3);
+    for (int tangent = 0; tangent < this->NumberOfTangents; ++tangent)
+    {
+      const double phi = Pi * tangent / this->NumberOfTangents;
+      const double c = std::cos(phi), s = std::sin(phi);
+      const glm::dvec3 o = ToDirection(view.Cosine, phi);
+      for (std::size_t d = 0; d < view.Directions.size(); ++d)
       {
-        const glm::dvec3 world = d.Local.x * tangent + d.Local.y * bitangent + d.Local.z * normal;
-        const double value = d.Weight * light(world);
-        pixel.Light.push_back(value);
-        double power = value / Pi;
-        for (double& moment : pixel.Diffuse)
-        {
-          moment += power;
-          power *= d.S;
-        }
+        const glm::dvec3& local = view.Directions[d];
+        const glm::dvec3 i(c * local.x - s * local.y, s * local.x + c * local.y, local.z);
+        brdf->Evaluate(&i.x, &o.x, &f(static_cast<Eigen::Index>(d), 0));
       }
-      this->Pixels.push_back(std::move(pixel));
+      this->Reference.block<NumberOfPBRAzimuths, 3>(k * NumberOfPBRAzimuths, 3 * tangent) =
+        view.Light * f;
     }
   }
 
-  void Draw(vtkBRDF* brdf)
+  const Moments& GetSpecularMoments(double roughness)
   {
-    this->NumberOfTangents = brdf->IsIsotropic() ? 1 : TangentsOfAnisotropic;
-    const auto tangents = static_cast<std::size_t>(this->NumberOfTangents);
-    this->Reference.assign(3 * this->Pixels.size() * tangents, 0.0);
-    std::vector<double> f;
-    for (int view = 0; view < NumberOfPBRViews; ++view)
-    {
-      const std::vector<Direction>& directions = this->Directions[static_cast<std::size_t>(view)];
-      const double z = this->ViewCosines[static_cast<std::size_t>(view)];
-      const double r = std::sqrt(1.0 - z * z);
-      for (int tangent = 0; tangent < this->NumberOfTangents; ++tangent)
-      {
-        const double phi = Pi * tangent / this->NumberOfTangents;
-        const double c = std::cos(phi);
-        const double s = std::sin(phi);
-        const double o[3] = { r * c, r * s, z };
-        f.resize(3 * directions.size());
-        for (std::size_t k = 0; k < directions.size(); ++k)
-        {
-          const glm::dvec3& d = directions[k].Local;
-          const double i[3] = { c * d.x - s * d.y, s * d.x + c * d.y, d.z };
-          brdf->Evaluate(i, o, &f[3 * k]);
-        }
-        for (std::size_t p = 0; p < this->Pixels.size(); ++p)
-        {
-          const Pixel& pixel = this->Pixels[p];
-          if (pixel.View != view)
-          {
-            continue;
-          }
-          double* rgb = &this->Reference[3 * (p * tangents + static_cast<std::size_t>(tangent))];
-          for (std::size_t k = 0; k < directions.size(); ++k)
-          {
-            for (std::size_t channel = 0; channel < 3; ++channel)
-            {
-              rgb[channel] += pixel.Light[k] * f[3 * k + channel];
-            }
-          }
-        }
-      }
-    }
-    for (const double value : this->Reference)
-    {
-      this->Total += value;
-    }
-  }
-
-  const std::vector<PBRMoments>& GetSpecularMoments(double roughness)
-  {
-    std::vector<PBRMoments>& moments =
-      this->SpecularMoments[static_cast<int>(std::lround(100.0 * roughness))];
-    if (!moments.empty())
+    Moments& moments = this->SpecularMoments[static_cast<int>(std::lround(100.0 * roughness))];
+    if (moments.size() > 0)
     {
       return moments;
     }
-    std::vector<std::vector<double>> lobes(NumberOfPBRViews);
-    for (std::size_t view = 0; view < lobes.size(); ++view)
+    moments.resize(NumberOfPixels, 4);
+    for (int k = 0; k < NumberOfPBRViews; ++k)
     {
-      for (const Direction& d : this->Directions[view])
+      const View& view = this->Views[k];
+      Eigen::VectorXd lobe(view.Directions.size());
+      for (std::size_t d = 0; d < view.Directions.size(); ++d)
       {
-        lobes[view].push_back(GetPBRLobe(d.NdH, this->ViewCosines[view], d.Local.z, roughness));
+        lobe[static_cast<Eigen::Index>(d)] =
+          GetPBRLobe(view.NdH[d], view.Cosine, view.Directions[d].z, roughness);
       }
-    }
-    for (const Pixel& pixel : this->Pixels)
-    {
-      const std::vector<double>& lobe = lobes[static_cast<std::size_t>(pixel.View)];
-      const std::vector<Direction>& directions =
-        this->Directions[static_cast<std::size_t>(pixel.View)];
-      PBRMoments sums{};
-      for (std::size_t k = 0; k < lobe.size(); ++k)
-      {
-        double power = lobe[k] * pixel.Light[k];
-        for (double& sum : sums)
-        {
-          sum += power;
-          power *= directions[k].S;
-        }
-      }
-      moments.push_back(sums);
+      moments.middleRows(k * NumberOfPBRAzimuths, NumberOfPBRAzimuths) =
+        view.Light * lobe.asDiagonal() * view.Powers;
     }
     return moments;
   }
 
-  void GetRadiance(const PBRParameters& parameters, double f90, std::vector<Quadratic>& radiance)
+  // By pixel: the radiance as a polynomial of the channel's base color.
+  Eigen::MatrixX3d GetRadiance(const PBRParameters& parameters, double f90)
   {
-    const std::vector<PBRMoments>& specular = this->GetSpecularMoments(parameters.Roughness);
-    const std::vector<PBRMoments>& coat = parameters.CoatStrength > 0.0
-                                            ? this->GetSpecularMoments(parameters.CoatRoughness)
-                                            : specular; // times a strength of 0
-    radiance.resize(this->Pixels.size());
-    for (std::size_t p = 0; p < radiance.size(); ++p)
+    const Moments& specular = this->GetSpecularMoments(parameters.Roughness);
+    const Moments& coat = parameters.CoatStrength > 0.0
+                            ? this->GetSpecularMoments(parameters.CoatRoughness)
+                            : specular; // times a strength of 0
+    const auto get = [](const Moments& moments, int pixel)
+    {
+      PBRMoments own;
+      std::copy_n(&moments(pixel, 0), 4, own.begin());
+      return own;
+    };
+    Eigen::MatrixX3d radiance(NumberOfPixels, 3);
+    for (int p = 0; p < NumberOfPixels; ++p)
     {
       double at[3];
       for (int k = 0; k < 3; ++k)
       {
-        at[k] =
-          GetPBRRadiance(parameters, 0.5 * k, f90, this->Pixels[p].Diffuse, specular[p], coat[p]);
+        at[k] = GetPBRRadiance(
+          parameters, 0.5 * k, f90, get(this->Diffuse, p), get(specular, p), get(coat, p));
       }
-      radiance[p] = { at[0], -3.0 * at[0] + 4.0 * at[1] - at[2],
-        2.0 * (at[0] - 2.0 * at[1] + at[2]) };
+      radiance.row(p) << at[0], -3.0 * at[0] + 4.0 * at[1] - at[2],
+        2.0 * (at[0] - 2.0 * at[1] + at[2]);
     }
+    return radiance;
   }
 
   // Sum |model - reference| of a channel.
-  double GetDistance(
-    const std::vector<Quadratic>& radiance, std::size_t channel, double color) const
+  double GetDistance(const Eigen::MatrixX3d& radiance, int channel, double color) const
   {
+    const Eigen::VectorXd model = radiance * Eigen::Vector3d(1.0, color, color * color);
     double sum = 0.0;
-    const double* reference = this->Reference.data() + channel;
-    for (const Quadratic& q : radiance)
+    for (int tangent = 0; tangent < this->NumberOfTangents; ++tangent)
     {
-      const double value = q[0] + color * (q[1] + color * q[2]);
-      for (int tangent = 0; tangent < this->NumberOfTangents; ++tangent)
-      {
-        sum += std::abs(value - *reference);
-        reference += 3;
-      }
+      sum += (model - this->Reference.col(3 * tangent + channel)).cwiseAbs().sum();
     }
     return sum;
   }
 
-  double FitChannel(
-    const std::vector<Quadratic>& radiance, std::size_t channel, double& color) const
+  double FitChannel(const Eigen::MatrixX3d& radiance, int channel, double& color) const
   {
     constexpr int coarse = 12;
     double least = std::numeric_limits<double>::infinity();
@@ -338,13 +299,11 @@ private:
     return least;
   }
 
-  std::vector<double> ViewCosines;
-  std::vector<std::vector<Direction>> Directions; // by view
-  std::vector<Pixel> Pixels;
-  int NumberOfTangents = 1;
-  std::vector<double> Reference;                          // by pixel, tangent, channel
-  double Total = 0.0;                                     // of Reference
-  std::map<int, std::vector<PBRMoments>> SpecularMoments; // by roughness in hundredths
+  int NumberOfTangents;
+  std::array<View, NumberOfPBRViews> Views;
+  Moments Diffuse;
+  Eigen::MatrixXd Reference;              // pixels x (tangent, channel)
+  std::map<int, Moments> SpecularMoments; // by roughness in hundredths
 };
 
 // Smaller roughness is a mirror to VTK's tables of the light, and 0 divides by 0.
@@ -353,7 +312,7 @@ constexpr double LeastRoughness = 0.05;
 // knows them.
 constexpr double WorthIt = 0.7;
 
-// Which parameters a search may change.
+// What a search may change: each extent knows all parameters of the one before, too.
 enum Extent
 {
   METALLIC_ROUGHNESS,
@@ -361,7 +320,6 @@ enum Extent
   WITH_COAT
 };
 
-//------------------------------------------------------------------------------
 // What values a search may take beside the ranges of the axes.
 struct Limits
 {
@@ -384,7 +342,6 @@ const Limits Dielectric = { 0.0, 0.0, 1.0, 2.0 };
 const Limits Metal = { 0.3, 1.0, 0.6, 2.0 };
 constexpr double WorthMetal = 0.95; // what a metal has to leave of a dielectric's error
 
-//------------------------------------------------------------------------------
 struct Candidate
 {
   PBRParameters Parameters;
@@ -392,7 +349,6 @@ struct Candidate
   double Error = std::numeric_limits<double>::infinity();
 };
 
-//------------------------------------------------------------------------------
 // What is searched, with its range and the first step of the refinement.
 struct Axis
 {
@@ -402,7 +358,7 @@ struct Axis
   double Step;
   Extent From;
 };
-const std::array<Axis, 7> Axes = { {
+const Axis Axes[] = {
   { &PBRParameters::Roughness, LeastRoughness, 1.0, 0.08, METALLIC_ROUGHNESS },
   { &PBRParameters::Metallic, 0.0, 1.0, 0.2, METALLIC_ROUGHNESS },
   { &PBRParameters::BaseIOR, 1.0, 3.0, 0.25, WITH_FRESNEL },
@@ -410,9 +366,8 @@ const std::array<Axis, 7> Axes = { {
   { &PBRParameters::CoatStrength, 0.0, 1.0, 0.25, WITH_COAT },
   { &PBRParameters::CoatRoughness, LeastRoughness, 1.0, 0.08, WITH_COAT },
   { &PBRParameters::CoatIOR, 1.0, 3.0, 0.25, WITH_COAT },
-} };
+};
 
-//------------------------------------------------------------------------------
 void Keep(Candidate& best, const Candidate& other)
 {
   if (other.Error < best.Error)
@@ -421,7 +376,6 @@ void Keep(Candidate& best, const Candidate& other)
   }
 }
 
-//------------------------------------------------------------------------------
 Candidate Try(PBRPicture& picture, const PBRParameters& parameters)
 {
   Candidate candidate{ parameters };
@@ -429,34 +383,30 @@ Candidate Try(PBRPicture& picture, const PBRParameters& parameters)
   return candidate;
 }
 
-//------------------------------------------------------------------------------
 // One parameter at a time, up and down, with steps halved until they are a hundredth.
 Candidate Refine(PBRPicture& picture, const Candidate& start, Extent extent, const Limits& limits)
 {
   Candidate best = start;
   for (double share = 1.0; share > 0.05; share *= 0.5)
   {
-    for (int round = 0; round < 4; ++round)
+    double before = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < 4 && best.Error <= 0.999 * before; ++round)
     {
-      const double before = best.Error;
+      before = best.Error;
       for (const Axis& axis : Axes)
       {
         for (const double sign : { -1.0, 1.0 })
         {
-          Candidate next = best;
-          double& value = next.Parameters.*axis.Value;
+          PBRParameters next = best.Parameters;
+          double& value = next.*axis.Value;
           value = std::clamp(value + sign * share * axis.Step, axis.Least, axis.Most);
           value = std::round(100.0 * value) / 100.0;
-          next.Parameters = limits.Clamp(next.Parameters);
+          next = limits.Clamp(next);
           if (axis.From <= extent && value != best.Parameters.*axis.Value)
           {
-            Keep(best, Try(picture, next.Parameters));
+            Keep(best, Try(picture, next));
           }
         }
-      }
-      if (best.Error > 0.999 * before)
-      {
-        break;
       }
     }
   }
@@ -490,36 +440,31 @@ std::vector<PBRParameters> GetStarts(Extent extent, const PBRParameters& before)
   // Rough ones first: of equals, where nothing is specular, the first is taken.
   const std::vector<double> any = { 1.0, 0.7, 0.5, 0.35, 0.25, 0.15, 0.07 };
   const std::vector<double> few = { 1.0, 0.5, 0.3, before.Roughness };
+  const std::vector<double> indices = { 1.0, 1.5, 2.2 }, coats = { 0.07, 0.2, 0.4 }, one = { 0.0 };
   std::vector<PBRParameters> starts;
   for (const double roughness : extent == WITH_COAT ? few : any)
   {
     for (const double metallic : { 0.0, 0.5, 1.0 })
     {
-      PBRParameters start;
-      start.Roughness = roughness;
-      start.Metallic = metallic;
-      if (extent == METALLIC_ROUGHNESS)
+      for (const double third : extent == WITH_FRESNEL ? indices
+                                : extent == WITH_COAT  ? coats
+                                                       : one)
       {
-        starts.push_back(start);
-      }
-      else if (extent == WITH_FRESNEL)
-      {
-        for (const double index : { 1.0, 1.5, 2.2 })
+        PBRParameters start;
+        start.Roughness = roughness;
+        start.Metallic = metallic;
+        if (extent == WITH_FRESNEL)
         {
-          start.BaseIOR = index;
+          start.BaseIOR = third;
           start.EdgeTint = 0.5;
-          starts.push_back(start);
         }
-      }
-      else
-      {
-        for (const double coat : { 0.07, 0.2, 0.4 })
+        else if (extent == WITH_COAT)
         {
           start.CoatStrength = 1.0;
-          start.CoatRoughness = coat;
+          start.CoatRoughness = third;
           start.CoatIOR = 1.5;
-          starts.push_back(start);
         }
+        starts.push_back(start);
       }
     }
   }

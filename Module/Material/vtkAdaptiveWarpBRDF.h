@@ -21,16 +21,16 @@
 #ifndef vtkAdaptiveWarpBRDF_h
 #define vtkAdaptiveWarpBRDF_h
 
-#include "vtkBRDF.h"
+#include "vtkResampledBRDF.h"
 
 #include <memory> // for warps
 #include <vector> // for tables
 
-class VTKMEASUREDBRDF_EXPORT vtkAdaptiveWarpBRDF : public vtkBRDF
+class VTKMEASUREDBRDF_EXPORT vtkAdaptiveWarpBRDF : public vtkResampledBRDF
 {
 public:
   static vtkAdaptiveWarpBRDF* New();
-  vtkTypeMacro(vtkAdaptiveWarpBRDF, vtkBRDF);
+  vtkTypeMacro(vtkAdaptiveWarpBRDF, vtkResampledBRDF);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -80,19 +80,14 @@ public:
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return this->Data.PhiI.size() <= 2; }
   bool IsReciprocal() override { return false; }
-  bool IsRenderable() override { return false; }
-  vtkBRDF* GetRenderable() override;
-  VTK_NEWINSTANCE vtkBRDF* NewQuickRenderable() override;
-  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "AdaptiveWarp"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 
 protected:
-  vtkAdaptiveWarpBRDF();
-  ~vtkAdaptiveWarpBRDF() override;
+  vtkAdaptiveWarpBRDF() = default;
+  ~vtkAdaptiveWarpBRDF() override = default;
 
   vtkBRDF* NewCopy() override;
-  std::pair<std::type_index, std::string> GetContent() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
   bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
   double PdfAbove(const double i[3], const double o[3]) override;
@@ -105,8 +100,6 @@ private:
 
   struct Warps;
   std::shared_ptr<const Warps> Warp;
-  struct Renderable;
-  std::shared_ptr<Renderable> Resampled;
 };
 
 #endif

@@ -2,26 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAngleBasisBRDF.h"
 
-#include "ContentHash.h"
 #include "HalfVector.h" // for angles
-#include "RenderableTable.h"
+#include "VolumeInterpolation.h"
 #include "vtkBRDFExchange.h"
-#include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 
 using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkAngleBasisBRDF);
-
-struct vtkAngleBasisBRDF::Renderable : public RenderableTable
-{
-};
 
 namespace
 {
@@ -164,15 +157,6 @@ struct vtkAngleBasisBRDF::Sampler
 };
 
 //------------------------------------------------------------------------------
-vtkAngleBasisBRDF::vtkAngleBasisBRDF()
-  : Resampled(std::make_shared<Renderable>())
-{
-}
-
-//------------------------------------------------------------------------------
-vtkAngleBasisBRDF::~vtkAngleBasisBRDF() = default;
-
-//------------------------------------------------------------------------------
 void vtkAngleBasisBRDF::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -208,7 +192,7 @@ std::string vtkAngleBasisBRDF::SetMatrix(Basis light, Basis view, std::vector<fl
   this->View = std::move(view);
   this->Matrix = std::move(rgb);
   this->Draws.reset();
-  this->Resampled = std::make_shared<Renderable>();
+  this->ResetRenderable();
   this->Modified();
   return "";
 }
@@ -314,39 +298,7 @@ double vtkAngleBasisBRDF::PdfAbove(const double i[3], const double o[3])
 void vtkAngleBasisBRDF::GetBounds(
   double vtkNotUsed(minimumCosine), double lower[3], double upper[3])
 {
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    float low = this->Matrix.empty() ? 0.0f : std::numeric_limits<float>::max();
-    float high = 0.0f;
-    for (std::size_t k = c; k < this->Matrix.size(); k += 3)
-    {
-      low = std::min(low, this->Matrix[k]);
-      high = std::max(high, this->Matrix[k]);
-    }
-    lower[c] = std::max(low, 0.0f);
-    upper[c] = high;
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkBRDF* vtkAngleBasisBRDF::GetRenderable()
-{
-  std::string problem;
-  vtkBRDF* table = this->Resampled->Get(this, problem);
-  if (!problem.empty())
-  {
-    vtkWarningMacro(<< problem);
-  }
-  return table;
-}
-
-//------------------------------------------------------------------------------
-vtkBRDF* vtkAngleBasisBRDF::NewQuickRenderable() { return this->Resampled->NewQuick(this); }
-
-//------------------------------------------------------------------------------
-void vtkAngleBasisBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
-{
-  this->GetRenderable()->GetShaderInputs(form);
+  FindBounds(this->Matrix, lower, upper);
 }
 
 //------------------------------------------------------------------------------
@@ -383,10 +335,7 @@ void vtkAngleBasisBRDF::ExchangeData(vtkBRDFExchange& exchange)
   Basis light = load("light");
   Basis view = load("view");
   auto matrix = exchange.LoadArray("matrix", 2, 3);
-  if (!exchange.HasFailed())
-  {
-    exchange.Check(this->SetMatrix(std::move(light), std::move(view), std::move(matrix.Values)));
-  }
+  exchange.Check(this->SetMatrix(std::move(light), std::move(view), std::move(matrix.Values)));
 }
 
 //------------------------------------------------------------------------------
@@ -397,19 +346,6 @@ vtkBRDF* vtkAngleBasisBRDF::NewCopy()
   copy->View = this->View;
   copy->Matrix = this->Matrix;
   copy->Draws = this->Draws;
-  copy->Resampled = std::make_shared<Renderable>(*this->Resampled); // which shares its table
+  copy->ShareRenderable(this);
   return copy;
-}
-
-//------------------------------------------------------------------------------
-std::pair<std::type_index, std::string> vtkAngleBasisBRDF::GetContent()
-{
-  ContentHash hash;
-  for (const Basis* basis : { &this->Light, &this->View })
-  {
-    hash.AddValues(basis->UpperTheta);
-    hash.AddValues(basis->Patches);
-  }
-  hash.AddValues(this->Matrix);
-  return { typeid(vtkAngleBasisBRDF), hash.GetText() };
 }

@@ -18,16 +18,16 @@
 #ifndef vtkAngleBasisBRDF_h
 #define vtkAngleBasisBRDF_h
 
-#include "vtkBRDF.h"
+#include "vtkResampledBRDF.h"
 
 #include <memory> // for sampling tables
 #include <vector> // for the matrix
 
-class VTKMEASUREDBRDF_EXPORT vtkAngleBasisBRDF : public vtkBRDF
+class VTKMEASUREDBRDF_EXPORT vtkAngleBasisBRDF : public vtkResampledBRDF
 {
 public:
   static vtkAngleBasisBRDF* New();
-  vtkTypeMacro(vtkAngleBasisBRDF, vtkBRDF);
+  vtkTypeMacro(vtkAngleBasisBRDF, vtkResampledBRDF);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// A hemisphere's rings, from the normal outwards.
@@ -75,19 +75,14 @@ public:
   bool IsIsotropic() override { return false; }
   bool IsReciprocal() override { return false; }
   void Prepare() override;
-  bool IsRenderable() override { return false; }
-  vtkBRDF* GetRenderable() override;
-  VTK_NEWINSTANCE vtkBRDF* NewQuickRenderable() override;
-  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "AngleBasis"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 
 protected:
-  vtkAngleBasisBRDF();
-  ~vtkAngleBasisBRDF() override;
+  vtkAngleBasisBRDF() = default;
+  ~vtkAngleBasisBRDF() override = default;
 
   vtkBRDF* NewCopy() override;
-  std::pair<std::type_index, std::string> GetContent() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
   bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
   double PdfAbove(const double i[3], const double o[3]) override;
@@ -104,8 +99,6 @@ private:
 
   struct Sampler;
   std::shared_ptr<const Sampler> Draws; // of this matrix
-  struct Renderable;
-  std::shared_ptr<Renderable> Resampled;
 };
 
 #endif

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAngularTableBRDF.h"
 
-#include "ContentHash.h"
 #include "HalfVector.h" // for angles
-#include "RenderableTable.h"
 #include "vtkBRDFExchange.h"
-#include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -18,10 +15,6 @@
 using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkAngularTableBRDF);
-
-struct vtkAngularTableBRDF::Renderable : public RenderableTable
-{
-};
 
 namespace
 {
@@ -108,15 +101,6 @@ std::string FindProblem(const char* name, const vtkAngularTableBRDF::Nodes& node
 }
 
 //------------------------------------------------------------------------------
-vtkAngularTableBRDF::vtkAngularTableBRDF()
-  : Resampled(std::make_shared<Renderable>())
-{
-}
-
-//------------------------------------------------------------------------------
-vtkAngularTableBRDF::~vtkAngularTableBRDF() = default;
-
-//------------------------------------------------------------------------------
 void vtkAngularTableBRDF::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -177,7 +161,7 @@ std::string vtkAngularTableBRDF::SetValues(
   this->View = std::move(view);
   this->Values = std::move(rgb);
   this->Origin = origin;
-  this->Resampled = std::make_shared<Renderable>();
+  this->ResetRenderable();
   this->Modified();
   return "";
 }
@@ -248,27 +232,6 @@ void vtkAngularTableBRDF::GetBounds(
 }
 
 //------------------------------------------------------------------------------
-vtkBRDF* vtkAngularTableBRDF::GetRenderable()
-{
-  std::string problem;
-  vtkBRDF* table = this->Resampled->Get(this, problem);
-  if (!problem.empty())
-  {
-    vtkWarningMacro(<< problem);
-  }
-  return table;
-}
-
-//------------------------------------------------------------------------------
-vtkBRDF* vtkAngularTableBRDF::NewQuickRenderable() { return this->Resampled->NewQuick(this); }
-
-//------------------------------------------------------------------------------
-void vtkAngularTableBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
-{
-  this->GetRenderable()->GetShaderInputs(form);
-}
-
-//------------------------------------------------------------------------------
 void vtkAngularTableBRDF::ExchangeData(vtkBRDFExchange& exchange)
 {
   const auto save = [&exchange](const std::string& name, const Nodes& nodes)
@@ -297,11 +260,8 @@ void vtkAngularTableBRDF::ExchangeData(vtkBRDFExchange& exchange)
   Nodes light = load("light");
   Nodes view = load("view");
   auto values = exchange.LoadArray("values", 2, 3);
-  if (!exchange.HasFailed())
-  {
-    exchange.Check(
-      this->SetValues(std::move(light), std::move(view), std::move(values.Values), origin));
-  }
+  exchange.Check(
+    this->SetValues(std::move(light), std::move(view), std::move(values.Values), origin));
 }
 
 //------------------------------------------------------------------------------
@@ -312,20 +272,6 @@ vtkBRDF* vtkAngularTableBRDF::NewCopy()
   copy->View = this->View;
   copy->Values = this->Values;
   copy->Origin = this->Origin;
-  copy->Resampled = std::make_shared<Renderable>(*this->Resampled); // which shares its table
+  copy->ShareRenderable(this);
   return copy;
-}
-
-//------------------------------------------------------------------------------
-std::pair<std::type_index, std::string> vtkAngularTableBRDF::GetContent()
-{
-  ContentHash hash;
-  for (const Nodes* nodes : { &this->Light, &this->View })
-  {
-    hash.AddValues(nodes->Theta);
-    hash.AddValues(nodes->Phi);
-  }
-  hash.AddValues(std::vector<int>{ this->Origin });
-  hash.AddValues(this->Values);
-  return { typeid(vtkAngularTableBRDF), hash.GetText() };
 }

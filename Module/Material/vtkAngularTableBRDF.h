@@ -21,16 +21,15 @@
 #ifndef vtkAngularTableBRDF_h
 #define vtkAngularTableBRDF_h
 
-#include "vtkBRDF.h"
+#include "vtkResampledBRDF.h"
 
-#include <memory> // for the resampled table
 #include <vector> // for values
 
-class VTKMEASUREDBRDF_EXPORT vtkAngularTableBRDF : public vtkBRDF
+class VTKMEASUREDBRDF_EXPORT vtkAngularTableBRDF : public vtkResampledBRDF
 {
 public:
   static vtkAngularTableBRDF* New();
-  vtkTypeMacro(vtkAngularTableBRDF, vtkBRDF);
+  vtkTypeMacro(vtkAngularTableBRDF, vtkResampledBRDF);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Nodes of a direction.
@@ -74,19 +73,14 @@ public:
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return this->Origin == LIGHT; }
   bool IsReciprocal() override { return false; }
-  bool IsRenderable() override { return false; }
-  vtkBRDF* GetRenderable() override;
-  VTK_NEWINSTANCE vtkBRDF* NewQuickRenderable() override;
-  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "AngularTable"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 
 protected:
-  vtkAngularTableBRDF();
-  ~vtkAngularTableBRDF() override;
+  vtkAngularTableBRDF() = default;
+  ~vtkAngularTableBRDF() override = default;
 
   vtkBRDF* NewCopy() override;
-  std::pair<std::type_index, std::string> GetContent() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
 
   Nodes Light;
@@ -97,9 +91,6 @@ protected:
 private:
   vtkAngularTableBRDF(const vtkAngularTableBRDF&) = delete;
   void operator=(const vtkAngularTableBRDF&) = delete;
-
-  struct Renderable;
-  std::shared_ptr<Renderable> Resampled;
 };
 
 #endif

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAnisotropicTabulatedBRDF.h"
 
-#include "ContentHash.h"
 #include "HalfVector.h"
-#include "HalfVectorSampler.h"
 #include "ModuleShader.h"
-#include "Neighbors.h"
 #include "NumberText.h"
 #include "ParallelFor.h"
 #include "Setters.h"
+#include "VolumeInterpolation.h"
 #include "vtkBRDFAnisotropicTable.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"
@@ -25,16 +23,8 @@ using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkAnisotropicTabulatedBRDF);
 
-struct vtkAnisotropicTabulatedBRDF::Sampler : public HalfVectorSampler
-{
-  using HalfVectorSampler::HalfVectorSampler;
-};
-
 namespace
 {
-constexpr int SamplerTheta = 64; // cells of the sampling density
-constexpr int SamplerPhi = 32;
-constexpr double LobeShare = 0.5;
 constexpr std::size_t MostCells = std::size_t(1) << 26;
 
 std::size_t CountCells(const int dimensions[4])
@@ -151,7 +141,7 @@ bool vtkAnisotropicTabulatedBRDF::SetVolume(
   this->AzimuthRange = azimuthRange;
   std::copy_n(dimensions, 4, this->Dimensions);
   this->Volume = std::move(rgb);
-  this->HalfVectorSampler.reset();
+  this->ResetLobe();
   this->Modified();
   return true;
 }
@@ -207,93 +197,36 @@ void vtkAnisotropicTabulatedBRDF::EvaluateAbove(const double i[3], const double 
   const HalfDifference angles = ToHalfDifference(light, view);
   const glm::dvec3 h = HalfVector(light, view);
   const double phiH = std::hypot(h.x, h.y) > 1e-7 ? std::atan2(h.y, h.x) : 0.0;
-  const Neighbors axes[4] = { PeriodicNeighbors(angles.PhiD / (2.0 * Pi), this->Dimensions[0]),
-    ClampedNeighbors(angles.ThetaD * (2.0 / Pi), this->Dimensions[1]),
-    PeriodicNeighbors(phiH / GetLargestAzimuth(this->AzimuthRange), this->Dimensions[2]),
-    ClampedNeighbors(ThetaHToUnit(angles.ThetaH), this->Dimensions[3]) };
-  glm::dvec3 sum(0.0);
-  for (int corner = 0; corner < 16; ++corner)
-  {
-    std::size_t cell = 0;
-    double weight = 1.0;
-    for (int axis = 3; axis >= 0; --axis)
-    {
-      const bool second = ((corner >> axis) & 1) != 0;
-      cell = cell * static_cast<std::size_t>(this->Dimensions[axis]) +
-             static_cast<std::size_t>(second ? axes[axis].Second : axes[axis].First);
-      weight *= second ? axes[axis].Weight : 1.0 - axes[axis].Weight;
-    }
-    sum += weight * glm::dvec3(glm::make_vec3(&this->Volume[3 * cell]));
-  }
-  const double divisor = this->CosineWeighted ? o[2] : 1.0;
-  for (int c = 0; c < 3; ++c)
-  {
-    f[c] = std::max(sum[c], 0.0) / divisor;
-  }
+  const VolumeSum sum = GatherCorners<4>(this->Volume, this->Dimensions,
+    { PeriodicNeighbors(angles.PhiD / (2.0 * Pi), this->Dimensions[0]),
+      ClampedNeighbors(angles.ThetaD * (2.0 / Pi), this->Dimensions[1]),
+      PeriodicNeighbors(phiH / GetLargestAzimuth(this->AzimuthRange), this->Dimensions[2]),
+      ClampedNeighbors(ThetaHToUnit(angles.ThetaH), this->Dimensions[3]) });
+  DivideByValid(sum, this->CosineWeighted ? o[2] : 1.0, f);
 }
 
 //------------------------------------------------------------------------------
 void vtkAnisotropicTabulatedBRDF::Prepare()
 {
-  if (this->HalfVectorSampler || this->Volume.empty())
+  if (!this->HasLobe() && !this->Volume.empty())
   {
-    return;
+    this->SetLobe(64, 32, 0.5);
   }
-  // Density of h from the table itself: mean over the difference angles.
-  this->HalfVectorSampler = std::make_unique<Sampler>(
-    MeanOverDifferenceAngles(SamplerTheta, SamplerPhi,
-      [this](const double i[3], const double o[3], double f[3]) { this->Evaluate(i, o, f); }),
-    SamplerTheta, SamplerPhi, LobeShare);
-}
-
-//------------------------------------------------------------------------------
-bool vtkAnisotropicTabulatedBRDF::SampleAbove(const double o[3], double u1, double u2, double i[3])
-{
-  this->Prepare();
-  if (!this->HalfVectorSampler)
-  {
-    return this->Superclass::SampleAbove(o, u1, u2, i);
-  }
-  glm::dvec3 direction;
-  const bool above = this->HalfVectorSampler->Sample(glm::make_vec3(o), u1, u2, direction);
-  std::copy_n(glm::value_ptr(direction), 3, i);
-  return above;
-}
-
-//------------------------------------------------------------------------------
-double vtkAnisotropicTabulatedBRDF::PdfAbove(const double i[3], const double o[3])
-{
-  this->Prepare();
-  return this->HalfVectorSampler
-           ? this->HalfVectorSampler->Pdf(glm::make_vec3(i), glm::make_vec3(o))
-           : this->Superclass::PdfAbove(i, o);
 }
 
 //------------------------------------------------------------------------------
 void vtkAnisotropicTabulatedBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
 {
   // Interpolation never leaves the range of the samples.
+  FindBounds(this->Volume, lower, upper);
   const double divisor = this->CosineWeighted ? std::clamp(minimumCosine, 1e-6, 1.0) : 1.0;
-  for (int c = 0; c < 3; ++c)
-  {
-    float low = this->Volume.empty() ? 0.0f : std::numeric_limits<float>::max();
-    float high = 0.0f;
-    for (std::size_t k = static_cast<std::size_t>(c); k < this->Volume.size(); k += 3)
-    {
-      low = std::min(low, this->Volume[k]);
-      high = std::max(high, this->Volume[k]);
-    }
-    lower[c] = std::max(low, 0.0f);
-    upper[c] = high / divisor;
-  }
+  std::transform(upper, upper + 3, upper, [divisor](double value) { return value / divisor; });
 }
 
 //------------------------------------------------------------------------------
-// theta_d within phi_h is one axis of the texture. 16-bit floats, scaled to a peak of 2^15, keep
-// their 11 bits over nine decades.
+// theta_d within phi_h is one axis of the texture.
 void vtkAnisotropicTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
-  constexpr double halfRounding = 1.0 / 2048.0;
   vtkBRDFShaderInputs::Term term;
   vtkBRDFShaderInputs::Texture texture;
   texture.Name = "brdfVolume";
@@ -301,13 +234,8 @@ void vtkAnisotropicTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   texture.Dimensions = { std::max(this->Dimensions[0], 1),
     std::max(this->Dimensions[1] * this->Dimensions[2], 1), std::max(this->Dimensions[3], 1) };
   texture.Repeat = { true, false, false };
-  texture.HalfFloat = 4.0 * halfRounding <= this->ResamplingTolerance;
-  float peak = 0.0f;
-  for (const float value : this->Volume)
-  {
-    peak = std::max(peak, std::abs(value));
-  }
-  const float scale = texture.HalfFloat && peak > 1e-30f ? 32768.0f / peak : 1.0f;
+  texture.HalfFloat = 4.0 * HalfRounding <= this->ResamplingTolerance;
+  const float scale = texture.HalfFloat ? GetPeakScale(this->Volume) : 1.0f;
   texture.Data = this->Volume;
   texture.Data.resize(std::max<std::size_t>(texture.Data.size(), 3)); // black without a volume
   std::transform(texture.Data.begin(), texture.Data.end(), texture.Data.begin(),
@@ -327,7 +255,7 @@ void vtkAnisotropicTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     text << ", resampling error " << this->ResamplingError;
   }
   form.QuantizationError =
-    std::max(form.QuantizationError, texture.HalfFloat ? halfRounding : 0x1p-23);
+    std::max(form.QuantizationError, texture.HalfFloat ? HalfRounding : FloatRounding);
   form.ResamplingError = std::max(form.ResamplingError, this->ResamplingError);
   form.Description = text.str();
   term.Textures.push_back(std::move(texture));
@@ -370,16 +298,4 @@ vtkBRDF* vtkAnisotropicTabulatedBRDF::NewCopy()
   copy->ResamplingError = this->ResamplingError;
   copy->Volume = this->Volume;
   return copy;
-}
-
-//------------------------------------------------------------------------------
-std::pair<std::type_index, std::string> vtkAnisotropicTabulatedBRDF::GetContent()
-{
-  measuredbrdf::ContentHash hash;
-  hash.AddValue(this->AzimuthRange);
-  hash.Add(this->Dimensions, sizeof(this->Dimensions));
-  hash.AddValue(this->CosineWeighted);
-  hash.AddValue(this->ResamplingError);
-  hash.AddValues(this->Volume);
-  return { typeid(vtkAnisotropicTabulatedBRDF), hash.GetText() };
 }

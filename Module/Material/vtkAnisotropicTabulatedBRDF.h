@@ -95,10 +95,7 @@ protected:
   ~vtkAnisotropicTabulatedBRDF() override;
 
   vtkBRDF* NewCopy() override;
-  std::pair<std::type_index, std::string> GetContent() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
-  bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
-  double PdfAbove(const double i[3], const double o[3]) override;
 
   int AzimuthRange = FULL_TURN;
   int Dimensions[4] = { 0, 0, 0, 0 };
@@ -111,9 +108,6 @@ private:
   void operator=(const vtkAnisotropicTabulatedBRDF&) = delete;
 
   std::string FindProblem(int azimuthRange, const int dimensions[4]) const;
-
-  struct Sampler;
-  std::unique_ptr<Sampler> HalfVectorSampler;
 };
 
 #endif

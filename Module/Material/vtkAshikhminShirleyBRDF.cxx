@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAshikhminShirleyBRDF.h"
 
-#include "ContentHash.h"
 #include "Floats.h"
 #include "HalfVector.h"
 #include "LaneMath.h"
@@ -24,7 +23,7 @@ vtkStandardNewMacro(vtkAshikhminShirleyBRDF);
 namespace
 {
 // (n.h)^e with e = (nu hx^2 + nv hy^2)/(1 - hz^2), without the division at the normal.
-double Lobe(double nu, double nv, const glm::dvec3& h)
+double GetLobe(double nu, double nv, const glm::dvec3& h)
 {
   const double s = h.x * h.x + h.y * h.y;
   return std::exp(0.5 * (nu * h.x * h.x + nv * h.y * h.y) * LogCosineRatio(s));
@@ -93,7 +92,7 @@ void vtkAshikhminShirleyBRDF::EvaluateSoftAbove(
   const double variance = HalfVectorSpread(spread, hd);
   const double nu = WidenedExponent(this->ExponentU, variance);
   const double nv = WidenedExponent(this->ExponentV, variance);
-  const double specular = GetPeak(nu, nv) * Lobe(nu, nv, h) / (hd * std::max(light.z, view.z));
+  const double specular = GetPeak(nu, nv) * GetLobe(nu, nv, h) / (hd * std::max(light.z, view.z));
   const double diffuse = DiffuseScale * DiffuseFactor(light.z) * DiffuseFactor(view.z);
   for (int c = 0; c < 3; ++c)
   {
@@ -208,7 +207,7 @@ double vtkAshikhminShirleyBRDF::PdfAbove(const double i[3], const double o[3])
   const glm::dvec3 view = glm::make_vec3(o);
   const glm::dvec3 h = HalfVector(glm::make_vec3(i), view);
   const double half = std::sqrt((this->ExponentU + 1.0) * (this->ExponentV + 1.0)) / (2.0 * Pi) *
-                      Lobe(this->ExponentU, this->ExponentV, h);
+                      GetLobe(this->ExponentU, this->ExponentV, h);
   const double probability = this->GetSpecularProbability();
   return probability * half / (4.0 * glm::dot(h, view)) +
          (1.0 - probability) * this->Superclass::PdfAbove(i, o);
@@ -290,18 +289,4 @@ vtkBRDF* vtkAshikhminShirleyBRDF::NewCopy()
   copy->FresnelModel = this->FresnelModel;
   copy->IndexOfRefraction = this->IndexOfRefraction;
   return copy;
-}
-
-//------------------------------------------------------------------------------
-std::pair<std::type_index, std::string> vtkAshikhminShirleyBRDF::GetContent()
-{
-  measuredbrdf::ContentHash hash;
-  hash.Add(this->SpecularScale, sizeof(this->SpecularScale));
-  hash.Add(this->Reflectance, sizeof(this->Reflectance));
-  hash.Add(this->Diffuse, sizeof(this->Diffuse));
-  hash.AddValue(this->ExponentU);
-  hash.AddValue(this->ExponentV);
-  hash.AddValue(this->FresnelModel);
-  hash.AddValue(this->IndexOfRefraction);
-  return { typeid(vtkAshikhminShirleyBRDF), hash.GetText() };
 }

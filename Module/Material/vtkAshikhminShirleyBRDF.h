@@ -112,7 +112,6 @@ protected:
   ~vtkAshikhminShirleyBRDF() override = default;
 
   vtkBRDF* NewCopy() override;
-  std::pair<std::type_index, std::string> GetContent() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
   void EvaluateSoftAbove(const double i[3], const double o[3], double spread, double f[3]) override;
   bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBRDF.h"
 
-#include "ContentHash.h"
 #include "HalfVector.h"
+#include "HalfVectorSampler.h"
 #include "HemisphereIntegral.h"
 #include "LocalFrame.h"
 #include "ParallelFor.h"
@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 #include <vector>
 
 using namespace measuredbrdf;
@@ -34,11 +35,11 @@ struct Tuples
   int Components;
 };
 
-// How many tuples inputs have together, where one tuple serves for all; what is wrong, or "".
-std::string CountTuples(const std::vector<Tuples>& inputs, vtkIdType& count)
+// How many tuples inputs have together, where one tuple serves for all. Throws what is wrong.
+vtkIdType CountTuples(const std::vector<Tuples>& inputs)
 {
-  count = 1;
-  const char* longest = "";
+  vtkIdType count = 1;
+  std::string longest;
   for (const Tuples& input : inputs)
   {
     const std::string name = input.Name;
@@ -46,53 +47,50 @@ std::string CountTuples(const std::vector<Tuples>& inputs, vtkIdType& count)
       std::to_string(input.Components) + (input.Components == 1 ? " component" : " components");
     if (!input.Array)
     {
-      return name + ": found no array, expected one of " + expected + ".";
+      throw std::invalid_argument(name + ": found no array, expected one of " + expected);
     }
-    const int components = input.Array->GetNumberOfComponents();
-    if (components != input.Components)
+    if (input.Array->GetNumberOfComponents() != input.Components)
     {
-      return name + ": found tuples of " + std::to_string(components) + ", expected " + expected +
-             ".";
+      throw std::invalid_argument(name + ": found tuples of " +
+                                  std::to_string(input.Array->GetNumberOfComponents()) +
+                                  ", expected " + expected);
     }
     const vtkIdType tuples = input.Array->GetNumberOfTuples();
     if (tuples != 1 && count != 1 && tuples != count)
     {
-      return name + ": found " + std::to_string(tuples) + " tuples, expected " +
-             std::to_string(count) + ", as " + longest + " has, or 1.";
+      throw std::invalid_argument(name + ": found " + std::to_string(tuples) +
+                                  " tuples, expected " + std::to_string(count) + ", as " + longest +
+                                  " has, or 1");
     }
     if (tuples != 1)
     {
       count = tuples;
-      longest = input.Name;
+      longest = name;
     }
   }
-  return "";
+  return count;
 }
 
 /**
  * Resizes the result, of floats or doubles, and lets function(const double* const inputs[2],
  * double* result) fill its tuples, on several threads, each of at least `grain` of them. The result
- * may be one of the one or two inputs. Returns what is wrong with the arrays, or "".
+ * may be one of the one or two inputs. Throws what is wrong with the arrays.
  */
 template <typename Function>
-std::string MapTuples(
+void MapTuples(
   std::vector<Tuples> inputs, const Tuples& result, vtkIdType grain, const Function& function)
 {
-  vtkIdType count = 0;
-  const std::string problem = CountTuples(inputs, count);
-  if (!problem.empty())
-  {
-    return problem;
-  }
+  const vtkIdType count = CountTuples(inputs);
+  const std::string name = result.Name;
   vtkDataArray* const to = result.Array;
   if (!to)
   {
-    return std::string(result.Name) + ": found no array, expected one to fill.";
+    throw std::invalid_argument(name + ": found no array, expected one to fill");
   }
   if (to->GetDataType() != VTK_FLOAT && to->GetDataType() != VTK_DOUBLE)
   {
-    return std::string(result.Name) + ": found an array of type " + to->GetDataTypeAsString() +
-           ", expected float or double.";
+    throw std::invalid_argument(name + ": found an array of type " + to->GetDataTypeAsString() +
+                                ", expected float or double");
   }
   std::vector<vtkSmartPointer<vtkDataArray>> copies; // of an input that is the result, too
   for (Tuples& input : inputs)
@@ -131,7 +129,23 @@ std::string MapTuples(
       }
     });
   to->Modified();
-  return "";
+}
+
+// Whether map() succeeded; says what was wrong.
+template <typename Map>
+bool ForArrays(vtkBRDF* brdf, const char* function, const Map& map)
+{
+  try
+  {
+    brdf->Prepare();
+    map();
+    return true;
+  }
+  catch (const std::invalid_argument& e)
+  {
+    vtkErrorWithObjectMacro(brdf, << function << ": " << e.what() << ".");
+    return false;
+  }
 }
 
 void Clean(double f[3])
@@ -142,6 +156,17 @@ void Clean(double f[3])
   }
 }
 }
+
+struct vtkBRDF::HalfVectors : public HalfVectorSampler
+{
+  using HalfVectorSampler::HalfVectorSampler;
+};
+
+//------------------------------------------------------------------------------
+vtkBRDF::vtkBRDF() = default;
+
+//------------------------------------------------------------------------------
+vtkBRDF::~vtkBRDF() = default;
 
 //------------------------------------------------------------------------------
 measuredbrdfSetClampedMacro(vtkBRDF, ResamplingTolerance, double, 1e-5, 0.5);
@@ -180,24 +205,6 @@ vtkBRDF* vtkBRDF::NewQuickRenderable()
   renderable->Register(nullptr);
   return renderable;
 }
-
-//------------------------------------------------------------------------------
-std::string vtkBRDF::GetContentKey()
-{
-  const std::pair<std::type_index, std::string> content = this->GetContent();
-  if (content.first != typeid(*this))
-  {
-    return "";
-  }
-  ContentHash hash;
-  hash.AddText(content.first.name());
-  hash.AddText(content.second);
-  hash.AddValue(this->ResamplingTolerance);
-  return hash.GetText();
-}
-
-//------------------------------------------------------------------------------
-std::pair<std::type_index, std::string> vtkBRDF::GetContent() { return { typeid(vtkBRDF), "" }; }
 
 //------------------------------------------------------------------------------
 void vtkBRDF::Evaluate(const double i[3], const double o[3], double f[3])
@@ -279,68 +286,89 @@ double vtkBRDF::Pdf(const double i[3], const double o[3])
 //------------------------------------------------------------------------------
 bool vtkBRDF::EvaluateArray(vtkDataArray* i, vtkDataArray* o, vtkDataArray* f)
 {
-  this->Prepare();
-  const std::string problem = MapTuples({ { "i", i, 3 }, { "o", o, 3 } }, { "f", f, 3 }, Grain,
-    [this](const double* const inputs[2], double* result)
-    { this->Evaluate(inputs[0], inputs[1], result); });
-  if (!problem.empty())
-  {
-    vtkErrorMacro("EvaluateArray: " << problem);
-  }
-  return problem.empty();
+  return ForArrays(this, "EvaluateArray",
+    [&]()
+    {
+      MapTuples({ { "i", i, 3 }, { "o", o, 3 } }, { "f", f, 3 }, Grain,
+        [this](const double* const inputs[2], double* result)
+        { this->Evaluate(inputs[0], inputs[1], result); });
+    });
 }
 
 //------------------------------------------------------------------------------
 bool vtkBRDF::SampleArray(vtkDataArray* o, vtkDataArray* u, vtkDataArray* i)
 {
-  this->Prepare();
-  const std::string problem = MapTuples({ { "o", o, 3 }, { "u", u, 2 } }, { "i", i, 3 }, Grain,
-    [this](const double* const inputs[2], double* result)
-    { this->Sample(inputs[0], inputs[1][0], inputs[1][1], result); });
-  if (!problem.empty())
-  {
-    vtkErrorMacro("SampleArray: " << problem);
-  }
-  return problem.empty();
+  return ForArrays(this, "SampleArray",
+    [&]()
+    {
+      MapTuples({ { "o", o, 3 }, { "u", u, 2 } }, { "i", i, 3 }, Grain,
+        [this](const double* const inputs[2], double* result)
+        { this->Sample(inputs[0], inputs[1][0], inputs[1][1], result); });
+    });
 }
 
 //------------------------------------------------------------------------------
 bool vtkBRDF::PdfArray(vtkDataArray* i, vtkDataArray* o, vtkDataArray* pdf)
 {
-  this->Prepare();
-  const std::string problem = MapTuples({ { "i", i, 3 }, { "o", o, 3 } }, { "pdf", pdf, 1 }, Grain,
-    [this](const double* const inputs[2], double* result)
-    { *result = this->Pdf(inputs[0], inputs[1]); });
-  if (!problem.empty())
-  {
-    vtkErrorMacro("PdfArray: " << problem);
-  }
-  return problem.empty();
+  return ForArrays(this, "PdfArray",
+    [&]()
+    {
+      MapTuples({ { "i", i, 3 }, { "o", o, 3 } }, { "pdf", pdf, 1 }, Grain,
+        [this](const double* const inputs[2], double* result)
+        { *result = this->Pdf(inputs[0], inputs[1]); });
+    });
 }
 
 //------------------------------------------------------------------------------
 bool vtkBRDF::GetDirectionalAlbedoArray(vtkDataArray* o, vtkDataArray* albedo)
 {
-  this->Prepare();
-  const std::string problem = MapTuples({ { "o", o, 3 } }, { "albedo", albedo, 3 }, 1,
-    [this](const double* const inputs[2], double* result)
-    { this->GetDirectionalAlbedo(inputs[0], result); });
-  if (!problem.empty())
-  {
-    vtkErrorMacro("GetDirectionalAlbedoArray: " << problem);
-  }
-  return problem.empty();
+  return ForArrays(this, "GetDirectionalAlbedoArray",
+    [&]()
+    {
+      MapTuples({ { "o", o, 3 } }, { "albedo", albedo, 3 }, 1,
+        [this](const double* const inputs[2], double* result)
+        { this->GetDirectionalAlbedo(inputs[0], result); });
+    });
 }
 
 //------------------------------------------------------------------------------
-bool vtkBRDF::SampleAbove(const double vtkNotUsed(o)[3], double u1, double u2, double i[3])
+void vtkBRDF::SetLobe(int nTheta, int nPhi, double share, const std::vector<double>& weights)
 {
-  SampleCosine(u1, u2, i);
-  return i[2] > 0.0;
+  this->Lobe = std::make_shared<HalfVectors>(
+    weights.empty()
+      ? MeanOverDifferenceAngles(nTheta, nPhi,
+          [this](const double i[3], const double o[3], double f[3]) { this->Evaluate(i, o, f); })
+      : weights,
+    nTheta, nPhi, share);
 }
 
 //------------------------------------------------------------------------------
-double vtkBRDF::PdfAbove(const double i[3], const double vtkNotUsed(o)[3]) { return i[2] / Pi; }
+bool vtkBRDF::SampleAbove(const double o[3], double u1, double u2, double i[3])
+{
+  if (!this->Lobe)
+  {
+    this->Prepare();
+  }
+  if (!this->Lobe)
+  {
+    SampleCosine(u1, u2, i);
+    return i[2] > 0.0;
+  }
+  glm::dvec3 direction;
+  const bool above = this->Lobe->Sample(glm::make_vec3(o), u1, u2, direction);
+  std::copy_n(&direction.x, 3, i);
+  return above;
+}
+
+//------------------------------------------------------------------------------
+double vtkBRDF::PdfAbove(const double i[3], const double o[3])
+{
+  if (!this->Lobe)
+  {
+    this->Prepare();
+  }
+  return this->Lobe ? this->Lobe->Pdf(glm::make_vec3(i), glm::make_vec3(o)) : i[2] / Pi;
+}
 
 //------------------------------------------------------------------------------
 void vtkBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])

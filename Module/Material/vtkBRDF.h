@@ -23,10 +23,10 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for Renderable
 
-#include <limits>    // for GetMaximumArraySize
-#include <string>    // for Name, Source
-#include <typeindex> // for GetContent
-#include <utility>   // for GetContent
+#include <limits> // for GetMaximumArraySize
+#include <memory> // for Lobe
+#include <string> // for Name, Source
+#include <vector> // for SetLobe
 
 class vtkBRDFExchange;
 class vtkDataArray;
@@ -171,13 +171,6 @@ public:
    */
   VTK_NEWINSTANCE vtkBRDF* NewSnapshot();
 
-  /**
-   * 32 hexadecimal digits that identify the material by its class, parameters and data (not by Name
-   * and Source). By them a plan finds what an earlier plan of an equal material has prepared. "" if
-   * the class does not implement GetContent: each plan then prepares all of it.
-   */
-  std::string GetContentKey();
-
   ///@{
   /**
    * For files: the model's name ("Lambert"), and its parameters, each named once, so that they can
@@ -196,8 +189,8 @@ public:
   virtual double GetMaximumArraySize() { return std::numeric_limits<double>::infinity(); }
 
 protected:
-  vtkBRDF() = default;
-  ~vtkBRDF() override = default;
+  vtkBRDF();
+  ~vtkBRDF() override;
 
   /**
    * f(i,o) for unit i, o above the horizon. The result may be negative, NaN or infinite for bad
@@ -222,10 +215,23 @@ protected:
 
   ///@{
   /**
-   * Sampling for unit o above the horizon; default: cosine-weighted hemisphere.
+   * Sampling for unit o above the horizon; default: by the density of SetLobe, which Prepare may
+   * set, or else a cosine-weighted hemisphere.
    */
   virtual bool SampleAbove(const double o[3], double u1, double u2, double i[3]);
   virtual double PdfAbove(const double i[3], const double o[3]);
+  ///@}
+
+  ///@{
+  /**
+   * A density of half vectors to draw from, for tables. weights: relative density per steradian of
+   * h in each cell of a grid of nTheta x nPhi (theta fastest), uniform in the square root of
+   * theta_h and in phi_h; none: the mean of f cos(theta_i) over the difference angles. share: of
+   * the draws that use it; the rest is cosine-weighted. ResetLobe is for changed data.
+   */
+  void SetLobe(int nTheta, int nPhi, double share, const std::vector<double>& weights = {});
+  void ResetLobe() { this->Lobe.reset(); }
+  bool HasLobe() const { return this->Lobe != nullptr; }
   ///@}
 
   /**
@@ -235,14 +241,6 @@ protected:
    */
   virtual vtkBRDF* NewCopy() { return nullptr; }
 
-  /**
-   * The class that implements this, typeid(vtkMyBRDF), and bytes that identify everything on which
-   * f, Sample, Pdf or the shader inputs depend: all parameters, and the data or a hash of 128 bits
-   * of them. The result of a superclass is not used: a subclass has to override this itself.
-   * Default: no content, so that plans of the material share nothing.
-   */
-  virtual std::pair<std::type_index, std::string> GetContent();
-
   std::string Name;
   std::string Source;
   double ResamplingTolerance = 0.01;
@@ -250,6 +248,9 @@ protected:
 private:
   vtkBRDF(const vtkBRDF&) = delete;
   void operator=(const vtkBRDF&) = delete;
+
+  struct HalfVectors;
+  std::shared_ptr<const HalfVectors> Lobe;
 };
 
 #endif

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 //------------------------------------------------------------------------------
@@ -19,16 +20,13 @@ vtkBRDFExchange::vtkBRDFExchange(vtkBRDFData& data, bool loading)
 vtkBRDFExchange::~vtkBRDFExchange() = default;
 
 //------------------------------------------------------------------------------
-void vtkBRDFExchange::Fail(const std::string& problem)
+void vtkBRDFExchange::Fail(const std::string& problem) const
 {
-  if (this->Problem.empty())
-  {
-    this->Problem = this->Data.Model + ": " + problem;
-  }
+  throw std::runtime_error(this->Data.Model + ": " + problem);
 }
 
 //------------------------------------------------------------------------------
-void vtkBRDFExchange::Check(const std::string& problem)
+void vtkBRDFExchange::Check(const std::string& problem) const
 {
   if (!problem.empty())
   {
@@ -37,51 +35,27 @@ void vtkBRDFExchange::Check(const std::string& problem)
 }
 
 //------------------------------------------------------------------------------
-bool vtkBRDFExchange::FindNumbers(const std::string& name, std::size_t count, const double*& values)
-{
-  const auto found = this->Data.Numbers.find(name);
-  if (found == this->Data.Numbers.end() || found->second.size() != count)
-  {
-    this->Fail("number '" + name + "' is missing or not of " + std::to_string(count) + " values");
-    return false;
-  }
-  values = found->second.data();
-  if (!std::all_of(values, values + count, [](double value) { return std::isfinite(value); }))
-  {
-    this->Fail("number '" + name + "' is not finite");
-    return false;
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkBRDFExchange::SaveNumbers(const std::string& name, const double* values, std::size_t count)
-{
-  if (!std::all_of(values, values + count, [](double value) { return std::isfinite(value); }))
-  {
-    this->Fail("'" + name + "' is not finite");
-  }
-  this->Data.Numbers[name].assign(values, values + count);
-}
-
-//------------------------------------------------------------------------------
-void vtkBRDFExchange::Number(
-  const std::string& name, const double& member, const std::function<void(double)>& set)
+void vtkBRDFExchange::Numbers(const std::string& name, const double* member, std::size_t count,
+  const std::function<void(const double*)>& set)
 {
   this->Named = true;
-  const double* values = nullptr;
-  if (this->HasFailed())
-  {
-    return;
-  }
+  std::vector<double>& values = this->Data.Numbers[name];
   if (!this->Loading)
   {
-    this->SaveNumbers(name, &member, 1);
+    values.assign(member, member + count);
   }
-  else if (this->FindNumbers(name, 1, values))
+  if (values.size() != count)
   {
-    set(values[0]);
-    if (member != values[0]) // it was clamped or refused
+    this->Fail("number '" + name + "' is missing or not of " + std::to_string(count) + " values");
+  }
+  if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+  {
+    this->Fail("number '" + name + "' is not finite");
+  }
+  if (this->Loading)
+  {
+    set(values.data());
+    if (!std::equal(values.begin(), values.end(), member)) // it was clamped or refused
     {
       this->Fail("number '" + name + "' is out of range: " + measuredbrdf::NumberText(values[0]));
     }
@@ -89,27 +63,17 @@ void vtkBRDFExchange::Number(
 }
 
 //------------------------------------------------------------------------------
+void vtkBRDFExchange::Number(
+  const std::string& name, const double& member, const std::function<void(double)>& set)
+{
+  this->Numbers(name, &member, 1, [&set](const double* values) { set(values[0]); });
+}
+
+//------------------------------------------------------------------------------
 void vtkBRDFExchange::Triple(
   const std::string& name, const double (&member)[3], const std::function<void(const double*)>& set)
 {
-  this->Named = true;
-  const double* values = nullptr;
-  if (this->HasFailed())
-  {
-    return;
-  }
-  if (!this->Loading)
-  {
-    this->SaveNumbers(name, member, 3);
-  }
-  else if (this->FindNumbers(name, 3, values))
-  {
-    set(values);
-    if (!std::equal(member, member + 3, values))
-    {
-      this->Fail("number '" + name + "' is out of range");
-    }
-  }
+  this->Numbers(name, member, 3, set);
 }
 
 //------------------------------------------------------------------------------
@@ -117,28 +81,20 @@ void vtkBRDFExchange::Option(const std::string& name, const std::vector<std::str
   int value, const std::function<void(int)>& set)
 {
   this->Named = true;
-  if (this->HasFailed())
-  {
-    return;
-  }
+  std::string& option = this->Data.Options[name];
   if (!this->Loading)
   {
     if (value < 0 || value >= static_cast<int>(choices.size()))
     {
       this->Fail("option '" + name + "' has no choice " + std::to_string(value));
-      return;
     }
-    this->Data.Options[name] = choices[static_cast<std::size_t>(value)];
+    option = choices[value];
     return;
   }
-  const auto found = this->Data.Options.find(name);
-  const auto choice = found == this->Data.Options.end()
-                        ? choices.end()
-                        : std::find(choices.begin(), choices.end(), found->second);
+  const auto choice = std::find(choices.begin(), choices.end(), option);
   if (choice == choices.end())
   {
     this->Fail("option '" + name + "' is missing or unknown");
-    return;
   }
   set(static_cast<int>(choice - choices.begin()));
 }
@@ -148,19 +104,14 @@ void vtkBRDFExchange::SaveArray(const std::string& name, const std::vector<int>&
   int channels, const std::vector<float>& values)
 {
   this->Named = true;
-  if (this->HasFailed())
-  {
-    return;
-  }
-  std::size_t count = static_cast<std::size_t>(channels);
+  std::size_t count = channels;
   for (const int size : shape)
   {
-    count *= static_cast<std::size_t>(std::max(size, 0));
+    count *= std::max(size, 0);
   }
   if (count == 0 || count != values.size())
   {
     this->Fail("array '" + name + "' is empty or not of its shape");
-    return;
   }
   this->Data.Arrays[name] = { shape, channels, values };
 }
@@ -175,17 +126,14 @@ vtkBRDFData::Array vtkBRDFExchange::LoadArray(
   {
     this->Fail("array '" + name + "' is missing");
   }
-  else if (found->second.Shape.size() != axes || found->second.Channels != channels)
+  vtkBRDFData::Array& array = found->second;
+  if (array.Shape.size() != axes || array.Channels != channels)
   {
-    this->Fail("array '" + name + "' has " + std::to_string(found->second.Shape.size()) +
-               " axes and " + std::to_string(found->second.Channels) + " channels, expected " +
-               std::to_string(axes) + " and " + std::to_string(channels));
+    this->Fail("array '" + name + "' has " + std::to_string(array.Shape.size()) + " axes and " +
+               std::to_string(array.Channels) + " channels, expected " + std::to_string(axes) +
+               " and " + std::to_string(channels));
   }
-  if (this->HasFailed())
-  {
-    return { std::vector<int>(axes, 0), channels, {} };
-  }
-  return std::move(found->second);
+  return std::move(array);
 }
 
 //------------------------------------------------------------------------------
@@ -193,21 +141,11 @@ void vtkBRDFExchange::Terms(const std::vector<vtkSmartPointer<vtkBRDF>>& terms, 
   const std::function<void(vtkBRDF*)>& add)
 {
   this->Named = true;
-  if (this->HasFailed())
-  {
-    return;
-  }
   if (!this->Loading)
   {
     for (vtkBRDF* term : terms)
     {
-      vtkBRDFData& data = this->Data.Terms.emplace_back();
-      const std::string problem = this->SaveTerm(term, data);
-      if (!problem.empty())
-      {
-        this->Problem = problem; // names its own model
-        return;
-      }
+      this->SaveTerm(term, this->Data.Terms.emplace_back());
     }
     return;
   }
@@ -215,17 +153,9 @@ void vtkBRDFExchange::Terms(const std::vector<vtkSmartPointer<vtkBRDF>>& terms, 
   {
     this->Fail(std::to_string(this->Data.Terms.size()) + " terms, expected at most " +
                std::to_string(maximum));
-    return;
   }
   for (vtkBRDFData& data : this->Data.Terms)
   {
-    vtkSmartPointer<vtkBRDF> term;
-    const std::string problem = this->LoadTerm(data, term);
-    if (!problem.empty())
-    {
-      this->Problem = problem;
-      return;
-    }
-    add(term);
+    add(this->LoadTerm(data));
   }
 }

@@ -8,8 +8,8 @@
  * the function that sets it. When the material is saved the values are read; when it is loaded the
  * functions are called with what the data hold. Names are in lower camel case.
  *
- * The first problem is kept, and what follows it does nothing. A material that was loaded with a
- * problem is discarded, so it does not matter how much of it was set.
+ * A problem ends the exchange by an exception (Fail), which vtkBRDFModels reports. A material that
+ * was loaded with a problem is discarded, so it does not matter how much of it was set.
  */
 
 #ifndef vtkBRDFExchange_h
@@ -57,10 +57,7 @@ public:
   void SaveArray(const std::string& name, const std::vector<int>& shape, int channels,
     const std::vector<float>& values);
 
-  /**
-   * When loading: take an array with that number of axes and channels out of the data. After a
-   * problem it is empty, but has that number of axes (of size 0).
-   */
+  /// When loading: take an array with that number of axes and channels out of the data.
   vtkBRDFData::Array LoadArray(const std::string& name, std::size_t axes, int channels);
 
   /**
@@ -76,31 +73,29 @@ public:
 
   ///@{
   /**
-   * Report a problem (Check: unless it is empty), and ask for the first one: "MODEL: what".
+   * Throw std::runtime_error "MODEL: problem" (Check: unless the problem is empty).
    */
-  void Fail(const std::string& problem);
-  void Check(const std::string& problem);
-  bool HasFailed() const { return !this->Problem.empty(); }
-  const std::string& GetProblem() const { return this->Problem; }
+  [[noreturn]] void Fail(const std::string& problem) const;
+  void Check(const std::string& problem) const;
   ///@}
 
 protected:
   ///@{
   /**
-   * For Terms; return a problem, or "".
+   * For Terms.
    */
-  virtual std::string SaveTerm(vtkBRDF* term, vtkBRDFData& data) = 0;
-  virtual std::string LoadTerm(vtkBRDFData& data, vtkSmartPointer<vtkBRDF>& term) = 0;
+  virtual void SaveTerm(vtkBRDF* term, vtkBRDFData& data) = 0;
+  virtual vtkSmartPointer<vtkBRDF> LoadTerm(vtkBRDFData& data) = 0;
   ///@}
 
 private:
-  bool FindNumbers(const std::string& name, std::size_t count, const double*& values);
-  void SaveNumbers(const std::string& name, const double* values, std::size_t count);
+  /// set: takes the numbers; a problem where member then differs.
+  void Numbers(const std::string& name, const double* member, std::size_t count,
+    const std::function<void(const double*)>& set);
 
   vtkBRDFData& Data;
   const bool Loading;
   bool Named = false;
-  std::string Problem;
 };
 
 #endif

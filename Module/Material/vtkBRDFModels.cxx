@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBRDFModels.h"
 
+#include "ContentHash.h"
 #include "Printable.h"
 #include "Registry.h"
 #include "vtkAdaptiveWarpBRDF.h"
@@ -24,6 +25,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 #include <typeinfo>
 
 vtkStandardNewMacro(vtkBRDFModels);
@@ -85,106 +87,136 @@ private:
 };
 
 //------------------------------------------------------------------------------
-std::string SaveAt(int depth, vtkBRDF* brdf, vtkBRDFData& data);
-std::string LoadAt(int depth, vtkBRDFData& data, vtkSmartPointer<vtkBRDF>& brdf);
-
-// Knows how deep in terms it is.
+// Knows how deep in terms it is. What it does throws std::runtime_error.
 class Exchange : public vtkBRDFExchange
 {
 public:
+  static void Save(int depth, vtkBRDF* brdf, vtkBRDFData& data)
+  {
+    CheckDepth(depth);
+    if (!brdf)
+    {
+      throw std::runtime_error("there is no material");
+    }
+    // A subclass is another material, even if it has its superclass's parameters.
+    const auto model = FindModel(
+      [brdf](const auto& other)
+      {
+        const vtkBRDF& object = *other;
+        return typeid(object) == typeid(*brdf);
+      });
+    if (!model)
+    {
+      throw std::runtime_error(
+        std::string(brdf->GetClassName()) +
+        " has no form in this format (vtkBRDFModels::Register gives it one)");
+    }
+    data = {};
+    data.Model = model->GetModelName();
+    data.Name = brdf->GetName();
+    data.Source = brdf->GetSource();
+    Exchange(data, false, depth).ExchangeAll(brdf);
+  }
+
+  static vtkSmartPointer<vtkBRDF> Load(int depth, vtkBRDFData& data)
+  {
+    CheckDepth(depth);
+    const auto model = FindModel(data.Model);
+    if (!model)
+    {
+      throw std::runtime_error(
+        "unknown model " + Quote(data.Model) + ", expected " + vtkBRDFModels::GetNames());
+    }
+    auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkBRDF::SafeDownCast(model->NewInstance()));
+    const Silence silence(brdf);
+    Exchange(data, true, depth).ExchangeAll(brdf);
+    brdf->SetName(data.Name);
+    brdf->SetSource(data.Source);
+    return brdf;
+  }
+
+protected:
+  void SaveTerm(vtkBRDF* term, vtkBRDFData& data) override { Save(this->Depth + 1, term, data); }
+  vtkSmartPointer<vtkBRDF> LoadTerm(vtkBRDFData& data) override
+  {
+    return Load(this->Depth + 1, data);
+  }
+
+private:
   Exchange(vtkBRDFData& data, bool loading, int depth)
     : vtkBRDFExchange(data, loading)
     , Depth(depth)
   {
   }
 
-protected:
-  std::string SaveTerm(vtkBRDF* term, vtkBRDFData& data) override
+  static void CheckDepth(int depth)
   {
-    return SaveAt(this->Depth + 1, term, data);
-  }
-  std::string LoadTerm(vtkBRDFData& data, vtkSmartPointer<vtkBRDF>& term) override
-  {
-    return LoadAt(this->Depth + 1, data, term);
+    if (depth > MaximumDepth)
+    {
+      throw std::runtime_error("terms are nested too deeply");
+    }
   }
 
-private:
+  void ExchangeAll(vtkBRDF* brdf)
+  {
+    brdf->ExchangeData(*this);
+    if (!this->HasNamed())
+    {
+      this->Fail("the model names no parameters (vtkBRDF::ExchangeData does)");
+    }
+    double tolerance = brdf->GetResamplingTolerance();
+    this->Number("resamplingTolerance", tolerance,
+      [&](double value)
+      {
+        brdf->SetResamplingTolerance(value);
+        tolerance = brdf->GetResamplingTolerance();
+      });
+  }
+
   const int Depth;
 };
 
 //------------------------------------------------------------------------------
-void ExchangeAll(vtkBRDFExchange& x, vtkBRDF* brdf, double tolerance)
+// "", or what work threw.
+template <typename Work>
+std::string FindProblemOf(const Work& work)
 {
-  brdf->ExchangeData(x);
-  if (!x.HasNamed())
+  try
   {
-    x.Fail("the model names no parameters (vtkBRDF::ExchangeData does)");
+    work();
+    return "";
   }
-  x.Number("resamplingTolerance", tolerance,
-    [&](double value)
-    {
-      brdf->SetResamplingTolerance(value);
-      tolerance = brdf->GetResamplingTolerance();
-    });
+  catch (const std::runtime_error& e)
+  {
+    return e.what();
+  }
 }
 
 //------------------------------------------------------------------------------
-std::string SaveAt(int depth, vtkBRDF* brdf, vtkBRDFData& data)
+void AddData(measuredbrdf::ContentHash& hash, const vtkBRDFData& data)
 {
-  if (!brdf)
+  hash.AddText(data.Model);
+  for (const auto& [name, option] : data.Options)
   {
-    return "there is no material";
+    hash.AddText(name);
+    hash.AddText(option);
   }
-  if (depth > MaximumDepth)
+  for (const auto& [name, numbers] : data.Numbers)
   {
-    return "terms are nested too deeply";
+    hash.AddText(name);
+    hash.AddValues(numbers);
   }
-  // A subclass is another material, even if it has its superclass's parameters.
-  const auto model = FindModel(
-    [brdf](const auto& other)
-    {
-      const vtkBRDF& object = *other;
-      return typeid(object) == typeid(*brdf);
-    });
-  if (!model)
+  for (const auto& [name, array] : data.Arrays)
   {
-    return std::string(brdf->GetClassName()) +
-           " has no form in this format (vtkBRDFModels::Register gives it one)";
+    hash.AddText(name);
+    hash.AddValues(array.Shape);
+    hash.AddValues(array.Values);
   }
-  data = {};
-  data.Model = model->GetModelName();
-  data.Name = brdf->GetName();
-  data.Source = brdf->GetSource();
-  Exchange x(data, false, depth);
-  ExchangeAll(x, brdf, brdf->GetResamplingTolerance());
-  return x.GetProblem();
-}
-
-//------------------------------------------------------------------------------
-std::string LoadAt(int depth, vtkBRDFData& data, vtkSmartPointer<vtkBRDF>& brdf)
-{
-  brdf = nullptr;
-  if (depth > MaximumDepth)
+  hash.AddValue(data.Terms.size());
+  for (const vtkBRDFData& term : data.Terms)
   {
-    return "terms are nested too deeply";
+    AddData(hash, term);
   }
-  const auto model = FindModel(data.Model);
-  if (!model)
-  {
-    return "unknown model " + Quote(data.Model) + ", expected " + vtkBRDFModels::GetNames();
-  }
-  auto made = vtkSmartPointer<vtkBRDF>::Take(vtkBRDF::SafeDownCast(model->NewInstance()));
-  const Silence silence(made);
-  Exchange x(data, true, depth);
-  ExchangeAll(x, made, made->GetResamplingTolerance());
-  if (x.HasFailed())
-  {
-    return x.GetProblem();
-  }
-  made->SetName(data.Name);
-  made->SetSource(data.Source);
-  brdf = made;
-  return "";
 }
 
 //------------------------------------------------------------------------------
@@ -234,12 +266,29 @@ std::string vtkBRDFModels::GetNames()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkBRDFModels::Save(vtkBRDF* brdf, vtkBRDFData& data) { return SaveAt(0, brdf, data); }
+std::string vtkBRDFModels::Save(vtkBRDF* brdf, vtkBRDFData& data)
+{
+  return FindProblemOf([&]() { Exchange::Save(0, brdf, data); });
+}
 
 //------------------------------------------------------------------------------
 std::string vtkBRDFModels::Load(vtkBRDFData& data, vtkSmartPointer<vtkBRDF>& brdf)
 {
-  return LoadAt(0, data, brdf);
+  brdf = nullptr;
+  return FindProblemOf([&]() { brdf = Exchange::Load(0, data); });
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBRDFModels::GetContentKey(vtkBRDF* brdf)
+{
+  vtkBRDFData data;
+  if (!Save(brdf, data).empty())
+  {
+    return "";
+  }
+  measuredbrdf::ContentHash hash;
+  AddData(hash, data);
+  return hash.GetText();
 }
 
 //------------------------------------------------------------------------------

@@ -59,6 +59,13 @@ public:
    */
   static std::string Load(vtkBRDFData& data, vtkSmartPointer<vtkBRDF>& brdf);
 
+  /**
+   * 32 hexadecimal digits that identify the material by its model, parameters and data (not by Name
+   * and Source). By them a plan finds what an earlier plan of an equal material has prepared. "" if
+   * the material cannot be stored: each plan then prepares all of it.
+   */
+  static std::string GetContentKey(vtkBRDF* brdf);
+
   /// The most values that an array of a model may have (vtkBRDF::GetMaximumArraySize); infinity for
   /// names that are not known.
   static double GetMaximumArraySize(const std::string& name);

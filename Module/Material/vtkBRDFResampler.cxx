@@ -13,7 +13,7 @@
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 
-#include <glm/gtc/type_ptr.hpp>
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <array>
@@ -36,7 +36,7 @@ constexpr vtkIdType ProbeBlock = 1 << 10; // for a thread
 // Pairs of directions to compare two BRDFs at, with their weights and the reference's values.
 struct Probe
 {
-  double I[3], O[3], F[3];
+  glm::dvec3 I, O, F;
   double Weight = 0.0; // c_i c_o over the density of the draw
 };
 
@@ -79,26 +79,21 @@ std::vector<Probe> MakeProbes(vtkBRDF* reference, int first, int count,
                        : least * std::exp(u * logRange);
     const double viewDensity =
       0.5 * (2.0 * z / (most * most - least * least) + 1.0 / (z * logRange)) / (2.0 * Pi);
-    const double s = std::sqrt(std::max(1.0 - z * z, 0.0));
-    const double phi = 2.0 * Pi * RadicalInverse(n, 3);
-    probe.O[0] = s * std::cos(phi);
-    probe.O[1] = s * std::sin(phi);
-    probe.O[2] = z;
-
+    probe.O = ToDirection(z, 2.0 * Pi * RadicalInverse(n, 3));
     const double u1 = RadicalInverse(n, 5), u2 = RadicalInverse(n, 7);
     if (RadicalInverse(n, 11) < 0.5)
     {
-      SampleCosine(1.0 - nearSquare + u1 * squares, u2, probe.I);
+      SampleCosine(1.0 - nearSquare + u1 * squares, u2, &probe.I.x);
     }
-    else if (!reference->Sample(probe.O, u1, u2, probe.I) || probe.I[2] > incident.Near ||
-             probe.I[2] < incident.Far)
+    else if (!reference->Sample(&probe.O.x, u1, u2, &probe.I.x) || probe.I.z > incident.Near ||
+             probe.I.z < incident.Far)
     {
       return;
     }
     const double density =
-      0.5 * (reference->Pdf(probe.I, probe.O) + probe.I[2] / (Pi * squares)) * viewDensity;
-    probe.Weight = probe.I[2] * z / density;
-    reference->Evaluate(probe.I, probe.O, probe.F);
+      0.5 * (reference->Pdf(&probe.I.x, &probe.O.x) + probe.I.z / (Pi * squares)) * viewDensity;
+    probe.Weight = probe.I.z * z / density;
+    reference->Evaluate(&probe.I.x, &probe.O.x, &probe.F.x);
   };
   measuredbrdf::ParallelFor(0, count, ProbeBlock,
     [&draw](vtkIdType begin, vtkIdType end)
@@ -123,20 +118,17 @@ double Compare(const std::vector<Probe>& probes, vtkBRDF* other, double* maximum
     {
       for (std::size_t k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
       {
-        other->Evaluate(probes[k].I, probes[k].O, &values[k].x);
+        other->Evaluate(&probes[k].I.x, &probes[k].O.x, &values[k].x);
       }
     });
   double difference = 0.0, total = 0.0, largest = 0.0;
   for (std::size_t k = 0; k < probes.size(); ++k) // in this order: the same sums on all machines
   {
     const Probe& probe = probes[k];
-    for (int c = 0; c < 3; ++c)
-    {
-      const double d = values[k][c] - probe.F[c];
-      difference += probe.Weight * d * d;
-      total += probe.Weight * probe.F[c] * probe.F[c];
-      largest = std::max(largest, std::abs(d));
-    }
+    const glm::dvec3 d = values[k] - probe.F;
+    difference += probe.Weight * glm::dot(d, d);
+    total += probe.Weight * glm::dot(probe.F, probe.F);
+    largest = std::max({ largest, std::abs(d.x), std::abs(d.y), std::abs(d.z) });
   }
   if (maximum)
   {
@@ -152,14 +144,9 @@ std::vector<char> FindCells(const std::vector<Probe>& probes, const int size[3],
                           static_cast<std::size_t>(size[2]));
   for (const Probe& probe : probes)
   {
-    const glm::dvec3 u =
-      ToHalfDifferenceUnit(glm::make_vec3(probe.I), glm::make_vec3(probe.O), reciprocal);
-    const VolumeCorners corners = { FindCorners(u.x, size[0], true),
-      FindCorners(u.y, size[1], false), FindCorners(u.z, size[2], false) };
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      cells[GetCorner(corners, size, corner)] = 1;
-    }
+    const glm::dvec3 u = ToHalfDifferenceUnit(probe.I, probe.O, reciprocal);
+    ForCorners<3>(size, FindHalfDifferenceCorners(u, size),
+      [&cells](std::size_t cell, double) { cells[cell] = 1; });
   }
   return cells;
 }
@@ -327,23 +314,14 @@ double vtkBRDFResampler::GetLogCosineDistance(vtkBRDF* a, vtkBRDF* b, int pairs)
   for (int k = 0; k < pairs; ++k)
   {
     const std::uint32_t n = static_cast<std::uint32_t>(k) + 1;
-    const double thetaO = steepest * RadicalInverse(n, 2);
-    const double phiO = 2.0 * Pi * RadicalInverse(n, 3);
-    const double c = 1.0 - RadicalInverse(n, 5);
-    const double s = std::sqrt(std::max(1.0 - c * c, 0.0));
-    const double phiI = 2.0 * Pi * RadicalInverse(n, 7);
-    const double o[3] = { std::sin(thetaO) * std::cos(phiO), std::sin(thetaO) * std::sin(phiO),
-      std::cos(thetaO) };
-    const double i[3] = { s * std::cos(phiI), s * std::sin(phiI), c };
-    double f[3];
-    double g[3];
-    a->Evaluate(i, o, f);
-    b->Evaluate(i, o, g);
-    for (int channel = 0; channel < 3; ++channel)
-    {
-      const double difference = std::log1p(f[channel] * c) - std::log1p(g[channel] * c);
-      sum += difference * difference;
-    }
+    const glm::dvec3 o =
+      ToDirection(std::cos(steepest * RadicalInverse(n, 2)), 2.0 * Pi * RadicalInverse(n, 3));
+    const glm::dvec3 i = ToDirection(1.0 - RadicalInverse(n, 5), 2.0 * Pi * RadicalInverse(n, 7));
+    glm::dvec3 f, g;
+    a->Evaluate(&i.x, &o.x, &f.x);
+    b->Evaluate(&i.x, &o.x, &g.x);
+    const glm::dvec3 difference = glm::log(1.0 + f * i.z) - glm::log(1.0 + g * i.z);
+    sum += glm::dot(difference, difference);
   }
   return std::sqrt(sum / (3.0 * pairs));
 }

@@ -3,12 +3,11 @@
 #include "vtkBasisBRDF.h"
 
 #include "BasisFunctions.h"
-#include "ContentHash.h"
 #include "HalfVector.h" // for angles
-#include "HalfVectorSampler.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
 #include "ModuleShader.h"
+#include "Neighbors.h"
 #include "NumberText.h"
 #include "Setters.h"
 #include "vtkBRDFBasis.h"
@@ -16,7 +15,7 @@
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
-#include <glm/gtc/type_ptr.hpp>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -24,275 +23,6 @@
 #include <cstdint>
 #include <limits>
 #include <vector>
-
-namespace measuredbrdf
-{
-/// Two neighboring samples of an axis and the weight of the second.
-struct Interval
-{
-  int First;
-  int Second;
-  double Weight;
-};
-
-/// Samples at u = k / (n-1).
-inline Interval OnAxis(double u, int n)
-{
-  const double x = std::clamp(u, 0.0, 1.0) * (n - 1);
-  const int first = std::min(static_cast<int>(x), n - 2);
-  return { first, first + 1, x - first };
-}
-
-/// Samples at u = k / n, periodic.
-inline Interval OnCircle(double u, int n)
-{
-  const double x = (u - std::floor(u)) * n;
-  const int first = static_cast<int>(x) % n;
-  return { first, (first + 1) % n, x - std::floor(x) };
-}
-
-/// Four neighbors in the basis table and their weights.
-struct BasisCorners
-{
-  const float* Rows[4];
-  double Weights[4];
-
-  double Interpolate(std::size_t k) const
-  {
-    return this->Weights[0] * this->Rows[0][k] + this->Weights[1] * this->Rows[1][k] +
-           this->Weights[2] * this->Rows[2][k] + this->Weights[3] * this->Rows[3][k];
-  }
-};
-
-/// Values of all basis functions at equal steps of acos(x) and of the azimuth, and coefficients,
-/// both with k fastest.
-struct BasisTables
-{
-  /**
-   * gammaRange: acos(x) at the last row. tolerance: relative error of the interpolated sums, which
-   * sets the steps. coefficients: RGB triples, k slowest, as vtkBasisBRDF holds them.
-   */
-  BasisTables(const BasisFunctions& functions, double gammaRange, double tolerance,
-    const std::vector<float>& coefficients);
-
-  BasisCorners GetCorners(double x, double turn) const
-  {
-    const Interval g = OnAxis(std::acos(x) / this->GammaRange, this->NumberOfGamma);
-    const Interval p = OnCircle(turn, this->NumberOfPhi);
-    const auto row = [this](int gamma, int phi)
-    {
-      const std::size_t k =
-        static_cast<std::size_t>(gamma) * static_cast<std::size_t>(this->NumberOfPhi) +
-        static_cast<std::size_t>(phi);
-      return &this->Basis[k * static_cast<std::size_t>(this->Functions.GetNumberOfFunctions())];
-    };
-    return { { row(g.First, p.First), row(g.First, p.Second), row(g.Second, p.First),
-               row(g.Second, p.Second) },
-      { (1.0 - g.Weight) * (1.0 - p.Weight), (1.0 - g.Weight) * p.Weight,
-        g.Weight * (1.0 - p.Weight), g.Weight * p.Weight } };
-  }
-
-  /// Adds weight times the sum of basis functions with the coefficients of one sample of o.
-  void AddView(int view, const BasisCorners& corners, double weight, double f[3]) const;
-
-  /**
-   * interpolation: relative L2 error of the sums by the basis table's steps, directions weighted by
-   * the cosine. amplification: how much independent rounding errors of the stored values grow in
-   * the sum, sqrt(sum (C_k B_k)^2) / |sum C_k B_k|, RMS.
-   */
-  void Measure(double& interpolation, double& amplification) const;
-
-  /// Upper bounds of what the sums are, over a divisor: sum |C_k| max |B_k|.
-  void GetBounds(double divisor, double upper[3]) const;
-
-  /// The basis values for a shader, k slowest.
-  vtkBRDFShaderInputs::Texture MakeTexture(bool halfFloat) const;
-
-  BasisFunctions Functions;
-  double GammaRange;
-  int NumberOfGamma;
-  int NumberOfPhi;
-  std::vector<float> Basis;        // [gamma][phi][k]
-  std::vector<float> Coefficients; // [theta_o][phi_o][channel][k]
-};
-
-/// Coefficients as vtkBasisBRDF holds them for a shader, times `scale`, which uses the range of
-/// 16-bit floats.
-vtkBRDFShaderInputs::Texture MakeCoefficientTexture(
-  const std::vector<float>& coefficients, int nPhi, int nTheta, bool halfFloat, float& scale);
-
-namespace
-{
-constexpr int LargestSide = 256; // of the basis table
-}
-
-//------------------------------------------------------------------------------
-BasisTables::BasisTables(const BasisFunctions& functions, double gammaRange, double tolerance,
-  const std::vector<float>& coefficients)
-  : Functions(functions)
-  , GammaRange(gammaRange)
-{
-  // Linear interpolation of cos(m t) at steps h has an RMS error of 0.09 (m h)^2, per axis.
-  const double step =
-    std::sqrt(tolerance / 0.18) / std::max(static_cast<double>(functions.GetOrder()), 1.0);
-  const auto getSamples = [step](double range)
-  { return std::clamp(static_cast<int>(std::ceil(range / step)), 1, LargestSide - 1) + 1; };
-  this->NumberOfGamma = getSamples(gammaRange);
-  this->NumberOfPhi = functions.GetOrder() == 0 ? 1 : getSamples(2.0 * Pi);
-  const std::size_t count = static_cast<std::size_t>(functions.GetNumberOfFunctions());
-  std::vector<double> values(count);
-  for (int g = 0; g < this->NumberOfGamma; ++g)
-  {
-    const double gamma = gammaRange * g / (this->NumberOfGamma - 1.0);
-    const double cosine = functions.ToCosine(std::cos(gamma));
-    for (int p = 0; p < this->NumberOfPhi; ++p)
-    {
-      functions.Evaluate(cosine, 2.0 * Pi * p / this->NumberOfPhi, values.data());
-      this->Basis.insert(this->Basis.end(), values.begin(), values.end());
-    }
-  }
-  const std::size_t views = coefficients.size() / (3 * count);
-  this->Coefficients.resize(coefficients.size());
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    for (std::size_t v = 0; v < views; ++v)
-    {
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        this->Coefficients[(3 * v + c) * count + k] = coefficients[3 * (k * views + v) + c];
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void BasisTables::AddView(int view, const BasisCorners& corners, double weight, double f[3]) const
-{
-  const std::size_t n = static_cast<std::size_t>(this->Functions.GetNumberOfFunctions());
-  const float* r = &this->Coefficients[3 * static_cast<std::size_t>(view) * n];
-  double sum[3] = { 0.0, 0.0, 0.0 };
-  for (std::size_t k = 0; k < n; ++k)
-  {
-    const double b = corners.Interpolate(k);
-    sum[0] += b * r[k];
-    sum[1] += b * r[n + k];
-    sum[2] += b * r[2 * n + k];
-  }
-  for (int c = 0; c < 3; ++c)
-  {
-    f[c] += weight * sum[c];
-  }
-}
-
-//------------------------------------------------------------------------------
-void BasisTables::Measure(double& interpolation, double& amplification) const
-{
-  const std::size_t n = static_cast<std::size_t>(this->Functions.GetNumberOfFunctions());
-  const std::size_t views = this->Coefficients.size() / (3 * n);
-  std::vector<double> exact(n);
-  double difference = 0.0;
-  double absolute = 0.0;
-  double plain = 0.0;
-  for (std::uint32_t sample = 1; sample <= 2000; ++sample)
-  {
-    const std::size_t view = static_cast<std::size_t>(RadicalInverse(sample, 2) * views);
-    const double cosine = std::sqrt(RadicalInverse(sample, 3));
-    const double turn = RadicalInverse(sample, 5);
-    const double x = this->Functions.ToX(cosine);
-    this->Functions.Evaluate(this->Functions.ToCosine(x), 2.0 * Pi * turn, exact.data());
-    const BasisCorners corners = this->GetCorners(x, turn);
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      double sum = 0.0;
-      double error = 0.0;
-      double magnitude = 0.0;
-      for (std::size_t k = 0; k < n; ++k)
-      {
-        const double coefficient = this->Coefficients[(3 * view + c) * n + k];
-        sum += coefficient * exact[k];
-        error += coefficient * (corners.Interpolate(k) - exact[k]);
-        magnitude += coefficient * exact[k] * coefficient * exact[k];
-      }
-      plain += sum * sum;
-      difference += error * error;
-      absolute += magnitude;
-    }
-  }
-  interpolation = plain > 0.0 ? std::sqrt(difference / plain) : 0.0;
-  amplification = plain > 0.0 ? std::sqrt(absolute / plain) : 1.0;
-}
-
-//------------------------------------------------------------------------------
-void BasisTables::GetBounds(double divisor, double upper[3]) const
-{
-  std::fill_n(upper, 3, 0.0);
-  const std::size_t n = static_cast<std::size_t>(this->Functions.GetNumberOfFunctions());
-  std::vector<float> largest(n, 0.0f);
-  for (std::size_t k = 0; k < this->Basis.size(); ++k)
-  {
-    largest[k % n] = std::max(largest[k % n], std::abs(this->Basis[k]));
-  }
-  for (std::size_t row = 0; row < this->Coefficients.size() / n; ++row)
-  {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < n; ++k)
-    {
-      sum += static_cast<double>(std::abs(this->Coefficients[row * n + k])) * largest[k];
-    }
-    sum /= divisor;
-    upper[row % 3] = std::max(upper[row % 3], sum);
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkBRDFShaderInputs::Texture BasisTables::MakeTexture(bool halfFloat) const
-{
-  const int n = this->Functions.GetNumberOfFunctions();
-  vtkBRDFShaderInputs::Texture texture;
-  texture.Name = "brdfBasis";
-  texture.ThreeD = true;
-  texture.Components = 1;
-  texture.Dimensions = { this->NumberOfPhi, this->NumberOfGamma, n };
-  texture.Repeat = { true, false, false };
-  texture.HalfFloat = halfFloat;
-  const std::size_t lights = this->Basis.size() / static_cast<std::size_t>(n);
-  texture.Data.reserve(this->Basis.size());
-  for (int k = 0; k < n; ++k)
-  {
-    for (std::size_t light = 0; light < lights; ++light)
-    {
-      texture.Data.push_back(
-        this->Basis[light * static_cast<std::size_t>(n) + static_cast<std::size_t>(k)]);
-    }
-  }
-  return texture;
-}
-
-//------------------------------------------------------------------------------
-vtkBRDFShaderInputs::Texture MakeCoefficientTexture(
-  const std::vector<float>& coefficients, int nPhi, int nTheta, bool halfFloat, float& scale)
-{
-  vtkBRDFShaderInputs::Texture texture;
-  texture.Name = "brdfCoefficients";
-  texture.ThreeD = true;
-  const std::size_t views = static_cast<std::size_t>(nPhi) * static_cast<std::size_t>(nTheta);
-  texture.Dimensions = { nPhi, nTheta, static_cast<int>(coefficients.size() / (3 * views)) };
-  texture.Repeat = { true, false, false };
-  texture.HalfFloat = halfFloat;
-  float peak = 0.0f;
-  for (const float v : coefficients)
-  {
-    peak = std::max(peak, std::abs(v));
-  }
-  scale = halfFloat && peak > 1e-30f ? 32768.0f / peak : 1.0f;
-  texture.Data.reserve(coefficients.size());
-  for (const float v : coefficients)
-  {
-    texture.Data.push_back(v * scale);
-  }
-  return texture;
-}
-} // namespace measuredbrdf
 
 using namespace measuredbrdf;
 
@@ -323,16 +53,137 @@ BasisFunctions MakeFunctions(int basis, int order, const double zone[2])
 }
 
 double GetTurn(double y, double x) { return std::atan2(y, x) / (2.0 * Pi); }
+
+constexpr int LargestSide = 256; // of the basis table
+constexpr int MostFunctions = (vtkBasisBRDF::MaximumOrder + 1) * (vtkBasisBRDF::MaximumOrder + 1);
+
+// On the stack: one for each evaluation.
+using BasisValues = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, MostFunctions, 1>;
+using FloatRows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// Samples at u = k / (n-1).
+Neighbors OnAxis(double u, int n)
+{
+  const double x = std::clamp(u, 0.0, 1.0) * (n - 1);
+  const int first = std::min(static_cast<int>(x), n - 2);
+  return { first, first + 1, x - first };
+}
+
+// Samples at u = k / n, periodic.
+Neighbors OnCircle(double u, int n)
+{
+  const double x = (u - std::floor(u)) * n;
+  const int first = static_cast<int>(x) % n;
+  return { first, (first + 1) % n, x - std::floor(x) };
+}
+
+// The weighted mean of at(first), at(second).
+template <typename At>
+auto Mix(const Neighbors& n, const At& at)
+{
+  const auto first = at(n.First);
+  return n.Weight > 0.0 ? ((1.0 - n.Weight) * first + n.Weight * at(n.Second)).eval() : first;
+}
 }
 
 //------------------------------------------------------------------------------
-struct vtkBasisBRDF::Tables : public BasisTables
+// Values of all basis functions at equal steps of acos(x) and of the azimuth, and the coefficients.
+struct vtkBasisBRDF::Tables
 {
-  using BasisTables::BasisTables;
+  explicit Tables(vtkBasisBRDF* brdf)
+    : Functions(MakeFunctions(brdf->Basis, brdf->Order, brdf->IncidentZone))
+    , GammaRange(brdf->Basis == SPHERICAL_HARMONICS ? 0.5 * Pi : Pi)
+    , Tolerance(brdf->ResamplingTolerance)
+    , Cosines{ brdf->IncidentCosine, brdf->OutgoingCosine }
+  {
+    const int n = this->Functions.GetNumberOfFunctions();
+    this->Coefficients = Eigen::Map<const FloatRows>(
+      brdf->Coefficients.data(), n, static_cast<Eigen::Index>(brdf->Coefficients.size()) / n);
+    // Linear interpolation of cos(m t) at steps h has an RMS error of 0.09 (m h)^2, per axis.
+    const double step =
+      std::sqrt(this->Tolerance / 0.18) / std::max(static_cast<double>(brdf->Order), 1.0);
+    const auto getSamples = [step](double range)
+    { return std::clamp(static_cast<int>(std::ceil(range / step)), 1, LargestSide - 1) + 1; };
+    this->NumberOfGamma = getSamples(this->GammaRange);
+    this->NumberOfPhi = brdf->Order == 0 ? 1 : getSamples(2.0 * Pi);
+    this->Basis.resize(n, this->NumberOfGamma * this->NumberOfPhi);
+    for (int light = 0; light < this->Basis.cols(); ++light)
+    {
+      const double gamma =
+        this->GammaRange * (light / this->NumberOfPhi) / (this->NumberOfGamma - 1.0);
+      this->Basis.col(light) =
+        this
+          ->Evaluate(
+            std::cos(gamma), static_cast<double>(light % this->NumberOfPhi) / this->NumberOfPhi)
+          .cast<float>();
+    }
+  }
 
-  double Tolerance = 0.0; // that they were made for
-  bool Cosines[2] = { false, false };
-  std::unique_ptr<HalfVectorSampler> Sampler;
+  BasisValues Evaluate(double x, double turn) const
+  {
+    BasisValues values(this->Functions.GetNumberOfFunctions());
+    this->Functions.Evaluate(this->Functions.ToCosine(x), 2.0 * Pi * turn, values.data());
+    return values;
+  }
+
+  BasisValues Interpolate(double x, double turn) const
+  {
+    const Neighbors gamma = OnAxis(std::acos(x) / this->GammaRange, this->NumberOfGamma);
+    const Neighbors phi = OnCircle(turn, this->NumberOfPhi);
+    const auto at = [this](int g, int p)
+    { return this->Basis.col(g * this->NumberOfPhi + p).cast<double>(); };
+    return (1.0 - gamma.Weight) * ((1.0 - phi.Weight) * at(gamma.First, phi.First) +
+                                    phi.Weight * at(gamma.First, phi.Second)) +
+           gamma.Weight * ((1.0 - phi.Weight) * at(gamma.Second, phi.First) +
+                            phi.Weight * at(gamma.Second, phi.Second));
+  }
+
+  // The sum of basis functions with the coefficients of one sample of o. The channels side by side:
+  // each waits for its own sums only.
+  Eigen::Vector3d Sum(int view, const BasisValues& values) const
+  {
+    const Eigen::Index n = values.size();
+    const float* own = this->Coefficients.data() + 3 * view * n;
+    double red = 0.0, green = 0.0, blue = 0.0;
+    for (Eigen::Index k = 0; k < n; ++k)
+    {
+      red += values[k] * own[k];
+      green += values[k] * own[n + k];
+      blue += values[k] * own[2 * n + k];
+    }
+    return { red, green, blue };
+  }
+
+  // interpolation: relative L2 error of the sums by the basis table's steps, directions weighted by
+  // the cosine. amplification: how much independent rounding errors of the stored values grow in
+  // the sum, sqrt(sum (C_k B_k)^2) / |sum C_k B_k|, RMS.
+  void Measure(double& interpolation, double& amplification) const
+  {
+    const int views = static_cast<int>(this->Coefficients.cols() / 3);
+    double difference = 0.0, absolute = 0.0, plain = 0.0;
+    for (std::uint32_t sample = 1; sample <= 2000; ++sample)
+    {
+      const int view = static_cast<int>(RadicalInverse(sample, 2) * views);
+      const double x = this->Functions.ToX(std::sqrt(RadicalInverse(sample, 3)));
+      const double turn = RadicalInverse(sample, 5);
+      const BasisValues exact = this->Evaluate(x, turn);
+      plain += this->Sum(view, exact).squaredNorm();
+      difference += this->Sum(view, this->Interpolate(x, turn) - exact).squaredNorm();
+      absolute += (exact.asDiagonal() * this->Coefficients.middleCols<3>(3 * view).cast<double>())
+                    .squaredNorm();
+    }
+    interpolation = plain > 0.0 ? std::sqrt(difference / plain) : 0.0;
+    amplification = plain > 0.0 ? std::sqrt(absolute / plain) : 1.0;
+  }
+
+  BasisFunctions Functions;
+  double GammaRange; // acos(x) at the last row
+  double Tolerance;  // relative error of the interpolated sums, which sets the steps
+  bool Cosines[2];
+  int NumberOfGamma;
+  int NumberOfPhi;
+  Eigen::MatrixXf Basis;        // functions x (gamma, phi)
+  Eigen::MatrixXf Coefficients; // functions x (theta_o, phi_o, channel)
 };
 
 //------------------------------------------------------------------------------
@@ -475,14 +326,8 @@ const vtkBasisBRDF::Tables& vtkBasisBRDF::GetTables()
   {
     return *this->Cached;
   }
-  auto tables =
-    std::make_unique<Tables>(MakeFunctions(this->Basis, this->Order, this->IncidentZone),
-      this->Basis == SPHERICAL_HARMONICS ? 0.5 * Pi : Pi, this->ResamplingTolerance,
-      this->Coefficients);
-  tables->Tolerance = this->ResamplingTolerance;
-  tables->Cosines[0] = this->IncidentCosine;
-  tables->Cosines[1] = this->OutgoingCosine;
-  this->Cached = std::move(tables);
+  this->ResetLobe();
+  this->Cached = std::make_unique<Tables>(this);
   return *this->Cached;
 }
 
@@ -510,22 +355,14 @@ void vtkBasisBRDF::Sum(const double i[3], const double o[3], double f[3])
   const double x = tables.Functions.ToX(i[2]);
   const double turn =
     isotropic ? GetTurn(o[0] * i[1] - o[1] * i[0], i[0] * o[0] + i[1] * o[1]) : GetTurn(i[1], i[0]);
-  const BasisCorners corners = tables.GetCorners(x, turn);
+  const BasisValues values = tables.Interpolate(x, turn);
   const double begin = ToRadians(this->OutgoingZone[0]);
   const double end = ToRadians(this->OutgoingZone[1]);
   const double thetaO = std::atan2(std::hypot(o[0], o[1]), o[2]);
-  const Interval t = OnAxis((thetaO - begin) / (end - begin), this->NumberOfTheta);
-  const Interval q = OnCircle(isotropic ? 0.0 : GetTurn(o[1], o[0]), this->NumberOfPhi);
-
-  const auto add = [&](int theta, int phi, double weight)
-  { tables.AddView(theta * this->NumberOfPhi + phi, corners, weight, f); };
-  add(t.First, q.First, (1.0 - t.Weight) * (1.0 - q.Weight));
-  add(t.Second, q.First, t.Weight * (1.0 - q.Weight));
-  if (!isotropic)
-  {
-    add(t.First, q.Second, (1.0 - t.Weight) * q.Weight);
-    add(t.Second, q.Second, t.Weight * q.Weight);
-  }
+  const Neighbors phi = OnCircle(isotropic ? 0.0 : GetTurn(o[1], o[0]), this->NumberOfPhi);
+  const Eigen::Vector3d sum = Mix(OnAxis((thetaO - begin) / (end - begin), this->NumberOfTheta),
+    [&](int theta) -> Eigen::Vector3d
+    { return Mix(phi, [&](int p) { return tables.Sum(theta * this->NumberOfPhi + p, values); }); });
   double divisor = 1.0;
   if (this->IncidentCosine)
   {
@@ -536,10 +373,8 @@ void vtkBasisBRDF::Sum(const double i[3], const double o[3], double f[3])
   {
     divisor *= std::max(std::clamp(o[2], std::cos(end), std::cos(begin)), MinimumCosine);
   }
-  for (int c = 0; c < 3; ++c)
-  {
-    f[c] /= divisor;
-  }
+  Eigen::Map<Eigen::Vector3d> result(f);
+  result = sum / divisor;
 }
 
 //------------------------------------------------------------------------------
@@ -562,38 +397,15 @@ void vtkBasisBRDF::EvaluateAbove(const double i[3], const double o[3], double f[
 //------------------------------------------------------------------------------
 void vtkBasisBRDF::Prepare()
 {
-  if (this->Coefficients.empty() || this->GetTables().Sampler)
+  if (this->Coefficients.empty())
   {
     return;
   }
-  constexpr int nTheta = 45;
-  this->Cached->Sampler = std::make_unique<HalfVectorSampler>(
-    MeanOverDifferenceAngles(nTheta, 1,
-      [this](const double i[3], const double o[3], double f[3]) { this->Evaluate(i, o, f); }),
-    nTheta, 1, 0.5);
-}
-
-//------------------------------------------------------------------------------
-bool vtkBasisBRDF::SampleAbove(const double o[3], double u1, double u2, double i[3])
-{
-  this->Prepare();
-  if (this->Coefficients.empty())
+  this->GetTables(); // new ones need a new lobe
+  if (!this->HasLobe())
   {
-    return this->Superclass::SampleAbove(o, u1, u2, i);
+    this->SetLobe(45, 1, 0.5);
   }
-  glm::dvec3 direction;
-  const bool above = this->Cached->Sampler->Sample(glm::make_vec3(o), u1, u2, direction);
-  std::copy_n(glm::value_ptr(direction), 3, i);
-  return above;
-}
-
-//------------------------------------------------------------------------------
-double vtkBasisBRDF::PdfAbove(const double i[3], const double o[3])
-{
-  this->Prepare();
-  return this->Coefficients.empty()
-           ? this->Superclass::PdfAbove(i, o)
-           : this->Cached->Sampler->Pdf(glm::make_vec3(i), glm::make_vec3(o));
 }
 
 //------------------------------------------------------------------------------
@@ -617,7 +429,13 @@ void vtkBasisBRDF::GetBounds(double minimumCosine, double lower[3], double upper
     const double near = std::cos(ToRadians(this->OutgoingZone[0]));
     divisor *= std::max(std::min(minimumCosine, near), MinimumCosine);
   }
-  tables.GetBounds(divisor, upper);
+  // sum |C_k| max |B_k|
+  const Eigen::VectorXf sums =
+    tables.Coefficients.cwiseAbs().transpose() * tables.Basis.cwiseAbs().rowwise().maxCoeff();
+  for (Eigen::Index k = 0; k < sums.size(); ++k)
+  {
+    upper[k % 3] = std::max(upper[k % 3], sums[k] / divisor);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -630,19 +448,34 @@ void vtkBasisBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   const Tables& tables = this->GetTables();
   const int n = this->GetNumberOfFunctions();
   // Large terms that cancel (extrapolated harmonics) need 32 bits.
-  constexpr double halfRounding = 1.0 / 2048.0;
   double interpolation = 0.0;
   double amplification = 1.0;
   tables.Measure(interpolation, amplification);
-  const bool halfFloat = 4.0 * halfRounding * amplification <= this->ResamplingTolerance;
+  const bool halfFloat = 4.0 * HalfRounding * amplification <= this->ResamplingTolerance;
 
-  float scale = 1.0f;
-  vtkBRDFShaderInputs::Texture coefficients = MakeCoefficientTexture(
-    this->Coefficients, this->NumberOfPhi, this->NumberOfTheta, halfFloat, scale);
-  vtkBRDFShaderInputs::Texture basis = tables.MakeTexture(halfFloat);
+  vtkBRDFShaderInputs::Texture coefficients;
+  coefficients.Name = "brdfCoefficients";
+  coefficients.ThreeD = true;
+  coefficients.Dimensions = { this->NumberOfPhi, this->NumberOfTheta, n };
+  coefficients.Repeat = { true, false, false };
+  coefficients.HalfFloat = halfFloat;
+  const float scale = halfFloat ? GetPeakScale(this->Coefficients) : 1.0f;
+  for (const float coefficient : this->Coefficients)
+  {
+    coefficients.Data.push_back(coefficient * scale);
+  }
+  vtkBRDFShaderInputs::Texture basis;
+  basis.Name = "brdfBasis";
+  basis.ThreeD = true;
+  basis.Components = 1;
+  basis.Dimensions = { tables.NumberOfPhi, tables.NumberOfGamma, n };
+  basis.Repeat = { true, false, false };
+  basis.HalfFloat = halfFloat;
+  basis.Data.resize(tables.Basis.size());
+  Eigen::Map<FloatRows>(basis.Data.data(), n, tables.Basis.cols()) = tables.Basis;
 
   vtkBRDFShaderInputs::Term term;
-  measuredbrdf::SetModuleShader(term, "vtkBRDFBasis", vtkBRDFBasis);
+  SetModuleShader(term, "vtkBRDFBasis", vtkBRDFBasis);
   term.Constants.push_back({ "BRDF_BASIS_FUNCTIONS", std::to_string(n) });
   const auto number = [](double v) { return static_cast<float>(v); };
   const double begin = ToRadians(this->OutgoingZone[0]);
@@ -682,7 +515,7 @@ void vtkBasisBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   term.Textures = { std::move(coefficients), std::move(basis) };
   term.Fetches = 2 * n; // of a pixel's first light; the coefficients stay
   form.QuantizationError =
-    std::max(form.QuantizationError, amplification * (halfFloat ? halfRounding : 0x1p-23));
+    std::max(form.QuantizationError, amplification * (halfFloat ? HalfRounding : FloatRounding));
   form.ResamplingError =
     std::max(form.ResamplingError, std::hypot(this->ResamplingError, interpolation));
   form.Description = text.str();
@@ -727,11 +560,8 @@ void vtkBasisBRDF::ExchangeData(vtkBRDFExchange& exchange)
     text << "number 'order' is " << order << ", expected that of " << functions << " functions";
     exchange.Fail(text.str());
   }
-  if (!exchange.HasFailed())
-  {
-    exchange.Check(this->SetCoefficients(basis, static_cast<int>(order), incident, outgoing,
-      coefficients.Shape[1], coefficients.Shape[2], std::move(coefficients.Values)));
-  }
+  exchange.Check(this->SetCoefficients(basis, static_cast<int>(order), incident, outgoing,
+    coefficients.Shape[1], coefficients.Shape[2], std::move(coefficients.Values)));
 }
 
 //------------------------------------------------------------------------------
@@ -749,21 +579,4 @@ vtkBRDF* vtkBasisBRDF::NewCopy()
   copy->OutgoingCosine = this->OutgoingCosine;
   copy->ResamplingError = this->ResamplingError;
   return copy;
-}
-
-//------------------------------------------------------------------------------
-std::pair<std::type_index, std::string> vtkBasisBRDF::GetContent()
-{
-  measuredbrdf::ContentHash hash;
-  hash.AddValue(this->Basis);
-  hash.AddValue(this->Order);
-  hash.Add(this->IncidentZone, sizeof(this->IncidentZone));
-  hash.Add(this->OutgoingZone, sizeof(this->OutgoingZone));
-  hash.AddValue(this->NumberOfTheta);
-  hash.AddValue(this->NumberOfPhi);
-  hash.AddValues(this->Coefficients);
-  hash.AddValue(this->IncidentCosine);
-  hash.AddValue(this->OutgoingCosine);
-  hash.AddValue(this->ResamplingError);
-  return { typeid(vtkBasisBRDF), hash.GetText() };
 }

@@ -173,10 +173,7 @@ protected:
   ~vtkBasisBRDF() override;
 
   vtkBRDF* NewCopy() override;
-  std::pair<std::type_index, std::string> GetContent() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
-  bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
-  double PdfAbove(const double i[3], const double o[3]) override;
 
   int Basis = ZONAL;
   int Order = 0;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBlinnPhongBRDF.h"
 
-#include "ContentHash.h"
 #include "HalfVector.h"
 #include "ModuleShader.h"
 #include "Setters.h"
@@ -117,13 +116,4 @@ vtkBRDF* vtkBlinnPhongBRDF::NewCopy()
   std::copy_n(this->Specular, 3, copy->Specular);
   copy->Exponent = this->Exponent;
   return copy;
-}
-
-//------------------------------------------------------------------------------
-std::pair<std::type_index, std::string> vtkBlinnPhongBRDF::GetContent()
-{
-  measuredbrdf::ContentHash hash;
-  hash.Add(this->Specular, sizeof(this->Specular));
-  hash.AddValue(this->Exponent);
-  return { typeid(vtkBlinnPhongBRDF), hash.GetText() };
 }

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDistributionBRDF.h"
 
-#include "ContentHash.h"
 #include "Floats.h"
 #include "HalfVector.h"
-#include "HalfVectorSampler.h"
 #include "ModuleShader.h"
 #include "Neighbors.h"
+#include "VolumeInterpolation.h"
 #include "ZonalKernel.h"
 #include "vtkBRDFDistribution.h"
 #include "vtkBRDFExchange.h"
@@ -21,33 +20,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace measuredbrdf
-{
-/**
- * Level k of Count is p convolved on the sphere with a von Mises-Fisher distribution of variance
- * (1/kappa) s (r^(k/(Count - 1)) - 1), r = 1 + 1/s, s = p's own variance: from 0 to 1, in steps
- * that lower a lobe's peak by equal factors. Between levels: linear.
- */
-class DistributionLevels
-{
-public:
-  static constexpr int Count = 24;
+using namespace measuredbrdf;
 
-  /// p at the nTheta table angles of vtkDistributionBRDF, RGB triples.
-  DistributionLevels(int nTheta, const std::vector<float>& p);
-
-  /// Count rows of nTheta RGB triples; row 0 is p itself.
-  const std::vector<float>& GetRows() const { return this->Rows; }
-
-  double GetOwnVariance() const { return this->OwnVariance; }
-
-  /// The levels around a variance >= 0 in h.
-  Neighbors Find(double variance) const;
-
-private:
-  double OwnVariance = 1.0;
-  std::vector<float> Rows;
-};
+vtkStandardNewMacro(vtkDistributionBRDF);
 
 namespace
 {
@@ -55,14 +30,13 @@ namespace
 constexpr int MaximumAngles = 256;
 
 // Variance of the Blinn lobe with p's ratio of peak to projected integral: (n+2)/2pi for cos^n.
-double FindOwnVariance(int nTheta, const std::vector<float>& p)
+double FindBlinnVariance(int nTheta, const std::vector<float>& p)
 {
   double integral = 0.0;
   double peak = 0.0;
   for (int k = 0; k < nTheta; ++k)
   {
-    const float* rgb = &p[3 * static_cast<std::size_t>(k)];
-    const double value = static_cast<double>(rgb[0]) + rgb[1] + rgb[2];
+    const double value = static_cast<double>(p[3 * k]) + p[3 * k + 1] + p[3 * k + 2];
     const double low = std::sin(UnitToThetaH(static_cast<double>(k) / nTheta));
     const double high = std::sin(UnitToThetaH((k + 1.0) / nTheta));
     integral += value * Pi * (high * high - low * low);
@@ -71,88 +45,82 @@ double FindOwnVariance(int nTheta, const std::vector<float>& p)
   const double exponent = integral > 0.0 ? 2.0 * Pi * peak / integral - 2.0 : 1.0;
   return 1.0 / std::clamp(exponent, 1.0, 1e6);
 }
-} // namespace
 
-//------------------------------------------------------------------------------
-DistributionLevels::DistributionLevels(int nTheta, const std::vector<float>& p)
-  : OwnVariance(FindOwnVariance(nTheta, p))
-  , Rows(p)
+glm::dvec3 GetColor(const std::vector<float>& rgb, int k)
 {
-  // Rings of p at up to MaximumAngles angles.
-  const int n = std::min(nTheta, MaximumAngles);
-  std::vector<double> angles;
-  std::vector<double> widths;
-  std::vector<glm::dvec3> values;
-  for (int k = 0; k < n; ++k)
-  {
-    const double u = (k + 0.5) / n;
-    angles.push_back(UnitToThetaH(u));
-    widths.push_back(UnitToThetaH((k + 1.0) / n) - UnitToThetaH(static_cast<double>(k) / n));
-    const Neighbors t = ClampedNeighbors(u, nTheta);
-    const float* first = &p[3 * static_cast<std::size_t>(t.First)];
-    const float* second = &p[3 * static_cast<std::size_t>(t.Second)];
-    values.push_back(glm::mix(glm::dvec3(first[0], first[1], first[2]),
-      glm::dvec3(second[0], second[1], second[2]), t.Weight));
-  }
-
-  std::vector<glm::dvec3> blurred(static_cast<std::size_t>(n));
-  for (int level = 1; level < Count; ++level)
-  {
-    const double variance =
-      this->OwnVariance * (std::pow(1.0 + 1.0 / this->OwnVariance, level / (Count - 1.0)) - 1.0);
-    const double reach = GetRingReach(variance);
-    for (int a = 0; a < n; ++a)
-    {
-      const std::size_t self = static_cast<std::size_t>(a);
-      glm::dvec3 sum(0.0);
-      double total = 0.0;
-      const auto first = std::lower_bound(angles.begin(), angles.end(), angles[self] - reach);
-      const auto last = std::upper_bound(angles.begin(), angles.end(), angles[self] + reach);
-      for (auto it = first; it != last; ++it)
-      {
-        const std::size_t b = static_cast<std::size_t>(it - angles.begin());
-        const double weight = widths[b] * GetRingWeight(angles[self], *it, variance);
-        sum += weight * values[b];
-        total += weight;
-      }
-      blurred[self] = total > 0.0 ? sum / total : values[self];
-    }
-    for (int k = 0; k < nTheta; ++k)
-    {
-      const Neighbors t = ClampedNeighbors((k + 0.5) / nTheta, n);
-      const glm::dvec3 value = glm::mix(blurred[static_cast<std::size_t>(t.First)],
-        blurred[static_cast<std::size_t>(t.Second)], t.Weight);
-      for (int c = 0; c < 3; ++c)
-      {
-        this->Rows.push_back(static_cast<float>(value[c]));
-      }
-    }
-  }
+  return glm::dvec3(glm::make_vec3(&rgb[3 * static_cast<std::size_t>(k)]));
+}
 }
 
 //------------------------------------------------------------------------------
-Neighbors DistributionLevels::Find(double variance) const
+/**
+ * Level k of Count is p convolved on the sphere with a von Mises-Fisher distribution of variance
+ * (1/kappa) s (r^(k/(Count - 1)) - 1), r = 1 + 1/s, s = p's own variance: from 0 to 1, in steps
+ * that lower a lobe's peak by equal factors. Between levels: linear.
+ */
+struct vtkDistributionBRDF::Levels
 {
-  const double level =
-    (Count - 1) *
-    std::min(std::log1p(variance / this->OwnVariance) / std::log1p(1.0 / this->OwnVariance), 1.0);
-  const int first = std::min(static_cast<int>(level), Count - 2);
-  return { first, first + 1, level - first };
-}
-} // namespace measuredbrdf
+  static constexpr int Count = 24;
 
-using namespace measuredbrdf;
+  /// p at the nTheta table angles of vtkDistributionBRDF, RGB triples.
+  Levels(int nTheta, const std::vector<float>& p)
+    : OwnVariance(FindBlinnVariance(nTheta, p))
+    , Rows(p)
+  {
+    // Rings of p at up to MaximumAngles angles.
+    const int n = std::min(nTheta, MaximumAngles);
+    std::vector<double> angles, widths;
+    std::vector<glm::dvec3> values;
+    for (int k = 0; k < n; ++k)
+    {
+      const double u = (k + 0.5) / n;
+      angles.push_back(UnitToThetaH(u));
+      widths.push_back(UnitToThetaH((k + 1.0) / n) - UnitToThetaH(static_cast<double>(k) / n));
+      const Neighbors t = ClampedNeighbors(u, nTheta);
+      values.push_back(glm::mix(GetColor(p, t.First), GetColor(p, t.Second), t.Weight));
+    }
+    std::vector<glm::dvec3> blurred(values.size());
+    for (int level = 1; level < Count; ++level)
+    {
+      const double variance =
+        this->OwnVariance * (std::pow(1.0 + 1.0 / this->OwnVariance, level / (Count - 1.0)) - 1.0);
+      const double reach = GetRingReach(variance);
+      for (int a = 0; a < n; ++a)
+      {
+        glm::dvec3 sum(0.0);
+        double total = 0.0;
+        const auto first = std::lower_bound(angles.begin(), angles.end(), angles[a] - reach);
+        const auto last = std::upper_bound(angles.begin(), angles.end(), angles[a] + reach);
+        for (auto it = first; it != last; ++it)
+        {
+          const std::ptrdiff_t b = it - angles.begin();
+          const double weight = widths[b] * GetRingWeight(angles[a], *it, variance);
+          sum += weight * values[b];
+          total += weight;
+        }
+        blurred[a] = total > 0.0 ? sum / total : values[a];
+      }
+      for (int k = 0; k < nTheta; ++k)
+      {
+        const Neighbors t = ClampedNeighbors((k + 0.5) / nTheta, n);
+        const glm::vec3 value(glm::mix(blurred[t.First], blurred[t.Second], t.Weight));
+        this->Rows.insert(this->Rows.end(), { value.x, value.y, value.z });
+      }
+    }
+  }
 
-vtkStandardNewMacro(vtkDistributionBRDF);
+  /// The levels around a variance >= 0 in h.
+  Neighbors Find(double variance) const
+  {
+    const double level =
+      (Count - 1) *
+      std::min(std::log1p(variance / this->OwnVariance) / std::log1p(1.0 / this->OwnVariance), 1.0);
+    const int first = std::min(static_cast<int>(level), Count - 2);
+    return { first, first + 1, level - first };
+  }
 
-struct vtkDistributionBRDF::Sampler : public HalfVectorSampler
-{
-  using HalfVectorSampler::HalfVectorSampler;
-};
-
-struct vtkDistributionBRDF::Levels : public DistributionLevels
-{
-  using DistributionLevels::DistributionLevels;
+  double OwnVariance;
+  std::vector<float> Rows; // Count rows of nTheta RGB triples; row 0 is p itself
 };
 
 namespace
@@ -204,7 +172,7 @@ bool vtkDistributionBRDF::SetDistribution(int nTheta, int nPhi, const std::vecto
   this->NumberOfTheta = nTheta;
   this->NumberOfPhi = nPhi;
   this->Distribution = std::move(values);
-  this->HalfVectorSampler.reset();
+  this->ResetLobe();
   this->WidenedLevels.reset();
   this->Modified();
   return true;
@@ -289,25 +257,21 @@ void vtkDistributionBRDF::EvaluateSoftAbove(
   {
     this->PrepareLevels();
   }
-  const std::vector<float>& rows = soft ? this->WidenedLevels->GetRows() : this->Distribution;
+  const std::vector<float>& rows = soft ? this->WidenedLevels->Rows : this->Distribution;
   const Neighbors p = soft
                         ? this->WidenedLevels->Find(HalfVectorSpread(spread, glm::dot(h, view)))
                         : PeriodicNeighbors(std::atan2(h.y, h.x) / (2.0 * Pi), this->NumberOfPhi);
   const Neighbors d =
     ClampedNeighbors(angles.ThetaD * (2.0 / Pi), static_cast<int>(this->Fresnel.size() / 3));
   const double g = 4.0 * (light.z + view.z - light.z * view.z);
-  const auto distribution = [this, &rows](int theta, int row, int c)
-  { return static_cast<double>(rows[3 * (row * this->NumberOfTheta + theta) + c]); };
-  for (int c = 0; c < 3; ++c)
-  {
-    const double p0 =
-      glm::mix(distribution(t.First, p.First, c), distribution(t.Second, p.First, c), t.Weight);
-    const double p1 =
-      glm::mix(distribution(t.First, p.Second, c), distribution(t.Second, p.Second, c), t.Weight);
-    const double fresnel = glm::mix(static_cast<double>(this->Fresnel[3 * d.First + c]),
-      static_cast<double>(this->Fresnel[3 * d.Second + c]), d.Weight);
-    f[c] = glm::mix(p0, p1, p.Weight) * fresnel / g;
-  }
+  const auto at = [this, &rows](int theta, int row)
+  { return GetColor(rows, row * this->NumberOfTheta + theta); };
+  const glm::dvec3 p0 = glm::mix(at(t.First, p.First), at(t.Second, p.First), t.Weight);
+  const glm::dvec3 p1 = glm::mix(at(t.First, p.Second), at(t.Second, p.Second), t.Weight);
+  const glm::dvec3 fresnel =
+    glm::mix(GetColor(this->Fresnel, d.First), GetColor(this->Fresnel, d.Second), d.Weight);
+  const glm::dvec3 value = glm::mix(p0, p1, p.Weight) * fresnel / g;
+  std::copy_n(&value.x, 3, f);
 }
 
 //------------------------------------------------------------------------------
@@ -323,7 +287,7 @@ void vtkDistributionBRDF::PrepareLevels()
 void vtkDistributionBRDF::Prepare()
 {
   this->PrepareLevels();
-  if (this->HalfVectorSampler)
+  if (this->HasLobe())
   {
     return;
   }
@@ -335,25 +299,7 @@ void vtkDistributionBRDF::Prepare()
     weights.push_back(
       cosine * (this->Distribution[k] + this->Distribution[k + 1] + this->Distribution[k + 2]));
   }
-  this->HalfVectorSampler =
-    std::make_unique<Sampler>(weights, this->NumberOfTheta, this->NumberOfPhi, 0.75);
-}
-
-//------------------------------------------------------------------------------
-bool vtkDistributionBRDF::SampleAbove(const double o[3], double u1, double u2, double i[3])
-{
-  this->Prepare();
-  glm::dvec3 direction;
-  const bool above = this->HalfVectorSampler->Sample(glm::make_vec3(o), u1, u2, direction);
-  std::copy_n(glm::value_ptr(direction), 3, i);
-  return above;
-}
-
-//------------------------------------------------------------------------------
-double vtkDistributionBRDF::PdfAbove(const double i[3], const double o[3])
-{
-  this->Prepare();
-  return this->HalfVectorSampler->Pdf(glm::make_vec3(i), glm::make_vec3(o));
+  this->SetLobe(this->NumberOfTheta, this->NumberOfPhi, 0.75, weights);
 }
 
 //------------------------------------------------------------------------------
@@ -362,20 +308,13 @@ void vtkDistributionBRDF::GetBounds(double minimumCosine, double lower[3], doubl
   // c_i + c_o - c_i c_o grows with both cosines: least at m, m.
   const double m = std::clamp(minimumCosine, 1e-6, 1.0);
   const double g = 4.0 * (2.0 * m - m * m);
+  double least[3], fresnel[3];
+  FindBounds(this->Distribution, least, upper);
+  FindBounds(this->Fresnel, least, fresnel);
   for (int c = 0; c < 3; ++c)
   {
-    double p = 0.0;
-    double fresnel = 0.0;
-    for (std::size_t k = static_cast<std::size_t>(c); k < this->Distribution.size(); k += 3)
-    {
-      p = std::max<double>(p, this->Distribution[k]);
-    }
-    for (std::size_t k = static_cast<std::size_t>(c); k < this->Fresnel.size(); k += 3)
-    {
-      fresnel = std::max<double>(fresnel, this->Fresnel[k]);
-    }
     lower[c] = 0.0;
-    upper[c] = p * fresnel / g;
+    upper[c] *= fresnel[c] / g;
   }
 }
 
@@ -389,12 +328,11 @@ void vtkDistributionBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   if (this->NumberOfPhi == 1)
   {
     this->PrepareLevels();
-    p.Dimensions = { this->NumberOfTheta, DistributionLevels::Count, 1 };
-    p.Data = this->WidenedLevels->GetRows();
+    p.Dimensions = { this->NumberOfTheta, Levels::Count, 1 };
+    p.Data = this->WidenedLevels->Rows;
     term.Uniforms.push_back(
-      { "brdfOwnVariance", { static_cast<float>(this->WidenedLevels->GetOwnVariance()) } });
-    term.Uniforms.push_back(
-      { "brdfNumberOfLevels", { static_cast<float>(DistributionLevels::Count) } });
+      { "brdfOwnVariance", { static_cast<float>(this->WidenedLevels->OwnVariance) } });
+    term.Uniforms.push_back({ "brdfNumberOfLevels", { static_cast<float>(Levels::Count) } });
   }
   else
   {
@@ -448,15 +386,4 @@ vtkBRDF* vtkDistributionBRDF::NewCopy()
   copy->Distribution = this->Distribution;
   copy->Fresnel = this->Fresnel;
   return copy;
-}
-
-//------------------------------------------------------------------------------
-std::pair<std::type_index, std::string> vtkDistributionBRDF::GetContent()
-{
-  measuredbrdf::ContentHash hash;
-  hash.AddValue(this->NumberOfTheta);
-  hash.AddValue(this->NumberOfPhi);
-  hash.AddValues(this->Distribution);
-  hash.AddValues(this->Fresnel);
-  return { typeid(vtkDistributionBRDF), hash.GetText() };
 }

@@ -75,11 +75,8 @@ protected:
   ~vtkDistributionBRDF() override;
 
   vtkBRDF* NewCopy() override;
-  std::pair<std::type_index, std::string> GetContent() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
   void EvaluateSoftAbove(const double i[3], const double o[3], double spread, double f[3]) override;
-  bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
-  double PdfAbove(const double i[3], const double o[3]) override;
 
   int NumberOfTheta = 0;
   int NumberOfPhi = 0;
@@ -92,8 +89,6 @@ private:
 
   void PrepareLevels();
 
-  struct Sampler;
-  std::unique_ptr<Sampler> HalfVectorSampler;
   struct Levels;
   std::unique_ptr<Levels> WidenedLevels; // of an isotropic p, for EvaluateSoft
 };

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLambertBRDF.h"
 
-#include "ContentHash.h"
 #include "HalfVector.h"
 #include "ModuleShader.h"
 #include "Setters.h"
@@ -83,12 +82,4 @@ vtkBRDF* vtkLambertBRDF::NewCopy()
   vtkLambertBRDF* copy = vtkLambertBRDF::New();
   std::copy_n(this->Albedo, 3, copy->Albedo);
   return copy;
-}
-
-//------------------------------------------------------------------------------
-std::pair<std::type_index, std::string> vtkLambertBRDF::GetContent()
-{
-  measuredbrdf::ContentHash hash;
-  hash.Add(this->Albedo, sizeof(this->Albedo));
-  return { typeid(vtkLambertBRDF), hash.GetText() };
 }

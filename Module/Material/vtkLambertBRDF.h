@@ -40,7 +40,6 @@ protected:
   ~vtkLambertBRDF() override = default;
 
   vtkBRDF* NewCopy() override;
-  std::pair<std::type_index, std::string> GetContent() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
 
   double Albedo[3] = { 0.8, 0.8, 0.8 };

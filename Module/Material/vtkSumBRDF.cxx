@@ -8,6 +8,7 @@
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <functional>
 
 using namespace measuredbrdf;
 
@@ -101,32 +102,32 @@ vtkMTimeType vtkSumBRDF::GetMTime()
   return time;
 }
 
+namespace
+{
+// Adds what get(term, rgb) gives for each term.
+template <typename Get>
+void AddTerms(const std::vector<vtkSmartPointer<vtkBRDF>>& terms, double sum[3], const Get& get)
+{
+  for (vtkBRDF* term : terms)
+  {
+    double part[3];
+    get(term, part);
+    std::transform(part, part + 3, sum, sum, std::plus<double>());
+  }
+}
+}
+
 //------------------------------------------------------------------------------
 void vtkSumBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
 {
-  for (vtkBRDF* term : this->Terms)
-  {
-    double part[3];
-    EvaluateTerm(term, i, o, part);
-    for (int c = 0; c < 3; ++c)
-    {
-      f[c] += part[c];
-    }
-  }
+  AddTerms(this->Terms, f, [&](vtkBRDF* term, double part[3]) { EvaluateTerm(term, i, o, part); });
 }
 
 //------------------------------------------------------------------------------
 void vtkSumBRDF::EvaluateSoftAbove(const double i[3], const double o[3], double spread, double f[3])
 {
-  for (vtkBRDF* term : this->Terms)
-  {
-    double part[3];
-    EvaluateSoftTerm(term, i, o, spread, part);
-    for (int c = 0; c < 3; ++c)
-    {
-      f[c] += part[c];
-    }
-  }
+  AddTerms(this->Terms, f,
+    [&](vtkBRDF* term, double part[3]) { EvaluateSoftTerm(term, i, o, spread, part); });
 }
 
 //------------------------------------------------------------------------------
@@ -191,35 +192,21 @@ double vtkSumBRDF::PdfAbove(const double i[3], const double o[3])
 //------------------------------------------------------------------------------
 void vtkSumBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])
 {
-  albedo[0] = albedo[1] = albedo[2] = 0.0;
-  for (vtkBRDF* term : this->Terms)
-  {
-    double part[3];
-    term->GetDirectionalAlbedo(o, part);
-    for (int c = 0; c < 3; ++c)
-    {
-      albedo[c] += part[c];
-    }
-  }
+  std::fill_n(albedo, 3, 0.0);
+  AddTerms(this->Terms, albedo,
+    [&](vtkBRDF* term, double part[3]) { term->GetDirectionalAlbedo(o, part); });
 }
 
 //------------------------------------------------------------------------------
 void vtkSumBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
 {
-  for (int c = 0; c < 3; ++c)
-  {
-    lower[c] = upper[c] = 0.0;
-  }
-  for (vtkBRDF* term : this->Terms)
-  {
-    double low[3], high[3];
-    term->GetBounds(minimumCosine, low, high);
-    for (int c = 0; c < 3; ++c)
-    {
-      lower[c] += low[c];
-      upper[c] += high[c];
-    }
-  }
+  std::fill_n(lower, 3, 0.0);
+  std::fill_n(upper, 3, 0.0);
+  double other[3];
+  AddTerms(this->Terms, lower,
+    [&](vtkBRDF* term, double low[3]) { term->GetBounds(minimumCosine, low, other); });
+  AddTerms(this->Terms, upper,
+    [&](vtkBRDF* term, double high[3]) { term->GetBounds(minimumCosine, other, high); });
 }
 
 //------------------------------------------------------------------------------
@@ -315,20 +302,4 @@ vtkBRDF* vtkSumBRDF::NewCopy()
     copy->Terms.push_back(part);
   }
   return copy;
-}
-
-//------------------------------------------------------------------------------
-std::pair<std::type_index, std::string> vtkSumBRDF::GetContent()
-{
-  std::string keys;
-  for (vtkBRDF* term : this->Terms)
-  {
-    const std::string key = term->GetContentKey();
-    if (key.empty())
-    {
-      return this->Superclass::GetContent();
-    }
-    keys += key;
-  }
-  return { typeid(vtkSumBRDF), keys };
 }

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTabulatedBRDF.h"
 
-#include "ContentHash.h"
 #include "Floats.h"
 #include "HalfVector.h"
-#include "HalfVectorSampler.h"
 #include "LaneMath.h"
 #include "ModuleShader.h"
 #include "Neighbors.h"
@@ -19,11 +17,7 @@
 #include "vtkBRDFHalfDifferenceSoft.h"
 #include "vtkBRDFIncidentOutgoing.h"
 #include "vtkBRDFShaderInputs.h"
-#include "vtkFloatArray.h"
-#include "vtkImageData.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -33,228 +27,127 @@
 #include <cstddef>
 #include <limits>
 #include <mutex>
-#include <optional>
+#include <numeric>
 #include <vector>
 
-namespace measuredbrdf
-{
-/// How textures store a table's values.
-struct TabulatedStorage
-{
-  ///@{
-  /// Largest relative errors of stored values.
-  static constexpr double HalfRounding = 1.0 / 2048.0;
-  static constexpr double SharedRounding = 1.0 / 512.0; // of the largest channel
-  static constexpr double FloatRounding = 0x1p-23;
-  ///@}
-  static constexpr double ShareOfTolerance = 0.25; // that rounding may take
-  // Scaled to a peak of 2^15, 16 bits and shared exponents keep their bits over nine decades.
-  static constexpr float Peak = 32768.0f;
+using namespace measuredbrdf;
 
-  bool SharedExponents = false;
-  bool HalfFloat = false;
-  float Scale = 1.0f; // of values that are stored
-
-  double GetRounding() const
-  {
-    return this->SharedExponents ? SharedRounding : this->HalfFloat ? HalfRounding : FloatRounding;
-  }
-
-  const char* GetText() const
-  {
-    return this->SharedExponents ? "9 bits and a shared exponent"
-                                 : (this->HalfFloat ? "16-bit float" : "32-bit float");
-  }
-
-  /// precision: a vtkTabulatedBRDF::PrecisionType; tolerance: of resampling; volume: RGB, NaN where
-  /// a cell is invalid.
-  static TabulatedStorage Choose(int precision, double tolerance, const std::vector<float>& volume)
-  {
-    float peak = 0.0f;
-    bool positive = true; // and valid
-    for (const float v : volume)
-    {
-      peak = std::max(peak, std::isnan(v) ? 0.0f : std::abs(v));
-      positive = positive && v >= 0.0f;
-    }
-    const double most = ShareOfTolerance * tolerance;
-    TabulatedStorage storage;
-    storage.SharedExponents =
-      precision == vtkTabulatedBRDF::SHARED_EXPONENT && positive && SharedRounding <= most;
-    const bool mayBeHalf = precision != vtkTabulatedBRDF::FLOAT32 && HalfRounding <= most;
-    storage.HalfFloat =
-      !storage.SharedExponents && (precision == vtkTabulatedBRDF::FLOAT16 || mayBeHalf);
-    if ((storage.SharedExponents || storage.HalfFloat) && peak > 1e-30f)
-    {
-      storage.Scale = Peak / peak;
-    }
-    return storage;
-  }
-};
-
-/**
- * A half/difference volume at growing widths along theta_h, for soft lights.
- *
- * Level k is the volume's values, for every phi_d and theta_d, convolved over the sphere of half
- * vectors with a von Mises-Fisher distribution of variance (1/kappa) s (2^k - 1), s the variance of
- * the volume's own lobe: each level is twice as wide (in variance) as the one before. Between
- * levels: linear. Level 0 is the volume itself and not held here.
- *
- * Wide levels need few samples: four levels have the same number along theta_h, the next four
- * half of it; phi_d and theta_d are averaged to steps of at least 5 and 2 degrees. The levels are
- * stacked along theta_h in one volume.
- */
-class TabulatedLevels
-{
-public:
-  /// volume: RGB triples over (phi_d, theta_d, theta_h) as vtkTabulatedBRDF holds them, NaN:
-  /// invalid.
-  TabulatedLevels(
-    const std::array<int, 3>& dimensions, bool halfTurn, const std::vector<float>& volume);
-
-  /// Number of levels without level 0; 1 to 20.
-  int GetNumberOfLevels() const { return this->NumberOfLevels; }
-
-  double GetOwnVariance() const { return this->OwnVariance; }
-
-  /// Samples of level 1 along theta_h.
-  int GetFirstCount() const { return this->FirstCount; }
-
-  ///@{
-  /// Levels 1, 2, ... along the third axis; RGB triples, NaN: invalid.
-  const std::array<int, 3>& GetDimensions() const { return this->Dimensions; }
-  const std::vector<float>& GetVolume() const { return this->Volume; }
-  ///@}
-
-  /// The levels around a variance >= 0 in h.
-  Neighbors FindLevels(double variance) const;
-
-  /// The samples of a level >= 1 around theta_h in table coordinates, as indices of the third axis.
-  Neighbors FindSlices(int level, double u) const;
-
-private:
-  int GetCount(int level) const { return this->FirstCount >> ((level - 1) / 4); }
-  int GetOffset(int level) const;
-
-  int NumberOfLevels = 1;
-  int FirstCount = 1;
-  double OwnVariance = 1.0;
-  std::array<int, 3> Dimensions;
-  std::vector<float> Volume;
-};
+vtkStandardNewMacro(vtkTabulatedBRDF);
 
 namespace
 {
-constexpr int MaximumThetaD = 45;          // 2 degrees
-constexpr int MaximumPhiDPerHalfTurn = 36; // 5 degrees
-
-// Where fewer of the weights than this fall on valid cells there is no value.
-constexpr float MinimumValidWeight = 1e-4f;
-
-// Samples along theta_h for a lobe of variance 1; the square root's spacing needs as many more as
-// the fourth root of the variance is smaller.
-constexpr double CountOfUnitVariance = 8.0;
-
-// RGB times validity, validity (0 or 1).
-struct Cell
+// How textures store a table's values.
+struct Storage
 {
-  float Values[4];
+  bool SharedExponents = false;
+  bool HalfFloat = false;
+  float Scale = 1.0f; // of values that are stored
+  double Rounding = FloatRounding;
+  const char* Text = "32-bit float";
 };
+
+constexpr double SharedRounding = 1.0 / 512.0; // of the largest channel
+
+// precision: a vtkTabulatedBRDF::PrecisionType; tolerance: of resampling, of which rounding may
+// take a quarter; volume: RGB, NaN where a cell is invalid.
+Storage ChooseStorage(int precision, double tolerance, const std::vector<float>& volume)
+{
+  const bool mayBeShared =
+    precision == vtkTabulatedBRDF::SHARED_EXPONENT && 4.0 * SharedRounding <= tolerance &&
+    std::all_of(volume.begin(), volume.end(), [](float v) { return v >= 0.0f; });
+  if (mayBeShared)
+  {
+    return { true, false, GetPeakScale(volume), SharedRounding, "9 bits and a shared exponent" };
+  }
+  const bool mayBeHalf =
+    precision == vtkTabulatedBRDF::FLOAT16 ||
+    (precision != vtkTabulatedBRDF::FLOAT32 && 4.0 * HalfRounding <= tolerance);
+  return mayBeHalf ? Storage{ false, true, GetPeakScale(volume), HalfRounding, "16-bit float" }
+                   : Storage();
+}
+
+// Invalid cells are premultiplied away: the filter then skips them as Evaluate does.
+void FillTexture(
+  vtkBRDFShaderInputs::Texture& texture, const std::vector<float>& volume, const Storage& storage)
+{
+  texture.HalfFloat = storage.HalfFloat;
+  for (std::size_t k = 0; k < volume.size(); k += 3)
+  {
+    const bool isValid = !std::isnan(volume[k]);
+    const glm::vec3 color = isValid ? storage.Scale * glm::make_vec3(&volume[k]) : glm::vec3(0.0f);
+    if (storage.SharedExponents)
+    {
+      texture.SharedExponents.push_back(PackSharedExponent(color));
+      continue;
+    }
+    texture.Data.insert(texture.Data.end(), { color.x, color.y, color.z });
+    if (texture.Components == 4)
+    {
+      texture.Data.push_back(isValid ? 1.0f : 0.0f);
+    }
+  }
+}
+
+// RGB times validity, validity (0 or 1); sums of such cells.
+using Cell = glm::vec4;
 
 // A mean over valid cells.
 Cell Normalized(const Cell& sum)
 {
-  Cell cell{ { 0.0f, 0.0f, 0.0f, 0.0f } };
-  if (sum.Values[3] > MinimumValidWeight)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      cell.Values[c] = sum.Values[c] / sum.Values[3];
-    }
-    cell.Values[3] = 1.0f;
-  }
-  return cell;
-}
-
-// What part of sample k of `from` lies in sample j of `to` <= from, in units of the latter.
-double GetOverlap(int k, int from, int j, int to)
-{
-  const double scale = static_cast<double>(to) / from;
-  return std::max(std::min((k + 1) * scale, j + 1.0) - std::max(k * scale, j + 0.0), 0.0);
+  constexpr float least = 1e-4f; // fewer of the weights on valid cells are no value
+  return sum.w > least ? sum / sum.w : Cell(0.0f);
 }
 
 // The volume averaged to width x height samples of phi_d and theta_d.
-std::vector<Cell> Average(
+std::vector<Cell> AverageCells(
   const std::array<int, 3>& dimensions, const std::vector<float>& volume, int width, int height)
 {
-  std::vector<Cell> cells;
-  for (int z = 0; z < dimensions[2]; ++z)
+  // What part of sample k of `from` lies in sample j of `to` <= from, in units of the latter.
+  const auto getOverlap = [](int k, int from, int j, int to)
   {
-    for (int y = 0; y < height; ++y)
+    const float scale = static_cast<float>(to) / from;
+    return std::max(std::min((k + 1) * scale, j + 1.0f) - std::max(k * scale, j + 0.0f), 0.0f);
+  };
+  std::vector<Cell> cells;
+  for (int cell = 0; cell < width * height * dimensions[2]; ++cell)
+  {
+    const int x = cell % width, y = cell / width % height, z = cell / width / height;
+    const int bottom = ((y + 1) * dimensions[1] + height - 1) / height;
+    const int right = ((x + 1) * dimensions[0] + width - 1) / width;
+    Cell sum(0.0f);
+    for (int b = y * dimensions[1] / height; b < bottom; ++b)
     {
-      const int top = y * dimensions[1] / height;
-      const int bottom = ((y + 1) * dimensions[1] + height - 1) / height;
-      for (int x = 0; x < width; ++x)
+      for (int a = x * dimensions[0] / width; a < right; ++a)
       {
-        const int left = x * dimensions[0] / width;
-        const int right = ((x + 1) * dimensions[0] + width - 1) / width;
-        Cell sum{ { 0.0f, 0.0f, 0.0f, 0.0f } };
-        for (int b = top; b < bottom; ++b)
+        const float* v = &volume[3 * (a + std::size_t(dimensions[0]) * (b + dimensions[1] * z))];
+        if (!std::isnan(v[0]))
         {
-          for (int a = left; a < right; ++a)
-          {
-            const std::size_t index =
-              static_cast<std::size_t>(a) +
-              static_cast<std::size_t>(dimensions[0]) *
-                (static_cast<std::size_t>(b) +
-                  static_cast<std::size_t>(dimensions[1]) * static_cast<std::size_t>(z));
-            const float* v = &volume[3 * index];
-            if (!std::isnan(v[0]))
-            {
-              const float weight = static_cast<float>(
-                GetOverlap(a, dimensions[0], x, width) * GetOverlap(b, dimensions[1], y, height));
-              for (int c = 0; c < 3; ++c)
-              {
-                sum.Values[c] += weight * v[c];
-              }
-              sum.Values[3] += weight;
-            }
-          }
+          sum += getOverlap(a, dimensions[0], x, width) * getOverlap(b, dimensions[1], y, height) *
+                 Cell(glm::make_vec3(v), 1.0f);
         }
-        cells.push_back(Normalized(sum));
       }
     }
+    cells.push_back(Normalized(sum));
   }
   return cells;
 }
 
 // Variance of the Gaussian lobe with the width at half the height of the volume's, seen from within
 // 45 degrees of h, where every theta_h up to 45 degrees is above the horizon.
-double FindOwnVariance(const std::vector<Cell>& cells, int width, int height, int nThetaH)
+double FindLobeVariance(const std::vector<Cell>& cells, int width, int height, int nThetaH)
 {
-  const std::size_t slice = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  const std::size_t half =
-    static_cast<std::size_t>(width) * static_cast<std::size_t>((height + 1) / 2);
   std::vector<double> profile;
-  double floor = std::numeric_limits<double>::max();
   for (int z = 0; z < nThetaH; ++z)
   {
-    double sum = 0.0;
-    double valid = 0.0;
-    for (std::size_t k = 0; k < half; ++k)
-    {
-      const float* v = cells[slice * static_cast<std::size_t>(z) + k].Values;
-      sum += static_cast<double>(v[0]) + v[1] + v[2];
-      valid += v[3];
-    }
-    profile.push_back(valid > 0.0 ? sum / valid : (z > 0 ? profile.back() : 0.0));
-    floor = std::min(floor, profile.back());
+    const auto first = cells.begin() + std::ptrdiff_t(z) * width * height;
+    const Cell sum = std::accumulate(first, first + width * ((height + 1) / 2), Cell(0.0f));
+    profile.push_back(
+      sum.w > 0.0f ? (double(sum.x) + sum.y + sum.z) / sum.w : (z > 0 ? profile.back() : 0.0));
   }
-  const double middle = 0.5 * (profile[0] + floor);
+  const double middle = 0.5 * (profile[0] + *std::min_element(profile.begin(), profile.end()));
   for (int z = 1; z < nThetaH; ++z)
   {
-    const double above = profile[static_cast<std::size_t>(z - 1)];
-    const double below = profile[static_cast<std::size_t>(z)];
+    const double above = profile[z - 1], below = profile[z];
     if (below <= middle && above > middle)
     {
       const double theta = UnitToThetaH((z - 0.5 + (above - middle) / (above - below)) / nThetaH);
@@ -266,11 +159,10 @@ double FindOwnVariance(const std::vector<Cell>& cells, int width, int height, in
 
 // Weights of the n samples along theta_h in the mean about angle a; they sum to 1. The samples
 // stand for their linear interpolation, in steps fine enough for the kernel.
-std::vector<double> GetWeights(double a, int n, double variance)
+std::vector<double> GetRingWeights(double a, int n, double variance)
 {
   const double reach = GetRingReach(variance);
-  std::vector<double> weights(static_cast<std::size_t>(n), 0.0);
-  double total = 0.0;
+  std::vector<double> weights(n, 0.0);
   for (int k = 0; k <= n; ++k) // between samples k - 1 and k
   {
     const double low = std::max(k - 0.5, 0.0) / n;
@@ -287,172 +179,123 @@ std::vector<double> GetWeights(double a, int n, double variance)
       // d theta = pi u du
       const double weight = GetRingWeight(a, UnitToThetaH(u), variance) * u * (high - low) / steps;
       const Neighbors t = ClampedNeighbors(u, n);
-      weights[static_cast<std::size_t>(t.First)] += weight * (1.0 - t.Weight);
-      weights[static_cast<std::size_t>(t.Second)] += weight * t.Weight;
-      total += weight;
+      weights[t.First] += weight * (1.0 - t.Weight);
+      weights[t.Second] += weight * t.Weight;
     }
   }
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
   for (double& weight : weights)
   {
     weight /= total;
   }
   return weights;
 }
+}
 
-// The slice of weighted cells along theta_h, appended to rgb.
-void AppendSlice(const std::vector<Cell>& cells, const std::vector<double>& weights,
-  std::vector<Cell>& sums, std::vector<float>& rgb)
+//------------------------------------------------------------------------------
+/**
+ * A half/difference volume at growing widths along theta_h, for soft lights.
+ *
+ * Level k is the volume's values, for every phi_d and theta_d, convolved over the sphere of half
+ * vectors with a von Mises-Fisher distribution of variance (1/kappa) s (2^k - 1), s the variance of
+ * the volume's own lobe: each level is twice as wide (in variance) as the one before. Between
+ * levels: linear. Level 0 is the volume itself and not held here.
+ *
+ * Wide levels need few samples: four levels have the same number along theta_h, the next four
+ * half of it; phi_d and theta_d are averaged to steps of at least 5 and 2 degrees. The levels are
+ * stacked along theta_h in one volume.
+ */
+struct vtkTabulatedBRDF::Levels
 {
-  const std::size_t slice = sums.size();
-  std::fill(sums.begin(), sums.end(), Cell{ { 0.0f, 0.0f, 0.0f, 0.0f } });
-  for (std::size_t z = 0; z < weights.size(); ++z)
+  void Make(const vtkTabulatedBRDF& table)
   {
-    const float weight = static_cast<float>(weights[z]);
-    for (std::size_t k = 0; weight > 0.0f && k < slice; ++k)
+    // Samples along theta_h for a lobe of variance 1; the square root's spacing needs as many more
+    // as the fourth root of the variance is smaller.
+    constexpr double countOfUnitVariance = 8.0;
+    const std::array<int, 3> dimensions = { table.Dimensions[0], table.Dimensions[1],
+      table.Dimensions[2] };
+    const int width = std::min(dimensions[0], table.AzimuthRange == HALF_TURN ? 36 : 72);
+    const int height = std::min(dimensions[1], 45);
+    const std::vector<Cell> cells = AverageCells(dimensions, table.Volume, width, height);
+    this->OwnVariance = FindLobeVariance(cells, width, height, dimensions[2]);
+    this->Count = static_cast<int>(std::ceil(std::log2(1.0 + 1.0 / this->OwnVariance)));
+    const int wanted =
+      static_cast<int>(std::ceil(countOfUnitVariance * std::pow(2.0 * this->OwnVariance, -0.25)));
+    const int multiple = 1 << ((this->Count - 1) / 4);
+    this->FirstSamples = (std::min(wanted, dimensions[2]) + multiple - 1) / multiple * multiple;
+    this->Dimensions = { width, height,
+      this->GetOffset(this->Count) + this->GetSamples(this->Count) };
+    std::vector<Cell> sums(std::size_t(width) * height);
+    for (int level = 1; level <= this->Count; ++level)
     {
-      const Cell& cell = cells[slice * z + k];
-      for (int c = 0; c < 4; ++c)
+      const double variance = this->OwnVariance * (std::exp2(level) - 1.0);
+      for (int k = 0; k < this->GetSamples(level); ++k)
       {
-        sums[k].Values[c] += weight * cell.Values[c];
+        const double theta = UnitToThetaH((k + 0.5) / this->GetSamples(level));
+        const std::vector<double> weights = GetRingWeights(theta, dimensions[2], variance);
+        std::fill(sums.begin(), sums.end(), Cell(0.0f));
+        for (std::size_t z = 0; z < weights.size(); ++z)
+        {
+          for (std::size_t j = 0; weights[z] > 0.0 && j < sums.size(); ++j)
+          {
+            sums[j] += static_cast<float>(weights[z]) * cells[sums.size() * z + j];
+          }
+        }
+        for (const Cell& sum : sums)
+        {
+          const Cell mean = Normalized(sum);
+          const glm::vec3 rgb =
+            mean.w > 0.0f ? glm::vec3(mean) : glm::vec3(std::numeric_limits<float>::quiet_NaN());
+          this->Volume.insert(this->Volume.end(), { rgb.x, rgb.y, rgb.z });
+        }
       }
     }
   }
-  for (const Cell& sum : sums)
+
+  int GetSamples(int level) const { return this->FirstSamples >> ((level - 1) / 4); }
+
+  // Four levels of each number of samples, which halves: 4 (n + n/2 + ...) = 8 (n - samples).
+  int GetOffset(int level) const
   {
-    const Cell mean = Normalized(sum);
-    for (int c = 0; c < 3; ++c)
-    {
-      rgb.push_back(
-        mean.Values[3] > 0.0f ? mean.Values[c] : std::numeric_limits<float>::quiet_NaN());
-    }
+    const int samples = this->GetSamples(level);
+    return 8 * (this->FirstSamples - samples) + (level - 1) % 4 * samples;
   }
-}
 
-int RoundUp(int value, int multiple) { return (value + multiple - 1) / multiple * multiple; }
-} // namespace
-
-//------------------------------------------------------------------------------
-TabulatedLevels::TabulatedLevels(
-  const std::array<int, 3>& dimensions, bool halfTurn, const std::vector<float>& volume)
-{
-  const int width = std::min(dimensions[0], (halfTurn ? 1 : 2) * MaximumPhiDPerHalfTurn);
-  const int height = std::min(dimensions[1], MaximumThetaD);
-  const std::vector<Cell> cells = Average(dimensions, volume, width, height);
-  this->OwnVariance = FindOwnVariance(cells, width, height, dimensions[2]);
-  this->NumberOfLevels = static_cast<int>(std::ceil(std::log2(1.0 + 1.0 / this->OwnVariance)));
-  const double wanted = std::ceil(CountOfUnitVariance * std::pow(2.0 * this->OwnVariance, -0.25));
-  this->FirstCount = RoundUp(
-    std::min(static_cast<int>(wanted), dimensions[2]), 1 << ((this->NumberOfLevels - 1) / 4));
-  this->Dimensions = { width, height,
-    this->GetOffset(this->NumberOfLevels) + this->GetCount(this->NumberOfLevels) };
-
-  std::vector<Cell> sums(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  this->Volume.reserve(3 * sums.size() * static_cast<std::size_t>(this->Dimensions[2]));
-  for (int level = 1; level <= this->NumberOfLevels; ++level)
+  // The levels around a variance >= 0 in h.
+  Neighbors FindLevels(double variance) const
   {
-    const double variance = this->OwnVariance * (std::exp2(level) - 1.0);
-    const int count = this->GetCount(level);
-    for (int k = 0; k < count; ++k)
-    {
-      const double theta = UnitToThetaH((k + 0.5) / count);
-      AppendSlice(cells, GetWeights(theta, dimensions[2], variance), sums, this->Volume);
-    }
+    const double level =
+      std::min(std::log1p(variance / this->OwnVariance) / std::log(2.0), this->Count + 0.0);
+    const int first = std::min(static_cast<int>(level), this->Count - 1);
+    return { first, first + 1, level - first };
   }
-}
 
-//------------------------------------------------------------------------------
-int TabulatedLevels::GetOffset(int level) const
-{
-  // Four levels of each count, which halves: 4 (n + n/2 + ...) = 8 (n - count).
-  const int count = this->GetCount(level);
-  return 8 * (this->FirstCount - count) + (level - 1) % 4 * count;
-}
+  // What surrounds coordinates in a level of the table.
+  VolumeSum Gather(const vtkTabulatedBRDF& table, int level, const glm::dvec3& u) const
+  {
+    if (level == 0)
+    {
+      return GatherCorners<3>(
+        table.Volume, table.Dimensions, FindHalfDifferenceCorners(u, table.Dimensions));
+    }
+    Neighbors z = ClampedNeighbors(u.z, this->GetSamples(level));
+    z.First += this->GetOffset(level);
+    z.Second += this->GetOffset(level);
+    return GatherCorners<3>(this->Volume, this->Dimensions.data(),
+      { PeriodicNeighbors(u.x, this->Dimensions[0]), ClampedNeighbors(u.y, this->Dimensions[1]),
+        z });
+  }
 
-//------------------------------------------------------------------------------
-Neighbors TabulatedLevels::FindLevels(double variance) const
-{
-  const double level = std::min(std::log1p(variance / this->OwnVariance) / std::log(2.0),
-    static_cast<double>(this->NumberOfLevels));
-  const int first = std::min(static_cast<int>(level), this->NumberOfLevels - 1);
-  return { first, first + 1, level - first };
-}
-
-//------------------------------------------------------------------------------
-Neighbors TabulatedLevels::FindSlices(int level, double u) const
-{
-  const Neighbors slices = ClampedNeighbors(u, this->GetCount(level));
-  const int offset = this->GetOffset(level);
-  return { offset + slices.First, offset + slices.Second, slices.Weight };
-}
-} // namespace measuredbrdf
-
-using namespace measuredbrdf;
-
-vtkStandardNewMacro(vtkTabulatedBRDF);
-
-struct vtkTabulatedBRDF::Sampler : public HalfVectorSampler
-{
-  using HalfVectorSampler::HalfVectorSampler;
-};
-
-struct vtkTabulatedBRDF::Levels
-{
-  std::once_flag Made; // by the first of many threads that asks
-  std::optional<TabulatedLevels> Values;
+  std::once_flag Made;  // by the first of many threads that asks
+  int Count = 1;        // without level 0; 1 to 20
+  int FirstSamples = 1; // of level 1 along theta_h
+  double OwnVariance = 1.0;
+  std::array<int, 3> Dimensions = { 0, 0, 0 };
+  std::vector<float> Volume; // RGB triples, NaN: invalid
 };
 
 namespace
 {
-// Invalid cells are premultiplied away: the filter then skips them as Evaluate does.
-void FillTexture(vtkBRDFShaderInputs::Texture& texture, const std::vector<float>& volume,
-  const TabulatedStorage& storage)
-{
-  const float scale = storage.Scale;
-  const std::size_t cells = volume.size() / 3;
-  texture.HalfFloat = storage.HalfFloat;
-  if (storage.SharedExponents)
-  {
-    texture.SharedExponents.reserve(cells);
-    for (std::size_t k = 0; k < cells; ++k)
-    {
-      texture.SharedExponents.push_back(
-        measuredbrdf::PackSharedExponent(scale * glm::make_vec3(&volume[3 * k])));
-    }
-    return;
-  }
-  texture.Data.reserve(cells * static_cast<std::size_t>(texture.Components));
-  for (std::size_t k = 0; k < cells; ++k)
-  {
-    const float* v = &volume[3 * k];
-    const bool valid = !std::isnan(v[0]);
-    for (int c = 0; c < 3; ++c)
-    {
-      texture.Data.push_back(valid ? v[c] * scale : 0.0f);
-    }
-    if (texture.Components == 4)
-    {
-      texture.Data.push_back(valid ? 1.0f : 0.0f);
-    }
-  }
-}
-
-// What surrounds coordinates u in a half/difference volume's level.
-VolumeSum GatherLevel(const TabulatedLevels& levels, int level, const std::vector<float>& volume,
-  const int dimensions[3], const glm::dvec3& u)
-{
-  if (level == 0)
-  {
-    return GatherCorners(volume, dimensions,
-      { FindCorners(u.x, dimensions[0], true), FindCorners(u.y, dimensions[1], false),
-        FindCorners(u.z, dimensions[2], false) });
-  }
-  const std::array<int, 3>& size = levels.GetDimensions();
-  const Neighbors z = levels.FindSlices(level, u.z);
-  return GatherCorners(levels.GetVolume(), size.data(),
-    { FindCorners(u.x, size[0], true), FindCorners(u.y, size[1], false),
-      { { z.First, z.Second }, { 1.0 - z.Weight, z.Weight } } });
-}
-
 // Angles of a pair in units of the axes, each in [0,1] (azimuth: any real number, periodic).
 glm::dvec3 ToUnit(int parameterization, int azimuthRange, const glm::dvec3& i, const glm::dvec3& o)
 {
@@ -616,24 +459,10 @@ bool vtkTabulatedBRDF::SetVolume(
       ++this->NumberOfInvalidCells;
     }
   }
-  this->HalfVectorSampler.reset();
+  this->ResetLobe();
   this->WidenedLevels = std::make_shared<Levels>();
   this->Modified();
   return true;
-}
-
-//------------------------------------------------------------------------------
-vtkImageData* vtkTabulatedBRDF::NewImageData()
-{
-  vtkImageData* image = vtkImageData::New();
-  image->SetDimensions(this->Dimensions);
-  vtkNew<vtkFloatArray> values;
-  values->SetName("BRDF");
-  values->SetNumberOfComponents(3);
-  values->SetNumberOfTuples(static_cast<vtkIdType>(this->Volume.size() / 3));
-  std::copy(this->Volume.begin(), this->Volume.end(), values->GetPointer(0));
-  image->GetPointData()->SetScalars(values);
-  return image;
 }
 
 //------------------------------------------------------------------------------
@@ -671,10 +500,12 @@ void vtkTabulatedBRDF::EvaluateAbove(const double i[3], const double o[3], doubl
   // The mirror-symmetric azimuth of incident/outgoing tables ends at 0 and pi, all others close.
   const bool periodic =
     this->Parameterization == HALF_DIFFERENCE || this->AzimuthRange == FULL_TURN;
-  const VolumeCorners corners = { FindCorners(u.x, this->Dimensions[0], periodic),
-    FindCorners(u.y, this->Dimensions[1], false), FindCorners(u.z, this->Dimensions[2], false) };
-  DivideByValid(
-    GatherCorners(this->Volume, this->Dimensions, corners), this->CosineWeighted ? o[2] : 1.0, f);
+  const Neighbors azimuth = periodic ? PeriodicNeighbors(u.x, this->Dimensions[0])
+                                     : ClampedNeighbors(u.x, this->Dimensions[0]);
+  DivideByValid(GatherCorners<3>(this->Volume, this->Dimensions,
+                  { azimuth, ClampedNeighbors(u.y, this->Dimensions[1]),
+                    ClampedNeighbors(u.z, this->Dimensions[2]) }),
+    this->CosineWeighted ? o[2] : 1.0, f);
 }
 
 //------------------------------------------------------------------------------
@@ -744,18 +575,12 @@ void vtkTabulatedBRDF::EvaluateSoftAbove(
   const glm::dvec3 view = glm::make_vec3(o);
   const glm::dvec3 u = ToUnit(this->Parameterization, this->AzimuthRange, light, view);
   const Neighbors around =
-    levels->Values->FindLevels(HalfVectorSpread(spread, glm::dot(HalfVector(light, view), view)));
-  const VolumeSum first =
-    GatherLevel(*levels->Values, around.First, this->Volume, this->Dimensions, u);
-  const VolumeSum second =
-    GatherLevel(*levels->Values, around.Second, this->Volume, this->Dimensions, u);
-  VolumeSum sum;
-  for (int c = 0; c < 3; ++c)
-  {
-    sum.Values[c] = glm::mix(first.Values[c], second.Values[c], around.Weight);
-  }
-  sum.Valid = glm::mix(first.Valid, second.Valid, around.Weight);
-  DivideByValid(sum, this->CosineWeighted ? o[2] : 1.0, f);
+    levels->FindLevels(HalfVectorSpread(spread, glm::dot(HalfVector(light, view), view)));
+  const VolumeSum first = levels->Gather(*this, around.First, u);
+  const VolumeSum second = levels->Gather(*this, around.Second, u);
+  DivideByValid({ glm::mix(first.Values, second.Values, around.Weight),
+                  glm::mix(first.Valid, second.Valid, around.Weight) },
+    this->CosineWeighted ? o[2] : 1.0, f);
 }
 
 //------------------------------------------------------------------------------
@@ -765,75 +590,29 @@ const vtkTabulatedBRDF::Levels* vtkTabulatedBRDF::GetLevels()
   {
     return nullptr;
   }
-  std::call_once(this->WidenedLevels->Made,
-    [this]()
-    {
-      this->WidenedLevels->Values.emplace(
-        std::array<int, 3>{ this->Dimensions[0], this->Dimensions[1], this->Dimensions[2] },
-        this->AzimuthRange == HALF_TURN, this->Volume);
-    });
+  std::call_once(this->WidenedLevels->Made, [this]() { this->WidenedLevels->Make(*this); });
   return this->WidenedLevels.get();
 }
 
 //------------------------------------------------------------------------------
 void vtkTabulatedBRDF::Prepare()
 {
-  if (this->HalfVectorSampler || this->Volume.empty())
+  if (!this->HasLobe() && !this->Volume.empty())
   {
-    return;
+    this->SetLobe(90, 1, 0.5);
   }
-  // Density of h from the table itself: mean over the difference angles.
-  constexpr int nTheta = 90;
-  this->HalfVectorSampler = std::make_unique<Sampler>(
-    MeanOverDifferenceAngles(nTheta, 1,
-      [this](const double i[3], const double o[3], double f[3]) { this->Evaluate(i, o, f); }),
-    nTheta, 1, 0.5);
-}
-
-//------------------------------------------------------------------------------
-bool vtkTabulatedBRDF::SampleAbove(const double o[3], double u1, double u2, double i[3])
-{
-  this->Prepare();
-  if (!this->HalfVectorSampler)
-  {
-    return this->Superclass::SampleAbove(o, u1, u2, i);
-  }
-  glm::dvec3 direction;
-  const bool above = this->HalfVectorSampler->Sample(glm::make_vec3(o), u1, u2, direction);
-  std::copy_n(glm::value_ptr(direction), 3, i);
-  return above;
-}
-
-//------------------------------------------------------------------------------
-double vtkTabulatedBRDF::PdfAbove(const double i[3], const double o[3])
-{
-  this->Prepare();
-  return this->HalfVectorSampler
-           ? this->HalfVectorSampler->Pdf(glm::make_vec3(i), glm::make_vec3(o))
-           : this->Superclass::PdfAbove(i, o);
 }
 
 //------------------------------------------------------------------------------
 void vtkTabulatedBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
 {
   // Interpolation never leaves the range of the samples. Where no cell is valid f is 0.
+  FindBounds(this->Volume, lower, upper);
   const double divisor = this->CosineWeighted ? std::clamp(minimumCosine, 1e-6, 1.0) : 1.0;
   for (int c = 0; c < 3; ++c)
   {
-    float low = this->NumberOfInvalidCells > 0 || this->Volume.empty()
-                  ? 0.0f
-                  : std::numeric_limits<float>::max();
-    float high = 0.0f;
-    for (std::size_t k = static_cast<std::size_t>(c); k < this->Volume.size(); k += 3)
-    {
-      if (!std::isnan(this->Volume[k]))
-      {
-        low = std::min(low, this->Volume[k]);
-        high = std::max(high, this->Volume[k]);
-      }
-    }
-    lower[c] = std::max(low, 0.0f);
-    upper[c] = high / divisor;
+    lower[c] = this->NumberOfInvalidCells > 0 ? 0.0 : lower[c];
+    upper[c] /= divisor;
   }
 }
 
@@ -850,27 +629,18 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     this->Parameterization == HALF_DIFFERENCE || this->AzimuthRange == FULL_TURN;
   texture.Repeat = { periodic, false, false };
 
-  const TabulatedStorage storage =
-    TabulatedStorage::Choose(this->Precision, this->ResamplingTolerance, this->Volume);
+  const Storage storage = ChooseStorage(this->Precision, this->ResamplingTolerance, this->Volume);
   FillTexture(texture, this->Volume, storage);
-
-  const bool half = this->AzimuthRange == HALF_TURN;
-  if (this->Parameterization == HALF_DIFFERENCE)
-  {
-    measuredbrdf::SetModuleShader(term, "vtkBRDFHalfDifference", vtkBRDFHalfDifference);
-  }
-  else
-  {
-    measuredbrdf::SetModuleShader(term, "vtkBRDFIncidentOutgoing", vtkBRDFIncidentOutgoing);
-  }
-  term.Uniforms.push_back({ "brdfScale", { 1.0f / storage.Scale } });
-  term.Uniforms.push_back({ "brdfTurns", { half ? 2.0f : 1.0f } });
-  term.Uniforms.push_back({ "brdfCosineWeighted", { this->CosineWeighted ? 1.0f : 0.0f } });
+  const bool isHalfDifference = this->Parameterization == HALF_DIFFERENCE;
+  SetModuleShader(term, isHalfDifference ? "vtkBRDFHalfDifference" : "vtkBRDFIncidentOutgoing",
+    isHalfDifference ? vtkBRDFHalfDifference : vtkBRDFIncidentOutgoing);
+  term.Uniforms = { { "brdfScale", { 1.0f / storage.Scale } },
+    { "brdfTurns", { this->AzimuthRange == HALF_TURN ? 2.0f : 1.0f } },
+    { "brdfCosineWeighted", { this->CosineWeighted ? 1.0f : 0.0f } } };
   TextStream text;
-  text << (this->Parameterization == HALF_DIFFERENCE ? "half/difference" : "incident/outgoing")
-       << " volume " << this->Dimensions[0] << " x " << this->Dimensions[1] << " x "
-       << this->Dimensions[2] << ", " << storage.GetText() << ", " << texture.GetBytes()
-       << " bytes";
+  text << (isHalfDifference ? "half/difference" : "incident/outgoing") << " volume "
+       << this->Dimensions[0] << " x " << this->Dimensions[1] << " x " << this->Dimensions[2]
+       << ", " << storage.Text << ", " << texture.GetBytes() << " bytes";
   if (this->ResamplingError > 0.0)
   {
     text << ", resampling error " << this->ResamplingError;
@@ -882,23 +652,23 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     vtkBRDFShaderInputs::Texture wider;
     wider.Name = "brdfLevels";
     wider.ThreeD = true;
-    wider.Dimensions = levels->Values->GetDimensions();
+    wider.Dimensions = levels->Dimensions;
     wider.Components = texture.Components;
     wider.Repeat = texture.Repeat;
-    FillTexture(wider, levels->Values->GetVolume(), storage);
+    FillTexture(wider, levels->Volume, storage);
     term.SoftSource = vtkBRDFHalfDifferenceSoft;
-    term.Uniforms.push_back(
-      { "brdfNumberOfLevels", { static_cast<float>(levels->Values->GetNumberOfLevels()) } });
-    term.Uniforms.push_back(
-      { "brdfFirstCount", { static_cast<float>(levels->Values->GetFirstCount()) } });
-    term.Uniforms.push_back(
-      { "brdfOwnVariance", { static_cast<float>(levels->Values->GetOwnVariance()) } });
-    text << ", wider for soft lights: " << levels->Values->GetNumberOfLevels() << " levels, "
-         << wider.GetBytes() << " bytes";
+    const auto add = [&term](const char* name, double value) {
+      term.Uniforms.push_back({ name, { static_cast<float>(value) } });
+    };
+    add("brdfNumberOfLevels", levels->Count);
+    add("brdfFirstCount", levels->FirstSamples);
+    add("brdfOwnVariance", levels->OwnVariance);
+    text << ", wider for soft lights: " << levels->Count << " levels, " << wider.GetBytes()
+         << " bytes";
     term.Textures.push_back(std::move(wider));
   }
   term.Textures.insert(term.Textures.begin(), std::move(texture));
-  form.QuantizationError = std::max(form.QuantizationError, storage.GetRounding());
+  form.QuantizationError = std::max(form.QuantizationError, storage.Rounding);
   form.ResamplingError = std::max(form.ResamplingError, this->ResamplingError);
   form.Description = text.str();
   form.Terms.push_back(std::move(term));
@@ -947,18 +717,4 @@ vtkBRDF* vtkTabulatedBRDF::NewCopy()
   copy->NumberOfInvalidCells = this->NumberOfInvalidCells;
   copy->WidenedLevels = this->WidenedLevels;
   return copy;
-}
-
-//------------------------------------------------------------------------------
-std::pair<std::type_index, std::string> vtkTabulatedBRDF::GetContent()
-{
-  measuredbrdf::ContentHash hash;
-  hash.AddValue(this->Parameterization);
-  hash.AddValue(this->AzimuthRange);
-  hash.Add(this->Dimensions, sizeof(this->Dimensions));
-  hash.AddValue(this->Precision);
-  hash.AddValue(this->CosineWeighted);
-  hash.AddValue(this->ResamplingError);
-  hash.AddValues(this->Volume);
-  return { typeid(vtkTabulatedBRDF), hash.GetText() };
 }

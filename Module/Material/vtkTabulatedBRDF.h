@@ -34,10 +34,8 @@
 
 #include "vtkBRDF.h"
 
-#include <memory> // for sampling table
+#include <memory> // for levels
 #include <vector> // for the volume
-
-class vtkImageData;
 
 class VTKMEASUREDBRDF_EXPORT vtkTabulatedBRDF : public vtkBRDF
 {
@@ -94,12 +92,6 @@ public:
   vtkBooleanMacro(CosineWeighted, bool);
   ///@}
 
-  /**
-   * The volume as image data of the given dimensions with a 3-component float point array "BRDF"
-   * (NaN = invalid), for VTK's filters and writers. The caller owns the new object.
-   */
-  VTK_NEWINSTANCE vtkImageData* NewImageData();
-
   ///@{
   /**
    * Texture precision of the shader inputs. AUTOMATIC (default): 16-bit floats where their rounding
@@ -153,11 +145,8 @@ protected:
   ~vtkTabulatedBRDF() override;
 
   vtkBRDF* NewCopy() override;
-  std::pair<std::type_index, std::string> GetContent() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
   void EvaluateSoftAbove(const double i[3], const double o[3], double spread, double f[3]) override;
-  bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
-  double PdfAbove(const double i[3], const double o[3]) override;
 
   int Parameterization = HALF_DIFFERENCE;
   int AzimuthRange = HALF_TURN;
@@ -172,8 +161,6 @@ private:
   vtkTabulatedBRDF(const vtkTabulatedBRDF&) = delete;
   void operator=(const vtkTabulatedBRDF&) = delete;
 
-  struct Sampler;
-  std::unique_ptr<Sampler> HalfVectorSampler;
   struct Levels;
   const Levels* GetLevels();
   std::shared_ptr<Levels> WidenedLevels; // of this volume: copies share them until either changes

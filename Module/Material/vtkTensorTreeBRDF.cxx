@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTensorTreeBRDF.h"
 
-#include "ContentHash.h"
 #include "HalfVector.h"
-#include "RenderableTable.h"
 #include "vtkBRDFExchange.h"
-#include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -17,10 +14,6 @@
 using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkTensorTreeBRDF);
-
-struct vtkTensorTreeBRDF::Renderable : public RenderableTable
-{
-};
 
 namespace
 {
@@ -189,15 +182,6 @@ std::vector<int> ToNumbers(const std::vector<float>& values)
 }
 
 //------------------------------------------------------------------------------
-vtkTensorTreeBRDF::vtkTensorTreeBRDF()
-  : Resampled(std::make_shared<Renderable>())
-{
-}
-
-//------------------------------------------------------------------------------
-vtkTensorTreeBRDF::~vtkTensorTreeBRDF() = default;
-
-//------------------------------------------------------------------------------
 void vtkTensorTreeBRDF::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -213,7 +197,7 @@ std::string vtkTensorTreeBRDF::SetTree(Tree tree)
   if (problem.empty())
   {
     this->Data = std::move(tree);
-    this->Resampled = std::make_shared<Renderable>();
+    this->ResetRenderable();
     this->Modified();
   }
   return problem;
@@ -237,27 +221,6 @@ void vtkTensorTreeBRDF::GetBounds(
   const auto ends = std::minmax_element(values.begin(), values.end());
   std::fill_n(lower, 3, values.empty() ? 0.0 : std::max(*ends.first, 0.0f));
   std::fill_n(upper, 3, values.empty() ? 0.0 : std::max(*ends.second, 0.0f));
-}
-
-//------------------------------------------------------------------------------
-vtkBRDF* vtkTensorTreeBRDF::GetRenderable()
-{
-  std::string problem;
-  vtkBRDF* table = this->Resampled->Get(this, problem);
-  if (!problem.empty())
-  {
-    vtkWarningMacro(<< problem);
-  }
-  return table;
-}
-
-//------------------------------------------------------------------------------
-vtkBRDF* vtkTensorTreeBRDF::NewQuickRenderable() { return this->Resampled->NewQuick(this); }
-
-//------------------------------------------------------------------------------
-void vtkTensorTreeBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
-{
-  this->GetRenderable()->GetShaderInputs(form);
 }
 
 //------------------------------------------------------------------------------
@@ -291,10 +254,7 @@ void vtkTensorTreeBRDF::ExchangeData(vtkBRDFExchange& exchange)
   }
   tree.Children = ToNumbers(exchange.LoadArray("children", 1, 1).Values);
   tree.Values = exchange.LoadArray("values", 1, 1).Values;
-  if (!exchange.HasFailed())
-  {
-    exchange.Check(this->SetTree(std::move(tree)));
-  }
+  exchange.Check(this->SetTree(std::move(tree)));
 }
 
 //------------------------------------------------------------------------------
@@ -302,21 +262,6 @@ vtkBRDF* vtkTensorTreeBRDF::NewCopy()
 {
   vtkTensorTreeBRDF* copy = vtkTensorTreeBRDF::New();
   copy->Data = this->Data;
-  copy->Resampled = std::make_shared<Renderable>(*this->Resampled); // which shares its table
+  copy->ShareRenderable(this);
   return copy;
-}
-
-//------------------------------------------------------------------------------
-std::pair<std::type_index, std::string> vtkTensorTreeBRDF::GetContent()
-{
-  ContentHash hash;
-  hash.AddValue(this->Data.Dimensions);
-  for (const Tree::Node& node : this->Data.Nodes)
-  {
-    hash.AddValue(node.Side);
-    hash.AddValue(node.First);
-  }
-  hash.AddValues(this->Data.Children);
-  hash.AddValues(this->Data.Values);
-  return { typeid(vtkTensorTreeBRDF), hash.GetText() };
 }

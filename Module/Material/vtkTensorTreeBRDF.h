@@ -20,16 +20,15 @@
 #ifndef vtkTensorTreeBRDF_h
 #define vtkTensorTreeBRDF_h
 
-#include "vtkBRDF.h"
+#include "vtkResampledBRDF.h"
 
-#include <memory> // for the resampled table
 #include <vector> // for the tree
 
-class VTKMEASUREDBRDF_EXPORT vtkTensorTreeBRDF : public vtkBRDF
+class VTKMEASUREDBRDF_EXPORT vtkTensorTreeBRDF : public vtkResampledBRDF
 {
 public:
   static vtkTensorTreeBRDF* New();
-  vtkTypeMacro(vtkTensorTreeBRDF, vtkBRDF);
+  vtkTypeMacro(vtkTensorTreeBRDF, vtkResampledBRDF);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -63,19 +62,14 @@ public:
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return this->Data.Dimensions == 3; }
   bool IsReciprocal() override { return false; }
-  bool IsRenderable() override { return false; }
-  vtkBRDF* GetRenderable() override;
-  VTK_NEWINSTANCE vtkBRDF* NewQuickRenderable() override;
-  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "TensorTree"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 
 protected:
-  vtkTensorTreeBRDF();
-  ~vtkTensorTreeBRDF() override;
+  vtkTensorTreeBRDF() = default;
+  ~vtkTensorTreeBRDF() override = default;
 
   vtkBRDF* NewCopy() override;
-  std::pair<std::type_index, std::string> GetContent() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
 
   Tree Data;
@@ -83,9 +77,6 @@ protected:
 private:
   vtkTensorTreeBRDF(const vtkTensorTreeBRDF&) = delete;
   void operator=(const vtkTensorTreeBRDF&) = delete;
-
-  struct Renderable;
-  std::shared_ptr<Renderable> Resampled;
 };
 
 #endif

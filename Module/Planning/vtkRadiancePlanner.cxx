@@ -9,6 +9,7 @@
 #include "RecentlyUsed.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
+#include "vtkBRDFModels.h"
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
@@ -181,7 +182,8 @@ bool vtkRadiancePlanner::Search()
   task.MaximumBytes = this->MaximumTextureBytes;
   task.MaximumCost = this->MaximumCost;
   task.IsAborted = [this]() { return this->GetAbort(); };
-  const std::string material = this->BRDF->IsIsotropic() ? this->BRDF->GetContentKey() : "";
+  const std::string material =
+    this->BRDF->IsIsotropic() ? vtkBRDFModels::GetContentKey(this->BRDF) : "";
   task.Shared = GetKnownMaterials().Take(material).value_or(
     std::make_shared<vtkRadianceIntegrator::Precomputation>());
   if (this->BRDF->IsIsotropic())

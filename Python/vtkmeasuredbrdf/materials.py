@@ -24,6 +24,7 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray
 
 from . import (
     vtkBRDF,
+    vtkBRDFModels,
     vtkBRDFReader,
     vtkBRDFWriter,
     vtkEmbeddedMaterials,
@@ -207,8 +208,8 @@ class Material:
 
     def __reduce__(self) -> tuple[Any, ...]:
         if self._embedded:
-            key = vtkEmbeddedMaterials.NewBRDF(self._embedded).GetContentKey()
-            if key and key == self._brdf.GetContentKey():
+            key = vtkBRDFModels.GetContentKey(vtkEmbeddedMaterials.NewBRDF(self._embedded))
+            if key and key == vtkBRDFModels.GetContentKey(self._brdf):
                 return Material, (self._embedded,)
         return _restore, (self.to_bytes(), self._embedded or self._name)
 

@@ -13,10 +13,11 @@ import os
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 COMPONENTS = ("Core", "Material", "Lighting", "Integration", "Metrics", "Fitting", "IO", "Planning", "Rendering",
-         "Sources", "Visibility", "Shaders", "Export", "Fetch")
+         "Sources", "Visibility", "Shaders", "Export", "Fetch", "Laboratory")
 
 # Where the files of a component are, but for the module's.
-FOLDERS = {"Shaders": "shaders/", "Export": "Applications/Export/", "Fetch": "Applications/Fetch/"}
+FOLDERS = {"Shaders": "shaders/", "Export": "Applications/Export/", "Fetch": "Applications/Fetch/",
+           "Laboratory": "Applications/Laboratory/"}
 
 Fault = collections.namedtuple("Fault", "id file old new tests equivalent")
 FAULTS = []
@@ -94,17 +95,17 @@ add("Material.tabulated-lanes-have-no-sign", "vtkTabulatedBRDF.cxx",
     "(across < 0.0f ? -turns : turns) *", "turns *", "ManyLights.OfTables")
 add("Material.tabulated-lanes-divide-by-no-cosine", "vtkTabulatedBRDF.cxx",
     "this->CosineWeighted ? static_cast<float>(1.0 / o[2]) : 1.0f;", "1.0f;", "ManyLights.OfTables")
-add("Material.packed-rows-are-all-the-first", "PackedWarp.cxx",
+add("Material.packed-rows-are-all-the-first", "vtkAdaptiveWarpBRDF.cxx",
     "const Floats whole = totals[0] + down * (totals[2] - totals[0]);", "const Floats whole = totals[0];",
     "ManyLights.OfAdaptiveWarps|ManyLights.OfAMeasuredMaterial")
-add("Material.lanes-half-turn-the-wrong-way", "PackedWarp.cxx",
+add("Material.lanes-half-turn-the-wrong-way", "vtkAdaptiveWarpBRDF.cxx",
     "const Floats across = fromX * s.Half.Y - s.Light.Y * s.Half.X;",
     "const Floats across = s.Light.Y * s.Half.X - fromX * s.Half.Y;",
     "ManyLights.OfAdaptiveWarps|ManyLights.OfAMeasuredMaterial")
-add("Material.packed-slices-are-not-mixed", "PackedWarp.cxx",
+add("Material.packed-slices-are-not-mixed", "vtkAdaptiveWarpBRDF.cxx",
     "const std::ptrdiff_t next = this->Thetas.size() > 1 ? 1 : 0;", "const std::ptrdiff_t next = 0;",
     "ManyLights.OfAdaptiveWarps|ManyLights.OfAMeasuredMaterial")
-add("Material.many-lights-share-an-azimuth", "PackedWarp.cxx",
+add("Material.many-lights-share-an-azimuth", "vtkAdaptiveWarpBRDF.cxx",
     "const Floats fromX = size > 0.0f ? s.Light.X : Fill(1.0f);", "const Floats fromX = Fill(1.0f);",
     "ManyLights.OfAdaptiveWarps|ManyLights.OfAMeasuredMaterial")
 add("Core.srgb-exponent", "SRGB.h", "1.055, 2.4)", "1.055, 2.2)", "Environment.DecodesSRGB")
@@ -145,14 +146,14 @@ add("Material.ashikhmin-shirley-swapped-exponents", "vtkAshikhminShirleyBRDF.cxx
 add("Material.ashikhmin-shirley-diffuse-at-full-reflectance", "vtkAshikhminShirleyBRDF.cxx",
     "diffuse * this->Diffuse[c] * (1.0 - this->Reflectance[c]);", "diffuse * this->Diffuse[c];",
     "AshikhminShirley.PaperFormula")
-add("Material.ashikhmin-shirley-key-without-index", "vtkAshikhminShirleyBRDF.cxx",
-    "hash.AddValue(this->IndexOfRefraction);", "", "ContentKey.EverythingThatCountsChangesIt")
+add("Material.key-without-numbers", "vtkBRDFModels.cxx", "hash.AddValues(numbers);", "",
+    "ContentKey.EverythingThatCountsChangesIt")
 add("Material.ashikhmin-shirley-two-quadrants", "vtkAshikhminShirleyBRDF.cxx",
     "quadrant == 1.0 || quadrant == 2.0 ? -1.0", "quadrant >= 2.0 ? -1.0", "Sampling.FollowsItsPdf")
 add("Material.distribution-denominator", "vtkDistributionBRDF.cxx", "4.0 * (light.z + view.z - light.z * view.z)",
     "4.0 * (light.z + view.z)", "Distribution.RetroReflectionInvertsToP|Evaluate.KeepsItsPromises|Parity.ClosedForms")
 add("Material.distribution-keeps-old-levels", "vtkDistributionBRDF.cxx",
-    "this->HalfVectorSampler.reset();\n  this->WidenedLevels.reset();", "this->HalfVectorSampler.reset();",
+    "this->ResetLobe();\n  this->WidenedLevels.reset();", "this->ResetLobe();",
     "SoftTables.FollowTheDistribution")
 add("Material.distribution-fresnel-unit", "vtkDistributionBRDF.cxx", "ClampedNeighbors(angles.ThetaD * (2.0 / Pi),",
     "ClampedNeighbors(angles.ThetaD,",
@@ -160,17 +161,17 @@ add("Material.distribution-fresnel-unit", "vtkDistributionBRDF.cxx", "ClampedNei
 add("Material.tabulated-azimuth-range", "VolumeInterpolation.h", "angles.PhiD / (halfTurn ? Pi : 2.0 * Pi)",
     "angles.PhiD / (halfTurn ? 2.0 * Pi : Pi)", "Tabulated.InterpolatesTrilinearly")
 add("Material.tabulated-divides-by-the-other-cosine", "vtkTabulatedBRDF.cxx",
-    "GatherCorners(this->Volume, this->Dimensions, corners), this->CosineWeighted ? o[2]",
-    "GatherCorners(this->Volume, this->Dimensions, corners), this->CosineWeighted ? i[2]",
+    "ClampedNeighbors(u.z, this->Dimensions[2]) }),\n    this->CosineWeighted ? o[2]",
+    "ClampedNeighbors(u.z, this->Dimensions[2]) }),\n    this->CosineWeighted ? i[2]",
     "Tabulated.InterpolatesTrilinearly|Parity.Tables|Resampler.ZonesNextToTheHorizon")
 add("Material.tabulated-invalid-cells-are-black", "vtkTabulatedBRDF.cxx",
     "v[0] = v[1] = v[2] = std::numeric_limits<float>::quiet_NaN();", "v[0] = v[1] = v[2] = 0.0f;",
     "IOMerl.CountsWhatIsNotFinite|Fit.HolesInATableDoNotCount")
 add("Material.tabulated-never-makes-levels", "vtkTabulatedBRDF.cxx",
     "this->WidenedLevels = std::make_shared<Levels>();", "", "SoftTables.AgreeWithTheClosedForm")
-add("Material.tabulated-shared-exponents-of-negative-values", "vtkTabulatedBRDF.cxx", "positive = positive && v >= 0.0f;",
-    "positive = true;", "Tabulated.SharedExponents")
-add("Material.tabulated-half-floats-overflow", "vtkTabulatedBRDF.cxx", "Peak / peak", "4.0f * Peak / peak",
+add("Material.tabulated-shared-exponents-of-negative-values", "vtkTabulatedBRDF.cxx",
+    "[](float v) { return v >= 0.0f; }", "[](float) { return true; }", "Tabulated.SharedExponents")
+add("Material.tabulated-half-floats-overflow", "ModuleShader.h", "32768.0f / peak", "131072.0f / peak",
     "Parity.Tables|Parity.EmbeddedMeasurement|Tabulated.PrecisionFollowsTheTolerance")
 add("Material.tabulated-copy-without-cosine", "vtkTabulatedBRDF.cxx", "copy->CosineWeighted = this->CosineWeighted;",
     "", "Snapshots.Tables")
@@ -183,8 +184,7 @@ add("Material.sum-holds-itself", "vtkSumBRDF.cxx", "if (!term || Holds(term, thi
 add("Material.sum-holds-one-more", "vtkSumBRDF.cxx", "this->GetNumberOfTerms() == MaximumNumberOfTerms",
     "this->GetNumberOfTerms() > MaximumNumberOfTerms", "Sum.HoldsSoManyTermsOnly")
 add("Material.sum-of-the-last-term", "vtkSumBRDF.cxx",
-    "EvaluateTerm(term, i, o, part);\n    for (int c = 0; c < 3; ++c)\n    {\n      f[c] += part[c];",
-    "EvaluateTerm(term, i, o, part);\n    for (int c = 0; c < 3; ++c)\n    {\n      f[c] = part[c];",
+    "std::transform(part, part + 3, sum, sum, std::plus<double>());", "std::copy(part, part + 3, sum);",
     "Evaluate.KeepsItsPromises|Parity.ClosedForms|Snapshots.SumsCopyTheirTerms|IOFits.ReadsLow")
 add("Material.snapshot-without-source", "vtkBRDF.cxx", "copy->Source = this->Source;", "",
     "Snapshots.ClosedForms|Snapshots.Tables|Snapshots.SumsCopyTheirTerms")
@@ -519,23 +519,23 @@ add("Fitting.output-without-name", "vtkBRDFFitter.cxx", "result.BRDF->SetName(th
     "Fit.OutputIsAMaterialLikeAnyOther")
 add("Fitting.non-negative-gradient", "LinearLeastSquares.cxx", "gradient[k] < -tolerance;",
     "gradient[k] > tolerance;", "LossFit.DistributionComesClose|DistributionFit.AnisotropicTablesComeBack")
-add("Fitting.half-the-cost", "LobeFit.cxx", "summary.step_is_successful, 2.0 * summary.cost)",
-    "summary.step_is_successful, summary.cost)",
+add("Fitting.half-the-cost", "LobeFit.cxx", "push_back(2.0 * summary.cost)",
+    "push_back(summary.cost)",
     "Fit.FiguresAreWhatTheyAreSaidToBe|Fit.AshikhminShirleyIsTheLeastOfItsLoss")
-add("Fitting.never-regularized", "ZonalOperators.cxx",
-    "std::sqrt(regularization * total / (4.0 * Pi)) * l * (l + 1.0)", "0.0 * regularization * total * l",
+add("Core.never-regularized", "ZonalOperators.h",
+    "std::sqrt(regularization * weight.sum() / (4.0 * Pi)) * l * (l + 1.0)", "0.0 * regularization * l",
     "Projector.MethodsMinimizeTheirOwnNorm|Projector.ErrorFallsWithTheOrder|Extrapolator.FixedLambda|"
     "Extrapolator.ProblemIsIllPosed")
-add("Fitting.negative-light-adds", "vtkBRDFAcquisition.cxx", "positive[pixel] -= negative[pixel];",
-    "positive[pixel] += negative[pixel];", "Acquisition.IsTheInnerProduct")
-add("Fitting.photographs-of-one-sign", "vtkBRDFAcquisition.cxx", "photographs += signedPattern ? 2 : 1;",
-    "photographs += 1;",
+add("Laboratory.negative-light-adds", "Acquisition.cxx", "stack.push_back(positive - negative);",
+    "stack.push_back(positive + negative);", "Acquisition.IsTheInnerProduct")
+add("Laboratory.photographs-of-one-sign", "Acquisition.cxx", "NumberOfPhotographs += hasNegative ? 2 : 1;",
+    "NumberOfPhotographs += 1;",
     "Acquisition.IsTheInnerProduct|Acquisition.SameSeedSameBits|Acquisition.NoiseIsAveragedOverAzimuths")
-add("Fitting.isotropic-mean-sign", "vtkBRDFAcquisition.cxx", "std::sin(angle) * at(other, p) : 0.0)",
-    "-std::sin(angle) * at(other, p) : 0.0)", "Acquisition.IsTheInnerProduct")
-add("Fitting.noise-ignores-the-seed", "vtkBRDFAcquisition.cxx", ", Random(seed)", ", Random(seed * 0 + 1)",
+add("Laboratory.isotropic-mean-sign", "Acquisition.cxx", "std::sin(angle) * other.",
+    "-std::sin(angle) * other.", "Acquisition.IsTheInnerProduct")
+add("Laboratory.noise-ignores-the-seed", "Acquisition.cxx", ", Random(options.Seed)", ", Random(1)",
     "Acquisition.SameSeedSameBits")
-add("Fitting.light-without-cosine", "vtkBRDFAcquisition.cxx", "2.0 * Pi / azimuths * cosine);",
+add("Laboratory.light-without-cosine", "Acquisition.cxx", "2.0 * Pi / azimuths * cosine);",
     "2.0 * Pi / azimuths);", "Acquisition.IsTheInnerProduct")
 add("Fitting.pbr-roughness-power", "PBRShading.h", "const double alpha2 = std::pow(roughness, 4);",
     "const double alpha2 = std::pow(roughness, 2);", "PropertyFitter.FindsVTKsOwn|PropertyFitter.Gold")
@@ -717,10 +717,10 @@ add("Material.cells-of-one-side-only", "HalfDifferenceFill.cxx",
     "HalfDifferenceFill.EachCellHoldsItsOwnValue")
 add("Material.cells-slide-too-early", "HalfDifferenceFill.cxx", "cell.IsSlid ? value : nullptr",
     "cell.IsSlid || y > 2 ? value : nullptr", "HalfDifferenceFill.EachCellHoldsItsOwnValue")
-add("Material.resampled-from-seven-corners", "vtkBRDFResampler.cxx", "corner < 8; ++corner", "corner < 7; ++corner",
+add("Material.resampled-from-seven-corners", "VolumeInterpolation.h", "cell + axis.Second, weight * axis.Weight, use);", "cell + axis.First, weight * axis.Weight, use);",
     "Resampler.ErrorFallsAndIsReported")
-add("Material.quick-for-another-tolerance", "RenderableTable.h", "this->Table && this->Tolerance == tolerance",
-    "this->Table && tolerance > 0.0", "QuickTables.StandInUntilTheRealOneIsMade")
+add("Material.quick-for-another-tolerance", "vtkResampledBRDF.cxx", "made.Table && made.Tolerance == this->ResamplingTolerance;",
+    "made.Table;", "QuickTables.StandInUntilTheRealOneIsMade")
 add("Integration.quick-is-slow", "vtkTableRadianceIntegrator.cxx", "std::make_shared<Precomputation>(this->Quick)",
     "std::make_shared<Precomputation>()", "Tables.QuickOnesEvaluateLittle")
 add("Rendering.plan-key-without-pixels-of-the-light", "PlanJob.h", "this->Environment, this->PixelsTime,",
@@ -928,7 +928,7 @@ add("Integration.lamps-have-no-parts", "MaterialPrecomputation.cxx", "LampBRDF::
 add("Integration.lamps-of-resampled-materials", "vtkHybridRadianceIntegrator.cxx", "!this->BRDF->IsRenderable()", "this->BRDF == nullptr",
     "HybridLamps.MaterialsWithoutGLSLTakeTheTableOfMeans")
 add("Integration.lamps-parts-are-the-first", "Lamps.cxx", "    first += count;\n", "", "Parity.HybridOfWideLamps")
-add("Integration.lamp-lobes-of-half-a-turn", "Lamps.cxx", "FindCorners(2.0 * std::abs(u.x)", "FindCorners(std::abs(u.x)",
+add("Integration.lamp-lobes-of-half-a-turn", "Lamps.cxx", "ClampedNeighbors(2.0 * std::abs(u.x)", "ClampedNeighbors(std::abs(u.x)",
     "LampBRDF.IsTheMeanOverALamp")
 add("Integration.lamps-seen-from-the-horizon", "LobeViews.cxx", "GetAngle(k) <= farthest", "GetAngle(k) <= Pi",
     "LampBRDF.IsForLobesAsNarrowAsLamps")

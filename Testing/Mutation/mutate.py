@@ -10,8 +10,10 @@ noticed and all of them compile. Faults that are marked as equivalent do not cou
 
 import argparse
 import collections
+import filecmp
 import fnmatch
 import os
+import pathlib
 import re
 import shutil
 import signal
@@ -24,6 +26,7 @@ from faults import COMPONENTS, FAULTS, FOLDERS
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 FEWEST = 100
 SHARE = 0.95
+LIMIT = 900  # seconds for all tests of a fault; one that makes them run longer is noticed
 # What lies in these folders is no source.
 SKIPPED = (".git", "__pycache__", "output", "install")
 OPTIONS = ("-DCMAKE_BUILD_TYPE=Release", "-DBUILD_TESTING=ON", "-DMEASUREDBRDF_WRAP_PYTHON=OFF",
@@ -33,13 +36,7 @@ DISPLAY = ("xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset")
 
 
 def read(path):
-    with open(path, encoding="utf-8", newline="") as file:
-        return file.read()
-
-
-def write(path, text):
-    with open(path, "w", encoding="utf-8", newline="") as file:
-        file.write(text)
+    return pathlib.Path(path).read_text(encoding="utf-8")
 
 
 class Tests:
@@ -101,78 +98,56 @@ def find_problems(tests):
 class Copy:
     """A copy of the source tree and its build, in one folder."""
 
-    def __init__(self, folder, arguments):
-        self.folder = os.path.abspath(folder)
+    def __init__(self, arguments):
+        self.folder = os.path.abspath(arguments.build)
         self.source = os.path.join(self.folder, "source")
         self.build = os.path.join(self.folder, "build")
         self.jobs = str(arguments.jobs)
-        self.timeout = str(arguments.timeout)
-        self.limit = arguments.limit
-        self.all = arguments.all
-        self.environment = dict(os.environ, LIBGL_ALWAYS_SOFTWARE="1")
-
-    def list_files(self, root):
-        for parent, folders, names in os.walk(root):
-            top = parent == root
-            folders[:] = sorted(name for name in folders if name not in SKIPPED
-                                and not (top and name.startswith("build"))
-                                and os.path.join(parent, name) != self.folder)
-            for name in names:
-                path = os.path.join(parent, name)
-                if name != ".git" and not os.path.islink(path):
-                    yield os.path.relpath(path, root)
+        os.makedirs(self.folder, exist_ok=True)
 
     def update(self):
         """Brings the copy to the state of the repository; equal files keep their time, so little is rebuilt."""
-        wanted = set(self.list_files(ROOT))
-        for path in sorted(wanted):
-            there = os.path.join(self.source, path)
-            with open(os.path.join(ROOT, path), "rb") as file:
-                content = file.read()
-            if os.path.exists(there):
-                with open(there, "rb") as file:
-                    if file.read() == content:
-                        continue
-            os.makedirs(os.path.dirname(there), exist_ok=True)
-            shutil.copy(os.path.join(ROOT, path), there)
-        for path in set(self.list_files(self.source)) - wanted:
-            os.remove(os.path.join(self.source, path))
+
+        def skip(folder, names):
+            top = folder == ROOT
+            return [name for name in names if name in SKIPPED or (top and name.startswith("build"))
+                    or os.path.join(folder, name) == self.folder or os.path.islink(os.path.join(folder, name))]
+
+        def copy(one, other):
+            if not os.path.exists(other) or not filecmp.cmp(one, other, shallow=False):
+                shutil.copy(one, other)
+
+        shutil.copytree(ROOT, self.source, ignore=skip, copy_function=copy, dirs_exist_ok=True)
+        for path in pathlib.Path(self.source).rglob("*"):  # what is no longer in the repository
+            if path.is_file() and not os.path.exists(os.path.join(ROOT, path.relative_to(self.source))):
+                path.unlink()
 
     def run(self, command, log, limit=None):
         """The exit status, None beyond the time limit; nothing of the command goes on after this returns."""
         with open(os.path.join(self.folder, log), "w", encoding="utf-8") as file:
-            process = subprocess.Popen(command, cwd=self.folder, env=self.environment, stdout=file,
-                                       stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, start_new_session=True)
+            process = subprocess.Popen(command, cwd=self.folder, env=dict(os.environ, LIBGL_ALWAYS_SOFTWARE="1"),
+                                       stdout=file, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
+                                       start_new_session=True)
             try:
                 return process.wait(limit)
             except subprocess.TimeoutExpired:
                 return None
             finally:
                 if process.poll() is None:
-                    os.killpg(process.pid, signal.SIGTERM)
-                    try:
-                        process.wait(10)
-                    except subprocess.TimeoutExpired:
-                        os.killpg(process.pid, signal.SIGKILL)
-                        process.wait()
-
-    def configure(self):
-        status = self.run(["cmake", "-S", self.source, "-B", self.build, "-G", "Ninja", *OPTIONS], "configure.log")
-        if status != 0:
-            sys.exit(f"cmake failed, see {os.path.join(self.folder, 'configure.log')}")
+                    os.killpg(process.pid, signal.SIGKILL)
+                    process.wait()
 
     def make(self, targets):
         """Whether the targets could be built."""
         return self.run(["cmake", "--build", self.build, "-j", self.jobs, "--target", *targets], "build.log") == 0
 
-    def test(self, expression, targets, limit, every=True):
+    def test(self, expression, targets, limit, every):
         """The names of the failed tests, or of the first ones; ["time limit"] if they did not end."""
         failures = os.path.join(self.build, "Testing", "Temporary", "LastTestsFailed.log")
-        if os.path.exists(failures):
-            os.remove(failures)
+        pathlib.Path(failures).unlink(missing_ok=True)
         needs_display = any(target.startswith("Render") for target in targets) and not os.environ.get("DISPLAY")
         status = self.run([*(DISPLAY if needs_display else ()), "ctest", "--test-dir", self.build, "-R", expression,
-                           "-j", self.jobs, "--timeout", self.timeout, "--no-tests=error", "--output-on-failure",
+                           "-j", self.jobs, "--timeout", "300", "--no-tests=error", "--output-on-failure",
                            *(() if every else ("--stop-on-failure",))], "test.log", limit)
         if status is None:
             return ["time limit"]
@@ -184,25 +159,20 @@ class Copy:
         return failed
 
 
-def get_summary(names):
-    """The first three names, and how many there are beyond."""
-    return ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
-
-
 def try_fault(copy, fault, tests, known):
     """("noticed", names of tests), ("MISSED", []) or ("does not compile", [])"""
-    path = os.path.join(copy.source, fault.file)
-    text = read(path)
+    path = pathlib.Path(copy.source, fault.file)
+    text = path.read_text(encoding="utf-8")
     targets = tests.find_targets(fault.tests)
     try:
-        write(path, text.replace(fault.old, fault.new))
+        path.write_text(text.replace(fault.old, fault.new), encoding="utf-8")
         if not copy.make(targets):
             return "does not compile", []
-        every = copy.all or bool(known)  # a test that always fails must not be the last
-        failed = [name for name in copy.test(fault.tests, targets, copy.limit, every) if name not in known]
+        # A test that always fails must not be the last.
+        failed = [name for name in copy.test(fault.tests, targets, LIMIT, bool(known)) if name not in known]
         return ("noticed", failed) if failed else ("MISSED", [])
     finally:
-        write(path, text)
+        path.write_text(text, encoding="utf-8")
 
 
 def get_failures(copy, faults, tests):
@@ -210,10 +180,11 @@ def get_failures(copy, faults, tests):
     expression = "|".join(sorted({part for fault in faults for part in fault.tests.split("|")}))
     targets = tests.find_targets(expression)
     print(f"Building {len(targets)} test programs and running their tests without a fault ...", flush=True)
-    copy.configure()
+    if copy.run(["cmake", "-S", copy.source, "-B", copy.build, "-G", "Ninja", *OPTIONS], "configure.log") != 0:
+        sys.exit(f"cmake failed, see {os.path.join(copy.folder, 'configure.log')}")
     if not copy.make(targets):
         sys.exit(f"the code does not compile, see {os.path.join(copy.folder, 'build.log')}")
-    failed = copy.test(expression, targets, None)
+    failed = copy.test(expression, targets, None, True)
     if failed:
         print("These fail without a fault and are left out: " + ", ".join(failed))
     return set(failed)
@@ -221,26 +192,19 @@ def get_failures(copy, faults, tests):
 
 def report(results):
     """Prints the table; the exit status."""
-    print(f"\n{'component':<12} {'faults':>6} {'noticed':>7} {'missed':>6} {'equivalent':>10}")
-    all_counts = collections.Counter()
-    for component in COMPONENTS:
-        counts = collections.Counter()
-        for fault, verdict in results:
-            if fault.id.split(".")[0] == component:
-                counts["faults"] += 1
-                counts["equivalent" if fault.equivalent else verdict] += 1
-        if counts:
-            print(f"{component:<12} {counts['faults']:>6} {counts['noticed']:>7} {counts['MISSED']:>6} "
-                  f"{counts['equivalent']:>10}")
-        all_counts += counts
-    counted = all_counts["noticed"] + all_counts["MISSED"]
-    share = all_counts["noticed"] / counted if counted else 1.0
-    print(f"{all_counts['noticed']} of {counted} faults were noticed ({100.0 * share:.1f} %).")
+    print(f"\n{'component':<12} {'noticed':>7} {'missed':>6}")
+    counts = collections.Counter((fault.id.split(".")[0], verdict) for fault, verdict in results if not fault.equivalent)
+    for component in sorted({component for component, _ in counts}):
+        print(f"{component:<12} {counts[component, 'noticed']:>7} {counts[component, 'MISSED']:>6}")
+    verdicts = collections.Counter(verdict for fault, verdict in results if not fault.equivalent)
+    counted = verdicts["noticed"] + verdicts["MISSED"]
+    share = verdicts["noticed"] / counted if counted else 1.0
+    print(f"{verdicts['noticed']} of {counted} faults were noticed ({100.0 * share:.1f} %).")
     for verdict in ("MISSED", "does not compile"):
         names = [fault.id for fault, other in results if other == verdict and not fault.equivalent]
         if names:
             print(f"{verdict}: " + ", ".join(names))
-    return 0 if share >= SHARE and not all_counts["does not compile"] else 1
+    return 0 if share >= SHARE and not verdicts["does not compile"] else 1
 
 
 def interrupt(*_):
@@ -249,8 +213,7 @@ def interrupt(*_):
 
 def try_faults(faults, tests, arguments):
     signal.signal(signal.SIGTERM, interrupt)
-    copy = Copy(arguments.build, arguments)
-    os.makedirs(copy.folder, exist_ok=True)
+    copy = Copy(arguments)
     results = []
     try:
         copy.update()
@@ -259,7 +222,7 @@ def try_faults(faults, tests, arguments):
             start = time.monotonic()
             verdict, names = try_fault(copy, fault, tests, known)
             results.append((fault, verdict))
-            note = f" by {get_summary(names)}" if names else ""
+            note = f" by {', '.join(names[:3])}" if names else ""
             if fault.equivalent:
                 note += f" (marked as equivalent: {fault.equivalent})"
             print(f"[{number}/{len(faults)}] {fault.id}: {verdict}{note}, {time.monotonic() - start:.0f} s", flush=True)
@@ -278,11 +241,6 @@ def main():
                         help="folder for the copy and its build, used again the next time; default: build-mutation")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N",
                         help="compilers and tests at once")
-    parser.add_argument("--timeout", type=int, default=300, metavar="SECONDS", help="time limit of each test")
-    parser.add_argument("--limit", type=int, default=900, metavar="SECONDS",
-                        help="time limit of all tests of a fault; one that makes them run longer is noticed")
-    parser.add_argument("--all", action="store_true",
-                        help="run all tests of a fault; otherwise its run ends with the first test that notices it")
     parser.add_argument("--check", action="store_true",
                         help="only check that every fault fits the code and names tests that exist")
     parser.add_argument("--list", action="store_true", help="only print the faults, their tests and their targets")

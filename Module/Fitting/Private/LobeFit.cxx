@@ -2,13 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LobeFit.h"
 
-#include "HalfVector.h"
-#include "LinearLeastSquares.h"
 #include "vtkMeasuredBRDFConfigure.h"
 
 #if MEASUREDBRDF_WITH_CERES
+
+#include "HalfVector.h"
+#include "LinearLeastSquares.h"
+#include "NumberText.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFFitter.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkLambertBRDF.h"
+#include "vtkNew.h"
+#include "vtkSumBRDF.h"
+
 #include <ceres/ceres.h>
-#endif
 
 #include <algorithm>
 #include <cmath>
@@ -98,106 +106,6 @@ double Dot(const double* coefficients, const Basis& basis, int count)
 {
   return std::inner_product(coefficients, coefficients + count, basis.Values, 0.0);
 }
-
-// All residuals sqrt(w/3) (T(f') - T(f)): their sum of squares is the weighted mean square.
-class LobeResiduals
-{
-public:
-  LobeResiduals(const FitSamples& samples, const Layout& layout)
-    : Samples(samples)
-    , Shape(layout)
-  {
-  }
-
-  void Evaluate(const double* parameters, double* residuals, double* jacobian) const
-  {
-    const int size = this->Shape.GetSize();
-    for (std::size_t k = 0; k < this->Samples.size(); ++k)
-    {
-      double* rows = jacobian ? jacobian + 3 * k * size : nullptr;
-      this->EvaluateSample(parameters, this->Samples[k], residuals + 3 * k, rows);
-    }
-  }
-
-private:
-  void EvaluateSample(
-    const double* parameters, const FitSample& sample, double* residuals, double* rows) const
-  {
-    const FitLoss& loss = this->Samples.GetLoss();
-    const int count = this->Shape.GetNumberOfCoefficients();
-    const Basis basis = measuredbrdf::Evaluate(this->Shape, parameters, sample);
-    const double weight = std::sqrt(sample.Weight / 3.0);
-    for (int c = 0; c < 3; ++c)
-    {
-      const double* coefficients = parameters + this->Shape.GetCoefficient(c, 0);
-      const double f = Dot(coefficients, basis, count);
-      residuals[c] = weight * (loss.Value(f, sample.I.z) - loss.Value(sample.F[c], sample.I.z));
-      if (!rows)
-      {
-        continue;
-      }
-      double* row = rows + c * this->Shape.GetSize();
-      std::fill_n(row, this->Shape.GetSize(), 0.0);
-      const double slope = weight * loss.Slope(f, sample.I.z);
-      for (int k = 0; k < count; ++k)
-      {
-        row[this->Shape.GetCoefficient(c, k)] = slope * basis.Values[k];
-      }
-      this->AddExponentSlopes(slope, coefficients, basis, row);
-    }
-  }
-
-  void AddExponentSlopes(
-    double slope, const double* coefficients, const Basis& basis, double* row) const
-  {
-    for (int lobe = 0; lobe < this->Shape.Model.NumberOfLobes; ++lobe)
-    {
-      const int first = 1 + lobe * this->Shape.CoefficientsPerLobe;
-      double f = 0.0;
-      for (int k = first; k < first + this->Shape.CoefficientsPerLobe; ++k)
-      {
-        f += coefficients[k] * basis.Values[k];
-      }
-      for (int e = 0; e < this->Shape.ExponentsPerLobe; ++e)
-      {
-        row[lobe * this->Shape.ExponentsPerLobe + e] = slope * f * basis.LogSlopes[lobe][e];
-      }
-    }
-  }
-
-  const FitSamples& Samples;
-  Layout Shape;
-};
-
-class LobeWatcher
-{
-public:
-  LobeWatcher(const LobeFitOptions& options, double from, double to, int iterations)
-    : Options(options)
-    , From(from)
-    , To(to)
-    , Iterations(iterations)
-  {
-  }
-  bool Proceed(int iteration, bool successful, double mean)
-  {
-    if (successful || iteration == 0)
-    {
-      this->History.push_back(mean);
-    }
-    const double share = std::min(double(iteration) / this->Iterations, 1.0);
-    this->Stopped = !this->Options.Progress(this->From + (this->To - this->From) * share);
-    return !this->Stopped;
-  }
-
-  std::vector<double> History;
-  bool Stopped = false;
-
-private:
-  const LobeFitOptions& Options;
-  double From, To;
-  int Iterations;
-};
 
 /**
  * The non-negative coefficients that are best for the exponents in parameters (written there), and
@@ -344,64 +252,105 @@ std::vector<Start> Screen(
   return starts;
 }
 
-// What the solver said of a refinement.
-struct Refinement
-{
-  bool Converged = false;
-  bool Usable = false;
-  std::string Message;
-};
-
-#if MEASUREDBRDF_WITH_CERES
+// All residuals sqrt(w/3) (T(f') - T(f)): their sum of squares is the weighted mean square.
 class LobeCost : public ceres::CostFunction
 {
 public:
-  LobeCost(const LobeResiduals& residuals, int numberOfResiduals, std::size_t size)
-    : Residuals(residuals)
+  LobeCost(const FitSamples& samples, const Layout& layout)
+    : Samples(samples)
+    , Shape(layout)
   {
-    this->set_num_residuals(numberOfResiduals);
-    this->mutable_parameter_block_sizes()->push_back(static_cast<int>(size));
+    this->set_num_residuals(static_cast<int>(3 * samples.size()));
+    this->mutable_parameter_block_sizes()->push_back(layout.GetSize());
   }
+
   bool Evaluate(
     double const* const* parameters, double* residuals, double** jacobians) const override
   {
-    this->Residuals.Evaluate(parameters[0], residuals, jacobians ? jacobians[0] : nullptr);
+    const FitLoss& loss = this->Samples.GetLoss();
+    const int size = this->Shape.GetSize();
+    const int count = this->Shape.GetNumberOfCoefficients();
+    for (std::size_t k = 0; k < 3 * this->Samples.size(); ++k)
+    {
+      const FitSample& sample = this->Samples[k / 3];
+      const int c = static_cast<int>(k % 3);
+      const Basis basis = measuredbrdf::Evaluate(this->Shape, parameters[0], sample);
+      const double* coefficients = parameters[0] + this->Shape.GetCoefficient(c, 0);
+      const double f = Dot(coefficients, basis, count);
+      const double weight = std::sqrt(sample.Weight / 3.0);
+      residuals[k] = weight * (loss.Value(f, sample.I.z) - loss.Value(sample.F[c], sample.I.z));
+      if (jacobians)
+      {
+        double* row = jacobians[0] + k * size;
+        std::fill_n(row, size, 0.0);
+        const double slope = weight * loss.Slope(f, sample.I.z);
+        std::transform(basis.Values, basis.Values + count, row + this->Shape.GetCoefficient(c, 0),
+          [slope](double value) { return slope * value; });
+        this->AddExponentSlopes(slope, coefficients, basis, row);
+      }
+    }
     return true;
   }
 
 private:
-  const LobeResiduals& Residuals;
+  void AddExponentSlopes(
+    double slope, const double* coefficients, const Basis& basis, double* row) const
+  {
+    for (int lobe = 0; lobe < this->Shape.Model.NumberOfLobes; ++lobe)
+    {
+      const int first = 1 + lobe * this->Shape.CoefficientsPerLobe;
+      const double f = std::inner_product(coefficients + first,
+        coefficients + first + this->Shape.CoefficientsPerLobe, basis.Values + first, 0.0);
+      for (int e = 0; e < this->Shape.ExponentsPerLobe; ++e)
+      {
+        row[lobe * this->Shape.ExponentsPerLobe + e] = slope * f * basis.LogSlopes[lobe][e];
+      }
+    }
+  }
+
+  const FitSamples& Samples;
+  const Layout& Shape;
 };
 
-class LobeCallback : public ceres::IterationCallback
+// Keeps the history and reports progress, from one share to another.
+class Watcher : public ceres::IterationCallback
 {
 public:
-  explicit LobeCallback(LobeWatcher& watcher)
-    : Watcher(watcher)
+  Watcher(const std::function<bool(double)>& progress, double from, double to, int iterations)
+    : Progress(progress)
+    , From(from)
+    , To(to)
+    , Iterations(iterations)
   {
-  }
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override
-  {
-    // Ceres' cost is half the sum of squares.
-    return this->Watcher.Proceed(summary.iteration, summary.step_is_successful, 2.0 * summary.cost)
-             ? ceres::SOLVER_CONTINUE
-             : ceres::SOLVER_ABORT;
   }
 
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override
+  {
+    if (summary.step_is_successful || summary.iteration == 0)
+    {
+      this->History.push_back(2.0 * summary.cost); // Ceres' cost is half the sum of squares
+    }
+    const double share = std::min(double(summary.iteration) / this->Iterations, 1.0);
+    this->Stopped = !this->Progress(this->From + (this->To - this->From) * share);
+    return this->Stopped ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  }
+
+  std::vector<double> History;
+  bool Stopped = false;
+
 private:
-  LobeWatcher& Watcher;
+  const std::function<bool(double)>& Progress;
+  double From, To;
+  int Iterations;
 };
 
 // By Ceres' Levenberg-Marquardt within bounds.
-Refinement Refine(const FitSamples& samples, const Layout& layout, Start& start,
-  LobeWatcher& watcher, int iterations, double tolerance)
+ceres::Solver::Summary Refine(const FitSamples& samples, const Layout& layout, Start& start,
+  Watcher& watcher, int iterations, double tolerance)
 {
-  const LobeResiduals residuals(samples, layout);
   double* parameters = start.Parameters.data();
   ceres::Problem problem;
-  problem.AddResidualBlock(
-    new LobeCost(residuals, static_cast<int>(3 * samples.size()), start.Parameters.size()), nullptr,
-    parameters);
+  problem.AddResidualBlock(new LobeCost(samples, layout), nullptr, parameters);
   for (int k = 0; k < layout.GetSize(); ++k)
   {
     problem.SetParameterLowerBound(parameters, k, 0.0);
@@ -410,7 +359,6 @@ Refinement Refine(const FitSamples& samples, const Layout& layout, Start& start,
       problem.SetParameterUpperBound(parameters, k, std::log1p(MaximumExponent));
     }
   }
-  LobeCallback callback(watcher);
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   options.num_threads = 1; // the same sums in the same order: the same result
@@ -418,91 +366,147 @@ Refinement Refine(const FitSamples& samples, const Layout& layout, Start& start,
   options.function_tolerance = tolerance;
   options.parameter_tolerance = 1e-10;
   options.logging_type = ceres::SILENT;
-  options.callbacks.push_back(&callback);
+  options.callbacks.push_back(&watcher);
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
   start.MeanSquare = 2.0 * summary.final_cost;
-  return { summary.termination_type == ceres::CONVERGENCE, summary.IsSolutionUsable(),
-    summary.message };
+  return summary;
 }
-#else
-Refinement Refine(const FitSamples&, const Layout&, Start&, LobeWatcher&, int, double)
-{
-  return {};
-}
-#endif
 
-LobeFitResult Unpack(const Layout& layout, const std::vector<double>& parameters)
+struct FittedLobe
 {
-  LobeFitResult result;
+  double ExponentU, ExponentV;
+  double Base[3], Rise[3];
+};
+
+vtkSmartPointer<vtkBRDF> MakeLobe(const FittedLobe& fitted, LobeShape shape, TextStream& report)
+{
+  const auto text = [](const double* rgb)
+  {
+    TextStream stream;
+    stream << rgb[0] << " " << rgb[1] << " " << rgb[2];
+    return stream.str();
+  };
+  if (shape == LobeShape::BlinnPhong)
+  {
+    vtkNew<vtkBlinnPhongBRDF> lobe;
+    lobe->SetExponent(fitted.ExponentU);
+    lobe->SetSpecular(fitted.Base);
+    report << "lobe: exponent " << fitted.ExponentU << ", specular " << text(fitted.Base) << "\n";
+    return lobe.Get();
+  }
+  double scale[3], reflectance[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    scale[c] = fitted.Base[c] + fitted.Rise[c];
+    reflectance[c] = scale[c] > 0.0 ? fitted.Base[c] / scale[c] : 0.0;
+  }
+  vtkNew<vtkAshikhminShirleyBRDF> lobe;
+  lobe->SetExponents(fitted.ExponentU, fitted.ExponentV);
+  lobe->SetSpecularScale(scale);
+  lobe->SetReflectance(reflectance);
+  report << "lobe: exponents " << fitted.ExponentU << " " << fitted.ExponentV << ", scale "
+         << text(scale) << ", reflectance " << text(reflectance) << "\n";
+  return lobe.Get();
+}
+
+// The material of the parameters, and its report.
+void Unpack(const Layout& layout, const std::vector<double>& parameters, LobeFitResult& result)
+{
+  double albedo[3];
+  std::vector<FittedLobe> lobes(layout.Model.NumberOfLobes);
   for (int lobe = 0; lobe < layout.Model.NumberOfLobes; ++lobe)
   {
-    const double* logs = &parameters[static_cast<std::size_t>(lobe * layout.ExponentsPerLobe)];
-    FittedLobe fitted;
+    const double* logs = &parameters[lobe * layout.ExponentsPerLobe];
     // Rounding must not carry them beyond the bound that they may have reached.
-    fitted.ExponentU = std::min(std::expm1(logs[0]), MaximumExponent);
-    fitted.ExponentV = std::min(std::expm1(logs[layout.ExponentsPerLobe - 1]), MaximumExponent);
+    lobes[lobe].ExponentU = std::min(std::expm1(logs[0]), MaximumExponent);
+    lobes[lobe].ExponentV =
+      std::min(std::expm1(logs[layout.ExponentsPerLobe - 1]), MaximumExponent);
     for (int c = 0; c < 3; ++c)
     {
-      const double* coefficients =
-        &parameters[static_cast<std::size_t>(layout.GetCoefficient(c, 0))];
+      const double* coefficients = &parameters[layout.GetCoefficient(c, 0)];
       const double* own = coefficients + 1 + lobe * layout.CoefficientsPerLobe;
-      result.Albedo[c] = Pi * coefficients[0];
-      fitted.Base[c] = own[0];
-      fitted.Rise[c] = layout.CoefficientsPerLobe == 2 ? own[1] : 0.0;
+      albedo[c] = Pi * coefficients[0];
+      lobes[lobe].Base[c] = own[0];
+      lobes[lobe].Rise[c] = layout.CoefficientsPerLobe == 2 ? own[1] : 0.0;
     }
-    result.Lobes.push_back(fitted);
   }
-  std::stable_sort(result.Lobes.begin(), result.Lobes.end(),
+  std::stable_sort(lobes.begin(), lobes.end(),
     [](const FittedLobe& a, const FittedLobe& b)
     { return a.ExponentU * a.ExponentV < b.ExponentU * b.ExponentV; });
-  return result;
+  TextStream report;
+  report << "diffuse albedo: " << albedo[0] << " " << albedo[1] << " " << albedo[2] << "\n";
+  vtkNew<vtkLambertBRDF> lambert;
+  lambert->SetAlbedo(albedo);
+  vtkNew<vtkSumBRDF> sum;
+  sum->AddTerm(lambert);
+  for (const FittedLobe& lobe : lobes)
+  {
+    sum->AddTerm(MakeLobe(lobe, layout.Model.Shape, report));
+  }
+  result.BRDF = sum;
+  result.Report = report.str();
 }
 }
 
 //------------------------------------------------------------------------------
-LobeFitResult FitLobes(
-  const FitSamples& samples, const LobeModel& model, const LobeFitOptions& options)
+LobeFitResult FitLobes(const FitSamples& samples, const LobeModel& model, vtkBRDFFitter* settings,
+  const std::function<bool(double)>& progress)
 {
   constexpr double screened = 0.2, refined = 0.6; // of the progress
-  if (!MEASUREDBRDF_WITH_CERES)
-  {
-    LobeFitResult result;
-    result.Failure = "this build has no Ceres (MEASUREDBRDF_WITH_CERES): Blinn-Phong and "
-                     "Ashikhmin-Shirley lobes cannot be fitted";
-    return result;
-  }
   const Layout layout(model);
   const FitSamples few = samples.GetFirst(ScreeningSamples);
   std::vector<Start> starts =
-    options.StartSeed > 0 ? DrawStarts(few, layout, options.StartSeed, options.NumberOfStarts)
-                          : Screen(few, layout, [&options]() { return options.Progress(0.0); });
+    settings->GetStartSeed() > 0
+      ? DrawStarts(few, layout, settings->GetStartSeed(), settings->GetNumberOfStarts())
+      : Screen(few, layout, [&progress]() { return progress(0.0); });
   if (starts.empty())
   {
     return LobeFitResult();
   }
-  starts.resize(std::min(starts.size(), static_cast<std::size_t>(options.NumberOfStarts)));
+  starts.resize(std::min<std::size_t>(starts.size(), settings->GetNumberOfStarts()));
   const FitSamples some = samples.GetFirst(RefiningSamples);
-  for (std::size_t k = 0; k < starts.size(); ++k)
+  const double step = (refined - screened) / static_cast<double>(starts.size());
+  double from = screened;
+  for (Start& start : starts)
   {
-    const double step = (refined - screened) / static_cast<double>(starts.size());
-    const double from = screened + step * static_cast<double>(k);
-    LobeWatcher watcher(options, from, from + step, RefiningIterations);
-    Refine(some, layout, starts[k], watcher, RefiningIterations, options.Tolerance);
+    Watcher watcher(progress, from, from + step, RefiningIterations);
+    Refine(some, layout, start, watcher, RefiningIterations, settings->GetTolerance());
     if (watcher.Stopped)
     {
       return LobeFitResult();
     }
+    from += step;
   }
   Start best = *std::min_element(starts.begin(), starts.end(),
     [](const Start& a, const Start& b) { return a.MeanSquare < b.MeanSquare; });
-  LobeWatcher watcher(options, refined, 1.0, options.MaximumNumberOfIterations);
-  const Refinement solved =
-    Refine(samples, layout, best, watcher, options.MaximumNumberOfIterations, options.Tolerance);
-  LobeFitResult result = Unpack(layout, best.Parameters);
+  const int most = settings->GetMaximumNumberOfIterations();
+  Watcher watcher(progress, refined, 1.0, most);
+  const ceres::Solver::Summary solved =
+    Refine(samples, layout, best, watcher, most, settings->GetTolerance());
+  LobeFitResult result;
+  if (!solved.IsSolutionUsable() && !watcher.Stopped)
+  {
+    result.Report = solved.message;
+    return result;
+  }
+  Unpack(layout, best.Parameters, result);
   result.History = watcher.History;
-  result.Converged = solved.Converged;
-  result.Failure = solved.Usable || watcher.Stopped ? "" : solved.Message;
+  result.Converged = solved.termination_type == ceres::CONVERGENCE;
   return result;
 }
 } // namespace measuredbrdf
+
+#else
+namespace measuredbrdf
+{
+LobeFitResult FitLobes(
+  const FitSamples&, const LobeModel&, vtkBRDFFitter*, const std::function<bool(double)>&)
+{
+  LobeFitResult result;
+  result.Report = "this build has no Ceres (MEASUREDBRDF_WITH_CERES): Blinn-Phong and "
+                  "Ashikhmin-Shirley lobes cannot be fitted";
+  return result;
+}
+} // namespace measuredbrdf
+#endif

@@ -14,10 +14,14 @@
 #define LobeFit_h
 
 #include "FitSamples.h"
+#include "vtkBRDF.h"
+#include "vtkSmartPointer.h"
 
 #include <functional>
 #include <string>
 #include <vector>
+
+class vtkBRDFFitter;
 
 namespace measuredbrdf
 {
@@ -34,36 +38,21 @@ struct LobeModel
   bool Anisotropic = false; // only Ashikhmin-Shirley's
 };
 
-struct FittedLobe
-{
-  double ExponentU, ExponentV;
-  double Base[3], Rise[3];
-};
-
 struct LobeFitResult
 {
-  double Albedo[3] = { 0.0, 0.0, 0.0 };
-  std::vector<FittedLobe> Lobes; // by ascending exponent
+  vtkSmartPointer<vtkBRDF> BRDF; // a sum, lobes by ascending exponent; null: failed or stopped
   std::vector<double> History;   // mean squares over the samples
   bool Converged = false;
-  std::string Failure; // the solver's message; empty: none
-};
-
-struct LobeFitOptions
-{
-  int NumberOfStarts;
-  unsigned int StartSeed; // 0: starts by screening, else random ones
-  int MaximumNumberOfIterations;
-  double Tolerance;
-  std::function<bool(double)> Progress; // false: stop
+  std::string Report; // the parameters, or why it failed
 };
 
 /**
  * All combinations of log-spaced exponents are tried on a few samples with the best non-negative
- * coefficients; the best ones are refined on more, the best of those on all.
+ * coefficients; the best ones are refined on more, the best of those on all. settings: the numbers
+ * of starts and iterations, the start seed and the tolerance. progress: returns false to stop.
  */
-LobeFitResult FitLobes(
-  const FitSamples& samples, const LobeModel& model, const LobeFitOptions& options);
+LobeFitResult FitLobes(const FitSamples& samples, const LobeModel& model, vtkBRDFFitter* settings,
+  const std::function<bool(double)>& progress);
 } // namespace measuredbrdf
 
 #endif

@@ -206,16 +206,12 @@ vtkIdType LampBRDF::GetTextureBytes()
 void LampBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
 {
   const glm::dvec3 u = ToHalfDifferenceUnit(glm::make_vec3(i), glm::make_vec3(o), false);
-  const VolumeCorners corners = { FindCorners(2.0 * std::abs(u.x), LobeSize[0], false),
-    FindCorners(u.y, LobeSize[1], false), FindCorners(u.z, LobeSize[2], false) };
+  const VolumeCorners<3> corners = { ClampedNeighbors(2.0 * std::abs(u.x), LobeSize[0]),
+    ClampedNeighbors(u.y, LobeSize[1]), ClampedNeighbors(u.z, LobeSize[2]) };
   glm::dvec3 sum(0.0);
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const double weight = corners.X.Weight[corner & 1] * corners.Y.Weight[(corner >> 1) & 1] *
-                          corners.Z.Weight[corner >> 2];
-    sum +=
-      weight * glm::dvec3(UnpackSharedExponent(this->Texels[GetCorner(corners, LobeSize, corner)]));
-  }
+  ForCorners<3>(LobeSize, corners,
+    [&](std::size_t cell, double weight)
+    { sum += weight * glm::dvec3(UnpackSharedExponent(this->Texels[cell])); });
   sum *= this->Scale / o[2];
   std::copy_n(&sum.x, 3, f);
 }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * GLSL text of the module itself, from shaders/, and its textures.
+ * What the shader inputs of materials share: the module's GLSL texts, from shaders/, and textures
+ * whose values are scaled so that 16 bits suffice.
  */
 
 #ifndef ModuleShader_h
@@ -10,8 +11,27 @@
 
 #include "vtkBRDFShaderInputs.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace measuredbrdf
 {
+/// Largest relative errors of textures' values of 16 and 32 bits.
+constexpr double HalfRounding = 1.0 / 2048.0;
+constexpr double FloatRounding = 0x1p-23;
+
+/// The factor that gives the values (NaN: none) a peak of 2^15: 16-bit floats and shared exponents
+/// then keep their bits over nine decades.
+inline float GetPeakScale(const std::vector<float>& values)
+{
+  float peak = 0.0f;
+  for (const float value : values)
+  {
+    peak = std::max(peak, std::isnan(value) ? 0.0f : std::abs(value));
+  }
+  return peak > 1e-30f ? 32768.0f / peak : 1.0f;
+}
+
 /// Set the term's text to that of the file, and its name to the file's.
 inline void SetModuleShader(vtkBRDFShaderInputs::Term& term, const char* name, const char* source)
 {

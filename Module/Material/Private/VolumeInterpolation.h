@@ -2,17 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Linear interpolation in a volume some of whose cells are invalid.
+ * Linear interpolation in a volume, some of whose cells may be invalid.
  */
 
 #ifndef VolumeInterpolation_h
 #define VolumeInterpolation_h
 
 #include "HalfVector.h"
+#include "Neighbors.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace measuredbrdf
@@ -29,79 +32,81 @@ inline glm::dvec3 ToHalfDifferenceUnit(const glm::dvec3& i, const glm::dvec3& o,
     ThetaHToUnit(angles.ThetaH) };
 }
 
-/// Two neighboring samples and their weights, along one axis.
-struct AxisCorners
-{
-  int Index[2];
-  double Weight[2];
-};
-
-/// Of coordinate u in [0,1]; a periodic axis takes any u.
-inline AxisCorners FindCorners(double u, int n, bool periodic)
-{
-  double x = u * n - 0.5;
-  if (!periodic)
-  {
-    x = std::clamp(x, 0.0, n - 1.0);
-  }
-  const double base = std::floor(x);
-  const double w = x - base;
-  int k0 = static_cast<int>(base);
-  int k1 = k0 + 1;
-  if (periodic)
-  {
-    k0 = ((k0 % n) + n) % n;
-    k1 = ((k1 % n) + n) % n;
-  }
-  else
-  {
-    k1 = std::min(k1, n - 1);
-  }
-  return { { k0, k1 }, { 1.0 - w, w } };
-}
-
-/// Two neighboring samples along each axis of a volume.
-struct VolumeCorners
-{
-  AxisCorners X, Y, Z;
-};
-
 /// Weighted sum of the valid corners, and their weights.
 struct VolumeSum
 {
-  double Values[3] = { 0.0, 0.0, 0.0 };
+  glm::dvec3 Values = glm::dvec3(0.0);
   double Valid = 0.0;
 };
 
-/// The index of one of the eight.
-inline std::size_t GetCorner(const VolumeCorners& corners, const int dimensions[3], int corner)
+/// Of the two neighbors along each axis.
+template <int Axes>
+using VolumeCorners = std::array<Neighbors, Axes>;
+
+/// Calls use(index of the cell, weight) for each corner; the first axis is the fastest. cell,
+/// weight: of the axes beyond.
+template <std::size_t Axes, std::size_t All, typename Use>
+inline void VisitCorners(const int* dimensions, const std::array<Neighbors, All>& corners,
+  std::size_t cell, double weight, const Use& use)
 {
-  return static_cast<std::size_t>(corners.X.Index[corner & 1]) +
-         static_cast<std::size_t>(dimensions[0]) *
-           (static_cast<std::size_t>(corners.Y.Index[(corner >> 1) & 1]) +
-             static_cast<std::size_t>(dimensions[1]) *
-               static_cast<std::size_t>(corners.Z.Index[corner >> 2]));
+  if constexpr (Axes == 0)
+  {
+    use(cell, weight);
+  }
+  else
+  {
+    const Neighbors& axis = corners[Axes - 1];
+    cell *= dimensions[Axes - 1];
+    VisitCorners<Axes - 1>(
+      dimensions, corners, cell + axis.First, weight * (1.0 - axis.Weight), use);
+    VisitCorners<Axes - 1>(dimensions, corners, cell + axis.Second, weight * axis.Weight, use);
+  }
 }
 
-/// RGB triples of a volume, NaN: invalid.
-inline VolumeSum GatherCorners(
-  const std::vector<float>& volume, const int dimensions[3], const VolumeCorners& corners)
+/// All of them.
+template <int Axes, typename Use>
+void ForCorners(const int* dimensions, const VolumeCorners<Axes>& corners, const Use& use)
+{
+  VisitCorners<Axes>(dimensions, corners, 0, 1.0, use);
+}
+
+/// Of RGB triples of a volume, NaN: invalid.
+template <int Axes>
+VolumeSum GatherCorners(
+  const std::vector<float>& volume, const int* dimensions, const VolumeCorners<Axes>& corners)
 {
   VolumeSum sum;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const int a = corner & 1, b = (corner >> 1) & 1, c = corner >> 2;
-    const double w = corners.X.Weight[a] * corners.Y.Weight[b] * corners.Z.Weight[c];
-    const float* v = &volume[3 * GetCorner(corners, dimensions, corner)];
-    if (!std::isnan(v[0]))
+  ForCorners<Axes>(dimensions, corners,
+    [&](std::size_t cell, double weight)
     {
-      sum.Valid += w;
-      sum.Values[0] += w * v[0];
-      sum.Values[1] += w * v[1];
-      sum.Values[2] += w * v[2];
-    }
-  }
+      const float* v = &volume[3 * cell];
+      if (!std::isnan(v[0]))
+      {
+        sum.Valid += weight;
+        sum.Values += weight * glm::dvec3(v[0], v[1], v[2]);
+      }
+    });
   return sum;
+}
+
+/// Of a half/difference volume, at coordinates of ToHalfDifferenceUnit.
+inline VolumeCorners<3> FindHalfDifferenceCorners(const glm::dvec3& u, const int* dimensions)
+{
+  return { PeriodicNeighbors(u.x, dimensions[0]), ClampedNeighbors(u.y, dimensions[1]),
+    ClampedNeighbors(u.z, dimensions[2]) };
+}
+
+/// Least and largest values of each channel of RGB triples, 0 at least; NaN is left out.
+inline void FindBounds(const std::vector<float>& rgb, double lower[3], double upper[3])
+{
+  std::fill_n(lower, 3, rgb.empty() ? 0.0 : std::numeric_limits<double>::max());
+  std::fill_n(upper, 3, 0.0);
+  for (std::size_t k = 0; k < rgb.size(); ++k)
+  {
+    lower[k % 3] =
+      std::min(lower[k % 3], std::isnan(rgb[k]) ? lower[k % 3] : std::max(rgb[k], 0.0f));
+    upper[k % 3] = std::max(upper[k % 3], std::isnan(rgb[k]) ? 0.0 : rgb[k]);
+  }
 }
 
 /// The mean of the valid corners over the cosine that the volume holds.

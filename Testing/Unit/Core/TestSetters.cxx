@@ -7,12 +7,10 @@
 
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkAshikhminShirleyBRDFFitter.h"
-#include "vtkBRDFAcquisition.h"
 #include "vtkBRDFAnalysis.h"
 #include "vtkBRDFFailureMap.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBasisBRDF.h"
-#include "vtkBasisExtrapolator.h"
 #include "vtkBasisProjector.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkBlinnPhongBRDFFitter.h"
@@ -27,7 +25,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 #include "vtkRadiancePlanner.h"
-#include "vtkRepresentationAdvisor.h"
 #include "vtkTableRadianceIntegrator.h"
 #include "vtkTabulatedBRDF.h"
 
@@ -312,31 +309,15 @@ TEST(Setters, OfFitting)
   REFUSED(vtkDistributionBRDFFitter, NumberOfThetaSamples, 0, 4096, { 1 });
   REFUSED(vtkDistributionBRDFFitter, NumberOfPhiSamples, 0, 1024);
   REFUSED(vtkDistributionBRDFFitter, NumberOfFresnelSamples, 2, 1024);
-  REFUSED(vtkRepresentationAdvisor, Order, 1, 20);
-  ZONE(vtkRepresentationAdvisor, Zone);
-  CLAMPED(vtkRepresentationAdvisor, MaximumResidual, 0.0, 1e6);
   REFUSED(vtkBasisProjector, Basis, 0, 3);
   REFUSED(vtkBasisProjector, Order, 1, 20);
   ZONE(vtkBasisProjector, IncidentZone);
   ZONE(vtkBasisProjector, OutgoingZone);
   REFUSED(vtkBasisProjector, Method, 0, 1);
   CLAMPED(vtkBasisProjector, Regularization, 0.0, 1.0);
-  REFUSED(vtkBasisProjector, Window, 0, vtkBasisProjector::LAPLACIAN);
   CLAMPED(vtkBasisProjector, NumberOfTheta, 2, 1024);
   CLAMPED(vtkBasisProjector, NumberOfPhi, 4, 1024);
   CLAMPED(vtkBasisProjector, NumberOfNodes, 8, 1024);
-  REFUSED(vtkBRDFAcquisition, Basis, 1, 3, { 7 });
-  REFUSED(vtkBRDFAcquisition, Order, 1, 20);
-  ZONE(vtkBRDFAcquisition, Zone);
-  REFUSED(vtkBRDFAcquisition, Noise, 0.0, 1e300);
-  REFUSED(vtkBRDFAcquisition, Bits, 0, 24);
-  CLAMPED(vtkBRDFAcquisition, NumberOfTheta, 2, 1024);
-  CLAMPED(vtkBRDFAcquisition, NumberOfPhi, 1, 256);
-  CLAMPED(vtkBasisExtrapolator, Order, 0, 20);
-  REFUSED(vtkBasisExtrapolator, Criterion, 0, vtkBasisExtrapolator::FIXED);
-  CLAMPED(vtkBasisExtrapolator, Lambda, 0.0, 1e6);
-  CLAMPED(vtkBasisExtrapolator, MaximumResidual, 0.0, 1e6);
-  CLAMPED(vtkBasisExtrapolator, MaximumNegativeMass, 0.0, 1.0);
 }
 
 namespace

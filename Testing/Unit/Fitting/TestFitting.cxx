@@ -30,7 +30,6 @@
 #include <cstring>
 #include <functional>
 #include <initializer_list>
-#include <iostream>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -369,9 +368,6 @@ TEST_P(FresnelFit, DistributionTablesComeBack)
   ExpectClose(Term<vtkLambertBRDF>(fitter, 0)->GetAlbedo(), albedo, 0.01, "albedo");
   EXPECT_LT(fitter->GetResidual(), 1e-6);
   EXPECT_LT(fitter->GetRelativeL2Error(), 1e-5);
-  std::cout << "residual " << fitter->GetResidual() << ", relative L2 "
-            << fitter->GetRelativeL2Error() << ", iterations " << fitter->GetNumberOfIterations()
-            << "\n";
   const std::vector<float>& fresnel = fitted->GetFresnel();
   for (std::size_t k = 3; GetParam() != vtkDistributionBRDFFitter::FREE && k < fresnel.size(); ++k)
   {
@@ -558,8 +554,6 @@ TEST(Fit, FiguresAreOfPairsThatTheFitDidNotSee)
   fitter->SetNumberOfStarts(1);
   fitter->SetMaximumNumberOfIterations(5);
   ExpectFit(fitter, MakeNoisy(MakeDistribution(128, 1, 32), 0.5));
-  std::cout << "seen " << fitter->GetResidualHistory().back() << ", unseen "
-            << fitter->GetResidual() << "\n";
   EXPECT_GT(fitter->GetResidual(), 1.02 * fitter->GetResidualHistory().back());
 }
 

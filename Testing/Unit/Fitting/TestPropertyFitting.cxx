@@ -12,7 +12,6 @@
 #include "vtkPBRPropertyFitter.h"
 #include "vtkProperty.h"
 
-#include <cstdio>
 #include <sstream>
 
 namespace
@@ -221,8 +220,6 @@ TEST(PropertyFitter, ErrorIsTheSetPropertys)
     const double plain = GetPictureError(stock, brdf);
     const double error = vtkPBRPropertyFitter::Fit(brdf, stock->Property);
     const double summed = GetPictureError(stock, brdf);
-    std::printf(
-      "%s: error %.4f, summed %.4f; of the default property %.2f\n", name, error, summed, plain);
     EXPECT_NEAR(error, summed, 0.1 * summed + 2e-3) << name;
     EXPECT_LT(error, 0.06) << name;
     EXPECT_LT(error, 0.1 * plain) << name;

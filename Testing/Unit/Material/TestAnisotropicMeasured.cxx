@@ -17,7 +17,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <limits>
 #include <random>
 
@@ -119,7 +118,6 @@ TEST(AnisotropicTabulated, ErrorFallsWithTheSize)
     const int size[4] = { n, n, n / 2, n };
     ASSERT_TRUE(table->Resample(brushed, vtkAnisotropicTabulatedBRDF::HALF_TURN, size));
     const double error = vtkBRDFResampler::GetRelativeL2Error(brushed, table, 1 << 13);
-    std::printf("%d: %g\n", n, error);
     EXPECT_LT(error, 0.5 * last);
     last = error;
   }
@@ -156,9 +154,7 @@ TEST(AnisotropicWarp, ReadsReducedFiles)
       worst = std::max(worst, std::abs(reduced.x - whole.x) / (whole.x + 0.01));
     }
   }
-  std::printf("largest difference of a reduced file: %g\n", worst);
   EXPECT_LT(worst, 0.01);
-  std::printf("a file of 16 x 33 directions: %.3g of what it was made of\n", difference / sum);
   EXPECT_LT(difference, 0.03 * sum);
 
   // In the planes of the symmetry, where the azimuth may be that of either end of the span.
@@ -226,7 +222,6 @@ TEST(AnisotropicWarp, IsResampledForGraphicsCards)
   EXPECT_LE(table->GetResamplingError(), 0.03);
   vtkBRDFShaderInputs form;
   file->GetShaderInputs(form);
-  std::printf("%s\n", form.Description.c_str());
   EXPECT_LT(form.GetTextureBytes(), 10u << 20);
 }
 

@@ -3,6 +3,7 @@
 // What tells materials apart by their class, parameters and data.
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFModels.h"
 #include "vtkBasisBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDF.h"
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -46,38 +46,18 @@ class NamelessBRDF : public vtkLambertBRDF
 public:
   static NamelessBRDF* New() { VTK_STANDARD_NEW_BODY(NamelessBRDF); }
 };
-
-class OpenBRDF : public SecretBRDF
-{
-public:
-  static OpenBRDF* New();
-  vtkTypeMacro(OpenBRDF, SecretBRDF);
-
-protected:
-  std::pair<std::type_index, std::string> GetContent() override
-  {
-    return { typeid(OpenBRDF), std::to_string(this->Secret) };
-  }
-};
-vtkStandardNewMacro(OpenBRDF);
 }
 
 TEST(ContentKey, MaterialsThatDoNotSayWhatTheyAreHaveNone)
 {
   const auto other = vtkSmartPointer<SecretBRDF>::New();
-  EXPECT_EQ(other->GetContentKey(), "");
-  EXPECT_EQ(vtkSmartPointer<NamelessBRDF>::New()->GetContentKey(), "");
+  EXPECT_EQ(vtkBRDFModels::GetContentKey(other), "");
+  EXPECT_EQ(vtkBRDFModels::GetContentKey(vtkSmartPointer<NamelessBRDF>::New()), "");
   vtkNew<vtkSumBRDF> sum;
   sum->AddTerm(vtkNew<vtkBlinnPhongBRDF>());
-  EXPECT_NE(sum->GetContentKey(), "");
+  EXPECT_NE(vtkBRDFModels::GetContentKey(sum), "");
   sum->AddTerm(other);
-  EXPECT_EQ(sum->GetContentKey(), "");
-
-  const auto open = vtkSmartPointer<OpenBRDF>::New();
-  const std::string key = open->GetContentKey();
-  EXPECT_EQ(key.size(), 32u);
-  open->Secret = 2.0;
-  EXPECT_NE(open->GetContentKey(), key);
+  EXPECT_EQ(vtkBRDFModels::GetContentKey(sum), "");
 }
 
 // Every parameter and every value counts; names and where the material is from do not.
@@ -86,7 +66,7 @@ TEST(ContentKey, EverythingThatCountsChangesIt)
   std::vector<std::string> keys;
   const auto add = [&keys](vtkBRDF* brdf)
   {
-    const std::string key = brdf->GetContentKey();
+    const std::string key = vtkBRDFModels::GetContentKey(brdf);
     EXPECT_EQ(key.size(), 32u);
     EXPECT_EQ(std::count(keys.begin(), keys.end(), key), 0) << brdf->GetClassName();
     keys.push_back(key);
@@ -94,9 +74,9 @@ TEST(ContentKey, EverythingThatCountsChangesIt)
     ASSERT_TRUE(copy);
     copy->SetName("another");
     copy->SetSource("elsewhere");
-    EXPECT_EQ(copy->GetContentKey(), key) << brdf->GetClassName();
+    EXPECT_EQ(vtkBRDFModels::GetContentKey(copy), key) << brdf->GetClassName();
     copy->SetResamplingTolerance(0.125);
-    EXPECT_NE(copy->GetContentKey(), key) << brdf->GetClassName();
+    EXPECT_NE(vtkBRDFModels::GetContentKey(copy), key) << brdf->GetClassName();
   };
   vtkNew<vtkLambertBRDF> lambert;
   add(lambert);
@@ -135,7 +115,6 @@ TEST(ContentKey, EverythingThatCountsChangesIt)
   std::vector<float> rgb(3 * 2 * 3 * 4, 0.5f);
   const int dimensions[3] = { 2, 3, 4 }, turned[3] = { 4, 3, 2 };
   vtkNew<vtkTabulatedBRDF> table;
-  add(table);
   for (const int parameterization : { 0, 1 })
   {
     for (const int range : { 0, 1 })
@@ -217,5 +196,4 @@ TEST(ContentKey, EverythingThatCountsChangesIt)
   sum->AddTerm(phong);
   sum->AddTerm(lambert);
   add(sum); // in another order: another form for the GPU
-  std::printf("%zu keys\n", keys.size());
 }

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iostream>
 #include <vector>
 
 using measuredbrdf::Pi;
@@ -111,7 +110,6 @@ TEST(QuickTables, StandInUntilTheRealOneIsMade)
   ASSERT_TRUE(table);
   EXPECT_LT(table->GetVolume().size(), 3u * 40000u);
   const double error = vtkBRDFResampler::GetLogCosineDistance(warp, table, 1 << 14);
-  std::cout << "log-cosine distance " << error << "\n";
   EXPECT_LT(error, 0.03);
   vtkBRDF* real = warp->GetRenderable();
   EXPECT_NE(real, quick);
@@ -131,7 +129,6 @@ TEST(QuickTables, OfAnisotropicMaterialsAndSums)
   const auto quick = vtkSmartPointer<vtkBRDF>::Take(warp->NewQuickRenderable());
   EXPECT_TRUE(vtkAnisotropicTabulatedBRDF::SafeDownCast(quick));
   const double error = vtkBRDFResampler::GetLogCosineDistance(warp, quick, 1 << 12);
-  std::cout << "log-cosine distance " << error << "\n";
   EXPECT_LT(error, 0.05);
 
   vtkNew<vtkSumBRDF> sum;

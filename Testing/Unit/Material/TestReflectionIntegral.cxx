@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -98,7 +97,6 @@ LargestError CheckAlbedos(
     largest.Add(
       albedo, SumAll(brdf, o, false, rows), name + " at " + std::to_string(degrees) + " degrees");
   }
-  std::printf("%s: off by %.1e\n", largest.Where.c_str(), largest.Error);
   return largest;
 }
 }
@@ -174,7 +172,6 @@ TEST(ReflectionIntegral, AnalysisHasBothWithinTheTolerance)
     largest.Add(
       reflectance, SumAll(paint, d, true, 500), "reflectance at " + std::to_string(angles[k]));
   }
-  std::printf("%s: off by %.1e\n", largest.Where.c_str(), largest.Error);
   EXPECT_LT(largest.Error, 1e-3) << largest.Where;
 }
 

@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <iostream>
 #include <limits>
 #include <random>
 #include <vector>
@@ -193,10 +192,6 @@ TEST(SoftTables, AgreeWithTheClosedForm)
       {
         const double near = GetDistance(lobe, table, 1.0 / kappa, 10.0);
         const double far = GetDistance(lobe, table, 1.0 / kappa, 50.0);
-        const double hard = GetDistance(lobe, table, 0.0, 50.0);
-        std::cout << lobe->GetClassName() << ", n = " << n << ", kappa = " << kappa
-                  << ": relative L2 " << near << " at 10, " << far << " at 50 degrees; hard "
-                  << hard << "\n";
         EXPECT_LT(near, 0.06);
         EXPECT_LT(far, 0.09);
       }
@@ -220,11 +215,6 @@ TEST(SoftTables, KeepTheAlbedo)
         {
           const double change =
             GetAlbedo(table, 1.0 / kappa, degrees) / GetAlbedo(table, 0.0, degrees) - 1.0;
-          const double closed =
-            GetAlbedo(phong, 1.0 / kappa, degrees) / GetAlbedo(phong, 0.0, degrees) - 1.0;
-          std::cout << "n = " << n << (reciprocal ? "" : ", cosine-weighted") << ", " << degrees
-                    << " degrees, kappa = " << kappa << ": albedo changes by " << change
-                    << ", the closed form's by " << closed << "\n";
           EXPECT_LT(std::abs(change), kappa < 100.0 ? 0.05 : 0.02);
         }
       }
@@ -288,7 +278,6 @@ TEST(SoftTables, HardFormsHoldNoLevels)
     EXPECT_NE(hard.GetShaderKey(), soft.GetShaderKey());
     const double more =
       static_cast<double>(soft.Terms[0].Textures[1].GetBytes()) / hard.GetTextureBytes();
-    std::cout << "n = " << n << ": " << soft.Description << ", " << more << " times the table\n";
     EXPECT_LT(more, 0.9);
   }
 }

@@ -1,18 +1,25 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "RenderableTable.h"
+#include "vtkResampledBRDF.h"
 
 #include "HalfDifferenceFill.h"
 #include "HalfTurn.h"
-#include "NumberText.h"
 #include "Printable.h"
 #include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkBRDFResampler.h"
 #include "vtkNew.h"
-#include "vtkSmartPointer.h"
+#include "vtkTabulatedBRDF.h"
 
-namespace measuredbrdf
+#include <mutex>
+
+using namespace measuredbrdf;
+
+struct vtkResampledBRDF::Shared
 {
+  std::mutex Mutex; // guards all
+  Made Last;
+};
+
 namespace
 {
 // phi_d, theta_d, phi_h over a full turn, theta_h: even ones first, then for what is steep at the
@@ -71,41 +78,56 @@ void NameAfter(vtkBRDF* material, vtkBRDF* table)
 }
 }
 
-RenderableTable::RenderableTable()
+//------------------------------------------------------------------------------
+vtkResampledBRDF::vtkResampledBRDF()
   : Common(std::make_shared<Shared>())
 {
 }
 
-RenderableTable::RenderableTable(const RenderableTable& other)
-  : Common(other.Common)
+//------------------------------------------------------------------------------
+vtkResampledBRDF::~vtkResampledBRDF() = default;
+
+//------------------------------------------------------------------------------
+void vtkResampledBRDF::ResetRenderable()
 {
+  this->Common = std::make_shared<Shared>();
+  this->Own = Made();
 }
 
-// Whether Own is what is asked for: its own, or what a copy has made.
-bool RenderableTable::TakeUp(double tolerance)
+//------------------------------------------------------------------------------
+void vtkResampledBRDF::ShareRenderable(vtkResampledBRDF* original)
 {
-  if (!this->Own.Fits(tolerance) && this->Common->Last.Fits(tolerance))
+  this->Common = original->Common;
+}
+
+//------------------------------------------------------------------------------
+// Whether Own is what is asked for: its own, or what a copy has made. Under the mutex.
+bool vtkResampledBRDF::HasRenderable()
+{
+  const auto fits = [this](const Made& made)
+  { return made.Table && made.Tolerance == this->ResamplingTolerance; };
+  if (!fits(this->Own) && fits(this->Common->Last))
   {
     this->Own = this->Common->Last;
   }
-  return this->Own.Fits(tolerance);
+  return fits(this->Own);
 }
 
-vtkBRDF* RenderableTable::Get(vtkBRDF* material, std::string& problem)
+//------------------------------------------------------------------------------
+vtkBRDF* vtkResampledBRDF::GetRenderable()
 {
   const std::lock_guard<std::mutex> lock(this->Common->Mutex);
-  const double tolerance = material->GetResamplingTolerance();
-  if (this->TakeUp(tolerance))
+  if (this->HasRenderable())
   {
     return this->Own.Table;
   }
   vtkSmartPointer<vtkBRDF> made;
   double error = 0.0;
-  if (material->IsIsotropic())
+  if (this->IsIsotropic())
   {
     vtkNew<vtkBRDFResampler> resampler;
-    resampler->SetInput(material);
-    resampler->SetTolerance(tolerance);
+    resampler->SetInput(this);
+    resampler->SetTolerance(this->ResamplingTolerance);
     resampler->Resample();
     error = resampler->GetOutput()->GetResamplingError();
     resampler->GetOutput()->SetPrecision(vtkTabulatedBRDF::SHARED_EXPONENT);
@@ -113,44 +135,48 @@ vtkBRDF* RenderableTable::Get(vtkBRDF* material, std::string& problem)
   }
   else
   {
-    const auto table = ResampleAnisotropic(material, tolerance);
+    const auto table = ResampleAnisotropic(this, this->ResamplingTolerance);
     error = table->GetResamplingError();
     made = table;
   }
-  if (error > tolerance)
+  if (error > this->ResamplingTolerance)
   {
-    TextStream text;
-    text << Quote(material->GetName()) << ": resampling for shaders keeps an error of " << error
-         << ", asked for " << tolerance << ".";
-    problem = text.str();
+    vtkWarningMacro(<< Quote(this->Name) << ": resampling for shaders keeps an error of " << error
+                    << ", asked for " << this->ResamplingTolerance << ".");
   }
-  NameAfter(material, made);
-  this->Own = this->Common->Last = { made, tolerance };
+  NameAfter(this, made);
+  this->Own = this->Common->Last = { made, this->ResamplingTolerance };
   return made;
 }
 
-vtkBRDF* RenderableTable::NewQuick(vtkBRDF* material)
+//------------------------------------------------------------------------------
+vtkBRDF* vtkResampledBRDF::NewQuickRenderable()
 {
   const std::unique_lock<std::mutex> lock(this->Common->Mutex, std::try_to_lock);
-  if (lock && this->TakeUp(material->GetResamplingTolerance()))
-  {
-    this->Own.Table->Register(nullptr);
-    return this->Own.Table;
-  }
   vtkSmartPointer<vtkBRDF> table;
-  if (material->IsIsotropic())
+  if (lock && this->HasRenderable())
+  {
+    table = this->Own.Table;
+  }
+  else if (this->IsIsotropic())
   {
     auto quick = vtkSmartPointer<vtkTabulatedBRDF>::New();
-    FillHalfDifference(material, false, QuickSize, quick);
+    FillHalfDifference(this, false, QuickSize, quick);
     quick->SetPrecision(vtkTabulatedBRDF::SHARED_EXPONENT);
+    NameAfter(this, quick);
     table = quick;
   }
   else
   {
-    table = MakeAnisotropicTable(material, Ladder[0], IsSameAfterHalfATurn(material));
+    table = MakeAnisotropicTable(this, Ladder[0], IsSameAfterHalfATurn(this));
+    NameAfter(this, table);
   }
-  NameAfter(material, table);
   table->Register(nullptr);
   return table;
 }
-} // namespace measuredbrdf
+
+//------------------------------------------------------------------------------
+void vtkResampledBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
+{
+  this->GetRenderable()->GetShaderInputs(form);
+}
