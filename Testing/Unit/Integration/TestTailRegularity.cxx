@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Which materials' lights may be shared by a window and a table.
-#include "FilledTable.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkSmartPointer.h"
@@ -12,6 +11,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -19,18 +20,23 @@ namespace
 vtkSmartPointer<vtkTabulatedBRDF> NewTable(
   int range, const std::function<double(std::size_t, double)>& change)
 {
-  return tool::stability::FillTable({ 12, 24, 32 }, range,
-    [&](std::size_t cell, const double* i, const double* o)
+  const std::array<int, 3> dimensions{ 12, 24, 32 };
+  std::vector<float> rgb;
+  for (int cell = 0; cell < 12 * 24 * 32; ++cell)
+  {
+    double i[3], o[3];
+    double value = 0.1;
+    if (vtkTabulatedBRDF::GetCellDirections(vtkTabulatedBRDF::HALF_DIFFERENCE, range,
+          dimensions.data(), cell % 12, cell / 12 % 24, cell / (12 * 24), i, o))
     {
-      double value = 0.1;
-      if (i)
-      {
-        const double h = std::hypot(i[0] + o[0], i[1] + o[1], i[2] + o[2]);
-        value += std::pow((i[2] + o[2]) / h, 20.0);
-      }
-      value = change(cell, value);
-      return std::array<double, 3>{ value, value, value };
-    });
+      const double h = std::hypot(i[0] + o[0], i[1] + o[1], i[2] + o[2]);
+      value += std::pow((i[2] + o[2]) / h, 20.0);
+    }
+    rgb.insert(rgb.end(), 3, static_cast<float>(change(static_cast<std::size_t>(cell), value)));
+  }
+  auto table = vtkSmartPointer<vtkTabulatedBRDF>::New();
+  table->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, range, dimensions.data(), std::move(rgb));
+  return table;
 }
 }
 

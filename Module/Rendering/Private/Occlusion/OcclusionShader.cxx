@@ -589,24 +589,6 @@ void SetFloats(vtkShaderProgram* program, const std::string& name, const std::ve
   program->SetUniform1fv(name.c_str(), static_cast<int>(values.size()), values.data());
 }
 
-// Of no vectors: nothing, as GLSL has no empty arrays.
-void SetVectors(
-  vtkShaderProgram* program, const std::string& name, const std::vector<glm::dvec3>& vectors)
-{
-  std::vector<float> values;
-  for (const glm::dvec3& vector : vectors)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      values.push_back(static_cast<float>(vector[c]));
-    }
-  }
-  if (!values.empty())
-  {
-    program->SetUniform3fv(name.c_str(), static_cast<int>(vectors.size()), values.data());
-  }
-}
-
 void SetFours(
   vtkShaderProgram* program, const std::string& name, const std::vector<glm::dvec4>& vectors)
 {
