@@ -135,7 +135,7 @@ void Evaluation::RestartSides()
   this->Figures = {};
   this->Failed = false;
   this->Timer.start();
-  emit this->changed();
+  Q_EMIT this->changed();
 }
 
 //------------------------------------------------------------------------------
@@ -172,7 +172,7 @@ void Evaluation::Settle()
   {
     this->Timer.start(); // a plan or a method is being made
   }
-  emit this->changed();
+  Q_EMIT this->changed();
 }
 
 //------------------------------------------------------------------------------
@@ -237,7 +237,7 @@ void Evaluation::TakeReference(const std::vector<double>& radiance, bool complet
   Dilate(*picture);
   this->Reference = picture;
   this->Measure();
-  emit this->changed();
+  Q_EMIT this->changed();
 }
 
 //------------------------------------------------------------------------------

@@ -84,7 +84,7 @@ public:
            (this->Complete && this->Figures[0].IsMeasured && this->Figures[1].IsMeasured);
   }
 
-signals:
+Q_SIGNALS:
   /// Any of the above is different.
   void changed();
 

@@ -73,7 +73,7 @@ void Jobs::Start(const QString& key, const QString& label, std::function<void(co
   job->Label = label;
   job->Work = std::move(work);
   job->Failed =
-    failed ? std::move(failed) : [this](const QString& text) { emit this->failed(text); };
+    failed ? std::move(failed) : [this](const QString& text) { Q_EMIT this->failed(text); };
   this->All.push_back(job);
   try
   {
@@ -154,7 +154,7 @@ void Jobs::Run(const std::shared_ptr<Job>& job)
     }
     if (!work.Notes.empty())
     {
-      post([this, notes = QString::fromStdString(work.Notes)]() { emit this->noted(notes); });
+      post([this, notes = QString::fromStdString(work.Notes)]() { Q_EMIT this->noted(notes); });
     }
   }
   // Also where it was stopped.
@@ -185,6 +185,6 @@ void Jobs::Report()
       share = job->Share;
     }
   }
-  emit this->progressed(line, share);
+  Q_EMIT this->progressed(line, share);
 }
 } // namespace explorer

@@ -60,7 +60,7 @@ public:
   bool IsRunning(const QString& key) const;
   bool IsIdle() const;
 
-signals:
+Q_SIGNALS:
   /// What runs has changed, or how far it is: one line, "" where nothing runs; share in [0, 1].
   void progressed(const QString& line, double share);
   /// A job said something about its input, such as what a reader corrected.

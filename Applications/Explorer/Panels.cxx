@@ -749,7 +749,7 @@ FindingsPanel::FindingsPanel(Session* session, Jobs* jobs)
     this->Info = info;
     findings->setText(MakeFindingsTable(info));
     text->setPlainText(QString::fromStdString(tool::FormatInspection(info)));
-    emit this->inspected();
+    Q_EMIT this->inspected();
   };
   connect(session, &Session::materialChanged, this,
     [=]()

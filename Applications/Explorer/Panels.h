@@ -68,7 +68,7 @@ public:
   /// Null before it was measured.
   const nlohmann::ordered_json& GetInspection() const { return this->Info; }
 
-signals:
+Q_SIGNALS:
   void inspected();
 
 private:

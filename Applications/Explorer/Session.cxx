@@ -68,16 +68,16 @@ void Session::Replace(const State& state, bool withCamera)
       AddOnce(this->Current.MaterialFiles, file); // so that it can be taken out
     }
   }
-  emit this->listsChanged();
-  emit this->modelsChanged();
+  Q_EMIT this->listsChanged();
+  Q_EMIT this->modelsChanged();
   this->SetMaterial(state.Material);
   this->Remake.start(); // where it is the one that is shown
   this->SetCompared(state.Compared);
   this->SetEnvironment(state.Environment);
-  emit this->lightChanged();
+  Q_EMIT this->lightChanged();
   if (this->Mesh && this->MeshFile == state.Mesh)
   {
-    emit this->cameraReplaced();
+    Q_EMIT this->cameraReplaced();
   }
   else
   {
@@ -88,7 +88,7 @@ void Session::Replace(const State& state, bool withCamera)
          &Session::toleranceChanged, &Session::pictureChanged, &Session::referenceHeightChanged,
          &Session::lobeChanged, &Session::slicesChanged })
   {
-    emit(this->*signal)();
+    Q_EMIT(this->*signal)();
   }
 }
 
@@ -190,7 +190,7 @@ void Session::Read(const char* job, Reading read, Taking take)
     [this](const QString& text)
     {
       this->Say(text, true);
-      emit this->listsChanged();
+      Q_EMIT this->listsChanged();
     });
 }
 
@@ -246,7 +246,7 @@ void Session::SetCompared(const std::vector<std::string>& files)
   {
     one = this->IsCompared(one->first) ? std::next(one) : this->Compared.erase(one);
   }
-  emit this->comparedChanged();
+  Q_EMIT this->comparedChanged();
   this->ReadCompared();
 }
 
@@ -330,7 +330,7 @@ void Session::ReadCompared()
             [this, material]()
             {
               this->Compared[material.File] = material;
-              emit this->comparedChanged();
+              Q_EMIT this->comparedChanged();
               if (material.Values != FindValues(material.File, this->Current.Models))
               {
                 this->ReadCompared(); // they have changed since this was begun
@@ -362,8 +362,8 @@ void Session::Take(const MadeMaterial& made)
   this->Made = made;
   this->Current.Material = file;
   this->Say(QString::fromStdString(made.Shown.Notes), false);
-  emit this->listsChanged();
-  emit this->materialChanged();
+  Q_EMIT this->listsChanged();
+  Q_EMIT this->materialChanged();
   this->Remake.start(); // where settings have changed since it was asked for
 }
 
@@ -391,7 +391,7 @@ void Session::RemakeMaterial()
       if (made.Shown.File == this->Made.Shown.File)
       {
         this->Made = made;
-        emit this->materialChanged();
+        Q_EMIT this->materialChanged();
       }
     });
 }
@@ -409,8 +409,8 @@ void Session::Take(const vtkSmartPointer<vtkEnvironment>& environment, const std
     this->Environment->SetRotationY(this->Current.Rotation);
   }
   this->Current.Environment = file;
-  emit this->listsChanged();
-  emit this->environmentChanged();
+  Q_EMIT this->listsChanged();
+  Q_EMIT this->environmentChanged();
 }
 
 //------------------------------------------------------------------------------
@@ -420,12 +420,12 @@ void Session::Take(const vtkSmartPointer<vtkPolyData>& mesh, const std::string& 
   this->MeshFile = file;
   this->Current.Mesh = file;
   const CameraState camera = this->Current.Camera;
-  emit this->listsChanged();
-  emit this->meshChanged(); // the view looks at all of it
+  Q_EMIT this->listsChanged();
+  Q_EMIT this->meshChanged(); // the view looks at all of it
   if (this->IsCameraGiven)
   {
     this->Current.Camera = camera;
-    emit this->cameraReplaced();
+    Q_EMIT this->cameraReplaced();
   }
   this->IsCameraGiven = false;
 }
@@ -489,7 +489,7 @@ void Session::Edit(Signal changed, const std::function<void(State&)>& change)
 {
   change(this->Current);
   Limit(this->Current);
-  emit(this->*changed)();
+  Q_EMIT(this->*changed)();
 }
 
 //------------------------------------------------------------------------------
@@ -509,7 +509,7 @@ void Session::SetModelValues(
       }
     }
   }
-  emit this->modelsChanged();
+  Q_EMIT this->modelsChanged();
   this->Remake.start();
 }
 

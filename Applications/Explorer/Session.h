@@ -141,9 +141,9 @@ public:
   void SaveMaterial(const std::string& path);
 
   /// Something to tell people.
-  void Say(const QString& text, bool isError) { emit this->messaged(text, isError); }
+  void Say(const QString& text, bool isError) { Q_EMIT this->messaged(text, isError); }
 
-signals:
+Q_SIGNALS:
   void listsChanged();
   void materialChanged();
   void comparedChanged(); // which are to be compared, or one has been read

@@ -85,7 +85,7 @@ Side::Side(int index, Session* session, Jobs* jobs, QObject* parent)
       this->Mapper->SetErrorTolerance(this->Model->GetState().Tolerance);
       if (this->Drawn == Kind::Planned)
       {
-        emit this->changed();
+        Q_EMIT this->changed();
       }
     });
   connect(session, &Session::lightChanged, this,
@@ -94,7 +94,7 @@ Side::Side(int index, Session* session, Jobs* jobs, QObject* parent)
       PlaceLight(this->Lamp, this->Model->GetState().Light);
       if (this->IsLit && !this->Light)
       {
-        emit this->changed();
+        Q_EMIT this->changed();
       }
     });
 }
@@ -122,7 +122,7 @@ void Side::OnPlan()
   {
     this->Plan = plan;
     QMetaObject::invokeMethod(
-      this, [this]() { emit this->changed(); }, Qt::QueuedConnection);
+      this, [this]() { Q_EMIT this->changed(); }, Qt::QueuedConnection);
   }
 }
 
@@ -168,7 +168,7 @@ void Side::UpdateMethod()
   {
     this->StartMethod(key);
   }
-  emit this->changed();
+  Q_EMIT this->changed();
 }
 
 //------------------------------------------------------------------------------
@@ -194,7 +194,7 @@ void Side::FailToMake(const QString& text)
 {
   this->IsMade = true;
   this->Model->Say(text, true);
-  emit this->changed();
+  Q_EMIT this->changed();
 }
 
 //------------------------------------------------------------------------------
@@ -216,7 +216,7 @@ void Side::StartMethod(const std::string& key)
     {
       environment->SetRotationY(this->Model->GetState().Rotation);
       this->Draw(Kind::Made, environment, made);
-      emit this->changed();
+      Q_EMIT this->changed();
     },
     [this](const QString& text) { this->FailToMake(text); });
 }
@@ -253,7 +253,7 @@ void Side::StartFit()
       }
       this->SetExposure(this->Exposure);
       this->Draw(Kind::Stock, this->Model->GetEnvironment(), {});
-      emit this->changed();
+      Q_EMIT this->changed();
     },
     [this](const QString& text) { this->FailToMake(text); });
 }
@@ -284,7 +284,7 @@ void Side::UpdateMesh()
   {
     this->Scene->SetMesh(this->Model->GetMesh());
   }
-  emit this->changed();
+  Q_EMIT this->changed();
 }
 
 //------------------------------------------------------------------------------

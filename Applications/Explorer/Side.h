@@ -81,7 +81,7 @@ public:
   /// Throws tool::Error.
   tool::Picture Capture(vtkCamera* camera, const tool::Size& size, double& frame);
 
-signals:
+Q_SIGNALS:
   /// Another picture: a method was made, or the material changed.
   void changed();
 

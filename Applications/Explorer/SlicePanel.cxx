@@ -171,7 +171,7 @@ void SliceView::Update()
     }
   }
   this->update();
-  emit this->updated();
+  Q_EMIT this->updated();
 }
 
 //------------------------------------------------------------------------------

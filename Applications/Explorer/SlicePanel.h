@@ -53,7 +53,7 @@ public:
   /// The material that is shown, then those that it is compared with.
   std::vector<ChartedMaterial> GetMaterials() const;
 
-signals:
+Q_SIGNALS:
   void updated();
 
 protected:

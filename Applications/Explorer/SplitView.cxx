@@ -490,7 +490,7 @@ void SplitView::OnBegin()
 void SplitView::OnEnd()
 {
   this->Window->WaitForCompletion();
-  emit this->framed(
+  Q_EMIT this->framed(
     std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - this->Begin)
       .count());
 }

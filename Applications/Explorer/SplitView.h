@@ -67,7 +67,7 @@ public:
   /// Where the line is, in the widget's pixels.
   int GetLinePosition() const;
 
-signals:
+Q_SIGNALS:
   void framed(double milliseconds);
 
 protected:

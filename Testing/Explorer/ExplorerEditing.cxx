@@ -67,7 +67,7 @@ class ExplorerEditing : public WindowTest
 {
   Q_OBJECT
 
-private slots:
+private Q_SLOTS:
   void initTestCase() { this->Shared = MakeWindow(MakeState()); }
   void cleanupTestCase() { this->Shared.reset(); }
   void oneLightOnBothSides();
@@ -253,11 +253,11 @@ void ExplorerEditing::slidersSetAModel()
   // Another model has its own rows, and the first keeps its values.
   auto* models = this->Find<QComboBox>("models");
   models->setCurrentIndex(models->findData("model:AshikhminShirley"));
-  emit models->activated(models->currentIndex());
+  Q_EMIT models->activated(models->currentIndex());
   QTRY_VERIFY_WITH_TIMEOUT(this->Find<QComboBox>("fresnel"), Patience);
   auto* fresnel = this->Find<QComboBox>("fresnel");
   fresnel->setCurrentIndex(1);
-  emit fresnel->activated(1);
+  Q_EMIT fresnel->activated(1);
   QCOMPARE(session->GetState().Models.at("AshikhminShirley").at("fresnel")[0], 1.0);
   session->SetMaterial("model:BlinnPhong");
   QTRY_VERIFY_WITH_TIMEOUT(this->Find<QDoubleSpinBox>("specular 0"), Patience);

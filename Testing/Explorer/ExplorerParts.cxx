@@ -67,7 +67,7 @@ class ExplorerParts : public QObject
 {
   Q_OBJECT
 
-private slots:
+private Q_SLOTS:
   void stateRoundTrip();
   void stateDefaults();
   void badStates_data();

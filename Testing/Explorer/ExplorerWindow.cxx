@@ -79,7 +79,7 @@ class ExplorerWindow : public WindowTest
 {
   Q_OBJECT
 
-private slots:
+private Q_SLOTS:
   void initTestCase() { this->Shared = MakeWindow(MakeState()); }
   void cleanupTestCase() { this->Shared.reset(); }
   void allTabsFit();

@@ -4,6 +4,7 @@
 // stands in its function; thresholds stand beside the figures that they judge.
 #include "LocalFrame.h"
 #include "Meshes.h"
+#include "Methods.h"
 #include "Progress.h"
 #include "Sheets.h"
 #include "Stability.h"
@@ -18,7 +19,6 @@
 #include "vtkEmbeddedMaterials.h"
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkNew.h"
-#include "vtkRepresentationAdvisor.h"
 #include "vtkTabulatedBRDF.h"
 
 #include <Eigen/Eigenvalues>
@@ -34,7 +34,7 @@ namespace
 {
 constexpr double StabilityZone[2] = { 9.0, 57.0 }; // of the device, Ghosh et al. 2007
 constexpr double AllAngles[2] = { 0.0, 90.0 };
-constexpr double LargestNegativeMass = 0.05; // that vtkBasisExtrapolator still accepts
+constexpr double LargestNegativeMass = 0.05; // that an extrapolation may have
 constexpr int ErrorPairs = 1 << 14;
 constexpr int SheetTile = 128;
 
@@ -124,18 +124,10 @@ void RunRinging(Context& context)
             Say(vtkBRDFResampler::GetRelativeL2Error(lobe, projected, ErrorPairs)));
       }
     }
-    // The module's answer: the advisor takes a fit where a basis would ring.
-    vtkNew<vtkRepresentationAdvisor> advisor;
-    advisor->SetInput(lobe);
-    advisor->SetOrder(6);
-    if (!advisor->Update())
-    {
-      throw Error("advisor: " + TakeErrorText());
-    }
-    const bool rings = advisor->GetRecommendation() == vtkRepresentationAdvisor::BASIS &&
-                       advisor->GetNegativeMass() > LargestNegativeMass;
-    context.Add("advisor", "a ringing basis recommended, exponent " + Say(exponent), rings, 0.0,
-      advisor->GetReason());
+    // The tool's answer: the advice takes a fit where a basis would ring.
+    const tool::Advice advice = tool::Advise(lobe, 6);
+    context.Add("advisor", "a ringing basis recommended, exponent " + Say(exponent),
+      advice.IsBasis && advice.NegativeMass > LargestNegativeMass, 0.0, advice.Reason);
   }
   DrawRinging(context);
 }
