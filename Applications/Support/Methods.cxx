@@ -54,7 +54,7 @@ std::string DescribeForm(vtkBRDF* brdf)
 }
 
 //------------------------------------------------------------------------------
-Advice Advise(vtkBRDF* brdf, int order, const double* zone)
+Advice Advise(vtkBRDF* brdf, int order, const double* zone, const std::string& name)
 {
   constexpr double limit = 0.10;
   constexpr int pairs = 1 << 14;
@@ -66,7 +66,7 @@ Advice Advise(vtkBRDF* brdf, int order, const double* zone)
   projector->SetOutgoingZone(zone);
   if (!RunWithProgress(projector.Get(), &vtkBasisProjector::Project, "measuring"))
   {
-    throw Error(brdf->GetName() + ": " + TakeErrorText());
+    throw Error((name.empty() ? brdf->GetName() : name) + ": " + TakeErrorText());
   }
   vtkBasisBRDF* basis = projector->GetOutput();
   Advice advice;
@@ -89,7 +89,7 @@ Representation Represent(const Material& material, int order)
   {
     return { material.BRDF, "basis", DescribeForm(material.BRDF), "basis: it is in one already" };
   }
-  const Advice advice = Advise(material.BRDF, order);
+  const Advice advice = Advise(material.BRDF, order, DeviceZone, material.File);
   const auto represent = [&](auto* maker, auto run) -> Representation
   {
     maker->SetInput(material.BRDF);

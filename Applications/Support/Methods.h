@@ -62,8 +62,10 @@ struct Advice
 
 constexpr double DeviceZone[2] = { 9.0, 57.0 }; // degrees
 
-/// Throws Error, also where Ctrl-C was pressed. Needs an Interruptible.
-Advice Advise(vtkBRDF* brdf, int order, const double* zone = DeviceZone);
+/// Throws Error, also where Ctrl-C was pressed; it begins with name, or the material's. Needs an
+/// Interruptible.
+Advice Advise(
+  vtkBRDF* brdf, int order, const double* zone = DeviceZone, const std::string& name = "");
 
 /// The material as advised: spherical harmonics of the hemisphere, or the D-BRDF fit. One that is
 /// in a basis already stays.

@@ -371,8 +371,11 @@ void vtkMaterialLegendActor::PlaceEntries(
 int vtkMaterialLegendActor::RenderOverlay(vtkViewport* viewport)
 {
   int drawn = 0;
-  this->Impl->ForEachActor(
-    [&drawn, viewport](vtkActor2D* actor) { drawn += actor->RenderOverlay(viewport); });
+  if (viewport)
+  {
+    this->Impl->ForEachActor(
+      [&drawn, viewport](vtkActor2D* actor) { drawn += actor->RenderOverlay(viewport); });
+  }
   return drawn;
 }
 
@@ -380,8 +383,8 @@ int vtkMaterialLegendActor::RenderOverlay(vtkViewport* viewport)
 int vtkMaterialLegendActor::RenderOpaqueGeometry(vtkViewport* viewport)
 {
   int drawn = 0;
-  if (measuredbrdf::RunGuarded(
-        this, "RenderOpaqueGeometry", [&]() { this->UpdateLayout(viewport); }))
+  if (viewport && measuredbrdf::RunGuarded(
+                    this, "RenderOpaqueGeometry", [&]() { this->UpdateLayout(viewport); }))
   {
     this->Impl->ForEachActor(
       [&drawn, viewport](vtkActor2D* actor) { drawn += actor->RenderOpaqueGeometry(viewport); });

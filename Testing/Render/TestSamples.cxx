@@ -348,7 +348,7 @@ TEST_F(Samples, ShowTheSameUnderShadowMaps)
 }
 
 //------------------------------------------------------------------------------
-// So is what shows through, or what a program's shaders change.
+// So is what shows through, but not what a program's shaders do with the radiance afterwards.
 TEST_F(Samples, ShowTheSameWhereTranslucentOrChanged)
 {
   this->Actor->GetProperty()->SetOpacity(0.5);
@@ -357,7 +357,7 @@ TEST_F(Samples, ShowTheSameWhereTranslucentOrChanged)
   this->Window->SetInteractor(nullptr);
   this->Actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", false,
     "//VTK::Light::Impl\n  gl_FragData[0].rgb *= vec3(0.5, 0.7, 0.9);\n", false);
-  this->ExpectSame(this->Mapper.Get(), false);
+  this->ExpectSame(this->Mapper.Get());
 }
 
 //------------------------------------------------------------------------------

@@ -19,10 +19,24 @@ namespace measuredbrdf
 namespace
 {
 constexpr int ViewCells = 512; // of a view's quadrature
-constexpr int QuickViewCells = 64;
+constexpr int QuickCells = 128;
+
+// Views are found from coarse to fine: one is interpolated where those about it agree, by so much
+// of the albedo and so many radians, with what their neighbors say. That also smooths the axes.
+constexpr int Stride = 8;
+constexpr double LargestBend = 1e-3;
+constexpr double LargestQuickBend = 0.03;
 
 constexpr double KnotPower = 1.5;   // 1: evenly spaced
 constexpr double FastestAxis = 1.5; // times the view's angle; mirror directions: 1
+
+double GetDistance(const LobeMeans& a, const LobeMeans& b)
+{
+  const glm::dvec3 differences =
+    glm::max(glm::abs(a.Amplitude - b.Amplitude), Pi * glm::abs(a.Floor - b.Floor));
+  const double largest = std::max({ differences.x, differences.y, differences.z });
+  return std::max(largest > 0.0 ? 3.0 * largest / a.Albedo : 0.0, std::abs(a.Delta - b.Delta));
+}
 }
 
 double LobeViews::GetLastAngle() { return std::acos(MinimumViewCosine); }
@@ -55,22 +69,60 @@ const std::atomic<bool> LobeViews::Never{ false };
 LobeViews::LobeViews(vtkBRDF* brdf, const std::atomic<bool>& abort, bool quick)
   : Views(NumberOfViews)
 {
-  measuredbrdf::ParallelForEach(
-    NumberOfViews,
-    [&](int k)
+  const int cells = quick ? QuickCells : ViewCells;
+  const double bend = quick ? LargestQuickBend : LargestBend;
+  std::vector<int> wanted;
+  for (int k = 0; k < NumberOfViews - 1; k += Stride)
+  {
+    wanted.push_back(k);
+  }
+  wanted.push_back(NumberOfViews - 1);
+  this->Evaluate(brdf, wanted, cells, abort);
+  std::vector<int> known = wanted; // sorted
+  std::vector<std::pair<int, int>> gaps;
+  for (std::size_t k = 0; k + 1 < known.size(); ++k)
+  {
+    gaps.emplace_back(known[k], known[k + 1]);
+  }
+  while (!gaps.empty() && !abort)
+  {
+    wanted.clear();
+    std::vector<LobeMeans> guesses;
+    for (const auto& [low, high] : gaps)
     {
-      const double theta = GetAngle(k);
-      const LobeQuadrature quadrature(brdf, glm::dvec3(std::sin(theta), 0.0, std::cos(theta)),
-        quick ? QuickViewCells : ViewCells);
-      View& view = this->Views[k];
-      view.Means = LobeMeans(quadrature);
-      for (const LobeQuadrature::Cell& cell : quadrature.GetCells())
+      wanted.push_back((low + high) / 2);
+      guesses.push_back(this->Interpolate(known, wanted.back()));
+    }
+    this->Evaluate(brdf, wanted, cells, abort);
+    std::vector<std::pair<int, int>> finer;
+    for (std::size_t k = 0; k < gaps.size(); ++k)
+    {
+      const auto [low, high] = gaps[k];
+      const int middle = wanted[k];
+      const LobeMeans& means = this->Views[middle].Means;
+      if (GetDistance(means, guesses[k]) > bend)
       {
-        view.Cells.push_back(
-          { LobeQuadrature::GetEnergy(cell, view.Means.Floor), cell.SolidAngle });
+        for (const auto& gap : { std::pair(low, middle), std::pair(middle, high) })
+        {
+          if (gap.second - gap.first > 1)
+          {
+            finer.push_back(gap);
+          }
+        }
       }
-    },
-    &abort);
+    }
+    known.insert(known.end(), wanted.begin(), wanted.end());
+    std::sort(known.begin(), known.end());
+    gaps = finer;
+  }
+  for (int k = 0; k < NumberOfViews; ++k)
+  {
+    View& view = this->Views[k];
+    if (view.Cells.empty())
+    {
+      view.Means = this->Interpolate(known, k);
+    }
+  }
   this->LimitAxes();
 }
 
@@ -105,6 +157,54 @@ double LobeViews::GetAxis(double theta) const
   const double below = this->Views[low].Means.Delta;
   const double above = this->Views[static_cast<std::size_t>(low) + 1].Means.Delta;
   return below + (exact - low) * (above - below);
+}
+
+void LobeViews::Evaluate(
+  vtkBRDF* brdf, const std::vector<int>& indices, int cells, const std::atomic<bool>& abort)
+{
+  measuredbrdf::ParallelForEach(
+    indices.size(),
+    [&](std::size_t k)
+    {
+      const double theta = GetAngle(indices[k]);
+      const LobeQuadrature quadrature(
+        brdf, glm::dvec3(std::sin(theta), 0.0, std::cos(theta)), cells);
+      View& view = this->Views[indices[k]];
+      view.Means = LobeMeans(quadrature);
+      for (const LobeQuadrature::Cell& cell : quadrature.GetCells())
+      {
+        view.Cells.push_back(
+          { LobeQuadrature::GetEnergy(cell, view.Means.Floor), cell.SolidAngle });
+      }
+    },
+    &abort);
+}
+
+// Cubic, after Lagrange, through the four known ones about it.
+LobeMeans LobeViews::Interpolate(const std::vector<int>& known, int index) const
+{
+  const int count = static_cast<int>(known.size());
+  const int above =
+    static_cast<int>(std::lower_bound(known.begin(), known.end(), index) - known.begin());
+  const int first = std::clamp(above - 2, 0, count - 4);
+  LobeMeans sum;
+  for (int k = first; k < first + 4; ++k)
+  {
+    const int at = known[k];
+    double weight = 1.0;
+    for (int other = first; other < first + 4; ++other)
+    {
+      const int node = known[other];
+      weight *= other == k ? 1.0 : static_cast<double>(index - node) / (at - node);
+    }
+    sum.Add(this->Views[at].Means, weight);
+  }
+  sum.Floor = glm::max(sum.Floor, glm::dvec3(0.0));
+  sum.Amplitude = glm::max(sum.Amplitude, glm::dvec3(0.0));
+  sum.Albedo = std::max(sum.Albedo, 0.0);
+  const double length = glm::length(sum.Axis);
+  sum.Axis = length > 0.0 ? sum.Axis / length : glm::dvec3(0.0, 0.0, 1.0);
+  return sum;
 }
 
 double LobeViews::GetSharpShare(double solidAngle, double farthest) const

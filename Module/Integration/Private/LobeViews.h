@@ -55,7 +55,7 @@ public:
   struct View
   {
     LobeMeans Means;
-    std::vector<Cell> Cells;
+    std::vector<Cell> Cells; // none: interpolated. The first and the last view have some.
   };
   const std::vector<View>& GetViews() const { return this->Views; }
 
@@ -73,6 +73,9 @@ public:
 private:
   static const std::atomic<bool> Never;
 
+  void Evaluate(
+    vtkBRDF* brdf, const std::vector<int>& indices, int cells, const std::atomic<bool>& abort);
+  LobeMeans Interpolate(const std::vector<int>& known, int index) const;
   void LimitAxes();
 
   std::vector<View> Views;

@@ -149,7 +149,7 @@ TEST(Planner, ClimbsToEachRung)
     planner->SetMaximumTextureBytes(rung.MaximumBytes);
     ASSERT_TRUE(planner->Update());
     EXPECT_EQ(planner->GetPlan().rfind(rung.Choice, 0), 0u) << planner->GetPlan();
-    EXPECT_TRUE(planner->GetMeetsTolerance());
+    EXPECT_TRUE(planner->GetMeetsTolerance()) << planner->GetPlan();
   }
 }
 

@@ -56,6 +56,22 @@ int CountSamples(const std::vector<DrawnMaterial>& materials)
   return count;
 }
 
+// Whether they come after the radiance, which they so do not change.
+bool AreReplacementsLate(vtkShaderProperty* shaders)
+{
+  for (int k = 0; k < shaders->GetNumberOfShaderReplacements(); ++k)
+  {
+    std::string tag, text;
+    bool isFirst, isOfAll;
+    shaders->GetNthShaderReplacement(k, tag, isFirst, text, isOfAll);
+    if (isFirst || tag != "//VTK::Light::Impl")
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 // Passes that draw surfaces in several layers, or whose outputs are of their own, have all samples
 // at once. So have programs' own shaders, whose uniforms need not say when they change.
 bool MayAdd(const SummedPart& part)
@@ -64,7 +80,7 @@ bool MayAdd(const SummedPart& part)
   vtkInformation* keys = part.Actor->GetPropertyKeys();
   const bool hasPasses = keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
   return mapper && !hasPasses && !part.Actor->IsRenderingTranslucentPolygonalGeometry() &&
-         part.Actor->GetShaderProperty()->GetNumberOfShaderReplacements() == 0 &&
+         AreReplacementsLate(part.Actor->GetShaderProperty()) &&
          !mapper->HasObserver(vtkCommand::UpdateShaderEvent);
 }
 
