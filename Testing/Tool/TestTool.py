@@ -936,7 +936,7 @@ class ChartErrors(ChartTest):
     def test_bad_input(self):
         self.check(self.chart("--methods", "table,magic"), 2, "--methods", "magic", "soft-lights")
         self.check(self.chart("--methods", "table,,basis"), 2, "--methods")
-        for tolerances in ("0", "0.02,x"):
+        for tolerances in ("0", "0.02,x", "nan"):
             self.check(self.chart("--tolerances", tolerances), 2, "--tolerances")
         self.check(self.chart("--environments", ""), 2, "--environments")
         self.check(self.chart("--slowest", "-1"), 2, "--slowest")
