@@ -23,7 +23,7 @@ namespace
 using JSON = tool::ChartJson;
 
 constexpr char ChartFormat[] = "measured-brdf chart";
-constexpr int ChartVersion = 1;
+constexpr int ChartVersion = 2; // of other fingerprints than 1
 
 // What the planner is asked for: on the front, or this much above its time.
 constexpr double FrontMargin = 0.2;

@@ -236,6 +236,14 @@ void Run(const ChartOptions& options)
   const tool::View view = tool::ParseView(options.View);
   const std::vector<std::string> methods =
     options.Methods.empty() ? ListMethods() : options.Methods;
+  for (const double tolerance : options.Tolerances)
+  {
+    if (!(tolerance >= 1e-3 && tolerance <= 1.0)) // also not a number
+    {
+      throw tool::UsageError("--tolerances: " + tool::FormatNumber(tolerance) +
+                             " is not between 0.001 and 1, like 0.02");
+    }
+  }
   const std::vector<tool::ChartSize> sizes =
     tool::ListChartSizes(methods, options.Tolerances, options.Sweep == "full", options.ForView);
   if (!(options.Slowest > 0.0))
@@ -310,8 +318,7 @@ void AddChartCommand(CLI::App& app)
       "Tolerances whose plans are marked, with commas between them, from 0.001 to 1 (default " +
         JoinTolerances(options->Tolerances) + ")")
     ->delimiter(',')
-    ->allow_extra_args(false)
-    ->check(CLI::Range(0.001, 1.0));
+    ->allow_extra_args(false);
   command
     ->add_option(
       "--sweep", options->Sweep, "small (default): a few sizes of each method; full: all of them")

@@ -492,23 +492,28 @@ constexpr const char* NotesName = "Notes"; // the field that holds what the chil
 constexpr int HasError = 1;                // exit status: the answer is a message
 
 //------------------------------------------------------------------------------
-/// A file for the child's answer, which goes with this object.
+/// A file without a name for the child's answer: nothing is left of it, however both end.
 struct AnswerFile
 {
   AnswerFile()
-    : Path((std::filesystem::temp_directory_path() / "measured-brdf-XXXXXX").string())
   {
-    const int file = mkstemp(this->Path.data());
-    if (file < 0)
+    std::error_code error;
+    const auto folder = std::filesystem::temp_directory_path(error);
+    std::string name = (folder / "measured-brdf-XXXXXX").string();
+    this->File = error ? -1 : mkstemp(name.data());
+    if (this->File < 0)
     {
-      throw Error(this->Path + ": can't be made: " + std::strerror(errno));
+      throw Error("no temporary file can be made in the folder of TMPDIR: " +
+                  (error ? error.message() : name + ": " + std::strerror(errno)));
     }
-    close(file);
+    unlink(name.c_str());
+    this->Path = "/proc/self/fd/" + std::to_string(this->File); // the child's, too
   }
-  ~AnswerFile() { unlink(this->Path.c_str()); }
+  ~AnswerFile() { close(this->File); }
   AnswerFile(const AnswerFile&) = delete;
   void operator=(const AnswerFile&) = delete;
 
+  int File;
   std::string Path;
 };
 
@@ -539,6 +544,11 @@ int RunTool(std::string program, std::string path, std::string answer)
       }
     }
   } child;
+  struct sigaction given = {};
+  if (sigaction(SIGCHLD, nullptr, &given) == 0 && given.sa_handler == SIG_IGN)
+  {
+    std::signal(SIGCHLD, SIG_DFL); // else nobody is told how a child ended
+  }
   std::string option = ReadMeshOption;
   char* const words[] = { program.data(), option.data(), path.data(), answer.data(), nullptr };
   const int error = posix_spawn(&child.Id, program.c_str(), nullptr, nullptr, words, environ);
@@ -548,12 +558,19 @@ int RunTool(std::string program, std::string path, std::string answer)
     throw Error(std::string("no process could be started: ") + std::strerror(error));
   }
   int status = 0;
-  while (waitpid(child.Id, &status, WNOHANG) != child.Id)
+  pid_t ended = 0;
+  while ((ended = waitpid(child.Id, &status, WNOHANG)) == 0)
   {
     Interruptible::Check();
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   child.Id = -1;
+  Interruptible::Check(); // Ctrl-C may have ended the child, too
+  if (ended < 0)
+  {
+    throw Error(
+      std::string("it is not known how the reader's process ended: ") + std::strerror(errno));
+  }
   return status;
 }
 
@@ -595,7 +612,11 @@ vtkSmartPointer<vtkPolyData> ReadApart(const std::string& path)
   if (WIFEXITED(status) && WEXITSTATUS(status) == HasError)
   {
     std::ifstream message(answer.Path, std::ios::binary);
-    throw Error(std::string(std::istreambuf_iterator<char>(message), {}));
+    const std::string text(std::istreambuf_iterator<char>(message), {});
+    if (!text.empty())
+    {
+      throw Error(text);
+    }
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
   {

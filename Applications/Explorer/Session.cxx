@@ -58,6 +58,7 @@ void Session::Replace(const State& state, bool withCamera)
 {
   const State before = this->Current;
   this->Current = state;
+  this->Current.Note.clear();
   this->Current.Material = before.Material;
   this->Current.Environment = before.Environment;
   this->Current.Mesh = before.Mesh;
@@ -89,6 +90,10 @@ void Session::Replace(const State& state, bool withCamera)
          &Session::lobeChanged, &Session::slicesChanged })
   {
     Q_EMIT(this->*signal)();
+  }
+  if (!state.Note.empty())
+  {
+    this->Say(QString::fromStdString(state.Note), false);
   }
 }
 

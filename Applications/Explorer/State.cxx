@@ -409,12 +409,12 @@ State ReadState(const std::string& text, const std::string& name)
   {
     json.erase("exposure");
   }
-  if (!json.value("edits", ordered_json()).empty())
-  {
-    fields.Fail("edits", "no samples: they are edited in a material's file");
-  }
   State state;
   Visit(state, fields);
+  if (!json.value("edits", ordered_json()).empty()) // of earlier versions
+  {
+    state.Note = name + ": \"edits\" are left out: samples are edited in a material's file";
+  }
   if ((state.Lights & (state.Lights - 1)) != 0)
   {
     fields.Fail("lights", "a power of two");

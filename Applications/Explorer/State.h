@@ -110,6 +110,7 @@ struct State
   double SlicePhiD = 90.0; // degrees, [0, 180]
   bool SliceLogarithmic = true;
   bool SlicePolar = false; // a polar plot for the lobe's light in the slices' place
+  std::string Note;        // for people: what its file has that is left out
 };
 
 /// Takes numbers that are not allowed as the nearest that are, and angles within a turn.

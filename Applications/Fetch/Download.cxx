@@ -41,6 +41,12 @@ void CheckAnswer(const Exchange& exchange)
 {
   long status = 0;
   curl_easy_getinfo(exchange.Curl, CURLINFO_RESPONSE_CODE, &status);
+  const char* url = nullptr; // where redirects led to
+  curl_easy_getinfo(exchange.Curl, CURLINFO_EFFECTIVE_URL, &url);
+  if (status != 0 && url && !tool::IsAllowedUrl(url))
+  {
+    throw tool::Error(std::string("the server redirects to ") + url + ", expected https");
+  }
   const long expected = exchange.IsRange ? 206 : 200;
   if (status != 0 && status != expected)
   {
@@ -126,7 +132,7 @@ Handle MakeHandle(const tool::DownloadRequest& request)
   curl_easy_setopt(curl, CURLOPT_FAILONERROR, 1L);
   curl_easy_setopt(curl, CURLOPT_FOLLOWLOCATION, 1L);
   curl_easy_setopt(curl, CURLOPT_MAXREDIRS, 5L);
-  // Only an http server of this machine may redirect to http.
+  // Only an http server of this machine may redirect to http, and to this machine (CheckAnswer).
   const bool isSecure = GetPart(request.Url, CURLUPART_SCHEME) == "https";
 #if LIBCURL_VERSION_NUM >= 0x075500
   curl_easy_setopt(curl, CURLOPT_PROTOCOLS_STR, "http,https");

@@ -43,14 +43,12 @@ struct Options
   std::string Pictures;
 };
 
-/// What is drawn: without occlusion, with it, and with a bounce; frames also with a light that
-/// turns.
+/// What is drawn: without occlusion, with it, and with a bounce.
 enum Mode
 {
   Off,
   Black,
-  Bounced,
-  Turning
+  Bounced
 };
 
 /// Sums over pictures of the errors off, ambient, black and bounced.
@@ -103,13 +101,13 @@ void SetMode(vtkMeasuredBRDFMapper* mapper, int mode)
 }
 
 /// The least time of a frame by each mode, of as many rounds.
-std::array<double, 4> TimeFrames(vtkMeasuredBRDFMapper* mapper, FloatWindow& window,
-  vtkEnvironment* environment, const Options& options)
+std::array<double, 3> TimeFrames(
+  vtkMeasuredBRDFMapper* mapper, FloatWindow& window, const Options& options)
 {
-  std::array<double, 4> frames{};
+  std::array<double, 3> frames{};
   for (int round = 0; round < options.Rounds; ++round)
   {
-    for (const int mode : { Off, Black, Bounced, Turning })
+    for (const int mode : { Off, Black, Bounced })
     {
       if (mode == Bounced && !options.Bounce)
       {
@@ -117,15 +115,10 @@ std::array<double, 4> TimeFrames(vtkMeasuredBRDFMapper* mapper, FloatWindow& win
       }
       SetMode(mapper, mode);
       window.Draw();
-      double seconds = 0.0;
-      for (int frame = 0; frame < 2; ++frame)
-      {
-        environment->SetRotationY(mode == Turning ? 1e-3 * (2 * round + frame + 1) : 0.0);
-        const double start = GetSeconds();
-        window.Draw();
-        seconds += 0.5 * (GetSeconds() - start);
-      }
-      environment->SetRotationY(0.0);
+      const double start = GetSeconds();
+      window.Draw();
+      window.Draw();
+      const double seconds = 0.5 * (GetSeconds() - start);
       double& least = frames[static_cast<std::size_t>(mode)];
       least = round == 0 ? seconds : std::min(least, seconds);
     }
@@ -231,7 +224,7 @@ void Measure(const std::string& name, const std::vector<Material>& materials,
         totals.Sums[k] += errors[k];
         totals.Worst[k] = std::max(totals.Worst[k], errors[k]);
       }
-      for (const double seconds : TimeFrames(mapper, window, map.Environment, options))
+      for (const double seconds : TimeFrames(mapper, window, options))
       {
         std::printf(",%.1f", 1e3 * seconds);
       }
@@ -293,7 +286,7 @@ int main(int argc, char** argv)
   materials.erase(std::remove_if(materials.begin(), materials.end(), isLeftOut), materials.end());
   vtkObject::GlobalWarningDisplayOn(); // readers turn it off
   std::printf("mesh,points,trace s,bounce s,material,map,noise %%,off %%,ambient %%,black %%,"
-              "bounce %%,frame off ms,frame black ms,frame bounce ms,light turns ms\n");
+              "bounce %%,frame off ms,frame black ms,frame bounce ms\n");
   Totals totals;
   for (const std::string& mesh : meshes)
   {

@@ -66,6 +66,26 @@ class DiffTest(ToolTest):
 
 
 class DiffVerdict(DiffTest):
+    def test_border_mask_and_alpha(self):
+        self.draw("a.png", stripes)
+        self.draw("edge.png", lambda x, y: stripes(x, y) if 0 < x < WIDTH - 1 else (255, 255, 255))
+        exact = ["--metric", "max_difference"]
+        self.check(self.diff("edge.png", "a.png", *exact), 1)
+        self.check(self.diff("edge.png", "a.png", *exact, "--border", 1), 0)
+        self.draw("mask.png", lambda x, y: (255,) * 3 if 0 < x < WIDTH - 1 else (0,) * 3)
+        self.check(self.diff("edge.png", "a.png", *exact, "--mask", "mask.png"), 0)
+        self.draw("clear.png", stripes, alpha=lambda x, y: 0)
+        self.check(self.diff("clear.png", "a.png"), 1)
+        self.check(self.diff("clear.png", "a.png", "--ignore-alpha"), 0)
+
+    def test_floats_are_compared_by_hdr_flip(self):
+        self.draw_floats("a.tif", [0.1, 1.0, 100.0, 1.0] * 8)
+        self.draw_floats("b.tif", [0.1, 1.0, 200.0, 1.0] * 8)
+        self.check(self.diff("a.tif", "a.tif"), 0, "hdr_flip=0 ")
+        self.check(self.diff("b.tif", "a.tif"), 1, "hdr_flip=")
+        relative = self.diff("b.tif", "a.tif", "--metric", "relative_l1", "--threshold", 2)
+        self.assertAlmostEqual(self.value(relative, "relative_l1"), 100.0 / 102.1, 7)
+
     def test_equal_and_different(self):
         self.draw("a.png", stripes)
         self.draw("same.png", stripes)

@@ -264,6 +264,9 @@ class Faults(FetchTest):
         for bad in ("ftp://127.0.0.1/x", "file:///etc/passwd"):
             self.serve(redirect=bad)
             self.check(self.fetch_free(), 1, rgl(FREE), bad.split(":")[0])
+        elsewhere = self.server.url.replace("127.0.0.1", "0.0.0.0") + "/there"
+        self.serve(redirect=elsewhere)
+        self.check(self.fetch_free(), 1, f"redirects to {elsewhere}", "expected https")
         self.check_nothing_kept()
 
     def test_slow(self):

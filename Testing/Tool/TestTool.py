@@ -690,6 +690,32 @@ class RenderMethods(RenderTest):
             self.assertGreater(min(results[1][3]), 0)
 
 
+class Units(RenderTest):
+    """A map in another unit: exact powers of two, so that no digit changes."""
+
+    def write_sky(self, power, width=64, height=32):
+        """A sky of radiance 2^power above, darker ground, and a lamp of 64 times as much."""
+        head = f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {height} +X {width}\n"
+        sky = bytearray(bytes([128, 128, 160, 129 + power]) * (width * height // 2))
+        lamp = 4 * (6 * width + 40)
+        sky[lamp : lamp + 8] = bytes([128, 128, 128, 135 + power]) * 2
+        ground = bytes([128, 100, 80, 127 + power]) * (width * height // 2)
+        return self.write(f"sky{power}.hdr", head.encode() + sky + ground)
+
+    def test_errors_of_both_shadings(self):
+        reports = []
+        for power in (0, -20):
+            sky, report = self.write_sky(power), self.path("report.json")
+            result = run(
+                "compare", "blue-fabric", "--environment", sky, "--size", "48x48", "--reference-pixels", "64",
+                "--report", report)
+            self.check(result, 0)
+            with open(report, encoding="utf-8") as file:
+                reports.append(json.load(file))
+        for key in ("relative_l1", "flip", "hdr_flip", "pbr_relative_l1", "pbr_flip", "predicted_error", "texture_bytes"):
+            self.check_close([report[key] for report in reports], 2 * [reports[0][key]], 1e-3)
+
+
 class Compare(ToolTest):
     COMMON = ["--environment", "hall", "--size", "64x64", "--reference-pixels", "64"]
 
@@ -817,7 +843,7 @@ class Chart(ChartTest):
         result = self.chart("--environments", "sky", "--for-view", "--tolerances", "0.05,0.001")
         self.check(result, 0, "1 pair in", "summary.png", "covered pixels, on a grid")
         results = self.read_results()
-        self.assertEqual((results["format"], results["version"]), ("measured-brdf chart", 1))
+        self.assertEqual((results["format"], results["version"]), ("measured-brdf chart", 2))
         for key in ("processor", "threads", "vtk", "renderer", "renderer_version"):
             self.assertTrue(results["machine"][key], key)
         (pair,) = results["pairs"]
@@ -910,7 +936,7 @@ class ChartErrors(ChartTest):
     def test_bad_input(self):
         self.check(self.chart("--methods", "table,magic"), 2, "--methods", "magic", "soft-lights")
         self.check(self.chart("--methods", "table,,basis"), 2, "--methods")
-        for tolerances in ("0", "0.02,x"):
+        for tolerances in ("0", "0.02,x", "nan"):
             self.check(self.chart("--tolerances", tolerances), 2, "--tolerances")
         self.check(self.chart("--environments", ""), 2, "--environments")
         self.check(self.chart("--slowest", "-1"), 2, "--slowest")
@@ -928,11 +954,11 @@ class ChartErrors(ChartTest):
     def test_results_of_something_else(self):
         os.mkdir(self.path("charts"))
         machine = {"processor": "abacus"}
-        ours = {"format": "measured-brdf chart", "version": 1}
+        ours = {"format": "measured-brdf chart", "version": 2}
         for content, words in (
             ("no JSON", ["not written by"]),
             ("{}", ["not written by"]),
-            (json.dumps({**ours, "version": 2}), ["version 2", "version 1"]),
+            (json.dumps({**ours, "version": 1}), ["version 1", "version 2"]),
             (json.dumps({**ours, "settings": {"size": "10x10"}, "machine": machine}), ["setting", "methods"]),
         ):
             with self.subTest(content):

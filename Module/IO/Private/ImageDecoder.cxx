@@ -215,7 +215,8 @@ void ReadPixels(const ImageSource& source, OIIO::ImageInput& input, int part,
     std::max(static_cast<int>(BlockTexels / GetTexelWeight(spec.nchannels) / spec.width), 1);
   if (spec.tile_width > 0)
   {
-    rows = std::max(rows / spec.tile_height, 1) * spec.tile_height;
+    const int tile = std::max(spec.tile_height, 1);
+    rows = std::max(rows / tile, 1) * tile;
   }
   std::vector<float> block;
   for (int y = 0; y < spec.height; y += rows)

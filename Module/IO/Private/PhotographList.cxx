@@ -10,10 +10,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <initializer_list>
-#include <iterator>
 #include <map>
 #include <regex>
 
@@ -173,13 +173,20 @@ void ParseSettings(const std::string& path, const json& root, PhotographList& li
 }
 
 //------------------------------------------------------------------------------
-// The number behind a key of two letters that begins a word; false unless there is exactly one.
-bool FindAngle(const std::string& name, const std::string& key, double& angle)
+// The numbers behind tl, pl, tv and pv that begin words; false unless each of these is there once.
+bool FindAngles(const std::string& name, std::array<double, 4>& angles)
 {
-  const std::regex pattern(
-    "(?:^|[^A-Za-z0-9])" + key + "(-?[0-9]{1,9})(?![0-9])", std::regex::icase);
-  const std::sregex_iterator found(name.begin(), name.end(), pattern);
-  return std::distance(found, std::sregex_iterator()) == 1 && ParseNumber((*found)[1].str(), angle);
+  static const std::regex pattern(
+    "(?:^|[^A-Za-z0-9])([tp])([lv])(-?[0-9]{1,9})(?![0-9])", std::regex::icase);
+  std::array<int, 4> counts{};
+  for (std::sregex_iterator found(name.begin(), name.end(), pattern), end; found != end; ++found)
+  {
+    const bool isAzimuth = std::tolower(*(*found)[1].first) == 'p';
+    const bool isView = std::tolower(*(*found)[2].first) == 'v';
+    const std::size_t k = (isAzimuth ? 1 : 0) + (isView ? 2 : 0);
+    counts[k] += ParseNumber((*found)[3].str(), angles[k]) ? 1 : 0;
+  }
+  return counts == std::array<int, 4>{ 1, 1, 1, 1 };
 }
 }
 
@@ -218,13 +225,9 @@ bool ParsePhotographName(const std::string& path, ListedPhotograph& photograph)
 {
   const std::string name = GetFileTitle(path);
   std::array<double, 4> angles{};
-  const char* const keys[] = { "tl", "pl", "tv", "pv" };
-  for (std::size_t k = 0; k < 4; ++k)
+  if (!FindAngles(name, angles))
   {
-    if (!FindAngle(name, keys[k], angles[k]))
-    {
-      return false;
-    }
+    return false;
   }
   photograph.File = path;
   photograph.Exposure = 1.0;
