@@ -19,7 +19,7 @@ namespace measuredbrdf
 namespace
 {
 constexpr int ViewCells = 512; // of a view's quadrature
-constexpr int QuickViewCells = 64;
+constexpr int QuickViewCells = 128;
 
 constexpr double KnotPower = 1.5;   // 1: evenly spaced
 constexpr double FastestAxis = 1.5; // times the view's angle; mirror directions: 1
