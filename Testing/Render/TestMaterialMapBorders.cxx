@@ -213,7 +213,7 @@ TEST_F(Cuts, WithHiddenSkiesAreUnseen)
   this->Mapper->SetOcclusionModeToOff();
   const FloatImage open = this->RenderEncoded();
   this->Mapper->SetOcclusionModeToOn();
-  this->ExpectUnseen("a bowl", 0.03, 16);
+  this->ExpectUnseen("a bowl", 0.05);
   EXPECT_NE(this->RenderEncoded().RGBA, open.RGBA);
 }
 

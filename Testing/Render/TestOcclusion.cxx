@@ -26,6 +26,7 @@
 #include "vtkMath.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkOutputWindow.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -34,6 +35,7 @@
 #include "vtkReverseSense.h"
 #include "vtkSphereSource.h"
 #include "vtkStringArray.h"
+#include "vtkStringOutputWindow.h"
 #include "vtkSurfaceVisibilityFilter.h"
 #include "vtkTableRadianceIntegrator.h"
 #include "vtkUnsignedCharArray.h"
@@ -845,6 +847,31 @@ TEST_F(OcclusionTest, ForecastsFollowTheSurface)
   EXPECT_NE(here.GetText().find("while the surface changes"), std::string::npos);
   here.Update(question); // it rests
   EXPECT_TRUE(here.GetTraced());
+}
+
+// Layers of translucent surfaces, in a window that goes before the mapper.
+TEST_F(OcclusionTest, PeelingReportsNothing)
+{
+  vtkNew<vtkStringOutputWindow> messages;
+  vtkOutputWindow::SetInstance(messages);
+  {
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetUseDepthPeeling(true);
+    renderer->SetMaximumNumberOfPeels(4);
+    renderer->AddActor(this->Actor);
+    this->Actor->GetProperty()->SetOpacity(0.5);
+    vtkNew<vtkRenderWindow> window;
+    window->SetOffScreenRendering(1);
+    window->SetMultiSamples(0);
+    window->SetAlphaBitPlanes(1);
+    window->SetSize(32, 32);
+    window->AddRenderer(renderer);
+    window->Render();
+    window->Render();
+  }
+  this->RenderLinear();
+  vtkOutputWindow::SetInstance(nullptr);
+  EXPECT_EQ(messages->GetOutput(), "");
 }
 
 // A side that sees nothing of the sky, as the inside of a closed surface, costs nothing.

@@ -11,6 +11,7 @@
 #include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkCompositeMeasuredBRDFMapper.h"
+#include "vtkDoubleArray.h"
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEnvironment.h"
 #include "vtkFilteredRadianceIntegrator.h"
@@ -27,6 +28,8 @@
 #include "vtkSphereSource.h"
 #include "vtkSurfaceVisibilityFilter.h"
 #include "vtkTableRadianceIntegrator.h"
+#include "vtkTracedRadianceIntegrator.h"
+#include "vtkTracedScene.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <glm/glm.hpp>
@@ -35,6 +38,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 using measuredbrdf::BouncedLight;
@@ -179,6 +183,95 @@ TEST_F(BounceTest, ShadersAgreeWithTheCppForms)
     }
   }
   EXPECT_GT(largest, 0.1);
+}
+
+// A picture against traced light with one bounce: 140 pixels of a ball in a hollow. The map is
+// smooth: hard panels are benchmarks' matter.
+TEST_F(BounceTest, PicturesComeNearTracedLight)
+{
+  std::vector<float> texels;
+  for (int y = 0; y < 16; ++y)
+  {
+    for (int x = 0; x < 32; ++x)
+    {
+      glm::dvec3 d;
+      vtkEnvironment::GetDirection((x + 0.5) / 32.0, (y + 0.5) / 16.0, &d.x);
+      for (const double radiance :
+        { 1.1 + d.x, 1.0 + 0.7 * d.y + 0.5 * d.z * d.z, 1.0 - d.x * d.y })
+      {
+        texels.push_back(static_cast<float>(radiance));
+      }
+    }
+  }
+  this->Environment->SetPixels(32, 16, texels);
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(0.35);
+  ball->SetCenter(0.2, 0.0, -0.3);
+  ball->SetThetaResolution(40);
+  ball->SetPhiResolution(30);
+  ball->Update();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakeHollow());
+  blocks->SetBlock(1, ball->GetOutput());
+  vtkNew<vtkCompositeMeasuredBRDFMapper> composite;
+  composite->SetInputDataObject(blocks);
+  composite->SetBRDF(this->Brdf);
+  composite->SetIntegrator(this->Table);
+  composite->SetEnvironment(this->Environment);
+  this->Table->SetNumberOfRows(65);
+  this->Actor->SetMapper(composite);
+  vtkNew<vtkTracedScene> scene;
+  scene->AddSurface(vtkPolyData::SafeDownCast(blocks->GetBlock(0)));
+  scene->AddSurface(ball->GetOutput());
+  vtkNew<vtkDoubleArray> origins, directions, views, traced;
+  for (vtkDoubleArray* array : { origins.Get(), directions.Get(), views.Get() })
+  {
+    array->SetNumberOfComponents(3);
+  }
+  std::vector<std::pair<int, int>> pixels;
+  for (int y = 10; y < 54; y += 3)
+  {
+    for (int x = 10; x < 54; x += 3)
+    {
+      if (std::hypot(x - 31.5, y - 31.5) < 20.0)
+      {
+        pixels.emplace_back(x, y);
+        origins->InsertNextTuple3((x + 0.5) / 32.0 - 1.0, (y + 0.5) / 32.0 - 1.0, 5.0);
+        directions->InsertNextTuple3(0.0, 0.0, -1.0);
+        views->InsertNextTuple3(0.0, 0.0, 1.0);
+      }
+    }
+  }
+  vtkNew<vtkPolyData> hits;
+  ASSERT_TRUE(scene->CastRays(origins, directions, hits));
+  vtkNew<vtkTracedRadianceIntegrator> reference;
+  reference->SetScene(scene);
+  reference->SetBRDF(this->Brdf);
+  reference->SetEnvironment(this->Environment);
+  reference->SetNumberOfBounces(1);
+  reference->SetNumberOfSamples(1024);
+  ASSERT_TRUE(reference->Integrate(hits, views, traced));
+  const auto getError = [&](int mode, bool bounce)
+  {
+    composite->SetOcclusionMode(mode);
+    composite->SetOcclusionBounce(bounce);
+    const FloatImage image = this->RenderLinear();
+    double error = 0.0;
+    double all = 0.0;
+    for (std::size_t k = 0; k < pixels.size(); ++k)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const double wanted = traced->GetComponent(static_cast<vtkIdType>(k), c);
+        error += std::abs(image.At(pixels[k].first, pixels[k].second)[c] - wanted);
+        all += wanted;
+      }
+    }
+    return error / all;
+  };
+  EXPECT_GT(getError(0, false), 0.4);
+  EXPECT_GT(getError(2, false), 0.15);
+  EXPECT_LT(getError(2, true), 0.05);
 }
 
 // Composites, with blocks without a bounce, material maps and the mapper's own arrays show the

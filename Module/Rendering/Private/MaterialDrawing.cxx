@@ -104,6 +104,7 @@ vtkIdType CountTextureBytes(
   }
   return static_cast<vtkIdType>(bytes);
 }
+
 MaterialDrawing::MaterialDrawing(vtkMapper* owner, std::function<std::vector<MaterialUse>()> uses)
   : Owner(owner)
   , UsesToCome(std::move(uses))

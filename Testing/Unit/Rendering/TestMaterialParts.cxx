@@ -353,6 +353,10 @@ TEST_F(Parts, BordersBetweenClassesOfPointsAreCut)
     normals->InsertNextTuple3(k, 1.0, 2.0);
   }
   this->Plane->GetPointData()->SetNormals(normals);
+  vtkNew<vtkFloatArray> tooShort; // which VTK's mapper does not read
+  tooShort->SetName("too short");
+  tooShort->InsertNextValue(1.0f);
+  this->Plane->GetPointData()->AddArray(tooShort);
   this->SetPoints([](vtkIdType point) { return std::max(static_cast<double>(point) - 1.0, 0.0); });
   // Triangles 0 1 2 of classes 0 0 1, and 0 2 3 of classes 0 1 2.
   ASSERT_EQ(this->Update(), "");
@@ -366,6 +370,7 @@ TEST_F(Parts, BordersBetweenClassesOfPointsAreCut)
     EXPECT_EQ(part.Kind, MixtureKind::Single);
     // Four points, four middles of edges (the diagonal's is one) and a center.
     ASSERT_EQ(part.Surface->GetNumberOfPoints(), 9);
+    EXPECT_FALSE(part.Surface->GetPointData()->HasArray("too short"));
     for (vtkIdType p = 4; p < 9; ++p)
     {
       // The normals are linear: x is 0, 1, 2, 3 at the corners.

@@ -108,7 +108,9 @@ void BlockBatch::Announce(vtkPolyData* surface, const Record& block)
   std::copy_n(block.AmbientColor.GetData(), 3, style.AmbientColor);
   std::copy_n(block.DiffuseColor.GetData(), 3, style.DiffuseColor);
   vtkOpenGLPolyDataMapper* host = this->All->Announce(surface, style);
-  if (host->GetMTime() < this->GetMTime()) // else it would go back and forth between both
+  // Their own times: the lookup table that both share may be newer. Without a comparison the host
+  // would go back and forth between both.
+  if (host->vtkObject::GetMTime() < this->vtkObject::GetMTime())
   {
     host->vtkMapper::ShallowCopy(this);
   }

@@ -558,7 +558,8 @@ void MaterialPieces::FindImages(vtkMaterialMap* map)
 void MaterialPieces::MakePoints()
 {
   this->Points = vtkSmartPointer<vtkPolyData>::New();
-  vtkPointData* from = this->Input->GetPointData();
+  vtkNew<vtkPointData> from;
+  from->ShallowCopy(this->Input->GetPointData());
   vtkPointData* to = this->Points->GetPointData();
   if (this->NewPoints.empty())
   {
@@ -567,6 +568,13 @@ void MaterialPieces::MakePoints()
     return;
   }
   const vtkIdType first = this->Input->GetNumberOfPoints();
+  for (int k = from->GetNumberOfArrays(); k-- > 0;)
+  {
+    if (from->GetAbstractArray(k)->GetNumberOfTuples() < first) // VTK reads them unchecked
+    {
+      from->RemoveArray(k);
+    }
+  }
   const vtkIdType count = first + static_cast<vtkIdType>(this->NewPoints.size());
   vtkNew<vtkPoints> points;
   points->SetDataType(this->Input->GetPoints()->GetDataType());
