@@ -35,6 +35,9 @@ namespace
 {
 constexpr int SmallTableRows = 33; // beside maps
 
+// Degree of the blur where lamps stay in the map: the table's rows would show in a narrower halo.
+constexpr double HaloDegree = 2.0;
+
 // A planner's lamps of many texels are several lights (degrees) where more than so much of the
 // albedo lies in lobes narrower than twice LampAngle.
 constexpr double FineLampAngle = 0.6;
@@ -245,6 +248,10 @@ vtkSmartPointer<vtkRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroad(
     factored->SetSizes({ std::min(this->NumberOfRows, 512), this->NumberOfMaps,
       std::min(this->NumberOfRows, SmallTableRows), this->NumberOfViewAngles,
       this->NumberOfAzimuths });
+    if (this->MaximumNumberOfLights == 0 && this->CountLights(this->LightAngle, PlannedLights) > 0)
+    {
+      factored->SetSmoothingDegree(HaloDegree);
+    }
     broad = factored;
   }
   else

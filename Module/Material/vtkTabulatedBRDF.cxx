@@ -225,6 +225,7 @@ struct vtkTabulatedBRDF::Levels
     this->FirstSamples = (std::min(wanted, dimensions[2]) + multiple - 1) / multiple * multiple;
     this->Dimensions = { width, height,
       this->GetOffset(this->Count) + this->GetSamples(this->Count) };
+    this->Volume.clear(); // of a try that failed
     std::vector<Cell> sums(std::size_t(width) * height);
     for (int level = 1; level <= this->Count; ++level)
     {

@@ -312,7 +312,7 @@ add("Integration.forgotten-nodes-stay-so", "MaterialPrecomputation.cxx", "(areNo
     "MaterialPrecomputation.MakesForgottenNodesAgain")
 add("Integration.nodes-made-again-for-nothing", "MaterialPrecomputation.cxx", "use.Nodes || known", "true || known",
     "MaterialPrecomputation.MakesForgottenNodesAgain")
-add("Integration.rings-end-at-the-seam", "RadianceTable.cxx", "padded << map.rightCols(3), map, map.leftCols(3);", "padded << map.leftCols(3), map, map.rightCols(3);", "RingLimiter.*")
+add("Integration.rings-end-at-the-seam", "SynthesisLanes.cxx", "map.leftCols(3) = map.middleCols(width, 3);", "", "RingLimiter.*")
 add("Lighting.sets-of-one-tree-are-one-set", "EnvironmentPrecomputation.cxx", "tree.FillLightSet(count, sets->back());",
     "tree.FillLightSet(count / 2 + 1, sets->back());", "EnvironmentPrecomputation.SetsOfOneTreeAreThoseOfTheirOwn")
 add("Integration.beyond-the-pole-unturned", "FieldSynthesis.cxx", "order % 2 != 0 ? -1.0f : 1.0f", "order % 2 != 0 ? 1.0f : 1.0f",
@@ -325,9 +325,9 @@ add("Integration.expanded-kernels-of-other-orders", "MaterialPrecomputation.cxx"
     "static_cast<std::ptrdiff_t>(row) * (degree + 1)", "MaterialPrecomputation.KeepsExpandedKernels")
 add("Integration.degrees-left-out", "TableSynthesis.cxx", "constexpr double LeastShare = 1e-4;", "constexpr double LeastShare = 1e9;",
     "TableReference.*|TableIntegrator.*")
-add("Integration.rings-stay", "RadianceTable.cxx", "constexpr float LeastOfBlur = 0.75f;", "constexpr float LeastOfBlur = 0.0f;",
+add("Integration.rings-stay", "SynthesisLanes.cxx", "constexpr float LeastOfBlur = 0.75f;", "constexpr float LeastOfBlur = 0.0f;",
     "RingLimiter.*")
-add("Integration.edges-bleed", "RadianceTable.cxx", "for (int pass = 0; pass < 2; ++pass) // as far", "for (int pass = 0; pass < 1; ++pass) // as far",
+add("Integration.edges-bleed", "SynthesisLanes.cxx", "for (int pass = 0; pass < 2; ++pass) // as far", "for (int pass = 0; pass < 1; ++pass) // as far",
     "RingLimiter.*")
 add("Integration.anisotropic-azimuths-from-the-axis", "LobeHarmonics.cxx", "std::polar(1.0, -k * azimuth)", "std::polar(1.0, k * azimuth)",
     "AnisotropicTable.Converges")

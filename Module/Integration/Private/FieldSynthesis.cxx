@@ -5,8 +5,6 @@
 #include "ParallelFor.h"
 #include "WignerD.h"
 
-#include <unsupported/Eigen/FFT>
-
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
@@ -238,15 +236,16 @@ const float* FieldSynthesis::GetSum(std::size_t row, int m) const
   return this->Known[at] ? &this->Series[at * this->Width] : nullptr;
 }
 
-// The sum over m, by fast Fourier transforms over the azimuth.
+// The sum over m, by fast Fourier transforms over the azimuth, some kinds at a time.
 void FieldSynthesis::SumOrders(int order, Fields& result) const
 {
-  using Number = std::complex<float>;
+  constexpr std::size_t lines = LineTransform::Lines;
+  using Lane = Eigen::Array<float, lines, 1>;
   const std::size_t nodes = this->Nodes.GetNumberOfNodes();
   const std::size_t each = this->Kinds / 3;
   const int columns = this->Nodes.GetAllColumns();
-  const auto getPlace = [columns](int m) { return (m % columns + columns) % columns; };
-  std::vector<Number> factors; // of m from -Degree on
+  const LineTransform transform(columns);
+  std::vector<std::complex<float>> factors; // of m from -Degree on
   for (int m = -this->Degree; m <= this->Degree; ++m)
   {
     const double frequency = static_cast<double>(m) / columns;
@@ -257,30 +256,41 @@ void FieldSynthesis::SumOrders(int order, Fields& result) const
   measuredbrdf::ParallelForEach(this->Nodes.GetRows().size(),
     [&](std::size_t row)
     {
-      thread_local Eigen::FFT<float> transform; // keeps what it knows of a size
       const MapPart::Row& place = this->Nodes.GetRows()[row];
-      std::vector<Number> terms(columns), sums(columns);
-      for (std::size_t kind = 0; kind < this->Kinds; ++kind)
+      std::vector<float> items(columns * LineTransform::Item), other(items.size());
+      const auto add = [&](int m, const Lane& real, const Lane& imaginary)
       {
-        std::fill(terms.begin(), terms.end(), 0.0f);
+        float* const at = &items[(m % columns + columns) % columns * LineTransform::Item];
+        Eigen::Map<Lane>(at) += real;
+        Eigen::Map<Lane>(at + lines) += imaginary;
+      };
+      for (std::size_t first = 0; first < this->Kinds; first += lines)
+      {
+        std::fill(items.begin(), items.end(), 0.0f);
         for (int m = order > 0 ? -this->Degree : 0; m <= this->Degree; ++m)
         {
           if (const float* const of = this->GetSum(row, m))
           {
-            const Number term =
-              factors[m + this->Degree] * Number(of[kind], of[this->Kinds + kind]);
-            terms[getPlace(m)] += term;
+            const std::complex<float> by = factors[m + this->Degree];
+            const Eigen::Map<const Lane> a(of + first), b(of + this->Kinds + first);
+            const Lane real = by.real() * a - by.imag() * b;
+            const Lane imaginary = by.real() * b + by.imag() * a;
+            add(m, real, imaginary);
             if (order == 0 && m > 0) // which is real
             {
-              terms[getPlace(-m)] += std::conj(term);
+              add(-m, real, -imaginary);
             }
           }
         }
-        transform.fwd(sums.data(), terms.data(), columns);
-        Number* out = &result[kind / each][kind % each * nodes + place.FirstNode];
-        for (const int column : place.Columns)
+        transform.Run(items, other);
+        for (std::size_t kind = first; kind < std::min(first + lines, this->Kinds); ++kind)
         {
-          *out++ = order > 0 ? sums[column] : Number(sums[column].real());
+          std::complex<float>* out = &result[kind / each][kind % each * nodes + place.FirstNode];
+          for (const int column : place.Columns)
+          {
+            const float* const of = &items[column * LineTransform::Item + kind - first];
+            *out++ = { of[0], order > 0 ? of[lines] : 0.0f };
+          }
         }
       }
     });

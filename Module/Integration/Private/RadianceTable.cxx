@@ -6,8 +6,7 @@
 #include "Lamps.h"
 #include "LobePlacement.h"
 #include "ParallelFor.h"
-
-#include <Eigen/Core>
+#include "SynthesisLanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,49 +16,6 @@
 
 namespace measuredbrdf
 {
-namespace
-{
-constexpr float LeastOfBlur = 0.75f; // of the blur's least
-
-using RingMap = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-// Replaces each value by combine(a, b, c), where it is b, with its neighbors left and right, then
-// above and below. Rows go around, and beyond a pole the meridian opposite goes on.
-template <typename Combine>
-void CombineNeighbors(RingMap& map, const Combine& combine)
-{
-  const Eigen::Index rows = map.rows(), width = map.cols(), half = width / 6 * 3;
-  RingMap padded(rows, width + 6);
-  padded << map.rightCols(3), map, map.leftCols(3);
-  map = combine(padded.leftCols(width), padded.middleCols(3, width), padded.rightCols(width));
-  padded.resize(rows + 2, width);
-  padded.middleRows(1, rows) = map;
-  padded.row(0) << map.row(1).tail(width - half), map.row(1).head(half);
-  padded.row(rows + 1) << map.row(rows - 2).tail(width - half), map.row(rows - 2).head(half);
-  map = combine(padded.topRows(rows), padded.middleRows(1, rows), padded.bottomRows(rows));
-}
-}
-
-void LiftDarkRingsOfMap(float* radiance, std::size_t rows, std::size_t columns)
-{
-  Eigen::Map<RingMap> values(
-    radiance, static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(3 * columns));
-  RingMap around = values.max(0.0f);
-  for (int pass = 0; pass < 2; ++pass)
-  {
-    CombineNeighbors(around,
-      [](const auto& a, const auto& b, const auto& c) -> RingMap
-      { return 0.25f * (a + c) + 0.5f * b; });
-  }
-  for (int pass = 0; pass < 2; ++pass) // as far as the blur reaches: edges do not bleed
-  {
-    CombineNeighbors(around,
-      [](const auto& a, const auto& b, const auto& c) -> RingMap { return a.min(b).min(c); });
-  }
-  // Where that is 0 all around is negative: f is less than the Lambert part.
-  values = (around > 0.0f).select(values.max(LeastOfBlur * around), values);
-}
-
 void LiftDarkRings(std::vector<float>& radiance, std::size_t rows, std::size_t columns)
 {
   const std::size_t size = 3 * rows * columns;

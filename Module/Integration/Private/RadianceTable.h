@@ -36,10 +36,6 @@ namespace measuredbrdf
  */
 void LiftDarkRings(std::vector<float>& radiance, std::size_t rows, std::size_t columns);
 
-/// The same of one map, on this thread. Four nodes away from the first and the last rows and
-/// columns it does not count what lies beyond these.
-void LiftDarkRingsOfMap(float* radiance, std::size_t rows, std::size_t columns);
-
 /// Of one table; the nodes of the coarse map are nodes of the fine one.
 struct TableTiles
 {

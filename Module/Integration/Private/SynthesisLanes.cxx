@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SynthesisLanes.h"
 
+#include "HalfVector.h" // for Pi
 #include "Lanes.h"
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -239,5 +242,154 @@ void Multiply(const ProductItems& left, const ProductItems& right, std::size_t r
         column += ProductColumns * vectors;
       }
     });
+}
+
+LineTransform::LineTransform(std::size_t size)
+{
+  for (std::size_t k = 0; k < size; ++k)
+  {
+    this->Turns.emplace_back(std::polar(1.0, -2.0 * Pi * static_cast<double>(k) / size));
+  }
+  for (std::size_t factor = 2; size > 1; factor += factor == 2 ? 1 : 2)
+  {
+    for (; size % factor == 0; size /= factor)
+    {
+      this->Factors.push_back(factor);
+    }
+  }
+}
+
+namespace
+{
+// The two outputs of a stage that halves: the sum, and the difference turned.
+MEASUREDBRDF_INLINE void SumPair(
+  const float* in, std::size_t apart, const std::complex<float>& turn, float* out, std::size_t next)
+{
+  constexpr std::size_t lines = LineTransform::Lines;
+  const Float8 a = Load<Float8>(in), b = Load<Float8>(in + lines);
+  const Float8 c = Load<Float8>(in + apart), d = Load<Float8>(in + apart + lines);
+  Store(a + c, out);
+  Store(b + d, out + lines);
+  Store(turn.real() * (a - c) - turn.imag() * (b - d), out + next);
+  Store(turn.real() * (b - d) + turn.imag() * (a - c), out + next + lines);
+}
+
+// One output of any stage: the sum over `factor` inputs that lie `apart`, the k-th turned by k
+// steps more than the first.
+MEASUREDBRDF_INLINE void SumTurned(const float* in, std::size_t apart, std::size_t factor,
+  const std::vector<std::complex<float>>& turns, std::size_t turn, std::size_t step, float* out)
+{
+  Float8 real{}, imaginary{};
+  for (std::size_t k = 0; k < factor; ++k, in += apart)
+  {
+    const Float8 a = Load<Float8>(in), b = Load<Float8>(in + LineTransform::Lines);
+    real += turns[turn].real() * a - turns[turn].imag() * b;
+    imaginary += turns[turn].real() * b + turns[turn].imag() * a;
+    turn += step;
+    turn -= turn < turns.size() ? 0 : turns.size();
+  }
+  Store(real, out);
+  Store(imaginary, out + LineTransform::Lines);
+}
+}
+
+void LineTransform::Run(std::vector<float>& items, std::vector<float>& other) const
+{
+  std::size_t stride = 1;
+  for (const std::size_t factor : this->Factors)
+  {
+    const std::size_t size = this->Turns.size(), step = size / factor, rest = step / stride;
+    RunWidest(
+      [&]() MEASUREDBRDF_INLINED
+      {
+        for (std::size_t k = 0; k < rest; ++k)
+        {
+          const float* const in = &items[k * stride * Item];
+          float* const out = &other[k * factor * stride * Item];
+          for (std::size_t q = 0; factor == 2 && q < stride; ++q)
+          {
+            SumPair(
+              in + q * Item, step * Item, this->Turns[k * stride], out + q * Item, stride * Item);
+          }
+          for (std::size_t j = 0; factor > 2 && j < factor * stride; ++j)
+          {
+            const std::size_t of = j / stride;
+            SumTurned(in + j % stride * Item, step * Item, factor, this->Turns,
+              of * k * stride % size, of * step, out + j * Item);
+          }
+        }
+      });
+    items.swap(other);
+    stride *= factor;
+  }
+}
+
+namespace
+{
+constexpr float LeastOfBlur = 0.75f; // of the blur's least
+
+using RingMap = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// Replaces each value by combine(a, b, c), where it is b, with its neighbors left and right, then
+// above and below. Rows go around, and beyond a pole the meridian opposite goes on. Both maps have
+// a row more at either pole, and left and right of `width` columns three more, and room for
+// vectors.
+template <typename Combine>
+MEASUREDBRDF_INLINE void CombineNeighbors(
+  RingMap& map, RingMap& other, Eigen::Index width, const Combine& combine)
+{
+  const Eigen::Index last = map.rows() - 1, half = width / 6 * 3;
+  const auto combineAll = [&](const RingMap& in, Eigen::Index apart, RingMap& out)
+                            MEASUREDBRDF_INLINED
+  {
+    for (Eigen::Index row = 1; row < last; ++row)
+    {
+      const float* const of = &in(row, 3);
+      float* const to = &out(row, 3);
+      for (Eigen::Index k = 0; k < width; k += LaneCount)
+      {
+        Store(
+          combine(Load<Floats>(of + k - apart), Load<Floats>(of + k), Load<Floats>(of + k + apart)),
+          to + k);
+      }
+    }
+  };
+  map.leftCols(3) = map.middleCols(width, 3);
+  map.middleCols(width + 3, 3) = map.middleCols(3, 3);
+  combineAll(map, 3, other);
+  for (const Eigen::Index pole : { Eigen::Index(0), last })
+  {
+    const auto beyond = other.row(pole == 0 ? 2 : last - 2).segment(3, width);
+    other.row(pole).segment(3, width) << beyond.tail(width - half), beyond.head(half);
+  }
+  combineAll(other, map.cols(), map);
+}
+}
+
+void LiftDarkRingsOfMap(float* radiance, std::size_t rows, std::size_t columns)
+{
+  const Eigen::Index height = rows, width = 3 * columns;
+  Eigen::Map<RingMap> values(radiance, height, width);
+  RingMap map = RingMap::Zero(height + 2, width + 6 + LaneCount), other = map;
+  auto around = map.block(1, 3, height, width);
+  around = values.max(0.0f);
+  RunWidest(
+    [&]() MEASUREDBRDF_INLINED
+    {
+      for (int pass = 0; pass < 2; ++pass)
+      {
+        CombineNeighbors(map, other, width,
+          [](Floats a, Floats b, Floats c) MEASUREDBRDF_INLINED
+          { return 0.25f * (a + c) + 0.5f * b; });
+      }
+      for (int pass = 0; pass < 2; ++pass) // as far as the blur reaches: edges do not bleed
+      {
+        CombineNeighbors(map, other, width,
+          [](Floats a, Floats b, Floats c) MEASUREDBRDF_INLINED
+          { return Smaller(Smaller(a, b), c); });
+      }
+    });
+  // Where that is 0 all around is negative: f is less than the Lambert part.
+  values = (around > 0.0f).select(values.max(LeastOfBlur * around), values);
 }
 } // namespace measuredbrdf

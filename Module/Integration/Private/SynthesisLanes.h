@@ -3,8 +3,9 @@
 /**
  * @file
  * The inner loops of tables' set-up, on several numbers at a time in the lanes of the processor's
- * vectors: Wigner's functions of four angles, and products of small matrices. Eigen's products
- * would take the vectors that every processor has, and so 3 to 4 times as long.
+ * vectors: Wigner's functions of four angles, products of small matrices, Fourier transforms of
+ * eight lines, and the limiter of dark rings. Eigen's products would take the vectors that every
+ * processor has, and so 3 to 4 times as long; its transforms take none, and ten times as long.
  */
 
 #ifndef SynthesisLanes_h
@@ -13,6 +14,7 @@
 #include "WignerD.h"
 
 #include <array>
+#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -66,6 +68,28 @@ struct ProductItems
 /// other processors the last bits may differ.
 void Multiply(const ProductItems& left, const ProductItems& right, std::size_t rows,
   std::size_t depth, std::size_t columns, float* result);
+
+/// Fourier transforms of eight lines, by Stockham's algorithm for any size (Van Loan 1992,
+/// "Computational Frameworks for the Fast Fourier Transform", 1.7).
+class LineTransform
+{
+public:
+  static constexpr std::size_t Lines = 8;
+  static constexpr std::size_t Item = 2 * Lines; // floats: eight real parts, eight imaginary parts
+
+  explicit LineTransform(std::size_t size);
+
+  /// Item j becomes the sum over k of item k times e^(-2 pi i j k / size). other: room for as many.
+  void Run(std::vector<float>& items, std::vector<float>& other) const;
+
+private:
+  std::vector<std::size_t> Factors;       // of the size
+  std::vector<std::complex<float>> Turns; // e^(-2 pi i k / size)
+};
+
+/// LiftDarkRings (RadianceTable.h) of one map, on this thread. Four nodes away from the first and
+/// the last rows and columns it does not count what lies beyond these.
+void LiftDarkRingsOfMap(float* radiance, std::size_t rows, std::size_t columns);
 } // namespace measuredbrdf
 
 #endif

@@ -216,23 +216,31 @@ std::vector<ExtractedEmitters::Part> Group(const std::vector<ExtractedEmitters::
 ExtractedEmitters::Ranking::Ranking(vtkEnvironment* environment, double share)
 {
   const std::vector<float>& pixels = environment->GetPixels();
-  std::vector<double> luminances;
-  for (std::size_t k = 0; k < pixels.size() / 3; ++k)
+  // Twice over the pixels is cheaper than to keep their luminances.
+  const auto visit = [&](const auto& take)
   {
-    const double rgb[3] = { pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2] };
-    luminances.push_back(
-      vtkEnvironment::GetLuminance(rgb) *
-      environment->GetTexelSolidAngle(static_cast<int>(k) / environment->GetWidth()));
-    this->Total += luminances.back();
-  }
-  const double least = GetLeast(this->Total, share, environment);
-  for (std::size_t k = 0; k < luminances.size(); ++k)
-  {
-    if (luminances[k] > least)
+    int k = 0;
+    for (int y = 0; y < environment->GetHeight(); ++y)
     {
-      this->Texels.emplace_back(luminances[k], static_cast<int>(k));
+      const double solidAngle = environment->GetTexelSolidAngle(y);
+      for (const int end = k + environment->GetWidth(); k < end; ++k)
+      {
+        const double rgb[3] = { pixels[std::size_t(3) * k], pixels[std::size_t(3) * k + 1],
+          pixels[std::size_t(3) * k + 2] };
+        take(vtkEnvironment::GetLuminance(rgb) * solidAngle, k);
+      }
     }
-  }
+  };
+  visit([this](double luminance, int) { this->Total += luminance; });
+  const double least = GetLeast(this->Total, share, environment);
+  visit(
+    [this, least](double luminance, int texel)
+    {
+      if (luminance > least)
+      {
+        this->Texels.emplace_back(luminance, texel);
+      }
+    });
   std::sort(this->Texels.begin(), this->Texels.end(), std::greater<std::pair<double, int>>());
 }
 

@@ -4,6 +4,7 @@
 
 #include "HalfVector.h" // for Pi
 #include "ParallelFor.h"
+#include "TexelTree.h"
 #include "vtkEnvironment.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -114,7 +115,8 @@ int FindFace(const CubeLayout& layout, const glm::dvec2& uv, double& a, double& 
 constexpr int PartsOfTexel = 8;
 constexpr int PartsOfLargeMap = 4;
 constexpr int PartsOfProbe = 4;
-constexpr int LargeMap = 1 << 20; // texels
+constexpr int LargeProbe = 1 << 18; // texels, of which each is one point
+constexpr int LargeMap = 1 << 20;
 
 /// A probe's image.
 class Probe
@@ -143,19 +145,17 @@ public:
       &this->Pixels[3 * (static_cast<std::size_t>(at.y) * this->Size.x + at.x)]);
   }
 
-  /// The mean over texel (x, y) of an environment of so many rows.
-  glm::dvec3 GetMean(int x, int y, int rows) const
+  /// The mean over texel (x, y) of an environment, from points whose directions are given, so many
+  /// a side.
+  glm::dvec3 GetMean(int x, int y, const TexelDirections& points, int parts) const
   {
-    const int parts = 2 * rows > LargeMap / rows ? PartsOfLargeMap : PartsOfTexel;
     glm::dvec3 sum(0.0);
     double weights = 0.0;
     for (int k = 0; k < parts * parts; ++k)
     {
-      const glm::dvec2 part = (glm::dvec2(k % parts, k / parts) + 0.5) / double(parts);
-      glm::dvec3 d;
-      vtkEnvironment::GetDirection((x + part.x) / (2 * rows), (y + part.y) / rows, &d.x);
-      const double weight = std::hypot(d.x, d.z); // the latitude's cosine
-      sum += weight * this->Look(MapToImage(this->Source, d));
+      const int row = y * parts + k / parts;
+      const double weight = points.Rows[row].x; // the latitude's cosine
+      sum += weight * this->Look(MapToImage(this->Source, points.Get(x * parts + k % parts, row)));
       weights += weight;
     }
     return sum / weights;
@@ -165,7 +165,8 @@ public:
   glm::dvec3 GetMean() const
   {
     glm::dvec4 sum(0.0);
-    const glm::ivec2 points = PartsOfProbe * this->Size;
+    const glm::ivec2 points =
+      (this->Size.x > LargeProbe / this->Size.y ? 1 : PartsOfProbe) * this->Size;
     for (int y = 0; y < points.y; ++y)
     {
       for (int x = 0; x < points.x; ++x)
@@ -317,14 +318,16 @@ std::optional<BadValues> ConvertProbe(Projection projection, int width, int heig
   const Probe probe(projection, width, height, rgb);
   rows = rows > 0 ? rows : GetRows(projection, width, height);
   const int columns = 2 * rows;
+  const int parts = columns > LargeMap / rows ? PartsOfLargeMap : PartsOfTexel;
+  const TexelDirections points(columns * parts, rows * parts);
   std::vector<glm::dvec3> means(static_cast<std::size_t>(columns) * rows);
   ParallelFor(0, static_cast<vtkIdType>(means.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end; ++k)
       {
-        means[static_cast<std::size_t>(k)] =
-          probe.GetMean(static_cast<int>(k % columns), static_cast<int>(k / columns), rows);
+        means[static_cast<std::size_t>(k)] = probe.GetMean(
+          static_cast<int>(k % columns), static_cast<int>(k / columns), points, parts);
       }
     });
   // Points are taken or left by texels as wholes: no light is lost or gained over all.

@@ -191,6 +191,42 @@ TEST(WignerLanes, AgreeWithOneAngle)
 }
 
 //------------------------------------------------------------------------------
+TEST(LineTransform, IsTheSumOverItems)
+{
+  using measuredbrdf::LineTransform;
+  ForEachLaneForm(
+    [&]()
+    {
+      for (const std::size_t size : { 1u, 2u, 24u, 25u, 32u, 58u })
+      {
+        std::vector<float> items(size * LineTransform::Item), other(items.size());
+        for (std::size_t k = 0; k < items.size(); ++k)
+        {
+          items[k] = static_cast<float>(std::sin(1.7 * static_cast<double>(k)));
+        }
+        const std::vector<float> in = items;
+        const auto get = [](const std::vector<float>& of, std::size_t k, std::size_t line)
+        {
+          const float* const at = &of[k * LineTransform::Item + line];
+          return std::complex<double>(at[0], at[LineTransform::Lines]);
+        };
+        LineTransform(size).Run(items, other);
+        for (std::size_t k = 0; k < size * LineTransform::Lines; ++k)
+        {
+          const std::size_t j = k / LineTransform::Lines, line = k % LineTransform::Lines;
+          std::complex<double> sum = 0.0;
+          for (std::size_t n = 0; n < size; ++n)
+          {
+            const double turn = static_cast<double>(j * n) / static_cast<double>(size);
+            sum += get(in, n, line) * std::polar(1.0, -2.0 * Pi * turn);
+          }
+          ASSERT_LT(std::abs(get(items, j, line) - sum), 1e-4) << j << " of " << size;
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
 // Constant along the azimuth but for one wave, of more texels than are turned at a time.
 TEST(AzimuthSeries, TurnsEachOrder)
 {

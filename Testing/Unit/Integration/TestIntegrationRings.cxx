@@ -3,6 +3,7 @@
 // Dark rings about lamps in maps of radiance are lifted; what is resolved stays.
 
 #include "RadianceTable.h"
+#include "SynthesisLanes.h"
 
 #include <gtest/gtest.h>
 

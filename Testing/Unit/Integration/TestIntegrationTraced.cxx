@@ -278,6 +278,23 @@ TEST(Traced, BowlsAndFurnaces)
   }
 }
 
+// A closed cavity lets no light in, whatever the bounces.
+TEST(Traced, ClosedCavitiesAreBlack)
+{
+  WhiteScene scene;
+  scene.Scene->AddSurface(MakeBowl(180.0, 30));
+  vtkNew<vtkPolyData> hits;
+  vtkNew<vtkDoubleArray> views;
+  vtkNew<vtkDoubleArray> radiance;
+  CastAll(scene.Scene, 0.0, 200, hits, views);
+  for (const int bounces : { 0, 20 })
+  {
+    scene.Integrator->SetNumberOfBounces(bounces);
+    ASSERT_TRUE(scene.Integrator->Integrate(hits, views, radiance));
+    EXPECT_LT(GetMean(radiance), 1e-4) << bounces;
+  }
+}
+
 // A matrix is as good as points that are moved; mirroring and uneven scaling included.
 TEST(Traced, ScaledAndMirroredActors)
 {
