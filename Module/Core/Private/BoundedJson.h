@@ -9,7 +9,14 @@
 #ifndef BoundedJson_h
 #define BoundedJson_h
 
+// Headers of VTK 9.4 and later may give nlohmann-json's namespace the name of VTK's own copy. Which
+// copy is taken must not depend on what else is included.
+#include "vtkAbstractArray.h"
+#ifdef VTK_NLOHMANN_JSON
+#include VTK_NLOHMANN_JSON(json.hpp)
+#else
 #include <nlohmann/json.hpp>
+#endif
 
 #include <stdexcept>
 #include <string>

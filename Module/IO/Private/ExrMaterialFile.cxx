@@ -27,13 +27,11 @@
 #include <ImfOutputPart.h>
 #include <ImfPartType.h>
 #include <ImfStringAttribute.h>
-#include <half.h> // Imath, of OpenEXR
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <half.h> // Imath, of OpenEXR
 #include <limits>
 #include <numeric>
 

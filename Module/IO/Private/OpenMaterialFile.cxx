@@ -19,8 +19,6 @@
 #include "NumberText.h"
 #include "SpectralColor.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -6,8 +6,6 @@
 #include "NumberText.h"
 #include "vtkPhotographSet.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cctype>

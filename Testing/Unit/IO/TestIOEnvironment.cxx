@@ -386,7 +386,7 @@ TEST(IOEnvironment, ReadsProbesOfEveryProjection)
       }
       double seen[3];
       reader->GetEnvironment()->GetRadiance(c.Direction, seen);
-      EXPECT_NEAR(seen[1], 1.0, 1e-3);
+      EXPECT_NEAR(seen[1], 1.0, 0.02); // small bright areas keep their light, at points' accuracy
       const double opposite[3] = { -c.Direction[0], -c.Direction[1], -c.Direction[2] };
       reader->GetEnvironment()->GetRadiance(opposite, seen);
       EXPECT_EQ(seen[1], 0.0);
