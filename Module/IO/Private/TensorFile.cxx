@@ -320,14 +320,13 @@ private:
         result.AddNote(ToField(name) + " holds 64-bit values: rounded to 32 bits.");
       }
     }
-    for (const auto& [name, angles] :
-      { std::make_pair("theta_i", &tables.ThetaI), std::make_pair("phi_i", &tables.PhiI) })
+    for (const auto& [name, angles] : std::map<std::string, const std::vector<float>*>{
+           { "theta_i", &tables.ThetaI }, { "phi_i", &tables.PhiI } })
     {
       if (std::adjacent_find(angles->begin(), angles->end(), std::greater_equal<float>()) !=
           angles->end())
       {
-        result.AddNote(
-          "Angles of " + std::string(name) + " were rounded onto each other: set apart.");
+        result.AddNote("Angles of " + name + " were rounded onto each other: set apart.");
       }
     }
     NoteNoise(tables.Vndf.Values, "vndf", result);
