@@ -182,7 +182,8 @@ struct vtkMaterialMapFitter::Results
     {
       this->Materials.emplace_back().Material = library[static_cast<std::size_t>(k)];
     }
-    this->Values = { this->LibraryValues.Values(Eigen::all, this->Chosen),
+    this->Values = { this->LibraryValues.Values(
+                       Eigen::seqN(0, this->LibraryValues.Values.rows()), this->Chosen),
       this->LibraryValues.Scales };
     this->Converged = true;
   }
