@@ -35,6 +35,7 @@ inline std::function<void(double)> ShowProgress(const std::string& label)
 ///@{
 /// Add one subcommand each.
 void AddAcquireCommand(CLI::App& app);
+void AddPhotographCommand(CLI::App& app);
 void AddProjectCommand(CLI::App& app);
 void AddRepresentationsCommand(CLI::App& app);
 void AddStabilityCommand(CLI::App& app);

@@ -12,6 +12,7 @@ void AddCommands(CLI::App& app)
 {
   tool::AddThesisCommand(app);
   tool::AddAcquireCommand(app);
+  tool::AddPhotographCommand(app);
   tool::AddProjectCommand(app);
   tool::AddRepresentationsCommand(app);
   tool::AddStabilityCommand(app);

@@ -1,12 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Drives `measured-brdf svbrdf` on simulated photographs: TestSvbrdf.py PROGRAM [unittest arguments]."""
+"""Drives `measured-brdf svbrdf` on photographs of `measured-brdf-lab photograph`: TestSvbrdf.py PROGRAM [unittest arguments]."""
 
 import json
-import math
 import os
-import random
-import struct
 import sys
 import unittest
 
@@ -14,7 +11,6 @@ import TestTool
 from TestTool import ToolTest, make_png, read_png, run
 
 SIDE = 16
-MATERIALS = ("red-fabric2", "nickel")
 
 
 def share(x, y):
@@ -22,57 +18,11 @@ def share(x, y):
     return min(255, max(0, 24 * (x - 3) + 3 * y))
 
 
-def encode(linear):
-    """sRGB's curve."""
-    return 12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1.0 / 2.4) - 0.055
-
-
 class SvbrdfTest(ToolTest):
-    def draw_pairs(self, count, bonn):
-        """Light and view: angles of Bonn's rings, or any about a half vector near the normal; degrees, and unit vectors."""
-        pairs = []
-        while len(pairs) < count:
-            angles = [(random.choice((0, 15, 30, 45, 60, 75)), random.choice(range(0, 360, 15))) for _ in range(2)]
-            light, view = ([math.sin(t) * math.cos(p), math.sin(t) * math.sin(p), math.cos(t)]
-                           for t, p in ((math.radians(theta), math.radians(phi)) for theta, phi in angles))
-            if not bonn:
-                theta, turn = 0.5 * math.pi * random.random() ** 2, 2.0 * math.pi * random.random()
-                half = [math.sin(theta) * math.cos(turn), math.sin(theta) * math.sin(turn), math.cos(theta)]
-                cosine = sum(a * b for a, b in zip(half, light))
-                view = [2.0 * cosine * h - i for h, i in zip(half, light)]
-            if min(light[2], view[2]) > 0.17 and (*angles, light, view) not in pairs:
-                pairs.append((*angles, light, view))
-        return pairs
-
-    def photograph(self, count, bonn=True, exposure=None, noise=0.0):
-        """Folder photos: PFM files and their list; with an exposure PNG files of Bonn's names. Returns the folder."""
-        random.seed(1)
-        pairs = self.draw_pairs(count, bonn)
-        lines = [",".join(map(str, light + view)) for _, _, light, view in pairs]
-        self.write("pairs.csv", "ix,iy,iz,ox,oy,oz\n" + "\n".join(lines) + "\n")
-        materials = []
-        for name in MATERIALS:
-            result = run("evaluate", name, "--pairs", self.path("pairs.csv"))
-            self.check(result, 0)
-            materials.append([[float(word) for word in line.split(",")[6:]] for line in result.stdout.split()[1:]])
-        os.mkdir(self.path("photos"))
-        listed = []
-        for k, (i, o, light, view) in enumerate(pairs):
-            a, b = materials[0][k], materials[1][k]
-            exposed = exposure or 0.9 / (math.pi * light[2] * max(a + b))
-            rows = []
-            for y in range(SIDE):
-                shares = [share(x, y) / 255.0 for x in range(SIDE)]
-                rows.append([[math.pi * exposed * light[2] * ((1.0 - s) * a[c] + s * b[c]) + random.gauss(0.0, noise)
-                              for c in range(3)] for s in shares])
-            if exposure:
-                codes = [[[round(255.0 * encode(min(value, 1.0))) for value in pixel] for pixel in row] for row in rows]
-                self.write(f"photos/tl{i[0]:03}_pl{i[1]:03}_tv{o[0]:03}_pv{o[1]:03}.png", make_png(codes))
-            else:
-                values = [value for row in reversed(rows) for pixel in row for value in pixel]
-                self.write(f"photos/{k}.pfm", f"PF\n{SIDE} {SIDE}\n-1.0\n".encode() + struct.pack(f"<{len(values)}f", *values))
-                listed.append({"file": f"{k}.pfm", "light": light, "view": view, "exposure": exposed})
-        self.write("photos/photographs.json", json.dumps({"photographs": listed}))
+    def photograph(self, *options):
+        self.write("weights.png", make_png([[(255 - share(x, y), share(x, y), 0) for x in range(SIDE)] for y in range(SIDE)]))
+        self.check(run("photograph", "red-fabric2", "nickel", "--weights", self.path("weights.png"), "-o",
+                       self.path("photos"), *options), 0, "simulated", "photographs.json")
 
     def read(self, name):
         with open(self.path(name), encoding="utf-8") as file:
@@ -92,7 +42,10 @@ class SvbrdfTest(ToolTest):
 
 class Library(SvbrdfTest):
     def test_round_trip(self):
-        self.photograph(40)
+        self.photograph("--count", 40)
+        listed = self.read("photos/photographs.json")
+        self.assertIn("SIMULATED", listed["comment"])
+        self.assertEqual(len(listed["photographs"]), 40)
         result = run("svbrdf", self.path("photos/photographs.json"), "-o", self.path("found"), "--json")
         self.check(result, 0)
         said = json.loads(result.stdout)
@@ -107,7 +60,10 @@ class Library(SvbrdfTest):
         self.assertEqual([self.read_bytes(name) for name in again], before)
 
     def test_a_folder_of_bonns_names(self):
-        self.photograph(60, exposure=0.5)
+        self.photograph("--count", 60, "--exposure", 0.5, "--format", "png")
+        os.remove(self.path("photos/photographs.json"))
+        self.assertTrue(all(name.startswith("tl0") and "_pv" in name for name in os.listdir(self.path("photos"))))
+        self.write("photos/readme.txt", "no photograph")
         result = run("svbrdf", self.path("photos"), "--irradiance", 0.5 * 3.14159265, "--library", "nickel,red-fabric2,delrin",
                      "-o", self.path("found"), "--json")
         self.check(result, 0)
@@ -120,7 +76,7 @@ class Library(SvbrdfTest):
 
 class Tables(SvbrdfTest):
     def test_round_trip(self):
-        self.photograph(80, bonn=False, noise=0.002)
+        self.photograph("--count", 80, "--directions", "half-vector", "--noise", 0.002)
         result = run("svbrdf", self.path("photos/photographs.json"), "--tables", "--materials", 2, "-o",
                      self.path("found"), "--json")
         self.check(result, 0)
@@ -131,7 +87,7 @@ class Tables(SvbrdfTest):
         self.check(run("info", self.path("found/material-1.exr")), 0, "half/difference")
 
     def test_interrupted(self):
-        self.photograph(200)
+        self.photograph("--count", 200)
         command = [TestTool.PROGRAM, "svbrdf", self.path("photos/photographs.json"), "-o", self.path("found")]
         status, said = self.interrupt(command)
         self.assertEqual(status, 1)
@@ -142,6 +98,12 @@ class Tables(SvbrdfTest):
 class Errors(SvbrdfTest):
     def test_usage(self):
         out = ["-o", self.path("x")]
+        self.write("weights.png", make_png([[(255, 0, 0)]]))
+        weights = ["--weights", self.path("weights.png")]
+        self.check(run("photograph", "nickel", *out), 2, "--weights is required")
+        self.check(run("photograph", "nickel", *weights, "--exposure", "bright", *out), 2, "--exposure", "bright")
+        self.check(run("photograph", "nickel", *weights, "--noise", "-1", *out), 2, "--noise")
+        self.check(run("photograph", *["nickel"] * 5, *weights, *out), 1, "5 materials with 3 channels")
         self.check(run("svbrdf", "list.json", "--tables", "--library", "nickel", *out), 2, "--library")
         self.check(run("svbrdf", "list.json", "--tables", "--tolerance", "0.1", *out), 2, "--tolerance")
         self.check(run("svbrdf", "list.json", "--smoothness", "0.1", *out), 2, "--smoothness")

@@ -25,7 +25,7 @@ SHARED = ""
 
 
 # Commands of the second program, measured-brdf-lab, which lies beside the first one.
-LABORATORY = ("acquire", "project", "representations", "stability", "thesis")
+LABORATORY = ("acquire", "photograph", "project", "representations", "stability", "thesis")
 
 
 def run(*arguments, **options):

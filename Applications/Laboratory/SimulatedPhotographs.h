@@ -3,7 +3,7 @@
 /**
  * @file
  * Photographs of a flat sample whose materials and weights are known: exact evaluation of the
- * map's materials, no relief, and noise.
+ * map's materials, no relief, and noise. The map has weights for all of them.
  */
 
 #ifndef SimulatedPhotographs_h
@@ -117,18 +117,28 @@ public:
     std::mt19937 random(sequence);
     const auto number = [&random]() { return (random() + 0.5) * 0x1p-32; };
     const double levels = std::exp2(this->Bits) - 1.0;
+    std::vector<std::pair<vtkDataArray*, int>> weights; // channels of the images, one after another
+    for (int k = 0; k < this->Map->GetNumberOfWeightImages(); ++k)
+    {
+      vtkDataArray* array = this->Map->GetWeightImage(k)->GetPointData()->GetScalars();
+      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+      {
+        weights.emplace_back(array, c);
+      }
+    }
     for (vtkIdType texel = 0; texel < picture->GetNumberOfPoints(); ++texel)
     {
       glm::dvec3 sum(0.0);
+      double whole = 0.0; // of the weights, which a map divides by their sum
       for (std::size_t k = 0; k < values.size(); ++k)
       {
-        vtkDataArray* weights =
-          this->Map->GetWeightImage(static_cast<int>(k / 4))->GetPointData()->GetScalars();
-        sum += weights->GetComponent(texel, static_cast<int>(k % 4)) * values[k];
+        const double weight = weights[k].first->GetComponent(texel, weights[k].second);
+        sum += weight * values[k];
+        whole += weight;
       }
       for (int c = 0; c < 3; ++c)
       {
-        double value = this->GetScale(index) * sum[c];
+        double value = whole > 0.0 ? this->GetScale(index) * sum[c] / whole : 0.0;
         if (this->Noise > 0.0) // Box and Muller 1958: the same numbers with every library
         {
           const double radius = std::sqrt(-2.0 * std::log(number()));
