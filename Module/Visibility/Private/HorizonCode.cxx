@@ -48,17 +48,7 @@ class SectorIntervals
 public:
   static constexpr int Sectors = HorizonCode::Sectors;
 
-  /// Between two sines of elevation. What is within half a byte's step of the horizon or the zenith
-  /// reaches it.
-  struct Interval
-  {
-    double Low = 0.0;
-    double High = 0.0;
-    bool IsEmpty() const { return !(this->High > this->Low); }
-    bool IsFromHorizon() const { return this->Low < 0.5 / 255.0; }
-    bool IsToZenith() const { return this->High > 254.5 / 255.0; }
-  };
-
+  using Interval = HorizonCode::Interval;
   using Offset = std::function<double(int sector)>;          // of rays in their strata, 0 to 1
   using Test = std::function<bool(int sector, double sine)>; // whether a sector's middle is hidden
 

@@ -57,6 +57,17 @@ public:
   /// Share of pi that is hidden: of the irradiance from a uniform sky, 0 to 1.
   static double GetHiddenCosine(const Code& code);
 
+  /// Between two sines of elevation. What is within half a byte's step of the horizon or the zenith
+  /// reaches it.
+  struct Interval
+  {
+    double Low = 0.0;
+    double High = 0.0;
+    bool IsEmpty() const { return !(this->High > this->Low); }
+    bool IsFromHorizon() const { return this->Low < 0.5 / 255.0; }
+    bool IsToZenith() const { return this->High > 254.5 / 255.0; }
+  };
+
   /// Rays of equal solid angle about a normal: in each sector so many, from the horizon up. In the
   /// code's frame; ray k of sector s is number s * elevations + k.
   class Rays

@@ -57,17 +57,6 @@ inline double GetSectorAzimuth(std::size_t sector)
 class HorizonLight : public HorizonCode
 {
 public:
-  /// Between two sines of elevation. What is within half a byte's step of the horizon or the zenith
-  /// reaches it.
-  struct Interval
-  {
-    double Low = 0.0;
-    double High = 0.0;
-    bool IsEmpty() const { return !(this->High > this->Low); }
-    bool IsFromHorizon() const { return this->Low < 0.5 / 255.0; }
-    bool IsToZenith() const { return this->High > 254.5 / 255.0; }
-  };
-
   /// A code to evaluate.
   explicit HorizonLight(const Code& code);
 
