@@ -78,31 +78,30 @@ std::string DescribeContent(std::string_view bytes)
   if (IsText(start))
   {
     const std::string lower = vtksys::SystemTools::LowerCase(std::string(start));
+    const auto holds = [&lower](const char* word) { return lower.find(word) != std::string::npos; };
     const std::size_t first = std::min(lower.find_first_not_of(" \t\r\n"), lower.size());
-    if (lower.find("<html") != std::string::npos || lower.find("<!doctype html") == first)
+    if (holds("<html") || lower.find("<!doctype html") == first)
     {
       return "it is a web page, saved in the file's place";
     }
-    if (lower.find("scattertype") != std::string::npos &&
-        lower.find("samplerotation") != std::string::npos)
+    if (holds("scattertype") && holds("samplerotation"))
     {
       return "it looks like a table of Zemax's (\"ScatterType\"), which is not read";
     }
-    const std::string line = lower.substr(0, lower.find_first_of("\r\n", first)).substr(first);
-    return std::string(
-             first < lower.size() && lower[first] == '<'
-               ? "it is XML without the element 'WindowElement' of BSDF files, and begins "
-               : "it is text that begins ") +
-           Quote(std::string(start.substr(first, std::min<std::size_t>(line.size(), 60))));
+    const std::string_view line = start.substr(first, start.find_first_of("\r\n", first) - first);
+    const bool isXml = !line.empty() && line[0] == '<';
+    return (isXml ? "it is XML without the element 'WindowElement' of BSDF files, and begins "
+                  : "it is text that begins ") +
+           Quote(line.substr(0, 60));
   }
   if (bytes.size() < 12)
   {
-    return "it has " + std::to_string(bytes.size()) + " bytes only";
+    return Concat("it has ", bytes.size(), " bytes only");
   }
   std::array<std::int32_t, 3> sizes;
   ByteReader::Copy(sizes.data(), bytes.data(), sizes.size());
-  return "as MERL's three sizes they read " + std::to_string(sizes[0]) + ", " +
-         std::to_string(sizes[1]) + ", " + std::to_string(sizes[2]) + ", expected 1 to 2048 each";
+  return Concat("as MERL's three sizes they read ", sizes[0], ", ", sizes[1], ", ", sizes[2],
+    ", expected 1 to 2048 each");
 }
 
 //------------------------------------------------------------------------------
@@ -115,10 +114,10 @@ vtkSmartPointer<vtkBRDFFormat> FindFormat(const vtkBRDFFormat::File& file)
   }
   if (!MEASUREDBRDF_WITH_OPENEXR && file.Bytes.substr(0, sizeof(ExrMagic) - 1) == ExrMagic)
   {
-    throw FileError(file.Path + ": " + NoOpenEXR + ".exr materials cannot be read");
+    throw FileError(file.Path, ": ", NoOpenEXR, ".exr materials cannot be read");
   }
-  throw FileError(file.Path + ": magic at byte 0: the first bytes are of no known format (" +
-                  vtkBRDFFormats::GetNames() + "); " + DescribeContent(file.Bytes));
+  throw FileError(file.Path, ": magic at byte 0: the first bytes are of no known format (",
+    vtkBRDFFormats::GetNames(), "); ", DescribeContent(file.Bytes));
 }
 }
 
@@ -145,25 +144,15 @@ bool vtkBRDFReader::Read()
       this->FormatName = format->GetName();
       vtkBRDFFormat::Content content;
       std::string error;
-      if (!format->Read(file, content, error))
-      {
-        throw FileError(error);
-      }
-      if (!content.BRDF)
-      {
-        if (content.Transmission)
-        {
-          this->Transmission = content.Transmission;
-          this->Notes = content.Notes;
-        }
-        throw FileError(
-          path.File + ": " + this->FormatName +
-          (content.Transmission ? ": the file holds transmission only; expected reflection, too"
-                                : " gave no material"));
-      }
-      this->BRDF = content.BRDF;
+      const bool isRead = format->Read(file, content, error);
+      Require(isRead, error);
+      Require(content.BRDF || content.Transmission, path.File, ": ", this->FormatName,
+        " gave no material");
       this->Transmission = content.Transmission;
       this->Notes = content.Notes;
+      Require(content.BRDF != nullptr, path.File, ": ", this->FormatName,
+        ": the file holds transmission only; expected reflection, too");
+      this->BRDF = content.BRDF;
       this->NumberOfNegativeValues = content.NumberOfNegativeValues;
       this->NumberOfInvalidValues = content.NumberOfInvalidValues;
       report(1.0);

@@ -29,31 +29,18 @@ bool vtkBRDFWriter::Write()
   const bool done = measuredbrdf::CatchFileError(this->FileName, this->ErrorMessage,
     [&]()
     {
-      if (this->FileName.empty())
-      {
-        throw FileError("no file name was given");
-      }
-      if (!this->BRDF)
-      {
-        throw FileError(this->FileName + ": there is no material to write");
-      }
+      Require(!this->FileName.empty(), "no file name was given");
+      Require(this->BRDF != nullptr, this->FileName, ": there is no material to write");
       const std::string extension = vtksys::SystemTools::LowerCase(
         vtksys::SystemTools::GetFilenameLastExtension(this->FileName));
       const auto format = vtkBRDFFormats::FindForWriting(extension);
-      if (!format && !MEASUREDBRDF_WITH_OPENEXR && extension == ".exr")
-      {
-        throw FileError(this->FileName + ": " + NoOpenEXR + ".exr materials cannot be written");
-      }
-      if (!format)
-      {
-        throw FileError(this->FileName + ": found extension " + Quote(extension) + ", expected " +
-                        vtkBRDFFormats::GetExtensions(true));
-      }
+      Require(format || MEASUREDBRDF_WITH_OPENEXR || extension != ".exr", this->FileName, ": ",
+        NoOpenEXR, ".exr materials cannot be written");
+      Require(format != nullptr, this->FileName, ": found extension ", Quote(extension),
+        ", expected ", vtkBRDFFormats::GetExtensions(true));
       std::string error;
-      if (!format->Write(this->BRDF, this->FileName, this->HalfFloats, error))
-      {
-        throw FileError(error);
-      }
+      const bool isWritten = format->Write(this->BRDF, this->FileName, this->HalfFloats, error);
+      Require(isWritten, error);
     });
   if (!done)
   {

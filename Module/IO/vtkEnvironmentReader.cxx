@@ -58,10 +58,7 @@ ImageFile ReadLinear(const std::string& path, const std::string& layer)
   return image;
 }
 
-std::string FormatSize(const ImageFile& image)
-{
-  return std::to_string(image.Width) + " x " + std::to_string(image.Height);
-}
+std::string FormatSize(const ImageFile& image) { return Concat(image.Width, " x ", image.Height); }
 
 //------------------------------------------------------------------------------
 // What an image without a given projection is by its shape.
@@ -93,15 +90,13 @@ void AlignWithAxes(Projection projection, ImageFile& image)
 {
   const std::ptrdiff_t row = std::ptrdiff_t(3) * image.Width;
   const auto begin = image.Pixels.begin();
-  if (image.Envmap == ImageEnvmap::Cube && projection == Projection::VerticalStrip)
+  if (image.Envmap == ImageEnvmap::Cube && projection == Projection::VerticalStrip &&
+      std::int64_t(image.Height) == 6 * std::int64_t(image.Width))
   {
     // The last two faces are +z and -z as they are seen there; in OpenGL's cubes, what is seen
     // towards -z comes first.
     const std::ptrdiff_t face = row * image.Width;
-    if (std::int64_t(image.Height) == 6 * std::int64_t(image.Width))
-    {
-      std::swap_ranges(begin, begin + face, begin + face);
-    }
+    std::swap_ranges(begin, begin + face, begin + face);
   }
   else if (image.Envmap == ImageEnvmap::LatLong && projection == Projection::LatLong)
   {
@@ -119,39 +114,29 @@ void AlignWithAxes(Projection projection, ImageFile& image)
 BadValues FillFromImage(const std::string& path, Projection projection, bool given,
   ImageFile& image, vtkEnvironment* environment)
 {
-  std::optional<BadValues> bad;
-  if (projection == Projection::LatLong)
+  if (projection != Projection::LatLong)
   {
-    if (std::int64_t(image.Width) != 2 * std::int64_t(image.Height))
-    {
-      image.Notes.push_back(
-        "The size " + FormatSize(image) + " is not 2:1; it is stretched over the sphere.");
-    }
-    if (image.Width == image.Height && !given)
-    {
-      image.Notes.emplace_back(
-        "Square images are often angular maps or mirror balls: say so if it is one.");
-    }
-    if (environment->SetPixels(image.Width, image.Height, std::move(image.Pixels)))
-    {
-      bad.emplace();
-    }
+    Require(FitsProjection(projection, image.Width, image.Height), path, ": image size: found ",
+      FormatSize(image), ", expected ", GetExpectedSize(projection), " for a probe of type ",
+      GetProjectionName(projection));
+    const auto bad =
+      ConvertProbe(projection, image.Width, image.Height, std::move(image.Pixels), environment);
+    Require(bad.has_value(), path, ": image pixels: were refused");
+    return *bad;
   }
-  else if (FitsProjection(projection, image.Width, image.Height))
+  if (std::int64_t(image.Width) != 2 * std::int64_t(image.Height))
   {
-    bad = ConvertProbe(projection, image.Width, image.Height, std::move(image.Pixels), environment);
+    image.Notes.push_back(
+      "The size " + FormatSize(image) + " is not 2:1; it is stretched over the sphere.");
   }
-  else
+  if (image.Width == image.Height && !given)
   {
-    throw FileError(path + ": image size: found " + FormatSize(image) + ", expected " +
-                    GetExpectedSize(projection) + " for a probe of type " +
-                    GetProjectionName(projection));
+    image.Notes.emplace_back(
+      "Square images are often angular maps or mirror balls: say so if it is one.");
   }
-  if (!bad)
-  {
-    throw FileError(path + ": image pixels: were refused");
-  }
-  return *bad;
+  Require(environment->SetPixels(image.Width, image.Height, std::move(image.Pixels)), path,
+    ": image pixels: were refused");
+  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -174,7 +159,7 @@ std::vector<std::string> FindFaces(const std::string& pattern)
       return paths;
     }
   }
-  throw FileError(pattern + ": cube faces: found no file with %s replaced by px, posx or right");
+  throw FileError(pattern, ": cube faces: found no file with %s replaced by px, posx or right");
 }
 
 //------------------------------------------------------------------------------
@@ -187,22 +172,15 @@ BadValues FillFromFaces(const std::string& pattern, const std::string& layer, Im
   for (const std::string& path : paths)
   {
     ImageFile image = ReadLinear(path, layer);
-    const auto fail = [&](const std::string& expected) {
-      throw FileError(path + ": cube face: found " + FormatSize(image) + ", expected " + expected);
+    const auto require = [&](bool condition, const auto&... expected) {
+      Require(
+        condition, path, ": cube face: found ", FormatSize(image), ", expected ", expected...);
     };
     constexpr std::int64_t most = MaximumProbeTexels / 6;
-    if (image.Width != image.Height)
-    {
-      fail("a square");
-    }
-    if (std::int64_t(image.Width) * image.Height > most)
-    {
-      fail("six faces of at most " + std::to_string(most) + " texels each");
-    }
-    if (!faces.empty() && image.Width != first.Width)
-    {
-      fail(FormatSize(first) + " as " + paths.front());
-    }
+    require(image.Width == image.Height, "a square");
+    require(std::int64_t(image.Width) * image.Height <= most, "six faces of at most ", most,
+      " texels each");
+    require(faces.empty() || image.Width == first.Width, FormatSize(first), " as ", paths.front());
     faces.push_back(std::move(image.Pixels));
     if (faces.size() == 1)
     {
@@ -210,10 +188,7 @@ BadValues FillFromFaces(const std::string& pattern, const std::string& layer, Im
     }
   }
   const auto bad = ConvertCubeFaces(first.Width, faces, environment);
-  if (!bad)
-  {
-    throw FileError(pattern + ": image pixels: were refused");
-  }
+  Require(bad.has_value(), pattern, ": image pixels: were refused");
   return *bad;
 }
 }
@@ -248,8 +223,8 @@ bool vtkEnvironmentReader::Read()
       const vtkIdType nonFinite = environment->GetNumberOfNonFiniteValues() + bad.NotFinite;
       if (negative > 0 || nonFinite > 0)
       {
-        image.Notes.push_back(std::to_string(negative) + " negative and " +
-                              std::to_string(nonFinite) + " non-finite values were set to 0.");
+        image.Notes.push_back(
+          Concat(negative, " negative and ", nonFinite, " non-finite values were set to 0."));
       }
       this->Notes = image.JoinNotes();
       this->Environment = environment;

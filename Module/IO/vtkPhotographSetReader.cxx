@@ -2,16 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPhotographSetReader.h"
 
+#include "BoundedJson.h"
 #include "FileBytes.h"
 #include "ImageFile.h"
-#include "PhotographList.h"
-
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPhotographSet.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
 #include <filesystem>
+#include <map>
+#include <regex>
+#include <string>
+#include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkPhotographSetReader);
 
@@ -19,6 +26,106 @@ using namespace measuredbrdf;
 
 namespace
 {
+using nlohmann::json;
+
+constexpr std::size_t MostListBytes = std::size_t(1) << 28;
+constexpr std::size_t MostFolderEntries = std::size_t(1) << 21;
+constexpr int DeepestFolder = 8;
+
+const std::map<std::string, int> Transfers = { { "automatic", vtkPhotographSet::AUTOMATIC },
+  { "linear", vtkPhotographSet::LINEAR }, { "srgb", vtkPhotographSet::SRGB },
+  { "power", vtkPhotographSet::POWER } };
+
+void SetAngles(const std::string& where, double theta, double phi, double direction[3])
+{
+  Require(theta >= 0.0 && theta < 90.0 && std::isfinite(phi), where, ": found a polar angle of ",
+    theta, " and an azimuth of ", phi,
+    " degrees, expected a direction above the horizon, 0 to less than 90");
+  vtkPhotographSet::GetDirection(theta, phi, direction);
+}
+
+//------------------------------------------------------------------------------
+// An object of the JSON text; where: how errors call it.
+class ListObject
+{
+public:
+  ListObject(std::string where, const json& object, const std::vector<std::string>& allowed)
+    : Where(std::move(where))
+    , Object(object)
+  {
+    Require(object.is_object(), this->Where, ": expected an object in braces");
+    for (const auto& item : object.items())
+    {
+      if (std::find(allowed.begin(), allowed.end(), item.key()) == allowed.end())
+      {
+        throw FileError(this->Where, ": found the key ", Quote(item.key()), ", expected one of ",
+          json(allowed).dump());
+      }
+    }
+  }
+
+  /// Null where there is none of that name.
+  json Get(const char* key) const { return this->Object.value(key, json()); }
+
+  bool Has(const char* key) const { return this->Object.contains(key); }
+
+  void GetNumber(const char* key, double& number) const
+  {
+    if (this->Has(key))
+    {
+      const json value = this->Get(key);
+      number = value.is_number() ? value.get<double>() : NAN;
+      Require(std::isfinite(number), this->Where, ": ", key, ": expected a finite number");
+    }
+  }
+
+  void GetDirection(const char* key, double direction[3]) const
+  {
+    const std::string place = this->Where + ": " + key;
+    const json value = this->Get(key);
+    if (value.is_object())
+    {
+      const ListObject angles(place, value, { "theta", "phi" });
+      double theta = NAN;
+      double phi = 0.0;
+      angles.GetNumber("theta", theta);
+      angles.GetNumber("phi", phi);
+      SetAngles(place, theta, phi, direction);
+      return;
+    }
+    const bool isTriple = value.is_array() && value.size() == 3 &&
+                          std::all_of(value.begin(), value.end(),
+                            [](const json& number) { return number.is_number(); });
+    Require(
+      isTriple, place, R"(: expected three numbers, or {"theta": ..., "phi": ...} in degrees)");
+    const auto triple = value.get<std::array<double, 3>>();
+    std::copy(triple.begin(), triple.end(), direction);
+    const std::string problem = vtkPhotographSet::FindDirectionProblem(direction, key);
+    Require(problem.empty(), this->Where, ": ", problem);
+  }
+
+private:
+  std::string Where;
+  const json& Object;
+};
+
+//------------------------------------------------------------------------------
+// The numbers behind tl, pl, tv and pv that begin words; false unless each of these is there once.
+bool FindAngles(const std::string& name, std::array<double, 4>& angles)
+{
+  static const std::regex pattern(
+    "(?:^|[^A-Za-z0-9])([tp])([lv])(-?[0-9]{1,9})(?![0-9])", std::regex::icase);
+  std::array<int, 4> counts{};
+  for (std::sregex_iterator found(name.begin(), name.end(), pattern), end; found != end; ++found)
+  {
+    const bool isAzimuth = std::tolower(*(*found)[1].first) == 'p';
+    const bool isView = std::tolower(*(*found)[2].first) == 'v';
+    const std::size_t k = (isAzimuth ? 1 : 0) + (isView ? 2 : 0);
+    counts[k] += ParseNumber((*found)[3].str(), angles[k]) ? 1 : 0;
+  }
+  return counts == std::array<int, 4>{ 1, 1, 1, 1 };
+}
+
 //------------------------------------------------------------------------------
 // Photographs in files, each read when it is asked for.
 class FilePhotographSet : public vtkPhotographSet
@@ -27,15 +134,92 @@ public:
   static FilePhotographSet* New();
   vtkTypeMacro(FilePhotographSet, vtkPhotographSet);
 
-  // Returns whether it was taken.
-  bool AddFile(const std::string& path, const ListedPhotograph& listed)
+  // From a list in JSON. Throws FileError, as ReadFolder does.
+  void ReadList(const std::string& path)
   {
-    Photograph photograph;
-    std::copy_n(listed.Light, 3, photograph.Light);
-    std::copy_n(listed.View, 3, photograph.View);
-    photograph.Exposure = listed.Exposure;
-    photograph.Name = path;
-    return this->Insert(std::move(photograph)) >= 0;
+    Require(CheckFile(path) <= MostListBytes, path, ": expected a list of at most ", MostListBytes,
+      " bytes");
+    json root;
+    try
+    {
+      root = ParseJson<json>(FileBytes(path).GetView());
+    }
+    catch (const std::exception& e)
+    {
+      throw FileError(path, ": JSON: ", e.what());
+    }
+    const ListObject object(path, root,
+      { "photographs", "irradiance", "transfer", "gamma", "saturation", "black",
+        "levels_for_floats", "comment" });
+    this->TakeSettings(path, object);
+    const auto found = root.find("photographs");
+    Require(
+      found != root.end() && found->is_array(), path, ": expected an array named 'photographs'");
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    std::vector<Photograph> photographs;
+    for (const json& entry : *found)
+    {
+      const std::string where = Concat(path, ": photograph ", photographs.size());
+      const ListObject listed(where, entry, { "file", "light", "view", "exposure", "comment" });
+      Photograph photograph;
+      const json file = listed.Get("file");
+      const std::string name = file.is_string() ? file.get<std::string>() : "";
+      listed.GetDirection("light", photograph.Light);
+      listed.GetDirection("view", photograph.View);
+      listed.GetNumber("exposure", photograph.Exposure);
+      const std::string problem = FindExposureProblem(photograph.Exposure);
+      Require(problem.empty(), where, ": ", problem);
+      Require(!name.empty() && name.find('\0') == std::string::npos, where, ": file: found ",
+        Quote(name), ", expected a file's name");
+      photograph.Name = (folder / name).string();
+      photographs.push_back(photograph);
+    }
+    this->Take(path, photographs, "photographs");
+  }
+
+  // All files in a folder and its folders whose names say the directions, in the order of their
+  // paths. Returns how many other files there are.
+  vtkIdType ReadFolder(const std::string& folder)
+  {
+    std::vector<Photograph> photographs;
+    vtkIdType ignored = 0;
+    std::error_code error;
+    std::size_t entries = 0;
+    // It does not follow links to folders.
+    auto entry = std::filesystem::recursive_directory_iterator(folder, error);
+    for (; !error && entry != std::filesystem::end(entry); entry.increment(error))
+    {
+      Require(++entries <= MostFolderEntries, folder, ": found more than ", MostFolderEntries,
+        " entries, expected a folder of photographs");
+      if (entry.depth() >= DeepestFolder)
+      {
+        entry.disable_recursion_pending();
+      }
+      std::error_code ignoredError;
+      if (!entry->is_regular_file(ignoredError))
+      {
+        continue;
+      }
+      Photograph photograph;
+      photograph.Name = entry->path().string();
+      std::array<double, 4> angles{};
+      if (FindAngles(GetFileTitle(photograph.Name), angles))
+      {
+        SetAngles(photograph.Name + ": light (tl, pl)", angles[0], angles[1], photograph.Light);
+        SetAngles(photograph.Name + ": view (tv, pv)", angles[2], angles[3], photograph.View);
+        photographs.push_back(photograph);
+      }
+      else
+      {
+        ++ignored;
+      }
+    }
+    Require(!error, folder, ": ", error.message());
+    std::sort(photographs.begin(), photographs.end(),
+      [](const Photograph& a, const Photograph& b) { return a.Name < b.Name; });
+    this->Take(
+      folder, photographs, "files whose names say directions, like tl015_pl030_tv045_pv060.jpg");
+    return ignored;
   }
 
   vtkImageData* NewPicture(int index) override
@@ -65,44 +249,64 @@ public:
   }
 
 private:
+  void TakeSettings(const std::string& path, const ListObject& root)
+  {
+    double irradiance = this->Irradiance;
+    double gamma = this->Gamma;
+    double saturation = this->SaturationLevel;
+    double black = this->BlackLevel;
+    root.GetNumber("irradiance", irradiance);
+    root.GetNumber("gamma", gamma);
+    root.GetNumber("saturation", saturation);
+    root.GetNumber("black", black);
+    Require(irradiance > 0.0 && gamma >= 0.1 && gamma <= 10.0, path,
+      ": expected an irradiance > 0 and a gamma from 0.1 to 10");
+    this->SetIrradiance(irradiance);
+    this->SetGamma(gamma);
+    this->SetSaturationLevel(saturation);
+    this->SetBlackLevel(black);
+    if (root.Has("levels_for_floats"))
+    {
+      const json levels = root.Get("levels_for_floats");
+      Require(levels.is_boolean(), path, ": levels_for_floats: expected true or false");
+      this->LevelsForFloats = levels.get<bool>();
+    }
+    if (root.Has("transfer"))
+    {
+      const json transfer = root.Get("transfer");
+      const auto known =
+        Transfers.find(transfer.is_string() ? transfer.get<std::string>() : std::string());
+      Require(
+        known != Transfers.end(), path, ": transfer: expected automatic, linear, srgb or power");
+      this->Transfer = known->second;
+    }
+  }
+
+  void Take(const std::string& path, const std::vector<Photograph>& photographs, const char* what)
+  {
+    constexpr std::size_t most = MaximumNumberOfPhotographs;
+    const std::size_t found = photographs.size();
+    Require(
+      found >= 1 && found <= most, path, ": found ", found, " ", what, ", expected 1 to ", most);
+    for (const Photograph& photograph : photographs)
+    {
+      CheckFile(photograph.Name);
+      Require(this->Insert(photograph) >= 0, photograph.Name, ": the photograph was refused");
+    }
+  }
+
   vtkImageData* ReadPicture(const std::string& path)
   {
     const ImageFile file = ReadImageFile(path);
-    if (file.IsInteger && !file.IsEncoded && this->Transfer == AUTOMATIC)
-    {
-      throw FileError(path +
-                      ": the file says that its integers are linear, while 'automatic' takes "
-                      "integers by sRGB's curve: set the transfer to linear or srgb");
-    }
+    Require(!file.IsInteger || file.IsEncoded || this->Transfer != AUTOMATIC, path,
+      ": the file says that its integers are linear, while 'automatic' takes integers by sRGB's "
+      "curve: set the transfer to linear or srgb");
     const auto picture = MakeImageData(file, file.IsInteger);
     picture->Register(nullptr); // the caller's
     return picture;
   }
 };
 vtkStandardNewMacro(FilePhotographSet);
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkPhotographSet> MakeSet(
-  const PhotographList& list, const std::filesystem::path& folder)
-{
-  auto set = vtkSmartPointer<FilePhotographSet>::New();
-  set->SetIrradiance(list.Irradiance);
-  set->SetTransfer(list.Transfer);
-  set->SetGamma(list.Gamma);
-  set->SetSaturationLevel(list.SaturationLevel);
-  set->SetBlackLevel(list.BlackLevel);
-  set->SetLevelsForFloats(list.LevelsForFloats);
-  for (const ListedPhotograph& photograph : list.Photographs)
-  {
-    const std::string path = (folder / photograph.File).string();
-    CheckFile(path);
-    if (!set->AddFile(path, photograph))
-    {
-      throw FileError(path + ": the photograph was refused");
-    }
-  }
-  return set;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -119,24 +323,19 @@ bool vtkPhotographSetReader::Read()
   const bool done = measuredbrdf::CatchFileError(this->FileName, this->ErrorMessage,
     [&]()
     {
-      std::size_t ignored = 0;
+      const auto read = vtkSmartPointer<FilePhotographSet>::New();
+      vtkIdType ignored = 0;
       std::error_code error;
       if (std::filesystem::is_directory(this->FileName, error))
       {
-        this->Photographs = MakeSet(ListPhotographFolder(this->FileName, ignored), {});
+        ignored = read->ReadFolder(this->FileName);
       }
       else
       {
-        if (CheckFile(this->FileName) > MostListBytes)
-        {
-          throw FileError(this->FileName + ": expected a list of at most " +
-                          std::to_string(MostListBytes) + " bytes");
-        }
-        const FileBytes file(this->FileName);
-        this->Photographs =
-          MakeSet(ParsePhotographList(file), std::filesystem::path(this->FileName).parent_path());
+        read->ReadList(this->FileName);
       }
-      this->NumberOfIgnoredFiles = static_cast<vtkIdType>(ignored);
+      this->Photographs = read;
+      this->NumberOfIgnoredFiles = ignored;
     });
   if (!done)
   {

@@ -4,7 +4,6 @@
 
 #include "FileBytes.h"
 #include "ImageFile.h"
-#include "NumberText.h"
 
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
@@ -29,10 +28,8 @@ void CheckValues(const std::string& path, const ImageFile& file)
   {
     const auto at = static_cast<std::size_t>(bad - file.Pixels.begin());
     const auto width = static_cast<std::size_t>(file.Width);
-    throw FileError(path + ": pixel (" + std::to_string(at / 4 % width) + ", " +
-                    std::to_string(at / 4 / width) + ") from the top left, channel " +
-                    std::to_string(at % 4) + ": found " + measuredbrdf::NumberText(*bad) +
-                    ", expected a finite value");
+    throw FileError(path, ": pixel (", at / 4 % width, ", ", at / 4 / width,
+      ") from the top left, channel ", at % 4, ": found ", *bad, ", expected a finite value");
   }
 }
 }

@@ -173,7 +173,7 @@ Seeds MakeSeeds(const std::string& target)
   {
     return { R"({"irradiance": 2, "transfer": "srgb", "levels_for_floats": true, "photographs": [
 {"file": "a.png", "light": {"theta": 15, "phi": 30}, "view": [0.5, 0, 1], "exposure": 0.5}]})",
-      "tv045_pv060/00001 tl015 pl030 tv045 pv-60.jpg" };
+      "00001 tl015 pl030 tv045 pv-60.jpg" };
   }
 #if MEASUREDBRDF_WITH_OPENEXR
   if (target == "ExrHeader")

@@ -45,8 +45,8 @@ add("Core.log-cosine-sign", "HalfVector.h", "std::log1p(-s) / s", "std::log1p(s)
     "BlinnPhong.PaperFormula")
 add("Core.half-vector-spread-factor", "HalfVector.h", "return spread / (4.0 *", "return spread / (2.0 *",
     "SoftLights.AreTheMeanOverTheLight|SoftTables.AgreeWithTheClosedForm")
-add("Core.whole-file-in-readable-folders", "WholeFile.cxx", "ForNames = O_PATH |", "ForNames = O_RDONLY |",
-    "WholeFile.NeedsNoFolderThatCanBeRead")
+add("Core.whole-file-forgets-permissions", "WholeFile.cxx", "old.permissions() & fs::perms(0777)", "fs::perms(0777)",
+    "WholeFile.IsNewOrReplacesTheOldOne")
 add("Core.schlick-fourth-power", "HalfVector.h", "f0 + (1.0 - f0) * m2 * m2 * m;",
     "f0 + (1.0 - f0) * m2 * m2;", "AshikhminShirley.PaperFormula")
 add("Core.dielectric-square", "HalfVector.h", "return 0.5 * a * a * (1.0 + b * b);",
@@ -571,14 +571,14 @@ add("IO.tensor-jacobian-ignored", "TensorFile.cxx", "tables.Jacobian = *field.Da
 add("IO.tensor-zeros-are-noise", "TensorFile.cxx", "return value < 0.0f && value >= floor;",
     "return value <= 0.0f && value >= floor;", "IOTensor.Reads|IOTolerance.TensorDensitiesWithRoundingNoise")
 add("IO.tensor-overlapping-fields", "TensorFile.cxx", "total += field.Bytes;",
-    "total = field.second.Bytes;", "IOTensor.RefusesBadFields")
+    "total = field.Bytes;", "IOTensor.RefusesBadFields")
 add("IO.mbsdf-gray-planes", "MbsdfFile.cxx", ": stored[k / 3]);", ": stored[k % stored.size()]);",
     "IOMbsdf.Reads")
 add("IO.mbsdf-line-ends-of-dos", "MbsdfFile.cxx",
-    "length > 0 && rest[length - 1] == '\\r' ? length - 1 : length", "length", "IOTolerance.MbsdfOfDosAndPadding")
+    "!line.empty() && line.back() == '\\r' ? line.size() - 1 : line.size()", "line.size()", "IOTolerance.MbsdfOfDosAndPadding")
 add("IO.fits-scale-of-ngan", "FitFile.cxx", "{ 1.0, 1.15, 1.66 }", "{ 1.0, 1.66, 1.15 }", "IOFits.ScalesNgan")
-add("IO.fits-byte-order-mark", "FitFile.cxx", "this->Text.substr(0, mark.size()) == mark ?",
-    "this->Text.substr(0, 0) == mark ?", "IOTolerance.FitsFromEditors")
+add("IO.fits-byte-order-mark", "FitFile.cxx", "Text(SkipByteOrderMark(file.GetView()))", "Text(file.GetView())",
+    "IOTolerance.FitsFromEditors")
 add("IO.fits-low-with-schlick", "FitFile.cxx", "term->SetFresnelModelToDielectric();", "", "IOFits.ReadsLow")
 add("IO.fits-twice-the-same-name", "FitFile.cxx", "if (!isNew)", "if (line < 0)",
     "IOFits.RefusesBadText")
@@ -592,10 +592,10 @@ add("IO.exr-any-version", "ExrMaterialFile.cxx", "format != JsonFormat || versio
 add("IO.exr-terms-under-the-first", "ExrMaterialFile.cxx", "parts, depth + 1));\n    ++index;",
     "parts, depth + 1));", "IOExrRoundTrip.EveryModelComesBack")
 add("IO.image-alpha-darkens", "ImageDecoder.cxx", '"oiio:UnassociatedAlpha", 1)', '"oiio:UnassociatedAlpha", 0)',
-    "IOEnvironment.AlphaOfPngDoesNotDarken")
+    "IOEnvironment.DecodesEveryFormat")
 add("IO.image-floats-are-encoded", "ImageDecoder.cxx", "image.IsInteger && !SaysLinear(spec);",
     "!SaysLinear(spec);",
-    "IOEnvironment.DecodesIntegerFormats|IOEnvironment.ReadsRadianceFiles")
+    "IOEnvironment.DecodesEveryFormat")
 add("IO.image-upside-down", "vtkEnvironmentReader.cxx", "for (int y = 0; y < image.Height / 2; ++y)",
     "for (int y = 0; y < image.Height / 4; ++y)", "IOEnvironment.PutsTheTopRowLast")
 add("IO.image-exposure-multiplies", "ImageFile.cxx", "Scale(1.0 / header.Exposure)", "Scale(header.Exposure)",
@@ -615,13 +615,13 @@ add("IO.padding-of-any-length", "FileBytes.cxx", "this->GetRemaining() <= most &
     "IOTolerance.MerlNoiseAndPadding|IOTolerance.MbsdfOfDosAndPadding|IOMerl.RefusesBadSizes")
 
 add("IO.picture-upside-down", "ImageFile.cxx", "for (int y = file.Height - 1; y >= 0; --y)",
-    "for (int y = 0; y < file.Height; ++y)", "IOPicture.KeepsIntegersAsTheyAre|IOPhotographs.ReadsLists")
+    "for (int y = 0; y < file.Height; ++y)", "IOPicture.KeepsValuesAsTheyAre|IOPhotographs.ReadsLists")
 add("IO.picture-alpha-of-gray", "ImageFile.cxx", "c == colors ? file.Channels :", "c == 3 ? 3 :",
-    "IOPicture.KeepsIntegersAsTheyAre")
+    "IOPicture.KeepsValuesAsTheyAre")
 add("IO.picture-with-nan", "vtkPictureReader.cxx", "return !std::isfinite(value);", "return value > 1e38f;",
     "IOPicture.RefusesBadFiles")
 
-add("IO.photograph-light-is-the-view", "PhotographList.cxx", "angles[2], angles[3], photograph.View",
+add("IO.photograph-light-is-the-view", "vtkPhotographSetReader.cxx", "angles[2], angles[3], photograph.View",
     "angles[0], angles[1], photograph.View", "IOPhotographs.ReadsFoldersNamedAsBonnNamesThem")
 
 # Planning
@@ -1064,7 +1064,7 @@ add("Rendering.map-divided-blocks-are-drawn-whole", "BlockBatch.cxx",
 add("Material.angular-table-azimuths-end", "vtkAngularTableBRDF.cxx",
     "const std::size_t right = next % count;", "const std::size_t right = std::min(next, count - 1);",
     "IOUtia.InterpolatesAlongAllFourAxes")
-add("IO.utia-blue-first", "UtiaFile.cxx", "rgb[3 * k + c] = stored;", "rgb[3 * k + 2 - c] = stored;",
+add("IO.utia-blue-first", "UtiaFile.cxx", "rgb[3 * (k % Plane) + k / Plane] = f;", "rgb[3 * (k % Plane) + 2 - k / Plane] = f;",
     "IOUtia.InterpolatesAlongAllFourAxes")
 add("Material.angular-table-turned-the-other-way", "vtkAngularTableBRDF.cxx", "i[0] * o[1] - i[1] * o[0])", "i[1] * o[0] - i[0] * o[1])",
     "IOOpenMaterial.AzimuthsRunAboutTheNormal")
@@ -1074,8 +1074,8 @@ add("IO.gonio-mirrors-about-the-other-plane", "GonioTable.cxx", "mirrored.PhiO =
     "mirrored.PhiO = HalfTurn + mirrored.PhiO;", "IOOpenMaterial.InterpolatesBetweenUnevenAngles")
 add("IO.gonio-extrapolates", "GonioTable.cxx", "nodes.Theta.back() < Horizon)", "nodes.Theta.back() < 0.0f)",
     "IOOpenMaterial.HolesAreFilledAndReported")
-add("IO.gonio-holes-take-one-neighbor", "GonioTable.cxx", "mix(first + k, first + a, first + b, share);",
-    "mix(first + k, first + a, first + a, share);",
+add("IO.gonio-holes-take-one-neighbor", "GonioTable.cxx", "mix(1, first + k, first + a, first + b, share);",
+    "mix(1, first + k, first + a, first + a, share);",
     "IOOpenMaterial.HolesAreFilledAndReported")
 add("IO.gonio-scatter-takes-the-nearest", "GonioTable.cxx", "constexpr int Neighbors = 8;", "constexpr int Neighbors = 1;",
     "IOOpenMaterial.ScatteredViewsAreInterpolated")
@@ -1086,15 +1086,15 @@ add("IO.astm-angles-always-in-degrees", "AstmFile.cxx", "angles[k] = degrees ? a
     "IOAstm.InterpolatesOnAGrid")
 add("IO.astm-other-side-forgotten", "AstmFile.cxx", "      angles[k + 1] += 180.0;\n", "",
     "IOAstm.NegativePolarAnglesAreOnTheOtherSide")
-add("IO.astm-number-of-points-ignored", "AstmFile.cxx", "if (rows == 0 || (this->Points > 0.0 &&", "if (rows == 0 || (false &&",
+add("IO.astm-number-of-points-ignored", "AstmFile.cxx", "rows == 0 || (this->Points > 0.0 &&", "rows == 0 || (false &&",
     "IOAstm.RefusesBadFiles")
 add("IO.infrared-counts-as-visible", "SpectralColor.cxx", "wavelength < LastVisible + 0.5;", "wavelength < 2.0 * LastVisible;",
     "IOOpenMaterial.OneWavelengthIsGray")
 add("IO.spectra-under-equal-energy", "SpectralColor.cxx", "entry.w * glm::dvec3(entry)",
     "glm::dvec3(entry)", "IOSpectral.AgreesWithAnotherProgramsSum")
 add("IO.spectra-not-scaled-to-white", "SpectralColor.cxx", "weight / sums * white", "weight / sums.y * white", "IOSpectral.FlatSpectraAreGray")
-add("IO.spectral-planes-in-a-row", "TensorFile.cxx", "sum += weights[k][c] * first[k * texels + texel];",
-    "sum += weights[k][c] * first[k + wavelengths.size() * texel];", "IOSpectral.AgreesWithAnotherProgramsSum")
+add("IO.spectral-takes-the-first-value", "TensorFile.cxx", "sum += weight * double(*value++);",
+    "sum += weight * double(*value);", "IOSpectral.AgreesWithAnotherProgramsSum")
 add("Rendering.legend-shows-the-last-first", "vtkMaterialLegendActor.cxx",
     "bottom + height - (k % grid.Rows + 0.5)", "bottom + (k % grid.Rows + 0.5)",
     "MaterialLegend.DrawsSpheresBelowEachOther")

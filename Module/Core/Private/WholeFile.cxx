@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WholeFile.h"
 
+#include <vtksys/SystemTools.hxx>
+
 #include <cerrno>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <random>
 #include <stdexcept>
 #include <system_error>
 
-#include <fcntl.h>
-#include <sys/stat.h>
+#if !defined(_WIN32)
 #include <unistd.h>
+#endif
 
 namespace measuredbrdf
 {
@@ -36,8 +40,9 @@ fs::path GetFolder(const fs::path& place)
   return place.has_parent_path() ? place.parent_path() : fs::path(".");
 }
 
-// The regular file to be made or replaced, behind links; empty: path is written to as it is, a pipe
-// or a device.
+// The regular file to be made or replaced, behind links; empty: path is written to as it is, a
+// pipe, a device or, as "/dev/fd/3" and "/dev/stdout" lead to, an open file: others hold it open,
+// too.
 fs::path FindPlace(const std::string& path)
 {
   std::error_code error;
@@ -47,34 +52,23 @@ fs::path FindPlace(const std::string& path)
   {
     FailToWrite(path, "it is a directory");
   }
-  if (fs::exists(status) && !fs::is_regular_file(status))
+  bool isPlace = !fs::exists(status) || fs::is_regular_file(status);
+  for (int links = 0; isPlace && fs::is_symlink(fs::symlink_status(place, error)); ++links)
   {
-    return {};
-  }
-  // An open file, as "/dev/fd/3" and "/dev/stdout" are: others hold it open, too.
-  const auto isOpenFile = [](const fs::path& link)
-  {
-    std::error_code ignored;
-    return fs::weakly_canonical(GetFolder(link), ignored).string().rfind("/proc/", 0) == 0;
-  };
-  for (int links = 0; fs::is_symlink(fs::symlink_status(place, error)); ++links)
-  {
-    if (isOpenFile(place))
-    {
-      return {};
-    }
     const fs::path target = fs::read_symlink(place, error);
     if (error || links == MostLinks)
     {
       FailToWrite(path, error ? error.message() : "links that lead to each other");
     }
+    const std::string folder = fs::weakly_canonical(GetFolder(place), error).string() + "/";
+    isPlace = folder.rfind("/proc/", 0) != 0;
     place = place.parent_path() / target; // that alone where it is absolute
   }
-  if (!fs::is_directory(GetFolder(place), error))
+  if (isPlace && !fs::is_directory(GetFolder(place), error))
   {
     FailToWrite(path, "there is no folder " + GetFolder(place).string());
   }
-  return place;
+  return isPlace ? place : fs::path();
 }
 
 std::string MakePartName()
@@ -90,69 +84,25 @@ std::string MakePartName()
   return name + ".part";
 }
 
-// For names in a folder, which need not be readable.
-#if defined(O_PATH)
-constexpr int ForNames = O_PATH | O_DIRECTORY | O_CLOEXEC;
+// Onto the disk; a file system that cannot tell is believed.
+bool Sync([[maybe_unused]] std::FILE* file)
+{
+#if defined(_WIN32)
+  return true;
 #else
-constexpr int ForNames = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
+  return ::fsync(::fileno(file)) == 0 || errno == EINVAL;
 #endif
+}
 
-// A file descriptor whose closing is checked; where it is not, an error is under way.
-class OpenFile
+// mode: fopen's. Whether all went well; if not, errno says what. Closing counts, too: file systems
+// on a network and quotas may tell then only.
+bool WriteTo(const std::string& path, const char* mode, std::string_view bytes, bool onDisk)
 {
-public:
-  explicit OpenFile(int descriptor)
-    : Descriptor(descriptor)
-  {
-  }
-  ~OpenFile()
-  {
-    if (this->Descriptor >= 0)
-    {
-      ::close(this->Descriptor);
-    }
-  }
-  OpenFile(const OpenFile&) = delete;
-  void operator=(const OpenFile&) = delete;
-
-  bool IsOpen() const { return this->Descriptor >= 0; }
-  int Get() const { return this->Descriptor; }
-
-  bool Write(std::string_view bytes) const
-  {
-    while (!bytes.empty())
-    {
-      const ssize_t count = ::write(this->Descriptor, bytes.data(), bytes.size());
-      if (count < 0 && errno != EINTR)
-      {
-        return false;
-      }
-      bytes.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0);
-    }
-    return true;
-  }
-
-  // Onto the disk; a file system that cannot tell is believed.
-  bool Sync() const { return ::fsync(this->Descriptor) == 0 || errno == EINVAL; }
-
-  bool Close()
-  {
-    const int descriptor = this->Descriptor;
-    this->Descriptor = -1;
-    return ::close(descriptor) == 0 || errno == EINTR; // it is closed then, too
-  }
-
-private:
-  int Descriptor;
-};
-
-void WriteInto(const std::string& path, std::string_view bytes)
-{
-  OpenFile file(::open(path.c_str(), O_WRONLY | O_APPEND | O_NOCTTY | O_CLOEXEC));
-  if (!file.IsOpen() || !file.Write(bytes) || !file.Close())
-  {
-    FailToWrite(path);
-  }
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
+    std::fopen(path.c_str(), mode), [](std::FILE* open) { return std::fclose(open); });
+  return file && std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() &&
+         std::fflush(file.get()) == 0 && (!onDisk || Sync(file.get())) &&
+         std::fclose(file.release()) == 0;
 }
 }
 
@@ -161,11 +111,13 @@ void CheckWritePlace(const std::string& path)
 {
   const fs::path place = FindPlace(path);
   std::error_code error;
-  if (!place.empty() && ::access(GetFolder(place).c_str(), W_OK) != 0)
+  const auto isWritable = [](const std::string& name)
+  { return vtksys::SystemTools::TestFileAccess(name, vtksys::TEST_FILE_WRITE); };
+  if (!place.empty() && !isWritable(GetFolder(place).string()))
   {
     FailToWrite(path, "its folder: " + std::generic_category().message(errno));
   }
-  if ((place.empty() || fs::exists(place, error)) && ::access(path.c_str(), W_OK) != 0)
+  if ((place.empty() || fs::exists(place, error)) && !isWritable(path))
   {
     FailToWrite(path);
   }
@@ -178,33 +130,30 @@ void WriteWholeFile(const std::string& path, std::string_view bytes)
   const fs::path place = FindPlace(path);
   if (place.empty())
   {
-    WriteInto(path, bytes);
+    if (!WriteTo(path, "ab", bytes, false))
+    {
+      FailToWrite(path);
+    }
     return;
   }
-  // By the folder's descriptor: it stays the same folder.
-  const OpenFile folder(::open(GetFolder(place).c_str(), ForNames));
-  const std::string part = MakePartName();
-  OpenFile file(folder.IsOpen() ? ::openat(folder.Get(), part.c_str(),
-                                    O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666)
-                                : -1);
-  if (!file.IsOpen())
+  const fs::path part = GetFolder(place) / MakePartName();
+  std::error_code error;
+  const bool isWritten = WriteTo(part.string(), "wbx", bytes, true);
+  const std::error_code written(errno, std::generic_category());
+  if (isWritten)
   {
-    FailToWrite(path);
+    const fs::file_status old = fs::symlink_status(place, error);
+    if (fs::exists(old)) // some file systems have no permissions to keep
+    {
+      fs::permissions(part, old.permissions() & fs::perms(0777), error);
+    }
+    fs::rename(part, place, error);
   }
-  struct stat old;
-  const std::string name = place.filename().string();
-  const bool isThere = ::fstatat(folder.Get(), name.c_str(), &old, AT_SYMLINK_NOFOLLOW) == 0;
-  // Some file systems have no permissions to keep.
-  const bool kept = isThere && ::fchmod(file.Get(), old.st_mode & 0777) == 0;
-  static_cast<void>(kept);
-  if (!file.Write(bytes) || !file.Sync() || !file.Close() ||
-      ::renameat(folder.Get(), part.c_str(), folder.Get(), name.c_str()) != 0)
+  if (!isWritten || error)
   {
-    const int reason = errno;
-    ::unlinkat(folder.Get(), part.c_str(), 0);
-    FailToWrite(path, std::generic_category().message(reason));
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    FailToWrite(path, (isWritten ? error : written).message());
   }
-  // The name, too, where the folder is readable; the file is whole either way.
-  OpenFile(::openat(folder.Get(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC)).Sync();
 }
 } // namespace measuredbrdf

@@ -71,11 +71,6 @@ bool HasKey(std::string_view line, std::string_view key, std::string_view& value
   return has;
 }
 
-std::string_view SkipByteOrderMark(std::string_view text)
-{
-  return text.substr(text.substr(0, 3) == "\xef\xbb\xbf" ? 3 : 0);
-}
-
 //------------------------------------------------------------------------------
 // The text taken apart. Throws FileError where VARS or NUM_POINTS is wrong or missing, or a row has
 // another number of numbers.
@@ -93,26 +88,25 @@ public:
     }
   }
 
+  const FileBytes& File;
   std::vector<std::string> Header;  // lines before VARS
   std::vector<std::string> Columns; // that VARS names
   std::vector<double> Numbers;      // row by row
   std::vector<std::size_t> Lines;   // of the rows in the file, from 1
 
-  std::size_t GetNumberOfRows() const { return this->Lines.size(); }
   const double* GetRow(std::size_t row) const { return &this->Numbers[row * this->Columns.size()]; }
 
-  [[noreturn]] void FailAt(
-    std::size_t line, const std::string& field, const std::string& what) const
+  template <typename... Pieces>
+  void Require(
+    bool condition, std::size_t line, const std::string& field, const Pieces&... what) const
   {
-    FailIn(this->File, AstmFormatName, "line " + std::to_string(line) + field, what);
+    if (!condition)
+    {
+      FailIn(this->File, AstmFormatName, Concat("line ", line, field), what...);
+    }
   }
 
 private:
-  [[noreturn]] void Fail(const std::string& field, const std::string& what) const
-  {
-    this->FailAt(this->Line, ", " + field, what);
-  }
-
   std::string_view TakeLine()
   {
     ++this->Line;
@@ -128,41 +122,28 @@ private:
       std::string_view value;
       if (HasKey(line, "VARS", value))
       {
-        this->ReadColumns(value);
+        this->Require(!value.empty(), this->Line, ", VARS", "names no column");
+        while (!value.empty())
+        {
+          this->Columns.emplace_back(TakeUntil(value, ','));
+          this->Require(!this->Columns.back().empty() && this->Columns.size() <= MostColumns,
+            this->Line, ", VARS", "expected 1 to ", MostColumns, " names with commas between");
+        }
         return;
       }
       if (HasKey(line, "NUM_POINTS", value))
       {
-        if (!ParseNumber(value, this->Points) || this->Points < 1.0 ||
-            this->Points != std::floor(this->Points))
-        {
-          this->Fail("NUM_POINTS", "found " + Quote(value) + ", expected a whole number from 1");
-        }
+        this->Require(ParseNumber(value, this->Points) && this->Points >= 1.0 &&
+                        this->Points == std::floor(this->Points),
+          this->Line, ", NUM_POINTS", "found ", Quote(value), ", expected a whole number from 1");
       }
       else if (!line.empty())
       {
         this->Header.emplace_back(line);
       }
     }
-    this->Fail("VARS", "no such line in the first " + std::to_string(LongestHeader) +
-                         " bytes, expected the names of the columns");
-  }
-
-  void ReadColumns(std::string_view names)
-  {
-    while (!names.empty())
-    {
-      this->Columns.emplace_back(TakeUntil(names, ','));
-      if (this->Columns.back().empty() || this->Columns.size() > MostColumns)
-      {
-        this->Fail(
-          "VARS", "expected 1 to " + std::to_string(MostColumns) + " names with commas between");
-      }
-    }
-    if (this->Columns.empty())
-    {
-      this->Fail("VARS", "names no column");
-    }
+    this->Require(false, this->Line, ", VARS", "no such line in the first ", LongestHeader,
+      " bytes, expected the names of the columns");
   }
 
   void ReadRows()
@@ -176,34 +157,29 @@ private:
         continue;
       }
       std::size_t count = 0;
-      for (; !line.empty(); ++count)
+      while (!line.empty())
       {
         const std::string_view word = TakeUntil(line, ',');
         double number = 0.0;
+        ++count;
         if (!ParseNumber(word, number))
         {
-          this->Fail("number " + std::to_string(count + 1),
-            "found " + Quote(word) + ", expected a finite number");
+          this->Require(false, this->Line, Concat(", number ", count), "found ", Quote(word),
+            ", expected a finite number");
         }
         this->Numbers.push_back(number);
       }
       this->Lines.push_back(this->Line);
-      if (count != this->Columns.size())
-      {
-        this->Fail("row", "found " + std::to_string(count) + " numbers, expected the " +
-                            std::to_string(this->Columns.size()) + " that VARS names");
-      }
+      this->Require(count == this->Columns.size(), this->Line, ", row", "found ", count,
+        " numbers, expected the ", this->Columns.size(), " that VARS names");
     }
-    const std::size_t rows = this->GetNumberOfRows();
-    if (rows == 0 || (this->Points > 0.0 && this->Points != static_cast<double>(rows)))
-    {
-      this->Fail("end", "found " + std::to_string(rows) + " rows, expected " +
-                          (this->Points > 0.0 ? NumberText(this->Points, 15) + " (NUM_POINTS)"
-                                              : std::string("at least 1")));
-    }
+    const std::size_t rows = this->Lines.size();
+    const bool isWrong =
+      rows == 0 || (this->Points > 0.0 && this->Points != static_cast<double>(rows));
+    this->Require(!isWrong, this->Line, ", end", "found ", rows, " rows, expected ",
+      this->Points > 0.0 ? NumberText(this->Points, 15) + " (NUM_POINTS)" : "at least 1");
   }
 
-  const FileBytes& File;
   std::string_view Rest;
   std::size_t Line = 0;
   double Points = 0.0; // 0: not said
@@ -236,49 +212,45 @@ struct AstmColumns
 };
 
 // 550 of "550nm"; 0: it is no such name.
-double ToWavelength(const std::string& name)
+double ToWavelength(std::string_view name)
 {
   double wavelength = 0.0;
-  const bool hasUnit = name.size() > 2 && name.compare(name.size() - 2, 2, "nm") == 0;
-  return hasUnit && ParseNumber(std::string_view(name).substr(0, name.size() - 2), wavelength)
+  const bool hasUnit = name.size() > 2 && name.substr(name.size() - 2) == "nm";
+  return hasUnit && ParseNumber(name.substr(0, name.size() - 2), wavelength)
            ? std::max(wavelength, 0.0)
            : 0.0;
 }
 
-AstmColumns FindColumns(const FileBytes& file, const std::vector<std::string>& names)
+AstmColumns FindColumns(const AstmText& text)
 {
-  const auto fail = [&file](const std::string& what)
-  { FailIn(file, AstmFormatName, "VARS", what); };
+  const auto require = [&text](bool condition, const auto&... what)
+  {
+    if (!condition)
+    {
+      FailIn(text.File, AstmFormatName, "VARS", what...);
+    }
+  };
   AstmColumns columns;
   columns.Angles.fill(NoColumn);
   std::vector<std::pair<double, std::size_t>> values; // wavelength and column
-  for (std::size_t k = 0; k < names.size(); ++k)
+  for (std::size_t k = 0; k < text.Columns.size(); ++k)
   {
-    const auto angle =
-      static_cast<std::size_t>(std::find(AngleNames, AngleNames + 4, names[k]) - AngleNames);
+    const std::string& name = text.Columns[k];
+    const auto angle = std::size_t(std::find(AngleNames, AngleNames + 4, name) - AngleNames);
     if (angle == 4)
     {
-      values.emplace_back(ToWavelength(names[k]), k);
+      values.emplace_back(ToWavelength(name), k);
       continue;
     }
-    if (columns.Angles[angle] != NoColumn)
-    {
-      fail("names " + Quote(names[k]) + " twice");
-    }
+    require(columns.Angles[angle] == NoColumn, "names ", Quote(name), " twice");
     columns.Angles[angle] = k;
   }
   for (const std::size_t k : { 0, 2, 3 })
   {
-    if (columns.Angles[k] == NoColumn)
-    {
-      fail(std::string("names no ") + AngleNames[k] +
-           ", expected theta_i, phi_i, theta_s, phi_s and values");
-    }
+    require(columns.Angles[k] != NoColumn, "names no ", AngleNames[k],
+      ", expected theta_i, phi_i, theta_s, phi_s and values");
   }
-  if (values.empty())
-  {
-    fail("names no column of values");
-  }
+  require(!values.empty(), "names no column of values");
   const bool isSpectral =
     std::all_of(values.begin(), values.end(), [](const auto& value) { return value.first > 0.0; });
   if (isSpectral)
@@ -288,12 +260,10 @@ AstmColumns FindColumns(const FileBytes& file, const std::vector<std::string>& n
   for (const auto& [wavelength, column] : values)
   {
     columns.Values.push_back(column);
-    if (isSpectral && !columns.Wavelengths.empty() && columns.Wavelengths.back() == wavelength)
-    {
-      fail("names " + GetWavelengthName(wavelength) + " twice");
-    }
     if (isSpectral)
     {
+      require(columns.Wavelengths.empty() || columns.Wavelengths.back() != wavelength, "names ",
+        GetWavelengthName(wavelength), " twice");
       columns.Wavelengths.push_back(wavelength);
     }
   }
@@ -301,67 +271,44 @@ AstmColumns FindColumns(const FileBytes& file, const std::vector<std::string>& n
 }
 
 // What the values are: the chosen ones, and their weights.
-SpectralChannels FindChannels(const FileBytes& file, const std::vector<std::string>& names,
-  const AstmColumns& columns, const std::string& material)
+SpectralChannels FindChannels(
+  const AstmText& text, const AstmColumns& columns, const std::string& material)
 {
-  SpectralChannels channels;
+  const std::string where = text.File.GetPath() + ": " + AstmFormatName;
   if (!columns.Wavelengths.empty())
   {
-    return ChooseChannels(columns.Wavelengths, material, file.GetPath() + ": " + AstmFormatName);
+    return ChooseChannels(columns.Wavelengths, material, where);
   }
-  if (!material.empty())
-  {
-    FailIn(file, AstmFormatName, "name",
-      "found " + Quote("#" + material) + ", but the columns are no wavelengths");
-  }
+  Require(material.empty(), where, ", name: found ", Quote("#" + material),
+    ", but the columns are no wavelengths");
+  SpectralChannels channels;
   std::string together;
   for (const std::size_t k : columns.Values)
   {
     channels.Chosen.push_back(channels.Chosen.size());
-    together += (together.empty() ? "" : ",") + names[k];
+    together += (together.empty() ? "" : ",") + text.Columns[k];
   }
+  const bool isXyz = together == "X,Y,Z";
   if (columns.Values.size() == 1)
   {
     channels.Weights = { glm::dvec3(1.0) };
     channels.Note = "Gray, of the column " + Quote(together) + ".";
+    return channels;
   }
-  else if (together == "R,G,B")
+  Require(isXyz || together == "R,G,B", where, ", VARS: found the values ", Quote(together),
+    ", expected R,G,B or X,Y,Z or wavelengths such as 550nm, or one column");
+  for (int j = 0; j < 3; ++j)
   {
-    channels.Weights = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
+    glm::dvec3 unit(0.0);
+    unit[j] = 1.0;
+    channels.Weights.push_back(
+      isXyz ? glm::dvec3(XYZToRGB[0][j], XYZToRGB[1][j], XYZToRGB[2][j]) : unit);
   }
-  else if (together == "X,Y,Z")
-  {
-    for (std::size_t j = 0; j < 3; ++j)
-    {
-      channels.Weights.emplace_back(XYZToRGB[0][j], XYZToRGB[1][j], XYZToRGB[2][j]);
-    }
-    channels.Note = "X, Y, Z were taken to be under D65.";
-  }
-  else
-  {
-    FailIn(file, AstmFormatName, "VARS",
-      "found the values " + Quote(together) +
-        ", expected R,G,B or X,Y,Z or wavelengths such as 550nm, or one column");
-  }
+  channels.Note = isXyz ? "X, Y, Z were taken to be under D65." : "";
   return channels;
 }
 
 //------------------------------------------------------------------------------
-// Polar angles of radians are at most pi/2.
-bool AreDegrees(const AstmText& text, const AstmColumns& columns)
-{
-  for (std::size_t row = 0; row < text.GetNumberOfRows(); ++row)
-  {
-    const double* numbers = text.GetRow(row);
-    if (std::max(std::abs(numbers[columns.Angles[0]]), std::abs(numbers[columns.Angles[2]])) >
-        ToRadians(RightAngle + AngleRounding))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 // A row's angles in degrees, polar ones that are not negative.
 std::array<float, 4> GetAngles(
   const AstmText& text, const AstmColumns& columns, std::size_t row, bool degrees)
@@ -372,12 +319,8 @@ std::array<float, 4> GetAngles(
     const double angle = columns.Angles[k] == NoColumn ? 0.0 : text.GetRow(row)[columns.Angles[k]];
     angles[k] = degrees ? angle : ToDegrees(angle);
     const double most = k % 2 == 0 ? RightAngle : MostTurns * 360.0;
-    if (!(std::abs(angles[k]) <= most + AngleRounding))
-    {
-      text.FailAt(text.Lines[row], "",
-        std::string(AngleNames[k]) + " is " + NumberText(angles[k]) + " degrees, expected " +
-          NumberText(-most) + " to " + NumberText(most));
-    }
+    text.Require(std::abs(angles[k]) <= most + AngleRounding, text.Lines[row], "", AngleNames[k],
+      " is ", angles[k], " degrees, expected ", -most, " to ", most);
   }
   for (const std::size_t k : { 0, 2 })
   {
@@ -395,21 +338,24 @@ std::array<float, 4> GetAngles(
 std::vector<GonioReading> GetReadings(const AstmText& text, const AstmColumns& columns,
   const SpectralChannels& channels, MaterialFile& result)
 {
-  const bool degrees = AreDegrees(text, columns);
+  bool degrees = false; // polar angles of radians are at most pi/2
+  for (std::size_t row = 0; row < text.Lines.size(); ++row)
+  {
+    const double* numbers = text.GetRow(row);
+    degrees |= std::max(std::abs(numbers[columns.Angles[0]]),
+                 std::abs(numbers[columns.Angles[2]])) > ToRadians(RightAngle + AngleRounding);
+  }
   result.AddNote(std::string("Angles were taken as ") + (degrees ? "degrees." : "radians."));
   std::vector<GonioReading> readings;
-  for (std::size_t row = 0; row < text.GetNumberOfRows(); ++row)
+  for (std::size_t row = 0; row < text.Lines.size(); ++row)
   {
     const std::array<float, 4> angles = GetAngles(text, columns, row, degrees);
     glm::dvec3 color(0.0);
     for (std::size_t k = 0; k < channels.Chosen.size(); ++k)
     {
       const double value = text.GetRow(row)[columns.Values[channels.Chosen[k]]];
-      if (!std::isfinite(static_cast<float>(value)))
-      {
-        text.FailAt(text.Lines[row], "",
-          "found " + NumberText(value) + ", expected a number that 32 bits can hold");
-      }
+      text.Require(std::isfinite(static_cast<float>(value)), text.Lines[row], "", "found ", value,
+        ", expected a number that 32 bits can hold");
       result.NumberOfNegativeValues += value < 0.0;
       color += channels.Weights[k] * value;
     }
@@ -422,8 +368,8 @@ std::vector<GonioReading> GetReadings(const AstmText& text, const AstmColumns& c
 MaterialFile ReadAstm(const FileBytes& file, const std::string& material)
 {
   const AstmText text(file, false);
-  const AstmColumns columns = FindColumns(file, text.Columns);
-  const SpectralChannels channels = FindChannels(file, text.Columns, columns, material);
+  const AstmColumns columns = FindColumns(text);
+  const SpectralChannels channels = FindChannels(text, columns, material);
   MaterialFile result;
   for (const std::string& line : text.Header)
   {
@@ -434,14 +380,14 @@ MaterialFile ReadAstm(const FileBytes& file, const std::string& material)
     result.AddNote(channels.Note);
   }
   std::vector<GonioReading> readings = GetReadings(text, columns, channels, result);
-  if (result.NumberOfNegativeValues > 0)
-  {
-    result.AddNote(std::to_string(result.NumberOfNegativeValues) +
-                   " values are negative: kept, clamped at 0 after interpolation.");
-  }
+  NoteCount(result.NumberOfNegativeValues,
+    " values are negative: kept, clamped at 0 after interpolation.", result);
   MakeGonioTable(std::move(readings), file.GetPath() + ": " + AstmFormatName + ", rows", result);
-  result.BRDF->SetName(GetFileStem(file.GetPath()) + (material.empty() ? "" : " " + material));
-  result.BRDF->SetSource("ASTM E1392 text file " + GetFileTitle(file.GetPath()));
+  NameAfterFile(result, file, AstmFormatName);
+  if (!material.empty())
+  {
+    result.BRDF->SetName(result.BRDF->GetName() + " " + material);
+  }
   return result;
 }
 }
@@ -451,5 +397,5 @@ const MaterialFormat AstmFormat = { AstmFormatName, "ASTM E1392 .astm (as Cornel
   { return HasExtension(file.Path, ".astm") || HasAstmColumns(file.Bytes); },
   ReadAstm,
   [](const FileBytes& file)
-  { return GetWavelengthNames(FindColumns(file, AstmText(file, true).Columns).Wavelengths); } };
+  { return GetWavelengthNames(FindColumns(AstmText(file, true)).Wavelengths); } };
 } // namespace measuredbrdf

@@ -8,7 +8,6 @@
  */
 
 #include "MaterialFormat.h"
-#include "NumberText.h"
 #include "ScopedErrorCapture.h"
 #include "vtkAngleBasisBRDF.h"
 #include "vtkBTDF.h"
@@ -19,12 +18,12 @@
 
 #include <vtksys/SystemTools.hxx>
 
+#include <glm/glm.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -195,19 +194,18 @@ Element ParseBsdfXml(const ByteReader& reader)
 {
   const std::string_view bytes = reader.GetFile().GetView();
   // A document type may define texts that grow without bound.
-  if (bytes.find("<!DOCTYPE") != std::string_view::npos)
+  const std::size_t type = bytes.find("<!DOCTYPE");
+  const std::size_t zero = bytes.find('\0');
+  if (type != std::string_view::npos)
   {
-    reader.FailAt(bytes.find("<!DOCTYPE"), "document type", "found one, expected none");
+    reader.FailAt(type, "document type", "found one, expected none");
   }
-  if (bytes.find('\0') != std::string_view::npos)
+  if (zero != std::string_view::npos)
   {
-    reader.FailAt(bytes.find('\0'), "text", "found a zero byte, expected UTF-8");
+    reader.FailAt(zero, "text", "found a zero byte, expected UTF-8");
   }
-  if (bytes.size() > std::numeric_limits<int>::max())
-  {
-    reader.FailAt(
-      0, "file", "found " + std::to_string(bytes.size()) + " bytes, expected 2 GB at most");
-  }
+  reader.Require(bytes.size() <= std::numeric_limits<int>::max(), "file", "found ", bytes.size(),
+    " bytes, expected 2 GB at most");
   vtkNew<XmlParser> parser;
   const std::size_t start = FindXmlStart(bytes);
   parser->Start = start;
@@ -221,9 +219,9 @@ Element ParseBsdfXml(const ByteReader& reader)
     at -= isAmpersand ? 1 : 0;
     const std::string_view there = bytes.substr(at, 24);
     reader.FailAt(at, "text, " + DescribeLine(bytes, at),
-      (parser->Problem.empty() ? "no well-formed XML" : parser->Problem) +
-        (there.empty() ? ", at the end" : ", found " + Quote(there.substr(0, there.find('\n')))) +
-        (isAmpersand ? ", expected '&amp;' for an ampersand" : ""));
+      parser->Problem.empty() ? "no well-formed XML" : parser->Problem,
+      there.empty() ? ", at the end" : ", found " + Quote(there.substr(0, there.find('\n'))),
+      isAmpersand ? ", expected '&amp;' for an ampersand" : "");
   }
   return std::move(parser->Document);
 }
@@ -259,35 +257,28 @@ struct Group
 // The group as the tree's last node.
 void Close(const Group& group, Tree& tree)
 {
-  if (!group.Children.empty())
+  const std::size_t children = group.Children.size();
+  const std::size_t values = group.Values.size();
+  if (children > 0)
   {
-    if (!group.Values.empty() || group.Children.size() != std::size_t(1) << tree.Dimensions)
-    {
-      throw std::runtime_error("a branch has " + std::to_string(group.Children.size()) +
-                               " children and " + std::to_string(group.Values.size()) +
-                               " values, expected " + std::to_string(1 << tree.Dimensions) +
-                               " children");
-    }
+    Require(values == 0 && children == std::size_t(1) << tree.Dimensions, "a branch has ", children,
+      " children and ", values, " values, expected ", 1 << tree.Dimensions, " children");
     tree.Nodes.push_back({ 0, static_cast<int>(tree.Children.size()) });
     tree.Children.insert(tree.Children.end(), group.Children.begin(), group.Children.end());
     return;
   }
   int bits = 0; // along each axis
-  while (group.Values.size() > std::size_t(1) << (bits * tree.Dimensions))
+  while (values > std::size_t(1) << (bits * tree.Dimensions))
   {
     ++bits;
   }
-  if (group.Values.size() != std::size_t(1) << (bits * tree.Dimensions))
-  {
-    throw std::runtime_error("a leaf has " + std::to_string(group.Values.size()) +
-                             " values, expected a power of two along each of " +
-                             std::to_string(tree.Dimensions) + " axes");
-  }
+  Require(values == std::size_t(1) << (bits * tree.Dimensions), "a leaf has ", values,
+    " values, expected a power of two along each of ", tree.Dimensions, " axes");
   tree.Nodes.push_back({ 1 << bits, static_cast<int>(tree.Values.size()) });
   tree.Values.insert(tree.Values.end(), group.Values.begin(), group.Values.end());
 }
 
-// A tree from nested braces. Throws std::runtime_error that says what is wrong with it.
+// A tree from nested braces. Throws FileError that says what is wrong with it.
 Tree ParseBsdfTree(std::string_view text, int dimensions)
 {
   Tree tree;
@@ -297,21 +288,15 @@ Tree ParseBsdfTree(std::string_view text, int dimensions)
   for (std::string_view word = TakeWord(text); !word.empty(); word = TakeWord(text))
   {
     double number = 0.0;
-    if (closed)
-    {
-      throw std::runtime_error("more follows the tree");
-    }
+    Require(!closed, "more follows the tree");
     if (word == "{")
     {
-      if (open.size() == DeepestBrace)
-      {
-        throw std::runtime_error("braces are nested too deeply");
-      }
+      Require(open.size() < DeepestBrace, "braces are nested too deeply");
       open.emplace_back();
     }
     else if (open.empty() || (word != "}" && !ToNumber(word, number)))
     {
-      throw std::runtime_error("found " + Quote(word) + ", expected a brace or a number in braces");
+      throw FileError("found ", Quote(word), ", expected a brace or a number in braces");
     }
     else if (word != "}")
     {
@@ -328,10 +313,7 @@ Tree ParseBsdfTree(std::string_view text, int dimensions)
       }
     }
   }
-  if (!closed)
-  {
-    throw std::runtime_error("found " + std::to_string(open.size()) + " braces open at the end");
-  }
+  Require(closed, "found ", open.size(), " braces open at the end");
   return tree;
 }
 
@@ -368,13 +350,12 @@ struct Scattering
   bool HasColor = false;
 };
 
-// CIE XYZ to linear sRGB (IEC 61966-2-1). X = Y = Z is gray, as in Radiance: equal energy, adapted
-// to D65 (Bradford; Lam 1985).
-constexpr double EqualEnergyToRGB[3][3] = { { 3.1462519, -1.6661246, -0.4801273 },
-  { -0.9955355, 1.9557639, 0.0397716 }, { 0.0635979, -0.2145965, 1.1509987 } };
+// CIE XYZ to linear sRGB (IEC 61966-2-1), a row for each channel. X = Y = Z is gray, as in
+// Radiance: equal energy, adapted to D65 (Bradford; Lam 1985).
+const glm::dmat3 EqualEnergyToRGB = glm::transpose(glm::dmat3(3.1462519, -1.6661246, -0.4801273,
+  -0.9955355, 1.9557639, 0.0397716, 0.0635979, -0.2145965, 1.1509987));
 
-template <typename Values>
-vtkIdType CountNegative(const Values& values)
+vtkIdType CountNegative(const std::vector<float>& values)
 {
   return std::count_if(values.begin(), values.end(), [](float value) { return value < 0.0f; });
 }
@@ -389,6 +370,9 @@ public:
     , Layers(this->Document.FindAll("Layer"))
     , Layer(this->Layers.empty() ? this->Document : *this->Layers.front())
     , Structure(this->Layer.GetText("IncidentDataStructure"))
+    , TreeAxes(IsSameWord(this->Structure, "TensorTree3")   ? 3
+               : IsSameWord(this->Structure, "TensorTree4") ? 4
+                                                            : 0)
   {
     for (const Element* data : this->Layer.FindAll("WavelengthData"))
     {
@@ -422,13 +406,10 @@ public:
   // front, or the side that the file has. A file of transmission only gives no BRDF.
   MaterialFile Read(const std::string& material) const
   {
-    if (!this->IsTree() && !IsSameWord(this->Structure, "Columns") &&
-        !IsSameWord(this->Structure, "Rows"))
-    {
-      this->Fail(
-        "IncidentDataStructure", "found " + Quote(this->Structure) +
-                                   ", expected 'Columns', 'Rows', 'TensorTree3' or 'TensorTree4'");
-    }
+    this->Reader.Require(this->TreeAxes > 0 || IsSameWord(this->Structure, "Columns") ||
+                           IsSameWord(this->Structure, "Rows"),
+      "IncidentDataStructure", "found ", Quote(this->Structure),
+      ", expected 'Columns', 'Rows', 'TensorTree3' or 'TensorTree4'");
     const BsdfSide& side = this->ChooseSide(material);
     MaterialFile result;
     this->ReadReflection(side, result);
@@ -438,45 +419,41 @@ public:
     if (start > 0)
     {
       const std::string chatter = Trim(bytes.substr(0, std::min<std::size_t>(start, 60)));
-      result.AddNote("The " + std::to_string(start) + " bytes before the XML begins are left out" +
-                     (chatter.empty() ? "." : ": " + Quote(chatter) + "."));
+      result.AddNote(Concat("The ", start, " bytes before the XML begins are left out",
+        chatter.empty() ? "." : ": " + Quote(chatter) + "."));
     }
     if (this->Layers.size() > 1)
     {
-      result.AddNote("The first of " + std::to_string(this->Layers.size()) + " layers.");
+      result.AddNote(Concat("The first of ", this->Layers.size(), " layers."));
     }
     if (result.BRDF)
     {
+      NameAfterFile(result, this->Reader.GetFile(), "BSDF XML");
       const std::vector<const Element*> materials = this->Layer.FindAll("Material");
       const std::string name = materials.empty() ? "" : materials.front()->GetText("Name");
-      const bool named = !name.empty() && name != "Name"; // genBSDF's own
-      const std::string& path = this->Reader.GetFile().GetPath();
-      result.BRDF->SetName(named ? name : GetFileStem(path));
-      result.BRDF->SetSource("BSDF XML file " + GetFileTitle(path));
+      if (!name.empty() && name != "Name") // genBSDF's own
+      {
+        result.BRDF->SetName(name);
+      }
     }
     return result; // without BRDF, the reader says so
   }
 
 private:
-  [[noreturn]] void Fail(const std::string& field, const std::string& what) const
+  template <typename... Pieces>
+  void RequireIn(const BsdfBlock& block, bool condition, const Pieces&... what) const
   {
-    this->Reader.FailAt(0, field, what);
-  }
-
-  [[noreturn]] void FailIn(const BsdfBlock& block, const std::string& what) const
-  {
-    // Commas separate the values; what reads like two may have been one with a decimal comma.
-    const bool isWhole = block.Values.find('.') == std::string_view::npos;
-    this->Reader.FailAt(block.Offset,
-      block.GetField() + ", " + DescribeLine(this->Reader.GetFile().GetView(), block.Offset),
-      what + (isWhole && block.Values.find(',') < block.Values.size()
-                 ? "; are decimal commas written? Numbers have a decimal point"
-                 : ""));
-  }
-
-  bool IsTree() const
-  {
-    return IsSameWord(this->Structure, "TensorTree3") || IsSameWord(this->Structure, "TensorTree4");
+    if (!condition)
+    {
+      // Commas separate the values; what reads like two may have been one with a decimal comma.
+      const bool isWhole = block.Values.find('.') == std::string_view::npos;
+      this->Reader.FailAt(block.Offset,
+        block.GetField() + ", " + DescribeLine(this->Reader.GetFile().GetView(), block.Offset),
+        what...,
+        isWhole && block.Values.find(',') < block.Values.size()
+          ? "; are decimal commas written? Numbers have a decimal point"
+          : "");
+    }
   }
 
   const BsdfBlock* FindBlock(const std::string& direction, const std::string& wavelength) const
@@ -492,23 +469,18 @@ private:
   const BsdfSide& ChooseSide(const std::string& material) const
   {
     std::vector<std::string> names = this->ListSides();
-    if (names.empty() && !this->FindBlock(Sides[0].Transmission, "Visible") &&
-        !this->FindBlock(Sides[1].Transmission, "Visible"))
-    {
-      this->Fail("WavelengthDataDirection",
-        "found " + std::to_string(this->Blocks.size()) + " blocks, none of them of visible light");
-    }
+    this->Reader.Require(!names.empty() || this->FindBlock(Sides[0].Transmission, "Visible") ||
+                           this->FindBlock(Sides[1].Transmission, "Visible"),
+      "WavelengthDataDirection", "found ", this->Blocks.size(),
+      " blocks, none of them of visible light");
     if (names.empty())
     {
       names = { Sides[0].Name, Sides[1].Name };
     }
     const std::string& wanted = material.empty() ? names.front() : material;
-    if (std::find(names.begin(), names.end(), wanted) == names.end())
-    {
-      this->Fail("material", "there is no reflection of " + Quote("#" + wanted) + ", only of " +
-                               Quote("#" + names.front()) +
-                               (names.size() > 1 ? " and " + Quote("#" + names[1]) : ""));
-    }
+    this->Reader.Require(std::find(names.begin(), names.end(), wanted) != names.end(), "material",
+      "there is no reflection of ", Quote("#" + wanted), ", only of ", Quote("#" + names.front()),
+      names.size() > 1 ? " and " + Quote("#" + names[1]) : std::string());
     return wanted == Sides[0].Name ? Sides[0] : Sides[1];
   }
 
@@ -522,48 +494,34 @@ private:
         rings = basis->FindAll("AngleBasisBlock");
       }
     }
-    if (rings.empty())
-    {
-      this->Fail("AngleBasis", "the file does not define " + Quote(name));
-    }
+    this->Reader.Require(!rings.empty(), "AngleBasis", "the file does not define ", Quote(name));
     vtkAngleBasisBRDF::Basis basis;
+    constexpr int most = vtkAngleBasisBRDF::MaximumPatches;
     int sum = 0;
     double lower = 0.0;
     for (const Element* ring : rings)
     {
-      const std::string field =
-        "ring " + std::to_string(basis.Patches.size()) + " of " + Quote(name);
+      const std::string field = Concat("ring ", basis.Patches.size(), " of ", Quote(name));
       const auto get = [&](const char* element)
       {
         double number = 0.0;
         const std::string text = ring->GetText(element);
-        if (!ToNumber(text, number))
-        {
-          this->Fail(field + ", " + element, "found " + Quote(text) + ", expected a number");
-        }
+        this->Reader.Require(ToNumber(text, number), field + ", " + element, "found ", Quote(text),
+          ", expected a number");
         return number;
       };
-      if (std::abs(get("LowerTheta") - lower) > AngleTolerance)
-      {
-        this->Fail(field, "LowerTheta is " + Quote(ring->GetText("LowerTheta")) +
-                            ", expected where the ring before it ends");
-      }
+      const double begin = get("LowerTheta");
+      this->Reader.Require(std::abs(begin - lower) <= AngleTolerance, field, "LowerTheta is ",
+        begin, ", expected where the ring before it ends");
       lower = get("UpperTheta");
       const double patches = get("nPhis");
-      constexpr int most = vtkAngleBasisBRDF::MaximumPatches;
-      if (!(patches >= 1.0) || patches > most || patches != std::floor(patches))
-      {
-        this->Fail(
-          field, "nPhis is " + Quote(ring->GetText("nPhis")) + ", expected a whole number from 1");
-      }
+      this->Reader.Require(patches >= 1.0 && patches <= most && patches == std::floor(patches),
+        field, "nPhis is ", patches, ", expected a whole number from 1");
       basis.UpperTheta.push_back(static_cast<float>(lower));
       basis.Patches.push_back(static_cast<int>(patches));
       sum += basis.Patches.back();
-      if (sum > most)
-      {
-        this->Fail(
-          "AngleBasis " + Quote(name), "expected at most " + std::to_string(most) + " patches");
-      }
+      this->Reader.Require(
+        sum <= most, "AngleBasis " + Quote(name), "expected at most ", most, " patches");
     }
     return basis;
   }
@@ -579,20 +537,15 @@ private:
       double number = 0.0;
       if (!ToNumber(word, number))
       {
-        this->FailIn(block, "value " + std::to_string(values.size()) + ": found " + Quote(word) +
-                              ", expected a number");
+        this->RequireIn(
+          block, false, "value ", values.size(), ": found ", Quote(word), ", expected a number");
       }
-      if (values.size() == expected)
-      {
-        this->FailIn(block, "found more than the " + std::to_string(expected) + " values expected");
-      }
+      this->RequireIn(
+        block, values.size() < expected, "found more than the ", expected, " values expected");
       values.push_back(static_cast<float>(number));
     }
-    if (values.size() != expected)
-    {
-      this->FailIn(block,
-        "found " + std::to_string(values.size()) + " values, expected " + std::to_string(expected));
-    }
+    this->RequireIn(
+      block, values.size() == expected, "found ", values.size(), " values, expected ", expected);
     if (IsSameWord(this->Structure, "Rows"))
     {
       std::vector<float> turned;
@@ -624,20 +577,15 @@ private:
     std::vector<float> rgb;
     for (std::size_t k = 0; k < y.size(); ++k)
     {
-      for (const auto& row : EqualEnergyToRGB)
-      {
-        rgb.push_back(result.HasColor
-                        ? static_cast<float>(row[0] * x[k] + row[1] * y[k] + row[2] * z[k])
-                        : y[k]);
-      }
+      const glm::vec3 color = result.HasColor
+                                ? glm::vec3(EqualEnergyToRGB * glm::dvec3(x[k], y[k], z[k]))
+                                : glm::vec3(y[k]);
+      rgb.insert(rgb.end(), &color.x, &color.x + 3);
     }
     result.Negative = CountNegative(result.HasColor ? rgb : y);
     auto brdf = vtkSmartPointer<vtkAngleBasisBRDF>::New();
     const std::string problem = brdf->SetMatrix(light, view, std::move(rgb));
-    if (!problem.empty())
-    {
-      this->Fail("AngleBasis", problem);
-    }
+    this->Reader.Require(problem.empty(), "AngleBasis", problem);
     result.BRDF = brdf;
     return result;
   }
@@ -649,26 +597,22 @@ private:
     std::string problem;
     try
     {
-      const auto tree =
-        ParseBsdfTree(visible.Values, IsSameWord(this->Structure, "TensorTree3") ? 3 : 4);
+      const Tree tree = ParseBsdfTree(visible.Values, this->TreeAxes);
       result.Negative = CountNegative(tree.Values);
       problem = brdf->SetTree(tree);
     }
-    catch (const std::runtime_error& e)
+    catch (const FileError& e)
     {
       problem = e.what();
     }
-    if (!problem.empty())
-    {
-      this->FailIn(visible, problem);
-    }
+    this->RequireIn(visible, problem.empty(), problem);
     result.BRDF = brdf;
     return result;
   }
 
   Scattering ReadBlock(const BsdfBlock& visible) const
   {
-    return this->IsTree() ? this->ReadTree(visible) : this->ReadBases(visible);
+    return this->TreeAxes > 0 ? this->ReadTree(visible) : this->ReadBases(visible);
   }
 
   void ReadReflection(const BsdfSide& side, MaterialFile& result) const
@@ -683,11 +627,12 @@ private:
     result.NumberOfNegativeValues = read.Negative;
     if (!read.HasColor)
     {
-      result.AddNote(this->IsTree() ? "Values are of visible light; a tree's colors are not read."
-                                    : "The file holds no color: values are of visible light.");
+      result.AddNote(this->TreeAxes > 0
+                       ? "Values are of visible light; a tree's colors are not read."
+                       : "The file holds no color: values are of visible light.");
     }
-    result.AddNote("The side that Radiance calls " + std::string(side.Name) + ", in the file '" +
-                   side.Direction + "'.");
+    result.AddNote(
+      Concat("The side that Radiance calls ", side.Name, ", in the file '", side.Direction, "'."));
   }
 
   // In the frame of the side.
@@ -708,8 +653,8 @@ private:
       result.Transmission->SetFolded(&lit == &side ? vtkBTDF::FRONT : vtkBTDF::BACK, read.BRDF);
       if (read.Negative > 0)
       {
-        result.AddNote("Negative values of " + Quote(visible->Direction) +
-                       ", which count as 0: " + std::to_string(read.Negative) + ".");
+        result.AddNote(Concat("Negative values of ", Quote(visible->Direction),
+          ", which count as 0: ", read.Negative, "."));
       }
     }
     if (result.Transmission)
@@ -723,6 +668,7 @@ private:
   std::vector<const Element*> Layers;
   const Element& Layer; // the first one, or the document
   std::string Structure;
+  int TreeAxes; // 0: no tree
   std::vector<BsdfBlock> Blocks;
 };
 }

@@ -13,7 +13,6 @@
 #include "ExrStream.h"
 #include "FileBytes.h"
 #include "MaterialFormat.h"
-#include "NumberText.h"
 #include "vtkBRDFData.h"
 #include "vtkBRDFModels.h"
 
@@ -26,6 +25,7 @@
 #include <ImfMultiPartOutputFile.h>
 #include <ImfOutputPart.h>
 #include <ImfPartType.h>
+#include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
 #include <algorithm>
 #include <array>
@@ -59,53 +59,22 @@ const char* GetChannelName(int channels, int channel)
 }
 
 //------------------------------------------------------------------------------
-class MemoryOutput : public Imf::OStream
-{
-public:
-  MemoryOutput()
-    : Imf::OStream("memory")
-  {
-  }
-
-  void write(const char bytes[], int count) override
-  {
-    const std::size_t end = this->Place + static_cast<std::size_t>(count);
-    if (end > this->Bytes.size())
-    {
-      this->Bytes.resize(end);
-    }
-    std::memcpy(&this->Bytes[this->Place], bytes, static_cast<std::size_t>(count));
-    this->Place = end;
-  }
-  std::uint64_t tellp() override { return this->Place; }
-  void seekp(std::uint64_t place) override { this->Place = static_cast<std::size_t>(place); }
-
-  const std::string& GetBytes() const { return this->Bytes; }
-
-private:
-  std::string Bytes;
-  std::size_t Place = 0;
-};
-
-//------------------------------------------------------------------------------
 // The pixels of the part that holds an array; an empty box where OpenEXR has no such image.
 Imath::Box2i GetWindow(const std::vector<int>& shape)
 {
   constexpr double most = std::numeric_limits<int>::max() / 2;
   double rows = 1.0;
   double width = 1.0;
-  double least = 1.0;
+  bool fits = true;
   for (const int size : shape)
   {
     rows *= width;
     width = size;
-    least = std::min(least, width);
+    fits = fits && size >= 1;
   }
-  if (least < 1.0 || rows > most || width > most)
-  {
-    return {};
-  }
-  return { Imath::V2i(0, 0), Imath::V2i(static_cast<int>(width) - 1, static_cast<int>(rows) - 1) };
+  return fits && rows <= most && width <= most
+           ? Imath::Box2i({ 0, 0 }, { static_cast<int>(width) - 1, static_cast<int>(rows) - 1 })
+           : Imath::Box2i();
 }
 
 //------------------------------------------------------------------------------
@@ -147,11 +116,9 @@ std::vector<half> RoundToHalf(const vtkBRDFData::Array& array, const std::string
   for (const float value : array.Values)
   {
     rounded.emplace_back(value);
-    if (std::isfinite(value) && !rounded.back().isFinite())
-    {
-      throw std::runtime_error("array '" + name + "': " + std::to_string(value) +
-                               " is too large for a 16-bit float; write 32-bit floats");
-    }
+    const bool isTooLarge = std::isfinite(value) && !rounded.back().isFinite();
+    Require(!isTooLarge, "array '", name, "': ", value,
+      " is too large for a 16-bit float; write 32-bit floats");
   }
   return rounded;
 }
@@ -165,10 +132,7 @@ std::vector<Imf::Header> MakeHeaders(const std::vector<Part>& parts, Imf::PixelT
   for (const Part& part : parts)
   {
     const Imath::Box2i window = GetWindow(part.Array->Shape);
-    if (window.isEmpty())
-    {
-      throw std::runtime_error("array " + Quote(part.Name) + " is too large for an image");
-    }
+    Require(!window.isEmpty(), "array ", Quote(part.Name), " is too large for an image");
     display.extendBy(window);
     Imf::Header& exr = headers.emplace_back(window, window);
     exr.compression() = Imf::ZIP_COMPRESSION;
@@ -229,24 +193,16 @@ public:
 
   void Read(const std::string& name, vtkBRDFData::Array& array)
   {
-    const auto fail = [&name](const std::string& what)
-    { throw std::runtime_error("part " + Quote(name) + what); };
+    const auto require = [&name](bool condition, const auto&... what)
+    { Require(condition, "part ", Quote(name), what...); };
     const auto found = this->Parts.find(name);
-    if (found == this->Parts.end())
-    {
-      fail(" is missing");
-    }
+    require(found != this->Parts.end(), " is missing");
     const Imf::Header& header = this->Input.header(found->second);
     const Imath::Box2i window = GetWindow(array.Shape);
-    if (window.isEmpty() || header.dataWindow() != window)
-    {
-      fail(std::string(": its data window does not hold the shape that attribute '") +
-           AttributeName + "' gives");
-    }
-    if (header.hasType() && header.type() != Imf::SCANLINEIMAGE)
-    {
-      fail(": found type " + Quote(header.type()) + ", expected " + Imf::SCANLINEIMAGE);
-    }
+    require(!window.isEmpty() && header.dataWindow() == window,
+      ": its data window does not hold the shape that attribute '", AttributeName, "' gives");
+    require(!header.hasType() || header.type() == Imf::SCANLINEIMAGE, ": expected type ",
+      Imf::SCANLINEIMAGE);
     int channels = 0;
     double texelBytes = 0.0; // in the file
     for (auto it = header.channels().begin(); it != header.channels().end(); ++it)
@@ -254,34 +210,23 @@ public:
       const Imf::Channel& channel = it.channel();
       ++channels;
       texelBytes += channel.type == Imf::HALF ? sizeof(half) : sizeof(float);
-      if ((channel.type != Imf::FLOAT && channel.type != Imf::HALF) || channel.xSampling != 1 ||
-          channel.ySampling != 1)
-      {
-        fail(
-          ", channel " + Quote(it.name()) + ": expected 32-bit or 16-bit floats, not subsampled");
-      }
+      require((channel.type == Imf::FLOAT || channel.type == Imf::HALF) && channel.xSampling == 1 &&
+                channel.ySampling == 1,
+        ", channel ", Quote(it.name()), ": expected 32-bit or 16-bit floats, not subsampled");
     }
-    if (channels != array.Channels)
-    {
-      fail(": found " + std::to_string(channels) + " channels, expected " +
-           std::to_string(array.Channels));
-    }
+    require(
+      channels == array.Channels, ": found ", channels, " channels, expected ", array.Channels);
     const int height = window.max.y + 1;
     const std::size_t row = std::size_t(window.max.x + 1) * std::size_t(array.Channels);
     this->BytesLeft -= (window.max.x + 1.0) * height * texelBytes;
-    if (this->BytesLeft < 0.0)
-    {
-      fail(": its size is more than a file of this length can hold");
-    }
+    require(this->BytesLeft >= 0.0, ": its size is more than a file of this length can hold");
     array.Values.resize(row * std::size_t(height));
     Imf::FrameBuffer buffer;
     for (int k = 0; k < array.Channels; ++k)
     {
       const char* channel = GetChannelName(array.Channels, k);
-      if (!header.channels().findChannel(channel))
-      {
-        fail(std::string(": channel ") + channel + " is missing");
-      }
+      require(
+        header.channels().findChannel(channel) != nullptr, ": channel ", channel, " is missing");
       buffer.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&array.Values[k]),
                                sizeof(float) * array.Channels, sizeof(float) * row));
     }
@@ -293,7 +238,7 @@ public:
     }
     catch (const std::exception& e)
     {
-      fail(std::string(": ") + e.what());
+      require(false, ": ", e.what());
     }
   }
 
@@ -310,35 +255,27 @@ void CheckSize(const std::string& model, const vtkBRDFData::Array& array)
   const double values = std::accumulate(
     array.Shape.begin(), array.Shape.end(), double(array.Channels), std::multiplies<>());
   const double most = vtkBRDFModels::GetMaximumArraySize(model);
-  if (values > most)
-  {
-    throw std::runtime_error(model + ": an array has " + NumberText(values) +
-                             " values, expected at most " + std::to_string(std::llround(most)));
-  }
+  Require(values <= most, model, ": an array has ", values, " values, expected at most ",
+    std::llround(most));
 }
 
 //------------------------------------------------------------------------------
 vtkBRDFData FromJson(const json& object, const std::string& prefix, PartReader& parts, int depth)
 {
-  if (depth > MaximumDepth)
-  {
-    throw std::runtime_error("terms are nested too deeply");
-  }
+  Require(depth <= MaximumDepth, "terms are nested too deeply");
   vtkBRDFData data;
-  data.Model = object.at("representation").get<std::string>();
-  data.Name = object.at("name").get<std::string>();
-  data.Source = object.at("source").get<std::string>();
-  data.Options = object.at("options").get<std::map<std::string, std::string>>();
-  data.Numbers = object.at("numbers").get<std::map<std::string, std::vector<double>>>();
+  object.at("representation").get_to(data.Model);
+  object.at("name").get_to(data.Name);
+  object.at("source").get_to(data.Source);
+  object.at("options").get_to(data.Options);
+  object.at("numbers").get_to(data.Numbers);
   for (const auto& item : object.at("arrays").items())
   {
     vtkBRDFData::Array& array = data.Arrays[item.key()];
-    array.Shape = item.value().at("shape").get<std::vector<int>>();
-    array.Channels = item.value().at("channels").get<int>();
-    if (array.Channels != 1 && array.Channels != 3)
-    {
-      throw std::runtime_error("array " + Quote(item.key()) + ": expected 1 or 3 channels");
-    }
+    item.value().at("shape").get_to(array.Shape);
+    item.value().at("channels").get_to(array.Channels);
+    Require(array.Channels == 1 || array.Channels == 3, "array ", Quote(item.key()),
+      ": expected 1 or 3 channels");
     CheckSize(data.Model, array);
     parts.Read(prefix + item.key(), array);
   }
@@ -377,47 +314,35 @@ MaterialFile ReadExrMaterial(const FileBytes& file, const std::string&)
     ExrStream stream(file);
     // Files whose table of offsets is incomplete are refused, not repaired.
     Imf::MultiPartInputFile input(stream, 0, false);
-    const Imf::StringAttribute* attribute = nullptr;
-    if (input.parts() > 0)
-    {
-      attribute = input.header(0).findTypedAttribute<Imf::StringAttribute>(AttributeName);
-    }
-    if (!attribute)
-    {
-      throw std::runtime_error(std::string("string attribute '") + AttributeName +
-                               "' is missing: an OpenEXR image, but no material of this project");
-    }
+    const auto* attribute =
+      input.parts() > 0 ? input.header(0).findTypedAttribute<Imf::StringAttribute>(AttributeName)
+                        : nullptr;
+    Require(attribute != nullptr, "string attribute '", AttributeName,
+      "' is missing: an OpenEXR image, but no material of this project");
     const json header = ParseJson<json>(attribute->value());
     const std::string format = header.at("format").get<std::string>();
     const int version = header.at("version").get<int>();
-    if (format != JsonFormat || version != JsonVersion)
-    {
-      throw std::runtime_error("found format " + Quote(format) + " version " +
-                               std::to_string(version) + ", expected '" + JsonFormat +
-                               "' version " + std::to_string(JsonVersion));
-    }
-    PartReader parts(input, file.GetSize());
+    Require(!(format != JsonFormat || version != JsonVersion), "found format ", Quote(format),
+      " version ", version, ", expected '", JsonFormat, "' version ", JsonVersion);
+    PartReader parts(input, file.GetView().size());
     vtkBRDFData data = FromJson(header.at("material"), "", parts, 0);
     MaterialFile result;
     CountValues(data, result);
     const std::string problem = vtkBRDFModels::Load(data, result.BRDF);
-    if (!problem.empty())
-    {
-      throw std::runtime_error(problem);
-    }
+    Require(problem.empty(), problem);
     return result;
   }
   catch (const json::exception& e)
   {
-    throw FileError(place + "attribute '" + AttributeName + "': " + ToPrintable(e.what(), 500));
+    throw FileError(place, "attribute '", AttributeName, "': ", ToPrintable(e.what(), 500));
   }
   catch (const Iex::BaseExc& e)
   {
-    throw FileError(place + "header: " + e.what());
+    throw FileError(place, "header: ", e.what());
   }
   catch (const std::exception& e)
   {
-    throw FileError(place + e.what());
+    throw FileError(place, e.what());
   }
 }
 
@@ -425,14 +350,12 @@ MaterialFile ReadExrMaterial(const FileBytes& file, const std::string&)
 // halfFloats: tables as 16-bit floats, a rounding of 2^-11; else 32-bit ones, bit by bit.
 void WriteExrMaterial(vtkBRDF* brdf, const std::string& path, bool halfFloats)
 {
+  Imf::StdOSStream stream;
   try
   {
     vtkBRDFData data;
     const std::string problem = vtkBRDFModels::Save(brdf, data);
-    if (!problem.empty())
-    {
-      throw std::runtime_error(problem);
-    }
+    Require(problem.empty(), problem);
     std::vector<Part> parts;
     json header;
     header["format"] = JsonFormat;
@@ -449,27 +372,19 @@ void WriteExrMaterial(vtkBRDF* brdf, const std::string& path, bool halfFloats)
     headers[0].insert(AttributeName,
       Imf::StringAttribute(header.dump(-1, ' ', false, json::error_handler_t::replace)));
 
-    MemoryOutput stream;
+    Imf::MultiPartOutputFile output(
+      stream, headers.data(), static_cast<int>(headers.size()), false, 0);
+    for (std::size_t k = 0; k < parts.size(); ++k)
     {
-      Imf::MultiPartOutputFile output(
-        stream, headers.data(), static_cast<int>(headers.size()), false, 0);
-      for (std::size_t k = 0; k < parts.size(); ++k)
-      {
-        WritePart(output, static_cast<int>(k), parts[k], headers[k].dataWindow(), halfFloats);
-      }
+      WritePart(output, static_cast<int>(k), parts[k], headers[k].dataWindow(), halfFloats);
     }
-    WriteFile(path, stream.GetBytes());
-  }
-  catch (const FileError&)
-  {
-    throw;
   }
   catch (const std::exception& e)
   {
-    throw FileError(path + ": " + ExrFormatName + ": " + e.what());
+    throw FileError(path, ": ", ExrFormatName, ": ", e.what());
   }
+  WriteFile(path, stream.str());
 }
-
 }
 
 const MaterialFormat ExrMaterialFormat = { ExrFormatName, "this project's .exr", ".exr",

@@ -30,23 +30,23 @@ public:
 
   bool read(char out[], int count) override
   {
-    const std::uint64_t left = this->File.GetSize() - this->Place;
+    const std::uint64_t left = this->File.GetView().size() - this->Place;
     if (count < 0 || static_cast<std::uint64_t>(count) > left)
     {
       throw Iex::InputExc("byte " + std::to_string(this->Place) + ": " + std::to_string(count) +
                           " bytes were expected, but the file ends after " + std::to_string(left));
     }
-    std::memcpy(out, this->File.GetData() + this->Place, static_cast<std::size_t>(count));
+    std::memcpy(out, this->File.GetView().data() + this->Place, static_cast<std::size_t>(count));
     this->Place += static_cast<std::uint64_t>(count);
-    return this->Place < this->File.GetSize();
+    return this->Place < this->File.GetView().size();
   }
   std::uint64_t tellg() override { return this->Place; }
   void seekg(std::uint64_t place) override
   {
-    if (place > this->File.GetSize())
+    if (place > this->File.GetView().size())
     {
       throw Iex::InputExc("an offset points to byte " + std::to_string(place) +
-                          ", but the file ends at " + std::to_string(this->File.GetSize()));
+                          ", but the file ends at " + std::to_string(this->File.GetView().size()));
     }
     this->Place = place;
   }

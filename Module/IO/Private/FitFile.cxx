@@ -14,7 +14,6 @@
  */
 
 #include "MaterialFormat.h"
-#include "NumberText.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkLambertBRDF.h"
@@ -45,7 +44,23 @@ constexpr const char* DecimalHint = " (decimals follow a point, not a comma)";
 
 // Ngan et al. fitted MERL's data without its color scale (1, 1.15, 1.66)/1500 (MerlFile.cxx)
 // relative to red, so their figures need it; Low et al. applied it.
-constexpr double NganScale[3] = { 1.0, 1.15, 1.66 };
+const glm::dvec3 NganScale = { 1.0, 1.15, 1.66 };
+
+struct FitAttribute
+{
+  std::string Name;
+  std::size_t Count; // of numbers
+  double Lowest;
+  double Highest;
+};
+
+// The models, and the attributes that each has.
+const FitAttribute Albedo = { "albedo", 3, 0.0, HUGE_VAL };
+const FitAttribute Sharpness = { "sharpness", 1, 0.0, 1e6 };
+const std::map<std::string, std::vector<FitAttribute>> FitModels = { { "Aggregate", {} },
+  { "Lambertian", { Albedo } }, { "NganBlinnPhong", { Albedo, Sharpness } },
+  { "NganAshikhminShirley", { Albedo, Sharpness, { "fresnelReflectance", 1, 0.0, 1.0 } } },
+  { "LowAshikhminShirley", { Albedo, Sharpness, { "fresnelReflectance", 1, 1.0, 100.0 } } } };
 
 /// Model(attribute = value, ..., Model(...), ...)
 struct FitCall
@@ -53,7 +68,7 @@ struct FitCall
   std::string Model;
   int Line = 0;
   std::map<std::string, std::vector<double>> Attributes;
-  std::vector<FitCall> Terms;
+  std::vector<FitCall> Terms; // of Aggregate
 
   /// Whether it or a term of it is a model whose name begins so.
   bool Uses(const std::string& start) const
@@ -64,175 +79,6 @@ struct FitCall
   }
 };
 
-//------------------------------------------------------------------------------
-/**
- * Recursive descent over the grammar. Every method steps over white space and comments first, and
- * throws FileError where the text is not what it reads.
- */
-class FitParser
-{
-public:
-  explicit FitParser(const FileBytes& file)
-    : File(file)
-    , Text(file.GetView())
-  {
-    constexpr std::string_view mark = "\xef\xbb\xbf"; // that some editors begin UTF-8 with
-    this->Place = this->Text.substr(0, mark.size()) == mark ? mark.size() : 0;
-  }
-
-  int Line = 1;
-  std::string Comments; // the text of all of them so far
-
-  bool IsAtEnd()
-  {
-    this->SkipSpace();
-    return this->Place >= this->Text.size();
-  }
-
-  /// what: how an error calls it.
-  std::string ReadName(const std::string& what)
-  {
-    this->SkipSpace();
-    const std::size_t begin = this->Place;
-    while (this->Place < this->Text.size() && IsNameCharacter(this->Text[this->Place]))
-    {
-      ++this->Place;
-    }
-    if (this->Place == begin)
-    {
-      this->Expected(what);
-    }
-    return std::string(this->Text.substr(begin, this->Place - begin));
-  }
-
-  void Expect(char character)
-  {
-    if (!this->Accept(character))
-    {
-      this->Expected(std::string("'") + character + "'");
-    }
-  }
-
-  /// What follows a model's name.
-  FitCall ReadCall(const std::string& model, int depth = 0)
-  {
-    if (depth > DeepestTerm)
-    {
-      this->FailAt(this->Line, "models are nested too deeply");
-    }
-    FitCall call;
-    call.Model = model;
-    call.Line = this->Line;
-    this->Expect('(');
-    if (this->Accept(')'))
-    {
-      return call;
-    }
-    do
-    {
-      const std::string name = this->ReadName("an attribute or a model");
-      if (std::isdigit(static_cast<unsigned char>(name[0])) != 0)
-      {
-        this->FailAt(
-          this->Line, "expected an attribute or a model, found " + Quote(name) + DecimalHint);
-      }
-      if (!this->Accept('='))
-      {
-        call.Terms.push_back(this->ReadCall(name, depth + 1));
-      }
-      else if (!call.Attributes.emplace(name, this->ReadValue(name)).second)
-      {
-        this->FailAt(this->Line, "attribute " + Quote(name) + " appears twice");
-      }
-    } while (this->Accept(','));
-    this->Expect(')');
-    return call;
-  }
-
-  /// Throws FileError: "PATH: FORMAT, line N: what".
-  [[noreturn]] void FailAt(int line, const std::string& what) const
-  {
-    FailIn(this->File, FitFormatName, "line " + std::to_string(line), what);
-  }
-
-private:
-  static bool IsNameCharacter(char c)
-  {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-           c == '_' || c == '.';
-  }
-
-  void SkipSpace()
-  {
-    for (; this->Place < this->Text.size(); ++this->Place)
-    {
-      const char c = this->Text[this->Place];
-      if (c == '#')
-      {
-        const std::size_t end = std::min(this->Text.find('\n', this->Place), this->Text.size());
-        this->Comments.append(this->Text.substr(this->Place + 1, end - this->Place - 1));
-        this->Place = end - 1;
-      }
-      else if (c == '\n')
-      {
-        ++this->Line;
-      }
-      else if (c != ' ' && c != '\t' && c != '\r')
-      {
-        return;
-      }
-    }
-  }
-
-  bool Accept(char character)
-  {
-    this->SkipSpace();
-    const bool is = this->Place < this->Text.size() && this->Text[this->Place] == character;
-    this->Place += is ? 1 : 0;
-    return is;
-  }
-
-  std::vector<double> ReadValue(const std::string& attribute)
-  {
-    std::vector<double> values;
-    const bool isList = this->Accept('[');
-    do
-    {
-      this->Accept('+');
-      double value = 0.0;
-      this->SkipSpace();
-      const char* begin = this->Text.data() + this->Place;
-      // Not strtod: its decimal sign follows the locale.
-      const auto result = std::from_chars(begin, this->Text.data() + this->Text.size(), value);
-      if (result.ec != std::errc() || !std::isfinite(value))
-      {
-        this->Expected("a finite number for attribute " + Quote(attribute));
-      }
-      this->Place += static_cast<std::size_t>(result.ptr - begin);
-      values.push_back(value);
-    } while (isList && this->Accept(','));
-    if (isList)
-    {
-      this->Expect(']');
-    }
-    return values;
-  }
-
-  [[noreturn]] void Expected(const std::string& what)
-  {
-    this->SkipSpace();
-    const std::string_view rest = this->Text.substr(std::min(this->Place, this->Text.size()), 24);
-    this->FailAt(this->Line,
-      "expected " + what + ", found " +
-        (rest.empty() ? "the end of the file" : Quote(rest.substr(0, rest.find_first_of("\r\n")))));
-  }
-
-  const FileBytes& File;
-  std::string_view Text;
-  std::size_t Place = 0;
-};
-
-//------------------------------------------------------------------------------
 // A material of the text.
 struct FitEntry
 {
@@ -240,191 +86,36 @@ struct FitEntry
   FitCall Expression;
 };
 
-// Makes BRDFs of an entry's calls, and complains about what does not fit.
-class FitBuilder
-{
-public:
-  /// scale: of albedos; result takes notes.
-  FitBuilder(
-    const FitParser& parser, const FitEntry& entry, const double scale[3], MaterialFile& result)
-    : Parser(parser)
-    , Name(entry.Name)
-    , Scale(scale)
-    , Result(result)
-  {
-  }
-
-  void AddTerms(const FitCall& call, vtkSumBRDF* sum) const
-  {
-    const bool isNgan = call.Model == "NganAshikhminShirley";
-    if (call.Model == "Aggregate")
-    {
-      this->CheckAttributes(call, {}, true);
-      if (call.Terms.empty())
-      {
-        this->Complain(call, "holds no model, expected at least one");
-      }
-      for (const FitCall& term : call.Terms)
-      {
-        this->AddTerms(term, sum);
-      }
-    }
-    else if (call.Model == "Lambertian")
-    {
-      this->CheckAttributes(call, { "albedo" });
-      vtkNew<vtkLambertBRDF> term;
-      term->SetAlbedo(&this->GetAlbedo(call)[0]);
-      sum->AddTerm(term);
-    }
-    else if (call.Model == "NganBlinnPhong")
-    {
-      this->CheckAttributes(call, { "albedo", "sharpness" });
-      vtkNew<vtkBlinnPhongBRDF> term;
-      term->SetSpecular(&this->GetAlbedo(call)[0]);
-      term->SetExponent(this->GetNumber(call, "sharpness", 0.0, 1e6));
-      sum->AddTerm(term);
-    }
-    else if (isNgan || call.Model == "LowAshikhminShirley")
-    {
-      this->CheckAttributes(call, { "albedo", "fresnelReflectance", "sharpness" });
-      vtkNew<vtkAshikhminShirleyBRDF> term;
-      term->SetSpecularScale(&this->GetAlbedo(call)[0]);
-      const double exponent = this->GetNumber(call, "sharpness", 0.0, 1e6);
-      term->SetExponents(exponent, exponent);
-      if (isNgan)
-      {
-        const double reflectance = this->GetNumber(call, "fresnelReflectance", 0.0, 1.0);
-        term->SetReflectance(reflectance, reflectance, reflectance);
-        term->SetFresnelModelToSchlick();
-      }
-      else
-      {
-        term->SetIndexOfRefraction(this->GetNumber(call, "fresnelReflectance", 1.0, 100.0));
-        term->SetFresnelModelToDielectric();
-      }
-      sum->AddTerm(term);
-    }
-    else
-    {
-      this->Complain(call,
-        "unknown model, expected Aggregate, Lambertian, NganBlinnPhong, NganAshikhminShirley or "
-        "LowAshikhminShirley");
-    }
-  }
-
-private:
-  [[noreturn]] void Complain(const FitCall& call, const std::string& what) const
-  {
-    this->Parser.FailAt(call.Line,
-      "material " + Quote(this->Name) + ", " + ToPrintable(call.Model, LongestName) + ": " + what);
-  }
-
-  void CheckAttributes(
-    const FitCall& call, const std::vector<std::string>& names, bool hasTerms = false) const
-  {
-    for (const auto& attribute : call.Attributes)
-    {
-      if (std::find(names.begin(), names.end(), attribute.first) == names.end())
-      {
-        this->Complain(call, "unknown attribute " + Quote(attribute.first));
-      }
-    }
-    if (!hasTerms && !call.Terms.empty())
-    {
-      this->Complain(call, Quote(call.Terms.front().Model) + " can't be inside");
-    }
-  }
-
-  const std::vector<double>& GetAttribute(
-    const FitCall& call, const std::string& name, std::size_t count) const
-  {
-    const auto found = call.Attributes.find(name);
-    if (found == call.Attributes.end())
-    {
-      this->Complain(call, "attribute '" + name + "' is missing");
-    }
-    if (found->second.size() != count)
-    {
-      this->Complain(call, "attribute '" + name + "' has " + std::to_string(found->second.size()) +
-                             " numbers, expected " + std::to_string(count) +
-                             (found->second.size() == 2 * count ? DecimalHint : ""));
-    }
-    return found->second;
-  }
-
-  double GetNumber(
-    const FitCall& call, const std::string& name, double lowest, double highest) const
-  {
-    return this->Repair(call, name, this->GetAttribute(call, name, 1)[0], lowest, highest);
-  }
-
-  glm::dvec3 GetAlbedo(const FitCall& call) const
-  {
-    const std::vector<double>& values = this->GetAttribute(call, "albedo", 3);
-    glm::dvec3 albedo;
-    for (int k = 0; k < 3; ++k)
-    {
-      const double value = values[static_cast<std::size_t>(k)];
-      albedo[k] = this->Repair(call, "albedo", value, 0.0, HUGE_VAL) * this->Scale[k];
-    }
-    return albedo;
-  }
-
-  // In bounds, or what rounding put beyond them.
-  double Repair(
-    const FitCall& call, const std::string& name, double value, double lowest, double highest) const
-  {
-    const double repaired = std::clamp(value, lowest, highest);
-    if (std::abs(value - repaired) > NoiseOfFigures * std::max(std::abs(repaired), 1.0))
-    {
-      this->Complain(call, "attribute '" + name + (value < 0.0 ? "' is negative: " : "' is ") +
-                             NumberText(value) + ", expected " + NumberText(lowest) +
-                             (highest < HUGE_VAL ? " to " + NumberText(highest) : " or more"));
-    }
-    if (value != repaired)
-    {
-      this->Result.AddNote(call.Model + ": attribute '" + name + "' is " + NumberText(value) +
-                           ", beyond " + NumberText(repaired) + " by rounding: taken as that.");
-      this->Result.NumberOfNegativeValues += value < 0.0;
-    }
-    return repaired;
-  }
-
-  const FitParser& Parser;
-  const std::string& Name;
-  const double* Scale;
-  MaterialFile& Result;
-};
-
 //------------------------------------------------------------------------------
 /**
- * The text taken apart. Strict: one wrong entry makes the whole text wrong.
+ * The text taken apart by recursive descent over the grammar. Every method steps over white space
+ * and comments first, and throws FileError where the text is not what it reads. Strict: one wrong
+ * entry makes the whole text wrong.
  */
 class FitFile
 {
 public:
   explicit FitFile(const FileBytes& file)
     : File(file)
-    , Parser(file)
+    , Text(SkipByteOrderMark(file.GetView()))
   {
     std::map<std::string, int> lines;
-    while (!this->Parser.IsAtEnd())
+    for (this->SkipSpace(); !this->Text.empty(); this->SkipSpace())
     {
-      const int line = this->Parser.Line;
-      const std::string name = this->Parser.ReadName("a material's name");
+      const int line = this->Line;
+      const std::string name = this->ReadName("a material's name");
       const auto [first, isNew] = lines.emplace(name, line);
       if (!isNew)
       {
-        this->Parser.FailAt(line, "material " + Quote(name) + " was already given in line " +
-                                    std::to_string(first->second));
+        this->FailAt(line, "material ", Quote(name), " was already given in line ", first->second);
       }
-      this->Parser.Expect('=');
-      const std::string model = this->Parser.ReadName("a model's name");
-      this->Entries.push_back({ name, this->Parser.ReadCall(model) });
+      this->Expect('=');
+      const std::string model = this->ReadName("a model's name");
+      this->Entries.push_back({ name, this->ReadCall(model) });
     }
     if (this->Entries.empty())
     {
-      this->Parser.FailAt(this->Parser.Line, "no material; expected lines 'name = Aggregate(...)'");
+      this->FailAt(this->Line, "no material; expected lines 'name = Aggregate(...)'");
     }
   }
 
@@ -442,16 +133,28 @@ public:
   /// The material of that name; empty: the only one. Throws where there is no such one.
   MaterialFile GetMaterial(const std::string& name) const
   {
-    const FitEntry& entry = this->Find(name);
-    const FitCall& expression = entry.Expression;
+    const std::size_t count = this->Entries.size();
+    const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
+      [&](const FitEntry& entry) { return name.empty() ? count == 1 : entry.Name == name; });
+    if (found == this->Entries.end())
+    {
+      std::string some;
+      for (std::size_t k = 0; k < std::min<std::size_t>(3, count); ++k)
+      {
+        some += (k ? ", " : "") + ToPrintable(this->Entries[k].Name, LongestName);
+      }
+      throw FileError(this->File.GetPath(), ": ", FitFormatName, ": ",
+        name.empty() ? "choose one with #name" : "no material " + Quote(name), " among its ", count,
+        " materials (", some, count > 3 ? ", ...)" : ")");
+    }
+    const FitCall& expression = found->Expression;
     const bool low = expression.Uses("Low");
     const bool ngan =
-      expression.Uses("Ngan") || (!low && this->Parser.Comments.find("Ngan") != std::string::npos);
-    const double one[3] = { 1.0, 1.0, 1.0 };
+      expression.Uses("Ngan") || (!low && this->Comments.find("Ngan") != std::string::npos);
     MaterialFile result;
     vtkNew<vtkSumBRDF> sum;
-    FitBuilder(this->Parser, entry, ngan ? NganScale : one, result).AddTerms(expression, sum);
-    sum->SetName(entry.Name);
+    this->AddTerms(*found, expression, ngan ? NganScale : glm::dvec3(1.0), sum, result);
+    sum->SetName(found->Name);
     std::string models;
     for (const FitCall& term : expression.Terms)
     {
@@ -472,28 +175,239 @@ public:
   }
 
 private:
-  const FitEntry& Find(const std::string& name) const
+  template <typename... Pieces>
+  [[noreturn]] void FailAt(int line, const Pieces&... what) const
   {
-    const std::size_t count = this->Entries.size();
-    const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
-      [&](const FitEntry& entry) { return name.empty() ? count == 1 : entry.Name == name; });
-    if (found != this->Entries.end())
+    FailIn(this->File, FitFormatName, Concat("line ", line), what...);
+  }
+
+  //----------------------------------------------------------------------------
+  void SkipSpace()
+  {
+    while (!this->Text.empty())
     {
-      return *found;
+      const char c = this->Text.front();
+      if (c == '#')
+      {
+        const std::size_t end = std::min(this->Text.find('\n'), this->Text.size());
+        this->Comments.append(this->Text.substr(1, end - 1));
+        this->Text.remove_prefix(end);
+        continue;
+      }
+      if (c != ' ' && c != '\t' && c != '\r' && c != '\n')
+      {
+        return;
+      }
+      this->Line += c == '\n';
+      this->Text.remove_prefix(1);
     }
-    std::string some;
-    for (std::size_t k = 0; k < std::min<std::size_t>(3, count); ++k)
+  }
+
+  // what: how an error calls it.
+  [[noreturn]] void Expected(const std::string& what)
+  {
+    this->SkipSpace();
+    const std::string_view rest = this->Text.substr(0, 24);
+    this->FailAt(this->Line, "expected ", what, ", found ",
+      rest.empty() ? "the end of the file" : Quote(rest.substr(0, rest.find_first_of("\r\n"))));
+  }
+
+  bool Accept(char character)
+  {
+    this->SkipSpace();
+    const bool is = !this->Text.empty() && this->Text.front() == character;
+    this->Text.remove_prefix(is ? 1 : 0);
+    return is;
+  }
+
+  void Expect(char character)
+  {
+    if (!this->Accept(character))
     {
-      some += (k ? ", " : "") + ToPrintable(this->Entries[k].Name, LongestName);
+      this->Expected(std::string{ '\'', character, '\'' });
     }
-    throw FileError(this->File.GetPath() + ": " + FitFormatName + ": " +
-                    (name.empty() ? "choose one with #name" : "no material " + Quote(name)) +
-                    " among its " + std::to_string(count) + " materials (" + some +
-                    (count > 3 ? ", ...)" : ")"));
+  }
+
+  std::string ReadName(const std::string& what)
+  {
+    this->SkipSpace();
+    constexpr std::string_view characters =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.";
+    const std::string name(this->Text.substr(0, this->Text.find_first_not_of(characters)));
+    if (name.empty())
+    {
+      this->Expected(what);
+    }
+    this->Text.remove_prefix(name.size());
+    return name;
+  }
+
+  // What follows a model's name.
+  FitCall ReadCall(const std::string& model, int depth = 0)
+  {
+    if (depth > DeepestTerm)
+    {
+      this->FailAt(this->Line, "models are nested too deeply");
+    }
+    FitCall call;
+    call.Model = model;
+    call.Line = this->Line;
+    this->Expect('(');
+    if (this->Accept(')'))
+    {
+      return call;
+    }
+    do
+    {
+      const std::string name = this->ReadName("an attribute or a model");
+      if (name[0] >= '0' && name[0] <= '9')
+      {
+        this->FailAt(
+          this->Line, "expected an attribute or a model, found ", Quote(name), DecimalHint);
+      }
+      if (!this->Accept('='))
+      {
+        call.Terms.push_back(this->ReadCall(name, depth + 1));
+      }
+      else if (!call.Attributes.emplace(name, this->ReadValue(name)).second)
+      {
+        this->FailAt(this->Line, "attribute ", Quote(name), " appears twice");
+      }
+    } while (this->Accept(','));
+    this->Expect(')');
+    return call;
+  }
+
+  std::vector<double> ReadValue(const std::string& attribute)
+  {
+    std::vector<double> values;
+    const bool isList = this->Accept('[');
+    do
+    {
+      this->Accept('+');
+      this->SkipSpace();
+      double value = 0.0;
+      // Not strtod: its decimal sign follows the locale.
+      const char* begin = this->Text.data();
+      const auto result = std::from_chars(begin, begin + this->Text.size(), value);
+      if (result.ec != std::errc() || !std::isfinite(value))
+      {
+        this->Expected("a finite number for attribute " + Quote(attribute));
+      }
+      this->Text.remove_prefix(static_cast<std::size_t>(result.ptr - begin));
+      values.push_back(value);
+    } while (isList && this->Accept(','));
+    if (isList)
+    {
+      this->Expect(']');
+    }
+    return values;
+  }
+
+  //----------------------------------------------------------------------------
+  // Adds the BRDFs of a call to the sum. scale: of albedos; result takes notes.
+  void AddTerms(const FitEntry& entry, FitCall call, const glm::dvec3& scale, vtkSumBRDF* sum,
+    MaterialFile& result) const
+  {
+    this->CheckCall(entry, call, result);
+    if (call.Model == "Aggregate")
+    {
+      for (const FitCall& term : call.Terms)
+      {
+        this->AddTerms(entry, term, scale, sum, result);
+      }
+      return;
+    }
+    const std::vector<double>& rgb = call.Attributes["albedo"];
+    const glm::dvec3 albedo = scale * glm::dvec3(rgb[0], rgb[1], rgb[2]);
+    if (call.Model == "Lambertian")
+    {
+      vtkNew<vtkLambertBRDF> term;
+      term->SetAlbedo(&albedo[0]);
+      sum->AddTerm(term);
+      return;
+    }
+    const double exponent = call.Attributes["sharpness"][0];
+    if (call.Model == "NganBlinnPhong")
+    {
+      vtkNew<vtkBlinnPhongBRDF> term;
+      term->SetSpecular(&albedo[0]);
+      term->SetExponent(exponent);
+      sum->AddTerm(term);
+      return;
+    }
+    const double fresnel = call.Attributes["fresnelReflectance"][0];
+    vtkNew<vtkAshikhminShirleyBRDF> term;
+    term->SetSpecularScale(&albedo[0]);
+    term->SetExponents(exponent, exponent);
+    if (call.Model == "NganAshikhminShirley")
+    {
+      term->SetReflectance(fresnel, fresnel, fresnel);
+      term->SetFresnelModelToSchlick();
+    }
+    else
+    {
+      term->SetIndexOfRefraction(fresnel);
+      term->SetFresnelModelToDielectric();
+    }
+    sum->AddTerm(term);
+  }
+
+  // Throws where the model does not exist, has other attributes, or values out of their bounds.
+  // What rounding put beyond them is repaired, and noted.
+  void CheckCall(const FitEntry& entry, FitCall& call, MaterialFile& result) const
+  {
+    const auto require = [&](bool condition, const auto&... what)
+    {
+      if (!condition)
+      {
+        this->FailAt(call.Line, "material ", Quote(entry.Name), ", ",
+          ToPrintable(call.Model, LongestName), ": ", what...);
+      }
+    };
+    const auto model = FitModels.find(call.Model);
+    require(model != FitModels.end(),
+      "unknown model, expected Aggregate, Lambertian, NganBlinnPhong, NganAshikhminShirley or "
+      "LowAshikhminShirley");
+    const std::vector<FitAttribute>& known = model->second;
+    for (const auto& attribute : call.Attributes)
+    {
+      const bool isKnown = std::any_of(known.begin(), known.end(),
+        [&](const FitAttribute& one) { return one.Name == attribute.first; });
+      require(isKnown, "unknown attribute ", Quote(attribute.first));
+    }
+    require(!known.empty() || !call.Terms.empty(), "holds no model, expected at least one");
+    require(known.empty() || call.Terms.empty(),
+      call.Terms.empty() ? "" : Quote(call.Terms.front().Model), " can't be inside");
+    for (const FitAttribute& one : known)
+    {
+      const auto found = call.Attributes.find(one.Name);
+      require(found != call.Attributes.end(), "attribute '", one.Name, "' is missing");
+      const std::size_t count = found->second.size();
+      require(count == one.Count, "attribute '", one.Name, "' has ", count, " numbers, expected ",
+        one.Count, count == 2 * one.Count ? DecimalHint : "");
+      for (double& value : found->second)
+      {
+        const double repaired = std::clamp(value, one.Lowest, one.Highest);
+        require(std::abs(value - repaired) <= NoiseOfFigures * std::max(std::abs(repaired), 1.0),
+          "attribute '", one.Name, value < 0.0 ? "' is negative: " : "' is ", value, ", expected ",
+          one.Lowest,
+          one.Highest < HUGE_VAL ? " to " + NumberText(one.Highest) : std::string(" or more"));
+        if (value != repaired)
+        {
+          result.AddNote(Concat(call.Model, ": attribute '", one.Name, "' is ", value, ", beyond ",
+            repaired, " by rounding: taken as that."));
+          result.NumberOfNegativeValues += value < 0.0;
+        }
+        value = repaired;
+      }
+    }
   }
 
   const FileBytes& File;
-  FitParser Parser;
+  std::string_view Text; // what was not read yet
+  int Line = 1;
+  std::string Comments; // the text of all of them so far
   std::vector<FitEntry> Entries;
 };
 

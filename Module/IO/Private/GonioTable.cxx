@@ -3,7 +3,6 @@
 #include "GonioTable.h"
 
 #include "HalfVector.h"
-#include "NumberText.h"
 #include "vtkAngularTableBRDF.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -15,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 
 namespace measuredbrdf
@@ -24,6 +22,10 @@ namespace
 {
 using Nodes = vtkAngularTableBRDF::Nodes;
 using Readings = std::vector<GonioReading>;
+using Index = Eigen::Index;
+
+// An item a row: the colors of a light's views, say.
+using Items = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr float SameAngle = 0.01f; // degrees: angles that differ by less are one
 constexpr float Horizon = 90.0f;   // degrees from the normal
@@ -74,15 +76,19 @@ std::vector<float> FindAngles(const Readings& readings, const float GonioReading
   return nodes;
 }
 
-std::size_t FindNode(const Nodes& nodes, float theta, float phi)
+Index FindNode(const Nodes& nodes, float theta, float phi)
 {
   const auto find = [](const std::vector<float>& angles, float angle)
   { return std::upper_bound(angles.begin(), angles.end(), angle) - angles.begin() - 1; };
-  return static_cast<std::size_t>(find(nodes.Theta, theta)) * nodes.Phi.size() +
-         static_cast<std::size_t>(find(nodes.Phi, phi));
+  return find(nodes.Theta, theta) * Index(nodes.Phi.size()) + find(nodes.Phi, phi);
 }
 
-// The last circle's values hold up to the horizon: HoleFiller gives them to a circle there.
+double CountNodes(const Nodes& nodes)
+{
+  return static_cast<double>(nodes.Theta.size()) * static_cast<double>(nodes.Phi.size());
+}
+
+// The last circle's values hold up to the horizon: FillHoles gives them to a circle there.
 void AddHorizon(Nodes& nodes)
 {
   if (nodes.Theta.size() > 1 && nodes.Theta.back() < Horizon)
@@ -92,16 +98,20 @@ void AddHorizon(Nodes& nodes)
 }
 
 //------------------------------------------------------------------------------
-// Lights, views, and RGB at each pair of them.
+// Lights, views, and RGB at each pair of them: a row for each light, a color for each view.
 struct GonioGrid
 {
   Nodes Light;
   Nodes View;
-  std::vector<float> RGB;
+  Items RGB;
 
-  std::size_t GetLights() const { return this->Light.Theta.size() * this->Light.Phi.size(); }
-  std::size_t GetViews() const { return this->View.Theta.size() * this->View.Phi.size(); }
-  float* GetViewsOf(std::size_t light) { return &this->RGB[3 * light * this->GetViews()]; }
+  void Resize() { this->RGB.setZero(Index(CountNodes(Light)), 3 * Index(CountNodes(View))); }
+
+  // The colors of a light's views, one a row.
+  Eigen::Map<Items> GetViews(Index light)
+  {
+    return { &this->RGB(light, 0), this->RGB.cols() / 3, 3 };
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -138,39 +148,32 @@ bool FillAxis(const std::vector<float>& places, const char* known, double period
       a = b = next == 0 ? found.front() : found.back();
     }
     const double gap = distance(a, b);
-    set(k, a, b, gap > 0.0 ? distance(a, k) / gap : 0.0);
+    set(Index(k), Index(a), Index(b), float(gap > 0.0 ? distance(a, k) / gap : 0.0));
   }
   return !found.empty();
 }
 
-// Items of `size` values at the nodes: those that are not known are interpolated around the circle
-// of their polar angle, and circles of which nothing is known between others.
-void FillHoles(const Nodes& nodes, std::size_t size, float* values, const std::vector<char>& known)
+// Items at the nodes: those that are not known are interpolated around the circle of their polar
+// angle, and circles of which nothing is known between others.
+void FillHoles(const Nodes& nodes, Eigen::Ref<Items> items, const std::vector<char>& known)
 {
-  const std::size_t azimuths = nodes.Phi.size();
-  const auto mix = [&](std::size_t item, std::size_t a, std::size_t b, double share)
+  const Index azimuths = Index(nodes.Phi.size());
+  // Of count items from each of the three.
+  const auto mix = [&](Index count, Index item, Index a, Index b, float share)
   {
-    for (std::size_t k = 0; k < size; ++k)
-    {
-      values[item * size + k] =
-        static_cast<float>((1.0 - share) * values[a * size + k] + share * values[b * size + k]);
-    }
+    items.middleRows(item, count) =
+      (1.0f - share) * items.middleRows(a, count) + share * items.middleRows(b, count);
   };
   std::vector<char> circles;
-  for (std::size_t first = 0; first < known.size(); first += azimuths)
+  for (Index first = 0; first < Index(known.size()); first += azimuths)
   {
-    circles.push_back(FillAxis(nodes.Phi, &known[first], FullTurn,
-      [&](std::size_t k, std::size_t a, std::size_t b, double share)
-      { mix(first + k, first + a, first + b, share); }));
+    circles.push_back(FillAxis(nodes.Phi, &known[std::size_t(first)], FullTurn,
+      [&](Index k, Index a, Index b, float share)
+      { mix(1, first + k, first + a, first + b, share); }));
   }
   FillAxis(nodes.Theta, circles.data(), 0.0,
-    [&](std::size_t k, std::size_t a, std::size_t b, double share)
-    {
-      for (std::size_t p = 0; p < azimuths; ++p)
-      {
-        mix(k * azimuths + p, a * azimuths + p, b * azimuths + p, share);
-      }
-    });
+    [&](Index k, Index a, Index b, float share)
+    { mix(azimuths, k * azimuths, a * azimuths, b * azimuths, share); });
 }
 
 //------------------------------------------------------------------------------
@@ -181,56 +184,50 @@ void FillGrid(GonioGrid& grid, const Readings& readings, MaterialFile& result)
   const float lastView = grid.View.Theta.back();
   AddHorizon(grid.Light);
   AddHorizon(grid.View);
-  const std::size_t lights = grid.GetLights();
-  const std::size_t views = grid.GetViews();
-  grid.RGB.assign(3 * lights * views, 0.0f);
-  std::vector<unsigned int> counts(lights * views, 0);
-  std::size_t repeated = 0;
+  grid.Resize();
+  const Index views = grid.RGB.cols() / 3;
+  Eigen::MatrixXi counts = Eigen::MatrixXi::Zero(views, grid.RGB.rows());
+  std::int64_t repeated = 0;
   for (const GonioReading& reading : readings)
   {
-    const std::size_t at = FindNode(grid.Light, reading.ThetaI, reading.PhiI) * views +
-                           FindNode(grid.View, reading.ThetaO, reading.PhiO);
-    repeated += counts[at] > 0;
-    ++counts[at];
+    const Index light = FindNode(grid.Light, reading.ThetaI, reading.PhiI);
+    const Index view = FindNode(grid.View, reading.ThetaO, reading.PhiO);
+    int& count = counts(view, light);
+    repeated += count > 0;
+    ++count;
     for (int c = 0; c < 3; ++c)
     {
-      float& mean = grid.RGB[3 * at + static_cast<std::size_t>(c)]; // so far
-      mean += (static_cast<float>(reading.Color[c]) - mean) / static_cast<float>(counts[at]);
+      float& mean = grid.RGB(light, 3 * view + c); // so far
+      mean += (static_cast<float>(reading.Color[c]) - mean) / static_cast<float>(count);
     }
   }
   std::vector<char> litLights;
-  std::size_t missing = 0; // but for directions along the normal, which have one value
-  for (std::size_t light = 0; light < lights; ++light)
+  std::int64_t missing = 0; // but for directions along the normal, which have one value
+  for (Index light = 0; light < grid.RGB.rows(); ++light)
   {
-    const float thetaI = grid.Light.Theta[light / grid.Light.Phi.size()];
+    const float thetaI = grid.Light.Theta[std::size_t(light) / grid.Light.Phi.size()];
     std::vector<char> known;
-    for (std::size_t view = 0; view < views; ++view)
+    for (Index view = 0; view < views; ++view)
     {
-      const float thetaO = grid.View.Theta[view / grid.View.Phi.size()];
-      known.push_back(counts[light * views + view] > 0);
+      const float thetaO = grid.View.Theta[std::size_t(view) / grid.View.Phi.size()];
+      known.push_back(counts(view, light) > 0);
       missing += !known.back() && !IsPole(thetaI) && !IsPole(thetaO) && thetaI <= lastLight &&
                  thetaO <= lastView;
     }
     litLights.push_back(std::find(known.begin(), known.end(), 1) != known.end());
-    FillHoles(grid.View, 3, grid.GetViewsOf(light), known);
+    FillHoles(grid.View, grid.GetViews(light), known);
   }
-  FillHoles(grid.Light, 3 * views, grid.RGB.data(), litLights);
-  if (missing > 0)
-  {
-    result.AddNote(std::to_string(missing) +
-                   " values are missing in the grid of angles: filled from their neighbors.");
-  }
-  if (repeated > 0)
-  {
-    result.AddNote(std::to_string(repeated) + " values repeat others' angles: averaged.");
-  }
+  FillHoles(grid.Light, grid.RGB, litLights);
+  NoteCount(
+    missing, " values are missing in the grid of angles: filled from their neighbors.", result);
+  NoteCount(repeated, " values repeat others' angles: averaged.", result);
 }
 
 //------------------------------------------------------------------------------
 // The plane through readings around a view, by least squares with weights of the inverse squared
 // distance, at the view (moving least squares, Lancaster and Salkauskas 1981). The result stays
 // within the range of their values: nothing overshoots. A row of points or colors is a reading.
-Eigen::Vector3d Interpolate(
+Eigen::RowVector3d Interpolate(
   float theta, float phi, const Eigen::MatrixX3d& points, const Eigen::MatrixX3d& colors)
 {
   const double t = ToRadians(theta);
@@ -249,14 +246,12 @@ Eigen::Vector3d Interpolate(
   left.diagonal().tail<2>().array() += 1e-6 * left(0, 0) * farthest + 1e-12;
   left(0, 0) += 1e-12;
   const Eigen::Matrix3d planes = left.ldlt().solve(weighted.transpose() * colors);
-  return planes.row(0)
-    .cwiseMax(colors.colwise().minCoeff())
-    .cwiseMin(colors.colwise().maxCoeff())
-    .transpose();
+  return planes.row(0).cwiseMax(colors.colwise().minCoeff()).cwiseMin(colors.colwise().maxCoeff());
 }
 
-// The views of one light, onto the nodes.
-void Scatter(const Nodes& views, const std::vector<const GonioReading*>& readings, float* rgb)
+// The views of one light, onto the nodes, one a row.
+void Scatter(
+  const Nodes& views, const std::vector<const GonioReading*>& readings, Eigen::Map<Items> rgb)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -270,6 +265,7 @@ void Scatter(const Nodes& views, const std::vector<const GonioReading*>& reading
   locator->SetDataSet(cloud);
   locator->BuildLocator();
   vtkNew<vtkIdList> found;
+  Index node = 0;
   for (const float theta : views.Theta)
   {
     for (const float phi : views.Phi)
@@ -284,7 +280,7 @@ void Scatter(const Nodes& views, const std::vector<const GonioReading*>& reading
         colors.row(k) =
           Eigen::Map<const Eigen::RowVector3d>(&readings[static_cast<std::size_t>(id)]->Color[0]);
       }
-      rgb = std::copy_n(Interpolate(theta, phi, near, colors).cast<float>().eval().data(), 3, rgb);
+      rgb.row(node++) = Interpolate(theta, phi, near, colors).cast<float>();
     }
   }
 }
@@ -313,67 +309,51 @@ bool ChooseViews(Nodes& views, double readings, double lights)
 // Gives the grid even views and interpolates the readings of each light onto them.
 void ScatterReadings(GonioGrid& grid, const Readings& readings, const std::string& where)
 {
-  const std::size_t polar = grid.Light.Theta.size();
-  const double lights = double(polar) * double(grid.Light.Phi.size());
-  if (lights > vtkAngularTableBRDF::MaximumNodes / 2.0 ||
-      !ChooseViews(grid.View, double(readings.size()), lights))
-  {
-    throw FileError(where + ": found " + std::to_string(readings.size()) + " readings under " +
-                    std::to_string(polar) + " polar angles and " +
-                    std::to_string(grid.Light.Phi.size()) +
-                    " azimuths of the light, expected a grid, or several views under each");
-  }
+  const double lights = CountNodes(grid.Light);
+  Require(lights <= vtkAngularTableBRDF::MaximumNodes / 2.0 &&
+            ChooseViews(grid.View, double(readings.size()), lights),
+    where, ": found ", readings.size(), " readings under ", grid.Light.Theta.size(),
+    " polar angles and ", grid.Light.Phi.size(),
+    " azimuths of the light, expected a grid, or several views under each");
   AddHorizon(grid.Light);
-  std::vector<std::vector<const GonioReading*>> members(grid.GetLights());
+  grid.Resize();
+  std::vector<std::vector<const GonioReading*>> members(std::size_t(grid.RGB.rows()));
   for (const GonioReading& reading : readings)
   {
-    members[FindNode(grid.Light, reading.ThetaI, reading.PhiI)].push_back(&reading);
+    members[std::size_t(FindNode(grid.Light, reading.ThetaI, reading.PhiI))].push_back(&reading);
   }
-  grid.RGB.assign(3 * grid.GetLights() * grid.GetViews(), 0.0f);
   std::vector<char> known;
-  for (std::size_t light = 0; light < members.size(); ++light)
+  for (const auto& own : members)
   {
-    known.push_back(!members[light].empty());
-    if (known.back())
+    if (!own.empty())
     {
-      Scatter(grid.View, members[light], grid.GetViewsOf(light));
+      Scatter(grid.View, own, grid.GetViews(Index(known.size())));
     }
+    known.push_back(!own.empty());
   }
-  FillHoles(grid.Light, 3 * grid.GetViews(), grid.RGB.data(), known);
+  FillHoles(grid.Light, grid.RGB, known);
 }
 
 //------------------------------------------------------------------------------
-// The mean of `count` items of `size` values, in each of them.
-void Average(float* values, std::size_t count, std::size_t size)
-{
-  for (std::size_t k = 0; k < size; ++k)
-  {
-    double sum = 0.0;
-    for (std::size_t item = 0; item < count; ++item)
-    {
-      sum += values[item * size + k];
-    }
-    for (std::size_t item = 0; item < count; ++item)
-    {
-      values[item * size + k] = static_cast<float>(sum / static_cast<double>(count));
-    }
-  }
-}
-
-// A direction along the normal has one value.
+// A direction along the normal has one value: the mean over azimuths.
 void AveragePoles(GonioGrid& grid, bool isotropic)
 {
-  const std::size_t azimuths = grid.View.Phi.size();
-  for (std::size_t light = 0; light < grid.GetLights() && IsPole(grid.View.Theta[0]); ++light)
+  const auto average = [](auto&& items)
   {
-    Average(grid.GetViewsOf(light), azimuths, 3);
+    const Eigen::RowVectorXd mean = items.template cast<double>().colwise().mean();
+    items.rowwise() = mean.cast<float>().eval();
+  };
+  const Index azimuths = Index(grid.View.Phi.size());
+  for (Index light = 0; light < grid.RGB.rows() && IsPole(grid.View.Theta[0]); ++light)
+  {
+    average(grid.GetViews(light).topRows(azimuths));
   }
   if (IsPole(grid.Light.Theta[0]))
   {
-    Average(grid.RGB.data(), grid.Light.Phi.size(), 3 * grid.GetViews());
-    for (std::size_t t = 0; t < grid.View.Theta.size() && isotropic; ++t)
+    average(grid.RGB.topRows(Index(grid.Light.Phi.size())));
+    for (Index circle = 0; circle < Index(grid.View.Theta.size()) && isotropic; ++circle)
     {
-      Average(&grid.RGB[3 * t * azimuths], azimuths, 3);
+      average(grid.GetViews(0).middleRows(circle * azimuths, azimuths));
     }
   }
 }
@@ -431,18 +411,6 @@ bool Mirror(Readings& readings)
   return readings.size() > count;
 }
 
-std::string DescribeAngles(const Readings& readings)
-{
-  const auto range = [&readings](const float GonioReading::*member)
-  {
-    const auto [low, high] = std::minmax_element(readings.begin(), readings.end(),
-      [member](const GonioReading& a, const GonioReading& b) { return a.*member < b.*member; });
-    return NumberText((*low).*member, 3) + " to " + NumberText((*high).*member, 3);
-  };
-  return "Measured with light at " + range(&GonioReading::ThetaI) + " and views at " +
-         range(&GonioReading::ThetaO) + " degrees from the normal; constant outside these angles.";
-}
-
 // Relative root mean square.
 double GetError(vtkBRDF* brdf, const Readings& readings)
 {
@@ -466,26 +434,27 @@ double GetError(vtkBRDF* brdf, const Readings& readings)
 }
 
 //------------------------------------------------------------------------------
-void MakeGonioTable(
-  std::vector<GonioReading> readings, const std::string& where, MaterialFile& result)
+void MakeGonioTable(Readings readings, const std::string& where, MaterialFile& result)
 {
-  if (readings.empty())
-  {
-    throw FileError(where + ": found no readings");
-  }
-  result.AddNote(DescribeAngles(readings));
+  Require(!readings.empty(), where, ": found no readings");
   const bool isotropic = TurnAzimuths(readings);
-  if (isotropic && Mirror(readings))
-  {
-    result.AddNote("Views lie on one side of the plane of incidence: mirrored.");
-  }
+  const bool isMirrored = isotropic && Mirror(readings);
   GonioGrid grid;
   grid.Light = { FindAngles(readings, &GonioReading::ThetaI),
     FindAngles(readings, &GonioReading::PhiI) };
   grid.View = { FindAngles(readings, &GonioReading::ThetaO),
     FindAngles(readings, &GonioReading::PhiO) };
-  const double lights = double(grid.Light.Theta.size()) * double(grid.Light.Phi.size());
-  const double views = double(grid.View.Theta.size()) * double(grid.View.Phi.size());
+  const auto range = [](const std::vector<float>& angles)
+  { return NumberText(angles.front(), 3) + " to " + NumberText(angles.back(), 3); };
+  result.AddNote("Measured with light at " + range(grid.Light.Theta) + " and views at " +
+                 range(grid.View.Theta) +
+                 " degrees from the normal; constant outside these angles.");
+  if (isMirrored)
+  {
+    result.AddNote("Views lie on one side of the plane of incidence: mirrored.");
+  }
+  const double lights = CountNodes(grid.Light);
+  const double views = CountNodes(grid.View);
   const double most = vtkAngularTableBRDF::MaximumNodes / 2.0; // the horizon is added
   const bool isGrid =
     lights <= most && views <= most && lights * views <= MaximumGonioNodes &&
@@ -500,19 +469,16 @@ void MakeGonioTable(
   }
   AveragePoles(grid, isotropic);
   vtkNew<vtkAngularTableBRDF> table;
-  const std::string problem = table->SetValues(grid.Light, grid.View, std::move(grid.RGB),
-    isotropic ? vtkAngularTableBRDF::LIGHT : vtkAngularTableBRDF::TANGENT);
-  if (!problem.empty())
-  {
-    throw FileError(where + ": " + problem);
-  }
+  const std::string problem =
+    table->SetValues(grid.Light, grid.View, { grid.RGB.data(), grid.RGB.data() + grid.RGB.size() },
+      isotropic ? vtkAngularTableBRDF::LIGHT : vtkAngularTableBRDF::TANGENT);
+  Require(problem.empty(), where, ": ", problem);
   if (!isGrid)
   {
-    result.AddNote("The views are scattered: interpolated onto " +
-                   std::to_string(grid.View.Theta.size()) + " x " +
-                   std::to_string(grid.View.Phi.size()) +
-                   " even nodes, whose relative RMS difference from the readings is " +
-                   NumberText(GetError(table, readings), 3) + ".");
+    result.AddNote(
+      Concat("The views are scattered: interpolated onto ", grid.View.Theta.size(), " x ",
+        grid.View.Phi.size(), " even nodes, whose relative RMS difference from the readings is ",
+        NumberText(GetError(table, readings), 3), "."));
   }
   constexpr double darkest = 0.005; // soot reflects more
   NoteStrangeAlbedo(table, darkest, "its values may be in another unit than 1/sr.", result);

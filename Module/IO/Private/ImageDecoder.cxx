@@ -140,11 +140,8 @@ ImageLayer ChooseLayer(const ImageSource& source, OIIO::ImageInput& input, Image
         return one.GetName() == source.Layer || one.PartName == source.Layer ||
                one.ChannelPrefix == source.Layer;
       });
-    if (found == layers.end())
-    {
-      throw FileError(
-        source.Path + ": layer: found " + ListNames(layers) + ", expected " + Quote(source.Layer));
-    }
+    Require(found != layers.end(), source.Path, ": layer: found ", ListNames(layers), ", expected ",
+      Quote(source.Layer));
     return *found;
   }
   if (!layers.empty())
@@ -186,15 +183,10 @@ ImageLayer ChooseLayer(const ImageSource& source, OIIO::ImageInput& input, Image
 //------------------------------------------------------------------------------
 void CheckSpec(const ImageSource& source, const OIIO::ImageSpec& spec)
 {
-  if (spec.depth > 1)
-  {
-    throw FileError(
-      source.Path + ": image size: found " + std::to_string(spec.depth) + " slices, expected one");
-  }
-  if (spec.deep)
-  {
-    throw FileError(source.Path + ": image type: found deep samples, expected one value per texel");
-  }
+  Require(
+    spec.depth <= 1, source.Path, ": image size: found ", spec.depth, " slices, expected one");
+  Require(
+    !spec.deep, source.Path, ": image type: found deep samples, expected one value per texel");
   CheckImageSize(source.Path, *source.Format,
     { double(spec.width), double(spec.height), double(spec.nchannels), double(spec.tile_width),
       double(spec.tile_height) },
@@ -232,11 +224,10 @@ void ReadPixels(const ImageSource& source, OIIO::ImageInput& input, int part,
     if (!read)
     {
       const std::string reason = ToLine(input.geterror());
-      throw FileError(
-        source.Path + ": image pixels: " +
-        (reason.empty() ? "rows " + std::to_string(y) + " to " + std::to_string(end - 1) +
-                            " could not be read; the file may be cut short"
-                        : reason));
+      throw FileError(source.Path, ": image pixels: ", reason,
+        reason.empty()
+          ? Concat("rows ", y, " to ", end - 1, " could not be read; the file may be cut short")
+          : std::string());
     }
     std::size_t at = image.Pixels.size();
     image.Pixels.resize(at + block.size() / span * values);
@@ -291,19 +282,15 @@ DecodedImage DecodeImage(const ImageSource& source)
   {
     input->set_ioproxy(&bytes);
   }
-  if (!input || !input->open(source.Path, first, config))
-  {
-    throw FileError(
-      source.Path + ": image header: " + ToLine(input ? input->geterror() : OIIO::geterror()));
-  }
+  const bool isOpen = input && input->open(source.Path, first, config);
+  Require(isOpen, source.Path,
+    ": image header: ", ToLine(!isOpen && input ? input->geterror() : OIIO::geterror()));
   CheckSpec(source, first);
 
   DecodedImage image;
   const ImageLayer layer = ChooseLayer(source, *input, image);
-  if (!input->seek_subimage(layer.Part, 0))
-  {
-    throw FileError(source.Path + ": image header: " + ToLine(input->geterror()));
-  }
+  const bool isFound = input->seek_subimage(layer.Part, 0);
+  Require(isFound, source.Path, ": image header: ", ToLine(input->geterror()));
   const OIIO::ImageSpec spec = input->spec();
   CheckSpec(source, spec);
   TakeHeader(spec, *source.Format, image);

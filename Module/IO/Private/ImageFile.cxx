@@ -3,7 +3,6 @@
 #include "ImageFile.h"
 
 #include "FileBytes.h"
-#include "NumberText.h"
 #include "RadianceValues.h"
 #include "vtkImageData.h"
 
@@ -13,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -94,7 +94,7 @@ class RadianceHeader
 public:
   // Of a file that begins with "#?". Throws FileError.
   explicit RadianceHeader(const FileBytes& file)
-    : File(file)
+    : Reader(file, "image header")
   {
     bool isXyz = false;
     for (std::string_view line = this->TakeLine(); !line.empty(); line = this->TakeLine())
@@ -119,11 +119,8 @@ public:
       {
         const std::vector<std::string> words = SplitWords(value);
         isXyz = words == std::vector<std::string>{ "32-bit_rle_xyze" };
-        if (!isXyz && words != std::vector<std::string>{ "32-bit_rle_rgbe" })
-        {
-          this->Fail(
-            name, "found " + Quote(value) + ", expected 32-bit_rle_rgbe or 32-bit_rle_xyze");
-        }
+        this->Require(isXyz || words == std::vector<std::string>{ "32-bit_rle_rgbe" }, name, value,
+          "32-bit_rle_rgbe or 32-bit_rle_xyze");
       }
     }
     if (isXyz)
@@ -144,62 +141,44 @@ public:
   // The pixels behind a header that says nothing but the size, for OpenImageIO.
   std::string MakePlainFile() const
   {
-    return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(this->NumberOfScanlines) +
-           " +X " + std::to_string(this->ScanlineLength) + "\n" +
-           std::string(this->File.GetView().substr(this->Next));
+    return Concat("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y ", this->NumberOfScanlines, " +X ",
+      this->ScanlineLength, "\n",
+      this->Reader.GetFile().GetView().substr(this->Reader.GetOffset()));
   }
 
 private:
-  [[noreturn]] void Fail(const std::string& field, const std::string& what) const
+  void Require(bool condition, const std::string& field, std::string_view found,
+    const std::string& expected) const
   {
-    ByteReader(this->File, "image header").FailAt(this->Begin, field, what);
+    if (!condition)
+    {
+      this->Reader.FailAt(this->Begin, field, "found ", Quote(found), ", expected ", expected);
+    }
   }
 
   // The next line, without its end.
   std::string_view TakeLine()
   {
-    this->Begin = this->Next;
-    const std::string_view rest = this->File.GetView().substr(this->Begin);
-    const std::size_t length = rest.find('\n');
-    if (length == std::string_view::npos)
-    {
-      this->Fail("header", "has no end");
-    }
-    this->Next += length + 1;
-    const bool isDos = length > 0 && rest[length - 1] == '\r';
-    return rest.substr(0, length - (isDos ? 1 : 0));
+    this->Begin = this->Reader.GetOffset();
+    const std::string_view line = this->Reader.TakeUntil('\n', "header", "has no end");
+    return line.substr(0, !line.empty() && line.back() == '\r' ? line.size() - 1 : line.size());
   }
 
   static std::vector<std::string> SplitWords(std::string_view text)
   {
-    std::vector<std::string> words;
     std::istringstream rest{ std::string(text) };
-    for (std::string word; rest >> word;)
-    {
-      words.push_back(word);
-    }
-    return words;
+    return { std::istream_iterator<std::string>(rest), {} };
   }
 
   // The numbers of a line such as "EXPOSURE= 2.5", as many as the field has.
   std::vector<double> TakeNumbers(
     const std::string& field, std::string_view text, std::size_t count) const
   {
-    std::vector<double> numbers;
-    for (const std::string& word : SplitWords(text))
-    {
-      numbers.push_back(0.0);
-      if (!ParseNumber(word, numbers.back()))
-      {
-        numbers.clear();
-        break;
-      }
-    }
-    if (numbers.size() != count)
-    {
-      this->Fail(field, "found " + Quote(text) + ", expected " + std::to_string(count) +
-                          (count == 1 ? " number" : " numbers"));
-    }
+    const std::vector<std::string> words = SplitWords(text);
+    std::vector<double> numbers(words.size());
+    const bool areNumbers = std::equal(words.begin(), words.end(), numbers.begin(), ParseNumber);
+    this->Require(areNumbers && numbers.size() == count, field, text,
+      Concat(count, count == 1 ? " number" : " numbers"));
     return numbers;
   }
 
@@ -207,17 +186,13 @@ private:
   // each EXPOSURE and COLORCORR.
   void TakeFactors(const std::string& field, std::string_view text, std::size_t count)
   {
-    const std::vector<double> factors = this->TakeNumbers(field, text, count);
+    const std::vector<double> n = this->TakeNumbers(field, text, count);
+    const glm::dvec3 factors = count == 1 ? glm::dvec3(n[0]) : glm::dvec3(n[0], n[1], n[2]);
+    this->Exposure *= factors;
     for (int c = 0; c < 3; ++c)
     {
-      const double factor = factors[static_cast<std::size_t>(c) % count];
-      double& product = this->Exposure[c];
-      product *= factor;
-      if (!(factor > 0.0) || !(product >= 1e-30 && product <= 1e30))
-      {
-        this->Fail(field, "found " + Quote(text) +
-                            ", expected positive numbers whose product is from 1e-30 to 1e30");
-      }
+      this->Require(factors[c] > 0.0 && this->Exposure[c] >= 1e-30 && this->Exposure[c] <= 1e30,
+        field, text, "positive numbers whose product is from 1e-30 to 1e30");
     }
   }
 
@@ -229,19 +204,18 @@ private:
     const std::string axes = words.size() == 4 ? words[0] + words[2] : "";
     const bool rows = axes.size() == 4 && axes[1] == 'Y' && axes[3] == 'X';
     const bool columns = axes.size() == 4 && axes[1] == 'X' && axes[3] == 'Y';
-    double scanlines = 0.0;
-    double length = 0.0;
-    constexpr double most = 1 << 30;
-    if ((!rows && !columns) || std::string("+-").find(axes[0]) > 1 ||
-        std::string("+-").find(axes[2]) > 1 || !ParseNumber(words[1], scanlines) ||
-        !ParseNumber(words[3], length) || !(scanlines >= 1.0 && scanlines <= most) ||
-        !(length >= 1.0 && length <= most))
+    const auto isSign = [](char c) { return c == '+' || c == '-'; };
+    const auto takeSize = [](const std::string& word, int& size)
     {
-      this->Fail(
-        "resolution", "found " + Quote(text) + ", expected a line such as '-Y 512 +X 1024'");
-    }
-    this->NumberOfScanlines = static_cast<int>(scanlines);
-    this->ScanlineLength = static_cast<int>(length);
+      double number = 0.0;
+      const bool isSize = ParseNumber(word, number) && number >= 1.0 && number <= 1 << 30;
+      size = isSize ? static_cast<int>(number) : 0;
+      return isSize;
+    };
+    const bool isGood = (rows || columns) && isSign(axes[0]) && isSign(axes[2]) &&
+                        takeSize(words[1], this->NumberOfScanlines) &&
+                        takeSize(words[3], this->ScanlineLength);
+    this->Require(isGood, "resolution", text, "a line such as '-Y 512 +X 1024'");
     const bool top = axes[rows ? 0 : 2] == '-';
     const bool left = axes[rows ? 2 : 0] == '+';
     // EXIF 2.32, tag 274: 1 to 4 begin at the top left, top right, bottom right, bottom left; 5 to
@@ -250,9 +224,8 @@ private:
     this->Orientation = (rows ? 1 : 5) + corner;
   }
 
-  const FileBytes& File;
+  ByteReader Reader;
   std::size_t Begin = 0; // of the line that was taken last
-  std::size_t Next = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -296,11 +269,8 @@ void ShowWindow(const ImageSource& source, DecodedImage& image)
   {
     return;
   }
-  if (width < 1 || height < 1)
-  {
-    throw FileError(source.Path + ": display window: found " + std::to_string(width) + " x " +
-                    std::to_string(height) + " pixels, expected at least 1 x 1");
-  }
+  Require(width >= 1 && height >= 1, source.Path, ": display window: found ", width, " x ", height,
+    " pixels, expected at least 1 x 1");
   if (double(width) * height > FreeTexels)
   {
     CheckImageSize(source.Path + ": display window", *source.Format,
@@ -313,13 +283,13 @@ void ShowWindow(const ImageSource& source, DecodedImage& image)
     static_cast<std::size_t>(width) * static_cast<std::size_t>(height) - inside;
   if (black > 0)
   {
-    image.Notes.push_back("The data window leaves " + std::to_string(black) +
-                          " texels of the display window free: they are black.");
+    image.Notes.push_back(Concat(
+      "The data window leaves ", black, " texels of the display window free: they are black."));
   }
   if (stored > inside)
   {
     image.Notes.push_back(
-      std::to_string(stored - inside) + " texels outside the display window were left out.");
+      Concat(stored - inside, " texels outside the display window were left out."));
   }
 }
 
@@ -363,10 +333,9 @@ void LimitValues(DecodedImage& image)
   }
   if (count > 0)
   {
-    image.Notes.push_back(std::to_string(count) +
-                          (count == 1 ? " value of +infinity was" : " values of +infinity were") +
-                          " taken as " + NumberText(largest) + ", the largest " +
-                          (largest > 65504.0f ? "value of the file." : "half float."));
+    image.Notes.push_back(Concat(count,
+      count == 1 ? " value of +infinity was" : " values of +infinity were", " taken as ", largest,
+      ", the largest ", largest > 65504.0f ? "value of the file." : "half float."));
   }
 }
 
@@ -385,16 +354,13 @@ void Transform(const glm::dmat3& matrix, DecodedImage& image)
 void ConvertColors(const std::string& path, DecodedImage& image)
 {
   const Chromaticities& from = image.Chromaticities;
-  if (!SpanColors(from))
+  std::string found;
+  for (const double value : from)
   {
-    std::string found;
-    for (const double value : from)
-    {
-      found += (found.empty() ? "" : " ") + NumberText(value);
-    }
-    throw FileError(path + ": image header, chromaticities: found " + found +
-                    ", expected x and y of red, green, blue and of a white between them");
+    found += " " + NumberText(value);
   }
+  Require(SpanColors(from), path, ": image header, chromaticities: found", found,
+    ", expected x and y of red, green, blue and of a white between them");
   const bool isRec709 = std::equal(from.begin(), from.end(), Rec709.begin(),
     [](double a, double b) { return std::abs(a - b) <= HeaderRounding; });
   // Encoded integers are display values by another name: their readers take them as sRGB.

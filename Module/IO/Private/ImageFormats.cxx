@@ -3,11 +3,9 @@
 #include "ImageFile.h"
 
 #include "FileBytes.h"
-#include "NumberText.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 
@@ -44,17 +42,18 @@ constexpr Beginning Beginnings[] = { { OpenExr, "\x76\x2f\x31\x01"sv }, { Radian
   { Portable, "P5"sv }, { Portable, "P6"sv }, { Portable, "PF"sv }, { Portable, "Pf"sv } };
 
 //------------------------------------------------------------------------------
+// In the order of the list, each once.
 std::string ListFormats()
 {
   std::string list;
-  const ImageFormat* last = &Beginnings[0].Format;
+  std::string_view last;
   for (const Beginning& beginning : Beginnings)
   {
-    if (list.empty() || std::strcmp(beginning.Format.Name, last->Name) != 0)
+    if (beginning.Format.Name != last)
     {
       list += (list.empty() ? "" : ", ") + std::string(beginning.Format.Name);
+      last = beginning.Format.Name;
     }
-    last = &beginning.Format;
   }
   return list;
 }
@@ -138,11 +137,8 @@ const ImageFormat& RecognizeImage(const std::string& path)
   const std::string_view begin(bytes, static_cast<std::size_t>(stream.gcount()));
   const auto* found = std::find_if(std::begin(Beginnings), std::end(Beginnings),
     [begin](const Beginning& one) { return begin.substr(0, one.Bytes.size()) == one.Bytes; });
-  if (found == std::end(Beginnings))
-  {
-    throw FileError(path + ": image header: found none of the formats that images are read from (" +
-                    ListFormats() + ")");
-  }
+  Require(found != std::end(Beginnings), path,
+    ": image header: found none of the formats that images are read from (", ListFormats(), ")");
   return found->Format;
 }
 
@@ -154,41 +150,26 @@ void CheckImageSize(const std::string& path, const ImageFormat& format, const Im
   std::uintmax_t fileSize)
 {
   const auto number = [](double value) { return NumberText(value, 15); };
+  const std::string found =
+    ": image size: found " + number(size.Width) + " x " + number(size.Height);
   const std::string with = " with " + number(size.Channels) + " channels";
-  const auto fail = [&](const std::string& field, const std::string& what)
-  { throw FileError(path + ": " + field + ": found " + what); };
-  const std::string found = number(size.Width) + " x " + number(size.Height);
-  if (std::min({ size.Width, size.Height, size.Channels }) < 1)
-  {
-    fail("image size", found + with + ", expected at least 1 x 1 with 1");
-  }
-  if (std::max(size.Width, size.Height) > MaximumSide)
-  {
-    fail("image size", found + ", expected sides of at most " + number(MaximumSide));
-  }
   const double texels = size.Width * size.Height;
-  if (texels > MaximumTexels)
-  {
-    fail("image size", found + ", expected at most " + number(MaximumTexels) + " texels");
-  }
-  if (size.Channels > MaximumChannels)
-  {
-    fail("image channels", number(size.Channels) + ", expected at most " + number(MaximumChannels));
-  }
   const double weight = GetTexelWeight(size.Channels);
-  if (size.TileWidth > 0 &&
-      (std::max(size.TileWidth, size.TileHeight) > MaximumSide ||
-        size.TileWidth * std::max(size.TileHeight, 1.0) * weight > BlockTexels))
-  {
-    fail("tile size", number(size.TileWidth) + " x " + number(size.TileHeight) + with +
-                        ", expected at most " + number(std::floor(BlockTexels / weight)) +
-                        " texels");
-  }
-  if ((texels * weight - BlockTexels) / format.TexelsPerByte > static_cast<double>(fileSize))
-  {
-    fail("image size",
-      found + with + ", more than a file of " + std::to_string(fileSize) + " bytes can hold");
-  }
+  Require(std::min({ size.Width, size.Height, size.Channels }) >= 1, path, found, with,
+    ", expected at least 1 x 1 with 1");
+  Require(std::max(size.Width, size.Height) <= MaximumSide, path, found,
+    ", expected sides of at most ", number(MaximumSide));
+  Require(
+    texels <= MaximumTexels, path, found, ", expected at most ", number(MaximumTexels), " texels");
+  Require(size.Channels <= MaximumChannels, path, ": image channels: found ", number(size.Channels),
+    ", expected at most ", number(MaximumChannels));
+  const bool isTileLarge = std::max(size.TileWidth, size.TileHeight) > MaximumSide ||
+                           size.TileWidth * std::max(size.TileHeight, 1.0) * weight > BlockTexels;
+  Require(size.TileWidth <= 0 || !isTileLarge, path, ": tile size: found ", number(size.TileWidth),
+    " x ", number(size.TileHeight), with, ", expected at most ",
+    number(std::floor(BlockTexels / weight)), " texels");
+  Require((texels * weight - BlockTexels) / format.TexelsPerByte <= double(fileSize), path, found,
+    with, ", more than a file of ", fileSize, " bytes can hold");
 }
 
 //------------------------------------------------------------------------------

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialFormat.h"
 
-#include "NumberText.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -18,7 +17,7 @@ BuiltInFormat::BuiltInFormat()
 {
   static const MaterialFormat none = { "", "", "", [](const File&) { return false; },
     [](const FileBytes& file, const std::string&) -> MaterialFile
-    { throw FileError(file.GetPath() + ": is of no format"); } };
+    { throw FileError(file.GetPath(), ": is of no format"); } };
   this->Format = &none;
 }
 
@@ -36,11 +35,8 @@ bool BuiltInFormat::Read(const File& file, Content& content, std::string& error)
   return CatchFileError(file.Path, error,
     [&]()
     {
-      if (!file.Material.empty() && !this->Format->ListMaterials)
-      {
-        throw FileError(file.Path + ": " + this->GetName() + ": holds one material, " +
-                        Quote("#" + file.Material) + " names none");
-      }
+      Require(file.Material.empty() || this->Format->ListMaterials, file.Path, ": ",
+        this->GetName(), ": holds one material, ", Quote("#" + file.Material), " names none");
       content = this->Format->Read(FileBytes::View(file.Path, file.Bytes), file.Material);
     });
 }
@@ -72,11 +68,9 @@ vtkSmartPointer<vtkBRDF> BuiltInFormat::Convert(vtkBRDF* brdf, std::string& erro
 bool BuiltInFormat::Write(
   vtkBRDF* brdf, const std::string& path, bool halfFloats, std::string& error)
 {
-  if (!this->Format->Write)
-  {
-    return this->Superclass::Write(brdf, path, halfFloats, error);
-  }
-  return CatchFileError(path, error, [&]() { this->Format->Write(brdf, path, halfFloats); });
+  return this->Format->Write
+           ? CatchFileError(path, error, [&]() { this->Format->Write(brdf, path, halfFloats); })
+           : this->Superclass::Write(brdf, path, halfFloats, error);
 }
 
 //------------------------------------------------------------------------------
@@ -95,6 +89,14 @@ bool HasExtension(const std::string& path, std::string_view extension)
 }
 
 //------------------------------------------------------------------------------
+void NameAfterFile(
+  MaterialFile& result, const FileBytes& file, const std::string& kind, const std::string& more)
+{
+  result.BRDF->SetName(GetFileStem(file.GetPath()));
+  result.BRDF->SetSource(kind + " file " + GetFileTitle(file.GetPath()) + more);
+}
+
+//------------------------------------------------------------------------------
 void NoteStrangeAlbedo(vtkBRDF* brdf, double darkest, const std::string& hint, MaterialFile& result)
 {
   const double o[3] = { 0.5, 0.0, std::sqrt(0.75) };
@@ -109,12 +111,18 @@ void NoteStrangeAlbedo(vtkBRDF* brdf, double darkest, const std::string& hint, M
 }
 
 //------------------------------------------------------------------------------
+void NoteCount(std::int64_t count, const std::string& what, MaterialFile& result)
+{
+  if (count > 0)
+  {
+    result.AddNote(Concat(count, what));
+  }
+}
+
+//------------------------------------------------------------------------------
 void NotePadding(const ByteReader& reader, MaterialFile& result)
 {
-  if (reader.GetRemaining() > 0)
-  {
-    result.AddNote(
-      std::to_string(reader.GetRemaining()) + " bytes of padding behind the values were left out.");
-  }
+  NoteCount(static_cast<std::int64_t>(reader.GetRemaining()),
+    " bytes of padding behind the values were left out.", result);
 }
 } // namespace measuredbrdf

@@ -89,6 +89,13 @@ bool HasMagic(const vtkBRDFFormat::File& file, std::string_view magic);
 /// Whether a path ends so, whatever the case; extension: lower case, with the dot.
 bool HasExtension(const std::string& path, std::string_view extension);
 
+/// The material's name is the file's; its source: "KIND file FILE" and what more there is to say.
+void NameAfterFile(MaterialFile& result, const FileBytes& file, const std::string& kind,
+  const std::string& more = "");
+
+/// A note "COUNT what", where there are any.
+void NoteCount(std::int64_t count, const std::string& what, MaterialFile& result);
+
 /// What the material reflects toward a view at 30 degrees, as a note, where that is more than all
 /// light or less than darkest. hint: what the values may be instead.
 void NoteStrangeAlbedo(

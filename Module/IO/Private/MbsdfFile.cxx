@@ -22,10 +22,11 @@ constexpr std::uint32_t LargestSide = 2048; // vtkTabulatedBRDF's
 
 constexpr const char* MbsdfFormatName = "NVIDIA MBSDF";
 constexpr std::string_view Magic = "NVIDIA ARC MBSDF V1"; // a line
+constexpr std::string_view TransmissionLine = "MBSDF_DATA_TRANSMISSION=";
 
 struct Block
 {
-  int Channels = 1;
+  std::size_t Channels = 1;
   int NumberOfTheta = 0;
   int NumberOfPhi = 0;
   std::size_t Values = 0;
@@ -33,46 +34,33 @@ struct Block
 };
 
 //------------------------------------------------------------------------------
+// Lines may end as DOS has them.
 std::string_view ReadLine(ByteReader& reader)
 {
-  const std::string_view rest = reader.GetFile().GetView().substr(reader.GetOffset());
-  const std::size_t length = rest.find('\n');
-  if (length == std::string_view::npos)
-  {
-    reader.Fail("header line", "no end of line, and no MBSDF_DATA before the file's end");
-  }
-  reader.Take(length + 1, "header line");
-  // Lines may end as DOS has them.
-  return rest.substr(0, length > 0 && rest[length - 1] == '\r' ? length - 1 : length);
+  const std::string_view line = reader.TakeUntil(
+    '\n', "header line", "no end of line, and no MBSDF_DATA before the file's end");
+  return line.substr(0, !line.empty() && line.back() == '\r' ? line.size() - 1 : line.size());
 }
 
 //------------------------------------------------------------------------------
-std::uint32_t ReadSize(ByteReader& reader, const std::string& field)
+int ReadSize(ByteReader& reader, const std::string& field)
 {
   const auto size = reader.Read<std::uint32_t>(field);
-  if (size < 1 || size > LargestSide)
-  {
-    reader.Fail(
-      field, "found " + std::to_string(size) + ", expected 1 to " + std::to_string(LargestSide));
-  }
-  return size;
+  reader.Require(
+    size >= 1 && size <= LargestSide, field, "found ", size, ", expected 1 to ", LargestSide);
+  return static_cast<int>(size);
 }
 
 //------------------------------------------------------------------------------
 Block ReadBlock(ByteReader& reader, const std::string& name)
 {
   const auto type = reader.Read<std::uint32_t>(name + " type");
-  if (type > 1)
-  {
-    reader.Fail(
-      name + " type", "found " + std::to_string(type) + ", expected 0 (scalar) or 1 (RGB)");
-  }
+  reader.Require(type <= 1, name + " type", "found ", type, ", expected 0 (scalar) or 1 (RGB)");
   Block block;
   block.Channels = type == 1 ? 3 : 1;
-  block.NumberOfTheta = static_cast<int>(ReadSize(reader, name + " number of theta"));
-  block.NumberOfPhi = static_cast<int>(ReadSize(reader, name + " number of phi"));
-  block.Values = std::size_t(block.NumberOfTheta) * block.NumberOfTheta * block.NumberOfPhi *
-                 block.Channels; // at most 3 * 2^33
+  block.NumberOfTheta = ReadSize(reader, name + " number of theta");
+  block.NumberOfPhi = ReadSize(reader, name + " number of phi");
+  block.Values = block.Channels * block.NumberOfTheta * block.NumberOfTheta * block.NumberOfPhi;
   block.Data = reader.Take(std::uint64_t(block.Values) * sizeof(float), name + " values");
   return block;
 }
@@ -81,30 +69,18 @@ Block ReadBlock(ByteReader& reader, const std::string& name)
 // Steps over the lines before the reflection; result takes them as notes.
 void ReadHeader(ByteReader& reader, MaterialFile& result)
 {
-  if (ReadLine(reader) != Magic)
+  reader.Require(ReadLine(reader) == Magic, "magic", "expected the line 'NVIDIA ARC MBSDF V1'");
+  for (std::string_view line = ReadLine(reader);
+       line != "MBSDF_DATA=" && line != "MBSDF_DATA_REFLECTION="; line = ReadLine(reader))
   {
-    reader.Fail("magic", "expected the line 'NVIDIA ARC MBSDF V1'");
-  }
-  for (;;)
-  {
-    const std::string_view line = ReadLine(reader);
-    if (line == "MBSDF_DATA=" || line == "MBSDF_DATA_REFLECTION=")
+    reader.Require(line != TransmissionLine, "MBSDF_DATA_TRANSMISSION",
+      "the file holds transmission only, no reflection");
+    reader.Require(line.empty() || line.find('=') != std::string_view::npos, "header line",
+      "expected key=\"value\" or MBSDF_DATA_REFLECTION=");
+    if (!line.empty())
     {
-      return;
+      result.AddNote("File header: " + std::string(line));
     }
-    if (line == "MBSDF_DATA_TRANSMISSION=")
-    {
-      reader.Fail("MBSDF_DATA_TRANSMISSION", "the file holds transmission only, no reflection");
-    }
-    if (line.empty())
-    {
-      continue;
-    }
-    if (line.find('=') == std::string_view::npos)
-    {
-      reader.Fail("header line", "expected key=\"value\" or MBSDF_DATA_REFLECTION=");
-    }
-    result.AddNote("File header: " + std::string(line));
   }
 }
 
@@ -114,16 +90,11 @@ void ReadRest(ByteReader& reader, MaterialFile& result)
 {
   if (!reader.IsPadding())
   {
-    if (ReadLine(reader) != "MBSDF_DATA_TRANSMISSION=")
-    {
-      reader.Fail("end", "expected the file's end or MBSDF_DATA_TRANSMISSION=");
-    }
+    reader.Require(ReadLine(reader) == TransmissionLine, "end",
+      "expected the file's end or MBSDF_DATA_TRANSMISSION=");
     ReadBlock(reader, "transmission");
-    if (!reader.IsPadding())
-    {
-      reader.Fail(
-        "end", std::to_string(reader.GetRemaining()) + " bytes follow the transmission values");
-    }
+    reader.Require(
+      reader.IsPadding(), "end", reader.GetRemaining(), " bytes follow the transmission values");
     result.AddNote("The file's transmission is left out.");
   }
   NotePadding(reader, result);
@@ -140,17 +111,11 @@ std::vector<float> GetRGB(const Block& block, MaterialFile& result)
     result.NumberOfNegativeValues += std::isfinite(value) && value < 0.0f;
     result.NumberOfInvalidValues += !std::isfinite(value);
   }
-  if (result.NumberOfInvalidValues > 0)
-  {
-    result.AddNote(std::to_string(result.NumberOfInvalidValues) +
-                   " values are not finite: their cells are invalid, interpolation skips them.");
-  }
-  if (result.NumberOfNegativeValues > 0)
-  {
-    result.AddNote(std::to_string(result.NumberOfNegativeValues) + " of " +
-                   std::to_string(block.Values) +
-                   " values are negative: kept, clamped at 0 after interpolation.");
-  }
+  NoteCount(result.NumberOfInvalidValues,
+    " values are not finite: their cells are invalid, interpolation skips them.", result);
+  NoteCount(result.NumberOfNegativeValues,
+    Concat(" of ", block.Values, " values are negative: kept, clamped at 0 after interpolation."),
+    result);
   std::vector<float> rgb;
   for (std::size_t k = 0; k < 3 * stored.size() / block.Channels; ++k)
   {
@@ -170,20 +135,15 @@ MaterialFile ReadMbsdf(const FileBytes& file, const std::string&)
   std::vector<float> rgb = GetRGB(block, result);
   result.AddNote("Samples are taken to lie at the centers of their cells, theta over [0, pi/2], "
                  "delta phi over [0, pi] (mirror-symmetric).");
-
   const int dimensions[3] = { block.NumberOfPhi, block.NumberOfTheta, block.NumberOfTheta };
   vtkNew<vtkTabulatedBRDF> table;
-  if (!table->SetVolume(vtkTabulatedBRDF::INCIDENT_OUTGOING, vtkTabulatedBRDF::HALF_TURN,
-        dimensions, std::move(rgb)))
-  {
-    reader.Fail("reflection values", "the table was refused");
-  }
-  table->SetName(GetFileStem(file.GetPath()));
-  table->SetSource("NVIDIA MBSDF file " + GetFileTitle(file.GetPath()));
+  reader.Require(table->SetVolume(vtkTabulatedBRDF::INCIDENT_OUTGOING, vtkTabulatedBRDF::HALF_TURN,
+                   dimensions, std::move(rgb)),
+    "reflection values", "the table was refused");
   result.BRDF = table;
+  NameAfterFile(result, file, MbsdfFormatName);
   return result;
 }
-
 }
 
 const MaterialFormat MbsdfFormat = { MbsdfFormatName, "NVIDIA .mbsdf", ".mbsdf",

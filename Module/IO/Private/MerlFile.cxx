@@ -38,61 +38,45 @@ constexpr std::array<int, 3> DatabaseSize = { 180, 90, 90 };
 constexpr std::array<const char*, 3> SizeNames = { "n_theta_h", "n_theta_d", "n_phi_d" };
 
 //------------------------------------------------------------------------------
-std::array<int, 3> ReadSizes(ByteReader& reader)
+// RGB of each cell, NaN where it was not measured. result counts what is negative or not finite,
+// and notes what was repaired.
+std::vector<float> ScaleValues(const char* bytes, std::size_t count, MaterialFile& result)
 {
-  std::array<int, 3> sizes;
-  for (int k = 0; k < 3; ++k)
-  {
-    sizes[k] = reader.Read<std::int32_t>(SizeNames[k]);
-    if (sizes[k] < 1 || sizes[k] > MaximumSize)
-    {
-      reader.Fail(SizeNames[k],
-        "found " + std::to_string(sizes[k]) + ", expected 1 to " + std::to_string(MaximumSize));
-    }
-  }
-  return sizes;
-}
-
-//------------------------------------------------------------------------------
-struct Cells
-{
-  std::vector<float> RGB;
-  vtkIdType Invalid = 0;
-  vtkIdType Rounded = 0; // values
-};
-
-// result counts what is negative or not finite.
-Cells ScaleValues(const char* bytes, std::size_t count, MaterialFile& result)
-{
-  Cells cells;
-  cells.RGB.resize(count * 3);
-  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::vector<float> values(3 * count);
+  vtkIdType invalid = 0; // cells
+  vtkIdType rounded = 0;
   for (std::size_t cell = 0; cell < count; ++cell)
   {
-    float* rgb = &cells.RGB[3 * cell];
+    float* rgb = &values[3 * cell];
     bool valid = true;
-    for (int channel = 0; channel < 3; ++channel)
+    for (std::size_t channel = 0; channel < 3; ++channel)
     {
       double stored;
       ByteReader::Copy(&stored, bytes + (channel * count + cell) * sizeof(double), 1);
-      const float value = static_cast<float>(stored * Scale[channel]);
+      const auto value = static_cast<float>(stored * Scale[channel]);
       const bool finite = std::isfinite(value);
       const bool negative = stored < 0.0;
       const bool noise = negative && stored >= -Noise;
       result.NumberOfInvalidValues += !finite;
       result.NumberOfNegativeValues += negative && finite;
-      cells.Rounded += noise;
+      rounded += noise;
       valid = valid && finite && (!negative || noise);
       rgb[channel] = noise ? 0.0f : value;
     }
     if (!valid)
     {
-      rgb[0] = rgb[1] = rgb[2] = nan;
-      ++cells.Invalid;
+      std::fill_n(rgb, 3, std::numeric_limits<float>::quiet_NaN());
+      ++invalid;
     }
   }
-  return cells;
+  NoteCount(rounded, " values are negative by rounding: taken as 0.", result);
+  NoteCount(invalid,
+    Concat(" of ", count,
+      " cells are invalid (a negative or non-finite channel): interpolation skips them."),
+    result);
+  return values;
 }
+
 //------------------------------------------------------------------------------
 // Whether the first twelve bytes could be the three sizes; these need not match the file's.
 bool CanReadMerl(const vtkBRDFFormat::File& file)
@@ -111,69 +95,49 @@ bool CanReadMerl(const vtkBRDFFormat::File& file)
 MaterialFile ReadMerl(const FileBytes& file, const std::string&)
 {
   ByteReader reader(file, MerlFormatName);
-  const std::array<int, 3> sizes = ReadSizes(reader);
-  const std::size_t count = std::size_t(sizes[0]) * sizes[1] * sizes[2];
+  int sizes[3];
+  std::size_t count = 1;
+  for (int axis = 2; axis >= 0; --axis) // the slowest comes first
+  {
+    const char* name = SizeNames[2 - axis];
+    sizes[axis] = reader.Read<std::int32_t>(name);
+    reader.Require(sizes[axis] >= 1 && sizes[axis] <= MaximumSize, name, "found ", sizes[axis],
+      ", expected 1 to ", MaximumSize);
+    count *= static_cast<std::size_t>(sizes[axis]);
+  }
   const char* bytes = reader.TakeRest(std::uint64_t(count) * 3 * sizeof(double),
-    std::to_string(sizes[0]) + " x " + std::to_string(sizes[1]) + " x " + std::to_string(sizes[2]) +
-      " RGB values");
+    Concat(sizes[2], " x ", sizes[1], " x ", sizes[0], " RGB values"));
   MaterialFile result;
-  Cells cells = ScaleValues(bytes, count, result);
-
-  const int dimensions[3] = { sizes[2], sizes[1], sizes[0] };
-  vtkNew<vtkTabulatedBRDF> table;
-  if (!table->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, dimensions,
-        std::move(cells.RGB)))
-  {
-    reader.Fail("values", "the table was refused");
-  }
-  table->SetName(GetFileStem(file.GetPath()));
-  table->SetSource("MERL binary file " + GetFileTitle(file.GetPath()));
   result.AddNote("R, G, B were multiplied by 1/1500, 1.15/1500, 1.66/1500, the format's scale.");
-  if (cells.Rounded > 0)
-  {
-    result.AddNote(std::to_string(cells.Rounded) + " values are negative by rounding: taken as 0.");
-  }
+  vtkNew<vtkTabulatedBRDF> table;
+  reader.Require(table->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN,
+                   sizes, ScaleValues(bytes, count, result)),
+    "values", "the table was refused");
   NotePadding(reader, result);
-  if (cells.Invalid > 0)
-  {
-    result.AddNote(
-      std::to_string(cells.Invalid) + " of " + std::to_string(count) +
-      " cells are invalid (a negative or non-finite channel): interpolation skips them.");
-  }
   result.BRDF = table;
+  NameAfterFile(result, file, MerlFormatName);
   return result;
 }
 
 //------------------------------------------------------------------------------
 void WriteMerl(vtkBRDF* brdf, const std::string& path, bool halfFloats)
 {
-  if (halfFloats)
-  {
-    throw FileError(path + ": a MERL table holds 64-bit floats; 16-bit ones need .exr");
-  }
+  Require(!halfFloats, path, ": a MERL table holds 64-bit floats; 16-bit ones need .exr");
   auto* table = vtkTabulatedBRDF::SafeDownCast(brdf);
-  if (!table || !table->IsReciprocal()) // half/difference over half a turn, without cosine
-  {
-    throw FileError(
-      path +
-      ": MERL binary holds tables over half and difference angles with phi_d over half a turn "
-      "only, without cosine weight; resample with vtkBRDFResampler (Reciprocal on) first, or "
-      "write .exr");
-  }
+  Require(table && table->IsReciprocal(), // half/difference over half a turn, without cosine
+    path,
+    ": MERL binary holds tables over half and difference angles with phi_d over half a turn only, "
+    "without cosine weight; resample with vtkBRDFResampler (Reciprocal on) first, or write .exr");
   const std::vector<float>& rgb = table->GetVolume();
   const std::size_t cells = rgb.size() / 3;
-  if (cells == 0)
-  {
-    throw FileError(path + ": the table holds no cells");
-  }
-
+  Require(cells > 0, path, ": the table holds no cells");
   std::vector<double> planes(3 * cells);
   std::size_t refused = 0;
   for (std::size_t cell = 0; cell < cells; ++cell)
   {
     const float* values = &rgb[3 * cell];
     const bool valid = !std::isnan(values[0]) && !std::isnan(values[1]) && !std::isnan(values[2]);
-    for (int channel = 0; channel < 3; ++channel)
+    for (std::size_t channel = 0; channel < 3; ++channel)
     {
       // Dividing in double and multiplying when reading gives the same float back.
       planes[channel * cells + cell] =
@@ -181,20 +145,15 @@ void WriteMerl(vtkBRDF* brdf, const std::string& path, bool halfFloats)
       refused += valid && values[channel] < 0.0f;
     }
   }
-  if (refused > 0)
-  {
-    throw FileError(path + ": MERL binary marks what was not measured by negative values, and " +
-                    std::to_string(refused) + " values of this table are negative; write .exr");
-  }
+  Require(refused == 0, path, ": MERL binary marks what was not measured by negative values, and ",
+    refused, " values of this table are negative; write .exr");
 
   int dimensions[3];
   table->GetDimensions(dimensions);
   std::array<std::int32_t, 3> sizes = { dimensions[2], dimensions[1], dimensions[0] };
   vtkByteSwap::SwapLERange(sizes.data(), sizes.size());
   vtkByteSwap::SwapLERange(planes.data(), planes.size());
-  std::string bytes;
-  bytes.reserve(sizeof(sizes) + planes.size() * sizeof(double));
-  bytes.append(reinterpret_cast<const char*>(sizes.data()), sizeof(sizes));
+  std::string bytes(reinterpret_cast<const char*>(sizes.data()), sizeof(sizes));
   bytes.append(reinterpret_cast<const char*>(planes.data()), planes.size() * sizeof(double));
   WriteFile(path, bytes);
 }

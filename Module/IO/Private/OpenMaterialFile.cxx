@@ -25,7 +25,6 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -52,10 +51,14 @@ constexpr double RoundingOfAngles = 1e-5; // rad, of six decimals
 // (1/sr).
 using OpenMaterialRow = std::array<double, 5>;
 
-[[noreturn]] void FailOpenMaterial(
-  const FileBytes& file, const std::string& field, const std::string& what)
+template <typename... Pieces>
+void RequireOf(
+  const FileBytes& file, bool condition, const std::string& field, const Pieces&... what)
 {
-  FailIn(file, OpenMaterialFormatName, field, what);
+  if (!condition)
+  {
+    FailIn(file, OpenMaterialFormatName, field, what...);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -92,56 +95,53 @@ Json ParseOpenMaterial(const FileBytes& file)
   }
   catch (const std::runtime_error& problem)
   {
-    FailOpenMaterial(file, "JSON", problem.what());
+    FailIn(file, OpenMaterialFormatName, "JSON", problem.what());
   }
 }
 
-// The row of the table; false: it holds a null. Throws FileError, "PLACE: ...", for any other that
-// is no five numbers in the schema's ranges.
-bool ParseRow(
-  const FileBytes& file, const std::string& place, const Json& value, OpenMaterialRow& row)
+// What a row holds, with the schema's bounds; azimuths may be counted the other way round.
+struct OpenMaterialNumber
 {
-  const auto fail = [&](const std::string& what) { FailOpenMaterial(file, place, what); };
-  if (!value.is_array())
+  const char* Name;
+  double Least;
+  double Most;
+};
+constexpr double LargestValue = std::numeric_limits<float>::max();
+constexpr OpenMaterialNumber Numbers[] = { { "wavelength", 1e-9, 17.16e-3 },
+  { "incident zenith angle", 0.0, 0.5 * Pi }, { "exit zenith angle", 0.0, 0.5 * Pi },
+  { "exit azimuth angle", -2.0 * Pi, 2.0 * Pi }, { "value", -LargestValue, LargestValue } };
+
+// Whether a row of the table was read; not where it holds a null. Throws FileError, "PLACE: ...",
+// for any other that is no five numbers in their bounds.
+bool ParseRow(const FileBytes& file, std::size_t index, const Json& value, OpenMaterialRow& row)
+{
+  const auto require = [&](bool condition, const auto&... what)
   {
-    fail("found " + std::string(value.type_name()) + " alone, expected five numbers");
-  }
+    if (!condition)
+    {
+      FailIn(file, OpenMaterialFormatName, Concat(TableName, ", row ", index + 1), what...);
+    }
+  };
+  require(value.is_array(), "found ", value.type_name(), " alone, expected five numbers");
+  bool hasNull = false;
   for (const Json& number : value)
   {
-    if (!number.is_number() && !number.is_null())
-    {
-      fail("found " + std::string(number.type_name()) + ", expected five numbers");
-    }
+    require(number.is_number() || number.is_null(), "found ", number.type_name(),
+      ", expected five numbers");
+    hasNull = hasNull || number.is_null();
   }
-  if (value.size() != row.size())
-  {
-    fail("found " + std::to_string(value.size()) +
-         " numbers, expected 5: wavelength, three angles, value");
-  }
-  if (std::any_of(value.begin(), value.end(), [](const Json& one) { return one.is_null(); }))
+  require(value.size() == row.size(), "found ", value.size(),
+    " numbers, expected 5: wavelength, three angles, value");
+  if (hasNull)
   {
     return false;
   }
   value.get_to(row);
-  struct Range
-  {
-    const char* Name;
-    double Least;
-    double Most;
-  };
-  // The schema's, and azimuths counted the other way round.
-  constexpr double largest = std::numeric_limits<float>::max();
-  constexpr Range ranges[] = { { "wavelength", 1e-9, 17.16e-3 },
-    { "incident zenith angle", 0.0, 0.5 * Pi }, { "exit zenith angle", 0.0, 0.5 * Pi },
-    { "exit azimuth angle", -2.0 * Pi, 2.0 * Pi }, { "value", -largest, largest } };
   for (std::size_t k = 0; k < row.size(); ++k)
   {
     const double margin = k == 0 ? 0.0 : RoundingOfAngles;
-    if (!(row[k] >= ranges[k].Least - margin && row[k] <= ranges[k].Most + margin))
-    {
-      fail(std::string(ranges[k].Name) + " is " + NumberText(row[k]) + ", expected " +
-           NumberText(ranges[k].Least) + " to " + NumberText(ranges[k].Most));
-    }
+    require(row[k] >= Numbers[k].Least - margin && row[k] <= Numbers[k].Most + margin,
+      Numbers[k].Name, " is ", row[k], ", expected ", Numbers[k].Least, " to ", Numbers[k].Most);
   }
   return true;
 }
@@ -149,9 +149,10 @@ bool ParseRow(
 //------------------------------------------------------------------------------
 struct OpenMaterialTable
 {
-  std::map<std::string, std::string> Metadata; // its texts, and lists of texts joined by ", "
-  std::vector<OpenMaterialRow> Rows;           // but for those that hold a null
-  std::size_t Nulls = 0;                       // rows left out
+  std::string Name;                  // of the metadata
+  std::string Source;                // the other metadata: "; license: ..."
+  std::vector<OpenMaterialRow> Rows; // but for those that hold a null
+  std::size_t Nulls = 0;             // rows left out
 };
 
 // Throws FileError where it is no JSON, has no "brdf" with a "lookupTable" of rows of five numbers,
@@ -160,38 +161,36 @@ OpenMaterialTable ReadTable(const FileBytes& file)
 {
   const Json document = ParseOpenMaterial(file);
   const auto brdf = document.find("brdf");
-  if (brdf == document.end() || !brdf->is_object())
-  {
-    FailOpenMaterial(file, "brdf",
-      "is missing: expected the look-up table of a BRDF (NAME_brdf.xompt), not another property");
-  }
+  RequireOf(file, brdf != document.end() && brdf->is_object(), "brdf",
+    "is missing: expected the look-up table of a BRDF (NAME_brdf.xompt), not another property");
   const auto rows = brdf->find(TableName);
-  if (rows == brdf->end() || !rows->is_array())
-  {
-    FailOpenMaterial(file, TableName, "is missing in 'brdf'");
-  }
-  const std::string key = "\"" + std::string(TableName) + "\"";
-  if (file.GetView().find(key, file.GetView().find(key) + 1) != std::string_view::npos)
-  {
-    FailOpenMaterial(file, TableName, "appears twice"); // of which JSON keeps one
-  }
+  RequireOf(file, rows != brdf->end() && rows->is_array(), TableName, "is missing in 'brdf'");
+  const std::string key = Concat('"', TableName, '"');
+  const bool isAlone =
+    file.GetView().find(key, file.GetView().find(key) + 1) == std::string_view::npos;
+  RequireOf(file, isAlone, TableName, "appears twice"); // of which JSON keeps one
   OpenMaterialTable table;
   for (std::size_t k = 0; k < rows->size(); ++k)
   {
     OpenMaterialRow row = {};
-    const std::string place = std::string(TableName) + ", row " + std::to_string(k + 1);
-    if (ParseRow(file, place, (*rows)[k], row))
+    if (ParseRow(file, k, (*rows)[k], row))
     {
       table.Rows.push_back(row);
     }
   }
   table.Nulls = rows->size() - table.Rows.size();
   const Json metadata = document.value("metadata", Json::object());
-  for (const char* name : MetadataNames)
+  for (const std::string name : MetadataNames)
   {
-    if (metadata.is_object() && metadata.contains(name))
+    const std::string text =
+      metadata.is_object() && metadata.contains(name) ? JoinTexts(metadata[name]) : "";
+    if (name == "name")
     {
-      table.Metadata[name] = JoinTexts(metadata[name]);
+      table.Name = text;
+    }
+    else if (!text.empty())
+    {
+      table.Source += "; " + name + ": " + text;
     }
   }
   return table;
@@ -215,12 +214,8 @@ std::vector<double> FindWavelengths(const FileBytes& file, const OpenMaterialTab
       different.push_back(wavelength);
     }
   }
-  if (different.size() > MostWavelengths)
-  {
-    FailOpenMaterial(file, TableName,
-      "found " + std::to_string(different.size()) + " wavelengths, expected at most " +
-        std::to_string(MostWavelengths));
-  }
+  RequireOf(file, different.size() <= MostWavelengths, TableName, "found ", different.size(),
+    " wavelengths, expected at most ", MostWavelengths);
   return different;
 }
 
@@ -255,7 +250,7 @@ std::vector<GonioReading> GetReadings(const FileBytes& file, const OpenMaterialT
     { return std::tie(a.Angles, a.Channel) < std::tie(b.Angles, b.Channel); });
 
   std::vector<GonioReading> readings;
-  std::size_t incomplete = 0;
+  std::int64_t incomplete = 0;
   for (auto value = values.begin(); value != values.end();)
   {
     const std::array<float, 3> angles = value->Angles;
@@ -274,24 +269,18 @@ std::vector<GonioReading> GetReadings(const FileBytes& file, const OpenMaterialT
       color += channels.Weights[channel] * (sum / count);
       ++read;
     }
-    if (read < channels.Chosen.size())
+    if (read == channels.Chosen.size())
+    {
+      readings.push_back({ angles[0], 0.0f, angles[1], angles[2], color });
+    }
+    else
     {
       ++incomplete;
-      continue;
     }
-    readings.push_back({ angles[0], 0.0f, angles[1], angles[2], color });
   }
-  if (readings.empty())
-  {
-    FailOpenMaterial(file, TableName,
-      "its " + std::to_string(channels.Chosen.size()) +
-        " wavelengths have no directions in common");
-  }
-  if (incomplete > 0)
-  {
-    result.AddNote(
-      std::to_string(incomplete) + " directions lack some of the wavelengths: left out.");
-  }
+  RequireOf(file, !readings.empty(), TableName, "its ", channels.Chosen.size(),
+    " wavelengths have no directions in common");
+  NoteCount(incomplete, " directions lack some of the wavelengths: left out.", result);
   return readings;
 }
 
@@ -299,10 +288,7 @@ std::vector<GonioReading> GetReadings(const FileBytes& file, const OpenMaterialT
 MaterialFile ReadOpenMaterial(const FileBytes& file, const std::string& material)
 {
   const OpenMaterialTable table = ReadTable(file);
-  if (table.Rows.empty())
-  {
-    FailOpenMaterial(file, TableName, "found no row without a null");
-  }
+  RequireOf(file, !table.Rows.empty(), TableName, "found no row without a null");
   MaterialFile result;
   result.NumberOfNegativeValues = std::count_if(
     table.Rows.begin(), table.Rows.end(), [](const OpenMaterialRow& row) { return row[4] < 0.0; });
@@ -312,29 +298,10 @@ MaterialFile ReadOpenMaterial(const FileBytes& file, const std::string& material
   result.AddNote(channels.Note);
   MakeGonioTable(
     GetReadings(file, table, wavelengths, channels, result), place + ", " + TableName, result);
-  if (table.Nulls > 0)
-  {
-    result.AddNote(std::to_string(table.Nulls) + " rows hold a null: left out.");
-  }
-  std::string name = GetFileStem(file.GetPath());
-  std::string source = "OpenMATERIAL 3D file " + GetFileTitle(file.GetPath());
-  for (const std::string field : MetadataNames)
-  {
-    const auto found = table.Metadata.find(field);
-    if (found != table.Metadata.end() && !found->second.empty())
-    {
-      if (field == "name")
-      {
-        name = found->second;
-      }
-      else
-      {
-        source += "; " + field + ": " + found->second;
-      }
-    }
-  }
-  result.BRDF->SetName(name + (material.empty() ? "" : " " + material));
-  result.BRDF->SetSource(source);
+  NoteCount(std::int64_t(table.Nulls), " rows hold a null: left out.", result);
+  NameAfterFile(result, file, OpenMaterialFormatName, table.Source);
+  result.BRDF->SetName((table.Name.empty() ? result.BRDF->GetName() : table.Name) +
+                       (material.empty() ? "" : " " + material));
   return result;
 }
 

@@ -11,7 +11,6 @@
 
 #include "Floats.h"
 #include "MaterialFormat.h"
-#include "NumberText.h"
 #include "SpectralColor.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkSmartPointer.h"
@@ -29,7 +28,7 @@ namespace measuredbrdf
 namespace
 {
 constexpr const char* TensorFormatName = "RGL tensor file";
-constexpr const char TensorMagic[] = "tensor_file"; // with its terminating zero
+constexpr std::string_view TensorMagic("tensor_file\0", 12);
 
 enum DataType : int
 {
@@ -51,7 +50,13 @@ struct Field
   const char* Data = nullptr;
 };
 
-std::string ToField(const std::string& name) { return "field " + Quote(name); }
+std::string ToField(std::string_view name) { return "field " + Quote(name); }
+
+template <typename Condition>
+std::int64_t CountIf(const std::vector<float>& values, const Condition& condition)
+{
+  return std::count_if(values.begin(), values.end(), condition);
+}
 
 bool IsNegative(float value) { return value < 0.0f; }
 
@@ -63,42 +68,34 @@ public:
   explicit TensorFile(const FileBytes& file)
     : Reader(file, TensorFormatName)
   {
-    const std::string magic(this->Reader.Take(sizeof(TensorMagic), "magic"), sizeof(TensorMagic));
-    if (magic != std::string(TensorMagic, sizeof(TensorMagic)))
-    {
-      this->Reader.Fail("magic", "expected 'tensor_file' and a zero byte");
-    }
+    const std::string_view magic(
+      this->Reader.Take(TensorMagic.size(), "magic"), TensorMagic.size());
+    this->Reader.Require(magic == TensorMagic, "magic", "expected 'tensor_file' and a zero byte");
     const int major = this->Reader.Read<std::uint8_t>("version");
     const int minor = this->Reader.Read<std::uint8_t>("version");
-    if (major != 1 || minor != 0)
-    {
-      this->Reader.Fail("version",
-        "found " + std::to_string(major) + "." + std::to_string(minor) + ", expected 1.0");
-    }
+    this->Reader.Require(
+      !(major != 1 || minor != 0), "version", "found ", major, ".", minor, ", expected 1.0");
     const auto count = this->Reader.Read<std::uint32_t>("number of fields");
     std::uint64_t total = 0;
     for (std::uint32_t k = 0; k < count; ++k)
     {
-      const std::string number = "field " + std::to_string(k + 1) + " of " + std::to_string(count);
+      const std::string number = Concat("field ", k + 1, " of ", count);
       const auto length = this->Reader.Read<std::uint16_t>(number + " (length of its name)");
       const std::string name(this->Reader.Take(length, number + " (name)"), length);
       const Field field = this->ReadField(ToField(name));
-      if (!this->Fields.emplace(name, field).second)
-      {
-        this->Reader.Fail(ToField(name), "appears twice");
-      }
+      const bool isNew = this->Fields.emplace(name, field).second;
+      this->Reader.Require(isNew, ToField(name), "appears twice");
       // The fields' data may overlap in a file that lies; then they add up to more than the file.
       total += field.Bytes; // each at most the file's size, at most 2^32 of them
-      if (total > file.GetSize())
-      {
-        this->Reader.Fail(ToField(name), "the fields' data overlap");
-      }
+      this->Reader.Require(
+        total <= file.GetView().size(), ToField(name), "the fields' data overlap");
     }
   }
 
   MaterialFile Read() const
   {
     const bool isSpectral = !this->Fields.count("rgb") && this->Fields.count("spectra");
+    MaterialFile result;
     vtkAdaptiveWarpBRDF::Tables tables;
     tables.ThetaI = this->GetTable("theta_i", 1).Values;
     tables.PhiI = this->GetTable("phi_i", 1).Values;
@@ -106,19 +103,16 @@ public:
     tables.Sigma = this->GetTable("sigma", 2);
     tables.Vndf = this->GetTable("vndf", 4);
     tables.Luminance = this->GetTable("luminance", 4);
-    tables.Rgb = isSpectral ? this->GetColors() : this->GetTable("rgb", 5);
+    tables.Rgb = isSpectral ? this->GetColors(result) : this->GetTable("rgb", 5);
     this->TakeJacobian(tables);
-
-    MaterialFile result;
     this->AddNotes(tables, result);
     const std::size_t values = tables.Rgb.Values.size();
-    const auto negative =
-      std::count_if(tables.Rgb.Values.begin(), tables.Rgb.Values.end(), IsNegative);
+    const std::int64_t negative = CountIf(tables.Rgb.Values, IsNegative);
     result.NumberOfNegativeValues += negative;
-    if (isSpectral)
-    {
-      this->NoteWavelengths(result);
-    }
+    NoteCount(negative,
+      Concat(" of ", values, isSpectral ? "" : " stored",
+        " color values are negative (outside sRGB): clamped at 0 after interpolation."),
+      result);
     const auto material = vtkSmartPointer<vtkAdaptiveWarpBRDF>::New();
     const std::string problem = material->SetTables(std::move(tables));
     if (!problem.empty())
@@ -134,54 +128,49 @@ public:
                         "RGL-EPFL material database (Dupuy and Jakob 2018), " + GetFileTitle(path));
     result.AddNote(
       "The file holds f cos(theta_o); evaluation divides by that cosine. Not reciprocal.");
-    if (negative > 0)
-    {
-      result.AddNote(std::to_string(negative) + " of " + std::to_string(values) +
-                     (isSpectral ? "" : " stored") +
-                     " color values are negative (outside sRGB): clamped at 0 after "
-                     "interpolation.");
-    }
     result.BRDF = material;
     return result;
   }
 
 private:
   // At the field's data, or where the fields end if it is not there.
-  [[noreturn]] void Fail(const std::string& name, const std::string& what) const
+  template <typename... Pieces>
+  [[noreturn]] void Fail(const std::string& name, const Pieces&... what) const
   {
     const auto field = this->Fields.find(name);
     this->Reader.FailAt(
       field == this->Fields.end() ? this->Reader.GetOffset() : field->second.Offset, ToField(name),
-      what);
+      what...);
+  }
+
+  template <typename... Pieces>
+  void Require(bool condition, const std::string& name, const Pieces&... what) const
+  {
+    if (!condition)
+    {
+      this->Fail(name, what...);
+    }
   }
 
   // What follows a field's name.
   Field ReadField(const std::string& place)
   {
-    const auto rank = this->Reader.Read<std::uint16_t>(place + " (number of dimensions)");
-    if (rank > MaximumRank)
-    {
-      this->Reader.Fail(place + " (number of dimensions)",
-        "found " + std::to_string(rank) + ", expected at most " + std::to_string(MaximumRank));
-    }
+    const int rank = this->Reader.Read<std::uint16_t>(place + " (number of dimensions)");
+    this->Reader.Require(rank <= MaximumRank, place + " (number of dimensions)", "found ", rank,
+      ", expected at most ", MaximumRank);
     Field field;
     field.Type = this->Reader.Read<std::uint8_t>(place + " (type)");
-    if (field.Type < 1 || field.Type >= static_cast<int>(TypeSizes.size()))
-    {
-      this->Reader.Fail(
-        place + " (type)", "found " + std::to_string(field.Type) + ", expected 1 to 11");
-    }
+    this->Reader.Require(field.Type >= 1 && field.Type < static_cast<int>(TypeSizes.size()),
+      place + " (type)", "found ", field.Type, ", expected 1 to 11");
     field.Offset = this->Reader.Read<std::uint64_t>(place + " (offset)");
     field.Bytes = TypeSizes[static_cast<std::size_t>(field.Type)];
     for (int axis = 0; axis < rank; ++axis)
     {
       const auto size = this->Reader.Read<std::uint64_t>(place + " (shape)");
-      if (size != 0 && field.Bytes > std::numeric_limits<std::uint64_t>::max() / size)
-      {
-        this->Reader.Fail(place + " (shape)", "the product of its sizes overflows (axis " +
-                                                std::to_string(axis) + " is " +
-                                                std::to_string(size) + ")");
-      }
+      const bool fits =
+        size == 0 || field.Bytes <= std::numeric_limits<std::uint64_t>::max() / size;
+      this->Reader.Require(fits, place + " (shape)", "the product of its sizes overflows (axis ",
+        axis, " is ", size, ")");
       field.Bytes *= size;
       field.Shape.push_back(size);
     }
@@ -192,29 +181,18 @@ private:
   vtkAdaptiveWarpBRDF::Table GetTable(const std::string& name, std::size_t rank) const
   {
     const auto found = this->Fields.find(name);
-    if (found == this->Fields.end())
-    {
-      this->Fail(name, "is missing");
-    }
+    this->Require(found != this->Fields.end(), name, "is missing");
     const Field& field = found->second;
-    if (field.Type != Float32 && field.Type != Float64)
-    {
-      this->Fail(
-        name, "found type " + std::to_string(field.Type) + ", expected 10 (32-bit floating point)");
-    }
-    if (field.Shape.size() != rank)
-    {
-      this->Fail(name, "found " + std::to_string(field.Shape.size()) + " dimensions, expected " +
-                         std::to_string(rank));
-    }
+    this->Require(field.Type == Float32 || field.Type == Float64, name, "found type ", field.Type,
+      ", expected 10 (32-bit floating point)");
+    this->Require(field.Shape.size() == rank, name, "found ", field.Shape.size(),
+      " dimensions, expected ", rank);
     vtkAdaptiveWarpBRDF::Table table;
     for (const std::uint64_t size : field.Shape)
     {
       // Only a shape with a zero in it could hold a size that the file's length does not bound.
-      if (size < 1 || size > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
-      {
-        this->Fail(name, "found size " + std::to_string(size) + ", expected at least 1");
-      }
+      this->Require(size >= 1 && size <= std::uint64_t(std::numeric_limits<int>::max()), name,
+        "found size ", size, ", expected at least 1");
       table.Shape.push_back(static_cast<int>(size));
     }
     if (field.Type == Float64)
@@ -233,65 +211,62 @@ private:
   std::vector<double> GetWavelengths() const
   {
     const std::vector<float> stored = this->GetTable("wavelengths", 1).Values;
-    const std::vector<double> wavelengths(stored.begin(), stored.end());
-    for (std::size_t k = 0; k < wavelengths.size(); ++k)
+    double last = 0.0;
+    for (std::size_t k = 0; k < stored.size(); ++k)
     {
-      // Also false where it is not a number.
-      if (!(wavelengths[k] > (k == 0 ? 0.0 : wavelengths[k - 1])) || !std::isfinite(wavelengths[k]))
-      {
-        this->Fail("wavelengths", "number " + std::to_string(k) + " is " +
-                                    std::to_string(wavelengths[k]) +
-                                    ", expected ascending ones, in nm");
-      }
+      this->Require(stored[k] > last && std::isfinite(stored[k]), "wavelengths", "number ", k,
+        " is ", stored[k], ", expected ascending ones, in nm");
+      last = stored[k];
     }
-    if (wavelengths.front() > LastVisible || wavelengths.back() < FirstVisible)
-    {
-      this->Fail("wavelengths", "found " + std::to_string(wavelengths.front()) + " to " +
-                                  std::to_string(wavelengths.back()) +
-                                  ", expected visible ones, in nm");
-    }
-    return wavelengths;
+    this->Require(stored.front() <= LastVisible && last >= FirstVisible, "wavelengths", "found ",
+      stored.front(), " to ", last, ", expected visible ones, in nm");
+    return { stored.begin(), stored.end() };
   }
 
   // The spectra's RGB, as the file's RGB form has it: a color for each texel.
-  vtkAdaptiveWarpBRDF::Table GetColors() const
+  vtkAdaptiveWarpBRDF::Table GetColors(MaterialFile& result) const
   {
     const std::vector<double> wavelengths = this->GetWavelengths();
-    vtkAdaptiveWarpBRDF::Table spectra = this->GetTable("spectra", 5);
-    if (static_cast<std::size_t>(spectra.Shape[2]) != wavelengths.size())
-    {
-      this->Fail("spectra", "found " + std::to_string(spectra.Shape[2]) +
-                              " wavelengths, expected the " + std::to_string(wavelengths.size()) +
-                              " of field 'wavelengths'");
-    }
+    const std::size_t count = wavelengths.size();
+    const vtkAdaptiveWarpBRDF::Table spectra = this->GetTable("spectra", 5);
+    this->Require(static_cast<std::size_t>(spectra.Shape[2]) == count, "spectra", "found ",
+      spectra.Shape[2], " wavelengths, expected the ", count, " of field 'wavelengths'");
     const auto bad = std::find_if(spectra.Values.begin(), spectra.Values.end(),
       [](float value) { return !std::isfinite(value); });
-    if (bad != spectra.Values.end())
-    {
-      this->Fail(
-        "spectra", "value " + std::to_string(bad - spectra.Values.begin()) + " is not finite");
-    }
+    this->Require(bad == spectra.Values.end(), "spectra", "value ", bad - spectra.Values.begin(),
+      " is not finite");
     const std::vector<glm::dvec3> weights = GetSpectralWeights(wavelengths);
     const std::size_t texels = std::size_t(spectra.Shape[3]) * std::size_t(spectra.Shape[4]);
     vtkAdaptiveWarpBRDF::Table colors;
     colors.Shape = spectra.Shape;
     colors.Shape[2] = 3;
-    for (std::size_t at = 0; at < spectra.Values.size(); at += wavelengths.size() * texels)
+    std::vector<glm::dvec3> sums(texels);
+    for (std::size_t at = 0; at < spectra.Values.size(); at += count * texels)
     {
-      const float* first = &spectra.Values[at];
+      std::fill(sums.begin(), sums.end(), glm::dvec3(0.0));
+      const float* value = &spectra.Values[at];
+      for (const glm::dvec3& weight : weights)
+      {
+        for (glm::dvec3& sum : sums)
+        {
+          sum += weight * double(*value++);
+        }
+      }
       for (int c = 0; c < 3; ++c)
       {
-        for (std::size_t texel = 0; texel < texels; ++texel)
+        for (const glm::dvec3& sum : sums)
         {
-          double sum = 0.0;
-          for (std::size_t k = 0; k < wavelengths.size(); ++k)
-          {
-            sum += weights[k][c] * first[k * texels + texel];
-          }
-          colors.Values.push_back(static_cast<float>(sum));
+          colors.Values.push_back(static_cast<float>(sum[c]));
         }
       }
     }
+    std::string note = Concat("Spectra at ", count, " wavelengths, ", wavelengths.front(), " to ",
+      wavelengths.back(), " nm: summed over the CIE 1931 color-matching functions under D65.");
+    if (wavelengths.front() > FirstVisible || wavelengths.back() < LastVisible)
+    {
+      note += Concat(" Constant beyond, to ", FirstVisible, " and ", LastVisible, " nm.");
+    }
+    result.AddNote(note);
     return colors;
   }
 
@@ -301,11 +276,9 @@ private:
     if (jacobian != this->Fields.end())
     {
       const Field& field = jacobian->second;
-      if ((field.Type != UInt8 && field.Type != Int8) || field.Bytes != 1 ||
-          (*field.Data != 0 && *field.Data != 1))
-      {
-        this->Fail("jacobian", "expected one byte of value 0 or 1");
-      }
+      this->Require((field.Type == UInt8 || field.Type == Int8) && field.Bytes == 1 &&
+                      (*field.Data == 0 || *field.Data == 1),
+        "jacobian", "expected one byte of value 0 or 1");
       tables.Jacobian = *field.Data == 1;
     }
   }
@@ -331,16 +304,9 @@ private:
     }
     NoteNoise(tables.Vndf.Values, "vndf", result);
     NoteNoise(tables.Luminance.Values, "luminance", result);
-    const auto dark =
-      std::count_if(tables.Ndf.Values.begin(), tables.Ndf.Values.end(), IsNegative) +
-      std::count_if(tables.Sigma.Values.begin(), tables.Sigma.Values.end(),
-        [](float value) { return value <= 0.0f; });
-    if (dark > 0)
-    {
-      result.AddNote(std::to_string(dark) +
-                     " values of ndf are negative or of sigma not positive: the material is black "
-                     "there.");
-    }
+    NoteCount(CountIf(tables.Ndf.Values, IsNegative) +
+                CountIf(tables.Sigma.Values, [](float value) { return value <= 0.0f; }),
+      " values of ndf are negative or of sigma not positive: the material is black there.", result);
   }
 
   // vtkAdaptiveWarpBRDF takes what rounding explains; the reader counts and reports it.
@@ -348,31 +314,14 @@ private:
     const std::vector<float>& values, const std::string& name, MaterialFile& result)
   {
     const float floor = GetNoiseFloor(values);
-    const auto isNoise = [floor](float value) { return value < 0.0f && value >= floor; };
-    const auto count = std::count_if(values.begin(), values.end(), isNoise);
-    if (count > 0)
-    {
-      const auto [least, largest] = std::minmax_element(values.begin(), values.end());
-      result.AddNote(std::to_string(count) + " of " + std::to_string(values.size()) +
-                     " values of " + name + " are negative by rounding (the least " +
-                     NumberText(*least) + ", the largest value " + NumberText(*largest) +
-                     "): taken as 0.");
-      result.NumberOfNegativeValues += count;
-    }
-  }
-
-  void NoteWavelengths(MaterialFile& result) const
-  {
-    const std::vector<double> wavelengths = this->GetWavelengths();
-    TextStream note;
-    note << "Spectra at " << wavelengths.size() << " wavelengths, " << wavelengths.front() << " to "
-         << wavelengths.back()
-         << " nm: summed over the CIE 1931 color-matching functions under D65.";
-    if (wavelengths.front() > FirstVisible || wavelengths.back() < LastVisible)
-    {
-      note << " Constant beyond, to " << FirstVisible << " and " << LastVisible << " nm.";
-    }
-    result.AddNote(note.str());
+    const std::int64_t count =
+      CountIf(values, [floor](float value) { return value < 0.0f && value >= floor; });
+    const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+    NoteCount(count,
+      Concat(" of ", values.size(), " values of ", name, " are negative by rounding (the least ",
+        *least, ", the largest value ", *largest, "): taken as 0."),
+      result);
+    result.NumberOfNegativeValues += count;
   }
 
   std::string GetDescription() const
@@ -393,7 +342,6 @@ private:
 }
 
 const MaterialFormat TensorFormat = { TensorFormatName, "RGL .bsdf (RGB or spectral)", ".bsdf",
-  [](const vtkBRDFFormat::File& file)
-  { return HasMagic(file, std::string_view(TensorMagic, sizeof(TensorMagic))); }, // its zero, too
+  [](const vtkBRDFFormat::File& file) { return HasMagic(file, TensorMagic); },
   [](const FileBytes& file, const std::string&) { return TensorFile(file).Read(); } };
 } // namespace measuredbrdf

@@ -8,13 +8,12 @@
  * 352.5 degrees.
  *
  * FILE.bin#display takes the values for display colors (sRGB) of f / 100 in units of 140, as
- * Dupuy's dj_brdf takes the database's files; else they are in 1/sr, as they are. Colors are
+ * Dupuy's dj_brdf (2015) takes the database's files; else they are in 1/sr, as they are. Colors are
  * decoded at the nodes, and interpolation is linear in f; dj_brdf interpolates first, and changes
  * from sRGB's line to its curve at 0.0375 instead of 0.04045.
  */
 
 #include "MaterialFormat.h"
-#include "NumberText.h"
 #include "SRGB.h"
 #include "vtkAngularTableBRDF.h"
 #include "vtkNew.h"
@@ -27,83 +26,52 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr const char* Name = "UTIA binary";
+constexpr const char* UtiaFormatName = "UTIA binary";
 const char* const Display = "display";
-constexpr int PolarAngles = 6;
-constexpr float PolarStep = 15.0f; // degrees
 constexpr int Azimuths = 48;
-constexpr std::size_t Side = PolarAngles * Azimuths;
-constexpr std::size_t Plane = Side * Side;
-
-// dj_brdf (Dupuy 2015), which has them from the database's authors.
-constexpr double DisplayUnit = 140.0;
-constexpr double DisplayScale = 100.0;
-
-// f = 100 sRGB^-1(v / 140).
-double DecodeDisplay(double value)
-{
-  return DisplayScale * DecodeSRGB(std::max(value, 0.0) / DisplayUnit);
-}
+constexpr std::size_t Plane = UtiaBytes / (3 * sizeof(double));
 
 //------------------------------------------------------------------------------
 MaterialFile ReadUtia(const FileBytes& file, const std::string& material)
 {
-  ByteReader reader(file, Name);
-  if (!material.empty() && material != Display)
-  {
-    throw FileError(file.GetPath() + ": " + Name + ", name: found " + Quote("#" + material) +
-                    ", expected '#display' or none");
-  }
+  ByteReader reader(file, UtiaFormatName);
+  const bool isDisplay = material == Display;
+  Require(material.empty() || isDisplay, file.GetPath(), ": ", UtiaFormatName, ", name: found ",
+    Quote("#" + material), ", expected '#display' or none");
   const char* bytes = reader.TakeRest(UtiaBytes, "3 planes of 288 x 288 numbers");
   MaterialFile result;
   std::vector<float> rgb(3 * Plane);
-  for (std::size_t c = 0; c < 3; ++c)
+  for (std::size_t k = 0; k < rgb.size(); ++k)
   {
-    for (std::size_t k = 0; k < Plane; ++k)
+    double value;
+    ByteReader::Copy(&value, bytes + k * sizeof(double), 1);
+    const auto f =
+      static_cast<float>(isDisplay ? 100.0 * DecodeSRGB(std::max(value, 0.0) / 140.0) : value);
+    if (!std::isfinite(value) || !std::isfinite(f))
     {
-      const std::size_t place = (c * Plane + k) * sizeof(double);
-      double value;
-      ByteReader::Copy(&value, bytes + place, 1);
-      const auto stored = static_cast<float>(material == Display ? DecodeDisplay(value) : value);
-      if (!std::isfinite(value) || !std::isfinite(stored))
-      {
-        reader.FailAt(place, "values",
-          std::string("found ") + NumberText(value, 3) +
-            ", expected a finite number that 32 bits can hold");
-      }
-      result.NumberOfNegativeValues += value < 0.0;
-      rgb[3 * k + c] = stored;
+      reader.FailAt(k * sizeof(double), "values", "found ", NumberText(value, 3),
+        ", expected a finite number that 32 bits can hold");
     }
+    result.NumberOfNegativeValues += value < 0.0;
+    rgb[3 * (k % Plane) + k / Plane] = f;
   }
-  vtkAngularTableBRDF::Nodes nodes;
-  for (int k = 0; k < PolarAngles; ++k)
-  {
-    nodes.Theta.push_back(PolarStep * static_cast<float>(k));
-  }
-  nodes.Phi = vtkAngularTableBRDF::GetEvenAzimuths(Azimuths);
+  const vtkAngularTableBRDF::Nodes nodes = { { 0.0f, 15.0f, 30.0f, 45.0f, 60.0f, 75.0f },
+    vtkAngularTableBRDF::GetEvenAzimuths(Azimuths) };
   vtkNew<vtkAngularTableBRDF> table;
   const std::string problem = table->SetValues(nodes, nodes, std::move(rgb));
-  if (!problem.empty())
-  {
-    reader.FailAt(0, "values", problem);
-  }
-  table->SetName(GetFileStem(file.GetPath()));
-  table->SetSource("UTIA binary file " + GetFileTitle(file.GetPath()) +
-                   (material.empty() ? "" : ", its values taken as display colors"));
-  result.AddNote(material == Display
-                   ? "Values were taken as display colors: f = 100 sRGB^-1(v / 140)."
-                   : "Values were taken as they are, in 1/sr.");
-  if (result.NumberOfNegativeValues > 0)
-  {
-    result.AddNote(
-      std::to_string(result.NumberOfNegativeValues) + " of " + std::to_string(3 * Plane) +
-      " values are negative: " +
-      (material == Display ? "taken as 0." : "kept, clamped at 0 after interpolation."));
-  }
+  reader.Require(problem.empty(), "values", problem);
+  result.BRDF = table;
+  NameAfterFile(
+    result, file, UtiaFormatName, isDisplay ? ", its values taken as display colors" : "");
+  result.AddNote(isDisplay ? "Values were taken as display colors: f = 100 sRGB^-1(v / 140)."
+                           : "Values were taken as they are, in 1/sr.");
+  NoteCount(result.NumberOfNegativeValues,
+    Concat(" of ", 3 * Plane, " values are negative: ",
+      isDisplay ? "taken as 0." : "kept, clamped at 0 after interpolation."),
+    result);
   NotePadding(reader, result);
   NoteStrangeAlbedo(
     table, 0.0, "its values are scaled in some way, or display colors (FILE.bin#display).", result);
-  result.BRDF = table;
   return result;
 }
 
@@ -116,6 +84,7 @@ bool CanReadUtia(const vtkBRDFFormat::File& file)
 }
 }
 
-const MaterialFormat UtiaFormat = { Name, "UTIA .bin (FILE.bin#display for display colors)", ".bin",
-  CanReadUtia, ReadUtia, [](const FileBytes&) { return std::vector<std::string>{ Display }; } };
+const MaterialFormat UtiaFormat = { UtiaFormatName,
+  "UTIA .bin (FILE.bin#display for display colors)", ".bin", CanReadUtia, ReadUtia,
+  [](const FileBytes&) { return std::vector<std::string>{ Display }; } };
 } // namespace measuredbrdf

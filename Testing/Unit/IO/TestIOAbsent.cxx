@@ -120,3 +120,16 @@ TEST(IOAbsent, OpenImageIO)
   EXPECT_EQ(pictureErrors.Take(), 1);
   EXPECT_EQ(pictures->GetErrorMessage(), reader->GetErrorMessage());
 }
+
+//------------------------------------------------------------------------------
+TEST(IOAbsent, ATypoGetsTheNames)
+{
+  const std::string said =
+    Listen([] { EXPECT_FALSE(vtkEmbeddedMaterials::NewBRDF("gold_paint")); });
+  EXPECT_TRUE(Holds(said, "no embedded material 'gold_paint'")) << said;
+  EXPECT_TRUE(Holds(said, "'gold-paint', ")) << said;
+  const std::string hostile =
+    Listen([] { EXPECT_FALSE(vtkEmbeddedMaterials::NewBRDF(std::string(1 << 20, '\x1b'))); });
+  EXPECT_LT(hostile.size(), 1500u);
+  EXPECT_FALSE(Holds(hostile, "\x1b"));
+}

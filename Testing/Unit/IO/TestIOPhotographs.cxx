@@ -5,7 +5,6 @@
 // public programs that read UBO2003.
 
 #include "ErrorCatcher.h"
-#include "TestIOHelpers.h"
 #include "TestImages.h"
 
 #include "vtkImageData.h"
