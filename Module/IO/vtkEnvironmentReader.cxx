@@ -40,12 +40,8 @@ ImageFile ReadLinear(const std::string& path, const std::string& layer)
       [](float value) { return static_cast<float>(DecodeSRGB(value)); });
     notes.emplace_back("Integer values were taken as sRGB-encoded and made linear.");
   }
-  if (image.Channels == 1)
+  if (image.IsGray)
   {
-    for (std::size_t k = 0; k < pixels.size(); k += 3)
-    {
-      pixels[k + 1] = pixels[k + 2] = pixels[k];
-    }
     notes.emplace_back("One channel: taken as gray.");
   }
   image.Notes.insert(image.Notes.begin(), notes.begin(), notes.end());

@@ -61,40 +61,36 @@ void Change(vtkBRDFData& material, Input& input)
   if (what == 0 && !material.Numbers.empty())
   {
     std::vector<double>& numbers = Choose(material.Numbers, which)->second;
-    numbers.resize(input.Take<std::uint8_t>() % 4, 0.5);
-    if (!numbers.empty())
-    {
-      numbers.back() = input.Take<double>();
-    }
+    numbers.assign(input.Take<std::uint8_t>() % 4, input.Take<double>());
   }
   else if (what == 1 && !material.Options.empty())
   {
     Choose(material.Options, which)->second = input.TakeText();
   }
-  else if (what == 2 && !material.Arrays.empty())
+  else if (what >= 2 && what <= 5 && !material.Arrays.empty())
   {
-    std::vector<int>& shape = Choose(material.Arrays, which)->second.Shape;
-    shape.resize(input.Take<std::uint8_t>() % 6, 1);
-    if (!shape.empty())
+    const auto chosen = Choose(material.Arrays, which);
+    vtkBRDFData::Array& array = chosen->second;
+    if (what == 2)
     {
-      shape[input.Take<std::uint8_t>() % shape.size()] = input.Take<std::uint8_t>();
+      array.Shape.resize(input.Take<std::uint8_t>() % 6, 1);
+      if (!array.Shape.empty())
+      {
+        array.Shape[input.Take<std::uint8_t>() % array.Shape.size()] = input.Take<std::uint8_t>();
+      }
     }
-  }
-  else if (what == 3 && !material.Arrays.empty())
-  {
-    std::vector<float>& values = Choose(material.Arrays, which)->second.Values;
-    if (!values.empty())
+    else if (what == 3 && !array.Values.empty())
     {
-      values[input.Take<std::uint16_t>() % values.size()] = input.Take<float>();
+      array.Values[input.Take<std::uint16_t>() % array.Values.size()] = input.Take<float>();
     }
-  }
-  else if (what == 4 && !material.Arrays.empty())
-  {
-    Choose(material.Arrays, which)->second.Channels = which & 1 ? 1 : 3;
-  }
-  else if (what == 5 && !material.Arrays.empty())
-  {
-    material.Arrays.erase(Choose(material.Arrays, which));
+    else if (what == 4)
+    {
+      array.Channels = which & 1 ? 1 : 3;
+    }
+    else if (what == 5)
+    {
+      material.Arrays.erase(chosen);
+    }
   }
   else if (what == 6 && material.Terms.empty()) // once: each sum takes its terms' time again
   {

@@ -107,54 +107,42 @@ private:
   std::string Path;
 };
 
-/// What programs do with a material that was read. Its values keep vtkBRDF's promise. sampled:
-/// also what takes long to build.
-inline void Use(vtkBRDF* brdf, bool sampled)
+/// Values of a material, or of what goes through one, keep their promise.
+template <typename Material>
+void RequireValues(Material* material)
 {
-  Require(brdf != nullptr);
-  constexpr double directions[][3] = { { 0.0, 0.0, 1.0 }, { 0.6, 0.0, 0.8 },
-    { -0.28, 0.9553, 0.0925 } };
-  if (sampled)
-  {
-    brdf->Prepare();
-  }
+  constexpr double directions[][3] = { { 0.0, 0.0, 1.0 }, { 0.6, 0.0, 0.8 }, { 0.0, -0.6, -0.8 },
+    { -0.28, 0.9553, 0.0925 }, { -0.28, 0.9553, -0.0925 } };
   for (const auto& i : directions)
   {
     for (const auto& o : directions)
     {
       double f[3];
-      brdf->Evaluate(i, o, f);
+      material->Evaluate(i, o, f);
       for (const double value : f)
       {
         Require(std::isfinite(value) && value >= 0.0);
-      }
-      if (sampled)
-      {
-        double drawn[3];
-        brdf->Sample(o, 0.3, 0.7, drawn);
-        brdf->Pdf(i, o);
       }
     }
   }
 }
 
-/// The same of what goes through a material.
-inline void Use(vtkBTDF* transmission)
+/// What programs do with a material that was read. sampled: also what takes long to build.
+inline void Use(vtkBRDF* brdf, bool sampled)
 {
-  constexpr double directions[][3] = { { 0.0, 0.0, 1.0 }, { 0.6, 0.0, 0.8 }, { 0.0, -0.6, -0.8 },
-    { -0.28, 0.9553, -0.0925 } };
-  for (const auto& i : directions)
+  Require(brdf != nullptr);
+  if (sampled)
   {
-    for (const auto& o : directions)
+    brdf->Prepare();
+    for (const double o : { 0.0, 0.6, 0.9553 })
     {
-      double f[3];
-      transmission->Evaluate(i, o, f);
-      for (const double value : f)
-      {
-        Require(std::isfinite(value) && value >= 0.0);
-      }
+      const double view[3] = { o, 0.0, std::sqrt(1.0 - o * o) };
+      double drawn[3] = { 0.0, 0.0, 1.0 };
+      brdf->Sample(view, 0.3, 0.7, drawn);
+      brdf->Pdf(drawn, view);
     }
   }
+  RequireValues(brdf);
 }
 
 /// True for one input in 32, always for the same ones.

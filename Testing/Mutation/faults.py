@@ -66,8 +66,6 @@ add("Core.zone-without-clamp", "BasisFunctions.h",
     "return std::clamp(2.0 * (cosine - this->Far) / (this->Near - this->Far) - 1.0, -1.0, 1.0);",
     "return 2.0 * (cosine - this->Far) / (this->Near - this->Far) - 1.0;",
     "BasisFunctions.Edges|BasisBRDF.ConstantBeyondTheZones")
-add("Core.eigenvectors-in-rows", "SymmetricEigen.cxx", "solver.eigenvectors();",
-    "solver.eigenvectors().transpose();", "SymmetricEigen.AscendingPairsOfAMatrix")
 add("Core.negative-weights-count", "Distribution.h", "std::isfinite(w) && w > 0.0 ? w : 0.0",
     "std::isfinite(w) ? w : 0.0", "Distribution1D.ProbabilitiesAndInversion|Distribution1D.WithoutWeightUniform")
 add("Core.boundary-belongs-to-the-cell-before", "Distribution.h",
@@ -616,7 +614,7 @@ add("IO.padding-of-any-length", "FileBytes.cxx", "this->GetRemaining() <= most &
 
 add("IO.picture-upside-down", "ImageFile.cxx", "for (int y = file.Height - 1; y >= 0; --y)",
     "for (int y = 0; y < file.Height; ++y)", "IOPicture.KeepsValuesAsTheyAre|IOPhotographs.ReadsLists")
-add("IO.picture-alpha-of-gray", "ImageFile.cxx", "c == colors ? file.Channels :", "c == 3 ? 3 :",
+add("IO.picture-alpha-of-gray", "ImageFile.cxx", "texel[c == colors ? 3 : c]", "texel[c == 3 ? 3 : c]",
     "IOPicture.KeepsValuesAsTheyAre")
 add("IO.picture-with-nan", "vtkPictureReader.cxx", "return !std::isfinite(value);", "return value > 1e38f;",
     "IOPicture.RefusesBadFiles")
@@ -1069,7 +1067,7 @@ add("IO.utia-blue-first", "UtiaFile.cxx", "rgb[3 * (k % Plane) + k / Plane] = f;
 add("Material.angular-table-turned-the-other-way", "vtkAngularTableBRDF.cxx", "i[0] * o[1] - i[1] * o[0])", "i[1] * o[0] - i[0] * o[1])",
     "IOOpenMaterial.AzimuthsRunAboutTheNormal")
 add("Material.angular-table-copy-forgets-the-origin", "vtkAngularTableBRDF.cxx", "  copy->Origin = this->Origin;\n", "",
-    "IOOpenMaterial.CopiesAreIsotropic")
+    "IOOpenMaterial.InterpolatesBetweenUnevenAngles")
 add("IO.gonio-mirrors-about-the-other-plane", "GonioTable.cxx", "mirrored.PhiO = FullTurn - mirrored.PhiO;",
     "mirrored.PhiO = HalfTurn + mirrored.PhiO;", "IOOpenMaterial.InterpolatesBetweenUnevenAngles")
 add("IO.gonio-extrapolates", "GonioTable.cxx", "nodes.Theta.back() < Horizon)", "nodes.Theta.back() < 0.0f)",

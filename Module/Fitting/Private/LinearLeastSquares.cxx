@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LinearLeastSquares.h"
 
-#include "SymmetricEigen.h"
-
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
@@ -185,12 +184,12 @@ SmallVector GetShareVariances(const SmallMatrix& H)
     basis.col(k - 1).head(k).setConstant(1.0 / length);
     basis(k, k - 1) = -static_cast<double>(k) / length;
   }
-  const SymmetricEigen eigen(basis.transpose() * H * basis);
-  const Eigen::MatrixXd vectors = basis * eigen.Vectors;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(basis.transpose() * H * basis);
+  const Eigen::MatrixXd vectors = basis * eigen.eigenvectors();
   const double least = 1e-12 * H.diagonal().maxCoeff();
   for (Eigen::Index k = 0; k < n - 1; ++k)
   {
-    const double value = eigen.Values[k];
+    const double value = eigen.eigenvalues()[k];
     for (Eigen::Index row = 0; row < n; ++row)
     {
       const double square = std::pow(vectors(row, k), 2);

@@ -4,10 +4,10 @@
 
 #include "HalfVector.h"
 #include "ParallelFor.h"
-#include "SymmetricEigen.h"
 #include "vtkPhotographSet.h"
 #include "vtkTabulatedBRDF.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -76,9 +76,9 @@ Eigen::MatrixXd Project(const Eigen::MatrixXf& data, int dimensions, unsigned in
   const Eigen::MatrixXf first = orthonormalize(center(start));
   const Eigen::MatrixXf range = orthonormalize(center(transpose(first)));
   const Eigen::MatrixXd coordinates = transpose(range).cast<double>(); // [texel, column]
-  const SymmetricEigen eigen(coordinates.transpose() * coordinates);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(coordinates.transpose() * coordinates);
   const Eigen::Index kept = std::min<Eigen::Index>(dimensions, columns);
-  return (coordinates * eigen.Vectors.rightCols(kept)).transpose();
+  return (coordinates * eigen.eigenvectors().rightCols(kept)).transpose();
 }
 
 //------------------------------------------------------------------------------

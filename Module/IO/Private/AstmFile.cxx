@@ -189,17 +189,9 @@ private:
 // Whether a line of the text's beginning is VARS.
 bool HasAstmColumns(std::string_view text)
 {
-  std::string_view rest = SkipByteOrderMark(text.substr(0, LongestHeader));
-  while (!rest.empty())
-  {
-    std::string_view value;
-    if (HasKey(TakeUntil(rest, '\n'), "VARS", value) &&
-        value.find("theta_") != std::string_view::npos)
-    {
-      return true;
-    }
-  }
-  return false;
+  const std::string start = "\n" + std::string(SkipByteOrderMark(text.substr(0, LongestHeader)));
+  const std::size_t line = std::min(start.find("\nVARS "), start.size());
+  return start.substr(line, start.find('\n', line + 1) - line).find("theta_") != std::string::npos;
 }
 
 //------------------------------------------------------------------------------

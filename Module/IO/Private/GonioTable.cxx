@@ -41,10 +41,8 @@ constexpr double SmallGrid = 4096.0;
 // Even nodes for readings that lie on no grid.
 constexpr double LeastViews = 4.0; // for each light
 constexpr int Neighbors = 8;
-constexpr double FinestStep = 1.5; // degrees
-constexpr double CoarsestStep = 10.0;
-constexpr double NodesPerReading = 16.0;
-constexpr double FewNodes = 4096.0;
+constexpr double FinestStep = 2.0; // degrees
+constexpr double CoarsestStep = 20.0;
 constexpr double MostNodes = 1e6;
 
 bool IsPole(float theta) { return theta < SameAngle; }
@@ -285,14 +283,11 @@ void Scatter(
   }
 }
 
-// Even views, about as dense as the readings; false: there are too few readings for each light.
+// Even views, 2 degrees apart or more; false: there are too few readings for each light.
 bool ChooseViews(Nodes& views, double readings, double lights)
 {
-  const double each = readings / lights;
-  const double spacing = std::sqrt(2.0 / each / Pi) * 90.0; // 2 pi sr
-  double step = std::clamp(spacing / 1.5, FinestStep, CoarsestStep);
-  const double most = std::min(NodesPerReading * readings + FewNodes, MostNodes);
-  while (step < 2.0 * CoarsestStep && lights * (90.0 / step + 1.0) * (360.0 / step) > most)
+  double step = FinestStep;
+  while (step < CoarsestStep && lights * (90.0 / step + 1.0) * (360.0 / step) > MostNodes)
   {
     step *= 1.1;
   }
@@ -303,7 +298,7 @@ bool ChooseViews(Nodes& views, double readings, double lights)
     views.Theta.push_back(Horizon * static_cast<float>(k) / static_cast<float>(circles));
   }
   views.Phi = vtkAngularTableBRDF::GetEvenAzimuths(static_cast<int>(std::lround(360.0 / step)));
-  return each >= LeastViews && lights * views.GetNumberOfNodes() <= MostNodes;
+  return readings >= LeastViews * lights && lights * views.GetNumberOfNodes() <= MostNodes;
 }
 
 // Gives the grid even views and interpolates the readings of each light onto them.

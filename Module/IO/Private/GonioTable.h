@@ -31,7 +31,7 @@ struct GonioReading
  * Readings on a grid become the table's nodes, as they are. Holes in the grid are filled linearly
  * around the circle of the same polar angle, empty circles from their neighbors; what is not so
  * much as a quarter full is no grid. Then each light's views are interpolated onto even nodes,
- * about as dense as the readings.
+ * 2 degrees apart, or more where there are many lights.
  *
  * Where PhiI is the same in all, the material is taken to be isotropic. One whose azimuths are all
  * in [0, 180] is mirrored. Its value for light or view along the normal is the mean over azimuths.

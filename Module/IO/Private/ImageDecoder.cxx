@@ -294,13 +294,13 @@ DecodedImage DecodeImage(const ImageSource& source)
   const OIIO::ImageSpec spec = input->spec();
   CheckSpec(source, spec);
   TakeHeader(spec, *source.Format, image);
-  std::vector<int> channels = { layer.Channels[4] };
+  std::vector<int> channels(3, layer.Channels[4]);
   if (layer.IsRGB())
   {
     channels.assign(layer.Channels, layer.Channels + 3);
   }
   const OIIO::TypeDesc type = spec.channelformat(channels[0]);
-  image.Channels = static_cast<int>(channels.size());
+  image.IsGray = !layer.IsRGB();
   image.ValuesPerTexel = source.Alpha ? 4 : 3;
   image.HasAlpha = source.Alpha && layer.Channels[3] >= 0;
   image.IsInteger = !type.is_floating_point();

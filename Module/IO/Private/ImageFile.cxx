@@ -325,7 +325,7 @@ void LimitValues(DecodedImage& image)
   std::size_t count = 0;
   for (std::size_t k = 0; k < image.Pixels.size(); ++k)
   {
-    if (image.Pixels[k] > largest && k % values < static_cast<std::size_t>(image.Channels))
+    if (image.Pixels[k] > largest && k % values < 3)
     {
       image.Pixels[k] = largest;
       ++count;
@@ -364,7 +364,7 @@ void ConvertColors(const std::string& path, DecodedImage& image)
   const bool isRec709 = std::equal(from.begin(), from.end(), Rec709.begin(),
     [](double a, double b) { return std::abs(a - b) <= HeaderRounding; });
   // Encoded integers are display values by another name: their readers take them as sRGB.
-  if (image.Channels == 3 && !image.IsEncoded && !isRec709)
+  if (!image.IsGray && !image.IsEncoded && !isRec709)
   {
     Transform(GetToRec709(from), image);
   }
@@ -405,8 +405,7 @@ void FillScalars(const ImageFile& file, double scale, int colors, void* scalars)
       const float* texel = &file.Pixels[static_cast<std::size_t>(file.ValuesPerTexel) * at];
       for (int c = 0; c < colors + (file.HasAlpha ? 1 : 0); ++c)
       {
-        // Alpha follows the color's values.
-        const float value = texel[c == colors ? file.Channels : c % file.Channels];
+        const float value = texel[c == colors ? 3 : c];
         *values++ = static_cast<Value>(scale > 1.0 ? std::lround(scale * value) : value);
       }
     }
@@ -443,7 +442,7 @@ ImageFile ReadImageFile(const std::string& path, bool alpha, const std::string& 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> MakeImageData(const ImageFile& file, bool isInteger, bool keepsGray)
 {
-  const int colors = keepsGray && file.Channels == 1 ? 1 : 3;
+  const int colors = keepsGray && file.IsGray ? 1 : 3;
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(file.Width, file.Height, 1);
   image->AllocateScalars(!isInteger      ? VTK_FLOAT

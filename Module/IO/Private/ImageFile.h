@@ -40,9 +40,9 @@ struct ImageFile
 {
   int Width = 0;
   int Height = 0;
-  int Channels = 0;       // 3, or 1: of each texel's color only the first value is set
+  bool IsGray = false;    // one channel: red, green and blue are the same
   int ValuesPerTexel = 3; // 4 where alpha was asked for
-  bool HasAlpha = false;  // the value after the color's, where it was asked for
+  bool HasAlpha = false;  // the fourth value, where it was asked for
   bool IsEncoded = false; // integers that are not said to be linear
   bool IsInteger = false; // else floats
   bool HasBytes = false;  // integers of 8 bits

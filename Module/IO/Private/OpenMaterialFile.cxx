@@ -16,7 +16,6 @@
 #include "GonioTable.h"
 #include "HalfVector.h"
 #include "MaterialFormat.h"
-#include "NumberText.h"
 #include "SpectralColor.h"
 
 #include <algorithm>
@@ -25,10 +24,10 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -226,13 +225,13 @@ std::vector<GonioReading> GetReadings(const FileBytes& file, const OpenMaterialT
 {
   const auto toDegrees = [](double radians, float least, float most)
   { return std::clamp(static_cast<float>(ToDegrees(radians)), least, most); };
-  struct Value
+  struct Mean
   {
-    std::array<float, 3> Angles; // theta_i, theta_o, phi; degrees
-    std::size_t Channel;         // in channels.Chosen
-    double F;
+    double Sum = 0.0;
+    int Count = 0;
   };
-  std::vector<Value> values;
+  using Angles = std::array<float, 3>;                   // theta_i, theta_o, phi; degrees
+  std::map<std::pair<Angles, std::size_t>, Mean> values; // by the place in channels.Chosen, too
   for (const OpenMaterialRow& row : table.Rows)
   {
     const auto next = std::upper_bound(wavelengths.begin(), wavelengths.end(), row[0] / Nanometer);
@@ -240,34 +239,24 @@ std::vector<GonioReading> GetReadings(const FileBytes& file, const OpenMaterialT
     const auto found = std::lower_bound(channels.Chosen.begin(), channels.Chosen.end(), wavelength);
     if (found != channels.Chosen.end() && *found == wavelength)
     {
-      values.push_back({ { toDegrees(row[1], 0.0f, 90.0f), toDegrees(row[2], 0.0f, 90.0f),
-                           toDegrees(row[3], -360.0f, 360.0f) },
-        static_cast<std::size_t>(found - channels.Chosen.begin()), row[4] });
+      const Angles angles = { toDegrees(row[1], 0.0f, 90.0f), toDegrees(row[2], 0.0f, 90.0f),
+        toDegrees(row[3], -360.0f, 360.0f) };
+      Mean& mean = values[{ angles, std::size_t(found - channels.Chosen.begin()) }];
+      mean.Sum += row[4];
+      ++mean.Count;
     }
   }
-  std::stable_sort(values.begin(), values.end(),
-    [](const Value& a, const Value& b)
-    { return std::tie(a.Angles, a.Channel) < std::tie(b.Angles, b.Channel); });
-
   std::vector<GonioReading> readings;
   std::int64_t incomplete = 0;
   for (auto value = values.begin(); value != values.end();)
   {
-    const std::array<float, 3> angles = value->Angles;
+    const Angles angles = value->first.first;
     glm::dvec3 color(0.0);
     std::size_t read = 0; // channels
-    while (value != values.end() && value->Angles == angles)
+    for (; value != values.end() && value->first.first == angles; ++value, ++read)
     {
-      const std::size_t channel = value->Channel;
-      double sum = 0.0;
-      int count = 0;
-      for (; value != values.end() && value->Angles == angles && value->Channel == channel; ++value)
-      {
-        sum += value->F;
-        ++count;
-      }
-      color += channels.Weights[channel] * (sum / count);
-      ++read;
+      const Mean& mean = value->second;
+      color += channels.Weights[value->first.second] * (mean.Sum / mean.Count);
     }
     if (read == channels.Chosen.size())
     {

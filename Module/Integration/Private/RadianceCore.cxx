@@ -6,10 +6,10 @@
 #include "LobeHarmonics.h"
 #include "LobePlacement.h"
 #include "ParallelFor.h"
-#include "SymmetricEigen.h"
 #include "TableSynthesis.h"
 #include "WignerD.h"
 
+#include <Eigen/Eigenvalues>
 #include <glm/glm.hpp>
 #include <glm/gtc/packing.hpp>
 
@@ -147,15 +147,15 @@ void Decompose(int order, const Eigen::MatrixXd& kernels, const std::vector<doub
     weighted.row(l) *= std::pow(power[l], 0.5 * PowerExponent);
   }
   weighted = weighted * weights.asDiagonal();
-  const SymmetricEigen eigen(weighted.transpose() * weighted);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(weighted.transpose() * weighted);
   for (Eigen::Index k = weighted.cols() - 1; k >= 0; --k) // eigenvalues ascend
   {
-    const double energy = eigen.Values[k];
+    const double energy = eigen.eigenvalues()[k];
     if (!(energy > least))
     {
       break;
     }
-    const Eigen::VectorXd right = eigen.Vectors.col(k);
+    const Eigen::VectorXd right = eigen.eigenvectors().col(k);
     CoreMode mode;
     mode.Order = order;
     mode.Energy = energy; // twice that of 2 Re(e^(-i m psi) G), which takes two fields

@@ -42,6 +42,23 @@ std::string MakeRows(const std::vector<double>& phiI, const std::vector<double>&
 
 const std::vector<double> HalfTurn = { 0.0, 50.0, 100.0, 180.0 };
 
+// A file in degrees of the values under these names.
+std::string MakeAstm(const std::string& names,
+  const std::function<std::vector<double>(double, double, double, double)>& getValues,
+  const std::vector<double>& phiI = { 0.0 }, const std::vector<double>& phi = HalfTurn)
+{
+  return "VARS theta_i,phi_i,theta_s,phi_s," + names + "\n" +
+         MakeRows(phiI, phi,
+           [&](std::ostream& os, double i, double p, double o, double q)
+           {
+             os << i << "," << p << "," << o << "," << q;
+             for (const double value : getValues(i, p, o, q))
+             {
+               os << "," << value;
+             }
+           });
+}
+
 //------------------------------------------------------------------------------
 // Cornell's: radians, azimuths from -pi to pi, R,G,B.
 TEST(IOAstm, InterpolatesOnAGrid)
@@ -126,16 +143,16 @@ TEST(IOAstm, SpectraAndXYZBecomeColors)
     {
       names += "," + std::to_string(l) + "nm";
     }
-    WriteBytes(folder("a.astm"), "VARS theta_i,phi_i,theta_s,phi_s," + names + "\n" +
-                                   MakeRows({ 0.0 }, HalfTurn,
-                                     [&](std::ostream& os, double i, double p, double o, double q)
+    WriteBytes(folder("a.astm"), MakeAstm(names,
+                                   [&](double i, double p, double o, double q)
+                                   {
+                                     std::vector<double> values = { 1e3 };
+                                     for (int l = 780; l >= 380; l -= 2)
                                      {
-                                       os << i << "," << p << "," << o << "," << q << "," << 1e3;
-                                       for (int l = 780; l >= 380; l -= 2)
-                                       {
-                                         os << "," << spectrum.Value(l) * Shape(i, o, q - p);
-                                       }
-                                     }));
+                                       values.push_back(spectrum.Value(l) * Shape(i, o, q - p));
+                                     }
+                                     return values;
+                                   }));
     ExpectFormula(Read(folder("a.astm")), color, 0.25 * SpectrumTolerance);
     const auto infrared = Read(folder("a.astm#905nm"));
     ASSERT_TRUE(infrared);
@@ -147,14 +164,12 @@ TEST(IOAstm, SpectraAndXYZBecomeColors)
   ExpectRefused(folder, folder("a.astm#906nm"), { AstmFormat, "'906nm'", "380nm, 382nm" });
 
   // D65's own XYZ (IEC 61966-2-1) is gray.
-  WriteBytes(folder("b.astm"), "VARS theta_i,phi_i,theta_s,phi_s,X,Y,Z\n" +
-                                 MakeRows({ 0.0 }, HalfTurn,
-                                   [&](std::ostream& os, double i, double p, double o, double q)
-                                   {
-                                     const double f = Shape(i, o, q - p);
-                                     os << i << "," << p << "," << o << "," << q << ","
-                                        << 0.9505 * f << "," << f << "," << 1.0890 * f;
-                                   }));
+  WriteBytes(folder("b.astm"), MakeAstm("X,Y,Z",
+                                 [](double i, double p, double o, double q)
+                                 {
+                                   const double f = Shape(i, o, q - p);
+                                   return std::vector<double>{ 0.9505 * f, f, 1.0890 * f };
+                                 }));
   const double gray[3] = { 1.0, 1.0, 1.0 };
   ExpectFormula(Read(folder("b.astm")), gray, 1e-4);
 }
@@ -169,14 +184,10 @@ TEST(IOAstm, LightsOfSeveralAzimuthsAreAnisotropic)
     const auto tent = [](double phi) { return std::abs(std::remainder(phi, 360.0)) / 180.0; };
     return (0.1 + 0.001 * i * tent(p)) * (1.0 + 0.002 * o * tent(q - 90.0));
   };
-  WriteBytes(folder("a.astm"), "VARS theta_i,phi_i,theta_s,phi_s,R,G,B\n" +
-                                 MakeRows({ 0.0, 70.0, 180.0, 300.0 }, { 0.0, 90.0, 200.0, 270.0 },
-                                   [&](std::ostream& os, double i, double p, double o, double q)
-                                   {
-                                     const double f = formula(i, p, o, q);
-                                     os << i << "," << p << "," << o << "," << q << "," << f << ","
-                                        << f << "," << f;
-                                   }));
+  WriteBytes(folder("a.astm"), MakeAstm("R,G,B",
+                                 [&](double i, double p, double o, double q)
+                                 { return std::vector<double>(3, formula(i, p, o, q)); },
+                                 { 0.0, 70.0, 180.0, 300.0 }, { 0.0, 90.0, 200.0, 270.0 }));
   const auto brdf = Read(folder("a.astm"));
   ASSERT_TRUE(brdf);
   EXPECT_FALSE(brdf->IsIsotropic());

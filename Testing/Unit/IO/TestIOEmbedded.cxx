@@ -7,27 +7,17 @@
 
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEmbeddedMaterials.h"
-#include "vtkEnvironmentReader.h"
 #include "vtkTabulatedBRDF.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <limits>
-#include <sstream>
 
 using namespace testio;
 
 namespace
 {
-
-vtkSmartPointer<vtkTabulatedBRDF> GetCarPaint()
-{
-  const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("blue-car-paint"));
-  return vtkTabulatedBRDF::SafeDownCast(brdf);
-}
-
 vtkSmartPointer<vtkTabulatedBRDF> MakeTable(std::vector<float> rgb)
 {
   const int dimensions[3] = { 1, 1, static_cast<int>(rgb.size() / 3) };
@@ -42,7 +32,8 @@ vtkSmartPointer<vtkTabulatedBRDF> MakeTable(std::vector<float> rgb)
 TEST(IOEmbedded, HoldsAMeasurement)
 {
   NEEDS_OPENEXR();
-  const auto paint = GetCarPaint();
+  const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("blue-car-paint"));
+  auto* paint = vtkTabulatedBRDF::SafeDownCast(brdf);
   ASSERT_TRUE(paint);
   EXPECT_EQ(paint->GetName(), "blue-car-paint");
   for (const char* word : { "measured", "carpaint_blue.mbsdf", "NVIDIA", "CC0 1.0" })
@@ -114,10 +105,6 @@ TEST(IOEmbedded, HoldsARoom)
     }
   }
   EXPECT_GT(above, 2.0 * below);
-  vtkNew<vtkEmbeddedEnvironments> environments;
-  std::ostringstream text;
-  environments->Print(text);
-  EXPECT_NE(text.str().find("NumberOfEnvironments: 3\n"), std::string::npos);
 }
 
 //------------------------------------------------------------------------------

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Published fits as text, and those that are embedded.
+#include "CommaLocale.h"
 #include "TestIOHelpers.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
@@ -10,7 +11,6 @@
 #include "vtkSumBRDF.h"
 
 #include <algorithm>
-#include <clocale>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -178,19 +178,13 @@ TEST(IOFits, AsksForOneOfSeveral)
 //------------------------------------------------------------------------------
 TEST(IOFits, NumbersDoNotFollowTheLocale)
 {
-  const char* locale = nullptr;
-  for (const char* name : { "de_DE.UTF-8", "fr_FR.UTF-8", "de_DE" })
-  {
-    locale = locale ? locale : std::setlocale(LC_ALL, name);
-  }
-  if (!locale)
-  {
-    GTEST_SKIP() << "no locale with a decimal comma is installed";
-  }
   const Folder folder;
   WriteBytes(folder("a.fit"), SmallFit);
-  const auto sum = ReadSum(folder("a.fit"));
-  std::setlocale(LC_ALL, "C");
+  vtkSmartPointer<vtkSumBRDF> sum;
+  {
+    const CommaLocale commas;
+    sum = ReadSum(folder("a.fit"));
+  }
   ExpectColor(vtkLambertBRDF::SafeDownCast(sum->GetTerm(0))->GetAlbedo(), 0.1, 0.2, 0.3);
 }
 

@@ -3,18 +3,10 @@
 // vtkBRDFReader's binary formats: what is read, and what bad files get.
 #include "TestIOHelpers.h"
 
-#include "vtkMeasuredBRDFConfigure.h"
-
 #include "vtkTabulatedBRDF.h"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
-#include <sstream>
-
-#if !defined(_WIN32)
-#include <unistd.h>
-#endif
 
 using namespace testio;
 
@@ -48,24 +40,6 @@ TEST(IOReader, RefusesWhatIsNoMaterialFile)
   EXPECT_FALSE(reader->Read()); // no name
   EXPECT_EQ(errors->Count, 1);
   EXPECT_EQ(reader->GetBRDF(), nullptr);
-}
-
-//------------------------------------------------------------------------------
-TEST(IOReader, RefusesWithoutPermission)
-{
-#if defined(_WIN32)
-  GTEST_SKIP() << "no POSIX permissions here";
-#else
-  if (geteuid() == 0)
-  {
-    GTEST_SKIP() << "root may read everything";
-  }
-  const Folder folder;
-  const std::string path = folder("secret.fit");
-  WriteBytes(path, SmallFit);
-  std::filesystem::permissions(path, std::filesystem::perms::none);
-  ExpectRefused(folder, path, { "cannot be opened" });
-#endif
 }
 
 //------------------------------------------------------------------------------
@@ -139,24 +113,16 @@ TEST(IOMerl, RefusesBadSizes)
   ExpectTruncationsRefused(folder, good, 12, 1, Merl);
   ExpectTruncationsRefused(folder, good, 1, 1, "bytes");
   ExpectBytesRefused(folder, good + "x", { Merl, "values" });
-  const std::vector<std::int32_t> lies = { 3, 90, 2048 };
-  for (const std::int32_t lie : lies)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      std::string bytes = good;
-      Overwrite(bytes, 4 * axis, axis == 1 && lie == 3 ? std::int32_t(2) : lie);
-      ExpectBytesRefused(folder, bytes, { Merl, "values", "found 576" });
-    }
-  }
-  for (const std::int32_t lie : { -1, 0, std::numeric_limits<std::int32_t>::min(),
-         std::numeric_limits<std::int32_t>::max(), 2049 })
+  for (const std::int32_t lie :
+    { 5, 90, 2048, -1, 0, std::numeric_limits<std::int32_t>::min(), 2049 })
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       std::string bytes = good;
       Overwrite(bytes, 4 * axis, lie);
-      ExpectBytesRefused(folder, bytes, { std::to_string(lie), "1 to 2048" });
+      ExpectBytesRefused(folder, bytes,
+        lie > 0 && lie <= 2048 ? std::vector<std::string>{ Merl, "values", "found 576" }
+                               : std::vector<std::string>{ std::to_string(lie), "1 to 2048" });
     }
   }
   // 2048^3 cells: the product fits 64 bits and is compared before anything is allocated.
@@ -296,17 +262,13 @@ TEST(IOTensor, NamesTheFieldAndItsByte)
     {
       std::memcpy(&data[k], &value, sizeof(value));
     }
-    const std::string bytes = MakeTensor(fields);
-    std::size_t place = bytes.size();
-    for (std::size_t k = fields.size(); k > 0; --k)
+    std::size_t place = MakeTensor(fields).size();
+    for (auto field = fields.rbegin(); field == fields.rbegin() || (field - 1)->Name != name;
+         ++field)
     {
-      place -= fields[k - 1].Data.size();
-      if (fields[k - 1].Name == name)
-      {
-        break;
-      }
+      place -= field->Data.size();
     }
-    ExpectBytesRefused(folder, bytes,
+    ExpectBytesRefused(folder, MakeTensor(fields),
       { Tensor + ", field '" + name + "' at byte " + std::to_string(place) + ": " + what });
   };
   refused("theta_i", 0.5f, "expected ascending finite angles");

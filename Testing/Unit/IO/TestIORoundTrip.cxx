@@ -6,7 +6,6 @@
 #include "TestIOHelpers.h"
 
 #include "vtkAnisotropicTabulatedBRDF.h"
-#include "vtkBRDFData.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFModels.h"
 #include "vtkBasisBRDF.h"
@@ -111,47 +110,35 @@ void ExpectWriteRefused(
   }
 }
 
-void ExpectSameData(const vtkBRDFData& a, const vtkBRDFData& b)
-{
-  EXPECT_EQ(a.Model, b.Model);
-  EXPECT_EQ(a.Name, b.Name);
-  EXPECT_EQ(a.Source, b.Source);
-  EXPECT_EQ(a.Options, b.Options);
-  EXPECT_EQ(a.Numbers, b.Numbers);
-  ASSERT_EQ(a.Arrays.size(), b.Arrays.size());
-  for (const auto& [name, array] : a.Arrays)
-  {
-    SCOPED_TRACE(name);
-    ASSERT_EQ(b.Arrays.count(name), 1u);
-    EXPECT_EQ(array.Shape, b.Arrays.at(name).Shape);
-    EXPECT_EQ(array.Channels, b.Arrays.at(name).Channels);
-    EXPECT_TRUE(SameBits(array.Values, b.Arrays.at(name).Values));
-  }
-  ASSERT_EQ(a.Terms.size(), b.Terms.size());
-  for (std::size_t k = 0; k < a.Terms.size(); ++k)
-  {
-    ExpectSameData(a.Terms[k], b.Terms[k]);
-  }
-}
-
-// What is read of what is written has every option, number and table bit by bit.
-vtkSmartPointer<vtkBRDF> RoundTrip(vtkBRDF* material)
+// What is read of what is written has every option, number and table bit by bit, and is written the
+// same.
+void RoundTrip(vtkBRDF* material)
 {
   SCOPED_TRACE(material->GetClassName());
   const Folder folder;
   Write(material, folder("m.exr"));
   const vtkSmartPointer<vtkBRDF> back = Read(folder("m.exr"));
-  if (back)
-  {
-    EXPECT_STREQ(back->GetClassName(), material->GetClassName());
-    vtkBRDFData before;
-    vtkBRDFData after;
-    EXPECT_EQ(vtkBRDFModels::Save(material, before), "");
-    EXPECT_EQ(vtkBRDFModels::Save(back, after), "");
-    ExpectSameData(before, after);
-    ExpectSameValues(material, back);
-  }
-  return back;
+  ASSERT_TRUE(back);
+  EXPECT_STREQ(back->GetClassName(), material->GetClassName());
+  EXPECT_EQ(back->GetName(), material->GetName());
+  EXPECT_EQ(back->GetSource(), material->GetSource());
+  EXPECT_NE(vtkBRDFModels::GetContentKey(back), "");
+  EXPECT_EQ(vtkBRDFModels::GetContentKey(back), vtkBRDFModels::GetContentKey(material));
+  Write(back, folder("n.exr"));
+  EXPECT_TRUE(ReadBytes(folder("m.exr")) == ReadBytes(folder("n.exr")));
+  ExpectSameValues(material, back);
+}
+
+// The header's JSON with another text, of any length. What follows it has moved.
+std::string ReplaceInJson(const std::string& bytes, const std::string& old, const std::string& with)
+{
+  const std::string name("measuredBRDF\0string\0", 20);
+  const std::size_t at = bytes.find(name) + name.size();
+  std::int32_t size = 0;
+  std::memcpy(&size, &bytes[at], sizeof(size));
+  std::string changed = Replace(bytes, old, with);
+  Overwrite(changed, at, std::int32_t(size + std::int32_t(with.size()) - std::int32_t(old.size())));
+  return changed;
 }
 
 vtkSmartPointer<vtkBasisBRDF> MakeBasis(int basis, int order, int nPhi)
@@ -176,10 +163,7 @@ TEST(IOMerlRoundTrip, IsExact)
   const vtkSmartPointer<vtkBRDF> brdf = Read(folder("t.binary"));
   auto* back = vtkTabulatedBRDF::SafeDownCast(brdf);
   ASSERT_TRUE(back);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    EXPECT_EQ(back->GetDimensions()[axis], table->GetDimensions()[axis]);
-  }
+  EXPECT_TRUE(std::equal(back->GetDimensions(), back->GetDimensions() + 3, table->GetDimensions()));
   EXPECT_EQ(back->GetNumberOfInvalidCells(), 1);
   const std::vector<float>& a = table->GetVolume();
   const std::vector<float>& b = back->GetVolume();
@@ -388,62 +372,29 @@ TEST(IOExr, RefusesBadBases)
 {
   NEEDS_OPENEXR();
   const Folder folder;
-  auto material = MakeBasis(2, 3, 2);
-  const std::string marker("\x11\x22\x33\x44", 4); // a coefficient of its own
-  std::vector<float> values = material->GetCoefficients();
-  std::memcpy(&values[100], marker.data(), 4);
-  ASSERT_EQ(material->SetCoefficients(
-              2, 3, material->GetIncidentZone(), material->GetOutgoingZone(), 3, 2, values),
-    "");
-  Write(material, folder("b.exr"));
+  Write(MakeBasis(2, 3, 2), folder("b.exr"));
   const std::string good = ReadBytes(folder("b.exr"));
   ExpectTruncationsRefused(folder, good, 1, 13, Exr);
-  const auto refuse = [&](const std::string& from, const std::string& to, const std::string& word) {
-    ExpectBytesRefused(folder, Replace(good, from, to), { Exr, "Basis", word });
-  };
   const std::string order = "\"order\":[3.0]";
-  refuse(order, "\"order\":[2.0]", "'order' is 2, expected that of 16 functions");
-  refuse(order, "\"order\":[100]", "'order' is 100,");
-  refuse(order, "\"order\":[3.5]", "'order' is 3.5,");
-  refuse(order, "\"order\":[-1 ]", "'order' is -1,");
-  refuse(order, "\"order\":[1e9]", "'order' is 1e+09,");
-  refuse(order, "\"odder\":[3.0]", "'order' is missing");
-  refuse("\"incidentEnd\":[57.3]", "\"incidentEnd\":[ 8.3]", "zone 9.1 to 8.3 degrees, expected");
-  refuse("\"incidentEnd\":[57.3]", "\"incidentEnd\":[9.11]", "zone 9.1 to 9.11 degrees, expected");
-  refuse("\"outgoingEnd\":[80.7]", "\"outgoingEnd\":[90.7]", "to 90.7 degrees, expected");
-  refuse("\"zonal\"", "\"tonal\"", "'basis'");
-  refuse("\"incidentCosine\":\"off\"", "\"incidentCosine\":\"odd\"", "'incidentCosine'");
   const std::string error = "\"resamplingError\":[0.0]";
-  refuse(error, "\"resamplingError\":[-5 ]", "'resamplingError' is out of range: -5");
-  refuse(error, "\"resamplingError\":[1e9]", "'resamplingError' is out of range: 1e+09");
-  ExpectBytesRefused(
-    folder, Replace(good, error, "\"resamplingError\":[NaN]"), { Exr, "measuredBRDF" });
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  std::string bytes = good;
-  const std::size_t place = good.find(marker);
-  ASSERT_NE(place, std::string::npos);
-  Overwrite(bytes, place, nan);
-  ExpectBytesRefused(folder, bytes, { Exr, "Basis", "a coefficient is NaN or infinite" });
-}
-
-//------------------------------------------------------------------------------
-TEST(IOExr, RefusesTooMuch)
-{
-  NEEDS_OPENEXR();
+  const std::string changes[][3] = {
+    { order, "\"order\":[2.0]", "'order' is 2, expected that of 16 functions" },
+    { order, "\"order\":[3.5]", "'order' is 3.5," },
+    { order, "\"order\":[1e9]", "'order' is 1e+09," },
+    { order, "\"odder\":[3.0]", "'order' is missing" },
+    { "\"incidentEnd\":[57.3]", "\"incidentEnd\":[ 8.3]", "zone 9.1 to 8.3 degrees, expected" },
+    { "\"zonal\"", "\"tonal\"", "'basis'" },
+    { "\"incidentCosine\":\"off\"", "\"incidentCosine\":\"odd\"", "'incidentCosine'" },
+    { error, "\"resamplingError\":[-5 ]", "'resamplingError' is out of range: -5" },
+    { error, "\"resamplingError\":[NaN]", "measuredBRDF" },
+  };
+  for (const auto& [from, to, word] : changes)
+  {
+    ExpectBytesRefused(folder, Replace(good, from, to), { Exr, word });
+  }
   // A claim is refused before the values are read: the message is not that of the part's window.
-  const Folder folder;
-  auto material = MakeBasis(2, 3, 2);
-  material->SetName("0123456789");
-  Write(material, folder("b.exr"));
-  std::string bytes = Replace(ReadBytes(folder("b.exr")), "0123456789", "          ");
-  const std::size_t name = bytes.find("          ");
-  bytes.erase(name, 10); // the attribute keeps its length
-  const std::string shape = "\"shape\":[16,3,2]";
-  const std::size_t place = bytes.find(shape);
-  ASSERT_NE(place, std::string::npos);
-  bytes.replace(place, shape.size(), "\"shape\":[441,9999,9999]");
-  bytes.insert(bytes.find("\"name\":\"") + 8, 3, ' ');
-  ExpectBytesRefused(folder, bytes, { Exr, "Basis", "1.32274e+11", "at most 67108864" });
+  ExpectBytesRefused(folder, ReplaceInJson(good, "[16,3,2]", "[441,9999,9999]"),
+    { Exr, "Basis", "1.32274e+11", "at most 67108864" });
 }
 
 //------------------------------------------------------------------------------
@@ -466,25 +417,9 @@ TEST(IOExr, RefusesSizesThatLie)
     }
   }
   // Window and JSON agree on far more than so short a file can hold.
-  std::string bytes = good;
-  const std::size_t shape = bytes.find("[4,5,6]");
-  const std::string large = "[4,5,99999999]";
-  bytes.replace(shape, 7, large);
-  const std::string text("measuredBRDF\0string\0", 20);
-  const std::size_t length = bytes.find(text) + text.size();
-  std::int32_t size = 0;
-  std::memcpy(&size, &bytes[length], 4);
-  Overwrite(bytes, length, std::int32_t(size + std::int32_t(large.size()) - 7));
-  const std::size_t moved = bytes.find(name) + name.size() + 4;
-  Overwrite(bytes, moved + 8, std::int32_t(99999998));
+  std::string bytes = ReplaceInJson(good, "[4,5,6]", "[4,5,99999999]");
+  Overwrite(bytes, bytes.find(name) + name.size() + 4 + 8, std::int32_t(99999998));
   ExpectBytesRefused(folder, bytes, { Exr, "'volume'", "more than a file of this length" });
-  // An attribute that claims gigabytes: OpenEXR would allocate them.
-  for (const std::int32_t claim : { std::numeric_limits<std::int32_t>::max(), -1 })
-  {
-    bytes = good;
-    Overwrite(bytes, good.find(text) + text.size(), claim);
-    ExpectBytesRefused(folder, bytes, { Exr, "attribute 'measuredBRDF'" });
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -23,16 +23,18 @@ namespace
 {
 vtkSmartPointer<vtkBRDFReader> ReadFile(const Folder& folder, const std::string& bytes)
 {
-  WriteBytes(folder("file"), bytes);
-  auto reader = vtkSmartPointer<vtkBRDFReader>::New();
-  reader->SetFileName(folder("file"));
-  EXPECT_TRUE(reader->Read()) << reader->GetErrorMessage();
-  return reader;
+  return testio::ReadFile(WriteBytes(folder("file"), bytes));
 }
 
-bool Notes(vtkBRDFReader* reader, const std::string& words)
+// As DOS's editors write it.
+std::string ToDos(const std::string& text)
 {
-  return reader->GetNotes().find(words) != std::string::npos;
+  std::string dos;
+  for (const char c : text)
+  {
+    dos += c == '\n' ? "\r\n" : std::string(1, c);
+  }
+  return dos;
 }
 
 // Nothing that a terminal obeys, and no broken UTF-8.
@@ -69,11 +71,11 @@ TEST(IOTolerance, TensorDensitiesWithRoundingNoise)
     cleanValues[2] = cleanValues[5] = 0.0f;
     const auto reader = ReadFile(folder, MakeTensor(MakeTensorFields(tables)));
     EXPECT_EQ(reader->GetNumberOfNegativeValues(), 2);
-    EXPECT_TRUE(Notes(reader, "2 of ")) << reader->GetNotes();
-    EXPECT_TRUE(Notes(reader, name + " are negative by rounding")) << reader->GetNotes();
+    ExpectNote(reader, "2 of ");
+    ExpectNote(reader, name + " are negative by rounding");
     const auto noiseless = ReadFile(folder, MakeTensor(MakeTensorFields(clean)));
     EXPECT_EQ(noiseless->GetNumberOfNegativeValues(), 0);
-    EXPECT_FALSE(Notes(noiseless, "negative"));
+    ExpectNote(noiseless, "negative", false);
     ExpectSameValues(reader->GetBRDF(), noiseless->GetBRDF());
     // Truly negative.
     for (const float value : { -1e-4f, -0.1f, -1.0f })
@@ -105,13 +107,13 @@ TEST(IOTolerance, TensorFilesOfConverters)
   FieldOf(fields, "jacobian").Type = 2;
   auto reader = ReadFile(folder, MakeTensor(fields) + "whatever follows");
   ExpectSameValues(reader->GetBRDF(), same);
-  EXPECT_TRUE(Notes(reader, "field 'rgb' holds 64-bit values")) << reader->GetNotes();
+  ExpectNote(reader, "field 'rgb' holds 64-bit values");
   EXPECT_EQ(reader->GetBRDF()->GetSource().find("stuff; RGL"), 0u);
   // Angles rounded onto each other.
   auto rounded = tables;
   rounded.ThetaI = { 0.0f, 0.7f, std::nextafter(0.7f, 0.0f) };
   reader = ReadFile(folder, MakeTensor(MakeTensorFields(rounded)));
-  EXPECT_TRUE(Notes(reader, "theta_i were rounded onto each other")) << reader->GetNotes();
+  ExpectNote(reader, "theta_i were rounded onto each other");
   for (const auto& axis : { std::vector<float>{ 0.0f, 0.7f, 0.6f },
          std::vector<float>{ 0.7f, 0.7f, 0.7f }, std::vector<float>{ 1.0f, 0.5f, 0.0f } })
   {
@@ -124,8 +126,7 @@ TEST(IOTolerance, TensorFilesOfConverters)
   black.Sigma.Values[1] = 0.0f;
   black.Ndf.Values[2] = -1.0f;
   reader = ReadFile(folder, MakeTensor(MakeTensorFields(black)));
-  EXPECT_TRUE(Notes(reader, "2 values of ndf are negative or of sigma not positive"))
-    << reader->GetNotes();
+  ExpectNote(reader, "2 values of ndf are negative or of sigma not positive");
 }
 
 //------------------------------------------------------------------------------
@@ -144,8 +145,8 @@ TEST(IOTolerance, MerlNoiseAndPadding)
   EXPECT_TRUE(std::isnan(table->GetVolume()[6])); // not measured
   EXPECT_EQ(table->GetNumberOfInvalidCells(), 2);
   EXPECT_EQ(reader->GetNumberOfNegativeValues(), 5); // -4e-10, -0.5, and the last cell's three
-  EXPECT_TRUE(Notes(reader, "1 values are negative by rounding")) << reader->GetNotes();
-  EXPECT_TRUE(Notes(reader, "4 bytes of padding")) << reader->GetNotes();
+  ExpectNote(reader, "1 values are negative by rounding");
+  ExpectNote(reader, "4 bytes of padding");
   ExpectBytesRefused(folder, bytes + std::string(4097, '\0'), { "MERL binary", "values" });
   ExpectBytesRefused(folder, bytes + std::string("\0\0more", 6), { "MERL binary", "values" });
 }
@@ -159,16 +160,12 @@ TEST(IOTolerance, MbsdfOfDosAndPadding)
     std::string bytes = MakeMbsdf(true, 3, 4, transmission);
     const auto expected = vtkSmartPointer<vtkBRDF>(ReadFile(folder, bytes)->GetBRDF());
     const std::size_t header = bytes.find("MBSDF_DATA_REFLECTION=\n") + 23;
-    std::string dos;
-    for (const char c : bytes.substr(0, header))
-    {
-      dos += c == '\n' ? "\r\n" : std::string(1, c);
-    }
+    std::string dos = ToDos(bytes.substr(0, header));
     dos.insert(dos.find("comment="), "\r\n"); // an empty line
     const auto reader = ReadFile(folder, dos + bytes.substr(header) + std::string("\n\0\x1a", 3));
     ExpectSameValues(reader->GetBRDF(), expected);
-    EXPECT_TRUE(Notes(reader, "3 bytes of padding")) << reader->GetNotes();
-    EXPECT_TRUE(Notes(reader, "made by a test\"\n")) << reader->GetNotes();
+    ExpectNote(reader, "3 bytes of padding");
+    ExpectNote(reader, "made by a test\"\n");
   }
 }
 
@@ -177,11 +174,7 @@ TEST(IOTolerance, FitsFromEditors)
 {
   const Folder folder;
   const auto expected = vtkSmartPointer<vtkBRDF>(ReadFile(folder, SmallFit)->GetBRDF());
-  std::string dos = "\xef\xbb\xbf";
-  for (const char c : std::string(SmallFit))
-  {
-    dos += c == '\n' ? "\r\n" : std::string(1, c);
-  }
+  std::string dos = "\xef\xbb\xbf" + ToDos(SmallFit);
   dos.replace(dos.find("= 20"), 4, "= +20");
   ExpectSameValues(ReadFile(folder, dos)->GetBRDF(), expected);
 
@@ -189,7 +182,7 @@ TEST(IOTolerance, FitsFromEditors)
   { return "a = Aggregate(Lambertian(albedo = [" + albedo + "]))\n"; };
   const auto reader = ReadFile(folder, lambert("-4e-10, -0.0, 0.5"));
   EXPECT_EQ(reader->GetNumberOfNegativeValues(), 1);
-  EXPECT_TRUE(Notes(reader, "albedo' is -4e-10, beyond 0 by rounding")) << reader->GetNotes();
+  ExpectNote(reader, "albedo' is -4e-10, beyond 0 by rounding");
   auto* sum = vtkSumBRDF::SafeDownCast(reader->GetBRDF());
   ASSERT_TRUE(sum);
   EXPECT_EQ(vtkLambertBRDF::SafeDownCast(sum->GetTerm(0))->GetAlbedo()[0], 0.0);
@@ -295,17 +288,22 @@ TEST(IOMessages, NothingOfAFileReachesTheTerminalAsItIs)
 
   // Names of files.
   const std::string path = folder(evil);
-  vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(path);
   vtkNew<ErrorCounter> errors;
-  reader->AddObserver(vtkCommand::ErrorEvent, errors);
-  EXPECT_FALSE(reader->Read());
-  EXPECT_NE(reader->GetErrorMessage().find("\\x1b]0;owned"), std::string::npos);
-  ExpectPrintable(reader->GetErrorMessage());
+  const auto expectRefused = [&](auto* reader, const std::string& name, const std::string& quoted)
+  {
+    reader->AddObserver(vtkCommand::ErrorEvent, errors);
+    reader->SetFileName(name);
+    EXPECT_FALSE(reader->Read());
+    EXPECT_NE(reader->GetErrorMessage().find(quoted), std::string::npos)
+      << ToPrintable(reader->GetErrorMessage());
+    ExpectPrintable(reader->GetErrorMessage());
+  };
+  vtkNew<vtkBRDFReader> reader;
+  vtkNew<vtkEnvironmentReader> environment;
+  expectRefused(reader.Get(), path, "\\x1b]0;owned");
   WriteBytes(path, SmallFit);
-  reader->SetFileName(path + "#" + evil);
-  EXPECT_FALSE(reader->Read());
-  ExpectPrintable(reader->GetErrorMessage());
+  expectRefused(reader.Get(), path + "#" + evil, "\\x1b]0;owned");
+  expectRefused(environment.Get(), path, "\\x1b]0;owned");
   reader->SetFileName(path);
   EXPECT_TRUE(reader->Read());
   std::ostringstream printed;
@@ -313,21 +311,8 @@ TEST(IOMessages, NothingOfAFileReachesTheTerminalAsItIs)
   reader->GetBRDF()->SetSource(evil);
   reader->GetBRDF()->Print(printed);
   ExpectPrintable(printed.str());
-
-  vtkNew<vtkEnvironmentReader> environment;
-  environment->AddObserver(vtkCommand::ErrorEvent, errors);
-  environment->SetFileName(path);
-  EXPECT_FALSE(environment->Read());
-  ExpectPrintable(environment->GetErrorMessage());
-  std::string image = exr; // whose attributes the environment reader looks at first
-  const std::size_t channels = image.find("channels");
-  ASSERT_NE(channels, std::string::npos);
-  image.replace(channels, 4, "\x1b[2J");
-  image.resize(channels + 30);
-  WriteBytes(folder("bad.exr"), image);
-  environment->SetFileName(folder("bad.exr"));
-  EXPECT_FALSE(environment->Read());
-  EXPECT_NE(environment->GetErrorMessage().find("\\x1b[2J"), std::string::npos)
-    << ToPrintable(environment->GetErrorMessage());
-  ExpectPrintable(environment->GetErrorMessage());
+  // The environment reader looks at an image's attributes first.
+  std::string image = Replace(exr, "chan", "\x1b[2J");
+  image.resize(image.find("\x1b[2J") + 30);
+  expectRefused(environment.Get(), WriteBytes(folder("bad.exr"), image), "\\x1b[2J");
 }

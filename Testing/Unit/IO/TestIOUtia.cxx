@@ -3,7 +3,6 @@
 // UTIA's .bin, written here from its published layout: no file of the database was at hand.
 
 #include "AngleFormula.h"
-#include "NeedsLibrary.h"
 #include "TestIOHelpers.h"
 
 #include "vtkAngularTableBRDF.h"
@@ -45,19 +44,11 @@ std::string MakeUtia(double scale = 1.0)
   return bytes;
 }
 
-vtkSmartPointer<vtkBRDF> ReadUtia(const std::string& path, vtkBRDFReader* reader)
-{
-  reader->SetFileName(path);
-  return reader->Read() ? reader->GetBRDF() : nullptr;
-}
-
 TEST(IOUtia, InterpolatesAlongAllFourAxes)
 {
   const Folder folder;
-  WriteBytes(folder("cloth.bin"), MakeUtia());
-  vtkNew<vtkBRDFReader> reader;
-  const auto brdf = ReadUtia(folder("cloth.bin"), reader);
-  ASSERT_TRUE(brdf) << reader->GetErrorMessage();
+  const auto reader = ReadFile(WriteBytes(folder("cloth.bin"), MakeUtia()));
+  vtkBRDF* brdf = reader->GetBRDF();
   EXPECT_EQ(reader->GetFormatName(), "UTIA binary");
   EXPECT_EQ(brdf->GetName(), "cloth");
   EXPECT_FALSE(brdf->IsIsotropic());
@@ -79,9 +70,7 @@ TEST(IOUtia, DisplayColorsAreDecoded)
 {
   const Folder folder;
   WriteBytes(folder("cloth.bin"), MakeUtia(10.0));
-  vtkNew<vtkBRDFReader> reader;
-  const auto brdf = ReadUtia(folder("cloth.bin#display"), reader);
-  ASSERT_TRUE(brdf) << reader->GetErrorMessage();
+  const auto brdf = Read(folder("cloth.bin#display"));
   const glm::dvec3 f = EvaluateAt(brdf, 30.0, 15.0, 45.0, 90.0);
   for (int c = 0; c < 3; ++c)
   {
@@ -98,15 +87,12 @@ TEST(IOUtia, NegativeValuesCountAsNothing)
   const Folder folder;
   std::string bytes = MakeUtia();
   Overwrite(bytes, 0, -5.0);
-  WriteBytes(folder("a.bin"), bytes);
-  vtkNew<vtkBRDFReader> reader;
-  const auto brdf = ReadUtia(folder("a.bin"), reader);
-  ASSERT_TRUE(brdf);
+  const auto reader = ReadFile(WriteBytes(folder("a.bin"), bytes));
   EXPECT_EQ(reader->GetNumberOfNegativeValues(), 1);
   ExpectNote(reader, "1 of 248832 values are negative");
   const double normal[3] = { 0.0, 0.0, 1.0 };
   double f[3];
-  brdf->Evaluate(normal, normal, f);
+  reader->GetBRDF()->Evaluate(normal, normal, f);
   EXPECT_EQ(f[0], 0.0);
   EXPECT_GT(f[1], 0.0);
 }
@@ -115,17 +101,8 @@ TEST(IOUtia, RefusesOtherFiles)
 {
   const Folder folder;
   const std::string good = MakeUtia();
-  const auto expect = [&folder](const std::string& bytes, const std::string& part)
-  {
-    WriteBytes(folder("a.bin"), bytes);
-    vtkNew<vtkBRDFReader> reader;
-    vtkNew<vtkAngularTableBRDF> before;
-    const auto counter = vtkSmartPointer<ErrorCounter>::Take(ErrorCounter::New());
-    reader->AddObserver(vtkCommand::ErrorEvent, counter);
-    EXPECT_FALSE(ReadUtia(folder("a.bin"), reader));
-    EXPECT_EQ(counter->Count, 1);
-    EXPECT_NE(reader->GetErrorMessage().find(part), std::string::npos) << reader->GetErrorMessage();
-    EXPECT_NE(reader->GetErrorMessage().find("a.bin"), std::string::npos);
+  const auto expect = [&folder](const std::string& bytes, const std::string& part) {
+    ExpectRefused(folder, WriteBytes(folder("a.bin"), bytes), { "UTIA binary", part });
   };
   expect(good.substr(0, good.size() - 1), "1990656 bytes, found 1990655");
   expect(good + "x", "found 1990657");
@@ -134,10 +111,8 @@ TEST(IOUtia, RefusesOtherFiles)
   expect(bytes, "byte 8000");
   Overwrite(bytes, 8 * 1000, 1e300); // no float
   expect(bytes, "found 1e+300");
-  WriteBytes(folder("a.bin"), good + std::string(100, '\0')); // padding
-  vtkNew<vtkBRDFReader> reader;
-  EXPECT_TRUE(ReadUtia(folder("a.bin"), reader)) << reader->GetErrorMessage();
-  ExpectNote(reader, "100 bytes of padding");
+  ExpectNote(
+    ReadFile(WriteBytes(folder("a.bin"), good + std::string(100, '\0'))), "100 bytes of padding");
 }
 
 TEST(IOUtia, TablesAreChecked)

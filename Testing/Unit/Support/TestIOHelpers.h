@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the IO room's tests share: a temporary folder, bytes, refusals.
+ * What IO's tests share: a temporary folder, bytes, refusals.
  */
 
 #ifndef TestIOHelpers_h
@@ -139,11 +139,6 @@ inline double GetPeakMemory()
 #else
   return 0.0;
 #endif
-}
-
-inline bool SameBits(const std::vector<float>& a, const std::vector<float>& b)
-{
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
 }
 
 /// The reader of a file that is read without error.
