@@ -34,7 +34,6 @@ namespace measuredbrdf
 namespace
 {
 constexpr const char* BsdfXmlFormatName = "BSDF XML";
-constexpr std::size_t DeepestElement = 64;
 constexpr std::size_t MostElements = 1000000;
 constexpr std::size_t DeepestBrace = 32;
 constexpr double AngleTolerance = 1e-3; // degrees
@@ -53,25 +52,24 @@ std::string Trim(std::string_view text)
 }
 
 //------------------------------------------------------------------------------
+// Of a list of all elements in the order in which they begin.
 struct Element
 {
   std::string Name;
   std::string Text;
   std::uint64_t Offset = 0; // in the file
-  std::vector<Element> Children;
+  std::size_t Size = 0;     // how many elements are in it, at any depth: they follow it
 
-  /// All elements of that name in this one, at any depth.
+  /// All elements of that name in this one.
   std::vector<const Element*> FindAll(const std::string& name) const
   {
     std::vector<const Element*> found;
-    for (const Element& child : this->Children)
+    for (const Element* element = this + 1; element <= this + this->Size; ++element)
     {
-      if (child.Name == name)
+      if (element->Name == name)
       {
-        found.push_back(&child);
+        found.push_back(element);
       }
-      const std::vector<const Element*> more = child.FindAll(name);
-      found.insert(found.end(), more.begin(), more.end());
     }
     return found;
   }
@@ -84,14 +82,14 @@ struct Element
   }
 };
 
-// Makes a tree of elements. The first problem counts; after it nothing is kept.
+// Makes the list. The first problem counts; after it nothing is kept.
 class XmlParser : public vtkXMLParser
 {
 public:
   static XmlParser* New();
   vtkTypeMacro(XmlParser, vtkXMLParser);
 
-  Element Document; // whose only child is the root
+  std::vector<Element> Elements;
   std::string Problem;
   std::uint64_t ProblemOffset = 0;
   std::uint64_t Start = 0; // of the XML in the file
@@ -99,21 +97,18 @@ public:
 protected:
   void StartElement(const char* name, const char**) override
   {
-    if (this->Open.size() >= DeepestElement)
-    {
-      this->Fail("elements are nested too deeply");
-    }
-    if (++this->Elements > MostElements)
+    if (this->Elements.size() >= MostElements)
     {
       this->Fail("found more than " + std::to_string(MostElements) + " elements");
     }
-    if (this->Open.empty() && std::string(name) != "WindowElement")
+    if (this->Elements.empty() && std::string(name) != "WindowElement")
     {
       this->Fail("the root is " + Quote(name) + ", expected 'WindowElement'");
     }
     if (this->Problem.empty())
     {
-      this->Open.push_back({ name, "", this->GetPlace(), {} });
+      this->Open.push_back(this->Elements.size());
+      this->Elements.push_back({ name, "", this->GetPlace(), 0 });
     }
   }
 
@@ -121,7 +116,7 @@ protected:
   {
     if (this->Problem.empty() && !this->Open.empty())
     {
-      this->Open.back().Text.append(data, static_cast<std::size_t>(length));
+      this->Elements[this->Open.back()].Text.append(data, static_cast<std::size_t>(length));
     }
   }
 
@@ -129,10 +124,8 @@ protected:
   {
     if (this->Problem.empty() && !this->Open.empty())
     {
-      Element closed = std::move(this->Open.back());
+      this->Elements[this->Open.back()].Size = this->Elements.size() - 1 - this->Open.back();
       this->Open.pop_back();
-      Element& parent = this->Open.empty() ? this->Document : this->Open.back();
-      parent.Children.push_back(std::move(closed));
     }
   }
 
@@ -161,8 +154,7 @@ private:
     }
   }
 
-  std::vector<Element> Open;
-  std::size_t Elements = 0;
+  std::vector<std::size_t> Open; // places in the list
 };
 
 vtkStandardNewMacro(XmlParser);
@@ -190,7 +182,7 @@ std::size_t FindXmlStart(std::string_view text)
 
 // Throws FileError where it is no well-formed XML, has a document type of its own, or is not a
 // WindowElement.
-Element ParseBsdfXml(const ByteReader& reader)
+std::vector<Element> ParseBsdfXml(const ByteReader& reader)
 {
   const std::string_view bytes = reader.GetFile().GetView();
   // A document type may define texts that grow without bound.
@@ -223,7 +215,7 @@ Element ParseBsdfXml(const ByteReader& reader)
       there.empty() ? ", at the end" : ", found " + Quote(there.substr(0, there.find('\n'))),
       isAmpersand ? ", expected '&amp;' for an ampersand" : "");
   }
-  return std::move(parser->Document);
+  return std::move(parser->Elements);
 }
 
 //------------------------------------------------------------------------------
@@ -366,9 +358,9 @@ class BsdfXmlFile
 public:
   explicit BsdfXmlFile(const FileBytes& file)
     : Reader(file, BsdfXmlFormatName)
-    , Document(ParseBsdfXml(this->Reader))
-    , Layers(this->Document.FindAll("Layer"))
-    , Layer(this->Layers.empty() ? this->Document : *this->Layers.front())
+    , Elements(ParseBsdfXml(this->Reader))
+    , Layers(this->Elements.front().FindAll("Layer"))
+    , Layer(this->Layers.empty() ? this->Elements.front() : *this->Layers.front())
     , Structure(this->Layer.GetText("IncidentDataStructure"))
     , TreeAxes(IsSameWord(this->Structure, "TensorTree3")   ? 3
                : IsSameWord(this->Structure, "TensorTree4") ? 4
@@ -664,9 +656,9 @@ private:
   }
 
   ByteReader Reader;
-  Element Document;
+  std::vector<Element> Elements; // the root first
   std::vector<const Element*> Layers;
-  const Element& Layer; // the first one, or the document
+  const Element& Layer; // the first one, or the root
   std::string Structure;
   int TreeAxes; // 0: no tree
   std::vector<BsdfBlock> Blocks;

@@ -3,8 +3,6 @@
 // What an image's header says: each file says in its own way how its pixels are to be read.
 #include "TestImages.h"
 
-#include "vtkImageData.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -63,10 +61,6 @@ TEST(IOImageHeaders, RadianceIsDividedByAllExposures)
                  "EXPOSURE= 0.5\nCOLORCORR= 1 2 4\n",
       "-Y 1 +X 2", { 8, 8, 8, 40, 40, 40 }));
   ExpectValues(ReadTopFirst(folder("a.hdr")), { 4, 2, 1, 20, 10, 5 }, 1e-6);
-  vtkNew<vtkPictureReader> picture; // one way to read images
-  picture->SetFileName(folder("a.hdr"));
-  ASSERT_TRUE(picture->Read()) << picture->GetErrorMessage();
-  EXPECT_EQ(picture->GetPicture()->GetScalarComponentAsDouble(1, 0, 0, 2), 5.0);
   for (const std::string lie : { "EXPOSURE=0", "EXPOSURE=-1", "EXPOSURE=nan", "EXPOSURE=1,5",
          "EXPOSURE=", "EXPOSURE=1e40", "COLORCORR=1 2", "PRIMARIES= 1 2 3", "FORMAT=text" })
   {
@@ -140,17 +134,6 @@ TEST(IOImageHeaders, OrientationTurns)
       ExpectValues(found, ToDoubles(CountTexels(6)), 1e-6);
     }
   }
-  // EXIF of a JPEG file, by both readers: dark above as stored, turned by 180 degrees.
-  Spec spec(16, 16, 3, OIIO::TypeDesc::UINT8);
-  spec.attribute("Orientation", 3);
-  std::vector<float> halves(3 * 16 * 16, 0.0f);
-  std::fill(halves.begin() + 3 * 16 * 8, halves.end(), 1.0f);
-  WriteImage(folder("a.jpg"), spec, halves);
-  EXPECT_NEAR(ReadTopFirst(folder("a.jpg")).Values.front(), 1.0, 0.02);
-  vtkNew<vtkPictureReader> picture;
-  picture->SetFileName(folder("a.jpg"));
-  ASSERT_TRUE(picture->Read());
-  EXPECT_GT(picture->GetPicture()->GetScalarComponentAsDouble(0, 15, 0, 0), 250.0); // the top
 }
 
 //------------------------------------------------------------------------------
