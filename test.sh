@@ -17,8 +17,7 @@ for python in /usr/bin/python3 python3; do
   "$python" -c 'import vtkmodules' 2>/dev/null && break
 done
 mkdir -p build
-# Benchmarks are no tests: cmake/ci/options.sh builds them.
-if ! cmake --preset dev -DMEASUREDBRDF_BUILD_BENCHMARKS=OFF -DPython3_EXECUTABLE="$(command -v "$python")" \
+if ! cmake --preset dev -DPython3_EXECUTABLE="$(command -v "$python")" \
   >build/configure.log 2>&1; then
   tail -n 30 build/configure.log >&2
   echo "test.sh: CMake could not configure the build; all of what it said is in build/configure.log" >&2

@@ -59,3 +59,20 @@ function (measuredbrdf_compile_together target)
     target_compile_options("${target}" PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif ()
 endfunction ()
+
+# Headers that most files of a target read, or OWNER, another target that has done so with the same compiler options and
+# definitions or fewer: read once and kept, they save each group of files one to three seconds.
+function (measuredbrdf_precompile_headers target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "OWNER" "")
+  if (NOT MEASUREDBRDF_COMPILE_IN_GROUPS OR NOT MEASUREDBRDF_IS_PACKAGE) # VTK's own build has options of its own
+    return ()
+  endif ()
+  if (arg_OWNER)
+    target_precompile_headers("${target}" REUSE_FROM "${arg_OWNER}")
+  else ()
+    target_precompile_headers("${target}" PRIVATE ${arg_UNPARSED_ARGUMENTS})
+  endif ()
+endfunction ()
+set(measuredbrdf_common_headers <algorithm> <array> <cmath> <functional> <iostream> <map> <memory> <mutex> <numeric>
+  <random> <set> <sstream> <string> <utility> <vector> <glm/glm.hpp> <vtkDoubleArray.h> <vtkFloatArray.h> <vtkImageData.h>
+  <vtkMath.h> <vtkNew.h> <vtkObjectFactory.h> <vtkPointData.h> <vtkPolyData.h> <vtkSmartPointer.h>)

@@ -13,7 +13,7 @@ optional=()
 size=" (500 to 1100 MB download on a bare system)"
 case ${1:-} in
   --tests)
-    packages+=(libgtest-dev libbenchmark-dev python3-numpy locales)
+    packages+=(libgtest-dev python3-numpy locales)
     # python3-pyvista where the suite has it: Debian 13 and later. The Qt widget brings the Qt that VTK was built with.
     optional=(python3-pyvista libvtk9-qt-dev) ;;
   --only)

@@ -5,7 +5,7 @@
 #include "EventCounter.h"
 #include "RenderFixture.h"
 
-#include "../Benchmarks/EverywherePairs.h"
+#include "EverywherePairs.h"
 #include "../Unit/Support/AnisotropicWarp.h"
 #include "../Unit/Support/GatedBRDF.h"
 #include "vtkAdaptiveRadianceIntegrator.h"

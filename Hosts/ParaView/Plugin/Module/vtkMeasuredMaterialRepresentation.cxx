@@ -4,31 +4,34 @@
 #include "vtkMath.h"
 
 #include "MaterialFiles.h"
-#include "NamedMap.h"
 #include "vtkMissingNormalsFilter.h"
 
+#include "vtkCellData.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkCompositeMeasuredBRDFMapper.h"
 #include "vtkDataAssembly.h"
 #include "vtkDataAssemblyUtilities.h"
 #include "vtkDataObjectTree.h"
+#include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMaterialMap.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProcessModule.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -39,11 +42,13 @@ vtkStandardNewMacro(vtkMeasuredMaterialRepresentation);
 namespace
 {
 const char* const File = "File";
+constexpr int Weights = 3; // modes of material maps: 0 none, 1 classes, 2 values
+constexpr int Images = 4;
+using Rows = std::vector<std::pair<std::string, std::string>>; // of the panel's tables
 
 //------------------------------------------------------------------------------
 // Flat indices of the blocks of each selector.
-std::vector<std::vector<unsigned int>> GetIndices(
-  vtkDataObject* data, const std::vector<std::pair<std::string, std::string>>& rows)
+std::vector<std::vector<unsigned int>> GetIndices(vtkDataObject* data, const Rows& rows)
 {
   std::vector<std::vector<unsigned int>> indices(rows.size());
   auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
@@ -56,6 +61,21 @@ std::vector<std::vector<unsigned int>> GetIndices(
     }
   }
   return indices;
+}
+
+//------------------------------------------------------------------------------
+// Whether all surfaces have what a map reads: the array, or texture coordinates for images.
+bool CanRead(vtkDataObject* data, int mode, const std::string& array)
+{
+  const auto surfaces = vtkCompositeDataSet::GetDataSets<vtkDataSet>(data);
+  return data && std::all_of(surfaces.begin(), surfaces.end(),
+                   [&](vtkDataSet* surface)
+                   {
+                     return surface->GetNumberOfCells() == 0 ||
+                            (mode == Images ? surface->GetPointData()->GetTCoords() != nullptr
+                                            : surface->GetPointData()->HasArray(array.c_str()) ||
+                                                surface->GetCellData()->HasArray(array.c_str()));
+                   });
 }
 
 //------------------------------------------------------------------------------
@@ -83,35 +103,39 @@ void Turn(vtkEnvironment* turned, vtkEnvironment* original, double degrees, int 
 //------------------------------------------------------------------------------
 struct vtkMeasuredMaterialRepresentation::Internals
 {
+  // The properties; those of the mappers are theirs.
   std::string Material = "gold-paint";
   std::string MaterialFile;
-  std::vector<std::pair<std::string, std::string>> BlockNames; // selector, material
-  NamedMap Map;
+  Rows BlockNames; // selector, material
+  int MapMode = 0;
+  std::string MapArray;
+  Rows MapNames; // value, material
+  std::vector<std::string> ImageNames;
   std::string Environment = "Automatic";
   std::string EnvironmentFile;
   double Rotation = 0.0;
   int UpAxis = 1;
-  double Tolerance = 0.02;
-  double MaximumCost = 150.0;
-  bool Modulate = true;
   bool ViewLights = false;
   bool Background = true;
   int Occlusion = vtkMeasuredBRDFMapper::OCCLUSION_AUTO;
-  bool Bounce = false;
-  bool IsDistributed = false;       // several processes have parts of the surface
-  bool HasWarned = false;           // of that
-  bool IsModeled = false;           // what "Auto" said of the last picture
-  vtkMTimeType OcclusionTime = 0;   // of that picture's data
   std::string NormalArray = "None"; // of the superclass's property
+
+  bool IsDistributed = false;     // several processes have parts of the surface
+  bool HasWarned = false;         // of that
+  bool IsModeled = false;         // what "Auto" said of the last picture
+  vtkMTimeType OcclusionTime = 0; // of that picture's data
+  std::set<std::string> Said;     // errors, each once
 
   // What the names gave.
   bool IsFound = false;
   vtkSmartPointer<vtkBRDF> BRDF;
-  std::vector<vtkSmartPointer<vtkBRDF>> Blocks; // of BlockNames
-  vtkSmartPointer<vtkEnvironment> Light;        // of the environment's name; null: the view's own
-  vtkSmartPointer<vtkEnvironment> Turned;       // its copy in another orientation, if any
-  std::set<std::string> Said;                   // errors, each once
-  vtkMTimeType BlocksTime = 0;                  // of the data whose blocks have their materials
+  std::vector<vtkSmartPointer<vtkBRDF>> Blocks, MapMaterials; // of the tables' rows
+  std::vector<vtkSmartPointer<vtkImageData>> MapImages;
+  vtkSmartPointer<vtkMaterialMap> Map;
+  bool MapChanged = true;
+  vtkSmartPointer<vtkEnvironment> Light;  // of the environment's name; null: the view's own
+  vtkSmartPointer<vtkEnvironment> Turned; // its copy in another orientation, if any
+  vtkMTimeType BlocksTime = 0;            // of the data whose blocks have their materials
   bool BlocksChanged = true;
 
   std::string GetMaterialName() const
@@ -144,34 +168,97 @@ struct vtkMeasuredMaterialRepresentation::Internals
   // Collective with a controller: the same calls on each process, in one order.
   void FindAll(vtkObject* self, vtkMultiProcessController* controller)
   {
-    const auto find = [&](const std::string& name)
+    const auto take = [&](auto found)
     {
-      Found<vtkBRDF> found = FindMaterial(name, controller);
       this->Say(self, found.Error);
       return found.Object;
     };
-    this->BRDF = find(this->GetMaterialName());
-    this->Blocks.clear();
-    for (const auto& [selector, name] : this->BlockNames)
+    const auto takeAll = [&](const Rows& rows, std::vector<vtkSmartPointer<vtkBRDF>>& materials)
     {
-      this->Blocks.push_back(find(name));
+      materials.clear();
+      for (const auto& row : rows)
+      {
+        materials.push_back(take(FindMaterial(row.second, controller)));
+      }
+    };
+    this->BRDF = take(FindMaterial(this->GetMaterialName(), controller));
+    takeAll(this->BlockNames, this->Blocks);
+    takeAll(this->MapNames, this->MapMaterials);
+    this->MapImages.clear();
+    for (const std::string& path : this->ImageNames)
+    {
+      this->MapImages.push_back(take(FindWeightImage(path, controller)));
     }
-    this->Map.Find(controller, [&](const std::string& error) { this->Say(self, error); });
-    Found<vtkEnvironment> environment = FindEnvironment(this->GetEnvironmentName(), controller);
-    this->Say(self, environment.Error);
-    if (environment.Object != this->Light)
+    const auto environment = take(FindEnvironment(this->GetEnvironmentName(), controller));
+    if (environment != this->Light)
     {
-      this->Light = environment.Object;
+      this->Light = environment;
       this->Turned = nullptr;
     }
     if (!this->Light && this->Environment != "View") // black would look like a result
     {
       this->BRDF = nullptr;
       std::fill(this->Blocks.begin(), this->Blocks.end(), nullptr);
-      this->Map.DropMaterials();
+      std::fill(this->MapMaterials.begin(), this->MapMaterials.end(), nullptr);
     }
     this->IsFound = true;
     this->BlocksChanged = true;
+    this->MapChanged = true;
+  }
+
+  // Null where there is no map, or where something cannot be read that the weights of the others
+  // depend on: one that is left out would give its weights to the others. Classes and values of
+  // materials that cannot be read are left out.
+  vtkMaterialMap* GetMap(vtkObject* self)
+  {
+    if (!std::exchange(this->MapChanged, false))
+    {
+      return this->Map;
+    }
+    this->Map = nullptr;
+    if (this->MapMode == 0)
+    {
+      return nullptr;
+    }
+    bool isWhole = true;
+    std::map<double, std::pair<vtkBRDF*, std::string>> rows; // weights go by their order
+    for (std::size_t k = 0; k < std::min(this->MapNames.size(), this->MapMaterials.size()); ++k)
+    {
+      const auto& [value, name] = this->MapNames[k];
+      double number = 0.0; // not by strtod, which follows the host's locale
+      const char* const end = value.data() + value.size();
+      const auto read = std::from_chars(value.data(), end, number);
+      const bool isNumber = read.ec == std::errc() && read.ptr == end && std::isfinite(number);
+      if (!isNumber)
+      {
+        this->Say(self, "Map Materials: found \"" + value + "\", expected a number.");
+      }
+      if (isNumber && this->MapMaterials[k]) // what cannot be read has been said
+      {
+        rows[number] = { this->MapMaterials[k], name };
+      }
+      isWhole = isWhole && isNumber && this->MapMaterials[k];
+    }
+    const int modes[] = { vtkMaterialMap::CLASSES, vtkMaterialMap::VALUES, vtkMaterialMap::WEIGHTS,
+      vtkMaterialMap::TEXTURES };
+    vtkNew<vtkMaterialMap> map;
+    map->SetMode(modes[this->MapMode - 1]);
+    map->SetArrayName(this->MapArray);
+    for (const auto& [number, row] : rows)
+    {
+      map->AddMaterial(row.first, number, row.second);
+    }
+    for (vtkImageData* image :
+      this->MapMode == Images ? this->MapImages : decltype(this->MapImages)())
+    {
+      isWhole = isWhole && image;
+      if (image)
+      {
+        map->AddWeightImage(image);
+      }
+    }
+    this->Map = isWhole || this->MapMode < Weights ? map.Get() : nullptr;
+    return this->Map;
   }
 
   // The first process says which selectors no process has. Collective, as FindAll is.
@@ -294,18 +381,65 @@ measuredmaterialsSetNameMacro(MeasuredEnvironmentFile, EnvironmentFile);
   }
 
 measuredmaterialsRemoveAllMacro(BlockMaterials, BlockNames);
-measuredmaterialsRemoveAllMacro(MapMaterials, Map.Materials);
-measuredmaterialsRemoveAllMacro(WeightImages, Map.Images);
+measuredmaterialsRemoveAllMacro(MapMaterials, MapNames);
+measuredmaterialsRemoveAllMacro(WeightImages, ImageNames);
 
 // The next picture is drawn so; nothing is read.
 #define measuredmaterialsSetMacro(Name, Type, Member) \
   void vtkMeasuredMaterialRepresentation::Set##Name(Type value) { this->Impl->Member = value; }
 
 measuredmaterialsSetMacro(MeasuredEnvironmentRotation, double, Rotation);
-measuredmaterialsSetMacro(ModulateByScalars, bool, Modulate);
 measuredmaterialsSetMacro(UseViewLights, bool, ViewLights);
 measuredmaterialsSetMacro(PlanInBackground, bool, Background);
-measuredmaterialsSetMacro(OcclusionBounce, bool, Bounce);
+
+//------------------------------------------------------------------------------
+template <typename Function>
+void vtkMeasuredMaterialRepresentation::ForEachMapper(const Function& function)
+{
+  for (vtkMapper* mapper :
+    { this->Mapper, this->BackfaceMapper, this->LODMapper, this->LODBackfaceMapper })
+  {
+    function(static_cast<vtkCompositeMeasuredBRDFMapper*>(mapper),
+      mapper == this->LODMapper || mapper == this->LODBackfaceMapper);
+  }
+}
+
+//------------------------------------------------------------------------------
+// The first mapper says what is wrong and keeps what it had; the others follow it.
+void vtkMeasuredMaterialRepresentation::SetErrorTolerance(double tolerance)
+{
+  auto* const first = static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper);
+  first->SetErrorTolerance(tolerance);
+  this->ForEachMapper([first](vtkCompositeMeasuredBRDFMapper* mapper, bool)
+    { mapper->SetErrorTolerance(first->GetErrorTolerance()); });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetMaximumCost(double cost)
+{
+  auto* const first = static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper);
+  first->SetMaximumCost(cost);
+  this->ForEachMapper([first](vtkCompositeMeasuredBRDFMapper* mapper, bool)
+    { mapper->SetMaximumCost(first->GetMaximumCost()); });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetModulateByScalars(bool modulate)
+{
+  this->ForEachMapper(
+    [modulate](vtkCompositeMeasuredBRDFMapper* mapper, bool)
+    {
+      mapper->SetScalarColoringMode(
+        modulate ? vtkMeasuredBRDFMapper::MODULATE : vtkMeasuredBRDFMapper::IGNORE_SCALARS);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetOcclusionBounce(bool bounce)
+{
+  this->ForEachMapper(
+    [bounce](vtkCompositeMeasuredBRDFMapper* mapper, bool) { mapper->SetOcclusionBounce(bounce); });
+}
 
 //------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::NamesChanged()
@@ -333,15 +467,15 @@ void vtkMeasuredMaterialRepresentation::SetBlockMaterial(const char* selector, c
 //------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::SetMaterialMapMode(int mode)
 {
-  this->Impl->Map.Mode = std::clamp(mode, 0, 4);
-  this->Impl->Map.IsChanged = true;
+  this->Impl->MapMode = std::clamp(mode, 0, 4);
+  this->Impl->MapChanged = true;
 }
 
 //------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::SetMaterialMapArray(const char* name)
 {
-  this->Impl->Map.Array = ToText(name);
-  this->Impl->Map.IsChanged = true;
+  this->Impl->MapArray = ToText(name);
+  this->Impl->MapChanged = true;
 }
 
 //------------------------------------------------------------------------------
@@ -349,7 +483,7 @@ void vtkMeasuredMaterialRepresentation::SetMapMaterial(const char* value, const 
 {
   if (!ToText(value).empty()) // else a row of the panel's table that is being written
   {
-    this->Impl->Map.Materials.emplace_back(value, ToText(material));
+    this->Impl->MapNames.emplace_back(value, ToText(material));
     this->NamesChanged();
   }
 }
@@ -359,25 +493,8 @@ void vtkMeasuredMaterialRepresentation::AddWeightImage(const char* path)
 {
   if (!ToText(path).empty())
   {
-    this->Impl->Map.Images.emplace_back(path);
+    this->Impl->ImageNames.emplace_back(path);
     this->NamesChanged();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::UpdateMap(vtkDataObject* levelOfDetail)
-{
-  Internals& impl = *this->Impl;
-  vtkMaterialMap* map = impl.Map.Get([&](const std::string& error) { impl.Say(this, error); });
-  for (vtkMapper* any : { this->Mapper, this->BackfaceMapper })
-  {
-    static_cast<vtkCompositeMeasuredBRDFMapper*>(any)->SetMaterialMap(map);
-  }
-  // What stands for the surface while the camera moves may lack the data.
-  map = map && impl.Map.CanRead(levelOfDetail) ? map : nullptr;
-  for (vtkMapper* any : { this->LODMapper, this->LODBackfaceMapper })
-  {
-    static_cast<vtkCompositeMeasuredBRDFMapper*>(any)->SetMaterialMap(map);
   }
 }
 
@@ -385,32 +502,6 @@ void vtkMeasuredMaterialRepresentation::UpdateMap(vtkDataObject* levelOfDetail)
 void vtkMeasuredMaterialRepresentation::SetMeasuredEnvironmentUpAxis(int axis)
 {
   this->Impl->UpAxis = std::clamp(axis, 0, 2);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::SetErrorTolerance(double tolerance)
-{
-  this->Take("SetErrorTolerance", this->Impl->Tolerance, tolerance, 0.001, 1.0);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::SetMaximumCost(double cost)
-{
-  this->Take("SetMaximumCost", this->Impl->MaximumCost, cost, 1.0, 1e6);
-}
-
-//------------------------------------------------------------------------------
-// What is wrong is said here once, not by the mappers in each frame.
-void vtkMeasuredMaterialRepresentation::Take(
-  const char* name, double& property, double value, double low, double high)
-{
-  if (!(value >= low && value <= high))
-  {
-    vtkErrorMacro(<< name << ": found " << value << ", expected a number from " << low << " to "
-                  << high << "; " << property << " stays.");
-    return;
-  }
-  property = value;
 }
 
 //------------------------------------------------------------------------------
@@ -513,24 +604,20 @@ void vtkMeasuredMaterialRepresentation::UpdateMappers(
   const int mode = impl.Background && interactive && !parallel ? vtkMeasuredBRDFMapper::BACKGROUND
                                                                : vtkMeasuredBRDFMapper::FOREGROUND;
   const int occlusion = this->FindOcclusionMode(data, interactive);
-  for (vtkMapper* any :
-    { this->Mapper, this->LODMapper, this->BackfaceMapper, this->LODBackfaceMapper })
-  {
-    auto* mapper = static_cast<vtkCompositeMeasuredBRDFMapper*>(any);
-    // The level of detail is another surface, whose arrays do not fit, and which comes and goes.
-    const bool isLevel = any == this->LODMapper || any == this->LODBackfaceMapper;
-    mapper->SetOcclusionMode(isLevel ? vtkMeasuredBRDFMapper::OCCLUSION_OFF : occlusion);
-    mapper->SetOcclusionBounce(impl.Bounce);
-    mapper->SetBRDF(impl.BRDF);
-    mapper->SetEnvironment(environment);
-    mapper->SetErrorTolerance(impl.Tolerance);
-    mapper->SetMaximumCost(impl.MaximumCost);
-    mapper->SetPlanningMode(mode);
-    mapper->SetUseSceneLights(impl.ViewLights || ownLights);
-    mapper->SetScalarColoringMode(
-      impl.Modulate ? vtkMeasuredBRDFMapper::MODULATE : vtkMeasuredBRDFMapper::IGNORE_SCALARS);
-  }
-  this->UpdateMap(levelOfDetail);
+  vtkMaterialMap* map = impl.GetMap(this);
+  // What stands for the surface while the camera moves is another one, whose arrays of occlusion do
+  // not fit, which comes and goes, and which may lack the map's data.
+  const bool canLevelRead = map && CanRead(levelOfDetail, impl.MapMode, impl.MapArray);
+  this->ForEachMapper(
+    [&](vtkCompositeMeasuredBRDFMapper* mapper, bool isLevel)
+    {
+      mapper->SetOcclusionMode(isLevel ? vtkMeasuredBRDFMapper::OCCLUSION_OFF : occlusion);
+      mapper->SetBRDF(impl.BRDF);
+      mapper->SetMaterialMap(isLevel && !canLevelRead ? nullptr : map);
+      mapper->SetEnvironment(environment);
+      mapper->SetPlanningMode(mode);
+      mapper->SetUseSceneLights(impl.ViewLights || ownLights);
+    });
   this->UpdateBlocks(vtkDataObjectTree::SafeDownCast(data));
 }
 
@@ -595,16 +682,15 @@ void vtkMeasuredMaterialRepresentation::UpdateBlocks(vtkDataObjectTree* data)
       brdfs[index] = impl.Blocks[k];
     }
   }
-  for (vtkMapper* any :
-    { this->Mapper, this->LODMapper, this->BackfaceMapper, this->LODBackfaceMapper })
-  {
-    auto* mapper = static_cast<vtkCompositeMeasuredBRDFMapper*>(any);
-    mapper->RemoveBlockBRDFs();
-    for (const auto& [index, brdf] : brdfs)
+  this->ForEachMapper(
+    [&brdfs](vtkCompositeMeasuredBRDFMapper* mapper, bool)
     {
-      mapper->SetBlockBRDF(index, brdf);
-    }
-  }
+      mapper->RemoveBlockBRDFs();
+      for (const auto& [index, brdf] : brdfs)
+      {
+        mapper->SetBlockBRDF(index, brdf);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -630,22 +716,25 @@ void vtkMeasuredMaterialRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   const Internals& impl = *this->Impl;
   os << indent << "MeasuredMaterial: " << impl.Material << "\n";
   os << indent << "MeasuredMaterialFile: " << impl.MaterialFile << "\n";
-  std::ostringstream spaces;
-  spaces << indent;
-  impl.Map.Print(os, spaces.str());
+  os << indent << "MaterialMapMode: " << impl.MapMode << "\n";
+  os << indent << "MaterialMapArray: " << impl.MapArray << "\n";
   os << indent << "MeasuredEnvironment: " << impl.Environment << "\n";
   os << indent << "MeasuredEnvironmentFile: " << impl.EnvironmentFile << "\n";
   os << indent << "MeasuredEnvironmentRotation: " << impl.Rotation << "\n";
   os << indent << "MeasuredEnvironmentUpAxis: " << impl.UpAxis << "\n";
-  os << indent << "ErrorTolerance: " << impl.Tolerance << "\n";
-  os << indent << "MaximumCost: " << impl.MaximumCost << "\n";
-  os << indent << "ModulateByScalars: " << impl.Modulate << "\n";
   os << indent << "UseViewLights: " << impl.ViewLights << "\n";
   os << indent << "PlanInBackground: " << impl.Background << "\n";
   os << indent << "OcclusionMode: " << impl.Occlusion << "\n";
-  os << indent << "OcclusionBounce: " << impl.Bounce << "\n";
   for (const auto& [selector, material] : impl.BlockNames)
   {
     os << indent << "BlockMaterial: " << selector << " " << material << "\n";
+  }
+  for (const auto& [value, material] : impl.MapNames)
+  {
+    os << indent << "MapMaterial: " << value << " " << material << "\n";
+  }
+  for (const std::string& path : impl.ImageNames)
+  {
+    os << indent << "WeightImage: " << path << "\n";
   }
 }

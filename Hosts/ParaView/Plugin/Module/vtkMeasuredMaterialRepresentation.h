@@ -145,12 +145,12 @@ private:
   void operator=(const vtkMeasuredMaterialRepresentation&) = delete;
 
   void NamesChanged();
-  void Take(const char* name, double& property, double value, double low, double high);
+  template <typename Function>
+  void ForEachMapper(const Function& function); // (mapper, whether it draws the level of detail)
   int FindOcclusionMode(vtkDataObject* data, bool interactive);
   void WarnOfParts();
   void UpdateMappers(vtkDataObject* data, vtkDataObject* levelOfDetail);
   void UpdateBlocks(vtkDataObjectTree* data);
-  void UpdateMap(vtkDataObject* levelOfDetail);
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
