@@ -165,7 +165,7 @@ void Painter::SetUpAxis(
   axis->SetTitle("");
   axis->GetLabelProperties()->SetFontFamilyToArial();
   axis->GetLabelProperties()->SetFontSize(Smooth * Font);
-  axis->GetLabelProperties()->SetColor(Ink.data());
+  axis->GetLabelProperties()->SetColor(&Ink.x);
   axis->SetLabelOffset(Smooth * 12.0f);
   axis->GetGridPen()->SetColorF(GridColor[0], GridColor[1], GridColor[2]);
   axis->GetGridPen()->SetWidth(Smooth * 1.5f);

@@ -50,6 +50,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -60,6 +61,7 @@
 #include <iterator>
 #include <locale>
 #include <map>
+#include <memory>
 #include <new>
 #include <set>
 #include <sstream>
@@ -159,33 +161,12 @@ vtkSmartPointer<vtkPolyData> AddNormals(vtkPolyData* mesh, double featureAngle)
 
 //------------------------------------------------------------------------------
 template <typename Reader>
-vtkSmartPointer<vtkAlgorithm> MakeReaderOf(const std::string& path)
+vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
 {
   auto reader = vtkSmartPointer<Reader>::New();
   reader->SetFileName(path.c_str());
   return reader;
 }
-
-//------------------------------------------------------------------------------
-struct MeshFormat
-{
-  const char* Extension;
-  vtkSmartPointer<vtkAlgorithm> (*MakeReader)(const std::string& path);
-  void (*Check)(const std::string& path); // before the reader sees the file; may be null
-};
-
-void CheckPLYHeader(const std::string& path);
-void CheckOBJIndices(const std::string& path);
-
-const std::vector<MeshFormat> MeshFormats = {
-  { ".ply", MakeReaderOf<vtkPLYReader>, CheckPLYHeader },
-  { ".stl", MakeReaderOf<vtkSTLReader>, nullptr },
-  { ".obj", MakeReaderOf<vtkOBJReader>, CheckOBJIndices },
-  { ".vtp", MakeReaderOf<vtkXMLPolyDataReader>, nullptr },
-  { ".vtk", MakeReaderOf<vtkGenericDataObjectReader>, nullptr },
-  { ".gltf", MakeReaderOf<vtkGLTFReader>, nullptr },
-  { ".glb", MakeReaderOf<vtkGLTFReader>, nullptr },
-};
 
 //------------------------------------------------------------------------------
 // Of a number in a binary PLY file.
@@ -326,38 +307,52 @@ void CheckOBJIndices(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+// The tuples that hold a number that is not finite or, of directions, have no length.
+std::vector<vtkIdType> FindBad(vtkDataArray* array, bool isDirection)
+{
+  std::vector<vtkIdType> bad;
+  for (vtkIdType k = 0; array && k < array->GetNumberOfTuples(); ++k)
+  {
+    double sum = 0.0; // of squares: finite where all values are
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    {
+      sum += array->GetComponent(k, c) * array->GetComponent(k, c);
+    }
+    if (!std::isfinite(sum) || (isDirection && sum == 0.0))
+    {
+      bad.push_back(k);
+    }
+  }
+  return bad;
+}
+
+//------------------------------------------------------------------------------
 // Filters follow cells to their points wherever these are.
 void CheckCells(const std::string& path, vtkDataObject* data)
 {
   auto* mesh = vtkPointSet::SafeDownCast(data);
-  if (!mesh)
+  if (!mesh || !mesh->GetPoints())
   {
     return;
   }
-  const vtkIdType points = mesh->GetNumberOfPoints();
-  for (vtkIdType k = 0; k < points; ++k)
+  const std::vector<vtkIdType> bad = FindBad(mesh->GetPoints()->GetData(), false);
+  if (!bad.empty())
   {
-    double p[3];
-    mesh->GetPoint(k, p);
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-    {
-      throw Error(path + ": point " + std::to_string(k) + " is not finite");
-    }
+    throw Error(path + ": point " + std::to_string(bad.front()) + " is not finite");
   }
-  const auto check = [&path, points](vtkCellArray* cells)
+  const double points = static_cast<double>(mesh->GetNumberOfPoints());
+  const auto check = [&](vtkCellArray* cells)
   {
-    vtkNew<vtkIdList> ids;
-    for (vtkIdType k = 0; cells && k < cells->GetNumberOfCells(); ++k)
+    double range[2] = { 0.0, -1.0 };
+    if (cells && cells->GetNumberOfConnectivityIds() > 0)
     {
-      cells->GetCellAtId(k, ids);
-      for (vtkIdType n = 0; n < ids->GetNumberOfIds(); ++n)
-      {
-        if (ids->GetId(n) < 0 || ids->GetId(n) >= points)
-        {
-          throw Error(path + ": a cell names point " + std::to_string(ids->GetId(n)) +
-                      ", but there are " + std::to_string(points) + " points");
-        }
-      }
+      cells->GetConnectivityArray()->GetRange(range, 0);
+    }
+    if (range[0] < 0.0 || range[1] >= points)
+    {
+      throw Error(path + ": a cell names point " +
+                  FormatNumber(range[0] < 0.0 ? range[0] : range[1]) + ", but there are " +
+                  FormatNumber(points) + " points");
     }
   };
   if (auto* surface = vtkPolyData::SafeDownCast(data))
@@ -392,26 +387,6 @@ vtkSmartPointer<vtkPolyData> GetSurface(vtkDataObject* data)
   parts->SetInputDataObject(data);
   parts->Update();
   return parts->GetOutput();
-}
-
-//------------------------------------------------------------------------------
-// The tuples that hold a number that is not finite or, of directions, have no length.
-std::vector<vtkIdType> FindBad(vtkDataArray* array, bool isDirection)
-{
-  std::vector<vtkIdType> bad;
-  for (vtkIdType k = 0; array && k < array->GetNumberOfTuples(); ++k)
-  {
-    double sum = 0.0; // of squares: finite where all values are
-    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-    {
-      sum += array->GetComponent(k, c) * array->GetComponent(k, c);
-    }
-    if (!std::isfinite(sum) || (isDirection && sum == 0.0))
-    {
-      bad.push_back(k);
-    }
-  }
-  return bad;
 }
 
 //------------------------------------------------------------------------------
@@ -454,13 +429,22 @@ vtkSmartPointer<vtkPolyData> RepairData(const std::string& path, vtkPolyData* me
 // The whole way from a file to a surface with normals, which trusts the file.
 vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path)
 {
-  const auto format = std::find_if(MeshFormats.begin(), MeshFormats.end(),
-    [&path](const MeshFormat& known) { return known.Extension == Extension(path); });
-  if (format->Check)
+  const std::string ending = Extension(path);
+  if (ending == ".ply")
   {
-    format->Check(path);
+    CheckPLYHeader(path);
   }
-  const vtkSmartPointer<vtkAlgorithm> reader = format->MakeReader(path);
+  else if (ending == ".obj")
+  {
+    CheckOBJIndices(path);
+  }
+  const vtkSmartPointer<vtkAlgorithm> reader =
+    ending == ".ply"   ? MakeReader<vtkPLYReader>(path)
+    : ending == ".stl" ? MakeReader<vtkSTLReader>(path)
+    : ending == ".obj" ? MakeReader<vtkOBJReader>(path)
+    : ending == ".vtp" ? MakeReader<vtkXMLPolyDataReader>(path)
+    : ending == ".vtk" ? MakeReader<vtkGenericDataObjectReader>(path)
+                       : MakeReader<vtkGLTFReader>(path);
   reader->Update();
   std::string errors = TakeErrorText();
   vtkDataObject* data = reader->GetOutputDataObject(0);
@@ -492,31 +476,6 @@ constexpr const char* NotesName = "Notes"; // the field that holds what the chil
 constexpr int HasError = 1;                // exit status: the answer is a message
 
 //------------------------------------------------------------------------------
-/// A file without a name for the child's answer: nothing is left of it, however both end.
-struct AnswerFile
-{
-  AnswerFile()
-  {
-    std::error_code error;
-    const auto folder = std::filesystem::temp_directory_path(error);
-    std::string name = (folder / "measured-brdf-XXXXXX").string();
-    this->File = error ? -1 : mkstemp(name.data());
-    if (this->File < 0)
-    {
-      throw Error("no temporary file can be made in the folder of TMPDIR: " +
-                  (error ? error.message() : name + ": " + std::strerror(errno)));
-    }
-    unlink(name.c_str());
-    this->Path = "/proc/self/fd/" + std::to_string(this->File); // the child's, too
-  }
-  ~AnswerFile() { close(this->File); }
-  AnswerFile(const AnswerFile&) = delete;
-  void operator=(const AnswerFile&) = delete;
-
-  int File;
-  std::string Path;
-};
-
 //------------------------------------------------------------------------------
 // The tool, which answers ReadMeshOption, beside this program; empty where there is none.
 std::string FindTool()
@@ -607,11 +566,17 @@ vtkSmartPointer<vtkPolyData> ReadApart(const std::string& path)
   {
     return ReadMesh(path);
   }
-  const AnswerFile answer;
-  const int status = RunTool(program, path, answer.Path);
+  // A file without a name for the child's answer: nothing is left of it, however both end.
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
+  if (!file)
+  {
+    throw Error(std::string("no temporary file can be made: ") + std::strerror(errno));
+  }
+  const std::string answer = "/proc/self/fd/" + std::to_string(fileno(file.get()));
+  const int status = RunTool(program, path, answer);
   if (WIFEXITED(status) && WEXITSTATUS(status) == HasError)
   {
-    std::ifstream message(answer.Path, std::ios::binary);
+    std::ifstream message(answer, std::ios::binary);
     const std::string text(std::istreambuf_iterator<char>(message), {});
     if (!text.empty())
     {
@@ -627,7 +592,7 @@ vtkSmartPointer<vtkPolyData> ReadApart(const std::string& path)
                 ", expected a file that is whole, whose counts and indices fit together");
   }
   vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(answer.Path.c_str());
+  reader->SetFileName(answer.c_str());
   reader->Update();
   const std::string errors = TakeErrorText();
   if (!errors.empty())
@@ -647,15 +612,8 @@ vtkSmartPointer<vtkPolyData> ReadApart(const std::string& path)
 //------------------------------------------------------------------------------
 const std::vector<std::string>& GetMeshExtensions()
 {
-  static const std::vector<std::string> endings = []()
-  {
-    std::vector<std::string> all;
-    for (const MeshFormat& format : MeshFormats)
-    {
-      all.emplace_back(format.Extension);
-    }
-    return all;
-  }();
+  static const std::vector<std::string> endings = { ".ply", ".stl", ".obj", ".vtp", ".vtk", ".gltf",
+    ".glb" };
   return endings;
 }
 

@@ -41,12 +41,8 @@ void Picture::Blend(int x, int y, const RGB& rgb, double alpha)
   {
     return;
   }
-  float* pixel = this->At(x, y);
-  for (int c = 0; c < 3; ++c)
-  {
-    pixel[c] = static_cast<float>(pixel[c] + alpha * (rgb[c] - pixel[c]));
-  }
-  pixel[3] = static_cast<float>(pixel[3] + alpha * (1.0 - pixel[3]));
+  glm::vec4& pixel = this->At(x, y);
+  pixel = glm::mix(glm::dvec4(pixel), glm::dvec4(rgb, 1.0), alpha);
 }
 
 //------------------------------------------------------------------------------
@@ -71,19 +67,12 @@ Picture Downsample(const Picture& picture, int factor)
   {
     for (int x = 0; x < result.Width; ++x)
     {
-      double sum[4] = { 0, 0, 0, 0 };
+      glm::dvec4 sum(0.0);
       for (int k = 0; k < factor * factor; ++k)
       {
-        const float* pixel = picture.At(x * factor + k % factor, y * factor + k / factor);
-        for (int c = 0; c < 4; ++c)
-        {
-          sum[c] += pixel[c];
-        }
+        sum += picture.At(x * factor + k % factor, y * factor + k / factor);
       }
-      for (int c = 0; c < 4; ++c)
-      {
-        result.At(x, y)[c] = static_cast<float>(sum[c] / (factor * factor));
-      }
+      result.At(x, y) = sum / static_cast<double>(factor * factor);
     }
   }
   return result;
@@ -134,7 +123,8 @@ void WriteEXR(const std::string& path, const Picture& picture)
   pixels.reserve(picture.Pixels.size());
   for (int y = picture.Height - 1; y >= 0; --y)
   {
-    pixels.insert(pixels.end(), picture.At(0, y), picture.At(0, y) + row);
+    const float* first = &picture.At(0, y).x;
+    pixels.insert(pixels.end(), first, first + row);
   }
   std::string bytes;
   try
@@ -176,15 +166,27 @@ Backdrop::Backdrop(vtkEnvironment* environment, double factor)
 }
 
 //------------------------------------------------------------------------------
-RGB Backdrop::Look(const std::array<double, 3>& direction) const
+RGB Backdrop::Look(const glm::dvec3& direction) const
 {
   RGB rgb;
-  this->Environment->GetRadiance(direction.data(), rgb.data());
-  for (double& value : rgb)
+  this->Environment->GetRadiance(&direction.x, &rgb.x);
+  return this->Factor * rgb;
+}
+
+//------------------------------------------------------------------------------
+Picture Backdrop::Draw(int width, int height) const
+{
+  Picture picture(width, height);
+  for (int y = 0; y < height; ++y)
   {
-    value *= this->Factor;
+    for (int x = 0; x < width; ++x)
+    {
+      glm::dvec3 direction;
+      vtkEnvironment::GetDirection((x + 0.5) / width, (y + 0.5) / height, &direction.x);
+      picture.At(x, y) = glm::dvec4(this->Look(direction), 1.0);
+    }
   }
-  return rgb;
+  return picture;
 }
 
 //------------------------------------------------------------------------------

@@ -15,7 +15,8 @@
 #include "vtkEnvironment.h"
 #include "vtkSmartPointer.h"
 
-#include <array>
+#include <glm/glm.hpp>
+
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ class vtkImageData;
 
 namespace tool
 {
-using RGB = std::array<double, 3>;
+using RGB = glm::dvec3;
 
 /// Linear RGBA (color not multiplied by alpha), row 0 at the bottom.
 struct Picture
@@ -35,14 +36,12 @@ struct Picture
   {
   }
 
-  float* At(int x, int y)
+  glm::vec4& At(int x, int y)
   {
-    return this->Pixels.data() + 4 * (static_cast<std::size_t>(y) * this->Width + x);
+    return reinterpret_cast<glm::vec4&>(
+      this->Pixels[4 * (static_cast<std::size_t>(y) * this->Width + x)]);
   }
-  const float* At(int x, int y) const
-  {
-    return this->Pixels.data() + 4 * (static_cast<std::size_t>(y) * this->Width + x);
-  }
+  const glm::vec4& At(int x, int y) const { return const_cast<Picture*>(this)->At(x, y); }
 
   /// Cover the pixel's color by rgb, by a share alpha. Outside the picture: nothing.
   void Blend(int x, int y, const RGB& rgb, double alpha);
@@ -84,7 +83,10 @@ public:
   explicit Backdrop(vtkEnvironment* environment, double factor = 1.0);
 
   /// Radiance in a direction of the environment's frame, interpolated between its texels.
-  RGB Look(const std::array<double, 3>& direction) const;
+  RGB Look(const glm::dvec3& direction) const;
+
+  /// All directions as a lat-long picture.
+  Picture Draw(int width, int height) const;
 
   /// Make it darker or brighter.
   void Scale(double factor) { this->Factor *= factor; }

@@ -214,15 +214,15 @@ void OffscreenScene::Open(int width, int height)
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 3> OffscreenScene::GetEye() const
+glm::dvec3 OffscreenScene::GetEye() const
 {
-  std::array<double, 3> eye;
-  this->Renderer->GetActiveCamera()->GetPosition(eye.data());
+  glm::dvec3 eye;
+  this->Renderer->GetActiveCamera()->GetPosition(&eye.x);
   return eye;
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 3> OffscreenScene::GetRay(double x, double y, int width, int height) const
+glm::dvec3 OffscreenScene::GetRay(double x, double y, int width, int height) const
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   glm::dvec3 forward, up;
@@ -230,9 +230,8 @@ std::array<double, 3> OffscreenScene::GetRay(double x, double y, int width, int 
   camera->GetViewUp(&up.x);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, up));
   const double scale = std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle())) / height;
-  const glm::dvec3 ray = glm::normalize(forward + scale * (2.0 * x - width) * right +
-                                        scale * (2.0 * y - height) * glm::cross(right, forward));
-  return { ray.x, ray.y, ray.z };
+  return glm::normalize(forward + scale * (2.0 * x - width) * right +
+                        scale * (2.0 * y - height) * glm::cross(right, forward));
 }
 
 //------------------------------------------------------------------------------
@@ -336,9 +335,9 @@ void StockScene::SetMaterial(const StockMaterial& material)
   vtkProperty* property = this->Actor->GetProperty();
   property->SetRoughness(material.Roughness);
   property->SetMetallic(material.Metallic);
-  const double power = 1.0 / this->ColorExponent;
-  property->SetColor(std::pow(material.Albedo[0], power), std::pow(material.Albedo[1], power),
-    std::pow(material.Albedo[2], power));
+  const std::array<double, 3>& albedo = material.Albedo;
+  RGB color = glm::pow(RGB(albedo[0], albedo[1], albedo[2]), RGB(1.0 / this->ColorExponent));
+  property->SetColor(&color.x);
 }
 
 //------------------------------------------------------------------------------
@@ -585,18 +584,13 @@ void ComposeOver(
       {
         for (int x = 0; x < picture.Width; ++x)
         {
-          float* pixel = picture.At(x, y);
-          const double alpha = std::clamp<double>(pixel[3], 0.0, 1.0);
+          glm::vec4& pixel = picture.At(x, y);
+          const double alpha = std::clamp<double>(pixel.a, 0.0, 1.0);
           const RGB behind =
             alpha < 1.0
               ? backdrop.Look(scene.GetRay(x + 0.5, y + 0.5, picture.Width, picture.Height))
-              : RGB{};
-          for (int c = 0; c < 3; ++c)
-          {
-            pixel[c] =
-              static_cast<float>(exposure * (alpha * pixel[c] + (1.0 - alpha) * behind[c]));
-          }
-          pixel[3] = 1.0f;
+              : RGB(0.0);
+          pixel = glm::dvec4(exposure * glm::mix(behind, RGB(pixel), alpha), 1.0);
         }
       }
     });

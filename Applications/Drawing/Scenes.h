@@ -77,10 +77,10 @@ public:
   void Open(int width, int height);
 
   /// World direction that pixel (x, y) of a picture of the given size looks along.
-  std::array<double, 3> GetRay(double x, double y, int width, int height) const;
+  glm::dvec3 GetRay(double x, double y, int width, int height) const;
 
   /// Where the camera is that PlaceCamera placed.
-  std::array<double, 3> GetEye() const;
+  glm::dvec3 GetEye() const;
 
   std::string GetRendererName();
 
@@ -121,7 +121,7 @@ struct StockMaterial
 {
   double Roughness = 0.5;
   double Metallic = 0.0;
-  RGB Albedo = { 0.5, 0.5, 0.5 }; // linear
+  std::array<double, 3> Albedo = { 0.5, 0.5, 0.5 }; // linear
 };
 
 /// The mesh as VTK draws it by itself: physically based shading under image-based lighting.

@@ -25,12 +25,9 @@ constexpr tool::RGB PaperColor = { 0.013, 0.014, 0.017 };
 Picture MakePaper(int width, int height)
 {
   Picture paper(width, height);
-  for (int y = 0; y < height; ++y)
+  for (int k = 0; k < width * height; ++k)
   {
-    for (int x = 0; x < width; ++x)
-    {
-      paper.Blend(x, y, PaperColor, 1.0);
-    }
+    paper.At(k % width, k / width) = glm::vec4(PaperColor, 1.0f);
   }
   return paper;
 }
@@ -42,8 +39,7 @@ void Paste(Picture& sheet, const Picture& tile, int x0, int y0)
   const int right = std::min(tile.Width, sheet.Width - x0);
   for (int y = std::max(0, -y0); left < right && y < std::min(tile.Height, sheet.Height - y0); ++y)
   {
-    std::copy_n(
-      tile.At(left, y), 4 * static_cast<std::size_t>(right - left), sheet.At(x0 + left, y0 + y));
+    std::copy_n(&tile.At(left, y), right - left, &sheet.At(x0 + left, y0 + y));
   }
 }
 
@@ -130,8 +126,7 @@ Picture Enlarge(const Picture& small, const Picture& covered, int stride)
         if (u * u + v * v < nearest)
         {
           nearest = u * u + v * v;
-          std::copy_n(small.At(i, j), 3, result.At(x, y));
-          result.At(x, y)[3] = covered.At(x, y)[3];
+          result.At(x, y) = glm::vec4(glm::vec3(small.At(i, j)), covered.At(x, y).a);
         }
       }
     }
@@ -145,27 +140,20 @@ RGB ColorError(double error)
 {
   const double t = std::clamp(std::abs(error), 0.0, 1.0);
   const RGB far = error < 0.0 ? RGB{ 0.02, 0.1, 0.6 } : RGB{ 0.6, 0.03, 0.02 };
-  RGB rgb;
-  for (int c = 0; c < 3; ++c)
-  {
-    rgb[c] = (1.0 - t) * 0.85 + t * far[c];
-  }
-  return rgb;
+  return glm::mix(RGB(0.85), far, t);
 }
 
 //------------------------------------------------------------------------------
 // Over dark gray, in display light.
 Picture MakeTile(Picture picture, double exposure)
 {
-  for (std::size_t k = 0; k < picture.Pixels.size(); k += 4)
+  for (int k = 0; k < picture.Width * picture.Height; ++k)
   {
-    const double alpha = std::clamp<double>(picture.Pixels[k + 3], 0.0, 1.0);
-    for (int c = 0; c < 3; ++c)
-    {
-      picture.Pixels[k + c] = static_cast<float>(
-        alpha * RollOff(exposure * picture.Pixels[k + c]) + (1.0 - alpha) * 0.03);
-    }
-    picture.Pixels[k + 3] = 1.0f;
+    glm::vec4& pixel = picture.At(k % picture.Width, k / picture.Width);
+    const RGB rgb = exposure * RGB(pixel);
+    pixel = glm::dvec4(glm::mix(RGB(0.03), RGB(RollOff(rgb.r), RollOff(rgb.g), RollOff(rgb.b)),
+                         std::clamp<double>(pixel.a, 0.0, 1.0)),
+      1.0);
   }
   return picture;
 }
@@ -196,7 +184,7 @@ std::vector<double> ColorErrors(
       (rgb[k] + rgb[k + 1] + rgb[k + 2] - reference[k] - reference[k + 1] - reference[k + 2]) /
       (3.0 * mean);
     const RGB color = ColorError(error / scale);
-    errors.insert(errors.end(), color.begin(), color.end());
+    errors.insert(errors.end(), { color.r, color.g, color.b });
   }
   return errors;
 }
@@ -321,7 +309,6 @@ namespace
 // Drawn at this multiple and averaged: smooth edges.
 constexpr int MapSmooth = 2;
 constexpr tool::RGB Dark = { 0.0, 0.0, 0.0 };
-constexpr tool::RGB Bright = { 1.0, 1.0, 1.0 };
 
 //------------------------------------------------------------------------------
 // The map as a picture: its typical brightness (mean of the logarithm) becomes mid gray.
@@ -346,22 +333,10 @@ tool::Picture ToneMap(vtkEnvironment* environment, int width, int height)
   }
   const double scale = weights > 0.0 ? 0.18 / std::exp(logarithms / weights) : 1.0;
 
-  tool::Picture picture(width, height);
-  const tool::Backdrop backdrop(environment);
-  for (int y = 0; y < height; ++y)
+  tool::Picture picture = tool::Backdrop(environment, scale).Draw(width, height);
+  for (std::size_t k = 0; k < picture.Pixels.size(); ++k)
   {
-    for (int x = 0; x < width; ++x)
-    {
-      std::array<double, 3> direction;
-      vtkEnvironment::GetDirection((x + 0.5) / width, (y + 0.5) / height, direction.data());
-      const tool::RGB rgb = backdrop.Look(direction);
-      float* pixel = picture.At(x, y);
-      for (int c = 0; c < 3; ++c)
-      {
-        pixel[c] = static_cast<float>(1.0 - std::exp(-scale * rgb[c]));
-      }
-      pixel[3] = 1.0f;
-    }
+    picture.Pixels[k] = k % 4 == 3 ? 1.0f : 1.0f - std::exp(-picture.Pixels[k]);
   }
   return picture;
 }
@@ -375,11 +350,10 @@ void DrawFrame(tool::Picture& picture, const int box[4])
     for (int x = box[0]; x < box[2]; ++x)
     {
       const int inset = std::min({ x - box[0], box[2] - 1 - x, y - box[1], box[3] - 1 - y });
-      if (inset < MapSmooth)
-      {
-        const bool bright = inset < MapSmooth / 2;
-        picture.Blend(x, y, bright ? Bright : Dark, bright ? 0.85 : 0.7);
-      }
+      picture.Blend(x, y, inset < MapSmooth / 2 ? tool::White : Dark,
+        inset < MapSmooth / 2 ? 0.85
+        : inset < MapSmooth   ? 0.7
+                              : 0.0);
     }
   }
 }
@@ -394,19 +368,15 @@ void DrawDot(tool::Picture& picture, double x, double y, double radius, const to
     for (int px = static_cast<int>(x - outer); px <= static_cast<int>(x + outer + 1.0); ++px)
     {
       const double distance = std::hypot(px + 0.5 - x, py + 0.5 - y);
-      const int wrapped = (px % picture.Width + picture.Width) % picture.Width;
-      if (distance < radius)
-      {
-        picture.Blend(wrapped, py, color, 1.0);
-      }
-      else if (distance < radius + MapSmooth)
-      {
-        picture.Blend(wrapped, py, Bright, 1.0);
-      }
-      else if (distance < outer)
-      {
-        picture.Blend(wrapped, py, Dark, 0.8);
-      }
+      const bool isDot = distance < radius;
+      const bool isRing = distance < radius + MapSmooth;
+      picture.Blend((px % picture.Width + picture.Width) % picture.Width, py,
+        isDot    ? color
+        : isRing ? tool::White
+                 : Dark,
+        isRing             ? 1.0
+        : distance < outer ? 0.8
+                           : 0.0);
     }
   }
 }
@@ -439,16 +409,15 @@ Picture DrawLightMap(vtkEnvironment* environment, vtkLightSet* lights, bool regi
   const double radius = MapSmooth * std::clamp(40.0 / std::sqrt(std::max(1, n)), 1.0, 4.0);
   for (int k = 0; k < n; ++k)
   {
-    double direction[3];
-    double irradiance[3];
-    lights->GetDirection(k, direction);
-    lights->GetIrradiance(k, irradiance);
+    glm::dvec3 direction;
+    RGB irradiance;
+    lights->GetDirection(k, &direction.x);
+    lights->GetIrradiance(k, &irradiance.x);
     double u;
     double v;
-    vtkEnvironment::GetCoordinates(direction, u, v);
-    const double peak = std::max({ irradiance[0], irradiance[1], irradiance[2], 1e-300 });
-    DrawDot(picture, u * width, v * height, radius,
-      { irradiance[0] / peak, irradiance[1] / peak, irradiance[2] / peak });
+    vtkEnvironment::GetCoordinates(&direction.x, u, v);
+    const double peak = std::max({ irradiance.r, irradiance.g, irradiance.b, 1e-300 });
+    DrawDot(picture, u * width, v * height, radius, irradiance / peak);
   }
   return Downsample(picture, MapSmooth);
 }

@@ -59,10 +59,10 @@ public:
     {
       toWorld[k / 3][k % 3] = matrix->GetElement(k / 3, k % 3);
     }
-    for (std::size_t k = 0; k < picture.Pixels.size(); k += 4)
+    for (int k = 0; k < size.Width * size.Height; ++k)
     {
-      const glm::vec3 n(toWorld * glm::dvec3(glm::make_vec3(&picture.Pixels[k])));
-      std::copy_n(&n.x, 3, &picture.Pixels[k]);
+      glm::vec4& pixel = picture.At(k % size.Width, k / size.Width);
+      pixel = glm::dvec4(toWorld * glm::dvec3(pixel), pixel.a);
     }
     return picture;
   }
@@ -115,9 +115,8 @@ tool::Surface FindSurface(NormalStage& stage, const tool::Size& size, int larges
   {
     const int x = pixel % size.Width;
     const int y = pixel / size.Width;
-    const glm::dvec3 n = glm::normalize(glm::dvec3(glm::make_vec3(normals.At(x, y))));
-    const std::array<double, 3> ray = stage.GetRay(x + 0.5, y + 0.5, size.Width, size.Height);
-    const glm::dvec3 v = LiftView(n, -glm::make_vec3(ray.data()));
+    const glm::dvec3 n = glm::normalize(glm::dvec3(normals.At(x, y)));
+    const glm::dvec3 v = LiftView(n, -stage.GetRay(x + 0.5, y + 0.5, size.Width, size.Height));
     surface.Normals.insert(surface.Normals.end(), { n.x, n.y, n.z });
     surface.Views.insert(surface.Views.end(), { v.x, v.y, v.z });
   }
@@ -141,32 +140,16 @@ public:
   }
 
   /// Radiance of normals under one unit view; at most Side^2 of them.
-  std::vector<tool::RGB> Draw(const double view[3], const std::vector<const double*>& normals)
+  std::vector<tool::RGB> Draw(const glm::dvec3& view, const std::vector<const double*>& normals)
   {
-    double right[3];
-    double up[3];
-    vtkMath::Perpendiculars(view, right, up, 0.0);
-    vtkMath::Cross(view, right, up);
+    glm::dvec3 right;
+    vtkMath::Perpendiculars(&view.x, &right.x, nullptr, 0.0);
+    const glm::dvec3 up = glm::cross(view, right);
+    const glm::dvec3 eye = 2.0 * view;
     vtkCamera* camera = this->Renderer->GetActiveCamera();
     camera->SetFocalPoint(0.0, 0.0, 0.0);
-    camera->SetPosition(2.0 * view[0], 2.0 * view[1], 2.0 * view[2]);
-    camera->SetViewUp(up);
-    this->SetMesh(MakeQuads(right, up, normals));
-    tool::Picture picture = this->Capture(Side * PixelsPerQuad, Side * PixelsPerQuad);
-    Decode(picture);
-    std::vector<tool::RGB> radiance;
-    for (int k = 0; k < static_cast<int>(normals.size()); ++k)
-    {
-      const float* pixel = picture.At(k % Side * PixelsPerQuad, k / Side * PixelsPerQuad);
-      radiance.push_back({ pixel[0], pixel[1], pixel[2] });
-    }
-    return radiance;
-  }
-
-private:
-  static vtkSmartPointer<vtkPolyData> MakeQuads(
-    const double right[3], const double up[3], const std::vector<const double*>& normals)
-  {
+    camera->SetPosition(&eye.x);
+    camera->SetViewUp(&up.x);
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> cells;
     vtkNew<vtkFloatArray> vectors;
@@ -178,17 +161,25 @@ private:
       {
         const double x = 2.0 * (k % Side + (corner == 1 || corner == 2)) / Side - 1.0;
         const double y = 2.0 * (k / Side + corner / 2) / Side - 1.0;
-        corners[corner] = points->InsertNextPoint(
-          x * right[0] + y * up[0], x * right[1] + y * up[1], x * right[2] + y * up[2]);
+        const glm::dvec3 point = x * right + y * up;
+        corners[corner] = points->InsertNextPoint(&point.x);
         vectors->InsertNextTuple(normals[k]);
       }
       cells->InsertNextCell(4, corners);
     }
-    auto quads = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkPolyData> quads;
     quads->SetPoints(points);
     quads->SetPolys(cells);
     quads->GetPointData()->SetNormals(vectors);
-    return quads;
+    this->SetMesh(quads);
+    tool::Picture picture = this->Capture(Side * PixelsPerQuad, Side * PixelsPerQuad);
+    Decode(picture);
+    std::vector<tool::RGB> radiance;
+    for (int k = 0; k < static_cast<int>(normals.size()); ++k)
+    {
+      radiance.emplace_back(picture.At(k % Side * PixelsPerQuad, k / Side * PixelsPerQuad));
+    }
+    return radiance;
   }
 };
 }
@@ -247,10 +238,10 @@ std::vector<double> DrawPairs(vtkRadianceIntegrator* integrator, const std::vect
       {
         part.push_back(&normals[pairs[k]]);
       }
-      const std::vector<RGB> drawn = stage.Draw(view.data(), part);
+      const std::vector<RGB> drawn = stage.Draw(glm::make_vec3(view.data()), part);
       for (std::size_t k = 0; k < drawn.size(); ++k)
       {
-        std::copy(drawn[k].begin(), drawn[k].end(), &radiance[pairs[begin + k]]);
+        std::copy_n(&drawn[k].x, 3, &radiance[pairs[begin + k]]);
       }
       done += drawn.size();
       bar.Update(3.0 * static_cast<double>(done) / static_cast<double>(normals.size()));

@@ -47,7 +47,7 @@ void CastRays(vtkTracedScene* traced, const tool::OffscreenScene& camera,
     array->SetNumberOfComponents(3);
     array->SetNumberOfTuples(count);
   }
-  const std::array<double, 3> eye = camera.GetEye();
+  const glm::dvec3 eye = camera.GetEye();
   std::vector<bool> met(surface.Pixels.size(), false);
   const auto missed = [&met]() { return std::find(met.begin(), met.end(), false) != met.end(); };
   for (int attempt = 0; attempt <= attempts && missed(); ++attempt)
@@ -58,12 +58,12 @@ void CastRays(vtkTracedScene* traced, const tool::OffscreenScene& camera,
       if (!met[static_cast<std::size_t>(k)])
       {
         const int pixel = surface.Pixels[static_cast<std::size_t>(k)];
-        const std::array<double, 3> ray =
+        const glm::dvec3 ray =
           camera.GetRay(pixel % size.Width + 0.5 + radius * std::cos(turn * attempt),
             pixel / size.Width + 0.5 + radius * std::sin(turn * attempt), size.Width, size.Height);
-        origins->SetTuple(k, eye.data());
-        directions->SetTuple(k, ray.data());
-        rays.Views->SetTuple3(k, -ray[0], -ray[1], -ray[2]);
+        origins->SetTuple(k, &eye.x);
+        directions->SetTuple(k, &ray.x);
+        rays.Views->SetTuple3(k, -ray.x, -ray.y, -ray.z);
       }
     }
     traced->CastRays(origins, directions, rays.Hits);
@@ -167,14 +167,10 @@ Occlusion FindOcclusion(vtkPolyData* mesh, vtkBRDF* brdf, vtkEnvironment* enviro
   const OffscreenScene& camera, const Surface& surface, const Size& size,
   const TraceOptions* options)
 {
-  Occlusion found;
   const vtkSmartPointer<vtkTracedScene> traced = MakeTracedScene(mesh);
-  found.Predicted = PredictOcclusion(traced, brdf, environment);
-  if (options)
-  {
-    found.Traced = TraceSurface(traced, brdf, environment, camera, surface, size, *options);
-  }
-  return found;
+  return { PredictOcclusion(traced, brdf, environment),
+    options ? TraceSurface(traced, brdf, environment, camera, surface, size, *options)
+            : TracedSurface() };
 }
 
 //------------------------------------------------------------------------------

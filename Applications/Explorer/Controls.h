@@ -20,6 +20,8 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
+#include <cmath>
+#include <functional>
 #include <utility>
 
 namespace explorer
@@ -62,7 +64,7 @@ inline QVBoxLayout* MakeColumn(QWidget* panel)
   return layout;
 }
 
-/// Adds a widget with its name before it; Alt and the letter after '&' lead to the widget.
+/// Adds a name and then its widget; Alt and the letter after '&' lead to the widget.
 inline void AddNamed(QLayout* row, const QString& name, QWidget* widget)
 {
   auto* label = new QLabel(name);
@@ -128,14 +130,46 @@ void Follow(Session* session, QObject* receiver, std::initializer_list<Session::
   function();
 }
 
-/// Ties a field or a box to a value of the state: each follows the other. value is a generic lambda
-/// that returns a reference into the state.
-template <typename Control, typename Reference>
-Control* Bind(Control* control, Session* session, Session::Signal changed, Reference value)
+/// Puts a slider before a field that is as wide, both of that name, into a row. The slider's steps
+/// are equal in scale(value), whose inverse is unscale; get and set are the value's, whose changes
+/// the session's signal tells.
+template <typename Get, typename Set>
+void AddSlider(QBoxLayout* row, const QString& name, QDoubleSpinBox* field, int steps,
+  double (*scale)(double), double (*unscale)(double), Session* session, Session::Signal changed,
+  Get get, Set set)
 {
-  OnChange(control,
-    [=](auto given) { session->Edit(changed, [=](State& state) { value(state) = given; }); });
-  Follow(session, control, { changed }, [=]() { Show(control, value(session->GetState())); });
+  auto* slider = new QSlider(Qt::Horizontal);
+  slider->setRange(0, steps);
+  slider->setPageStep(steps / 12);
+  slider->setToolTip(field->toolTip());
+  slider->setAccessibleName(field->accessibleName());
+  slider->setObjectName(name);
+  field->setObjectName(name);
+  field->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  row->addWidget(slider, 1);
+  row->addWidget(field);
+  const double least = scale(field->minimum());
+  const double step = (scale(field->maximum()) - least) / steps;
+  OnChange(field, set);
+  QObject::connect(
+    slider, &QSlider::valueChanged, row, [=](int value) { set(unscale(least + step * value)); });
+  Follow(session, field, { changed },
+    [=]()
+    {
+      Show(field, get());
+      Show(slider, std::round((scale(get()) - least) / step));
+    });
+}
+
+/// Ties a field or a box to a value of the state: each follows the other. value is a member of
+/// State or a function from a state to a reference into it.
+template <typename Control, typename Member>
+Control* Bind(Control* control, Session* session, Session::Signal changed, Member value)
+{
+  OnChange(control, [=](auto given)
+    { session->Edit(changed, [=](State& state) { std::invoke(value, state) = given; }); });
+  Follow(session, control, { changed },
+    [=]() { Show(control, std::invoke(value, session->GetState())); });
   return control;
 }
 } // namespace explorer

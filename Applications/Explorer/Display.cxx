@@ -2,13 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Display.h"
 
-#include "Sheets.h"
+#include "LocalFrame.h"
+#include "Methods.h"
+#include "ParallelFor.h"
 
 #include "vtkActor.h"
+#include "vtkBRDF.h"
 #include "vtkEnvironment.h"
+#include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkShaderProperty.h"
 #include "vtkUniforms.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -32,17 +38,14 @@ unsigned char ToByte(double value)
 namespace explorer
 {
 //------------------------------------------------------------------------------
-void ShowRadiance(vtkActor* actor)
-{
-  actor->GetShaderProperty()->AddFragmentShaderReplacement(
-    "//VTK::Light::Impl", false, DisplayCode, false);
-  SetExposure(actor, 1.0);
-}
-
-//------------------------------------------------------------------------------
 void SetExposure(vtkActor* actor, double factor)
 {
-  actor->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformf(
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  if (shader->GetNumberOfShaderReplacements() == 0)
+  {
+    shader->AddFragmentShaderReplacement("//VTK::Light::Impl", false, DisplayCode, false);
+  }
+  shader->GetFragmentCustomUniforms()->SetUniformf(
     "explorerExposure", static_cast<float>(tool::EncodeGamma(factor)));
 }
 
@@ -73,12 +76,12 @@ QImage MakeQImage(const tool::Picture& display)
   QImage image(display.Width, display.Height, QImage::Format_RGB32);
   for (int y = 0; y < display.Height; ++y)
   {
-    auto* line = reinterpret_cast<QRgb*>(image.scanLine(display.Height - 1 - y));
     for (int x = 0; x < display.Width; ++x)
     {
-      const float* pixel = display.At(x, y);
-      line[x] = qRgb(ToByte(tool::EncodeSRGB(pixel[0])), ToByte(tool::EncodeSRGB(pixel[1])),
-        ToByte(tool::EncodeSRGB(pixel[2])));
+      const glm::vec4& pixel = display.At(x, y);
+      image.setPixel(x, display.Height - 1 - y,
+        qRgb(ToByte(tool::EncodeSRGB(pixel[0])), ToByte(tool::EncodeSRGB(pixel[1])),
+          ToByte(tool::EncodeSRGB(pixel[2]))));
     }
   }
   return image;
@@ -87,20 +90,52 @@ QImage MakeQImage(const tool::Picture& display)
 //------------------------------------------------------------------------------
 tool::Picture MakeBackdropPicture(vtkEnvironment* environment)
 {
-  const tool::Backdrop backdrop = tool::MakeQuietBackdrop(environment);
-  tool::Picture picture(BackdropWidth, BackdropWidth / 2);
-  for (int y = 0; y < picture.Height; ++y)
-  {
-    for (int x = 0; x < picture.Width; ++x)
+  return tool::MakeQuietBackdrop(environment).Draw(BackdropWidth, BackdropWidth / 2);
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 GetDirection(const LightState& light)
+{
+  const double theta = glm::radians(light.Theta);
+  const double phi = glm::radians(light.Phi);
+  return { std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi) };
+}
+
+//------------------------------------------------------------------------------
+void PlaceLight(vtkLight* light, const LightState& state)
+{
+  const glm::dvec3 direction = GetDirection(state);
+  light->SetLightTypeToSceneLight();
+  light->PositionalOff();
+  light->SetColor(1.0, 1.0, 1.0);
+  light->SetIntensity(state.Irradiance);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetPosition(&direction.x);
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> DrawDirectional(
+  vtkBRDF* brdf, const tool::Surface& surface, const LightState& light)
+{
+  const glm::dvec3 direction = GetDirection(light);
+  const auto tangents = tool::MakeTangents(surface.Normals);
+  brdf->Prepare();
+  std::vector<double> radiance(surface.Normals.size());
+  measuredbrdf::ParallelFor(0, tangents->GetNumberOfTuples(),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      std::array<double, 3> direction;
-      vtkEnvironment::GetDirection(
-        (x + 0.5) / picture.Width, (y + 0.5) / picture.Height, direction.data());
-      const tool::RGB rgb = backdrop.Look(direction);
-      std::copy(rgb.begin(), rgb.end(), picture.At(x, y));
-      picture.At(x, y)[3] = 1.0f;
-    }
-  }
-  return picture;
+      for (vtkIdType at = 3 * begin; at < 3 * end; at += 3)
+      {
+        const measuredbrdf::Frame frame = measuredbrdf::FrameAbout(
+          glm::make_vec3(&surface.Normals[at]), glm::make_vec3(tangents->GetPointer(at)));
+        const glm::dvec3 i = measuredbrdf::ToLocal(frame, direction);
+        const glm::dvec3 o = measuredbrdf::ToLocal(frame, glm::make_vec3(&surface.Views[at]));
+        glm::dvec3 f;
+        brdf->Evaluate(&i.x, &o.x, &f.x);
+        f *= light.Irradiance * std::max(0.0, i.z);
+        std::copy_n(&f.x, 3, &radiance[at]);
+      }
+    });
+  return radiance;
 }
 } // namespace explorer

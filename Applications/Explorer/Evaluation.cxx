@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation.h"
 
-#include "DirectionalLight.h"
+#include "Display.h"
 #include "Picture.h"
 #include "ReferencePicture.h"
 #include "Scenes.h"
@@ -24,7 +24,7 @@ const char* const JobKey = "reference";
 double GetMean(const std::vector<double>& rgb)
 {
   return std::accumulate(rgb.begin(), rgb.end(), 0.0) /
-         static_cast<double>(std::max<std::size_t>(rgb.size(), 1));
+         double(std::max<std::size_t>(rgb.size(), 1));
 }
 
 //------------------------------------------------------------------------------
@@ -44,7 +44,7 @@ void Dilate(tool::Picture& picture)
         if (i >= 0 && j >= 0 && i < picture.Width && j < picture.Height &&
             covered.At(i, j)[3] > 0.0f)
         {
-          std::copy_n(covered.At(i, j), 3, picture.At(x, y));
+          picture.At(x, y) = glm::vec4(glm::vec3(covered.At(i, j)), 0.0f);
           break;
         }
       }
@@ -62,7 +62,7 @@ double GetRelativeL1(const std::vector<double>& rgb, const std::vector<double>& 
   {
     sum += std::abs(rgb[k] - reference[k]);
   }
-  return mean > 0.0 ? sum / static_cast<double>(rgb.size()) / mean : -1.0;
+  return mean > 0.0 ? sum / double(rgb.size()) / mean : -1.0;
 }
 }
 
@@ -230,7 +230,7 @@ void Evaluation::TakeReference(const std::vector<double>& radiance, bool complet
   auto picture = std::make_shared<tool::Picture>(this->Size.Width, this->Size.Height);
   for (std::size_t k = 0; k < this->Visible->Pixels.size(); ++k)
   {
-    float* pixel = &picture->Pixels[4 * static_cast<std::size_t>(this->Visible->Pixels[k])];
+    float* pixel = &picture->Pixels[4 * std::size_t(this->Visible->Pixels[k])];
     std::copy_n(&radiance[3 * k], 3, pixel);
     pixel[3] = 1.0f;
   }
@@ -243,7 +243,7 @@ void Evaluation::TakeReference(const std::vector<double>& radiance, bool complet
 //------------------------------------------------------------------------------
 std::shared_ptr<const tool::Picture> Evaluation::GetPicture(int side) const
 {
-  const auto k = static_cast<std::size_t>(side);
+  const auto k = side;
   return this->Sides[k]->IsReference() ? this->Reference : this->Pictures[k];
 }
 
@@ -262,10 +262,8 @@ void Evaluation::Measure()
     const std::vector<double> radiance = this->GetRadiance(k);
     if (radiance.size() == this->Radiance.size())
     {
-      this->Figures[static_cast<std::size_t>(k)].Error =
-        this->Sides[static_cast<std::size_t>(k)]->IsReference()
-          ? 0.0
-          : GetRelativeL1(radiance, this->Radiance);
+      this->Figures[k].Error =
+        this->Sides[k]->IsReference() ? 0.0 : GetRelativeL1(radiance, this->Radiance);
     }
   }
 }
@@ -275,13 +273,9 @@ vtkSmartPointer<vtkImageData> Evaluation::MakeDifference(double& mean) const
 {
   const std::vector<double> a = this->GetRadiance(0);
   const std::vector<double> b = this->GetRadiance(1);
-  mean = -1.0;
-  if (a.empty() || b.empty())
-  {
-    return nullptr;
-  }
   const double scale = GetMean(this->Complete ? this->Radiance : b);
-  if (!(scale > 0.0))
+  mean = -1.0;
+  if (a.empty() || b.empty() || !(scale > 0.0))
   {
     return nullptr;
   }
@@ -289,13 +283,9 @@ vtkSmartPointer<vtkImageData> Evaluation::MakeDifference(double& mean) const
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(this->Size.Width, this->Size.Height, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
-  constexpr unsigned char gray[4] = { 40, 41, 44, 255 }; // where there is no mesh
-  const std::size_t pixels = static_cast<std::size_t>(this->Size.Width) * this->Size.Height;
-  for (std::size_t k = 0; k < 4 * pixels; ++k)
-  {
-    bytes[k] = gray[k % 4];
-  }
+  auto* pixels = static_cast<std::array<unsigned char, 4>*>(image->GetScalarPointer());
+  constexpr std::array<unsigned char, 4> gray = { 40, 41, 44, 255 }; // where there is no mesh
+  std::fill_n(pixels, image->GetNumberOfPoints(), gray);
   double sum = 0.0;
   for (std::size_t k = 0; k < a.size(); k += 3)
   {
@@ -304,16 +294,11 @@ vtkSmartPointer<vtkImageData> Evaluation::MakeDifference(double& mean) const
       (3.0 * scale);
     sum += share;
     const double logarithm = std::log10(std::max(share, 1e-12));
-    double rgb[3];
-    colors->GetColor(std::clamp(logarithm, tool::LowestError, tool::HighestError), rgb);
-    unsigned char* pixel = bytes + 4 * static_cast<std::size_t>(this->Visible->Pixels[k / 3]);
-    for (int c = 0; c < 3; ++c)
-    {
-      pixel[c] = static_cast<unsigned char>(std::lround(255.0 * rgb[c]));
-    }
-    pixel[3] = 255;
+    const unsigned char* rgb =
+      colors->MapValue(std::clamp(logarithm, tool::LowestError, tool::HighestError));
+    std::copy_n(rgb, 4, pixels[this->Visible->Pixels[k / 3]].begin());
   }
-  mean = sum / static_cast<double>(a.size() / 3);
+  mean = sum / double(a.size() / 3);
   return image;
 }
 } // namespace explorer

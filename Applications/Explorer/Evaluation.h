@@ -52,10 +52,7 @@ public:
   void SetAspect(double aspect);
 
   const tool::Size& GetSize() const { return this->Size; }
-  const SideFigures& GetFigures(int side) const
-  {
-    return this->Figures[static_cast<std::size_t>(side)];
-  }
+  const SideFigures& GetFigures(int side) const { return this->Figures[side]; }
 
   ///@{
   /// The exact picture as far as it is known: null before; whether it is all there.

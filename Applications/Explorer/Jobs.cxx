@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Jobs.h"
 
+#include "ParallelFor.h"
 #include "Progress.h"
 
 #include <QMetaObject>
@@ -14,22 +15,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <exception>
 #include <thread>
 #include <utility>
-
-namespace
-{
-//------------------------------------------------------------------------------
-// What people see comes first: this thread and those that it starts have a lower priority.
-void StepBack()
-{
-#ifdef __linux__
-  constexpr int niceness = 5;
-  setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), niceness);
-#endif
-}
-}
 
 namespace explorer
 {
@@ -37,18 +24,11 @@ struct Jobs::Job
 {
   QString Key;
   QString Label;
-  std::function<void(const Post&)> Work;
   Jobs::Failed Failed;
   std::atomic<bool> Stopped{ false };
   double Share = 0.0; // for the window's thread
   std::thread Runner;
 };
-
-//------------------------------------------------------------------------------
-Jobs::Jobs(QObject* parent)
-  : QObject(parent)
-{
-}
 
 //------------------------------------------------------------------------------
 Jobs::~Jobs()
@@ -68,23 +48,70 @@ void Jobs::Start(const QString& key, const QString& label, std::function<void(co
   Jobs::Failed failed)
 {
   this->Stop(key);
-  auto job = std::make_shared<Job>();
+  const auto job = std::make_shared<Job>();
   job->Key = key;
   job->Label = label;
-  job->Work = std::move(work);
   job->Failed =
     failed ? std::move(failed) : [this](const QString& text) { Q_EMIT this->failed(text); };
   this->All.push_back(job);
-  try
-  {
-    job->Runner = std::thread([this, job]() { this->Run(job); });
-  }
-  catch (const std::exception& error) // no thread is to be had
+  const auto problem = measuredbrdf::FindThrown( // where no thread is to be had
+    [&]() { job->Runner = std::thread([=, work = std::move(work)]() { this->Run(job, work); }); });
+  if (problem)
   {
     this->All.remove(job);
-    job->Failed(QString::fromUtf8(error.what()));
+    job->Failed(QString::fromStdString(*problem));
   }
   this->Report();
+}
+
+//------------------------------------------------------------------------------
+// On the job's thread. What people see comes first: this thread and those that it starts have a
+// lower priority.
+void Jobs::Run(const std::shared_ptr<Job>& job, const std::function<void(const Post&)>& work)
+{
+#ifdef __linux__
+  constexpr int niceness = 5;
+  setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), niceness);
+#endif
+  const auto queue = [this](const auto& what)
+  { QMetaObject::invokeMethod(this, what, Qt::QueuedConnection); };
+  const Post post = [=](std::function<void()> what)
+  {
+    queue(
+      [job, what = std::move(what)]()
+      {
+        if (!job->Stopped)
+        {
+          what();
+        }
+      });
+  };
+  tool::BackgroundWork background(job->Stopped,
+    [=](const std::string&, double share)
+    {
+      post(
+        [=]()
+        {
+          job->Share = share;
+          this->Report();
+        });
+    });
+  if (const auto problem = measuredbrdf::FindThrown([&]() { work(post); }))
+  {
+    post([=]() { job->Failed(QString::fromStdString(*problem)); });
+  }
+  if (!background.Notes.empty())
+  {
+    post([=, notes = QString::fromStdString(background.Notes)]() { Q_EMIT this->noted(notes); });
+  }
+  queue(
+    [=]() // also where it was stopped
+    {
+      job->Runner.join();
+      job->Stopped = true;
+      this->All.remove(job);
+      this->Report();
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -92,10 +119,7 @@ void Jobs::Stop(const QString& key)
 {
   for (const auto& job : this->All)
   {
-    if (job->Key == key)
-    {
-      job->Stopped = true;
-    }
+    job->Stopped = job->Stopped || job->Key == key;
   }
   this->Report();
 }
@@ -112,64 +136,6 @@ bool Jobs::IsIdle() const
 {
   return std::all_of(
     this->All.begin(), this->All.end(), [](const auto& job) { return job->Stopped.load(); });
-}
-
-//------------------------------------------------------------------------------
-// On the job's thread.
-void Jobs::Run(const std::shared_ptr<Job>& job)
-{
-  StepBack();
-  const Post post = [this, job](std::function<void()> what)
-  {
-    QMetaObject::invokeMethod(
-      this,
-      [job, what = std::move(what)]()
-      {
-        if (!job->Stopped)
-        {
-          what();
-        }
-      },
-      Qt::QueuedConnection);
-  };
-  const auto show = [this, &job, &post](const std::string&, double share)
-  {
-    post(
-      [this, job, share]()
-      {
-        job->Share = share;
-        this->Report();
-      });
-  };
-  {
-    tool::BackgroundWork work(job->Stopped, show);
-    try
-    {
-      job->Work(post);
-    }
-    catch (const std::exception& error)
-    {
-      const QString text = QString::fromUtf8(error.what());
-      post([job, text]() { job->Failed(text); });
-    }
-    if (!work.Notes.empty())
-    {
-      post([this, notes = QString::fromStdString(work.Notes)]() { Q_EMIT this->noted(notes); });
-    }
-  }
-  // Also where it was stopped.
-  QMetaObject::invokeMethod(
-    this, [this, job]() { this->Finish(job); }, Qt::QueuedConnection);
-}
-
-//------------------------------------------------------------------------------
-void Jobs::Finish(const std::shared_ptr<Job>& job)
-{
-  job->Runner.join();
-  job->Stopped = true;
-  job->Work = nullptr;
-  this->All.remove(job);
-  this->Report();
 }
 
 //------------------------------------------------------------------------------

@@ -27,7 +27,6 @@ class Jobs : public QObject
   Q_OBJECT
 
 public:
-  explicit Jobs(QObject* parent = nullptr);
   ~Jobs() override;
 
   /// Has something done on the window's thread, unless the job was stopped meanwhile.
@@ -70,8 +69,7 @@ Q_SIGNALS:
 
 private:
   struct Job;
-  void Run(const std::shared_ptr<Job>& job);
-  void Finish(const std::shared_ptr<Job>& job);
+  void Run(const std::shared_ptr<Job>& job, const std::function<void(const Post&)>& work);
   void Report();
 
   std::list<std::shared_ptr<Job>> All; // those that were stopped, too, until their threads end

@@ -3,7 +3,6 @@
 #include "LightPanel.h"
 
 #include "Controls.h"
-#include "DirectionalLight.h"
 #include "Display.h"
 #include "RenderView.h"
 #include "Sheets.h"
@@ -21,11 +20,7 @@
 
 namespace explorer
 {
-namespace
-{
-constexpr int MapWidth = 800;     // pixels of the environment's picture
-constexpr double SunRadius = 7.0; // pixels
-}
+constexpr int MapWidth = 800; // pixels of the environment's picture
 
 //------------------------------------------------------------------------------
 SkyView::SkyView(Session* session)
@@ -36,19 +31,11 @@ SkyView::SkyView(Session* session)
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   this->setSizePolicy(policy);
-  Follow(session, this,
-    { &Session::environmentChanged, &Session::rotationChanged, &Session::lightChanged },
-    [this]()
-    {
-      const bool isLight = this->Model->IsDirectional();
-      this->setCursor(isLight ? Qt::CrossCursor : Qt::SizeHorCursor);
-      this->setAccessibleName(isLight ? tr("Direction of the light") : tr("Environment"));
-      this->setToolTip(
-        isLight
-          ? tr("Drag the light; arrow keys move it by 1°, with Shift by 15°")
-          : tr("Drag to turn the environment; Left and Right turn it by 1°, with Shift by 15°"));
-      this->update();
-    });
+  this->setCursor(Qt::SizeHorCursor);
+  this->setAccessibleName(tr("Environment"));
+  this->setToolTip(
+    tr("Drag to turn the environment; Left and Right turn it by 1°, with Shift by 15°"));
+  connect(session, &Session::rotationChanged, this, QOverload<>::of(&QWidget::update));
 }
 
 //------------------------------------------------------------------------------
@@ -75,55 +62,13 @@ QRectF SkyView::GetFrame() const
 }
 
 //------------------------------------------------------------------------------
-QPointF SkyView::Find(double theta, double phi) const
-{
-  double u = 0.0;
-  double v = 0.0;
-  vtkEnvironment::GetCoordinates(GetDirection({ theta, phi, 1.0 }).data(), u, v);
-  const QRectF frame = this->GetFrame();
-  return { frame.left() + u * frame.width(), frame.top() + (1.0 - v) * frame.height() };
-}
-
-//------------------------------------------------------------------------------
-QPointF SkyView::GetHandlePosition() const
-{
-  const LightState& light = this->Model->GetState().Light;
-  return this->Find(light.Theta, light.Phi);
-}
-
-//------------------------------------------------------------------------------
 void SkyView::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   const QRectF frame = this->GetFrame();
   painter.setClipRect(frame);
   painter.setRenderHints(QPainter::SmoothPixmapTransform | QPainter::Antialiasing);
-  if (this->Model->IsDirectional())
-  {
-    const QColor grid(85, 87, 92);
-    painter.fillRect(frame, QColor(40, 41, 44));
-    painter.setPen(grid);
-    for (const double theta : { 30.0, 60.0, 90.0, 120.0, 150.0 })
-    {
-      const double y = this->Find(theta, 0.0).y();
-      painter.drawLine(QPointF(frame.left(), y), QPointF(frame.right(), y));
-    }
-    const std::pair<double, const char*> axes[] = { { 0.0, "+z" }, { 90.0, "+x" }, { 180.0, "-z" },
-      { -90.0, "-x" } };
-    for (const auto& [phi, name] : axes)
-    {
-      const QPointF place = this->Find(90.0, phi);
-      painter.setPen(grid);
-      painter.drawLine(QPointF(place.x(), frame.top()), QPointF(place.x(), frame.bottom()));
-      painter.setPen(Qt::lightGray);
-      painter.drawText(place + QPointF(4.0, -4.0), name);
-    }
-    painter.setPen(Qt::black);
-    painter.setBrush(QColor(255, 209, 51));
-    painter.drawEllipse(this->GetHandlePosition(), SunRadius, SunRadius);
-    painter.setBrush(Qt::NoBrush);
-  }
-  else if (this->Image.isNull())
+  if (this->Image.isNull())
   {
     painter.drawText(frame, Qt::AlignCenter, tr("Being drawn …"));
   }
@@ -142,19 +87,6 @@ void SkyView::paintEvent(QPaintEvent*)
 }
 
 //------------------------------------------------------------------------------
-void SkyView::MoveLight(const QPointF& place)
-{
-  const QRectF frame = this->GetFrame();
-  const double u = (place.x() - frame.left()) / std::max(1.0, frame.width());
-  const double v = 1.0 - (place.y() - frame.top()) / std::max(1.0, frame.height());
-  double direction[3];
-  vtkEnvironment::GetDirection(u, std::clamp(v, 0.0, 1.0), direction);
-  LightState light = this->Model->GetState().Light;
-  SetDirection(light, direction);
-  this->Model->SetLight(light);
-}
-
-//------------------------------------------------------------------------------
 void SkyView::mousePressEvent(QMouseEvent* event)
 {
   this->Last = event->pos().x();
@@ -166,15 +98,7 @@ void SkyView::mousePressEvent(QMouseEvent* event)
 void SkyView::mouseMoveEvent(QMouseEvent* event)
 {
   const int way = event->pos().x() - std::exchange(this->Last, event->pos().x());
-  if (!(event->buttons() & Qt::LeftButton))
-  {
-    return;
-  }
-  if (this->Model->IsDirectional())
-  {
-    this->MoveLight(event->pos());
-  }
-  else if (way != 0) // what is under the mouse stays there
+  if (way != 0 && (event->buttons() & Qt::LeftButton)) // what is under the mouse stays there
   {
     this->Model->SetRotation(
       this->Model->GetState().Rotation - 360.0 * way / std::max(1.0, this->GetFrame().width()));
@@ -182,29 +106,17 @@ void SkyView::mouseMoveEvent(QMouseEvent* event)
 }
 
 //------------------------------------------------------------------------------
-void SkyView::mouseReleaseEvent(QMouseEvent* event) { event->accept(); }
-
-//------------------------------------------------------------------------------
-// u falls as phi grows: what is left in the map comes from a larger azimuth.
+// u falls as the environment turns.
 void SkyView::keyPressEvent(QKeyEvent* event)
 {
-  const QPointF arrow =
-    ((event->modifiers() & Qt::ShiftModifier) ? 15.0 : 1.0) * QPointF(GetArrow(event));
-  LightState light = this->Model->GetState().Light;
-  if (this->Model->IsDirectional() && !arrow.isNull())
-  {
-    light.Phi -= arrow.x();
-    light.Theta += arrow.y();
-    this->Model->SetLight(light);
-  }
-  else if (arrow.x() != 0.0)
-  {
-    this->Model->SetRotation(this->Model->GetState().Rotation - arrow.x());
-  }
-  else
+  const int right = GetArrow(event).x();
+  const double step = event->modifiers() & Qt::ShiftModifier ? 15.0 : 1.0;
+  if (right == 0)
   {
     QWidget::keyPressEvent(event);
+    return;
   }
+  this->Model->SetRotation(this->Model->GetState().Rotation - step * right);
 }
 
 //------------------------------------------------------------------------------
@@ -253,9 +165,7 @@ QWidget* MakeLightPanel(Session* session, Jobs* jobs)
   auto* row = new QHBoxLayout(environment);
   row->setContentsMargins(0, 0, 0, 0);
   AddNamed(row, QObject::tr("&Rotation"),
-    Bind(
-      rotation, session, &Session::rotationChanged,
-      [](auto& state) -> auto& { return state.Rotation; }));
+    Bind(rotation, session, &Session::rotationChanged, &State::Rotation));
   row->addWidget(lights);
   row->addWidget(regions);
   row->addStretch(1);
@@ -270,12 +180,12 @@ QWidget* MakeLightPanel(Session* session, Jobs* jobs)
   {
     light->setVisible(session->IsDirectional());
     environment->setVisible(!session->IsDirectional());
+    view->setVisible(!session->IsDirectional());
     if (session->IsDirectional())
     {
       text->setText(
         QObject::tr("One directional light, without shadows. Nothing is planned: the picture is f "
-                    "E cos θ, on the graphics card or exactly. In the picture, Ctrl and the mouse "
-                    "or the arrow keys turn the light."));
+                    "E cos θ, on the graphics card or exactly."));
     }
     if (!session->GetEnvironment())
     {

@@ -16,8 +16,7 @@
 
 namespace explorer
 {
-/// All directions in one lat-long picture. An environment is turned by dragging it, the directional
-/// light is dragged to where it comes from. Arrow keys do the same by a degree, with Shift by 15.
+/// The environment as a lat-long picture, which is turned by dragging it, or by Left and Right.
 class SkyView : public QWidget
 {
   Q_OBJECT
@@ -32,14 +31,10 @@ public:
   /// Where a place of that picture is shown, for a rotation in degrees: shares of the width.
   static double FindShown(double u, double rotation);
 
-  /// Where the directional light is drawn, in the widget's pixels.
-  QPointF GetHandlePosition() const;
-
 protected:
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
-  void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   QSize sizeHint() const override { return { 440, 220 }; }
   bool hasHeightForWidth() const override { return true; }
@@ -47,8 +42,6 @@ protected:
 
 private:
   QRectF GetFrame() const;
-  QPointF Find(double theta, double phi) const;
-  void MoveLight(const QPointF& place);
 
   Session* Model;
   QImage Image;

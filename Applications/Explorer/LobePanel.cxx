@@ -248,14 +248,9 @@ QWidget* MakeLobePanel(Session* session)
   const auto bind = [session](auto* control, auto value)
   { return Bind(control, session, &Session::lobeChanged, value); };
   auto* row = new QHBoxLayout;
-  AddNamed(row, QObject::tr("θ&i"),
-    bind(
-      theta, [](auto& state) -> auto& { return state.LobeThetaI; }));
-  AddNamed(row, QObject::tr("&φi"),
-    bind(
-      phi, [](auto& state) -> auto& { return state.LobePhiI; }));
-  row->addWidget(bind(
-    logarithmic, [](auto& state) -> auto& { return state.LobeLogarithmic; }));
+  AddNamed(row, QObject::tr("θ&i"), bind(theta, &State::LobeThetaI));
+  AddNamed(row, QObject::tr("&φi"), bind(phi, &State::LobePhiI));
+  row->addWidget(bind(logarithmic, &State::LobeLogarithmic));
   row->addStretch(1);
   auto* note =
     new QLabel(QObject::tr("Above: reflected. Below, green: transmitted, on the same scale."));

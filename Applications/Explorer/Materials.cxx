@@ -30,13 +30,6 @@ bool Has(const std::vector<std::string>& list, const std::string& ending)
 }
 
 //------------------------------------------------------------------------------
-bool HasFile(const std::vector<Item>& items, const std::string& file)
-{
-  return std::any_of(
-    items.begin(), items.end(), [&file](const Item& item) { return item.File == file; });
-}
-
-//------------------------------------------------------------------------------
 // Those that were opened, under their heading.
 void AddFiles(std::vector<Item>& items, const std::vector<std::string>& files)
 {
@@ -75,33 +68,33 @@ const std::vector<std::string>& GetEnvironmentExtensions()
 //------------------------------------------------------------------------------
 FileKind FindFileKind(const std::string& file)
 {
-  if (file == DirectionalLightName)
-  {
-    return FileKind::DirectionalLight;
-  }
-  if (IsBuiltInEnvironment(file))
-  {
-    return FileKind::Environment;
-  }
+  const std::vector<Item> environments = ListEnvironments({});
   const std::string ending = tool::Extension(file.substr(0, file.find('#')));
   const bool isMaterial = Has(GetMaterialExtensions(), ending);
-  const bool isEnvironment = Has(GetEnvironmentExtensions(), ending);
-  if (isMaterial || isEnvironment)
-  {
-    return !isEnvironment ? FileKind::Material
-           : isMaterial   ? FileKind::MaterialOrEnvironment
-                          : FileKind::Environment;
-  }
-  return Has(tool::GetMeshExtensions(), ending) ? FileKind::Mesh
-         : ending == ".json"                    ? FileKind::State
-                                                : FileKind::Material;
+  const bool isEnvironment = Has(GetEnvironmentExtensions(), ending) ||
+                             std::any_of(environments.begin(), environments.end(),
+                               [&file](const Item& item) { return item.File == file; });
+  return isMaterial && isEnvironment              ? FileKind::MaterialOrEnvironment
+         : isEnvironment                          ? FileKind::Environment
+         : isMaterial                             ? FileKind::Material
+         : Has(tool::GetMeshExtensions(), ending) ? FileKind::Mesh
+         : ending == ".json"                      ? FileKind::State
+                                                  : FileKind::Material;
 }
 
 //------------------------------------------------------------------------------
-bool IsBuiltInMaterial(const std::string& name) { return HasFile(ListMaterials({}), name); }
-
-//------------------------------------------------------------------------------
-bool IsBuiltInEnvironment(const std::string& name) { return HasFile(ListEnvironments({}), name); }
+bool IsBuiltIn(const std::string& name)
+{
+  for (const auto& items : { ListMaterials({}), ListEnvironments({}), ListMeshes("") })
+  {
+    if (std::any_of(
+          items.begin(), items.end(), [&name](const Item& item) { return item.File == name; }))
+    {
+      return true;
+    }
+  }
+  return false;
+}
 
 //------------------------------------------------------------------------------
 std::vector<Item> ListMaterials(const std::vector<std::string>& opened)
@@ -305,23 +298,6 @@ vtkSmartPointer<vtkBRDF> MakeModel(const ParametricModel& model, const ModelValu
 }
 
 //------------------------------------------------------------------------------
-tool::Material LoadMaterial(const std::string& file, const ModelStates& states)
-{
-  const ParametricModel* model = FindModel(file);
-  if (!model)
-  {
-    return tool::LoadMaterial(file);
-  }
-  tool::Material material;
-  material.BRDF = MakeModel(*model, GetValues(*model, states));
-  material.File = file;
-  material.Name = model->Name;
-  material.Source = model->Description;
-  material.Format = "model";
-  return material;
-}
-
-//------------------------------------------------------------------------------
 tool::Material MakeSnapshot(const tool::Material& material)
 {
   tool::Material snapshot = material;
@@ -333,14 +309,27 @@ tool::Material MakeSnapshot(const tool::Material& material)
 }
 
 //------------------------------------------------------------------------------
-MadeMaterial MakeMaterial(const std::string& file, const ModelStates& models)
+ShownMaterial ReadMaterial(const std::string& file, const ModelStates& models)
 {
-  MadeMaterial made{ LoadMaterial(file, models), FindValues(file, models) };
-  made.Shown.BRDF->Prepare();
-  if (made.Shown.Transmission)
+  ShownMaterial read;
+  if (const ParametricModel* model = FindModel(file))
   {
-    made.Shown.Transmission->Prepare();
+    read.Values = GetValues(*model, models);
+    read.Material.BRDF = MakeModel(*model, read.Values);
+    read.Material.File = file;
+    read.Material.Name = model->Name;
+    read.Material.Source = model->Description;
+    read.Material.Format = "model";
   }
-  return made;
+  else
+  {
+    read.Material = tool::LoadMaterial(file);
+  }
+  read.Material.BRDF->Prepare();
+  if (read.Material.Transmission)
+  {
+    read.Material.Transmission->Prepare();
+  }
+  return read;
 }
 } // namespace explorer

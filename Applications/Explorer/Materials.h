@@ -15,7 +15,8 @@
 #include "vtkBRDF.h"
 #include "vtkSmartPointer.h"
 
-#include <map>
+#include <nlohmann/json.hpp>
+
 #include <string>
 #include <vector>
 
@@ -23,7 +24,6 @@ namespace explorer
 {
 enum class FileKind
 {
-  DirectionalLight,
   Material,
   Environment,
   MaterialOrEnvironment,
@@ -57,11 +57,8 @@ std::vector<Item> ListEnvironments(const std::vector<std::string>& opened);
 std::vector<Item> ListMeshes(const std::string& opened);
 ///@}
 
-///@{
-/// Whether it is a built-in name, or a model's.
-bool IsBuiltInMaterial(const std::string& name);
-bool IsBuiltInEnvironment(const std::string& name);
-///@}
+/// Whether it is a built-in name, or a model's, and no file.
+bool IsBuiltIn(const std::string& name);
 
 struct ModelParameter
 {
@@ -101,20 +98,20 @@ ModelValues FindValues(const std::string& file, const ModelStates& states);
 /// Of values that are in range.
 vtkSmartPointer<vtkBRDF> MakeModel(const ParametricModel& model, const ModelValues& values);
 
-/// A material by name or file as State has it, models among them. Throws tool::Error.
-tool::Material LoadMaterial(const std::string& file, const ModelStates& states);
-
 /// A copy for another thread; the material itself where its class has none.
 tool::Material MakeSnapshot(const tool::Material& material);
 
-struct MadeMaterial
+/// A material as it is shown and plotted.
+struct ShownMaterial
 {
-  tool::Material Shown; // prepared
-  ModelValues Values;   // of a model; empty for others
+  tool::Material Material;     // prepared
+  ModelValues Values;          // of a model; empty for others
+  nlohmann::ordered_json Info; // what tool::InspectMaterial finds; null before
 };
 
-/// By its file or name. Takes long. Throws tool::Error.
-MadeMaterial MakeMaterial(const std::string& file, const ModelStates& models);
+/// By name or file as State has it, models among them; without Info. Takes long. Throws
+/// tool::Error.
+ShownMaterial ReadMaterial(const std::string& file, const ModelStates& models);
 } // namespace explorer
 
 #endif

@@ -14,7 +14,6 @@
 
 #include <QFontDatabase>
 #include <QHeaderView>
-#include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollBar>
@@ -53,7 +52,7 @@ QWidget* MakePictureBar(Session* session)
     AddNamed(row, k == 0 ? QObject::tr("&A") : QObject::tr("&B"), list);
     OnChange(
       list, [=](const QVariant& key) { session->SetMethod(k, key.toString().toStdString()); });
-    methods[static_cast<std::size_t>(k)] = list;
+    methods[k] = list;
   }
   auto* lights = new QComboBox;
   for (int count = 1; count <= MostLights; count *= 2)
@@ -83,9 +82,7 @@ QWidget* MakePictureBar(Session* session)
 
   OnChange(lights, [=](const QVariant& count) { session->SetLights(count.toInt()); });
   OnChange(difference, [=](bool on) { session->SetShown(on ? Shown::Difference : Shown::Split); });
-  Bind(
-    exposure, session, &Session::pictureChanged,
-    [](auto& state) -> auto& { return state.Exposure; });
+  Bind(exposure, session, &Session::pictureChanged, &State::Exposure);
   QObject::connect(fit, &QToolButton::clicked, session,
     [=]()
     {
@@ -190,23 +187,6 @@ void AddCompareBoxes(QTreeWidget* list, Session* session)
     });
 }
 
-//------------------------------------------------------------------------------
-// Hides what has not the words in its name or its heading's.
-void Filter(QTreeWidget* list, const QString& words)
-{
-  for (int k = 0; k < list->topLevelItemCount(); ++k)
-  {
-    list->topLevelItem(k)->setHidden(true);
-  }
-  ForEachItem(list,
-    [&words](QTreeWidgetItem* item, const QString&)
-    {
-      const bool fits = item->text(0).contains(words, Qt::CaseInsensitive) ||
-                        item->parent()->text(0).contains(words, Qt::CaseInsensitive);
-      item->setHidden(!fits);
-      item->parent()->setHidden(item->parent()->isHidden() && !fits);
-    });
-}
 }
 
 //------------------------------------------------------------------------------
@@ -214,10 +194,6 @@ QWidget* MakeListPanel(Session* session, const std::function<void(const QString&
 {
   auto* panel = new QWidget;
   panel->setMinimumWidth(200);
-  auto* search = new QLineEdit;
-  search->setPlaceholderText(QObject::tr("Find a material"));
-  search->setClearButtonEnabled(true);
-  search->setAccessibleName(QObject::tr("Find a material"));
   auto* materials = MakeTree(QObject::tr("Materials"));
   materials->setColumnCount(2); // the second: whether it is in the charts
   materials->header()->setStretchLastSection(false);
@@ -243,10 +219,6 @@ QWidget* MakeListPanel(Session* session, const std::function<void(const QString&
     row->addStretch(1);
     row->addWidget(button);
     layout->addLayout(row);
-    if (list == materials)
-    {
-      layout->addWidget(search);
-    }
     layout->addWidget(list, stretch);
     QObject::connect(button, &QPushButton::clicked, panel, [=]() { open(kind); });
   };
@@ -272,23 +244,20 @@ QWidget* MakeListPanel(Session* session, const std::function<void(const QString&
   choose(materials, &Session::SetMaterial);
   choose(environments, &Session::SetEnvironment);
   OnChange(meshes, [=](const QVariant& file) { session->SetMesh(file.toString().toStdString()); });
-  QObject::connect(search, &QLineEdit::textChanged, panel,
-    [=](const QString& words) { Filter(materials, words.trimmed()); });
   Follow(session, panel, { &Session::listsChanged },
     [=]()
     {
       const QSignalBlocker quiet[] = { QSignalBlocker(materials), QSignalBlocker(environments) };
       const State& state = session->GetState();
-      FillList(materials, session->GetMaterials(), state.Material);
+      FillList(materials, ListMaterials(state.MaterialFiles), state.Material);
       AddCompareBoxes(materials, session);
-      FillList(environments, session->GetEnvironments(), state.Environment);
+      FillList(environments, ListEnvironments(state.EnvironmentFiles), state.Environment);
       meshes->clear();
-      for (const Item& item : session->GetMeshes())
+      for (const Item& item : ListMeshes(session->GetMeshFile()))
       {
         AddItem(meshes, item.Name, QString::fromStdString(item.File), item.Source);
       }
       Show(meshes, QString::fromStdString(state.Mesh));
-      Filter(materials, search->text().trimmed());
     });
   QObject::connect(session, &Session::comparedChanged, panel,
     [=]()
@@ -305,9 +274,6 @@ QWidget* MakeListPanel(Session* session, const std::function<void(const QString&
 
 namespace
 {
-constexpr int StepsPerDecade = 40; // of the slider, from 0.1 % to 100 %
-constexpr int Steps = 3 * StepsPerDecade;
-
 //------------------------------------------------------------------------------
 // A row of a table, as HTML: words in the first column and the one of that number, else figures.
 QString MakeRow(const QStringList& cells, int words = -1, bool bold = false)
@@ -321,6 +287,8 @@ QString MakeRow(const QStringList& cells, int words = -1, bool bold = false)
   }
   return row + "</tr>";
 }
+
+constexpr int ToleranceSteps = 120; // of the slider, 40 for a factor of ten
 
 //------------------------------------------------------------------------------
 QString FormatError(double share)
@@ -336,39 +304,6 @@ QString FormatTime(double value) { return QString::fromStdString(tool::FormatMil
 QString FormatCost(double value) { return QString::number(value, 'f', 2); }
 
 //------------------------------------------------------------------------------
-// The tolerance, in percent, by a slider and a field.
-QLayout* MakeToleranceRow(Session* session)
-{
-  auto* slider = new QSlider(Qt::Horizontal);
-  slider->setObjectName("tolerance");
-  slider->setRange(0, Steps);
-  slider->setPageStep(StepsPerDecade / 4);
-  slider->setTickInterval(StepsPerDecade);
-  slider->setTickPosition(QSlider::TicksBelow);
-  slider->setToolTip(
-    QObject::tr("Error that a plan has to stay below, relative to the mean radiance"));
-  slider->setAccessibleName(QObject::tr("Tolerance"));
-  auto* percent = MakeField(0.1, 100.0, 2, 1.0, " %", "");
-  percent->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  auto* row = new QHBoxLayout;
-  AddNamed(row, QObject::tr("&Tolerance "), slider);
-  row->addWidget(percent);
-  row->setStretchFactor(slider, 1);
-  QObject::connect(slider, &QSlider::valueChanged, session,
-    [=](int value)
-    { session->SetTolerance(std::pow(10.0, -3.0 + static_cast<double>(value) / StepsPerDecade)); });
-  OnChange(percent, [=](double value) { session->SetTolerance(value / 100.0); });
-  Follow(session, slider, { &Session::toleranceChanged },
-    [=]()
-    {
-      const double tolerance = session->GetState().Tolerance;
-      Show(slider, std::round((std::log10(tolerance) + 3.0) * StepsPerDecade));
-      Show(percent, 100.0 * tolerance);
-    });
-  return row;
-}
-
-//------------------------------------------------------------------------------
 // What was predicted and measured of both sides.
 QString MakeFigures(const std::array<Side*, 2>& sides, const Evaluation& evaluation)
 {
@@ -377,7 +312,7 @@ QString MakeFigures(const std::array<Side*, 2>& sides, const Evaluation& evaluat
     { QObject::tr("Frame, measured") } };
   for (int k = 0; k < 2; ++k)
   {
-    const Side* side = sides[static_cast<std::size_t>(k)];
+    const Side* side = sides[k];
     vtkRadiancePlanner* planner = side->IsReference() ? nullptr : side->GetPlanner();
     const int choice = planner && side->IsReady() ? planner->GetChoice() : -1;
     const SideFigures& figures = evaluation.GetFigures(k);
@@ -406,7 +341,7 @@ QString MakeCandidates(vtkRadiancePlanner* planner)
   for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
   {
     const bool chosen = k == planner->GetChoice();
-    const double megabytes = 1e-6 * static_cast<double>(planner->GetTextureBytes(k));
+    const double megabytes = 1e-6 * double(planner->GetTextureBytes(k));
     table += MakeRow(
       { (chosen ? "▸ " : "") + QString::fromStdString(planner->GetMethodName(k)),
         FormatError(planner->GetPredictedError(k)), FormatCost(planner->GetPredictedCost(k)),
@@ -428,7 +363,19 @@ QWidget* MakePlanPanel(
   text->setAccessibleName(QObject::tr("Plan"));
   auto* frame = new QLabel(QString("–"));
   auto* layout = MakeColumn(panel);
-  layout->addLayout(MakeToleranceRow(session));
+  auto* row = new QHBoxLayout;
+  auto* percent = MakeField(0.1, 100.0, 2, 1.0, " %",
+    QObject::tr("Error that a plan has to stay below, relative to the mean radiance"));
+  percent->setAccessibleName(QObject::tr("Tolerance"));
+  auto* name = new QLabel(QObject::tr("&Tolerance "));
+  name->setBuddy(percent);
+  row->addWidget(name);
+  AddSlider(
+    row, "tolerance", percent, ToleranceSteps, [](double value) { return std::log10(value); },
+    [](double exponent) { return std::pow(10.0, exponent); }, session, &Session::toleranceChanged,
+    [=]() { return 100.0 * session->GetState().Tolerance; },
+    [=](double value) { session->SetTolerance(value / 100.0); });
+  layout->addLayout(row);
   layout->addWidget(text, 1);
   layout->addWidget(frame);
 
@@ -480,30 +427,6 @@ constexpr int SliderSteps = 400;
 constexpr int TitleWidth = 130; // pixels
 
 //------------------------------------------------------------------------------
-// The slider's steps are equal, or, where the parameter says so, equal in log(1 + x).
-double ToScale(const ModelParameter& parameter, double value)
-{
-  return parameter.IsLogarithmic ? std::log1p(value) : value;
-}
-
-//------------------------------------------------------------------------------
-double ToValue(const ModelParameter& parameter, int step)
-{
-  const double least = ToScale(parameter, parameter.Least);
-  const double largest = ToScale(parameter, parameter.Largest);
-  const double place = least + (largest - least) * step / SliderSteps;
-  return parameter.IsLogarithmic ? std::expm1(place) : place;
-}
-
-//------------------------------------------------------------------------------
-double ToStep(const ModelParameter& parameter, double value)
-{
-  const double least = ToScale(parameter, parameter.Least);
-  const double largest = ToScale(parameter, parameter.Largest);
-  return std::round(SliderSteps * (ToScale(parameter, value) - least) / (largest - least));
-}
-
-//------------------------------------------------------------------------------
 // A number of a model by a slider and a field, or one of a few choices.
 QWidget* MakeParameterRow(
   Session* session, const ParametricModel& model, const ModelParameter& parameter, std::size_t k)
@@ -515,11 +438,12 @@ QWidget* MakeParameterRow(
     QString::fromStdString(parameter.Name) + (isColor ? channels[k] : QString());
   const QString name =
     QString::fromStdString(parameter.Key) + (isColor ? QString(" %1").arg(k) : QString());
-  const auto get = [=, &model]()
-  { return GetValues(model, session->GetState().Models).at(parameter.Key)[k]; };
+  const auto getAll = [=, &model]()
+  { return GetValues(model, session->GetState().Models).at(parameter.Key); };
+  const auto get = [=]() { return getAll()[k]; };
   const auto set = [=, &model](double value)
   {
-    std::vector<double> values = GetValues(model, session->GetState().Models).at(parameter.Key);
+    std::vector<double> values = getAll();
     values[k] = value;
     session->SetModelValues(model.Key, parameter.Key, values);
   };
@@ -535,7 +459,7 @@ QWidget* MakeParameterRow(
     auto* choices = new QComboBox;
     for (std::size_t j = 0; j < parameter.Choices.size(); ++j)
     {
-      AddItem(choices, parameter.Choices[j], static_cast<double>(j));
+      AddItem(choices, parameter.Choices[j], double(j));
     }
     choices->setAccessibleName(title);
     choices->setObjectName(name);
@@ -545,28 +469,18 @@ QWidget* MakeParameterRow(
     Follow(session, row, { &Session::modelsChanged }, [=]() { Show(choices, get()); });
     return row;
   }
-  auto* slider = new QSlider(Qt::Horizontal);
-  slider->setRange(0, SliderSteps);
-  slider->setPageStep(SliderSteps / 20);
   auto* field =
     MakeField(parameter.Least, parameter.Largest, parameter.Largest > 100.0 ? 1 : 3, 1.0, "", "");
-  field->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  layout->addWidget(slider, 1);
-  layout->addWidget(field);
-  for (QWidget* widget : { static_cast<QWidget*>(slider), static_cast<QWidget*>(field) })
+  field->setAccessibleName(title);
+  double (*scale)(double) = [](double value) { return value; };
+  double (*unscale)(double) = scale;
+  if (parameter.IsLogarithmic)
   {
-    widget->setAccessibleName(title);
-    widget->setObjectName(name);
+    scale = [](double value) { return std::log1p(value); };
+    unscale = [](double place) { return std::expm1(place); };
   }
-  QObject::connect(
-    slider, &QSlider::valueChanged, row, [=](int step) { set(ToValue(parameter, step)); });
-  OnChange(field, set);
-  Follow(session, row, { &Session::modelsChanged },
-    [=]()
-    {
-      Show(field, get());
-      Show(slider, ToStep(parameter, get()));
-    });
+  AddSlider(
+    layout, name, field, SliderSteps, scale, unscale, session, &Session::modelsChanged, get, set);
   return row;
 }
 }
@@ -693,18 +607,16 @@ std::vector<Finding> FindFindings(const nlohmann::ordered_json& info)
     "The largest albedo is " + Format("%.3f", albedo) +
       (gains ? ": the material gives back more light than it gets"
              : "; no reflectance is above 1") });
-  const auto negative = info["negative_values"].get<long long>();
+  const std::size_t negative = info["negative_values"];
   const double mass = info["negative_mass"];
   findings.push_back({ mass <= NegativeMassLimit, "Negative values",
-    negative == 0 && !(mass > 0.0)
-      ? std::string("None")
-      : tool::FormatCount(static_cast<std::size_t>(negative), "stored value") + ", " +
-          tool::FormatPercent(mass) + " of all f, clamped to 0" });
-  const auto invalid = info["invalid_values"].get<long long>();
+    negative == 0 && !(mass > 0.0) ? std::string("None")
+                                   : tool::FormatCount(negative, "stored value") + ", " +
+                                       tool::FormatPercent(mass) + " of all f, clamped to 0" });
+  const std::size_t invalid = info["invalid_values"];
   findings.push_back({ invalid == 0, "Invalid values",
     invalid == 0 ? std::string("None")
-                 : tool::FormatCount(static_cast<std::size_t>(invalid), "stored value") +
-                     " not finite, replaced" });
+                 : tool::FormatCount(invalid, "stored value") + " not finite, replaced" });
   if (info.contains("transmission"))
   {
     findings.push_back(FindTransmission(info["transmission"]));
@@ -728,45 +640,30 @@ QString MakeFindingsTable(const nlohmann::ordered_json& info)
 }
 
 //------------------------------------------------------------------------------
-FindingsPanel::FindingsPanel(Session* session, Jobs* jobs)
+QWidget* MakeFindingsPanel(Session* session)
 {
+  auto* panel = new QWidget;
   auto* findings = new QLabel;
   findings->setObjectName("findings");
   findings->setWordWrap(true);
-  findings->setTextFormat(Qt::RichText);
   findings->setTextInteractionFlags(Qt::TextSelectableByMouse);
   findings->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* text = new QPlainTextEdit;
   text->setReadOnly(true);
   text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   text->setLineWrapMode(QPlainTextEdit::NoWrap);
-  text->setAccessibleName(tr("What is known of the material"));
-  auto* layout = MakeColumn(this);
+  text->setAccessibleName(QObject::tr("What is known of the material"));
+  auto* layout = MakeColumn(panel);
   layout->addWidget(findings);
   layout->addWidget(text, 1);
-  const auto show = [=](const nlohmann::ordered_json& info)
-  {
-    this->Info = info;
-    findings->setText(MakeFindingsTable(info));
-    text->setPlainText(QString::fromStdString(tool::FormatInspection(info)));
-    Q_EMIT this->inspected();
-  };
-  connect(session, &Session::materialChanged, this,
+  Follow(session, panel, { &Session::materialChanged, &Session::inspected },
     [=]()
     {
-      this->Info = nullptr;
-      findings->setText(tr("Being measured …"));
-      text->clear();
-      jobs->Compute(
-        "findings", tr("measuring the material"),
-        [material = MakeSnapshot(session->GetMaterial())]()
-        { return tool::InspectMaterial(material); },
-        show,
-        [=](const QString& problem)
-        {
-          findings->clear();
-          session->Say(problem, true);
-        });
+      const nlohmann::ordered_json& info = session->GetInspection();
+      findings->setText(info.is_null() ? QObject::tr("Being measured …") : MakeFindingsTable(info));
+      text->setPlainText(
+        info.is_null() ? QString() : QString::fromStdString(tool::FormatInspection(info)));
     });
+  return panel;
 }
 } // namespace explorer

@@ -58,22 +58,7 @@ std::vector<Finding> FindFindings(const nlohmann::ordered_json& info);
 QString MakeFindingsTable(const nlohmann::ordered_json& info);
 
 /// What `info` says of the material, with what is remarkable first (the label "findings").
-class FindingsPanel : public QWidget
-{
-  Q_OBJECT
-
-public:
-  FindingsPanel(Session* session, Jobs* jobs);
-
-  /// Null before it was measured.
-  const nlohmann::ordered_json& GetInspection() const { return this->Info; }
-
-Q_SIGNALS:
-  void inspected();
-
-private:
-  nlohmann::ordered_json Info;
-};
+QWidget* MakeFindingsPanel(Session* session);
 } // namespace explorer
 
 #endif

@@ -89,15 +89,13 @@ bool RenderView::event(QEvent* event)
         return true;
       }
       break;
-    case QEvent::Wheel:
-      break;
     case QEvent::KeyPress:
       return this->ObeyKey(static_cast<QKeyEvent*>(event)) || QOpenGLWidget::event(event);
     case QEvent::KeyRelease:
       return QOpenGLWidget::event(event);
     default:
-      return QVTKOpenGLNativeWidget::event(event);
+      break;
   }
-  return this->IsInteractive ? QVTKOpenGLNativeWidget::event(event) : QOpenGLWidget::event(event);
+  return QVTKOpenGLNativeWidget::event(event);
 }
 } // namespace explorer

@@ -52,7 +52,6 @@ protected:
   vtkNew<vtkGenericOpenGLRenderWindow> Window;
   Qt::CursorShape HandleCursor = Qt::OpenHandCursor;
   bool IsDragging = false;
-  bool IsInteractive = true; // whether VTK gets the mouse beside the handle
 
 private:
   bool HandleMouse(QMouseEvent* mouse);

@@ -14,6 +14,8 @@
 
 #include <QBuffer>
 
+#include <functional>
+
 using nlohmann::ordered_json;
 
 namespace
@@ -49,34 +51,30 @@ QString MakePage(const explorer::ReportData& data, const ordered_json& report)
             Embed(image) + "'>";
   }
   page += "<h2>Methods</h2><table><tr><th></th><th>A</th><th>B</th></tr>";
-  const auto row = [&](const std::string& name, const auto& get)
+  // A figure of both sides, or "–" where one has none.
+  using Format = std::function<std::string(double)>;
+  const auto row = [&](const std::string& name, const std::string& key, const Format& format)
   {
+    const ordered_json::json_pointer pointer(key);
     page += "<tr><td>" + QString::fromStdString(name) + "</td>";
     for (const ordered_json& side : report["sides"])
     {
-      page += "<td class='n'>" + get(side) + "</td>";
+      const bool has = side.contains(pointer) && side[pointer].is_number();
+      page +=
+        "<td class='n'>" + (has ? QString::fromStdString(format(side[pointer])) : "–") + "</td>";
     }
     page += "</tr>";
   };
-  // A figure of a side, or "–" where it has none.
-  const auto figure = [](const ordered_json& side, const char* key, std::string (*format)(double))
-  { return side.contains(key) ? QString::fromStdString(format(side[key])) : QString("–"); };
-  row("Method", [](const ordered_json& side) { return Escape(side["description"]); });
-  row("Frame",
-    [&](const ordered_json& side) { return figure(side, "frame_ms", &tool::FormatMilliseconds); });
-  row("Predicted error", [&](const ordered_json& side)
-    { return figure(side, "predicted_error", &tool::FormatPercent); });
+  page += "<tr><td>Method</td><td>" + Escape(report["sides"][0]["description"]) + "</td><td>" +
+          Escape(report["sides"][1]["description"]) + "</td></tr>";
+  row("Frame", "/frame_ms", &tool::FormatMilliseconds);
+  row("Predicted error", "/predicted_error", &tool::FormatPercent);
   for (const tool::Metric& metric : tool::GetMetrics())
   {
-    row(metric.Label,
-      [&](const ordered_json& side)
-      {
-        const ordered_json value =
-          side.contains("errors") ? side["errors"][metric.Name] : ordered_json();
-        return !value.is_number() ? QString("–")
-               : metric.Relative  ? QString::fromStdString(tool::FormatPercent(value))
-                                  : QString::number(value.get<double>(), 'g', 3);
-      });
+    row(
+      metric.Label, "/errors/" + metric.Name,
+      metric.Relative ? Format(&tool::FormatPercent)
+                      : [](double value) { return QString::number(value, 'g', 3).toStdString(); });
   }
   page +=
     QString("</table><p>Errors are of this view in %1 x %2 pixels, against the exact picture. "

@@ -3,7 +3,9 @@
 #include "Session.h"
 
 #include "Files.h"
+#include "Inspection.h"
 #include "Meshes.h"
+#include "ParallelFor.h"
 #include "Progress.h"
 #include "Tool.h"
 
@@ -16,9 +18,10 @@ namespace
 constexpr int RemakeTime = 80; // ms after a slider moved
 
 //------------------------------------------------------------------------------
+// A file, not a built-in name.
 void AddOnce(std::vector<std::string>& list, const std::string& file)
 {
-  if (std::find(list.begin(), list.end(), file) == list.end())
+  if (!explorer::IsBuiltIn(file) && std::find(list.begin(), list.end(), file) == list.end())
   {
     list.push_back(file);
   }
@@ -27,11 +30,6 @@ void AddOnce(std::vector<std::string>& list, const std::string& file)
 
 namespace explorer
 {
-vtkSmartPointer<vtkPolyData> LoadMeshByName(const std::string& file)
-{
-  return file == "sphere" ? tool::MakeSphere() : tool::LoadMesh(file);
-}
-
 //------------------------------------------------------------------------------
 Session::Session(Jobs* jobs, QObject* parent)
   : QObject(parent)
@@ -58,16 +56,12 @@ void Session::Replace(const State& state, bool withCamera)
 {
   const State before = this->Current;
   this->Current = state;
-  this->Current.Note.clear();
   this->Current.Material = before.Material;
   this->Current.Environment = before.Environment;
   this->Current.Mesh = before.Mesh;
   for (const std::string& file : state.Compared)
   {
-    if (!IsBuiltInMaterial(file))
-    {
-      AddOnce(this->Current.MaterialFiles, file); // so that it can be taken out
-    }
+    AddOnce(this->Current.MaterialFiles, file); // so that it can be taken out
   }
   Q_EMIT this->listsChanged();
   Q_EMIT this->modelsChanged();
@@ -91,107 +85,84 @@ void Session::Replace(const State& state, bool withCamera)
   {
     Q_EMIT(this->*signal)();
   }
-  if (!state.Note.empty())
-  {
-    this->Say(QString::fromStdString(state.Note), false);
-  }
 }
 
 //------------------------------------------------------------------------------
+// Several may be opened at a time, each after what it is named with.
 void Session::Open(const QStringList& files)
 {
-  if (files.empty())
-  {
-    return;
-  }
-  for (const QString& file : files)
-  {
-    this->Opening.push_back(file.toStdString());
-  }
-  // One job at a time: this one also reads what the one that it stops has not
-  // read.
-  this->Background->Start("open", tr("reading"),
-    [this, names = this->Opening, models = this->Current.Models](const Jobs::Post& post)
+  this->Background->Start(QString("open %1").arg(++this->Openings), tr("reading"),
+    [this, files, models = this->Current.Models](const Jobs::Post& post)
     {
-      for (const std::string& name : names)
+      for (const QString& file : files)
       {
         if (tool::BackgroundWork::Get()->IsStopped())
         {
           return;
         }
-        try
+        const std::string name = file.toStdString();
+        if (const auto problem = measuredbrdf::FindThrown(
+              [&]() { post(this->Read(FindFileKind(name), name, models)); }))
         {
-          this->OpenOne(name, models, post);
+          post([=]() { this->Say(QString::fromStdString(*problem), true); });
         }
-        catch (const std::exception& error)
-        {
-          const QString text = QString::fromUtf8(error.what());
-          post([this, text]() { this->Say(text, true); });
-        }
-        post([this]() { this->Opening.erase(this->Opening.begin()); }); // this one
       }
     });
 }
 
 //------------------------------------------------------------------------------
-// On a thread. What was asked for before by other means is not waited for.
-void Session::OpenOne(const std::string& file, const ModelStates& models, const Jobs::Post& post)
+// On a thread. What it returns shows what was read, on the window's.
+std::function<void()> Session::Read(
+  FileKind kind, const std::string& file, const ModelStates& models)
 {
-  const auto take = [this, &post](const char* job, const auto&... taken)
-  {
-    post(
-      [this, job, taken...]()
-      {
-        this->Background->Stop(job);
-        this->Take(taken...);
-      });
-  };
-  const auto readMaterial = [&]() { take("material", MakeMaterial(file, models)); };
-  const auto readEnvironment = [&]() { take("environment", tool::LoadEnvironment(file), file); };
-  const FileKind kind = FindFileKind(file);
   switch (kind)
   {
-    case FileKind::DirectionalLight:
-      post([this, file]() { this->SetEnvironment(file); });
-      break;
     case FileKind::State:
-      post([this, state = LoadState(file)]() { this->Replace(state); });
-      break;
+      return [this, state = LoadState(file)]() { this->Replace(state); };
     case FileKind::Mesh:
-      take("mesh", LoadMeshByName(file), file);
-      break;
+      return [this, file, mesh = file == "sphere" ? tool::MakeSphere() : tool::LoadMesh(file)]()
+      { this->Take(mesh, file); };
     case FileKind::Environment:
-      readEnvironment();
-      break;
+      return [this, file,
+               environment = file == DirectionalLightName ? vtkSmartPointer<vtkEnvironment>()
+                                                          : tool::LoadEnvironment(file)]()
+      { this->Take(environment, file); };
     case FileKind::Material:
-      readMaterial();
+      return [this, read = ReadMaterial(file, models)]() { this->Take(read); };
+    default: // a material or an environment
       break;
-    case FileKind::MaterialOrEnvironment:
-      try
-      {
-        readMaterial();
-      }
-      catch (const tool::Error& asMaterial)
-      {
-        try
-        {
-          readEnvironment();
-        }
-        catch (const tool::Error& asEnvironment)
-        {
-          throw tool::Error(std::string("As a material: ") + asMaterial.what() +
-                            ". As an environment: " + asEnvironment.what());
-        }
-      }
+  }
+  try
+  {
+    return this->Read(FileKind::Material, file, models);
+  }
+  catch (const tool::Error& asMaterial)
+  {
+    try
+    {
+      return this->Read(FileKind::Environment, file, models);
+    }
+    catch (const tool::Error& asEnvironment)
+    {
+      throw tool::Error(std::string("As a material: ") + asMaterial.what() +
+                        ". As an environment: " + asEnvironment.what());
+    }
   }
 }
 
 //------------------------------------------------------------------------------
 // Where it cannot be read, the one before is the current one again.
-template <typename Reading, typename Taking>
-void Session::Read(const char* job, Reading read, Taking take)
+void Session::Show(FileKind kind, const QString& job, const std::string& file, bool isShown)
 {
-  this->Background->Compute(job, tr("reading"), read, take,
+  if (isShown)
+  {
+    this->Background->Stop(job);
+    return;
+  }
+  this->Background->Compute(
+    job, tr("reading"),
+    [=, models = this->Current.Models]() { return this->Read(kind, file, models); },
+    [](const std::function<void()>& show) { show(); },
     [this](const QString& text)
     {
       this->Say(text, true);
@@ -202,45 +173,22 @@ void Session::Read(const char* job, Reading read, Taking take)
 //------------------------------------------------------------------------------
 void Session::SetMaterial(const std::string& file)
 {
-  if (this->GetMaterial().BRDF && file == this->Current.Material)
-  {
-    this->Background->Stop("material");
-    return;
-  }
-  this->Read(
-    "material", [file, models = this->Current.Models]() { return MakeMaterial(file, models); },
-    [this](const MadeMaterial& made) { this->Take(made); });
+  this->Show(FileKind::Material, "material", file,
+    this->GetMaterial().BRDF && file == this->Current.Material);
 }
 
 //------------------------------------------------------------------------------
 void Session::SetEnvironment(const std::string& file)
 {
-  if (file == DirectionalLightName || (this->IsLit() && file == this->Current.Environment))
-  {
-    this->Background->Stop("environment");
-    if (file != this->Current.Environment)
-    {
-      this->Take(vtkSmartPointer<vtkEnvironment>(), file);
-    }
-    return;
-  }
-  this->Read(
-    "environment", [file]() { return tool::LoadEnvironment(file); },
-    [this, file](const vtkSmartPointer<vtkEnvironment>& read) { this->Take(read, file); });
+  this->Show(
+    FileKind::Environment, "environment", file, this->IsLit() && file == this->Current.Environment);
 }
 
 //------------------------------------------------------------------------------
 void Session::SetMesh(const std::string& file)
 {
-  if (this->Mesh && file == this->Current.Mesh)
-  {
-    this->Background->Stop("mesh");
-    return;
-  }
   this->IsCameraGiven = false;
-  this->Read(
-    "mesh", [file]() { return LoadMeshByName(file); },
-    [this, file](const vtkSmartPointer<vtkPolyData>& read) { this->Take(read, file); });
+  this->Show(FileKind::Mesh, "mesh", file, this->Mesh && file == this->Current.Mesh);
 }
 
 //------------------------------------------------------------------------------
@@ -262,8 +210,8 @@ void Session::SetCompared(const std::string& file, bool isCompared)
   files.erase(std::remove(files.begin(), files.end(), file), files.end());
   if (isCompared && files.size() >= MostCompared)
   {
-    this->Say(tr("At most %1 materials are compared with the one that is shown")
-                .arg(static_cast<int>(MostCompared)),
+    this->Say(
+      tr("At most %1 materials are compared with the one that is shown").arg(int(MostCompared)),
       true);
   }
   else if (isCompared)
@@ -281,13 +229,13 @@ bool Session::IsCompared(const std::string& file) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<ChartedMaterial> Session::GetComparedMaterials() const
+std::vector<ShownMaterial> Session::GetChartedMaterials() const
 {
-  std::vector<ChartedMaterial> materials;
+  std::vector<ShownMaterial> materials = { this->Made };
   for (const std::string& file : this->Current.Compared)
   {
     const auto found = this->Compared.find(file);
-    if (found != this->Compared.end())
+    if (found != this->Compared.end() && file != this->Made.Material.File)
     {
       materials.push_back(found->second);
     }
@@ -300,6 +248,7 @@ std::vector<ChartedMaterial> Session::GetComparedMaterials() const
 // may be large. A model is shown as it was until then.
 void Session::ReadCompared()
 {
+  this->Background->Stop("compare");
   const ModelStates models = this->Current.Models;
   std::vector<std::string> missing;
   for (const std::string& file : this->Current.Compared)
@@ -312,11 +261,10 @@ void Session::ReadCompared()
   }
   if (missing.empty())
   {
-    this->Background->Stop("compare");
     return;
   }
   this->Background->Start("compare", tr("reading for comparison"),
-    [this, missing, models](const Jobs::Post& post)
+    [=](const Jobs::Post& post)
     {
       for (const std::string& file : missing)
       {
@@ -324,79 +272,79 @@ void Session::ReadCompared()
         {
           return;
         }
-        try
-        {
-          const MadeMaterial made = MakeMaterial(file, models);
-          const tool::Material& read = made.Shown;
-          const ChartedMaterial material{ file, read.Name, read.BRDF, SampleAlbedo(read.BRDF),
-            made.Values, read.Transmission,
-            read.Transmission ? SampleTransmittance(read.Transmission) : Curve() };
-          post(
-            [this, material]()
+        ShownMaterial read;
+        const auto problem = measuredbrdf::FindThrown(
+          [&]()
+          {
+            read = ReadMaterial(file, models);
+            read.Info = tool::InspectMaterial(read.Material);
+          });
+        post(
+          [=]()
+          {
+            if (problem)
             {
-              this->Compared[material.File] = material;
-              Q_EMIT this->comparedChanged();
-              if (material.Values != FindValues(material.File, this->Current.Models))
-              {
-                this->ReadCompared(); // they have changed since this was begun
-              }
-            });
-        }
-        catch (const std::exception& error)
-        {
-          post(
-            [this, file, text = QString::fromUtf8(error.what())]()
-            {
-              this->Say(text, true);
+              this->Say(QString::fromStdString(*problem), true);
               this->SetCompared(file, false);
-            });
-        }
+              return;
+            }
+            this->Compared[file] = read;
+            Q_EMIT this->comparedChanged();
+          });
       }
     });
 }
 
 //------------------------------------------------------------------------------
-void Session::Take(const MadeMaterial& made)
+// What is read by other means is not waited for.
+void Session::Take(const ShownMaterial& read)
 {
-  const std::string& file = made.Shown.File;
-  if (!IsBuiltInMaterial(file))
-  {
-    AddOnce(this->Current.MaterialFiles, file);
-  }
+  this->Background->Stop("material");
   this->Background->Stop("remake"); // of what was shown
-  this->Made = made;
-  this->Current.Material = file;
-  this->Say(QString::fromStdString(made.Shown.Notes), false);
+  this->Current.Material = read.Material.File;
+  AddOnce(this->Current.MaterialFiles, read.Material.File);
+  this->Say(QString::fromStdString(read.Material.Notes), false);
+  this->Made = read;
   Q_EMIT this->listsChanged();
-  Q_EMIT this->materialChanged();
+  this->SetMade(read);
   this->Remake.start(); // where settings have changed since it was asked for
 }
 
 //------------------------------------------------------------------------------
-// The model that is shown with other parameters; another material is not waited
-// for.
+// The material, and then what is measured of it.
+void Session::SetMade(const ShownMaterial& made)
+{
+  this->Made = made;
+  Q_EMIT this->materialChanged();
+  this->Background->Compute(
+    "findings", tr("measuring the material"),
+    [material = MakeSnapshot(made.Material)]() { return tool::InspectMaterial(material); },
+    [this](const nlohmann::ordered_json& info)
+    {
+      this->Made.Info = info;
+      Q_EMIT this->inspected();
+    });
+}
+
+//------------------------------------------------------------------------------
+// The models that are shown with other parameters; another material is not waited for.
 void Session::RemakeMaterial()
 {
+  this->ReadCompared();
+  const std::string& file = this->Made.Material.File;
   const ModelStates& models = this->Current.Models;
-  if (std::any_of(this->Compared.begin(), this->Compared.end(),
-        [&](const auto& one) { return one.second.Values != FindValues(one.first, models); }))
+  this->Background->Stop("remake"); // of parameters that may be taken back
+  if (!this->Made.Material.BRDF || this->Made.Values == FindValues(file, models))
   {
-    this->ReadCompared();
-  }
-  const std::string& file = this->Made.Shown.File;
-  if (!this->Made.Shown.BRDF || this->Made.Values == FindValues(file, models))
-  {
-    this->Background->Stop("remake"); // of parameters that are taken back
     return;
   }
   this->Background->Compute(
-    "remake", tr("making the material"), [file, models]() { return MakeMaterial(file, models); },
-    [this](const MadeMaterial& made)
+    "remake", tr("making the material"), [file, models]() { return ReadMaterial(file, models); },
+    [this](const ShownMaterial& made)
     {
-      if (made.Shown.File == this->Made.Shown.File)
+      if (made.Material.File == this->Made.Material.File)
       {
-        this->Made = made;
-        Q_EMIT this->materialChanged();
+        this->SetMade(made);
       }
     });
 }
@@ -404,13 +352,11 @@ void Session::RemakeMaterial()
 //------------------------------------------------------------------------------
 void Session::Take(const vtkSmartPointer<vtkEnvironment>& environment, const std::string& file)
 {
-  if (environment && !IsBuiltInEnvironment(file))
-  {
-    AddOnce(this->Current.EnvironmentFiles, file);
-  }
+  this->Background->Stop("environment");
   this->Environment = environment;
   if (environment)
   {
+    AddOnce(this->Current.EnvironmentFiles, file);
     this->Environment->SetRotationY(this->Current.Rotation);
   }
   this->Current.Environment = file;
@@ -421,6 +367,7 @@ void Session::Take(const vtkSmartPointer<vtkEnvironment>& environment, const std
 //------------------------------------------------------------------------------
 void Session::Take(const vtkSmartPointer<vtkPolyData>& mesh, const std::string& file)
 {
+  this->Background->Stop("mesh");
   this->Mesh = mesh;
   this->MeshFile = file;
   this->Current.Mesh = file;
@@ -438,38 +385,34 @@ void Session::Take(const vtkSmartPointer<vtkPolyData>& mesh, const std::string& 
 //------------------------------------------------------------------------------
 void Session::SaveMaterial(const std::string& path)
 {
-  if (!this->Made.Shown.BRDF)
+  if (!this->Made.Material.BRDF)
   {
     return;
   }
-  const tool::Material shown = MakeSnapshot(this->Made.Shown);
-  this->Background->Start("save material", tr("writing the material"),
-    [this, path, shown](const Jobs::Post& post)
+  this->Background->Compute(
+    "save material", tr("writing the material"),
+    [path, shown = MakeSnapshot(this->Made.Material)]()
     {
       tool::WriteMaterial(shown.BRDF, path);
-      post(
-        [this, path, shown]()
-        {
-          this->Say(tr("Saved: %1").arg(QString::fromStdString(path)) +
-                      (shown.Transmission ? tr(" (its transmission is left out)") : QString()),
-            false);
-        });
+      return shown.Transmission != nullptr;
+    },
+    [this, path](bool transmits)
+    {
+      this->Say(tr("Saved: %1").arg(QString::fromStdString(path)) +
+                  (transmits ? tr(" (its transmission is left out)") : QString()),
+        false);
     });
 }
 
 //------------------------------------------------------------------------------
 bool Session::Try(const std::function<void()>& what)
 {
-  try
+  const auto problem = measuredbrdf::FindThrown(what);
+  if (problem)
   {
-    what();
-    return true;
+    this->Say(QString::fromStdString(*problem), true);
   }
-  catch (const std::exception& error)
-  {
-    this->Say(QString::fromUtf8(error.what()), true);
-    return false;
-  }
+  return !problem;
 }
 
 //------------------------------------------------------------------------------
@@ -478,7 +421,7 @@ bool Session::Save(const std::string& path)
   return this->Try(
     [&]()
     {
-      SaveState(this->Current, path);
+      tool::WriteWhole(path, WriteState(this->Current));
       this->Say(tr("Saved: %1").arg(QString::fromStdString(path)), false);
     });
 }
@@ -523,8 +466,7 @@ void Session::SetMethod(int side, const std::string& key)
 {
   if (IsMethod(key))
   {
-    this->Edit(&Session::methodsChanged,
-      [&](State& state) { state.Methods[static_cast<std::size_t>(side)] = key; });
+    this->Edit(&Session::methodsChanged, [&](State& state) { state.Methods[side] = key; });
   }
 }
 

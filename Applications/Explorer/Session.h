@@ -9,7 +9,6 @@
 #ifndef Session_h
 #define Session_h
 
-#include "Curves.h"
 #include "Jobs.h"
 #include "Materials.h"
 #include "State.h"
@@ -52,16 +51,6 @@ public:
   void Open(const QStringList& files);
 
   ///@{
-  /// What the lists hold: built-in ones, and files.
-  std::vector<Item> GetMaterials() const { return ListMaterials(this->Current.MaterialFiles); }
-  std::vector<Item> GetEnvironments() const
-  {
-    return ListEnvironments(this->Current.EnvironmentFiles);
-  }
-  std::vector<Item> GetMeshes() const { return ListMeshes(this->MeshFile); }
-  ///@}
-
-  ///@{
   /// Read it and show it.
   void SetMaterial(const std::string& file);
   void SetEnvironment(const std::string& file);
@@ -74,18 +63,25 @@ public:
   void SetCompared(const std::vector<std::string>& files);
   void SetCompared(const std::string& file, bool isCompared);
   bool IsCompared(const std::string& file) const;
-
-  /// Those that have been read, as State::Compared has them.
-  std::vector<ChartedMaterial> GetComparedMaterials() const;
   ///@}
+
+  /// What the charts have: the material that is shown, then those that it is compared with and that
+  /// have been read.
+  std::vector<ShownMaterial> GetChartedMaterials() const;
 
   ///@{
   /// What was read; null before. The environment is null, too, where there is
   /// one directional light.
-  const tool::Material& GetMaterial() const { return this->Made.Shown; }
+  const tool::Material& GetMaterial() const { return this->Made.Material; }
   vtkEnvironment* GetEnvironment() const { return this->Environment; }
   vtkPolyData* GetMesh() const { return this->Mesh; }
   ///@}
+
+  /// What was measured of the material; null before.
+  const nlohmann::ordered_json& GetInspection() const { return this->Made.Info; }
+
+  /// The file of the mesh that is shown.
+  const std::string& GetMeshFile() const { return this->MeshFile; }
 
   /// Whether one directional light is in an environment's place.
   bool IsDirectional() const { return this->Current.Environment == DirectionalLightName; }
@@ -146,6 +142,7 @@ public:
 Q_SIGNALS:
   void listsChanged();
   void materialChanged();
+  void inspected();       // the material was measured
   void comparedChanged(); // which are to be compared, or one has been read
   void environmentChanged();
   void rotationChanged();
@@ -163,29 +160,26 @@ Q_SIGNALS:
   void messaged(const QString& text, bool isError);
 
 private:
-  void OpenOne(const std::string& file, const ModelStates& models, const Jobs::Post& post);
-  template <typename Reading, typename Taking>
-  void Read(const char* job, Reading read, Taking take);
+  std::function<void()> Read(FileKind kind, const std::string& file, const ModelStates& models);
+  void Show(FileKind kind, const QString& job, const std::string& file, bool isShown);
   void RemakeMaterial();
   void ReadCompared();
-  void Take(const MadeMaterial& made);
+  void Take(const ShownMaterial& read);
   void Take(const vtkSmartPointer<vtkEnvironment>& environment, const std::string& file);
   void Take(const vtkSmartPointer<vtkPolyData>& mesh, const std::string& file);
+  void SetMade(const ShownMaterial& made);
 
   Jobs* Background;
   State Current;
-  MadeMaterial Made;
-  std::map<std::string, ChartedMaterial> Compared; // by their files
+  ShownMaterial Made;
+  std::map<std::string, ShownMaterial> Compared; // by their files
   QTimer Remake;
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkSmartPointer<vtkPolyData> Mesh;
-  std::string MeshFile;             // of Mesh
-  std::vector<std::string> Opening; // what is not read yet
-  bool IsCameraGiven = false;       // by the state that the next mesh belongs to
+  std::string MeshFile;       // of Mesh
+  int Openings = 0;           // how often files were opened
+  bool IsCameraGiven = false; // by the state that the next mesh belongs to
 };
-
-/// A mesh by name or file. Throws tool::Error.
-vtkSmartPointer<vtkPolyData> LoadMeshByName(const std::string& file);
 } // namespace explorer
 
 #endif

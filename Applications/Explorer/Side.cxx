@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Side.h"
 
-#include "DirectionalLight.h"
 #include "Display.h"
 #include "Scenes.h"
 #include "Tool.h"
@@ -40,8 +39,9 @@ public:
 };
 
 //------------------------------------------------------------------------------
-static void SetUpLight(vtkTexture* texture)
+static void SetUpLight(vtkTexture* texture, vtkImageData* image)
 {
+  texture->SetInputData(image);
   texture->SetColorModeToDirectScalars();
   texture->MipmapOn();
   texture->InterpolateOn();
@@ -56,28 +56,20 @@ Side::Side(int index, Session* session, Jobs* jobs, QObject* parent)
 {
   this->Mapper->ScalarVisibilityOff();
   this->Mapper->SetPlanningModeToBackgroundFromStart();
-  this->Actor->SetMapper(this->Mapper);
   this->StockMapper->ScalarVisibilityOff();
-  this->StockActor->SetMapper(this->StockMapper);
-  this->StockActor->GetProperty()->SetInterpolationToPBR();
-  SetUpLight(this->StockLight);
-  for (vtkActor* actor : { this->Actor.Get(), this->StockActor.Get() })
-  {
-    ShowRadiance(actor);
-    this->Renderer->AddActor(actor);
-  }
+  this->Fitted->SetInterpolationToPBR();
+  this->Renderer->AddActor(this->Actor);
   this->Renderer->GetCullers()->RemoveAllItems(); // what is not drawn is not planned for
   this->Renderer->AutomaticLightCreationOff();
   this->Renderer->AddLight(this->Lamp);
-  this->Lamp->SwitchOff();
-  this->UpdateVisibility();
+  this->Update();
   this->Mapper->AddObserver(vtkCommand::UpdateDataEvent, this, &Side::OnPlan);
   for (const auto signal :
     { &Session::materialChanged, &Session::environmentChanged, &Session::methodsChanged })
   {
     connect(session, signal, this, &Side::UpdateMethod);
   }
-  connect(session, &Session::rotationChanged, this, &Side::UpdateRotation);
+  connect(session, &Session::rotationChanged, this, &Side::Update);
   connect(session, &Session::meshChanged, this, &Side::UpdateMesh);
   connect(session, &Session::toleranceChanged, this,
     [this]()
@@ -91,7 +83,7 @@ Side::Side(int index, Session* session, Jobs* jobs, QObject* parent)
   connect(session, &Session::lightChanged, this,
     [this]()
     {
-      PlaceLight(this->Lamp, this->Model->GetState().Light);
+      this->Update();
       if (this->IsLit && !this->Light)
       {
         Q_EMIT this->changed();
@@ -185,16 +177,28 @@ void Side::Draw(Kind kind, vtkEnvironment* light, const tool::Method& method)
     this->Mapper->SetEnvironment(light);
     this->Mapper->SetIntegrator(method.Integrator);
   }
-  this->UpdateVisibility();
+  this->Update();
 }
 
 //------------------------------------------------------------------------------
-// What was drawn before stays.
-void Side::FailToMake(const QString& text)
+// What was drawn before stays until then, and where nothing can be made.
+template <typename Make, typename Take>
+void Side::Start(const QString& label, Make make, Take take)
 {
-  this->IsMade = true;
-  this->Model->Say(text, true);
-  Q_EMIT this->changed();
+  this->IsMade = false;
+  this->Background->Compute(
+    this->GetJobKey(), label, make,
+    [this, take](const auto& made)
+    {
+      take(made);
+      Q_EMIT this->changed();
+    },
+    [this](const QString& text)
+    {
+      this->IsMade = true;
+      this->Model->Say(text, true);
+      Q_EMIT this->changed();
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -207,71 +211,42 @@ void Side::StartMethod(const std::string& key)
   options.Lights.Soft = soft;
   const auto environment =
     vtkSmartPointer<vtkEnvironment>::Take(this->Model->GetEnvironment()->NewSnapshot());
-  this->IsMade = false;
-  this->Background->Compute(
-    this->GetJobKey(), tr("preparing %1").arg(QString::fromStdString(GetMethodName(key))),
+  this->Start(
+    tr("preparing %1").arg(QString::fromStdString(GetMethodName(key))),
     [options, material = MakeSnapshot(this->Model->GetMaterial()), environment]()
     { return tool::MakeMethod(options, material, environment); },
-    [this, environment](const tool::Method& made)
-    {
-      environment->SetRotationY(this->Model->GetState().Rotation);
-      this->Draw(Kind::Made, environment, made);
-      Q_EMIT this->changed();
-    },
-    [this](const QString& text) { this->FailToMake(text); });
+    [this, environment](const tool::Method& made) { this->Draw(Kind::Made, environment, made); });
 }
 
 //------------------------------------------------------------------------------
 void Side::StartFit()
 {
-  this->IsMade = false;
-  this->Background->Compute(
-    this->GetJobKey(), tr("fitting VTK's shading"),
+  this->Start(
+    tr("fitting VTK's shading"),
     [material = MakeSnapshot(this->Model->GetMaterial())]()
     {
-      auto fitted = vtkSmartPointer<vtkProperty>::New();
-      vtkNew<vtkPBRPropertyFitter> fitter;
+      auto fitter = vtkSmartPointer<vtkPBRPropertyFitter>::New();
       fitter->SetBRDF(material.BRDF);
       fitter->UsualValuesOff(); // how close VTK's shading comes
       if (!fitter->Update())
       {
         throw tool::Error("fitting VTK's shading: " + tool::TakeErrorText());
       }
-      fitter->Apply(fitted);
-      return std::pair(fitted, fitter->GetRelativeError());
+      return fitter;
     },
-    [this](const std::pair<vtkSmartPointer<vtkProperty>, double>& fit)
+    [this](const vtkSmartPointer<vtkPBRPropertyFitter>& fitter)
     {
-      this->FitError = fit.second;
-      this->StockActor->GetProperty()->DeepCopy(fit.first);
+      this->FitError = fitter->GetRelativeError();
+      fitter->Apply(this->Fitted);
       this->StockUnit = 1.0;
       if (!this->Model->IsDirectional())
       {
         const tool::StockLight light(this->Model->GetEnvironment());
         this->StockUnit = light.Unit;
-        this->StockLight->SetInputData(light.Image);
+        SetUpLight(this->StockLight, light.Image);
       }
-      this->SetExposure(this->Exposure);
       this->Draw(Kind::Stock, this->Model->GetEnvironment(), {});
-      Q_EMIT this->changed();
-    },
-    [this](const QString& text) { this->FailToMake(text); });
-}
-
-//------------------------------------------------------------------------------
-void Side::UpdateRotation()
-{
-  if (!this->Light)
-  {
-    return;
-  }
-  this->Light->SetRotationY(this->Model->GetState().Rotation);
-  double rows[9]; // of a rotation from the world: where the environment's axes point
-  this->Light->GetWorldToEnvironment(rows);
-  double identity[6] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0 }; // the mapper's light turns by itself
-  double* axes = this->Drawn == Kind::Stock ? rows : identity;
-  this->Renderer->SetEnvironmentRight(axes);
-  this->Renderer->SetEnvironmentUp(axes + 3);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -279,7 +254,7 @@ void Side::UpdateMesh()
 {
   this->Mapper->SetInputData(this->Model->GetMesh());
   this->StockMapper->SetInputData(this->Model->GetMesh());
-  this->UpdateVisibility();
+  this->Update();
   if (this->Scene)
   {
     this->Scene->SetMesh(this->Model->GetMesh());
@@ -288,33 +263,45 @@ void Side::UpdateMesh()
 }
 
 //------------------------------------------------------------------------------
-void Side::UpdateVisibility()
+// The scene as the members say.
+void Side::Update()
 {
-  const bool shown = this->IsVisible && this->Mapper->GetInput();
   const bool isStock = this->Drawn == Kind::Stock;
-  this->Actor->SetVisibility(shown && !isStock && this->Mapper->GetBRDF());
-  this->StockActor->SetVisibility(shown && isStock);
+  vtkOpenGLPolyDataMapper* mapper = this->Mapper;
+  this->Actor->SetMapper(isStock ? this->StockMapper.Get() : mapper);
+  this->Actor->SetProperty(isStock ? this->Fitted : this->Plain);
+  this->Actor->SetVisibility(
+    this->IsVisible && mapper->GetInput() && (isStock || this->Mapper->GetBRDF()));
+  explorer::SetExposure(this->Actor, this->Exposure * (isStock ? this->StockUnit : 1.0));
   const bool isUnderImage = isStock && this->Light;
   this->Renderer->SetEnvironmentTexture(isUnderImage ? this->StockLight.Get() : nullptr);
   this->Renderer->SetUseImageBasedLighting(isUnderImage);
   this->Lamp->SetSwitch(this->IsLit && !this->Light);
   PlaceLight(this->Lamp, this->Model->GetState().Light);
-  this->UpdateRotation();
+  if (this->Light)
+  {
+    this->Light->SetRotationY(this->Model->GetState().Rotation);
+    double rows[9]; // of a rotation from the world: where the environment's axes point
+    this->Light->GetWorldToEnvironment(rows);
+    double identity[6] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0 }; // the mapper's light turns by itself
+    double* axes = isStock ? rows : identity;
+    this->Renderer->SetEnvironmentRight(axes);
+    this->Renderer->SetEnvironmentUp(axes + 3);
+  }
 }
 
 //------------------------------------------------------------------------------
 void Side::SetVisible(bool visible)
 {
   this->IsVisible = visible;
-  this->UpdateVisibility();
+  this->Update();
 }
 
 //------------------------------------------------------------------------------
 void Side::SetExposure(double factor)
 {
   this->Exposure = factor;
-  explorer::SetExposure(this->Actor, factor);
-  explorer::SetExposure(this->StockActor, factor * this->StockUnit);
+  this->Update();
 }
 
 //------------------------------------------------------------------------------
@@ -389,10 +376,9 @@ tool::Picture Side::Capture(vtkCamera* camera, const tool::Size& size, double& f
   else
   {
     vtkNew<vtkTexture> texture; // each window has its own
-    SetUpLight(texture);
-    texture->SetInputData(this->StockLight->GetInput());
+    SetUpLight(texture, this->StockLight->GetInput());
     this->Scene->Unit = this->StockUnit;
-    this->Scene->Actor->GetProperty()->DeepCopy(this->StockActor->GetProperty());
+    this->Scene->Actor->GetProperty()->DeepCopy(this->Fitted);
     renderer->SetUseImageBasedLighting(this->Light);
     renderer->SetEnvironmentTexture(this->Light ? texture.Get() : nullptr);
     renderer->SetEnvironmentRight(this->Renderer->GetEnvironmentRight());

@@ -29,6 +29,7 @@ class vtkActor;
 class vtkCamera;
 class vtkLight;
 class vtkOpenGLPolyDataMapper;
+class vtkProperty;
 class vtkRadiancePlanner;
 class vtkTexture;
 
@@ -51,10 +52,7 @@ public:
   vtkRenderer* GetRenderer() const { return this->Renderer; }
 
   /// The method that was asked for.
-  const std::string& GetKey() const
-  {
-    return this->Model->GetState().Methods[static_cast<std::size_t>(this->Index)];
-  }
+  const std::string& GetKey() const { return this->Model->GetState().Methods[this->Index]; }
   bool IsReference() const { return this->GetKey() == method::Reference; }
 
   /// Whether the material itself is drawn under the directional light: nothing is planned or made.
@@ -98,12 +96,12 @@ private:
 
   void UpdateMethod();
   void UpdateMesh();
-  void UpdateRotation();
   void StartMethod(const std::string& key);
   void StartFit();
+  template <typename Make, typename Take>
+  void Start(const QString& label, Make make, Take take);
   void Draw(Kind kind, vtkEnvironment* light, const tool::Method& method);
-  void FailToMake(const QString& text);
-  void UpdateVisibility();
+  void Update();
   void OnPlan();
   QString GetJobKey() const { return QString("method %1").arg(this->Index); }
 
@@ -111,10 +109,11 @@ private:
   Session* Model;
   Jobs* Background;
   vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkActor> Actor;
+  vtkNew<vtkActor> Actor; // of one mapper and property or of the other
   vtkNew<vtkMeasuredBRDFMapper> Mapper;
-  vtkNew<vtkActor> StockActor;
+  vtkNew<vtkProperty> Plain;
   vtkNew<vtkOpenGLPolyDataMapper> StockMapper;
+  vtkNew<vtkProperty> Fitted;
   vtkNew<vtkTexture> StockLight;
   double StockUnit = 1.0; // of its radiance
   double Exposure = 1.0;

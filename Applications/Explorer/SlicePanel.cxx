@@ -4,19 +4,232 @@
 
 #include "Controls.h"
 #include "Display.h"
+#include "LogAxis.h"
 
 #include "vtkBRDFImageSource.h"
+#include "vtkBRDFSliceSource.h"
+#include "vtkEnvironment.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
 
 #include <QPainter>
 
+#include <glm/glm.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace explorer
 {
+namespace
+{
+constexpr int SliceSamples = 361;
+constexpr int PlaneSamples = 720;   // even ones, of which none is on the horizon
+constexpr int MirrorSamples = 128;  // on each side of the mirror direction
+constexpr double MirrorWidth = 4.0; // degrees on each side
+
+//------------------------------------------------------------------------------
+// All around: the upper half's, mirrored at the surface.
+std::vector<double> MakePlaneAngles(double thetaI, bool allAround)
+{
+  std::vector<double> angles = { thetaI };
+  const double step = 180.0 / PlaneSamples;
+  for (int k = 0; k < PlaneSamples; ++k)
+  {
+    angles.push_back(-90.0 + (k + 0.5) * step);
+  }
+  for (int k = 1; k <= MirrorSamples; ++k)
+  {
+    const double share = static_cast<double>(k) / MirrorSamples;
+    angles.push_back(thetaI - MirrorWidth * share * share);
+    angles.push_back(std::min(thetaI + MirrorWidth * share * share, 90.0 - 0.5 * step));
+  }
+  for (std::size_t k = 0, above = angles.size(); k < above && allAround; ++k)
+  {
+    angles.push_back(angles[k] > 0.0 ? 180.0 - angles[k] : -180.0 - angles[k]);
+  }
+  std::sort(angles.begin(), angles.end());
+  angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
+  return angles;
+}
+}
+
+//------------------------------------------------------------------------------
+Curve SampleSlice(vtkBRDF* brdf, int which, const std::array<double, 3>& at)
+{
+  vtkNew<vtkBRDFSliceSource> source;
+  source->SetBRDF(brdf);
+  source->SetThetaHRange(which == 0 ? 0.0 : at[0], which == 0 ? 90.0 : at[0]);
+  source->SetThetaDRange(which == 1 ? 0.0 : at[1], which == 1 ? 90.0 : at[1]);
+  source->SetPhiDRange(which == 2 ? 0.0 : at[2], which == 2 ? 180.0 : at[2]);
+  source->SetNumberOfThetaH(which == 0 ? SliceSamples : 1);
+  source->SetNumberOfThetaD(which == 1 ? SliceSamples : 1);
+  source->SetNumberOfPhiD(which == 2 ? SliceSamples : 1);
+  source->SetUseThetaHSquared(true);
+  source->Update();
+
+  vtkTable* table = source->GetOutput();
+  const char* const names[3] = { "theta_h", "theta_d", "phi_d" };
+  Curve curve;
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const auto get = [&](const char* name) { return table->GetValueByName(row, name).ToDouble(); };
+    if (get("vtkValidPointMask") != 0.0)
+    {
+      curve.Degrees.push_back(get(names[which]));
+      curve.Values.push_back({ get("red"), get("green"), get("blue") });
+    }
+  }
+  return curve;
+}
+
+//------------------------------------------------------------------------------
+Curve SamplePlaneOfIncidence(vtkBRDF* brdf, double thetaI, double phiI, vtkBTDF* transmission)
+{
+  const double phi = glm::radians(phiI);
+  const auto point = [phi](double degrees) // from the normal, to where the light comes from
+  {
+    const double s = std::sin(glm::radians(degrees));
+    return glm::dvec3(s * std::cos(phi), s * std::sin(phi), std::cos(glm::radians(degrees)));
+  };
+  const glm::dvec3 i = point(thetaI);
+  Curve curve;
+  curve.Degrees = MakePlaneAngles(thetaI, transmission != nullptr);
+  for (const double degrees : curve.Degrees)
+  {
+    const glm::dvec3 o = point(-degrees);
+    std::array<double, 3> f{};
+    std::abs(degrees) < 90.0 ? brdf->Evaluate(&i.x, &o.x, f.data())
+                             : transmission->Evaluate(&i.x, &o.x, f.data());
+    curve.Values.push_back(f);
+  }
+  return curve;
+}
+
+namespace
+{
+//------------------------------------------------------------------------------
+Curve TakeCurve(const nlohmann::ordered_json& rows, const char* key)
+{
+  Curve curve;
+  for (const auto& row : rows)
+  {
+    curve.Degrees.push_back(row["degrees"]);
+    curve.Values.push_back(row[key]);
+  }
+  return curve;
+}
+}
+
+//------------------------------------------------------------------------------
+Curve GetAlbedo(const nlohmann::ordered_json& info)
+{
+  return info.is_null() ? Curve() : TakeCurve(info["albedo"], "rgb");
+}
+
+//------------------------------------------------------------------------------
+Curve GetTransmittance(const nlohmann::ordered_json& info)
+{
+  return info.contains("transmission") ? TakeCurve(info["transmission"]["per_angle"], "view")
+                                       : Curve();
+}
+
+namespace
+{
+const QColor Channels[3] = { { 214, 64, 54 }, { 46, 140, 62 }, { 52, 98, 204 } };
+constexpr double Darkest = 1e-6; // of the largest value
+
+//------------------------------------------------------------------------------
+// 1, 2 or 5 times a power of ten: three to five steps up to the largest value.
+double FindStep(double largest)
+{
+  const double power = std::pow(10.0, std::floor(std::log10(largest / 4.0)));
+  for (const double factor : { 1.0, 2.0, 5.0 })
+  {
+    if (factor * power >= largest / 4.0)
+    {
+      return factor * power;
+    }
+  }
+  return 10.0 * power;
+}
+}
+
+//------------------------------------------------------------------------------
+QColor GetMaterialColor(std::size_t k)
+{
+  static const QColor colors[] = { { 30, 30, 30 }, { 31, 119, 180 }, { 230, 110, 10 },
+    { 44, 150, 44 }, { 214, 39, 40 }, { 148, 103, 189 }, { 140, 86, 75 }, { 227, 90, 180 },
+    { 0, 170, 190 } };
+  return colors[k % std::size(colors)];
+}
+
+//------------------------------------------------------------------------------
+std::vector<ChartLine> MakeLines(const std::vector<Curve>& curves)
+{
+  const bool isOne = curves.size() == 1;
+  std::vector<ChartLine> lines;
+  for (std::size_t k = 0; k < (isOne ? 3 : curves.size()); ++k)
+  {
+    const Curve& curve = curves[isOne ? 0 : k];
+    ChartLine line{ isOne ? Channels[k] : GetMaterialColor(k), curve.Degrees, {} };
+    for (const auto& rgb : curve.Values)
+    {
+      line.Values.push_back(isOne ? rgb[k] : vtkEnvironment::GetLuminance(rgb.data()));
+    }
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+//------------------------------------------------------------------------------
+ChartScale::ChartScale(const std::vector<ChartLine>& lines, bool logarithmic)
+  : Logarithmic(logarithmic)
+{
+  std::vector<double> values;
+  for (const ChartLine& line : lines)
+  {
+    values.insert(values.end(), line.Values.begin(), line.Values.end());
+  }
+  const double peak = values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+  this->Floor = std::max(Darkest * peak, std::numeric_limits<double>::min());
+  const auto add = [this](double value)
+  { this->Ticks.emplace_back(this->Find(value), tool::FormatTick(value, tool::Unit::Number)); };
+  if (!logarithmic)
+  {
+    this->Largest = peak > 0.0 ? 1.05 * peak : 1.0;
+    const double step = FindStep(this->Largest);
+    for (int k = 0; k * step <= this->Largest; ++k)
+    {
+      add(k * step);
+    }
+    return;
+  }
+  tool::LogAxis axis;
+  for (const double value : values)
+  {
+    axis.Take(peak > 0.0 ? std::max(value, this->Floor) : 0.0);
+  }
+  axis.Widen();
+  this->Least = axis.GetLeast();
+  this->Largest = axis.GetLargest();
+  for (const double exponent : axis.GetTicks())
+  {
+    add(std::pow(10.0, exponent));
+  }
+}
+
+//------------------------------------------------------------------------------
+double ChartScale::Find(double value) const
+{
+  const double place =
+    this->Logarithmic ? std::max(std::log10(std::max(value, this->Floor)), this->Least) : value;
+  return (place - this->Least) / (this->Largest - this->Least);
+}
 namespace
 {
 const QColor LightColor(240, 170, 0);
@@ -37,21 +250,28 @@ void DrawCentered(QPainter& painter, const QPointF& middle, const QString& text)
 }
 
 //------------------------------------------------------------------------------
-// A frame with ticks and their texts below it and left of it.
-void DrawAxes(
-  QPainter& painter, const QRectF& frame, const ChartTicks& across, const ChartTicks& upwards)
+// A frame with ticks and their texts below it and left of it, and lines across it at the ticks.
+void DrawAxes(QPainter& painter, const QRectF& frame, const ChartTicks& across,
+  const ChartTicks& upwards, bool grid)
 {
   const double line = painter.fontMetrics().height();
+  const auto draw = [&](const QPointF& at, const QPointF& outwards, const QPointF& end)
+  {
+    painter.setPen(GridColor);
+    painter.drawLine(at, grid ? end : at);
+    painter.setPen(Qt::black);
+    painter.drawLine(at, at + outwards);
+  };
   for (const auto& [share, text] : across)
   {
     const QPointF at(frame.left() + share * frame.width(), frame.bottom());
-    painter.drawLine(at, at + QPointF(0.0, 4.0));
+    draw(at, { 0.0, 4.0 }, { at.x(), frame.top() });
     DrawCentered(painter, at + QPointF(0.0, 4.0 + 0.5 * line), QString::fromStdString(text));
   }
   for (const auto& [share, text] : upwards)
   {
     const QPointF at(frame.left(), frame.bottom() - share * frame.height());
-    painter.drawLine(at, at - QPointF(4.0, 0.0));
+    draw(at, { -4.0, 0.0 }, { frame.right(), at.y() });
     painter.drawText(QRectF(0.0, at.y() - line, at.x() - 6.0, 2.0 * line),
       Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(text));
   }
@@ -83,62 +303,22 @@ SliceView::SliceView(Session* session)
 {
   this->setMinimumSize(260, 260);
   this->setAccessibleName(tr("Slices and albedo"));
-  connect(session, &Session::materialChanged, this,
-    [this]()
-    {
-      this->Albedos = this->Transmittances = Curve();
-      this->Update();
-    });
-  for (const auto signal :
-    { &Session::slicesChanged, &Session::lobeChanged, &Session::comparedChanged })
+  for (const auto signal : { &Session::materialChanged, &Session::inspected,
+         &Session::slicesChanged, &Session::lobeChanged, &Session::comparedChanged })
   {
     connect(session, signal, this, &SliceView::Update);
   }
 }
 
 //------------------------------------------------------------------------------
-void SliceView::SetInspection(const nlohmann::ordered_json& info)
-{
-  const auto take = [](const nlohmann::ordered_json& rows, const char* key)
-  {
-    Curve curve;
-    for (const auto& row : rows)
-    {
-      curve.Degrees.push_back(row["degrees"]);
-      curve.Values.push_back(row[key]);
-    }
-    return curve;
-  };
-  this->Albedos = take(info["albedo"], "rgb");
-  this->Transmittances =
-    info.contains("transmission") ? take(info["transmission"]["per_angle"], "view") : Curve();
-  this->Update();
-}
-
-//------------------------------------------------------------------------------
-std::vector<ChartedMaterial> SliceView::GetMaterials() const
-{
-  const tool::Material& shown = this->Model->GetMaterial();
-  std::vector<ChartedMaterial> materials = { { shown.File, shown.Name, shown.BRDF, this->Albedos,
-    {}, shown.Transmission, this->Transmittances } };
-  for (const ChartedMaterial& material : this->Model->GetComparedMaterials())
-  {
-    if (material.File != shown.File)
-    {
-      materials.push_back(material);
-    }
-  }
-  return materials;
-}
-
-//------------------------------------------------------------------------------
-Curve SliceView::Sample(int chart, const ChartedMaterial& material) const
+Curve SliceView::Sample(int chart, const ShownMaterial& material) const
 {
   const State& state = this->Model->GetState();
-  return chart == Albedo  ? material.Albedo
-         : chart == Plane ? SamplePlaneOfIncidence(material.BRDF, state.LobeThetaI, state.LobePhiI,
-                              material.Transmission)
-                          : SampleSlice(material.BRDF, chart,
+  const tool::Material& sampled = material.Material;
+  return chart == Albedo  ? GetAlbedo(material.Info)
+         : chart == Plane ? SamplePlaneOfIncidence(
+                              sampled.BRDF, state.LobeThetaI, state.LobePhiI, sampled.Transmission)
+                          : SampleSlice(sampled.BRDF, chart,
                               { state.SliceThetaH, state.SliceThetaD, state.SlicePhiD });
 }
 
@@ -159,19 +339,18 @@ void SliceView::Update()
   }
   this->Curves = {};
   this->Transmitted.clear();
-  for (const ChartedMaterial& material : this->GetMaterials())
+  for (const ShownMaterial& material : this->Model->GetChartedMaterials())
   {
-    this->Transmitted.push_back(material.Transmittance);
+    this->Transmitted.push_back(GetTransmittance(material.Info));
     for (int chart = 0; chart < NumberOfCharts; ++chart)
     {
       if ((chart == Plane) == this->Model->GetState().SlicePolar)
       {
-        this->Curves[static_cast<std::size_t>(chart)].push_back(this->Sample(chart, material));
+        this->Curves[chart].push_back(this->Sample(chart, material));
       }
     }
   }
   this->update();
-  Q_EMIT this->updated();
 }
 
 //------------------------------------------------------------------------------
@@ -180,7 +359,7 @@ void SliceView::DrawChart(QPainter& painter, int chart, const QRectF& area) cons
   const char* const titles[] = { "f (1/sr) over θh", "f (1/sr) over θd", "f (1/sr) over φd",
     "albedo over θo", "f (1/sr) over θo, negative towards the light" };
   const State& state = this->Model->GetState();
-  const std::vector<ChartLine> lines = MakeLines(this->Curves[static_cast<std::size_t>(chart)]);
+  const std::vector<ChartLine> lines = MakeLines(this->Curves[chart]);
   const std::vector<ChartLine> dashed =
     chart == Albedo ? MakeLines(this->Transmitted) : std::vector<ChartLine>();
   std::vector<ChartLine> all = lines;
@@ -205,17 +384,7 @@ void SliceView::DrawChart(QPainter& painter, int chart, const QRectF& area) cons
   {
     across.emplace_back((at - first) / (last - first), std::to_string(static_cast<int>(at)));
   }
-  painter.setPen(GridColor);
-  for (const auto& [share, text] : across)
-  {
-    const double x = frame.left() + share * frame.width();
-    painter.drawLine(QPointF(x, frame.top()), QPointF(x, frame.bottom()));
-  }
-  for (const auto& [share, text] : scale.GetTicks())
-  {
-    const double y = frame.bottom() - share * frame.height();
-    painter.drawLine(QPointF(frame.left(), y), QPointF(frame.right(), y));
-  }
+  DrawAxes(painter, frame, across, scale.Ticks, true);
   painter.save();
   painter.setClipRect(frame);
   if (chart == Plane) // the light and its mirror direction
@@ -231,7 +400,6 @@ void SliceView::DrawChart(QPainter& painter, int chart, const QRectF& area) cons
   DrawLines(painter, dashed, true, place);
   painter.restore();
   painter.setPen(Qt::black);
-  DrawAxes(painter, frame, across, scale.GetTicks());
   DrawCentered(painter, { frame.center().x(), area.top() + 0.8 * line },
     allAround   ? "the same over θo; beyond 90: transmitted"
     : transmits ? "albedo; dashed: transmitted"
@@ -253,7 +421,7 @@ void SliceView::DrawPolar(QPainter& painter, const QRectF& area) const
   const QPointF center(area.center().x(), area.top() + 2.7 * line + radius);
   const auto place = [&](double share, double degrees)
   {
-    const double angle = vtkMath::RadiansFromDegrees(degrees);
+    const double angle = glm::radians(degrees);
     return center + share * radius * QPointF(std::sin(angle), -std::cos(angle));
   };
   const auto drawCircle = [&](double share)
@@ -278,11 +446,10 @@ void SliceView::DrawPolar(QPainter& painter, const QRectF& area) const
   }
   painter.setPen(GridColor);
   drawCircle(1.0);
-  const std::size_t step =
-    1 + scale.GetTicks().size() / (allAround ? 4 : 5); // as fit beside each other
-  for (std::size_t k = 0; k < scale.GetTicks().size(); k += step)
+  const std::size_t step = 1 + scale.Ticks.size() / (allAround ? 4 : 5); // as fit beside each other
+  for (std::size_t k = 0; k < scale.Ticks.size(); k += step)
   {
-    const auto& [share, text] = scale.GetTicks()[scale.GetTicks().size() - 1 - k];
+    const auto& [share, text] = scale.Ticks[scale.Ticks.size() - 1 - k];
     painter.setPen(GridColor);
     drawCircle(share);
     painter.setPen(Qt::darkGray);
@@ -343,20 +510,15 @@ QWidget* MakeSlicePanel(Session* session)
       QObject::tr("The other two slices are cut at this angle (Rusinkiewicz 1998)"));
     AddNamed(row, name, Bind(field, session, &Session::slicesChanged, value));
   };
-  add(
-    QObject::tr("θ&h"), 90.0, [](auto& state) -> auto& { return state.SliceThetaH; });
-  add(
-    QObject::tr("θ&d"), 90.0, [](auto& state) -> auto& { return state.SliceThetaD; });
-  add(
-    QObject::tr("&φd"), 180.0, [](auto& state) -> auto& { return state.SlicePhiD; });
-  row->addWidget(Bind(
-    MakeBox(QObject::tr("Lo&g"), QObject::tr("Draw f on a logarithmic axis")), session,
-    &Session::slicesChanged, [](auto& state) -> auto& { return state.SliceLogarithmic; }));
-  auto* polar = Bind(
-    MakeBox(
-      QObject::tr("&Polar"), QObject::tr("f in the plane of incidence of the lobe's light, whose "
-                                         "direction is yellow")),
-    session, &Session::slicesChanged, [](auto& state) -> auto& { return state.SlicePolar; });
+  add(QObject::tr("θ&h"), 90.0, &State::SliceThetaH);
+  add(QObject::tr("θ&d"), 90.0, &State::SliceThetaD);
+  add(QObject::tr("&φd"), 180.0, &State::SlicePhiD);
+  row->addWidget(Bind(MakeBox(QObject::tr("Lo&g"), QObject::tr("Draw f on a logarithmic axis")),
+    session, &Session::slicesChanged, &State::SliceLogarithmic));
+  auto* polar = Bind(MakeBox(QObject::tr("&Polar"),
+                       QObject::tr("f in the plane of incidence of the lobe's light, whose "
+                                   "direction is yellow")),
+    session, &Session::slicesChanged, &State::SlicePolar);
   polar->setObjectName("polar");
   row->addWidget(polar);
   row->addStretch(1);
@@ -364,16 +526,16 @@ QWidget* MakeSlicePanel(Session* session)
   layout->addLayout(row);
   layout->addWidget(view, 1);
   layout->addWidget(legend);
-  QObject::connect(view, &SliceView::updated, panel,
+  Follow(session, panel, { &Session::materialChanged, &Session::comparedChanged },
     [=]()
     {
-      const std::vector<ChartedMaterial> materials = view->GetMaterials();
+      const std::vector<ShownMaterial> materials = session->GetChartedMaterials();
       QStringList lines;
       for (std::size_t k = 0; k < materials.size() && materials.size() > 1; ++k)
       {
         lines << QString("<span style='color:%1'>&#9632;</span>&nbsp;%2")
                    .arg(GetMaterialColor(k).name(),
-                     QString::fromStdString(materials[k].Name).toHtmlEscaped());
+                     QString::fromStdString(materials[k].Material.Name).toHtmlEscaped());
       }
       legend->setText(
         lines.isEmpty() ? QString() : QObject::tr("Luminance: ") + lines.join("&ensp; "));
@@ -396,15 +558,14 @@ QImage DrawSlice(vtkBRDF* brdf, double phiD, double stops, bool isSquared)
   source->SetPhiD(phiD);
   source->SetUseThetaHSquared(isSquared);
   source->Update();
-  vtkImageData* slice = source->GetOutput();
   const double factor = vtkMath::Pi() * std::exp2(stops);
   tool::Picture picture(ImageSize, ImageSize);
   for (int k = 0; k < 3 * ImageSize * ImageSize; ++k)
   {
     const int x = k / 3 % ImageSize;
     const int y = k / 3 / ImageSize;
-    picture.At(x, y)[k % 3] =
-      static_cast<float>(tool::RollOff(factor * slice->GetScalarComponentAsDouble(x, y, 0, k % 3)));
+    picture.At(x, y)[k % 3] = float(
+      tool::RollOff(factor * source->GetOutput()->GetScalarComponentAsDouble(x, y, 0, k % 3)));
   }
   return MakeQImage(picture);
 }
@@ -449,7 +610,7 @@ protected:
     across.back().second += " θh";
     upwards.back().second += " θd";
     painter.drawImage(frame, this->Image);
-    DrawAxes(painter, frame, across, upwards);
+    DrawAxes(painter, frame, across, upwards, false);
   }
 };
 }

@@ -10,66 +10,119 @@
 #ifndef SlicePanel_h
 #define SlicePanel_h
 
-#include "Curves.h"
 #include "Session.h"
 
+#include "vtkBRDF.h"
+#include "vtkBTDF.h"
+
+#include <QColor>
 #include <QWidget>
 
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 class QPainter;
 
 namespace explorer
 {
+/// Values over angles: linear RGB.
+struct Curve
+{
+  std::vector<double> Degrees;
+  std::vector<std::array<double, 3>> Values;
+};
+
+/// f in 1/sr over theta_h, theta_d or phi_d (which: 0, 1, 2) through the angles at (degrees), the
+/// directions above the horizon (Rusinkiewicz 1998).
+Curve SampleSlice(vtkBRDF* brdf, int which, const std::array<double, 3>& at);
+
+/**
+ * f in 1/sr in the plane of incidence of light from theta_i, phi_i (degrees): over the angle from
+ * the normal, which is negative on the light's side. Densest about the mirror direction, theta_i.
+ * With transmission it goes on below the surface, from 90 to 180 and from -180 to -90, densest
+ * where light goes straight on, at 180 - theta_i.
+ */
+Curve SamplePlaneOfIncidence(
+  vtkBRDF* brdf, double thetaI, double phiI, vtkBTDF* transmission = nullptr);
+
+/// What tool::InspectMaterial has measured over the angle of view: the albedo, and what is seen of
+/// a white sky on the other side; empty where there is none.
+///@{
+Curve GetAlbedo(const nlohmann::ordered_json& info);
+Curve GetTransmittance(const nlohmann::ordered_json& info);
+///@}
+
+struct ChartLine
+{
+  QColor Color;
+  std::vector<double> Degrees;
+  std::vector<double> Values;
+};
+
+/// A curve's red, green and blue; or, of several materials, each one's luminance in its color.
+std::vector<ChartLine> MakeLines(const std::vector<Curve>& curves);
+
+/// The color of a material among several: the one that is shown has 0.
+QColor GetMaterialColor(std::size_t k);
+
+/// Where on an axis, as a share of it, there is which text.
+using ChartTicks = std::vector<std::pair<double, std::string>>;
+
+/// Where values are on an axis, as shares of it. On a logarithmic one zero is drawn as a millionth
+/// of the largest value.
+struct ChartScale
+{
+  ChartScale(const std::vector<ChartLine>& lines, bool logarithmic);
+
+  double Find(double value) const;
+
+  bool Logarithmic;
+  double Floor;
+  double Least = 0.0; // of the axis: values, or exponents of ten
+  double Largest = 1.0;
+  ChartTicks Ticks; // at round values
+};
+
 class SliceView : public QWidget
 {
-  Q_OBJECT
+  Q_OBJECT // tests find it
 
-public:
-  enum Chart
-  {
-    ThetaH,
-    ThetaD,
-    PhiD,
-    Albedo,
-    Plane, // of incidence, also as a polar chart
-    NumberOfCharts
-  };
+    public : enum Chart {
+      ThetaH,
+      ThetaD,
+      PhiD,
+      Albedo,
+      Plane, // of incidence, also as a polar chart
+      NumberOfCharts
+    };
 
   explicit SliceView(Session* session);
 
-  /// What tool::InspectMaterial found.
-  void SetInspection(const nlohmann::ordered_json& info);
-
-  /// The curves of a chart as they are drawn, of GetMaterials; none of a chart that is not shown.
+  /// The curves of a chart as they are drawn, of the session's charted materials; none of a chart
+  /// that is not shown.
   const std::vector<Curve>& GetCurves(Chart chart) const { return this->Curves[chart]; }
 
-  /// The dashed curves of the albedo's chart, of GetMaterials; empty where nothing goes through.
+  /// The dashed curves of the albedo's chart, of the same materials; empty where nothing goes
+  /// through.
   const std::vector<Curve>& GetTransmittances() const { return this->Transmitted; }
-
-  /// The material that is shown, then those that it is compared with.
-  std::vector<ChartedMaterial> GetMaterials() const;
-
-Q_SIGNALS:
-  void updated();
 
 protected:
   void paintEvent(QPaintEvent* event) override;
 
 private:
   void Update();
-  Curve Sample(int chart, const ChartedMaterial& material) const;
+  Curve Sample(int chart, const ShownMaterial& material) const;
   void DrawChart(QPainter& painter, int chart, const QRectF& area) const;
   void DrawPolar(QPainter& painter, const QRectF& area) const;
   bool IsAllAround() const;
 
   Session* Model;
   std::array<std::vector<Curve>, NumberOfCharts> Curves;
-  Curve Albedos;        // of the material that is shown; empty until it was measured
-  Curve Transmittances; // the same
   std::vector<Curve> Transmitted;
 };
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplitView.h"
 
-#include "DirectionalLight.h"
 #include "Display.h"
 #include "Scenes.h"
 
@@ -15,8 +14,8 @@
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInteractorStyleTrackballCamera.h"
+#include "vtkLineSource.h"
 #include "vtkLookupTable.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -33,7 +32,7 @@
 #include "vtkTextProperty.h"
 #include "vtkTexture.h"
 #include "vtkTexturedActor2D.h"
-#include "vtkTransform.h"
+#include "vtkTrivialProducer.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -45,40 +44,22 @@ namespace explorer
 {
 namespace
 {
-constexpr int GrabWidth = 7;            // pixels beside the line where it is taken
-constexpr double LeastWidth = 3e-3;     // of a side that is drawn, share of the window
-constexpr double Fill = 0.9;            // as the tool's pictures
-constexpr double Azimuth = 30.0;        // degrees
-constexpr double Elevation = 20.0;      // degrees
-constexpr double DegreesPerPixel = 0.5; // of the directional light
-constexpr double KeyStep = 5.0;         // degrees
+constexpr int GrabWidth = 7;        // pixels beside the line where it is taken
+constexpr double LeastWidth = 3e-3; // of a side that is drawn, share of the window
+constexpr double Fill = 0.9;        // as the tool's pictures
+constexpr double Azimuth = 30.0;    // degrees
+constexpr double Elevation = 20.0;  // degrees
 
 //------------------------------------------------------------------------------
 // Points of the data are shares of the view's width and height.
-vtkSmartPointer<vtkPolyDataMapper2D> MakeViewportMapper(vtkPolyData* data)
+vtkSmartPointer<vtkPolyDataMapper2D> MakeViewportMapper(vtkAlgorithm* data)
 {
   vtkNew<vtkCoordinate> coordinate;
   coordinate->SetCoordinateSystemToNormalizedViewport();
   auto mapper = vtkSmartPointer<vtkPolyDataMapper2D>::New();
-  mapper->SetInputData(data);
+  mapper->SetInputConnection(data->GetOutputPort());
   mapper->SetTransformCoordinate(coordinate);
   return mapper;
-}
-
-//------------------------------------------------------------------------------
-// A line or a polygon of all points.
-vtkSmartPointer<vtkPolyData> MakeCell(vtkPoints* points)
-{
-  vtkNew<vtkCellArray> cells;
-  cells->InsertNextCell(static_cast<int>(points->GetNumberOfPoints()));
-  for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k)
-  {
-    cells->InsertCellPoint(k);
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  points->GetNumberOfPoints() == 2 ? data->SetLines(cells) : data->SetPolys(cells);
-  return data;
 }
 
 //------------------------------------------------------------------------------
@@ -151,14 +132,19 @@ class ImageQuad
 public:
   explicit ImageQuad(vtkRenderer* renderer)
   {
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell({ 0, 1, 2, 3 });
     this->Points->SetNumberOfPoints(4);
     this->Coordinates->SetNumberOfComponents(2);
     this->Coordinates->SetNumberOfTuples(4);
+    this->Quad->SetPoints(this->Points);
+    this->Quad->SetPolys(cells);
+    this->Quad->GetPointData()->SetTCoords(this->Coordinates);
+    vtkNew<vtkTrivialProducer> producer;
+    producer->SetOutput(this->Quad);
     this->Texture->SetColorModeToDirectScalars();
     this->Texture->InterpolateOn();
-    vtkSmartPointer<vtkPolyData> data = MakeCell(this->Points);
-    data->GetPointData()->SetTCoords(this->Coordinates);
-    this->Actor->SetMapper(MakeViewportMapper(data));
+    this->Actor->SetMapper(MakeViewportMapper(producer));
     this->Actor->SetTexture(this->Texture);
     this->Actor->SetLayerNumber(0);
     this->Actor->VisibilityOff();
@@ -179,10 +165,10 @@ public:
   /// shown.
   void Show(double begin, double end, bool visible)
   {
-    const double corners[4][2] = { { begin, 0.0 }, { end, 0.0 }, { end, 1.0 }, { begin, 1.0 } };
+    const double corners[4][3] = { { begin, 0.0 }, { end, 0.0 }, { end, 1.0 }, { begin, 1.0 } };
     for (int k = 0; k < 4; ++k)
     {
-      this->Points->SetPoint(k, corners[k][0], corners[k][1], 0.0);
+      this->Points->SetPoint(k, corners[k]);
       this->Coordinates->SetTuple(k, corners[k]);
     }
     this->Points->Modified();
@@ -195,6 +181,7 @@ public:
 private:
   vtkNew<vtkPoints> Points;
   vtkNew<vtkFloatArray> Coordinates;
+  vtkNew<vtkPolyData> Quad;
   vtkNew<vtkTexture> Texture;
   vtkNew<vtkTexturedActor2D> Actor;
 };
@@ -263,15 +250,14 @@ SplitView::~SplitView() = default;
 //------------------------------------------------------------------------------
 void SplitView::MakeLabels()
 {
-  this->LinePoints->SetNumberOfPoints(2);
-  this->Line->SetMapper(MakeViewportMapper(MakeCell(this->LinePoints)));
+  this->Line->SetMapper(MakeViewportMapper(this->LineSource));
   this->Line->GetProperty()->SetColor(1.0, 1.0, 1.0);
   this->Line->GetProperty()->SetLineWidth(2.0f);
   this->Line->SetLayerNumber(1);
   this->Front->AddViewProp(this->Line);
   for (int k = 0; k < 2; ++k)
   {
-    vtkTextActor* label = this->Labels[static_cast<std::size_t>(k)];
+    vtkTextActor* label = this->Labels[k];
     vtkTextProperty* text = label->GetTextProperty();
     text->SetFontSize(15);
     text->SetColor(1.0, 1.0, 1.0);
@@ -298,14 +284,12 @@ bool SplitView::IsDifference() const
 //------------------------------------------------------------------------------
 void SplitView::SetPicture(int side, std::shared_ptr<const tool::Picture> radiance)
 {
-  const auto k = static_cast<std::size_t>(side);
-  if (radiance == this->Pictures[k])
+  if (radiance != this->Pictures[side])
   {
-    return;
+    this->Pictures[side] = radiance;
+    this->Quads[side]->SetImage(radiance ? MakeImage(*radiance, this->Factor).Get() : nullptr);
+    this->UpdatePicture();
   }
-  this->Pictures[k] = radiance;
-  this->Quads[k]->SetImage(radiance ? MakeImage(*radiance, this->Factor).Get() : nullptr);
-  this->UpdatePicture();
 }
 
 //------------------------------------------------------------------------------
@@ -319,7 +303,7 @@ void SplitView::SetDifference(vtkImageData* colors)
 void SplitView::SetLabel(int side, const QString& text)
 {
   const std::string words = (" " + text + " ").toStdString();
-  vtkTextActor* label = this->Labels[static_cast<std::size_t>(side)];
+  vtkTextActor* label = this->Labels[side];
   if (!label->GetInput() || words != label->GetInput())
   {
     label->SetInput(words.c_str());
@@ -367,8 +351,7 @@ void SplitView::UpdatePicture()
   const double ends[3][2] = { { 0.0, split }, { split, 1.0 }, { 0.0, 1.0 } };
   for (int k = 0; k < 3; ++k)
   {
-    this->Quads[static_cast<std::size_t>(k)]->Show(
-      ends[k][0], ends[k][1], difference == (k == DifferenceQuad));
+    this->Quads[k]->Show(ends[k][0], ends[k][1], difference == (k == DifferenceQuad));
   }
   for (std::size_t k = 0; k < 2; ++k)
   {
@@ -378,9 +361,8 @@ void SplitView::UpdatePicture()
     this->Sides[k]->SetVisible(!this->Quads[k]->HasImage);
     this->Labels[k]->SetVisibility(!difference);
   }
-  this->LinePoints->SetPoint(0, split, 0.0, 0.0);
-  this->LinePoints->SetPoint(1, split, 1.0, 0.0);
-  this->LinePoints->Modified();
+  this->LineSource->SetPoint1(split, 0.0, 0.0);
+  this->LineSource->SetPoint2(split, 1.0, 0.0);
   this->Line->SetVisibility(!difference);
   this->Legend->SetVisibility(difference);
   this->BackdropActor->SetOrientation(0.0, state.Rotation, 0.0);
@@ -514,63 +496,22 @@ int SplitView::GetLinePosition() const
 }
 
 //------------------------------------------------------------------------------
-// The line, or the directional light, which is turned with Ctrl.
 bool SplitView::IsOverHandle(QMouseEvent* mouse)
 {
-  this->Last = mouse->pos();
-  this->TurnsLight = this->Model->IsDirectional() && (mouse->buttons() & Qt::LeftButton) &&
-                     (mouse->modifiers() & Qt::ControlModifier);
-  return this->TurnsLight || (std::abs(mouse->pos().x() - this->GetLinePosition()) <= GrabWidth &&
-                               !this->IsDifference());
+  return std::abs(mouse->pos().x() - this->GetLinePosition()) <= GrabWidth && !this->IsDifference();
 }
 
 //------------------------------------------------------------------------------
 void SplitView::DragTo(const QPoint& place)
 {
-  if (this->TurnsLight)
-  {
-    const QPoint way = place - this->Last;
-    this->Last = place;
-    this->TurnLight(DegreesPerPixel * way.x(), DegreesPerPixel * way.y());
-    return;
-  }
   this->Model->SetSplit(static_cast<double>(place.x()) / std::max(1, this->width()));
 }
 
 //------------------------------------------------------------------------------
 bool SplitView::ObeyKey(QKeyEvent* press)
 {
-  const QPoint arrow = GetArrow(press);
-  const bool turnsLight =
-    this->Model->IsDirectional() && (press->modifiers() & Qt::ControlModifier);
-  if (turnsLight)
-  {
-    this->TurnLight(KeyStep * arrow.x(), KeyStep * arrow.y());
-  }
-  else if (arrow.x() != 0)
-  {
-    this->Model->SetSplit(this->Model->GetState().Split + 0.01 * arrow.x());
-  }
-  return arrow.x() != 0 || (turnsLight && !arrow.isNull());
-}
-
-//------------------------------------------------------------------------------
-// As the camera sees it, in degrees to its right and down.
-void SplitView::TurnLight(double right, double down)
-{
-  double forward[3];
-  double across[3];
-  this->Camera->GetDirectionOfProjection(forward);
-  vtkMath::Cross(forward, this->Camera->GetViewUp(), across);
-  double up[3];
-  vtkMath::Cross(across, forward, up);
-  vtkNew<vtkTransform> turn;
-  turn->RotateWXYZ(right, up);
-  turn->RotateWXYZ(down, across);
-  double direction[3];
-  turn->TransformVector(GetDirection(this->Model->GetState().Light).data(), direction);
-  LightState light = this->Model->GetState().Light;
-  SetDirection(light, direction);
-  this->Model->SetLight(light);
+  const int right = GetArrow(press).x();
+  this->Model->SetSplit(this->Model->GetState().Split + 0.01 * right);
+  return right != 0;
 }
 } // namespace explorer

@@ -23,7 +23,7 @@
 
 class vtkActor;
 class vtkActor2D;
-class vtkPoints;
+class vtkLineSource;
 class vtkRenderer;
 class vtkScalarBarActor;
 class vtkTextActor;
@@ -85,7 +85,6 @@ private:
   void OnBegin();
   void OnEnd();
   void OnMoved();
-  void TurnLight(double right, double down);
   void TakeCamera();
   bool IsDifference() const;
 
@@ -102,14 +101,12 @@ private:
   std::shared_ptr<const tool::Picture> BackdropPicture;
   std::array<std::unique_ptr<ImageQuad>, 3> Quads;
   std::array<std::shared_ptr<const tool::Picture>, 2> Pictures;
-  vtkNew<vtkPoints> LinePoints;
+  vtkNew<vtkLineSource> LineSource;
   vtkNew<vtkActor2D> Line;
   std::array<vtkNew<vtkTextActor>, 2> Labels;
   vtkSmartPointer<vtkScalarBarActor> Legend;
   std::chrono::steady_clock::time_point Begin;
-  double Factor = 1.0;     // of radiance
-  bool TurnsLight = false; // what is dragged is the directional light, not the line
-  QPoint Last;             // where the mouse was
+  double Factor = 1.0; // of radiance
 };
 } // namespace explorer
 

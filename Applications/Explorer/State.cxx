@@ -67,6 +67,12 @@ void Visit(SomeState& state, const Visitor& visit)
   visit("slice_polar", state.SlicePolar);
 }
 
+//------------------------------------------------------------------------------
+std::string DescribeRange(double least, double largest)
+{
+  return " from " + tool::FormatNumber(least) + " to " + tool::FormatNumber(largest);
+}
+
 /// Puts the state's fields into JSON.
 struct Writer
 {
@@ -88,27 +94,6 @@ struct Writer
   }
 };
 
-//------------------------------------------------------------------------------
-bool IsNumber(const ordered_json& value, double least, double largest)
-{
-  return value.is_number() && value.get<double>() >= least && value.get<double>() <= largest;
-}
-
-//------------------------------------------------------------------------------
-// A list of so many items that are all right; with count 0: of any number up to MostFiles.
-template <typename Test>
-bool IsList(const ordered_json& value, std::size_t count, const Test& isRight)
-{
-  return value.is_array() && (count == 0 ? value.size() <= MostFiles : value.size() == count) &&
-         std::all_of(value.begin(), value.end(), isRight);
-}
-
-//------------------------------------------------------------------------------
-std::string DescribeRange(double least, double largest)
-{
-  return " from " + tool::FormatNumber(least) + " to " + tool::FormatNumber(largest);
-}
-
 /**
  * Takes the state's fields out of JSON. What is absent keeps its value; what is wrong throws
  * tool::Error, which names the file, the field and what was expected.
@@ -123,17 +108,26 @@ struct Reader
     throw tool::Error(this->Name + ": \"" + key + "\": expected " + expected);
   }
 
+  // A value of another type, or that is not right, is what was not expected.
   template <typename Value, typename Test>
   void Take(const std::string& key, Value& value, const std::string& expected, Test isRight) const
   {
     const auto found = this->Object.find(key);
-    if (found != this->Object.end())
+    if (found == this->Object.end())
     {
-      if (!isRight(*found))
-      {
-        this->Fail(key, expected);
-      }
+      return;
+    }
+    try
+    {
       value = found->template get<Value>();
+    }
+    catch (const ordered_json::exception&)
+    {
+      this->Fail(key, expected);
+    }
+    if (!isRight(value))
+    {
+      this->Fail(key, expected);
     }
   }
 
@@ -150,44 +144,44 @@ struct Reader
     return { object, this->Name + ": \"" + key + "\"" };
   }
 
-  void operator()(const char* key, double& value, double least, double largest) const
+  void operator()(const std::string& key, double& value, double least, double largest) const
   {
     this->Take(key, value, "a number" + DescribeRange(least, largest),
-      [=](const ordered_json& given) { return IsNumber(given, least, largest); });
+      [=](double given) { return given >= least && given <= largest; });
   }
   void operator()(const char* key, int& value, int least, int largest) const
   {
     double given = value;
     (*this)(key, given, least, largest);
-    if (given != std::floor(given))
+    value = static_cast<int>(given);
+    if (given != value)
     {
       this->Fail(key, "a whole number");
     }
-    value = static_cast<int>(given);
   }
   void operator()(const char* key, bool& value) const
   {
-    this->Take(
-      key, value, "true or false", [](const ordered_json& given) { return given.is_boolean(); });
+    this->Take(key, value, "true or false", [](bool) { return true; });
   }
   void operator()(const char* key, std::string& value) const
   {
-    this->Take(key, value, "a text",
-      [](const ordered_json& given) { return given.is_string() && given != ""; });
+    this->Take(key, value, "a text", [](const std::string& given) { return !given.empty(); });
   }
   void operator()(const char* key, std::array<double, 3>& values) const
   {
-    this->Take(key, values, "three numbers",
-      [](const ordered_json& given) {
-        return IsList(
-          given, 3, [](const ordered_json& item) { return IsNumber(item, -1e30, 1e30); });
+    std::vector<double> given(values.begin(), values.end());
+    this->Take(key, given, "three numbers",
+      [](const std::vector<double>& read)
+      {
+        return read.size() == 3 &&
+               std::all_of(read.begin(), read.end(), [](double v) { return std::abs(v) <= 1e30; });
       });
+    std::copy(given.begin(), given.end(), values.begin());
   }
   void operator()(const std::string& key, std::vector<std::string>& values) const
   {
     this->Take(key, values, "a list of texts",
-      [](const ordered_json& given)
-      { return IsList(given, 0, [](const ordered_json& item) { return item.is_string(); }); });
+      [](const std::vector<std::string>& given) { return given.size() <= MostFiles; });
     const std::set<std::string> different(values.begin(), values.end());
     if (key == "compared" &&
         (values.size() > MostCompared || different.size() != values.size() || different.count("")))
@@ -198,25 +192,21 @@ struct Reader
   void operator()(const char* key, std::array<std::string, 2>& methods) const
   {
     std::vector<std::string> given(methods.begin(), methods.end());
-    (*this)(std::string(key), given);
-    // A method of older states that is gone.
-    std::replace(given.begin(), given.end(), std::string("basis"), std::string("planned"));
-    if (given.size() != 2 || !IsMethod(given[0]) || !IsMethod(given[1]))
+    std::string known;
+    for (const MethodName& name : GetMethodNames())
     {
-      std::string known;
-      for (const MethodName& name : GetMethodNames())
-      {
-        known += (known.empty() ? "" : ", ") + name.Key;
-      }
-      this->Fail(key, "two of " + known);
+      known += (known.empty() ? "" : ", ") + name.Key;
     }
+    this->Take(key, given, "two of " + known,
+      [](const std::vector<std::string>& read)
+      { return read.size() == 2 && IsMethod(read[0]) && IsMethod(read[1]); });
     std::copy(given.begin(), given.end(), methods.begin());
   }
   void operator()(const char* key, Shown& shown) const
   {
-    std::string given = "split";
+    std::string given = shown == Shown::Split ? "split" : "difference";
     this->Take(key, given, "\"split\" or \"difference\"",
-      [](const ordered_json& one) { return one == "split" || one == "difference"; });
+      [](const std::string& read) { return read == "split" || read == "difference"; });
     shown = given == "split" ? Shown::Split : Shown::Difference;
   }
   void operator()(const char* key, CameraState& camera) const
@@ -256,21 +246,24 @@ struct Reader
         {
           fields.Fail(field, "a parameter of this model");
         }
-        const ordered_json given = value.is_array() ? value : ordered_json::array({ value });
         const std::size_t count = parameter->Default.size();
-        if (!IsList(given, count,
-              [&](const ordered_json& item)
-              { return IsNumber(item, parameter->Least, parameter->Largest); }))
-        {
-          fields.Fail(
-            field, (count == 1 ? std::string("a number") : std::to_string(count) + " numbers") +
-                     DescribeRange(parameter->Least, parameter->Largest));
-        }
-        if (!parameter->Choices.empty() && given[0] != std::floor(given[0].get<double>()))
+        const ordered_json numbers = { { field,
+          value.is_array() ? value : ordered_json::array({ value }) } };
+        Reader{ numbers, fields.Name }.Take(field, states[name][field],
+          (count == 1 ? std::string("a number") : std::to_string(count) + " numbers") +
+            DescribeRange(parameter->Least, parameter->Largest),
+          [&](const std::vector<double>& given)
+          {
+            return given.size() == count &&
+                   std::all_of(given.begin(), given.end(),
+                     [&](double one)
+                     { return one >= parameter->Least && one <= parameter->Largest; });
+          });
+        const double first = states[name][field][0];
+        if (!parameter->Choices.empty() && first != std::floor(first))
         {
           fields.Fail(field, "a whole number");
         }
-        states[name][field] = given.get<std::vector<double>>();
       }
     }
   }
@@ -340,10 +333,14 @@ const std::vector<MethodName>& GetMethodNames()
 //------------------------------------------------------------------------------
 std::string GetMethodName(const std::string& key)
 {
-  const std::vector<MethodName>& names = GetMethodNames();
-  const auto found = std::find_if(
-    names.begin(), names.end(), [&key](const MethodName& name) { return name.Key == key; });
-  return found != names.end() ? found->Name : key;
+  for (const MethodName& name : GetMethodNames())
+  {
+    if (name.Key == key)
+    {
+      return name.Name;
+    }
+  }
+  return key;
 }
 
 //------------------------------------------------------------------------------
@@ -411,21 +408,11 @@ State ReadState(const std::string& text, const std::string& name)
   }
   State state;
   Visit(state, fields);
-  if (!json.value("edits", ordered_json()).empty()) // of earlier versions
-  {
-    state.Note = name + ": \"edits\" are left out: samples are edited in a material's file";
-  }
   if ((state.Lights & (state.Lights - 1)) != 0)
   {
     fields.Fail("lights", "a power of two");
   }
   return state;
-}
-
-//------------------------------------------------------------------------------
-void SaveState(const State& state, const std::string& path)
-{
-  tool::WriteWhole(path, WriteState(state));
 }
 
 //------------------------------------------------------------------------------

@@ -110,7 +110,6 @@ struct State
   double SlicePhiD = 90.0; // degrees, [0, 180]
   bool SliceLogarithmic = true;
   bool SlicePolar = false; // a polar plot for the lobe's light in the slices' place
-  std::string Note;        // for people: what its file has that is left out
 };
 
 /// Takes numbers that are not allowed as the nearest that are, and angles within a turn.
@@ -125,12 +124,8 @@ std::string WriteState(const State& state);
  */
 State ReadState(const std::string& text, const std::string& name);
 
-///@{
-/// Files, whole or not at all. Relative paths of a state file are looked for in
-/// its folder. Throw tool::Error.
-void SaveState(const State& state, const std::string& path);
+/// From a file. Relative paths in it are looked for in its folder. Throws tool::Error.
 State LoadState(const std::string& path);
-///@}
 } // namespace explorer
 
 #endif

@@ -10,7 +10,6 @@
 #include "Panels.h"
 #include "ParallelFor.h"
 #include "Report.h"
-#include "Samples.h"
 #include "SlicePanel.h"
 #include "Tool.h"
 
@@ -29,10 +28,8 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
-#include <QProxyStyle>
 #include <QStatusBar>
 #include <QSurfaceFormat>
-#include <QTabBar>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QUrl>
@@ -67,20 +64,6 @@ int& Prepare(int& argc)
 }
 
 //------------------------------------------------------------------------------
-// Tabs with less beside their names, so that all of them fit above a panel.
-class NarrowTabs : public QProxyStyle
-{
-public:
-  int pixelMetric(
-    PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override
-  {
-    constexpr int Space = 12; // logical pixels; Fusion has 24
-    const int usual = this->QProxyStyle::pixelMetric(metric, option, widget);
-    return metric == PM_TabBarTabHSpace ? std::min(usual, Space) : usual;
-  }
-};
-
-//------------------------------------------------------------------------------
 QString MakeFilter(const QString& name, const std::vector<std::string>& endings)
 {
   QStringList patterns;
@@ -112,7 +95,6 @@ public:
     : Text(new QLabel)
   {
     this->setFrameShape(QFrame::StyledPanel);
-    this->setAutoFillBackground(true);
     this->Text->setWordWrap(true);
     this->Text->setTextFormat(Qt::PlainText);
     this->Text->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -143,12 +125,8 @@ public:
     this->Text->setText(
       printable.size() > MostCharacters ? printable.left(MostCharacters) + "…" : printable);
     this->Text->setToolTip(printable.size() > MostCharacters ? printable : QString());
-    QPalette colors = this->palette();
-    colors.setColor(
-      QPalette::Window, isError ? QColor(0x7a, 0x25, 0x1f) : QColor(0x2d, 0x4a, 0x66));
-    colors.setColor(QPalette::WindowText, Qt::white);
-    colors.setColor(QPalette::ButtonText, Qt::white);
-    this->setPalette(colors);
+    this->setStyleSheet(
+      isError ? "background: #7a251f; color: white" : "background: #2d4a66; color: white");
     isError ? this->Timer.stop() : this->Timer.start(NoteTime);
     this->show();
   }
@@ -245,29 +223,19 @@ void Window::MakePanels()
 
   this->Tabs = new QTabWidget;
   this->Tabs->setDocumentMode(true);
-  auto* narrow = new NarrowTabs;
-  narrow->setParent(this->Tabs);
-  this->Tabs->tabBar()->setStyle(narrow);
   this->Tabs->setUsesScrollButtons(false); // the panel is as wide as its tabs: none is hidden
-  auto* slices = MakeSlicePanel(this->Model);
-  this->Findings = new FindingsPanel(this->Model, this->Background);
-  this->Samples = new SamplePanel(this->Model);
   const std::pair<QString, QWidget*> tabs[] = {
     { tr("Plan"), MakePlanPanel(this->Model, this->Sides, this->Measured, this->View) },
-    { tr("Lobe"), MakeLobePanel(this->Model) }, { tr("Slices"), slices },
+    { tr("Lobe"), MakeLobePanel(this->Model) }, { tr("Slices"), MakeSlicePanel(this->Model) },
     { tr("Image"), MakeImagePanel(this->Model, this->Background) },
     { tr("Light"), MakeLightPanel(this->Model, this->Background) },
-    { tr("Material"), this->Findings },
-    { tr("Model"), MakeModelPanel(this->Model, [this]() { this->AskForMaterial(); }) },
-    { tr("Samples"), this->Samples }
+    { tr("Material"), MakeFindingsPanel(this->Model) },
+    { tr("Model"), MakeModelPanel(this->Model, [this]() { this->AskForMaterial(); }) }
   };
   for (const auto& [title, panel] : tabs)
   {
     this->Tabs->addTab(panel, title);
   }
-  auto* charts = slices->findChild<SliceView*>();
-  connect(this->Findings, &FindingsPanel::inspected, this,
-    [this, charts]() { charts->SetInspection(this->Findings->GetInspection()); });
   connect(this->Tabs, &QTabWidget::currentChanged, this,
     [this]()
     {
@@ -297,10 +265,19 @@ void Window::MakeMenus()
 {
   QMenu* menu = this->menuBar()->addMenu(tr("&File"));
   const auto add = [&](const QString& text, const QKeySequence& key, const auto& what)
-  { menu->addAction(text, this, what)->setShortcut(key); };
+  {
+    QAction* action = menu->addAction(text, this, what);
+    action->setShortcut(key);
+    return action;
+  };
   add(tr("&Open…"), QKeySequence::Open, [this]() { this->OpenFiles(""); });
   menu->addSeparator();
-  add(tr("&Save state…"), QKeySequence::Save, [this]() { this->AskForState(); });
+  add(tr("&Save state…"), QKeySequence::Save,
+    [this]()
+    {
+      Ask(this, tr("Save state"), "explorer.json", tr("States (*.json)"),
+        [this](const QString& path) { this->Model->Save(path.toStdString()); });
+    });
   add(tr("Save &picture…"), Qt::CTRL | Qt::SHIFT | Qt::Key_P,
     [this]()
     {
@@ -317,28 +294,7 @@ void Window::MakeMenus()
   menu->addSeparator();
   add(tr("&Quit"), QKeySequence::Quit, [this]() { this->close(); });
 
-  this->MakeViewMenu();
-  menu = this->menuBar()->addMenu(tr("&Help"));
-  add(tr("&About"), QKeySequence(),
-    [this]()
-    {
-      QMessageBox::about(this, tr("About"),
-        tr("<b>vtkMeasuredBRDF explorer</b><p>Measured materials in VTK scenes in real time.</p>"
-           "<p>Drag in the picture to turn the mesh, drag the line to compare both methods; drop "
-           "files into the window to open them.</p>"));
-    });
-}
-
-//------------------------------------------------------------------------------
-void Window::MakeViewMenu()
-{
-  QMenu* view = this->menuBar()->addMenu(tr("&View"));
-  const auto add = [&](const QString& text, const QKeySequence& key, const auto& what)
-  {
-    QAction* action = view->addAction(text, this, what);
-    action->setShortcut(key);
-    return action;
-  };
+  menu = this->menuBar()->addMenu(tr("&View"));
   add(tr("&Reset camera"), Qt::Key_Home, [this]() { this->View->ResetCamera(); });
   QAction* difference = add(tr("&Difference"), Qt::CTRL | Qt::Key_D,
     [this](bool on) { this->Model->SetShown(on ? Shown::Difference : Shown::Split); });
@@ -358,18 +314,28 @@ void Window::MakeViewMenu()
       const std::string& file = this->Model->GetState().Material;
       this->Model->SetCompared(file, !this->Model->IsCompared(file));
     });
-  QMenu* heights = view->addMenu(tr("Exact &picture"));
+  QMenu* heights = menu->addMenu(tr("Exact &picture"));
   for (const int height : { 128, 256, 512, 1024 })
   {
     heights->addAction(tr("%1 pixels high").arg(height), this,
       [this, height]()
       { this->Model->Set(&State::ReferenceHeight, height, &Session::referenceHeightChanged); });
   }
-  view->addSeparator();
+  menu->addSeparator();
   for (QDockWidget* dock : this->findChildren<QDockWidget*>())
   {
-    view->addAction(dock->toggleViewAction());
+    menu->addAction(dock->toggleViewAction());
   }
+
+  menu = this->menuBar()->addMenu(tr("&Help"));
+  add(tr("&About"), QKeySequence(),
+    [this]()
+    {
+      QMessageBox::about(this, tr("About"),
+        tr("<b>vtkMeasuredBRDF explorer</b><p>Measured materials in VTK scenes in real time.</p>"
+           "<p>Drag in the picture to turn the mesh, drag the line to compare both methods; drop "
+           "files into the window to open them.</p>"));
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -388,7 +354,7 @@ void Window::MakeStatusBar()
     {
       working->setText(line.isEmpty() ? QString() : line.left(1).toUpper() + line.mid(1) + " …");
       progress->setVisible(!line.isEmpty());
-      progress->setValue(static_cast<int>(100.0 * share));
+      progress->setValue(int(100.0 * share));
     });
 }
 
@@ -414,13 +380,6 @@ void Window::AskForMaterial()
 {
   Ask(this, tr("Save material"), "material.exr", tr("Materials (*.exr)"),
     [this](const QString& path) { this->Model->SaveMaterial(path.toStdString()); });
-}
-
-//------------------------------------------------------------------------------
-void Window::AskForState()
-{
-  Ask(this, tr("Save state"), "explorer.json", tr("States (*.json)"),
-    [this](const QString& path) { this->Model->Save(path.toStdString()); });
 }
 
 //------------------------------------------------------------------------------
@@ -482,9 +441,9 @@ ReportData Window::CollectReport()
     data.Figures["light"] = { { "theta", state.Light.Theta }, { "phi", state.Light.Phi },
       { "irradiance", state.Light.Irradiance } };
   }
-  if (this->Findings->GetInspection().is_object())
+  if (!this->Model->GetInspection().is_null())
   {
-    data.Figures["info"] = this->Findings->GetInspection();
+    data.Figures["info"] = this->Model->GetInspection();
   }
   for (int k = 0; k < 2; ++k)
   {
@@ -502,7 +461,7 @@ ReportData Window::CollectReport()
     }
     if (!side->IsReference())
     {
-      data.Radiance[static_cast<std::size_t>(k)] = this->Measured->GetRadiance(k);
+      data.Radiance[k] = this->Measured->GetRadiance(k);
     }
     data.Figures["sides"].push_back(entry);
   }
@@ -582,9 +541,9 @@ void Window::UpdateOverlays()
 {
   for (int k = 0; k < 2; ++k)
   {
-    const bool isReference = this->Sides[static_cast<std::size_t>(k)]->IsReference();
+    const bool isReference = this->Sides[k]->IsReference();
     this->View->SetPicture(k, isReference ? this->Measured->GetReference() : nullptr);
-    QString text = this->Sides[static_cast<std::size_t>(k)]->Describe();
+    QString text = this->Sides[k]->Describe();
     if (isReference && !this->Measured->IsComplete())
     {
       text += this->Measured->GetReference() ? tr(" (becoming exact)")

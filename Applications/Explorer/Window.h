@@ -24,9 +24,7 @@ class QTabWidget;
 
 namespace explorer
 {
-class FindingsPanel;
 class MessageBar;
-class SamplePanel;
 struct ReportData;
 
 /// The QApplication, with what has to be set before and after it is made.
@@ -53,9 +51,7 @@ public:
   Jobs* GetJobs() { return this->Background; }
   Evaluation* GetEvaluation() { return this->Measured; }
   SplitView* GetView() { return this->View; }
-  Side* GetSide(int k) { return this->Sides[static_cast<std::size_t>(k)]; }
-  FindingsPanel* GetFindingsPanel() { return this->Findings; }
-  SamplePanel* GetSamplePanel() { return this->Samples; }
+  Side* GetSide(int k) { return this->Sides[k]; }
 
   /// Brings the tab of that title to the front; the panel in it.
   QWidget* ShowTab(const QString& title);
@@ -80,11 +76,9 @@ protected:
 private:
   void MakePanels();
   void MakeMenus();
-  void MakeViewMenu();
   void MakeStatusBar();
   void OpenFiles(const QString& kind);
   void AskForMaterial();
-  void AskForState();
   void Poll();
   void UpdateOverlays();
   void UpdateTitle();
@@ -96,8 +90,6 @@ private:
   SplitView* View;
   Evaluation* Measured;
   MessageBar* Messages;
-  FindingsPanel* Findings;
-  SamplePanel* Samples;
   QTabWidget* Tabs;
   QTimer Poller;
 };

@@ -1,18 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes the pictures of docs/explorer.md: ExplorerScreenshots FOLDER [HEIGHT [editing|FILE.xml]],
+// Makes the pictures of docs/explorer.md: ExplorerScreenshots FOLDER [HEIGHT [FILE.xml]],
 // or saves the picture of a state: ExplorerScreenshots STATE.json SIZE PICTURE.png
-#include "Files.h"
-#include "Samples.h"
 #include "Window.h"
 
-#include "vtkBRDFResampler.h"
-#include "vtkEmbeddedMaterials.h"
-#include "vtkTabulatedBRDF.h"
-
 #include <QElapsedTimer>
-#include <QTableView>
-#include <QTemporaryDir>
 #include <QThread>
 
 #include <cstdio>
@@ -63,38 +55,6 @@ void Shoot(Window& window, const QString& folder, const char* name)
   const bool isSaved = image.save(path, "PNG");
   std::printf("%s%s\n", qPrintable(path), isSaved ? "" : ": could not be written");
 }
-
-//------------------------------------------------------------------------------
-// The directional light with a model, and the samples of a table.
-void ShootEditing(Window& window, const QString& folder)
-{
-  Session* session = window.GetSession();
-  session->SetEnvironment(DirectionalLightName);
-  session->SetMethod(1, method::Reference);
-  session->SetModelValues("Distribution", "f0", { 0.9, 0.6, 0.35 });
-  session->SetModelValues("Distribution", "exponent", { 60.0 });
-  session->SetModelValues("Distribution", "albedo", { 0.06, 0.03, 0.02 });
-  session->SetMaterial("model:Distribution");
-  window.ShowTab("Model");
-  Settle(window);
-  Shoot(window, folder, "model");
-
-  const QTemporaryDir files;
-  const std::string table = files.filePath("gold-paint.exr").toStdString();
-  const auto gold = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
-  vtkNew<vtkBRDFResampler> resampler;
-  resampler->SetInput(gold);
-  resampler->ReciprocalOn();
-  resampler->ResampleTo(36, 18, 45);
-  tool::WriteMaterial(resampler->GetOutput(), table);
-  session->SetMaterial(table);
-  Settle(window);
-  SamplePanel* panel = window.GetSamplePanel();
-  window.ShowTab("Samples");
-  panel->GoToLobe();
-  Settle(window);
-  Shoot(window, folder, "samples");
-}
 }
 
 //------------------------------------------------------------------------------
@@ -134,9 +94,8 @@ int main(int argc, char* argv[])
 {
   if (argc < 2)
   {
-    std::puts(
-      "usage: ExplorerScreenshots FOLDER [HEIGHT of exact pictures [editing: only what is set; or "
-      "FILE.xml: only its transmission]]\n       ExplorerScreenshots STATE.json SIZE PICTURE.png");
+    std::puts("usage: ExplorerScreenshots FOLDER [HEIGHT of exact pictures [FILE.xml: only its "
+              "transmission]]\n       ExplorerScreenshots STATE.json SIZE PICTURE.png");
     return 2;
   }
   const QString folder = argv[1];
@@ -151,17 +110,10 @@ int main(int argc, char* argv[])
   state.Mesh = "ball-on-foot";
   state.Methods = { method::Planned, method::Reference };
   state.ReferenceHeight = argc > 2 ? std::atoi(argv[2]) : 512;
-  const bool onlyEditing = argc > 3 && std::string(argv[3]) == "editing";
-  state.Environment = onlyEditing ? DirectionalLightName : state.Environment;
   Window window(state);
   window.resize(1280, 800);
   window.show();
   Settle(window);
-  if (onlyEditing)
-  {
-    ShootEditing(window, folder);
-    return 0;
-  }
   if (argc > 3)
   {
     ShootTransmission(window, folder, argv[3]);
@@ -191,6 +143,16 @@ int main(int argc, char* argv[])
   window.GetSession()->SetCompared({});
   window.ShowTab("Image");
   Shoot(window, folder, "image");
-  ShootEditing(window, folder);
+  // The directional light with a model.
+  Session* session = window.GetSession();
+  session->SetEnvironment(DirectionalLightName);
+  session->SetMethod(1, method::Reference);
+  session->SetModelValues("Distribution", "f0", { 0.9, 0.6, 0.35 });
+  session->SetModelValues("Distribution", "exponent", { 60.0 });
+  session->SetModelValues("Distribution", "albedo", { 0.06, 0.03, 0.02 });
+  session->SetMaterial("model:Distribution");
+  window.ShowTab("Model");
+  Settle(window);
+  Shoot(window, folder, "model");
   return 0;
 }

@@ -273,10 +273,9 @@ Environment Roll(vtkEnvironment* environment, double columns)
       double v = 0.0;
       vtkEnvironment::GetCoordinates(&direction.x, u, v);
       u -= columns / width;
-      std::array<double, 3> from;
-      vtkEnvironment::GetDirection(u - std::floor(u), v, from.data());
-      const RGB rgb = map.Look(from);
-      return glm::dvec3(rgb[0], rgb[1], rgb[2]);
+      glm::dvec3 from;
+      vtkEnvironment::GetDirection(u - std::floor(u), v, &from.x);
+      return map.Look(from);
     });
 }
 
