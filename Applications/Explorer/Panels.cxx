@@ -4,6 +4,7 @@
 
 #include "Controls.h"
 #include "Inspection.h"
+#include "JsonReport.h"
 #include "Measuring.h"
 #include "Sheets.h"
 #include "SplitView.h"
@@ -748,7 +749,7 @@ FindingsPanel::FindingsPanel(Session* session, Jobs* jobs)
   {
     this->Info = info;
     findings->setText(MakeFindingsTable(info));
-    text->setPlainText(QString::fromStdString(tool::FormatInspection(info)));
+    text->setPlainText(QString::fromStdString(tool::FormatReport(info)));
     Q_EMIT this->inspected();
   };
   connect(session, &Session::materialChanged, this,
