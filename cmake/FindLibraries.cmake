@@ -41,13 +41,6 @@ if (MEASUREDBRDF_BUILD_TOOL)
       message(FATAL_ERROR "OpenSSL was not found. Install it (Debian: libssl-dev) or configure with "
         "-DMEASUREDBRDF_WITH_CURL=OFF.")
     endif ()
-    find_library(MEASUREDBRDF_MINIZIP minizip) # for members of archives
-    find_path(MEASUREDBRDF_MINIZIP_HEADERS minizip/unzip.h)
-    mark_as_advanced(MEASUREDBRDF_MINIZIP MEASUREDBRDF_MINIZIP_HEADERS)
-    if (NOT MEASUREDBRDF_MINIZIP OR NOT MEASUREDBRDF_MINIZIP_HEADERS)
-      message(FATAL_ERROR "minizip was not found. Install it (Debian: libminizip-dev) or configure with "
-        "-DMEASUREDBRDF_WITH_CURL=OFF.")
-    endif ()
   endif ()
 endif ()
 

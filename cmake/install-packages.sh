@@ -8,7 +8,7 @@
 set -u
 packages=(cmake ninja-build g++ libvtk9-dev python3-vtk9 libopenimageio-dev openimageio-tools libopenexr-dev
   libglm-dev nlohmann-json3-dev libeigen3-dev libxxhash-dev libceres-dev libcli11-dev
-  libcurl4-openssl-dev libssl-dev libminizip-dev libgl1-mesa-dri xvfb xauth)
+  libcurl4-openssl-dev libssl-dev libgl1-mesa-dri xvfb xauth)
 optional=()
 size=" (500 to 1100 MB download on a bare system)"
 case ${1:-} in

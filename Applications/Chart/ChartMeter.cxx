@@ -28,8 +28,6 @@
 
 namespace
 {
-// Share of the picture's smaller side that the mesh takes.
-constexpr double MeasuredFill = 0.9;
 // What the parts of a pair's work take of it, about.
 constexpr double ReferenceShare = 0.15;
 constexpr double MethodShare = 0.6;
@@ -102,7 +100,6 @@ struct ChartMeter::Timed
   ChartJson Point;
   std::vector<double> Frames;
   double Expected = 0.0; // ms
-  int Like = -1;         // index of one that draws the same, and is timed instead
   vtkSmartPointer<vtkRadiancePlanner> Planner;
 
   int GetRounds(int wanted) const
@@ -113,30 +110,11 @@ struct ChartMeter::Timed
 };
 
 //------------------------------------------------------------------------------
-// What the planner chooses may be one of the sweep's, or one and the same at several tolerances:
-// the same pixels out of the same textures.
-int ChartMeter::FindAlike(const std::vector<Timed>& all, const Timed& timed)
-{
-  if (timed.Point["method"] != PlannerMethod || !timed.Window)
-  {
-    return -1;
-  }
-  const auto found = std::find_if(all.begin(), all.end(),
-    [&timed](const Timed& other)
-    {
-      // As text: some metrics are not a number for pictures that are too small for them.
-      return other.Window && other.Point["errors"].dump() == timed.Point["errors"].dump() &&
-             other.Point["texture_bytes"] == timed.Point["texture_bytes"];
-    });
-  return found == all.end() ? -1 : static_cast<int>(found - all.begin());
-}
-
-//------------------------------------------------------------------------------
 ChartMeter::ChartMeter(const ChartScene& scene, const std::vector<ChartSize>& sizes)
   : Scene(scene)
   , Sizes(sizes)
   , Visible(
-      FindSurface(scene.Mesh, scene.Camera, MeasuredFill, scene.Picture, scene.ReferencePixels))
+      FindSurface(scene.Mesh, scene.Stage.View, ViewFill, scene.Stage.Size, scene.ReferencePixels))
 {
 }
 
@@ -182,10 +160,8 @@ std::string ChartMeter::GetFingerprint(const Material& material, vtkEnvironment*
 //------------------------------------------------------------------------------
 void ChartMeter::Place(OffscreenScene& stage) const
 {
-  stage.SetMesh(this->Scene.Mesh);
-  stage.SetView(this->Scene.Camera.Azimuth, this->Scene.Camera.Elevation, MeasuredFill,
-    this->Scene.Camera.Angle);
-  stage.Open(this->Scene.Picture.Width, this->Scene.Picture.Height);
+  this->Scene.Stage.Place(stage, this->Scene.Mesh);
+  stage.Open(this->Scene.Stage.Size.Width, this->Scene.Stage.Size.Height);
 }
 
 //------------------------------------------------------------------------------
@@ -194,10 +170,11 @@ double ChartMeter::FillErrors(
 {
   vtkNew<vtkRadianceMetrics> metrics;
   const auto begin = std::chrono::steady_clock::now();
-  const Picture picture = stage.Render(this->Scene.Picture.Width, this->Scene.Picture.Height);
+  const Size& size = this->Scene.Stage.Size;
+  const Picture picture = stage.Render(size.Width, size.Height);
   const double frame = GetElapsed(begin); // reading it back takes little
   const std::vector<double> rgb = Pick(picture, this->Visible);
-  tool::Measure(metrics, Grid(this->Visible, this->Scene.Picture), rgb, reference);
+  tool::Measure(metrics, Grid(this->Visible, size), rgb, reference);
   for (const Metric& metric : GetMetrics())
   {
     point["errors"][metric.Name] = metric.Get(metrics);
@@ -214,6 +191,7 @@ ChartMeter::Timed ChartMeter::Begin(const ChartSize& size, const Material& mater
   scene->ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_OFF, false); // as the reference
   this->Place(*scene);
   Method method;
+  const MethodOptions options = size.MakeOptions();
   const auto begin = std::chrono::steady_clock::now();
   if (plan)
   {
@@ -222,16 +200,9 @@ ChartMeter::Timed ChartMeter::Begin(const ChartSize& size, const Material& mater
   }
   else
   {
-    Material drawn = material;
-    MethodOptions options = size.Options;
-    if (options.Method == ThesisMethod)
-    {
-      drawn.BRDF = Represent(material, options.Thesis.Order).BRDF;
-      options.Method = "light-set";
-    }
-    method = MakeMethod(options, drawn, environment);
+    method = MakeMethod(options, material, environment);
   }
-  scene->Begin(method, environment, size.Options.Plan);
+  scene->Begin(method, environment, options.Plan);
   timed.Point["setup_ms"] = GetElapsed(begin);
   timed.Planner = method.Planner;
   if (vtkRadiancePlanner* planner = plan ? plan : method.Planner.Get())
@@ -241,7 +212,7 @@ ChartMeter::Timed ChartMeter::Begin(const ChartSize& size, const Material& mater
     timed.Point["predicted_error"] = predicted;
     timed.Point["predicted_picture_error"] = planner->GetPredictedPictureError(index);
     timed.Point["meets_tolerance"] =
-      plan ? predicted <= size.Options.Plan.Tolerance : planner->GetMeetsTolerance();
+      plan ? predicted <= options.Plan.Tolerance : planner->GetMeetsTolerance();
     timed.Point["plan"] = planner->GetPlan();
   }
   timed.Point["texture_bytes"] = scene->GetTextureBytes();
@@ -267,7 +238,7 @@ ChartMeter::Timed ChartMeter::BeginStock(
   stock->SetMaterial(StockMaterial());
   stock->TimeFrame();
   timed.Point["setup_ms"] = GetElapsed(begin);
-  stock->Fit(this->Visible, this->Scene.Picture, reference);
+  stock->Fit(this->Visible, this->Scene.Stage.Size, reference);
   timed.Point["texture_bytes"] = stock->GetTextureBytes();
   timed.Point["texture_fetches"] = StockFetches;
   timed.Expected = this->FillErrors(timed.Point, *stock, reference);
@@ -315,7 +286,7 @@ ChartJson ChartMeter::Measure(
     { "unoccluded_uncertainty", occlusion->GetUncertainty() }, // two standard errors
     { "points", ChartJson::array() } };
   const std::vector<double> reference =
-    DrawReference(material.BRDF, environment, this->Visible, this->Scene.Picture).Radiance;
+    DrawReference(material.BRDF, environment, this->Visible, this->Scene.Stage.Size).Radiance;
   show(ReferenceShare);
 
   std::vector<Timed> all;
@@ -324,8 +295,9 @@ ChartJson ChartMeter::Measure(
     Timed timed;
     try
     {
-      timed = size.Method->Apply ? this->Begin(size, material, environment, reference, plan)
-                                 : this->BeginStock(environment, reference);
+      timed = size.Method->Name == PBRMethod
+                ? this->BeginStock(environment, reference)
+                : this->Begin(size, material, environment, reference, plan);
     }
     catch (const Error& error)
     {
@@ -334,11 +306,6 @@ ChartJson ChartMeter::Measure(
     }
     timed.Point["method"] = size.Method->Name;
     timed.Point["size"] = name;
-    timed.Like = FindAlike(all, timed);
-    if (timed.Like >= 0)
-    {
-      timed.Window.reset();
-    }
     all.push_back(std::move(timed));
   };
   for (std::size_t k = 0; k < this->Sizes.size(); ++k)
@@ -376,8 +343,7 @@ ChartJson ChartMeter::Measure(
   this->TimeFrames(all, show);
   for (Timed& timed : all)
   {
-    const std::vector<double>& frames =
-      timed.Like < 0 ? timed.Frames : all[static_cast<std::size_t>(timed.Like)].Frames;
+    const std::vector<double>& frames = timed.Frames;
     if (!frames.empty())
     {
       timed.Point["frame_ms"] = GetQuantile(frames, 0.5);

@@ -13,6 +13,7 @@
 #include "ChartResults.h"
 #include "Inputs.h"
 #include "Measuring.h"
+#include "Options.h"
 #include "Scenes.h"
 #include "Surface.h"
 
@@ -36,8 +37,7 @@ class OffscreenScene;
 struct ChartScene
 {
   vtkSmartPointer<vtkPolyData> Mesh;
-  View Camera;
-  Size Picture;
+  tool::Stage Stage;
   int ReferencePixels; // at most
   int Rounds;          // of frames
   double Slowest; // ms: sizes whose frames take longer by what the one before took are left out
@@ -67,8 +67,6 @@ public:
 
 private:
   struct Timed; // a window with its frames
-
-  static int FindAlike(const std::vector<Timed>& all, const Timed& timed);
 
   // plan: of what is drawn while somebody interacts, or null.
   Timed Begin(const ChartSize& size, const Material& material, vtkEnvironment* environment,

@@ -3,20 +3,68 @@
 #include "ChartPages.h"
 
 #include "ChartMethods.h"
+#include "LogAxis.h"
 #include "ParetoFront.h"
+#include "Picture.h"
 #include "Tool.h"
+
+#include "vtkAxis.h"
+#include "vtkChartXY.h"
+#include "vtkContext2D.h"
+#include "vtkContextActor.h"
+#include "vtkContextItem.h"
+#include "vtkContextScene.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkImageShrink3D.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPen.h"
+#include "vtkPlotPoints.h"
+#include "vtkRect.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkStdString.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkTextProperty.h"
+#include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <set>
 
 namespace
 {
+using tool::ChartJson;
+using tool::RGB;
+
 // Below this an error is taken as this, lest a single zero draws a geometric mean there.
 constexpr double LeastError = 1e-7;
 // Marks closer than this, in powers of ten, are one.
 constexpr double SamePlace = 0.03;
+
+// In pixels. Drawn at twice the size and averaged: no jagged lines, whatever the driver.
+constexpr int Smooth = 2;
+constexpr int Width = 1600;
+constexpr int Height = 1000;
+constexpr int Left = 130;
+constexpr int Right = 340; // with the names of the curves
+constexpr int Bottom = 120;
+constexpr int Top = 190;
+constexpr int PlotWidth = Width - Left - Right;
+constexpr int PlotHeight = Height - Bottom - Top;
+constexpr int TitleFont = 40;
+constexpr int Font = 26;
+constexpr int SmallFont = 20;
+
+constexpr RGB Ink = { 0.1, 0.1, 0.1 };
+constexpr RGB Faint = { 0.4, 0.4, 0.4 };
+constexpr RGB GridColor = { 0.88, 0.88, 0.88 };
+constexpr RGB Band = { 0.97, 0.91, 0.62 };
 
 /// A method in one size, in one pair or over all.
 struct Dot
@@ -25,16 +73,32 @@ struct Dot
   std::string Size;
   double Cost;
   double Error;
+
+  bool IsPlan() const { return this->Method == tool::PlannerMethod; }
+  bool IsMark() const { return this->IsPlan() || this->Method == tool::PBRMethod; }
+  bool IsDrawn() const
+  {
+    return this->Cost > 0.0 && this->Error > 0.0 && std::isfinite(this->Cost) &&
+           std::isfinite(this->Error);
+  }
+};
+
+struct Page
+{
+  std::string Title;
+  std::string Subtitle;
+  std::string XLabel;
+  tool::Unit XUnit;
+  std::vector<Dot> Dots;
 };
 
 //------------------------------------------------------------------------------
-std::vector<Dot> ListDots(
-  const tool::ChartJson& pair, const std::string& metric, const std::string& figure)
+std::vector<Dot> ListDots(const ChartJson& pair, const std::string& figure)
 {
   std::vector<Dot> dots;
-  for (const tool::ChartJson& point : pair.at("points"))
+  for (const ChartJson& point : pair.at("points"))
   {
-    const double error = tool::GetPointError(point, metric);
+    const double error = tool::GetPointError(point, tool::GetMetrics().front().Name);
     if (!point.contains("left_out"))
     {
       dots.push_back({ point.at("method"), point.at("size"), tool::GetFigure(point, figure),
@@ -46,160 +110,301 @@ std::vector<Dot> ListDots(
 
 //------------------------------------------------------------------------------
 // Means of what all pairs have: others would be means over easier pairs.
-std::vector<Dot> ListMeans(
-  const tool::ChartJson& results, const std::string& metric, const std::string& figure)
+std::vector<Dot> ListMeans(const ChartJson& results, const std::string& figure)
 {
-  std::vector<Dot> means;
-  const tool::ChartJson& pairs = results.at("pairs");
-  if (pairs.empty())
+  const ChartJson& pairs = results.at("pairs");
+  std::map<std::pair<std::string, std::string>, std::pair<std::vector<double>, std::vector<double>>>
+    all;
+  std::vector<Dot> first;
+  for (const ChartJson& pair : pairs)
   {
-    return means;
-  }
-  for (const Dot& first : ListDots(pairs.front(), metric, figure))
-  {
-    std::vector<double> costs;
-    std::vector<double> errors;
-    for (const tool::ChartJson& pair : pairs)
+    const std::vector<Dot> dots = ListDots(pair, figure);
+    first = first.empty() ? dots : first;
+    for (const Dot& dot : dots)
     {
-      for (const Dot& dot : ListDots(pair, metric, figure))
-      {
-        if (dot.Method == first.Method && dot.Size == first.Size)
-        {
-          costs.push_back(dot.Cost);
-          errors.push_back(dot.Error);
-        }
-      }
+      auto& [costs, errors] = all[{ dot.Method, dot.Size }];
+      costs.push_back(dot.Cost);
+      errors.push_back(dot.Error);
     }
+  }
+  std::vector<Dot> means;
+  for (const Dot& dot : first)
+  {
+    const auto& [costs, errors] = all[{ dot.Method, dot.Size }];
     if (costs.size() == pairs.size())
     {
-      means.push_back({ first.Method, first.Size, tool::GetGeometricMean(costs),
-        tool::GetGeometricMean(errors) });
+      means.push_back(
+        { dot.Method, dot.Size, tool::GetGeometricMean(costs), tool::GetGeometricMean(errors) });
     }
   }
   return means;
 }
 
 //------------------------------------------------------------------------------
-std::string FormatTolerance(const std::string& tolerance)
-{
-  return tool::FormatNumber(100.0 * std::stod(tolerance)) + " %" +
-         (tool::IsInView(tolerance) ? tool::InView : "") +
-         (tool::IsInteracting(tolerance) ? tool::Interacting : "");
-}
-
-//------------------------------------------------------------------------------
-void AddMark(tool::Page& page, const Dot& dot)
-{
-  const bool planner = dot.Method == tool::PlannerMethod;
-  for (tool::PageMark& mark : page.Marks)
-  {
-    if (planner && mark.Diamond && std::abs(std::log10(mark.Point.X / dot.Cost)) < SamePlace &&
-        std::abs(std::log10(mark.Point.Y / dot.Error)) < SamePlace)
-    {
-      mark.Name += ", " + FormatTolerance(dot.Size);
-      return;
-    }
-  }
-  const std::string name = tool::FindChartMethod(dot.Method).Label;
-  page.Marks.push_back({ { dot.Cost, dot.Error },
-    planner ? name + " at " + FormatTolerance(dot.Size) : name, planner });
-}
-
-//------------------------------------------------------------------------------
-// Joined are those points of a method that none of its own beats.
-std::vector<tool::PagePoint> MakeLine(const std::vector<tool::PagePoint>& points)
-{
-  std::vector<tool::CostPoint> costs;
-  for (const tool::PagePoint& point : points)
-  {
-    costs.push_back({ point.X, point.Y });
-  }
-  std::vector<tool::PagePoint> line;
-  for (const std::size_t k : tool::FindFront(costs))
-  {
-    line.push_back(points[k]);
-  }
-  return line;
-}
-
-//------------------------------------------------------------------------------
-void Fill(tool::Page& page, const std::vector<Dot>& dots, const tool::Metric& metric)
+std::vector<Dot> PickFront(const std::vector<Dot>& dots)
 {
   std::vector<tool::CostPoint> costs;
   for (const Dot& dot : dots)
   {
     costs.push_back({ dot.Cost, dot.Error });
-    if (dot.Method == tool::PlannerMethod || dot.Method == tool::PBRMethod)
-    {
-      AddMark(page, dot);
-      continue;
-    }
-    const tool::ChartMethod& method = tool::FindChartMethod(dot.Method);
-    if (page.Curves.empty() || page.Curves.back().Label != method.Label)
-    {
-      page.Curves.push_back({ method.Label, method.Color, {}, {} });
-    }
-    page.Curves.back().Points.push_back({ dot.Cost, dot.Error });
   }
-  for (tool::PageCurve& curve : page.Curves)
-  {
-    curve.Line = MakeLine(curve.Points);
-  }
+  std::vector<Dot> front;
   for (const std::size_t k : tool::FindFront(costs))
   {
-    page.Front.push_back({ dots[k].Cost, dots[k].Error });
+    front.push_back(dots[k]);
   }
-  page.YLabel = metric.Label + ", smaller is better";
-  page.YUnit = metric.Relative ? tool::Unit::Share : tool::Unit::Number;
+  return front;
 }
 
 //------------------------------------------------------------------------------
-std::string DescribePicture(const tool::ChartJson& results)
+/// Whatever a function draws, over the chart.
+class Overlay : public vtkContextItem
+{
+public:
+  static Overlay* New();
+  vtkTypeMacro(Overlay, vtkContextItem);
+
+  bool Paint(vtkContext2D* painter) override
+  {
+    this->Draw(painter);
+    return true;
+  }
+
+  std::function<void(vtkContext2D*)> Draw;
+};
+vtkStandardNewMacro(Overlay);
+
+//------------------------------------------------------------------------------
+void DrawChartText(vtkContext2D* painter, double x, double y, const std::string& text, int size,
+  const RGB& color, bool bold = false, bool right = false)
+{
+  vtkTextProperty* property = painter->GetTextProp();
+  property->SetFontFamilyToArial();
+  property->SetFontSize(Smooth * size);
+  property->SetBold(bold);
+  property->SetColor(color[0], color[1], color[2]);
+  property->SetJustification(right ? VTK_TEXT_RIGHT : VTK_TEXT_LEFT);
+  property->SetVerticalJustificationToBottom();
+  painter->DrawString(
+    static_cast<float>(Smooth * x), static_cast<float>(Smooth * y), vtkStdString(text));
+}
+
+//------------------------------------------------------------------------------
+// Draws one page. The chart's own coordinates are pixels.
+class Painter
+{
+public:
+  explicit Painter(const Page& page)
+    : Drawn(page)
+  {
+    for (const Dot& dot : page.Dots)
+    {
+      if (dot.IsDrawn())
+      {
+        this->X.Take(dot.Cost);
+        this->Y.Take(dot.Error);
+      }
+      if (!dot.IsMark())
+      {
+        const bool isNew = this->Curves.empty() || this->Curves.back().front().Method != dot.Method;
+        isNew ? this->Curves.push_back({ dot }) : this->Curves.back().push_back(dot);
+      }
+    }
+    this->X.Widen();
+    this->Y.Widen();
+  }
+
+  void Write(const std::string& path)
+  {
+    this->Chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
+    this->Chart->SetSize(
+      vtkRectf(Smooth * Left, Smooth * Bottom, Smooth * PlotWidth, Smooth * PlotHeight));
+    this->Chart->SetShowLegend(false);
+    this->SetUpAxis(vtkAxis::BOTTOM, this->X, PlotWidth, this->Drawn.XUnit);
+    this->SetUpAxis(vtkAxis::LEFT, this->Y, PlotHeight, tool::Unit::Share);
+    this->AddPlots();
+    vtkNew<Overlay> overlay;
+    overlay->Draw = [this](vtkContext2D* painter) { this->DrawTexts(painter); };
+
+    vtkNew<vtkContextActor> actor;
+    actor->GetScene()->AddItem(this->Chart);
+    actor->GetScene()->AddItem(overlay);
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetBackground(1.0, 1.0, 1.0);
+    renderer->AddActor(actor);
+    actor->GetScene()->SetRenderer(renderer);
+    vtkNew<vtkRenderWindow> window;
+    window->SetOffScreenRendering(1);
+    window->SetMultiSamples(0);
+    window->SetDPI(72); // a font's size is its height in pixels
+    window->SetSize(Smooth * Width, Smooth * Height);
+    window->AddRenderer(renderer);
+    vtkNew<vtkWindowToImageFilter> picture;
+    picture->SetInput(window);
+    picture->ReadFrontBufferOff();
+    vtkNew<vtkImageShrink3D> mean;
+    mean->SetInputConnection(picture->GetOutputPort());
+    mean->SetShrinkFactors(Smooth, Smooth, 1);
+    mean->MeanOn();
+    mean->Update();
+    if (mean->GetOutput()->GetDimensions()[0] != Width)
+    {
+      throw tool::Error(path + ": the chart can't be read back: " + tool::TakeErrorText());
+    }
+    tool::WritePNG(path, mean->GetOutput());
+  }
+
+private:
+  void SetUpAxis(int place, const tool::LogAxis& scale, int length, tool::Unit unit)
+  {
+    vtkNew<vtkDoubleArray> positions;
+    vtkNew<vtkStringArray> labels;
+    for (const double tick : scale.GetTicks())
+    {
+      const double value = std::pow(10.0, tick);
+      positions->InsertNextValue(scale.Find(value) * length);
+      labels->InsertNextValue(tool::FormatTick(value, unit));
+    }
+    vtkAxis* axis = this->Chart->GetAxis(place);
+    axis->SetBehavior(vtkAxis::FIXED);
+    axis->SetRange(0.0, length);
+    axis->SetCustomTickPositions(positions, labels);
+    axis->SetTitle("");
+    axis->GetLabelProperties()->SetFontFamilyToArial();
+    axis->GetLabelProperties()->SetFontSize(Smooth * Font);
+    axis->GetLabelProperties()->SetColor(&Ink.x);
+    axis->SetLabelOffset(Smooth * 12.0f);
+    axis->GetGridPen()->SetColorF(GridColor[0], GridColor[1], GridColor[2]);
+    axis->GetGridPen()->SetWidth(Smooth * 1.5f);
+    axis->GetPen()->SetColorF(Faint[0], Faint[1], Faint[2]);
+    axis->GetPen()->SetWidth(Smooth * 1.5f);
+  }
+
+  // A line, or dots of a marker's style.
+  vtkPlotPoints* AddPlot(
+    int type, const std::vector<Dot>& dots, const RGB& color, double width, int marker)
+  {
+    vtkNew<vtkTable> table;
+    vtkNew<vtkDoubleArray> columns[2];
+    columns[0]->SetName("x");
+    columns[1]->SetName("y");
+    for (const Dot& dot : dots)
+    {
+      if (dot.IsDrawn())
+      {
+        columns[0]->InsertNextValue(this->X.Find(dot.Cost) * PlotWidth);
+        columns[1]->InsertNextValue(this->Y.Find(dot.Error) * PlotHeight);
+      }
+    }
+    if (type == vtkChart::LINE && columns[0]->GetNumberOfTuples() < 2)
+    {
+      return nullptr; // a dot
+    }
+    table->AddColumn(columns[0]);
+    table->AddColumn(columns[1]);
+    auto* plot = vtkPlotPoints::SafeDownCast(this->Chart->AddPlot(type));
+    plot->SetInputData(table, 0, 1);
+    plot->GetPen()->SetColorF(color[0], color[1], color[2]);
+    plot->SetWidth(static_cast<float>(Smooth * width));
+    plot->SetMarkerStyle(marker);
+    return plot;
+  }
+
+  void AddPlots()
+  {
+    this->AddPlot(vtkChart::LINE, PickFront(this->Drawn.Dots), Band, 24.0, vtkPlotPoints::NONE);
+    for (const std::vector<Dot>& curve : this->Curves)
+    {
+      // Joined are those points of a method that none of its own beats.
+      const RGB color = tool::FindChartMethod(curve.front().Method).Color;
+      this->AddPlot(vtkChart::LINE, PickFront(curve), color, 4.0, vtkPlotPoints::NONE);
+      this->AddPlot(vtkChart::POINTS, curve, color, 4.0, vtkPlotPoints::CIRCLE)
+        ->SetMarkerSize(Smooth * 16.0f);
+    }
+    for (const Dot& dot : this->Drawn.Dots)
+    {
+      if (dot.IsMark())
+      {
+        this
+          ->AddPlot(vtkChart::POINTS, { dot }, Ink, 4.0,
+            dot.IsPlan() ? vtkPlotPoints::DIAMOND : vtkPlotPoints::SQUARE)
+          ->SetMarkerSize(Smooth * 24.0f);
+      }
+    }
+  }
+
+  void DrawTexts(vtkContext2D* painter) const
+  {
+    const int width = Width - 60;
+    DrawChartText(painter, 30, Height - 72, tool::Fit(this->Drawn.Title, TitleFont, true, width),
+      TitleFont, Ink, true);
+    DrawChartText(
+      painter, 30, Height - 114, tool::Fit(this->Drawn.Subtitle, Font, false, width), Font, Faint);
+    DrawChartText(
+      painter, 30, Height - Top + 16, "relative L1 error, smaller is better", Font, Ink, true);
+    DrawChartText(painter, Width - Right, 24, this->Drawn.XLabel, Font, Ink, true, true);
+    const int names = Width - Right + 30;
+    int line = Height - Top - 30;
+    for (const std::vector<Dot>& curve : this->Curves)
+    {
+      const tool::ChartMethod& method = tool::FindChartMethod(curve.front().Method);
+      DrawChartText(painter, names, line, method.Label, Font, method.Color, true);
+      line -= 40;
+    }
+    DrawChartText(painter, names, line, "band: nothing is both", SmallFont, Faint);
+    DrawChartText(painter, names, line - 28, "cheaper and better", SmallFont, Faint);
+
+    // Beside each mark; plans of several tolerances at one place have one text.
+    std::vector<std::pair<Dot, std::string>> marks;
+    for (const Dot& dot : this->Drawn.Dots)
+    {
+      const std::string size = dot.IsPlan()
+                                 ? tool::FormatNumber(100.0 * std::stod(dot.Size)) + " %" +
+                                     dot.Size.substr(std::min(dot.Size.find(' '), dot.Size.size()))
+                                 : "";
+      const auto same = std::find_if(marks.begin(), marks.end(),
+        [&dot](const auto& other)
+        {
+          return dot.IsPlan() && other.first.IsPlan() &&
+                 std::abs(std::log10(other.first.Cost / dot.Cost)) < SamePlace &&
+                 std::abs(std::log10(other.first.Error / dot.Error)) < SamePlace;
+        });
+      if (same != marks.end())
+      {
+        same->second += ", " + size;
+      }
+      else if (dot.IsMark() && dot.IsDrawn())
+      {
+        const std::string label = tool::FindChartMethod(dot.Method).Label;
+        marks.emplace_back(dot, dot.IsPlan() ? label + " at " + size : label);
+      }
+    }
+    for (const auto& [dot, name] : marks)
+    {
+      const double x = Left + this->X.Find(dot.Cost) * PlotWidth;
+      const double y = Bottom + this->Y.Find(dot.Error) * PlotHeight - 0.6 * Font;
+      const bool left = x + 20 + tool::MeasureText(name, Font, true) > Width - Right;
+      DrawChartText(painter, x + (left ? -20 : 20), y, name, Font, Ink, true, left);
+    }
+  }
+
+  const Page& Drawn;
+  std::vector<std::vector<Dot>> Curves; // of each method
+  tool::LogAxis X;
+  tool::LogAxis Y;
+  vtkNew<vtkChartXY> Chart;
+};
+
+//------------------------------------------------------------------------------
+std::string DescribePicture(const ChartJson& results)
 {
   const std::string renderer = results.at("machine").value("renderer", "");
   return results.at("settings").value("size", "") + " pixels, " +
          renderer.substr(0, renderer.find(" ("));
 }
-}
-
-namespace tool
-{
-//------------------------------------------------------------------------------
-Page MakePairPage(const ChartJson& results, const ChartJson& pair, const Metric& metric)
-{
-  Page page;
-  page.Title =
-    pair["material"].get<std::string>() + " under " + pair["environment"].get<std::string>();
-  page.Subtitle = DescribePicture(results);
-  page.XLabel = Summaries[0].Label;
-  page.XUnit = Summaries[0].Kind;
-  Fill(page, ListDots(pair, metric.Name, Summaries[0].Figure), metric);
-  return page;
-}
 
 //------------------------------------------------------------------------------
-Page MakeSummaryPage(const ChartJson& results, const Metric& metric, const Summary& summary)
-{
-  const ChartJson& pairs = results.at("pairs");
-  std::set<std::string> materials;
-  std::set<std::string> environments;
-  for (const ChartJson& pair : pairs)
-  {
-    materials.insert(pair["material"]);
-    environments.insert(pair["environment"]);
-  }
-  Page page;
-  page.Title = summary.Title;
-  page.Subtitle = "Geometric means of " + FormatCount(pairs.size(), "pair") + " of " +
-                  FormatCount(materials.size(), "material") + " and " +
-                  FormatCount(environments.size(), "environment") + ", " + DescribePicture(results);
-  page.XLabel = summary.Label;
-  page.XUnit = summary.Kind;
-  Fill(page, ListMeans(results, metric.Name, summary.Figure), metric);
-  return page;
-}
-
-//------------------------------------------------------------------------------
+// Letters, digits and -_. only.
 std::string MakeFileName(const ChartJson& pair)
 {
   std::string name =
@@ -210,5 +415,51 @@ std::string MakeFileName(const ChartJson& pair)
     { return c >= 128 || (std::isalnum(c) == 0 && c != '-' && c != '_' && c != '.'); },
     '-');
   return name;
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void DrawPairPage(const ChartJson& results, const ChartJson& pair, const std::string& folder)
+{
+  const Page page = { pair["material"].get<std::string>() + " under " +
+                        pair["environment"].get<std::string>(),
+    DescribePicture(results), "time of a frame", Unit::Milliseconds, ListDots(pair, "frame_ms") };
+  Painter(page).Write(folder + "/" + MakeFileName(pair) + ".png");
+}
+
+//------------------------------------------------------------------------------
+void DrawSummaryPages(const ChartJson& results, const std::string& folder)
+{
+  const struct
+  {
+    const char* File;
+    const char* Figure;
+    const char* Title;
+    const char* Label;
+    Unit Kind;
+  } summaries[] = { { "summary", "frame_ms", "Accuracy against speed", "time of a frame",
+                      Unit::Milliseconds },
+    { "setup", "setup_ms", "Accuracy against set-up time", "set-up, until the first frame is done",
+      Unit::Milliseconds },
+    { "memory", "texture_bytes", "Accuracy against texture memory", "textures", Unit::Bytes } };
+  std::set<std::string> materials;
+  std::set<std::string> environments;
+  for (const ChartJson& pair : results.at("pairs"))
+  {
+    materials.insert(pair["material"]);
+    environments.insert(pair["environment"]);
+  }
+  const std::string subtitle =
+    "Geometric means of " + FormatCount(results.at("pairs").size(), "pair") + " of " +
+    FormatCount(materials.size(), "material") + " and " +
+    FormatCount(environments.size(), "environment") + ", " + DescribePicture(results);
+  for (const auto& summary : summaries)
+  {
+    const Page page = { summary.Title, subtitle, summary.Label, summary.Kind,
+      ListMeans(results, summary.Figure) };
+    Painter(page).Write(folder + "/" + summary.File + ".png");
+  }
 }
 } // namespace tool

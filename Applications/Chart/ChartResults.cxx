@@ -10,9 +10,7 @@
 #include "Tool.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -25,9 +23,6 @@ using JSON = tool::ChartJson;
 constexpr char ChartFormat[] = "measured-brdf chart";
 constexpr int ChartVersion = 2; // of other fingerprints than 1
 
-// What the planner is asked for: on the front, or this much above its time.
-constexpr double FrontMargin = 0.2;
-
 //------------------------------------------------------------------------------
 // What is not a number is null in JSON.
 double GetNumber(const JSON& object, const std::string& name)
@@ -38,12 +33,13 @@ double GetNumber(const JSON& object, const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-std::vector<tool::CostPoint> GetCosts(const JSON& pair, const std::string& metric)
+std::vector<tool::CostPoint> GetCosts(const JSON& pair)
 {
   std::vector<tool::CostPoint> costs;
   for (const JSON& point : pair.at("points"))
   {
-    costs.push_back({ tool::GetFigure(point, "frame_ms"), tool::GetPointError(point, metric) });
+    costs.push_back({ tool::GetFigure(point, "frame_ms"),
+      tool::GetPointError(point, tool::GetMetrics().front().Name) });
   }
   return costs;
 }
@@ -83,18 +79,17 @@ std::string MakeCSV(const JSON& results)
     for (std::size_t k = 0; k < pair.at("points").size(); ++k)
     {
       const JSON& point = pair["points"][k];
-      const JSON quartiles = point.value("frame_ms_quartiles", JSON::array({ nullptr, nullptr }));
       text += Quote(pair.at("material")) + "," + Quote(pair.at("environment")) + "," +
               point.at("method").get<std::string>() + "," + Quote(point.at("size")) +
-              MakeCell(tool::GetFigure(point, "setup_ms")) +
-              MakeCell(tool::GetFigure(point, "frame_ms"));
-      for (const JSON& quartile : quartiles)
+              MakeCell(GetNumber(point, "setup_ms")) + MakeCell(GetNumber(point, "frame_ms"));
+      for (const JSON& quartile :
+        point.value("frame_ms_quartiles", JSON::array({ nullptr, nullptr })))
       {
         text += quartile.is_null() ? "," : MakeCell(quartile);
       }
       for (const char* name : { "frames", "texture_bytes", "texture_fetches" })
       {
-        text += MakeCell(tool::GetFigure(point, name));
+        text += MakeCell(GetNumber(point, name));
       }
       const JSON& front = pair.at("front");
       text += std::find(front.begin(), front.end(), k) != front.end() ? ",1," : ",0,";
@@ -107,33 +102,6 @@ std::string MakeCSV(const JSON& results)
     }
   }
   return text;
-}
-
-//------------------------------------------------------------------------------
-std::string GetToday()
-{
-  char text[32] = "";
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  std::strftime(text, sizeof(text), "%Y-%m-%d", &parts);
-  return text;
-}
-
-//------------------------------------------------------------------------------
-// Throws Error naming the first thing that two objects differ in.
-void CheckSame(const std::string& path, const char* what, const JSON& there, const JSON& here)
-{
-  for (const auto& item : here.items())
-  {
-    const JSON found = there.contains(item.key()) ? there.at(item.key()) : JSON();
-    if (found != item.value())
-    {
-      throw tool::Error(path + ": was measured with another " + what + ": " + item.key() + " was " +
-                        found.dump() + ", now " + item.value().dump() +
-                        ". Write to another folder, or do as then");
-    }
-  }
 }
 }
 
@@ -165,9 +133,8 @@ double GetPointError(const ChartJson& point, const std::string& metric)
 //------------------------------------------------------------------------------
 void RatePair(ChartJson& pair)
 {
-  const std::string metric = GetMetrics().front().Name;
-  const std::vector<double> over = RatePlanner(pair, metric);
-  pair["front"] = FindFront(GetCosts(pair, metric));
+  const std::vector<double> over = RatePlanner(pair);
+  pair["front"] = FindFront(GetCosts(pair));
   pair["planner"] = ChartJson::array();
   for (std::size_t k = 0; k < pair["points"].size(); ++k)
   {
@@ -176,16 +143,17 @@ void RatePair(ChartJson& pair)
     {
       const std::string size = point["size"];
       pair["planner"].push_back({ { "point", k }, { "tolerance", std::stod(size) },
-        { "in_view", IsInView(size) }, { "interacting", IsInteracting(size) },
+        { "in_view", size.find(InView) != std::string::npos },
+        { "interacting", size.find(Interacting) != std::string::npos },
         { "time_over_front", over[pair["planner"].size()] } });
     }
   }
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> RatePlanner(const ChartJson& pair, const std::string& metric)
+std::vector<double> RatePlanner(const ChartJson& pair)
 {
-  const std::vector<CostPoint> costs = GetCosts(pair, metric);
+  const std::vector<CostPoint> costs = GetCosts(pair);
   std::vector<double> over;
   for (std::size_t k = 0; k < costs.size(); ++k)
   {
@@ -199,16 +167,16 @@ std::vector<double> RatePlanner(const ChartJson& pair, const std::string& metric
 }
 
 //------------------------------------------------------------------------------
-double GetShareWithin(const ChartJson& results, const std::string& metric, double margin)
+double GetShareWithin(const ChartJson& results)
 {
   std::vector<double> all;
   for (const ChartJson& pair : results.at("pairs"))
   {
-    const std::vector<double> over = RatePlanner(pair, metric);
+    const std::vector<double> over = RatePlanner(pair);
     all.insert(all.end(), over.begin(), over.end());
   }
   const auto within =
-    std::count_if(all.begin(), all.end(), [margin](double over) { return over <= 1.0 + margin; });
+    std::count_if(all.begin(), all.end(), [](double over) { return over <= 1.0 + FrontMargin; });
   return all.empty() ? std::numeric_limits<double>::quiet_NaN()
                      : static_cast<double>(within) / static_cast<double>(all.size());
 }
@@ -216,9 +184,11 @@ double GetShareWithin(const ChartJson& results, const std::string& metric, doubl
 //------------------------------------------------------------------------------
 void SaveResults(const std::string& folder, ChartJson& results)
 {
-  results["date"] = GetToday();
-  results["planner_within_20_percent_of_front"] =
-    GetShareWithin(results, GetMetrics().front().Name, FrontMargin);
+  char today[32];
+  const std::time_t now = std::time(nullptr);
+  std::strftime(today, sizeof(today), "%Y-%m-%d", std::gmtime(&now));
+  results["date"] = today;
+  results["planner_within_20_percent_of_front"] = GetShareWithin(results);
   WriteWhole(folder + "/results.csv", MakeCSV(results));
   WriteWhole(folder + "/results.json",
     results.dump(1, ' ', false, ChartJson::error_handler_t::replace) + "\n");
@@ -229,51 +199,40 @@ ChartJson LoadResults(
   const std::string& folder, const ChartJson& settings, const ChartJson& machine)
 {
   const std::string path = folder + "/results.json";
+  const ChartJson fresh = { { "format", ChartFormat }, { "version", ChartVersion }, { "date", "" },
+    { "settings", settings }, { "machine", machine },
+    { "planner_within_20_percent_of_front", nullptr }, { "pairs", ChartJson::array() } };
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored))
   {
-    return { { "format", ChartFormat }, { "version", ChartVersion }, { "date", "" },
-      { "settings", settings }, { "machine", machine },
-      { "planner_within_20_percent_of_front", nullptr }, { "pairs", ChartJson::array() } };
-  }
-  errno = 0;
-  std::ifstream file(path);
-  if (!file.is_open())
-  {
-    throw Error(path + ": can't be opened: " + std::strerror(errno));
+    return fresh;
   }
   ChartJson results;
+  std::string problem;
   try
   {
+    std::ifstream file(path);
     results = measuredbrdf::ParseJson<ChartJson>(file);
-  }
-  catch (const std::exception&)
-  {
-    // It has no format then; below.
-  }
-  const auto get = [&results](const char* name)
-  { return results.is_object() && results.contains(name) ? results.at(name) : ChartJson(); };
-  if (get("format") != ChartFormat)
-  {
-    throw Error(path + ": was not written by 'measured-brdf chart', and is left as it is. Write to "
-                       "another folder");
-  }
-  if (get("version") != ChartVersion)
-  {
-    throw Error(path + ": is of version " + get("version").dump() +
-                " of its format, this program goes on with version " +
-                std::to_string(ChartVersion) + ". Write to another folder");
-  }
-  CheckSame(path, "setting", get("settings"), settings);
-  CheckSame(path, "machine", get("machine"), machine);
-  try
-  {
-    FindPair(results, "", "");
-    MakeCSV(results); // which needs all of it
+    for (const char* part : { "version", "settings", "machine" })
+    {
+      const ChartJson changes = ChartJson::diff(results.at(part), fresh.at(part));
+      if (problem.empty() && !changes.empty())
+      {
+        problem = std::string(": was measured with another ") + part + "; now " + changes.dump();
+      }
+    }
+    if (problem.empty())
+    {
+      MakeCSV(results); // which needs all of it
+    }
   }
   catch (const std::exception& e) // of nlohmann: missing, or of another type
   {
-    throw Error(path + ": is damaged: " + e.what() + ". Remove it or write to another folder");
+    problem = std::string(": was not written by 'measured-brdf chart', or is damaged: ") + e.what();
+  }
+  if (!problem.empty())
+  {
+    throw Error(path + problem + ". It is left as it is; write to another folder, or do as then");
   }
   return results;
 }

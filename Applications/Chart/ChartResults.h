@@ -32,11 +32,12 @@ double GetPointError(const ChartJson& point, const std::string& metric);
 /// the planner's points take over the least time of all points that are no less accurate.
 void RatePair(ChartJson& pair);
 
-/// What the planner's points of a pair take over that least time, by a metric.
-std::vector<double> RatePlanner(const ChartJson& pair, const std::string& metric);
+/// What the planner's points of a pair take over that least time.
+std::vector<double> RatePlanner(const ChartJson& pair);
 
-/// The share of all the planner's points within 1 + margin of the front's time; NaN of none.
-double GetShareWithin(const ChartJson& results, const std::string& metric, double margin);
+/// The share of all the planner's points within 1 + FrontMargin of the front's time; NaN of none.
+constexpr double FrontMargin = 0.2;
+double GetShareWithin(const ChartJson& results);
 
 /// DIR/results.json and DIR/results.csv, each whole or not at all. Throws Error.
 void SaveResults(const std::string& folder, ChartJson& results);

@@ -8,7 +8,11 @@
 #ifndef ParetoFront_h
 #define ParetoFront_h
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <numeric>
 #include <vector>
 
 namespace tool
@@ -19,20 +23,71 @@ struct CostPoint
 {
   double Cost;
   double Error;
+
+  bool IsFinite() const { return std::isfinite(this->Cost) && std::isfinite(this->Error); }
 };
 
 /// Indices of the points that no other one beats in one figure and equals or beats in the other,
 /// by rising cost; of equal points the first.
-std::vector<std::size_t> FindFront(const std::vector<CostPoint>& points);
+inline std::vector<std::size_t> FindFront(const std::vector<CostPoint>& points)
+{
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [&points](std::size_t a, std::size_t b)
+    {
+      const CostPoint &x = points[a], &y = points[b];
+      return x.IsFinite() != y.IsFinite() ? x.IsFinite()
+             : !x.IsFinite()              ? false
+             : x.Cost != y.Cost           ? x.Cost < y.Cost
+                                          : x.Error < y.Error;
+    });
+  std::vector<std::size_t> front;
+  for (const std::size_t k : order)
+  {
+    if (points[k].IsFinite() && (front.empty() || points[k].Error < points[front.back()].Error))
+    {
+      front.push_back(k);
+    }
+  }
+  return front;
+}
 
 /// The least cost of a point whose error is at most this; NaN where there is none.
-double GetFrontCost(const std::vector<CostPoint>& points, double error);
+inline double GetFrontCost(const std::vector<CostPoint>& points, double error)
+{
+  double least = std::numeric_limits<double>::quiet_NaN();
+  for (const CostPoint& point : points)
+  {
+    if (point.IsFinite() && point.Error <= error && !(point.Cost >= least))
+    {
+      least = point.Cost;
+    }
+  }
+  return least;
+}
 
 /// Of positive values; NaN of none.
-double GetGeometricMean(const std::vector<double>& values);
+inline double GetGeometricMean(const std::vector<double>& values)
+{
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0,
+    [](double before, double value) { return before + std::log(value); });
+  return std::exp(sum / static_cast<double>(values.size()));
+}
 
 /// The share in [0,1] of the way through the sorted values, linear between neighbors; NaN of none.
-double GetQuantile(std::vector<double> values, double share);
+inline double GetQuantile(std::vector<double> values, double share)
+{
+  if (values.empty())
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  std::sort(values.begin(), values.end());
+  const double place = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
 } // namespace tool
 
 #endif

@@ -6,9 +6,8 @@
 #include "ChartResults.h"
 #include "Files.h"
 #include "Inputs.h"
-#include "MaterialMapFiles.h"
 #include "Measuring.h"
-#include "Meshes.h"
+#include "Options.h"
 #include "Program.h"
 #include "Progress.h"
 #include "Tool.h"
@@ -34,10 +33,7 @@ struct ChartOptions
   std::vector<std::string> Methods; // all
   std::vector<double> Tolerances = { 0.01, 0.02, 0.05 };
   std::string Sweep = "small";
-  std::string Metric = "relative_l1";
-  std::string Mesh;
-  std::string Size = "500x500";
-  std::string View = "30,20";
+  tool::Stage Stage;
   int ReferencePixels = 0; // all
   int Rounds = 9;
   double Slowest = 2000.0;
@@ -49,7 +45,6 @@ struct ChartOptions
 const std::vector<std::string> DefaultMaterials = { "pink-felt", "violet-rubber", "gold-paint",
   "nickel" };
 constexpr int LargestChartedPicture = 4096;
-constexpr double Margin = 0.2;
 
 //------------------------------------------------------------------------------
 // Those of the charts that are there by name.
@@ -130,44 +125,38 @@ std::vector<vtkSmartPointer<vtkEnvironment>> LoadEnvironments(const std::vector<
 }
 
 //------------------------------------------------------------------------------
-struct Task
+std::string Describe(const tool::View& view)
 {
-  const tool::Material* Material;
-  vtkEnvironment* Environment;
-};
+  return Join({ tool::FormatNumber(view.Azimuth), tool::FormatNumber(view.Elevation),
+    tool::FormatNumber(view.Angle) });
+}
 
 //------------------------------------------------------------------------------
-// The pairs that the results do not have yet. Throws Error where one has changed since.
-std::vector<Task> ListTasks(const std::vector<tool::Material>& materials,
-  const std::vector<vtkSmartPointer<vtkEnvironment>>& environments, const tool::ChartMeter& meter,
-  const tool::ChartJson& results, const std::string& folder)
+// The pairs that the results do not have yet; what there is so far is in the folder after each.
+// Throws Error where a pair that they have has changed since.
+void MeasureAll(const ChartOptions& options, tool::ChartMeter& meter, tool::ChartJson& results)
 {
-  std::vector<Task> tasks;
+  const std::vector<tool::Material> materials =
+    LoadMaterials(options.Files.empty() ? DefaultMaterials : options.Files);
+  const auto environments = LoadEnvironments(options.Environments);
+  std::vector<std::pair<const tool::Material*, vtkEnvironment*>> tasks;
   for (const tool::Material& material : materials)
   {
-    for (const vtkSmartPointer<vtkEnvironment>& environment : environments)
+    for (const auto& environment : environments)
     {
       const tool::ChartJson* kept = tool::FindPair(results, material.Name, environment->GetName());
       if (!kept)
       {
-        tasks.push_back({ &material, environment });
+        tasks.emplace_back(&material, environment);
       }
       else if (kept->at("fingerprint") != meter.GetFingerprint(material, environment))
       {
-        throw tool::Error(folder + "/results.json: " + material.Name + " under " +
+        throw tool::Error(options.Folder + "/results.json: " + material.Name + " under " +
                           environment->GetName() +
                           " has changed since it was measured. Write to another folder");
       }
     }
   }
-  return tasks;
-}
-
-//------------------------------------------------------------------------------
-// What there is so far is in the folder after each pair.
-void MeasureAll(const std::vector<Task>& tasks, tool::ChartMeter& meter, tool::ChartJson& results,
-  const tool::Metric& metric, const std::string& folder)
-{
   tool::ProgressBar bar("measuring");
   for (std::size_t k = 0; k < tasks.size(); ++k)
   {
@@ -175,7 +164,7 @@ void MeasureAll(const std::vector<Task>& tasks, tool::ChartMeter& meter, tool::C
     { bar.Update((static_cast<double>(k) + share) / static_cast<double>(tasks.size())); };
     try
     {
-      results["pairs"].push_back(meter.Measure(*tasks[k].Material, tasks[k].Environment, show));
+      results["pairs"].push_back(meter.Measure(*tasks[k].first, tasks[k].second, show));
     }
     catch (const tool::Error&)
     {
@@ -184,13 +173,11 @@ void MeasureAll(const std::vector<Task>& tasks, tool::ChartMeter& meter, tool::C
         throw;
       }
       throw tool::Error("interrupted: " + std::to_string(k) + " of " +
-                        std::to_string(tasks.size()) + " pairs were measured and are in " + folder +
-                        "; the same command continues from there");
+                        std::to_string(tasks.size()) + " pairs were measured and are in " +
+                        options.Folder + "; the same command continues from there");
     }
-    tool::SaveResults(folder, results);
-    const tool::ChartJson& pair = results["pairs"].back();
-    tool::DrawPage(
-      tool::MakePairPage(results, pair, metric), folder + "/" + tool::MakeFileName(pair) + ".png");
+    tool::SaveResults(options.Folder, results);
+    tool::DrawPairPage(results, results["pairs"].back(), options.Folder);
   }
 }
 
@@ -201,13 +188,13 @@ void PrintVerdict(
   std::size_t figures = 0;
   for (const tool::ChartJson& pair : results["pairs"])
   {
-    figures += tool::RatePlanner(pair, options.Metric).size();
+    figures += tool::RatePlanner(pair).size();
   }
   char text[200];
   std::snprintf(text, sizeof(text),
     "The planner's %zu points: %.0f %% on the front of all that was measured or within %.0f %% of "
     "its time.\n",
-    figures, 100.0 * tool::GetShareWithin(results, options.Metric, Margin), 100.0 * Margin);
+    figures, 100.0 * tool::GetShareWithin(results), 100.0 * tool::FrontMargin);
   tool::PrintOut(tool::FormatCount(results["pairs"].size(), "pair") + " in " + options.Folder +
                  ": summary.png, setup.png, memory.png, one of each pair, results.csv, "
                  "results.json\nErrors are those of " +
@@ -215,72 +202,35 @@ void PrintVerdict(
 }
 
 //------------------------------------------------------------------------------
-const tool::Metric& FindMetric(const std::string& name)
-{
-  const std::vector<tool::Metric>& metrics = tool::GetMetrics();
-  return *std::find_if(metrics.begin(), metrics.end(),
-    [&name](const tool::Metric& metric) { return metric.Name == name; });
-}
-
-//------------------------------------------------------------------------------
-// As the results keep it.
-nlohmann::ordered_json DescribeLimit(int pixels)
-{
-  return pixels > 0 ? nlohmann::ordered_json(pixels) : nlohmann::ordered_json("all");
-}
-
-//------------------------------------------------------------------------------
 void Run(const ChartOptions& options)
 {
-  const tool::Size size = tool::ParseSize("--size", options.Size, LargestChartedPicture);
-  const tool::View view = tool::ParseView(options.View);
   const std::vector<std::string> methods =
     options.Methods.empty() ? ListMethods() : options.Methods;
-  for (const double tolerance : options.Tolerances)
-  {
-    if (!(tolerance >= 1e-3 && tolerance <= 1.0)) // also not a number
-    {
-      throw tool::UsageError("--tolerances: " + tool::FormatNumber(tolerance) +
-                             " is not between 0.001 and 1, like 0.02");
-    }
-  }
   const std::vector<tool::ChartSize> sizes =
     tool::ListChartSizes(methods, options.Tolerances, options.Sweep == "full", options.ForView);
-  if (!(options.Slowest > 0.0))
-  {
-    throw tool::UsageError(
-      "--slowest: " + tool::FormatNumber(options.Slowest) + " is not a time above 0 in ms");
-  }
   tool::MakeFolder(options.Folder);
   tool::CheckWritable(options.Folder + "/results.json");
   const tool::Interruptible interruptible;
-  const std::vector<tool::Material> materials =
-    LoadMaterials(options.Files.empty() ? DefaultMaterials : options.Files);
-  const auto environments = LoadEnvironments(options.Environments);
-
-  const tool::ChartScene scene = {
-    options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh), view, size,
-    options.ReferencePixels > 0 ? options.ReferencePixels : std::numeric_limits<int>::max(),
-    options.Rounds, options.Slowest
-  };
-  tool::ChartMeter meter(scene, sizes);
+  tool::ChartMeter meter(
+    { options.Stage.LoadMesh(), options.Stage,
+      options.ReferencePixels > 0 ? options.ReferencePixels : std::numeric_limits<int>::max(),
+      options.Rounds, options.Slowest },
+    sizes);
   nlohmann::ordered_json machine = tool::DescribeMachine();
   machine.update(meter.DescribeRenderer());
+  const tool::Size& size = options.Stage.Size;
   const nlohmann::ordered_json settings = { { "methods", Join(methods) },
     { "sweep", options.Sweep }, { "tolerances", JoinTolerances(options.Tolerances) },
-    { "mesh", options.Mesh.empty() ? "sphere" : options.Mesh }, { "size", options.Size },
-    { "view", options.View }, { "reference_pixels", DescribeLimit(options.ReferencePixels) },
+    { "mesh", options.Stage.MeshFile.empty() ? "sphere" : options.Stage.MeshFile },
+    { "size", std::to_string(size.Width) + "x" + std::to_string(size.Height) },
+    { "view", Describe(options.Stage.View) },
+    { "reference_pixels",
+      options.ReferencePixels > 0 ? std::to_string(options.ReferencePixels) : "all" },
     { "rounds", options.Rounds }, { "slowest", options.Slowest }, { "for_view", options.ForView } };
   tool::ChartJson results = tool::LoadResults(options.Folder, settings, machine);
 
-  const tool::Metric& metric = FindMetric(options.Metric);
-  MeasureAll(ListTasks(materials, environments, meter, results, options.Folder), meter, results,
-    metric, options.Folder);
-  for (const tool::Summary& summary : tool::Summaries)
-  {
-    tool::DrawPage(tool::MakeSummaryPage(results, metric, summary),
-      options.Folder + "/" + summary.File + ".png");
-  }
+  MeasureAll(options, meter, results);
+  tool::DrawSummaryPages(results, options.Folder);
   PrintVerdict(results, options, meter);
 }
 }
@@ -318,29 +268,13 @@ void AddChartCommand(CLI::App& app)
       "Tolerances whose plans are marked, with commas between them, from 0.001 to 1 (default " +
         JoinTolerances(options->Tolerances) + ")")
     ->delimiter(',')
-    ->allow_extra_args(false);
+    ->allow_extra_args(false)
+    ->check(Between(1e-3, 1.0));
   command
     ->add_option(
       "--sweep", options->Sweep, "small (default): a few sizes of each method; full: all of them")
     ->check(CLI::IsMember({ "small", "full" }));
-  std::vector<std::string> metrics;
-  for (const Metric& metric : GetMetrics())
-  {
-    if (metric.IsError)
-    {
-      metrics.push_back(metric.Name);
-    }
-  }
-  command
-    ->add_option("--metric", options->Metric,
-      "Error that the charts show (default relative_l1); the tables hold all: " + Join(metrics))
-    ->check(CLI::IsMember(metrics));
-  command->add_option("--mesh", options->Mesh,
-    "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf, glb or 'ball-on-foot' (default: a sphere)");
-  command->add_option(
-    "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 500x500)");
-  command->add_option("--view", options->View,
-    "Where to look from, AZIMUTH,ELEVATION[,ANGLE] in degrees, as for render (default 30,20)");
+  options->Stage.AddMeshTo(command, LargestChartedPicture);
   command
     ->add_option("--reference-pixels", options->ReferencePixels,
       "Compare at most so many covered pixels, those on a regular grid (default: all, many of "
@@ -352,8 +286,10 @@ void AddChartCommand(CLI::App& app)
       "at "
       "least 3; methods above half a second get one")
     ->check(CLI::Range(3, 1000));
-  command->add_option("--slowest", options->Slowest,
-    "Leave out sizes whose frames would take longer than this, in ms (default 2000)");
+  command
+    ->add_option("--slowest", options->Slowest,
+      "Leave out sizes whose frames would take longer than this, in ms (default 2000)")
+    ->check(Between(1e-3, 1e9));
   command->add_flag("--for-view", options->ForView,
     "Also mark the plan for the picture's own normals, views and pixels ('in view'). Without this, "
     "plans are made for a sphere seen from everywhere");

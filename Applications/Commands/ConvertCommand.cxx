@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files.h"
 #include "Inputs.h"
+#include "JsonReport.h"
 #include "Tool.h"
 
 #include "vtkBRDFFormats.h"
@@ -69,17 +70,16 @@ void Run(const ConvertOptions& options)
     tool::PrintNote(
       options.Input + ": its transmission is left out; what is written is reflection");
   }
-  std::string text = options.Input + " (" + material.Format + ") -> " + options.Output + " (" +
-                     reader->GetFormatName() + ")\n";
-  text += "relative L2 error, weighted by both cosines: " + tool::FormatNumber(relative) + "\n";
-  text += "largest absolute error met: " + tool::FormatNumber(maximum) + " 1/sr\n";
+  nlohmann::ordered_json report = { { "input", options.Input + " (" + material.Format + ")" },
+    { "output", options.Output + " (" + reader->GetFormatName() + ")" },
+    { "relative_l2_error", relative }, { "largest_absolute_error", maximum } };
   if (output->IsReciprocal() && !material.BRDF->IsReciprocal())
   {
-    text +=
-      "note: what was written is reciprocal, f(i,o) = f(o,i), and this material is not: the mean "
-      "of both is kept, its asymmetry is lost (the errors above include that)\n";
+    report["note"] = "what was written is reciprocal, f(i,o) = f(o,i), and this material is not: "
+                     "the mean of both is kept, its asymmetry is lost (the errors above include "
+                     "that)";
   }
-  tool::PrintOut(text);
+  tool::PrintReport(report, false);
 }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files.h"
+#include "Options.h"
 #include "Picture.h"
 #include "Tool.h"
 
@@ -43,10 +44,10 @@ struct Test
 {
   int Metric;
   double Threshold;
-  double Value = 0.0;
-  bool Passed = true;
-  double Badness = 0.0; // 1 at the threshold
-  Image HeatMap = nullptr;
+  double Value;
+  bool Passed;
+  double Badness; // 1 at the threshold
+  Image HeatMap;
 
   std::string GetName() const { return vtkPictureDifference::GetMetricName(this->Metric); }
 };
@@ -107,69 +108,42 @@ void AddAlternatives(std::vector<std::string>& baselines)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Test> MakeTests(const DiffOptions& options, bool hasFloats)
-{
-  if (!options.Thresholds.empty() &&
-      options.Thresholds.size() != std::max<std::size_t>(options.Metrics.size(), 1))
-  {
-    throw tool::UsageError("--threshold: found " + std::to_string(options.Thresholds.size()) +
-                           ", expected none or one for each --metric");
-  }
-  std::vector<int> metrics;
-  for (const std::string& name : options.Metrics)
-  {
-    metrics.push_back(vtkPictureDifference::FindMetric(name));
-  }
-  if (metrics.empty())
-  {
-    metrics.push_back(hasFloats ? vtkPictureDifference::HDR_FLIP : vtkPictureDifference::FLIP);
-  }
-  std::vector<Test> tests;
-  for (std::size_t k = 0; k < metrics.size(); ++k)
-  {
-    tests.push_back({ metrics[k], options.Thresholds.empty()
-                                    ? vtkPictureDifference::GetDefaultThreshold(metrics[k])
-                                    : options.Thresholds[k] });
-  }
-  return tests;
-}
-
-//------------------------------------------------------------------------------
-double GetBadness(const Test& test)
-{
-  const bool similarity = vtkPictureDifference::IsSimilarity(test.Metric);
-  const double error = similarity ? 1.0 - test.Value : test.Value;
-  const double allowed = similarity ? 1.0 - test.Threshold : test.Threshold;
-  return error <= 0.0    ? 0.0
-         : allowed > 0.0 ? error / allowed
-                         : std::numeric_limits<double>::infinity();
-}
-
-//------------------------------------------------------------------------------
 PictureComparison Compare(
   const DiffOptions& options, vtkImageData* picture, vtkImageData* mask, const std::string& path)
 {
   const Image baseline = ReadPicture(path);
-  const bool hasFloats =
-    picture->GetScalarType() == VTK_FLOAT && baseline->GetScalarType() == VTK_FLOAT;
+  std::vector<std::string> metrics = options.Metrics;
+  if (metrics.empty())
+  {
+    const bool hasFloats =
+      picture->GetScalarType() == VTK_FLOAT && baseline->GetScalarType() == VTK_FLOAT;
+    metrics.push_back(vtkPictureDifference::GetMetricName(
+      hasFloats ? vtkPictureDifference::HDR_FLIP : vtkPictureDifference::FLIP));
+  }
   vtkNew<vtkPictureDifference> difference;
   difference->SetBorder(options.Border);
   difference->SetMask(mask);
   difference->SetIgnoreAlpha(options.IgnoreAlpha);
-  PictureComparison comparison{ path, MakeTests(options, hasFloats) };
-  for (Test& test : comparison.Tests)
+  PictureComparison comparison{ path, {} };
+  for (std::size_t k = 0; k < metrics.size(); ++k)
   {
-    difference->SetMetric(test.Metric);
+    const int metric = vtkPictureDifference::FindMetric(metrics[k]);
+    const double threshold = options.Thresholds.empty()
+                               ? vtkPictureDifference::GetDefaultThreshold(metric)
+                               : options.Thresholds[k];
+    difference->SetMetric(metric);
     if (!difference->Compare(picture, baseline))
     {
       tool::TakeErrorText(); // the same
       throw tool::InputError(
         options.Picture + " against " + path + ": " + difference->GetErrorMessage());
     }
-    test.Value = difference->GetValue();
-    test.Passed = difference->IsWithin(test.Threshold);
-    test.Badness = GetBadness(test);
-    test.HeatMap = Image::Take(difference->NewHeatMap());
+    const double value = difference->GetValue();
+    const double best = vtkPictureDifference::IsSimilarity(metric) ? 1.0 : 0.0;
+    const double error = std::abs(value - best);
+    const double badness = error == 0.0 ? 0.0 : error / std::abs(threshold - best);
+    comparison.Tests.push_back({ metric, threshold, value, difference->IsWithin(threshold), badness,
+      Image::Take(difference->NewHeatMap()) });
   }
   return comparison;
 }
@@ -185,13 +159,6 @@ std::string FormatFindings(const PictureComparison& comparison)
             tool::FormatNumber(test.Threshold) + ")";
   }
   return text;
-}
-
-//------------------------------------------------------------------------------
-bool IsRunByCTest()
-{
-  // CTest sets the first for every test, to 0 or 1; older ones set the second.
-  return std::getenv("CTEST_INTERACTIVE_DEBUG_MODE") || std::getenv("DASHBOARD_TEST_FROM_CTEST");
 }
 
 //------------------------------------------------------------------------------
@@ -274,23 +241,21 @@ void CheckOptions(const DiffOptions& options)
     throw tool::UsageError("--alternatives looks for files beside one baseline; found " +
                            std::to_string(options.Baselines.size()));
   }
-  if (!options.Output.empty() && tool::Extension(options.Output) != ".png")
+  if (!options.Thresholds.empty() &&
+      options.Thresholds.size() != std::max<std::size_t>(options.Metrics.size(), 1))
   {
-    throw tool::UsageError(options.Output + ": --output must end in .png");
+    throw tool::UsageError("--threshold: found " + std::to_string(options.Thresholds.size()) +
+                           ", expected none or one for each --metric");
   }
-  if (std::any_of(options.Thresholds.begin(), options.Thresholds.end(),
-        [](double threshold) { return !std::isfinite(threshold); }))
-  {
-    throw tool::UsageError("--threshold: expected finite numbers");
-  }
-  MakeTests(options, false); // the number of thresholds
 }
 
 //------------------------------------------------------------------------------
 void Run(const DiffOptions& options)
 {
   CheckOptions(options);
-  const bool dart = options.Dart || IsRunByCTest();
+  // CTest sets the first for every test, to 0 or 1; older ones set the second.
+  const bool dart = options.Dart || std::getenv("CTEST_INTERACTIVE_DEBUG_MODE") ||
+                    std::getenv("DASHBOARD_TEST_FROM_CTEST");
   PictureComparison comparison;
   std::string heatMap = options.Output;
   try
@@ -367,15 +332,17 @@ void AddDiffCommand(CLI::App& app)
     ->add_option("--threshold", options->Thresholds,
       "Largest value that passes; of ssim the least. One for each --metric (default: " +
         thresholds + ")")
-    ->check(CLI::Range(0.0, std::numeric_limits<double>::max()))
+    ->check(Between(0.0, std::numeric_limits<double>::max()))
     ->allow_extra_args(false);
   command->add_option("--border", options->Border, "Pixels along the edges that are not compared")
     ->check(CLI::Range(0, 65536));
   command->add_option("--mask", options->Mask,
     "Picture of the same size: where it is darker than a half, nothing is compared");
   command->add_flag("--ignore-alpha", options->IgnoreAlpha, "Take all pixels as opaque");
-  command->add_option("-o,--output", options->Output,
-    "PNG picture to write: the error of each pixel in colors from black to yellow");
+  command
+    ->add_option("-o,--output", options->Output,
+      "PNG picture to write: the error of each pixel in colors from black to yellow")
+    ->check(EndsIn({ ".png" }));
   command->add_flag("--dart", options->Dart,
     "Print measurements and files for CDash (default: where CTest runs the command)");
   command->footer("Exit status: 0 within the threshold, 1 beyond it, 2 bad input.\n\nExample:\n"

@@ -3,9 +3,11 @@
 #include "ExportFiles.h"
 #include "Files.h"
 #include "Inputs.h"
+#include "JsonReport.h"
 #include "LitSphere.h"
 #include "Measuring.h"
 #include "ModelFit.h"
+#include "Options.h"
 #include "Progress.h"
 #include "Sheets.h"
 #include "Tool.h"
@@ -20,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <stdexcept>
 
@@ -38,7 +39,7 @@ struct ExportOptions
   std::string Model;
   std::vector<std::string> FitUnder = { "sky", "hall", "neutral" };
   std::string Environment = MEASUREDBRDF_WITH_OPENEXR ? "room" : "";
-  std::string View = "30,20";
+  tool::View View = { 30.0, 20.0 };
   std::string Sheet;
   std::string Report;
   int Size = 32;
@@ -118,10 +119,6 @@ void Check(const ExportOptions& options, const tool::ExportTarget& target)
     throw tool::UsageError(options.Output + ": the file of --to " + target.Name + " must end in " +
                            endings.front() + (endings.size() > 1 ? " or " + endings.back() : ""));
   }
-  if (!options.Sheet.empty() && tool::Extension(options.Sheet) != ".png")
-  {
-    throw tool::UsageError(options.Sheet + ": the picture must end in .png");
-  }
   if (!options.Model.empty() && target.Models.size() == 1)
   {
     throw tool::UsageError("--model: --to " + target.Name + " has one model only");
@@ -139,10 +136,7 @@ void Check(const ExportOptions& options, const tool::ExportTarget& target)
   }
   for (const std::string& path : { options.Output, options.Sheet, options.Report })
   {
-    if (!path.empty())
-    {
-      tool::CheckWritable(path);
-    }
+    tool::CheckWritable(path);
   }
 }
 
@@ -201,14 +195,7 @@ ordered_json MakeReport(const ExportOptions& options, const tool::Material& mate
     ordered_json values;
     for (const tool::ModelParameter& parameter : made.Fit.Model->GetParameters())
     {
-      if (parameter.Size == 3)
-      {
-        values[parameter.Name] = made.Fit.Model->GetColor(parameter.Name);
-      }
-      else
-      {
-        values[parameter.Name] = made.Fit.Model->GetNumber(parameter.Name);
-      }
+      values[parameter.Name] = tool::GetJson(made.Fit, parameter);
     }
     ordered_json features = ordered_json::array();
     for (const tool::Feature feature : made.Fit.Features)
@@ -226,36 +213,6 @@ ordered_json MakeReport(const ExportOptions& options, const tool::Material& mate
       { "closest_fit_error", made.Fit.ClosestError }, { "errors", errors } });
   }
   return report;
-}
-
-//------------------------------------------------------------------------------
-std::string MakeText(const std::vector<Light>& lights, const std::vector<Export>& exports)
-{
-  std::string text;
-  for (const Export& made : exports)
-  {
-    text += made.Fit.Model->GetTitle();
-    for (const tool::Feature feature : made.Fit.Features)
-    {
-      text += std::string(" + ") + tool::GetFeatureName(feature);
-    }
-    text += "\n";
-    if (made.Fit.Error > made.Fit.ClosestError)
-    {
-      text += "  values such as people set by hand: the fit is " +
-              tool::FormatPercent(made.Fit.Error) + " off, the closest one (--closest) " +
-              tool::FormatPercent(made.Fit.ClosestError) + "\n";
-    }
-    for (std::size_t k = 0; k < made.Lights.size(); ++k)
-    {
-      char flip[32];
-      std::snprintf(flip, sizeof(flip), "%.4f", made.Lights[k].Flip);
-      text += "  " + made.Lights[k].Name + ": relative L1 " +
-              tool::FormatPercent(made.Lights[k].RelativeL1) + ", FLIP " + flip +
-              (lights[k].Seen ? "" : " (a light that the fit did not see)") + "\n";
-    }
-  }
-  return text;
 }
 
 //------------------------------------------------------------------------------
@@ -285,33 +242,16 @@ std::string MakeFile(
 }
 
 //------------------------------------------------------------------------------
-void WriteSheet(const ExportOptions& options, const std::string& name, const tool::Grid& grid,
-  const std::vector<Export>& exports)
-{
-  std::vector<tool::ComparedLight> rows;
-  for (const Export& made : exports)
-  {
-    for (tool::ComparedLight row : made.Lights)
-    {
-      row.Name = made.Fit.Model->GetTitle() + ", " + row.Name;
-      rows.push_back(std::move(row));
-    }
-  }
-  tool::WriteLightSheet(options.Sheet, name, "export", grid, rows);
-}
-
-//------------------------------------------------------------------------------
 void Run(const ExportOptions& options)
 {
   const tool::ExportTarget& target = FindTarget(options.To);
-  const tool::View view = tool::ParseView(options.View);
   Check(options, target);
   const tool::Interruptible interruptible;
   const tool::Material material = tool::LoadMaterial(options.File);
   const std::vector<Light> lights = LoadLights(options);
   material.BRDF->Prepare();
 
-  const tool::LitSphere sphere = MakeSphere(material, lights, view);
+  const tool::LitSphere sphere = MakeSphere(material, lights, options.View);
   std::vector<Export> exports;
   for (const std::string& model : target.Models)
   {
@@ -320,7 +260,7 @@ void Run(const ExportOptions& options)
       exports.push_back({ Fit(model, material, sphere, !options.IsClosest), {} });
     }
   }
-  const tool::Surface surface = tool::MakeSphereSurface(options.Size, view);
+  const tool::Surface surface = tool::MakeSphereSurface(options.Size, options.View);
   const tool::Grid grid(surface, { options.Size, options.Size });
   for (const Light& light : lights)
   {
@@ -337,21 +277,24 @@ void Run(const ExportOptions& options)
       made.Lights.push_back(std::move(compared));
     }
   }
-  const std::string file = MakeFile(options, exports, material.Name);
-  tool::WriteWhole(options.Output, file);
+  tool::WriteWhole(options.Output, MakeFile(options, exports, material.Name));
   if (!options.Sheet.empty())
   {
-    WriteSheet(options, material.Name, grid, exports);
+    std::vector<tool::ComparedLight> rows;
+    for (const Export& made : exports)
+    {
+      for (tool::ComparedLight row : made.Lights)
+      {
+        row.Name = made.Fit.Model->GetTitle() + ", " + row.Name;
+        rows.push_back(std::move(row));
+      }
+    }
+    tool::WriteLightSheet(options.Sheet, material.Name, "export", grid, rows);
   }
-  const std::string report =
-    MakeReport(options, material, lights, exports, static_cast<int>(surface.Pixels.size()))
-      .dump(2, ' ', true, ordered_json::error_handler_t::replace) +
-    "\n";
-  if (!options.Report.empty())
-  {
-    tool::WriteWhole(options.Report, report);
-  }
-  tool::PrintOut(options.Json ? report : MakeText(lights, exports));
+  const ordered_json report =
+    MakeReport(options, material, lights, exports, static_cast<int>(surface.Pixels.size()));
+  tool::WriteReport(options.Report, report);
+  tool::PrintReport(report, options.Json);
 }
 }
 
@@ -397,14 +340,15 @@ void AddExportCommand(CLI::App& app)
       "Pixels across the sphere whose errors are printed (default 32). Each takes a sum over the "
       "environments' texels")
     ->check(CLI::Range(8, 512));
-  command->add_option("--view", options->View,
-    "Where to look at the sphere from, AZIMUTH,ELEVATION in degrees (default 30,20)");
+  AddViewOption(command, options->View, "Of the sphere, whose ANGLE is of no effect. ");
   command->add_flag("--closest", options->IsClosest,
     "Take every value that the target allows. By default the values are such as people set by "
     "hand, for example no felt that is a part metal, and what that costs is printed");
-  command->add_option("--sheet", options->Sheet,
-    "Picture to write, .png: the exact sphere, the export's and the signed error, under each "
-    "light");
+  command
+    ->add_option("--sheet", options->Sheet,
+      "Picture to write, .png: the exact sphere, the export's and the signed error, under each "
+      "light")
+    ->check(EndsIn({ ".png" }));
   command->add_option("--report", options->Report, "JSON file to write: the same as --json");
   command->add_flag("--json", options->Json, "Write JSON instead of text");
   command->footer(

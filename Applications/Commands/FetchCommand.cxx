@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Download.h"
 #include "FetchFile.h"
+#include "JsonReport.h"
 #include "Progress.h"
 #include "Tool.h"
 
@@ -10,11 +11,8 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <csignal>
-#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <set>
@@ -22,6 +20,7 @@
 
 namespace
 {
+using Json = nlohmann::ordered_json;
 using Entries = std::vector<const tool::FetchEntry*>;
 
 //------------------------------------------------------------------------------
@@ -41,52 +40,35 @@ Entries SelectEntries(const std::vector<std::string>& parts)
 }
 
 //------------------------------------------------------------------------------
-std::string FormatCatalogJson(const Entries& entries)
+void PrintCatalog(const Entries& entries, bool asJson)
 {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  const auto orNull = [](const std::string& text)
-  { return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text); };
+  const auto orNull = [](const auto& value)
+  { return value == std::decay_t<decltype(value)>{} ? Json() : Json(value); };
+  Json list = Json::array();
+  Json rows = Json::array();
   for (const tool::FetchEntry* entry : entries)
   {
-    nlohmann::ordered_json item = { { "name", entry->Name }, { "kind", entry->Collection->Kind },
-      { "source", entry->Collection->Title }, { "page", entry->Page }, { "file", entry->File },
-      { "url", entry->Url }, { "member", orNull(entry->Member) },
-      { "size", entry->Size == 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(entry->Size) },
-      { "limit", entry->Limit }, { "sha256", orNull(entry->Sha256) },
-      { "sum", orNull(entry->SumKind) }, { "licence", entry->Collection->Licence },
-      { "needs_agreement", entry->Collection->NeedsAgreement },
-      { "fetched", orNull(tool::FindFetchedFile(*entry)) } };
-    list.push_back(std::move(item));
+    const tool::FetchCollection& from = *entry->Collection;
+    const std::string here = tool::FindFetchedFile(*entry);
+    list.push_back({ { "name", entry->Name }, { "kind", from.Kind }, { "source", from.Title },
+      { "page", entry->Page }, { "file", entry->File }, { "url", entry->Url },
+      { "size", orNull(entry->Size) }, { "limit", entry->Limit },
+      { "sha256", orNull(entry->Sha256) }, { "sum", orNull(entry->SumKind) },
+      { "licence", from.Licence }, { "fetched", orNull(here) } });
+    rows.push_back({ { "name", entry->Name },
+      { "bytes",
+        entry->Size > 0 ? std::to_string(entry->Size) : "<= " + std::to_string(entry->Limit) },
+      { "licence", from.Licence },
+      { "sha256", entry->Sha256.empty() ? "not known" : entry->SumKind },
+      { "here", here.empty() ? "" : "yes" }, { "source", from.Title } });
   }
-  return list.dump(2) + "\n";
-}
-
-//------------------------------------------------------------------------------
-std::string FormatCatalogTable(const Entries& entries)
-{
-  std::string text =
-    "NAME                             BYTES        LICENCE                SHA-256    HERE\n";
-  const tool::FetchCollection* collection = nullptr;
-  for (const tool::FetchEntry* entry : entries)
+  tool::PrintReport(asJson ? list : Json{ { "files", rows } }, asJson);
+  if (!asJson)
   {
-    if (entry->Collection != collection)
-    {
-      collection = entry->Collection;
-      text += "\n" + collection->Title + ":\n";
-    }
-    const std::string size =
-      entry->Size > 0 ? std::to_string(entry->Size) : "<= " + std::to_string(entry->Limit);
-    const std::string licence =
-      collection->Licence + (collection->NeedsAgreement ? " (agree)" : "");
-    char line[200];
-    std::snprintf(line, sizeof(line), "%-32s %-12s %-22s %-10s %s", entry->Name.c_str(),
-      size.c_str(), licence.c_str(), entry->Sha256.empty() ? "not known" : entry->SumKind.c_str(),
-      tool::FindFetchedFile(*entry).empty() ? "" : "yes");
-    text += std::string(line) + "\n";
+    tool::PrintOut("SHA-256: published = by people who downloaded the file there; copy = of a copy "
+                   "that came from\nelsewhere; not known = give it by --sha256, or say "
+                   "--trust-first.\n");
   }
-  return text +
-         "\nSHA-256: published = by people who downloaded the file there; copy = of a copy "
-         "that came from\nelsewhere; not known = give it by --sha256, or say --trust-first.\n";
 }
 
 //------------------------------------------------------------------------------
@@ -95,7 +77,6 @@ struct FetchCommandOptions : tool::FetchOptions
   std::vector<std::string> Names;
   bool List = false;
   bool Json = false;
-  bool AcceptLicence = false;
 };
 
 //------------------------------------------------------------------------------
@@ -129,41 +110,16 @@ const tool::FetchEntry& Find(const std::string& name)
   {
     return *entry;
   }
-  std::string near;
-  for (const std::string& other : tool::FindNearFetchNames(name))
-  {
-    near += (near.empty() ? ". Did you mean " : ", ") + other;
-  }
-  throw tool::Error("fetch: nothing is known of '" + name + "'" + (near.empty() ? "" : near + "?") +
-                    (near.empty() ? "; " : " ") + "'measured-brdf fetch --list' shows all names");
+  throw tool::Error(
+    "fetch: nothing is known of '" + name + "'; 'measured-brdf fetch --list' shows all names");
 }
 
 //------------------------------------------------------------------------------
-bool Ask(const std::string& question)
-{
-  std::cerr << question << " [y/N] " << std::flush;
-  std::string answer;
-  std::getline(std::cin, answer);
-  return answer == "y" || answer == "Y" || answer == "yes";
-}
-
-//------------------------------------------------------------------------------
-// Throws Error where the licence sets conditions and nobody agrees to them.
-void ShowLicence(const tool::FetchEntry& entry, bool accepted)
+void ShowLicence(const tool::FetchEntry& entry)
 {
   const tool::FetchCollection& from = *entry.Collection;
   tool::PrintNote(entry.Name + ": " + from.Title + ", " + entry.Page +
                   "\n  Licence: " + from.Licence + ", " + from.LicenceUrl + "\n  " + from.Terms);
-  if (!from.NeedsAgreement || accepted)
-  {
-    return;
-  }
-  const bool canAsk = isatty(STDIN_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
-  if (!canAsk || !Ask("Do you agree to this licence?"))
-  {
-    throw tool::Error(entry.Name + ": not downloaded: its licence (" + from.Licence +
-                      ") sets conditions. Say that you agree by --accept-license");
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -183,14 +139,14 @@ void FetchAll(const FetchCommandOptions& options)
   {
     try
     {
-      const auto agree = [&]()
+      const auto show = [&]()
       {
         if (shown.insert(entry->Collection->Id).second)
         {
-          ShowLicence(*entry, options.AcceptLicence);
+          ShowLicence(*entry);
         }
       };
-      tool::PrintOut(tool::FetchFile(*entry, options, agree) + "\n");
+      tool::PrintOut(tool::FetchFile(*entry, options, show) + "\n");
     }
     catch (const tool::Error& e)
     {
@@ -219,7 +175,7 @@ void Run(const FetchCommandOptions& options)
     {
       throw tool::Error("fetch: nothing in the list has such a name");
     }
-    tool::PrintOut(options.Json ? FormatCatalogJson(entries) : FormatCatalogTable(entries));
+    PrintCatalog(entries, options.Json);
     return;
   }
   Check(options);
@@ -234,7 +190,7 @@ void AddFetchCommand(CLI::App& app)
 {
   auto options = std::make_shared<FetchCommandOptions>();
   CLI::App* command = app.add_subcommand("fetch",
-    "Download published materials (RGL, MERL) and environments (Poly Haven), checked by SHA-256");
+    "Download published materials (RGL) and environments (Poly Haven), checked by SHA-256");
   command->add_option("NAME", options->Names,
     "What to download; other commands then take these names as materials and environments. Prints "
     "the paths of the files");
@@ -244,9 +200,6 @@ void AddFetchCommand(CLI::App& app)
   command->add_option("--to", options->Folder,
     "Folder for the files (default: vtkMeasuredBRDF/vtkMeasuredBRDF-files in $XDG_CACHE_HOME or "
     "~/.cache, where they are found by name)");
-  command->add_flag("--accept-license", options->AcceptLicence,
-    "Agree to the licence of the files, where it sets conditions; without this option the program "
-    "asks, or stops where it can't");
   command->add_option("--sha256", options->Sha256,
     "The SHA-256 that the file must have, where you know it and the program doesn't");
   command->add_flag("--trust-first", options->TrustFirst,
@@ -266,8 +219,9 @@ void AddFetchCommand(CLI::App& app)
     "Example:\n"
     "  measured-brdf fetch satin_purple studio_small_03_1k\n"
     "  measured-brdf render satin_purple --environment studio_small_03_1k -o out.png\n"
-    "\nAn interrupted download goes on where it stopped when the command is given "
-    "again.\nProxies are taken from the environment (https_proxy), as curl does.");
+    "\nMERL's 100 materials come in one archive of 1.25 GB, https://zenodo.org/records/8101681: "
+    "download and\nunpack it; all commands take its .binary files."
+    "\nProxies are taken from the environment (https_proxy), as curl does.");
   command->callback([options]() { Run(*options); });
 }
 } // namespace tool

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files.h"
 #include "Inputs.h"
+#include "JsonReport.h"
 #include "Methods.h"
+#include "Options.h"
 #include "Progress.h"
 #include "Tool.h"
 
@@ -27,8 +29,6 @@ using nlohmann::ordered_json;
 namespace
 {
 constexpr int NumberOfFitErrorPairs = 1 << 16;
-constexpr int MinimumNumberOfSamples = 256;
-constexpr int MaximumNumberOfSamples = 1 << 18; // all derivatives are in memory: 1 to 2 kB each
 
 struct FitOptions
 {
@@ -105,19 +105,7 @@ const std::pair<const char*, int> Candidates[] = { { "d-brdf", 1 },
 //------------------------------------------------------------------------------
 void Check(const FitOptions& options, const CLI::App* command)
 {
-  if (tool::Extension(options.Output) != ".exr")
-  {
-    throw tool::UsageError(options.Output + ": OUT must end in .exr");
-  }
   tool::CheckWritable(options.Output);
-  if (command->count("--samples") > 0 &&
-      (options.Samples < MinimumNumberOfSamples || options.Samples > MaximumNumberOfSamples))
-  {
-    throw tool::UsageError("--samples: " + std::to_string(options.Samples) +
-                           " direction pairs; expected " + std::to_string(MinimumNumberOfSamples) +
-                           " to " + std::to_string(MaximumNumberOfSamples) +
-                           ", more would need gigabytes of memory");
-  }
   // auto takes no option of a model.
   const auto found = Models.find(options.Model);
   const Model model = found == Models.end() ? Model{ false, false, false, nullptr } : found->second;
@@ -134,7 +122,9 @@ void Check(const FitOptions& options, const CLI::App* command)
 }
 
 //------------------------------------------------------------------------------
-ordered_json Describe(const FitOptions& options, vtkBRDFFitter* fitter, double seconds)
+// With the reason why it is a fit, where --model auto chose.
+void Report(
+  const FitOptions& options, vtkBRDFFitter* fitter, double seconds, const std::string& reason = "")
 {
   const double* in = fitter->GetInputAlbedo();
   const double* out = fitter->GetOutputAlbedo();
@@ -143,66 +133,19 @@ ordered_json Describe(const FitOptions& options, vtkBRDFFitter* fitter, double s
     { "relative_l2_error", fitter->GetRelativeL2Error() },
     { "iterations", fitter->GetNumberOfIterations() }, { "converged", fitter->GetConverged() },
     { "seconds", seconds }, { "albedo_of_input", { in[0], in[1], in[2] } },
-    { "albedo_of_fit", { out[0], out[1], out[2] } } };
-  d["parameters"] = ordered_json::array();
+    { "albedo_of_fit", { out[0], out[1], out[2] } }, { "parameters", ordered_json::array() } };
   std::istringstream report(fitter->GetReport());
   for (std::string line; std::getline(report, line);)
   {
     d["parameters"].push_back(line);
   }
-  return d;
-}
-
-//------------------------------------------------------------------------------
-std::string FormatTriple(const double rgb[3])
-{
-  std::ostringstream text;
-  text.precision(4);
-  text << rgb[0] << " " << rgb[1] << " " << rgb[2];
-  return text.str();
-}
-
-//------------------------------------------------------------------------------
-std::string FormatText(const FitOptions& options, vtkBRDFFitter* fitter, double seconds)
-{
-  std::ostringstream text;
-  text.precision(4);
-  text << options.File << " -> " << options.Output << " (" << fitter->GetModelName() << ")\n"
-       << "residual (" << options.Loss << "): " << fitter->GetResidual() << "\n"
-       << "relative L2 error: " << fitter->GetRelativeL2Error() << "\n"
-       << "iterations: " << fitter->GetNumberOfIterations()
-       << (fitter->GetConverged() ? "" : " (stopped before it converged)") << ", " << seconds
-       << " s\n"
-       << "hemispherical albedo: " << FormatTriple(fitter->GetOutputAlbedo()) << ", of the input "
-       << FormatTriple(fitter->GetInputAlbedo()) << "\n"
-       << fitter->GetReport();
-  return text.str();
-}
-
-//------------------------------------------------------------------------------
-void PrintJson(const ordered_json& d)
-{
-  tool::PrintOut(d.dump(2, ' ', true, ordered_json::error_handler_t::replace) + "\n");
-}
-
-//------------------------------------------------------------------------------
-// With the reason why it is a fit, where --model auto chose.
-void Report(
-  const FitOptions& options, vtkBRDFFitter* fitter, double seconds, const std::string& reason = "")
-{
-  if (!options.Json)
-  {
-    tool::PrintOut(FormatText(options, fitter, seconds));
-    return;
-  }
-  ordered_json d = Describe(options, fitter, seconds);
   if (!reason.empty())
   {
     d["representation"] = "fit";
     d["representation_form"] = tool::DescribeForm(fitter->GetOutput());
     d["reason"] = reason;
   }
-  PrintJson(d);
+  tool::PrintReport(d, options.Json);
 }
 
 //------------------------------------------------------------------------------
@@ -225,38 +168,21 @@ vtkSmartPointer<vtkBRDFFitter> FitModel(const FitOptions& options, vtkBRDF* brdf
 }
 
 //------------------------------------------------------------------------------
-// The basis that the advisor recommends, written and reported.
-void WriteBasis(const FitOptions& options, const tool::Material& material,
-  const tool::Representation& made, const std::function<double()>& seconds)
-{
-  const double error =
-    vtkBRDFResampler::GetRelativeL2Error(material.BRDF, made.BRDF, NumberOfFitErrorPairs);
-  tool::WriteMaterial(made.BRDF, options.Output);
-  if (options.Json)
-  {
-    PrintJson({ { "input", options.File }, { "output", options.Output }, { "model", "basis" },
-      { "representation", made.Kind }, { "representation_form", made.Description },
-      { "reason", made.Reason }, { "relative_l2_error", error }, { "seconds", seconds() } });
-    return;
-  }
-  std::ostringstream text;
-  text.precision(4);
-  text << options.File << " -> " << options.Output << " (" << made.Description << ")\n"
-       << made.Reason << "\n"
-       << "relative L2 error: " << error << "\n"
-       << seconds() << " s\n";
-  tool::PrintOut(text.str());
-}
-
-//------------------------------------------------------------------------------
 // Basis or fit by the advisor's rule; of the fits the one of least residual.
 void RunAuto(
   const FitOptions& options, const tool::Material& material, const std::function<double()>& seconds)
 {
-  const tool::Representation made = tool::Represent(material, tool::ThesisOptions().Order);
+  const tool::Representation made = tool::Represent(material, tool::MethodOptions().Order);
   if (made.Kind == "basis")
   {
-    WriteBasis(options, material, made, seconds);
+    const double error =
+      vtkBRDFResampler::GetRelativeL2Error(material.BRDF, made.BRDF, NumberOfFitErrorPairs);
+    tool::WriteMaterial(made.BRDF, options.Output);
+    tool::PrintReport(
+      { { "input", options.File }, { "output", options.Output }, { "model", "basis" },
+        { "representation", made.Kind }, { "representation_form", made.Description },
+        { "reason", made.Reason }, { "relative_l2_error", error }, { "seconds", seconds() } },
+      options.Json);
     return;
   }
   tool::PrintNote(material.Name + ": " + made.Reason);
@@ -350,15 +276,19 @@ void AddFitCommand(CLI::App& app)
   command
     ->add_option("--starts", options->Starts, "Number of starting points to refine (default 4)")
     ->check(CLI::Range(1, 64));
-  command->add_option("--samples", options->Samples,
-    "Number of direction pairs, " + std::to_string(MinimumNumberOfSamples) + " to " +
-      std::to_string(MaximumNumberOfSamples) + " (default 32768)");
+  command
+    ->add_option("--samples", options->Samples,
+      "Number of direction pairs, 256 to 262144 (default 32768); all derivatives are in memory, 1 "
+      "to 2 kB each")
+    ->check(CLI::Range(256, 1 << 18));
   command->add_option(
     "--seed", options->Seed, "Shifts the direction pairs; same seed, same result (default 1)");
   command->add_flag("--anisotropic", options->Anisotropic,
     "Let the lobes be anisotropic (default: where the material is)");
   command->add_flag("--json", options->Json, "Write JSON instead of text");
-  command->add_option("-o,--output", options->Output, "File to write, ending in .exr")->required();
+  command->add_option("-o,--output", options->Output, "File to write, ending in .exr")
+    ->check(EndsIn({ ".exr" }))
+    ->required();
   command->footer(
     "The residual is the root mean square of these differences over direction pairs that the\n"
     "fit did not use. The relative L2 error weights f by both cosines.\n\n"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Inputs.h"
 #include "Inspection.h"
+#include "JsonReport.h"
 #include "Meshes.h"
 #include "Tool.h"
 
@@ -27,10 +28,7 @@ void Run(const InfoOptions& options)
   const bool isMesh = tool::IsMeshFile(options.File);
   const ordered_json info = isMesh ? tool::InspectMesh(options.File)
                                    : tool::InspectMaterial(tool::LoadMaterial(options.File));
-  // Names come from files: bytes that are no UTF-8 are replaced rather than fatal.
-  tool::PrintOut(options.Json
-                   ? info.dump(2, ' ', true, ordered_json::error_handler_t::replace) + "\n"
-                   : tool::FormatInspection(info));
+  tool::PrintReport(info, options.Json);
 }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files.h"
 #include "Inputs.h"
+#include "Options.h"
 #include "Sheets.h"
 #include "Tool.h"
 
@@ -31,12 +32,12 @@ std::string FormatLights(vtkLightSet* lights)
     double irradiance[3];
     lights->GetDirection(k, direction);
     lights->GetIrradiance(k, irradiance);
-    for (int c = 0; c < 3; ++c)
+    for (const double value :
+      { direction[0], direction[1], direction[2], irradiance[0], irradiance[1], irradiance[2] })
     {
-      text += tool::FormatNumber(direction[c]) + ",";
+      text += tool::FormatNumber(value) + ",";
     }
-    text += tool::FormatNumber(irradiance[0]) + "," + tool::FormatNumber(irradiance[1]) + "," +
-            tool::FormatNumber(irradiance[2]) + "\n";
+    text.back() = '\n';
   }
   return text;
 }
@@ -45,10 +46,6 @@ std::string FormatLights(vtkLightSet* lights)
 void Run(const LightsOptions& options)
 {
   options.Lights.Check();
-  if (!options.Preview.empty() && tool::Extension(options.Preview) != ".png")
-  {
-    throw tool::UsageError(options.Preview + ": --preview must end in .png");
-  }
   const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
   const vtkSmartPointer<vtkLightSet> lights = tool::MakeLightSet(environment, options.Lights);
   if (lights->GetNumberOfLights() < options.Lights.Count)
@@ -83,9 +80,11 @@ void AddLightsCommand(CLI::App& app)
       "CSV file to write: x,y,z (towards the light, y up) and r,g,b (irradiance on a surface that "
       "faces it) per light")
     ->required();
-  command->add_option("--preview", options->Preview,
-    "PNG picture to write: the tone-mapped map with the lights and their regions (importance "
-    "sampling has no regions)");
+  command
+    ->add_option("--preview", options->Preview,
+      "PNG picture to write: the tone-mapped map with the lights and their regions (importance "
+      "sampling has no regions)")
+    ->check(EndsIn({ ".png" }));
   command->footer("Example:\n  measured-brdf lights studio.exr --count 64 -o lights.csv "
                   "--preview lights.png");
   command->callback([options]() { Run(*options); });

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FetchCatalog.h"
+#include "JsonReport.h"
 #include "MeasuredBRDFToolVersion.h"
 #include "Tool.h"
 
@@ -8,75 +9,48 @@
 #include "vtkEmbeddedMaterials.h"
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <memory>
+
+using nlohmann::ordered_json;
 
 namespace
 {
 //------------------------------------------------------------------------------
-// What was downloaded, and that there is more.
-std::string ListFetched()
+void Run(bool json)
 {
-  std::string text;
+  ordered_json materials = ordered_json::array();
+  for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
+  {
+    materials.push_back(
+      { { "name", vtkEmbeddedMaterials::GetName(k) }, { "kind", vtkEmbeddedMaterials::GetKind(k) },
+        { "source", vtkEmbeddedMaterials::GetSource(k) } });
+  }
+  if (json)
+  {
+    tool::PrintReport(materials, true);
+    return;
+  }
+  ordered_json environments = ordered_json::array();
+  for (int k = 0; k < vtkEmbeddedEnvironments::GetNumberOfEnvironments(); ++k)
+  {
+    environments.push_back({ { "name", vtkEmbeddedEnvironments::GetName(k) },
+      { "source", vtkEmbeddedEnvironments::GetSource(k) } });
+  }
+  ordered_json report = { { "materials", materials }, { "environments", environments } };
   for (const tool::FetchEntry& entry : tool::GetFetchCatalog())
   {
     if (!tool::FindFetchedFile(entry).empty())
     {
-      text += entry.Name + "  " + entry.Collection->Kind + "  " + entry.Collection->Title + "\n";
+      report["fetched"].push_back({ { "name", entry.Name }, { "kind", entry.Collection->Kind },
+        { "source", entry.Collection->Title } });
     }
   }
-  return (text.empty() ? "" : "\nFetched:\n" + text) +
-         (MEASUREDBRDF_WITH_CURL
-             ? "\nMore can be downloaded: 'measured-brdf fetch --list' shows what.\n"
-             : "");
-}
-
-//------------------------------------------------------------------------------
-void Run(bool json)
-{
-  const int n = vtkEmbeddedMaterials::GetNumberOfMaterials();
-  if (json)
+  tool::PrintReport(report, false);
+  if (MEASUREDBRDF_WITH_CURL)
   {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (int k = 0; k < n; ++k)
-    {
-      list.push_back({ { "name", vtkEmbeddedMaterials::GetName(k) },
-        { "kind", vtkEmbeddedMaterials::GetKind(k) },
-        { "source", vtkEmbeddedMaterials::GetSource(k) } });
-    }
-    tool::PrintOut(list.dump(2) + "\n");
-    return;
+    tool::PrintOut("More can be downloaded: 'measured-brdf fetch --list' shows what.\n");
   }
-
-  std::size_t nameWidth = 4;
-  std::size_t kindWidth = 4;
-  for (int k = 0; k < n; ++k)
-  {
-    nameWidth = std::max(nameWidth, vtkEmbeddedMaterials::GetName(k).size());
-    kindWidth = std::max(kindWidth, vtkEmbeddedMaterials::GetKind(k).size());
-  }
-  std::string text;
-  const auto row = [&](std::string name, std::string kind, const std::string& source)
-  {
-    name.resize(nameWidth, ' ');
-    kind.resize(kindWidth, ' ');
-    text += name + "  " + kind + "  " + source + "\n";
-  };
-  row("NAME", "KIND", "SOURCE");
-  for (int k = 0; k < n; ++k)
-  {
-    row(vtkEmbeddedMaterials::GetName(k), vtkEmbeddedMaterials::GetKind(k),
-      vtkEmbeddedMaterials::GetSource(k));
-  }
-  text += "\nEnvironments, for --environment:\n";
-  for (int k = 0; k < vtkEmbeddedEnvironments::GetNumberOfEnvironments(); ++k)
-  {
-    row(vtkEmbeddedEnvironments::GetName(k), "", vtkEmbeddedEnvironments::GetSource(k));
-  }
-  text += ListFetched();
-  tool::PrintOut(text);
 }
 }
 

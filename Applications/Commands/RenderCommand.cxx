@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files.h"
 #include "Inputs.h"
+#include "JsonReport.h"
 #include "Measuring.h"
-#include "Meshes.h"
 #include "Methods.h"
+#include "Options.h"
 #include "Picture.h"
 #include "Progress.h"
 #include "Scenes.h"
@@ -28,10 +29,7 @@ namespace
 struct RenderOptions
 {
   std::string File;
-  std::string Environment;
-  std::string Mesh;
-  std::string Size = "800x800";
-  std::string View = "30,20";
+  tool::Stage Stage;
   std::string Background;
   double Exposure = 0.0;
   std::string Output;
@@ -42,55 +40,44 @@ struct RenderOptions
 };
 
 // Frames that frame_ms is the median of: fewer where they take longer than this in all, in ms.
-constexpr int NumberOfTimedFrames = 21;
+constexpr std::size_t NumberOfTimedFrames = 21;
 constexpr double TimedFramesBudget = 1000.0;
 // PNG pictures are rendered at this multiple and averaged, up to a size that every driver takes.
 constexpr int PictureSmooth = 2;
 constexpr int LargestPicture = 8192;
-// Share of the picture's smaller side that the mesh takes.
-constexpr double RenderedFill = 0.9;
 
 //------------------------------------------------------------------------------
-// With what the mesh hides.
-std::vector<double> TracePixels(vtkRadianceIntegrator* integrator, vtkPolyData* mesh,
-  const tool::View& view, const tool::Size& size, const tool::Surface& surface,
-  const tool::TraceOptions& options)
+// The same pixels by an integrator on the CPU; traced: with what the mesh hides.
+tool::Picture SumPixels(
+  vtkRadianceIntegrator* integrator, vtkPolyData* mesh, const RenderOptions& options, bool traced)
 {
-  tool::Scene camera;
-  camera.SetMesh(mesh);
-  camera.SetView(view.Azimuth, view.Elevation, RenderedFill, view.Angle);
-  camera.PlaceCamera(size.Width, size.Height);
-  const tool::TracedSurface traced = tool::TraceSurface(tool::MakeTracedScene(mesh),
-    integrator->GetBRDF(), integrator->GetEnvironment(), camera, surface, size, options);
-  tool::PrintNote("traced: other samples would differ by " + tool::FormatPercent(traced.Noise) +
-                  " in a pixel, on average");
-  return traced.Radiance;
-}
-
-//------------------------------------------------------------------------------
-// The same pixels by an integrator on the CPU.
-tool::Picture SumPixels(vtkRadianceIntegrator* integrator, vtkPolyData* mesh,
-  const tool::View& view, const tool::Size& size, const tool::TraceOptions* trace)
-{
-  const tool::Surface surface =
-    tool::FindSurface(mesh, view, RenderedFill, size, std::numeric_limits<int>::max());
-  const std::vector<double> rgb =
-    trace ? TracePixels(integrator, mesh, view, size, surface, *trace)
-          : tool::IntegratePairs(integrator, surface.Normals, surface.Views);
-  tool::Picture picture(size.Width, size.Height);
-  for (std::size_t k = 0; k < surface.Pixels.size(); ++k)
+  const tool::Size& size = options.Stage.Size;
+  const tool::Surface surface = tool::FindSurface(
+    mesh, options.Stage.View, tool::ViewFill, size, std::numeric_limits<int>::max());
+  std::vector<double> rgb;
+  if (traced)
   {
-    float* pixel = &picture.Pixels[4 * static_cast<std::size_t>(surface.Pixels[k])];
-    std::copy_n(&rgb[3 * k], 3, pixel);
-    pixel[3] = 1.0f;
+    tool::Scene camera;
+    options.Stage.Place(camera, mesh);
+    camera.PlaceCamera(size.Width, size.Height);
+    const tool::TracedSurface found = tool::TraceSurface(tool::MakeTracedScene(mesh),
+      integrator->GetBRDF(), integrator->GetEnvironment(), camera, surface, size, options.Trace);
+    tool::PrintNote("traced: other samples would differ by " + tool::FormatPercent(found.Noise) +
+                    " in a pixel, on average");
+    rgb = found.Radiance;
   }
-  return picture;
+  else
+  {
+    rgb = tool::IntegratePairs(integrator, surface.Normals, surface.Views);
+  }
+  return tool::Grid(surface, size).Draw(rgb);
 }
 
 //------------------------------------------------------------------------------
 // PNG pictures are rendered larger and averaged.
-int GetFactor(const RenderOptions& options, const tool::Size& size)
+int GetFactor(const RenderOptions& options)
 {
+  const tool::Size& size = options.Stage.Size;
   const bool smooth = tool::Extension(options.Output) == ".png" &&
                       !tool::IsOnCpuOnly(options.Method.Method) &&
                       PictureSmooth * std::max(size.Width, size.Height) <= LargestPicture;
@@ -125,16 +112,6 @@ void WritePicture(const RenderOptions& options, const tool::OffscreenScene& scen
   }
   tool::WritePNG(options.Output, tool::Downsample(picture, factor), tool::EncodeGamma);
 }
-
-//------------------------------------------------------------------------------
-/// What was measured.
-struct Figures
-{
-  double Setup; // ms
-  std::vector<double> Frames;
-  tool::Size Size;
-  std::string Plan;
-};
 
 //------------------------------------------------------------------------------
 vtkMeasuredBRDFMapper::OcclusionModeType GetOcclusionMode(const std::string& name)
@@ -179,20 +156,15 @@ void CheckTracing(const RenderOptions& options, const tool::Method& method, cons
     "where what the mesh hides is left out: 'auto' models it, other methods with --occlusion on");
 }
 
-void WriteReport(const RenderOptions& options, const Figures& found, const tool::Material& material,
-  vtkEnvironment* environment, const tool::Method& method, tool::Scene& scene)
+//------------------------------------------------------------------------------
+nlohmann::ordered_json MakeRenderReport(
+  const RenderOptions& options, const tool::Method& method, const std::string& plan)
 {
-  const bool onCpu = tool::IsOnCpuOnly(options.Method.Method);
-  nlohmann::ordered_json report = { { "frame_ms", tool::Median(found.Frames) },
-    { "setup_ms", found.Setup }, { "texture_bytes", onCpu ? 0 : scene.GetTextureBytes() },
-    { "method", options.Method.Method },
+  nlohmann::ordered_json report = { { "method", options.Method.Method },
     { "lights", options.Method.HasLights() ? options.Method.Lights.Count : 0 },
     { "lights_in_use", method.GetNumberOfLights() }, { "light_set", options.Method.Lights.Method },
-    { "soft_lights", options.Method.Lights.Soft }, { "width", found.Size.Width },
-    { "height", found.Size.Height }, { "frames", found.Frames.size() },
-    { "material", material.Name }, { "environment", environment->GetName() },
-    { "renderer", onCpu ? "CPU" : scene.GetRendererName() },
-    { "vtk", vtkVersion::GetVTKVersion() } };
+    { "soft_lights", options.Method.Lights.Soft }, { "width", options.Stage.Size.Width },
+    { "height", options.Stage.Size.Height }, { "vtk", vtkVersion::GetVTKVersion() } };
   if (options.Method.Method == "thesis")
   {
     report["representation"] = method.Thesis.Kind;
@@ -201,32 +173,23 @@ void WriteReport(const RenderOptions& options, const Figures& found, const tool:
   }
   if (method.Planner)
   {
-    report["plan"] = found.Plan;
+    report["plan"] = plan;
     report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
     report["predicted_picture_error"] =
       method.Planner->GetPredictedPictureError(method.Planner->GetChoice());
   }
-  tool::WriteWhole(options.Report,
-    report.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  return report;
 }
 
 //------------------------------------------------------------------------------
 void Run(RenderOptions& options, const CLI::App* command)
 {
-  const tool::Size size = tool::ParseSize("--size", options.Size, LargestPicture);
-  const tool::View view = tool::ParseView(options.View);
-  const std::string extension = tool::Extension(options.Output);
-  if (extension != ".png" && extension != ".exr")
-  {
-    throw tool::UsageError(options.Output + ": the picture must end in .png or .exr");
-  }
   options.Method.Check(command);
-
+  const tool::Size& size = options.Stage.Size;
   const tool::Interruptible interruptible;
   const tool::Material material = tool::LoadMaterial(options.File);
-  const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
-  const vtkSmartPointer<vtkPolyData> mesh =
-    options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh);
+  const vtkSmartPointer<vtkEnvironment> environment = options.Stage.LoadEnvironment();
+  const vtkSmartPointer<vtkPolyData> mesh = options.Stage.LoadMesh();
   const bool onCpu = tool::IsOnCpuOnly(options.Method.Method);
   if (onCpu)
   {
@@ -242,12 +205,18 @@ void Run(RenderOptions& options, const CLI::App* command)
   tool::Method method = tool::MakeMethod(options.Method, material, environment);
   CheckTracing(options, method, command);
   tool::Scene scene;
-  scene.SetMesh(mesh);
-  scene.SetView(view.Azimuth, view.Elevation, RenderedFill, view.Angle);
-  const int factor = GetFactor(options, size);
+  options.Stage.Place(scene, mesh);
+  const int factor = GetFactor(options);
   std::vector<double> frames;
   std::string plan;
-  if (!onCpu)
+  tool::Picture picture(1, 1);
+  double setup = elapsed();
+  if (onCpu)
+  {
+    picture = SumPixels(method.Integrator, mesh, options, options.Method.Method == "traced");
+    frames.push_back(elapsed() - setup);
+  }
+  else
   {
     scene.ModelOcclusion(GetOcclusionMode(options.Occlusion), options.Trace.Bounces > 0);
     scene.Open(size.Width, size.Height);
@@ -258,26 +227,24 @@ void Run(RenderOptions& options, const CLI::App* command)
     {
       scene.HoldPlan(method, environment); // for the larger picture, too
     }
-  }
-  const double setup = elapsed();
-  double spent = 0.0;
-  for (int k = 0;
-       !onCpu && !options.Report.empty() && k < NumberOfTimedFrames && spent < TimedFramesBudget;
-       ++k)
-  {
-    frames.push_back(scene.TimeFrame());
-    spent += frames.back();
-  }
-  tool::Picture picture = onCpu ? SumPixels(method.Integrator, mesh, view, size,
-                                    options.Method.Method == "traced" ? &options.Trace : nullptr)
-                                : scene.Render(factor * size.Width, factor * size.Height);
-  if (onCpu)
-  {
-    frames.push_back(elapsed() - setup);
+    setup = elapsed();
+    double spent = 0.0;
+    while (
+      !options.Report.empty() && frames.size() < NumberOfTimedFrames && spent < TimedFramesBudget)
+    {
+      frames.push_back(scene.TimeFrame());
+      spent += frames.back();
+    }
+    picture = scene.Render(factor * size.Width, factor * size.Height);
   }
   if (!options.Report.empty())
   {
-    WriteReport(options, { setup, frames, size, plan }, material, environment, method, scene);
+    nlohmann::ordered_json report = { { "frame_ms", tool::Median(frames) }, { "setup_ms", setup },
+      { "texture_bytes", onCpu ? 0 : scene.GetTextureBytes() }, { "frames", frames.size() },
+      { "material", material.Name }, { "environment", environment->GetName() },
+      { "renderer", onCpu ? "CPU" : scene.GetRendererName() } };
+    report.update(MakeRenderReport(options, method, plan));
+    tool::WriteReport(options.Report, report);
   }
   scene.PlaceCamera(picture.Width, picture.Height);
   WritePicture(options, scene, std::move(picture), environment, factor);
@@ -293,14 +260,10 @@ void AddRenderCommand(CLI::App& app)
   CLI::App* command =
     app.add_subcommand("render", "Render a mesh of the material under an environment");
   command->add_option("FILE", options->File, GetMaterialHelp())->required();
-  command->add_option("--environment", options->Environment, EnvironmentHelp)->required();
-  AddProjectionOption(command);
-  command->add_option("--mesh", options->Mesh,
-    "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf or glb, or 'ball-on-foot', which is built "
-    "in "
-    "(default: a sphere). A mesh without normals gets smooth ones");
+  options->Stage.Size = { 800, 800 };
+  options->Stage.AddTo(command, LargestPicture);
   options->Method.Method = "auto";
-  options->Method.AddTo(command, true, true);
+  options->Method.AddTo(command, true, true, true);
   options->Trace.AddTo(command);
   command
     ->add_option("--occlusion", options->Occlusion,
@@ -309,12 +272,6 @@ void AddRenderCommand(CLI::App& app)
       "points; on: on any mesh, by every method but sums over lights; off: never, as --method "
       "reference (default: auto)")
     ->check(CLI::IsMember({ "auto", "on", "off" }));
-  options->Method.Plan.AddForViewTo(command);
-  command->add_option(
-    "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 800x800)");
-  command->add_option("--view", options->View,
-    "Where to look from, AZIMUTH,ELEVATION[,ANGLE] in degrees: azimuth 0 is from +z, 90 from +x; "
-    "elevation is above the horizon; ANGLE is the vertical angle of view (default 30,20,30)");
   command->add_option("--exposure", options->Exposure,
     "Brighten (or darken) the picture by this many stops; default 0: unchanged physical values");
   command
@@ -324,6 +281,7 @@ void AddRenderCommand(CLI::App& app)
   command
     ->add_option("-o,--output", options->Output,
       "Picture to write: .png (8 bit, as displayed) or .exr (linear float RGBA)")
+    ->check(tool::EndsIn({ ".png", ".exr" }))
     ->required();
   command->add_option("--report", options->Report,
     "JSON file to write: frame_ms (median), setup_ms, texture_bytes, method, lights, renderer, "

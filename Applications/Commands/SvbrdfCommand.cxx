@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files.h"
 #include "Inputs.h"
-#include "MaterialMapFiles.h"
-#include "Measuring.h"
+#include "JsonReport.h"
 #include "Picture.h"
 #include "Progress.h"
 #include "Tool.h"
 
 #include "vtkEmbeddedMaterials.h"
 #include "vtkImageData.h"
+#include "vtkMaterialMap.h"
 #include "vtkMaterialMapFitter.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
@@ -24,7 +24,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <sstream>
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
@@ -228,43 +227,51 @@ void WriteErrors(const SvbrdfOptions& options, vtkImageData* errors, ordered_jso
   fit["white_of_error_png"] = white;
 }
 
+constexpr int MaterialsPerImage = 3; // alpha is no place for a weight: programs multiply by it
+constexpr double LargestCode = 65535.0;
+
 //------------------------------------------------------------------------------
-std::string FormatText(
-  const SvbrdfOptions& options, vtkMaterialMapFitter* fitter, const ordered_json& materials)
+vtkSmartPointer<vtkImageData> MakeWeightImage(vtkMaterialMap* map, int first)
 {
-  const int* size = fitter->GetErrorImage()->GetDimensions();
-  std::ostringstream text;
-  text << options.Input << " -> " << (fs::path(options.Output) / "map.json").string() << "\n"
-       << tool::FormatCount(
-            static_cast<std::size_t>(fitter->GetPhotographs()->GetNumberOfPhotographs()),
-            "photograph")
-       << " of " << size[0] << " x " << size[1] << " texels\n"
-       << "relative error of a texel: mean " << tool::FormatPercent(fitter->GetMeanError())
-       << ", 95 % " << tool::FormatPercent(fitter->GetError95()) << ", worst "
-       << tool::FormatPercent(fitter->GetWorstError()) << "\n";
-  if (options.Tables)
+  vtkImageData* source = map->GetWeightImage(0);
+  const int* size = source->GetDimensions();
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size[0], size[1], 1);
+  image->AllocateScalars(VTK_UNSIGNED_SHORT, MaterialsPerImage);
+  auto* codes = static_cast<unsigned short*>(image->GetScalarPointer());
+  for (int y = 0; y < size[1]; ++y)
   {
-    text << "error of the factors alone, of all texels together: "
-         << tool::FormatPercent(fitter->GetFactorizationError()) << " ("
-         << fitter->GetNumberOfIterations() << " iterations"
-         << (fitter->GetConverged() ? "" : ", not converged") << "); the photographs touch "
-         << tool::FormatPercent(fitter->GetSeenShare()) << " of the tables\n";
+    for (int x = 0; x < size[0]; ++x)
+    {
+      for (int k = first; k < first + MaterialsPerImage; ++k)
+      {
+        double weight = 0.0;
+        if (k < map->GetNumberOfMaterials()) // the fitter's images have four components
+        {
+          weight = map->GetWeightImage(k / 4)->GetScalarComponentAsDouble(x, y, 0, k % 4);
+        }
+        *codes++ = static_cast<unsigned short>(std::lround(LargestCode * weight));
+      }
+    }
   }
-  text << "pixels left out: " << fitter->GetNumberOfSaturatedPixels() << " saturated, "
-       << fitter->GetNumberOfBlackPixels() << " black, " << fitter->GetNumberOfInvalidPixels()
-       << " not finite; texels without any: " << fitter->GetNumberOfTexelsWithoutData() << "\n";
-  text.precision(3);
-  for (std::size_t k = 0; k < materials.size(); ++k)
+  return image;
+}
+
+//------------------------------------------------------------------------------
+// FOLDER/map.json and FOLDER/weights-N.png, three materials in each.
+void WriteMaterialMap(vtkMaterialMap* map, const std::string& folder, const ordered_json& materials,
+  const ordered_json& facts)
+{
+  ordered_json description = { { "materials", materials }, { "weights", ordered_json::array() } };
+  description.update(facts);
+  for (int first = 0; first < map->GetNumberOfMaterials(); first += MaterialsPerImage)
   {
-    text << "  " << materials[k]["material"].get<std::string>() << ": "
-         << tool::FormatPercent(fitter->GetCoverage(static_cast<int>(k)))
-         << " of the surface, weights +- " << fitter->GetUncertainty(static_cast<int>(k)) << "\n";
+    const std::string name = "weights-" + std::to_string(first / MaterialsPerImage + 1) + ".png";
+    tool::WritePNG((fs::path(folder) / name).string(), MakeWeightImage(map, first));
+    description["weights"].push_back(name);
   }
-  for (int k = 0; k < fitter->GetNumberOfFindings(); ++k)
-  {
-    text << "note: " << fitter->GetFinding(k) << "\n";
-  }
-  return text.str();
+  tool::WriteWhole((fs::path(folder) / "map.json").string(),
+    description.dump(2, ' ', true, ordered_json::error_handler_t::replace) + "\n");
 }
 
 //------------------------------------------------------------------------------
@@ -296,14 +303,12 @@ void Run(const SvbrdfOptions& options, const CLI::App* command)
   ordered_json fit = DescribeFit(options, fitter);
   WriteErrors(options, fitter->GetErrorImage(), fit);
   const ordered_json materials = DescribeMaterials(options, fitter);
-  tool::WriteMaterialMap(fitter->GetOutput(), options.Output, materials, { { "fit", fit } });
-  if (options.Json)
-  {
-    fit["materials"] = materials;
-    tool::PrintOut(fit.dump(2, ' ', true, ordered_json::error_handler_t::replace) + "\n");
-    return;
-  }
-  tool::PrintOut(FormatText(options, fitter, materials));
+  WriteMaterialMap(fitter->GetOutput(), options.Output, materials, { { "fit", fit } });
+  ordered_json report = { { "photographs_of", options.Input },
+    { "map", (fs::path(options.Output) / "map.json").string() } };
+  report.update(fit);
+  report["materials"] = materials;
+  tool::PrintReport(report, options.Json);
 }
 }
 

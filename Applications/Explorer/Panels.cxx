@@ -4,6 +4,7 @@
 
 #include "Controls.h"
 #include "Inspection.h"
+#include "JsonReport.h"
 #include "Measuring.h"
 #include "Sheets.h"
 #include "SplitView.h"
@@ -662,7 +663,7 @@ QWidget* MakeFindingsPanel(Session* session)
       const nlohmann::ordered_json& info = session->GetInspection();
       findings->setText(info.is_null() ? QObject::tr("Being measured …") : MakeFindingsTable(info));
       text->setPlainText(
-        info.is_null() ? QString() : QString::fromStdString(tool::FormatInspection(info)));
+        info.is_null() ? QString() : QString::fromStdString(tool::FormatReport(info)));
     });
   return panel;
 }

@@ -4,6 +4,7 @@
 
 #include "Files.h"
 #include "Inspection.h"
+#include "JsonReport.h"
 #include "MeasuredBRDFToolVersion.h"
 #include "Measuring.h"
 #include "Panels.h"
@@ -95,7 +96,7 @@ QString MakePage(const explorer::ReportData& data, const ordered_json& report)
   if (report.contains("info"))
   {
     page += "<h2>Material</h2>" + explorer::MakeFindingsTable(report["info"]) + "<pre>" +
-            Escape(tool::FormatInspection(report["info"])) + "</pre>";
+            Escape(tool::FormatReport(report["info"])) + "</pre>";
   }
   return page + "<h2>State</h2><pre>" + Escape(report["state"].dump(2)) +
          "</pre><p>measured-brdf " MEASUREDBRDF_VERSION "</p></body></html>\n";

@@ -18,6 +18,13 @@ using nlohmann::ordered_json;
 
 namespace tool
 {
+//------------------------------------------------------------------------------
+ordered_json GetJson(const ModelFit& fit, const ModelParameter& parameter)
+{
+  return parameter.Size == 3 ? ordered_json(fit.Model->GetColor(parameter.Name))
+                             : ordered_json(fit.Model->GetNumber(parameter.Name));
+}
+
 namespace
 {
 // The parameters of the parts that the fit took, as a file has them.
@@ -35,14 +42,6 @@ std::vector<ModelParameter> GetTakenParameters(const ModelFit& fit)
     }
   }
   return taken;
-}
-
-//------------------------------------------------------------------------------
-// A number, or a list of three.
-ordered_json GetJson(const ModelFit& fit, const ModelParameter& parameter)
-{
-  return parameter.Size == 3 ? ordered_json(fit.Model->GetColor(parameter.Name))
-                             : ordered_json(fit.Model->GetNumber(parameter.Name));
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,8 @@
 
 #include "ModelFit.h"
 
+#include <nlohmann/json.hpp>
+
 #include <string>
 #include <vector>
 
@@ -47,6 +49,9 @@ std::string MakeIdentifier(const std::string& name);
 
 /// A number with at most 4 decimals, as the files have them.
 std::string FormatValue(double value);
+
+/// A parameter's number, or a list of three.
+nlohmann::ordered_json GetJson(const ModelFit& fit, const ModelParameter& parameter);
 
 /// The numbers as the files have them, within their ranges.
 void RoundValues(SurfaceModel* model);

@@ -57,10 +57,6 @@ void CheckAnswer(const Exchange& exchange)
     {
       throw TransientError(text);
     }
-    if (status == 416 || status < 300) // it has no such bytes, or gives all of them
-    {
-      throw tool::WrongBytes(text);
-    }
     throw tool::Error(text);
   }
 }
@@ -75,8 +71,8 @@ extern "C" std::size_t MeasuredBRDFToolBytes(char* data, std::size_t, std::size_
     CheckAnswer(*exchange);
     if (exchange->Bytes.size() + count > exchange->Request.Limit)
     {
-      throw tool::WrongBytes("the server sends more than the " +
-                             std::to_string(exchange->Request.Limit) + " bytes expected");
+      throw tool::Error("the server sends more than the " +
+                        std::to_string(exchange->Request.Limit) + " bytes expected");
     }
     exchange->Bytes.append(data, count);
     return count;
@@ -157,17 +153,15 @@ void Attempt(const tool::DownloadRequest& request, std::string& bytes,
 {
   const Handle handle = MakeHandle(request);
   CURL* curl = handle.get();
-  const std::uint64_t begin = request.First + bytes.size();
-  Exchange exchange{ curl, request, request.IsPiece || begin > 0, bytes, progress, nullptr };
+  Exchange exchange{ curl, request, !bytes.empty(), bytes, progress, nullptr };
   char details[CURL_ERROR_SIZE] = "";
   curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, details);
   curl_easy_setopt(curl, CURLOPT_WRITEDATA, &exchange);
   curl_easy_setopt(curl, CURLOPT_XFERINFODATA, &exchange);
   if (exchange.IsRange)
   {
-    const std::string last =
-      request.IsPiece ? std::to_string(request.First + request.Size - 1) : "";
-    curl_easy_setopt(curl, CURLOPT_RANGE, (std::to_string(begin) + "-" + last).c_str());
+    const std::string first = std::to_string(bytes.size());
+    curl_easy_setopt(curl, CURLOPT_RANGE, (first + "-").c_str());
   }
   const CURLcode code = curl_easy_perform(curl);
   if (tool::Interruptible::IsInterrupted())
@@ -213,8 +207,8 @@ void Attempt(const tool::DownloadRequest& request, std::string& bytes,
   curl_easy_getinfo(curl, CURLINFO_CONTENT_LENGTH_DOWNLOAD_T, &length);
   if (length < 0 && request.Size == 0)
   {
-    throw tool::WrongBytes("the server does not say how long the file is, so a cut one could not "
-                           "be told from a whole one; expected a Content-Length");
+    throw tool::Error("the server does not say how long the file is, so a cut one could not "
+                      "be told from a whole one; expected a Content-Length");
   }
 }
 }
@@ -238,8 +232,8 @@ void Download(const DownloadRequest& request, std::string& bytes, bool resumes,
       {
         throw;
       }
-      PrintNote(request.Url + ", byte " + std::to_string(request.First + bytes.size()) + ": " +
-                e.what() + "; trying again");
+      PrintNote(request.Url + ", byte " + std::to_string(bytes.size()) + ": " + e.what() +
+                "; trying again");
     }
     if (!resumes)
     {

@@ -17,26 +17,18 @@
 
 namespace tool
 {
-/// What came is not what was asked for, so that bytes from an earlier download are of no use.
-struct WrongBytes : Error
-{
-  using Error::Error;
-};
-
 struct DownloadRequest
 {
   std::string Url;
   std::uint64_t Limit = 0; // of the bytes that may come
   std::uint64_t Size = 0;  // of the bytes that must come; 0: not known
-  std::uint64_t First = 0; // of a piece: the byte of the file at which it begins
-  bool IsPiece = false;    // whether only those Size bytes of the file are wanted
   int Timeout = 60;        // seconds without an answer, or with less than 1 KiB/s
   int Retries = 2;         // after a cut connection or a busy server, after 1, 2, 4 ... seconds
 };
 
 /// Appends to `bytes`, the first ones of what is wanted, those that follow. resumes: whether
 /// another attempt goes on from where one stopped. `progress` gets the share that is done. Throws
-/// WrongBytes, and any other Error where what came is right as far as it goes.
+/// Error.
 void Download(const DownloadRequest& request, std::string& bytes, bool resumes,
   const std::function<void(double share)>& progress);
 

@@ -33,7 +33,7 @@ std::string Fill(std::string text, const std::string& name)
 tool::FetchCollection ReadCollection(const Json& data)
 {
   return { data.at("id"), data.at("title"), data.at("kind"), data.at("licence"),
-    data.at("licence_url"), data.at("terms"), data.at("agreement"), data.value("begins_with", "") };
+    data.at("licence_url"), data.at("terms"), data.value("begins_with", "") };
 }
 
 //------------------------------------------------------------------------------
@@ -47,8 +47,6 @@ tool::FetchEntry ReadEntry(const Json& all, const Json& file)
   entry.File = Fill(all.at("file"), name);
   entry.Url = Fill(all.at("url"), name);
   entry.Page = Fill(all.at("page"), name);
-  entry.Member = Fill(all.value("member", ""), name);
-  entry.ArchiveSize = all.value("archive_size", std::uint64_t(0));
   entry.Limit = all.at("limit");
   entry.Size = own.value("size", all.value("size", std::uint64_t(0)));
   entry.Sha256 = own.value("sha256", "");
@@ -88,23 +86,6 @@ const FetchEntry* FindFetchEntry(const std::string& name)
   const auto found = std::find_if(entries.begin(), entries.end(),
     [&name](const FetchEntry& entry) { return entry.Name == name || entry.File == name; });
   return found == entries.end() ? nullptr : &*found;
-}
-
-//------------------------------------------------------------------------------
-std::vector<std::string> FindNearFetchNames(const std::string& name)
-{
-  constexpr std::size_t beginning = 5; // letters
-  std::vector<std::string> names;
-  for (const FetchEntry& entry : GetFetchCatalog())
-  {
-    if (name.size() >= beginning && names.size() < 5 &&
-        (entry.Name.find(name) != std::string::npos ||
-          entry.Name.compare(0, beginning, name, 0, beginning) == 0))
-    {
-      names.push_back(entry.Name);
-    }
-  }
-  return names;
 }
 
 //------------------------------------------------------------------------------

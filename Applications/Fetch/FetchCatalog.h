@@ -23,23 +23,20 @@ struct FetchCollection
   std::string Kind; // "material" or "environment"
   std::string Licence;
   std::string LicenceUrl;
-  std::string Terms;           // in words
-  bool NeedsAgreement = false; // whether the licence sets conditions
-  std::string BeginsWith;      // the first bytes of every file; "": any
+  std::string Terms;      // in words
+  std::string BeginsWith; // the first bytes of every file; "": any
 };
 
 /// One file.
 struct FetchEntry
 {
-  std::string Name;              // what the user says
-  std::string File;              // as it is called on disk
-  std::string Url;               // of the file, or of the archive that holds it
-  std::string Page;              // for people
-  std::string Member;            // its name in the ZIP archive at Url; "": Url is the file
-  std::uint64_t ArchiveSize = 0; // bytes of that archive
-  std::uint64_t Size = 0;        // bytes of the file; 0: not known
-  std::uint64_t Limit = 0;       // bytes that it cannot exceed
-  std::string Sha256;            // lower case; "": not known
+  std::string Name;        // what the user says
+  std::string File;        // as it is called on disk
+  std::string Url;         // of the file
+  std::string Page;        // for people
+  std::uint64_t Size = 0;  // bytes of the file; 0: not known
+  std::uint64_t Limit = 0; // bytes that it cannot exceed
+  std::string Sha256;      // lower case; "": not known
   std::string SumKind; // "published": by people who downloaded it there; "copy": of a copy at hand
   const FetchCollection* Collection = nullptr;
 };
@@ -49,9 +46,6 @@ const std::vector<FetchEntry>& GetFetchCatalog();
 
 /// The entry of that name, or whose file has that name; null if there is none.
 const FetchEntry* FindFetchEntry(const std::string& name);
-
-/// Up to five names that have this one in them, or begin as it does.
-std::vector<std::string> FindNearFetchNames(const std::string& name);
 
 /// The folder that files are downloaded to unless the user names another one:
 /// vtkMeasuredBRDF/vtkMeasuredBRDF-files in $XDG_CACHE_HOME or $HOME/.cache. "" where there is no

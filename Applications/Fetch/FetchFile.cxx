@@ -6,7 +6,6 @@
 #include "Files.h"
 #include "Progress.h"
 
-#include <minizip/unzip.h>
 #include <openssl/evp.h>
 
 #include <sys/stat.h>
@@ -17,18 +16,14 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <memory>
 
 namespace fs = std::filesystem;
 
 namespace
 {
-constexpr std::uint64_t ArchiveBlock = 4 << 20; // bytes of an archive that one request asks for
-
 //------------------------------------------------------------------------------
 // Whether a file is there. Throws Error where something else has its name.
 bool HasFile(const std::string& path)
@@ -102,61 +97,6 @@ std::string OpenCache()
   return path;
 }
 
-/// A ZIP archive on a server as the file that minizip reads: MERL publishes its hundred materials
-/// in one archive of 1.25 GB, of which only the blocks that are read are downloaded.
-struct RemoteArchive
-{
-  tool::DownloadRequest Request;
-  std::uint64_t Size; // of the archive
-  std::uint64_t At = 0;
-  std::uint64_t Begin = 0; // of the block at hand
-  std::string Block;
-  std::exception_ptr Thrown; // waits here until minizip, which is written in C, returns
-};
-
-uLong ReadRemote(voidpf user, voidpf, void* buffer, uLong count)
-{
-  auto* archive = static_cast<RemoteArchive*>(user);
-  uLong done = 0;
-  try
-  {
-    while (!archive->Thrown && done < count && archive->At < archive->Size)
-    {
-      if (archive->At < archive->Begin || archive->At >= archive->Begin + archive->Block.size())
-      {
-        archive->Begin = archive->At / ArchiveBlock * ArchiveBlock;
-        archive->Block.clear();
-        tool::DownloadRequest request = archive->Request;
-        request.Size = std::min(ArchiveBlock, archive->Size - archive->Begin);
-        request.Limit = request.Size;
-        request.First = archive->Begin;
-        request.IsPiece = true;
-        tool::Download(request, archive->Block, true, [](double) {});
-      }
-      const std::uint64_t skipped = archive->At - archive->Begin;
-      const std::uint64_t size =
-        std::min<std::uint64_t>(count - done, archive->Block.size() - skipped);
-      std::memcpy(static_cast<char*>(buffer) + done, archive->Block.data() + skipped, size);
-      archive->At += size;
-      done += size;
-    }
-  }
-  catch (...)
-  {
-    archive->Thrown = std::current_exception();
-  }
-  return done;
-}
-
-long SeekRemote(voidpf user, voidpf, ZPOS64_T offset, int origin)
-{
-  auto* archive = static_cast<RemoteArchive*>(user);
-  archive->At = offset + (origin == ZLIB_FILEFUNC_SEEK_CUR    ? archive->At
-                           : origin == ZLIB_FILEFUNC_SEEK_END ? archive->Size
-                                                              : 0);
-  return 0;
-}
-
 /// One file on its way.
 class Job
 {
@@ -170,9 +110,8 @@ public:
   const std::string Path;
 
 private:
-  std::string DownloadMember() const;
   void Check(const std::string& bytes) const;
-  std::string Bring(const std::string& partPath) const;
+  std::string Bring() const;
 
   const tool::FetchEntry& Entry;
   const tool::FetchOptions& Options;
@@ -189,8 +128,8 @@ Job::Job(const tool::FetchEntry& entry, const tool::FetchOptions& options)
   , Entry(entry)
   , Options(options)
   , IsCache(options.Folder.empty())
-  , Request{ entry.Url, entry.Size > 0 ? entry.Size : entry.Limit, entry.Size, 0, false,
-    options.Timeout, options.Retries }
+  , Request{ entry.Url, entry.Size > 0 ? entry.Size : entry.Limit, entry.Size, options.Timeout,
+    options.Retries }
   , Sum(options.Sha256)
   , SumFrom("--sha256")
 {
@@ -262,53 +201,9 @@ void Job::CheckSumIsKnown() const
   {
     throw tool::Error(
       this->Entry.Name + ": this program does not know the SHA-256 of " + this->Entry.Url +
-      (this->Entry.Member.empty() ? "" : ", member " + this->Entry.Member) +
       ", so it could not tell a wrong file from the right one. Give the sum by --sha256, "
       "or say --trust-first: what comes first is taken, and checked against from then on");
   }
-}
-
-//------------------------------------------------------------------------------
-std::string Job::DownloadMember() const
-{
-  RemoteArchive archive{ this->Request, this->Entry.ArchiveSize, 0, 0, "", nullptr };
-  zlib_filefunc64_def functions{};
-  functions.opaque = &archive;
-  functions.zopen64_file = [](voidpf user, const void*, int) -> voidpf { return user; };
-  functions.zread_file = ReadRemote;
-  functions.zseek64_file = SeekRemote;
-  functions.ztell64_file = [](voidpf user, voidpf) -> ZPOS64_T
-  { return static_cast<RemoteArchive*>(user)->At; };
-  functions.zclose_file = [](voidpf, voidpf) { return 0; };
-  functions.zerror_file = [](voidpf user, voidpf)
-  { return static_cast<RemoteArchive*>(user)->Thrown ? 1 : 0; };
-
-  tool::ProgressBar bar(this->Entry.Name);
-  const std::unique_ptr<void, int (*)(unzFile)> zip(
-    unzOpen2_64(this->Entry.Url.c_str(), &functions), unzClose);
-  bool isRight = zip && unzLocateFile(zip.get(), this->Entry.Member.c_str(), 1) == UNZ_OK &&
-                 unzOpenCurrentFile(zip.get()) == UNZ_OK;
-  std::string content;
-  std::string piece(1 << 20, '\0');
-  for (int count = 1; isRight && count > 0 && content.size() <= this->Entry.Size;)
-  {
-    count = unzReadCurrentFile(zip.get(), piece.data(), static_cast<unsigned int>(piece.size()));
-    isRight = count >= 0;
-    content.append(piece, 0, static_cast<std::size_t>(std::max(count, 0)));
-    bar.Update(static_cast<double>(content.size()) / static_cast<double>(this->Entry.Size));
-  }
-  isRight = isRight && unzCloseCurrentFile(zip.get()) == UNZ_OK; // the CRC-32
-  if (archive.Thrown)
-  {
-    std::rethrow_exception(archive.Thrown);
-  }
-  if (!isRight || content.size() != this->Entry.Size)
-  {
-    throw tool::WrongBytes(std::string(zip ? "the ZIP archive is damaged" : "no ZIP archive") +
-                           ": expected its member " + this->Entry.Member + " of " +
-                           std::to_string(this->Entry.Size) + " bytes, with a right checksum");
-  }
-  return content;
 }
 
 //------------------------------------------------------------------------------
@@ -319,79 +214,42 @@ void Job::Check(const std::string& bytes) const
   const std::string size = "the " + std::to_string(bytes.size()) + " bytes that came";
   if (this->Sum.empty() && bytes.compare(0, begin.size(), begin) != 0)
   {
-    throw tool::WrongBytes(
+    throw tool::Error(
       size + " begin with '" + bytes.substr(0, begin.size()) + "', expected '" + begin + "'");
   }
   if (!this->Sum.empty() && sum != this->Sum)
   {
-    throw tool::WrongBytes("the SHA-256 of " + size + " is " + sum + ", expected " + this->Sum +
-                           " (" + this->SumFrom + ")");
+    throw tool::Error("the SHA-256 of " + size + " is " + sum + ", expected " + this->Sum + " (" +
+                      this->SumFrom + ")");
   }
 }
 
 //------------------------------------------------------------------------------
-// The right file. Its sum decides in the end: bytes of an earlier download that belong to another
-// file cost a second download.
-std::string Job::Bring(const std::string& partPath) const
+// The right bytes; without a sum nothing else would tell whether those of two attempts belong
+// together.
+std::string Job::Bring() const
 {
-  const bool resumes = !this->Sum.empty(); // nothing else would tell whether bytes belong together
-  std::string part = HasFile(partPath) && resumes ? ReadFile(partPath) : "";
-  const std::string place = this->Request.Url;
-  for (;;)
+  std::string bytes;
+  try
   {
-    const bool resumed = !part.empty();
-    try
-    {
-      if (!this->Entry.Member.empty())
-      {
-        part = this->DownloadMember();
-      }
-      else if (part.size() < this->Request.Limit)
-      {
-        tool::ProgressBar bar(this->Entry.Name);
-        tool::Download(this->Request, part, resumes, [&bar](double share) { bar.Update(share); });
-      }
-      this->Check(part);
-      return part;
-    }
-    catch (const tool::WrongBytes& e)
-    {
-      part.clear();
-      unlink(partPath.c_str());
-      if (!resumed)
-      {
-        throw tool::Error(place + ": " + e.what() + ". Nothing was kept");
-      }
-      tool::PrintNote(place + ": " + e.what() + "; an older part may be at fault, beginning anew");
-    }
-    catch (const tool::Error& e)
-    {
-      std::string text = place + ", byte " + std::to_string(part.size()) + ": " + e.what();
-      if (!part.empty() && resumes)
-      {
-        try
-        {
-          tool::WriteWhole(partPath, part);
-          text += ". " + std::to_string(part.size()) +
-                  " bytes are kept; the same command goes on from there";
-        }
-        catch (const tool::Error& failure)
-        {
-          text += std::string(". What came is not kept: ") + failure.what();
-        }
-      }
-      throw tool::Error(text);
-    }
+    tool::ProgressBar bar(this->Entry.Name);
+    tool::Download(
+      this->Request, bytes, !this->Sum.empty(), [&bar](double share) { bar.Update(share); });
+    this->Check(bytes);
+    return bytes;
+  }
+  catch (const tool::Error& e)
+  {
+    throw tool::Error(this->Request.Url + ", byte " + std::to_string(bytes.size()) + ": " +
+                      e.what() + ". Nothing was kept");
   }
 }
 
 //------------------------------------------------------------------------------
 void Job::Run()
 {
-  const std::string part =
-    (fs::path(this->Folder) / ("." + this->Entry.File + ".measured-brdf-part")).string();
   tool::CheckWritable(this->Path);
-  const std::string content = this->Bring(part);
+  const std::string content = this->Bring();
   if (HasFile(this->Path) && !this->IsCache)
   {
     throw tool::Error(this->Path + " appeared meanwhile. It was left alone");
@@ -404,7 +262,6 @@ void Job::Run()
                     ", recorded in " + this->Path + ".sha256");
   }
   tool::WriteWhole(this->Path, content);
-  unlink(part.c_str());
 }
 }
 
@@ -412,13 +269,13 @@ namespace tool
 {
 //------------------------------------------------------------------------------
 std::string FetchFile(
-  const FetchEntry& entry, const FetchOptions& options, const std::function<void()>& agree)
+  const FetchEntry& entry, const FetchOptions& options, const std::function<void()>& show)
 {
   Job job(entry, options);
   if (!job.IsDone())
   {
     job.CheckSumIsKnown();
-    agree();
+    show();
     job.Run();
   }
   return job.Path;

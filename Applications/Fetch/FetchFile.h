@@ -3,8 +3,8 @@
 /**
  * @file
  * Brings one file of the catalog into a folder. It is written, whole or not at all, once its
- * SHA-256 is right. What came of a download that stopped stands in .FILE.measured-brdf-part. A sum
- * that was taken from a first download stands in FILE.sha256, as the program sha256sum writes it.
+ * SHA-256 is right. A sum that was taken from a first download stands in FILE.sha256, as the
+ * program sha256sum writes it.
  */
 
 #ifndef FetchFile_h
@@ -27,11 +27,10 @@ struct FetchOptions
   int Retries = 2;
 };
 
-/// Brings the file and returns its path. `agree` is called before anything is downloaded, and
-/// throws where the user does not agree to the licence. Throws Error that says what is kept; files
-/// that are not this program's stay as they are.
+/// Brings the file and returns its path. `show` is called before anything is downloaded. Throws
+/// Error; files that are not this program's stay as they are.
 std::string FetchFile(
-  const FetchEntry& entry, const FetchOptions& options, const std::function<void()>& agree);
+  const FetchEntry& entry, const FetchOptions& options, const std::function<void()>& show);
 } // namespace tool
 
 #endif

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Acquisition.h"
-#include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
 #include "Laboratory.h"
 #include "Methods.h"
+#include "Options.h"
 #include "Tool.h"
 
-#include <CLI/CLI.hpp>
+#include "vtkBRDFResampler.h"
 
 #include <cmath>
 #include <memory>
@@ -19,7 +19,6 @@ struct AcquireOptions
 {
   std::string File;
   std::string Output;
-  std::string Basis = "zonal";
   std::string Zone = "9,57";
   laboratory::AcquisitionOptions Device;
 };
@@ -27,17 +26,13 @@ struct AcquireOptions
 //------------------------------------------------------------------------------
 tool::Range Check(const AcquireOptions& options, const CLI::App* command)
 {
-  if (tool::Extension(options.Output) != ".exr")
-  {
-    throw tool::UsageError(options.Output + ": OUT must end in .exr");
-  }
   const double noise = options.Device.Noise;
   if (!(noise >= 0.0) || !std::isfinite(noise))
   {
     throw tool::UsageError("--noise: " + tool::FormatNumber(noise) +
                            " is not a standard deviation; expected 0 or more, like 0.01");
   }
-  if (options.Basis != "hemispherical")
+  if (options.Device.Basis != vtkBasisBRDF::HEMISPHERICAL)
   {
     return tool::ParseZone("--zone", options.Zone);
   }
@@ -56,16 +51,16 @@ void Run(const AcquireOptions& options, const CLI::App* command)
   const tool::Range range = Check(options, command);
   device.Zone[0] = range.Begin;
   device.Zone[1] = range.End;
-  device.Basis = tool::FindBasis(options.Basis);
   tool::Interruptible interruptible;
   const tool::Material material = tool::LoadMaterial(options.File);
   const laboratory::Acquisition taken =
-    laboratory::Acquire(material.BRDF, device, tool::ShowProgress("acquiring"));
+    laboratory::Acquire(material.BRDF, device, laboratory::ShowProgress("acquiring"));
   tool::WriteMaterial(taken.Stack, options.Output);
   tool::PrintOut(options.File + " -> " + options.Output + "\n" +
                  "photographs: " + std::to_string(taken.NumberOfPhotographs) + "\n" +
-                 tool::FormatShare("relative L2 error inside the zone",
-                   tool::GetZoneError(material.BRDF, taken.Stack, device.Zone)) +
+                 laboratory::FormatShare("relative L2 error inside the zone",
+                   vtkBRDFResampler::GetZoneRelativeL2Error(
+                     material.BRDF, taken.Stack, device.Zone, device.Zone, 1 << 16)) +
                  tool::DescribeForm(taken.Stack) + "\n");
 }
 }
@@ -79,10 +74,12 @@ void AddAcquireCommand(CLI::App& app)
   CLI::App* command = app.add_subcommand(
     "acquire", "Simulate a device with a projector and a camera that measures a material");
   command->add_option("FILE", options->File, GetMaterialHelp())->required();
+  std::map<std::string, int> patterns = laboratory::Bases;
+  patterns.erase("spherical-harmonics");
   command
-    ->add_option("--basis", options->Basis,
+    ->add_option("--basis", options->Device.Basis,
       "Patterns that the projector shows: zonal (default), legendre-fourier or hemispherical")
-    ->check(CLI::IsMember({ "zonal", "legendre-fourier", "hemispherical" }));
+    ->transform(CLI::CheckedTransformer(patterns));
   command
     ->add_option("--order", options->Device.Order,
       "Order L of the basis (default 6): (L+1)^2 functions, each with two photographs except the "
@@ -98,7 +95,9 @@ void AddAcquireCommand(CLI::App& app)
       "Bits of the camera's pixels, 1 to 24; 0 (default): no rounding")
     ->check(CLI::Range(0, 24));
   command->add_option("--seed", options->Device.Seed, "Seed of the noise (default 1)");
-  command->add_option("-o,--output", options->Output, "File to write, ending in .exr")->required();
+  command->add_option("-o,--output", options->Output, "File to write, ending in .exr")
+    ->check(EndsIn({ ".exr" }))
+    ->required();
   command->footer(
     "The stack of coefficients is a material like any other: use it with 'info', 'render', ...\n"
     "'project OUT.exr --extrapolate' extends it beyond the zone.\n\n"

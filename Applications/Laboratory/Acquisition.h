@@ -58,19 +58,9 @@ struct Acquisition
 Acquisition Acquire(
   vtkBRDF* sample, const AcquisitionOptions& options, const Progress& show = [](double) {});
 
-/// How the weight of the smoothness term is found.
-enum class Criterion
-{
-  CrossValidation, // least residual by the square of the free samples
-  LCurve,          // largest curvature of log penalty over log residual
-  Fixed            // Lambda as given
-};
-
 struct ExtrapolationOptions
 {
   int Order = 0; // of the harmonics; 0: the input's
-  Criterion How = Criterion::LCurve;
-  double Lambda = 0.0; // of Criterion::Fixed
   // Largest accepted residual; 0: 0.10 for zonal inputs, most of whose residual comes from the
   // zone's edges, and 0.03 for others.
   double MaximumResidual = 0.0;
@@ -90,7 +80,7 @@ struct Extrapolation
 /**
  * Spherical harmonics of the whole hemisphere for i and o, from a basis over zones. For each
  * azimuthal order, the coefficients minimize the squared distance within the zone plus lambda times
- * the squared Laplacian, first over i, then over o.
+ * the squared Laplacian, first over i, then over o. The L-curve finds lambda (Hansen 1992).
  *
  * Measured on 23 published fits, 14 measured materials and 8 Blinn-Phong lobes (exponents 1 to 200)
  * at orders 4, 6, 8, 12 on 9 to 57 degrees: the error over 0 to 75 degrees, compared with that of

@@ -85,7 +85,6 @@ struct Score
 {
   double Residual = 0.0; // weighted sum of squares
   double Penalty = 0.0;
-  double Freedom = 0.0; // number of samples minus the trace of the hat matrices
 };
 
 Score Try(const BasisFunctions& harmonics, const IncidentProblem& problem, double lambda)
@@ -106,41 +105,31 @@ Score Try(const BasisFunctions& harmonics, const IncidentProblem& problem, doubl
       const double l = static_cast<double>(row) + std::abs(m);
       score.Penalty += std::pow(l * (l + 1.0), 2.0) * c.row(row).squaredNorm();
     }
-    score.Freedom += (ZonalNodes - (radial * solve).trace()) * static_cast<double>(samples.cols());
   }
   return score;
 }
 
-double ChooseLambda(
-  Criterion criterion, const BasisFunctions& harmonics, const IncidentProblem& problem)
+// The largest curvature of log penalty over log residual, by differences along the steps.
+double ChooseLambda(const BasisFunctions& harmonics, const IncidentProblem& problem)
 {
-  std::vector<Score> scores;
   std::vector<Eigen::Vector2d> logs;
   for (int k = 0; k < LambdaSteps; ++k)
   {
     const Score score = Try(harmonics, problem, GetStep(k));
-    scores.push_back(score);
     logs.emplace_back(std::log(score.Residual + 1e-300), std::log(score.Penalty + 1e-300));
   }
   int best = 0;
-  double smallest = std::numeric_limits<double>::max();
-  for (int k = 0; k < LambdaSteps; ++k)
+  double largest = -std::numeric_limits<double>::max();
+  for (int k = 1; k + 1 < LambdaSteps; ++k)
   {
-    double value = smallest;
-    if (criterion == Criterion::CrossValidation)
+    const Eigen::Vector2d first = 0.5 * (logs[k + 1] - logs[k - 1]);
+    const Eigen::Vector2d second = logs[k + 1] - 2.0 * logs[k] + logs[k - 1];
+    const double speed = std::max(first.norm(), 1e-12);
+    const double curvature =
+      (first.x() * second.y() - first.y() * second.x()) / (speed * speed * speed);
+    if (curvature > largest)
     {
-      value = scores[k].Residual / (scores[k].Freedom * scores[k].Freedom);
-    }
-    else if (k > 0 && k + 1 < LambdaSteps) // curvature, by differences along the steps
-    {
-      const Eigen::Vector2d first = 0.5 * (logs[k + 1] - logs[k - 1]);
-      const Eigen::Vector2d second = logs[k + 1] - 2.0 * logs[k] + logs[k - 1];
-      const double speed = std::max(first.norm(), 1e-12);
-      value = -(first.x() * second.y() - first.y() * second.x()) / (speed * speed * speed);
-    }
-    if (value < smallest)
-    {
-      smallest = value;
+      largest = curvature;
       best = k;
     }
   }
@@ -222,8 +211,7 @@ Extrapolation Extrapolate(
                             .cast<double>();
   const IncidentProblem incident(input, stack, std::min(order, input->GetOrder()));
   Extrapolation result;
-  result.Lambda = options.How == Criterion::Fixed ? options.Lambda
-                                                  : ChooseLambda(options.How, harmonics, incident);
+  result.Lambda = ChooseLambda(harmonics, incident);
 
   // Over i: coefficients of the harmonics for each sample of o.
   RowMatrix half = RowMatrix::Zero(count, stack.cols());

@@ -3,7 +3,6 @@
 #include "Files.h"
 #include "Inputs.h"
 #include "Laboratory.h"
-#include "MaterialMapFiles.h"
 #include "NumberText.h"
 #include "Picture.h"
 #include "SimulatedPhotographs.h"
@@ -134,7 +133,7 @@ void RunPhotograph(const PhotographOptions& options)
     { "irradiance", set->GetIrradiance() }, { "transfer", encode ? "srgb" : "linear" },
     { "photographs", ordered_json::array() }
   };
-  const auto show = tool::ShowProgress("photographing");
+  const auto show = laboratory::ShowProgress("photographing");
   for (int k = 0; k < set->GetNumberOfPhotographs(); ++k)
   {
     show(static_cast<double>(k) / set->GetNumberOfPhotographs());

@@ -1,21 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Acquisition.h"
-#include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
 #include "Laboratory.h"
 #include "Methods.h"
-#include "Progress.h"
+#include "Options.h"
 #include "Tool.h"
 
 #include "vtkBRDFResampler.h"
-#include "vtkBasisProjector.h"
-#include "vtkNew.h"
 
-#include <CLI/CLI.hpp>
-
-#include <iterator>
 #include <memory>
 #include <vector>
 
@@ -25,7 +19,7 @@ struct ProjectOptions
 {
   std::string File;
   std::string Output;
-  std::string Basis;
+  int Basis = -1;
   int Order = 0;
   std::string Zone = "9,57";
   bool Extrapolate = false;
@@ -35,10 +29,6 @@ struct ProjectOptions
 //------------------------------------------------------------------------------
 void Check(const ProjectOptions& options, const CLI::App* command)
 {
-  if (tool::Extension(options.Output) != ".exr")
-  {
-    throw tool::UsageError(options.Output + ": OUT must end in .exr");
-  }
   for (const char* option : { "--maximum-residual", "--maximum-negative-mass" })
   {
     if (command->count(option) > 0 && !options.Extrapolate)
@@ -52,37 +42,17 @@ void Check(const ProjectOptions& options, const CLI::App* command)
 // What a projection needs, and an extrapolation of what is in a basis already does not.
 void CheckProjection(const ProjectOptions& options)
 {
-  if (options.Basis.empty() || options.Order == 0)
+  if (options.Basis < 0 || options.Order == 0)
   {
     throw tool::UsageError(
       options.File + " is not in a basis yet: --basis and --order are required");
   }
-  const bool zonal = tool::FindBasis(options.Basis) >= vtkBasisBRDF::ZONAL;
-  if (options.Extrapolate && !zonal)
+  if (options.Extrapolate && options.Basis < vtkBasisBRDF::ZONAL)
   {
-    throw tool::UsageError("--extrapolate: --basis " + options.Basis +
+    throw tool::UsageError(std::string("--extrapolate: --basis ") +
+                           vtkBasisBRDF::GetBasisName(options.Basis) +
                            " covers the hemisphere; expected zonal or legendre-fourier");
   }
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkBasisBRDF> Project(
-  const ProjectOptions& options, const tool::Material& material, const double zone[2])
-{
-  vtkNew<vtkBasisProjector> projector;
-  projector->SetInput(material.BRDF);
-  projector->SetBasis(tool::FindBasis(options.Basis));
-  projector->SetOrder(options.Order);
-  if (projector->GetBasis() >= vtkBasisBRDF::ZONAL)
-  {
-    projector->SetIncidentZone(zone[0], zone[1]);
-    projector->SetOutgoingZone(zone[0], zone[1]);
-  }
-  if (!tool::RunWithProgress(projector.Get(), &vtkBasisProjector::Project, "projecting"))
-  {
-    throw tool::Error(options.File + ": " + tool::TakeErrorText());
-  }
-  return projector->GetOutput();
 }
 
 //------------------------------------------------------------------------------
@@ -92,7 +62,7 @@ vtkSmartPointer<vtkBasisBRDF> Extrapolate(
   laboratory::ExtrapolationOptions settings = options.Harmonics;
   settings.Order = options.Order;
   const laboratory::Extrapolation whole =
-    laboratory::Extrapolate(input, settings, tool::ShowProgress("extrapolating"));
+    laboratory::Extrapolate(input, settings, laboratory::ShowProgress("extrapolating"));
   const std::string residual = tool::FormatNumber(whole.InZoneResidual) + " (limit " +
                                tool::FormatNumber(whole.ResidualLimit) + ")";
   if (!whole.IsAccepted)
@@ -125,7 +95,8 @@ void Run(const ProjectOptions& options, const CLI::App* command)
   if (projects)
   {
     CheckProjection(options);
-    output = Project(options, material, zone);
+    output =
+      laboratory::ProjectOnto(material.BRDF, options.Basis, options.Order, zone, options.File);
   }
   else
   {
@@ -145,13 +116,14 @@ void Run(const ProjectOptions& options, const CLI::App* command)
   tool::WriteMaterial(output, options.Output);
   if (projects)
   {
-    text += tool::FormatShare("relative L2 error from " + tool::FormatNumber(zone[0]) + " to " +
-                                tool::FormatNumber(zone[1]) + " degrees",
-      tool::GetZoneError(material.BRDF, output, zone));
-    text += tool::FormatShare("relative L2 error over the hemisphere",
+    text += laboratory::FormatShare("relative L2 error from " + tool::FormatNumber(zone[0]) +
+                                      " to " + tool::FormatNumber(zone[1]) + " degrees",
+      vtkBRDFResampler::GetZoneRelativeL2Error(material.BRDF, output, zone, zone, 1 << 16));
+    text += laboratory::FormatShare("relative L2 error over the hemisphere",
       vtkBRDFResampler::GetRelativeL2Error(material.BRDF, output));
   }
-  text += tool::FormatShare("negative mass before the clamp", tool::GetNegativeMass(output));
+  text +=
+    laboratory::FormatShare("negative mass before the clamp", laboratory::GetNegativeMass(output));
   tool::PrintOut(text + tool::DescribeForm(output) + "\n");
 }
 }
@@ -169,7 +141,7 @@ void AddProjectCommand(CLI::App& app)
     ->add_option("--basis", options->Basis,
       "spherical-harmonics or hemispherical (both of light from 0 to 90 degrees), zonal or "
       "legendre-fourier (of a zone)")
-    ->check(CLI::IsMember(std::vector<std::string>(std::begin(BasisNames), std::end(BasisNames))));
+    ->transform(CLI::CheckedTransformer(laboratory::Bases));
   command
     ->add_option("--order", options->Order,
       "Order N of the basis: (N+1)^2 functions. For a FILE that is in a basis already: order of "
@@ -192,7 +164,9 @@ void AddProjectCommand(CLI::App& app)
     ->add_option("--maximum-negative-mass", options->Harmonics.MaximumNegativeMass,
       "Largest share of negative values over the hemisphere at which it is written (default 0.05)")
     ->check(CLI::Range(0.0, 1.0));
-  command->add_option("-o,--output", options->Output, "File to write, ending in .exr")->required();
+  command->add_option("-o,--output", options->Output, "File to write, ending in .exr")
+    ->check(EndsIn({ ".exr" }))
+    ->required();
   command->footer(
     "An extrapolation whose residual inside the zone is too large is refused with exit status 1:\n"
     "use 'fit' for such materials.\n\n"

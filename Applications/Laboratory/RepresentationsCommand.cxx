@@ -1,21 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Acquisition.h"
-#include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
 #include "Laboratory.h"
 #include "Methods.h"
 #include "NumberText.h"
 #include "Progress.h"
-#include "Stability.h"
+#include "SphereLight.h"
 #include "Tool.h"
 
 #include "vtkAshikhminShirleyBRDFFitter.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBRDFShaderInputs.h"
-#include "vtkBasisProjector.h"
-#include "vtkDistributionBRDFFitter.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
@@ -78,7 +75,7 @@ public:
       }
       names.push_back(name);
       this->Text += "," + QuoteCell("image_" + name);
-      this->Lights.push_back(tool::stability::Shrink(environment, MapWidth));
+      this->Lights.push_back(laboratory::Shrink(environment, MapWidth));
     }
     this->Text += ",texture_bytes,seconds,recommended\n";
   }
@@ -92,7 +89,7 @@ public:
     for (vtkEnvironment* light : this->Lights)
     {
       this->References.push_back(
-        tool::stability::IntegrateReference(this->Material.BRDF, light, this->Pairs));
+        laboratory::IntegrateReference(this->Material.BRDF, light, this->Pairs));
     }
     const std::string before = this->Text;
     try
@@ -112,7 +109,7 @@ private:
   void AddRows()
   {
     constexpr int advisedOrder = 6;
-    const bool basis = tool::Advise(this->Material.BRDF, advisedOrder, this->Zone).IsBasis;
+    const bool isBasis = tool::Advise(this->Material.BRDF, advisedOrder, this->Zone).IsBasis;
     for (const int order : this->Settings.Orders)
     {
       const std::string number = " " + std::to_string(order);
@@ -120,61 +117,39 @@ private:
       for (const int kind :
         { vtkBasisBRDF::ZONAL, vtkBasisBRDF::LEGENDRE_FOURIER, vtkBasisBRDF::SPHERICAL_HARMONICS })
       {
-        vtkNew<vtkBasisProjector> projector;
-        projector->SetInput(this->Material.BRDF);
-        projector->SetBasis(kind);
-        projector->SetOrder(order);
-        if (kind != vtkBasisBRDF::SPHERICAL_HARMONICS)
+        const auto project = [&]() -> vtkSmartPointer<vtkBRDF>
         {
-          projector->SetIncidentZone(this->Zone[0], this->Zone[1]);
-          projector->SetOutgoingZone(this->Zone[0], this->Zone[1]);
-        }
-        this->AddRow(vtkBasisBRDF::GetBasisName(kind) + number, projector.Get(),
-          &vtkBasisProjector::Project,
-          basis && kind == vtkBasisBRDF::SPHERICAL_HARMONICS && order == advisedOrder);
-        zonal = kind == vtkBasisBRDF::ZONAL ? projector->GetOutput() : zonal.Get();
+          const auto basis = laboratory::ProjectOnto(
+            this->Material.BRDF, kind, order, this->Zone, this->Material.Name);
+          zonal = kind == vtkBasisBRDF::ZONAL ? basis : zonal;
+          return basis;
+        };
+        this->AddRow(vtkBasisBRDF::GetBasisName(kind) + number, project,
+          isBasis && kind == vtkBasisBRDF::SPHERICAL_HARMONICS && order == advisedOrder);
       }
       // What the extrapolation's gate refuses is taken, too: the table shows why.
       this->AddRow(
         "zonal" + number + ", extended", [&]() { return laboratory::Extrapolate(zonal).Output; },
         false);
     }
-    vtkNew<vtkDistributionBRDFFitter> distribution;
-    distribution->SetInput(this->Material.BRDF);
-    this->AddRow("D-BRDF", distribution.Get(), &vtkBRDFFitter::Fit, !basis);
+    const auto fit = [this]()
+    { return laboratory::FitDistribution(this->Material.BRDF, this->Material.Name); };
+    this->AddRow("D-BRDF", fit, !isBasis);
     for (int lobes = 1; MEASUREDBRDF_WITH_CERES && lobes <= 2; ++lobes)
     {
-      vtkNew<vtkAshikhminShirleyBRDFFitter> fitter;
-      fitter->SetInput(this->Material.BRDF);
-      fitter->SetNumberOfLobes(lobes);
-      this->AddRow(
-        "Ashikhmin-Shirley " + std::to_string(lobes), fitter.Get(), &vtkBRDFFitter::Fit, false);
-    }
-  }
-
-  // Throws Error where it failed; without an error it only refused.
-  template <typename Maker, typename Method>
-  void RunMaker(Maker* maker, Method run)
-  {
-    const bool done = tool::RunWithProgress(maker, run, this->Material.Name);
-    const std::string said = tool::TakeErrorText();
-    if (!done && !said.empty())
-    {
-      throw tool::Error(said);
-    }
-  }
-
-  template <typename Maker, typename Method>
-  void AddRow(const std::string& name, Maker* maker, Method run, bool recommended)
-  {
-    this->AddRow(
-      name,
-      [&]()
+      const auto fitLobes = [&]() -> vtkSmartPointer<vtkBRDF>
       {
-        this->RunMaker(maker, run);
-        return maker->GetOutput();
-      },
-      recommended);
+        vtkNew<vtkAshikhminShirleyBRDFFitter> fitter;
+        fitter->SetInput(this->Material.BRDF);
+        fitter->SetNumberOfLobes(lobes);
+        if (!tool::RunWithProgress(fitter.Get(), &vtkBRDFFitter::Fit, this->Material.Name))
+        {
+          throw tool::Error(tool::TakeErrorText());
+        }
+        return fitter->GetOutput();
+      };
+      this->AddRow("Ashikhmin-Shirley " + std::to_string(lobes), fitLobes, false);
+    }
   }
 
   void AddRow(const std::string& name, const std::function<vtkSmartPointer<vtkBRDF>()>& make,
@@ -183,10 +158,6 @@ private:
     const auto begin = std::chrono::steady_clock::now();
     const vtkSmartPointer<vtkBRDF> brdf = make();
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    if (!brdf)
-    {
-      throw tool::Error(name + ": nothing came out");
-    }
     brdf->Prepare();
     auto* basis = vtkBasisBRDF::SafeDownCast(brdf);
     vtkBRDF* original = this->Material.BRDF;
@@ -195,12 +166,11 @@ private:
     this->AddFigure(vtkBRDFResampler::GetZoneRelativeL2Error(
       original, brdf, this->Zone, this->Zone, NumberOfErrorPairs));
     this->AddFigure(vtkBRDFResampler::GetRelativeL2Error(original, brdf, NumberOfErrorPairs));
-    this->AddFigure(basis ? tool::GetNegativeMass(basis) : 0.0, 5);
+    this->AddFigure(basis ? laboratory::GetNegativeMass(basis) : 0.0, 5);
     for (std::size_t k = 0; k < this->Lights.size(); ++k)
     {
-      this->AddFigure(tool::stability::GetRelativeL1(
-        tool::stability::IntegrateReference(brdf, this->Lights[k], this->Pairs),
-        this->References[k]));
+      this->AddFigure(laboratory::GetRelativeL1(
+        laboratory::IntegrateReference(brdf, this->Lights[k], this->Pairs), this->References[k]));
     }
     vtkBRDFShaderInputs inputs;
     brdf->GetShaderInputs(inputs);
@@ -216,10 +186,10 @@ private:
 
   const RepresentationsOptions& Settings;
   double Zone[2];
-  const tool::stability::Pairs Pairs = tool::stability::MakeSpherePairs(NumberOfSpherePairs);
-  std::vector<tool::stability::Environment> Lights;
+  const laboratory::Pairs Pairs = laboratory::MakeSpherePairs(NumberOfSpherePairs);
+  std::vector<laboratory::Environment> Lights;
   tool::Material Material;
-  std::vector<tool::stability::Radiance> References; // of the material, under each light
+  std::vector<laboratory::Radiance> References; // of the material, under each light
   std::string Text;
 };
 

@@ -4,7 +4,6 @@
 #include "Files.h"
 #include "Inputs.h"
 #include "Laboratory.h"
-#include "MaterialMapFiles.h"
 #include "Measuring.h"
 #include "Meshes.h"
 #include "Methods.h"
@@ -13,7 +12,6 @@
 #include "Sheets.h"
 #include "Tool.h"
 
-#include "vtkDistributionBRDFFitter.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkNew.h"
 
@@ -21,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 
 namespace
@@ -29,7 +26,7 @@ namespace
 struct ThesisCommandOptions
 {
   std::vector<std::string> Files;
-  std::vector<std::string> Environments;
+  std::vector<std::string> Environments = { "hall", "sky" };
   std::string Specular = "gold-metallic-paint3";
   std::string Output;
   int Tile = 240;
@@ -95,20 +92,6 @@ double GetPictureDifference(const tool::Picture& a, const tool::Picture& b)
 }
 
 //------------------------------------------------------------------------------
-// Whether it made something; where it only refused, without an error, it did not. Throws Error.
-template <typename Maker, typename Method>
-bool RunMaker(Maker* maker, Method run, const std::string& name)
-{
-  const bool made = tool::RunWithProgress(maker, run, name);
-  const std::string said = tool::TakeErrorText();
-  if (!said.empty())
-  {
-    throw tool::Error(name + ": " + said);
-  }
-  return made;
-}
-
-//------------------------------------------------------------------------------
 // Measured by the simulated device and continued over the hemisphere where its basis suits; the
 // D-BRDF fit else.
 Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor, int order)
@@ -124,7 +107,7 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
     device.Noise = Noise;
     device.Bits = Bits;
     const laboratory::Extrapolation whole = laboratory::Extrapolate(
-      laboratory::Acquire(material.BRDF, device, tool::ShowProgress(material.Name)).Stack);
+      laboratory::Acquire(material.BRDF, device, laboratory::ShowProgress(material.Name)).Stack);
     if (whole.IsAccepted)
     {
       exhibit.BRDF = whole.Output;
@@ -133,10 +116,7 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
       return exhibit;
     }
   }
-  vtkNew<vtkDistributionBRDFFitter> fitter;
-  fitter->SetInput(material.BRDF);
-  RunMaker(fitter.Get(), &vtkDistributionBRDFFitter::Fit, material.Name);
-  exhibit.BRDF = fitter->GetOutput();
+  exhibit.BRDF = laboratory::FitDistribution(material.BRDF, material.Name);
   exhibit.Note = begin + "D-BRDF of the " + GetOrigin(material) + "; basis residual " +
                  tool::FormatPercent(advice.InZoneResidual);
   return exhibit;
@@ -151,16 +131,39 @@ tool::Picture Finish(tool::Picture tile, const tool::OffscreenScene& scene,
   return tool::Downsample(tile, Smooth);
 }
 
+/// What a figure shows at one of its places.
+struct Tile
+{
+  tool::Picture Shown;
+  std::string Name;
+  std::string Note;
+};
+
+//------------------------------------------------------------------------------
+void DrawFigure(const std::string& path, const std::string& title, int columns, int rows, int width,
+  int height, const std::function<Tile(int column, int row)>& draw)
+{
+  tool::ContactSheet sheet(title, columns, rows, width, height);
+  tool::ProgressBar bar(title);
+  for (int k = 0; k < columns * rows; ++k)
+  {
+    tool::Interruptible::Check();
+    const Tile tile = draw(k % columns, k / columns);
+    sheet.Add(k % columns, k / columns, tile.Shown, tile.Name, tile.Note);
+    bar.Update((k + 1.0) / (columns * rows));
+  }
+  sheet.Write(path);
+}
+
 //------------------------------------------------------------------------------
 class Gallery
 {
 public:
   Gallery(const ThesisCommandOptions& options)
     : Settings(options)
+    , Specular(tool::LoadMaterial(options.Specular))
   {
-    for (const std::string& name : options.Environments.empty()
-                                     ? std::vector<std::string>{ "hall", "sky" }
-                                     : options.Environments)
+    for (const std::string& name : options.Environments)
     {
       this->Environments.push_back(tool::LoadEnvironment(name));
     }
@@ -170,77 +173,54 @@ public:
   void DrawMaterials(const std::string& path)
   {
     std::vector<Exhibit> exhibits;
-    const auto add = [&](const std::string& file, const std::string& standsFor)
-    {
-      tool::Interruptible::Check();
-      exhibits.push_back(MakeExhibit(tool::LoadMaterial(file), standsFor, this->Settings.Order));
-    };
     for (const std::string& file : this->Settings.Files)
     {
-      add(file, "");
+      exhibits.push_back(MakeExhibit(tool::LoadMaterial(file), "", this->Settings.Order));
     }
     for (const Figure& figure : Figures)
     {
       if (this->Settings.Files.empty())
       {
-        add(figure.Name, figure.Thesis);
+        exhibits.push_back(
+          MakeExhibit(tool::LoadMaterial(figure.Name), figure.Thesis, this->Settings.Order));
       }
     }
-    const int columns = static_cast<int>(exhibits.size());
-    const int rows = static_cast<int>(this->Environments.size());
-    tool::ContactSheet sheet("Thesis 3.3: materials under " + std::to_string(Lights) +
-                               " median-cut lights, basis pair or D-BRDF",
-      columns, rows, this->Settings.Tile, this->Settings.Tile);
     tool::Scene scene;
     scene.SetMesh(tool::MakeBallOnFoot());
     scene.SetView(25.0, 14.0, 1.02);
-    tool::ProgressBar bar("materials");
-    for (int row = 0; row < rows; ++row)
-    {
-      vtkEnvironment* environment = this->Environments[static_cast<std::size_t>(row)];
-      const tool::Backdrop backdrop = tool::MakeQuietBackdrop(environment);
-      scene.SetLight(environment, tool::LightSetOptions{ Lights });
-      for (int column = 0; column < columns; ++column)
+    DrawFigure(path,
+      "Thesis 3.3: materials under " + std::to_string(Lights) +
+        " median-cut lights, basis pair or D-BRDF",
+      static_cast<int>(exhibits.size()), static_cast<int>(this->Environments.size()),
+      this->Settings.Tile, this->Settings.Tile,
+      [&](int column, int row)
       {
-        tool::Interruptible::Check();
+        vtkEnvironment* environment = this->Environments[static_cast<std::size_t>(row)];
         const Exhibit& exhibit = exhibits[static_cast<std::size_t>(column)];
+        scene.SetLight(environment, tool::LightSetOptions{ Lights });
         scene.SetMaterial(exhibit.BRDF);
-        sheet.Add(column, row,
-          Finish(this->Render(scene), scene, backdrop, tool::ChooseExposure(environment)),
-          exhibit.Name, exhibit.Note);
-        bar.Update((row * columns + column + 1.0) / (rows * columns));
-      }
-    }
-    sheet.Write(path);
+        return Tile{ Finish(this->Render(scene), scene, tool::MakeQuietBackdrop(environment),
+                       tool::ChooseExposure(environment)),
+          exhibit.Name, exhibit.Note };
+      });
   }
 
   // 2.3.4: harmonics of growing order on a specular material, the exact picture, its D-BRDF fit.
   void DrawRinging(const std::string& path)
   {
-    const tool::Material material = tool::LoadMaterial(this->Settings.Specular);
-    const int orders[] = { 2, 4, 6, 8, 12 };
-    std::vector<Exhibit> exhibits = { { material.BRDF, "exact: " + material.Name, "" } };
-    for (const int order : orders)
+    std::vector<Exhibit> exhibits = { { this->Specular.BRDF, "exact: " + this->Specular.Name,
+      "" } };
+    for (const int order : { 2, 4, 6, 8, 12 })
     {
-      vtkNew<vtkBasisProjector> projector;
-      projector->SetInput(material.BRDF);
-      projector->SetBasis(vtkBasisBRDF::SPHERICAL_HARMONICS);
-      projector->SetOrder(order);
-      RunMaker(projector.Get(), &vtkBasisProjector::Project, material.Name);
-      exhibits.push_back({ projector->GetOutput(), "harmonics, order " + std::to_string(order),
+      const auto basis = laboratory::ProjectOnto(this->Specular.BRDF,
+        vtkBasisBRDF::SPHERICAL_HARMONICS, order, tool::DeviceZone, this->Specular.Name);
+      exhibits.push_back({ basis, "harmonics, order " + std::to_string(order),
         std::to_string((order + 1) * (order + 1)) + " functions, " });
     }
-    vtkNew<vtkDistributionBRDFFitter> fitter;
-    fitter->SetInput(material.BRDF);
-    RunMaker(fitter.Get(), &vtkDistributionBRDFFitter::Fit, material.Name);
-    exhibits.push_back({ fitter->GetOutput(), "D-BRDF fit", "" });
+    exhibits.push_back(
+      { laboratory::FitDistribution(this->Specular.BRDF, this->Specular.Name), "D-BRDF fit", "" });
 
-    tool::ContactSheet sheet(
-      "Thesis 2.3.4: a global basis rings on specular materials; one light above, " +
-        std::to_string(Lights) + " below",
-      static_cast<int>(exhibits.size()), 2, this->Settings.Tile, this->Settings.Tile);
     vtkEnvironment* environment = this->Environments.front();
-    const tool::Backdrop backdrop = tool::MakeQuietBackdrop(environment);
     vtkNew<vtkLightSet> one;
     const double direction[3] = { 0.61, 0.61, 0.5 };
     const double irradiance[3] = { 1.0, 1.0, 1.0 };
@@ -249,78 +229,58 @@ public:
     scene.SetMesh(tool::MakeSphere());
     scene.SetView(25.0, 14.0, 0.9);
     scene.SetLight(environment, tool::LightSetOptions{ Lights });
-    tool::ProgressBar bar("ringing");
-    double done = 0.0;
-    for (int row = 0; row < 2; ++row)
-    {
-      scene.SetLightSet(row == 0 ? one.Get() : nullptr);
-      std::unique_ptr<tool::Picture> reference;
-      int column = 0;
-      for (const Exhibit& exhibit : exhibits)
+    tool::Picture reference(1, 1);
+    DrawFigure(path,
+      "Thesis 2.3.4: a global basis rings on specular materials; one light above, " +
+        std::to_string(Lights) + " below",
+      static_cast<int>(exhibits.size()), 2, this->Settings.Tile, this->Settings.Tile,
+      [&](int column, int row)
       {
-        tool::Interruptible::Check();
+        const Exhibit& exhibit = exhibits[static_cast<std::size_t>(column)];
+        scene.SetLightSet(row == 0 ? one.Get() : nullptr);
         scene.SetMaterial(exhibit.BRDF);
         const tool::Picture picture = this->Render(scene);
-        std::string note = "the material itself";
-        if (reference)
-        {
-          note = exhibit.Note + "image error " +
-                 tool::FormatPercent(GetPictureDifference(picture, *reference));
-        }
-        else
-        {
-          reference = std::make_unique<tool::Picture>(picture);
-        }
-        tool::Backdrop ground = backdrop;
+        reference = column == 0 ? picture : reference;
+        tool::Backdrop ground = tool::MakeQuietBackdrop(environment);
         ground.Scale(row == 0 ? 0.0 : 1.0);
-        sheet.Add(column++, row,
-          Finish(picture, scene, ground, row == 0 ? 1.2 : tool::ChooseExposure(environment)),
-          exhibit.Name, note);
-        bar.Update(++done / (2.0 * exhibits.size()));
-      }
-    }
-    sheet.Write(path);
+        return Tile{ Finish(
+                       picture, scene, ground, row == 0 ? 1.2 : tool::ChooseExposure(environment)),
+          exhibit.Name,
+          column == 0 ? "the material itself"
+                      : exhibit.Note + "image error " +
+                          tool::FormatPercent(GetPictureDifference(picture, reference)) };
+      });
   }
 
   // 3.2.2 and 3.2.3: both generators at 16, 64 and 256 lights, on the map and on the object.
   void DrawLights(const std::string& path)
   {
-    const int counts[] = { 16, 64, 256 };
     const int tile = this->Settings.Tile;
-    tool::ContactSheet sheet(
-      "Thesis 3.2: median cut (above) and importance sampling (below)", 3, 2, 3 * tile, tile);
     vtkEnvironment* environment = this->Environments.front();
-    const tool::Backdrop backdrop = tool::MakeQuietBackdrop(environment);
-    const tool::Material material = tool::LoadMaterial(this->Settings.Specular);
     tool::Scene scene;
     scene.SetMesh(tool::MakeBallOnFoot());
     scene.SetView(25.0, 14.0, 1.02);
-    scene.SetMaterial(material.BRDF);
-    tool::ProgressBar bar("lights");
-    double done = 0.0;
-    for (int row = 0; row < 2; ++row)
-    {
-      for (int column = 0; column < 3; ++column)
+    scene.SetMaterial(this->Specular.BRDF);
+    DrawFigure(path, "Thesis 3.2: median cut (above) and importance sampling (below)", 3, 2,
+      3 * tile, tile,
+      [&](int column, int row)
       {
-        tool::Interruptible::Check();
-        tool::LightSetOptions options{ counts[column] };
-        options.Method = row == 0 ? "median-cut" : "importance";
+        const tool::LightSetOptions options{ 16 << 2 * column,
+          row == 0 ? "median-cut" : "importance" };
         const vtkSmartPointer<vtkLightSet> lights = tool::MakeLightSet(environment, options);
         const tool::Picture map = tool::DrawLightMap(environment, lights, row == 0, 2 * tile, tile);
         scene.SetLight(environment, options);
         tool::Picture both = tool::MakePaper(3 * tile, tile);
         tool::Paste(both, map, 0, (tile - map.Height) / 2);
         tool::Paste(both,
-          Finish(this->Render(scene), scene, backdrop, tool::ChooseExposure(environment)), 2 * tile,
-          0);
-        sheet.Add(column, row, both,
-          std::to_string(counts[column]) + " lights, " +
+          Finish(this->Render(scene), scene, tool::MakeQuietBackdrop(environment),
+            tool::ChooseExposure(environment)),
+          2 * tile, 0);
+        return Tile{ both,
+          std::to_string(options.Count) + " lights, " +
             (row == 0 ? "median cut" : "importance sampling"),
-          environment->GetName() + "; " + material.Name);
-        bar.Update(++done / 6.0);
-      }
-    }
-    sheet.Write(path);
+          environment->GetName() + "; " + this->Specular.Name };
+      });
   }
 
 private:
@@ -330,6 +290,7 @@ private:
   }
 
   const ThesisCommandOptions& Settings;
+  tool::Material Specular;
   std::vector<vtkSmartPointer<vtkEnvironment>> Environments;
 };
 
@@ -339,10 +300,9 @@ void RunThesis(const ThesisCommandOptions& options)
   tool::MakeFolder(options.Output);
   const tool::Interruptible interruptible;
   Gallery gallery(options);
-  const std::filesystem::path folder(options.Output);
-  gallery.DrawLights((folder / "lights.png").string());
-  gallery.DrawRinging((folder / "ringing.png").string());
-  gallery.DrawMaterials((folder / "materials.png").string());
+  gallery.DrawLights(options.Output + "/lights.png");
+  gallery.DrawRinging(options.Output + "/ringing.png");
+  gallery.DrawMaterials(options.Output + "/materials.png");
 }
 }
 

@@ -17,46 +17,24 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 namespace fs = std::filesystem;
 
 namespace
 {
 //------------------------------------------------------------------------------
-// A cell without surrounding blanks and quotes.
-std::string Trim(std::string cell)
-{
-  const char* blanks = " \t\r\n\v\f";
-  cell.erase(0, std::min(cell.find_first_not_of(blanks), cell.size()));
-  cell.erase(cell.find_last_not_of(blanks) + 1);
-  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
-  {
-    cell = cell.substr(1, cell.size() - 2);
-  }
-  return cell;
-}
-
-//------------------------------------------------------------------------------
-// Commas inside double quotes belong to the cell (RFC 4180).
+// Cells between commas, without surrounding blanks.
 std::vector<std::string> Split(const std::string& line)
 {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (const char c : line)
+  constexpr const char* blanks = " \t\r\n\v\f";
+  std::vector<std::string> cells;
+  std::istringstream stream(line + ",");
+  for (std::string cell; std::getline(stream, cell, ',');)
   {
-    quoted = quoted != (c == '"');
-    if (c == ',' && !quoted)
-    {
-      cells.emplace_back();
-    }
-    else
-    {
-      cells.back() += c;
-    }
-  }
-  for (std::string& cell : cells)
-  {
-    cell = Trim(cell);
+    cell.erase(0, std::min(cell.find_first_not_of(blanks), cell.size()));
+    cell.erase(cell.find_last_not_of(blanks) + 1);
+    cells.push_back(cell);
   }
   return cells;
 }
@@ -230,6 +208,10 @@ void WriteWhole(const std::string& path, std::string_view bytes)
 //------------------------------------------------------------------------------
 void CheckWritable(const std::string& path)
 {
+  if (path.empty())
+  {
+    return;
+  }
   if (!MEASUREDBRDF_WITH_OPENEXR && Extension(path) == ".exr")
   {
     throw Error(
@@ -242,6 +224,17 @@ void CheckWritable(const std::string& path)
   catch (const std::runtime_error& e)
   {
     throw Error(e.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+void MakeFolder(const std::string& path)
+{
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error || !fs::is_directory(path))
+  {
+    throw Error(path + ": the folder can't be made" + (error ? ": " + error.message() : ""));
   }
 }
 

@@ -36,8 +36,11 @@ void WriteResults(const std::string& path, const PairColumns& columns,
 /// A file, whole or not at all: as WriteWholeFile (WholeFile.h). Throws Error.
 void WriteWhole(const std::string& path, std::string_view bytes);
 
-/// Throws Error where a file could not be written there: to be asked before long work.
+/// Throws Error where a file could not be written there: to be asked before long work. Not of "".
 void CheckWritable(const std::string& path);
+
+/// Make a folder where there is none. Throws Error.
+void MakeFolder(const std::string& path);
 
 /// A material in the format that the path's ending names, whole or not at all; halfFloats: tables
 /// of .exr as 16-bit floats. Throws Error.

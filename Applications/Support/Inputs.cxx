@@ -290,14 +290,6 @@ void LightSetOptions::AddTo(CLI::App* command, const std::string& countName)
 }
 
 //------------------------------------------------------------------------------
-void LightSetOptions::AddSoftTo(CLI::App* command)
-{
-  command->add_flag("--soft-lights", this->Soft,
-    "Make each light as wide as its region, so that sharp lobes show no dots; lights "
-    "of --light-set importance have no width");
-}
-
-//------------------------------------------------------------------------------
 void LightSetOptions::Check() const
 {
   if (this->IsMedianCut() && (this->Count & (this->Count - 1)) != 0)

@@ -95,9 +95,6 @@ struct LightSetOptions
   /// Add the options to a subcommand; the count is called by the given name.
   void AddTo(CLI::App* command, const std::string& countName);
 
-  /// Add --soft-lights.
-  void AddSoftTo(CLI::App* command);
-
   bool IsMedianCut() const { return this->Method == "median-cut"; }
   bool IsImportance() const { return this->Method == "importance"; }
 

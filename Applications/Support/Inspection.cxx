@@ -87,111 +87,6 @@ ordered_json Advise(vtkBRDF* brdf)
     { "in_zone_residual", advice.InZoneResidual }, { "negative_mass", advice.NegativeMass },
     { "reason", advice.Reason } };
 }
-
-//------------------------------------------------------------------------------
-// "indexOfRefraction" and "gains_energy" as words.
-std::string ToWords(const std::string& key)
-{
-  std::string words;
-  for (const char c : key)
-  {
-    words += c >= 'A' && c <= 'Z' ? std::string(" ") + static_cast<char>(c - 'A' + 'a')
-                                  : std::string(1, c == '_' ? ' ' : c);
-  }
-  return words;
-}
-
-//------------------------------------------------------------------------------
-std::string FormatValue(const ordered_json& value, const char* format = "%.4g")
-{
-  if (value.is_number_float())
-  {
-    char text[40];
-    std::snprintf(text, sizeof(text), format, value.get<double>());
-    return text;
-  }
-  if (value.is_array())
-  {
-    std::string list;
-    for (const ordered_json& one : value)
-    {
-      list += (list.empty() ? "" : ", ") + FormatValue(one, format);
-    }
-    return list;
-  }
-  return value.is_boolean()  ? (value.get<bool>() ? "yes" : "no")
-         : value.is_string() ? value.get<std::string>()
-                             : value.dump();
-}
-
-//------------------------------------------------------------------------------
-// Rows with the same keys, under these.
-std::string FormatTable(const ordered_json& rows, const std::string& indent)
-{
-  constexpr std::size_t width = 10; // of a cell
-  const auto pad = [](const std::string& text, std::size_t cells)
-  { return std::string(std::max(cells * width, text.size() + 1) - text.size(), ' ') + text; };
-  std::string heads = indent;
-  std::string text;
-  for (const ordered_json& row : rows)
-  {
-    text += indent;
-    for (const auto& [key, value] : row.items())
-    {
-      const std::size_t cells = value.is_array() ? value.size() : 1;
-      heads += &row == &rows.front() ? pad(ToWords(key), cells) : "";
-      for (std::size_t k = 0; k < cells; ++k)
-      {
-        text +=
-          value.is_array() ? pad(FormatValue(value[k], "%.4f"), 1) : pad(FormatValue(value), 1);
-      }
-    }
-    text += "\n";
-  }
-  return heads + "\n" + text;
-}
-
-//------------------------------------------------------------------------------
-// A line for each key, and what it holds below it.
-std::string FormatObject(const ordered_json& object, const std::string& indent)
-{
-  std::string text;
-  for (const auto& [key, value] : object.items())
-  {
-    std::string label = indent + ToWords(key);
-    const bool hasObjects = value.is_array() && !value.empty() && value.front().is_object();
-    if (value.is_object() && value.contains("shape"))
-    {
-      label.resize(std::max<std::size_t>(26, label.size() + 1), ' ');
-      for (const ordered_json& size : value["shape"])
-      {
-        label += (&size == &value["shape"].front() ? "" : " x ") + size.dump();
-      }
-      text += label + (value["channels"] == 3 ? " RGB triples\n" : " numbers\n");
-    }
-    else if (value.is_object())
-    {
-      text += label + "\n" + FormatObject(value, indent + "  ");
-    }
-    else if (hasObjects && value.front().contains("model"))
-    {
-      for (const ordered_json& part : value)
-      {
-        text += label + "\n" + FormatObject(part, indent + "  ");
-      }
-    }
-    else if (hasObjects)
-    {
-      text += label + "\n" + FormatTable(value, indent);
-    }
-    else if (const std::string said = FormatValue(value); !said.empty())
-    {
-      label.resize(std::max<std::size_t>(26, label.size() + 1), ' ');
-      text += label + said + "\n";
-    }
-  }
-  return text;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -246,9 +141,6 @@ ordered_json InspectMaterial(const Material& material)
   info["notes"] = material.Notes;
   return info;
 }
-
-//------------------------------------------------------------------------------
-std::string FormatInspection(const ordered_json& info) { return FormatObject(info, ""); }
 
 namespace
 {

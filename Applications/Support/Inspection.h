@@ -23,9 +23,6 @@ namespace tool
 /// what `info --json` prints. Takes about a second, transmission a few more. Throws Error.
 nlohmann::ordered_json InspectMaterial(const Material& material);
 
-/// The same for people, as all that is inspected here: what `info` prints.
-std::string FormatInspection(const nlohmann::ordered_json& info);
-
 enum class TransmissionRole
 {
   View,     // of a white sky on the other side, seen from that angle

@@ -3,6 +3,7 @@
 #include "Methods.h"
 
 #include "NumberText.h"
+#include "Options.h"
 #include "Progress.h"
 #include "Tool.h"
 
@@ -26,25 +27,6 @@
 
 namespace tool
 {
-//------------------------------------------------------------------------------
-void ThesisOptions::AddTo(CLI::App* command)
-{
-  command
-    ->add_option("--order", this->Order,
-      "Order of the basis of --method thesis (default " + std::to_string(this->Order) +
-        ": 49 functions)")
-    ->check(CLI::Range(1, static_cast<int>(vtkBasisBRDF::MaximumOrder)));
-}
-
-//------------------------------------------------------------------------------
-void ThesisOptions::Check(const CLI::App* command, const std::string& method) const
-{
-  if (command->count("--order") > 0 && method != "thesis")
-  {
-    throw UsageError("--order: has no effect without --method thesis");
-  }
-}
-
 //------------------------------------------------------------------------------
 std::string DescribeForm(vtkBRDF* brdf)
 {
@@ -110,18 +92,8 @@ Representation Represent(const Material& material, int order)
   return represent(projector.Get(), &vtkBasisProjector::Project);
 }
 
-//------------------------------------------------------------------------------
-Representation RepresentAsThesis(const Material& material, const ThesisOptions& options)
-{
-  Representation made = Represent(material, options.Order);
-  PrintNote(material.Name + ": " + made.Reason);
-  return made;
-}
-
 namespace
 {
-constexpr double LeastPlanTolerance = 1e-3; // of vtkRadiancePlanner
-
 const char* const Auto = "auto";
 const char* const Thesis = "thesis";
 const char* const Traced = "traced";
@@ -246,7 +218,7 @@ vtkSmartPointer<vtkRadianceIntegrator> NewIntegrator(
 }
 
 //------------------------------------------------------------------------------
-void MethodOptions::AddTo(CLI::App* command, bool onCpu, bool traced)
+void MethodOptions::AddTo(CLI::App* command, bool onCpu, bool forView, bool traced)
 {
   std::string help;
   std::vector<std::string> names;
@@ -260,11 +232,17 @@ void MethodOptions::AddTo(CLI::App* command, bool onCpu, bool traced)
             description;
   }
   command->add_option("--method", this->Method, help)->check(CLI::IsMember(names));
-  this->Plan.AddTo(command);
+  this->Plan.AddTo(command, forView);
   command->add_option("--sizes", this->Sizes, "Sizes of --method " + DescribeSizes());
   this->Lights.AddTo(command, "--lights");
-  this->Lights.AddSoftTo(command);
-  this->Thesis.AddTo(command);
+  command->add_flag("--soft-lights", this->Lights.Soft,
+    "Make each light as wide as its region, so that sharp lobes show no dots; lights "
+    "of --light-set importance have no width");
+  command
+    ->add_option("--order", this->Order,
+      "Order of the basis of --method thesis (default " + std::to_string(this->Order) +
+        ": 49 functions)")
+    ->check(CLI::Range(1, static_cast<int>(vtkBasisBRDF::MaximumOrder)));
 }
 
 //------------------------------------------------------------------------------
@@ -276,7 +254,6 @@ void MethodOptions::Check(const CLI::App* command)
   {
     this->Method = "light-set";
   }
-  this->Plan.Check();
   for (const char* name : { "--tolerance", "--maximum-cost", "--for-view" })
   {
     if (command->get_option_no_throw(name) && given(name) && this->Method != "auto")
@@ -284,7 +261,10 @@ void MethodOptions::Check(const CLI::App* command)
       PrintNote(std::string(name) + " has no effect without --method auto");
     }
   }
-  this->Thesis.Check(command, this->Method);
+  if (given("--order") && this->Method != Thesis)
+  {
+    throw UsageError("--order: has no effect without --method thesis");
+  }
   if (this->HasLights())
   {
     this->Lights.Check();
@@ -296,37 +276,25 @@ void MethodOptions::Check(const CLI::App* command)
 }
 
 //------------------------------------------------------------------------------
-void PlanOptions::AddForViewTo(CLI::App* command)
+void PlanOptions::AddTo(CLI::App* command, bool forView)
 {
-  command->add_flag("--for-view", this->ForView,
-    "Plan for the normals and the views of this picture, instead of for a sphere seen from "
-    "everywhere");
-}
-
-//------------------------------------------------------------------------------
-void PlanOptions::AddTo(CLI::App* command)
-{
-  command->add_option("--tolerance", this->Tolerance,
-    "Error that a plan has to stay below, relative to the mean radiance (relative L1), from 0.001 "
-    "to 1 (default " +
-      FormatNumber(this->Tolerance) + ")");
-  command->add_option("--maximum-cost", this->MaximumCost,
-    "What a pixel of a plan may cost, times a table's, from 1 to 1e6 (default " +
-      FormatNumber(this->MaximumCost) + ", which allows all methods)");
-}
-
-//------------------------------------------------------------------------------
-void PlanOptions::Check() const
-{
-  if (!(this->Tolerance >= LeastPlanTolerance && this->Tolerance <= 1.0))
+  command
+    ->add_option("--tolerance", this->Tolerance,
+      "Error that a plan has to stay below, relative to the mean radiance (relative L1), from "
+      "0.001 "
+      "to 1 (default " +
+        FormatNumber(this->Tolerance) + ")")
+    ->check(Between(1e-3, 1.0)); // as vtkRadiancePlanner
+  command
+    ->add_option("--maximum-cost", this->MaximumCost,
+      "What a pixel of a plan may cost, times a table's, from 1 to 1e6 (default " +
+        FormatNumber(this->MaximumCost) + ", which allows all methods)")
+    ->check(Between(1.0, 1e6));
+  if (forView)
   {
-    throw UsageError(
-      "--tolerance: " + FormatNumber(this->Tolerance) + " is not between 0.001 and 1, like 0.02");
-  }
-  if (!(this->MaximumCost >= 1.0 && this->MaximumCost <= 1e6))
-  {
-    throw UsageError(
-      "--maximum-cost: " + FormatNumber(this->MaximumCost) + " is not between 1 and 1e6, like 150");
+    command->add_flag("--for-view", this->ForView,
+      "Plan for the normals and the views of this picture, instead of for a sphere seen from "
+      "everywhere");
   }
 }
 
@@ -377,7 +345,8 @@ Method MakeMethod(
   }
   if (options.Method == Thesis)
   {
-    made.Thesis = RepresentAsThesis(material, options.Thesis);
+    made.Thesis = Represent(material, options.Order);
+    PrintNote(material.Name + ": " + made.Thesis.Reason);
     made.BRDF = made.Thesis.BRDF;
   }
   made.Integrator = NewIntegrator(options, environment);
@@ -388,6 +357,18 @@ Method MakeMethod(
     throw Error(material.File + ": --method " + options.Method + ": " + TakeErrorText());
   }
   return made;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkRadianceIntegrator> MakeIntegrator(
+  const MethodOptions& options, const Material& material, vtkEnvironment* environment)
+{
+  if (options.Method != Auto)
+  {
+    return MakeMethod(options, material, environment).Integrator;
+  }
+  return vtkSmartPointer<vtkRadianceIntegrator>::Take(
+    MakePlan(material, environment, options.Plan)->NewIntegrator());
 }
 
 //------------------------------------------------------------------------------

@@ -28,18 +28,6 @@ class App;
 
 namespace tool
 {
-/// Of --method thesis: the material as the thesis renders it, under 64 median-cut lights.
-struct ThesisOptions
-{
-  int Order = 6;
-
-  /// Add --order to a subcommand.
-  void AddTo(CLI::App* command);
-
-  /// Throws UsageError where --order is given with another method.
-  void Check(const CLI::App* command, const std::string& method) const;
-};
-
 /// What the material is and takes on the GPU, in one line.
 std::string DescribeForm(vtkBRDF* brdf);
 
@@ -81,9 +69,6 @@ struct Representation
 /// was pressed. Needs an Interruptible.
 Representation Represent(const Material& material, int order);
 
-/// The same for --method thesis; the reason goes to stderr as a note.
-Representation RepresentAsThesis(const Material& material, const ThesisOptions& options);
-
 /// How to plan.
 struct PlanOptions
 {
@@ -92,14 +77,8 @@ struct PlanOptions
   bool All = false;           // try every candidate
   bool ForView = false;       // for what a picture shows, instead of for a sphere from everywhere
 
-  /// Add --tolerance and --maximum-cost to a subcommand.
-  void AddTo(CLI::App* command);
-
-  /// Throws UsageError where one of these can't be planned for.
-  void Check() const;
-
-  /// Add --for-view to a subcommand.
-  void AddForViewTo(CLI::App* command);
+  /// Add --tolerance, --maximum-cost and, where a picture is seen, --for-view to a subcommand.
+  void AddTo(CLI::App* command, bool forView);
 };
 
 /// What a camera sees of a mesh.
@@ -115,11 +94,12 @@ struct MethodOptions
   std::string Sizes;
   PlanOptions Plan;
   LightSetOptions Lights;
-  ThesisOptions Thesis;
+  int Order = 6; // of the basis of --method thesis
 
   /// Add --method and the methods' own options to a subcommand; those that run on the CPU only
-  /// where a picture can be made there, and "traced" where there is a surface.
-  void AddTo(CLI::App* command, bool onCpu, bool traced = false);
+  /// where a picture can be made there, "traced" where there is a surface, and --for-view where a
+  /// picture is seen.
+  void AddTo(CLI::App* command, bool onCpu, bool forView, bool traced = false);
 
   /// To be called first: light-set takes the place of the default auto where lights were asked for.
   /// Throws UsageError where options don't go together.
@@ -151,6 +131,10 @@ vtkSmartPointer<vtkRadiancePlanner> MakePlan(const Material& material, vtkEnviro
 /// Make it under a progress bar. Throws Error, also where Ctrl-C was pressed. Needs an
 /// Interruptible.
 Method MakeMethod(
+  const MethodOptions& options, const Material& material, vtkEnvironment* environment);
+
+/// The integrator alone; of --method auto the one that is planned for a sphere from everywhere.
+vtkSmartPointer<vtkRadianceIntegrator> MakeIntegrator(
   const MethodOptions& options, const Material& material, vtkEnvironment* environment);
 
 /// Whether nothing but the CPU integrates it.

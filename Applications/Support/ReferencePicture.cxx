@@ -15,10 +15,8 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <functional>
 #include <iterator>
 #include <numeric>
@@ -278,43 +276,5 @@ ReferencePicture DrawReference(vtkBRDF* brdf, vtkEnvironment* environment, const
   picture.ChooseTolerance();
   picture.Draw(show);
   return { picture.GetRadiance(), picture.GetWithin() };
-}
-
-//------------------------------------------------------------------------------
-int LimitReference(vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface,
-  double seconds, const std::string& option)
-{
-  constexpr std::size_t timed = 64;
-  const std::size_t count = surface.Pixels.size();
-  if (seconds == 0.0)
-  {
-    return static_cast<int>(count);
-  }
-  std::vector<std::size_t> some;
-  for (std::size_t k = 0; k < timed; ++k)
-  {
-    some.push_back((2 * k + 1) * count / (2 * timed));
-  }
-  const auto [normals, views] = Gather(surface, some);
-  vtkNew<vtkAdaptiveRadianceIntegrator> reference;
-  reference->SetBRDF(brdf);
-  reference->SetEnvironment(environment);
-  reference->Prepare();
-  const auto begin = std::chrono::steady_clock::now();
-  IntegrateSomePairs(reference, normals, views, [](double) {});
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  const double needed = taken.count() * static_cast<double>(count) / timed;
-  if (needed <= seconds)
-  {
-    return static_cast<int>(count);
-  }
-  const int affordable = std::max(1, static_cast<int>(count * seconds / needed));
-  char text[200];
-  std::snprintf(text, sizeof(text),
-    "The reference of %zu pixels may take %.2g s, more than %s %g: at most %d pixels on a grid are "
-    "compared.\n",
-    count, needed, option.c_str(), seconds, affordable);
-  PrintOut(text);
-  return affordable;
 }
 } // namespace tool

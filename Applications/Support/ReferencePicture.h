@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The reference radiance of every pixel of a picture, and how many pixels it can have in a limited
- * time.
+ * The reference radiance of every pixel of a picture.
  */
 
 #ifndef ReferencePicture_h
@@ -43,12 +42,6 @@ using ShowReference = std::function<void(const std::vector<double>& radiance)>;
  */
 ReferencePicture DrawReference(vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface,
   const Size& size, const ShowReference& show = nullptr);
-
-/// At most so many of the surface's pixels take the reference so many seconds (0: no limit), by the
-/// time that 64 of them take. Where that is not all of them, it prints this, with the option's
-/// name. Throws Error. Needs an Interruptible.
-int LimitReference(vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface,
-  double seconds, const std::string& option);
 } // namespace tool
 
 #endif

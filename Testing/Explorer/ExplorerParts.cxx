@@ -5,6 +5,7 @@
 #include "Display.h"
 #include "Inspection.h"
 #include "Jobs.h"
+#include "JsonReport.h"
 #include "LightPanel.h"
 #include "Materials.h"
 #include "Panels.h"
@@ -448,7 +449,7 @@ void ExplorerParts::transmissionIsFound()
     QCOMPARE(findings.back().IsGood, reflectance < 0.7);
     // Its luminance: 0.3 (0.2126 + 0.7152 / 2).
     QVERIFY2(findings.back().Text.find("Transmits 17.1 %") == 0, findings.back().Text.c_str());
-    const std::string text = tool::FormatInspection(transmission);
+    const std::string text = tool::FormatReport(transmission);
     QVERIFY2(
       text.find("60    0.2000    0.1000    0.0000    0.3000") != std::string::npos, text.c_str());
   }

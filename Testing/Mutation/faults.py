@@ -522,7 +522,7 @@ add("Fitting.half-the-cost", "LobeFit.cxx", "push_back(2.0 * summary.cost)",
     "Fit.FiguresAreWhatTheyAreSaidToBe|Fit.AshikhminShirleyIsTheLeastOfItsLoss")
 add("Core.never-regularized", "ZonalOperators.h",
     "std::sqrt(regularization * weight.sum() / (4.0 * Pi)) * l * (l + 1.0)", "0.0 * regularization * l",
-    "Projector.MethodsMinimizeTheirOwnNorm|Projector.ErrorFallsWithTheOrder|Extrapolator.FixedLambda|"
+    "Projector.MethodsMinimizeTheirOwnNorm|Projector.ErrorFallsWithTheOrder|"
     "Extrapolator.ProblemIsIllPosed")
 add("Laboratory.negative-light-adds", "Acquisition.cxx", "stack.push_back(positive - negative);",
     "stack.push_back(positive + negative);", "Acquisition.IsTheInnerProduct")

@@ -6,7 +6,6 @@ import http.server
 import re
 import socket
 import threading
-import time
 
 
 class Resource:
@@ -17,13 +16,12 @@ class Resource:
     status: answers with this status, in the first `failures` answers (all: None).
     redirect: where to. ignores_range, without_length: as they say.
     extra: bytes that are sent beyond what was announced (no length is announced then).
-    delay: seconds before the answer.
     """
 
     def __init__(self, content, **faults):
         self.content = content
         self.cut = self.status = self.redirect = self.failures = None
-        self.pause = self.delay = 0
+        self.pause = 0
         self.cuts = 1
         self.extra = b""
         self.ignores_range = self.without_length = False
@@ -60,25 +58,16 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.end_headers()
         self.wfile.write(body)
 
-    def get_range(self, resource):
-        """The first and the last byte to serve; None: all."""
-        match = re.fullmatch(r"bytes=(\d+)-(\d*)", self.headers.get("Range", ""))
-        if not match or resource.ignores_range:
-            return None
-        first = int(match.group(1))
-        last = int(match.group(2) or len(resource.content) - 1)
-        return first, min(last, len(resource.content) - 1)
-
     def serve(self, resource):
-        span = self.get_range(resource)
+        match = re.fullmatch(r"bytes=(\d+)-", self.headers.get("Range", ""))
+        first = int(match.group(1)) if match and not resource.ignores_range else None
         total = len(resource.content)
-        if span and span[0] >= total:
+        if first is not None and first >= total:
             return self.answer(416, b"", [("Content-Range", f"bytes */{total}")])
-        body = resource.content[span[0] : span[1] + 1] if span else resource.content
-        time.sleep(resource.delay)
-        self.send_response(206 if span else 200)
-        if span:
-            self.send_header("Content-Range", f"bytes {span[0]}-{span[1]}/{total}")
+        body = resource.content[first or 0 :]
+        self.send_response(200 if first is None else 206)
+        if first is not None:
+            self.send_header("Content-Range", f"bytes {first}-{total - 1}/{total}")
         if not (resource.without_length or resource.extra):
             self.send_header("Content-Length", str(len(body)))
         else:

@@ -6,10 +6,8 @@ usage: TestFetch.py PROGRAM SHARED_DATA [unittest arguments]
 """
 
 import hashlib
-import io
 import json
 import os
-import pty
 import random
 import resource
 import shutil
@@ -20,7 +18,6 @@ import sys
 import tempfile
 import time
 import unittest
-import zipfile
 
 from FileServer import FileServer, Resource
 
@@ -30,9 +27,6 @@ SHARED = ""
 HOST = "/d38rqfq1h7iukm.cloudfront.net/media/materials/"
 FREE = "acrylic_felt_green"  # an entry whose size and sum the catalog does not have
 SIZED = "satin_purple"  # one whose size it has: 658960
-ARCHIVE = "/zenodo.org/records/8101681/files/BRDFDatabase.zip"
-ARCHIVE_SIZE = 1253117184
-MERL_SIZE = 34992012
 
 
 def rgl(name):
@@ -55,7 +49,6 @@ class FetchTest(unittest.TestCase):
         self.addCleanup(self.server.close)
         self.cache = os.path.join(self.folder, "cache", "vtkMeasuredBRDF", "vtkMeasuredBRDF-files")
         self.file = os.path.join(self.cache, f"{FREE}_rgb.bsdf")
-        self.part = os.path.join(self.cache, f".{FREE}_rgb.bsdf.measured-brdf-part")
         self.content = make_bytes(300000)
         self.environment = {key: value for key, value in os.environ.items() if "proxy" not in key.lower()}
         self.environment["XDG_CACHE_HOME"] = os.path.join(self.folder, "cache")
@@ -91,7 +84,6 @@ class FetchTest(unittest.TestCase):
         self.check(result, 0)
         self.assertEqual(result.stdout, path + "\n")
         self.assertEqual(self.read(path), self.content if content is None else content)
-        self.assertEqual([name for name in os.listdir(os.path.dirname(path)) if "-part" in name], [])
 
     def read(self, path):
         with open(path, "rb") as file:
@@ -102,19 +94,14 @@ class FetchTest(unittest.TestCase):
         with open(path, "wb") as file:
             file.write(content)
 
-    def check_kept(self, count):
-        """A part of so many right bytes, and no file."""
-        self.assertFalse(os.path.exists(self.file))
-        self.assertEqual(self.read(self.part), self.content[:count])
-
     def check_nothing_kept(self):
         self.assertEqual(os.listdir(self.cache) if os.path.exists(self.cache) else [], [])
 
 
 class Catalog(FetchTest):
     def test_list(self):
-        self.check(self.run_tool("fetch", "--list"), 0, "satin_purple", "merl-gold-paint", "potsdamer_platz_1k",
-                   "CC0 1.0", "CC BY-SA 4.0 (agree)", "not known")
+        self.check(self.run_tool("fetch", "--list"), 0, "satin_purple", "potsdamer_platz_1k", "CC0 1.0",
+                   "not known")
         some = self.run_tool("fetch", "--list", "satin")
         self.check(some, 0, "satin_gold")
         self.assertNotIn("potsdamer", some.stdout)
@@ -122,23 +109,21 @@ class Catalog(FetchTest):
 
     def test_every_entry_is_in_order(self):
         listed = json.loads(self.run_tool("fetch", "--list", "--json").stdout)
-        self.assertGreater(len(listed), 200)
+        self.assertGreater(len(listed), 100)
         self.assertEqual(len({entry["name"] for entry in listed}), len(listed))
         self.assertEqual(len({entry["file"] for entry in listed}), len(listed))
         for entry in listed:
             self.assertTrue(entry["url"].startswith("https://"), entry)
-            self.assertNotIn("{", entry["url"] + entry["file"] + entry["page"] + (entry["member"] or ""))
-            self.assertRegex(entry["file"], r"^[A-Za-z0-9_-]+\.(bsdf|binary|hdr)$")
+            self.assertNotIn("{", entry["url"] + entry["file"] + entry["page"])
+            self.assertRegex(entry["file"], r"^[A-Za-z0-9_-]+\.(bsdf|hdr)$")
             self.assertLessEqual(entry["size"] or 1, entry["limit"])
             if entry["sha256"] is not None:
                 self.assertRegex(entry["sha256"], r"^[0-9a-f]{64}$")
             self.assertEqual(entry["sum"] in ("published", "copy"), entry["sha256"] is not None, entry)
-            self.assertEqual(entry["needs_agreement"], entry["licence"] != "CC0 1.0")
             self.assertIsNone(entry["fetched"])
 
     def test_wrong_calls(self):
         self.check(self.run_tool("fetch"), 2, "--list")
-        self.check(self.run_tool("fetch", "satin_purpel"), 1, "satin_purpel", "satin_purple")
         self.check(self.run_tool("fetch", "qqqqqq"), 1, "qqqqqq", "--list")
         self.check(self.run_tool("fetch", FREE, "--sha256", "12"), 2, "64 hexadecimal digits")
         self.check(self.run_tool("fetch", FREE, SIZED, "--sha256", "0" * 64), 2, "one file")
@@ -274,7 +259,6 @@ class Faults(FetchTest):
         began = time.monotonic()
         self.check(self.fetch_free("--timeout", "1"), 1, "too slow", "within 1 s", "byte 1000")
         self.assertLess(time.monotonic() - began, 20)
-        self.check_kept(1000)
 
     def test_nobody_there(self):
         self.server.close()
@@ -285,11 +269,11 @@ class Faults(FetchTest):
 class Resume(FetchTest):
     def test_cut(self):
         self.serve(cut=100000)
-        cut = self.fetch_free()
-        self.check(cut, 1, self.server.url + rgl(FREE), "byte 100000", "cut", "100000 bytes are kept")
-        self.check_kept(100000)
-        self.check_fetched(self.fetch_free())
-        self.assertEqual(self.server.get_ranges(), [None, "bytes=100000-"])
+        self.check(self.fetch_free(), 1, self.server.url + rgl(FREE), "byte 100000", "cut", "Nothing was kept")
+        self.check_nothing_kept()
+        self.serve(cut=100000)
+        self.check_fetched(self.fetch_free("--retries", "1"))
+        self.assertEqual(self.server.get_ranges(), [None, None, "bytes=100000-"])
 
     def test_cut_without_a_length(self):
         """Only the list says that bytes are missing."""
@@ -300,23 +284,13 @@ class Resume(FetchTest):
         self.assertIn(f"{rgl(SIZED)}, byte 100000: the connection was closed", result.stderr)
         self.assertEqual(self.server.get_ranges(), [None, "bytes=100000-"])
 
-    def test_without_a_sum_nothing_is_resumed(self):
-        self.serve(cut=100000, cuts=2)
-        self.check(self.fetch(FREE, "--trust-first"), 1, "byte 100000")
-        self.check_nothing_kept()
+    def test_what_does_not_go_on(self):
+        """A server that sends all of the file again, and a file without a sum."""
+        self.serve(cut=100000, ignores_range=True)
+        self.check(self.fetch_free("--retries", "1"), 1, "HTTP status 200", "expected 206")
+        self.serve(cut=100000)
         self.check(self.fetch(FREE, "--trust-first", "--retries", "1"), 0)
-        self.assertEqual(self.server.get_ranges(), [None] * 3)
-
-    def test_part_of_another_file(self):
-        """Of another version, damaged, longer than the file, and a server that sends all of it."""
-        for part, faults in ((make_bytes(100000, seed=2), {}), (bytes(100000), {}), (bytes(400000), {}),
-                             (self.content[:100000], {"ignores_range": True})):
-            self.write(self.part, part)
-            self.serve(**faults)
-            result = self.fetch_free()
-            self.check_fetched(result)
-            self.assertIn("beginning anew", result.stderr)
-            os.remove(self.file)
+        self.assertEqual(self.server.get_ranges()[2:], [None, None])
 
     def test_interrupted(self):
         self.serve(cut=100000, pause=30)
@@ -324,12 +298,11 @@ class Resume(FetchTest):
                               stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
             while not self.server.requests:
                 time.sleep(0.02)
-            time.sleep(0.5)
             process.send_signal(signal.SIGINT)
             said = process.communicate(timeout=60)[1]
         self.assertEqual(process.returncode, 1)
-        self.assertIn("interrupted. 100000 bytes are kept", said)
-        self.check_kept(100000)
+        self.assertIn("interrupted", said)
+        self.check_nothing_kept()
 
 
 class Folder(FetchTest):
@@ -339,23 +312,19 @@ class Folder(FetchTest):
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (150000, 150000))
         self.check(self.fetch_free(preexec_fn=limit), 1, self.file, "cannot be written", "File too large")
         self.check_nothing_kept()
-        self.serve(cut=200000)  # the part is too large, too
-        self.check(self.fetch_free(preexec_fn=limit), 1, "the connection was cut", "not kept", "File too large")
-        self.check_nothing_kept()
         self.check_fetched(self.fetch_free())
 
     def test_what_is_in_the_way_stays(self):
         self.serve()
         os.makedirs(self.cache, mode=0o700)
-        for path in (self.part, self.file):
-            os.mkfifo(path)
-            self.check(self.fetch_free(), 1, path, "no regular file")
-            self.assertTrue(stat.S_ISFIFO(os.lstat(path).st_mode))
-            os.remove(path)
-            os.symlink(os.path.join(self.folder, "elsewhere"), path)
-            self.check(self.fetch_free(), 1, path, "no regular file")
-            self.assertTrue(os.path.islink(path))
-            os.remove(path)
+        os.mkfifo(self.file)
+        self.check(self.fetch_free(), 1, self.file, "no regular file")
+        self.assertTrue(stat.S_ISFIFO(os.lstat(self.file).st_mode))
+        os.remove(self.file)
+        os.symlink(os.path.join(self.folder, "elsewhere"), self.file)
+        self.check(self.fetch_free(), 1, self.file, "no regular file")
+        self.assertTrue(os.path.islink(self.file))
+        os.remove(self.file)
         self.assertFalse(os.path.exists(os.path.join(self.folder, "elsewhere")))
         self.check_nothing_kept()
 
@@ -364,122 +333,6 @@ class Folder(FetchTest):
         os.chmod(self.cache, 0o777)
         self.check(self.fetch_free(), 1, "nobody else may write", "--to")
         self.assertEqual(self.server.requests, [])
-
-class Shifted(io.BytesIO):
-    """The end of a long file whose beginning is nobody's concern."""
-
-    begin = 0  # where the file's first byte stands
-
-    def tell(self):
-        return super().tell() + self.begin
-
-    def seek(self, offset, whence=0):
-        return super().seek(offset - (self.begin if whence == 0 else 0), whence) + self.begin
-
-
-class Sparse:
-    """Zeros, then the tail."""
-
-    def __init__(self, tail):
-        self.tail = tail
-
-    def __len__(self):
-        return ARCHIVE_SIZE
-
-    def __getitem__(self, span):
-        begin, end, _ = span.indices(ARCHIVE_SIZE)
-        first = ARCHIVE_SIZE - len(self.tail)
-        return bytes(max(0, min(end, first) - begin)) + self.tail[max(0, begin - first) : max(0, end - first)]
-
-
-class Archive(FetchTest):
-    def setUp(self):
-        super().setUp()
-        self.file = os.path.join(self.cache, "gold-paint.binary")
-        noise = random.Random(3).randbytes(200000)
-        self.content = (90).to_bytes(4, "little") * 2 + (180).to_bytes(4, "little") + noise
-        self.content += bytes(MERL_SIZE - len(self.content))
-
-    def pack(self):
-        file = Shifted()
-        with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive:
-            archive.writestr("BRDFDatabase/readme.txt", "another file")
-            archive.writestr("BRDFDatabase/brdfs/gold-paint.binary", self.content)
-            self.packed = archive.infolist()[1].compress_size
-        return file.getvalue()
-
-    def serve_archive(self, **faults):
-        Shifted.begin = 0
-        Shifted.begin = ARCHIVE_SIZE - len(self.pack())  # the archive's end is where the catalog says
-        return self.serve(Sparse(self.pack()), path=ARCHIVE, **faults)
-
-    def fetch_member(self, *arguments, **options):
-        return self.fetch("merl-gold-paint", "--sha256", sha256(self.content), "--accept-license", *arguments, **options)
-
-    def test_agreement(self):
-        self.serve_archive()
-        result = self.fetch("merl-gold-paint", "--trust-first")
-        self.check(result, 1, "CC BY-SA 4.0", "Name the authors", "--accept-license")
-        self.assertEqual(self.server.requests, [])
-
-    def run_on_terminal(self, answer):
-        """Status and what is said of a program that can ask."""
-        ours, its = pty.openpty()
-        command = self.get_command("merl-gold-paint", "--sha256", sha256(self.content))
-        with subprocess.Popen(command, env=self.environment, stdin=its, stderr=its,
-                              stdout=subprocess.DEVNULL) as process:
-            os.close(its)
-            os.write(ours, answer)
-            said = b""
-            try:
-                while piece := os.read(ours, 4096):
-                    said += piece
-            except OSError:  # the terminal's other end is closed
-                pass
-            os.close(ours)
-            process.wait(timeout=60)
-        return process.returncode, said.decode()
-
-    def test_question(self):
-        self.serve_archive()
-        for answer in (b"n\n", b"\n", b"no way\n"):
-            status, said = self.run_on_terminal(answer)
-            self.assertEqual(status, 1, said)
-            self.assertIn("Do you agree", said)
-        self.assertEqual(self.server.requests, [])
-        status, said = self.run_on_terminal(b"y\n")
-        self.assertEqual(status, 0, said)
-        self.assertIn("100 %", said)  # the progress
-        self.assertEqual(self.read(self.file), self.content)
-
-    def test_member(self):
-        self.serve_archive()
-        self.check_fetched(self.fetch_member())
-        self.assertEqual(len(self.server.requests), 1)  # the block that holds the directory and the member
-        self.assertNotIn(None, self.server.get_ranges())
-
-    def test_cut_and_damaged(self):
-        served = self.serve_archive()
-        served.cut, served.cuts = 1000, 1
-        self.check(self.fetch_member(), 1, ARCHIVE, "the connection was cut")
-        served.cuts = 1
-        self.check_fetched(self.fetch_member("--retries", "1"))
-        os.remove(self.file)
-        tail = bytearray(served.content.tail)
-        tail[len(tail) - self.packed] ^= 1
-        served.content = Sparse(bytes(tail))
-        self.check(self.fetch_member(), 1, "damaged", "Nothing was kept")
-        self.check_nothing_kept()
-
-    def test_other_servers(self):
-        self.serve_archive(ignores_range=True, cut=10)
-        self.check(self.fetch_member(), 1, ARCHIVE, "HTTP status 200", "expected 206")
-        Shifted.begin = 0
-        self.serve(self.pack(), path=ARCHIVE)  # of another size
-        self.check(self.fetch_member(), 1, ARCHIVE, "HTTP status 416", "expected 206")
-        self.serve(Sparse(bytes(1000)), path=ARCHIVE)
-        self.check(self.fetch_member(), 1, ARCHIVE, "no ZIP archive")
-        self.check_nothing_kept()
 
 
 def main():

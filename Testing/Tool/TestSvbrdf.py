@@ -56,7 +56,7 @@ class Library(SvbrdfTest):
         again = [os.path.join("found", name) for name in ("map.json", "weights-1.png", "error.png")]
         before = [self.read_bytes(name) for name in again]
         self.check(run("svbrdf", self.path("photos/photographs.json"), "-o", self.path("found")), 0,
-                   "relative error of a texel", "red-fabric2", "nickel", "0 saturated")
+                   "mean error", "red-fabric2", "nickel", "saturated pixels          0\n")
         self.assertEqual([self.read_bytes(name) for name in again], before)
 
     def test_a_folder_of_bonns_names(self):

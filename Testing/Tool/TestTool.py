@@ -192,31 +192,23 @@ class Options(ToolTest):
 
 class Materials(ToolTest):
     def test_list(self):
-        self.check(run("list"), 0, "NAME", "gold-paint")
+        said = run("list").stdout
+        for words in ("gold-paint", "blue-car-paint", "carpaint_blue.mbsdf", "room", "Poly Haven", "CC0 1.0", "hall"):
+            self.assertIn(words, said)
         materials = json.loads(run("list", "--json").stdout)
         kinds = {material["name"]: material["kind"] for material in materials}
         self.assertEqual((kinds["violet-rubber"], kinds["red-fabric2"]), ("rubber", "fabric"))
-        for material in materials:
-            self.assertTrue(material["name"] and material["source"])
+        self.assertTrue(all(material["name"] and material["source"] for material in materials))
 
     def test_half_floats(self):
         whole, half = self.path("whole.exr"), self.path("half.exr")
-        self.check(run("convert", "blue-car-paint", whole), 0, "relative L2 error", ": 0\n")
-        self.check(run("convert", "blue-car-paint", half, "--half"), 0, ": 0\n")  # it is in 16 bits
+        self.check(run("convert", "blue-car-paint", whole), 0, "relative l2 error         0\n")
+        self.check(run("convert", "blue-car-paint", half, "--half"), 0, "error    0\n")  # it is in 16 bits
         self.assertLess(os.path.getsize(half), os.path.getsize(whole))
         bad = run("convert", "blue-car-paint", self.path("a.binary"), "--half")
         self.check(bad, 1, "64-bit", ".exr")
 
-    def test_list_embedded_data(self):
-        said = run("list").stdout
-        for words in ("blue-car-paint", "carpaint_blue.mbsdf", "room", "Poly Haven", "CC0 1.0", "hall"):
-            self.assertIn(words, said)
-        info = json.loads(run("info", "blue-car-paint", "--json").stdout)
-        self.assertEqual(info["arrays"]["volume"]["shape"], [45, 45, 90])
-        self.assertEqual(info["format"], "embedded")
-
     def test_info(self):
-        self.check(run("info", "gold-paint"), 0, "albedo", "reciprocity", "embedded")
         info = json.loads(run("info", self.write_fits(), "--json").stdout)
         self.assertEqual(info["name"], "flat")
         self.assertEqual(info["negative_values"], 0)
@@ -225,10 +217,11 @@ class Materials(ToolTest):
         for row in info["albedo"] + info["reflectance_per_angle"]:
             self.check_close(row["rgb"], [0.5, 0.25, 0.125], 1e-3)
         self.assertIn("closed form", info["shader_inputs"]["description"])
-        low = json.loads(run("info", "gold-paint", "--json").stdout)["terms"][1]
-        self.assertEqual(low["options"]["fresnelModel"], "dielectric")
-        self.assertAlmostEqual(low["numbers"]["indexOfRefraction"][0], 4.99104)
-        self.assertRegex(run("info", "gold-paint").stdout, "index of refraction +4.991\n")
+        gold = run("info", "gold-paint")
+        self.check(gold, 0, "albedo", "reciprocity", "embedded", "recommendation")
+        self.assertRegex(gold.stdout, "fresnel model +dielectric\n")
+        self.assertRegex(gold.stdout, "index of refraction +4.991\n")
+        self.assertNotIn("transmittance", gold.stdout)
 
     def test_bad_materials(self):
         self.check(run("info", "no-such-paint"), 1, "no-such-paint", "list")
@@ -254,16 +247,15 @@ class Materials(ToolTest):
         transmission = json.loads(run("info", sheet, "--json").stdout)["transmission"]
         self.assertEqual([row["degrees"] for row in transmission["per_angle"]], [*range(0, 81, 10), 85])
         converted = run("convert", sheet, self.path("sheet.exr"))
-        self.check(converted, 0, "relative L2 error", ": 0\n")
+        self.check(converted, 0, "relative l2 error         0\n")
         self.assertIn("sheet.xml: its transmission is left out", converted.stderr)
         bright = self.write("bright.xml", start + reflection + front + block.format("Transmission Back", 0.25) + end)
         self.assertRegex(run("info", bright).stdout, "  reciprocity error +4\n")  # |0.05 - 0.25| / 0.05
-        gains = self.write("gains.xml", start + reflection + block.format("Transmission Front", 0.25) + end)
-        self.check(run("info", gains), 0, "transmittance 1.1")
-        self.assertRegex(run("info", gains).stdout, "  gains energy +yes\n")
+        gains = run("info", self.write("gains.xml", start + reflection + block.format("Transmission Front", 0.25) + end))
+        self.check(gains, 0, "transmittance 1.1")
+        self.assertRegex(gains.stdout, "  gains energy +yes\n")
         only = self.write("only.xml", start + front + end)
         self.check(run("info", only), 1, "only.xml", "transmission only")
-        self.assertNotIn("transmittance", run("info", "gold-paint").stdout)
 
     def test_a_typo_gets_the_nearest_names(self):
         self.check(run("info", "gold_paint"), 1, "unknown material 'gold_paint'", "'gold-paint'")
@@ -350,39 +342,44 @@ class Evaluate(ToolTest):
         self.assertEqual(sorted(os.listdir(self.folder)), ["flat.fit", "out.csv", "pairs.csv"])
 
 
-class IntegrateTest(ToolTest):
+class Integrate(ToolTest):
     PAIRS = "nx,ny,nz,vx,vy,vz\n0,1,0,0.6,0.8,0\n0.6,0,0.8,0.6,0,0.8\n"
 
     def integrate(self, material, environment, *more):
         pairs = self.write("nv.csv", self.PAIRS)
         output = self.path("out.csv")
-        common = ["--environment", environment, "--pairs", pairs, "-o", output]
-        self.check(run("integrate", material, *common, *more), 0)
-        return [rgb(row) for row in read_rows(output)]
-
-
-class IntegrateMethods(IntegrateTest):
+        result = run("integrate", material, "--environment", environment, "--pairs", pairs, "-o", output, *more)
+        self.check(result, 0)
+        return [rgb(row) for row in read_rows(output)], result.stderr
 
     def test_methods_approach_the_sum(self):
-        exact = self.integrate("blue-fabric", "hall")
-        for method, error in (("filtered", 0.1), ("table", 0.02), ("auto", 0.03)):
-            values = self.integrate("blue-fabric", "hall", "--method", method)
+        exact, _ = self.integrate("blue-fabric", "hall")
+        made = {}
+        for options, error in (("filtered", 0.1), ("table --sizes 17,8,8", 0.05), ("auto", 0.03), ("thesis", 0.1)):
+            values, said = self.integrate("blue-fabric", "hall", "--method", *options.split())
             for value, wanted in zip(values, exact):
                 self.check_close(value, wanted, error)
             self.assertNotEqual(values, exact)
-        sizes = ["--method", "table", "--sizes", "9,4,4"]
-        small = self.integrate("blue-fabric", "hall", *sizes)
-        self.assertNotEqual(small, values)
+            made[options] = values
+        self.assertIn("blue-fabric: basis", said)
+        coarse, _ = self.integrate("blue-fabric", "hall", "--method", "thesis", "--order", 2)
+        self.assertNotEqual(coarse, made["thesis"])
 
+    def test_pairs_on_the_gpu(self):
+        # Views from all around, two of them equal; the last one from below the surface.
+        self.PAIRS = ("nx,ny,nz,vx,vy,vz\n0,1,0,0.6,0.8,0\n0.6,0,0.8,0.6,0.8,0\n"
+                      "0,-1,0,0.5,-0.7,0.3\n0.8,0,-0.6,0,0,-2\n0,1,0,0.5,-0.7,0.3\n")
+        common = ["blue-fabric", "sky", "--method", "table", "--on"]
+        on_cpu, on_gpu = (self.integrate(*common, on)[0] for on in ("cpu", "gpu"))
+        for cpu, gpu in zip(on_cpu, on_gpu):
+            self.check_close(gpu, cpu, 2e-3)
+        self.assertEqual(on_gpu[4], [0, 0, 0])
+        self.assertGreater(min(on_gpu[3]), 0)
 
-class Integrate(IntegrateTest):
     def test_constant_light_gives_the_albedo(self):
         environment = self.write_constant_environment()
-        for values in self.integrate(self.write_fits(), environment):
+        for values in self.integrate(self.write_fits(), environment)[0]:
             self.check_close(values, [0.5, 0.25, 0.125], 2e-3)
-        info = json.loads(run("info", "blue-fabric", "--json").stdout)
-        straight = self.integrate("blue-fabric", environment, "--method", "exact")[1]
-        self.check_close(straight, info["albedo"][0]["rgb"], 1e-2)
 
     def test_bad_input(self):
         pairs = self.write("nv.csv", self.PAIRS)
@@ -400,9 +397,9 @@ class Integrate(IntegrateTest):
         self.check(run(*common, "--on", "gpu"), 2, "--on", "reference")
         self.check(run(*common, "--on", "gpu", "--method", "exact"), 2, "--on", "exact")
         self.check(run(*common, "--on", "tpu"), 2, "--on")
-        for tolerance in ("0", "-1", "nan", "inf", "1e-4", "2"):
-            options = ["--method", "auto", "--tolerance", tolerance]
-            self.check(run(*common, *options), 2, "--tolerance")
+        self.check(run(*common, "--order", "2"), 2, "--order", "thesis")
+        for tolerance in ("nan", "1e-4", "2"):
+            self.check(run(*common, "--method", "auto", "--tolerance", tolerance), 2, "--tolerance")
 
     def test_interrupt(self):
         # Enough pairs for many seconds of work.
@@ -456,9 +453,8 @@ class Convert(ToolTest):
         return result.stdout
 
     def errors(self, result):
-        self.check(result, 0, "relative L2 error", "largest absolute error")
-        lines = [line for line in result.stdout.splitlines() if "error" in line and ":" in line]
-        return [float(line.split(":")[1].split()[0]) for line in lines[:2]]
+        self.check(result, 0)
+        return [float(value) for value in re.findall(r"error +([-+.e0-9]+)\n", result.stdout)]
 
     def test_exr_is_exact(self):
         copy = self.path("copy.exr")
@@ -543,7 +539,7 @@ class FitErrors(ToolTest):
             (["--model", "blinn-phong", "--loss", "l2"], "--loss"),
             (["--model", "blinn-phong", "--starts", "0"], "--starts"),
             (["--model", "blinn-phong", "--samples", "255"], "--samples"),
-            (["--model", "blinn-phong", "--samples", "4194304"], "memory"),
+            (["--model", "blinn-phong", "--samples", "4194304"], "--samples"),
         ):
             self.check(run("fit", "gold-paint", *options, "-o", output), 2, word)
         self.check(run("fit", "gold-paint", "--model", "d-brdf", "-o", self.path("x.png")), 2, ".exr")
@@ -556,49 +552,9 @@ class FitErrors(ToolTest):
             self.assertEqual(file.read(), "what was there")
 
 
-class Thesis(ToolTest):
-    PAIRS = "nx,ny,nz,vx,vy,vz\n0,1,0,0.6,0.8,0\n0.6,0,0.8,0.6,0,0.8\n0,0.8,0.6,0,1,0\n"
-
-    def integrate(self, material, environment, *options):
-        pairs = self.write("nv.csv", self.PAIRS)
-        output = self.path("out.csv")
-        common = ["--environment", environment, "--pairs", pairs, "-o", output]
-        result = run("integrate", material, *common, *options)
-        self.check(result, 0)
-        return [rgb(row) for row in read_rows(output)], result.stderr
-
-    def test_basis_or_fit(self):
-        lights = ["--lights", 64]
-        made = {}
-        for material, choice in (("blue-fabric", "basis"), ("gold-metallic-paint3", "fit")):
-            plain, _ = self.integrate(material, "hall", "--method", "light-set", *lights)
-            values, said = self.integrate(material, "hall", "--method", "thesis", *lights)
-            self.assertIn(f"{material}: {choice}", said)
-            self.assertNotEqual(values, plain)
-            for value, wanted in zip(values, plain):
-                self.check_close(value, wanted, 0.06)
-            made[material] = values
-        coarse, _ = self.integrate("blue-fabric", "hall", "--method", "thesis", "--order", 2, *lights)
-        self.assertNotEqual(coarse, made["blue-fabric"])
-        pairs = self.write("nv.csv", self.PAIRS)
-        common = ["--environment", "hall", "--order", 2]
-        self.check(run("integrate", "blue-fabric", *common, "--pairs", pairs), 2, "--order", "thesis")
-        self.check(run("render", "blue-fabric", *common, "-o", "x.png"), 2, "--order", "thesis")
-
-    def test_info_recommends(self):
-        advice = json.loads(run("info", "chrome", "--json").stdout)["recommendation"]
-        self.assertEqual(advice["representation"], "fit")
-        self.assertGreater(advice["in_zone_residual"], 0.5)
-        self.assertGreater(advice["negative_mass"], 0.01)
-        self.assertIn("recommendation", run("info", "pink-felt").stdout)
-
-
-class RenderTest(ToolTest):
+class Render(ToolTest):
     def render(self, material, output, *more):
         return run("render", material, "-o", self.path(output), *more)
-
-
-class Render(RenderTest):
 
     def test_without_a_display(self):
         environment = {k: v for k, v in os.environ.items() if k != "DISPLAY"}
@@ -662,35 +618,15 @@ class Render(RenderTest):
     def test_gallery(self):
         output = self.path("gallery.png")
         materials = ["blue-fabric", "gold-paint", self.write_fits()]
-        common = ["--size", "480x240", "-o", output]
-        result = run("gallery", *materials, *common)
-        self.check(result, 0)
-        self.assertEqual(read_png_size(output), (480, 240))
-        colors = {bytes(row[x : x + 3]) for row in read_png(output) for x in range(0, 1440, 3)}
+        common = ["--tile", "96", "-o", output]
+        self.check(run("gallery", *materials, *common), 0)
+        self.assertEqual(read_png_size(output)[0], 3 * (96 + 4) + 4)
+        colors = {bytes(row[x : x + 3]) for row in read_png(output) for x in range(0, len(row), 3)}
         self.assertGreater(len(colors), 1000)
         self.check(run("gallery", "no-such-paint", *common), 1, "no-such-paint")
 
 
-class RenderMethods(RenderTest):
-    def test_pairs_on_the_gpu(self):
-        # Views from all around, two of them equal; the last one from below the surface.
-        pairs = self.write("nv.csv", "nx,ny,nz,vx,vy,vz\n0,1,0,0.6,0.8,0\n0.6,0,0.8,0.6,0.8,0\n"
-                           "0,-1,0,0.5,-0.7,0.3\n0.8,0,-0.6,0,0,-2\n0,1,0,0.5,-0.7,0.3\n")
-        for method in ("light-set", "filtered", "table"):
-            results = []
-            for on in ("cpu", "gpu"):
-                output = self.path(on + ".csv")
-                result = run("integrate", "blue-fabric", "--environment", "sky", "--pairs", pairs,
-                             "--method", method, "--on", on, "-o", output)
-                self.check(result, 0)
-                results.append([rgb(row) for row in read_rows(output)])
-            for cpu, gpu in zip(*results):
-                self.check_close(gpu, cpu, 2e-3)
-            self.assertEqual(results[1][4], [0, 0, 0])
-            self.assertGreater(min(results[1][3]), 0)
-
-
-class Units(RenderTest):
+class Units(ToolTest):
     """A map in another unit: exact powers of two, so that no digit changes."""
 
     def write_sky(self, power, width=64, height=32):
@@ -708,11 +644,11 @@ class Units(RenderTest):
             sky, report = self.write_sky(power), self.path("report.json")
             result = run(
                 "compare", "blue-fabric", "--environment", sky, "--size", "48x48", "--reference-pixels", "64",
-                "--report", report)
+                "--method", "table", "--sizes", "33,8,8", "--report", report)
             self.check(result, 0)
             with open(report, encoding="utf-8") as file:
                 reports.append(json.load(file))
-        for key in ("relative_l1", "flip", "hdr_flip", "pbr_relative_l1", "pbr_flip", "predicted_error", "texture_bytes"):
+        for key in ("relative_l1", "flip", "hdr_flip", "pbr_relative_l1", "pbr_flip", "texture_bytes"):
             self.check_close([report[key] for report in reports], 2 * [reports[0][key]], 1e-3)
 
 
@@ -781,22 +717,15 @@ class FailureMap(Compare):
 
 
 class CompareWholePicture(ToolTest):
-
-    def test_fewer_pixels_in_little_time(self):
-        report, failures = self.path("report.json"), self.path("failures.png")
-        common = ["compare", "blue-fabric", "--environment", "hall", "--size", "64x64", "--report", report]
-        result = run(*common, "--failure-map", failures)
+    def test_all_pixels(self):
+        report = self.path("report.json")
+        result = run("compare", "blue-fabric", "--environment", "sky", "--size", "60x60", "--report", report,
+                     "--method", "table", "--sizes", "33,8,8", "--failure-map", self.path("failures.png"))
         self.check(result, 0, "relative L1")
         whole = read_json(report)
         self.assertEqual(whole["reference_pixels"], whole["covered_pixels"])
         self.assertGreater(whole["covered_pixels"], 2000)
         self.assertEqual(sum(view["pixels"] for view in whole["radiance_by_theta_o"]), whole["covered_pixels"])
-        result = run(*common, "--reference-seconds", "0.01")
-        some = read_json(report)
-        self.assertTrue(0 < some["reference_pixels"] < 1000)
-        self.check(result, 0, "--reference-seconds 0.01", f"{some['reference_pixels']} of {whole['covered_pixels']} covered")
-        self.check(run(*common, "--reference-seconds", "1", "--occlusion"), 2, "--occlusion")
-        self.check(run(*common, "--reference-seconds", "0"), 2, "--reference-seconds")
 
 
 class CompareStrip(Compare):
@@ -941,7 +870,6 @@ class ChartErrors(ChartTest):
         self.check(self.chart("--environments", ""), 2, "--environments")
         self.check(self.chart("--slowest", "-1"), 2, "--slowest")
         self.check(self.chart("--rounds", "2"), 2, "--rounds")
-        self.check(self.chart("--metric", "beauty"), 2, "--metric")
         self.check(self.chart("--size", "0x9"), 2, "--size")
         self.check(self.chart(""), 2, "FILE", "empty")
         self.check(self.chart("pink-felt"), 2, "pink-felt")
@@ -958,7 +886,7 @@ class ChartErrors(ChartTest):
         for content, words in (
             ("no JSON", ["not written by"]),
             ("{}", ["not written by"]),
-            (json.dumps({**ours, "version": 1}), ["version 1", "version 2"]),
+            (json.dumps({**ours, "version": 1}), ["version", "2"]),
             (json.dumps({**ours, "settings": {"size": "10x10"}, "machine": machine}), ["setting", "methods"]),
         ):
             with self.subTest(content):
@@ -982,7 +910,7 @@ class Plan(ToolTest):
         coarse = coarse["candidates"][coarse["choice"]]
         self.assertLessEqual(coarse["texture_bytes"], chosen["texture_bytes"])
         self.assertEqual(chosen["cost"], 1)
-        self.check(run(*common), 0, "> table", "error %", "within 2 %", " cost ")
+        self.check(run(*common), 0, "  >", "predicted error", "within 2 %", " cost ")
         self.check(run(*common, "--tolerance", "0.001", "--maximum-cost", "1"), 0, "costs more than MaximumCost")
 
     def test_for_view(self):
@@ -1027,16 +955,17 @@ class Export(ToolTest):
 
     def test_gltf(self):
         sheet, report = self.path("sheet.png"), self.path("report.json")
-        result = self.export("gltf", "gold.gltf", "--closest", "--sheet", sheet, "--report", report, "--json")
+        result = self.export("gltf", "matte.gltf", "--closest", "--sheet", sheet, "--report", report, "--json",
+                             material=self.write_constant("matte.mbsdf"))
         self.check(result, 0)
         figures = read_json(report)
         self.assertEqual(json.loads(result.stdout), figures)
         (model,) = figures["models"]
         self.assertEqual([error["seen_by_the_fit"] for error in model["errors"]], [True, False])
         for error in model["errors"]:
-            self.assertTrue(0.0 < error["relative_l1"] < 0.15, error)
-            self.assertTrue(0.0 < error["flip"] < 0.2, error)
-        base = read_json(self.path("gold.gltf"))["materials"][0]["pbrMetallicRoughness"]
+            self.assertTrue(0.0 <= error["relative_l1"] < 0.15, error)
+            self.assertTrue(0.0 <= error["flip"] < 0.2, error)
+        base = read_json(self.path("matte.gltf"))["materials"][0]["pbrMetallicRoughness"]
         self.assertEqual(base["baseColorFactor"][:3], model["values"]["baseColorFactor"])
         width, height = read_png_size(sheet)
         self.assertGreater(width, 3 * 192)

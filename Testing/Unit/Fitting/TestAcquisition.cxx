@@ -342,28 +342,6 @@ TEST(Extrapolator, RefusesWhatDoesNotFit)
 }
 
 //------------------------------------------------------------------------------
-TEST(Extrapolator, FixedLambda)
-{
-  const auto zonal = ProjectZonal(MakeColoredPhong(5.0), 3, 4);
-  laboratory::ExtrapolationOptions options;
-  options.How = laboratory::Criterion::Fixed;
-  double before = 0.0;
-  for (const double lambda : { 1e-8, 1e-4, 1.0 })
-  {
-    options.Lambda = lambda;
-    const laboratory::Extrapolation whole = Extrapolate(zonal, options);
-    EXPECT_EQ(whole.Lambda, lambda);
-    EXPECT_GT(whole.InZoneResidual, before); // a stiffer fit is a worse one
-    before = whole.InZoneResidual;
-  }
-  options.Order = 2;
-  EXPECT_EQ(Extrapolate(zonal, options).Output->GetOrder(), 2);
-  options.How = laboratory::Criterion::CrossValidation;
-  options.Order = 0;
-  EXPECT_LT(Extrapolate(zonal, options).InZoneResidual, 0.03);
-}
-
-//------------------------------------------------------------------------------
 // The anisotropic form of an isotropic material extends like the isotropic form; a brushed one
 // keeps its direction.
 TEST(Extrapolator, AnisotropicMaterials)

@@ -6,10 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <string>
-#include <vector>
-
 //------------------------------------------------------------------------------
 TEST(Download, OnlyHttpsElsewhere)
 {
@@ -40,23 +36,9 @@ TEST(FetchCatalog, NamesAndFiles)
   EXPECT_EQ(entry->Url,
     "https://d38rqfq1h7iukm.cloudfront.net/media/materials/satin_purple/satin_purple_rgb.bsdf");
   EXPECT_FALSE(tool::FindFetchEntry("satin"));
-  const tool::FetchEntry* merl = tool::FindFetchEntry("merl-gold-paint");
-  ASSERT_TRUE(merl);
-  EXPECT_EQ(merl->Member, "BRDFDatabase/brdfs/gold-paint.binary");
-  EXPECT_EQ(merl->Size, 12u + 8u * 3u * 90u * 90u * 180u); // the format's
-  EXPECT_TRUE(merl->Collection->NeedsAgreement);
   for (const tool::FetchEntry& each : tool::GetFetchCatalog())
   {
     EXPECT_TRUE(tool::IsAllowedUrl(each.Url)) << each.Name;
     EXPECT_GT(each.Limit, 0u) << each.Name;
   }
-}
-
-//------------------------------------------------------------------------------
-TEST(FetchCatalog, NearNames)
-{
-  const std::vector<std::string> near = tool::FindNearFetchNames("satin_purpel");
-  EXPECT_NE(std::find(near.begin(), near.end(), "satin_purple"), near.end());
-  EXPECT_EQ(tool::FindNearFetchNames("gold-paint"), std::vector<std::string>{ "merl-gold-paint" });
-  EXPECT_TRUE(tool::FindNearFetchNames(std::string(100000, 'x')).empty());
 }

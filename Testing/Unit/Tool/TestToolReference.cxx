@@ -188,22 +188,6 @@ TEST_F(ReferencePicture, TakesEachPixelOfAGrid)
     tool::IntegratePairs(each, some.Normals, some.Views));
 }
 
-//------------------------------------------------------------------------------
-TEST_F(ReferencePicture, IsLimitedByTime)
-{
-  const tool::Interruptible interruptible;
-  const auto count = static_cast<int>(this->Surface.Pixels.size());
-  vtkNew<vtkLambertBRDF> matte;
-  const auto limit = [&](double seconds)
-  { return tool::LimitReference(matte, this->Environment, this->Surface, seconds, "limit"); };
-  EXPECT_EQ(limit(0.0), count);
-  EXPECT_EQ(limit(1e4), count);
-  const int few = limit(0.003); // 2 us to 10 ms a pixel
-  EXPECT_GE(few, 1);
-  EXPECT_LT(few, count);
-  EXPECT_EQ(limit(1e-9), 1);
-}
-
 namespace
 {
 vtkSmartPointer<vtkSumBRDF> MakeGlossy(double exponent)

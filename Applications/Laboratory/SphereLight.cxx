@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SphereLight.h"
+
+#include "LocalFrame.h"
+#include "Methods.h"
+
+#include "vtkAdaptiveRadianceIntegrator.h"
+
+#include <glm/gtc/constants.hpp>
+
+#include <cmath>
+
+namespace laboratory
+{
+//------------------------------------------------------------------------------
+void Pairs::Add(const glm::dvec3& normal, const glm::dvec3& view)
+{
+  this->Normals.insert(this->Normals.end(), { normal.x, normal.y, normal.z });
+  this->Views.insert(this->Views.end(), { view.x, view.y, view.z });
+}
+
+//------------------------------------------------------------------------------
+Pairs MakeSpherePairs(int count)
+{
+  const double azimuth = glm::radians(30.0);
+  const double elevation = glm::radians(20.0);
+  const glm::dvec3 view(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+    std::cos(elevation) * std::cos(azimuth));
+  const measuredbrdf::Frame frame = measuredbrdf::FrameAbout(view);
+  Pairs pairs;
+  for (int k = 0; k < count; ++k)
+  {
+    // Sunflower seeds: evenly over the disc, within the rim by a pixel of 500.
+    const double r = 0.996 * std::sqrt((k + 0.5) / count);
+    const double phi = glm::pi<double>() * (3.0 - std::sqrt(5.0)) * k;
+    pairs.Add(frame * measuredbrdf::ToDirection(std::sqrt(1.0 - r * r), phi), view);
+  }
+  return pairs;
+}
+
+//------------------------------------------------------------------------------
+Environment MakeEnvironment(
+  int width, int height, const std::function<glm::dvec3(const glm::dvec3&)>& radiance)
+{
+  std::vector<float> pixels;
+  for (int k = 0; k < width * height; ++k)
+  {
+    glm::dvec3 direction;
+    vtkEnvironment::GetDirection(
+      (k % width + 0.5) / width, (k / width + 0.5) / height, &direction.x);
+    const glm::vec3 rgb(radiance(direction));
+    pixels.insert(pixels.end(), { rgb.r, rgb.g, rgb.b });
+  }
+  auto environment = Environment::New();
+  environment->SetPixels(width, height, std::move(pixels));
+  return environment;
+}
+
+//------------------------------------------------------------------------------
+Environment Shrink(vtkEnvironment* environment, int width)
+{
+  const int height = std::max(width / 2, 1);
+  const int columns = environment->GetWidth() / width;
+  const int rows = environment->GetHeight() / height;
+  if (environment->GetWidth() <= width || environment->GetHeight() <= height)
+  {
+    return environment;
+  }
+  return MakeEnvironment(width, height,
+    [&](const glm::dvec3& direction)
+    {
+      double u = 0.0;
+      double v = 0.0;
+      vtkEnvironment::GetCoordinates(&direction.x, u, v);
+      const int x0 = static_cast<int>(u * width) * environment->GetWidth() / width;
+      const int y0 = static_cast<int>(v * height) * environment->GetHeight() / height;
+      glm::dvec3 sum(0.0);
+      double weight = 0.0;
+      for (int k = 0; k < columns * rows; ++k)
+      {
+        const int y = y0 + k / columns;
+        glm::dvec3 rgb;
+        environment->GetPixel(x0 + k % columns, y, &rgb.x);
+        sum += environment->GetTexelSolidAngle(y) * rgb;
+        weight += environment->GetTexelSolidAngle(y);
+      }
+      return sum / weight;
+    });
+}
+
+//------------------------------------------------------------------------------
+Radiance Integrate(vtkRadianceIntegrator* integrator, const Pairs& pairs)
+{
+  const std::vector<double> values = tool::IntegratePairs(integrator, pairs.Normals, pairs.Views);
+  return Eigen::Map<const Radiance>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+//------------------------------------------------------------------------------
+Radiance IntegrateReference(vtkBRDF* brdf, vtkEnvironment* environment, const Pairs& pairs)
+{
+  vtkNew<vtkAdaptiveRadianceIntegrator> reference;
+  reference->SetBRDF(brdf);
+  reference->SetEnvironment(environment);
+  reference->SetTolerance(2e-4); // slopes of errors need it
+  return Integrate(reference, pairs);
+}
+
+//------------------------------------------------------------------------------
+double GetRelativeL1(const Radiance& x, const Radiance& reference)
+{
+  const double difference = (x - reference).abs().sum();
+  return difference == 0.0 ? 0.0 : difference / reference.sum();
+}
+} // namespace laboratory
