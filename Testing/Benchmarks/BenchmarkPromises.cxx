@@ -43,7 +43,7 @@
 
 namespace
 {
-constexpr int PlannedPixels = 3000; // that a plan for the view is given: others than are compared
+constexpr int PlannedPixels = 16384; // that a plan for the view is given: others than are compared
 const char* const Everywhere = "everywhere";
 
 // What some pixels of a picture show.

@@ -183,7 +183,6 @@ private:
   PlanRequest GetRequest(const MaterialUse& use, const FrameState& state);
   void Look(const FrameState& state, PlanInputs& inputs);
   bool IsPlanned() const { return !this->Settings->Integrator; }
-  static void VisitRequests(vtkRenderer* renderer, const PlanRequest::Visit& visit);
   void DropPlans(const FrameState& state, bool anyMaterial);
   void DropOcclusionLights();
   void ForecastOcclusion(const FrameState& state, const void* part, const ViewFrame& frame);

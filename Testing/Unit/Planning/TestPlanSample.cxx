@@ -286,55 +286,9 @@ TEST(PlanSample, StopsAndTakesAnything)
   std::vector<measuredbrdf::PlanCandidate> none;
   PlanPairs pairs = all;
   task.IsAborted = []() { return true; };
-  EXPECT_FALSE(measuredbrdf::SamplePairs(task, none, false, pairs));
+  EXPECT_FALSE(measuredbrdf::SamplePairs(task, none, pairs));
   EXPECT_EQ(pairs.Normals->GetNumberOfTuples(), Many);
   task.IsAborted = []() { return false; };
-  ASSERT_TRUE(measuredbrdf::SamplePairs(task, none, false, pairs));
+  ASSERT_TRUE(measuredbrdf::SamplePairs(task, none, pairs));
   EXPECT_NEAR(pairs.Normals->GetNumberOfTuples(), measuredbrdf::PairsToCompare, 1);
-}
-
-//------------------------------------------------------------------------------
-// Samples of a picture say which points their pairs lie about, and their weights are the points',
-// with cheap candidates and without any; and they are the same every time.
-TEST(PlanSample, OfPicturesKnowTheirPoints)
-{
-  constexpr int number = 600;
-  PlanPairs given = measuredbrdf::DrawSpherePairs(number);
-  given.Weights.clear(); // as SetPairs has it
-  measuredbrdf::PlanTask task;
-  task.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("nickel"));
-  task.Environment =
-    vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("sky"));
-  task.MaximumBytes = 1 << 22;
-  task.Shared = std::make_shared<vtkRadianceIntegrator::Precomputation>();
-  for (const bool hasCandidates : { false, true })
-  {
-    PlanPairs first[2];
-    for (int k = 0; k < 2; ++k)
-    {
-      std::vector<measuredbrdf::PlanCandidate> candidates;
-      if (hasCandidates)
-      {
-        std::string givenUp;
-        candidates = ListCandidates(task, givenUp);
-      }
-      first[k] = given;
-      ASSERT_TRUE(measuredbrdf::SamplePairs(task, candidates, true, first[k])) << task.Problem;
-    }
-    for (const PlanPairs& sample : first)
-    {
-      const auto count = static_cast<std::size_t>(sample.Normals->GetNumberOfTuples());
-      EXPECT_NEAR(static_cast<double>(count), measuredbrdf::PairsToCompare, 1);
-      ASSERT_EQ(sample.Points.size(), count);
-      ASSERT_EQ(sample.Weights.size(), count);
-      EXPECT_NEAR(
-        std::accumulate(sample.Weights.begin(), sample.Weights.end(), 0.0), number, 0.05 * number);
-      for (const std::size_t point : sample.Points)
-      {
-        ASSERT_LT(point, static_cast<std::size_t>(number));
-      }
-    }
-    EXPECT_EQ(first[0].Points, first[1].Points);
-    EXPECT_EQ(first[0].Weights, first[1].Weights);
-  }
 }

@@ -130,24 +130,6 @@ TEST(PlanComparison, AddsChanceAndTheReferencesError)
 }
 
 //------------------------------------------------------------------------------
-// Pairs about the same point are no draws of their own: residues are summed first.
-TEST(PlanComparison, KnowsWhatLiesAboutTheSamePoint)
-{
-  PlanComparison comparison = MakeComparison(3, false);
-  comparison.Pairs.Points = { 4, 4, 0 };
-  comparison.Pairs.Weights = { 1.0, 2.0, 1.0 };
-  vtkNew<vtkDoubleArray> radiance;
-  radiance->SetNumberOfComponents(3);
-  radiance->InsertNextTuple3(1.1, 0.9, 1.1); // differences of 0.3, 0.3, 0 of 3
-  radiance->InsertNextTuple3(1.1, 0.9, 1.1);
-  radiance->InsertNextTuple3(1.0, 1.0, 1.0);
-  const auto found = measuredbrdf::Compare(comparison, radiance);
-  const double error = 0.9 / 12.0;
-  const double squares = std::pow(0.9 - 9.0 * error, 2) + std::pow(3.0 * error, 2);
-  EXPECT_NEAR(found.Uncertainty, 2.0 * std::sqrt(squares) / 12.0, 1e-12);
-}
-
-//------------------------------------------------------------------------------
 // From the lowest up to the first within the tolerance; past what has no finite radiance.
 TEST(PlanSearch, ClimbsToTheCheapestWithinTheTolerance)
 {

@@ -370,7 +370,7 @@ TEST(Planner, RefusesPairsThatDoNotFit)
   SpherePairs few;
   few.AddRandom(15);
   EXPECT_FALSE(planner->SetPairs(few.Normals, few.Views));
-  EXPECT_TRUE(Contains(errors.GetText(), "from 16 to 4096")) << errors.GetText();
+  EXPECT_TRUE(Contains(errors.GetText(), "from 16 to 16384")) << errors.GetText();
   EXPECT_FALSE(planner->SetPairs(pairs.Normals, few.Views));
   EXPECT_FALSE(planner->SetPairs(pairs.Normals, nullptr));
   SpherePairs broken;

@@ -235,24 +235,14 @@ protected:
 
   vtkRadiancePlanner* Update(int k)
   {
-    PlanRequest request = this->GetRequestOf(k);
-    request.Others = [this](const PlanRequest::Visit& visit)
-    {
-      ++this->Visits;
-      for (int other = 0; other < Count; ++other)
-      {
-        visit(*this->Mappers[static_cast<std::size_t>(other)], this->GetRequestOf(other));
-      }
-    };
     bool changed = false;
     return this->Mappers[static_cast<std::size_t>(k)]
-      ->Update(request, changed, this->Problem)
+      ->Update(this->GetRequestOf(k), changed, this->Problem)
       ->GetPlan();
   }
 
   std::vector<vtkSmartPointer<GatedBRDF>> Materials;
   std::vector<std::unique_ptr<MapperPlans>> Mappers;
-  int Visits = 0;
 };
 }
 
@@ -269,7 +259,6 @@ TEST_F(SideBySide, NoMoreThanCores)
     EXPECT_EQ(this->Update(k), nullptr);
     EXPECT_TRUE(this->Mappers[static_cast<std::size_t>(k)]->IsPending());
   }
-  EXPECT_EQ(this->Visits, 0); // each begins its own
   // One core is left to drawing.
   const int limit = std::max(static_cast<int>(std::thread::hardware_concurrency()) - 1, 1);
   const auto countWaiting = [this]()
@@ -295,6 +284,36 @@ TEST_F(SideBySide, NoMoreThanCores)
   }
   ASSERT_TRUE(WaitUntil([this]() { return this->Mappers[0]->IsReady(); }));
   EXPECT_TRUE(this->Update(0));
+}
+
+//------------------------------------------------------------------------------
+// Several that would be waited for, of one mapper.
+TEST_F(SideBySide, AllBeginBeforeTheFirstIsWaitedFor)
+{
+  std::vector<PlanRequest> requests;
+  for (int k = 0; k < 2; ++k)
+  {
+    this->Materials[k]->Door->Close();
+    requests.push_back(this->GetRequestOf(k));
+    requests.back().Member = this->Materials[k];
+  }
+  MapperPlans& plans = *this->Mappers[0];
+  plans.BeginAll({ requests[0] });
+  EXPECT_FALSE(plans.IsPending());
+  std::thread opener(
+    [this]()
+    {
+      EXPECT_TRUE(WaitUntil([this]() { return this->Materials[1]->Door->IsAwaited(); }));
+      this->Materials[0]->Door->OpenUp();
+      this->Materials[1]->Door->OpenUp();
+    });
+  plans.BeginAll(requests);
+  for (const PlanRequest& request : requests)
+  {
+    bool changed = false;
+    EXPECT_TRUE(plans.Update(request, changed, this->Problem)->GetPlan());
+  }
+  opener.join();
 }
 
 //------------------------------------------------------------------------------
