@@ -149,8 +149,8 @@ public:
   ///@{
   /**
    * When plans are made.
-   * - FOREGROUND (default): Render plans, so every picture is of what is set. Several materials of a
-   *   map or of blocks are planned for side by side, on all cores.
+   * - FOREGROUND (default): Render plans, so every picture is of what is set. Plans of several
+   *   materials of a map or of blocks are made side by side, on all cores.
    * - BACKGROUND: the first Render plans. After a change of the material, the environment, the
    *   tolerance or the maximum cost, a thread plans, and pictures stay as they were until a Render
    *   finds the new plan made. (The first change after a plan in the FOREGROUND is waited for.)

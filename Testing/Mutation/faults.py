@@ -716,7 +716,7 @@ add("Rendering.plan-key-without-pixels-of-the-light", "PlanJob.h", "this->Enviro
 add("Rendering.plan-key-without-tolerance", "PlanJob.h", "this->PixelsTime, this->Tolerance,",
     "this->PixelsTime, 0.0,", "Background.EverythingThatCountsBeginsAnother")
 add("Rendering.plan-without-tolerance", "PlanJob.cxx", "planner->SetErrorTolerance(inputs.Tolerance);",
-    "", "Background.EverythingThatCountsBeginsAnother|Auto.PlansOnce|Auto.MatchesThePlannedIntegrator")
+    "", "Background.EverythingThatCountsBeginsAnother|Auto.PlansOnce")
 add("Rendering.plan-bridges-changed-pixels", "MapperPlans.cxx",
     "made.Environment->GetPixelsMTime() == made.PixelsTime", "made.PixelsTime > 0",
     "Background.ChangedPixelsAreNotBridgedByAPlanOfThem")
@@ -1114,24 +1114,25 @@ add("Visibility.key-without-normals", "SurfacePoints.cxx", "HashArray(hash, surf
     "OcclusionTest.BadArraysAreSaidOnceAndNotUsed")
 add("Visibility.rays-begin-below-twisted-quads", "SurfacePoints.cxx", "ForEachFace(surface, Faces::Triangles,",
     "ForEachFace(surface, Faces::Polygons,", "SurfaceVisibility.TwistedQuadsAreLeftFromTheirTriangles")
-add("Rendering.occlusion-whatever-it-costs", "AutomaticOcclusion.cxx", "if (!worth || this->IsStopped ||",
-    "if (this->IsStopped ||", "OcclusionTest.AutoModelsWhatIsWorthIt")
+add("Rendering.occlusion-whatever-it-costs", "AutomaticOcclusion.cxx", "return worth && !this->Found.IsLeftOut;",
+    "return !this->Found.IsLeftOut;", "OcclusionTest.AutoModelsWhatIsWorthIt")
 add("Rendering.mappers-trace-apart", "SharedTrace.cxx", "traces.FindOrMake(content,",
     "traces.FindOrMake(content + std::to_string(input->GetMTime()),",
     "SharedTraceTest.MappersOfOneSurfaceTraceOnce|SharedTraceTest.OccludersAreNotShared")
 add("Rendering.shared-without-the-bounce", "SharedTrace.h", "(!withBounce || this->HasBounce)", "true",
     "SharedTraceTest.MappersOfOneSurfaceTraceOnce")
-add("Rendering.traces-of-others", "OcclusionArrays.cxx", "this->TracedTimes != times",
-    "this->TracedTimes.size() != times.size()", "SharedTraceTest.SurfacesThatSharePointsKeepApart")
+add("Rendering.traces-of-others", "AutomaticOcclusion.cxx", "if (stamp == this->Stamp)",
+    "if (stamp.size() == this->Stamp.size())", "SharedTraceTest.SurfacesThatSharePointsKeepApart")
 add("Rendering.blocks-without-arrays-stay-open", "MaterialDrawingOcclusion.cxx", "this->Given.Blocks == this->Given.All)",
     "this->Given.Blocks > 0)", "OcclusionBlocks.SomeHaveArrays")
-add("Rendering.arrays-alone-are-traced", "MaterialDrawingOcclusion.cxx", "const bool make = mode == 2 &&", "const bool make = mode >= 2 &&",
+add("Rendering.arrays-alone-are-traced", "MaterialDrawingOcclusion.cxx", "const bool always = this->Settings->OcclusionMode == 2;",
+    "const bool always = this->Settings->OcclusionMode >= 2;",
     "OcclusionBlocks.SomeHaveArrays")
 add("Rendering.blocks-are-listed-for-each", "SurfaceBlocks.cxx", "this->Other != other ||", "this->Other != nullptr ||",
     "OcclusionBlocks.ManyAreListedOnce")
-add("Rendering.blocks-are-compared-for-each", "OcclusionArrays.cxx", "this->IsTracedChecked && this->TracedInput == input",
-    "!this->IsTracedChecked && this->TracedInput == input", "OcclusionBlocks.ManyAreListedOnce")
-add("Rendering.moved-blocks-hide-where-they-were", "OcclusionArrays.h", "{ this->IsTracedChecked = false; }", "{}",
+add("Rendering.blocks-are-compared-for-each", "MaterialDrawingOcclusion.cxx", "if (always && !this->IsTraceCurrent)",
+    "if (always)", "OcclusionBlocks.ManyAreListedOnce")
+add("Rendering.moved-blocks-hide-where-they-were", "MaterialDrawing.cxx", "  this->IsTraceCurrent = false;\n", "",
     "OcclusionBlocks.OneThatMovesShowsOnTheOthers")
 add("Rendering.threads-trace-at-once", "SharedTrace.cxx", "while (!lock.try_lock_for(Patience))", "while (false)",
     "SharedTraceTest.ThreadsWaitForOneAnother")
@@ -1139,8 +1140,8 @@ add("Rendering.forecasts-outlive-mappers", "AutomaticOcclusion.cxx", "[this]() {
     "[]() { return true; }", "SharedTraceTest.ForecastsStopWhenTheyGo")
 add("Rendering.moving-surfaces-are-traced", "AutomaticOcclusion.cxx", "return this->Changes <= MostChanges;", "return true;",
     "OcclusionTest.ForecastsFollowTheSurface")
-add("Rendering.views-forget-each-other", "AutomaticOcclusion.cxx", "!this->Known.Find(key) && follows",
-    "(!this->Answer || this->Asked != key) && follows", "OcclusionTest.ForecastsFollowTheSurface")
+add("Rendering.views-forget-each-other", "AutomaticOcclusion.cxx", "!this->Work && !this->Known.Find(key)",
+    "!this->Work && (!this->Answer || this->Asked != key)", "OcclusionTest.ForecastsFollowTheSurface")
 add("Rendering.views-for-ever", "AutomaticOcclusion.cxx", "MostAnswers = 1024;", "MostAnswers = 4;",
     "Forecast.ViewsThatTakeTurnsComeToAnEnd")
 add("Rendering.throws-end-the-thread-unsaid", "AutomaticOcclusion.cxx",

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialDrawing.h"
 
-#include "NumberText.h"
 #include "ParallelFor.h"
 #include "RenderPassQueries.h"
 #include "SharedIntegrators.h"
@@ -34,50 +33,6 @@ bool IsInteracting(vtkRenderer* renderer)
   auto* window = vtkRenderWindow::SafeDownCast(renderer->GetVTKWindow());
   return window && window->GetDesiredUpdateRate() >= LeastInteractiveRate;
 }
-}
-
-std::string DescribePlans(const DrawnMaterials& materials)
-{
-  std::vector<std::string> lines;
-  std::set<vtkRadiancePlanner*> said;
-  for (const DrawnMaterial* drawn : materials)
-  {
-    if (drawn->Plan && said.insert(drawn->Plan).second)
-    {
-      lines.push_back(drawn->Plan->GetPlan());
-    }
-  }
-  // Materials are drawn in an order of the superclass's own, which may be another in each run.
-  std::sort(lines.begin(), lines.end());
-  std::string text;
-  for (const std::string& line : lines)
-  {
-    text += (text.empty() ? "" : "\n") + line;
-  }
-  return text;
-}
-
-std::string DescribeMixture(double error)
-{
-  if (error < 0.0)
-  {
-    return "";
-  }
-  return "\nmaterials of the map together: predicted error " + NumberText(100.0 * error, 2) + " %";
-}
-
-vtkIdType CountTextureBytes(
-  const DrawnMaterials& materials, std::set<const vtkTextureObject*>& counted)
-{
-  std::size_t bytes = 0;
-  for (const DrawnMaterial* drawn : materials)
-  {
-    for (const std::shared_ptr<ShaderTextures>& textures : { drawn->Material, drawn->Radiance })
-    {
-      bytes += textures ? textures->CountBytes(counted) : 0;
-    }
-  }
-  return static_cast<vtkIdType>(bytes);
 }
 
 MaterialDrawing::MaterialDrawing(vtkMapper* owner, std::function<std::vector<MaterialUse>()> uses)
@@ -407,6 +362,7 @@ void MaterialDrawing::Render(
 {
   this->AbortPlanning = false;
   this->StyleTime = styleTime;
+  this->IsTraceCurrent = false;
   this->Sums.Begin();
   this->Failures.clear();
   this->Try(

@@ -152,22 +152,24 @@ std::shared_ptr<PlanJob> PlanJob::Begin(const PlanInputs& inputs)
   }
   const auto job = std::make_shared<PlanJob>(planner);
   job->WithShaderInputs = inputs.WithShaderInputs;
+  job->Done = true; // until it has a thread, for which there may be no memory
   const std::shared_ptr<PlanJob> handle(job.get(),
     [owned = job](PlanJob*) mutable
     {
       GetQueue().Leave(owned);
       owned.reset();
     });
-  const bool starts =
-    RunInBackground([own = job]() mutable { GetQueue().Work(std::exchange(own, nullptr)); },
-      [weak = std::weak_ptr<PlanJob>(job)]()
-      {
-        if (const std::shared_ptr<PlanJob> running = weak.lock())
-        {
-          GetQueue().Leave(running);
-        }
-      });
-  if (!starts)
+  std::function<void()> work = [own = job]() mutable
+  { GetQueue().Work(std::exchange(own, nullptr)); };
+  std::function<void()> stop = [weak = std::weak_ptr<PlanJob>(job)]()
+  {
+    if (const std::shared_ptr<PlanJob> running = weak.lock())
+    {
+      GetQueue().Leave(running);
+    }
+  };
+  job->Done = false;
+  if (!RunInBackground(std::move(work), std::move(stop)))
   {
     job->Done = true;
     return nullptr;
