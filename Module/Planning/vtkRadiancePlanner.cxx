@@ -27,7 +27,7 @@ namespace
 {
 constexpr int SpherePairs = 8192; // of which the comparison takes a sample
 constexpr vtkIdType FewestPairs = 16;
-constexpr vtkIdType MostPairs = 4096;
+constexpr vtkIdType MostPairs = 16384;
 
 // What the texture units of graphics cards lose by interpolating with weights of 8 bits: relative
 // L1 of the smallest table, in the mean of seven materials under three maps. Larger tables and
@@ -203,9 +203,8 @@ bool vtkRadiancePlanner::Search()
                       measuredbrdf::NumberText(this->MaximumCost) + ".");
   }
   measuredbrdf::PlanComparison comparison;
-  const bool picture = impl.Given.Normals != nullptr;
-  comparison.Pairs = picture ? impl.Given : DrawPairsOfAllViews(task);
-  if (!measuredbrdf::SamplePairs(task, ladder, picture, comparison.Pairs) ||
+  comparison.Pairs = impl.Given.Normals ? impl.Given : DrawPairsOfAllViews(task);
+  if (!measuredbrdf::SamplePairs(task, ladder, comparison.Pairs) ||
       !measuredbrdf::MakeReference(task, comparison))
   {
     return this->Fail(

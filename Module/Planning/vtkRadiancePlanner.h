@@ -77,11 +77,10 @@ public:
   /**
    * Check candidates on these pairs instead, what a camera sees: as many unit normals as unit
    * directions towards the camera, 3 components each, world coordinates with the environment turned
-   * as it is, from 16 to 4096 of them (drawn in proportion to the pixels that they cover). Of more
-   * than 512 these are taken for points of a picture: pairs between them are drawn as well, and of
-   * all of these a sample of about 512. Copied. Two nulls (default): a sphere's. Returns false
-   * with an error event, the pairs as they were, where the arrays do not fit, or a value is not
-   * finite.
+   * as it is, from 16 to 16384 of them (drawn in proportion to the pixels that they cover). Of more
+   * than 512 a sample of about 512 is compared on. Copied. Two nulls (default): a sphere's. Returns
+   * false with an error event, the pairs as they were, where the arrays do not fit, or a value is
+   * not finite.
    */
   bool SetPairs(vtkDataArray* normals, vtkDataArray* views);
 

@@ -149,8 +149,8 @@ public:
   ///@{
   /**
    * When plans are made.
-   * - FOREGROUND (default): Render plans, so every picture is of what is set. Where it has to plan
-   *   for several mappers of a renderer, it does so side by side, on all cores.
+   * - FOREGROUND (default): Render plans, so every picture is of what is set. Plans of several
+   *   materials of a map or of blocks are made side by side, on all cores.
    * - BACKGROUND: the first Render plans. After a change of the material, the environment, the
    *   tolerance or the maximum cost, a thread plans, and pictures stay as they were until a Render
    *   finds the new plan made. (The first change after a plan in the FOREGROUND is waited for.)
@@ -173,7 +173,7 @@ public:
   /**
    * Whether to plan for what the camera sees instead of for every view (default off).
    * Candidates are then checked on the normals and views of the first picture after this was set,
-   * in proportion to the pixels that they cover: flat objects get cheaper plans. The plan stays
+   * in proportion to the pixels that show them: flat objects get cheaper plans. The plan stays
    * when the camera or the object moves; set it again to plan for what is seen then.
    */
   void SetPlanForView(bool view);
@@ -184,8 +184,8 @@ public:
 
   /**
    * What PlanForView sees of an actor that this mapper draws: unit normals and unit directions to
-   * the camera (as many of both, resized to 3 components), in proportion to the pixels that they
-   * cover, ready for vtkRadiancePlanner::SetPairs. None where nothing is in view.
+   * the camera (as many of both, resized to 3 components), in proportion to the pixels that
+   * show them, ready for vtkRadiancePlanner::SetPairs. None where nothing is in view.
    */
   void GetVisiblePairs(
     vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views);

@@ -21,7 +21,7 @@ from meshes import make_shape
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-PLANNED = 3000  # pixels that a plan for the view is given: others than are compared
+PLANNED = 16384  # pixels that a plan for the view is given: others than are compared
 EVERYWHERE = "everywhere"
 
 

@@ -638,17 +638,6 @@ add("Planning.reference-is-exact", "PlanComparison.cxx", "/ sum, comparison.Refe
     "PlanComparison.AddsChanceAndTheReferencesError")
 add("Planning.percentiles-without-weights", "PlanComparison.cxx", "left += share * weights[k];", "left += share;",
     "PlanComparison.AddsChanceAndTheReferencesError")
-add("Planning.nothing-between-pixels", "PlanPairs.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.0;",
-    "PlanPoints.HaveOthersBetween")
-add("Planning.pixels-are-centers-of-crowds", "PlanPairs.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.2;",
-    "PlanPoints.AreNoCentersOfCrowds")
-add("Planning.pixels-far-apart-are-neighbors", "PlanPairs.cxx", "constexpr double Apart = 0.3;", "constexpr double Apart = 3.0;",
-    "PlanPoints.HaveOthersBetween")
-add("Planning.pixels-know-their-own-only", "PlanPairs.cxx", "around += about[neighbor];", "(void)neighbor;",
-    "PlanPoints.CrowdWhereItVaries")
-add("Planning.crowds-count-as-many", "PlanPairs.cxx", "pairs.Weights.push_back(1.0 / counts[owner]);", "pairs.Weights.push_back(1.0);",
-    "PlanPoints.CrowdWhereItVaries")
-add("Planning.pictures-know-no-points", "PlanSample.cxx", "points->Weigh(all);", "", "PlanSample.OfPicturesKnowTheirPoints")
 add("Integration.other-half-unmirrored", "FieldSynthesis.cxx", "getOut(places.Mirror, -m) = sign * (even - odd);",
     "getOut(places.Mirror, -m) = sign * (even + odd);", "FieldSynthesis.IsTheSumOverHarmonics")
 add("Integration.tiles-without-the-lifted-rings", "RadianceTable.cxx", "LiftDarkRingsOfMap(patch.data(), Wide, Wide);", "",
@@ -671,8 +660,6 @@ add("Planning.lights-for-mirrors", "PlanReference.cxx", "return task.BRDF->IsIso
     "return task.BRDF->IsIsotropic() ||", "PlanReference.KnowsItsErrorUnder*")
 add("Planning.lights-without-error", "PlanReference.cxx", "error = own + fewer;",
     "error = 0.0;", "PlanReference.IsNearlyExact")
-add("Planning.between-is-inside", "PlanPairs.cxx", "isFirst ? 0.0 : Reach * (2.0 * this->Draw() - 1.0);",
-    "isFirst ? 0.0 : 0.5 * Reach * this->Draw();", "PlanPoints.HaveOthersBetween")
 add("Planning.memory-without-the-material", "PlanSearch.cxx",
     "candidate.Bytes += static_cast<vtkIdType>(inputs.GetTextureBytes());", "",
     "Planner.TextureMemoryOfTheMaterial")
@@ -697,17 +684,18 @@ add("Rendering.stand-in-is-the-material", "SharedIntegrators.cxx",
     "Background.ACoarseFormForShadersUntilThePlan")
 add("Rendering.stand-in-form-for-nobody", "SharedIntegrators.cxx", "made->Material = material;",
     "made->Material = material;\n  made->GetRenderable();", "StandIns.NoFormWhereNoLightNeedsIt")
-add("Rendering.plan-learns-of-no-light", "MapperPlans.cxx", "this->Job->WantShaderInputs();", "",
+add("Rendering.plan-learns-of-no-light", "PlanJob.cxx",
+    "found->WithShaderInputs = found->WithShaderInputs || inputs.WithShaderInputs;", "",
     "StandIns.LightsThatComeWhileAPlanIsMade")
-add("Rendering.failed-plan-begun-again", "MapperPlans.cxx", "this->Adopt(wanted, done ? job->GetPlan() : nullptr);",
-    "this->Adopt(job->GetPlan() ? wanted : PlanInputs(), job->GetPlan());",
+add("Rendering.failed-plan-begun-again", "MapperPlans.cxx", "this->Adopt(wanted, done ? job : nullptr);",
+    "this->Adopt(job->GetPlan() ? wanted : PlanInputs(), job);",
     "StandIns.PlansThatFail")
 add("Rendering.failed-stand-in-tried-again", "ShaderTextures.cxx", "if (time <= this->FailureTime)",
     "if (time < 0 * this->FailureTime)", "StandIns.ThoseThatFailAreTriedOnce")
-add("Rendering.plans-beside-stand-ins", "PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->IsStopped; }",
-    "{ return this->Holds < 9; }", "SideBySide.HeldUntilSomebodyWaits")
-add("Rendering.wait-for-what-is-held", "PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->IsStopped; }",
-    "{ return this->Holds == 0; }", "SideBySide.HeldUntilSomebodyWaits")
+add("Rendering.plans-beside-stand-ins", "PlanJob.cxx", "this->Holds == 0 && this->Running < this->Limit",
+    "this->Running < this->Limit", "SideBySide.HeldUntilSomebodyWaits")
+add("Rendering.wait-for-what-is-held", "PlanJob.cxx", "job->IsLeft || job->Waiters > 0 || othersMay",
+    "job->IsLeft || (this->Holds == 0 && othersMay)", "SideBySide.HeldUntilSomebodyWaits")
 add("Rendering.refused-occlusion-unsaid", "MaterialDrawingOcclusion.cxx", "if (refused > 0)",
     "if (refused > 9)", "OcclusionBlocks.SomeHaveArrays")
 add("Material.cells-of-one-side-only", "HalfDifferenceFill.cxx",
@@ -726,27 +714,19 @@ add("Rendering.plan-key-without-pixels-of-the-light", "PlanJob.h", "this->Enviro
 add("Rendering.plan-key-without-tolerance", "PlanJob.h", "this->PixelsTime, this->Tolerance,",
     "this->PixelsTime, 0.0,", "Background.EverythingThatCountsBeginsAnother")
 add("Rendering.plan-without-tolerance", "PlanJob.cxx", "planner->SetErrorTolerance(inputs.Tolerance);",
-    "", "Background.EverythingThatCountsBeginsAnother|Auto.PlansOnce|Auto.MatchesThePlannedIntegrator")
+    "", "Background.EverythingThatCountsBeginsAnother|Auto.PlansOnce")
 add("Rendering.plan-bridges-changed-pixels", "MapperPlans.cxx",
-    "this->Plan->GetEnvironment()->GetPixelsMTime() == this->Times[1];", "this->Times[1] > 0;",
+    "made.Environment->GetPixelsMTime() == made.PixelsTime", "made.PixelsTime > 0",
     "Background.ChangedPixelsAreNotBridgedByAPlanOfThem")
-add("Rendering.back-is-seen", "VisibleSurface.cxx", "glm::dot(mean, view) > 0.0;",
-    "glm::dot(mean, view) < 0.0;", "Visible.ConesShowTheirFlank|Visible.SpheresCoverTheirDiscs")
-add("Rendering.strips-are-not-turned", "VisibleSurface.cxx", "cells.Strips && corner % 2 == 1", "false",
-    "Visible.StripsAndLargeMeshesAreAlike")
-add("Rendering.far-parts-count-as-near-ones", "VisibleSurface.cxx",
-    "this->Parallel ? 1.0 : 1.0 / std::max(glm::dot(away, away), 1e-30);", "1.0 + 0.0 * away.x;",
-    "Visible.WhatIsNearCountsForMore")
-add("Rendering.normals-turn-as-points", "VisibleSurface.cxx",
-    "NormalToWorld(glm::transpose(glm::inverse(glm::dmat3(toWorld))))", "NormalToWorld(glm::dmat3(toWorld))",
-    "Visible.ActorsAreTransformed")
-add("Rendering.what-is-outside-counts", "VisibleSurface.cxx", "if (!eye.Sees(point) || ", "if (",
+add("Rendering.back-is-seen", "VisibleSurface.cxx", "glm::dot(point.Normal, direction) > 0.0 ?",
+    "glm::dot(point.Normal, direction) < 0.0 ?", "Visible.ConesShowTheirFlank|Visible.SpheresCoverTheirDiscs")
+add("Rendering.what-is-outside-counts", "VisibleSurface.cxx", "low = glm::clamp(low, -1.0, 1.0);", "",
     "Visible.OnlyWhatIsInThePictureCounts")
 add("Rendering.left-tables-go-on", "PlanJob.cxx", "return this->Planner->GetAbort(); });", "return false; });",
     "CurrentPlan.LeavesResamplingInTheMiddle")
-add("Rendering.left-jobs-are-kept", "PlanJob.cxx", "GetQueue().Leave(std::exchange(owned, nullptr));", "GetQueue().Leave(owned);",
+add("Rendering.left-jobs-are-kept", "PlanJob.cxx", "owned.reset();", "",
     "Background.ItsEndLeavesNothing")
-add("Rendering.left-plans-go-on", "PlanJob.cxx", "job->Planner->SetAbort(true);\n    }\n  }\n\n  /// goesOn", "}\n  }\n\n  /// goesOn",
+add("Rendering.left-plans-go-on", "PlanJob.cxx", "      job->Planner->SetAbort(true);\n", "",
     "Background.AChangeStopsWhatIsInTheMaking")
 add("Rendering.changed-materials-are-not-redrawn", "MaterialSettings.cxx", "add(this->BRDF);", "",
     "Mapper.RebuildsExactlyWhenItMust|Scene.RedrawTimeFollowsAppearance")
@@ -1132,24 +1112,25 @@ add("Visibility.key-without-normals", "SurfacePoints.cxx", "HashArray(hash, surf
     "OcclusionTest.BadArraysAreSaidOnceAndNotUsed")
 add("Visibility.rays-begin-below-twisted-quads", "SurfacePoints.cxx", "ForEachFace(surface, Faces::Triangles,",
     "ForEachFace(surface, Faces::Polygons,", "SurfaceVisibility.TwistedQuadsAreLeftFromTheirTriangles")
-add("Rendering.occlusion-whatever-it-costs", "AutomaticOcclusion.cxx", "if (!worth || this->IsStopped ||",
-    "if (this->IsStopped ||", "OcclusionTest.AutoModelsWhatIsWorthIt")
+add("Rendering.occlusion-whatever-it-costs", "AutomaticOcclusion.cxx", "return worth && !this->Found.IsLeftOut;",
+    "return !this->Found.IsLeftOut;", "OcclusionTest.AutoModelsWhatIsWorthIt")
 add("Rendering.mappers-trace-apart", "SharedTrace.cxx", "traces.FindOrMake(content,",
     "traces.FindOrMake(content + std::to_string(input->GetMTime()),",
     "SharedTraceTest.MappersOfOneSurfaceTraceOnce|SharedTraceTest.OccludersAreNotShared")
 add("Rendering.shared-without-the-bounce", "SharedTrace.h", "(!withBounce || this->HasBounce)", "true",
     "SharedTraceTest.MappersOfOneSurfaceTraceOnce")
-add("Rendering.traces-of-others", "OcclusionArrays.cxx", "this->TracedTimes != times",
-    "this->TracedTimes.size() != times.size()", "SharedTraceTest.SurfacesThatSharePointsKeepApart")
+add("Rendering.traces-of-others", "AutomaticOcclusion.cxx", "if (stamp == this->Stamp)",
+    "if (stamp.size() == this->Stamp.size())", "SharedTraceTest.SurfacesThatSharePointsKeepApart")
 add("Rendering.blocks-without-arrays-stay-open", "MaterialDrawingOcclusion.cxx", "this->Given.Blocks == this->Given.All)",
     "this->Given.Blocks > 0)", "OcclusionBlocks.SomeHaveArrays")
-add("Rendering.arrays-alone-are-traced", "MaterialDrawingOcclusion.cxx", "const bool make = mode == 2 &&", "const bool make = mode >= 2 &&",
+add("Rendering.arrays-alone-are-traced", "MaterialDrawingOcclusion.cxx", "const bool always = this->Settings->OcclusionMode == 2;",
+    "const bool always = this->Settings->OcclusionMode >= 2;",
     "OcclusionBlocks.SomeHaveArrays")
 add("Rendering.blocks-are-listed-for-each", "SurfaceBlocks.cxx", "this->Other != other ||", "this->Other != nullptr ||",
     "OcclusionBlocks.ManyAreListedOnce")
-add("Rendering.blocks-are-compared-for-each", "OcclusionArrays.cxx", "this->IsTracedChecked && this->TracedInput == input",
-    "!this->IsTracedChecked && this->TracedInput == input", "OcclusionBlocks.ManyAreListedOnce")
-add("Rendering.moved-blocks-hide-where-they-were", "OcclusionArrays.h", "{ this->IsTracedChecked = false; }", "{}",
+add("Rendering.blocks-are-compared-for-each", "MaterialDrawingOcclusion.cxx", "if (always && !this->IsTraceCurrent)",
+    "if (always)", "OcclusionBlocks.ManyAreListedOnce")
+add("Rendering.moved-blocks-hide-where-they-were", "MaterialDrawing.cxx", "  this->IsTraceCurrent = false;\n", "",
     "OcclusionBlocks.OneThatMovesShowsOnTheOthers")
 add("Rendering.threads-trace-at-once", "SharedTrace.cxx", "while (!lock.try_lock_for(Patience))", "while (false)",
     "SharedTraceTest.ThreadsWaitForOneAnother")
@@ -1157,8 +1138,8 @@ add("Rendering.forecasts-outlive-mappers", "AutomaticOcclusion.cxx", "[this]() {
     "[]() { return true; }", "SharedTraceTest.ForecastsStopWhenTheyGo")
 add("Rendering.moving-surfaces-are-traced", "AutomaticOcclusion.cxx", "return this->Changes <= MostChanges;", "return true;",
     "OcclusionTest.ForecastsFollowTheSurface")
-add("Rendering.views-forget-each-other", "AutomaticOcclusion.cxx", "!this->Known.Find(key) && follows",
-    "(!this->Answer || this->Asked != key) && follows", "OcclusionTest.ForecastsFollowTheSurface")
+add("Rendering.views-forget-each-other", "AutomaticOcclusion.cxx", "!this->Work && !this->Known.Find(key)",
+    "!this->Work && (!this->Answer || this->Asked != key)", "OcclusionTest.ForecastsFollowTheSurface")
 add("Rendering.views-for-ever", "AutomaticOcclusion.cxx", "MostAnswers = 1024;", "MostAnswers = 4;",
     "Forecast.ViewsThatTakeTurnsComeToAnEnd")
 add("Rendering.throws-end-the-thread-unsaid", "AutomaticOcclusion.cxx",

@@ -9,30 +9,7 @@
 #define MaterialMapFixture_h
 
 #include "RenderFixture.h"
-#include "vtkActor.h"
-#include "vtkBlinnPhongBRDF.h"
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkEnvironment.h"
-#include "vtkFloatArray.h"
-#include "vtkImageData.h"
-#include "vtkLambertBRDF.h"
-#include "vtkLight.h"
-#include "vtkMaterialMap.h"
-#include "vtkMeasuredBRDFMapper.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkSumBRDF.h"
-#include "vtkTableRadianceIntegrator.h"
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <string>
-#include <vector>
 
 constexpr int Side = 8;       // squares along an edge; 8 x 8 pixels each
 constexpr int Pixels = 64;    // of the window

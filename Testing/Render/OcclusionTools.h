@@ -9,13 +9,7 @@
 #define OcclusionTools_h
 
 #include "TraceSurface.h"
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
-#include "vtkNew.h"
 #include "vtkObject.h"
-
-#include <string>
-#include <vector>
 
 // Small tables: their own errors cancel.
 template <typename Integrator>
@@ -25,28 +19,5 @@ void MakeSmall(Integrator* integrator)
   integrator->SetNumberOfViewAngles(6);
   integrator->SetNumberOfAzimuths(4);
 }
-
-// Collects a mapper's warnings instead of printing them.
-struct WarningTexts
-{
-  explicit WarningTexts(vtkObject* object)
-    : Object(object)
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
-      { static_cast<WarningTexts*>(self)->Texts.emplace_back(static_cast<const char*>(text)); });
-    this->Tag = object->AddObserver(vtkCommand::WarningEvent, this->Command);
-  }
-  ~WarningTexts() { this->Object->RemoveObserver(this->Tag); }
-  WarningTexts(const WarningTexts&) = delete;
-  WarningTexts& operator=(const WarningTexts&) = delete;
-
-  std::vector<std::string> Texts;
-
-private:
-  vtkNew<vtkCallbackCommand> Command;
-  vtkObject* Object;
-  unsigned long Tag;
-};
 
 #endif

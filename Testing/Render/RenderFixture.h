@@ -3,41 +3,113 @@
 /**
  * @file
  * An offscreen window with a 32-bit float framebuffer: what the mapper writes, before any clamping.
+ * And the headers that most tests of pictures need.
  */
 
 #ifndef RenderFixture_h
 #define RenderFixture_h
 
 #include "vtkActor.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkCompositeMeasuredBRDFMapper.h"
 #include "vtkDoubleArray.h"
+#include "vtkEnvironment.h"
+#include "vtkFloatArray.h"
 #include "vtkFramebufferPass.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkLambertBRDF.h"
 #include "vtkLight.h"
 #include "vtkLightsPass.h"
+#include "vtkMaterialMap.h"
+#include "vtkMeasuredBRDFMapper.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkPixelBufferObject.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
 #include "vtkRadianceIntegrator.h"
+#include "vtkRadiancePlanner.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSequencePass.h"
 #include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
+#include "vtkTableRadianceIntegrator.h"
+#include "vtkTexture.h"
 #include "vtkTextureObject.h"
 #include "vtkTranslucentPass.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVersionMacros.h"
+#include "vtkWeakPointer.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include <gtest/gtest.h>
+/// Counts an object's events of a kind, and keeps their texts.
+struct EventCounter
+{
+  EventCounter(vtkObject* object, unsigned long event)
+    : Object(object)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void* text)
+      {
+        auto* counter = static_cast<EventCounter*>(self);
+        ++counter->Count;
+        counter->Text = text ? static_cast<const char*>(text) : "";
+        counter->Texts.push_back(counter->Text);
+      });
+    this->Tag = object->AddObserver(event, this->Command);
+  }
+  ~EventCounter()
+  {
+    if (this->Object)
+    {
+      this->Object->RemoveObserver(this->Tag);
+    }
+  }
+  EventCounter(const EventCounter&) = delete;
+  void operator=(const EventCounter&) = delete;
+
+  int Count = 0;
+  std::string Text; // the last one
+  std::vector<std::string> Texts;
+
+private:
+  vtkNew<vtkCallbackCommand> Command;
+  vtkWeakPointer<vtkObject> Object;
+  unsigned long Tag;
+};
 
 /// Of all threads of the program, in seconds.
 inline double GetProcessorTime() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }

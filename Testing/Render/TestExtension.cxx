@@ -2,25 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Models and integrators from outside the module, with GLSL text of their own: drawn where it is
 // right; where it is wrong, one clear error and the superclass's picture.
-
-#include "EventCounter.h"
 #include "RenderFixture.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFShaderInputs.h"
-#include "vtkEnvironment.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMath.h"
-#include "vtkMeasuredBRDFMapper.h"
-#include "vtkObjectFactory.h"
-#include "vtkPlaneSource.h"
-#include "vtkProperty.h"
-#include "vtkRadianceIntegrator.h"
 #include "vtkSumBRDF.h"
 
-#include <algorithm>
 #include <stdexcept>
-#include <string>
 
 namespace
 {

@@ -2,38 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shading against closed forms at values where no factor is 1: lights, scalars, grazing views,
 // tangents; and a copy that forgets nothing.
-
-#include "EventCounter.h"
 #include "RenderFixture.h"
-
+#include "ScaledLight.h"
 #include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBasisBRDF.h"
-#include "vtkCompositeMeasuredBRDFMapper.h"
-#include "vtkEnvironment.h"
-#include "vtkFloatArray.h"
-#include "vtkLambertBRDF.h"
-#include "vtkLight.h"
+#include "vtkEmbeddedMaterials.h"
 #include "vtkLightCollection.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetRadianceIntegrator.h"
-#include "vtkMeasuredBRDFMapper.h"
 #include "vtkMedianCutLightSetGenerator.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkPlaneSource.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkPBRIrradianceTexture.h"
+#include "vtkPBRPrefilterTexture.h"
+#include "vtkPBRPropertyFitter.h"
 #include "vtkPolyDataTangents.h"
-#include "vtkProperty.h"
+#include "vtkSumBRDF.h"
+#include "vtkSurfaceVisibilityFilter.h"
 #include "vtkTriangleFilter.h"
-#include "vtkUnsignedCharArray.h"
 
-#include <array>
-#include <limits>
 #include <map>
-#include <sstream>
-#include <string>
 
 namespace
 {
@@ -465,4 +453,354 @@ TEST_F(MapperShading, TangentsFromTextureCoordinatesAndFields)
   const double leaning[3] = { 0.0, 7.0, 3.0 };
   expected = getExpected(leaning);
   EXPECT_NEAR(this->RenderLinear().At(32, 32)[0], expected, 2e-3 * expected);
+}
+
+//------------------------------------------------------------------------------
+// Maps may be in any unit: a factor on the light and its inverse on the exposure leave every
+// picture as it is, with what a mesh hides from itself, and of several materials.
+namespace
+{
+// Of both decimal units and powers of two: the lights that stand for a map may be others where its
+// digits are rounded otherwise.
+constexpr double Units[] = { LightUnits[0], 1e5 };
+
+class LightUnits8Bit : public RenderFixture
+{
+protected:
+  void SetUpScene() override
+  {
+    // A hollow, which hides itself.
+    vtkNew<vtkSphereSource> bowl;
+    bowl->SetRadius(0.95);
+    bowl->SetThetaResolution(32);
+    bowl->SetPhiResolution(24);
+    bowl->SetEndPhi(110.0);
+    this->Visibility->SetInputConnection(bowl->GetOutputPort());
+    this->Visibility->BothSidesOn();
+    this->Visibility->BounceOn();
+    this->Visibility->Update();
+    this->Surface = vtkPolyData::SafeDownCast(this->Visibility->GetOutputDataObject(0));
+    this->Hall->SetToProceduralHall();
+    this->Mapper->SetInputData(this->Surface);
+    this->Mapper->SetOcclusionModeToOff();
+    this->Actor->SetMapper(this->Mapper);
+    this->Renderer->AddActor(this->Actor);
+    this->Renderer->GetActiveCamera()->SetPosition(1.0, -2.0, 4.0);
+  }
+
+  static vtkSmartPointer<vtkBRDF> NewGlossyCoat(double exponent, double red = 0.8)
+  {
+    vtkNew<vtkLambertBRDF> base;
+    base->SetAlbedo(red, 0.4, 0.2);
+    vtkNew<vtkBlinnPhongBRDF> gloss;
+    gloss->SetSpecular(0.1, 0.1, 0.1);
+    gloss->SetExponent(exponent);
+    auto coat = vtkSmartPointer<vtkSumBRDF>::New();
+    coat->AddTerm(base);
+    coat->AddTerm(gloss);
+    return coat;
+  }
+
+  /// The picture under the light in each unit, shown with that exposure, is the same.
+  void ExpectSamePictures(const std::string& what)
+  {
+    this->Mapper->SetEnvironment(this->Hall);
+    const FloatImage expected = this->RenderLinear();
+    float brightest = 0.0f;
+    for (const double unit : Units)
+    {
+      this->Mapper->SetEnvironment(NewScaledLight(this->Hall, unit));
+      const FloatImage found = this->RenderLinear();
+      long most = 0;
+      double off = 0.0;
+      double all = 0.0;
+      for (std::size_t k = 0; k < expected.RGBA.size(); ++k)
+      {
+        const float value = expected.RGBA[k];
+        brightest = std::max(brightest, value);
+        const double scaled = k % 4 == 3 ? found.RGBA[k] : found.RGBA[k] / unit;
+        most = std::max(most, std::labs(ToByte(scaled) - ToByte(static_cast<double>(value))));
+        off += std::abs(scaled - static_cast<double>(value));
+        all += static_cast<double>(value);
+      }
+      EXPECT_LE(most, 1) << what << ", times " << unit;
+      EXPECT_LT(off, 2e-3 * all) << what << ", times " << unit; // highlights, too
+    }
+    EXPECT_GT(brightest, 0.1f) << what;
+  }
+
+  static long ToByte(double radiance)
+  {
+    return std::lround(255.0 * std::pow(std::clamp(radiance, 0.0, 1.0), 1.0 / 2.2));
+  }
+
+  vtkNew<vtkSurfaceVisibilityFilter> Visibility;
+  vtkSmartPointer<vtkPolyData> Surface;
+  vtkNew<vtkEnvironment> Hall;
+  vtkNew<vtkMeasuredBRDFMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+};
+}
+
+// A plan's, beside what the hollow hides, and what that sends back.
+TEST_F(LightUnits8Bit, WithSelfShadowing)
+{
+  this->Mapper->SetOcclusionModeToOn();
+  this->Mapper->SetBRDF(NewGlossyCoat(20000.0, 0.5));
+  this->ExpectSamePictures("shadowed");
+  this->Mapper->SetBRDF(NewGlossyCoat(300.0));
+  this->Mapper->OcclusionBounceOn();
+  this->ExpectSamePictures("with a bounce");
+}
+
+TEST_F(LightUnits8Bit, OfMaterialMaps)
+{
+  constexpr int classes = 4;
+  vtkNew<vtkIntArray> array;
+  array->SetName("material");
+  for (vtkIdType k = 0; k < this->Surface->GetNumberOfCells(); ++k)
+  {
+    array->InsertNextValue(static_cast<int>(k) % classes);
+  }
+  this->Surface->GetCellData()->AddArray(array);
+  vtkNew<vtkMaterialMap> map;
+  map->SetArrayName("material");
+  for (int k = 0; k < classes; ++k)
+  {
+    map->AddMaterial(NewGlossyCoat(20.0 + 60.0 * k, 0.2 * (k + 1)));
+  }
+  this->Mapper->SetMaterialMap(map);
+  this->ExpectSamePictures("classes");
+  this->Mapper->SetOcclusionModeToOn();
+  this->ExpectSamePictures("classes, shadowed");
+}
+
+//------------------------------------------------------------------------------
+// What the renderer's environment texture holds, linear or sRGB, by VTK's own shading beside ours.
+class TextureEncoding : public RenderFixture
+{
+protected:
+  /// 128 of 255 everywhere, in any type.
+  static vtkSmartPointer<vtkTexture> MakeGray(int type, bool cube)
+  {
+    auto texture = vtkSmartPointer<vtkTexture>::New();
+    texture->SetCubeMap(cube);
+    for (int face = 0; face < (cube ? 6 : 1); ++face)
+    {
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(16, cube ? 16 : 8, 1);
+      image->AllocateScalars(type, 3);
+      const double largest = type == VTK_FLOAT ? 1.0 : type == VTK_UNSIGNED_SHORT ? 65535.0 : 255.0;
+      image->GetPointData()->GetScalars()->Fill(largest * 128.0 / 255.0);
+      texture->SetInputDataObject(face, image);
+    }
+    texture->SetColorModeToDirectScalars();
+    texture->InterpolateOn();
+    texture->MipmapOn();
+    return texture;
+  }
+};
+
+TEST_F(TextureEncoding, IsAsVtkTakesIt)
+{
+  if (this->IsSkipped())
+  {
+    return;
+  }
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer);
+  ASSERT_TRUE(renderer);
+  this->Renderer->UseImageBasedLightingOn();
+  renderer->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(64); // the light is uniform
+  renderer->GetEnvMapIrradiance()->SetIrradianceSize(8);
+  renderer->GetEnvMapIrradiance()->SetIrradianceStep(0.1f);
+
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  vtkNew<vtkLambertBRDF> white;
+  white->SetAlbedo(1.0, 1.0, 1.0);
+  vtkNew<vtkMeasuredBRDFMapper> measured;
+  measured->SetInputConnection(sphere->GetOutputPort());
+  measured->SetBRDF(white);
+  vtkNew<vtkOpenGLPolyDataMapper> stock;
+  stock->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->GetProperty()->SetInterpolationToPBR();
+  actor->GetProperty()->SetRoughness(1.0);
+  this->Renderer->AddActor(actor);
+
+  constexpr double linear = 128.0 / 255.0;
+  constexpr double decoded = 0.21586; // IEC 61966-2-1
+  const struct
+  {
+    const char* Name;
+    int Type;
+    bool Cube, SaysSRGB, UsesSRGB, Harmonics;
+    double Expected;
+  } cases[] = {
+    { "bytes", VTK_UNSIGNED_CHAR, false, false, false, true, decoded },
+    { "bytes, isSRGB", VTK_UNSIGNED_CHAR, false, true, false, true, decoded },
+    { "bytes, UseSRGBColorSpace", VTK_UNSIGNED_CHAR, false, false, true, true, decoded },
+    { "bytes, no harmonics", VTK_UNSIGNED_CHAR, false, false, false, false, linear },
+    { "shorts", VTK_UNSIGNED_SHORT, false, false, false, true, linear },
+    { "floats", VTK_FLOAT, false, false, false, true, linear },
+    { "floats, UseSRGBColorSpace", VTK_FLOAT, false, false, true, true, linear },
+    { "floats, isSRGB, no harmonics", VTK_FLOAT, false, true, false, false, decoded },
+    { "cube of bytes", VTK_UNSIGNED_CHAR, true, false, false, false, linear },
+    { "cube of bytes, isSRGB", VTK_UNSIGNED_CHAR, true, true, false, false, decoded },
+    { "cube of bytes, UseSRGBColorSpace", VTK_UNSIGNED_CHAR, true, false, true, false, decoded },
+  };
+  for (const auto& c : cases)
+  {
+    SCOPED_TRACE(c.Name);
+    const vtkSmartPointer<vtkTexture> texture = MakeGray(c.Type, c.Cube);
+    texture->SetUseSRGBColorSpace(c.UsesSRGB);
+    renderer->SetUseSphericalHarmonics(c.Harmonics);
+    this->Renderer->SetEnvironmentTexture(texture, c.SaysSRGB);
+    actor->SetMapper(measured);
+    const double ours = this->RenderLinear().At(32, 32)[0];
+    EXPECT_NEAR(ours, c.Expected, 0.01 * c.Expected);
+    actor->SetMapper(stock);
+    const double theirs = this->RenderLinear().At(32, 32)[0];
+    std::printf("%s: %.4f, VTK's PBR %.4f\n", c.Name, ours, theirs);
+    // Its specular part is another, and its curve a power of 2.2: both are small beside 2.3.
+    EXPECT_NEAR(ours, theirs, 0.15 * theirs);
+  }
+}
+
+TEST_F(TextureEncoding, WarnsOfBadValues)
+{
+  if (this->IsSkipped())
+  {
+    return;
+  }
+  vtkNew<vtkLambertBRDF> white;
+  vtkNew<vtkMeasuredBRDFMapper> mapper;
+  mapper->SetInputConnection(vtkNew<vtkSphereSource>()->GetOutputPort());
+  mapper->SetBRDF(white);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  this->Renderer->AddActor(actor);
+  EventCounter warnings(mapper, vtkCommand::WarningEvent);
+  for (const bool cube : { false, true })
+  {
+    const vtkSmartPointer<vtkTexture> texture = MakeGray(VTK_FLOAT, cube);
+    vtkImageData* image = texture->GetInput();
+    image->SetScalarComponentFromFloat(0, 0, 0, 0, std::numeric_limits<float>::infinity());
+    image->SetScalarComponentFromFloat(1, 0, 0, 1, -1.0f);
+    image->SetScalarComponentFromFloat(2, 0, 0, 2, cube ? -1.0f : 1.0f); // another cause
+    this->Renderer->SetEnvironmentTexture(texture);
+    this->RenderLinear();
+    this->RenderLinear();
+    EXPECT_EQ(warnings.Count, cube ? 2 : 1);
+    EXPECT_NE(warnings.Text.find(cube ? "texture: 3 of its values" : "texture: 2 of its values"),
+      std::string::npos)
+      << warnings.Text;
+  }
+}
+
+//------------------------------------------------------------------------------
+// A stock actor with the fitted property, drawn by VTK's own shading, against the measured
+// material.
+class FittedProperty : public RenderFixture
+{
+protected:
+  /// Mean |a - b| over mean b of what both cover.
+  static double Compare(const FloatImage& a, const FloatImage& b)
+  {
+    double difference = 0.0;
+    double sum = 0.0;
+    for (int y = 0; y < b.Height; ++y)
+    {
+      for (int x = 0; x < b.Width; ++x)
+      {
+        const double dx = 2.0 * (x + 0.5) / b.Width - 1.0;
+        const double dy = 2.0 * (y + 0.5) / b.Height - 1.0;
+        for (int c = 0; c < 3 && dx * dx + dy * dy < 0.9; ++c) // the rim is not the material's
+        {
+          difference += std::abs(a.At(x, y)[c] - b.At(x, y)[c]);
+          sum += b.At(x, y)[c];
+        }
+      }
+    }
+    return difference / sum;
+  }
+};
+
+TEST_F(FittedProperty, IsNearerThanTheDefault)
+{
+  if (this->IsSkipped())
+  {
+    return;
+  }
+  constexpr int height = 128;
+  std::vector<float> pixels;
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < 2 * height; ++x)
+    {
+      double d[3];
+      vtkEnvironment::GetDirection((x + 0.5) / (2 * height), (y + 0.5) / height, d);
+      pixels.insert(
+        pixels.end(), 3, static_cast<float>(vtkPBRPropertyFitter::GetNeutralRadiance(d)));
+    }
+  }
+  vtkNew<vtkEnvironment> environment;
+  ASSERT_TRUE(environment->SetPixels(2 * height, height, std::move(pixels)));
+  const auto image = vtkSmartPointer<vtkImageData>::Take(environment->NewImageData());
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->SetColorModeToDirectScalars();
+  texture->MipmapOn();
+  texture->InterpolateOn();
+  this->Renderer->UseImageBasedLightingOn();
+  this->Renderer->SetEnvironmentTexture(texture);
+  // The light is smooth; VTK's 1024 samples take long on a software renderer.
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer);
+  ASSERT_TRUE(renderer);
+  renderer->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(128);
+
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  sphere->SetThetaResolution(96);
+  sphere->SetPhiResolution(96);
+  vtkNew<vtkMeasuredBRDFMapper> measured;
+  measured->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkOpenGLPolyDataMapper> stock;
+  stock->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  this->Renderer->AddActor(actor);
+  for (const char* name : { "gold-paint", "pink-felt", "nickel", "blue-car-paint" })
+  {
+    const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
+    measured->SetBRDF(brdf);
+    actor->SetMapper(measured);
+    vtkNew<vtkProperty> property;
+    actor->SetProperty(property);
+    const FloatImage exact = this->RenderLinear();
+
+    actor->SetMapper(stock);
+    property->SetInterpolationToPBR();
+    const double plain = Compare(this->RenderLinear(), exact);
+    const double promised = vtkPBRPropertyFitter::Fit(brdf, property);
+    const double fitted = Compare(this->RenderLinear(), exact);
+    std::printf(
+      "%s: default %.3f, fitted %.3f, error returned %.3f\n", name, plain, fitted, promised);
+    EXPECT_LT(fitted, 0.4 * plain) << name;
+    EXPECT_LT(fitted, 0.5) << name;
+  }
+}
+
+TEST_F(FittedProperty, ByTheMapper)
+{
+  const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  vtkNew<vtkMeasuredBRDFMapper> mapper;
+  vtkNew<vtkProperty> property;
+  EXPECT_LT(mapper->FitProperty(property), 0.0);
+  EXPECT_EQ(property->GetInterpolation(), VTK_GOURAUD);
+  mapper->SetBRDF(brdf);
+  EXPECT_LT(mapper->FitProperty(nullptr), 0.0);
+  const double error = mapper->FitProperty(property);
+  EXPECT_GT(error, 0.0);
+  EXPECT_LT(error, 0.06);
+  EXPECT_EQ(property->GetInterpolation(), VTK_PBR);
 }

@@ -4,55 +4,43 @@
 // mappers' use of vtkSurfaceVisibilityFilter's arrays.
 #include "AutomaticOcclusion.h"
 #include "EnvironmentPrecomputation.h"
+#include "MaterialShading.h"
 #include "OcclusionArrays.h"
 #include "OcclusionReference.h"
 #include "OcclusionShader.h"
 #include "OcclusionTools.h"
 #include "RenderFixture.h"
-#include "vtkBlinnPhongBRDF.h"
-#include "vtkCallbackCommand.h"
-#include "vtkCellData.h"
-#include "vtkCommand.h"
-#include "vtkCompositeMeasuredBRDFMapper.h"
+#include "SharedTrace.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkCell.h"
 #include "vtkEmbeddedEnvironments.h"
-#include "vtkEnvironment.h"
 #include "vtkFieldData.h"
 #include "vtkFilteredRadianceIntegrator.h"
-#include "vtkFloatArray.h"
 #include "vtkHybridRadianceIntegrator.h"
-#include "vtkIntArray.h"
-#include "vtkLambertBRDF.h"
-#include "vtkMaterialMap.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMath.h"
-#include "vtkMeasuredBRDFMapper.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkOutputWindow.h"
-#include "vtkPlaneSource.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkProperty.h"
+#include "vtkPlane.h"
+#include "vtkPolyDataNormals.h"
 #include "vtkReverseSense.h"
-#include "vtkSphereSource.h"
 #include "vtkStringArray.h"
 #include "vtkStringOutputWindow.h"
 #include "vtkSurfaceVisibilityFilter.h"
-#include "vtkTableRadianceIntegrator.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include <algorithm>
+#include <atomic>
 #include <chrono>
-#include <cmath>
-#include <limits>
-#include <string>
+#include <new>
+#include <random>
 #include <thread>
-#include <utility>
-#include <vector>
 
+using measuredbrdf::AutomaticOcclusion;
+using measuredbrdf::BouncedLight;
 using measuredbrdf::HorizonLight;
+using measuredbrdf::ShaderLimits;
+using measuredbrdf::SharedTrace;
 
 namespace
 {
@@ -69,12 +57,13 @@ vtkSmartPointer<vtkPolyData> MakeSquare(double half = 0.9, int resolution = 2)
 }
 
 // A hollow that is open downwards.
-vtkSmartPointer<vtkPolyData> MakeBowl()
+vtkSmartPointer<vtkPolyData> MakeBowl(int steps = 20, double x = 0.0, double radius = 0.9)
 {
   vtkNew<vtkSphereSource> bowl;
-  bowl->SetRadius(0.9);
-  bowl->SetThetaResolution(40);
-  bowl->SetPhiResolution(24);
+  bowl->SetCenter(x, 0.0, 0.0);
+  bowl->SetRadius(radius);
+  bowl->SetThetaResolution(2 * steps);
+  bowl->SetPhiResolution(steps);
   bowl->SetEndPhi(115.0);
   bowl->Update();
   return bowl->GetOutput();
@@ -592,20 +581,6 @@ TEST_F(OcclusionTest, OtherMethodsAreDarkened)
   EXPECT_NEAR(on.x / off.x, left, 0.05);
 }
 
-// Without occluders the same arrays change no pixel.
-TEST_F(OcclusionTest, OpenSurfacesStayAsTheyAre)
-{
-  this->Filter->RemoveAllOccluders();
-  this->Filter->Update();
-  this->Mapper->SetInputData(vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(0)));
-  vtkNew<vtkBlinnPhongBRDF> brdf;
-  this->Mapper->SetBRDF(brdf);
-  const auto hybrid = MakeIntegrator<vtkHybridRadianceIntegrator>();
-  this->Mapper->SetIntegrator(hybrid);
-  const glm::dvec3 off = this->RenderMiddle(0);
-  EXPECT_LT(glm::length(off - this->RenderMiddle(1)), 1e-5 * glm::length(off));
-}
-
 // A turned, mirrored and stretched actor under a turned environment shows what the same surface
 // shows that was moved before it was traced.
 TEST_F(OcclusionTest, ActorsMayBeTurnedMirroredAndScaled)
@@ -646,35 +621,6 @@ TEST_F(OcclusionTest, ActorsMayBeTurnedMirroredAndScaled)
   const glm::dvec3 hidden = HorizonLight(GetCode(this->Surface, 4))
                               .GetHiddenIrradiance(light.GetLight(axes.ToEnvironment[0]));
   EXPECT_LT(glm::length(lit - f * hidden - mirrored), 2e-3 * glm::length(lit));
-}
-
-// On request the mapper traces what has no arrays.
-TEST_F(OcclusionTest, OnTracesWhatHasNoArrays)
-{
-  vtkNew<vtkSphereSource> lid; // above a square
-  lid->SetCenter(0.5, 0.0, 0.35);
-  lid->SetRadius(0.3);
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  lid->Update();
-  blocks->SetBlock(0, MakeSquare());
-  blocks->SetBlock(1, lid->GetOutput());
-  vtkNew<vtkLambertBRDF> brdf;
-  const auto table = MakeIntegrator<vtkTableRadianceIntegrator>();
-  vtkNew<vtkCompositeMeasuredBRDFMapper> composite;
-  composite->SetInputDataObject(blocks);
-  composite->SetBRDF(brdf);
-  composite->SetIntegrator(table);
-  composite->SetEnvironment(this->Environment);
-  this->Actor->SetMapper(composite);
-  const glm::dvec3 off = ToVector(this->RenderLinear().At(32, 32)); // auto: there are no arrays
-  composite->SetOcclusionModeToOn();
-  const glm::dvec3 on = ToVector(this->RenderLinear().At(32, 32));
-  EXPECT_LT(on.x, 0.98 * off.x);
-  vtkNew<vtkSurfaceVisibilityFilter> filter;
-  filter->SetInputDataObject(blocks);
-  composite->SetInputConnection(filter->GetOutputPort());
-  composite->SetOcclusionModeToAuto();
-  EXPECT_LT(glm::length(ToVector(this->RenderLinear().At(32, 32)) - on), 1e-5 * off.x);
 }
 
 // A bowl, seen from outside, hides nothing there and much inside. Each triangle shows its own side,
@@ -719,36 +665,6 @@ TEST_F(OcclusionTest, NormalsMayPointEitherWay)
     EXPECT_LT(inside.RGBA.empty() ? 0.0 : compare(inside, within), 0.03);
     inside = within;
   }
-}
-
-// On traces what a material map divides before it is divided.
-TEST_F(OcclusionTest, OnTracesSurfacesOfSeveralMaterials)
-{
-  const auto bowl = MakeBowl();
-  vtkNew<vtkIntArray> classes;
-  classes->SetName("class");
-  for (vtkIdType cell = 0; cell < bowl->GetNumberOfCells(); ++cell)
-  {
-    classes->InsertNextValue(cell % 2);
-  }
-  bowl->GetCellData()->AddArray(classes);
-  vtkNew<vtkLambertBRDF> brdf;
-  vtkNew<vtkLambertBRDF> same;
-  vtkNew<vtkMaterialMap> map;
-  map->SetArrayName("class");
-  map->AddMaterial(brdf, 0.0);
-  map->AddMaterial(same, 1.0);
-  const auto table = MakeIntegrator<vtkTableRadianceIntegrator>();
-  this->Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, -5.0); // into it
-  this->Mapper->SetBRDF(brdf);
-  this->Mapper->SetIntegrator(table);
-  this->Mapper->SetInputData(bowl);
-  const glm::dvec3 off = this->RenderMiddle(0);
-  const glm::dvec3 on = this->RenderMiddle(2);
-  EXPECT_LT(on.x, 0.7 * off.x);
-  this->Mapper->SetMaterialMap(map);
-  EXPECT_LT(glm::length(this->RenderMiddle(2) - on), 1e-4 * off.x);
-  EXPECT_LT(glm::length(this->RenderMiddle(0) - off), 1e-4 * off.x);
 }
 
 // Auto makes the arrays where leaving occlusion out costs more than the tolerance leaves, and says
@@ -896,6 +812,36 @@ TEST_F(OcclusionTest, ClosedSidesAreLeftOut)
   EXPECT_GT(arrays->LeastCosine, -0.6);
 }
 
+// Bytes of anything: no pixel is negative or not finite, and nothing is warned of.
+TEST_F(OcclusionTest, AnyBytesGiveAPicture)
+{
+  std::mt19937 generator(5);
+  const auto brdf = MakeGloss(40.0);
+  const auto hybrid = MakeIntegrator<vtkHybridRadianceIntegrator>();
+  this->Mapper->SetBRDF(brdf);
+  this->Mapper->SetIntegrator(hybrid);
+  const EventCounter warnings(this->Mapper, vtkCommand::WarningEvent);
+  for (int k = 0; k < 3; ++k)
+  {
+    for (const char* name : { vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName(),
+           vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() })
+    {
+      vtkUnsignedCharArray* bytes = GetBytes(this->Surface, name);
+      for (vtkIdType v = 0; v < bytes->GetNumberOfValues(); ++v)
+      {
+        bytes->SetValue(v, k == 0 ? 255 : static_cast<unsigned char>(generator() % 256));
+      }
+      bytes->Modified();
+    }
+    this->Surface->Modified();
+    for (const float value : this->RenderEncoded().RGBA)
+    {
+      ASSERT_TRUE(std::isfinite(value) && value >= 0.0f) << k;
+    }
+  }
+  EXPECT_EQ(warnings.Count, 0);
+}
+
 // Arrays of another shape, type or size: one warning, drawn without.
 TEST_F(OcclusionTest, BadArraysAreSaidOnceAndNotUsed)
 {
@@ -906,7 +852,7 @@ TEST_F(OcclusionTest, BadArraysAreSaidOnceAndNotUsed)
   const glm::dvec3 off = this->RenderMiddle(0);
   const auto expectOff = [&](const char* words)
   {
-    WarningTexts warnings(this->Mapper);
+    EventCounter warnings(this->Mapper, vtkCommand::WarningEvent);
     EXPECT_LT(glm::length(this->RenderMiddle(1) - off), 1e-5 * off.x) << words;
     this->RenderMiddle(1);
     ASSERT_EQ(warnings.Texts.size(), 1u) << words;
@@ -942,4 +888,927 @@ TEST_F(OcclusionTest, BadArraysAreSaidOnceAndNotUsed)
   numbers->Fill(std::numeric_limits<double>::quiet_NaN());
   this->Surface->GetPointData()->AddArray(numbers); // in place of the bytes
   expectOff("is of type float");
+}
+
+//------------------------------------------------------------------------------
+// Hidden skies of composite data: some blocks have vtkSurfaceVisibilityFilter's arrays, others do
+// not; and many blocks.
+namespace
+{
+// Blocks that count how often they are listed.
+class CountedBlocks : public vtkMultiBlockDataSet
+{
+public:
+  static CountedBlocks* New();
+  vtkTypeMacro(CountedBlocks, vtkMultiBlockDataSet);
+  vtkCompositeDataIterator* NewIterator() override
+  {
+    ++Listings;
+    return this->Superclass::NewIterator();
+  }
+  static int Listings;
+};
+
+int CountedBlocks::Listings = 0;
+vtkStandardNewMacro(CountedBlocks);
+
+vtkSmartPointer<CountedBlocks> MakeTriangles(int count)
+{
+  auto blocks = vtkSmartPointer<CountedBlocks>::New();
+  for (int k = 0; k < count; ++k)
+  {
+    vtkNew<vtkPoints> points;
+    points->InsertNextPoint(k % 100, k / 100, 0.0);
+    points->InsertNextPoint(k % 100 + 0.9, k / 100, 0.0);
+    points->InsertNextPoint(k % 100, k / 100 + 0.9, 0.0);
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell({ 0, 1, 2 });
+    vtkNew<vtkPolyData> triangle;
+    triangle->SetPoints(points);
+    triangle->SetPolys(cells);
+    blocks->SetBlock(static_cast<unsigned int>(k), triangle);
+  }
+  return blocks;
+}
+
+}
+
+class OcclusionBlocks : public RenderFixture
+{
+protected:
+  void SetUp() override
+  {
+    this->RenderFixture::SetUp();
+    this->Environment =
+      vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("sky"));
+    this->Mapper->SetBRDF(this->BRDF);
+    this->Mapper->SetEnvironment(this->Environment);
+    this->Actor->SetMapper(this->Mapper);
+    this->Renderer->AddActor(this->Actor);
+    this->Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, -5.0); // into the hollows
+  }
+
+  /// In the middle of either bowl.
+  struct Pair
+  {
+    float Given;
+    float Bare;
+  };
+  Pair Show(int mode, vtkPolyData* given, vtkPolyData* bare)
+  {
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    blocks->SetBlock(0, given);
+    blocks->SetBlock(1, bare);
+    blocks->SetBlock(3, vtkNew<vtkPolyData>()); // counts for nothing
+    this->Mapper->SetInputDataObject(blocks);
+    this->Mapper->SetOcclusionMode(mode);
+    this->Renderer->ResetCameraClippingRange();
+    const FloatImage picture = this->RenderLinear();
+    // x = -0.5 lies to the right, as seen from below.
+    return { picture.At(48, 32)[0], picture.At(16, 32)[0] };
+  }
+
+  vtkSmartPointer<vtkEnvironment> Environment;
+  vtkNew<vtkLambertBRDF> BRDF;
+  vtkNew<vtkCompositeMeasuredBRDFMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+};
+
+// Each block with its own arrays where it has some, here of a bowl behind a lid; the others as the
+// mode says. The plan says how many have some.
+TEST_F(OcclusionBlocks, SomeHaveArrays)
+{
+  const auto one = MakeBowl(20, -0.5, 0.42);
+  const auto other = MakeBowl(20, 0.5, 0.42);
+  vtkNew<vtkSphereSource> lid;
+  lid->SetCenter(-0.5, 0.0, -0.9);
+  lid->SetRadius(0.6);
+  lid->Update();
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  filter->SetInputData(one);
+  filter->BothSidesOn();
+  filter->AddOccluder(lid->GetOutput());
+  filter->Update();
+  auto* given = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+  const auto plan = [this]() { return this->Mapper->GetPlan(); };
+  const auto has = [&plan](const std::string& text)
+  { return plan().find(text) != std::string::npos; };
+
+  const Pair off = this->Show(vtkMeasuredBRDFMapper::OCCLUSION_OFF, given, other);
+  EXPECT_FALSE(has("hidden sky")) << plan();
+  const Pair traced = this->Show(vtkMeasuredBRDFMapper::OCCLUSION_ON, one, other);
+  EXPECT_FALSE(has("hidden sky")) << plan();
+  ASSERT_GT(off.Given, 0.05f);
+  EXPECT_LT(traced.Bare, 0.8f * off.Bare);
+
+  const Pair arrays = this->Show(vtkMeasuredBRDFMapper::OCCLUSION_ARRAYS, given, other);
+  EXPECT_LT(arrays.Given, 0.8f * traced.Given); // behind the lid
+  EXPECT_NEAR(arrays.Bare, off.Bare, 1e-5f);
+  EXPECT_TRUE(has("; hidden sky is given for 1 of 2 blocks, left out of the others")) << plan();
+
+  const Pair on = this->Show(vtkMeasuredBRDFMapper::OCCLUSION_ON, given, other);
+  EXPECT_NEAR(on.Given, arrays.Given, 1e-5f);
+  EXPECT_NEAR(on.Bare, traced.Bare, 1e-5f);
+  EXPECT_TRUE(has("; hidden sky is given for 1 of 2 blocks, traced for the others")) << plan();
+
+  const Pair automatic = this->Show(vtkMeasuredBRDFMapper::OCCLUSION_AUTO, given, other);
+  EXPECT_NEAR(automatic.Given, arrays.Given, 1e-5f);
+  EXPECT_NEAR(automatic.Bare, traced.Bare, 1e-5f);
+  EXPECT_TRUE(has("%), modeled; hidden sky is given for 1 of 2 blocks")) << plan();
+  EXPECT_EQ(plan().find("hidden sky"), plan().rfind("hidden sky")) << plan();
+
+  // Arrays that are of another surface by now.
+  vtkNew<vtkPolyData> moved;
+  moved->DeepCopy(given);
+  double point[3];
+  moved->GetPoint(0, point);
+  moved->GetPoints()->SetPoint(0, point[0], point[1], point[2] + 1e-4);
+  this->Mapper->GlobalWarningDisplayOff();
+  const Pair stale = this->Show(vtkMeasuredBRDFMapper::OCCLUSION_ARRAYS, moved, other);
+  this->Mapper->GlobalWarningDisplayOn();
+  EXPECT_NEAR(stale.Given, off.Given, 1e-3f);
+  EXPECT_TRUE(has("; hidden sky that is given does not fit 1 of the blocks and is left out"))
+    << plan();
+  this->Show(vtkMeasuredBRDFMapper::OCCLUSION_ARRAYS, given, other);
+  EXPECT_FALSE(has("does not fit")) << plan();
+
+  vtkNew<vtkTableRadianceIntegrator> table; // nothing is predicted for it
+  this->Mapper->SetIntegrator(table);
+  const Pair bySet = this->Show(vtkMeasuredBRDFMapper::OCCLUSION_AUTO, given, other);
+  EXPECT_LT(bySet.Given, 0.9f * traced.Given);
+  EXPECT_GT(bySet.Bare, 0.9f * off.Bare);
+  EXPECT_TRUE(has("left out of the others")) << plan();
+}
+
+// A block that moves shows on the others.
+TEST_F(OcclusionBlocks, OneThatMovesShowsOnTheOthers)
+{
+  const auto bowl = MakeBowl(20, -0.5, 0.42);
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(0.5);
+  source->SetCenter(-0.5, 0.7, -0.5);
+  source->Update();
+  vtkSmartPointer<vtkPolyData> ball = source->GetOutput();
+  const float beside = this->Show(vtkMeasuredBRDFMapper::OCCLUSION_ON, bowl, ball).Given;
+  for (vtkIdType k = 0; k < ball->GetNumberOfPoints(); ++k)
+  {
+    ball->GetPoints()->SetPoint(k, 0.0, 0.0, 5.0);
+  }
+  ball->GetPoints()->Modified();
+  EXPECT_GT(this->RenderLinear().At(48, 32)[0], 1.01f * beside);
+}
+
+// A thousand blocks are listed as often as ten.
+TEST_F(OcclusionBlocks, ManyAreListedOnce)
+{
+  std::vector<int> listings;
+  this->Mapper->SetOcclusionModeToOn();
+  for (const int count : { 10, 1000 })
+  {
+    this->Mapper->SetInputDataObject(MakeTriangles(count));
+    CountedBlocks::Listings = 0;
+    this->RenderLinear();
+    listings.push_back(CountedBlocks::Listings);
+  }
+  EXPECT_EQ(listings[0], listings[1]);
+}
+
+//------------------------------------------------------------------------------
+// One bounce of what surfaces hide from themselves (SetOcclusionBounce): the shaders against
+// their reference in C++, pictures against traced light, and bad arrays.
+namespace
+{
+
+// A hollow that is open towards the camera, at +z; its points and normals are inside.
+vtkSmartPointer<vtkPolyData> MakeHollow(double endPhi = 125.0)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(0.9);
+  source->SetThetaResolution(40);
+  source->SetPhiResolution(24);
+  source->SetStartPhi(180.0 - endPhi);
+  source->SetEndPhi(180.0);
+  vtkNew<vtkReverseSense> inwards;
+  inwards->SetInputConnection(source->GetOutputPort());
+  inwards->ReverseNormalsOn();
+  inwards->Update();
+  return inwards->GetOutput();
+}
+
+const char* const BouncedName = vtkSurfaceVisibilityFilter::GetBouncedLightArrayName();
+}
+
+class BounceTest : public RenderFixture
+{
+protected:
+  void SetUp() override
+  {
+    this->RenderFixture::SetUp();
+    this->Environment =
+      vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("hall"));
+    this->Filter->BounceOn();
+    this->Filter->SetInputData(MakeHollow());
+    this->Filter->Update();
+    this->Surface->DeepCopy(this->Filter->GetOutputDataObject(0));
+    this->Brdf->SetAlbedo(0.9, 0.6, 0.3);
+    MakeSmall(this->Table.Get());
+    this->Mapper->SetInputData(this->Surface);
+    this->Mapper->SetEnvironment(this->Environment);
+    this->Mapper->SetBRDF(this->Brdf);
+    this->Mapper->SetIntegrator(this->Table);
+    this->Actor->SetMapper(this->Mapper);
+    this->Renderer->AddActor(this->Actor);
+  }
+
+  glm::dvec3 RenderAt(int x, int y)
+  {
+    const FloatImage image = this->RenderLinear();
+    const float* pixel = image.At(x, y);
+    return { pixel[0], pixel[1], pixel[2] };
+  }
+
+  glm::dvec3 RenderMiddle(bool bounce)
+  {
+    this->Mapper->SetOcclusionBounce(bounce);
+    return this->RenderAt(32, 32);
+  }
+
+  static double Compare(const FloatImage& one, const FloatImage& other)
+  {
+    double largest = 0.0;
+    for (std::size_t k = 0; k < one.RGBA.size(); ++k)
+    {
+      largest = std::max<double>(
+        largest, std::abs(one.RGBA[k] - other.RGBA[k]) / std::max(one.RGBA[k], 1e-3f));
+    }
+    return largest;
+  }
+
+  /// All points like one of them, so that interpolation changes nothing.
+  void SpreadPoint(vtkIdType point)
+  {
+    for (const char* name : { vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName(),
+           vtkSurfaceVisibilityFilter::GetHiddenLightArrayName(), BouncedName })
+    {
+      vtkUnsignedCharArray* bytes = GetBytes(this->Surface, name);
+      for (vtkIdType k = 0; k < bytes->GetNumberOfTuples(); ++k)
+      {
+        bytes->SetTuple(k, point, bytes);
+      }
+    }
+  }
+
+  /// What the C++ forms add at a point.
+  glm::dvec3 GetAdded(vtkBRDF* brdf, vtkRadianceIntegrator* integrator, vtkIdType point)
+  {
+    const measuredbrdf::OcclusionLight light(brdf, this->Environment, integrator, true);
+    const measuredbrdf::OcclusionAxes axes(this->Renderer, this->Actor, { this->Environment });
+    BouncedLight::Code bounced;
+    std::copy_n(GetBytes(this->Surface, BouncedName)->GetPointer(point * BouncedLight::Bytes),
+      BouncedLight::Bytes, bounced.begin());
+    glm::dvec3 view;
+    this->Renderer->GetActiveCamera()->GetPosition(&view.x);
+    return GetReferenceBounce(light, HorizonLight(GetCode(this->Surface, point)),
+      BouncedLight(bounced), glm::normalize(view), axes.ToEnvironment[0]);
+  }
+
+  vtkSmartPointer<vtkEnvironment> Environment;
+  vtkNew<vtkSurfaceVisibilityFilter> Filter;
+  vtkNew<vtkPolyData> Surface;
+  vtkNew<vtkLambertBRDF> Brdf;
+  vtkNew<vtkTableRadianceIntegrator> Table;
+  vtkNew<vtkMeasuredBRDFMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+};
+
+// Matte and glossy materials, methods that tell the lobe apart and one that does not, lamps of
+// their own: what the picture gains is what C++ says, from several views and rotations.
+TEST_F(BounceTest, ShadersAgreeWithTheCppForms)
+{
+  vtkNew<vtkBlinnPhongBRDF> gloss;
+  gloss->SetSpecular(0.5, 0.5, 0.4);
+  gloss->SetExponent(30.0);
+  vtkNew<vtkHybridRadianceIntegrator> hybrid;
+  MakeSmall(hybrid.Get());
+  hybrid->SetMaximumNumberOfLights(2);
+  vtkNew<vtkFilteredRadianceIntegrator> filtered;
+  filtered->SetNumberOfSamples(8);
+  this->SpreadPoint(400); // at one side, halfway down
+  double largest = 0.0;
+  for (const auto& [brdf, integrator] :
+    std::vector<std::pair<vtkBRDF*, vtkRadianceIntegrator*>>{
+      { this->Brdf, this->Table }, { gloss, this->Table }, { gloss, hybrid }, { gloss, filtered } })
+  {
+    this->Mapper->SetBRDF(brdf);
+    this->Mapper->SetIntegrator(integrator);
+    for (const double turn : { 0.0, 130.0 })
+    {
+      this->Environment->SetRotationY(turn);
+      this->Renderer->GetActiveCamera()->SetPosition(0.04 * turn / 10.0, 0.3, 5.0);
+      const glm::dvec3 black = this->RenderMiddle(false);
+      const glm::dvec3 bounce = this->RenderMiddle(true);
+      const glm::dvec3 added = this->GetAdded(brdf, integrator, 400);
+      EXPECT_LT(glm::length(bounce - black - added), 2e-3 * glm::length(bounce))
+        << integrator->GetClassName() << " " << turn << ": " << added.x << " "
+        << (bounce - black).x;
+      largest = std::max(largest, glm::length(added) / glm::length(bounce));
+    }
+  }
+  EXPECT_GT(largest, 0.1);
+}
+
+// Composites, with blocks without a bounce, material maps and the mapper's own arrays show the
+// same; and it can be turned off and on again.
+TEST_F(BounceTest, AllMappersDrawTheSame)
+{
+  const glm::dvec3 black = this->RenderMiddle(false);
+  const glm::dvec3 bounce = this->RenderMiddle(true);
+  EXPECT_GT(bounce.x, 1.1 * black.x);
+  EXPECT_LT(glm::length(this->RenderMiddle(false) - black), 1e-6);
+  EXPECT_LT(glm::length(this->RenderMiddle(true) - bounce), 1e-6);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  vtkNew<vtkSphereSource> dot;
+  dot->SetCenter(0.95, 0.95, 0.0);
+  dot->SetRadius(0.05);
+  dot->Update();
+  blocks->SetBlock(0, dot->GetOutput());
+  blocks->SetBlock(1, this->Surface);
+  vtkNew<vtkCompositeMeasuredBRDFMapper> composite;
+  composite->SetInputDataObject(blocks);
+  composite->SetBRDF(this->Brdf);
+  composite->SetIntegrator(this->Table);
+  composite->SetEnvironment(this->Environment);
+  this->Actor->SetMapper(composite);
+  EXPECT_FALSE(composite->GetOcclusionBounce());
+  EXPECT_LT(glm::length(this->RenderAt(32, 32) - black), 1e-4 * black.x);
+  composite->OcclusionBounceOn();
+  EXPECT_LT(glm::length(this->RenderAt(32, 32) - bounce), 1e-4 * black.x);
+  composite->OcclusionBounceOff();
+  EXPECT_LT(glm::length(this->RenderAt(32, 32) - black), 1e-4 * black.x);
+  // A material map over what has arrays, and over what the mapper traces.
+  vtkNew<vtkPolyData> mapped;
+  mapped->DeepCopy(this->Surface);
+  vtkNew<vtkIntArray> classes;
+  classes->SetName("class");
+  for (vtkIdType cell = 0; cell < mapped->GetNumberOfCells(); ++cell)
+  {
+    classes->InsertNextValue(cell % 2);
+  }
+  mapped->GetCellData()->AddArray(classes);
+  vtkNew<vtkLambertBRDF> same;
+  same->SetAlbedo(0.9, 0.6, 0.3);
+  vtkNew<vtkMaterialMap> map;
+  map->SetArrayName("class");
+  map->AddMaterial(this->Brdf, 0.0);
+  map->AddMaterial(same, 1.0);
+  this->Actor->SetMapper(this->Mapper);
+  this->Mapper->SetMaterialMap(map);
+  this->Mapper->SetInputData(mapped);
+  EXPECT_LT(glm::length(this->RenderMiddle(true) - bounce), 1e-4 * black.x);
+  for (const char* name : { vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName(),
+         vtkSurfaceVisibilityFilter::GetHiddenLightArrayName(), BouncedName })
+  {
+    mapped->GetPointData()->RemoveArray(name);
+  }
+  mapped->Modified();
+  this->Mapper->SetOcclusionModeToOn();
+  EXPECT_LT(glm::length(this->RenderMiddle(false) - black), 0.02 * black.x);
+  EXPECT_LT(glm::length(this->RenderMiddle(true) - bounce), 0.02 * black.x);
+}
+
+// What the mapper decides to trace by itself has a bounce where it is asked for, and the plan says
+// so.
+TEST_F(BounceTest, AutoTracesItAndThePlanSaysSo)
+{
+  this->Mapper->SetInputData(MakeHollow());
+  this->Mapper->SetIntegrator(nullptr);
+  const glm::dvec3 black = this->RenderMiddle(false);
+  EXPECT_EQ(this->Mapper->GetPlan().find("bounce"), std::string::npos) << this->Mapper->GetPlan();
+  const glm::dvec3 bounce = this->RenderMiddle(true);
+  EXPECT_GT(bounce.x, 1.1 * black.x);
+  EXPECT_NE(this->Mapper->GetPlan().find(", modeled; one bounce modeled"), std::string::npos)
+    << this->Mapper->GetPlan();
+  EXPECT_LT(glm::length(this->RenderMiddle(false) - black), 1e-5);
+  EXPECT_EQ(this->Mapper->GetPlan().find("bounce"), std::string::npos);
+  this->Mapper->SetOcclusionModeToOff();
+  this->RenderMiddle(true);
+  EXPECT_EQ(this->Mapper->GetPlan().find("bounce"), std::string::npos);
+}
+
+// Arrays without a bounce, of another type, with numbers that are none, or of another size: one
+// warning, drawn black.
+TEST_F(BounceTest, BadArraysAreSaidOnceAndNotUsed)
+{
+  const FloatImage black = this->RenderLinear();
+  this->Mapper->OcclusionBounceOn();
+  vtkNew<vtkPolyData> good;
+  good->DeepCopy(this->Surface);
+  const auto expectBlack = [&](const char* words)
+  {
+    EventCounter warnings(this->Mapper, vtkCommand::WarningEvent);
+    this->Surface->Modified();
+    EXPECT_LT(Compare(black, this->RenderLinear()), 1e-5) << words;
+    this->RenderLinear();
+    ASSERT_EQ(warnings.Texts.size(), 1u) << words;
+    EXPECT_NE(warnings.Texts[0].find(words), std::string::npos) << warnings.Texts[0];
+    EXPECT_NE(warnings.Texts[0].find("without a bounce"), std::string::npos);
+  };
+  this->Surface->GetPointData()->RemoveArray(BouncedName);
+  expectBlack("is missing");
+  vtkNew<vtkFloatArray> numbers;
+  numbers->SetName(BouncedName);
+  numbers->SetNumberOfComponents(BouncedLight::Bytes);
+  numbers->SetNumberOfTuples(this->Surface->GetNumberOfPoints());
+  numbers->Fill(std::numeric_limits<double>::quiet_NaN());
+  this->Surface->GetPointData()->AddArray(numbers);
+  expectBlack("is of type float");
+  this->Surface->DeepCopy(good);
+  GetBytes(this->Surface, BouncedName)->SetNumberOfTuples(3);
+  expectBlack("has 3 tuples");
+  this->Surface->DeepCopy(good); // and good ones count again
+  EventCounter warnings(this->Mapper, vtkCommand::WarningEvent);
+  EXPECT_GT(Compare(black, this->RenderLinear()), 0.05);
+  EXPECT_TRUE(warnings.Texts.empty());
+}
+
+//------------------------------------------------------------------------------
+// Self-shadowing that a graphics card has no room for, and materials that throw while they are
+// drawn: the surface is drawn, and the cause is said once.
+namespace
+{
+bool ThrowsNow = false;
+
+class Unreliable : public vtkLambertBRDF
+{
+public:
+  static Unreliable* New();
+  vtkTypeMacro(Unreliable, vtkLambertBRDF);
+
+protected:
+  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override
+  {
+    if (ThrowsNow)
+    {
+      throw std::bad_alloc();
+    }
+    this->Superclass::EvaluateAbove(i, o, f);
+  }
+};
+vtkStandardNewMacro(Unreliable);
+
+// A bowl that is seen from both sides, with everything that VTK has attributes for.
+vtkSmartPointer<vtkPolyData> MakeRichBowl(bool colors)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(0.9);
+  source->SetThetaResolution(40);
+  source->SetPhiResolution(24);
+  source->SetEndPhi(125.0);
+  source->Update();
+  vtkSmartPointer<vtkPolyData> bowl = source->GetOutput();
+  const vtkIdType points = bowl->GetNumberOfPoints();
+  vtkNew<vtkFloatArray> tangents;
+  tangents->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetName("coordinates");
+  coordinates->SetNumberOfComponents(2);
+  vtkNew<vtkFloatArray> values;
+  values->SetName("values");
+  for (vtkIdType k = 0; k < points; ++k)
+  {
+    double p[3];
+    bowl->GetPoint(k, p);
+    const double across = std::max(std::hypot(p[0], p[1]), 1e-6);
+    tangents->InsertNextTuple3(-p[1] / across, p[0] / across, 0.0);
+    coordinates->InsertNextTuple2(0.5, 0.5);
+    values->InsertNextValue(static_cast<float>(p[2]));
+  }
+  bowl->GetPointData()->SetTangents(tangents);
+  bowl->GetPointData()->SetTCoords(coordinates);
+  if (colors)
+  {
+    bowl->GetPointData()->SetScalars(values);
+  }
+  return bowl;
+}
+
+bool IsDrawn(const FloatImage& image)
+{
+  const float* middle = image.At(32, 32);
+  return middle[0] + middle[1] + middle[2] > 0.01f;
+}
+}
+
+class LimitsTest : public RenderFixture
+{
+protected:
+  void SetUp() override
+  {
+    this->RenderFixture::SetUp();
+    this->Environment =
+      vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("hall"));
+    this->Brushed->SetExponents(40.0, 10.0);
+    vtkNew<vtkImageData> white;
+    white->SetDimensions(2, 2, 1);
+    white->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    std::fill_n(static_cast<unsigned char*>(white->GetScalarPointer()), 12, 255);
+    this->Texture->SetInputData(white);
+    this->Actor->SetMapper(this->Mapper);
+    this->Actor->SetTexture(this->Texture);
+    this->Mapper->SetEnvironment(this->Environment);
+    this->Mapper->SetBRDF(this->Brushed);
+    this->Mapper->SetIntegrator(this->Lights);
+    this->Mapper->SetOcclusionModeToOn();
+    this->Mapper->SetOcclusionBounce(true);
+    this->Renderer->AddActor(this->Actor);
+  }
+  void TearDown() override
+  {
+    ThrowsNow = false;
+    ShaderLimits::SetMost(0, 0);
+  }
+
+  vtkSmartPointer<vtkEnvironment> Environment;
+  vtkNew<vtkAshikhminShirleyBRDF> Brushed;
+  vtkNew<vtkLightSetRadianceIntegrator> Lights;
+  vtkNew<vtkTexture> Texture;
+  vtkNew<vtkMeasuredBRDFMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+};
+
+// The same picture as a mapper's that was asked for less, in each stage.
+TEST_F(LimitsTest, DrawsWhatThereIsRoomFor)
+{
+  this->Mapper->SetInputData(MakeRichBowl(false));
+  this->Actor->SetTexture(nullptr);
+  const FloatImage whole = this->RenderLinear();
+  const auto render = [this](std::size_t attributes, std::size_t varyings)
+  {
+    ShaderLimits::SetMost(attributes, varyings);
+    this->Mapper->Modified(); // its buffers are built anew
+    return this->RenderLinear();
+  };
+  const EventCounter warnings(this->Mapper, vtkCommand::WarningEvent);
+  EXPECT_EQ(whole.RGBA, render(16, 0).RGBA);
+  EXPECT_TRUE(warnings.Texts.empty());
+  const FloatImage dark = render(14, 0);
+  EXPECT_EQ(warnings.Texts.size(), 1u);
+  EXPECT_NE(dark.RGBA, whole.RGBA);
+  const FloatImage open = render(6, 0);
+  EXPECT_EQ(warnings.Texts.size(), 2u);
+  EXPECT_EQ(open.RGBA, render(16, 30).RGBA);
+  EXPECT_EQ(warnings.Texts.size(), 2u);
+  const FloatImage side = render(9, 0);
+  EXPECT_TRUE(IsDrawn(side));
+  EXPECT_EQ(warnings.Texts.size(), 3u);
+  this->Mapper->SetOcclusionBounce(false);
+  EXPECT_EQ(dark.RGBA, render(0, 0).RGBA);
+  this->Mapper->SetOcclusionModeToOff();
+  EXPECT_EQ(open.RGBA, render(0, 0).RGBA);
+  EXPECT_EQ(warnings.Texts.size(), 3u);
+}
+
+// What VTK hands on for clipping planes (six distances) and for edges (three equations), a vector
+// of four for each, takes room, too.
+TEST_F(LimitsTest, ClippingPlanesAndEdgesTakeVaryings)
+{
+  this->Mapper->SetInputData(MakeRichBowl(false));
+  this->Window->SetSize(256, 256); // so that light shows between edges
+  const auto render = [this](std::size_t varyings)
+  {
+    ShaderLimits::SetMost(0, varyings);
+    this->Mapper->Modified(); // its buffers are built anew
+    return this->RenderLinear().RGBA;
+  };
+  const auto find = [&render](std::size_t least) // the fewest that change nothing
+  {
+    const auto whole = render(0);
+    while (render(least) != whole && least < 200)
+    {
+      least += 4;
+    }
+    return least;
+  };
+  const std::size_t alone = find(32);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, -5.0);
+  this->Mapper->AddClippingPlane(plane); // cuts nothing off
+  EXPECT_EQ(find(alone), alone + 24);
+  this->Actor->GetProperty()->EdgeVisibilityOn();
+  EXPECT_EQ(find(alone), alone + 36);
+  this->Mapper->RemoveAllClippingPlanes();
+  EXPECT_EQ(find(alone), alone + 12);
+}
+
+// Nothing of VTK's catches what is thrown while a mapper renders.
+TEST_F(LimitsTest, AThrowIsOneErrorAndTheNextRenderWorks)
+{
+  vtkNew<Unreliable> brdf;
+  vtkNew<vtkHybridRadianceIntegrator> table;
+  MakeSmall(table.Get());
+  this->Mapper->SetInputData(MakeRichBowl(false));
+  this->Mapper->SetBRDF(brdf);
+  this->Mapper->SetIntegrator(table);
+  this->Mapper->SetOcclusionModeToOff();
+  const FloatImage open = this->RenderLinear();
+  const EventCounter errors(this->Mapper, vtkCommand::ErrorEvent);
+  ThrowsNow = true;
+  this->Mapper->SetOcclusionModeToOn(); // which evaluates the material again
+  vtkNew<vtkLight> light;
+  this->Renderer->AddLight(light); // by which the superclass draws
+  EXPECT_TRUE(IsDrawn(this->RenderLinear()));
+  EXPECT_TRUE(IsDrawn(this->RenderLinear()));
+  EXPECT_EQ(errors.Count, 1);
+  EXPECT_NE(errors.Text.find("std::bad_alloc"), std::string::npos) << errors.Text;
+  this->Renderer->RemoveLight(light);
+  ThrowsNow = false;
+  const FloatImage hidden = this->RenderLinear();
+  EXPECT_TRUE(IsDrawn(hidden));
+  EXPECT_NE(hidden.RGBA, open.RGBA);
+  EXPECT_EQ(errors.Count, 1);
+  ThrowsNow = true;
+  this->Mapper->SetOcclusionBounce(false);
+  this->RenderLinear(); // the same again is said again
+  this->RenderLinear();
+  EXPECT_EQ(errors.Count, 2);
+  ThrowsNow = false;
+  vtkNew<vtkMeasuredBRDFMapper> fresh;
+  fresh->SetInputData(this->Mapper->GetInput());
+  fresh->SetEnvironment(this->Environment);
+  fresh->SetBRDF(brdf);
+  fresh->SetIntegrator(table);
+  fresh->SetOcclusionModeToOn();
+  fresh->SetOcclusionBounce(true);
+  this->Actor->SetMapper(fresh);
+  EXPECT_EQ(hidden.RGBA, this->RenderLinear().RGBA);
+}
+
+// AbortPlanning is about a Render, not about one of its plans.
+TEST_F(LimitsTest, AnAbortIsForAllMaterials)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(2, 2);
+  plane->Update();
+  vtkNew<vtkPolyData> surface;
+  surface->ShallowCopy(plane->GetOutput());
+  vtkNew<vtkIntArray> classes;
+  classes->SetName("class");
+  vtkNew<vtkMaterialMap> map;
+  map->SetArrayName("class");
+  for (int k = 0; k < 4; ++k)
+  {
+    classes->InsertNextValue(k);
+    vtkNew<vtkAshikhminShirleyBRDF> brdf;
+    brdf->SetExponents(20.0 + k, 20.0 + k);
+    map->AddMaterial(brdf);
+  }
+  surface->GetCellData()->AddArray(classes);
+  this->Mapper->SetInputData(surface);
+  this->Mapper->SetBRDF(nullptr);
+  this->Mapper->SetIntegrator(nullptr);
+  this->Mapper->SetOcclusionModeToOff();
+  this->Mapper->SetMaterialMap(map);
+  this->Mapper->SetPlanningModeToForeground();
+  struct Stop
+  {
+    static void Now(vtkObject* mapper, unsigned long, void* self, void*)
+    {
+      int& count = *static_cast<int*>(self);
+      if (++count == 1)
+      {
+        static_cast<vtkMeasuredBRDFMapper*>(mapper)->SetAbortPlanning(true);
+      }
+    }
+  };
+  int asked = 0;
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetClientData(&asked);
+  stop->SetCallback(Stop::Now);
+  this->Mapper->AddObserver(vtkCommand::ProgressEvent, stop);
+  const EventCounter errors(this->Mapper, vtkCommand::ErrorEvent);
+  this->RenderLinear();
+  EXPECT_TRUE(this->Mapper->GetAbortPlanning());
+  EXPECT_EQ(errors.Count, 4) << errors.Text;
+  EXPECT_EQ(this->Mapper->GetCurrentPlanner(), nullptr);
+}
+
+//------------------------------------------------------------------------------
+// One trace for all mappers that show a surface, and traces that nobody waits for any more.
+namespace
+{
+bool GoOn() { return true; }
+
+bool HasArrays(vtkDataObject* data)
+{
+  auto* surface = vtkPolyData::SafeDownCast(data);
+  return surface && GetBytes(surface, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName());
+}
+}
+
+class SharedTraceTest : public RenderFixture
+{
+protected:
+  void SetUp() override
+  {
+    this->RenderFixture::SetUp();
+    this->Environment =
+      vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("sky"));
+    MakeSmall(this->Table.Get());
+    this->Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, -5.0); // into the hollow
+  }
+
+  // What one more mapper shows of a surface.
+  vtkSmartPointer<vtkMeasuredBRDFMapper> Show(
+    vtkPolyData* surface, bool bounce, FloatImage& picture)
+  {
+    auto mapper = vtkSmartPointer<vtkMeasuredBRDFMapper>::New();
+    mapper->SetInputData(surface);
+    mapper->SetBRDF(this->BRDF);
+    mapper->SetEnvironment(this->Environment);
+    mapper->SetIntegrator(this->Table);
+    mapper->SetOcclusionModeToOn();
+    mapper->SetOcclusionBounce(bounce);
+    this->ShowAgain(mapper, picture);
+    return mapper;
+  }
+
+  void ShowAgain(vtkMeasuredBRDFMapper* mapper, FloatImage& picture)
+  {
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    this->Renderer->AddActor(actor);
+    this->Renderer->ResetCameraClippingRange();
+    picture = this->RenderLinear();
+    this->Renderer->RemoveActor(actor);
+  }
+
+  vtkSmartPointer<vtkEnvironment> Environment;
+  vtkNew<vtkLambertBRDF> BRDF;
+  vtkNew<vtkTableRadianceIntegrator> Table;
+};
+
+// The same object, a copy of it, and another surface; then with what comes back.
+TEST_F(SharedTraceTest, MappersOfOneSurfaceTraceOnce)
+{
+  const auto bowl = MakeBowl(12);
+  vtkNew<vtkPolyData> copy;
+  copy->DeepCopy(bowl);
+  FloatImage pictures[4];
+  {
+    const auto first = this->Show(bowl, false, pictures[0]);
+    const auto second = this->Show(bowl, false, pictures[1]);
+    const auto third = this->Show(copy, false, pictures[2]);
+    EXPECT_EQ(SharedTrace::Find(bowl)->GetNumberOfTraces(), 1);
+    EXPECT_EQ(SharedTrace::Find(bowl), SharedTrace::Find(copy));
+    EXPECT_EQ(pictures[0].RGBA, pictures[1].RGBA);
+    EXPECT_EQ(pictures[0].RGBA, pictures[2].RGBA);
+    const auto bouncing = this->Show(bowl, true, pictures[3]);
+    EXPECT_EQ(SharedTrace::Find(bowl)->GetNumberOfTraces(), 2);
+    EXPECT_GT(pictures[3].At(32, 32)[0], 1.02f * pictures[0].At(32, 32)[0]);
+    const auto other = MakeBowl(13);
+    const auto fourth = this->Show(other, false, pictures[1]);
+    EXPECT_EQ(SharedTrace::Find(bowl)->GetNumberOfTraces(), 2);
+    EXPECT_EQ(SharedTrace::Find(other)->GetNumberOfTraces(), 1);
+  }
+  // Nobody has it any more.
+  EXPECT_EQ(SharedTrace::Find(bowl)->GetNumberOfTraces(), 0);
+}
+
+// Arrays of a filter with occluders are those of its own output, for nobody else.
+TEST_F(SharedTraceTest, OccludersAreNotShared)
+{
+  const auto bowl = MakeBowl(12);
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(0.0, 0.0, -1.2);
+  ball->SetRadius(0.7);
+  ball->Update();
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  filter->SetInputData(bowl);
+  filter->BothSidesOn();
+  filter->AddOccluder(ball->GetOutput());
+  filter->Update();
+  FloatImage alone, beside, again;
+  const auto first = this->Show(bowl, false, alone);
+  const auto second =
+    this->Show(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0)), false, beside);
+  const auto third = this->Show(bowl, false, again);
+  EXPECT_LT(beside.At(32, 32)[0], 0.8f * alone.At(32, 32)[0]);
+  EXPECT_EQ(alone.RGBA, again.RGBA);
+  EXPECT_EQ(SharedTrace::Find(bowl)->GetNumberOfTraces(), 1);
+}
+
+// Two surfaces of the same points, which are the newest of both.
+TEST_F(SharedTraceTest, SurfacesThatSharePointsKeepApart)
+{
+  const auto bowl = MakeBowl(12);
+  vtkNew<vtkPolyData> part; // the rim
+  part->ShallowCopy(bowl);
+  vtkNew<vtkCellArray> polygons;
+  for (vtkIdType cell = bowl->GetNumberOfCells() / 2; cell < bowl->GetNumberOfCells(); ++cell)
+  {
+    polygons->InsertNextCell(bowl->GetCell(cell));
+  }
+  part->SetPolys(polygons);
+  FloatImage alone, whole, changed;
+  this->Show(part, false, alone);
+  bowl->GetPoints()->Modified();
+  ASSERT_EQ(bowl->GetMTime(), part->GetMTime());
+  const auto mapper = this->Show(bowl, false, whole);
+  mapper->SetInputData(part);
+  this->ShowAgain(mapper, changed);
+  EXPECT_NE(whole.RGBA, alone.RGBA);
+  EXPECT_EQ(changed.RGBA, alone.RGBA);
+}
+
+// Threads that ask at once, a question that nobody waits for, and one from inside of the trace.
+TEST_F(SharedTraceTest, ThreadsWaitForOneAnother)
+{
+  const auto bowl = MakeBowl(60);
+  const auto trace = SharedTrace::Find(bowl);
+  EXPECT_EQ(trace->Attach(bowl, false, []() { return false; }), nullptr);
+  EXPECT_EQ(trace->GetNumberOfTraces(), 0);
+  {
+    const auto small = MakeBowl(8);
+    const auto stopped = SharedTrace::Find(small);
+    EXPECT_EQ(stopped->Attach(small, false, []() { return false; }), nullptr);
+    EXPECT_TRUE(HasArrays(stopped->Attach(small, false, GoOn)));
+  }
+  vtkSmartPointer<vtkDataObject> results[2];
+  std::atomic<bool> began{ false };
+  std::thread threads[2];
+  for (int k = 0; k < 2; ++k)
+  {
+    threads[k] = std::thread(
+      [&, k]()
+      {
+        results[k] = trace->Attach(bowl, false,
+          [&]()
+          {
+            began = true;
+            return true;
+          });
+      });
+  }
+  while (!began)
+  {
+    std::this_thread::yield();
+  }
+  EXPECT_EQ(trace->Attach(bowl, true, []() { return false; }), nullptr);
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  EXPECT_EQ(trace->GetNumberOfTraces(), 1);
+  ASSERT_TRUE(HasArrays(results[0]));
+  EXPECT_EQ(GetBytes(vtkPolyData::SafeDownCast(results[0]),
+              vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()),
+    GetBytes(
+      vtkPolyData::SafeDownCast(results[1]), vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()));
+  const auto other = MakeBowl(8);
+  const auto inside = SharedTrace::Find(other);
+  int asked = 0;
+  EXPECT_TRUE(HasArrays(inside->Attach(other, false,
+    [&]()
+    {
+      asked += HasArrays(inside->Attach(other, false, GoOn)) ? 1 : 0;
+      return true;
+    })));
+  EXPECT_GT(asked, 0);
+  EXPECT_EQ(inside->GetNumberOfTraces(), 1);
+}
+
+// A forecast that goes stops its thread, whatever that does: tens of milliseconds on each core, and
+// a tenth of a second to build what rays meet. All of it takes 25 s of processor time.
+TEST_F(SharedTraceTest, ForecastsStopWhenTheyGo)
+{
+  const auto bowl = MakeBowl(250);
+  measuredbrdf::OcclusionQuestion question;
+  question.Input = bowl;
+  question.Materials.push_back(
+    { this->BRDF.Get(), this->Environment, this->Environment->GetPixelsMTime(), 0.01 });
+  question.InBackground = true;
+  const auto trace = SharedTrace::Find(bowl);
+  for (const double work : { 0.0, 0.1, 0.3, 2.0 }) // seconds of processor time: the last one traces
+  {
+    auto forecast = std::make_unique<AutomaticOcclusion>();
+    const int holders = this->BRDF->GetReferenceCount();
+    const double start = GetProcessorTime();
+    forecast->Update(question);
+    ASSERT_TRUE(forecast->IsPending());
+    while (GetProcessorTime() < start + work && !forecast->IsReady())
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    ASSERT_FALSE(forecast->IsReady()) << work;
+    const double before = GetProcessorTime();
+    forecast.reset(); // which does not wait for its thread
+    while (this->BRDF->GetReferenceCount() > holders)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    const double stopped = GetProcessorTime() - before;
+    std::printf("after %.1f s: stopped within %.3f s of processor time\n", work, stopped);
+    EXPECT_LT(stopped, 0.4 + 0.1 * std::thread::hardware_concurrency()) << work;
+  }
+  EXPECT_EQ(trace->GetNumberOfTraces(), 0);
 }

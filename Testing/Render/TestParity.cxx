@@ -3,44 +3,26 @@
 // CPU Evaluate = GLSL for every representation: invariant 1 of the design. A grid of quads, each
 // with its own random normal and tangent, is drawn once per random light; every quad's pixel is
 // f(i,o) cos(theta_i) for its own pair of directions.
-
 #include "RenderFixture.h"
-
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFReader.h"
 #include "vtkBasisBRDF.h"
-#include "vtkBlinnPhongBRDF.h"
-#include "vtkCellArray.h"
 #include "vtkDistributionBRDF.h"
-#include "vtkDoubleArray.h"
 #include "vtkEmbeddedMaterials.h"
-#include "vtkEnvironment.h"
 #include "vtkFactoredRadianceIntegrator.h"
 #include "vtkFilteredRadianceIntegrator.h"
-#include "vtkFloatArray.h"
 #include "vtkHybridRadianceIntegrator.h"
-#include "vtkLambertBRDF.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetRadianceIntegrator.h"
-#include "vtkMeasuredBRDFMapper.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkSumBRDF.h"
-#include "vtkTableRadianceIntegrator.h"
 #include "vtkTabulatedBRDF.h"
 
 #include <glm/glm.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
 #include <fstream>
-#include <limits>
 #include <random>
 
 namespace

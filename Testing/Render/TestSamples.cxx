@@ -3,33 +3,21 @@
 // Samples that are drawn in sub-frames: in the end the picture of all samples, whatever it is drawn
 // with, and never a part of it where somebody reads it.
 #include "MaterialMapFixture.h"
-
 #include "vtkAppendPolyData.h"
-#include "vtkCallbackCommand.h"
-#include "vtkCamera.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositeMeasuredBRDFMapper.h"
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkHardwareSelector.h"
-#include "vtkLight.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
-#include "vtkProperty.h"
 #include "vtkRenderWindowInteractor.h"
-#include "vtkRenderer.h"
 #include "vtkSelection.h"
 #include "vtkShaderProperty.h"
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
-#include "vtkSphereSource.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <chrono>
-#include <cstdio>
 
 namespace
 {
@@ -218,32 +206,6 @@ protected:
   vtkNew<Clock> Interactor;
   FloatImage Shown;
 };
-}
-
-//------------------------------------------------------------------------------
-TEST_F(Samples, Converge)
-{
-  const auto nickel = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("nickel"));
-  const auto hall =
-    vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("hall"));
-  this->Mapper->SetBRDF(nickel);
-  this->Mapper->SetEnvironment(hall);
-  this->Filtered->SetNumberOfSamples(64);
-  const FloatImage whole = this->RenderEncoded();
-  this->LookOn();
-  std::vector<double> errors;
-  do
-  {
-    errors.push_back(GetError(this->RenderEncoded(), whole));
-  } while (this->Mapper->GetPlanPending() && errors.size() < 80);
-  ASSERT_EQ(errors.size(), 64);
-  EXPECT_LT(errors[3], 0.5); // 0.41
-  EXPECT_LT(errors[15], 0.2);
-  EXPECT_LT(errors[31], 0.1);
-  EXPECT_LT(errors.back(), Rounding);
-  // What is kept stays.
-  EXPECT_LT(GetError(this->RenderEncoded(), whole), Rounding);
-  EXPECT_FALSE(this->Mapper->GetPlanPending());
 }
 
 //------------------------------------------------------------------------------

@@ -34,21 +34,6 @@ double GetLargestRatio(const std::vector<double>& own, const std::vector<double>
   return largest;
 }
 
-// The residues' squares. Pairs about the same point are no draws of their own: their residues are
-// summed first, as those of clusters (Sarndal, Swensson, Wretman 1992, 5.6 with 4.2).
-double SumSquares(const std::vector<std::size_t>& points, const std::vector<double>& differences,
-  const std::vector<double>& references, double error)
-{
-  std::vector<double> residues;
-  for (std::size_t k = 0; k < differences.size(); ++k)
-  {
-    const std::size_t at = points.empty() ? k : points[k];
-    residues.resize(std::max(residues.size(), at + 1), 0.0);
-    residues[at] += differences[k] - error * references[k];
-  }
-  return std::inner_product(residues.begin(), residues.end(), residues.begin(), 0.0);
-}
-
 // The difference that so much of the pixels, by weight, stay within.
 double GetPercentile(
   const std::vector<double>& differences, const std::vector<double>& weights, double share)
@@ -93,7 +78,11 @@ PlanError Compare(const PlanComparison& comparison, vtkDoubleArray* radiance)
     return {};
   }
   const double error = std::accumulate(differences.begin(), differences.end(), 0.0) / sum;
-  const double squares = SumSquares(comparison.Pairs.Points, differences, references, error);
+  double squares = 0.0; // of the residues
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    squares += std::pow(differences[k] - error * references[k], 2.0);
+  }
   const double uncertainty =
     std::hypot(StandardErrors * std::sqrt(squares) / sum, comparison.ReferenceError);
   const std::vector<double> pictures =

@@ -5,7 +5,6 @@
 #include "HalfVector.h" // for Pi
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
-#include "ParallelFor.h"
 #include "vtkEnvironment.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -13,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
 
 namespace measuredbrdf
 {
@@ -95,31 +93,6 @@ private:
   static constexpr double Largest = 0.1;
   std::vector<Lamp> Lamps;
 };
-
-// Of points of a picture.
-constexpr double Apart = 0.3; // of both directions together: so far away are no neighbors
-// Of the way to each neighbor, at most, in both directions: their sum is nearly normal, with 0.7 of
-// the points' distance as its standard deviation. Where points lie in rows, what all have about
-// them is uniform within 0.02 % then, 4 exp(-2 pi^2 0.7^2).
-constexpr double Reach = 0.5;
-constexpr double MostAbout =
-  64.0; // a point, at most so many of those that are drawn where it varies
-constexpr double Rounding = 1e-12; // of a squared mean: variances below are none
-
-double GetDistance(const std::array<glm::dvec3, 2>& a, const std::array<glm::dvec3, 2>& b)
-{
-  const glm::dvec3 n = a[0] - b[0];
-  const glm::dvec3 o = a[1] - b[1];
-  return glm::dot(n, n) + glm::dot(o, o);
-}
-
-// moments: a count, a sum, and a sum of squares.
-double GetVariance(const glm::dvec3& moments)
-{
-  const double mean = moments.y / std::max(moments.x, 1.0);
-  const double variance = moments.z / std::max(moments.x, 1.0) - mean * mean;
-  return variance > Rounding * mean * mean ? variance : 0.0;
-}
 }
 
 PlanPairs MakeEmptyPairs()
@@ -190,177 +163,6 @@ void Turn(const double columns[9], PlanPairs& pairs)
   {
     const glm::dvec3 turned = rotation * glm::make_vec3(&pairs.Cameras[k]);
     std::copy_n(&turned.x, 3, &pairs.Cameras[k]);
-  }
-}
-
-// Each round makes up for what the one before cut off.
-std::vector<double> ScaleToSum(std::vector<double> weights, double count, double most)
-{
-  for (int round = 0; round < 8; ++round)
-  {
-    double open = count; // what is left for those below the most
-    double sum = 0.0;    // that these have
-    for (const double weight : weights)
-    {
-      open -= weight < most ? 0.0 : most;
-      sum += weight < most ? weight : 0.0;
-    }
-    const double scale = sum > 0.0 ? std::max(open, 0.0) / sum : 0.0;
-    for (double& weight : weights)
-    {
-      weight = weight < most ? std::min(weight * scale, most) : most;
-    }
-  }
-  return weights;
-}
-
-PlanPoints::PlanPoints(const PlanPairs& given)
-{
-  for (vtkIdType k = 0; k < given.Normals->GetNumberOfTuples(); ++k)
-  {
-    this->Points.push_back(
-      { glm::make_vec3(given.Normals->GetTuple(k)), glm::make_vec3(given.Views->GetTuple(k)) });
-  }
-  const std::size_t number = this->Points.size();
-  this->Neighbors.resize(number);
-  ParallelFor(0, static_cast<vtkIdType>(number),
-    [this](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        this->Neighbors[static_cast<std::size_t>(k)] =
-          this->FindNearest(static_cast<std::size_t>(k));
-      }
-    });
-}
-
-// From the closest on: itself where there are not so many.
-std::array<std::size_t, PlanPoints::Nearest> PlanPoints::FindNearest(std::size_t of) const
-{
-  std::array<std::size_t, Nearest> nearest;
-  std::array<double, Nearest> distances;
-  nearest.fill(of);
-  distances.fill(Apart * Apart);
-  for (std::size_t k = 0; k < this->Points.size(); ++k)
-  {
-    const double distance = GetDistance(this->Points[k], this->Points[of]);
-    if (k == of || distance >= distances.back())
-    {
-      continue;
-    }
-    std::size_t at = Nearest - 1;
-    for (; at > 0 && distances[at - 1] > distance; --at)
-    {
-      distances[at] = distances[at - 1];
-      nearest[at] = nearest[at - 1];
-    }
-    distances[at] = distance;
-    nearest[at] = k;
-  }
-  return nearest;
-}
-
-double PlanPoints::Draw()
-{
-  return static_cast<double>(this->Engine()) / static_cast<double>(std::mt19937::max());
-}
-
-void PlanPoints::AddPairAbout(std::size_t point, PlanPairs& pairs)
-{
-  Pair pair = this->Points[point];
-  const bool isFirst = this->Owners.size() < this->Points.size(); // the point itself
-  std::array<double, Nearest> shares = {};
-  for (double& share : shares)
-  {
-    share = isFirst ? 0.0 : Reach * (2.0 * this->Draw() - 1.0);
-  }
-  // About the point in the mean: on a silhouette all neighbors lie to one side.
-  const double mean = std::accumulate(shares.begin(), shares.end(), 0.0) / Nearest;
-  for (std::size_t k = 0; k < shares.size(); ++k)
-  {
-    for (std::size_t d = 0; d < 2; ++d)
-    {
-      pair[d] += (shares[k] - mean) * this->Points[this->Neighbors[point][k]][d];
-    }
-  }
-  pair = { glm::normalize(pair[0]), glm::normalize(pair[1]) };
-  // Beyond the horizon, as it is shaded.
-  const bool isSeen = glm::dot(pair[0], pair[1]) >= MinimumViewCosine;
-  const Pair& drawn = isFirst || !isSeen ? this->Points[point] : pair;
-  pairs.Normals->InsertNextTuple(&drawn[0].x);
-  pairs.Views->InsertNextTuple(&drawn[1].x);
-  this->Owners.push_back(point);
-}
-
-PlanPairs PlanPoints::DrawAlike(vtkIdType count)
-{
-  PlanPairs pairs = MakeEmptyPairs();
-  while (pairs.Normals->GetNumberOfTuples() < count && !this->Points.empty())
-  {
-    for (std::size_t k = 0; k < this->Points.size(); ++k)
-    {
-      this->AddPairAbout(k, pairs);
-    }
-  }
-  return pairs;
-}
-
-PlanPairs PlanPoints::DrawWhereItVaries(
-  const std::vector<double>& differences, const std::vector<double>& radiances, int count)
-{
-  const std::size_t number = this->Points.size();
-  std::vector<double> deviations(number, 0.0);
-  for (const std::vector<double>* values : { &differences, &radiances })
-  {
-    std::vector<glm::dvec3> about(number, glm::dvec3(0.0));
-    for (std::size_t k = 0; k < values->size(); ++k)
-    {
-      const double value = (*values)[k];
-      about[this->Owners[k]] += glm::dvec3(1.0, value, value * value);
-    }
-    double sum = 0.0; // of the means
-    for (const glm::dvec3& moments : about)
-    {
-      sum += moments.y / std::max(moments.x, 1.0);
-    }
-    for (std::size_t k = 0; k < number && sum > 0.0; ++k)
-    {
-      glm::dvec3 around = about[k];
-      // They may have seen what it missed. A crowd among them counts for more: so does its finding.
-      for (const std::size_t neighbor : this->Neighbors[k])
-      {
-        around += about[neighbor];
-      }
-      deviations[k] += GetVariance(around) / (sum * sum);
-    }
-  }
-  std::transform(deviations.begin(), deviations.end(), deviations.begin(),
-    [](double variance) { return std::sqrt(variance); });
-  const std::vector<double> counts = ScaleToSum(deviations, count, MostAbout);
-  PlanPairs pairs = MakeEmptyPairs();
-  double at = 0.5;
-  for (std::size_t k = 0; k < number; ++k)
-  {
-    for (at += counts[k]; at >= 1.0; at -= 1.0)
-    {
-      this->AddPairAbout(k, pairs);
-    }
-  }
-  return pairs;
-}
-
-void PlanPoints::Weigh(PlanPairs& pairs) const
-{
-  std::vector<double> counts(this->Points.size(), 0.0);
-  for (const std::size_t owner : this->Owners)
-  {
-    counts[owner] += 1.0;
-  }
-  pairs.Points = this->Owners;
-  pairs.Weights.clear();
-  for (const std::size_t owner : this->Owners)
-  {
-    pairs.Weights.push_back(1.0 / counts[owner]);
   }
 }
 } // namespace measuredbrdf

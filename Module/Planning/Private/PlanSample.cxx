@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <optional>
 #include <random>
 #include <utility>
 
@@ -24,42 +23,9 @@ constexpr double ShareByRadiance = 0.2;
 constexpr double ShareByWeight = 0.25;
 constexpr double Start = 0.414; // of the steps through the draws: as good as random
 
-// Of a picture's pairs: at least so many around all points alike, so that 4096 points have one each
-// beside themselves; and so many where it varies, in rounds, each of which knows what those before
-// it have found.
-constexpr vtkIdType PairsAlike = 4097;
-constexpr int PairsWhereItVaries = 4096;
-constexpr int Rounds = 2;
-
 constexpr double DrawnWidth = 12.0; // GetPictureRatios
 
-void Append(vtkDoubleArray* from, vtkDoubleArray* to)
-{
-  for (vtkIdType k = 0; k < from->GetNumberOfTuples(); ++k)
-  {
-    to->InsertNextTuple(from->GetTuple(k));
-  }
-}
-
 double GetFinite(double value) { return std::isfinite(value) ? value : 0.0; }
-
-// Adds what a candidate says that further pairs reflect.
-bool AddRadiance(PlanTask& task, PlanCandidate& candidate, const PlanPairs& pairs,
-  vtkSmartPointer<vtkDoubleArray>& radiances)
-{
-  vtkNew<vtkDoubleArray> radiance;
-  if (!Prepare(task, candidate) || !Integrate(task, candidate.Integrator, pairs, radiance))
-  {
-    return false;
-  }
-  if (!radiances)
-  {
-    radiances = vtkSmartPointer<vtkDoubleArray>::New();
-    radiances->SetNumberOfComponents(3);
-  }
-  Append(radiance, radiances);
-  return true;
-}
 
 // Of each pair: by how much the two differ, and what the second says.
 void GetValues(vtkDoubleArray* coarse, vtkDoubleArray* fine, std::vector<double>& differences,
@@ -78,6 +44,28 @@ void GetValues(vtkDoubleArray* coarse, vtkDoubleArray* fine, std::vector<double>
       radiances[k] += std::abs(value);
     }
   }
+}
+
+// Weights scaled so that their sum is count, but each at 1.0 1. Each round makes up for what the
+// one before cut off.
+std::vector<double> ScaleToSum(std::vector<double> weights, double count)
+{
+  for (int round = 0; round < 8; ++round)
+  {
+    double open = count; // what is left for those below 1
+    double sum = 0.0;    // that these have
+    for (const double weight : weights)
+    {
+      open -= weight < 1.0 ? 0.0 : 1.0;
+      sum += weight < 1.0 ? weight : 0.0;
+    }
+    const double scale = sum > 0.0 ? std::max(open, 0.0) / sum : 0.0;
+    for (double& weight : weights)
+    {
+      weight = weight < 1.0 ? std::min(weight * scale, 1.0) : 1.0;
+    }
+  }
+  return weights;
 }
 
 // From the least on, those that are the same in any order.
@@ -103,51 +91,29 @@ std::vector<std::size_t> OrderByDifference(
 }
 }
 
-bool SamplePairs(
-  PlanTask& task, std::vector<PlanCandidate>& candidates, bool picture, PlanPairs& pairs)
+bool SamplePairs(PlanTask& task, std::vector<PlanCandidate>& candidates, PlanPairs& pairs)
 {
   if (pairs.Normals->GetNumberOfTuples() <= PairsToCompare || task.IsAborted())
   {
     return !task.IsAborted();
   }
-  std::optional<PlanPoints> points;
-  if (picture)
-  {
-    points.emplace(pairs);
-  }
-  PlanPairs all = points ? points->DrawAlike(PairsAlike) : pairs;
   const auto first = std::find_if(candidates.begin(), candidates.end(),
     [](const PlanCandidate& candidate) { return vtkRadianceMethods::IsBuiltIn(candidate.Method); });
   const auto larger = std::find_if(first, candidates.end(),
     [&first](const PlanCandidate& other)
     { return other.Method == first->Method && other.Sizes > first->Sizes; });
-  vtkSmartPointer<vtkDoubleArray> coarse, fine;
-  const auto integrate = [&](const PlanPairs& further) {
-    return AddRadiance(task, *first, further, coarse) && AddRadiance(task, *larger, further, fine);
-  };
-  const bool hasTwo = larger != candidates.end();
-  if (hasTwo && !integrate(all))
+  if (larger == candidates.end())
+  {
+    pairs = ChoosePairs(pairs, nullptr, nullptr, PairsToCompare);
+    return true;
+  }
+  vtkNew<vtkDoubleArray> coarse, fine;
+  if (!Prepare(task, *first) || !Integrate(task, first->Integrator, pairs, coarse) ||
+      !Prepare(task, *larger) || !Integrate(task, larger->Integrator, pairs, fine))
   {
     return false;
   }
-  for (int round = 0; points && hasTwo && round < Rounds; ++round)
-  {
-    std::vector<double> differences, radiances;
-    GetValues(coarse, fine, differences, radiances);
-    const PlanPairs more =
-      points->DrawWhereItVaries(differences, radiances, PairsWhereItVaries / Rounds);
-    if (more.Normals->GetNumberOfTuples() > 0 && !integrate(more))
-    {
-      return false;
-    }
-    Append(more.Normals, all.Normals);
-    Append(more.Views, all.Views);
-  }
-  if (points)
-  {
-    points->Weigh(all);
-  }
-  pairs = ChoosePairs(all, coarse, fine, PairsToCompare);
+  pairs = ChoosePairs(pairs, coarse, fine, PairsToCompare);
   return true;
 }
 
@@ -180,7 +146,7 @@ PlanPairs ChoosePairs(const PlanPairs& all, vtkDoubleArray* coarse, vtkDoubleArr
     draws[k] = count * (others + shares[0] * differences[k] + shares[1] * radiances[k] +
                          shares[2] * weights[k]);
   }
-  draws = ScaleToSum(std::move(draws), count, 1.0); // each pair at most once
+  draws = ScaleToSum(std::move(draws), count);
   PlanPairs chosen = MakeEmptyPairs();
   chosen.Cameras = all.Cameras;
   chosen.Ratios = GetPictureRatios(all, DrawnWidth, differences, radiances);
@@ -195,10 +161,6 @@ PlanPairs ChoosePairs(const PlanPairs& all, vtkDoubleArray* coarse, vtkDoubleArr
       chosen.Normals->InsertNextTuple(all.Normals->GetTuple(static_cast<vtkIdType>(k)));
       chosen.Views->InsertNextTuple(all.Views->GetTuple(static_cast<vtkIdType>(k)));
       chosen.Weights.push_back(weights[k] / draws[k]);
-      if (!all.Points.empty())
-      {
-        chosen.Points.push_back(all.Points[k]);
-      }
     }
   }
   return chosen;

@@ -88,11 +88,9 @@ constexpr int PairsToCompare = 512;
 /// for all pairs that were drawn (Horvitz, Thompson 1952, "A Generalization of Sampling Without
 /// Replacement from a Finite Universe"). The two candidates are the first of the module's own and
 /// the first of its method that is larger; they are prepared for it. Where there are no such two,
-/// all pairs are alike. picture: they are some of a picture's pixels, between which others are
-/// drawn (PlanPoints). Repeatable. False, with the task's Problem, where that failed or was
+/// all pairs are alike. Repeatable. False, with the task's Problem, where that failed or was
 /// aborted.
-bool SamplePairs(
-  PlanTask& task, std::vector<PlanCandidate>& candidates, bool picture, PlanPairs& pairs);
+bool SamplePairs(PlanTask& task, std::vector<PlanCandidate>& candidates, PlanPairs& pairs);
 
 /// Such a sample of about so many pairs, by what two methods say that they reflect (null: all pairs
 /// are alike).

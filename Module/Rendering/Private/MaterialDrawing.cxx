@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialDrawing.h"
 
-#include "NumberText.h"
 #include "ParallelFor.h"
 #include "RenderPassQueries.h"
 #include "SharedIntegrators.h"
@@ -13,7 +12,6 @@
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkRenderer.h"
@@ -22,7 +20,6 @@
 #include <algorithm>
 #include <exception>
 #include <iterator>
-#include <mutex>
 
 namespace measuredbrdf
 {
@@ -31,29 +28,6 @@ namespace
 // Interactors ask for 15 frames a second while somebody moves what is shown, for one in hours else.
 constexpr double LeastInteractiveRate = 1.0;
 
-// Those of all mappers, so that one can plan for the others of a renderer. Any thread makes
-// mappers.
-struct ActiveDrawings
-{
-  std::mutex Mutex;
-  std::map<vtkObject*, MaterialDrawing*> ByMapper;
-
-  static ActiveDrawings& Get()
-  {
-    static ActiveDrawings& drawings = *new ActiveDrawings; // mappers may go after statics
-    return drawings;
-  }
-};
-
-// Null: the mapper draws no materials.
-MaterialDrawing* FindDrawing(vtkMapper* mapper)
-{
-  ActiveDrawings& active = ActiveDrawings::Get();
-  const std::lock_guard<std::mutex> lock(active.Mutex);
-  const auto found = active.ByMapper.find(mapper);
-  return found == active.ByMapper.end() ? nullptr : found->second;
-}
-
 bool IsInteracting(vtkRenderer* renderer)
 {
   auto* window = vtkRenderWindow::SafeDownCast(renderer->GetVTKWindow());
@@ -61,70 +35,13 @@ bool IsInteracting(vtkRenderer* renderer)
 }
 }
 
-std::string DescribePlans(const DrawnMaterials& materials)
-{
-  std::vector<std::string> lines;
-  std::set<vtkRadiancePlanner*> said;
-  for (const DrawnMaterial* drawn : materials)
-  {
-    if (drawn->Plan && said.insert(drawn->Plan).second)
-    {
-      lines.push_back(drawn->Plan->GetPlan());
-    }
-  }
-  // Materials are drawn in an order of the superclass's own, which may be another in each run.
-  std::sort(lines.begin(), lines.end());
-  std::string text;
-  for (const std::string& line : lines)
-  {
-    text += (text.empty() ? "" : "\n") + line;
-  }
-  return text;
-}
-
-std::string DescribeMixture(double error)
-{
-  if (error < 0.0)
-  {
-    return "";
-  }
-  return "\nmaterials of the map together: predicted error " + NumberText(100.0 * error, 2) + " %";
-}
-
-vtkIdType CountTextureBytes(
-  const DrawnMaterials& materials, std::set<const vtkTextureObject*>& counted)
-{
-  std::size_t bytes = 0;
-  for (const DrawnMaterial* drawn : materials)
-  {
-    for (const std::shared_ptr<ShaderTextures>& textures : { drawn->Material, drawn->Radiance })
-    {
-      bytes += textures ? textures->CountBytes(counted) : 0;
-    }
-  }
-  return static_cast<vtkIdType>(bytes);
-}
-
 MaterialDrawing::MaterialDrawing(vtkMapper* owner, std::function<std::vector<MaterialUse>()> uses)
   : Owner(owner)
   , UsesToCome(std::move(uses))
 {
-  ActiveDrawings& active = ActiveDrawings::Get();
-  const std::lock_guard<std::mutex> lock(active.Mutex);
-  active.ByMapper[owner] = this;
 }
 
-MaterialDrawing::~MaterialDrawing()
-{
-  ActiveDrawings& active = ActiveDrawings::Get();
-  const std::lock_guard<std::mutex> lock(active.Mutex);
-  const auto found = active.ByMapper.find(this->Owner);
-  if (found != active.ByMapper.end() &&
-      found->second == this) // unless a new mapper has the address of the old one
-  {
-    active.ByMapper.erase(found);
-  }
-}
+MaterialDrawing::~MaterialDrawing() = default;
 
 MaterialDrawing::SweepAtEnd::~SweepAtEnd()
 {
@@ -210,8 +127,8 @@ void MaterialDrawing::Look(const FrameState& state, PlanInputs& inputs)
 {
   if (!this->Seen || this->SeenTime < this->Settings->ViewTime)
   {
-    this->Seen = std::make_shared<VisibleSurface>(VisibleSurface::InView(
-      GetBlocks(this->Owner->GetInputDataObject(0, 0)), state.Renderer, state.Actor));
+    this->Seen = std::make_shared<VisibleSurface>(
+      GetBlocks(this->Owner->GetInputDataObject(0, 0)), state.Renderer, state.Actor);
     this->SeenTime.Modified();
     this->Seen = this->Seen->IsEmpty() ? nullptr : this->Seen;
   }
@@ -222,43 +139,10 @@ void MaterialDrawing::Look(const FrameState& state, PlanInputs& inputs)
   }
 }
 
-// What the mappers of the renderer will have planned in this frame.
-void MaterialDrawing::VisitRequests(vtkRenderer* renderer, const PlanRequest::Visit& visit)
-{
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator it;
-  props->InitTraversal(it);
-  while (vtkProp* prop = props->GetNextProp(it))
-  {
-    auto* actor = vtkActor::SafeDownCast(prop);
-    const bool seen = actor && actor->GetVisibility() && IsShaded(actor);
-    vtkMapper* mapper = seen ? actor->GetMapper() : nullptr;
-    MaterialDrawing* drawing = mapper ? FindDrawing(mapper) : nullptr;
-    if (!drawing || !drawing->IsPlanned())
-    {
-      continue;
-    }
-    if (drawing->Settings->PlanForView)
-    {
-      mapper->Update(); // it may be drawn for the first time
-    }
-    const FrameState state = { renderer, actor, drawing->ResolveEnvironment(renderer) };
-    for (const MaterialUse& use : drawing->UsesToCome())
-    {
-      if (state.Environment && use.first)
-      {
-        visit(drawing->Plans, drawing->GetRequest(use, state));
-      }
-    }
-  }
-}
-
 bool MaterialDrawing::ResolvePlan(
   DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state)
 {
   PlanRequest request = this->GetRequest(use, state);
-  request.Others = [&state](const PlanRequest::Visit& visit)
-  { VisitRequests(state.Renderer, visit); };
   request.Progress = [this](double progress)
   {
     this->Owner->UpdateProgress(progress);
@@ -373,7 +257,16 @@ DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState&
 void MaterialDrawing::ResolveAll(
   ViewFrame& frame, const FrameState& state, const std::vector<MaterialUse>& uses)
 {
-  const PlanJob::Hold hold;             // until what stands in is made
+  const PlanJob::Hold hold; // until what stands in is made
+  std::vector<PlanRequest> requests;
+  for (const MaterialUse& use : uses)
+  {
+    if (use.first && state.Environment && this->IsPlanned())
+    {
+      requests.push_back(this->GetRequest(use, state));
+    }
+  }
+  this->Plans.BeginAll(requests);
   std::vector<DrawnMaterial> materials; // the last ones stay until these have their textures
   for (const MaterialUse& use : uses)
   {
@@ -469,6 +362,7 @@ void MaterialDrawing::Render(
 {
   this->AbortPlanning = false;
   this->StyleTime = styleTime;
+  this->IsTraceCurrent = false;
   this->Sums.Begin();
   this->Failures.clear();
   this->Try(
@@ -549,8 +443,9 @@ void MaterialDrawing::Forget(const void* part)
 void MaterialDrawing::GetVisiblePairs(
   vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views)
 {
-  VisibleSurface::InView(GetBlocks(this->Owner->GetInputDataObject(0, 0)), renderer, actor)
-    .CopyTo(normals, views);
+  const VisibleSurface seen(GetBlocks(this->Owner->GetInputDataObject(0, 0)), renderer, actor);
+  normals->DeepCopy(seen.Normals);
+  views->DeepCopy(seen.Views);
 }
 
 vtkMTimeType MaterialDrawing::GetAppearanceMTime()

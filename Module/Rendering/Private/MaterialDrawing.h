@@ -17,7 +17,7 @@
 #include "OcclusionLight.h"
 #include "OcclusionShader.h"
 #include "SampleSums.h"
-#include "SelectedMaterials.h"
+#include "SurfaceBlocks.h"
 #include "vtkActor.h"
 #include "vtkMapper.h"
 #include "vtkRenderer.h"
@@ -114,14 +114,14 @@ public:
   {
     this->BouncingParts.erase(part);
     this->RefusedOcclusion.erase(part);
-    this->Occlusion.Begin();
   }
   const OcclusionLight* FindOcclusionLight(const DrawnMaterial& drawn);
   /// Of a surface that a material map will divide: itself, or with the arrays that it has to have
   /// (SetOcclusionModeToOn). The same object while nothing changes.
   vtkSmartPointer<vtkPolyData> FindWhole(vtkPolyData* surface);
-  /// What was traced for a part because it is worth that (AutomaticOcclusion); null: nothing.
-  vtkDataObject* GetTracedOcclusion(const void* part) const;
+  /// What was traced for a part because it is worth that, or for all of them because the mode says
+  /// so (AutomaticOcclusion); null: nothing.
+  vtkDataObject* GetTracedOcclusion(const void* part);
   /// Of the selected materials; none where nothing is hidden. any: whether the buffers have some.
   OcclusionLights GetSelectedOcclusion(bool any);
   ///@}
@@ -183,10 +183,11 @@ private:
   PlanRequest GetRequest(const MaterialUse& use, const FrameState& state);
   void Look(const FrameState& state, PlanInputs& inputs);
   bool IsPlanned() const { return !this->Settings->Integrator; }
-  static void VisitRequests(vtkRenderer* renderer, const PlanRequest::Visit& visit);
   void DropPlans(const FrameState& state, bool anyMaterial);
   void DropOcclusionLights();
   void ForecastOcclusion(const FrameState& state, const void* part, const ViewFrame& frame);
+  void UpdateForecast(const void* part, const OcclusionQuestion& question);
+  vtkPolyData* FindTraced(vtkPolyData* surface, const void* part);
   ViewFrame& FindFrame(vtkRenderer* renderer, const void* part);
 
   ///@{
@@ -233,14 +234,16 @@ private:
     std::unique_ptr<OcclusionLight> Light;
   };
   std::map<vtkSmartPointer<vtkRadianceIntegrator>, KnownLight> KnownLights;
-  OcclusionCache Occlusion;
+  BlockPairs TracedBlocks;
+  bool IsTraceCurrent = false; // of this Render, where the mode says to trace
   struct GivenOcclusion
   {
     std::size_t Blocks = 0; // with arrays of whoever made them
     std::size_t All = 0;
   };
   GivenOcclusion Given; // with the surfaces of the last frame
-  std::map<const void*, std::unique_ptr<AutomaticOcclusion>> Forecasts; // of parts
+  /// Of parts; null: of all of them, where the mode says to trace.
+  std::map<const void*, std::unique_ptr<AutomaticOcclusion>> Forecasts;
   std::set<const void*> BouncingParts; // whose buffers have what comes back
   /// Surfaces of parts, only counted, whose arrays are of another surface or damaged.
   std::map<const void*, std::set<const vtkPolyData*>> RefusedOcclusion;

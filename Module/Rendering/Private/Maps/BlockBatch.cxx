@@ -40,11 +40,13 @@ void BatchOcclusion::Clear()
 {
   this->Any = false;
   this->Sides = {};
-  this->Kept.clear();
+  this->Announced.clear();
+  this->Open.clear();
 }
 
-void BatchOcclusion::Announce(const std::shared_ptr<OcclusionArrays>& arrays)
+void BatchOcclusion::Announce(vtkPolyData* surface, const std::shared_ptr<OcclusionArrays>& arrays)
 {
+  this->Announced[surface] = arrays;
   this->Any = this->Any || arrays;
   this->Sides.IsOtherClosed = this->Sides.IsOtherClosed && arrays;
   if (arrays)
@@ -53,20 +55,19 @@ void BatchOcclusion::Announce(const std::shared_ptr<OcclusionArrays>& arrays)
   }
 }
 
-void BatchOcclusion::Append(vtkOpenGLVertexBufferObjectGroup* buffers, vtkIdType points,
-  const std::shared_ptr<OcclusionArrays>& arrays)
+void BatchOcclusion::Append(vtkOpenGLVertexBufferObjectGroup* buffers, vtkPolyData* surface)
 {
   if (!this->Any)
   {
     return;
   }
+  const std::shared_ptr<OcclusionArrays>& arrays = this->Announced[surface];
   const bool hasBack = arrays && arrays->HasBack;
   const bool hasBounce = arrays && arrays->HasBounce;
   const bool isWhole =
     arrays && (hasBack || !this->Sides.Both) && (hasBounce || !this->Sides.Bounced);
-  const auto open = isWhole ? nullptr : OcclusionArrays::MakeOpen(points);
-  this->Kept.push_back(arrays);
-  this->Kept.push_back(open);
+  const auto open = isWhole ? nullptr : OcclusionArrays::MakeOpen(surface->GetNumberOfPoints());
+  this->Open.push_back(open);
   for (int side = 0; side < (this->Sides.Both ? 2 : 1); ++side)
   {
     const std::string suffix = side == 0 ? "" : "Back";
@@ -185,7 +186,7 @@ void BlockBatch::AddOcclusion(vtkRenderer*)
     [this](vtkPolyData* surface, const auto&)
     {
       this->CheckVertices(surface);
-      this->Occlusion.Announce(this->Drawing->FindOcclusion(surface, this, false));
+      this->Occlusion.Announce(surface, this->Drawing->FindOcclusion(surface, this, false));
     });
   this->LeastOcclusionCosine = this->Occlusion.GetSides().LeastCosine;
   this->IsOtherSideClosed = this->Occlusion.GetSides().IsOtherClosed;
@@ -199,8 +200,7 @@ void BlockBatch::AppendOneBufferObject(vtkRenderer* ren, vtkActor* actor, BlockR
   this->ShadedMapper<BatchBase>::AppendOneBufferObject(ren, actor, record, offset, colors, normals);
   if (CountVertices(this->VBOs, surface) != before)
   {
-    this->Occlusion.Append(
-      this->VBOs, surface->GetNumberOfPoints(), this->Drawing->FindOcclusion(surface, this, false));
+    this->Occlusion.Append(this->VBOs, surface);
   }
 }
 

@@ -25,6 +25,7 @@ using GLenum = unsigned int; // which the next header takes for declared
 #endif
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -49,19 +50,22 @@ class BatchOcclusion
 public:
   void Clear();
 
-  /// What one of the blocks has, all of them before the first Append; null: it is all open.
-  void Announce(const std::shared_ptr<OcclusionArrays>& arrays);
+  /// What a block has, all of them before the first Append; null: it is all open.
+  void Announce(vtkPolyData* surface, const std::shared_ptr<OcclusionArrays>& arrays);
 
   const OcclusionSides& GetSides() const { return this->Sides; }
 
   /// Beside a block's other attributes.
-  void Append(vtkOpenGLVertexBufferObjectGroup* buffers, vtkIdType points,
-    const std::shared_ptr<OcclusionArrays>& arrays);
+  void Append(vtkOpenGLVertexBufferObjectGroup* buffers, vtkPolyData* surface);
 
 private:
   bool Any = false;
   OcclusionSides Sides;
-  std::vector<std::shared_ptr<OcclusionArrays>> Kept; // until the buffers are built
+  ///@{
+  /// Until the buffers are built.
+  std::map<vtkPolyData*, std::shared_ptr<OcclusionArrays>> Announced;
+  std::vector<std::shared_ptr<OcclusionArrays>> Open;
+  ///@}
 };
 
 /// Those of one material are drawn while the others are invisible.

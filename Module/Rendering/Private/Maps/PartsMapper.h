@@ -11,9 +11,9 @@
 #ifndef PartsMapper_h
 #define PartsMapper_h
 
+#include "DrawnMaterial.h"
 #include "MaterialParts.h"
 #include "RecentlyUsed.h"
-#include "SelectedMaterials.h"
 #include "ShadedMapper.h"
 #include "WeightImages.h"
 #include "vtkMaterialMap.h"

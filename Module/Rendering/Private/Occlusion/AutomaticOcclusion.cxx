@@ -96,6 +96,7 @@ public:
     : Materials(TakeSnapshots(question.Materials))
     , ToEnvironment(question.FindToEnvironment ? question.FindToEnvironment() : nullptr)
     , Tolerance(question.Tolerance)
+    , IsAlways(question.Always)
     , Input(CopyBlocks(question.Input,
         [apart](vtkPolyData* surface)
         {
@@ -167,6 +168,7 @@ public:
   std::vector<OcclusionQuestion::Material> Materials;
   vtkSmartPointer<vtkMatrix4x4> ToEnvironment;
   double Tolerance;
+  bool IsAlways;
   bool WithBounce = false;
   vtkSmartPointer<vtkDataObject> Input;
   std::atomic<bool> Done{ true };
@@ -177,32 +179,33 @@ public:
 private:
   void Forecast()
   {
-    if (this->Found.Points > MostPointsInBackground)
-    {
-      return;
-    }
-    if (!HidesAnything(this->GetScene()))
-    {
-      this->Found.Error = 0.0;
-      return;
-    }
-    bool worth = false;
-    for (const OcclusionQuestion::Material& material : this->Materials)
-    {
-      worth = !this->IsStopped && (this->Predict(material) || worth);
-    }
-    if (!worth || this->IsStopped || this->Found.Points > this->Found.Most)
-    {
-      this->Found.IsLeftOut = worth;
-      return;
-    }
-    if (this->Traced) // for other materials, or another map
+    if ((!this->IsAlways && !this->IsWorthIt()) || this->Traced) // for another map, say
     {
       return;
     }
     this->Trace = SharedTrace::Find(this->Input);
     this->Traced =
       this->Trace->Attach(this->Input, this->WithBounce, [this]() { return !this->IsStopped; });
+  }
+
+  bool IsWorthIt()
+  {
+    if (this->Found.Points > MostPointsInBackground)
+    {
+      return false;
+    }
+    if (!HidesAnything(this->GetScene()))
+    {
+      this->Found.Error = 0.0;
+      return false;
+    }
+    bool worth = false;
+    for (const OcclusionQuestion::Material& material : this->Materials)
+    {
+      worth = !this->IsStopped && (this->Predict(material) || worth);
+    }
+    this->Found.IsLeftOut = worth && (this->IsStopped || this->Found.Points > this->Found.Most);
+    return worth && !this->Found.IsLeftOut;
   }
 
   vtkTracedScene* GetScene()
@@ -344,7 +347,8 @@ std::string AutomaticOcclusion::Update(const OcclusionQuestion& question)
   }
   const Key key = GetKey(question);
   std::string problem = this->IsReady() ? this->Take() : "";
-  if (!this->Work && !this->Known.Find(key) && follows && !question.Materials.empty())
+  if (!this->Work && !this->Known.Find(key) &&
+      (question.Always || (follows && !question.Materials.empty())))
   {
     this->Asked = key;
     try

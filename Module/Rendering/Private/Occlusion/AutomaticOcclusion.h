@@ -45,6 +45,7 @@ struct OcclusionQuestion
   std::function<vtkSmartPointer<vtkMatrix4x4>()> FindToEnvironment;
   double Tolerance = 0.02;
   bool InBackground = false; // BRDFs are then snapshots
+  bool Always = false;       // whatever it is worth: Materials do not matter
   bool WithBounce = false;   // whether what is traced has to have vtkSurfaceVisibilityFilter's
 };
 

@@ -56,9 +56,11 @@ vtkSmartPointer<vtkMatrix4x4> FindToEnvironment(vtkRenderer* renderer, vtkActor*
 void MaterialDrawing::ForecastOcclusion(
   const FrameState& state, const void* part, const ViewFrame& frame)
 {
-  auto* owner = vtkMapper::SafeDownCast(this->Owner);
-  vtkDataObject* input =
-    owner && owner->GetNumberOfInputConnections(0) > 0 ? owner->GetInputDataObject(0, 0) : nullptr;
+  vtkDataObject* input = this->Owner->GetInputDataObject(0, 0);
+  if (this->Settings->OcclusionMode != 2)
+  {
+    this->Forecasts.erase(nullptr);
+  }
   this->Given = GivenOcclusion();
   // Under a map each block has parts of its own, which would all list all blocks.
   const bool counts = this->Settings->OcclusionMode != 0 && !this->Settings->MaterialMap;
@@ -93,6 +95,11 @@ void MaterialDrawing::ForecastOcclusion(
       question.InBackground = question.InBackground && drawn.BRDF != drawn.Source;
     }
   }
+  this->UpdateForecast(part, question);
+}
+
+void MaterialDrawing::UpdateForecast(const void* part, const OcclusionQuestion& question)
+{
   std::unique_ptr<AutomaticOcclusion>& forecast = this->Forecasts[part];
   if (!forecast)
   {
@@ -106,19 +113,46 @@ void MaterialDrawing::ForecastOcclusion(
   }
 }
 
-vtkDataObject* MaterialDrawing::GetTracedOcclusion(const void* part) const
+// Where the mode says so, the input is traced once a Render for all of its blocks.
+vtkDataObject* MaterialDrawing::GetTracedOcclusion(const void* part)
 {
-  const auto found = this->Forecasts.find(part);
+  const bool always = this->Settings->OcclusionMode == 2;
+  if (always && !this->IsTraceCurrent)
+  {
+    this->IsTraceCurrent = true;
+    OcclusionQuestion question;
+    question.Input = this->Owner->GetInputDataObject(0, 0);
+    question.Always = true;
+    question.WithBounce = this->Settings->OcclusionBounce;
+    const auto blocks = GetBlocks(question.Input);
+    if (std::all_of(blocks.begin(), blocks.end(),
+          [](vtkPolyData* block)
+          { return block->GetNumberOfPoints() == 0 || OcclusionArrays::HasAny(block); }))
+    {
+      this->Forecasts.erase(nullptr);
+    }
+    else
+    {
+      this->UpdateForecast(nullptr, question);
+    }
+  }
+  const auto found = this->Forecasts.find(always ? nullptr : part);
   return found == this->Forecasts.end() ? nullptr : found->second->GetTraced();
+}
+
+// What stands for a surface without arrays; null: nothing was traced for it.
+vtkPolyData* MaterialDrawing::FindTraced(vtkPolyData* surface, const void* part)
+{
+  return OcclusionArrays::HasAny(surface) ? nullptr
+                                          : this->TracedBlocks.Find(this->GetTracedOcclusion(part),
+                                              this->Owner->GetInputDataObject(0, 0), surface);
 }
 
 vtkSmartPointer<vtkPolyData> MaterialDrawing::FindWhole(vtkPolyData* surface)
 {
-  auto* owner = vtkMapper::SafeDownCast(this->Owner);
-  vtkDataObject* input = owner ? owner->GetInputDataObject(0, 0) : nullptr;
-  return this->Settings->OcclusionMode == 2 && input && !HasArrays(surface)
-           ? this->Occlusion.FindWhole(surface, input, this->Settings->OcclusionBounce)
-           : vtkSmartPointer<vtkPolyData>(surface);
+  vtkPolyData* traced =
+    this->Settings->OcclusionMode == 2 ? this->FindTraced(surface, nullptr) : nullptr;
+  return traced ? traced : surface;
 }
 
 std::string MaterialDrawing::DescribeOcclusion() const
@@ -175,13 +209,10 @@ std::shared_ptr<OcclusionArrays> MaterialDrawing::FindOcclusion(
   {
     return nullptr;
   }
-  auto* owner = vtkMapper::SafeDownCast(this->Owner);
-  const bool make = mode == 2 && !isPart && owner;
-  vtkDataObject* traced = mode == 1 && !isPart && owner ? this->GetTracedOcclusion(part) : nullptr;
-  vtkDataObject* input = make || traced ? owner->GetInputDataObject(0, 0) : nullptr;
   std::string problem;
-  auto arrays = this->Occlusion.Find(
-    { surface, input, traced, make, isPart, this->Settings->OcclusionBounce }, problem);
+  vtkPolyData* traced = isPart ? nullptr : this->FindTraced(surface, part);
+  const auto arrays = OcclusionArrays::Read(
+    traced ? traced : surface, isPart, this->Settings->OcclusionBounce, problem);
   if (arrays && arrays->HasBounce)
   {
     this->BouncingParts.insert(part);

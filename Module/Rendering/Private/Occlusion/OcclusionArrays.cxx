@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OcclusionArrays.h"
 
-#include "SharedTrace.h"
 #include "SurfacePoints.h"
 #include "VisibilityTask.h"
-#include "vtkDataObject.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -269,86 +267,5 @@ void OcclusionArrays::LeaveOutClosedSide(vtkPolyData* surface)
     this->BounceBack = nullptr;
     this->HasBack = false;
   }
-}
-
-OcclusionCache::OcclusionCache() = default;
-
-OcclusionCache::~OcclusionCache() = default;
-
-// The input with arrays, for all of its blocks, which ask one by one: once the times of all were
-// compared, each one's own is enough.
-vtkDataObject* OcclusionCache::Trace(vtkPolyData* surface, vtkDataObject* input, bool withBounce)
-{
-  const auto stays = [this](vtkDataObject* data)
-  {
-    const auto known = this->TracedTimes.find(data);
-    return known != this->TracedTimes.end() && known->second == data->GetMTime();
-  };
-  // Surfaces that share points can have the same time.
-  if (this->Traced && this->IsTracedChecked && this->TracedInput == input &&
-      this->TracedBounce == withBounce && stays(input) && stays(surface))
-  {
-    return this->Traced;
-  }
-  Times times = { { input, input->GetMTime() } };
-  for (vtkPolyData* block : GetBlocks(input))
-  {
-    times[block] = block->GetMTime();
-  }
-  if (!this->Traced || this->TracedTimes != times || this->TracedBounce != withBounce)
-  {
-    const auto before = std::move(this->Shared); // the sky of the same surface is not traced again
-    this->Shared = SharedTrace::Find(input);
-    this->Traced = this->Shared->Attach(input, withBounce, []() { return true; });
-    this->TracedInput = input;
-    this->TracedTimes = std::move(times);
-    this->TracedBounce = withBounce;
-  }
-  this->IsTracedChecked = true;
-  return this->Traced;
-}
-
-// All blocks of an input take turns, each frame: none is to drive out another.
-void OcclusionCache::Expect(vtkDataObject* input)
-{
-  if (input && (input != this->Expected || input->GetMTime() != this->ExpectedTime))
-  {
-    this->Expected = input;
-    this->ExpectedTime = input->GetMTime();
-    this->Most = std::max({ this->Most, Least, 2 * GetBlocks(input).size() });
-    this->Entries.SetMost(this->Most);
-  }
-}
-
-vtkSmartPointer<vtkPolyData> OcclusionCache::FindWhole(
-  vtkPolyData* surface, vtkDataObject* input, bool withBounce)
-{
-  this->Expect(input);
-  vtkPolyData* traced = this->Pairs.Find(this->Trace(surface, input, withBounce), input, surface);
-  return traced ? traced : surface;
-}
-
-std::shared_ptr<OcclusionArrays> OcclusionCache::Find(
-  const Question& question, std::string& problem)
-{
-  const auto& [surface, input, traced, make, isPart, withBounce] = question;
-  this->Expect(input);
-  const bool isBare = input && !OcclusionArrays::HasAny(surface);
-  vtkDataObject* stands = isBare && make ? this->Trace(surface, input, withBounce) : traced;
-  const vtkMTimeType time = surface->GetMTime();
-  Entry& entry = this->Entries[surface];
-  if (entry.Time != time || entry.WithBounce != withBounce || entry.Traced != stands)
-  {
-    entry = { time, withBounce, stands, nullptr, "" };
-    entry.Arrays = OcclusionArrays::Read(surface, isPart, withBounce, entry.Problem);
-    if (isBare && stands)
-    {
-      vtkPolyData* block = this->Pairs.Find(stands, input, surface);
-      entry.Arrays =
-        block ? OcclusionArrays::Read(block, false, withBounce, entry.Problem) : nullptr;
-    }
-  }
-  problem = entry.Problem;
-  return entry.Arrays;
 }
 } // namespace measuredbrdf

@@ -8,9 +8,6 @@
 #ifndef OcclusionArrays_h
 #define OcclusionArrays_h
 
-#include "RecentlyUsed.h"
-#include "SurfaceBlocks.h"
-#include "vtkDataObject.h"
 #include "vtkFloatArray.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -18,12 +15,9 @@
 #include <array>
 #include <memory>
 #include <string>
-#include <unordered_map>
 
 namespace measuredbrdf
 {
-class SharedTrace;
-
 /// Codes of all points, three bytes in each float.
 struct OcclusionArrays
 {
@@ -56,65 +50,6 @@ struct OcclusionArrays
 private:
   void ReadBounce(vtkPolyData* surface, std::string& problem);
   void LeaveOutClosedSide(vtkPolyData* surface);
-};
-
-/// Those of the surfaces that a mapper draws, kept while these stay as they are.
-class OcclusionCache
-{
-public:
-  OcclusionCache();
-  ~OcclusionCache();
-
-  /// input: the mapper's, of which the surface is a block, or itself. Where the surface has no
-  /// arrays, those of traced, which stands for the input, or, with make, of the input traced now.
-  struct Question
-  {
-    vtkPolyData* Surface = nullptr;
-    vtkDataObject* Input = nullptr;
-    vtkDataObject* Traced = nullptr;
-    bool Make = false;
-    bool IsPart = false;
-    bool WithBounce = false;
-  };
-  std::shared_ptr<OcclusionArrays> Find(const Question& question, std::string& problem);
-
-  /// Before all blocks ask for what is drawn next: a change of one may show on the others.
-  void Begin() { this->IsTracedChecked = false; }
-
-  /// The surface with arrays; itself where it cannot be traced.
-  vtkSmartPointer<vtkPolyData> FindWhole(
-    vtkPolyData* surface, vtkDataObject* input, bool withBounce);
-
-private:
-  struct Entry
-  {
-    vtkMTimeType Time = 0;
-    bool WithBounce = false;
-    vtkSmartPointer<vtkDataObject> Traced; // what stood for the input
-    std::shared_ptr<OcclusionArrays> Arrays;
-    std::string Problem;
-  };
-
-  static constexpr std::size_t Least = 1024; // surfaces are remembered, and all blocks of an input
-
-  void Expect(vtkDataObject* input);
-  vtkDataObject* Trace(vtkPolyData* surface, vtkDataObject* input, bool withBounce);
-
-  RecentlyUsed<vtkPolyData*, Entry> Entries{ Least };
-  ///@{
-  /// The input, traced as it was last asked for.
-  using Times = std::unordered_map<vtkDataObject*, vtkMTimeType>; // only compared
-  std::shared_ptr<SharedTrace> Shared;
-  vtkSmartPointer<vtkDataObject> Traced;
-  vtkDataObject* TracedInput = nullptr;
-  Times TracedTimes; // of the input and its blocks
-  bool TracedBounce = false;
-  bool IsTracedChecked = false; // whether all times were compared
-  ///@}
-  vtkDataObject* Expected = nullptr; // only compared
-  vtkMTimeType ExpectedTime = 0;
-  std::size_t Most = Least;
-  BlockPairs Pairs; // of what is drawn
 };
 } // namespace measuredbrdf
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapperPlans.h"
 
-#include "SharedObjects.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkRadiancePlanner.h"
@@ -13,29 +12,9 @@
 #include <algorithm>
 #include <exception>
 #include <iterator>
-#include <vector>
 
 namespace measuredbrdf
 {
-namespace
-{
-// Plans of a material under an environment, that mappers share for as long as somebody holds them.
-using SharedPlans = SharedObjects<PlanInputs::Key, vtkRadiancePlanner>;
-
-// Null where nobody has one.
-vtkSmartPointer<vtkRadiancePlanner> FindPlan(const PlanInputs& inputs)
-{
-  return SharedPlans::Get().Find(
-    inputs.GetKey(), []() { return vtkSmartPointer<vtkRadiancePlanner>(); });
-}
-}
-
-CurrentPlan::~CurrentPlan()
-{
-  this->Plan = nullptr;
-  SharedPlans::Get().Sweep();
-}
-
 // The plan is the one for this, or is known not to be possible.
 bool CurrentPlan::IsFor(const PlanInputs& wanted) const
 {
@@ -46,21 +25,18 @@ bool CurrentPlan::IsFor(const PlanInputs& wanted) const
 // change.
 bool CurrentPlan::IsUsable() const
 {
-  return this->Plan && this->Plan->GetBRDF()->GetMTime() == this->Times[0] &&
-         this->Plan->GetEnvironment()->GetPixelsMTime() == this->Times[1];
+  vtkRadiancePlanner* plan = this->GetPlan();
+  const PlanInputs& made = this->Inputs;
+  return plan &&
+         (plan->GetBRDF() != made.BRDF || (made.BRDF->GetMTime() == made.BRDFTime &&
+                                            made.Environment->GetPixelsMTime() == made.PixelsTime));
 }
 
-void CurrentPlan::Adopt(const PlanInputs& inputs, vtkSmartPointer<vtkRadiancePlanner> plan)
+void CurrentPlan::Adopt(const PlanInputs& inputs, std::shared_ptr<PlanJob> job)
 {
-  if (plan)
-  {
-    SharedPlans::Get().Find(inputs.GetKey(), [&plan]() { return plan; });
-    this->Times[0] = plan->GetBRDF()->GetMTime();
-    this->Times[1] = plan->GetEnvironment()->GetPixelsMTime();
-  }
-  this->Plan = plan;
+  this->Next.reset();
+  this->Current = std::move(job);
   this->Inputs = inputs;
-  SharedPlans::Get().Sweep();
 }
 
 bool CurrentPlan::CanShowPrevious(Timing timing) const
@@ -70,26 +46,19 @@ bool CurrentPlan::CanShowPrevious(Timing timing) const
 
 bool CurrentPlan::WouldBlock(const PlanInputs& wanted, Timing timing) const
 {
-  return !this->IsFor(wanted) && !this->CanShowPrevious(timing) && !FindPlan(wanted);
+  return !this->IsFor(wanted) && !this->CanShowPrevious(timing) && !PlanJob::FindMade(wanted);
 }
 
 void CurrentPlan::Begin(const PlanInputs& wanted)
 {
   try
   {
-    if (!this->Job || this->JobKey != wanted.GetKey())
-    {
-      this->Job = PlanJob::Find(wanted);
-      this->JobKey = wanted.GetKey();
-    }
-    else if (wanted.WithShaderInputs)
-    {
-      this->Job->WantShaderInputs(); // a light has come since
-    }
+    const std::shared_ptr<PlanJob> last = std::move(this->Next); // where it is the same
+    this->NextKey = wanted.GetKey();
+    this->Next = PlanJob::Begin(wanted);
   }
   catch (const std::exception&) // no memory for snapshots: Update will tell
   {
-    this->Job.reset();
   }
 }
 
@@ -102,7 +71,6 @@ bool CurrentPlan::Update(
   }
   catch (const std::exception& e) // no memory, say
   {
-    this->Job.reset();
     this->Adopt(wanted, nullptr);
     problem = e.what();
     return true;
@@ -114,13 +82,13 @@ bool CurrentPlan::EnsureCurrent(
 {
   if (this->IsFor(wanted))
   {
-    this->Job.reset();
+    this->Next.reset();
     return false;
   }
-  if (vtkSmartPointer<vtkRadiancePlanner> shared = FindPlan(wanted))
+  if (const std::shared_ptr<PlanJob> made = PlanJob::FindMade(wanted))
   {
-    this->Job.reset();
-    this->Adopt(wanted, shared);
+    problem = made == this->Next ? made->GetProblem() : "";
+    this->Adopt(wanted, made);
     return true;
   }
   const bool bridged = this->CanShowPrevious(timing);
@@ -128,34 +96,31 @@ bool CurrentPlan::EnsureCurrent(
   {
     this->Begin(wanted);
   }
-  else if (this->JobKey != wanted.GetKey())
+  else if (this->NextKey != wanted.GetKey())
   {
-    this->Job.reset();
+    this->Next.reset();
   }
   if (bridged && this->IsPending() && !this->IsReady())
   {
     if (!this->IsUsable())
     {
-      this->Adopt(PlanInputs(), nullptr);
+      this->Current.reset();
+      this->Inputs = PlanInputs();
     }
     return false;
   }
   bool done = true;
-  std::shared_ptr<PlanJob> job = this->Job; // observers of progress may let go of it
+  std::shared_ptr<PlanJob> job = this->Next; // observers of progress may let go of it
   if (job)
   {
     done = job->Wait(progress);
   }
   else
   {
-    const vtkSmartPointer<vtkRadiancePlanner> planner =
-      NewPlanner(wanted, timing != Timing::Foreground);
-    job = std::make_shared<PlanJob>(planner ? planner : NewPlanner(wanted, false));
-    job->Run(progress);
+    job = PlanJob::Run(wanted, timing != Timing::Foreground, progress);
   }
   problem = done ? job->GetProblem() : "aborted";
-  this->Adopt(wanted, done ? job->GetPlan() : nullptr);
-  this->Job.reset();
+  this->Adopt(wanted, done ? job : nullptr);
   return true;
 }
 
@@ -230,35 +195,31 @@ std::shared_ptr<MapperPlans::View> MapperPlans::FindView(const PlanRequest& requ
   return view;
 }
 
+void MapperPlans::BeginAll(const std::vector<PlanRequest>& requests)
+{
+  std::vector<std::pair<std::shared_ptr<View>, const PlanInputs*>> blocking;
+  for (const PlanRequest& request : requests)
+  {
+    const std::shared_ptr<View> view = this->FindView(request);
+    if (!view->Plan.IsPending() && view->Plan.WouldBlock(request.Inputs, request.Timing))
+    {
+      blocking.emplace_back(view, &request.Inputs);
+    }
+  }
+  for (const auto& [view, inputs] : blocking)
+  {
+    if (blocking.size() > 1)
+    {
+      view->Plan.Begin(*inputs);
+    }
+  }
+}
+
 std::shared_ptr<CurrentPlan> MapperPlans::Update(
   const PlanRequest& request, bool& changed, std::string& problem)
 {
   const std::shared_ptr<View> view = this->FindView(request); // observers of progress may clear all
-  const PlanInputs& wanted = request.Inputs;
-  if (request.Others && !view->Plan.IsPending() && view->Plan.WouldBlock(wanted, request.Timing))
-  {
-    // Side by side: its own first, and only if there are others.
-    std::vector<std::pair<std::shared_ptr<View>, PlanInputs>> begun;
-    request.Others(
-      [&](MapperPlans& plans, const PlanRequest& other)
-      {
-        const std::shared_ptr<View> its = plans.FindView(other);
-        if (other.Inputs.GetKey() != wanted.GetKey() &&
-            its->Plan.WouldBlock(other.Inputs, other.Timing))
-        {
-          begun.emplace_back(its, other.Inputs);
-        }
-      });
-    if (!begun.empty())
-    {
-      view->Plan.Begin(wanted);
-    }
-    for (const auto& [its, inputs] : begun)
-    {
-      its->Plan.Begin(inputs);
-    }
-  }
-  changed = view->Plan.Update(wanted, request.Timing, problem, request.Progress);
+  changed = view->Plan.Update(request.Inputs, request.Timing, problem, request.Progress);
   view->Bridged = view->Plan.IsPending();
   return { view, &view->Plan };
 }

@@ -17,6 +17,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 class vtkRenderer;
 
@@ -26,11 +27,6 @@ namespace measuredbrdf
 class CurrentPlan
 {
 public:
-  CurrentPlan() = default;
-  ~CurrentPlan();
-  CurrentPlan(const CurrentPlan&) = delete;
-  void operator=(const CurrentPlan&) = delete;
-
   /// What Update does while a new plan is wanted and not there yet.
   enum class Timing
   {
@@ -56,15 +52,15 @@ public:
   ///@{
   /// The plan to draw by, which is of the objects or of snapshots of them, and the environment
   /// whose rotation applies to it. Null where there is none.
-  vtkRadiancePlanner* GetPlan() const { return this->Plan; }
+  vtkRadiancePlanner* GetPlan() const { return this->Current ? this->Current->GetPlan() : nullptr; }
   vtkEnvironment* GetEnvironment() const { return this->Inputs.Environment; }
   ///@}
 
   /// Whether another plan is in the making, or made and not taken up yet.
-  bool IsPending() const { return this->Job != nullptr; }
+  bool IsPending() const { return this->Next != nullptr; }
 
   /// Whether Update would take up the one in the making.
-  bool IsReady() const { return this->Job && this->Job->IsDone(); }
+  bool IsReady() const { return this->Next && this->Next->IsDone(); }
 
 private:
   bool EnsureCurrent(const PlanInputs& wanted, Timing timing, const PlanJob::Progress& progress,
@@ -72,17 +68,13 @@ private:
   bool CanShowPrevious(Timing timing) const;
   bool IsFor(const PlanInputs& wanted) const;
   bool IsUsable() const;
-  void Adopt(const PlanInputs& inputs, vtkSmartPointer<vtkRadiancePlanner> plan);
+  void Adopt(const PlanInputs& inputs, std::shared_ptr<PlanJob> job);
 
-  vtkSmartPointer<vtkRadiancePlanner> Plan; // null: what Inputs ask for can't be planned
-  PlanInputs Inputs;                        // of the plan
-  vtkMTimeType Times[2] = { 0, 0 };         // of the plan's own objects when it was taken up
-
-  std::shared_ptr<PlanJob> Job;
-  PlanInputs::Key JobKey;
+  std::shared_ptr<PlanJob> Current; // null or without a plan: what Inputs ask for can't be planned
+  PlanInputs Inputs;                // of the plan
+  std::shared_ptr<PlanJob> Next;
+  PlanInputs::Key NextKey;
 };
-
-class MapperPlans;
 
 /// What a mapper wants to draw one of its materials by, now.
 struct PlanRequest
@@ -93,11 +85,6 @@ struct PlanRequest
   /// of the last one stands in for the plan of the next one.
   vtkBRDF* Member = nullptr;
   vtkRenderer* Renderer = nullptr;
-
-  /// Visits what other mappers of the renderer want to draw by in the same frame; this one may be
-  /// among them. Where Update has to plan at once, it begins theirs side by side. May be empty.
-  using Visit = std::function<void(MapperPlans&, const PlanRequest&)>;
-  std::function<void(const Visit&)> Others;
 
   /// Update calls it now and then while it plans or waits, with the share that is done. It stops if
   /// that returns false. May be empty.
@@ -119,6 +106,10 @@ public:
   /// later call, drops the view.
   std::shared_ptr<CurrentPlan> Update(
     const PlanRequest& request, bool& changed, std::string& problem);
+
+  /// Begin the plans of several materials side by side, where Update would have to wait for more
+  /// than one of them.
+  void BeginAll(const std::vector<PlanRequest>& requests);
 
   ///@{
   /// Drop the plans of all views, or of a renderer's. What is in the making stops, but nobody waits

@@ -5,23 +5,18 @@
 #include "BackgroundThreads.h"
 #include "ParallelFor.h"
 #include "ScopedErrorCapture.h"
+#include "SharedObjects.h"
 #include "vtkBRDF.h"
 #include "vtkCommand.h"
-#include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
-#include "vtkNew.h"
 #include "vtkRadiancePlanner.h"
 
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
-#include <exception>
-#include <list>
-#include <map>
 #include <mutex>
 #include <thread>
 #include <utility>
-#include <vector>
 
 namespace measuredbrdf
 {
@@ -56,169 +51,74 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool ap
   planner->SetMaximumCost(inputs.MaximumCost);
   if (inputs.Seen)
   {
-    vtkNew<vtkDoubleArray> normals, views;
-    inputs.Seen->CopyTo(normals, views);
-    planner->SetPairs(normals, views);
+    planner->SetPairs(inputs.Seen->Normals, inputs.Seen->Views);
   }
   return planner;
 }
 
-// Its threads end when nothing is left to do, or the process ends. The queue is never destroyed.
-class PlanJob::Queue
+// What jobs take turns by. Never destroyed: threads may still run when statics go.
+struct PlanJob::Queue
 {
-public:
   using Lock = std::unique_lock<std::mutex>;
-  using Jobs = std::list<std::shared_ptr<PlanJob>>;
 
-  /// Whether there is a thread for it, or will be.
-  bool Add(const std::shared_ptr<PlanJob>& job, const Lock& lock)
+  // On a thread of its own.
+  void Work(std::shared_ptr<PlanJob> job)
   {
-    this->Waiting.push_back(job);
-    this->AddThread(lock);
-    if (this->Running == 0)
+    Lock lock(this->Mutex);
+    this->Changed.wait(lock,
+      [&]()
+      {
+        const bool othersMay = this->Waiters > 0 ? this->Running <= this->Limit
+                                                 : this->Holds == 0 && this->Running < this->Limit;
+        return job->IsLeft || job->Waiters > 0 || othersMay;
+      });
+    const bool begins = !job->IsLeft;
+    ++this->Running;
+    lock.unlock();
+    if (begins)
     {
-      this->Waiting.pop_back();
+      job->Work(nullptr);
     }
-    return this->Running > 0;
+    lock.lock();
+    --this->Running;
+    job->Done = true;
+    const int left = job->IsLeft ? 1 : 0;
+    this->Changed.notify_all();
+    lock.unlock();
+    job.reset(); // with all that it used, where nobody waits for it
+    lock.lock();
+    this->Left -= left;
+    this->Changed.notify_all();
   }
 
-  /// Nobody waits for it any more.
-  void Leave(std::shared_ptr<PlanJob> job)
+  // Nobody waits for it any more, or the process ends.
+  void Leave(const std::shared_ptr<PlanJob>& job)
   {
     const Lock lock(this->Mutex);
-    job->IsLeft = true;
-    this->Waiting.remove(job);
-    if (!job->Done)
+    if (!job->Done && !job->IsLeft)
     {
+      job->IsLeft = true;
+      ++this->Left;
       job->Planner->SetAbort(true);
+      this->Changed.notify_all();
     }
-  }
-
-  /// goesOn is asked now and then, without the lock. Whether the job is done; false: it said no.
-  bool Wait(const PlanJob* job, const std::function<bool()>& goesOn)
-  {
-    Lock lock(this->Mutex);
-    const auto it = std::find_if(this->Waiting.begin(), this->Waiting.end(),
-      [job](const std::shared_ptr<PlanJob>& other) { return other.get() == job; });
-    if (it != this->Waiting.end())
-    {
-      this->Waiting.splice(this->Waiting.begin(), this->Waiting, it);
-    }
-    ++this->Waiters;
-    const std::shared_ptr<int> waits(&this->Waiters, // also where a program's observer throws
-      [this, &lock](int* waiters)
-      {
-        if (!lock.owns_lock())
-        {
-          lock.lock();
-        }
-        --*waiters;
-      });
-    this->Released.notify_all();
-    this->AddThread(lock);
-    for (bool goes = true; goes && !job->IsDone();)
-    {
-      lock.unlock();
-      goes = goesOn();
-      lock.lock();
-      this->Finished.wait_for(
-        lock, ProgressInterval, [job, goes]() { return !goes || job->IsDone(); });
-    }
-    return job->IsDone();
-  }
-
-  void WaitForStopped()
-  {
-    Lock lock(this->Mutex);
-    this->Finished.wait(lock,
-      [this]()
-      {
-        return std::none_of(this->Current.begin(), this->Current.end(),
-          [](const std::shared_ptr<PlanJob>& job) { return !job || job->IsLeft; });
-      });
   }
 
   void ChangeHolds(int change)
   {
     const Lock lock(this->Mutex);
     this->Holds += change;
-    this->Released.notify_all();
+    this->Changed.notify_all();
   }
 
+  const int Limit = std::max(static_cast<int>(std::thread::hardware_concurrency()) - 1, 1);
   std::mutex Mutex;
-  std::map<PlanInputs::Key, std::weak_ptr<PlanJob>> ByInputs;
-
-private:
-  int GetLimit() const { return this->Waiters > 0 ? this->Cores : std::max(this->Cores - 1, 1); }
-
-  void AddThread(const Lock&)
-  {
-    if (this->Waiting.empty() || this->Running >= this->GetLimit())
-    {
-      return;
-    }
-    // It waits for the lock. Where there is none, those that there are have to do.
-    this->Running +=
-      RunInBackground([this]() { this->Work(); }, [this]() { this->Stop(); }) ? 1 : 0;
-  }
-
-  // The process ends.
-  void Stop()
-  {
-    Jobs dropped; // after the lock
-    const Lock lock(this->Mutex);
-    this->IsStopped = true;
-    dropped.swap(this->Waiting);
-    for (const std::shared_ptr<PlanJob>& job : dropped)
-    {
-      job->Done = true;
-    }
-    for (const std::shared_ptr<PlanJob>& job : this->Current)
-    {
-      if (job)
-      {
-        job->Planner->SetAbort(true);
-      }
-    }
-    this->Released.notify_all();
-    this->Finished.notify_all();
-  }
-
-  void Work()
-  {
-    Lock lock(this->Mutex);
-    const auto mayBegin = [this]()
-    { return this->Holds == 0 || this->Waiters > 0 || this->IsStopped; };
-    for (this->Released.wait(lock, mayBegin);
-         !this->Waiting.empty() && this->Running <= this->GetLimit();
-         this->Released.wait(lock, mayBegin))
-    {
-      const auto current = this->Waiting.begin();
-      this->Current.splice(this->Current.end(), this->Waiting, current);
-      lock.unlock();
-      (*current)->Run(nullptr);
-      lock.lock();
-      std::shared_ptr<PlanJob> job = std::move(*current);
-      job->Done = true;
-      this->Finished.notify_all();
-      lock.unlock();
-      job.reset(); // with all that it used, where nobody waits for it
-      lock.lock();
-      this->Current.erase(current);
-      this->Finished.notify_all();
-    }
-    --this->Running;
-  }
-
-  const int Cores = std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
-  Jobs Waiting;
-  Jobs Current; // those that run; null: about to be released
-  std::condition_variable Finished;
-  std::condition_variable Released;
-  int Running = 0; // threads
-  int Waiters = 0;
+  std::condition_variable Changed;
+  int Running = 0; // jobs
+  int Waiters = 0; // for any of them
+  int Left = 0;    // that have not ended yet
   int Holds = 0;
-  bool IsStopped = false;
+  HeldObjects<PlanInputs::Key, PlanJob> ByInputs; // which has a lock of its own
 };
 
 PlanJob::Queue& PlanJob::GetQueue()
@@ -231,21 +131,19 @@ PlanJob::Hold::Hold() { GetQueue().ChangeHolds(1); }
 
 PlanJob::Hold::~Hold() { GetQueue().ChangeHolds(-1); }
 
-// What is handed out is not the job itself, which the queue holds while it runs, but a pointer to
-// it that says when the last one lets go.
-std::shared_ptr<PlanJob> PlanJob::Find(const PlanInputs& inputs)
+PlanJob::PlanJob(vtkSmartPointer<vtkRadiancePlanner> planner)
+  : Planner(planner)
 {
-  Queue& queue = GetQueue();
-  const PlanInputs::Key key = inputs.GetKey();
+}
+
+// What is handed out is not the job itself, which its thread holds, but a pointer to it that says
+// when the last one lets go.
+std::shared_ptr<PlanJob> PlanJob::Begin(const PlanInputs& inputs)
+{
+  if (std::shared_ptr<PlanJob> found = GetQueue().ByInputs.Find(inputs.GetKey()))
   {
-    const Queue::Lock lock(queue.Mutex);
-    const auto known = queue.ByInputs.find(key);
-    if (std::shared_ptr<PlanJob> found =
-          known == queue.ByInputs.end() ? nullptr : known->second.lock())
-    {
-      found->WithShaderInputs = found->WithShaderInputs || inputs.WithShaderInputs;
-      return found;
-    }
+    found->WithShaderInputs = found->WithShaderInputs || inputs.WithShaderInputs;
+    return found;
   }
   const vtkSmartPointer<vtkRadiancePlanner> planner = NewPlanner(inputs, true);
   if (!planner)
@@ -254,39 +152,90 @@ std::shared_ptr<PlanJob> PlanJob::Find(const PlanInputs& inputs)
   }
   const auto job = std::make_shared<PlanJob>(planner);
   job->WithShaderInputs = inputs.WithShaderInputs;
+  job->Done = true; // until it has a thread, for which there may be no memory
   const std::shared_ptr<PlanJob> handle(job.get(),
-    [owned = job](PlanJob*) mutable { GetQueue().Leave(std::exchange(owned, nullptr)); });
-  const Queue::Lock lock(queue.Mutex);
-  for (auto it = queue.ByInputs.begin(); it != queue.ByInputs.end();)
+    [owned = job](PlanJob*) mutable
+    {
+      GetQueue().Leave(owned);
+      owned.reset();
+    });
+  std::function<void()> work = [own = job]() mutable
+  { GetQueue().Work(std::exchange(own, nullptr)); };
+  std::function<void()> stop = [weak = std::weak_ptr<PlanJob>(job)]()
   {
-    it = it->second.expired() ? queue.ByInputs.erase(it) : std::next(it);
-  }
-  if (!queue.Add(job, lock))
+    if (const std::shared_ptr<PlanJob> running = weak.lock())
+    {
+      GetQueue().Leave(running);
+    }
+  };
+  job->Done = false;
+  if (!RunInBackground(std::move(work), std::move(stop)))
   {
+    job->Done = true;
     return nullptr;
   }
-  queue.ByInputs[key] = handle;
+  GetQueue().ByInputs.Add(inputs.GetKey(), handle);
   return handle;
 }
 
-void PlanJob::WaitForStopped() { GetQueue().WaitForStopped(); }
+std::shared_ptr<PlanJob> PlanJob::FindMade(const PlanInputs& inputs)
+{
+  const std::shared_ptr<PlanJob> found = GetQueue().ByInputs.Find(inputs.GetKey());
+  return found && found->Done && found->Succeeded ? found : nullptr;
+}
+
+std::shared_ptr<PlanJob> PlanJob::Run(
+  const PlanInputs& inputs, bool apart, const Progress& progress)
+{
+  const vtkSmartPointer<vtkRadiancePlanner> planner = NewPlanner(inputs, apart);
+  const auto job = std::make_shared<PlanJob>(planner ? planner : NewPlanner(inputs, false));
+  job->Work(progress);
+  job->Done = true;
+  if (job->Succeeded)
+  {
+    GetQueue().ByInputs.Add(inputs.GetKey(), job);
+  }
+  return job;
+}
+
+void PlanJob::WaitForStopped()
+{
+  Queue& queue = GetQueue();
+  Queue::Lock lock(queue.Mutex);
+  queue.Changed.wait(lock, [&queue]() { return queue.Left == 0; });
+}
 
 bool PlanJob::Wait(const Progress& progress)
 {
-  return GetQueue().Wait(this, [&]() { return !progress || progress(this->Share); });
+  Queue& queue = GetQueue();
+  Queue::Lock lock(queue.Mutex);
+  const auto count = [this, &queue](int change)
+  {
+    this->Waiters += change;
+    queue.Waiters += change;
+    queue.Changed.notify_all();
+  };
+  count(1);
+  const std::shared_ptr<Queue> waits(&queue, // also where a program's observer throws
+    [&lock, &count](Queue*)
+    {
+      if (!lock.owns_lock())
+      {
+        lock.lock();
+      }
+      count(-1);
+    });
+  for (bool goes = true; goes && !this->Done;)
+  {
+    lock.unlock();
+    goes = !progress || progress(this->Share);
+    lock.lock();
+    queue.Changed.wait_for(lock, ProgressInterval, [this, goes]() { return !goes || this->Done; });
+  }
+  return this->Done;
 }
 
-vtkSmartPointer<vtkRadiancePlanner> PlanJob::GetPlan() const
-{
-  return this->Succeeded ? this->Planner : nullptr;
-}
-
-PlanJob::PlanJob(vtkSmartPointer<vtkRadiancePlanner> planner)
-  : Planner(planner)
-{
-}
-
-void PlanJob::Run(const Progress& progress)
+void PlanJob::Work(const Progress& progress)
 {
   this->Tell = progress;
   const vtkSmartPointer<vtkBRDF> brdf = this->Planner->GetBRDF();

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What is planned for, and a plan in the making, mostly on another thread.
+ * What is planned for, and a plan in the making or made, mostly on another thread.
  *
- * Jobs wait in one queue for the whole program. As many run at once as there are cores while a
- * Render waits for one of them; else one fewer, which is left to drawing.
+ * Each job has a thread, which waits for its turn: as many plan at once as there are cores but one,
+ * which is left to drawing, and besides these the one that a Render waits for.
  *
  * Nothing is shared with a job's thread but the planner: it works on snapshots (NewPlanner, apart)
  * that nobody reads until the job is done, and writes nowhere else. The end of its work is
@@ -78,10 +78,21 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool ap
 class PlanJob
 {
 public:
-  /// The job for these inputs: one that is queued for another mapper, or a new one. Null where the
-  /// material has no snapshots, or there are no threads. The job stops when nobody holds it any
-  /// more; whoever lets go of it does not wait for that.
-  static std::shared_ptr<PlanJob> Find(const PlanInputs& inputs);
+  /// Called now and then, with the share that is done. If it returns false, the plan stops, or the
+  /// wait for it. May be empty.
+  using Progress = std::function<bool(double)>;
+
+  ///@{
+  /// Mappers share the jobs for the same inputs for as long as one of them holds it. Begin: the one
+  /// that somebody holds, done or not, or a new one on a thread; null where the material has no
+  /// snapshots, or there are no threads. FindMade: one that has succeeded; null: nobody holds one.
+  /// Run: a new one in the calling thread. A job stops when nobody holds it any more; whoever lets
+  /// go of it does not wait for that.
+  static std::shared_ptr<PlanJob> Begin(const PlanInputs& inputs);
+  static std::shared_ptr<PlanJob> FindMade(const PlanInputs& inputs);
+  static std::shared_ptr<PlanJob> Run(
+    const PlanInputs& inputs, bool apart, const Progress& progress);
+  ///@}
 
   /// Wait until all jobs that were stopped have ended. Integrators look for an abort between the
   /// parts of their work.
@@ -89,31 +100,21 @@ public:
 
   explicit PlanJob(vtkSmartPointer<vtkRadiancePlanner> planner);
 
-  /// Called now and then, with the share that is done. If it returns false, the plan stops, or the
-  /// wait for it.
-  using Progress = std::function<bool(double)>;
-
-  /// Plan in the calling thread. progress may be empty.
-  void Run(const Progress& progress);
-
   bool IsDone() const { return this->Done; }
 
   /// Wait for the job, whose turn is next. Returns false where progress stopped the wait before the
-  /// job was done. progress may be empty.
+  /// job was done.
   bool Wait(const Progress& progress);
 
   ///@{
   /// Once it is done: the plan, null where it failed, and the error, or the plan's last warning, or
   /// "".
-  vtkSmartPointer<vtkRadiancePlanner> GetPlan() const;
+  vtkRadiancePlanner* GetPlan() const { return this->Succeeded ? this->Planner.Get() : nullptr; }
   const std::string& GetProblem() const { return this->Problem; }
   ///@}
 
-  /// Make the material's shader inputs, too, if the plan is not done yet.
-  void WantShaderInputs() { this->WithShaderInputs = true; }
-
-  /// While one of these lives, no job begins unless somebody waits for one. A Render holds one
-  /// while it makes what stands in for plans, which needs the cores.
+  /// While one of these lives, no job begins unless somebody waits for it. A Render holds one while
+  /// it makes what stands in for plans, which needs the cores.
   class Hold
   {
   public:
@@ -124,19 +125,24 @@ public:
   };
 
 private:
-  class Queue;
+  struct Queue;
   static Queue& GetQueue();
 
+  void Work(const Progress& progress);
   void TakeProgress(vtkObject* caller, unsigned long event, void* share);
   void TakeWarning(vtkObject* caller, unsigned long event, void* text);
 
   vtkSmartPointer<vtkRadiancePlanner> Planner;
-  Progress Tell; // may be empty
+  Progress Tell;
   std::string Problem;
   bool Succeeded = false;
-  std::atomic<bool> WithShaderInputs{ false };
+  std::atomic<bool> WithShaderInputs{ false }; // make the material's, too
   std::atomic<bool> Done{ false };
-  bool IsLeft = false; // nobody waits for it any more; the queue's lock guards it
+  ///@{
+  /// The queue's lock guards them.
+  int Waiters = 0;
+  bool IsLeft = false; // nobody waits for it any more
+  ///@}
   std::atomic<double> Share{ 0.0 };
 };
 } // namespace measuredbrdf

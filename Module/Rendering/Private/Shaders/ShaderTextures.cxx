@@ -154,14 +154,8 @@ std::shared_ptr<ShaderTextures> FindShared(
 {
   using Key = std::tuple<Source*, bool, vtkOpenGLRenderWindow*>;
   static HeldObjects<Key, ShaderTextures> held;
-  const Key key(source, softLights, window);
-  std::shared_ptr<ShaderTextures> found = held.Find(key);
-  if (!found)
-  {
-    found = std::make_shared<ShaderTextures>(softLights);
-    held.Add(key, found);
-  }
-  return found;
+  return held.FindOrMake({ source, softLights, window },
+    [softLights]() { return std::make_shared<ShaderTextures>(softLights); });
 }
 
 constexpr std::size_t LongestCompilerMessage = 2000;
