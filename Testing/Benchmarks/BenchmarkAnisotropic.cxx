@@ -5,8 +5,8 @@
 // textures. The table of docs/methods/anisotropic.md; BenchmarkFrames has the frames.
 #include "BenchmarkCase.h"
 #include "BrushedMetal.h"
-#include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkLightSetRadianceIntegrator.h"
+#include "vtkTableRadianceIntegrator.h"
 
 #include <benchmark/benchmark.h>
 
@@ -32,7 +32,7 @@ void Prepare(benchmark::State& state, const std::shared_ptr<BenchmarkCase>& pair
     }
     else
     {
-      integrator = vtkSmartPointer<vtkAnisotropicTableRadianceIntegrator>::New();
+      integrator = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
     }
     integrator->SetSizes(sizes);
     integrator->SetBRDF(pair->BRDF);

@@ -14,7 +14,6 @@
 #include "BrushedMetal.h"
 #include "FrameScene.h"
 #include "SquareLayers.h"
-#include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkBRDF.h"
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEnvironment.h"
@@ -29,6 +28,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkSmartPointer.h"
 #include "vtkSurfaceVisibilityFilter.h"
+#include "vtkTableRadianceIntegrator.h"
 
 #include <algorithm>
 #include <chrono>
@@ -86,7 +86,7 @@ vtkSmartPointer<vtkRadianceIntegrator> MakeLights(int number, bool isSoft = fals
 
 vtkSmartPointer<vtkRadianceIntegrator> MakeAnisotropicTable()
 {
-  auto table = vtkSmartPointer<vtkAnisotropicTableRadianceIntegrator>::New();
+  auto table = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
   table->SetSizes({ 33, 8, 32, 8 });
   return table;
 }

@@ -6,7 +6,6 @@
 #include "EventCounter.h"
 #include "RenderFixture.h"
 
-#include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBasisBRDF.h"
 #include "vtkCompositeMeasuredBRDFMapper.h"
@@ -414,7 +413,7 @@ TEST_F(MapperShading, TangentsFromTextureCoordinatesAndFields)
   brushed->SetExponents(100.0, 10.0);
   vtkNew<vtkEnvironment> hall;
   hall->SetToProceduralHall();
-  vtkNew<vtkAnisotropicTableRadianceIntegrator> table;
+  vtkNew<vtkTableRadianceIntegrator> table;
   ASSERT_TRUE(table->SetSizes({ 17, 4, 8, 4 }));
   this->Mapper->SetIntegrator(table);
   this->Mapper->SetBRDF(brushed);

@@ -180,7 +180,7 @@ TEST(Planner, AnisotropicMaterialsGetTablesOrLightSets)
   vtkNew<vtkAshikhminShirleyBRDF> brushed;
   brushed->SetExponents(5.0, 20.0);
   const auto planner = NewPlanner(brushed, NewSmallEnvironment(false), 0.2);
-  for (const char* method : { "anisotropic-table", "light-set" })
+  for (const char* method : { "table", "light-set" })
   {
     ASSERT_TRUE(planner->Update());
     std::printf("%s\n", planner->GetPlan().c_str());

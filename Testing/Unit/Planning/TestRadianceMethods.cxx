@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The list of methods: what each says of itself, copies, and methods of a program's own.
 #include "ErrorCatcher.h"
-#include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
-#include "vtkFactoredRadianceIntegrator.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLambertBRDF.h"
@@ -151,8 +149,8 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner()
 //------------------------------------------------------------------------------
 TEST(RadianceMethods, SayWhatTheyAre)
 {
-  EXPECT_EQ(vtkRadianceMethods::GetNames(),
-    "table, hybrid, anisotropic-table, light-set, filtered, factored, reference or exact");
+  EXPECT_EQ(
+    vtkRadianceMethods::GetNames(), "table, hybrid, light-set, filtered, reference or exact");
   for (const auto& method : vtkRadianceMethods::GetMethods())
   {
     const std::string name = method->GetMethodName();
@@ -205,19 +203,13 @@ TEST(RadianceMethods, CopiesHaveEveryProperty)
   table->SetNumberOfRows(21);
   table->SetNumberOfViewAngles(5);
   table->SetNumberOfAzimuths(6);
-  table->SetHarmonicDegree(17);
+  table->SetNumberOfViewAzimuths(7);
+  table->SetNumberOfMaps(3);
+  table->SetNumberOfMapRows(33);
   table->SetSmoothingDegree(3.0);
   table->SetNumberOfNodes(40);
   table->QuickOn();
   ExpectCopied(table, {});
-
-  vtkNew<vtkAnisotropicTableRadianceIntegrator> turned;
-  turned->SetSizes({ 17, 3, 5, 6 });
-  ExpectCopied(turned, {});
-  vtkNew<vtkFactoredRadianceIntegrator> factored;
-  factored->SetSizes({ 33, 3, 17, 5, 6 });
-  factored->SetSmoothingDegree(7.0);
-  ExpectCopied(factored, {});
   vtkNew<vtkHybridRadianceIntegrator> hybrid;
   hybrid->SetNumberOfRows(21);
   hybrid->SetNumberOfViewAngles(5);
