@@ -25,6 +25,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataTangents.h"
 #include "vtkProperty.h"
+#include "vtkTableRadianceIntegrator.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
