@@ -28,7 +28,7 @@ map=interior
 paint=$data/materials/rgl/chm_light_blue_rgb.bsdf
 draw mirror-1 "$paint" --method table --sizes 65,12,16
 draw mirror-2 "$paint" --method table --sizes 257,12,16
-draw mirror-3 "$paint" --method factored --sizes 256,8
+draw mirror-3 "$paint" --method hybrid --sizes 256,12,8,8,0
 draw mirror-4 "$paint" --method hybrid --sizes 256,12,8,4
 draw mirror-5 "$paint" --method reference
 
@@ -36,8 +36,8 @@ map=studio
 PYTHONPATH=build/lib/python3/dist-packages "$python" cmake/make-brushed.py "$cells"
 metal=$cells/brushed.exr
 draw brushed-1 "$metal" --method light-set --light-set variance --soft-lights --lights 16
-draw brushed-2 "$metal" --method anisotropic-table --sizes 17,8,16,8
-draw brushed-3 "$metal" --method anisotropic-table --sizes 33,8,32,8
+draw brushed-2 "$metal" --method table --sizes 17,8,16,8
+draw brushed-3 "$metal" --method table --sizes 33,8,32,8
 draw brushed-4 "$metal" --method reference
 
 "$python" cmake/join-pictures.py docs/methods-mirror.png "$cells"/mirror-?.png

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Radiance of anisotropic materials, integrated ahead of time: c E(n) + s T(axis, tangent's azimuth,
-// view). C++ twin: vtkAnisotropicTableRadianceIntegrator.
+// view). C++ twin: AnisotropicTable.
 uniform sampler3D brdfTableProfileINSTANCE; // theta_o; phi_o; (axis along and across the view, view angle), s, c
 // Azimuth of the axis; polar angle of the axis within phi_o; the tangent's azimuth within theta_o.
 uniform sampler3D brdfTableRadianceINSTANCE;

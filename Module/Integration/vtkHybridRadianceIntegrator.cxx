@@ -10,11 +10,9 @@
 #include "MaterialPrecomputation.h"
 #include "Printable.h"
 #include "Setters.h"
-#include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkEnvironment.h"
-#include "vtkFactoredRadianceIntegrator.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMath.h"
@@ -132,7 +130,7 @@ std::shared_ptr<const EnvironmentPrecomputation::Lamps> FindLamps(vtkEnvironment
 
 struct vtkHybridRadianceIntegrator::Internals
 {
-  vtkSmartPointer<vtkRadianceIntegrator> Broad;          // with lamps, if they are windowed
+  vtkSmartPointer<vtkTableRadianceIntegrator> Broad;     // with lamps, if they are windowed
   vtkSmartPointer<vtkLightSetRadianceIntegrator> Lights; // else; null: there are none
   vtkSmartPointer<vtkBRDF> LampForm;                     // sees lamps as areas; null: need not
   int NumberOfLights = 0;
@@ -227,45 +225,26 @@ double vtkHybridRadianceIntegrator::FindLampSpread(const std::shared_ptr<Precomp
 
 //------------------------------------------------------------------------------
 // What reflects the rest of the environment and, unless they are null, lamps.
-vtkSmartPointer<vtkRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroad(
+vtkSmartPointer<vtkTableRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroad(
   const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest, vtkLightSet* lamps,
   vtkBRDF* lampForm)
 {
-  vtkSmartPointer<vtkRadianceIntegrator> broad;
-  if (this->BRDF && !this->BRDF->IsIsotropic())
+  auto table = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
+  const bool hasMaps = this->NumberOfMaps > 0;
+  table->SetBRDF(this->BRDF);
+  table->SetEnvironment(this->Environment);
+  table->SetLight(rest, lamps, lampForm);
+  table->SetSizes({ hasMaps ? std::min(this->NumberOfRows, SmallTableRows) : this->NumberOfRows,
+    this->NumberOfViewAngles, this->NumberOfAzimuths, std::min(this->NumberOfViewAngles, 32) });
+  table->SetNumberOfMaps(this->NumberOfMaps);
+  table->SetNumberOfMapRows(std::min(this->NumberOfRows, 512));
+  table->SetQuick(this->Quick && !hasMaps);
+  if (hasMaps && this->MaximumNumberOfLights == 0 &&
+      this->CountLights(this->LightAngle, PlannedLights) > 0)
   {
-    auto table = vtkSmartPointer<vtkAnisotropicTableRadianceIntegrator>::New();
-    table->SetRest(rest);
-    table->SetSizes({ this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths,
-      this->NumberOfViewAngles });
-    broad = table;
+    table->SetSmoothingDegree(HaloDegree);
   }
-  else if (this->NumberOfMaps > 0)
-  {
-    auto factored = vtkSmartPointer<vtkFactoredRadianceIntegrator>::New();
-    factored->SetRest(rest);
-    factored->SetLamps(lamps, lampForm);
-    factored->SetSizes({ std::min(this->NumberOfRows, 512), this->NumberOfMaps,
-      std::min(this->NumberOfRows, SmallTableRows), this->NumberOfViewAngles,
-      this->NumberOfAzimuths });
-    if (this->MaximumNumberOfLights == 0 && this->CountLights(this->LightAngle, PlannedLights) > 0)
-    {
-      factored->SetSmoothingDegree(HaloDegree);
-    }
-    broad = factored;
-  }
-  else
-  {
-    auto table = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
-    table->SetRest(rest);
-    table->SetLamps(lamps, lampForm);
-    table->SetSizes({ this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths });
-    table->SetQuick(this->Quick);
-    broad = table;
-  }
-  broad->SetBRDF(this->BRDF);
-  broad->SetEnvironment(this->Environment);
-  return broad;
+  return table;
 }
 
 //------------------------------------------------------------------------------

@@ -10,9 +10,8 @@
  *   directional lights, exactly; what is left varies far less over the directions. More than two
  *   lights on an isotropic material are evaluated near the lobe's axis only; what they show
  *   elsewhere is smooth and goes into the table;
- * - what is left is the business of a vtkTableRadianceIntegrator. Or, where the material reflects
- *   it too sharply for few rows, of a vtkFactoredRadianceIntegrator: a small table, and maps of
- *   many rows (NumberOfMaps > 0).
+ * - what is left is the business of a vtkTableRadianceIntegrator: a table, or, where the material
+ *   reflects it too sharply for few rows, a small one and maps of many rows (NumberOfMaps > 0).
  *
  * Lights are shaded with the material's own GLSL. Where an isotropic material has none
  * (vtkBRDF::IsRenderable), or its lobe is about as narrow as the lamps and sees them as areas, they
@@ -32,6 +31,7 @@
 
 class vtkBRDF;
 class vtkLightSet;
+class vtkTableRadianceIntegrator;
 
 class VTKMEASUREDBRDF_EXPORT vtkHybridRadianceIntegrator : public vtkRadianceIntegrator
 {
@@ -44,8 +44,7 @@ public:
   /**
    * The table's sizes, as vtkTableRadianceIntegrator has them (default 33 x 12 x 16). With maps,
    * the rows are those of the maps (512 at most); the small table then has 33 rows at most. For
-   * anisotropic materials they are vtkAnisotropicTableRadianceIntegrator's (129 rows and 32 view
-   * angles at most); the view has as many azimuths as angles.
+   * anisotropic materials the view has as many azimuths as angles (32 at most).
    */
   virtual void SetNumberOfRows(int numberOfRows);
   vtkGetMacro(NumberOfRows, int);
@@ -57,7 +56,7 @@ public:
 
   ///@{
   /**
-   * Maps of the sharp part (vtkFactoredRadianceIntegrator::SetNumberOfFields), default 0: the table
+   * Maps of the sharp part (vtkTableRadianceIntegrator::SetNumberOfMaps), default 0: the table
    * takes all. Clamped to [0, 32].
    */
   virtual void SetNumberOfMaps(int numberOfMaps);
@@ -148,7 +147,7 @@ private:
   bool IsWindowed(int lights); // evaluated near the lobe's axis only
   double ChooseLightAngle();
 
-  vtkSmartPointer<vtkRadianceIntegrator> NewBroad(
+  vtkSmartPointer<vtkTableRadianceIntegrator> NewBroad(
     const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest = nullptr,
     vtkLightSet* lamps = nullptr, vtkBRDF* lampForm = nullptr);
   double FindLampSpread(const std::shared_ptr<Precomputation>& parts);

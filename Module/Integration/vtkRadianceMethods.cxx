@@ -5,9 +5,7 @@
 #include "Printable.h"
 #include "Registry.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
-#include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkExactRadianceIntegrator.h"
-#include "vtkFactoredRadianceIntegrator.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLightSetRadianceIntegrator.h"
@@ -27,8 +25,7 @@ using Methods = Registry<vtkRadianceIntegrator>::Items;
 Methods MakeOwnMethods()
 {
   Methods methods = Registry<vtkRadianceIntegrator>::Make<vtkTableRadianceIntegrator,
-    vtkHybridRadianceIntegrator, vtkAnisotropicTableRadianceIntegrator,
-    vtkLightSetRadianceIntegrator, vtkFilteredRadianceIntegrator, vtkFactoredRadianceIntegrator,
+    vtkHybridRadianceIntegrator, vtkLightSetRadianceIntegrator, vtkFilteredRadianceIntegrator,
     vtkAdaptiveRadianceIntegrator, vtkExactRadianceIntegrator>();
   for (const auto& method : methods)
   {

@@ -2,21 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTableRadianceIntegrator.h"
 
+#include "AnisotropicTable.h"
 #include "Candidates.h"
 #include "DirectionPairs.h"
 #include "EnvironmentPrecomputation.h"
-#include "HalfVector.h" // for Pi
 #include "Lamps.h"
 #include "LobePlacement.h" // for ProfileTexels
 #include "MaterialPrecomputation.h"
-#include "ModuleShader.h"
-#include "Printable.h"
+#include "RadianceCore.h"
 #include "RadianceTable.h"
 #include "Setters.h"
 #include "TableSynthesis.h"
 #include "vtkBRDF.h"
-#include "vtkBRDFEnvironmentTable.h"
-#include "vtkBRDFEnvironmentTiles.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
@@ -25,27 +22,24 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 using namespace measuredbrdf;
 
-struct vtkTableRadianceIntegrator::Tables : RadianceTable
+struct vtkTableRadianceIntegrator::Tables
 {
-  using RadianceTable::RadianceTable;
-  std::unique_ptr<TableLamps> Lamps; // beside it; null: none
+  std::unique_ptr<RadianceTable> Table;
+  std::unique_ptr<TableLamps> Lamps;  // beside it; null: none
+  std::unique_ptr<RadianceCore> Maps; // of the sharp part; null: none
+  int Periods = 0;
 };
 
 namespace
 {
-constexpr int NodesOfTiles = 2; // times NumberOfNodes, where there are tiles
-
-std::string GetTilesText(const TableTiles& tiles)
-{
-  return tiles.Places.empty() ? ""
-                              : " (" + std::to_string(tiles.GetFineColumns()) + " x " +
-                                  std::to_string(tiles.FineRows) + " where they bend most)";
-}
+constexpr int NodesOfTiles = 2;      // times NumberOfNodes, where there are tiles
+constexpr int KnotsPerViewAngle = 4; // of the kernels that the maps are made of
+constexpr int KernelNodes = 64;      // likewise
+constexpr int MostAnisotropicAngles = 32;
 }
 
 vtkStandardNewMacro(vtkTableRadianceIntegrator);
@@ -57,8 +51,11 @@ vtkTableRadianceIntegrator::vtkTableRadianceIntegrator() = default;
 vtkTableRadianceIntegrator::~vtkTableRadianceIntegrator() = default;
 
 //------------------------------------------------------------------------------
-void vtkTableRadianceIntegrator::SetLamps(vtkLightSet* lamps, vtkBRDF* form)
+void vtkTableRadianceIntegrator::SetLight(
+  const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest, vtkLightSet* lamps,
+  vtkBRDF* form)
 {
+  this->Rest = rest;
   this->Lamps = lamps;
   this->LampForm = form;
   this->Modified();
@@ -68,47 +65,61 @@ void vtkTableRadianceIntegrator::SetLamps(vtkLightSet* lamps, vtkBRDF* form)
 bool vtkTableRadianceIntegrator::UsesBRDFOnGPU() { return this->Lamps && !this->LampForm; }
 
 //------------------------------------------------------------------------------
-// Of the material as it is now.
-void vtkTableRadianceIntegrator::AddLamps(Tables& table)
+bool vtkTableRadianceIntegrator::IsTurned() const
 {
-  if (this->Lamps)
-  {
-    const vtkSmartPointer<vtkBRDF> shaded =
-      this->LampForm ? this->LampForm.Get() : this->BRDF->GetRenderable();
-    shaded->Prepare();
-    table.Lamps = std::make_unique<TableLamps>(this->Lamps, shaded);
-  }
+  return this->BRDF && !this->BRDF->IsIsotropic();
 }
 
 //------------------------------------------------------------------------------
 bool vtkTableRadianceIntegrator::Begin()
 {
-  if (!this->HasLight() || !this->IsIsotropic("tables of radiance"))
+  if (!this->HasLight() || (this->NumberOfMaps > 0 && !this->IsIsotropic("maps of the sharp part")))
   {
     return false;
   }
-  auto table =
-    std::make_unique<Tables>(this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths);
-  if (!this->MakeTable(*table))
+  const bool isQuick = this->Quick && !this->IsTurned();
+  const auto parts =
+    this->Shared && !isQuick ? this->Shared : std::make_shared<Precomputation>(isQuick);
+  auto made = std::make_unique<Tables>();
+  if (!this->MakeTable(*parts, *made) || (this->NumberOfMaps > 0 && !this->MakeMaps(*parts, *made)))
   {
     vtkErrorMacro("Prepare: aborted.");
     return false;
   }
-  this->AddLamps(*table);
-  this->Data = std::move(table);
+  if (this->Lamps)
+  {
+    const vtkSmartPointer<vtkBRDF> shaded =
+      this->LampForm ? this->LampForm.Get() : this->BRDF->GetRenderable();
+    shaded->Prepare(); // as the material is now
+    made->Lamps = std::make_unique<TableLamps>(this->Lamps, shaded);
+  }
+  this->Data = std::move(made);
   return true;
 }
 
 //------------------------------------------------------------------------------
 // False where it was aborted.
-bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
+bool vtkTableRadianceIntegrator::MakeTable(Precomputation& parts, Tables& made)
 {
-  const int rows = table.Tiles.FineRows > 0 ? table.Tiles.FineRows : table.Rows;
-  const int degree = this->HarmonicDegree > 0 ? this->HarmonicDegree : GetMapDegree(rows);
-  const auto parts =
-    this->Shared && !this->Quick ? this->Shared : std::make_shared<Precomputation>(this->Quick);
+  const bool isTurned = this->IsTurned();
+  const int viewAzimuths = isTurned ? this->NumberOfViewAzimuths : 0;
+  if (isTurned)
+  {
+    made.Table = std::make_unique<AnisotropicTable>(this->NumberOfRows,
+      std::min(this->NumberOfViewAngles, MostAnisotropicAngles), this->NumberOfAzimuths,
+      viewAzimuths);
+  }
+  else
+  {
+    made.Table = std::make_unique<RadianceTable>(
+      this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths);
+  }
+  RadianceTable& table = *made.Table;
+  const bool hasTiles = table.Tiles.FineRows > 0;
+  const int degree = GetMapDegree(hasTiles ? table.Tiles.FineRows : table.Rows);
   EnvironmentPrecomputation& ofEnvironment = this->Environment->GetParts();
   const auto goOn = [this]() { return this->Report(0.0); };
+  const auto report = [this](double share) { return this->Report(share); };
   const auto getHarmonics = [&](const EnvironmentPrecomputation::Rest& rest)
   {
     return ofEnvironment.GetHarmonics(
@@ -120,39 +131,87 @@ bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
   {
     return false;
   }
-  const TableLight light{ *harmonics, this->Lamps ? all.get() : nullptr, {} };
-  const LobeViews& views = parts->GetViews(this->BRDF, this->Abort);
   // Lobes that need tiles fall between the usual nodes.
-  const int nodes = this->Quick
-                      ? this->NumberOfNodes / 2
-                      : (table.Tiles.FineRows > 0 ? NodesOfTiles : 1) * this->NumberOfNodes;
-  const MaterialPrecomputation::Kernels& knots =
-    parts->GetKernels(this->BRDF, table.Angles, nodes, this->Abort,
-      { this->Lamps != nullptr, degree, table.Azimuths / 2 }); // windows cut the kernels' nodes
-  const double scale = this->Abort ? 0.0
-                                   : SynthesizeRadiance(
-                                       *parts, views, light, knots, degree, this->SmoothingDegree,
-                                       [this](double share) { return this->Report(share); }, table);
-  if (!(scale > 0.0))
+  const int nodes = this->Quick && !isTurned ? this->NumberOfNodes / 2
+                                             : (hasTiles ? NodesOfTiles : 1) * this->NumberOfNodes;
+  // Windows cut the kernels' nodes; harmonics of anisotropic kernels are not kept.
+  MaterialKernels& knots = parts.GetKernels(this->BRDF, { table.Angles, nodes, viewAzimuths },
+    this->Abort, { isTurned || this->Lamps, degree, table.Azimuths / 2 });
+  if (this->Abort)
   {
     return false;
   }
-  MakeProfile(views, knots, scale, table);
-  if (table.HasFloor)
+  double scale = 0.0;
+  if (isTurned)
+  {
+    auto& turned = static_cast<AnisotropicTable&>(table);
+    scale = turned.Synthesize(*harmonics, knots, degree, report);
+    turned.MakeProfile(parts.GetAnisotropicViews(this->BRDF, this->Abort), knots, scale);
+    made.Periods = turned.Periods;
+  }
+  else
+  {
+    scale = SynthesizeRadiance({ *harmonics, this->Lamps ? all.get() : nullptr, {} }, knots, degree,
+      this->NumberOfMaps > 0 ? this->SmoothingDegree : 0.0, report, table);
+    MakeProfile(parts.GetViews(this->BRDF, this->Abort), knots, scale, table);
+  }
+  if (scale > 0.0 && table.HasFloor)
   {
     table.Irradiance = ofEnvironment.GetIrradiance(
       this->Lamps ? nullptr : this->Rest, goOn, [&all]() { return MakeIrradiance(*all); });
   }
-  return !table.HasFloor || table.Irradiance;
+  return scale > 0.0 && (!table.HasFloor || table.Irradiance);
+}
+
+//------------------------------------------------------------------------------
+// False where it was aborted.
+bool vtkTableRadianceIntegrator::MakeMaps(Precomputation& parts, Tables& made)
+{
+  const int degree = GetMapDegree(this->NumberOfMapRows);
+  const auto harmonics = this->Environment->GetParts().GetHarmonics(
+    this->Environment, this->Rest, degree, [this]() { return this->Report(0.0); });
+  if (!harmonics)
+  {
+    return false;
+  }
+  const LobeViews& views = parts.GetViews(this->BRDF, this->Abort);
+  const MaterialPrecomputation::Use use{ false, degree, CoreMode::LargestOrder };
+  MaterialKernels& tableKnots = parts.GetKernels(
+    this->BRDF, { this->NumberOfViewAngles, this->NumberOfNodes }, this->Abort, use);
+  MaterialKernels& knots = parts.GetKernels(this->BRDF,
+    { KnotsPerViewAngle * (this->NumberOfViewAngles - 1) + 1, KernelNodes }, this->Abort, use);
+  if (this->Abort)
+  {
+    return false;
+  }
+  RadianceTable table(this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths);
+  MakeProfile(views, tableKnots, 1.0, table);
+  const CoreKernels kernels{ knots, tableKnots, table, this->SmoothingDegree, this->NumberOfMapRows,
+    degree, parts };
+  made.Maps = std::make_unique<RadianceCore>(this->NumberOfMapRows);
+  return made.Maps->Make(*harmonics, views, kernels, this->NumberOfMaps,
+    [this](double share) { return this->Report(share); });
 }
 
 //------------------------------------------------------------------------------
 void vtkTableRadianceIntegrator::IntegratePart(
   int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
 {
-  const glm::dvec3 sum = this->Data->Evaluate(
-    glm::make_vec3(n), glm::make_vec3(o), glm::make_vec3(t), this->Data->Lamps.get());
-  measuredbrdf::AddRGB(sum, radiance);
+  const glm::dvec3 normal = glm::make_vec3(n);
+  const glm::dvec3 view = glm::make_vec3(o);
+  const glm::dvec3 tangent = glm::make_vec3(t);
+  glm::dvec3 sum = this->Data->Table->Evaluate(normal, view, tangent, this->Data->Lamps.get());
+  if (this->Data->Maps)
+  {
+    sum = glm::max(sum + this->Data->Maps->Evaluate(normal, view, tangent), 0.0);
+  }
+  AddRGB(sum, radiance);
+}
+
+//------------------------------------------------------------------------------
+int vtkTableRadianceIntegrator::GetNumberOfPeriods()
+{
+  return this->Data ? this->Data->Periods : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -162,56 +221,17 @@ bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   {
     return false;
   }
-  const Tables& table = *this->Data;
-  vtkBRDFShaderInputs::Term term;
-  measuredbrdf::SetModuleShader(term, "vtkBRDFEnvironmentTable", vtkBRDFEnvironmentTable);
-  term.Constants = { { "HAS_FLOOR", table.HasFloor ? "1" : "0" }, { "SHARP_PART", "vec3(0.0)" },
-    { "LAMPS_PART", "vec3(0.0)" }, { "TILE_PART", "vec2(-1.0)" } };
-  term.Uniforms.push_back({ "brdfTableRows", { static_cast<float>(table.Rows) } });
-  term.Uniforms.push_back({ "brdfTableAngles", { static_cast<float>(table.Angles) } });
-  term.Uniforms.push_back(
-    { "brdfTableLastView", { static_cast<float>(LobeViews::GetLastAngle() * 2.0 / Pi) } });
-  term.Fetches = 3; // the profile and two view angles
-  vtkBRDFShaderInputs::Texture& profile =
-    AddTexture(term, "brdfTableProfile", ProfileTexels, table.HasFloor ? 2 : 1);
-  profile.Components = 4;
-  profile.Data = table.GetShaderProfile();
-  vtkBRDFShaderInputs::Texture& radiance = AddTexture(term, "brdfTableRadiance", table.Columns,
-    table.GetHeight(), table.Angles * (table.Azimuths + 1));
-  radiance.SharedExponents = table.Radiance;
-  radiance.Repeat[0] = true;
-  const TableTiles& tiles = table.Tiles;
-  if (!tiles.Places.empty())
-  {
-    term.Source = std::string(vtkBRDFEnvironmentTiles) + term.Source;
-    term.Constants.back().Value = "brdfTilePositionINSTANCE(position, brdfTableRowsINSTANCE)";
-    term.Uniforms.push_back({ "brdfTileAcross", { static_cast<float>(tiles.Across) } });
-    vtkBRDFShaderInputs::Texture& places =
-      AddTexture(term, "brdfTilePlaces", tiles.CountColumns(), tiles.CountRows(), 1);
-    places.Components = 1;
-    places.Data = tiles.Places;
-    ++term.Fetches;
-  }
-  if (table.HasFloor)
-  {
-    constexpr int side = RadianceTable::IrradianceSide;
-    AddTexture(term, "brdfTableIrradiance", side, side).SharedExponents = table.Irradiance->Texels;
-    term.Uniforms.push_back({ "brdfTableIrradianceScale", { table.Irradiance->Scale } });
-    term.Fetches += 2; // with its profile
-  }
-  form = vtkBRDFShaderInputs();
-  form.QuantizationError = std::ldexp(1.0, -9);
-  form.Description = "radiance table, " + std::to_string(table.Columns) + " x " +
-                     std::to_string(table.Rows) + " axes" + GetTilesText(tiles) + " x " +
-                     std::to_string(table.Angles) + " view angles x " +
-                     std::to_string(table.Azimuths) + " azimuths";
+  form = this->Data->Table->GetShaderInputs();
   if (this->Data->Lamps)
   {
-    this->Data->Lamps->AddTo(term);
+    this->Data->Lamps->AddTo(form.Terms.front());
     form.Description += "; " + std::to_string(this->Lamps->GetNumberOfLights()) +
                         " directional lights near the lobe's axis";
   }
-  form.Terms.push_back(std::move(term));
+  if (this->Data->Maps)
+  {
+    this->Data->Maps->AddTo(form);
+  }
   return true;
 }
 
@@ -219,8 +239,10 @@ bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
 measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfRows, int, 9, 513);
 measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfViewAngles, int, 2, 64);
 measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfAzimuths, int, 4, 64);
-measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, HarmonicDegree, int, 0, 1024);
-measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, SmoothingDegree, double, 0.0, 1024.0);
+measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfViewAzimuths, int, 2, 32);
+measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfMaps, int, 0, 32);
+measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfMapRows, int, 8, 512);
+measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, SmoothingDegree, double, 1.0, 64.0);
 measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfNodes, int, 16, 1024);
 
 //------------------------------------------------------------------------------
@@ -231,7 +253,17 @@ std::vector<vtkRadianceIntegrator::Size> vtkTableRadianceIntegrator::GetSizes()
     { "view angles", 2, 64, this->NumberOfViewAngles,
       [this](int value) { this->SetNumberOfViewAngles(value); } },
     { "azimuths", 4, 64, this->NumberOfAzimuths,
-      [this](int value) { this->SetNumberOfAzimuths(value); } } };
+      [this](int value) { this->SetNumberOfAzimuths(value); } },
+    { "view azimuths", 2, 32, this->NumberOfViewAzimuths,
+      [this](int value) { this->SetNumberOfViewAzimuths(value); } } };
+}
+
+//------------------------------------------------------------------------------
+// Isotropic materials have no azimuths of the view.
+std::string vtkTableRadianceIntegrator::GetSizesText()
+{
+  const std::string text = this->Superclass::GetSizesText();
+  return this->IsTurned() ? text : text.substr(0, text.rfind(" x "));
 }
 
 //------------------------------------------------------------------------------
@@ -240,33 +272,58 @@ void vtkTableRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
   this->Superclass::CopyProperties(source);
   if (auto* table = vtkTableRadianceIntegrator::SafeDownCast(source))
   {
-    this->SetHarmonicDegree(table->HarmonicDegree);
-    this->SetNumberOfNodes(table->NumberOfNodes);
+    this->SetNumberOfMaps(table->NumberOfMaps);
+    this->SetNumberOfMapRows(table->NumberOfMapRows);
     this->SetSmoothingDegree(table->SmoothingDegree);
+    this->SetNumberOfNodes(table->NumberOfNodes);
     this->SetQuick(table->Quick);
   }
 }
 
 //------------------------------------------------------------------------------
+// Hybrids take over beside lamps.
 std::vector<std::vector<int>> vtkTableRadianceIntegrator::GetCandidateSizes(bool)
 {
   const auto goOn = [this]() { return this->Report(0.0); };
-  return this->BRDF->IsIsotropic()
-           ? GetTableCandidates(CountPlannedLights(this->Environment, LampAngle, goOn) > 0)
-           : std::vector<std::vector<int>>();
+  const bool hasLamps = CountPlannedLights(this->Environment, LampAngle, goOn) > 0;
+  if (!this->IsTurned())
+  {
+    return GetTableCandidates(hasLamps);
+  }
+  std::vector<std::vector<int>> sizes = GetAnisotropicCandidates();
+  sizes.resize(sizes.size() - (hasLamps ? 1 : 0));
+  return sizes;
 }
 
 //------------------------------------------------------------------------------
 double vtkTableRadianceIntegrator::EstimateCost()
 {
+  if (this->IsTurned())
+  {
+    return 2.0 * PixelCosts::Table - PixelCosts::Pixel; // two tables in one pixel
+  }
   const bool hasTiles = TableTiles::GetFineRows(this->NumberOfRows) > 0;
-  return PixelCosts::Table + (hasTiles ? PixelCosts::Tiles : 0.0);
+  return PixelCosts::Table + (hasTiles ? PixelCosts::Tiles : 0.0) +
+         PixelCosts::Map * this->NumberOfMaps;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkTableRadianceIntegrator::EstimateTextureBytes()
 {
-  return GetTableBytes(this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths);
+  if (this->IsTurned())
+  {
+    const AnisotropicTable table(this->NumberOfRows,
+      std::min(this->NumberOfViewAngles, MostAnisotropicAngles), this->NumberOfAzimuths,
+      this->NumberOfViewAzimuths);
+    return 4 * static_cast<vtkIdType>(table.GetMap(table.Angles, 0)) * table.ViewAzimuths +
+           12 * 3 * AnisotropicViews::Angles * AnisotropicViews::Azimuths +
+           4 * RadianceTable::IrradianceSide * RadianceTable::IrradianceSide;
+  }
+  const vtkIdType texels =
+    static_cast<vtkIdType>(2 * this->NumberOfMapRows) * this->NumberOfMapRows;
+  return GetTableBytes(this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths) +
+         6 * texels * this->NumberOfMaps +
+         16 * ProfileTexels * RadianceCore::CountWeightRows(this->NumberOfMaps);
 }
 
 //------------------------------------------------------------------------------
@@ -276,7 +333,9 @@ void vtkTableRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfRows: " << this->NumberOfRows << "\n";
   os << indent << "NumberOfViewAngles: " << this->NumberOfViewAngles << "\n";
   os << indent << "NumberOfAzimuths: " << this->NumberOfAzimuths << "\n";
-  os << indent << "HarmonicDegree: " << this->HarmonicDegree << "\n";
+  os << indent << "NumberOfViewAzimuths: " << this->NumberOfViewAzimuths << "\n";
+  os << indent << "NumberOfMaps: " << this->NumberOfMaps << "\n";
+  os << indent << "NumberOfMapRows: " << this->NumberOfMapRows << "\n";
   os << indent << "SmoothingDegree: " << this->SmoothingDegree << "\n";
   os << indent << "NumberOfNodes: " << this->NumberOfNodes << "\n";
   os << indent << "Quick: " << (this->Quick ? "On" : "Off") << "\n";

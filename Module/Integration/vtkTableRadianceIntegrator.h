@@ -28,12 +28,30 @@
  * last degrees fade out. What is stored are the linear splines of least squared error, and dark
  * rings about lamps that are sharper than the rows are lifted.
  *
- * Cost: 2 trilinear fetches a pixel, one texel of a profile over theta_o, a bilinear fetch of E
- * where there is a Lambert part, and with tiles one of a single texel. Errors: linear interpolation
- * in the four quantities and the harmonics' degree, second order where radiance is smooth, first
- * order where the horizon cuts a bright light.
+ * **Anisotropic materials** depend on the frame of normal and tangent and on the view's polar angle
+ * and azimuth in it. T then has the view's azimuth as a fifth quantity, and psi is the azimuth of
+ * the tangent. Narrow lobes need many rows: vtkLightSetRadianceIntegrator with soft lights takes no
+ * memory.
  *
- * Isotropic BRDFs only, taken as symmetric about the plane of incidence, f(theta_i, theta_o, phi) =
+ * **Maps** (isotropic materials): a table that does justice to a mirror-like lobe takes tens of
+ * megabytes, as it has a fine map over D for every view angle and azimuth. But the sharp part of
+ * these maps depends on the two in few ways. So the kernels are cut in two by degree: what a blur
+ * leaves of them is the business of a small table, and what that lacks of them is factored,
+ *
+ *   sum over k of W_k(theta_o) (cos(m_k psi) A_k(D) + sin(m_k psi) B_k(D)),
+ *
+ * by singular values of the kernels' harmonics, for each azimuthal order m, weighted by what the
+ * environment has of each degree (its power to the 3/2, which serves the absolute error). A_k and
+ * B_k are fine maps, each the environment convolved with one function. This is the pair of textures
+ * of O'Toole 2007, coefficients and functions, with the light in one of them.
+ *
+ * Cost: 2 trilinear fetches a pixel, one texel of a profile over theta_o, a bilinear fetch of E
+ * where there is a Lambert part, with tiles one of a single texel, and a bilinear one for each map;
+ * of anisotropic materials 4 trilinear fetches and 3 of the profile. Errors: linear interpolation
+ * in the quantities and the harmonics' degree, second order where radiance is smooth, first order
+ * where the horizon cuts a bright light; and the modes that maps leave out.
+ *
+ * Isotropic BRDFs are taken as symmetric about the plane of incidence, f(theta_i, theta_o, phi) =
  * f(theta_i, theta_o, -phi), as nearly all isotropic materials are: of one that is not, the mean of
  * both is integrated. Views closer to the horizon than 1.1 degrees are taken there.
  */
@@ -61,8 +79,10 @@ public:
   /**
    * Rows of the map over D from pole to pole (default 65, in [9, 513]; twice as many columns less
    * two; more than 113 are those of tiles where radiance bends most, and a quarter of them
-   * everywhere: the next multiple of 4 MB in all), view angles (default 16, in [2, 64]), azimuths
-   * psi (default 16, in [4, 64]).
+   * everywhere: the next multiple of 4 MB in all; anisotropic materials have at most 113), view
+   * angles (default 16, in [2, 64], of anisotropic materials at most 32), azimuths psi (default 16,
+   * in [4, 64]), and azimuths of the view over the period of f, for anisotropic materials only
+   * (default 8, in [2, 32]).
    */
   virtual void SetNumberOfRows(int numberOfRows);
   vtkGetMacro(NumberOfRows, int);
@@ -70,16 +90,24 @@ public:
   vtkGetMacro(NumberOfViewAngles, int);
   virtual void SetNumberOfAzimuths(int numberOfAzimuths);
   vtkGetMacro(NumberOfAzimuths, int);
+  virtual void SetNumberOfViewAzimuths(int numberOfViewAzimuths);
+  vtkGetMacro(NumberOfViewAzimuths, int);
   ///@}
 
   ///@{
   /**
-   * Highest degree of the spherical harmonics that carry the light; 0 (default): half as many again
-   * as NumberOfRows, but at most 64 more. From three fifths of NumberOfRows on they fade out, so
-   * that lamps do not ring.
+   * Maps of the sharp part at most (default 0, in [0, 32]; a mode takes one, or two where it
+   * depends on the azimuth), their rows (default 256, in [8, 512]; twice as many columns), and the
+   * degree about which the table hands over to them (default 4, in [1, 64]). The maps' values lie
+   * at cells' centers, as an environment's do: with as many rows as the environment has, they show
+   * what a mirror shows. Prepare fails where the material is anisotropic.
    */
-  virtual void SetHarmonicDegree(int harmonicDegree);
-  vtkGetMacro(HarmonicDegree, int);
+  virtual void SetNumberOfMaps(int numberOfMaps);
+  vtkGetMacro(NumberOfMaps, int);
+  virtual void SetNumberOfMapRows(int numberOfMapRows);
+  vtkGetMacro(NumberOfMapRows, int);
+  virtual void SetSmoothingDegree(double smoothingDegree);
+  vtkGetMacro(SmoothingDegree, double);
   ///@}
 
   ///@{
@@ -93,51 +121,43 @@ public:
 
   ///@{
   /**
-   * Whether the material is sampled with a sixth of the evaluations: half of the nodes, and coarser
-   * quadratures of fewer views. For a table that is wanted at once. Default off.
+   * Whether an isotropic material is sampled with a sixth of the evaluations: half of the nodes,
+   * and coarser quadratures of fewer views. For a table that is wanted at once. Default off.
    */
   vtkSetMacro(Quick, bool);
   vtkGetMacro(Quick, bool);
   vtkBooleanMacro(Quick, bool);
   ///@}
 
+  /**
+   * How often f repeats itself while the sample is turned once about its normal: 1, or 2 as of
+   * brushed metal. 0 before Prepare and of isotropic materials.
+   */
+  int GetNumberOfPeriods();
+
   bool GetShaderInputs(vtkBRDFShaderInputs& form) override;
 
   ///@{
   /**
-   * As a method: "table", by rows, view angles and azimuths, for isotropic materials.
+   * As a method: "table", by rows, view angles, azimuths and the view's azimuths.
    */
   std::string GetMethodName() override { return "table"; }
   std::string GetMethodDescription() override { return "a precomputed table of outgoing radiance"; }
   std::vector<Size> GetSizes() override;
+  std::string GetSizesText() override;
   std::vector<std::vector<int>> GetCandidateSizes(bool all) override;
   double EstimateCost() override;
   vtkIdType EstimateTextureBytes() override;
   ///@}
 
-  ///@{
-  /**
-   * What the table takes of the kernels, as a blur: their harmonics of degree l are multiplied by
-   * exp(-l (l + 1) / (2 SmoothingDegree^2)), which leaves nonnegative kernels nonnegative. Default
-   * 0: everything. vtkFactoredRadianceIntegrator adds what is missing.
-   */
-  virtual void SetSmoothingDegree(double smoothingDegree);
-  vtkGetMacro(SmoothingDegree, double);
-  ///@}
-
 #ifndef __VTK_WRAP__
-  /**
-   * For hybrids: take the environment with these texels changed; null (default): as it is.
-   */
-  void SetRest(const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest)
-  {
-    this->Rest = rest;
-  }
-
-  /// For hybrids: lights that together are what the rest lacks. Pixels add what they see of them
-  /// within a window about the lobe's axis; the table holds what lies outside of it. Null
-  /// (default): there are none. form: what they are evaluated with; null: GetRenderable().
-  void SetLamps(vtkLightSet* lamps, vtkBRDF* form = nullptr);
+  /// For hybrids: take the environment with these texels changed; null (default): as it is.
+  ///
+  /// lamps: lights that together are what it lacks then. Pixels add what they see of them within a
+  /// window about the lobe's axis; the table holds what lies outside of it. Null (default): there
+  /// are none. form: what they are evaluated with; null: GetRenderable().
+  void SetLight(const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest,
+    vtkLightSet* lamps = nullptr, vtkBRDF* form = nullptr);
 #endif
 
   bool UsesBRDFOnGPU() override;
@@ -152,10 +172,12 @@ protected:
     int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
 
   int NumberOfRows = 65;
-  int HarmonicDegree = 0;
-  double SmoothingDegree = 0.0;
   int NumberOfViewAngles = 16;
   int NumberOfAzimuths = 16;
+  int NumberOfViewAzimuths = 8;
+  int NumberOfMaps = 0;
+  int NumberOfMapRows = 256;
+  double SmoothingDegree = 4.0;
   int NumberOfNodes = 64;
   bool Quick = false;
 
@@ -164,8 +186,9 @@ private:
   void operator=(const vtkTableRadianceIntegrator&) = delete;
 
   struct Tables;
-  bool MakeTable(Tables& table);
-  void AddLamps(Tables& table);
+  bool IsTurned() const; // whether the material is anisotropic
+  bool MakeTable(Precomputation& parts, Tables& made);
+  bool MakeMaps(Precomputation& parts, Tables& made);
 
   std::shared_ptr<const vtkEnvironment::TexelChanges> Rest;
   vtkSmartPointer<vtkLightSet> Lamps;

@@ -278,7 +278,7 @@ public:
    * Of composite data, blocks that have the arrays keep them; GetPlan says how many have some.
    * Arrays of another surface, or damaged ones, are reported once and not used. vtkLights are not
    * hidden: vtkShadowMapPass does that. Methods that tell a material's matte part and its lobe
-   * apart (table, factored, hybrid; what plans choose) are the most accurate.
+   * apart (table, hybrid; what plans choose) are the most accurate.
    */
   void SetOcclusionMode(int mode);
   int GetOcclusionMode();

@@ -41,7 +41,7 @@ def make_table(*sizes, maps=0, lights=0):
 
 
 def make_anisotropic_table():
-    table = measured.vtkAnisotropicTableRadianceIntegrator()
+    table = measured.vtkTableRadianceIntegrator()
     table.SetSizes([33, 8, 32, 8])
     return table
 

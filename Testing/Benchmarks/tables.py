@@ -67,7 +67,7 @@ def tell_anisotropic():
         pairs = make_pairs(material, environment)
         title = f"{widths}, {get_stem(light)}"
         for sizes in ANISOTROPIC:
-            table = measured.vtkAnisotropicTableRadianceIntegrator()
+            table = measured.vtkTableRadianceIntegrator()
             tell_prepare(title, material, environment.environment, table, sizes, pairs)
         for count in LIGHTS:
             lights = make(measured.vtkLightSetRadianceIntegrator, SoftLights=True)

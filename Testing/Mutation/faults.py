@@ -293,7 +293,7 @@ add("Integration.lamps-ring", "TableSynthesis.h", "const double from = 0.6 * row
 add("Integration.irradiance-in-one-unit-only", "TableSynthesis.cxx",
     "irradiance->Scale = static_cast<float>(PackRadiance(values, irradiance->Texels));",
     "PackRadiance(values, irradiance->Texels);", "LightUnits.ReachFromFaintToStrong")
-add("Integration.table-without-its-blur", "TableSynthesis.cxx", "smoothed[b % size] * static_cast<float>(knot", "static_cast<float>(knot",
+add("Integration.table-without-its-blur", "TableSynthesis.cxx", "smoothed[b % size] * static_cast<float>(knots", "static_cast<float>(knots",
     "FactoredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo|FactoredIntegrator.MirrorsInFewMegabytes")
 add("Integration.no-splines-along-rows", "FieldSynthesis.cxx", "of.Above != MapPart::None && of.Below != MapPart::None", "false", "LinearSpline.*|TableReference.ErrorFallsWithSize*|AnisotropicTable.*")
 add("Integration.tiles-where-nothing-bends", "RadianceTable.cxx", "scores[a] > scores[b]", "scores[a] < scores[b]",
@@ -304,11 +304,11 @@ add("Integration.tiles-of-any-size", "RadianceTable.cxx", "std::ceil((others + L
     "TableTiles.FillWhatIsAllowed")
 add("Integration.tiles-of-few-nodes", "vtkTableRadianceIntegrator.cxx", "constexpr int NodesOfTiles = 2; ", "constexpr int NodesOfTiles = 1; ",
     "TableTiles.KernelsHaveNodesEnough")
-add("Integration.fine-kernels-stay", "MaterialPrecomputation.cxx", " && it->first.second <= mostNodes", "",
-    "MaterialPrecomputation.KeepsExpandedKernels")
-add("Integration.forgotten-nodes-stay-so", "MaterialPrecomputation.cxx", "(areNodesWanted && !kernel->HasNodes())", "false",
+add("Integration.fine-kernels-stay", "MaterialPrecomputation.cxx", " || sizes[1] > mostNodes", "",
     "MaterialPrecomputation.MakesForgottenNodesAgain")
-add("Integration.nodes-made-again-for-nothing", "MaterialPrecomputation.cxx", "use.Nodes || known", "true || known",
+add("Integration.forgotten-nodes-stay-so", "MaterialPrecomputation.cxx", " && !(areNodesWanted && !all.front().HasNodes())", "",
+    "MaterialPrecomputation.MakesForgottenNodesAgain")
+add("Integration.nodes-made-again-for-nothing", "MaterialPrecomputation.cxx", "use.Nodes || kernels", "true || kernels",
     "MaterialPrecomputation.MakesForgottenNodesAgain")
 add("Integration.rings-end-at-the-seam", "SynthesisLanes.cxx", "map.leftCols(3) = map.middleCols(width, 3);", "", "RingLimiter.*")
 add("Lighting.sets-of-one-tree-are-one-set", "EnvironmentPrecomputation.cxx", "tree.FillLightSet(count, sets->back());",
@@ -319,7 +319,7 @@ add("Integration.products-miss-a-vector", "SynthesisLanes.cxx", "left.First[row]
     "MatrixProduct.*")
 add("Integration.lanes-begin-at-degree-zero", "SynthesisLanes.cxx", "{ out[0] + first, out[1] + first,",
     "{ out[0], out[1] + first,", "WignerLanes.*")
-add("Integration.expanded-kernels-of-other-orders", "MaterialPrecomputation.cxx", "static_cast<std::ptrdiff_t>(row) * (known.Degree + 1)",
+add("Integration.expanded-kernels-of-other-orders", "MaterialPrecomputation.cxx", "static_cast<std::ptrdiff_t>(row) * (this->Degree + 1)",
     "static_cast<std::ptrdiff_t>(row) * (degree + 1)", "MaterialPrecomputation.KeepsExpandedKernels")
 add("Integration.degrees-left-out", "TableSynthesis.cxx", "constexpr double LeastShare = 1e-4;", "constexpr double LeastShare = 1e9;",
     "TableReference.*|TableIntegrator.*")
@@ -327,15 +327,15 @@ add("Integration.rings-stay", "SynthesisLanes.cxx", "constexpr float LeastOfBlur
     "RingLimiter.*")
 add("Integration.edges-bleed", "SynthesisLanes.cxx", "for (int pass = 0; pass < 2; ++pass) // as far", "for (int pass = 0; pass < 1; ++pass) // as far",
     "RingLimiter.*")
-add("Integration.anisotropic-azimuths-from-the-axis", "LobeHarmonics.cxx", "std::polar(1.0, -k * azimuth)", "std::polar(1.0, k * azimuth)",
+add("Integration.anisotropic-azimuths-from-the-axis", "LobeHarmonics.cxx", "std::polar(1.0, -k *", "std::polar(1.0, k *",
     "AnisotropicTable.Converges")
-add("Integration.anisotropic-conjugate-forgotten", "LobeHarmonics.cxx", "from < 0 ? std::conj(in[l]) : in[l]", "in[l]",
+add("Integration.anisotropic-conjugate-forgotten", "LobeHarmonics.cxx", "(from % 2 != 0) != this->Lobes[lane].IsOdd", "from % 2 != 0",
     "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")
-add("Integration.anisotropic-half-turn-forgotten", "vtkAnisotropicTableRadianceIntegrator.cxx", "(again ? 1.0 / this->Periods : 0.0)", "0.0",
+add("Integration.anisotropic-half-turn-forgotten", "AnisotropicTable.cxx", "(again ? 1.0 / this->Periods : 0.0)", "0.0",
     "AnisotropicTable.BrushedMetalInTwelveMegabytes|AnisotropicTable.Converges")
 add("Material.anisotropic-always-half-a-turn", "HalfTurn.cxx", "return difference <= LargestDifference * Probes;",
     "return true;", "AnisotropicTable.ClothWithANapHasOnePeriod")
-add("Integration.anisotropic-axis-in-the-plane", "vtkAnisotropicTableRadianceIntegrator.cxx", "lobe.Axis.y * out.x - lobe.Axis.x * out.y, w", "0.0, w",
+add("Integration.anisotropic-axis-in-the-plane", "AnisotropicTable.cxx", "lobe.Axis.y * out.x - lobe.Axis.x * out.y, w", "0.0, w",
     "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")
 add("Integration.exact-without-cosine", "vtkExactRadianceIntegrator.cxx", "sum += cosine * f *", "sum += f *",
     "ExactIntegrator.LambertUnderAConstantSkyHasAClosedForm")
@@ -707,7 +707,7 @@ add("Material.resampled-from-seven-corners", "VolumeInterpolation.h", "cell + ax
     "Resampler.ErrorFallsAndIsReported")
 add("Material.quick-for-another-tolerance", "vtkResampledBRDF.cxx", "made.Table && made.Tolerance == this->ResamplingTolerance;",
     "made.Table;", "QuickTables.StandInUntilTheRealOneIsMade")
-add("Integration.quick-is-slow", "vtkTableRadianceIntegrator.cxx", "std::make_shared<Precomputation>(this->Quick)",
+add("Integration.quick-is-slow", "vtkTableRadianceIntegrator.cxx", "std::make_shared<Precomputation>(isQuick)",
     "std::make_shared<Precomputation>()", "Tables.QuickOnesEvaluateLittle")
 add("Rendering.plan-key-without-pixels-of-the-light", "PlanJob.h", "this->Environment, this->PixelsTime,",
     "this->Environment, vtkMTimeType(0),", "Background.EverythingThatCountsBeginsAnother")
@@ -895,7 +895,7 @@ add("Integration.lamps-count-one-part-more", "Lamps.cxx", "CountBase * start + s
     "Parity.HybridOfWideLamps")
 add("Integration.lamps-window-with-an-edge", "Lamps.h", "x < 1.0 ? root * root : 0.0", "x < 1.0 ? 1.0 : 0.0",
     "LampWindow.EndsWithoutAnEdge|HybridLamps.NothingShowsWhereTheWindowEnds")
-add("Integration.lamps-in-the-table-again", "LobeHarmonics.cxx", "1.0 - window.GetWeight(i, axis)", "1.0",
+add("Integration.lamps-in-the-table-again", "LobeHarmonics.cxx", "1.0 - window.GetWeight(MakeDirection", "1.0 - 0.0 * window.GetWeight(MakeDirection",
     "HybridLamps.AddUpToTheLamps")
 add("Integration.lamps-as-points", "vtkHybridRadianceIntegrator.cxx", "lamps ? lamps->GetSpread(", "lamps ? 0.0 * lamps->GetSpread(",
     "HybridLamps.AreAreasForNarrowLobes")
@@ -943,8 +943,8 @@ add("IO.bsdf-xml-rows-as-columns", "BsdfXmlFile.cxx", 'if (IsSameWord(this->Stru
     'if (IsSameWord(this->Structure, "Never"))', "IOBsdfXml.Reads")
 add("Material.warp-folds-the-other-way", "vtkAdaptiveWarpBRDF.cxx", "along.x + along.y < 0.0", "along.x + along.y > 0.0",
     "AnisotropicWarp.ReadsReducedFiles")
-add("Integration.anisotropic-table-keeps-lamps", "vtkAnisotropicTableRadianceIntegrator.cxx",
-    "this->Environment, this->Rest, std::max(degree", "this->Environment, nullptr, std::max(degree",
+add("Integration.anisotropic-table-keeps-lamps", "vtkTableRadianceIntegrator.cxx",
+    "const auto harmonics = getHarmonics(this->Rest);", "const auto harmonics = getHarmonics(nullptr);",
     "Hybrid.AnisotropicMaterialsUnderLamps")
 add("Shaders.anisotropic-table-reaches-the-next-azimuth", "vtkBRDFAnisotropicTable.glsl",
     "clamp(u.y * rows, 0.5, rows - 0.5)", "u.y * rows", "Parity.AnisotropicTables")

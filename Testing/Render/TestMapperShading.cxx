@@ -4,7 +4,6 @@
 // tangents; and a copy that forgets nothing.
 #include "RenderFixture.h"
 #include "ScaledLight.h"
-#include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBasisBRDF.h"
 #include "vtkEmbeddedMaterials.h"
@@ -17,8 +16,10 @@
 #include "vtkPBRPrefilterTexture.h"
 #include "vtkPBRPropertyFitter.h"
 #include "vtkPolyDataTangents.h"
+#include "vtkProperty.h"
 #include "vtkSumBRDF.h"
 #include "vtkSurfaceVisibilityFilter.h"
+#include "vtkTableRadianceIntegrator.h"
 #include "vtkTriangleFilter.h"
 
 #include <map>
@@ -402,7 +403,7 @@ TEST_F(MapperShading, TangentsFromTextureCoordinatesAndFields)
   brushed->SetExponents(100.0, 10.0);
   vtkNew<vtkEnvironment> hall;
   hall->SetToProceduralHall();
-  vtkNew<vtkAnisotropicTableRadianceIntegrator> table;
+  vtkNew<vtkTableRadianceIntegrator> table;
   ASSERT_TRUE(table->SetSizes({ 17, 4, 8, 4 }));
   this->Mapper->SetIntegrator(table);
   this->Mapper->SetBRDF(brushed);

@@ -160,185 +160,168 @@ LobeKernel::LobeKernel(
   }
 }
 
-void LobeHarmonics::ForgetNodes()
+void LobeKernel::ForgetNodes()
 {
-  std::vector<LobeNode>().swap(this->Lobe.Polar); // clear() would keep the memory
-  std::vector<LobeNode>().swap(this->Lobe.Azimuths);
-  std::vector<glm::dvec3>().swap(this->Lobe.Rest);
+  std::vector<LobeNode>().swap(this->Polar); // clear() would keep the memory
+  std::vector<LobeNode>().swap(this->Azimuths);
+  std::vector<glm::dvec3>().swap(this->Rest);
 }
 
-LobeHarmonics LobeHarmonics::GetOutside(const LampWindow& window, double delta) const
+LobeKernel LobeKernel::GetOutside(const LampWindow& window, double delta) const
 {
-  LobeHarmonics outside = *this;
+  LobeKernel outside = *this;
   const glm::dvec3 axis(-std::sin(delta), 0.0, std::cos(delta));
   std::size_t k = 0;
-  for (const LobeNode& p : this->Lobe.Polar)
+  for (const LobeNode& p : this->Polar)
   {
-    for (const LobeNode& a : this->Lobe.Azimuths)
+    for (const LobeNode& a : this->Azimuths)
     {
-      const glm::dvec3 i = MakeDirection(p.Angle, a.Angle);
-      outside.Lobe.Rest[k++] *= 1.0 - window.GetWeight(i, axis);
+      outside.Rest[k++] *= 1.0 - window.GetWeight(MakeDirection(p.Angle, a.Angle), axis);
     }
   }
   return outside;
 }
 
-// Of four lobes at once, one in each lane: they share the functions' coefficients, and processors
-// work on several numbers at a time.
-struct LobeHarmonics::Lanes
+namespace
 {
-  static constexpr std::size_t Count = WignerLanes::Count;
-  using Values = WignerLanes::Values;
-
-  /// The lobes and their azimuth series from the first on; the last ones again, if too few.
-  Lanes(const std::vector<std::pair<const LobeHarmonics*, double>>& lobes,
-    const std::vector<std::vector<float>>& series, std::size_t first, std::size_t size);
-
-  std::array<const LobeHarmonics*, Count> Lobes;
-  std::array<const std::vector<float>*, Count> Series;
-  Values Delta;
-  WignerLanes Axes;                // by delta
-  std::vector<WignerLanes> Angles; // polar nodes
-  std::size_t Size;                // degrees
-
-  /// About the normal, where the horizon is a circle of latitude: azimuth series at each polar
-  /// node, then over the polar angle. n_lk at (k * 3 + channel) * Size + l, of one k. functions:
-  /// of k and 0.
-  void ExpandAboutNormal(const WignerD& functions, int k, std::vector<Values>& about) const;
-
-  /// Then about the axis: the function seen from a frame turned by -delta about y (z towards -x).
-  /// b_lk = sum over k' of d^l_k'k(-delta) n_lk'. Adds one of these, from. functions: of k and
-  /// from, d_k'k(-delta) = d_kk'(delta).
-  void Turn(const WignerD& functions, int k, int from, const std::vector<Values>& about,
-    std::vector<Values>& turned) const;
-
-private:
-  std::vector<std::array<Values, 3>> GetFactors(int k) const;
-
-  template <typename Pointer>
-  std::array<Pointer, 3> GetChannels(Pointer values, int order) const
+// The polar nodes' series of cosines or sines over the azimuths, with their weights, over the
+// integral of the rest: orders x GetSumsWidth.
+std::vector<float> SumAzimuths(const TurnedLobe& lobe, std::size_t orders)
+{
+  const LobeKernel& kernel = *lobe.Kernel;
+  const std::size_t azimuths = kernel.Azimuths.size();
+  const std::size_t width = GetSumsWidth(kernel.Polar.size());
+  std::vector<float> rest(azimuths * width, 0.0f);
+  for (std::size_t p = 0; p < kernel.Polar.size(); ++p)
   {
-    Pointer first = values + 3 * static_cast<std::size_t>(order) * this->Size;
-    return { first, first + this->Size, first + 2 * this->Size };
-  }
-};
-
-void LobeHarmonics::Lanes::ExpandAboutNormal(
-  const WignerD& functions, int k, std::vector<Values>& about) const
-{
-  WignerLanes::AddSeries(
-    functions, this->Angles, this->GetFactors(k), this->GetChannels(about.data(), k));
-}
-
-// Of each polar node: the channels' series, with the node's weight.
-std::vector<std::array<WignerLanes::Values, 3>> LobeHarmonics::Lanes::GetFactors(int k) const
-{
-  std::vector<std::array<Values, 3>> factors(this->Angles.size());
-  for (std::size_t lane = 0; lane < Count; ++lane)
-  {
-    const std::size_t nodes = this->Lobes[lane]->Lobe.Polar.size();
-    const float* const series =
-      &(*this->Series[lane])[static_cast<std::size_t>(k) * GetSumsWidth(nodes)];
-    for (std::size_t p = 0; p < factors.size(); ++p)
-    {
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        factors[p][c][lane] = p < nodes ? static_cast<double>(series[3 * p + c]) : 0.0;
-      }
-    }
-  }
-  return factors;
-}
-
-void LobeHarmonics::Lanes::Turn(const WignerD& functions, int k, int from,
-  const std::vector<Values>& about, std::vector<Values>& turned) const
-{
-  // d_mk(-x) = (-1)^(m-k) d_mk(x); n_l,-k = (-1)^k n_lk.
-  Values sign;
-  for (std::size_t lane = 0; lane < Count; ++lane)
-  {
-    const bool isTurned = (k - from) % 2 != 0 && this->Delta[lane] < 0.0;
-    sign[lane] = isTurned != (from < 0 && from % 2 != 0) ? -1.0 : 1.0;
-  }
-  this->Axes.AddTurned(functions, sign, this->GetChannels(about.data(), std::abs(from)),
-    this->GetChannels(turned.data(), k));
-}
-
-// The polar nodes' series over the azimuths, with their weights, over the integral of the rest.
-std::vector<float> LobeHarmonics::SumAzimuths(std::size_t orders) const
-{
-  const std::size_t azimuths = this->Lobe.Azimuths.size();
-  const std::size_t width = GetSumsWidth(this->Lobe.Polar.size());
-  std::vector<float> kernel(azimuths * width, 0.0f);
-  for (std::size_t p = 0; p < this->Lobe.Polar.size(); ++p)
-  {
-    const double weight = this->Lobe.Polar[p].Weight * std::sin(this->Lobe.Polar[p].Angle);
+    const double weight = kernel.Polar[p].Weight * std::sin(kernel.Polar[p].Angle);
     for (std::size_t a = 0; a < azimuths; ++a)
     {
       for (int c = 0; c < 3; ++c)
       {
-        kernel[a * width + 3 * p + static_cast<std::size_t>(c)] =
-          this->Lobe.Sum[c] > 0.0
-            ? static_cast<float>(weight * this->Lobe.Rest[p * azimuths + a][c] / this->Lobe.Sum[c])
+        rest[a * width + 3 * p + c] =
+          kernel.Sum[c] > 0.0
+            ? static_cast<float>(weight * kernel.Rest[p * azimuths + a][c] / kernel.Sum[c])
             : 0.0f;
       }
     }
   }
   const std::size_t rows = RoundUp(orders, ProductRows);
-  std::vector<float> cosines(rows * azimuths);
+  std::vector<float> turns(rows * azimuths);
   for (std::size_t a = 0; a < azimuths; ++a)
   {
-    const double once = std::cos(this->Lobe.Azimuths[a].Angle);
-    double before = once;
-    double cosine = 1.0; // of k times the azimuth, after Chebyshev
+    const double azimuth = kernel.Azimuths[a].Angle - lobe.Azimuth;
+    const double once = std::cos(azimuth);
+    double before = lobe.IsOdd ? -std::sin(azimuth) : once;
+    double turn = lobe.IsOdd ? 0.0 : 1.0; // cosine or sine of k times the azimuth, after Chebyshev
     for (std::size_t k = 0; k < rows; ++k)
     {
-      cosines[a * rows + k] = static_cast<float>(this->Lobe.Azimuths[a].Weight * cosine);
-      const double next = 2.0 * once * cosine - before;
-      before = cosine;
-      cosine = next;
+      turns[a * rows + k] = static_cast<float>(kernel.Azimuths[a].Weight * turn);
+      const double next = 2.0 * once * turn - before;
+      before = turn;
+      turn = next;
     }
   }
   std::vector<float> series(rows * width);
-  Multiply(
-    { cosines.data(), rows }, { kernel.data(), width }, rows, azimuths, width, series.data());
+  Multiply({ turns.data(), rows }, { rest.data(), width }, rows, azimuths, width, series.data());
   return series;
 }
 
-LobeHarmonics::Lanes::Lanes(const std::vector<std::pair<const LobeHarmonics*, double>>& lobes,
-  const std::vector<std::vector<float>>& series, std::size_t first, std::size_t size)
-  : Size(size)
+// Of four lobes at once, one in each lane: they share the functions' coefficients, and processors
+// work on several numbers at a time.
+struct LobeLanes
 {
-  std::size_t nodes = 0;
-  Values theta;
-  for (std::size_t lane = 0; lane < Count; ++lane)
+  static constexpr std::size_t Count = WignerLanes::Count;
+  using Values = WignerLanes::Values;
+
+  // The lobes and their azimuth series from the first on; the last ones again, if too few.
+  LobeLanes(const std::vector<TurnedLobe>& lobes, const std::vector<std::vector<float>>& series,
+    std::size_t first, std::size_t size)
+    : Size(size)
   {
-    const std::size_t at = std::min(first + lane, lobes.size() - 1);
-    this->Lobes[lane] = lobes[at].first;
-    this->Series[lane] = &series[at];
-    this->Delta[lane] = lobes[at].second;
-    theta[lane] = std::abs(this->Delta[lane]);
-    nodes = std::max(nodes, this->Lobes[lane]->Lobe.Polar.size());
-  }
-  this->Axes = WignerLanes(theta);
-  for (std::size_t p = 0; p < nodes; ++p)
-  {
+    std::size_t nodes = 0;
+    Values theta;
     for (std::size_t lane = 0; lane < Count; ++lane)
     {
-      const std::vector<LobeNode>& polar = this->Lobes[lane]->Lobe.Polar;
-      theta[lane] = p < polar.size() ? polar[p].Angle : 0.0;
+      const std::size_t at = std::min(first + lane, lobes.size() - 1);
+      this->Lobes[lane] = lobes[at];
+      this->Series[lane] = &series[at];
+      theta[lane] = std::abs(lobes[at].Delta);
+      nodes = std::max(nodes, lobes[at].Kernel->Polar.size());
     }
-    this->Angles.emplace_back(theta);
+    this->Axes = WignerLanes(theta);
+    for (std::size_t p = 0; p < nodes; ++p)
+    {
+      for (std::size_t lane = 0; lane < Count; ++lane)
+      {
+        const std::vector<LobeNode>& polar = this->Lobes[lane].Kernel->Polar;
+        theta[lane] = p < polar.size() ? polar[p].Angle : 0.0;
+      }
+      this->Angles.emplace_back(theta);
+    }
   }
-}
 
-std::vector<std::vector<float>> LobeHarmonics::ExpandLanes(
-  const std::vector<Lanes>& blocks, int degree, int orders, std::size_t count)
+  // About the normal, where the horizon is a circle of latitude: azimuth series at each polar node,
+  // then over the polar angle. n_lk at (k * 3 + channel) * Size + l, of one k. functions: of k and
+  // 0.
+  void ExpandAboutNormal(const WignerD& functions, int k, std::vector<Values>& about) const
+  {
+    std::vector<std::array<Values, 3>> factors(this->Angles.size());
+    for (std::size_t lane = 0; lane < Count; ++lane)
+    {
+      const std::size_t nodes = this->Lobes[lane].Kernel->Polar.size();
+      const float* const series = &(*this->Series[lane])[k * GetSumsWidth(nodes)];
+      for (std::size_t p = 0; p < factors.size(); ++p)
+      {
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          factors[p][c][lane] = p < nodes ? static_cast<double>(series[3 * p + c]) : 0.0;
+        }
+      }
+    }
+    WignerLanes::AddSeries(functions, this->Angles, factors, this->GetChannels(about.data(), k));
+  }
+
+  // Then about the axis: the function seen from a frame turned by -delta about y (z towards -x).
+  // b_lk = sum over k' of d^l_k'k(-delta) n_lk'. Adds one of these, from. functions: of k and
+  // from, d_k'k(-delta) = d_kk'(delta).
+  void Turn(const WignerD& functions, int k, int from, const std::vector<Values>& about,
+    std::vector<Values>& turned) const
+  {
+    // d_mk(-x) = (-1)^(m-k) d_mk(x); n_l,-k = (-1)^k conj(n_lk), where odd parts are imaginary.
+    Values sign;
+    for (std::size_t lane = 0; lane < Count; ++lane)
+    {
+      const bool isTurned = (k - from) % 2 != 0 && this->Lobes[lane].Delta < 0.0;
+      const bool isMirrored = from < 0 && (from % 2 != 0) != this->Lobes[lane].IsOdd;
+      sign[lane] = isTurned != isMirrored ? -1.0 : 1.0;
+    }
+    this->Axes.AddTurned(functions, sign, this->GetChannels(about.data(), std::abs(from)),
+      this->GetChannels(turned.data(), k));
+  }
+
+private:
+  template <typename Pointer>
+  std::array<Pointer, 3> GetChannels(Pointer values, int order) const
+  {
+    Pointer first = values + 3 * order * this->Size;
+    return { first, first + this->Size, first + 2 * this->Size };
+  }
+
+  std::array<TurnedLobe, Count> Lobes;
+  std::array<const std::vector<float>*, Count> Series;
+  WignerLanes Axes;                // by delta
+  std::vector<WignerLanes> Angles; // polar nodes
+  std::size_t Size;                // degrees
+};
+
+std::vector<std::vector<float>> ExpandLanes(
+  const std::vector<LobeLanes>& blocks, int degree, int orders, std::size_t count)
 {
   const std::size_t size = static_cast<std::size_t>(degree) + 1;
   const std::size_t kinds = 3 * static_cast<std::size_t>(orders + 1);
-  std::vector<std::vector<Lanes::Values>> about(
-    blocks.size(), std::vector<Lanes::Values>(3 * size * size));
+  std::vector<std::vector<LobeLanes::Values>> about(
+    blocks.size(), std::vector<LobeLanes::Values>(3 * size * size));
   measuredbrdf::ParallelForEach(degree + 1,
     [&](int k)
     {
@@ -350,8 +333,8 @@ std::vector<std::vector<float>> LobeHarmonics::ExpandLanes(
     });
   // A part of the orders about the normal after the other, so that each is read once; sums of parts
   // do not depend on the threads.
-  std::vector<std::vector<Lanes::Values>> turned(
-    TurnedParts * blocks.size(), std::vector<Lanes::Values>(kinds * size));
+  std::vector<std::vector<LobeLanes::Values>> turned(
+    TurnedParts * blocks.size(), std::vector<LobeLanes::Values>(kinds * size));
   measuredbrdf::ParallelForEach(TurnedParts,
     [&](int part)
     {
@@ -382,7 +365,7 @@ std::vector<std::vector<float>> LobeHarmonics::ExpandLanes(
       double sum = 0.0;
       for (std::size_t part = 0; part < turned.size(); part += blocks.size())
       {
-        sum += turned[part + k / Lanes::Count][n][k % Lanes::Count];
+        sum += turned[part + k / LobeLanes::Count][n][k % LobeLanes::Count];
       }
       results[k][n] = static_cast<float>(sum * std::sqrt((2.0 * l + 1.0) / (4.0 * Pi)));
     }
@@ -390,19 +373,21 @@ std::vector<std::vector<float>> LobeHarmonics::ExpandLanes(
   return results;
 }
 
-std::vector<std::vector<float>> LobeHarmonics::Expand(
-  const std::vector<std::pair<const LobeHarmonics*, double>>& lobes, int degree, int orders)
+}
+
+std::vector<std::vector<float>> ExpandLobes(
+  const std::vector<TurnedLobe>& lobes, int degree, int orders)
 {
   const std::size_t size = static_cast<std::size_t>(degree) + 1;
   std::vector<std::vector<float>> series(lobes.size());
   measuredbrdf::ParallelForEach(
-    lobes.size(), [&](std::size_t k) { series[k] = lobes[k].first->SumAzimuths(size); });
+    lobes.size(), [&](std::size_t k) { series[k] = SumAzimuths(lobes[k], size); });
   std::vector<std::vector<float>> results;
   for (std::size_t first = 0; first < lobes.size(); first += MostTogether)
   {
     const std::size_t count = std::min(MostTogether, lobes.size() - first);
-    std::vector<Lanes> blocks;
-    for (std::size_t k = 0; k < count; k += Lanes::Count)
+    std::vector<LobeLanes> blocks;
+    for (std::size_t k = 0; k < count; k += LobeLanes::Count)
     {
       blocks.emplace_back(lobes, series, first + k, size);
     }
@@ -414,93 +399,33 @@ std::vector<std::vector<float>> LobeHarmonics::Expand(
   return results;
 }
 
-// Where the horizon is a circle of latitude: azimuth series at each polar node, then over the polar
-// angle. Azimuths count from the given one. At (k * 3 + channel) * size + l.
-AnisotropicLobe::Series AnisotropicLobe::ExpandAboutNormal(int degree, double azimuth) const
+std::vector<std::vector<std::complex<float>>> ExpandAnisotropicLobes(
+  const std::vector<LobeKernel>& kernels, int degree, int orders)
 {
+  // In a frame whose x points away from the axis' azimuth the axis is (-sin delta, 0, cos delta).
+  std::vector<TurnedLobe> lobes;
+  for (const LobeKernel& kernel : kernels)
+  {
+    const glm::dvec3& axis = kernel.Means.Axis;
+    const double delta = std::atan2(std::hypot(axis.x, axis.y), axis.z);
+    const double azimuth = std::atan2(axis.y, axis.x) + Pi;
+    lobes.push_back({ &kernel, delta, azimuth, false });
+    lobes.push_back({ &kernel, delta, azimuth, true });
+  }
+  const std::vector<std::vector<float>> parts = ExpandLobes(lobes, degree, orders);
   const std::size_t size = static_cast<std::size_t>(degree) + 1;
-  Series about(3 * size * size);
-  std::vector<double> d(size);
-  std::vector<double> cosines(this->Lobe.Azimuths.size()), sines(this->Lobe.Azimuths.size());
-  for (int k = 0; k <= degree; ++k)
+  std::vector<std::vector<std::complex<float>>> results(kernels.size());
+  for (std::size_t lobe = 0; lobe < kernels.size(); ++lobe)
   {
-    const WignerD functions(k, 0, degree);
-    for (std::size_t a = 0; a < cosines.size(); ++a)
+    for (std::size_t n = 0; n < parts[2 * lobe].size(); ++n)
     {
-      cosines[a] =
-        this->Lobe.Azimuths[a].Weight * std::cos(k * (this->Lobe.Azimuths[a].Angle - azimuth));
-      sines[a] =
-        this->Lobe.Azimuths[a].Weight * std::sin(k * (this->Lobe.Azimuths[a].Angle - azimuth));
-    }
-    const std::size_t first = k;
-    for (std::size_t p = 0; p < this->Lobe.Polar.size(); ++p)
-    {
-      glm::dvec3 real(0.0), imaginary(0.0);
-      for (std::size_t a = 0; a < cosines.size(); ++a)
-      {
-        real += cosines[a] * this->Lobe.Rest[p * cosines.size() + a];
-        imaginary -= sines[a] * this->Lobe.Rest[p * cosines.size() + a];
-      }
-      functions.Evaluate(this->Lobe.Polar[p].Angle, d.data());
-      const double weight = this->Lobe.Polar[p].Weight * std::sin(this->Lobe.Polar[p].Angle);
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        const std::complex<double> value(
-          weight * real[static_cast<int>(c)], weight * imaginary[static_cast<int>(c)]);
-        std::complex<double>* out = &about[(3 * first + c) * size];
-        for (std::size_t l = first; l < size; ++l)
-        {
-          out[l] += value * d[l - first];
-        }
-      }
+      const std::complex<double> about(parts[2 * lobe][n], -parts[2 * lobe + 1][n]);
+      const double amplitude = kernels[lobe].Means.Amplitude[n / size % 3];
+      const double k = n / size / 3;
+      results[lobe].emplace_back(amplitude * std::polar(1.0, -k * lobes[2 * lobe].Azimuth) *
+                                 about); // from the tangent again
     }
   }
-  return about;
-}
-
-std::vector<std::complex<float>> AnisotropicLobe::Expand(int degree, int orders) const
-{
-  // In a frame whose x points away from the axis' azimuth the axis is (-sin delta, 0, cos delta),
-  // and the turn to it is one about y: b_lk = sum over k' of d^l_k'k(-delta) n_lk'.
-  const glm::dvec3& axis = this->Lobe.Means.Axis;
-  const double azimuth = std::atan2(axis.y, axis.x) + Pi;
-  const double delta = std::atan2(std::hypot(axis.x, axis.y), axis.z);
-  const Series about = this->ExpandAboutNormal(degree, azimuth);
-  const std::size_t size = static_cast<std::size_t>(degree) + 1;
-  Series turned(3 * static_cast<std::size_t>(orders + 1) * size);
-  std::vector<double> d(size);
-  for (int k = 0; k <= orders; ++k)
-  {
-    for (int from = -degree; from <= degree; ++from)
-    {
-      const WignerD functions(k, from, degree); // d_k'k(-delta) = d_kk'(delta)
-      functions.Evaluate(delta, d.data());
-      const double sign = from < 0 && from % 2 != 0 ? -1.0 : 1.0; // n_l,-k = (-1)^k conj(n_lk)
-      const std::size_t first = functions.GetFirst();
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        const std::complex<double>* in =
-          &about[(3 * static_cast<std::size_t>(std::abs(from)) + c) * size];
-        std::complex<double>* out = &turned[(3 * static_cast<std::size_t>(k) + c) * size];
-        for (std::size_t l = first; l < size; ++l)
-        {
-          out[l] += sign * d[l - first] * (from < 0 ? std::conj(in[l]) : in[l]);
-        }
-      }
-    }
-  }
-  std::vector<std::complex<float>> result(turned.size());
-  for (std::size_t n = 0; n < turned.size(); ++n)
-  {
-    const int channel = static_cast<int>(n / size % 3);
-    const double k = static_cast<double>(n / size / 3);
-    const double scale = this->Lobe.Sum[channel] > 0.0
-                           ? this->Lobe.Means.Amplitude[channel] / this->Lobe.Sum[channel]
-                           : 0.0;
-    result[n] = std::complex<float>(
-      scale * std::sqrt((2.0 * static_cast<double>(n % size) + 1.0) / (4.0 * Pi)) *
-      std::polar(1.0, -k * azimuth) * turned[n]); // azimuths from the tangent again
-  }
-  return result;
+  return results;
 }
 } // namespace measuredbrdf

@@ -11,7 +11,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
+#include <functional>
 
 namespace measuredbrdf
 {
@@ -29,60 +29,62 @@ MaterialPrecomputation::MaterialPrecomputation(bool quick)
 
 MaterialPrecomputation::~MaterialPrecomputation() = default;
 
-const MaterialPrecomputation::Kernels& MaterialPrecomputation::GetKernels(
-  vtkBRDF* brdf, int angles, int resolution, const std::atomic<bool>& abort, const Use& use)
+MaterialKernels& MaterialPrecomputation::GetKernels(
+  vtkBRDF* brdf, const Sizes& sizes, const std::atomic<bool>& abort, const Use& use)
 {
-  Kernels& kernels = this->KernelsOf[{ angles, resolution }];
-  const Expansion& known = this->Expansions[&kernels];
-  const bool areNodesWanted = use.Nodes || known.Degree < use.Degree || known.Orders < use.Orders;
-  if (kernels.empty() || std::any_of(kernels.begin(), kernels.end(),
-                           [areNodesWanted](const auto& kernel)
-                           { return !kernel || (areNodesWanted && !kernel->HasNodes()); }))
+  const auto [angles, resolution, azimuths] = sizes;
+  MaterialKernels& kernels = this->KernelsOf[{ angles, resolution, azimuths }];
+  std::vector<LobeKernel>& all = kernels.At;
+  const bool areNodesWanted = use.Nodes || kernels.NeedsNodes(use.Degree, use.Orders);
+  if (!all.empty() && !(areNodesWanted && !all.front().HasNodes()))
   {
-    kernels.clear();
-    kernels.resize(angles);
-    measuredbrdf::ParallelForEach(
-      angles,
-      [&](int k)
-      {
-        kernels[k] = std::make_unique<LobeHarmonics>(brdf, LobeViews::GetKnotAngle(k, angles),
-          resolution, this->Quick ? QuickKernelCells : KernelCells);
-      },
-      &abort);
+    return kernels;
+  }
+  const LobeViews* const views = azimuths > 0 ? nullptr : &this->GetViews(brdf, abort);
+  const AnisotropicViews* const turned =
+    azimuths > 0 ? &this->GetAnisotropicViews(brdf, abort) : nullptr;
+  all.assign(std::max(azimuths, 1) * angles, LobeKernel());
+  measuredbrdf::ParallelForEach(
+    all.size(),
+    [&, each = std::max(azimuths, 1), nodes = resolution](std::size_t k)
+    {
+      const int knot = static_cast<int>(k);
+      const double theta =
+        LobeViews::GetKnotAngle(knot / each, static_cast<int>(all.size()) / each);
+      const double phi = turned ? turned->GetAzimuth(knot % each, each) : 0.0;
+      all[k] = LobeKernel(brdf, AnisotropicViews::GetView(theta, phi), nodes,
+        this->Quick ? QuickKernelCells : KernelCells, !turned);
+      all[k].Means.Delta = views ? views->GetAxis(theta) : 0.0;
+    },
+    &abort);
+  if (abort)
+  {
+    all.clear();
   }
   return kernels;
 }
 
-std::vector<std::vector<float>> MaterialPrecomputation::GetExpanded(
-  const Kernels& kernels, int degree, int orders)
+std::vector<std::vector<float>> MaterialKernels::Expand(int degree, int orders)
 {
-  Expansion& known = this->Expansions[&kernels];
-  if (known.Degree < degree || known.Orders < orders)
+  if (this->NeedsNodes(degree, orders))
   {
-    assert(std::all_of(kernels.begin(), kernels.end(),
-      [](const auto& kernel) { return kernel && kernel->HasNodes(); })); // Use was of less
-    known.Degree = std::max(known.Degree, degree);
-    known.Orders = std::max(known.Orders, orders);
-    std::vector<std::pair<const LobeHarmonics*, double>> lobes;
-    for (std::size_t k = 0; k < kernels.size(); ++k)
+    assert(!this->At.empty() && this->At.front().HasNodes()); // Use was of less
+    this->Degree = std::max(this->Degree, degree);
+    this->Orders = std::max(this->Orders, orders);
+    std::vector<TurnedLobe> lobes;
+    for (const LobeKernel& kernel : this->At)
     {
-      const double angle =
-        LobeViews::GetKnotAngle(static_cast<int>(k), static_cast<int>(kernels.size()));
-      lobes.emplace_back(kernels[k].get(), this->Views->GetAxis(angle));
+      lobes.push_back({ &kernel, kernel.Means.Delta });
     }
-    known.Harmonics = LobeHarmonics::Expand(lobes, known.Degree, known.Orders);
-  }
-  if (known.Degree == degree && known.Orders == orders)
-  {
-    return known.Harmonics;
+    this->Harmonics = ExpandLobes(lobes, this->Degree, this->Orders);
   }
   std::vector<std::vector<float>> parts;
-  for (const std::vector<float>& all : known.Harmonics)
+  for (const std::vector<float>& all : this->Harmonics)
   {
     parts.emplace_back();
     for (int row = 0; row < 3 * (orders + 1); ++row)
     {
-      const auto first = all.begin() + static_cast<std::ptrdiff_t>(row) * (known.Degree + 1);
+      const auto first = all.begin() + static_cast<std::ptrdiff_t>(row) * (this->Degree + 1);
       parts.back().insert(parts.back().end(), first, first + degree + 1);
     }
   }
@@ -100,6 +102,7 @@ const MaterialPrecomputation::Matrices& MaterialPrecomputation::GetRemainders(
   return known;
 }
 
+// Views that were aborted are of no use, but for the caller that aborted them.
 const LobeViews& MaterialPrecomputation::GetViews(vtkBRDF* brdf, const std::atomic<bool>& abort)
 {
   if (!this->AreViewsWhole)
@@ -108,6 +111,17 @@ const LobeViews& MaterialPrecomputation::GetViews(vtkBRDF* brdf, const std::atom
     this->AreViewsWhole = !abort;
   }
   return *this->Views;
+}
+
+const AnisotropicViews& MaterialPrecomputation::GetAnisotropicViews(
+  vtkBRDF* brdf, const std::atomic<bool>& abort)
+{
+  if (!this->AreViewsByAzimuthWhole)
+  {
+    this->ViewsByAzimuth = std::make_unique<AnisotropicViews>(brdf, abort);
+    this->AreViewsByAzimuthWhole = !abort;
+  }
+  return *this->ViewsByAzimuth;
 }
 
 vtkSmartPointer<vtkBRDF> MaterialPrecomputation::GetLampForm(
@@ -133,62 +147,12 @@ void MaterialPrecomputation::Trim(int mostAngles, int mostNodes)
 {
   this->Remainders.clear();
   this->LampForms.clear();
-  for (auto it = this->KernelsOf.begin(); it != this->KernelsOf.end();)
+  for (auto& [sizes, kernels] : this->KernelsOf)
   {
-    const bool isKept = it->first.first <= mostAngles && it->first.second <= mostNodes;
-    const bool isExpanded = !this->Expansions[&it->second].Harmonics.empty();
-    for (const auto& kernel : it->second)
+    if (sizes[0] > mostAngles || sizes[1] > mostNodes)
     {
-      if (kernel && !isKept && isExpanded)
-      {
-        kernel->ForgetNodes();
-      }
-    }
-    if (!isKept && !isExpanded)
-    {
-      this->Expansions.erase(&it->second);
-      it = this->KernelsOf.erase(it);
-    }
-    else
-    {
-      ++it;
+      std::for_each(kernels.At.begin(), kernels.At.end(), std::mem_fn(&LobeKernel::ForgetNodes));
     }
   }
-}
-
-const AnisotropicViews& MaterialPrecomputation::GetAnisotropicViews(
-  vtkBRDF* brdf, const std::atomic<bool>& abort)
-{
-  if (!this->AreViewsByAzimuthWhole)
-  {
-    this->ViewsByAzimuth = std::make_unique<AnisotropicViews>(brdf, abort);
-    this->AreViewsByAzimuthWhole = !abort;
-  }
-  return *this->ViewsByAzimuth;
-}
-
-const MaterialPrecomputation::AnisotropicKernels& MaterialPrecomputation::GetAnisotropicKernels(
-  vtkBRDF* brdf, int angles, int azimuths, int resolution, const std::atomic<bool>& abort)
-{
-  const AnisotropicViews& views = this->GetAnisotropicViews(brdf, abort);
-  AnisotropicKernels& kernels = this->KernelsByAzimuth[{ angles, azimuths, resolution }];
-  if (kernels.empty() ||
-      std::any_of(kernels.begin(), kernels.end(), [](const auto& kernel) { return !kernel; }))
-  {
-    kernels.clear();
-    kernels.resize(angles * azimuths);
-    measuredbrdf::ParallelForEach(
-      kernels.size(),
-      [&](std::size_t k)
-      {
-        const int knot = static_cast<int>(k);
-        kernels[k] = std::make_unique<AnisotropicLobe>(brdf,
-          AnisotropicViews::GetView(LobeViews::GetKnotAngle(knot / azimuths, angles),
-            views.GetAzimuth(knot % azimuths, azimuths)),
-          resolution);
-      },
-      &abort);
-  }
-  return kernels;
 }
 } // namespace measuredbrdf

@@ -18,17 +18,37 @@
 
 #include <array>
 #include <atomic>
-#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
-#include <utility>
 #include <vector>
 
 class vtkBRDF;
 
 namespace measuredbrdf
 {
+/// Kernels at a table's views. Each Means.Delta is where tables have the lobe's axis
+/// (LobeViews::GetAxis).
+struct MaterialKernels
+{
+  std::vector<LobeKernel> At; // none where it was aborted
+
+  /// ExpandLobes of an isotropic material about these axes, kept for the next time; smaller sizes
+  /// are taken from larger ones.
+  std::vector<std::vector<float>> Expand(int degree, int orders);
+
+  /// Whether that needs nodes, which may be forgotten.
+  bool NeedsNodes(int degree, int orders) const
+  {
+    return this->Degree < degree || this->Orders < orders;
+  }
+
+private:
+  int Degree = -1;
+  int Orders = -1;
+  std::vector<std::vector<float>> Harmonics;
+};
+
 /// For one material while it does not change; not for two threads at a time.
 class MaterialPrecomputation
 {
@@ -38,7 +58,16 @@ public:
   explicit MaterialPrecomputation(bool quick = false);
   ~MaterialPrecomputation();
 
-  /// What is wanted of kernels: their nodes, or else no more than GetExpanded of these sizes.
+  /// At so many polar angles of the view (LobeViews::GetKnotAngle); of anisotropic materials at so
+  /// many azimuths over f's period, the azimuths of one angle side by side.
+  struct Sizes
+  {
+    int Angles;
+    int Resolution; // nodes over theta_i
+    int Azimuths = 0;
+  };
+
+  /// What is wanted of kernels: their nodes, or else no more than Expand of these sizes.
   struct Use
   {
     bool Nodes = true;
@@ -46,19 +75,12 @@ public:
     int Orders = 0;
   };
 
-  /// Kernels at so many view angles (LobeViews::GetKnotAngle). Null ones where it was aborted.
-  using Kernels = std::vector<std::unique_ptr<LobeHarmonics>>;
-  const Kernels& GetKernels(
-    vtkBRDF* brdf, int angles, int resolution, const std::atomic<bool>& abort, const Use& use);
-  const Kernels& GetKernels(
-    vtkBRDF* brdf, int angles, int resolution, const std::atomic<bool>& abort)
+  MaterialKernels& GetKernels(
+    vtkBRDF* brdf, const Sizes& sizes, const std::atomic<bool>& abort, const Use& use);
+  MaterialKernels& GetKernels(vtkBRDF* brdf, const Sizes& sizes, const std::atomic<bool>& abort)
   {
-    return this->GetKernels(brdf, angles, resolution, abort, Use());
+    return this->GetKernels(brdf, sizes, abort, Use());
   }
-
-  /// Their harmonics about the axes of the views, as LobeHarmonics::Expand has them: of these
-  /// sizes, taken from larger ones where these are known.
-  std::vector<std::vector<float>> GetExpanded(const Kernels& kernels, int degree, int orders);
 
   /// What a factored table lacks of the kernels (RadianceCore.h), by what it depends on: the sizes
   /// that made it.
@@ -67,16 +89,11 @@ public:
     const std::vector<double>& sizes, const std::function<Matrices()>& make);
 
   ///@{
-  /// Of anisotropic materials: the views, and kernels at so many polar angles of the view and
-  /// azimuths over f's period, the azimuths of one angle side by side.
-  const AnisotropicViews& GetAnisotropicViews(vtkBRDF* brdf, const std::atomic<bool>& abort);
-  using AnisotropicKernels = std::vector<std::unique_ptr<AnisotropicLobe>>;
-  const AnisotropicKernels& GetAnisotropicKernels(
-    vtkBRDF* brdf, int angles, int azimuths, int resolution, const std::atomic<bool>& abort);
-  ///@}
-
-  /// The material's views: for a profile, and to be split into parts.
+  /// The views of an isotropic or an anisotropic material: for a profile, and to be split into
+  /// parts.
   const LobeViews& GetViews(vtkBRDF* brdf, const std::atomic<bool>& abort);
+  const AnisotropicViews& GetAnisotropicViews(vtkBRDF* brdf, const std::atomic<bool>& abort);
+  ///@}
 
   /// LampBRDF::Make of an isotropic material; null where it was aborted.
   vtkSmartPointer<vtkBRDF> GetLampForm(
@@ -88,21 +105,13 @@ public:
 
 private:
   const bool Quick;
-  std::map<std::pair<int, int>, Kernels> KernelsOf; // angles, resolution
-  struct Expansion
-  {
-    int Degree = -1;
-    int Orders = -1;
-    std::vector<std::vector<float>> Harmonics;
-  };
-  std::map<const Kernels*, Expansion> Expansions;
+  std::map<std::array<int, 3>, MaterialKernels> KernelsOf; // angles, resolution, azimuths
   std::map<std::vector<double>, Matrices> Remainders;
   std::unique_ptr<LobeViews> Views;
-  bool AreViewsWhole = false;                           // else they were aborted
-  std::map<double, vtkSmartPointer<vtkBRDF>> LampForms; // by spread
   std::unique_ptr<AnisotropicViews> ViewsByAzimuth;
+  bool AreViewsWhole = false; // else they were aborted
   bool AreViewsByAzimuthWhole = false;
-  std::map<std::array<int, 3>, AnisotropicKernels> KernelsByAzimuth; // angles, azimuths, resolution
+  std::map<double, vtkSmartPointer<vtkBRDF>> LampForms; // by spread
 };
 } // namespace measuredbrdf
 

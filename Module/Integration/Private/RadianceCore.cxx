@@ -5,9 +5,11 @@
 #include "FieldSynthesis.h"
 #include "LobeHarmonics.h"
 #include "LobePlacement.h"
+#include "ModuleShader.h"
 #include "ParallelFor.h"
 #include "TableSynthesis.h"
 #include "WignerD.h"
+#include "vtkBRDFEnvironmentCore.h"
 
 #include <Eigen/Eigenvalues>
 #include <glm/glm.hpp>
@@ -19,6 +21,7 @@
 #include <complex>
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <utility>
 
 namespace measuredbrdf
@@ -97,16 +100,16 @@ void ExpandKnot(const CoreKernels& kernels, const std::vector<std::vector<float>
   const double place = LobeViews::GetKnotPosition(kernels.GetViewAngle(knot), kernels.Table.Angles);
   const std::size_t low = std::min(static_cast<std::size_t>(place), table.size() - 2);
   const double between = place - static_cast<double>(low);
-  const LobeHarmonics& lobe = *kernels.Knots[knot];
-  const std::vector<double> cosine = TurnCosine(kernels.GetAxis(knot), degree);
+  const LobeMeans& lobe = kernels.Knots.At[knot].Means;
+  const std::vector<double> cosine = TurnCosine(lobe.Delta, degree);
   for (int order = 0; order <= LargestOrder; ++order)
   {
     // As many orders as the table's azimuths can tell apart.
     const double inTable = order <= kernels.Table.Azimuths / 2 ? 1.0 : 0.0;
     for (int channel = 0; channel < 3; ++channel)
     {
-      const double amplitude = lobe.GetMeans().Amplitude[channel];
-      const double lambert = lobe.GetMeans().Floor[channel] - floor[channel];
+      const double amplitude = lobe.Amplitude[channel];
+      const double lambert = lobe.Floor[channel] - floor[channel];
       const Eigen::Index column = 3 * static_cast<Eigen::Index>(knot) + channel;
       for (int l = order; l <= degree; ++l)
       {
@@ -126,13 +129,12 @@ Matrices ExpandKernels(const CoreKernels& kernels)
 {
   // The table is smoothed, so that its harmonics end by themselves: none of those within the
   // degree is to fade.
-  const std::vector<std::vector<float>> table = ExpandTableKernels(kernels.Known, kernels.Views,
+  const std::vector<std::vector<float>> table = ExpandTableKernels(
     kernels.TableKnots, kernels.Degree, LargestOrder, kernels.Smoothing, kernels.Degree);
-  const std::vector<std::vector<float>> whole =
-    kernels.Known.GetExpanded(kernels.Knots, kernels.Degree, LargestOrder);
-  Matrices result(LargestOrder + 1,
-    Eigen::MatrixXd::Zero(kernels.Degree + 1, 3 * static_cast<Eigen::Index>(kernels.Knots.size())));
-  measuredbrdf::ParallelForEach(kernels.Knots.size(),
+  const std::vector<std::vector<float>> whole = kernels.Knots.Expand(kernels.Degree, LargestOrder);
+  Matrices result(LargestOrder + 1, Eigen::MatrixXd::Zero(kernels.Degree + 1,
+                                      3 * static_cast<Eigen::Index>(kernels.Knots.At.size())));
+  measuredbrdf::ParallelForEach(kernels.Knots.At.size(),
     [&](std::size_t knot) { ExpandKnot(kernels, table, knot, whole[knot], result); });
   return result;
 }
@@ -168,18 +170,14 @@ void Decompose(int order, const Eigen::MatrixXd& kernels, const std::vector<doub
 
 double CoreKernels::GetViewAngle(std::size_t knot) const
 {
-  return LobeViews::GetKnotAngle(static_cast<int>(knot), static_cast<int>(this->Knots.size()));
-}
-
-double CoreKernels::GetAxis(std::size_t knot) const
-{
-  return this->Views.GetAxis(this->GetViewAngle(knot));
+  return LobeViews::GetKnotAngle(static_cast<int>(knot), static_cast<int>(this->Knots.At.size()));
 }
 
 glm::dvec3 CoreMode::GetWeight(const CoreKernels& kernels, double theta) const
 {
-  const double exact = LobeViews::GetKnotPosition(theta, static_cast<int>(kernels.Knots.size()));
-  const double low = std::min(std::floor(exact), static_cast<double>(kernels.Knots.size()) - 2.0);
+  const double exact = LobeViews::GetKnotPosition(theta, static_cast<int>(kernels.Knots.At.size()));
+  const double low =
+    std::min(std::floor(exact), static_cast<double>(kernels.Knots.At.size()) - 2.0);
   glm::dvec3 weight;
   for (int c = 0; c < 3; ++c)
   {
@@ -193,20 +191,21 @@ std::vector<CoreMode> ChooseModes(
   const EnvironmentHarmonics& environment, const CoreKernels& kernels, int fields)
 {
   const std::vector<double> power = GetPower(environment, kernels.Degree);
-  Eigen::VectorXd weights(3 * static_cast<Eigen::Index>(kernels.Knots.size()));
+  Eigen::VectorXd weights(3 * static_cast<Eigen::Index>(kernels.Knots.At.size()));
   double total = 0.0;
-  for (std::size_t knot = 0; knot < kernels.Knots.size(); ++knot)
+  for (std::size_t knot = 0; knot < kernels.Knots.At.size(); ++knot)
   {
     const double weight = GetViewWeight(kernels.GetViewAngle(knot));
     weights.segment<3>(3 * static_cast<Eigen::Index>(knot)).setConstant(weight);
-    const glm::dvec3 seen = weight * kernels.Knots[knot]->GetMeans().Amplitude;
+    const glm::dvec3 seen = weight * kernels.Knots.At[knot].Means.Amplitude;
     total += glm::dot(seen, seen);
   }
-  const Matrices& expanded = kernels.Known.GetRemainders(
-    { static_cast<double>(kernels.Knots.size()), static_cast<double>(kernels.TableKnots.size()),
-      static_cast<double>(kernels.Table.Azimuths), static_cast<double>(kernels.Degree),
-      kernels.Smoothing },
-    [&kernels]() { return ExpandKernels(kernels); });
+  const Matrices& expanded =
+    kernels.Known.GetRemainders({ static_cast<double>(kernels.Knots.At.size()),
+                                  static_cast<double>(kernels.TableKnots.At.size()),
+                                  static_cast<double>(kernels.Table.Azimuths),
+                                  static_cast<double>(kernels.Degree), kernels.Smoothing },
+      [&kernels]() { return ExpandKernels(kernels); });
   const double least = LeastEnergy * std::pow(power[0], PowerExponent) * total;
   std::array<std::vector<CoreMode>, LargestOrder + 1> byOrder;
   measuredbrdf::ParallelForEach(LargestOrder + 1,
@@ -364,6 +363,63 @@ std::vector<float> RadianceCore::GetShaderWeights() const
     }
   }
   return texels;
+}
+
+void RadianceCore::AddTo(vtkBRDFShaderInputs& form) const
+{
+  if (this->Orders.empty()) // constant light, or nothing sharp
+  {
+    return;
+  }
+  // Both parts look at the same place of their maps: one text, the maps' before the table's.
+  vtkBRDFShaderInputs::Term& term = form.Terms.at(0);
+  term.Source = std::string(vtkBRDFEnvironmentCore) + term.Source;
+  term.Shader = "vtkBRDFEnvironmentCore";
+  const int modes = this->Orders.size();
+  const int rows = RadianceCore::CountWeightRows(modes);
+  std::string steps;
+  for (int row = 0; row < rows; ++row)
+  {
+    const std::string number = std::to_string(row);
+    steps += "vec4 weights" + number + " = texelFetch(brdfCoreProfileINSTANCE, ivec2(view, " +
+             number + "), 0); ";
+  }
+  const auto getWeight = [](int number)
+  { return "weights" + std::to_string(number / 4) + "." + "xyzw"[number % 4]; };
+  int order = 0;
+  for (int mode = 0; mode < modes; ++mode)
+  {
+    const int next = this->Orders[mode];
+    for (; order < next; ++order)
+    {
+      steps += "brdfCoreTurnINSTANCE(at); ";
+    }
+    steps += std::string("sum += ") +
+             (next > 0 ? "brdfCoreTurnedINSTANCE" : "brdfCoreFieldINSTANCE") + "(at) * vec3(" +
+             getWeight(3 * mode) + ", " + getWeight(3 * mode + 1) + ", " + getWeight(3 * mode + 2) +
+             "); ";
+  }
+  const int fields = this->GetNumberOfFields();
+  term.Fetches += rows + fields;
+  for (vtkBRDFShaderInputs::Constant& constant : term.Constants)
+  {
+    if (constant.Name == "SHARP_PART")
+    {
+      constant.Value = "brdfCoreINSTANCE(view, position, turn)";
+    }
+  }
+  term.Constants.push_back({ "CORE_STEPS", steps });
+  term.Constants.push_back({ "CORE_FIELDS", std::to_string(fields) });
+  vtkBRDFShaderInputs::Texture& profile = AddTexture(term, "brdfCoreProfile", ProfileTexels, rows);
+  profile.Components = 4;
+  profile.Data = this->GetShaderWeights();
+  vtkBRDFShaderInputs::Texture& maps =
+    AddTexture(term, "brdfCoreFields", this->Columns, this->Rows * fields);
+  maps.HalfFloat = true;
+  maps.Repeat[0] = true; // they are round
+  maps.Data = this->Fields;
+  form.Description += "; " + std::to_string(fields) + " maps of " + std::to_string(this->Columns) +
+                      " x " + std::to_string(this->Rows) + " of its sharp part";
 }
 
 glm::dvec3 RadianceCore::Evaluate(

@@ -37,17 +37,15 @@ namespace measuredbrdf
 /// Kernels at view angles (LobeViews::GetKnotAngle), and the table that takes their broad part.
 struct CoreKernels
 {
-  const MaterialPrecomputation::Kernels& Knots;
-  const MaterialPrecomputation::Kernels& TableKnots; // at the table's view angles
-  const RadianceTable& Table;                        // its profile (MakeProfile, scale 1)
-  const LobeViews& Views;
+  MaterialKernels& Knots;
+  MaterialKernels& TableKnots;   // at the table's view angles
+  const RadianceTable& Table;    // its profile (MakeProfile, scale 1)
   double Smoothing;              // of the table, GetSmoothed
   int Rows;                      // of the maps
   int Degree;                    // of the harmonics
   MaterialPrecomputation& Known; // that knows the remainders, or will
 
   double GetViewAngle(std::size_t knot) const;
-  double GetAxis(std::size_t knot) const;
 };
 
 /// A function about the axis, cos or sin of order times psi, and its weight of each view.
@@ -105,11 +103,12 @@ struct RadianceCore
   bool Make(const EnvironmentHarmonics& environment, const LobeViews& views,
     const CoreKernels& kernels, int fields, const std::function<bool(double)>& goOn);
 
+  /// Adds the same to a table's form.
+  void AddTo(vtkBRDFShaderInputs& form) const;
+
 private:
   double AddFields(int order, const FieldSynthesis::Fields& fields, std::size_t mode);
 };
-
-struct RadianceCore;
 } // namespace measuredbrdf
 
 #endif

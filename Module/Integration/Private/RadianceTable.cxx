@@ -5,13 +5,17 @@
 #include "HalfVector.h" // for Pi
 #include "Lamps.h"
 #include "LobePlacement.h"
+#include "ModuleShader.h"
 #include "ParallelFor.h"
 #include "SynthesisLanes.h"
+#include "vtkBRDFEnvironmentTable.h"
+#include "vtkBRDFEnvironmentTiles.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace measuredbrdf
@@ -369,7 +373,7 @@ glm::dvec3 RadianceTable::Evaluate(
     this->HasFloor ? GetProfileValue(this->Profile, 2, u) : glm::dvec3(0.0);
   if (this->HasFloor)
   {
-    sum += lambert * GetIrradiance(*this->Irradiance, n);
+    sum += lambert * this->GetIrradiance(n);
   }
   if (lamps)
   {
@@ -378,8 +382,9 @@ glm::dvec3 RadianceTable::Evaluate(
   return glm::max(sum, glm::dvec3(0.0));
 }
 
-glm::dvec3 RadianceTable::GetIrradiance(const ScaledTexels& map, const glm::dvec3& n)
+glm::dvec3 RadianceTable::GetIrradiance(const glm::dvec3& n) const
 {
+  const ScaledTexels& map = *this->Irradiance;
   return static_cast<double>(map.Scale) * GetOctahedralValue(map.Texels, IrradianceSide, n);
 }
 
@@ -397,5 +402,64 @@ std::vector<float> RadianceTable::GetShaderProfile() const
     }
   }
   return texels;
+}
+
+vtkBRDFShaderInputs RadianceTable::MakeForm(
+  vtkBRDFShaderInputs::Term term, int height, int depth) const
+{
+  term.Constants.push_back({ "HAS_FLOOR", this->HasFloor ? "1" : "0" });
+  term.Uniforms.push_back(
+    { "brdfTableLastView", { static_cast<float>(LobeViews::GetLastAngle() * 2.0 / Pi) } });
+  vtkBRDFShaderInputs::Texture& radiance =
+    AddTexture(term, "brdfTableRadiance", this->Columns, height, depth);
+  radiance.SharedExponents = this->Radiance;
+  radiance.Repeat[0] = true;
+  if (this->HasFloor)
+  {
+    AddTexture(term, "brdfTableIrradiance", IrradianceSide, IrradianceSide).SharedExponents =
+      this->Irradiance->Texels;
+    term.Uniforms.push_back({ "brdfTableIrradianceScale", { this->Irradiance->Scale } });
+    term.Fetches += 2; // with its profile
+  }
+  vtkBRDFShaderInputs form;
+  form.QuantizationError = std::ldexp(1.0, -9);
+  form.Terms.push_back(std::move(term));
+  return form;
+}
+
+vtkBRDFShaderInputs RadianceTable::GetShaderInputs() const
+{
+  vtkBRDFShaderInputs::Term term;
+  SetModuleShader(term, "vtkBRDFEnvironmentTable", vtkBRDFEnvironmentTable);
+  term.Constants = { { "SHARP_PART", "vec3(0.0)" }, { "LAMPS_PART", "vec3(0.0)" },
+    { "TILE_PART", "vec2(-1.0)" } };
+  term.Uniforms.push_back({ "brdfTableRows", { static_cast<float>(this->Rows) } });
+  term.Uniforms.push_back({ "brdfTableAngles", { static_cast<float>(this->Angles) } });
+  term.Fetches = 3; // the profile and two view angles
+  vtkBRDFShaderInputs::Texture& profile =
+    AddTexture(term, "brdfTableProfile", ProfileTexels, this->HasFloor ? 2 : 1);
+  profile.Components = 4;
+  profile.Data = this->GetShaderProfile();
+  std::string sizes = "radiance table, " + std::to_string(this->Columns) + " x " +
+                      std::to_string(this->Rows) + " axes";
+  const TableTiles& tiles = this->Tiles;
+  if (!tiles.Places.empty())
+  {
+    term.Source = std::string(vtkBRDFEnvironmentTiles) + term.Source;
+    term.Constants.back().Value = "brdfTilePositionINSTANCE(position, brdfTableRowsINSTANCE)";
+    term.Uniforms.push_back({ "brdfTileAcross", { static_cast<float>(tiles.Across) } });
+    vtkBRDFShaderInputs::Texture& places =
+      AddTexture(term, "brdfTilePlaces", tiles.CountColumns(), tiles.CountRows(), 1);
+    places.Components = 1;
+    places.Data = tiles.Places;
+    ++term.Fetches;
+    sizes += " (" + std::to_string(tiles.GetFineColumns()) + " x " +
+             std::to_string(tiles.FineRows) + " where they bend most)";
+  }
+  vtkBRDFShaderInputs form =
+    this->MakeForm(std::move(term), this->GetHeight(), this->Angles * (this->Azimuths + 1));
+  form.Description = sizes + " x " + std::to_string(this->Angles) + " view angles x " +
+                     std::to_string(this->Azimuths) + " azimuths";
+  return form;
 }
 } // namespace measuredbrdf

@@ -14,6 +14,7 @@
 #include "LobePlacement.h" // for ProfileTexels
 #include "LobeViews.h"
 #include "Neighbors.h"
+#include "vtkBRDFShaderInputs.h"
 
 #include <glm/glm.hpp>
 
@@ -135,18 +136,28 @@ struct RadianceTable
            static_cast<std::size_t>(this->Columns) * this->GetHeight();
   }
 
+  virtual ~RadianceTable() = default;
+
   /// Radiance towards o about the normal n, as the shader looks it up; t: a unit tangent or zero;
   /// lamps: beside the table, or null.
-  glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t,
+  virtual glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t,
     const TableLamps* lamps = nullptr) const;
+
+  /// What a shader needs to do the same: one term.
+  virtual vtkBRDFShaderInputs GetShaderInputs() const;
 
   /// The profile as shaders read it: RGBA of ProfileTexels view angles, the share and by how much
   /// the sine of the axis' angle exceeds that of the view's, so that what mirrors has no steps; in
   /// a second row, where there is a floor, the Lambert part.
   std::vector<float> GetShaderProfile() const;
 
-  /// A map of irradiance at a normal.
-  static glm::dvec3 GetIrradiance(const ScaledTexels& map, const glm::dvec3& n);
+protected:
+  /// Of the Lambert part, at a normal.
+  glm::dvec3 GetIrradiance(const glm::dvec3& n) const;
+
+  /// A form of the term, with the textures of radiance, so many texels high and deep, and
+  /// irradiance.
+  vtkBRDFShaderInputs MakeForm(vtkBRDFShaderInputs::Term term, int height, int depth) const;
 };
 } // namespace measuredbrdf
 

@@ -197,8 +197,7 @@ FieldSynthesis::Kernels PickOrder(
 }
 }
 
-std::vector<std::vector<float>> ExpandTableKernels(MaterialPrecomputation& parts,
-  const LobeViews& views, const MaterialPrecomputation::Kernels& knots, int degree, int orders,
+std::vector<std::vector<float>> ExpandTableKernels(MaterialKernels& knots, int degree, int orders,
   double smoothing, int rows, const LampWindow* window)
 {
   const std::size_t size = static_cast<std::size_t>(degree) + 1;
@@ -207,25 +206,26 @@ std::vector<std::vector<float>> ExpandTableKernels(MaterialPrecomputation& parts
   {
     smoothed.push_back(static_cast<float>(GetSmoothed(l, smoothing) * GetTaper(l, degree, rows)));
   }
-  std::vector<std::pair<const LobeHarmonics*, double>> lobes;
-  std::vector<LobeHarmonics> outside;
-  outside.reserve(knots.size());
-  for (std::size_t k = 0; window && k < knots.size(); ++k)
+  std::vector<TurnedLobe> lobes;
+  std::vector<LobeKernel> outside;
+  outside.reserve(knots.At.size());
+  for (const LobeKernel& knot : knots.At)
   {
-    const double axis =
-      views.GetAxis(LobeViews::GetKnotAngle(static_cast<int>(k), static_cast<int>(knots.size())));
-    outside.push_back(knots[k]->GetOutside(*window, axis));
-    lobes.emplace_back(&outside.back(), axis);
+    if (window)
+    {
+      outside.push_back(knot.GetOutside(*window, knot.Means.Delta));
+      lobes.push_back({ &outside.back(), knot.Means.Delta });
+    }
   }
-  std::vector<std::vector<float>> kernels = window ? LobeHarmonics::Expand(lobes, degree, orders)
-                                                   : parts.GetExpanded(knots, degree, orders);
+  std::vector<std::vector<float>> kernels =
+    window ? ExpandLobes(lobes, degree, orders) : knots.Expand(degree, orders);
   for (std::size_t k = 0; k < kernels.size(); ++k)
   {
     for (std::size_t b = 0; b < kernels[k].size(); ++b)
     {
       const int channel = static_cast<int>(b / size % 3);
       kernels[k][b] *=
-        smoothed[b % size] * static_cast<float>(knots[k]->GetMeans().Amplitude[channel]);
+        smoothed[b % size] * static_cast<float>(knots.At[k].Means.Amplitude[channel]);
     }
   }
   return kernels;
@@ -252,21 +252,20 @@ namespace
 {
 // RGB of a table's slices at nodes of a map of so many rows, with dark rings. None where goOn said
 // false.
-std::vector<float> SynthesizeMaps(MaterialPrecomputation& parts, const LobeViews& views,
-  const TableLight& light, const MaterialPrecomputation::Kernels& knots, double smoothing,
+std::vector<float> SynthesizeMaps(const TableLight& light, MaterialKernels& knots, double smoothing,
   const MapPart& part, int degree, const std::function<bool(double)>& goOn,
   const RadianceTable& table)
 {
   const int orders = table.Azimuths / 2; // as many as the azimuths can tell apart
   const int rows = part.GetAllRows();
   std::vector<std::vector<float>> kernels =
-    ExpandTableKernels(parts, views, knots, degree, orders, smoothing, rows);
+    ExpandTableKernels(knots, degree, orders, smoothing, rows);
   // Lamps are what the one environment has more than the other: K rest + K_out (all - rest) =
   // (K - K_out) rest + K_out all. They are not smoothed: no maps add what they would lack.
   std::vector<std::vector<float>> outside;
   if (light.All)
   {
-    outside = ExpandTableKernels(parts, views, knots, degree, orders, 0.0, rows, &light.Window);
+    outside = ExpandTableKernels(knots, degree, orders, 0.0, rows, &light.Window);
     for (std::size_t k = 0; k < kernels.size(); ++k)
     {
       std::transform(kernels[k].begin(), kernels[k].end(), outside[k].begin(), kernels[k].begin(),
@@ -317,17 +316,16 @@ std::vector<double> GetSliceWeights(const RadianceTable& table)
 }
 }
 
-double SynthesizeRadiance(MaterialPrecomputation& parts, const LobeViews& views,
-  const TableLight& light, const MaterialPrecomputation::Kernels& knots, int degree,
+double SynthesizeRadiance(const TableLight& light, MaterialKernels& knots, int degree,
   double smoothing, const std::function<bool(double)>& goOn, RadianceTable& table)
 {
   const int fineRows = table.Tiles.FineRows;
   if (fineRows > 0) // the coarse map's kernels are a part of these
   {
-    parts.GetExpanded(knots, degree, table.Azimuths / 2);
+    knots.Expand(degree, table.Azimuths / 2);
   }
   std::vector<float> radiance =
-    SynthesizeMaps(parts, views, light, knots, smoothing, MapPart(table.Rows, table.Columns),
+    SynthesizeMaps(light, knots, smoothing, MapPart(table.Rows, table.Columns),
       fineRows > 0 ? std::min(GetMapDegree(table.Rows), degree) : degree, goOn, table);
   if (radiance.empty())
   {
@@ -342,7 +340,7 @@ double SynthesizeRadiance(MaterialPrecomputation& parts, const LobeViews& views,
     std::vector<float> fine;
     if (nodes.GetNumberOfNodes() > 0)
     {
-      fine = SynthesizeMaps(parts, views, light, knots, smoothing, nodes, degree, goOn, table);
+      fine = SynthesizeMaps(light, knots, smoothing, nodes, degree, goOn, table);
       if (fine.empty())
       {
         return 0.0;
@@ -374,19 +372,19 @@ bool PutProfile(const LobeMeans& lobe, const LobeMeans& between, const glm::dvec
   return between.Floor != glm::dvec3(0.0);
 }
 
-void MakeProfile(const LobeViews& views, const MaterialPrecomputation::Kernels& knots, double scale,
-  RadianceTable& table)
+void MakeProfile(
+  const LobeViews& views, const MaterialKernels& knots, double scale, RadianceTable& table)
 {
   table.Profile.resize(3 * 3 * RadianceTable::ProfileSize);
   for (int k = 0; k < RadianceTable::ProfileSize; ++k)
   {
     const LobeMeans& lobe = views.GetViews()[k].Means;
     const double w = LobeViews::GetKnotPosition(LobeViews::GetAngle(k), table.Angles);
-    const std::size_t low = std::min(static_cast<std::size_t>(w), knots.size() - 2);
+    const std::size_t low = std::min(static_cast<std::size_t>(w), knots.At.size() - 2);
     const double t = w - static_cast<double>(low);
     LobeMeans between;
-    between.Add(knots[low]->GetMeans(), 1.0 - t);
-    between.Add(knots[low + 1]->GetMeans(), t);
+    between.Add(knots.At[low].Means, 1.0 - t);
+    between.Add(knots.At[low + 1].Means, t);
     const bool hasFloor =
       PutProfile(lobe, between, { w, std::cos(lobe.Delta), std::sin(lobe.Delta) }, scale,
         static_cast<std::size_t>(k), table.Profile);

@@ -87,10 +87,9 @@ inline double GetSmoothed(int l, double smoothing)
 }
 
 /// What a table of so many rows has of the kernels at its view angles: harmonics about each one's
-/// axis, times its albedo, less what a blur takes and what fades, as LobeHarmonics::Expand has
-/// them. window: only what lies outside of it; null: all.
-std::vector<std::vector<float>> ExpandTableKernels(MaterialPrecomputation& parts,
-  const LobeViews& views, const MaterialPrecomputation::Kernels& knots, int degree, int orders,
+/// axis, times its albedo, less what a blur takes and what fades, as ExpandLobes has them. window:
+/// only what lies outside of it; null: all.
+std::vector<std::vector<float>> ExpandTableKernels(MaterialKernels& knots, int degree, int orders,
   double smoothing, int rows, const LampWindow* window = nullptr);
 
 /// What a table shows.
@@ -104,8 +103,7 @@ struct TableLight
 /// The table's radiance, of kernels at its view angles up to a harmonic degree. goOn gets the share
 /// that is done; where it says false, the table is not complete, and the result is 0. Else it is
 /// what undoes the radiance's scaling.
-double SynthesizeRadiance(MaterialPrecomputation& parts, const LobeViews& views,
-  const TableLight& light, const MaterialPrecomputation::Kernels& knots, int degree,
+double SynthesizeRadiance(const TableLight& light, MaterialKernels& knots, int degree,
   double smoothing, const std::function<bool(double)>& goOn, RadianceTable& table);
 
 /// RGB scaled so that the peak is the format's largest value, whatever the unit of the light is;
@@ -120,8 +118,8 @@ bool PutProfile(const LobeMeans& lobe, const LobeMeans& between, const glm::dvec
   double scale, std::size_t at, std::vector<float>& profile);
 
 /// A table's profile over all view angles; scale: what undoes its radiance's scaling.
-void MakeProfile(const LobeViews& views, const MaterialPrecomputation::Kernels& knots, double scale,
-  RadianceTable& table);
+void MakeProfile(
+  const LobeViews& views, const MaterialKernels& knots, double scale, RadianceTable& table);
 
 /// An octahedral map of irradiance.
 std::shared_ptr<const ScaledTexels> MakeIrradiance(const EnvironmentHarmonics& environment);

@@ -1,16 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables of anisotropic materials against the reference and against isotropic tables.
+// Tables of anisotropic materials against the reference.
 
 #include "BrushedMetal.h"
 #include "HalfVector.h"
 #include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
-#include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
-#include "vtkRadiancePlanner.h"
 #include "vtkTableRadianceIntegrator.h"
 
 #include <cmath>
@@ -20,10 +18,10 @@ namespace
 {
 using measuredbrdf::Pi;
 
-vtkNew<vtkAnisotropicTableRadianceIntegrator> NewAnisotropicTable(
+vtkNew<vtkTableRadianceIntegrator> NewAnisotropicTable(
   vtkBRDF* brdf, vtkEnvironment* environment, const std::vector<int>& sizes = {})
 {
-  vtkNew<vtkAnisotropicTableRadianceIntegrator> table;
+  vtkNew<vtkTableRadianceIntegrator> table;
   table->SetBRDF(brdf);
   table->SetEnvironment(environment);
   EXPECT_TRUE(table->SetSizes(sizes));
@@ -120,22 +118,6 @@ TEST(AnisotropicTable, ClothWithANapHasOnePeriod)
   std::printf("%.4f\n", error);
   EXPECT_LT(error, 0.015);
   EXPECT_EQ(table->GetNumberOfPeriods(), 1);
-}
-
-//------------------------------------------------------------------------------
-// An isotropic material comes out as from its own table.
-TEST(AnisotropicTable, TakesIsotropicMaterials)
-{
-  const auto environment = NewSmallEnvironment(false);
-  const auto brdf = NewCoated(30.0, 30.0);
-  vtkNew<vtkTableRadianceIntegrator> isotropic;
-  isotropic->SetBRDF(brdf);
-  isotropic->SetEnvironment(environment);
-  ASSERT_TRUE(isotropic->SetSizes({ 33, 12, 16 }));
-  const auto table = NewAnisotropicTable(brdf, environment, { 33, 12, 16, 8 });
-  const double errors[] = { GetError(isotropic), GetError(table) };
-  std::printf("table %.4f, anisotropic %.4f\n", errors[0], errors[1]);
-  EXPECT_NEAR(errors[1], errors[0], 0.01);
 }
 
 //------------------------------------------------------------------------------
@@ -236,23 +218,4 @@ TEST(AnisotropicTable, ShaderInputs)
   EXPECT_NEAR(static_cast<double>(form.GetTextureBytes()),
     static_cast<double>(table->EstimateTextureBytes()), 1.0);
   EXPECT_EQ(form.Description, "anisotropic radiance table, 16 x 9 axes x 6 azimuths x 3 x 4 views");
-}
-
-//------------------------------------------------------------------------------
-// Planners take it for what they drew with hundreds of lights before, and the prediction holds.
-TEST(AnisotropicTable, IsPlanned)
-{
-  const auto environment = NewSmallEnvironment(true);
-  vtkNew<vtkRadiancePlanner> planner;
-  planner->SetBRDF(NewBrushedMetal(0.2, 0.5));
-  planner->SetEnvironment(environment);
-  ASSERT_TRUE(planner->Update());
-  const int choice = planner->GetChoice();
-  EXPECT_EQ(planner->GetMethodName(choice), "anisotropic-table") << planner->GetPlan();
-  EXPECT_TRUE(planner->GetMeetsTolerance());
-  const auto integrator =
-    vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator(choice));
-  const double error = GetError(integrator, 400);
-  std::printf("%s\nmeasured %.4f\n", planner->GetPlan().c_str(), error);
-  EXPECT_LT(error, 0.022);
 }

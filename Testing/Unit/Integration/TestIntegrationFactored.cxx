@@ -7,7 +7,6 @@
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkEmbeddedMaterials.h"
-#include "vtkFactoredRadianceIntegrator.h"
 #include "vtkTableRadianceIntegrator.h"
 
 #include <cmath>
@@ -16,12 +15,14 @@
 
 namespace
 {
-vtkNew<vtkFactoredRadianceIntegrator> NewFactored(
-  vtkBRDF* brdf, vtkEnvironment* environment, const std::vector<int>& sizes = {})
+vtkNew<vtkTableRadianceIntegrator> NewFactored(vtkBRDF* brdf, vtkEnvironment* environment,
+  int mapRows, int maps, const std::vector<int>& sizes = { 33, 12, 8 })
 {
-  vtkNew<vtkFactoredRadianceIntegrator> factored;
+  vtkNew<vtkTableRadianceIntegrator> factored;
   factored->SetBRDF(brdf);
   factored->SetEnvironment(environment);
+  factored->SetNumberOfMapRows(mapRows);
+  factored->SetNumberOfMaps(maps);
   EXPECT_TRUE(factored->SetSizes(sizes));
   return factored;
 }
@@ -49,7 +50,7 @@ TEST(FactoredIntegrator, MirrorsInFewMegabytes)
   vtkNew<vtkAdaptiveRadianceIntegrator> reference;
   vtkNew<vtkTableRadianceIntegrator> table;
   ASSERT_TRUE(table->SetSizes({ 257, 8, 8 }));
-  const auto factored = NewFactored(chrome, sky, { 256, 4 });
+  const auto factored = NewFactored(chrome, sky, 256, 4);
   for (vtkRadianceIntegrator* way :
     { static_cast<vtkRadianceIntegrator*>(reference), static_cast<vtkRadianceIntegrator*>(table) })
   {
@@ -81,7 +82,7 @@ TEST(FactoredIntegrator, MapsConverge)
   double before = 1.0;
   for (const int maps : { 2, 8, 32 })
   {
-    const auto factored = NewFactored(brdf, environment, { 128, maps, 33, 12, 12 });
+    const auto factored = NewFactored(brdf, environment, 128, maps, { 33, 12, 12 });
     const double error = GetRelativeError(pairs.Integrate(factored), expected);
     std::printf("%d maps: %.5f\n", maps, error);
     EXPECT_LT(error, before);
@@ -99,7 +100,7 @@ TEST(FactoredIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
   for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(gloss), chrome.Get() })
   {
     const FurnacePairs pairs(brdf, 2.0, { 0.0, 30.0, 60.0, 80.0 });
-    const auto factored = NewFactored(brdf, environment, { 64, 6 });
+    const auto factored = NewFactored(brdf, environment, 64, 6);
     EXPECT_LT(GetRelativeError(pairs.Integrate(factored), pairs.Expected), 0.01);
   }
 }
@@ -108,7 +109,7 @@ TEST(FactoredIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
 TEST(FactoredIntegrator, SizesAndShaderInputs)
 {
   const auto factored =
-    NewFactored(NewGloss(100.0), NewSmallEnvironment(false), { 16, 5, 9, 4, 6 });
+    NewFactored(NewGloss(100.0), NewSmallEnvironment(false), 16, 5, { 9, 4, 6 });
   vtkBRDFShaderInputs form;
   ASSERT_TRUE(factored->GetShaderInputs(form));
   ASSERT_EQ(form.Terms.size(), 1u);

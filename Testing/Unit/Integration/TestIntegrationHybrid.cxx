@@ -11,7 +11,6 @@
 #include "MaterialPrecomputation.h"
 #include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
-#include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkBlinnPhongBRDF.h"
@@ -372,7 +371,7 @@ TEST(Hybrid, AnisotropicMaterialsUnderLamps)
   const auto sunny = NewSunny(3000.0f, 2);
   const auto brushed = NewBrushedMetal(0.15, 0.4);
   const auto hybrid = NewHybrid(brushed, sunny, { 25, 8, 20, 0, 16 });
-  vtkNew<vtkAnisotropicTableRadianceIntegrator> table;
+  vtkNew<vtkTableRadianceIntegrator> table;
   table->SetSizes({ 25, 8, 20, 8 });
   table->SetBRDF(brushed);
   table->SetEnvironment(sunny);

@@ -77,22 +77,21 @@ TEST(MaterialPrecomputation, KeepsExpandedKernels)
   const std::atomic<bool> never{ false };
   MaterialPrecomputation parts;
   const LobeViews& views = parts.GetViews(brdf, never);
-  const auto& kernels = parts.GetKernels(brdf, 4, 32, never);
+  MaterialKernels& kernels = parts.GetKernels(brdf, { 4, 32 }, never);
   const auto expand = [&](int degree, int orders)
   {
-    std::vector<std::pair<const LobeHarmonics*, double>> lobes;
+    std::vector<TurnedLobe> lobes;
     for (int k = 0; k < 4; ++k)
     {
-      lobes.emplace_back(
-        kernels[static_cast<std::size_t>(k)].get(), views.GetAxis(LobeViews::GetKnotAngle(k, 4)));
+      lobes.push_back({ &kernels.At[k], views.GetAxis(LobeViews::GetKnotAngle(k, 4)) });
     }
-    return LobeHarmonics::Expand(lobes, degree, orders);
+    return ExpandLobes(lobes, degree, orders);
   };
   const int sizes[][2] = { { 20, 4 }, { 12, 2 }, { 30, 3 }, { 30, 4 }, { 9, 0 } };
   for (const auto& [degree, orders] : sizes)
   {
     const auto wanted = expand(degree, orders);
-    const auto known = parts.GetExpanded(kernels, degree, orders);
+    const auto known = kernels.Expand(degree, orders);
     ASSERT_EQ(known.size(), wanted.size());
     for (std::size_t k = 0; k < known.size(); ++k)
     {
@@ -113,29 +112,28 @@ TEST(MaterialPrecomputation, MakesForgottenNodesAgain)
   brdf->Prepare();
   const std::atomic<bool> never{ false };
   MaterialPrecomputation parts;
-  parts.GetViews(brdf, never);
-  const auto get = [&](const MaterialPrecomputation::Use& use) -> const auto&
+  const auto get = [&](const MaterialPrecomputation::Use& use) -> auto&
   {
-    return parts.GetKernels(brdf, 4, 32, never, use);
+    return parts.GetKernels(brdf, { 4, 32 }, never, use);
   };
-  const auto expected = parts.GetExpanded(get({}), 20, 4);
-  const glm::dvec3 amplitude = get({})[1]->GetMeans().Amplitude;
-  const auto forget = [&]()
+  const auto expected = get({}).Expand(20, 4);
+  const glm::dvec3 amplitude = get({}).At[1].Means.Amplitude;
+  const auto forget = [&](int mostAngles, int mostNodes)
   {
-    parts.Trim(3, 1024);
-    EXPECT_FALSE(get({ false, 20, 4 })[1]->HasNodes());
-    EXPECT_FALSE(get({ false, 12, 2 })[1]->HasNodes());
+    parts.Trim(mostAngles, mostNodes);
+    EXPECT_FALSE(get({ false, 20, 4 }).At[1].HasNodes());
+    EXPECT_FALSE(get({ false, 12, 2 }).At[1].HasNodes());
   };
-  forget();
-  EXPECT_EQ(get({ false, 20, 4 })[1]->GetMeans().Amplitude, amplitude);
-  EXPECT_EQ(parts.GetExpanded(get({ false, 20, 4 }), 20, 4), expected);
-  EXPECT_TRUE(get({})[1]->HasNodes());
-  EXPECT_EQ(parts.GetExpanded(get({}), 20, 4), expected);
-  forget();
-  EXPECT_TRUE(get({ false, 21, 4 })[1]->HasNodes());
-  forget();
-  EXPECT_TRUE(get({ false, 20, 5 })[1]->HasNodes());
-  const auto more = parts.GetExpanded(get({ false, 20, 5 }), 20, 5);
+  forget(3, 1024);
+  EXPECT_EQ(get({ false, 20, 4 }).At[1].Means.Amplitude, amplitude);
+  EXPECT_EQ(get({ false, 20, 4 }).Expand(20, 4), expected);
+  EXPECT_TRUE(get({}).At[1].HasNodes());
+  EXPECT_EQ(get({}).Expand(20, 4), expected);
+  forget(4, 31);
+  EXPECT_TRUE(get({ false, 21, 4 }).At[1].HasNodes());
+  forget(3, 1024);
+  EXPECT_TRUE(get({ false, 20, 5 }).At[1].HasNodes());
+  const auto more = get({ false, 20, 5 }).Expand(20, 5);
   for (std::size_t k = 0; k < expected[1].size(); ++k)
   {
     ASSERT_NEAR(more[1][k], expected[1][k], 1e-6f);

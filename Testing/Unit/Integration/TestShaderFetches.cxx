@@ -9,7 +9,6 @@
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
-#include "vtkFactoredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
@@ -120,8 +119,10 @@ TEST(ShaderFetches, Methods)
   table->SetSizes({ 17, 4, 8 });
   vtkNew<vtkTableRadianceIntegrator> tiles;
   tiles->SetSizes({ 137, 2, 4 });
-  vtkNew<vtkFactoredRadianceIntegrator> factored;
-  factored->SetSizes({ 32, 5, 9, 4, 8 });
+  vtkNew<vtkTableRadianceIntegrator> factored;
+  factored->SetSizes({ 9, 4, 8 });
+  factored->SetNumberOfMaps(5);
+  factored->SetNumberOfMapRows(32);
   vtkNew<vtkHybridRadianceIntegrator> hybrid;
   hybrid->SetSizes({ 32, 4, 8, 4 });
   vtkNew<vtkHybridRadianceIntegrator> lights; // one or two

@@ -8,7 +8,6 @@
 #include "ScaledLight.h"
 #include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
-#include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkBlinnPhongBRDF.h"
@@ -18,7 +17,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
-#include "vtkFactoredRadianceIntegrator.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLambertBRDF.h"
@@ -200,7 +198,7 @@ TEST(Planner, AnisotropicMaterialsGetTablesOrLightSets)
   vtkNew<vtkAshikhminShirleyBRDF> brushed;
   brushed->SetExponents(5.0, 20.0);
   const auto planner = NewPlanner(brushed, NewSmallEnvironment(false), 0.2);
-  for (const char* method : { "anisotropic-table", "light-set" })
+  for (const char* method : { "table", "light-set" })
   {
     ASSERT_TRUE(planner->Update());
     std::printf("%s\n", planner->GetPlan().c_str());
@@ -677,8 +675,8 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner()
 //------------------------------------------------------------------------------
 TEST(RadianceMethods, SayWhatTheyAre)
 {
-  EXPECT_EQ(vtkRadianceMethods::GetNames(),
-    "table, hybrid, anisotropic-table, light-set, filtered, factored, reference or exact");
+  EXPECT_EQ(
+    vtkRadianceMethods::GetNames(), "table, hybrid, light-set, filtered, reference or exact");
   for (const auto& method : vtkRadianceMethods::GetMethods())
   {
     const std::string name = method->GetMethodName();
@@ -731,19 +729,14 @@ TEST(RadianceMethods, CopiesHaveEveryProperty)
   table->SetNumberOfRows(21);
   table->SetNumberOfViewAngles(5);
   table->SetNumberOfAzimuths(6);
-  table->SetHarmonicDegree(17);
+  table->SetNumberOfViewAzimuths(7);
+  table->SetNumberOfMaps(3);
+  table->SetNumberOfMapRows(33);
   table->SetSmoothingDegree(3.0);
   table->SetNumberOfNodes(40);
   table->QuickOn();
   ExpectCopied(table, {});
 
-  vtkNew<vtkAnisotropicTableRadianceIntegrator> turned;
-  turned->SetSizes({ 17, 3, 5, 6 });
-  ExpectCopied(turned, {});
-  vtkNew<vtkFactoredRadianceIntegrator> factored;
-  factored->SetSizes({ 33, 3, 17, 5, 6 });
-  factored->SetSmoothingDegree(7.0);
-  ExpectCopied(factored, {});
   vtkNew<vtkHybridRadianceIntegrator> hybrid;
   hybrid->SetNumberOfRows(21);
   hybrid->SetNumberOfViewAngles(5);

@@ -9,7 +9,6 @@
 #include "LocalFrame.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
-#include "vtkFactoredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkMath.h"
 #include "vtkTableRadianceIntegrator.h"
@@ -187,8 +186,7 @@ OcclusionLight::OcclusionLight(
 {
   auto* hybrid = vtkHybridRadianceIntegrator::SafeDownCast(integrator);
   this->IsSplit =
-    brdf->IsIsotropic() && (hybrid || vtkTableRadianceIntegrator::SafeDownCast(integrator) ||
-                             vtkFactoredRadianceIntegrator::SafeDownCast(integrator));
+    brdf->IsIsotropic() && (hybrid || vtkTableRadianceIntegrator::SafeDownCast(integrator));
   this->Lobes = FindOcclusionLobes(brdf, !this->IsSplit);
   this->HasLobe = std::any_of(this->Lobes.begin(), this->Lobes.end(),
     [](const OcclusionLobe& lobe)
