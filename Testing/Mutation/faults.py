@@ -694,8 +694,8 @@ add("Rendering.failed-stand-in-tried-again", "ShaderTextures.cxx", "if (time <= 
     "if (time < 0 * this->FailureTime)", "StandIns.ThoseThatFailAreTriedOnce")
 add("Rendering.plans-beside-stand-ins", "PlanJob.cxx", "this->Holds == 0 && this->Running < this->Limit",
     "this->Running < this->Limit", "SideBySide.HeldUntilSomebodyWaits")
-add("Rendering.wait-for-what-is-held", "PlanJob.cxx", "job->IsLeft || job->Waiters > 0 || othersMay",
-    "job->IsLeft || (this->Holds == 0 && othersMay)", "SideBySide.HeldUntilSomebodyWaits")
+add("Rendering.wait-for-what-is-held", "PlanJob.cxx", "(this->Waiters > 0 ? this->Running <= this->Limit",
+    "(this->Waiters > 99 ? this->Running <= this->Limit", "SideBySide.HeldUntilSomebodyWaits")
 add("Rendering.refused-occlusion-unsaid", "MaterialDrawingOcclusion.cxx", "if (refused > 0)",
     "if (refused > 9)", "OcclusionBlocks.SomeHaveArrays")
 add("Material.cells-of-one-side-only", "HalfDifferenceFill.cxx",
@@ -726,7 +726,7 @@ add("Rendering.left-tables-go-on", "PlanJob.cxx", "return this->Planner->GetAbor
     "CurrentPlan.LeavesResamplingInTheMiddle")
 add("Rendering.left-jobs-are-kept", "PlanJob.cxx", "owned.reset();", "",
     "Background.ItsEndLeavesNothing")
-add("Rendering.left-plans-go-on", "PlanJob.cxx", "      job->Planner->SetAbort(true);\n", "",
+add("Rendering.left-plans-go-on", "PlanJob.cxx", "      ++this->Left;\n      job->Planner->SetAbort(true);\n", "      ++this->Left;\n",
     "Background.AChangeStopsWhatIsInTheMaking")
 add("Rendering.changed-materials-are-not-redrawn", "MaterialSettings.cxx", "add(this->BRDF);", "",
     "Mapper.RebuildsExactlyWhenItMust|Scene.RedrawTimeFollowsAppearance")

@@ -353,19 +353,11 @@ void MaterialShading::AddOcclusion(vtkRenderer* ren)
   vtkPolyData* surface = this->Mapper->CurrentInput;
   this->CheckVertices(surface);
   const auto arrays = this->Drawing->FindOcclusion(surface, this->Mapper, this->IsPart());
-  this->LeastOcclusionCosine = arrays ? arrays->LeastCosine : 1.0;
-  this->IsOtherSideClosed = arrays && arrays->IsOtherClosed;
-  const auto upload = [&](const std::string& name, vtkDataArray* values)
-  { this->Mapper->GetVBOs()->CacheDataArray(name.c_str(), values, ren, VTK_FLOAT); };
-  for (std::size_t k = 0; k < OcclusionArrays::Attributes; ++k)
-  {
-    const std::string number = std::to_string(k);
-    upload("brdfSky" + number, arrays ? arrays->Front[k].Get() : nullptr);
-    upload("brdfSkyBack" + number, arrays && arrays->HasBack ? arrays->Back[k].Get() : nullptr);
-  }
-  const bool bounced = arrays && arrays->HasBounce;
-  upload("brdfBounce", bounced ? arrays->BounceFront.Get() : nullptr);
-  upload("brdfBounceBack", bounced ? arrays->BounceBack.Get() : nullptr);
+  this->Sides = {};
+  this->Sides.Add(arrays.get());
+  this->Occlusion = { arrays ? *arrays : OcclusionArrays() };
+  this->Occlusion.front().ForEachAttribute([&](const std::string& name, vtkDataArray* values)
+    { this->Mapper->GetVBOs()->CacheDataArray(name.c_str(), values, ren, VTK_FLOAT); });
 }
 
 void MaterialShading::CheckVertices(vtkPolyData* surface)
@@ -732,8 +724,9 @@ void MaterialShading::SetOcclusionUniforms(
     return;
   }
   const OcclusionAxes axes(ren, actor, this->GetEnvironments());
-  const OcclusionSides sides = { layout.TwoSided, layout.Bounced, this->IsOtherSideClosed,
-    this->LeastOcclusionCosine };
+  OcclusionSides sides = this->Sides;
+  sides.Both = layout.TwoSided; // what there is room for
+  sides.Bounced = layout.Bounced;
   measuredbrdf::SetOcclusionUniforms(program, lights, sides, axes.ToModel,
     ren->GetActiveCamera()->GetParallelProjection() != 0, axes.ToEnvironment);
 }

@@ -141,11 +141,10 @@ protected:
   /// Whether the buffers have what the surface hides from itself.
   bool HasOcclusion() const { return this->HasBuffer("brdfSky0", 4); }
 
-  ///@{
-  /// OcclusionSides of the buffers.
-  double LeastOcclusionCosine = 1.0;
-  bool IsOtherSideClosed = false;
-  ///@}
+  OcclusionSides Sides; // of the buffers
+
+  /// What buffers are built of, which only point to the arrays until that is done.
+  std::vector<OcclusionArrays> Occlusion;
 
   /// Same key, same shader text: of the shaders that each kind of primitives has.
   std::map<const vtkOpenGLHelper*, std::string> ShaderKeys;

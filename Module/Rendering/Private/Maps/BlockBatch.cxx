@@ -36,61 +36,6 @@ vtkIdType CountVertices(vtkOpenGLVertexBufferObjectGroup* buffers, vtkPolyData* 
 }
 }
 
-void BatchOcclusion::Clear()
-{
-  this->Any = false;
-  this->Sides = {};
-  this->Announced.clear();
-  this->Open.clear();
-}
-
-void BatchOcclusion::Announce(vtkPolyData* surface, const std::shared_ptr<OcclusionArrays>& arrays)
-{
-  this->Announced[surface] = arrays;
-  this->Any = this->Any || arrays;
-  this->Sides.IsOtherClosed = this->Sides.IsOtherClosed && arrays;
-  if (arrays)
-  {
-    this->Sides.Add(*arrays);
-  }
-}
-
-void BatchOcclusion::Append(vtkOpenGLVertexBufferObjectGroup* buffers, vtkPolyData* surface)
-{
-  if (!this->Any)
-  {
-    return;
-  }
-  const std::shared_ptr<OcclusionArrays>& arrays = this->Announced[surface];
-  const bool hasBack = arrays && arrays->HasBack;
-  const bool hasBounce = arrays && arrays->HasBounce;
-  const bool isWhole =
-    arrays && (hasBack || !this->Sides.Both) && (hasBounce || !this->Sides.Bounced);
-  const auto open = isWhole ? nullptr : OcclusionArrays::MakeOpen(surface->GetNumberOfPoints());
-  this->Open.push_back(open);
-  for (int side = 0; side < (this->Sides.Both ? 2 : 1); ++side)
-  {
-    const std::string suffix = side == 0 ? "" : "Back";
-    const bool isGiven = side == 0 ? arrays != nullptr : hasBack;
-    const OcclusionArrays::Side& codes = !isGiven    ? open->Front
-                                         : side == 0 ? arrays->Front
-                                                     : arrays->Back;
-    for (std::size_t k = 0; k < OcclusionArrays::Attributes; ++k)
-    {
-      buffers->AppendDataArray(
-        ("brdfSky" + suffix + std::to_string(k)).c_str(), codes[k], VTK_FLOAT);
-    }
-    if (this->Sides.Bounced)
-    {
-      buffers->AppendDataArray(("brdfBounce" + suffix).c_str(),
-        !isGiven || !hasBounce ? open->BounceFront
-        : side == 0            ? arrays->BounceFront
-                               : arrays->BounceBack,
-        VTK_FLOAT);
-    }
-  }
-}
-
 void BlockBatch::Initialize(std::shared_ptr<MaterialDrawing> drawing, CompositeBlocks* blocks)
 {
   this->Drawing = std::move(drawing);
@@ -181,15 +126,23 @@ std::vector<BlockBatch::MaterialUse> BlockBatch::GetMaterialUses()
 
 void BlockBatch::AddOcclusion(vtkRenderer*)
 {
-  this->Occlusion.Clear();
+  this->Sides = {};
+  this->Announced.clear();
+  this->Occlusion.clear();
+  bool any = false;
   this->ForEachBlock(
-    [this](vtkPolyData* surface, const auto&)
+    [this, &any](vtkPolyData* surface, const auto&)
     {
       this->CheckVertices(surface);
-      this->Occlusion.Announce(surface, this->Drawing->FindOcclusion(surface, this, false));
+      const auto arrays = this->Drawing->FindOcclusion(surface, this, false);
+      this->Announced[surface] = arrays;
+      this->Sides.Add(arrays.get());
+      any = any || arrays;
     });
-  this->LeastOcclusionCosine = this->Occlusion.GetSides().LeastCosine;
-  this->IsOtherSideClosed = this->Occlusion.GetSides().IsOtherClosed;
+  if (!any)
+  {
+    this->Announced.clear();
+  }
 }
 
 void BlockBatch::AppendOneBufferObject(vtkRenderer* ren, vtkActor* actor, BlockRecord* record,
@@ -198,9 +151,18 @@ void BlockBatch::AppendOneBufferObject(vtkRenderer* ren, vtkActor* actor, BlockR
   vtkPolyData* surface = GetSurface(record);
   const vtkIdType before = CountVertices(this->VBOs, surface);
   this->ShadedMapper<BatchBase>::AppendOneBufferObject(ren, actor, record, offset, colors, normals);
-  if (CountVertices(this->VBOs, surface) != before)
+  if (!this->Announced.empty() && CountVertices(this->VBOs, surface) != before)
   {
-    this->Occlusion.Append(this->VBOs, surface);
+    this->Occlusion.push_back(OcclusionArrays::Complete(this->Announced[surface].get(),
+      surface->GetNumberOfPoints(), this->Sides.Both, this->Sides.Bounced));
+    this->Occlusion.back().ForEachAttribute(
+      [this](const std::string& name, vtkDataArray* values)
+      {
+        if (values)
+        {
+          this->VBOs->AppendDataArray(name.c_str(), values, VTK_FLOAT);
+        }
+      });
   }
 }
 

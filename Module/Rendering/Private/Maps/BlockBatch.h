@@ -44,30 +44,6 @@ using BlockRecord = vtkCompositeMapperHelperData;
 inline vtkPolyData* GetSurface(BlockRecord* record) { return record->Data; }
 #endif
 
-/// Hidden skies of blocks that share buffers: where one block has some, all get attributes.
-class BatchOcclusion
-{
-public:
-  void Clear();
-
-  /// What a block has, all of them before the first Append; null: it is all open.
-  void Announce(vtkPolyData* surface, const std::shared_ptr<OcclusionArrays>& arrays);
-
-  const OcclusionSides& GetSides() const { return this->Sides; }
-
-  /// Beside a block's other attributes.
-  void Append(vtkOpenGLVertexBufferObjectGroup* buffers, vtkPolyData* surface);
-
-private:
-  bool Any = false;
-  OcclusionSides Sides;
-  ///@{
-  /// Until the buffers are built.
-  std::map<vtkPolyData*, std::shared_ptr<OcclusionArrays>> Announced;
-  std::vector<std::shared_ptr<OcclusionArrays>> Open;
-  ///@}
-};
-
 /// Those of one material are drawn while the others are invisible.
 class BlockBatch : public ShadedMapper<BatchBase>
 {
@@ -111,7 +87,9 @@ private:
   unsigned long Revision = 0;
   int Shown = -1;
   bool HasDivided = false;
-  BatchOcclusion Occlusion;
+  // What blocks hide from themselves. Where one has arrays, all get attributes of the buffers that
+  // they share; none: no block has any.
+  std::map<vtkPolyData*, std::shared_ptr<OcclusionArrays>> Announced;
 };
 } // namespace measuredbrdf
 

@@ -186,19 +186,31 @@ std::string CheckKey(vtkPolyData* surface)
 }
 }
 
-std::shared_ptr<OcclusionArrays> OcclusionArrays::MakeOpen(vtkIdType points)
+OcclusionArrays OcclusionArrays::Complete(
+  const OcclusionArrays* given, vtkIdType points, bool both, bool bounced)
 {
-  auto arrays = std::make_shared<OcclusionArrays>();
-  arrays->Front = MakeSide(points);
-  arrays->BounceFront = MakeFloats(points, BounceCode::Bytes / 3);
-  const HorizonCode::Code open = HorizonCode::MakeOpen({ 0.0, 0.0, 1.0 });
-  const BounceCode::Code dark = BounceCode::MakeDark();
+  OcclusionArrays whole = given ? *given : OcclusionArrays();
+  if (given && whole.HasBack == both && whole.HasBounce == bounced)
+  {
+    return whole;
+  }
+  const Side open = MakeSide(points);
+  const auto dark = MakeFloats(points, BounceCode::Bytes / 3);
+  const HorizonCode::Code openCode = HorizonCode::MakeOpen({ 0.0, 0.0, 1.0 });
+  const BounceCode::Code darkCode = BounceCode::MakeDark();
   for (vtkIdType k = 0; k < points; ++k)
   {
-    Pack(open.data(), HorizonCode::Bytes, k, arrays->Front.data());
-    Pack(dark.data(), BounceCode::Bytes, k, &arrays->BounceFront);
+    Pack(openCode.data(), HorizonCode::Bytes, k, open.data());
+    Pack(darkCode.data(), BounceCode::Bytes, k, &dark);
   }
-  return arrays;
+  whole.Front = given ? whole.Front : open;
+  whole.Back = both && !whole.HasBack ? open : whole.Back;
+  whole.BounceFront = whole.HasBounce ? whole.BounceFront : dark;
+  whole.BounceBack = whole.HasBounce && whole.HasBack ? whole.BounceBack : dark;
+  whole.BounceBack = both ? whole.BounceBack : nullptr;
+  whole.HasBack = both;
+  whole.HasBounce = bounced;
+  return whole;
 }
 
 bool OcclusionArrays::HasAny(vtkPolyData* surface)

@@ -35,8 +35,23 @@ struct OcclusionArrays
   bool IsOtherClosed = false; // no back: the side that Front is not about sees nothing of the sky
   double LeastCosine = -1.0;  // of the view and normals of points whose code triangles may show
 
-  /// Points that see all of their sky.
-  static std::shared_ptr<OcclusionArrays> MakeOpen(vtkIdType points);
+  /// Those of a surface (null: it has none) with a back, or with what comes back, where others in
+  /// the same buffers have that. What is missing is of points that see all of their sky.
+  static OcclusionArrays Complete(
+    const OcclusionArrays* given, vtkIdType points, bool both, bool bounced);
+
+  /// Calls visit(name, array) for all vertex attributes that there may be; null: there is none.
+  template <typename Visit>
+  void ForEachAttribute(const Visit& visit) const
+  {
+    for (std::size_t k = 0; k < Attributes; ++k)
+    {
+      visit("brdfSky" + std::to_string(k), this->Front[k].Get());
+      visit("brdfSkyBack" + std::to_string(k), this->HasBack ? this->Back[k].Get() : nullptr);
+    }
+    visit("brdfBounce", this->HasBounce ? this->BounceFront.Get() : nullptr);
+    visit("brdfBounceBack", this->HasBounce ? this->BounceBack.Get() : nullptr);
+  }
 
   /// Whether the surface brings some, whatever they are.
   static bool HasAny(vtkPolyData* surface);

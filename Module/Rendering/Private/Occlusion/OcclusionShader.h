@@ -88,12 +88,13 @@ struct OcclusionSides
   bool IsOtherClosed = true; // one side: whether the other one sees nothing, or all of its sky
   double LeastCosine = 1.0;  // OcclusionArrays'
 
-  void Add(const OcclusionArrays& arrays)
+  /// Null: a surface that sees all of its sky.
+  void Add(const OcclusionArrays* arrays)
   {
-    this->Both = this->Both || arrays.HasBack;
-    this->Bounced = this->Bounced || arrays.HasBounce;
-    this->IsOtherClosed = this->IsOtherClosed && arrays.IsOtherClosed;
-    this->LeastCosine = std::min(this->LeastCosine, arrays.LeastCosine);
+    this->Both = this->Both || (arrays && arrays->HasBack);
+    this->Bounced = this->Bounced || (arrays && arrays->HasBounce);
+    this->IsOtherClosed = this->IsOtherClosed && arrays && arrays->IsOtherClosed;
+    this->LeastCosine = std::min(this->LeastCosine, arrays ? arrays->LeastCosine : 1.0);
   }
 };
 

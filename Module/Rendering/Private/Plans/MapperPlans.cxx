@@ -128,7 +128,6 @@ struct MapperPlans::View
 {
   vtkWeakPointer<vtkRenderer> Renderer;
   CurrentPlan Plan;
-  bool Bridged = false; // drawn by another plan than was wanted
 };
 
 MapperPlans::MapperPlans() = default;
@@ -168,13 +167,13 @@ void MapperPlans::Keep(const std::set<vtkBRDF*>& inUse, const std::set<vtkBRDF*>
 bool MapperPlans::IsPending() const
 {
   return std::any_of(this->Views.begin(), this->Views.end(),
-    [](const auto& entry) { return entry.second->Bridged; });
+    [](const auto& entry) { return entry.second->Plan.IsPending(); });
 }
 
 bool MapperPlans::IsReady() const
 {
   return std::any_of(this->Views.begin(), this->Views.end(),
-    [](const auto& entry) { return entry.second->Bridged && entry.second->Plan.IsReady(); });
+    [](const auto& entry) { return entry.second->Plan.IsReady(); });
 }
 
 // Only now and then looks for views of renderers that are gone, so that a Render does not look at
@@ -220,7 +219,6 @@ std::shared_ptr<CurrentPlan> MapperPlans::Update(
 {
   const std::shared_ptr<View> view = this->FindView(request); // observers of progress may clear all
   changed = view->Plan.Update(request.Inputs, request.Timing, problem, request.Progress);
-  view->Bridged = view->Plan.IsPending();
   return { view, &view->Plan };
 }
 } // namespace measuredbrdf

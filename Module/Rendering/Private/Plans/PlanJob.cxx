@@ -14,7 +14,9 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <list>
 #include <mutex>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -56,52 +58,100 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool ap
   return planner;
 }
 
-// What jobs take turns by. Never destroyed: threads may still run when statics go.
+// Its threads end when nothing is left to do, or the process ends. The queue is never destroyed.
 struct PlanJob::Queue
 {
   using Lock = std::unique_lock<std::mutex>;
+  using Jobs = std::list<std::shared_ptr<PlanJob>>;
 
-  // On a thread of its own.
-  void Work(std::shared_ptr<PlanJob> job)
+  // Whether there is a thread for it, or will be.
+  bool Add(const std::shared_ptr<PlanJob>& job)
   {
-    Lock lock(this->Mutex);
-    this->Changed.wait(lock,
-      [&]()
-      {
-        const bool othersMay = this->Waiters > 0 ? this->Running <= this->Limit
-                                                 : this->Holds == 0 && this->Running < this->Limit;
-        return job->IsLeft || job->Waiters > 0 || othersMay;
-      });
-    const bool begins = !job->IsLeft;
-    ++this->Running;
-    lock.unlock();
-    if (begins)
+    const Lock lock(this->Mutex);
+    this->Waiting.push_back(job);
+    this->AddThread();
+    if (this->Threads == 0 || this->IsStopped)
     {
-      job->Work(nullptr);
+      this->Waiting.pop_back();
+      return false;
     }
-    lock.lock();
-    --this->Running;
-    job->Done = true;
-    const int left = job->IsLeft ? 1 : 0;
-    this->Changed.notify_all();
-    lock.unlock();
-    job.reset(); // with all that it used, where nobody waits for it
-    lock.lock();
-    this->Left -= left;
-    this->Changed.notify_all();
+    return true;
   }
 
-  // Nobody waits for it any more, or the process ends.
+  // With the lock, for which the thread waits. Where there is none, those that there are have to
+  // do.
+  void AddThread()
+  {
+    if (!this->Waiting.empty() && this->Threads < this->Limit + (this->Waiters > 0 ? 1 : 0))
+    {
+      this->Threads +=
+        RunInBackground([this]() { this->Work(); }, [this]() { this->Stop(); }) ? 1 : 0;
+    }
+  }
+
+  void Work()
+  {
+    Lock lock(this->Mutex);
+    const auto mayBegin = [this]()
+    {
+      return this->Waiting.empty() ||
+             (this->Waiters > 0 ? this->Running <= this->Limit
+                                : this->Holds == 0 && this->Running < this->Limit);
+    };
+    for (this->Changed.wait(lock, mayBegin); !this->Waiting.empty();
+         this->Changed.wait(lock, mayBegin))
+    {
+      std::shared_ptr<PlanJob> job = this->Waiting.front();
+      this->Current.insert(job.get());
+      this->Waiting.pop_front();
+      ++this->Running;
+      lock.unlock();
+      job->Work(nullptr);
+      lock.lock();
+      --this->Running;
+      this->Current.erase(job.get());
+      job->Done = true;
+      const int left = job->IsLeft ? 1 : 0;
+      this->Changed.notify_all();
+      lock.unlock();
+      job.reset(); // with all that it used, where nobody waits for it
+      lock.lock();
+      this->Left -= left;
+      this->Changed.notify_all();
+    }
+    --this->Threads;
+  }
+
+  // Nobody waits for it any more.
   void Leave(const std::shared_ptr<PlanJob>& job)
   {
     const Lock lock(this->Mutex);
-    if (!job->Done && !job->IsLeft)
+    this->Waiting.remove(job);
+    if (this->Current.count(job.get()) > 0)
     {
       job->IsLeft = true;
       ++this->Left;
       job->Planner->SetAbort(true);
-      this->Changed.notify_all();
     }
+    this->Changed.notify_all();
+  }
+
+  // The process ends.
+  void Stop()
+  {
+    Jobs dropped; // after the lock
+    const Lock lock(this->Mutex);
+    this->IsStopped = true;
+    dropped.swap(this->Waiting);
+    for (const std::shared_ptr<PlanJob>& job : dropped)
+    {
+      job->Done = true;
+    }
+    for (PlanJob* job : this->Current)
+    {
+      job->Planner->SetAbort(true);
+    }
+    this->Changed.notify_all();
   }
 
   void ChangeHolds(int change)
@@ -114,10 +164,14 @@ struct PlanJob::Queue
   const int Limit = std::max(static_cast<int>(std::thread::hardware_concurrency()) - 1, 1);
   std::mutex Mutex;
   std::condition_variable Changed;
+  Jobs Waiting;
+  std::set<PlanJob*> Current;
+  int Threads = 0;
   int Running = 0; // jobs
-  int Waiters = 0; // for any of them
-  int Left = 0;    // that have not ended yet
+  int Left = 0;    // of these, those that nobody waits for
+  int Waiters = 0; // Renders
   int Holds = 0;
+  bool IsStopped = false;
   HeldObjects<PlanInputs::Key, PlanJob> ByInputs; // which has a lock of its own
 };
 
@@ -136,8 +190,8 @@ PlanJob::PlanJob(vtkSmartPointer<vtkRadiancePlanner> planner)
 {
 }
 
-// What is handed out is not the job itself, which its thread holds, but a pointer to it that says
-// when the last one lets go.
+// What is handed out is not the job itself, which the queue holds while it runs, but a pointer to
+// it that says when the last one lets go.
 std::shared_ptr<PlanJob> PlanJob::Begin(const PlanInputs& inputs)
 {
   if (std::shared_ptr<PlanJob> found = GetQueue().ByInputs.Find(inputs.GetKey()))
@@ -152,26 +206,14 @@ std::shared_ptr<PlanJob> PlanJob::Begin(const PlanInputs& inputs)
   }
   const auto job = std::make_shared<PlanJob>(planner);
   job->WithShaderInputs = inputs.WithShaderInputs;
-  job->Done = true; // until it has a thread, for which there may be no memory
   const std::shared_ptr<PlanJob> handle(job.get(),
     [owned = job](PlanJob*) mutable
     {
       GetQueue().Leave(owned);
       owned.reset();
     });
-  std::function<void()> work = [own = job]() mutable
-  { GetQueue().Work(std::exchange(own, nullptr)); };
-  std::function<void()> stop = [weak = std::weak_ptr<PlanJob>(job)]()
+  if (!GetQueue().Add(job))
   {
-    if (const std::shared_ptr<PlanJob> running = weak.lock())
-    {
-      GetQueue().Leave(running);
-    }
-  };
-  job->Done = false;
-  if (!RunInBackground(std::move(work), std::move(stop)))
-  {
-    job->Done = true;
     return nullptr;
   }
   GetQueue().ByInputs.Add(inputs.GetKey(), handle);
@@ -209,22 +251,24 @@ bool PlanJob::Wait(const Progress& progress)
 {
   Queue& queue = GetQueue();
   Queue::Lock lock(queue.Mutex);
-  const auto count = [this, &queue](int change)
+  const auto it = std::find_if(queue.Waiting.begin(), queue.Waiting.end(),
+    [this](const std::shared_ptr<PlanJob>& other) { return other.get() == this; });
+  if (it != queue.Waiting.end())
   {
-    this->Waiters += change;
-    queue.Waiters += change;
-    queue.Changed.notify_all();
-  };
-  count(1);
+    queue.Waiting.splice(queue.Waiting.begin(), queue.Waiting, it);
+  }
+  ++queue.Waiters;
   const std::shared_ptr<Queue> waits(&queue, // also where a program's observer throws
-    [&lock, &count](Queue*)
+    [&lock](Queue* waited)
     {
       if (!lock.owns_lock())
       {
         lock.lock();
       }
-      count(-1);
+      --waited->Waiters;
     });
+  queue.Changed.notify_all();
+  queue.AddThread();
   for (bool goes = true; goes && !this->Done;)
   {
     lock.unlock();

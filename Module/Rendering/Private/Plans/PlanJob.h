@@ -4,8 +4,8 @@
  * @file
  * What is planned for, and a plan in the making or made, mostly on another thread.
  *
- * Each job has a thread, which waits for its turn: as many plan at once as there are cores but one,
- * which is left to drawing, and besides these the one that a Render waits for.
+ * Jobs wait in one queue for the whole program. As many run at once as there are cores while a
+ * Render waits for one of them; else one fewer, which is left to drawing.
  *
  * Nothing is shared with a job's thread but the planner: it works on snapshots (NewPlanner, apart)
  * that nobody reads until the job is done, and writes nowhere else. The end of its work is
@@ -113,8 +113,8 @@ public:
   const std::string& GetProblem() const { return this->Problem; }
   ///@}
 
-  /// While one of these lives, no job begins unless somebody waits for it. A Render holds one while
-  /// it makes what stands in for plans, which needs the cores.
+  /// While one of these lives, no job begins unless somebody waits for one. A Render holds one
+  /// while it makes what stands in for plans, which needs the cores.
   class Hold
   {
   public:
@@ -138,11 +138,7 @@ private:
   bool Succeeded = false;
   std::atomic<bool> WithShaderInputs{ false }; // make the material's, too
   std::atomic<bool> Done{ false };
-  ///@{
-  /// The queue's lock guards them.
-  int Waiters = 0;
-  bool IsLeft = false; // nobody waits for it any more
-  ///@}
+  bool IsLeft = false; // while it runs; the queue's lock guards it
   std::atomic<double> Share{ 0.0 };
 };
 } // namespace measuredbrdf
