@@ -4,7 +4,6 @@
 
 #include "AdaptiveSum.h"
 #include "DirectionPairs.h"
-#include "LightLanes.h"
 #include "LocalFrame.h"
 #include "ParallelFor.h"
 #include "TexelTree.h"
@@ -17,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <vector>
 
 vtkStandardNewMacro(vtkAdaptiveRadianceIntegrator);
@@ -33,27 +33,11 @@ constexpr double SingleShare = 0.7; // of the tolerance: one pair is as exact th
 //------------------------------------------------------------------------------
 struct vtkAdaptiveRadianceIntegrator::Internals
 {
-  Internals(vtkEnvironment* environment, vtkBRDF* brdf)
-    : Texels(environment->GetSubdivided())
-    , Guide(brdf)
-    , Environment(environment)
-    , BRDF(brdf)
-    , Times{ environment->GetMTime(), brdf->GetMTime() }
-  {
-  }
-  // The tolerance changes nothing here.
-  bool IsOf(vtkEnvironment* environment, vtkBRDF* brdf) const
-  {
-    return environment == this->Environment && brdf == this->BRDF &&
-           environment->GetMTime() == this->Times[0] && brdf->GetMTime() == this->Times[1];
-  }
+  // What it is made of; the tolerance changes nothing here.
+  using Key = std::tuple<vtkEnvironment*, vtkMTimeType, vtkBRDF*, vtkMTimeType>;
+  Key Inputs;
   measuredbrdf::TexelTree Texels;
   measuredbrdf::ReflectionGuide Guide;
-
-private:
-  const vtkEnvironment* Environment;
-  const vtkBRDF* BRDF;
-  vtkMTimeType Times[2];
 };
 
 //------------------------------------------------------------------------------
@@ -67,10 +51,13 @@ bool vtkAdaptiveRadianceIntegrator::Begin()
   {
     return false;
   }
-  vtkEnvironment* environment = this->Environment;
-  if (!this->Prepared || !this->Prepared->IsOf(environment, this->BRDF))
+  const Internals::Key inputs(
+    this->Environment, this->Environment->GetMTime(), this->BRDF, this->BRDF->GetMTime());
+  if (!this->Prepared || this->Prepared->Inputs != inputs)
   {
-    this->Prepared = std::make_unique<Internals>(environment, this->BRDF);
+    this->Prepared.reset(
+      new Internals{ inputs, measuredbrdf::TexelTree(this->Environment->GetSubdivided()),
+        measuredbrdf::ReflectionGuide(this->BRDF) });
   }
   return true;
 }
@@ -141,13 +128,6 @@ void vtkAdaptiveRadianceIntegrator::IntegrateFour(const vtkDirectionPair* pairs,
   {
     std::copy_n(&results[k].x, 3, radiance + 3 * k);
   }
-}
-
-//------------------------------------------------------------------------------
-bool vtkAdaptiveRadianceIntegrator::EvaluatesManyLights()
-{
-  return this->BRDF && this->BRDF->IsIsotropic() &&
-         measuredbrdf::LightLanes(this->BRDF).AreSideBySide();
 }
 
 //------------------------------------------------------------------------------

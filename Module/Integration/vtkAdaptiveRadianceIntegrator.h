@@ -54,11 +54,6 @@ public:
    */
   bool IntegrateNeighbors(vtkDataArray* normals, vtkDataArray* views, vtkDataArray* radiance);
 
-  /// Whether the BRDF evaluates many lights at a time, far faster than one by one: isotropic
-  /// materials that are RGL files, tables without invalid cells, Ashikhmin-Shirley's or Lambert's
-  /// models, or sums of these.
-  bool EvaluatesManyLights();
-
   /// How often this has evaluated f so far, about: what integrating costs, whatever the machine.
   vtkTypeInt64 GetNumberOfEvaluations() { return this->Evaluations; }
 

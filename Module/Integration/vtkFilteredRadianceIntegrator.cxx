@@ -99,7 +99,7 @@ public:
         Sample{ glm::vec3(0.0f, 0.0f, 1.0f), 0.0f, glm::vec3(0.0f), 0.0f })
   {
     const std::vector<glm::dvec2> points = MakePoints(count);
-    measuredbrdf::ParallelForEach(
+    ParallelForEach(
       NumberOfViews, [&](int view) { this->Tabulate(brdf, points, view); }, &abort);
     // Draws that fall below the horizon weigh nothing, but their neighbors fade towards them: these
     // do so where they are.
@@ -182,14 +182,13 @@ using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkFilteredRadianceIntegrator);
 
-// The samples depend on the material alone and are kept while it stays.
+// The samples depend on the material alone and are kept while it stays. All else is of all
+// materials.
 struct vtkFilteredRadianceIntegrator::Internals
 {
   std::unique_ptr<ReflectionSamples> Samples;
   vtkWeakPointer<vtkBRDF> SampledBRDF;
   vtkTimeStamp SamplesTime;
-
-  // Of all materials.
   std::shared_ptr<const EnvironmentPrecomputation::Lamps> Lamps;
   std::shared_ptr<const EnvironmentPyramid> Pyramid; // of the rest, as the lights
   vtkSmartPointer<vtkLightSet> Lights;
@@ -204,22 +203,9 @@ constexpr float LargestTexel = 32768.0f; // of 16-bit floats, with room to spare
 // parts.
 constexpr double MostContrast = 65536.0;
 
-vtkBRDFShaderInputs::Texture NewTexture(const char* name, int components, int width, int height)
+// Scaled to its peak, whatever the unit of the light is; returns what undoes that.
+float AddPyramid(const EnvironmentPyramid& pyramid, vtkBRDFShaderInputs::Term& term)
 {
-  vtkBRDFShaderInputs::Texture texture;
-  texture.Name = name;
-  texture.Components = components;
-  texture.Dimensions = { width, height, 1 };
-  texture.Data.reserve(
-    static_cast<std::size_t>(components) * width * static_cast<std::size_t>(height));
-  return texture;
-}
-
-// Scaled to its peak, whatever the unit of the light is; scale: what undoes that.
-vtkBRDFShaderInputs::Texture NewPyramidTexture(const EnvironmentPyramid& pyramid, float& scale)
-{
-  vtkBRDFShaderInputs::Texture texture =
-    NewTexture("brdfPyramidMap", 3, pyramid.GetAtlasWidth(), pyramid.GetAtlasHeight());
   float peak = 0.0f;
   double sum = 0.0;
   for (const glm::vec4& texel : pyramid.GetAtlas())
@@ -228,22 +214,42 @@ vtkBRDFShaderInputs::Texture NewPyramidTexture(const EnvironmentPyramid& pyramid
     peak = std::max(peak, value);
     sum += static_cast<double>(value);
   }
-  scale = peak > 0.0f ? peak / LargestTexel : 1.0f;
+  const float scale = peak > 0.0f ? peak / LargestTexel : 1.0f;
+  vtkBRDFShaderInputs::Texture& texture =
+    AddTexture(term, "brdfPyramidMap", pyramid.GetAtlasWidth(), pyramid.GetAtlasHeight());
   for (const glm::vec4& texel : pyramid.GetAtlas())
   {
     texture.Data.insert(texture.Data.end(), { texel.r / scale, texel.g / scale, texel.b / scale });
   }
   texture.HalfFloat = static_cast<double>(peak) * static_cast<double>(pyramid.GetAtlas().size()) <=
                       MostContrast * sum;
-  return texture;
+  return scale;
+}
+
+// By sample and view: direction and level, or weight and limit.
+template <typename GetTexel>
+void AddSamples(const char* name, const ReflectionSamples& samples, const GetTexel& getTexel,
+  vtkBRDFShaderInputs::Term& term)
+{
+  vtkBRDFShaderInputs::Texture& texture =
+    AddTexture(term, name, samples.GetNumberOfSamples(), ReflectionSamples::NumberOfViews);
+  texture.Components = 4;
+  for (int view = 0; view < ReflectionSamples::NumberOfViews; ++view)
+  {
+    for (int k = 0; k < samples.GetNumberOfSamples(); ++k)
+    {
+      const glm::vec4 texel = getTexel(samples.Get(view, k));
+      texture.Data.insert(texture.Data.end(), { texel.x, texel.y, texel.z, texel.w });
+    }
+  }
 }
 
 // A column per sample: a light's direction, its irradiance below. Missing lights are black.
 // Neighbors in the set are neighbors in the sky: steps of the golden ratio spread them, so that the
 // first columns, which may be drawn alone, have some from everywhere.
-vtkBRDFShaderInputs::Texture NewBroadTexture(vtkLightSet* lights, int count)
+void AddLights(vtkLightSet* lights, int count, vtkBRDFShaderInputs::Term& term)
 {
-  vtkBRDFShaderInputs::Texture texture = NewTexture("brdfLights", 3, count, 2);
+  vtkBRDFShaderInputs::Texture& texture = AddTexture(term, "brdfLights", count, 2);
   texture.Data.resize(6 * count, 0.0f);
   std::vector<std::pair<double, int>> columns;
   for (int k = 0; k < lights->GetNumberOfLights(); ++k)
@@ -257,9 +263,8 @@ vtkBRDFShaderInputs::Texture NewBroadTexture(vtkLightSet* lights, int count)
     lights->GetDirection(columns[column].second, direction);
     lights->GetIrradiance(columns[column].second, irradiance);
     std::copy_n(direction, 3, &texture.Data[3 * column]);
-    std::copy_n(irradiance, 3, &texture.Data[3 * (static_cast<std::size_t>(count) + column)]);
+    std::copy_n(irradiance, 3, &texture.Data[3 * (count + column)]);
   }
-  return texture;
 }
 }
 
@@ -361,7 +366,7 @@ void vtkFilteredRadianceIntegrator::IntegratePart(
   {
     sum += reflect(lamp.Direction) * lamp.Irradiance;
   }
-  measuredbrdf::AddRGB(sum, radiance);
+  AddRGB(sum, radiance);
 }
 
 //------------------------------------------------------------------------------
@@ -374,33 +379,24 @@ bool vtkFilteredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   const EnvironmentPyramid& pyramid = *this->Impl->Pyramid;
   const ReflectionSamples& samples = *this->Impl->Samples;
   const int count = samples.GetNumberOfSamples();
-  float scale = 1.0f;
-  vtkBRDFShaderInputs::Texture map = NewPyramidTexture(pyramid, scale);
-  vtkBRDFShaderInputs::Texture directions =
-    NewTexture("brdfDirections", 4, count, ReflectionSamples::NumberOfViews);
-  vtkBRDFShaderInputs::Texture weights =
-    NewTexture("brdfWeights", 4, count, ReflectionSamples::NumberOfViews);
-  for (int view = 0; view < ReflectionSamples::NumberOfViews; ++view)
-  {
-    for (int k = 0; k < count; ++k)
-    {
-      const ReflectionSamples::Sample& sample = samples.Get(view, k);
-      const glm::vec3& d = sample.Direction;
-      directions.Data.insert(directions.Data.end(), { d.x, d.y, d.z, sample.Level });
-      const glm::vec3 weight = scale * glm::vec3(sample.Weight);
-      weights.Data.insert(weights.Data.end(), { weight.r, weight.g, weight.b, sample.Limit });
-    }
-  }
   vtkBRDFShaderInputs::Term term;
-  measuredbrdf::SetModuleShader(term, "vtkBRDFEnvironmentFiltered", vtkBRDFEnvironmentFiltered);
+  SetModuleShader(term, "vtkBRDFEnvironmentFiltered", vtkBRDFEnvironmentFiltered);
   term.Uniforms.push_back({ "brdfLevel", { pyramid.GetLevel(4.0 * Pi) } });
   term.Fetches = 6 * count; // direction and level, weight, two levels of the map, a light's two
   term.Evaluations = count;
-  const bool half = map.HalfFloat;
-  term.Textures.push_back(std::move(map));
-  term.Textures.push_back(std::move(directions));
-  term.Textures.push_back(std::move(weights));
-  term.Textures.push_back(NewBroadTexture(this->Impl->Lights, count));
+  const float scale = AddPyramid(pyramid, term);
+  const bool half = term.Textures.back().HalfFloat;
+  AddSamples(
+    "brdfDirections", samples,
+    [](const ReflectionSamples::Sample& sample)
+    { return glm::vec4(sample.Direction, sample.Level); },
+    term);
+  AddSamples(
+    "brdfWeights", samples,
+    [scale](const ReflectionSamples::Sample& sample)
+    { return glm::vec4(scale * sample.Weight, sample.Limit); },
+    term);
+  AddLights(this->Impl->Lights, count, term);
 
   vtkBRDFShaderInputs result;
   if (this->Impl->Lamps->Set)

@@ -3,7 +3,6 @@
 #include "vtkHybridRadianceIntegrator.h"
 
 #include "Candidates.h"
-#include "EnvironmentPrecomputation.h"
 #include "HalfVector.h" // for Pi
 #include "Lamps.h"
 #include "LowDiscrepancy.h" // for GoldenRatio
@@ -116,16 +115,6 @@ double GetTailIrregularity(vtkBRDF* brdf)
 
 constexpr double AngleUnits = 10.0; // of the size that is the light angle, per degree
 int ToAngleSize(double degrees) { return static_cast<int>(std::lround(AngleUnits * degrees)); }
-
-// Found once for the environment, and shared. Null where there is none, or it was aborted.
-std::shared_ptr<const EnvironmentPrecomputation::Lamps> FindLamps(vtkEnvironment* environment,
-  double degrees, int maximum, const EnvironmentPrecomputation::GoOn& goOn)
-{
-  return environment && !environment->GetPixels().empty()
-           ? environment->GetParts().GetLamps(
-               environment, vtkMath::RadiansFromDegrees(degrees), maximum, goOn)
-           : nullptr;
-}
 }
 
 struct vtkHybridRadianceIntegrator::Internals
@@ -380,8 +369,7 @@ std::vector<std::vector<int>> vtkHybridRadianceIntegrator::GetCandidateSizes(boo
   {
     return candidates; // the same as a table
   }
-  for (const std::vector<int>& sizes :
-    this->BRDF->IsIsotropic() ? GetHybridCandidates() : GetAnisotropicCandidates())
+  for (const std::vector<int>& sizes : GetTableCandidates(this->BRDF->IsIsotropic(), true, true))
   {
     candidates.push_back({ sizes[0], sizes[1], sizes[2], this->BRDF->IsIsotropic() ? sizes[3] : 0,
       PlannedLights, ToAngleSize(angle) });

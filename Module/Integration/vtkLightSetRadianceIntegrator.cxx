@@ -3,6 +3,7 @@
 #include "vtkLightSetRadianceIntegrator.h"
 
 #include "Candidates.h"
+#include "DirectionPairs.h"
 #include "EnvironmentPrecomputation.h"
 #include "Lamps.h"
 #include "LocalFrame.h"
@@ -162,10 +163,7 @@ void vtkLightSetRadianceIntegrator::IntegratePart(
       glm::dvec3 f;
       const double spread = this->SoftLights ? GetSpread(this->Current, k) : 0.0;
       this->Shaded->EvaluateSoft(&light.x, &view.x, spread, &f.x);
-      for (int c = 0; c < 3; ++c)
-      {
-        radiance[c] += light.z * f[c] * irradiance[c];
-      }
+      measuredbrdf::AddRGB(light.z * f * irradiance, radiance);
     }
   }
 }

@@ -5,14 +5,12 @@
 #include "AnisotropicTable.h"
 #include "Candidates.h"
 #include "DirectionPairs.h"
-#include "EnvironmentPrecomputation.h"
 #include "Lamps.h"
 #include "LobePlacement.h" // for ProfileTexels
 #include "MaterialPrecomputation.h"
 #include "RadianceCore.h"
 #include "RadianceTable.h"
 #include "Setters.h"
-#include "TableSynthesis.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkEnvironment.h"
@@ -175,7 +173,7 @@ bool vtkTableRadianceIntegrator::MakeMaps(Precomputation& parts, Tables& made)
     return false;
   }
   const LobeViews& views = parts.GetViews(this->BRDF, this->Abort);
-  const MaterialPrecomputation::Use use{ false, degree, CoreMode::LargestOrder };
+  const MaterialPrecomputation::Use use{ false, degree, RadianceCore::LargestOrder };
   MaterialKernels& tableKnots = parts.GetKernels(
     this->BRDF, { this->NumberOfViewAngles, this->NumberOfNodes }, this->Abort, use);
   MaterialKernels& knots = parts.GetKernels(this->BRDF,
@@ -187,7 +185,7 @@ bool vtkTableRadianceIntegrator::MakeMaps(Precomputation& parts, Tables& made)
   RadianceTable table(this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths);
   MakeProfile(views, tableKnots, 1.0, table);
   const CoreKernels kernels{ knots, tableKnots, table, this->SmoothingDegree, this->NumberOfMapRows,
-    degree, parts };
+    degree };
   made.Maps = std::make_unique<RadianceCore>(this->NumberOfMapRows);
   return made.Maps->Make(*harmonics, views, kernels, this->NumberOfMaps,
     [this](double share) { return this->Report(share); });
@@ -281,18 +279,11 @@ void vtkTableRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
 }
 
 //------------------------------------------------------------------------------
-// Hybrids take over beside lamps.
 std::vector<std::vector<int>> vtkTableRadianceIntegrator::GetCandidateSizes(bool)
 {
   const auto goOn = [this]() { return this->Report(0.0); };
-  const bool hasLamps = CountPlannedLights(this->Environment, LampAngle, goOn) > 0;
-  if (!this->IsTurned())
-  {
-    return GetTableCandidates(hasLamps);
-  }
-  std::vector<std::vector<int>> sizes = GetAnisotropicCandidates();
-  sizes.resize(sizes.size() - (hasLamps ? 1 : 0));
-  return sizes;
+  return GetTableCandidates(
+    !this->IsTurned(), false, CountPlannedLights(this->Environment, LampAngle, goOn) > 0);
 }
 
 //------------------------------------------------------------------------------
@@ -310,19 +301,21 @@ double vtkTableRadianceIntegrator::EstimateCost()
 //------------------------------------------------------------------------------
 vtkIdType vtkTableRadianceIntegrator::EstimateTextureBytes()
 {
+  constexpr vtkIdType irradiance =
+    4 * RadianceTable::IrradianceSide * RadianceTable::IrradianceSide;
   if (this->IsTurned())
   {
     const AnisotropicTable table(this->NumberOfRows,
       std::min(this->NumberOfViewAngles, MostAnisotropicAngles), this->NumberOfAzimuths,
       this->NumberOfViewAzimuths);
     return 4 * static_cast<vtkIdType>(table.GetMap(table.Angles, 0)) * table.ViewAzimuths +
-           12 * 3 * AnisotropicViews::Angles * AnisotropicViews::Azimuths +
-           4 * RadianceTable::IrradianceSide * RadianceTable::IrradianceSide;
+           12 * 3 * AnisotropicViews::Angles * AnisotropicViews::Azimuths + irradiance;
   }
+  const RadianceTable table(this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths);
   const vtkIdType texels =
     static_cast<vtkIdType>(2 * this->NumberOfMapRows) * this->NumberOfMapRows;
-  return GetTableBytes(this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths) +
-         6 * texels * this->NumberOfMaps +
+  return 4 * static_cast<vtkIdType>(table.GetMap(table.Angles, 0) + table.Tiles.Places.size()) +
+         irradiance + 2 * 16 * ProfileTexels + 6 * texels * this->NumberOfMaps +
          16 * ProfileTexels * RadianceCore::CountWeightRows(this->NumberOfMaps);
 }
 

@@ -8,9 +8,7 @@
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
 #include "ParallelFor.h"
-#include "ScopedErrorCapture.h"
 #include "Setters.h"
-#include "TexelTree.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkBRDF.h"
 #include "vtkCommand.h"
@@ -31,17 +29,15 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <numeric>
+#include <string>
 #include <vector>
 
 namespace measuredbrdf
 {
 namespace
 {
-// The mean over a texel of what is interpolated linearly between the middles of it and its
-// neighbors.
-constexpr double OwnShare = 0.75;
-constexpr double NeighborShare = 0.125;
 // Below this cosine of the latitude, next to a pole, densities per solid angle end.
 constexpr double LeastCosine = 1e-6;
 
@@ -53,7 +49,8 @@ enum Strategy
   ByMaterial,
   ByCosine
 };
-constexpr std::array<double, 3> Shares = { 0.5, 0.375, 0.125 };
+using Shares = std::array<double, 3>;
+constexpr Shares UsualShares = { 0.5, 0.375, 0.125 };
 
 // splitmix64 (Steele, Lea, Flood 2014): a different stream for each key.
 std::uint64_t Mix(std::uint64_t x)
@@ -65,6 +62,8 @@ std::uint64_t Mix(std::uint64_t x)
 }
 
 double ToUnit(std::uint64_t x) { return static_cast<double>(x >> 11) * 0x1p-53; }
+
+double Sum(const glm::dvec3& rgb) { return rgb.x + rgb.y + rgb.z; }
 }
 
 // Directions of the world in proportion to the light that comes from there.
@@ -74,34 +73,19 @@ public:
   // The environment must stay, and its rotation is taken as it is now.
   explicit SkySampler(vtkEnvironment* environment)
     : Environment(environment)
-    , Width(static_cast<std::size_t>(environment->GetWidth()))
-    , Height(static_cast<std::size_t>(environment->GetHeight()))
+    , Width(environment->GetWidth())
+    , Height(environment->GetHeight())
   {
     double m[9];
     environment->GetWorldToEnvironment(m);
     this->ToEnvironment = glm::transpose(glm::make_mat3(m)); // glm takes columns
-    const std::vector<float>& pixels = environment->GetPixels();
-    std::vector<double> sums(this->Width * this->Height); // of the channels, mixed along rows
-    const auto sum = [&](std::size_t x, std::size_t y)
-    { return Sum(glm::dvec3(glm::make_vec3(&pixels[3 * (y * this->Width + x)]))); };
-    for (std::size_t k = 0; k < sums.size(); ++k)
+    std::vector<double> weights;
+    for (int y = 0; y < this->Height; ++y)
     {
-      const std::size_t x = k % this->Width;
-      const std::size_t y = k / this->Width;
-      sums[k] = OwnShare * sum(x, y) +
-                NeighborShare *
-                  (sum((x + this->Width - 1) % this->Width, y) + sum((x + 1) % this->Width, y));
-    }
-    std::vector<double> weights(sums.size());
-    for (std::size_t k = 0; k < sums.size(); ++k)
-    {
-      const std::size_t x = k % this->Width;
-      const std::size_t y = k / this->Width;
-      const std::size_t below = y > 0 ? y - 1 : 0;
-      const std::size_t above = std::min(y + 1, this->Height - 1);
-      weights[k] = environment->GetTexelSolidAngle(static_cast<int>(y)) *
-                   (OwnShare * sums[k] + NeighborShare * (sums[below * this->Width + x] +
-                                                           sums[above * this->Width + x]));
+      for (int x = 0; x < this->Width; ++x)
+      {
+        weights.push_back(environment->GetTexelSolidAngle(y) * this->GetMean(x, y));
+      }
     }
     this->Texels = Distribution2D(weights, this->Width, this->Height);
   }
@@ -115,8 +99,7 @@ public:
     double inX = 0.0, inY = 0.0;
     this->Texels.Invert(u.x, u.y, x, y, inX, inY);
     glm::dvec3 d;
-    vtkEnvironment::GetDirection((static_cast<double>(x) + inX) / static_cast<double>(this->Width),
-      (static_cast<double>(y) + inY) / static_cast<double>(this->Height), &d.x);
+    vtkEnvironment::GetDirection((x + inX) / this->Width, (y + inY) / this->Height, &d.x);
     return d * this->ToEnvironment; // transposed: back to the world
   }
 
@@ -126,12 +109,11 @@ public:
     const glm::dvec3 d = this->ToEnvironment * direction;
     double u = 0.0, v = 0.0;
     vtkEnvironment::GetCoordinates(&d.x, u, v);
-    const double width = static_cast<double>(this->Width);
-    const double height = static_cast<double>(this->Height);
-    const auto x = static_cast<std::size_t>(std::clamp(std::floor(u * width), 0.0, width - 1.0));
-    const auto y = static_cast<std::size_t>(std::clamp(std::floor(v * height), 0.0, height - 1.0));
+    const int x = std::clamp(static_cast<int>(std::floor(u * this->Width)), 0, this->Width - 1);
+    const int y = std::clamp(static_cast<int>(std::floor(v * this->Height)), 0, this->Height - 1);
     const double cosine = std::max(std::sqrt(std::max(1.0 - d.y * d.y, 0.0)), LeastCosine);
-    return this->Texels.GetProbability(x, y) * width * height / (2.0 * Pi * Pi * cosine);
+    return this->Texels.GetProbability(x, y) * this->Width * this->Height /
+           (2.0 * Pi * Pi * cosine);
   }
 
   glm::dvec3 GetRadiance(const glm::dvec3& direction) const
@@ -142,26 +124,56 @@ public:
     return radiance;
   }
 
-  static double Sum(const glm::dvec3& rgb) { return rgb.x + rgb.y + rgb.z; }
-
 private:
+  // Over a texel, of what is interpolated linearly between the middles of it and its neighbors.
+  double GetMean(int x, int y) const
+  {
+    double mean = 0.0;
+    for (int k = 0; k < 9; ++k)
+    {
+      const int across = (x + k % 3 - 1 + this->Width) % this->Width;
+      const int down = std::clamp(y + k / 3 - 1, 0, this->Height - 1);
+      const float* rgb = &this->Environment->GetPixels()[3 * (down * this->Width + across)];
+      mean += (k % 3 == 1 ? 0.75 : 0.125) * (k / 3 == 1 ? 0.75 : 0.125) *
+              Sum(glm::dvec3(glm::make_vec3(rgb)));
+    }
+    return mean;
+  }
+
   vtkEnvironment* Environment;
   glm::dmat3 ToEnvironment;
-  std::size_t Width;
-  std::size_t Height;
+  int Width;
+  int Height;
   Distribution2D Texels;
+};
+
+// A point with a material, a frame about its shading normal and a unit view in it.
+struct Receiver
+{
+  SurfacePoint Point;
+  vtkBRDF* Material; // null: nothing to integrate
+  Frame Local;
+  glm::dvec3 View;
+
+  Receiver(
+    const SurfacePoint& point, vtkBRDF* material, const glm::dvec3& view, const glm::dvec3& tangent)
+    : Point(point)
+    , Material(material)
+    , Local(FrameAbout(point.Normal, tangent))
+    , View(LiftView(ToLocal(this->Local, view)))
+  {
+  }
+  glm::dvec3 Evaluate(const glm::dvec3& light) const
+  {
+    glm::dvec3 f;
+    this->Material->Evaluate(&light.x, &this->View.x, &f.x);
+    return f * light.z;
+  }
 };
 
 class TracedRadiance
 {
 public:
-  struct Settings
-  {
-    int Samples;
-    int Bounces;
-    std::uint32_t Seed;
-  };
-
   // materials: of each surface; all prepared.
   TracedRadiance(
     const vtkTracedSurfaces& scene, vtkEnvironment* environment, std::vector<vtkBRDF*> materials)
@@ -174,66 +186,38 @@ public:
   // Sums over samples; two independent halves, for the noise.
   struct Sums
   {
-    std::array<glm::dvec3, 2> Open{ glm::dvec3(0.0), glm::dvec3(0.0) };    // if nothing were hidden
-    std::array<glm::dvec3, 2> Visible{ glm::dvec3(0.0), glm::dvec3(0.0) }; // from the sky
-    std::array<glm::dvec3, 2> Bounced{ glm::dvec3(0.0), glm::dvec3(0.0) }; // from what hides it
+    glm::dvec3 Open{ 0.0 };    // if nothing were hidden
+    glm::dvec3 Visible{ 0.0 }; // from the sky
+    glm::dvec3 Bounced{ 0.0 }; // from what hides it
   };
+  using Halves = std::array<Sums, 2>;
 
-  // A point with a material, a frame about its shading normal and a unit view in it.
-  struct Receiver
+  // key: of the point, which has samples of its own.
+  Halves Sample(const Receiver& receiver, std::uint64_t key, int samples, int bounces) const
   {
-    SurfacePoint Point;
-    vtkBRDF* Material;
-    Frame Local;
-    glm::dvec3 View;
-
-    Receiver(const SurfacePoint& point, vtkBRDF* material, const glm::dvec3& view,
-      const glm::dvec3& tangent)
-      : Point(point)
-      , Material(material)
-      , Local(FrameAbout(point.Normal, tangent))
-      , View(LiftView(ToLocal(this->Local, view)))
-    {
-    }
-    glm::dvec3 Evaluate(const glm::dvec3& light) const
-    {
-      glm::dvec3 f;
-      this->Material->Evaluate(&light.x, &this->View.x, &f.x);
-      return f * light.z;
-    }
-  };
-
-  // index: of the point, which has samples of its own.
-  Sums Sample(const Receiver& receiver, std::uint32_t index, const Settings& settings) const
-  {
-    const std::uint64_t key = Mix(Mix(settings.Seed) + index);
     std::array<int, 3> counts{};
     counts[ByLight] =
-      this->Sky.IsBlack() ? 0 : static_cast<int>(std::round(Shares[ByLight] * settings.Samples));
-    counts[ByMaterial] = static_cast<int>(std::round(Shares[ByMaterial] * settings.Samples));
-    counts[ByCosine] = std::max(settings.Samples - counts[ByLight] - counts[ByMaterial], 1);
+      this->Sky.IsBlack() ? 0 : static_cast<int>(std::round(UsualShares[ByLight] * samples));
+    counts[ByMaterial] = static_cast<int>(std::round(UsualShares[ByMaterial] * samples));
+    counts[ByCosine] = std::max(samples - counts[ByLight] - counts[ByMaterial], 1);
     const double total = counts[ByLight] + counts[ByMaterial] + counts[ByCosine];
-    const std::array<double, 3> shares = { counts[ByLight] / total, counts[ByMaterial] / total,
+    const Shares shares = { counts[ByLight] / total, counts[ByMaterial] / total,
       counts[ByCosine] / total };
-    Sums sums;
-    for (std::size_t s = 0; s < 3; ++s)
+    Halves sums;
+    for (int s = 0; s < 3; ++s)
     {
       for (int k = 0; k < counts[s]; ++k)
       {
         // Each half of a strategy's points is spread as evenly as the whole.
-        const std::size_t half = k % 2;
-        const std::uint64_t shift = Mix(key + 2 * s + half);
+        const std::uint64_t shift = Mix(key + 2 * s + k % 2);
         const auto point = static_cast<std::uint32_t>(k / 2 + 1);
         const glm::dvec2 u(Wrap01(RadicalInverse(point, 2) + ToUnit(shift)),
           Wrap01(RadicalInverse(point, 3) + ToUnit(Mix(shift))));
         Draw draw;
-        const double density = this->MakeDraw(receiver, static_cast<Strategy>(s), u, draw)
-                                 ? this->GetDensity(receiver, draw, shares)
-                                 : 0.0;
-        if (density > 0.0)
+        if (this->MakeDraw(receiver, static_cast<Strategy>(s), u, shares, draw))
         {
-          this->Add(receiver, draw, 1.0 / (density * total), settings.Bounces, Mix(shift + point),
-            half, sums);
+          this->Add(
+            receiver, draw, 1.0 / (draw.Density * total), bounces, Mix(shift + point), sums[k % 2]);
         }
       }
     }
@@ -245,44 +229,46 @@ private:
   {
     glm::dvec3 Direction; // world
     glm::dvec3 Local;
+    double Density; // of all strategies, by their shares, in 1/sr
   };
 
-  // Whether it is above the horizon.
-  bool MakeDraw(const Receiver& receiver, Strategy strategy, const glm::dvec2& u, Draw& draw) const
+  // Whether it is above the horizon, where it has a density.
+  bool MakeDraw(const Receiver& receiver, Strategy strategy, const glm::dvec2& u,
+    const Shares& shares, Draw& draw) const
   {
     if (strategy == ByLight)
     {
       draw.Direction = this->Sky.Sample(u);
       draw.Local = ToLocal(receiver.Local, draw.Direction);
-      return draw.Local.z > 0.0;
     }
-    if (strategy == ByCosine)
+    else
     {
-      SampleCosine(u.x, u.y, &draw.Local.x);
+      draw.Local = glm::dvec3(0.0);
+      if (strategy == ByCosine)
+      {
+        SampleCosine(u.x, u.y, &draw.Local.x);
+      }
+      else if (!receiver.Material->Sample(&receiver.View.x, u.x, u.y, &draw.Local.x))
+      {
+        return false;
+      }
+      draw.Direction = receiver.Local * draw.Local;
     }
-    else if (!receiver.Material->Sample(&receiver.View.x, u.x, u.y, &draw.Local.x))
+    if (!(draw.Local.z > 0.0))
     {
       return false;
     }
-    draw.Direction = receiver.Local * draw.Local;
-    return draw.Local.z > 0.0;
-  }
-
-  double GetDensity(
-    const Receiver& receiver, const Draw& draw, const std::array<double, 3>& shares) const
-  {
-    double density = shares[ByCosine] * draw.Local.z / Pi;
-    if (shares[ByLight] > 0.0)
-    {
-      density += shares[ByLight] * this->Sky.GetDensity(draw.Direction);
-    }
     const double material = receiver.Material->Pdf(&draw.Local.x, &receiver.View.x);
-    return density + shares[ByMaterial] * (std::isfinite(material) ? material : 0.0);
+    draw.Density =
+      shares[ByCosine] * draw.Local.z / Pi +
+      (shares[ByLight] > 0.0 ? shares[ByLight] * this->Sky.GetDensity(draw.Direction) : 0.0) +
+      shares[ByMaterial] * (std::isfinite(material) ? material : 0.0);
+    return draw.Density > 0.0;
   }
 
   // weight: solid angle that the direction stands for, in sr.
   void Add(const Receiver& receiver, const Draw& draw, double weight, int bounces,
-    std::uint64_t path, std::size_t half, Sums& sums) const
+    std::uint64_t path, Sums& sums) const
   {
     const glm::dvec3 f = weight * receiver.Evaluate(draw.Local);
     const glm::dvec3 open = f * this->Sky.GetRadiance(draw.Direction);
@@ -290,15 +276,15 @@ private:
     {
       return;
     }
-    sums.Open[half] += open;
+    sums.Open += open;
     SurfacePoint hit;
     if (bounces > 0 && this->Scene.CastFrom(receiver.Point, draw.Direction, hit))
     {
-      sums.Bounced[half] += f * this->Follow(hit, -draw.Direction, bounces, path);
+      sums.Bounced += f * this->Follow(hit, -draw.Direction, bounces, path);
     }
     else if (bounces > 0 || !this->Scene.IsHidden(receiver.Point, draw.Direction))
     {
-      sums.Visible[half] += open;
+      sums.Visible += open;
     }
   }
 
@@ -307,8 +293,7 @@ private:
   glm::dvec3 Follow(SurfacePoint point, glm::dvec3 view, int bounces, std::uint64_t path) const
   {
     glm::dvec3 share(1.0);
-    const std::array<double, 3> shares =
-      this->Sky.IsBlack() ? std::array<double, 3>{ 0.0, 0.5, 0.5 } : Shares;
+    const Shares shares = this->Sky.IsBlack() ? Shares{ 0.0, 0.5, 0.5 } : UsualShares;
     const auto getNext = [&path]() { return ToUnit(path = Mix(path)); };
     for (int k = 0; k < bounces; ++k)
     {
@@ -320,13 +305,12 @@ private:
                                 : choice < shares[ByLight] + shares[ByMaterial] ? ByMaterial
                                                                                 : ByCosine;
       Draw draw;
-      if (!this->MakeDraw(receiver, strategy, { first, second }, draw))
+      if (!this->MakeDraw(receiver, strategy, { first, second }, shares, draw))
       {
         break;
       }
-      const double density = this->GetDensity(receiver, draw, shares);
-      share *= receiver.Evaluate(draw.Local) / density;
-      if (!(density > 0.0) || share == glm::dvec3(0.0))
+      share *= receiver.Evaluate(draw.Local) / draw.Density;
+      if (share == glm::dvec3(0.0))
       {
         break;
       }
@@ -345,11 +329,10 @@ private:
 };
 } // namespace measuredbrdf
 
+using namespace measuredbrdf;
+
 namespace
 {
-using measuredbrdf::SurfacePoint;
-using measuredbrdf::TracedRadiance;
-
 constexpr int FewestSamples = 8;
 constexpr int MostSamples = 1 << 24;
 constexpr int MostBounces = 1000;
@@ -364,17 +347,17 @@ bool Fits(vtkDataArray* array, int components, vtkIdType count)
 // Unit length; zero where that is not possible.
 glm::dvec3 GetUnit(vtkDataArray* array, vtkIdType k)
 {
-  const glm::dvec3 d = measuredbrdf::GetDirection(array, k);
-  return measuredbrdf::IsFiniteDirection(d) ? measuredbrdf::NormalizeAny(d) : glm::dvec3(0.0);
+  const glm::dvec3 d = GetDirection(array, k);
+  return IsFiniteDirection(d) ? NormalizeAny(d) : glm::dvec3(0.0);
 }
 
 void Put(const std::vector<glm::dvec3>& values, vtkDataArray* array)
 {
   array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  array->SetNumberOfTuples(values.size());
   for (std::size_t k = 0; k < values.size(); ++k)
   {
-    array->SetTuple(static_cast<vtkIdType>(k), &values[k].x);
+    array->SetTuple(k, &values[k].x);
   }
   array->Modified();
 }
@@ -382,8 +365,7 @@ void Put(const std::vector<glm::dvec3>& values, vtkDataArray* array)
 // What samples say of light that is known as a whole: the visible share of it, channel by channel.
 glm::dvec3 GetVisible(const glm::dvec3& whole, const glm::dvec3& open, const glm::dvec3& visible)
 {
-  const double all = open.x + open.y + open.z;
-  const double share = all > 0.0 ? (visible.x + visible.y + visible.z) / all : 1.0;
+  const double share = Sum(open) > 0.0 ? Sum(visible) / Sum(open) : 1.0;
   glm::dvec3 result;
   for (int c = 0; c < 3; ++c)
   {
@@ -396,12 +378,11 @@ glm::dvec3 GetVisible(const glm::dvec3& whole, const glm::dvec3& open, const glm
 /// One call of Integrate.
 struct vtkTracedRadianceIntegrator::Run
 {
-  std::vector<TracedRadiance::Receiver> Receivers; // null material: nothing to integrate
+  std::vector<Receiver> Receivers;
   std::unique_ptr<TracedRadiance> Tracer;
   std::vector<glm::dvec3> Open; // by the reference; empty: from the samples
   std::vector<glm::dvec3> Radiance;
   std::vector<glm::dvec3> Unoccluded;
-  std::vector<glm::dvec3> Errors;
 };
 
 vtkStandardNewMacro(vtkTracedRadianceIntegrator);
@@ -452,31 +433,27 @@ bool vtkTracedRadianceIntegrator::Report(double progress)
 }
 
 //------------------------------------------------------------------------------
-bool vtkTracedRadianceIntegrator::Check(
+// What is missing or does not match, or "".
+std::string vtkTracedRadianceIntegrator::FindProblem(
   vtkPolyData* points, vtkDataArray* views, vtkDataArray* tangents)
 {
   if (!this->Scene || !this->Environment || this->Environment->GetPixels().empty())
   {
-    vtkErrorMacro("Integrate: there is no scene or no environment, or the environment is empty.");
-    return false;
+    return "there is no scene or no environment, or the environment is empty.";
   }
   for (int k = 0; k < std::max(this->Scene->GetNumberOfSurfaces(), 1); ++k)
   {
     if (!this->GetSurfaceBRDF(k))
     {
-      vtkErrorMacro("Integrate: surface " << k << " has no BRDF.");
-      return false;
+      return "surface " + std::to_string(k) + " has no BRDF.";
     }
   }
   const vtkIdType count = points ? points->GetNumberOfPoints() : 0;
-  if (!points || !Fits(views, 3, count) || (tangents && !Fits(tangents, 3, count)) ||
-      !Fits(points->GetPointData()->GetNormals(), 3, count))
-  {
-    vtkErrorMacro("Integrate: points with normals, as many views and, if any, tangents are needed, "
-                  "with 3 components each.");
-    return false;
-  }
-  return true;
+  const bool fit = points && Fits(views, 3, count) && (!tangents || Fits(tangents, 3, count)) &&
+                   Fits(points->GetPointData()->GetNormals(), 3, count);
+  return fit ? ""
+             : "points with normals, as many views and, if any, tangents are needed, with 3 "
+               "components each.";
 }
 
 //------------------------------------------------------------------------------
@@ -484,12 +461,11 @@ bool vtkTracedRadianceIntegrator::Integrate(vtkPolyData* points, vtkDataArray* v
   vtkDataArray* radiance, vtkDataArray* unoccluded, vtkDataArray* tangents)
 {
   this->Abort = false;
-  if (!radiance || !this->Check(points, views, tangents))
+  const std::string problem =
+    radiance ? this->FindProblem(points, views, tangents) : "radiance is needed.";
+  if (!problem.empty())
   {
-    if (!radiance)
-    {
-      vtkErrorMacro("Integrate: radiance is needed.");
-    }
+    vtkErrorMacro("Integrate: " << problem);
     return false;
   }
   std::vector<vtkBRDF*> materials;
@@ -519,21 +495,21 @@ bool vtkTracedRadianceIntegrator::Integrate(vtkPolyData* points, vtkDataArray* v
     vtkBRDF* material = valid ? materials[surface] : nullptr;
     run.Receivers.emplace_back(point, material, view, GetUnit(tangents, k));
   }
-  if ((!this->UnoccludedReference || this->IntegrateOpen(run)) && this->Trace(run))
+  if ((this->UnoccludedReference && !this->IntegrateOpen(run)) || !this->Trace(run))
   {
-    Put(run.Radiance, radiance);
-    if (unoccluded)
-    {
-      Put(run.Unoccluded, unoccluded);
-    }
-    return true;
+    vtkErrorMacro("Integrate: aborted.");
+    return false;
   }
-  vtkErrorMacro("Integrate: aborted.");
-  return false;
+  Put(run.Radiance, radiance);
+  if (unoccluded)
+  {
+    Put(run.Unoccluded, unoccluded);
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
-// The reference without occlusion, material by material.
+// The reference without occlusion, material by material. False where it was aborted.
 bool vtkTracedRadianceIntegrator::IntegrateOpen(Run& run)
 {
   run.Open.assign(run.Receivers.size(), glm::dvec3(0.0));
@@ -546,45 +522,37 @@ bool vtkTracedRadianceIntegrator::IntegrateOpen(Run& run)
     }
   }
   double done = 0.0;
-  for (const auto& [material, members] : groups)
+  for (const auto& group : groups)
   {
+    const std::vector<std::size_t>& members = group.second;
     vtkNew<vtkAdaptiveRadianceIntegrator> reference;
-    reference->SetBRDF(material);
+    reference->SetBRDF(group.first);
     reference->SetEnvironment(this->Environment);
-    const double share =
-      OpenShare * static_cast<double>(members.size()) / static_cast<double>(run.Receivers.size());
-    struct Follower
+    const double share = OpenShare * members.size() / run.Receivers.size();
+    const auto integrate = [&](vtkIdType first, vtkIdType size)
     {
-      vtkTracedRadianceIntegrator* Whole;
-      double Done;
-      double Share;
-      void Take(vtkObject* caller, unsigned long, void* progress)
+      std::vector<glm::dvec3> normals, views, tangents;
+      for (vtkIdType k = first; k < first + size; ++k)
       {
-        static_cast<vtkRadianceIntegrator*>(caller)->SetAbort(
-          !this->Whole->Report(this->Done + this->Share * *static_cast<double*>(progress)));
+        const Receiver& receiver = run.Receivers[members[k]];
+        normals.push_back(receiver.Point.Normal);
+        views.push_back(receiver.Local * receiver.View);
+        tangents.push_back(receiver.Local[0]);
       }
-    } follower{ this, done, share };
-    reference->AddObserver(vtkCommand::ProgressEvent, &follower, &Follower::Take);
-    std::vector<glm::dvec3> normals, views, tangents;
-    for (const std::size_t k : members)
-    {
-      const TracedRadiance::Receiver& receiver = run.Receivers[k];
-      normals.push_back(receiver.Point.Normal);
-      views.push_back(receiver.Local * receiver.View);
-      tangents.push_back(receiver.Local[0]);
-    }
-    vtkNew<vtkDoubleArray> arrays[4];
-    Put(normals, arrays[0]);
-    Put(views, arrays[1]);
-    Put(tangents, arrays[2]);
-    const measuredbrdf::ScopedErrorCapture aborted(reference); // Integrate says it
-    if (!reference->Integrate(arrays[0], arrays[1], arrays[3], arrays[2]))
+      vtkNew<vtkDoubleArray> arrays[4];
+      Put(normals, arrays[0]);
+      Put(views, arrays[1]);
+      Put(tangents, arrays[2]);
+      reference->Integrate(arrays[0], arrays[1], arrays[3], arrays[2]);
+      for (vtkIdType k = 0; k < size; ++k)
+      {
+        arrays[3]->GetTuple(k, &run.Open[members[first + k]].x);
+      }
+    };
+    if (!WorkInBatches(members.size(), integrate,
+          [&](double part) { return this->Report(done + share * part); }))
     {
       return false;
-    }
-    for (std::size_t k = 0; k < members.size(); ++k)
-    {
-      arrays[3]->GetTuple(static_cast<vtkIdType>(k), &run.Open[members[k]].x);
     }
     done += share;
   }
@@ -592,62 +560,50 @@ bool vtkTracedRadianceIntegrator::IntegrateOpen(Run& run)
 }
 
 //------------------------------------------------------------------------------
+// False where it was aborted.
 bool vtkTracedRadianceIntegrator::Trace(Run& run)
 {
   const std::size_t count = run.Receivers.size();
   run.Radiance.assign(count, glm::dvec3(0.0));
   run.Unoccluded.assign(count, glm::dvec3(0.0));
-  run.Errors.assign(count, glm::dvec3(0.0));
-  const TracedRadiance::Settings settings{ this->NumberOfSamples, this->NumberOfBounces,
-    static_cast<std::uint32_t>(this->Seed) };
-  const auto integrate = [&](std::size_t k)
+  std::vector<glm::dvec3> errors(count, glm::dvec3(0.0));
+  const bool isKnown = !run.Open.empty();
+  const auto integrate = [&](vtkIdType k)
   {
-    const TracedRadiance::Receiver& receiver = run.Receivers[k];
-    if (!receiver.Material)
+    if (!run.Receivers[k].Material)
     {
       return;
     }
-    const auto index = static_cast<std::uint32_t>(k);
-    const TracedRadiance::Sums sums = run.Tracer->Sample(receiver, index, settings);
-    const bool open = !run.Open.empty();
-    const glm::dvec3 all = sums.Open[0] + sums.Open[1];
-    const glm::dvec3 visible = sums.Visible[0] + sums.Visible[1];
-    run.Unoccluded[k] = open ? run.Open[k] : all;
-    run.Radiance[k] =
-      sums.Bounced[0] + sums.Bounced[1] + (open ? GetVisible(run.Open[k], all, visible) : visible);
-    glm::dvec3 halves[2];
-    for (std::size_t h = 0; h < 2; ++h)
+    const std::uint64_t key =
+      Mix(Mix(static_cast<std::uint32_t>(this->Seed)) + static_cast<std::uint32_t>(k));
+    const auto [a, b] =
+      run.Tracer->Sample(run.Receivers[k], key, this->NumberOfSamples, this->NumberOfBounces);
+    // times: how often the samples must be taken to be all.
+    const auto getRadiance = [&](const TracedRadiance::Sums& sums, double times)
     {
-      halves[h] =
-        2.0 * sums.Bounced[h] +
-        (open ? GetVisible(run.Open[k], sums.Open[h], sums.Visible[h]) : 2.0 * sums.Visible[h]);
-    }
-    run.Errors[k] = 0.5 * glm::abs(halves[0] - halves[1]);
+      return times * sums.Bounced +
+             (isKnown ? GetVisible(run.Open[k], sums.Open, sums.Visible) : times * sums.Visible);
+    };
+    const TracedRadiance::Sums all{ a.Open + b.Open, a.Visible + b.Visible, a.Bounced + b.Bounced };
+    run.Unoccluded[k] = isKnown ? run.Open[k] : all.Open;
+    run.Radiance[k] = getRadiance(all, 1.0);
+    errors[k] = 0.5 * glm::abs(getRadiance(a, 2.0) - getRadiance(b, 2.0));
   };
-  const double begun = run.Open.empty() ? 0.0 : OpenShare;
+  const double begun = isKnown ? OpenShare : 0.0;
   const auto traceBatch = [&](vtkIdType first, vtkIdType size)
   {
-    measuredbrdf::ParallelFor(first, first + size,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType k = begin; k < end && !this->Abort; ++k)
-        {
-          integrate(static_cast<std::size_t>(k));
-        }
-      });
+    ParallelForEach(
+      size, [&](vtkIdType k) { integrate(first + k); }, &this->Abort, 0);
   };
-  if (!measuredbrdf::WorkInBatches(static_cast<vtkIdType>(count), traceBatch,
+  if (!WorkInBatches(count, traceBatch,
         [&](double share) { return this->Report(begun + (1.0 - begun) * share); }))
   {
     return false;
   }
   const auto sum = [](const std::vector<glm::dvec3>& values)
-  {
-    const glm::dvec3 all = std::accumulate(values.begin(), values.end(), glm::dvec3(0.0));
-    return all.x + all.y + all.z;
-  };
+  { return Sum(std::accumulate(values.begin(), values.end(), glm::dvec3(0.0))); };
   const double radiance = sum(run.Radiance);
-  this->Noise = radiance > 0.0 ? sum(run.Errors) / radiance : 0.0;
+  this->Noise = radiance > 0.0 ? sum(errors) / radiance : 0.0;
   return true;
 }
 

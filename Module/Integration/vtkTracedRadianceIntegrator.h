@@ -29,7 +29,7 @@
 
 #include <atomic> // for Abort
 #include <map>    // for materials
-#include <vector> // for radiance
+#include <string> // for problems
 
 class vtkBRDF;
 class vtkDataArray;
@@ -155,7 +155,7 @@ private:
   void operator=(const vtkTracedRadianceIntegrator&) = delete;
 
   struct Run;
-  bool Check(vtkPolyData* points, vtkDataArray* views, vtkDataArray* tangents);
+  std::string FindProblem(vtkPolyData* points, vtkDataArray* views, vtkDataArray* tangents);
   bool IntegrateOpen(Run& run);
   bool Trace(Run& run);
   bool Report(double progress);

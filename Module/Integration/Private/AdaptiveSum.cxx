@@ -108,25 +108,6 @@ int GetLevelOffset(int level)
   }
   return offset;
 }
-
-// Within 1e-5 for 0 <= t <= 1: Abramowitz, Stegun 1964, 4.4.49.
-double GetArcTangent(double t)
-{
-  const double s = t * t;
-  return t * (0.9998660 + s * (-0.3302995 + s * (0.1801410 + s * (-0.0851330 + s * 0.0208351))));
-}
-
-// HemisphereToSquare to 1e-5, which sums call at each step, to [0,1]^2.
-glm::dvec2 ToPeakSquare(const glm::dvec3& d)
-{
-  const double r = std::sqrt(std::max(1.0 - d.z, 0.0));
-  const double ax = std::abs(d.x);
-  const double ay = std::abs(d.y);
-  const double largest = std::max(ax, ay);
-  const double a = largest > 0.0 ? r * GetArcTangent(std::min(ax, ay) / largest) * 4.0 / Pi : 0.0;
-  const glm::dvec2 p = ax > ay ? glm::dvec2(r, a) : glm::dvec2(a, r);
-  return glm::dvec2(std::copysign(p.x, d.x), std::copysign(p.y, d.y)) * 0.5 + 0.5;
-}
 }
 
 ReflectionGuide::ReflectionGuide(vtkBRDF* brdf)
@@ -220,10 +201,9 @@ double ReflectionGuide::Peaks::Get(const glm::dvec3& i, double radius, double& s
     ++level;
   }
   const int size = PeakSize >> level;
-  const glm::dvec2 uv = ToPeakSquare(glm::dvec3(this->Azimuth.x * i.x + this->Azimuth.y * i.y,
-                          this->Azimuth.x * i.y - this->Azimuth.y * i.x, i.z)) *
-                          static_cast<double>(size) -
-                        0.5;
+  const glm::dvec3 turned(this->Azimuth.x * i.x + this->Azimuth.y * i.y,
+    this->Azimuth.x * i.y - this->Azimuth.y * i.x, i.z);
+  const glm::dvec2 uv = (HemisphereToSquare(turned) + 1.0) * (0.5 * size) - 0.5;
   const float* cells = this->Cells + GetLevelOffset(level);
   const int x = std::clamp(static_cast<int>(std::floor(uv.x)), 0, size - 2);
   const int y = std::clamp(static_cast<int>(std::floor(uv.y)), 0, size - 2);

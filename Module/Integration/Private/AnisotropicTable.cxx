@@ -6,7 +6,7 @@
 #include "HalfVector.h" // for Pi
 #include "LobePlacement.h"
 #include "ModuleShader.h"
-#include "TableSynthesis.h"
+#include "RadianceTable.h"
 #include "vtkBRDFEnvironmentAnisotropic.h"
 
 #include <glm/glm.hpp>

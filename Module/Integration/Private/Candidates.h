@@ -8,12 +8,13 @@
 #ifndef Candidates_h
 #define Candidates_h
 
-#include "vtkType.h"
+#include "EnvironmentPrecomputation.h"
+#include "vtkEnvironment.h"
+#include "vtkMath.h"
 
 #include <functional>
+#include <memory>
 #include <vector>
-
-class vtkEnvironment;
 
 namespace measuredbrdf
 {
@@ -35,23 +36,45 @@ constexpr int PlannedLights = 16;
 /// Lamps up to this angle in degrees are one light each, unless a finer angle is asked for.
 constexpr double LampAngle = 1.2;
 
-/// How many lights the environment's suns and lamps are, at most PlannedLights; 0 where there is no
+/// The environment's suns and lamps as lights, found once and shared. Null where there is no
 /// environment, or goOn said no.
-int CountPlannedLights(
-  vtkEnvironment* environment, double degrees, const std::function<bool()>& goOn);
+inline std::shared_ptr<const EnvironmentPrecomputation::Lamps> FindLamps(
+  vtkEnvironment* environment, double degrees, int maximum, const std::function<bool()>& goOn)
+{
+  return environment && !environment->GetPixels().empty()
+           ? environment->GetParts().GetLamps(
+               environment, vtkMath::RadiansFromDegrees(degrees), maximum, goOn)
+           : nullptr;
+}
 
-/// Rows, view angles, azimuths of tables alone. lamps: whether tables beside lamps take over from
-/// there.
-std::vector<std::vector<int>> GetTableCandidates(bool lamps);
+/// How many they are, at most PlannedLights.
+inline int CountPlannedLights(
+  vtkEnvironment* environment, double degrees, const std::function<bool()>& goOn)
+{
+  const auto lamps = FindLamps(environment, degrees, PlannedLights, goOn);
+  return lamps ? static_cast<int>(lamps->Lights.size()) : 0;
+}
 
-/// Rows, view angles, azimuths, maps of tables beside lamps.
-std::vector<std::vector<int>> GetHybridCandidates();
-
-/// Rows, view angles, azimuths, the view's azimuths of tables of anisotropic materials.
-std::vector<std::vector<int>> GetAnisotropicCandidates();
-
-/// Of a table's textures.
-vtkIdType GetTableBytes(int rows, int viewAngles, int azimuths);
+/// A planner's sizes of tables, alone or within hybrids: rows, view angles, azimuths, and maps or,
+/// of anisotropic materials, the view's azimuths. Where there are lamps, hybrids take the place of
+/// the larger tables. Chosen on nine materials under four maps, and
+/// reported on others (docs/methods/planner.md). None is above 12 MB. More than 113 rows have tiles
+/// (RadianceTable.h).
+inline std::vector<std::vector<int>> GetTableCandidates(
+  bool isIsotropic, bool isHybrid, bool hasLamps)
+{
+  if (isIsotropic && isHybrid)
+  {
+    return { { 33, 12, 16, 0 }, { 65, 20, 12, 0 }, { 81, 20, 8, 0 }, { 320, 12, 8, 8 } };
+  }
+  std::vector<std::vector<int>> sizes =
+    isIsotropic
+      ? std::vector<std::vector<int>>{ { 17, 8, 8 }, { 33, 12, 16 }, { 49, 12, 16 },
+          { 201, 20, 16 } }
+      : std::vector<std::vector<int>>{ { 17, 8, 16, 8 }, { 25, 8, 20, 8 }, { 33, 6, 24, 8 } };
+  sizes.resize(isHybrid || !hasLamps ? sizes.size() : 2);
+  return sizes;
+}
 } // namespace measuredbrdf
 
 #endif

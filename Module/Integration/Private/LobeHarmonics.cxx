@@ -4,7 +4,7 @@
 
 #include "HalfVector.h" // for Pi
 #include "LightLanes.h"
-#include "LobeQuadrature.h"
+#include "LobeViews.h"
 #include "ParallelFor.h"
 #include "SynthesisLanes.h"
 #include "WignerD.h"

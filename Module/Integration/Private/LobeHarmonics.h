@@ -11,7 +11,7 @@
 #define LobeHarmonics_h
 
 #include "Lamps.h"
-#include "LobeQuadrature.h"
+#include "LobeViews.h"
 
 #include <glm/glm.hpp>
 

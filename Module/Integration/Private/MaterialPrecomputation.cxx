@@ -91,17 +91,6 @@ std::vector<std::vector<float>> MaterialKernels::Expand(int degree, int orders)
   return parts;
 }
 
-const MaterialPrecomputation::Matrices& MaterialPrecomputation::GetRemainders(
-  const std::vector<double>& sizes, const std::function<Matrices()>& make)
-{
-  Matrices& known = this->Remainders[sizes];
-  if (known.empty())
-  {
-    known = make();
-  }
-  return known;
-}
-
 // Views that were aborted are of no use, but for the caller that aborted them.
 const LobeViews& MaterialPrecomputation::GetViews(vtkBRDF* brdf, const std::atomic<bool>& abort)
 {
@@ -145,7 +134,6 @@ vtkSmartPointer<vtkBRDF> MaterialPrecomputation::GetLampForm(
 
 void MaterialPrecomputation::Trim(int mostAngles, int mostNodes)
 {
-  this->Remainders.clear();
   this->LampForms.clear();
   for (auto& [sizes, kernels] : this->KernelsOf)
   {

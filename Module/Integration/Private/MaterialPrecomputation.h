@@ -14,11 +14,8 @@
 #include "vtkRadianceIntegrator.h"
 #include "vtkSmartPointer.h"
 
-#include <Eigen/Core>
-
 #include <array>
 #include <atomic>
-#include <functional>
 #include <map>
 #include <memory>
 #include <vector>
@@ -82,12 +79,6 @@ public:
     return this->GetKernels(brdf, sizes, abort, Use());
   }
 
-  /// What a factored table lacks of the kernels (RadianceCore.h), by what it depends on: the sizes
-  /// that made it.
-  using Matrices = std::vector<Eigen::MatrixXd>;
-  const Matrices& GetRemainders(
-    const std::vector<double>& sizes, const std::function<Matrices()>& make);
-
   ///@{
   /// The views of an isotropic or an anisotropic material: for a profile, and to be split into
   /// parts.
@@ -99,14 +90,13 @@ public:
   vtkSmartPointer<vtkBRDF> GetLampForm(
     vtkBRDF* brdf, double spread, const std::atomic<bool>& abort);
 
-  /// Without what few plans need: what a factored table lacks, and the nodes of kernels at more
-  /// than so many angles or of more than so many nodes. Their harmonics stay.
+  /// Without what few plans need: forms of lamps, and the nodes of kernels at more than so many
+  /// angles or of more than so many nodes. Their harmonics stay.
   void Trim(int mostAngles, int mostNodes);
 
 private:
   const bool Quick;
   std::map<std::array<int, 3>, MaterialKernels> KernelsOf; // angles, resolution, azimuths
-  std::map<std::vector<double>, Matrices> Remainders;
   std::unique_ptr<LobeViews> Views;
   std::unique_ptr<AnisotropicViews> ViewsByAzimuth;
   bool AreViewsWhole = false; // else they were aborted

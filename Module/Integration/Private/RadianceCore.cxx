@@ -7,7 +7,7 @@
 #include "LobePlacement.h"
 #include "ModuleShader.h"
 #include "ParallelFor.h"
-#include "TableSynthesis.h"
+#include "RadianceTable.h"
 #include "WignerD.h"
 #include "vtkBRDFEnvironmentCore.h"
 
@@ -28,7 +28,7 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr int LargestOrder = CoreMode::LargestOrder;
+constexpr int LargestOrder = RadianceCore::LargestOrder;
 constexpr double LeastEnergy = 1e-12; // of the mean radiance's: less is rounding
 constexpr double LeastWeight = 1e-3;  // of views along the normal and the horizon
 
@@ -36,21 +36,42 @@ constexpr double LeastWeight = 1e-3;  // of views along the normal and the horiz
 // absolute value better (docs/methods/factored.md).
 constexpr double PowerExponent = 1.5;
 
+// A function about the axis, cos or sin of order times psi, and its weight of each view.
+struct CoreMode
+{
+  int Order = 0;
+  double Energy = 0.0;      // of what it explains, by field
+  Eigen::VectorXd Function; // harmonics of that order, by degree
+  Eigen::VectorXd Weights;  // by knot and channel
+
+  // Interpolated between the knots.
+  glm::dvec3 GetWeight(double theta) const
+  {
+    const int knots = static_cast<int>(this->Weights.size()) / 3;
+    const double exact = LobeViews::GetKnotPosition(theta, knots);
+    const int low = std::min(static_cast<int>(exact), knots - 2);
+    glm::dvec3 weight;
+    for (int c = 0; c < 3; ++c)
+    {
+      const Eigen::Index at = 3 * static_cast<Eigen::Index>(low) + c;
+      weight[c] = glm::mix(this->Weights[at], this->Weights[at + 3], exact - low);
+    }
+    return weight;
+  }
+};
+
+// A mode of an order above 0 takes two fields, of the cosine and of the sine.
+int CountFields(int order) { return order > 0 ? 2 : 1; }
+
 // Mean square of the environment's harmonics of each degree, all channels.
 std::vector<double> GetPower(const EnvironmentHarmonics& environment, int degree)
 {
   std::vector<double> power;
   for (int l = 0; l <= degree; ++l)
   {
-    double sum = 0.0;
-    for (int channel = 0; channel < 3; ++channel)
-    {
-      for (int m = 0; m <= l; ++m)
-      {
-        sum += (m > 0 ? 2.0 : 1.0) * std::norm(environment.Get(channel, l, m));
-      }
-    }
-    power.push_back(sum / (2.0 * l + 1.0));
+    power.push_back(
+      (GetEnergy(environment, 0, l) + GetEnergy(environment, 1, l) + GetEnergy(environment, 2, l)) /
+      (2.0 * l + 1.0));
   }
   return power;
 }
@@ -86,7 +107,7 @@ std::vector<double> TurnCosine(double delta, int degree)
   return turned;
 }
 
-using Matrices = MaterialPrecomputation::Matrices; // by order: degrees x (knots x channels)
+using Matrices = std::vector<Eigen::MatrixXd>; // by order: degrees x (knots x channels)
 
 // What the table, as it is interpolated, lacks of a knot's kernel about the axis that pixels look
 // at: of the lobe, and of the Lambert part.
@@ -166,27 +187,8 @@ void Decompose(int order, const Eigen::MatrixXd& kernels, const std::vector<doub
     modes.push_back(std::move(mode));
   }
 }
-}
 
-double CoreKernels::GetViewAngle(std::size_t knot) const
-{
-  return LobeViews::GetKnotAngle(static_cast<int>(knot), static_cast<int>(this->Knots.At.size()));
-}
-
-glm::dvec3 CoreMode::GetWeight(const CoreKernels& kernels, double theta) const
-{
-  const double exact = LobeViews::GetKnotPosition(theta, static_cast<int>(kernels.Knots.At.size()));
-  const double low =
-    std::min(std::floor(exact), static_cast<double>(kernels.Knots.At.size()) - 2.0);
-  glm::dvec3 weight;
-  for (int c = 0; c < 3; ++c)
-  {
-    const Eigen::Index at = 3 * static_cast<Eigen::Index>(low) + c;
-    weight[c] = glm::mix(this->Weights[at], this->Weights[at + 3], exact - low);
-  }
-  return weight;
-}
-
+// The modes that explain most under an environment, in so many fields at most; orders ascend.
 std::vector<CoreMode> ChooseModes(
   const EnvironmentHarmonics& environment, const CoreKernels& kernels, int fields)
 {
@@ -200,12 +202,7 @@ std::vector<CoreMode> ChooseModes(
     const glm::dvec3 seen = weight * kernels.Knots.At[knot].Means.Amplitude;
     total += glm::dot(seen, seen);
   }
-  const Matrices& expanded =
-    kernels.Known.GetRemainders({ static_cast<double>(kernels.Knots.At.size()),
-                                  static_cast<double>(kernels.TableKnots.At.size()),
-                                  static_cast<double>(kernels.Table.Azimuths),
-                                  static_cast<double>(kernels.Degree), kernels.Smoothing },
-      [&kernels]() { return ExpandKernels(kernels); });
+  const Matrices expanded = ExpandKernels(kernels);
   const double least = LeastEnergy * std::pow(power[0], PowerExponent) * total;
   std::array<std::vector<CoreMode>, LargestOrder + 1> byOrder;
   measuredbrdf::ParallelForEach(LargestOrder + 1,
@@ -224,9 +221,9 @@ std::vector<CoreMode> ChooseModes(
   std::vector<CoreMode> chosen;
   for (CoreMode& mode : modes)
   {
-    if (CoreMode::CountFields(mode.Order) <= fields)
+    if (CountFields(mode.Order) <= fields)
     {
-      fields -= CoreMode::CountFields(mode.Order);
+      fields -= CountFields(mode.Order);
       chosen.push_back(std::move(mode));
     }
   }
@@ -235,10 +232,13 @@ std::vector<CoreMode> ChooseModes(
   return chosen;
 }
 
-namespace
-{
 constexpr float LargestValue = 32768.0f; // of a 16-bit texture, with room to spare
 constexpr vtkIdType PackedTexels = 4096; // by a thread at a time
+}
+
+double CoreKernels::GetViewAngle(std::size_t knot) const
+{
+  return LobeViews::GetKnotAngle(static_cast<int>(knot), static_cast<int>(this->Knots.At.size()));
 }
 
 int RadianceCore::GetNumberOfFields() const
@@ -246,7 +246,7 @@ int RadianceCore::GetNumberOfFields() const
   int fields = 0;
   for (const int order : this->Orders)
   {
-    fields += CoreMode::CountFields(order);
+    fields += CountFields(order);
   }
   return fields;
 }
@@ -258,7 +258,7 @@ double RadianceCore::AddFields(int order, const FieldSynthesis::Fields& fields, 
   const std::size_t texels = this->GetNumberOfTexels();
   // 2 Re(e^(-i m psi) G) = 2 cos(m psi) Re G + 2 sin(m psi) Im G.
   const std::size_t first = this->Fields.size();
-  this->Fields.resize(first + 3 * texels * static_cast<std::size_t>(CoreMode::CountFields(order)));
+  this->Fields.resize(first + 3 * texels * static_cast<std::size_t>(CountFields(order)));
   double squared = 0.0; // in double precision: squares of floats can be too large for floats
   for (const FieldSynthesis::Field& field : fields)
   {
@@ -334,7 +334,7 @@ bool RadianceCore::Make(const EnvironmentHarmonics& environment, const LobeViews
       const double scale = this->AddFields(order, fieldsOfModes, mode - k);
       for (int view = 0; view < size; ++view)
       {
-        put(1 + mode, view, scale * modes[mode].GetWeight(kernels, LobeViews::GetAngle(view)));
+        put(1 + mode, view, scale * modes[mode].GetWeight(LobeViews::GetAngle(view)));
       }
     }
     if (!goOn(static_cast<double>(next) / static_cast<double>(modes.size())))

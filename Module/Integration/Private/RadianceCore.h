@@ -38,39 +38,19 @@ namespace measuredbrdf
 struct CoreKernels
 {
   MaterialKernels& Knots;
-  MaterialKernels& TableKnots;   // at the table's view angles
-  const RadianceTable& Table;    // its profile (MakeProfile, scale 1)
-  double Smoothing;              // of the table, GetSmoothed
-  int Rows;                      // of the maps
-  int Degree;                    // of the harmonics
-  MaterialPrecomputation& Known; // that knows the remainders, or will
+  MaterialKernels& TableKnots; // at the table's view angles
+  const RadianceTable& Table;  // its profile (MakeProfile, scale 1)
+  double Smoothing;            // of the table, GetSmoothed
+  int Rows;                    // of the maps
+  int Degree;                  // of the harmonics
 
   double GetViewAngle(std::size_t knot) const;
 };
 
-/// A function about the axis, cos or sin of order times psi, and its weight of each view.
-struct CoreMode
+struct RadianceCore
 {
   static constexpr int LargestOrder = 8; // lobes that are longer than wide; more tells nothing
 
-  int Order = 0;
-  double Energy = 0.0;      // of what it explains, by field
-  Eigen::VectorXd Function; // harmonics of that order, by degree
-  Eigen::VectorXd Weights;  // by knot and channel
-
-  /// A mode of an order above 0 takes two fields, of the cosine and of the sine.
-  static int CountFields(int order) { return order > 0 ? 2 : 1; }
-
-  /// Interpolated between the knots.
-  glm::dvec3 GetWeight(const CoreKernels& kernels, double theta) const;
-};
-
-/// The modes that explain most under an environment, in so many fields at most; orders ascend.
-std::vector<CoreMode> ChooseModes(
-  const EnvironmentHarmonics& environment, const CoreKernels& kernels, int fields);
-
-struct RadianceCore
-{
   explicit RadianceCore(int rows)
     : Rows(rows)
     , Columns(2 * rows)

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <random>
 #include <string>
 
 using namespace measuredbrdf;
@@ -48,30 +49,6 @@ double GetLargestError(
     largest = std::max(largest, (d.x + d.y + d.z) / (exact[k].x + exact[k].y + exact[k].z));
   }
   return largest;
-}
-
-// The same sky with so many texels instead of each one.
-vtkNew<vtkEnvironment> NewInterpolated(vtkEnvironment* environment, int times)
-{
-  const int width = times * environment->GetWidth();
-  const int height = times * environment->GetHeight();
-  std::vector<float> rgb;
-  for (int y = 0; y < height; ++y)
-  {
-    for (int x = 0; x < width; ++x)
-    {
-      glm::dvec3 direction, radiance;
-      vtkEnvironment::GetDirection((x + 0.5) / width, (y + 0.5) / height, &direction.x);
-      environment->GetRadiance(&direction.x, &radiance.x);
-      rgb.insert(rgb.end(), &radiance.x, &radiance.x + 3);
-    }
-  }
-  vtkNew<vtkEnvironment> fine;
-  fine->SetPixels(width, height, rgb);
-  double turn[9];
-  environment->GetWorldToEnvironment(turn);
-  fine->SetWorldToEnvironment(turn);
-  return fine;
 }
 
 vtkNew<vtkAshikhminShirleyBRDF> NewGloss(double nu, double nv)
@@ -117,6 +94,48 @@ TEST(TexelTree, EachLevelHoldsAllLight)
     }
   }
   EXPECT_EQ(tree.Get(0, 133, 0).Irradiance, glm::dvec3(0.0));
+}
+
+//------------------------------------------------------------------------------
+TEST(TexelTree, QuartersAreTheSquaresBelow)
+{
+  vtkNew<vtkEnvironment> environment;
+  std::mt19937 engine(7);
+  std::vector<float> rgb;
+  for (int k = 0; k < 3 * 37 * 19; ++k) // odd: squares cross the map's edge
+  {
+    rgb.push_back(static_cast<float>(engine() * 0x1p-32));
+  }
+  ASSERT_TRUE(environment->SetPixels(37, 19, rgb));
+  const TexelTree tree(environment);
+  for (int level = tree.GetLowestLevel() + 1; level <= tree.GetHighestLevel(); ++level)
+  {
+    const int step = level < -1 ? 5 << -level : 1; // parts are many
+    for (int y = 0; y < tree.GetHeight(level); y += step)
+    {
+      for (int x = 0; x < tree.GetWidth(level); x += step)
+      {
+        float directions[3][4], irradiances[3][4];
+        float* const d[3] = { directions[0], directions[1], directions[2] };
+        float* const i[3] = { irradiances[0], irradiances[1], irradiances[2] };
+        tree.GetQuarters(level, x, y, d, i);
+        for (int k = 0; k < 4; ++k)
+        {
+          const TexelTree::Light light = tree.Get(level - 1, 2 * x + k % 2, 2 * y + k / 2);
+          for (int c = 0; c < 3; ++c)
+          {
+            EXPECT_NEAR(directions[c][k], light.Direction[c], 1e-6) << level;
+            EXPECT_NEAR(irradiances[c][k], light.Irradiance[c], 2e-6 * light.Irradiance[c])
+              << level << " " << x << " " << y << " " << k;
+          }
+        }
+        if (level > 0)
+        {
+          EXPECT_EQ(tree.GetRest(level, x, y), static_cast<float>(tree.Get(level, x, y).Rest));
+        }
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -177,7 +196,7 @@ TEST(AdaptiveIntegrator, ConvergesWithItsTolerance)
   vtkNew<vtkEnvironment> environment;
   environment->SetToProceduralSky();
   ShrinkEnvironment(environment, 128, 64);
-  const auto fine = NewInterpolated(environment, 16);
+  const auto fine = NewUpsampled(environment, 16, 16);
   SpherePairs pairs;
   pairs.AddRandom(10);
   for (const double exponent : { 5.0, 3000.0 })
@@ -206,7 +225,7 @@ TEST(AdaptiveIntegrator, KeepsItsToleranceAtEachPair)
     vtkNew<vtkEnvironment> environment;
     hall ? environment->SetToProceduralHall() : environment->SetToProceduralSky();
     environment->SetRotationY(77.0);
-    const auto fine = NewInterpolated(environment, 4);
+    const auto fine = NewUpsampled(environment, 4, 4);
     for (const auto& [nu, nv] :
       { std::pair(10.0, 10.0), { 300.0, 300.0 }, { 3000.0, 3000.0 }, { 30.0, 3000.0 } })
     {
@@ -242,7 +261,7 @@ TEST(AdaptiveIntegrator, MissesNothingNarrow)
     pairs.Add(normal, glm::normalize(glm::reflect(-lamp, normal) + glm::dvec3(offset, 0.0, 0.0)));
   }
   EXPECT_LT(GetLargestError(pairs.Integrate(NewAdaptive(brdf, environment)),
-              pairs.IntegrateExactly(brdf, NewInterpolated(environment, 16))),
+              pairs.IntegrateExactly(brdf, NewUpsampled(environment, 16, 16))),
     3e-3);
 }
 

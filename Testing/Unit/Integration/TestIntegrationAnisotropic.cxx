@@ -62,7 +62,7 @@ protected:
 };
 vtkStandardNewMacro(NapBRDF);
 
-double GetError(vtkRadianceIntegrator* table, int count = 200)
+double GetError(vtkRadianceIntegrator* table, int count = 120)
 {
   SpherePairs pairs;
   pairs.AddRandom(count);
@@ -96,15 +96,14 @@ TEST(AnisotropicTable, Converges)
   const auto environment = NewSmallEnvironment(true);
   const auto brdf = NewCoated(60.0, 8.0);
   double before = 1.0;
-  for (const std::vector<int>& sizes :
-    { std::vector<int>{ 17, 6, 8, 4 }, { 33, 10, 16, 8 }, { 49, 16, 24, 12 } })
+  for (const std::vector<int>& sizes : { std::vector<int>{ 17, 6, 8, 4 }, { 33, 10, 16, 8 } })
   {
     const double error = GetError(NewAnisotropicTable(brdf, environment, sizes));
     std::printf("%d rows: %.4f\n", sizes[0], error);
-    EXPECT_LT(error, 0.7 * before);
+    EXPECT_LT(error, 0.5 * before);
     before = error;
   }
-  EXPECT_LT(before, 0.01);
+  EXPECT_LT(before, 0.015);
 }
 
 //------------------------------------------------------------------------------

@@ -106,79 +106,7 @@ std::vector<vtkSmartPointer<vtkBRDF>> GetMaterials()
   return { matte.Get(), gloss.Get() };
 }
 
-// The same sky in so many times more texels.
-vtkSmartPointer<vtkEnvironment> NewUpsampled(vtkEnvironment* coarse, int across, int up)
-{
-  const int width = coarse->GetWidth() * across;
-  const int height = coarse->GetHeight() * up;
-  std::vector<float> rgb;
-  for (int y = 0; y < height; ++y)
-  {
-    for (int x = 0; x < width; ++x)
-    {
-      double direction[3], radiance[3];
-      vtkEnvironment::GetDirection((x + 0.5) / width, (y + 0.5) / height, direction);
-      coarse->GetRadiance(direction, radiance);
-      for (const double value : radiance)
-      {
-        rgb.push_back(static_cast<float>(value));
-      }
-    }
-  }
-  auto fine = vtkSmartPointer<vtkEnvironment>::New();
-  EXPECT_TRUE(fine->SetPixels(width, height, rgb));
-  return fine;
-}
 } // namespace
-
-//------------------------------------------------------------------------------
-class ConstantMaps : public testing::TestWithParam<std::array<int, 2>>
-{
-};
-
-TEST_P(ConstantMaps, AreWhiteFurnaces)
-{
-  const auto environment = NewConstantEnvironment(GetParam()[0], GetParam()[1], 2.0f);
-  SpherePairs pairs;
-  pairs.AddRandom(40);
-  pairs.Add({ 0.0, 1.0, 0.0 }, { 0.0, 1.0, 0.0 }); // the poles, and the image's edges
-  pairs.Add({ 0.0, -1.0, 0.0 }, { 0.0, -1.0, 0.0 });
-  pairs.Add({ -1.0, 0.0, 0.0 }, { -0.8, 0.6, 0.0 });
-  for (const auto& brdf : GetMaterials())
-  {
-    std::vector<glm::dvec3> expected;
-    for (vtkIdType k = 0; k < pairs.Normals->GetNumberOfTuples(); ++k)
-    {
-      glm::dvec3 n, v, albedo;
-      pairs.Normals->GetTuple(k, &n.x);
-      pairs.Views->GetTuple(k, &v.x);
-      const double cosine = glm::dot(n, v);
-      const double o[3] = { std::sqrt(std::max(1.0 - cosine * cosine, 0.0)), 0.0, cosine };
-      brdf->GetDirectionalAlbedo(o, &albedo.x);
-      expected.push_back(2.0 * albedo);
-    }
-    for (const Way& way : GetWays(brdf, environment, GetParam()[0] != 2))
-    {
-      const auto radiance = pairs.Integrate(way.Integrator);
-      const double error = GetRelativeError(radiance, expected);
-      double worst = 0.0;
-      for (std::size_t k = 0; k < radiance.size(); ++k)
-      {
-        worst = std::max(worst, std::abs(radiance[k].x / expected[k].x - 1.0));
-      }
-      std::printf("%s, %s: relative L1 %.5f, worst %.5f\n", brdf->GetClassName(), way.Name.c_str(),
-        error, worst);
-      EXPECT_LT(error, way.Tolerance) << way.Name;
-      EXPECT_LT(worst, 5.0 * way.Tolerance) << way.Name;
-    }
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Sizes, ConstantMaps,
-  testing::Values(std::array<int, 2>{ 1, 1 }, std::array<int, 2>{ 2, 1 },
-    std::array<int, 2>{ 2, 2 }, std::array<int, 2>{ 3, 8 }),
-  [](const auto& info)
-  { return std::to_string(info.param[0]) + "x" + std::to_string(info.param[1]); });
 
 //------------------------------------------------------------------------------
 // Patches, and one bright texel, which is a large lamp and no point.

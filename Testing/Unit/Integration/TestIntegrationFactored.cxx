@@ -92,20 +92,6 @@ TEST(FactoredIntegrator, MapsConverge)
 }
 
 //------------------------------------------------------------------------------
-TEST(FactoredIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
-{
-  const auto environment = NewConstantEnvironment(128, 64, 2.0f);
-  const auto chrome = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("chrome"));
-  const auto gloss = NewGloss(50.0);
-  for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(gloss), chrome.Get() })
-  {
-    const FurnacePairs pairs(brdf, 2.0, { 0.0, 30.0, 60.0, 80.0 });
-    const auto factored = NewFactored(brdf, environment, 64, 6);
-    EXPECT_LT(GetRelativeError(pairs.Integrate(factored), pairs.Expected), 0.01);
-  }
-}
-
-//------------------------------------------------------------------------------
 TEST(FactoredIntegrator, SizesAndShaderInputs)
 {
   const auto factored =

@@ -13,7 +13,6 @@
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFShaderInputs.h"
-#include "vtkBlinnPhongBRDF.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLambertBRDF.h"
@@ -29,15 +28,6 @@ using namespace measuredbrdf;
 
 namespace
 {
-// A clear coat's mirror-like lobe over a matte base.
-vtkNew<vtkAshikhminShirleyBRDF> NewCoated(double exponent)
-{
-  vtkNew<vtkAshikhminShirleyBRDF> brdf;
-  brdf->SetDiffuse(0.3, 0.1, 0.05);
-  brdf->SetExponents(exponent, exponent);
-  return brdf;
-}
-
 vtkSmartPointer<vtkBRDF> NewEmbedded(const char* name)
 {
   auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
@@ -311,7 +301,7 @@ TEST(HybridIntegrator, EveryPartPays)
   const auto environment = NewSunny(2e5f, 2);
   for (const double exponent : { 200.0, 3000.0 })
   {
-    const auto brdf = NewCoated(exponent);
+    const auto brdf = NewCoating(exponent);
     const auto reference = pairs.IntegrateExactly(brdf, environment);
     vtkNew<vtkTableRadianceIntegrator> table;
     table->SetBRDF(brdf);
@@ -331,29 +321,9 @@ TEST(HybridIntegrator, EveryPartPays)
 }
 
 //------------------------------------------------------------------------------
-TEST(HybridIntegrator, WithoutSunsAndMapsItIsTheTable)
-{
-  SpherePairs pairs;
-  pairs.AddRandom(20);
-  vtkNew<vtkBlinnPhongBRDF> brdf;
-  brdf->SetExponent(2.0);
-  const auto environment = NewConstantEnvironment(64, 32, 1.0f);
-  const auto hybrid = NewHybrid(brdf, environment, { 33, 12, 16, 0 });
-  vtkNew<vtkTableRadianceIntegrator> table;
-  table->SetBRDF(brdf);
-  table->SetEnvironment(environment);
-  table->SetNumberOfRows(33);
-  table->SetNumberOfViewAngles(12);
-  table->SetNumberOfAzimuths(16);
-  EXPECT_EQ(pairs.Integrate(hybrid), pairs.Integrate(table));
-  EXPECT_EQ(hybrid->GetNumberOfLights(), 0);
-  EXPECT_FALSE(hybrid->UsesBRDFOnGPU());
-}
-
-//------------------------------------------------------------------------------
 TEST(HybridIntegrator, ShaderInputs)
 {
-  const auto hybrid = NewHybrid(NewCoated(200.0), NewSunny(1e6f, 2));
+  const auto hybrid = NewHybrid(NewCoating(200.0), NewSunny(1e6f, 2));
   vtkBRDFShaderInputs form;
   ASSERT_TRUE(hybrid->GetShaderInputs(form));
   ASSERT_EQ(form.Terms.size(), 2u);

@@ -67,14 +67,6 @@ struct Lamps
   }
 };
 
-vtkNew<vtkAshikhminShirleyBRDF> NewGloss(double exponent)
-{
-  vtkNew<vtkAshikhminShirleyBRDF> brdf;
-  brdf->SetDiffuse(0.3, 0.2, 0.1);
-  brdf->SetExponents(exponent, exponent);
-  return brdf;
-}
-
 vtkNew<vtkHybridRadianceIntegrator> NewHybrid(vtkBRDF* brdf, vtkEnvironment* environment, int rows)
 {
   vtkNew<vtkHybridRadianceIntegrator> hybrid;
@@ -135,7 +127,7 @@ TEST(HybridLamps, AddUpToTheLamps)
   Lamps lamps(5);
   for (const double exponent : { 20.0, 300.0 })
   {
-    const auto brdf = NewGloss(exponent);
+    const auto brdf = NewCoating(exponent);
     const auto exact = pairs.Integrate(NewSum(brdf, lamps.Set));
     const auto hybrid = NewHybrid(brdf, lamps.Environment, 65);
     const double error = GetRelativeError(pairs.Integrate(hybrid), exact);
@@ -151,7 +143,7 @@ TEST(HybridLamps, AddUpToTheLamps)
 // Against a sum over directions that are drawn from the lamp, across the lobe and along it.
 TEST(LampBRDF, IsTheMeanOverALamp)
 {
-  const auto brdf = NewGloss(5000.0);
+  const auto brdf = NewCoating(5000.0);
   const double deviation = 0.5 * Pi / 180.0;
   const auto areas = LampBRDF::Make(brdf, deviation * deviation);
   double difference = 0.0, point = 0.0, sum = 0.0;
@@ -199,19 +191,19 @@ TEST(LampBRDF, IsForLobesAsNarrowAsLamps)
   const double spread = 1e-4; // a deviation of 0.57 degrees
   const auto isNeeded = [spread](double exponent)
   {
-    const auto brdf = NewGloss(exponent);
+    const auto brdf = NewCoating(exponent);
     return LampBRDF::IsWidthSeen(LobeViews(brdf), spread);
   };
   EXPECT_FALSE(isNeeded(100.0));
   EXPECT_TRUE(isNeeded(20000.0));
-  EXPECT_FALSE(LampBRDF::IsWidthSeen(LobeViews(NewGloss(20000.0)), 0.0));
+  EXPECT_FALSE(LampBRDF::IsWidthSeen(LobeViews(NewCoating(20000.0)), 0.0));
 }
 
 //------------------------------------------------------------------------------
 // Lamps of one texel, as wide as the lobe, near the mirror direction: beside the table and in it.
 TEST(HybridLamps, AreAreasForNarrowLobes)
 {
-  const auto brdf = NewGloss(5000.0);
+  const auto brdf = NewCoating(5000.0);
   for (const int count : { 1, 5 })
   {
     Lamps lamps(count);
@@ -252,7 +244,7 @@ TEST(HybridLamps, NothingShowsWhereTheWindowEnds)
     const glm::dvec3 half = glm::normalize(lamp + view);
     pairs.Add(std::cos(turn) * half + std::sin(turn) * aside, view);
   }
-  const auto brdf = NewGloss(60.0); // whose lobe is wider than the window
+  const auto brdf = NewCoating(60.0); // whose lobe is wider than the window
   const auto exact = pairs.Integrate(NewSum(brdf, lamps.Set));
   const auto drawn = pairs.Integrate(NewHybrid(brdf, lamps.Environment, 65));
   double jump = 0.0; // beyond the exact sum's, between neighbors
@@ -274,7 +266,7 @@ TEST(HybridLamps, ShaderInputs)
   for (const int count : { 3, 40 })
   {
     Lamps lamps(count);
-    const auto hybrid = NewHybrid(NewGloss(100.0), lamps.Environment, 17);
+    const auto hybrid = NewHybrid(NewCoating(100.0), lamps.Environment, 17);
     vtkBRDFShaderInputs form;
     ASSERT_TRUE(hybrid->GetShaderInputs(form));
     EXPECT_EQ(hybrid->GetNumberOfLights(), count);
@@ -297,7 +289,7 @@ TEST(HybridLamps, ShaderInputs)
 // distribution, which lacks their shape.
 TEST(HybridLamps, HaveParts)
 {
-  const auto brdf = NewGloss(5000.0);
+  const auto brdf = NewCoating(5000.0);
   const auto getError = [&brdf](int count)
   {
     Lamps lamps(count, 4);
@@ -321,7 +313,7 @@ TEST(HybridLamps, HaveParts)
 // Whatever their lobe: else lights would need a resampled form. Others show lamps themselves.
 TEST(HybridLamps, MaterialsWithoutGLSLTakeTheTableOfMeans)
 {
-  const auto wide = NewGloss(20.0);
+  const auto wide = NewCoating(20.0);
   vtkNew<vtkAngularTableBRDF> measured;
   const std::vector<float> polar = { 0.0f, 30.0f, 60.0f, 90.0f };
   const vtkAngularTableBRDF::Nodes light = { polar, { 0.0f } };

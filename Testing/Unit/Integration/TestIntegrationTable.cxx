@@ -4,17 +4,13 @@
 
 #include "GatedBRDF.h"
 #include "HalfVector.h" // for Pi
-#include "SharedData.h"
 #include "SpherePairs.h"
 #include "vtkAshikhminShirleyBRDF.h"
-#include "vtkBRDFReader.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCallbackCommand.h"
 #include "vtkEmbeddedEnvironments.h"
-#include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
-#include "vtkEnvironmentReader.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -27,7 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <fstream>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -56,23 +51,6 @@ vtkNew<vtkBlinnPhongBRDF> NewPhong(double exponent)
   return brdf;
 }
 
-vtkNew<vtkAshikhminShirleyBRDF> NewHybrid(double exponent)
-{
-  vtkNew<vtkAshikhminShirleyBRDF> brdf;
-  brdf->SetDiffuse(0.3, 0.2, 0.1);
-  brdf->SetExponents(exponent, exponent);
-  return brdf;
-}
-
-vtkSmartPointer<vtkBRDF> ReadMaterial(const std::string& name)
-{
-  vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(SharedData + "/materials/rgl/" + name + "_rgb.bsdf");
-  return reader->Read() ? reader->GetBRDF() : nullptr;
-}
-
-bool HasData() { return std::ifstream(SharedData + "/materials/rgl/cardboard_rgb.bsdf").good(); }
-
 // Counts progress events, checks that they rise.
 struct ProgressWatch
 {
@@ -94,48 +72,7 @@ struct ProgressWatch
   double Last = 0.0;
   int Count = 0;
 };
-
-double GetLargestDifference(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& b)
-{
-  double difference = 0.0;
-  double largest = 0.0;
-  for (std::size_t k = 0; k < a.size(); ++k)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      difference = std::max(difference, std::abs(a[k][c] - b[k][c]));
-      largest = std::max(largest, a[k][c]);
-    }
-  }
-  return difference / largest;
-}
 } // namespace
-
-//------------------------------------------------------------------------------
-// At views of the table and between them.
-TEST(TableIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
-{
-  std::vector<vtkSmartPointer<vtkBRDF>> materials{ NewPhong(1.0).Get(), NewPhong(20.0).Get(),
-    NewPhong(300.0).Get(), NewHybrid(50.0).Get() };
-  materials.push_back(vtkSmartPointer<vtkLambertBRDF>::New());
-  for (const char* name : { "blue-fabric", "nickel", "delrin", "brass" })
-  {
-    materials.push_back(vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name)));
-  }
-  if (HasData())
-  {
-    materials.push_back(ReadMaterial("cardboard"));
-  }
-  const auto environment = NewConstantEnvironment(256, 128, 2.0f);
-  for (vtkBRDF* brdf : materials)
-  {
-    ASSERT_TRUE(brdf);
-    const double worst = FurnacePairs(brdf, 2.0).GetLargestError(NewTable(brdf, environment));
-    std::printf("%s %s: %.2e\n", brdf->GetClassName(), brdf->GetName().c_str(), worst);
-    const bool sharpest = brdf->GetName() == "brass"; // a lobe of half a degree
-    EXPECT_LT(worst, sharpest ? 1e-2 : 3e-3);
-  }
-}
 
 //------------------------------------------------------------------------------
 class TableReference : public testing::TestWithParam<std::tuple<bool, int>>
@@ -159,7 +96,7 @@ TEST_P(TableReference, ErrorFallsWithSize)
   } cases[] = { { "Lambert", lambert.Get(), { 1.2e-3, 1.2e-3, 1.2e-3 } },
     { "Blinn-Phong 5", NewPhong(5.0).Get(), { 0.02, 0.006, 0.005 } },
     { "Blinn-Phong 40", NewPhong(40.0).Get(), { 0.1, 0.03, 0.015 } },
-    { "Ashikhmin-Shirley 50", NewHybrid(50.0).Get(), { 0.1, 0.05, 0.015 } } };
+    { "Ashikhmin-Shirley 50", NewCoating(50.0).Get(), { 0.1, 0.05, 0.015 } } };
   const auto& material = cases[std::get<1>(GetParam())];
   const auto reference = pairs.IntegrateExactly(material.BRDF, environment);
   const int sizes[3][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 65, 16, 16 } };
@@ -186,38 +123,6 @@ INSTANTIATE_TEST_SUITE_P(Procedural, TableReference,
   });
 
 //------------------------------------------------------------------------------
-class TableMeasured : public testing::TestWithParam<const char*>
-{
-};
-
-TEST_P(TableMeasured, RealMaterials)
-{
-  if (!HasData())
-  {
-    GTEST_SKIP() << "no measured files at " << SharedData;
-  }
-  const std::string light = GetParam();
-  vtkNew<vtkEnvironmentReader> environment;
-  environment->SetFileName(SharedData + "/environments/" + light + ".exr");
-  ASSERT_TRUE(environment->Read());
-  for (const char* name : { "acrylic_felt_white", "cardboard", "satin_purple" })
-  {
-    const vtkSmartPointer<vtkBRDF> brdf = ReadMaterial(name);
-    ASSERT_TRUE(brdf);
-    SpherePairs pairs;
-    pairs.AddRandom(6);
-    const auto table = NewTable(brdf, environment->GetEnvironment(), 33, 12, 16);
-    const double error = GetRelativeError(
-      pairs.Integrate(table), pairs.IntegrateExactly(brdf, environment->GetEnvironment()));
-    std::printf("%s, %s, 33 rows: relative L1 %.4f\n", name, light.c_str(), error);
-    EXPECT_LT(error, 0.025) << name;
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(RGL, TableMeasured, testing::Values("studio", "interior"),
-  [](const auto& info) { return std::string(info.param); });
-
-//------------------------------------------------------------------------------
 // Steps of 1e-5 across the poles, the seam of the azimuth, and the view along the normal.
 TEST(TableIntegrator, Continuous)
 {
@@ -225,7 +130,7 @@ TEST(TableIntegrator, Continuous)
   const double e = 0.5e-5;
   for (const double exponent : { 5.0, 200.0 })
   {
-    const auto table = NewTable(NewHybrid(exponent), environment, 33, 12, 16);
+    const auto table = NewTable(NewCoating(exponent), environment, 33, 12, 16);
     const auto getLargestStep = [&](const char* what, const SpherePairs& pairs)
     {
       const auto radiance = pairs.Integrate(table);
@@ -296,7 +201,7 @@ TEST(TableIntegrator, Suns)
   {
     rgb[3 * (45 * 128 + 30)] = rgb[3 * (45 * 128 + 30) + 1] = sun.Peak;
     ASSERT_TRUE(environment->SetPixels(128, 64, rgb));
-    const auto brdf = NewHybrid(sun.Exponent);
+    const auto brdf = NewCoating(sun.Exponent);
     const auto table = NewTable(brdf, environment, 65, 16, 16);
     const double error =
       GetRelativeError(pairs.Integrate(table), pairs.IntegrateExactly(brdf, environment));
@@ -341,7 +246,7 @@ TEST(TableIntegrator, AChannelThatReflectsNothingStaysBlack)
 //------------------------------------------------------------------------------
 TEST(TableIntegrator, ProgressRisesToOne)
 {
-  const auto table = NewTable(NewHybrid(20.0), NewSmallEnvironment(false), 9, 4, 4);
+  const auto table = NewTable(NewCoating(20.0), NewSmallEnvironment(false), 9, 4, 4);
   ProgressWatch watch(table);
   EXPECT_TRUE(table->Prepare());
   EXPECT_GE(watch.Count, 3);
@@ -351,7 +256,7 @@ TEST(TableIntegrator, ProgressRisesToOne)
 //------------------------------------------------------------------------------
 TEST(TableIntegrator, ShaderInputs)
 {
-  const auto table = NewTable(NewHybrid(20.0), NewSmallEnvironment(false), 9, 5, 6);
+  const auto table = NewTable(NewCoating(20.0), NewSmallEnvironment(false), 9, 5, 6);
   vtkBRDFShaderInputs form;
   ASSERT_TRUE(table->GetShaderInputs(form));
   EXPECT_FALSE(table->UsesBRDFOnGPU());

@@ -106,8 +106,9 @@ vtkSmartPointer<vtkPolyData> MakeBowl(double lastPhi, int resolution)
   return plain.Get();
 }
 
-// All directions of view, from inside or outside.
-void CastAll(vtkTracedScene* scene, double from, int count, vtkPolyData* hits, vtkDataArray* views)
+// All directions of view, or those down, from inside or outside.
+void CastAll(vtkTracedScene* scene, double from, int count, vtkPolyData* hits, vtkDataArray* views,
+  bool down = false)
 {
   vtkNew<vtkDoubleArray> origins;
   vtkNew<vtkDoubleArray> directions;
@@ -117,7 +118,7 @@ void CastAll(vtkTracedScene* scene, double from, int count, vtkPolyData* hits, v
   views->SetNumberOfTuples(0);
   for (int k = 0; k < count; ++k)
   {
-    const double z = 1.0 - (2.0 * k + 1.0) / count;
+    const double z = down ? -(k + 0.5) / count : 1.0 - (2.0 * k + 1.0) / count;
     const double s = std::sqrt(1.0 - z * z);
     const double d[3] = { s * std::cos(2.4 * k), s * std::sin(2.4 * k), z };
     const double back[3] = { -d[0], -d[1], -d[2] };
@@ -251,23 +252,9 @@ TEST(Traced, BowlsAndFurnaces)
   vtkSmartPointer<vtkPolyData> bowl = MakeBowl(90.0, 60);
   bowl->GetPointData()->SetNormals(nullptr);
   scene.Scene->AddSurface(bowl);
-  vtkNew<vtkDoubleArray> origins;
-  vtkNew<vtkDoubleArray> directions;
   vtkNew<vtkDoubleArray> views;
-  for (vtkDoubleArray* array : { origins.Get(), directions.Get(), views.Get() })
-  {
-    array->SetNumberOfComponents(3);
-  }
-  for (int k = 0; k < 500; ++k)
-  {
-    const double z = -(k + 0.5) / 500.0;
-    const double s = std::sqrt(1.0 - z * z);
-    origins->InsertNextTuple3(0.0, 0.0, 0.0);
-    directions->InsertNextTuple3(s * std::cos(2.4 * k), s * std::sin(2.4 * k), z);
-    views->InsertNextTuple3(-s * std::cos(2.4 * k), -s * std::sin(2.4 * k), -z);
-  }
   vtkNew<vtkPolyData> hits;
-  ASSERT_TRUE(scene.Scene->CastRays(origins, directions, hits));
+  CastAll(scene.Scene, 0.0, 500, hits, views, true);
   for (const int bounces : { 0, 1, 2, 30 })
   {
     scene.Integrator->SetNumberOfBounces(bounces);

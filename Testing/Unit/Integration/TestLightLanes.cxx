@@ -4,7 +4,7 @@
 
 #include "AnisotropicWarp.h"
 #include "LightLanes.h"
-#include "LobeQuadrature.h"
+#include "LobeViews.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBlinnPhongBRDF.h"

@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the synthesis of tables is made of: products in wide vectors, and kernels' harmonics that
-// are kept for other sizes.
+// What the synthesis of tables is made of: sums in wide vectors, and kernels' harmonics that are
+// kept for other sizes.
 
 #include "LaneForms.h"
 #include "LobeHarmonics.h"
 #include "MaterialPrecomputation.h"
-#include "SynthesisLanes.h"
+#include "SpherePairs.h"
 #include "vtkBRDF.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkSmartPointer.h"
+#include "vtkTableRadianceIntegrator.h"
 
 #include <gtest/gtest.h>
 
@@ -22,49 +23,28 @@
 using namespace measuredbrdf;
 
 //------------------------------------------------------------------------------
-// Each second item, of columns that fill vectors in all ways; memory need not be aligned.
-TEST(MatrixProduct, AgreesWithSumsInDouble)
+// Products, transforms, Wigner's functions and the limiter of dark rings, in a table with tiles and
+// in maps; with all vectors that the processor has they give what TableReference expects.
+TEST(MaterialPrecomputation, TablesAreTheSameInAllVectors)
 {
-  const std::size_t rows = 3 * ProductRows;
-  for (const std::size_t columns : { 8u, 16u, 24u, 40u })
+  SpherePairs pairs;
+  pairs.AddRandom(60);
+  const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("nickel"));
+  for (const std::vector<int>& sizes : { std::vector<int>{ 121, 4, 9 }, { 17, 5, 8 } })
   {
-    for (const std::size_t depth : { 0u, 1u, 77u })
-    {
-      const std::size_t leftStep = 2 * rows;
-      const std::size_t rightStep = 2 * columns;
-      std::vector<float> left(leftStep * depth + 1), right(rightStep * depth + 1);
-      for (std::size_t k = 0; k < left.size(); ++k)
+    std::vector<std::vector<glm::dvec3>> results;
+    ForEachLaneForm(
+      [&]()
       {
-        left[k] = static_cast<float>(std::sin(0.7 * static_cast<double>(k)));
-      }
-      for (std::size_t k = 0; k < right.size(); ++k)
-      {
-        right[k] = static_cast<float>(std::cos(1.3 * static_cast<double>(k)));
-      }
-      ForEachLaneForm(
-        [&]()
-        {
-          std::vector<float> result(rows * columns + 2, -1.0f);
-          Multiply({ left.data() + 1, leftStep }, { right.data() + 1, rightStep }, rows, depth,
-            columns, result.data() + 1);
-          for (std::size_t row = 0; row < rows; ++row)
-          {
-            for (std::size_t column = 0; column < columns; ++column)
-            {
-              double sum = 0.0;
-              for (std::size_t k = 0; k < depth; ++k)
-              {
-                sum += static_cast<double>(left[1 + k * leftStep + row]) *
-                       static_cast<double>(right[1 + k * rightStep + column]);
-              }
-              ASSERT_NEAR(static_cast<double>(result[1 + row * columns + column]), sum, 1e-5)
-                << row << " " << column << " of " << columns << ", " << depth;
-            }
-          }
-          EXPECT_EQ(result.front(), -1.0f);
-          EXPECT_EQ(result.back(), -1.0f);
-        });
-    }
+        vtkNew<vtkTableRadianceIntegrator> table;
+        table->SetSizes(sizes);
+        table->SetNumberOfMaps(sizes[0] > 100 ? 0 : 4);
+        table->SetNumberOfMapRows(29); // 58 columns: a factor that is no power of two
+        table->SetBRDF(brdf);
+        table->SetEnvironment(NewSmallEnvironment(true));
+        results.push_back(pairs.Integrate(table));
+      });
+    EXPECT_LT(GetRelativeError(results.front(), results.back()), 1e-4);
   }
 }
 

@@ -3,7 +3,6 @@
 // What shaders read of a table's profile, by one fetch of the nearest of many texels.
 
 #include "LobePlacement.h"
-#include "RadianceCore.h"
 #include "RadianceTable.h"
 
 #include <glm/glm.hpp>
@@ -66,30 +65,6 @@ TEST(ShaderProfile, HoldsWhatIsInterpolated)
         EXPECT_NEAR(hasFloor ? texels[4 * (ProfileTexels + k) + c] : lambert[c], lambert[c], 1e-7);
       }
       EXPECT_NEAR(sine + texels[4 * k + 3], GetProfileValue(table.Profile, 0, u).z, 1e-6);
-    }
-  }
-}
-
-// Four numbers a texel, one mode after the other.
-TEST(ShaderWeights, HoldsThoseOfModes)
-{
-  RadianceCore core(8);
-  core.Orders = { 0, 1, 1 }; // nine numbers: three texels
-  core.Profile.resize(3 * 4 * LobeViews::NumberOfViews);
-  for (std::size_t k = 0; k < core.Profile.size(); ++k)
-  {
-    core.Profile[k] = static_cast<float>(std::sin(0.1 * static_cast<double>(k)));
-  }
-  const std::vector<float> texels = core.GetShaderWeights();
-  ASSERT_EQ(texels.size(), 3u * 4u * ProfileTexels);
-  for (int k = 0; k < ProfileTexels; k += 89)
-  {
-    for (int number = 0; number < 9; ++number)
-    {
-      const glm::dvec3 wanted =
-        GetProfileValue(core.Profile, 1 + number / 3, k / (ProfileTexels - 1.0));
-      EXPECT_NEAR(
-        texels[4 * (number / 4 * ProfileTexels + k) + number % 4], wanted[number % 3], 1e-6);
     }
   }
 }

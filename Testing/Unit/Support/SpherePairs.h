@@ -9,6 +9,7 @@
 #ifndef SpherePairs_h
 #define SpherePairs_h
 
+#include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDF.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
@@ -226,6 +227,37 @@ inline vtkNew<vtkEnvironment> NewConstantEnvironment(int width, int height, floa
   EXPECT_TRUE(environment->SetPixels(
     width, height, std::vector<float>(3 * std::size_t(width) * std::size_t(height), value)));
   return environment;
+}
+
+/// The same sky in so many times more texels.
+inline vtkNew<vtkEnvironment> NewUpsampled(vtkEnvironment* environment, int across, int up)
+{
+  const int width = across * environment->GetWidth();
+  const int height = up * environment->GetHeight();
+  std::vector<float> rgb;
+  for (int k = 0; k < width * height; ++k)
+  {
+    glm::dvec3 direction, radiance;
+    vtkEnvironment::GetDirection(
+      (k % width + 0.5) / width, (k / width + 0.5) / height, &direction.x);
+    environment->GetRadiance(&direction.x, &radiance.x);
+    rgb.insert(rgb.end(), &radiance.x, &radiance.x + 3);
+  }
+  vtkNew<vtkEnvironment> fine;
+  EXPECT_TRUE(fine->SetPixels(width, height, rgb));
+  double turn[9];
+  environment->GetWorldToEnvironment(turn);
+  fine->SetWorldToEnvironment(turn);
+  return fine;
+}
+
+/// Gloss over a matte base.
+inline vtkNew<vtkAshikhminShirleyBRDF> NewCoating(double exponent, double stretch = 1.0)
+{
+  vtkNew<vtkAshikhminShirleyBRDF> brdf;
+  brdf->SetDiffuse(0.3, 0.2, 0.1);
+  brdf->SetExponents(exponent, stretch * exponent);
+  return brdf;
 }
 
 #endif

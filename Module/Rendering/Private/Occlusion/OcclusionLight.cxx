@@ -5,7 +5,7 @@
 #include "EnvironmentPrecomputation.h"
 #include "HalfVector.h" // for Pi
 #include "HorizonCode.h"
-#include "LobeQuadrature.h"
+#include "LobeViews.h"
 #include "LocalFrame.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
