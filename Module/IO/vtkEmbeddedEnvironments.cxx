@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEmbeddedEnvironments.h"
 
-#include "FileBytes.h"
+#include "MaterialFormat.h"
 #include "vtkEnvironment.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
@@ -10,12 +10,6 @@
 
 #if MEASUREDBRDF_WITH_OPENEXR
 #include "EmbeddedRoom.h" // made of EmbeddedRoom.exr
-#include "ExrStream.h"
-
-#include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
-#include <ImfInputPart.h>
-#include <ImfMultiPartInputFile.h>
 #endif
 
 #include <algorithm>
@@ -49,23 +43,10 @@ bool ReadRoom(vtkEnvironment* environment)
 #if MEASUREDBRDF_WITH_OPENEXR
   const auto file = measuredbrdf::FileBytes::View("embedded room",
     std::string_view(reinterpret_cast<const char*>(EmbeddedRoom), sizeof(EmbeddedRoom)));
-  measuredbrdf::ExrStream stream(file);
-  Imf::MultiPartInputFile input(stream, 0, false);
-  Imf::InputPart part(input, 0);
-  const Imath::Box2i window = part.header().dataWindow();
-  const int width = window.max.x - window.min.x + 1;
-  const int height = window.max.y - window.min.y + 1;
+  int width = 0;
+  int height = 0;
+  std::vector<float> pixels = measuredbrdf::ReadExrImage(file, width, height);
   const std::size_t row = 3 * static_cast<std::size_t>(width);
-  std::vector<float> pixels(row * static_cast<std::size_t>(height));
-  Imf::FrameBuffer buffer;
-  const char* const names[] = { "R", "G", "B" };
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    buffer.insert(names[c],
-      Imf::Slice::Make(Imf::FLOAT, &pixels[c], window, 3 * sizeof(float), row * sizeof(float)));
-  }
-  part.setFrameBuffer(buffer);
-  part.readPixels(window.min.y, window.max.y);
   for (int y = 0; y < height / 2; ++y) // files begin with the top row
   {
     float* low = &pixels[row * static_cast<std::size_t>(y)];

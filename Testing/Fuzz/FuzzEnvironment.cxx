@@ -63,7 +63,7 @@ int FuzzEnvironment(const std::uint8_t* data, std::size_t size)
     {
       folder.Write(std::string(face) + ".hdr", image);
     }
-    reader->SetFileName(folder.GetPath() + "/%s.hdr");
+    reader->SetFileName(folder("%s.hdr"));
   }
   else
   {
@@ -72,7 +72,7 @@ int FuzzEnvironment(const std::uint8_t* data, std::size_t size)
   }
   const bool read = reader->Read();
   vtkNew<vtkPictureReader> pictures; // the same bytes
-  pictures->SetFileName(folder.GetPath() + "/image.hdr");
+  pictures->SetFileName(folder("image.hdr"));
   fuzz::Require(pictures->Read() == pictures->GetErrorMessage().empty());
   fuzz::Require(read == reader->GetErrorMessage().empty());
   fuzz::Require(read == (reader->GetEnvironment() != nullptr));

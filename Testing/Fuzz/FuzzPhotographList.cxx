@@ -21,7 +21,7 @@ int FuzzPhotographList(const std::uint8_t* data, std::size_t size)
   const bool isName = !name.empty() && name != "." && name != "..";
   const std::string file = isName ? named.Write(name, "x") : "";
   for (const std::string& path :
-    { folder.Write("list.json", fuzz::ToView(data, size)), named.GetPath() })
+    { folder.Write("list.json", fuzz::ToView(data, size)), named.GetPath().string() })
   {
     vtkNew<vtkPhotographSetReader> reader;
     reader->SetFileName(path);

@@ -43,7 +43,7 @@ std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials()
 Seeds MakeExrMaterials()
 {
   const ScratchFolder folder;
-  const std::string path = folder.GetPath() + "/seed.exr";
+  const std::string path = folder("seed.exr");
   Seeds seeds;
   for (const auto& material : MakeMaterials())
   {

@@ -12,11 +12,10 @@
 #define FuzzTarget_h
 
 #include "MaterialFormat.h"
+#include "TestFolder.h"
 #include "vtkBRDF.h"
 #include "vtkBTDF.h"
 #include "vtkObject.h"
-
-#include <unistd.h>
 
 #include <cmath>
 #include <cstddef>
@@ -70,41 +69,24 @@ private:
 };
 
 /// A folder of this process, in memory where the system has such a place; removed at its end.
-class ScratchFolder
+class ScratchFolder : public TestFolder
 {
 public:
   ScratchFolder()
+    : TestFolder(std::filesystem::is_directory("/dev/shm") ? "/dev/shm"
+                                                           : std::filesystem::temp_directory_path())
   {
-    const std::filesystem::path memory("/dev/shm");
-    const bool inMemory = ::access(memory.c_str(), W_OK | X_OK) == 0;
-    std::string pattern =
-      ((inMemory ? memory : std::filesystem::temp_directory_path()) / "measuredbrdf-fuzz-XXXXXX")
-        .string();
-    Require(::mkdtemp(pattern.data()) != nullptr);
-    this->Path = pattern;
   }
-  ~ScratchFolder()
-  {
-    std::error_code error;
-    std::filesystem::remove_all(this->Path, error);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  void operator=(const ScratchFolder&) = delete;
 
   /// The path of the file with these contents.
   std::string Write(const std::string& name, std::string_view bytes) const
   {
-    const std::string path = this->Path + "/" + name;
-    std::ofstream file(path, std::ios::binary | std::ios::trunc);
+    std::ofstream file((*this)(name), std::ios::binary | std::ios::trunc);
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     file.close();
     Require(file.good());
-    return path;
+    return (*this)(name);
   }
-  const std::string& GetPath() const { return this->Path; }
-
-private:
-  std::string Path;
 };
 
 /// Values of a material, or of what goes through one, keep their promise.

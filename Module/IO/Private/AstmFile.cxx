@@ -10,19 +10,16 @@
  * Columns, in any order: theta_i, phi_i of the light and theta_s, phi_s of the view in one frame
  * (phi_i may be absent: 0), in radians, or in degrees where a polar angle exceeds pi/2; and f in
  * 1/sr as R,G,B (linear Rec. 709), as X,Y,Z (CIE 1931 under D65), at wavelengths (550nm,
- * SpectralColor.h; FILE#550nm picks one), or in one column of any name (gray). A negative polar
+ * SpectralColor.cxx; FILE#550nm picks one), or in one column of any name (gray). A negative polar
  * angle is on the other side of the normal. Where phi_i is the same in all rows the material is
- * isotropic (GonioTable.h).
+ * isotropic (GonioTable.cxx).
  *
  * Not read: E1392's other sections and codes, transmission, polarization, readings without phi_s.
  */
 
-#include "GonioTable.h"
 #include "HalfVector.h"
 #include "MaterialFormat.h"
-#include "NumberText.h"
 #include "SRGB.h"
-#include "SpectralColor.h"
 
 #include <algorithm>
 #include <array>

@@ -10,8 +10,6 @@
  */
 
 #include "BoundedJson.h"
-#include "ExrStream.h"
-#include "FileBytes.h"
 #include "MaterialFormat.h"
 #include "vtkBRDFData.h"
 #include "vtkBRDFModels.h"
@@ -20,6 +18,7 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfIO.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfMultiPartOutputFile.h>
@@ -30,6 +29,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <half.h> // Imath, of OpenEXR
 #include <limits>
@@ -56,6 +56,65 @@ const char* const GrayChannel = "Y";
 const char* GetChannelName(int channels, int channel)
 {
   return channels == 3 ? ColorChannels[channel] : GrayChannel;
+}
+
+//------------------------------------------------------------------------------
+// A file in memory as OpenEXR reads it.
+class ExrStream : public Imf::IStream
+{
+public:
+  explicit ExrStream(const FileBytes& file)
+    : Imf::IStream(file.GetPath().c_str())
+    , File(file)
+  {
+  }
+
+  bool read(char out[], int count) override
+  {
+    const std::uint64_t left = this->File.GetView().size() - this->Place;
+    if (count < 0 || static_cast<std::uint64_t>(count) > left)
+    {
+      throw Iex::InputExc("byte " + std::to_string(this->Place) + ": " + std::to_string(count) +
+                          " bytes were expected, but the file ends after " + std::to_string(left));
+    }
+    std::memcpy(out, this->File.GetView().data() + this->Place, static_cast<std::size_t>(count));
+    this->Place += static_cast<std::uint64_t>(count);
+    return this->Place < this->File.GetView().size();
+  }
+  std::uint64_t tellg() override { return this->Place; }
+  void seekg(std::uint64_t place) override
+  {
+    if (place > this->File.GetView().size())
+    {
+      throw Iex::InputExc("an offset points to byte " + std::to_string(place) +
+                          ", but the file ends at " + std::to_string(this->File.GetView().size()));
+    }
+    this->Place = place;
+  }
+
+private:
+  const FileBytes& File;
+  std::uint64_t Place = 0;
+};
+
+// A part's channels, interleaved, the top row first.
+void ReadPixels(Imf::MultiPartInputFile& input, int index, int channels, std::vector<float>& values)
+{
+  Imf::InputPart part(input, index);
+  const Imath::Box2i window = part.header().dataWindow();
+  const std::size_t width = std::size_t(window.max.x) - std::size_t(window.min.x) + 1;
+  const std::size_t height = std::size_t(window.max.y) - std::size_t(window.min.y) + 1;
+  const std::size_t texel = std::size_t(channels);
+  values.resize(texel * width * height);
+  Imf::FrameBuffer buffer;
+  for (int k = 0; k < channels; ++k)
+  {
+    buffer.insert(
+      GetChannelName(channels, k), Imf::Slice::Make(Imf::FLOAT, &values[std::size_t(k)], window,
+                                     sizeof(float) * texel, sizeof(float) * texel * width));
+  }
+  part.setFrameBuffer(buffer);
+  part.readPixels(window.min.y, window.max.y);
 }
 
 //------------------------------------------------------------------------------
@@ -216,25 +275,17 @@ public:
     }
     require(
       channels == array.Channels, ": found ", channels, " channels, expected ", array.Channels);
-    const int height = window.max.y + 1;
-    const std::size_t row = std::size_t(window.max.x + 1) * std::size_t(array.Channels);
-    this->BytesLeft -= (window.max.x + 1.0) * height * texelBytes;
+    this->BytesLeft -= (window.max.x + 1.0) * (window.max.y + 1.0) * texelBytes;
     require(this->BytesLeft >= 0.0, ": its size is more than a file of this length can hold");
-    array.Values.resize(row * std::size_t(height));
-    Imf::FrameBuffer buffer;
-    for (int k = 0; k < array.Channels; ++k)
+    for (int k = 0; k < channels; ++k)
     {
-      const char* channel = GetChannelName(array.Channels, k);
+      const char* channel = GetChannelName(channels, k);
       require(
         header.channels().findChannel(channel) != nullptr, ": channel ", channel, " is missing");
-      buffer.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&array.Values[k]),
-                               sizeof(float) * array.Channels, sizeof(float) * row));
     }
     try
     {
-      Imf::InputPart part(this->Input, found->second);
-      part.setFrameBuffer(buffer);
-      part.readPixels(0, height - 1);
+      ReadPixels(this->Input, found->second, channels, array.Values);
     }
     catch (const std::exception& e)
     {
@@ -387,6 +438,20 @@ void WriteExrMaterial(vtkBRDF* brdf, const std::string& path, bool halfFloats)
 }
 }
 
+//------------------------------------------------------------------------------
+std::vector<float> ReadExrImage(const FileBytes& file, int& width, int& height)
+{
+  ExrStream stream(file);
+  Imf::MultiPartInputFile input(stream, 0, false);
+  const Imath::V2i size = input.header(0).dataWindow().size();
+  width = size.x + 1;
+  height = size.y + 1;
+  std::vector<float> values;
+  ReadPixels(input, 0, 3, values);
+  return values;
+}
+
+//------------------------------------------------------------------------------
 const MaterialFormat ExrMaterialFormat = { ExrFormatName, "this project's .exr", ".exr",
   [](const vtkBRDFFormat::File& file)
   { return HasMagic(file, std::string_view(ExrMagic, sizeof(ExrMagic) - 1)); },

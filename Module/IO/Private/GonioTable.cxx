@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GonioTable.h"
+#include "MaterialFormat.h"
 
 #include "HalfVector.h"
 #include "vtkAngularTableBRDF.h"

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <numeric>
 
 namespace measuredbrdf
 {
@@ -42,21 +43,15 @@ struct ImageLayer
   int Part = 0;
   std::string PartName;
   std::string ChannelPrefix;
+  std::string Name; // of both
   // Red, green, blue, alpha, gray; -1: none.
   int Channels[5] = { -1, -1, -1, -1, -1 };
 
   bool IsRGB() const { return std::min({ Channels[0], Channels[1], Channels[2] }) >= 0; }
 
-  std::string GetName() const
-  {
-    const bool hasBoth = !this->PartName.empty() && !this->ChannelPrefix.empty();
-    return this->PartName + (hasBoth ? "." : "") + this->ChannelPrefix;
-  }
-
   std::string Describe() const
   {
-    const std::string name = this->GetName();
-    return name.empty() ? "the one without a name" : Quote(name);
+    return this->Name.empty() ? "the one without a name" : Quote(this->Name);
   }
 };
 
@@ -98,6 +93,8 @@ std::vector<ImageLayer> FindLayers(OIIO::ImageInput& input)
         layer.Part = part;
         layer.PartName = !hasParts ? "" : name.empty() ? "part " + std::to_string(part) : name;
         layer.ChannelPrefix = prefix;
+        const bool hasBoth = !layer.PartName.empty() && !prefix.empty();
+        layer.Name = layer.PartName + (hasBoth ? "." : "") + prefix;
         found.push_back(layer);
       }
     }
@@ -111,7 +108,7 @@ std::vector<ImageLayer> FindLayers(OIIO::ImageInput& input)
 // Less is better. Blender names what a picture shows "Combined".
 int GetRank(const ImageLayer& layer)
 {
-  const bool isCombined = SystemTools::LowerCase(SplitName(layer.GetName()).second) == "combined";
+  const bool isCombined = SystemTools::LowerCase(SplitName(layer.Name).second) == "combined";
   return (isCombined ? 0 : layer.ChannelPrefix.empty() ? 1 : 2) + (layer.IsRGB() ? 0 : 3);
 }
 
@@ -137,7 +134,7 @@ ImageLayer ChooseLayer(const ImageSource& source, OIIO::ImageInput& input, Image
     const auto found = std::find_if(layers.begin(), layers.end(),
       [&source](const ImageLayer& one)
       {
-        return one.GetName() == source.Layer || one.PartName == source.Layer ||
+        return one.Name == source.Layer || one.PartName == source.Layer ||
                one.ChannelPrefix == source.Layer;
       });
     Require(found != layers.end(), source.Path, ": layer: found ", ListNames(layers), ", expected ",
@@ -166,10 +163,7 @@ ImageLayer ChooseLayer(const ImageSource& source, OIIO::ImageInput& input, Image
     return only;
   }
   const int colors = spec.nchannels >= 3 ? 3 : 1;
-  for (int k = 0; k < 3 && colors == 3; ++k)
-  {
-    only.Channels[k] = k;
-  }
+  std::iota(only.Channels, only.Channels + (colors == 3 ? 3 : 0), 0);
   only.Channels[3] = spec.alpha_channel == colors ? colors : -1;
   if (input.seek_subimage(1, 0))
   {

@@ -14,6 +14,8 @@
 #include "vtkBRDFFormat.h"
 #include "vtkSmartPointer.h"
 
+#include <glm/glm.hpp>
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -103,6 +105,72 @@ void NoteStrangeAlbedo(
 
 /// Bytes of padding that a reader left out, as a note; nothing where there are none.
 void NotePadding(const ByteReader& reader, MaterialFile& result);
+
+/// R, G and B of an OpenEXR image, the top row first. Of builds with OpenEXR; throws what that
+/// throws.
+std::vector<float> ReadExrImage(const FileBytes& file, int& width, int& height);
+
+//------------------------------------------------------------------------------
+// Spectra (SpectralColor.cxx).
+
+constexpr double FirstVisible = 380.0; // nm
+constexpr double LastVisible = 780.0;
+
+/// RGB = sum over k of weights[k] f(wavelengths[k]); wavelengths: nm, ascending, at least one. The
+/// weights of each component add up to 1.
+std::vector<glm::dvec3> GetSpectralWeights(const std::vector<double>& wavelengths);
+
+///@{
+/// "905nm", as in `path#905nm`.
+std::string GetWavelengthName(double nanometers);
+std::vector<std::string> GetWavelengthNames(const std::vector<double>& wavelengths);
+///@}
+
+/// Which of a file's wavelengths become RGB, and how.
+struct SpectralChannels
+{
+  std::vector<std::size_t> Chosen;
+  std::vector<glm::dvec3> Weights; // RGB = sum of weights * value, of each chosen one
+  std::string Note;
+};
+
+/**
+ * The visible wavelengths, as GetSpectralWeights sums them; fewer than two of them: the first
+ * wavelength alone, gray. name: empty, or which wavelength, gray. Throws FileError, "WHERE, name:
+ * ...", where there is no such one. wavelengths: nm, ascending, at least one.
+ */
+SpectralChannels ChooseChannels(
+  const std::vector<double>& wavelengths, const std::string& name, const std::string& where);
+
+//------------------------------------------------------------------------------
+// Readings of a goniometer, listed in any order, as a material: vtkAngularTableBRDF
+// (GonioTable.cxx).
+
+/// What was read under one light from one view. Angles are in degrees, polar ones in [0, 90].
+struct GonioReading
+{
+  float ThetaI;
+  float PhiI;
+  float ThetaO;
+  float PhiO;
+  glm::dvec3 Color; // f, linear RGB
+};
+
+/**
+ * Readings on a grid become the table's nodes, as they are. Holes in the grid are filled linearly
+ * around the circle of the same polar angle, empty circles from their neighbors; what is not so
+ * much as a quarter full is no grid. Then each light's views are interpolated onto even nodes,
+ * 2 degrees apart, or more where there are many lights.
+ *
+ * Where PhiI is the same in all, the material is taken to be isotropic. One whose azimuths are all
+ * in [0, 180] is mirrored. Its value for light or view along the normal is the mean over azimuths.
+ * Angles less than 0.01 degrees apart are one; readings of the same directions are averaged. Beyond
+ * the last polar angle the value is constant. Notes say where the readings are and what was filled.
+ *
+ * Throws FileError, "WHERE: what is wrong with the readings".
+ */
+void MakeGonioTable(
+  std::vector<GonioReading> readings, const std::string& where, MaterialFile& result);
 } // namespace measuredbrdf
 
 #endif

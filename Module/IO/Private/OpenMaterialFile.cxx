@@ -8,15 +8,13 @@
  * isotropic. An azimuth of 0 is on the side from which the light comes; azimuths run
  * counterclockwise, seen from above the surface (the standard does not say).
  *
- * Several visible wavelengths become RGB (SpectralColor.h). A single one, or wavelengths of which
+ * Several visible wavelengths become RGB (SpectralColor.cxx). A single one, or wavelengths of which
  * fewer than two are visible, give gray, by the first of them; `path#905nm` picks one.
  */
 
 #include "BoundedJson.h"
-#include "GonioTable.h"
 #include "HalfVector.h"
 #include "MaterialFormat.h"
-#include "SpectralColor.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SpectralColor.h"
+/**
+ * @file
+ * Spectra of f as linear RGB (Rec. 709): what an observer sees of the material in daylight.
+ *
+ *   X_j = sum f(l) D65(l) c_j(l) / sum D65(l) c_j(l),  RGB = M (X_j times X_j of D65)
+ *
+ * Both sums are over l = 380, 381, ..., 780 nm. c_j are the CIE 1931 color-matching functions (2
+ * degrees), D65 is CIE's standard illuminant, both from their tables in steps of 5 nm (ISO/CIE
+ * 11664-1 and -2), linear between these; M is sRGB's matrix from XYZ. f is linear between the
+ * file's wavelengths, and constant beyond the first and the last.
+ *
+ * D65, because it is the white of the RGB that the module draws in: a material whose f is the same
+ * at all wavelengths gets R = G = B = f exactly. A color outside the RGB gamut has a negative
+ * component, as in the RGL database's own RGB files.
+ */
+#include "MaterialFormat.h"
 
-#include "FileBytes.h"
-#include "NumberText.h"
-#include "Printable.h"
 #include "SRGB.h"
 
 #include <glm/gtc/type_ptr.hpp>

@@ -6,12 +6,11 @@
  * github.com/rgl-epfl/brdf-loader): 12 bytes of magic, version 1.0, then named fields with type,
  * shape and the offset of their data. Both forms are read: NAME_rgb.bsdf, and NAME_spec.bsdf, whose
  * field "spectra" has one f cos(theta_o) for each of the field "wavelengths" (nm). Spectra become
- * RGB as SpectralColor.h says: sums over the CIE 1931 color-matching functions under D65.
+ * RGB as SpectralColor.cxx says: sums over the CIE 1931 color-matching functions under D65.
  */
 
 #include "Floats.h"
 #include "MaterialFormat.h"
-#include "SpectralColor.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkSmartPointer.h"
 

@@ -18,10 +18,9 @@
 class TestFolder
 {
 public:
-  TestFolder()
-    : Path(std::filesystem::temp_directory_path() /
-           ("measuredbrdf-test-" + std::to_string(std::random_device()()) +
-             std::to_string(std::random_device()())))
+  explicit TestFolder(const std::filesystem::path& parent = std::filesystem::temp_directory_path())
+    : Path(parent / ("measuredbrdf-test-" + std::to_string(std::random_device()()) +
+                      std::to_string(std::random_device()())))
   {
     std::filesystem::create_directories(this->Path);
   }
