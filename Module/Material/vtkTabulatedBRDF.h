@@ -42,7 +42,6 @@ class VTKMEASUREDBRDF_EXPORT vtkTabulatedBRDF : public vtkBRDF
 public:
   static vtkTabulatedBRDF* New();
   vtkTypeMacro(vtkTabulatedBRDF, vtkBRDF);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum ParameterizationType
   {
@@ -129,7 +128,6 @@ public:
   VTK_WRAPEXCLUDE void EvaluateLights(
     int count, const float* const i[3], const double o[3], float* const f[3]);
 
-  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsReciprocal() override
   {
     return this->Parameterization == HALF_DIFFERENCE && this->AzimuthRange == HALF_TURN &&

@@ -7,8 +7,8 @@
 
 #include "RenderFixture.h"
 
-#include "MixtureBRDF.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
+#include "vtkBRDF.h"
 #include "vtkDoubleArray.h"
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEmbeddedMaterials.h"
@@ -16,6 +16,7 @@
 #include "vtkFloatArray.h"
 #include "vtkMaterialMap.h"
 #include "vtkMeasuredBRDFMapper.h"
+#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRadiancePlanner.h"
@@ -31,6 +32,58 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace
+{
+/// The weighted sum of materials as a material of its own: what a material map has to show.
+class MixtureBRDF : public vtkBRDF
+{
+public:
+  static MixtureBRDF* New();
+  vtkTypeMacro(MixtureBRDF, vtkBRDF);
+
+  void Add(vtkBRDF* brdf, double weight)
+  {
+    this->Terms.emplace_back(brdf, weight);
+    this->Modified();
+  }
+
+  void Prepare() override
+  {
+    for (const auto& term : this->Terms)
+    {
+      term.first->Prepare();
+    }
+  }
+  void GetShaderInputs(vtkBRDFShaderInputs&) override {} // never drawn
+
+protected:
+  MixtureBRDF() = default;
+  ~MixtureBRDF() override = default;
+
+  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override
+  {
+    f[0] = f[1] = f[2] = 0.0;
+    for (const auto& [brdf, weight] : this->Terms)
+    {
+      double value[3];
+      brdf->Evaluate(i, o, value);
+      for (int c = 0; c < 3; ++c)
+      {
+        f[c] += weight * value[c];
+      }
+    }
+  }
+
+private:
+  MixtureBRDF(const MixtureBRDF&) = delete;
+  void operator=(const MixtureBRDF&) = delete;
+
+  std::vector<std::pair<vtkSmartPointer<vtkBRDF>, double>> Terms;
+};
+
+vtkStandardNewMacro(MixtureBRDF);
+}
 
 namespace
 {
