@@ -206,11 +206,15 @@ TEST(EveryModel, EverythingThatCountsChangesTheKey)
     ASSERT_EQ(vtkBRDFModels::Save(original, data), "");
     SCOPED_TRACE(data.Model);
     EXPECT_TRUE(keys.insert(vtkBRDFModels::GetContentKey(original)).second);
+    const auto isLeftOut = [&data](const std::string& name) // this basis has no zone of its own
+    {
+      return IsWhole(name) ||
+             (data.Options["basis"] == "hemispherical" && name.find("incident") == 0);
+    };
     for (auto& [name, changed] : Vary(data))
     {
-      const bool isIgnored = data.Options["basis"] == "hemispherical" && name.find("incident") == 0;
       vtkSmartPointer<vtkBRDF> brdf;
-      if (isIgnored || IsWhole(name) || !vtkBRDFModels::Load(changed, brdf).empty())
+      if (isLeftOut(name) || !vtkBRDFModels::Load(changed, brdf).empty())
       {
         continue;
       }
@@ -226,7 +230,7 @@ TEST(EveryModel, EverythingThatCountsChangesTheKey)
     }
     for (const auto& [name, numbers] : data.Numbers)
     {
-      EXPECT_TRUE(IsWhole(name) || varied.count(data.Model + "." + name)) << name;
+      EXPECT_TRUE(isLeftOut(name) || varied.count(data.Model + "." + name)) << name;
     }
     for (const auto& [name, array] : data.Arrays)
     {
@@ -234,10 +238,11 @@ TEST(EveryModel, EverythingThatCountsChangesTheKey)
       EXPECT_TRUE(isRing || IsWhole(name) || varied.count(data.Model + "." + name)) << name;
     }
   }
-  for (const char* option : { "AshikhminShirley.fresnelModel", "Tabulated.precision",
-         "Tabulated.cosineWeighted", "Tabulated.parameterization", "Tabulated.azimuthRange",
-         "AnisotropicTabulated.cosineWeighted", "AnisotropicTabulated.azimuthRange", "Basis.basis",
-         "Basis.incidentCosine", "Basis.outgoingCosine", "AdaptiveWarp.jacobian" })
+  for (const char* option :
+    { "AshikhminShirley.fresnelModel", "Tabulated.precision", "Tabulated.cosineWeighted",
+      "Tabulated.parameterization", "Tabulated.azimuthRange", "AnisotropicTabulated.cosineWeighted",
+      "AnisotropicTabulated.azimuthRange", "Basis.basis", "Basis.incidentCosine",
+      "Basis.outgoingCosine", "Basis.incidentBegin", "Basis.incidentEnd", "AdaptiveWarp.jacobian" })
   {
     EXPECT_TRUE(varied.count(option)) << option;
   }
