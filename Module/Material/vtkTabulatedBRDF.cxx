@@ -222,8 +222,8 @@ std::vector<double> GetRingWeights(double a, int n, double variance)
  * levels: linear. Level 0 is the volume itself and not held here.
  *
  * Wide levels need few samples: four levels have the same number along theta_h, the next four
- * half of it; phi_d and theta_d are averaged to steps of at least 5 and 2 degrees. The levels are
- * stacked along theta_h in one volume.
+ * half of it; steps of phi_d and theta_d are at least 5 and 2 degrees. The levels are stacked along
+ * theta_h in one volume.
  */
 struct vtkTabulatedBRDF::Levels
 {
