@@ -115,13 +115,6 @@ bool SurfaceModel::HasFeature(Feature feature) const
 }
 
 //------------------------------------------------------------------------------
-void SurfaceModel::GetBounds(double, double lower[3], double upper[3])
-{
-  std::fill_n(lower, 3, 0.0);
-  std::fill_n(upper, 3, 1e9);
-}
-
-//------------------------------------------------------------------------------
 glm::dvec3 SurfaceModel::EvaluateDirections(const Directions& directions) const
 {
   glm::dvec3 f = this->Model->Shade({ this->Values.data() }, directions);

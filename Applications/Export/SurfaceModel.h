@@ -123,7 +123,6 @@ public:
   /// Whether any number of the part is not neutral.
   bool HasFeature(Feature feature) const;
 
-  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   void GetShaderInputs(vtkBRDFShaderInputs&) override {}
   bool IsIsotropic() override { return !this->HasFeature(Feature::Anisotropy); }
   bool IsReciprocal() override { return false; } // layers may depend on the view alone

@@ -101,12 +101,12 @@ public:
 
   VTK_NEWINSTANCE vtkImageData* NewPicture(int index) override
   {
-    const Photograph* photograph = this->Find(index);
+    const Photograph& photograph = this->Get(index);
     std::vector<glm::dvec3> values; // of a texel that is all of one material
     for (int k = 0; k < this->Map->GetNumberOfMaterials(); ++k)
     {
       values.emplace_back();
-      this->Map->GetBRDF(k)->Evaluate(photograph->Light, photograph->View, &values.back().x);
+      this->Map->GetBRDF(k)->Evaluate(photograph.Light, photograph.View, &values.back().x);
     }
     this->SetTransfer(this->Bits > 0 ? LINEAR : AUTOMATIC);
     vtkImageData* picture = vtkImageData::New();

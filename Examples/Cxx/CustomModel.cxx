@@ -44,12 +44,6 @@ public:
   vtkSetClampMacro(Roughness, double, 0.0, 1.0);
   vtkGetMacro(Roughness, double);
 
-  void GetBounds(double, double lower[3], double upper[3]) override
-  {
-    std::fill(lower, lower + 3, 0.0);
-    std::fill(upper, upper + 3, Albedo / Pi * (this->GetA() + this->GetB()));
-  }
-
   void GetShaderInputs(vtkBRDFShaderInputs& inputs) override
   {
     vtkBRDFShaderInputs::Term term;

@@ -224,26 +224,21 @@ public:
 
   vtkImageData* NewPicture(int index) override
   {
-    const Photograph* photograph = this->Find(index);
-    if (!photograph)
-    {
-      vtkErrorMacro("NewPicture: there is no photograph " << index << ".");
-      return nullptr;
-    }
-    if (photograph->Picture) // added by hand
+    const Photograph& photograph = this->Get(index);
+    if (photograph.Picture || photograph.Name.empty()) // added by hand, or not there
     {
       return this->Superclass::NewPicture(index);
     }
     try
     {
-      return this->ReadPicture(photograph->Name);
+      return this->ReadPicture(photograph.Name);
     }
     catch (const std::exception& e) // FileError; out of memory, say
     {
       const std::string what = e.what();
-      vtkErrorMacro("NewPicture: " << (what.find(photograph->Name) != std::string::npos
+      vtkErrorMacro("NewPicture: " << (what.find(photograph.Name) != std::string::npos
                                          ? what
-                                         : ToPrintable(photograph->Name + ": " + what)));
+                                         : ToPrintable(photograph.Name + ": " + what)));
     }
     return nullptr;
   }

@@ -31,7 +31,6 @@ class VTKMEASUREDBRDF_EXPORT vtkAdaptiveWarpBRDF : public vtkResampledBRDF
 public:
   static vtkAdaptiveWarpBRDF* New();
   vtkTypeMacro(vtkAdaptiveWarpBRDF, vtkResampledBRDF);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
    * A table and its shape, slowest axis first (the file's order).
@@ -77,7 +76,6 @@ public:
   VTK_WRAPEXCLUDE void EvaluateLights(
     int count, const float* const i[3], const double o[3], float* const f[3]);
 
-  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return this->Data.PhiI.size() <= 2; }
   bool IsReciprocal() override { return false; }
   std::string GetModelName() override { return "AdaptiveWarp"; }

@@ -20,7 +20,6 @@
 
 #include "vtkResampledBRDF.h"
 
-#include <memory> // for sampling tables
 #include <vector> // for the matrix
 
 class VTKMEASUREDBRDF_EXPORT vtkAngleBasisBRDF : public vtkResampledBRDF
@@ -28,7 +27,6 @@ class VTKMEASUREDBRDF_EXPORT vtkAngleBasisBRDF : public vtkResampledBRDF
 public:
   static vtkAngleBasisBRDF* New();
   vtkTypeMacro(vtkAngleBasisBRDF, vtkResampledBRDF);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// A hemisphere's rings, from the normal outwards.
   struct Basis
@@ -60,21 +58,16 @@ public:
   const Basis& GetViewBasis() const { return this->View; }
   const std::vector<float>& GetMatrix() const { return this->Matrix; }
 
+  ///@{
   /**
-   * Exact: the sum over all patches.
+   * Exact: sums over all patches.
    */
   void GetDirectionalAlbedo(const double o[3], double albedo[3]) override;
+  void GetReflectance(const double i[3], double reflectance[3]) override;
+  ///@}
 
-  /**
-   * The integral of f cos(theta) over the light, or over the view, as the sum over all patches.
-   * given: the other direction, above the horizon.
-   */
-  VTK_WRAPEXCLUDE void SumPatches(const double given[3], bool views, double rgb[3]);
-
-  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return false; }
   bool IsReciprocal() override { return false; }
-  void Prepare() override;
   std::string GetModelName() override { return "AngleBasis"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 
@@ -84,8 +77,6 @@ protected:
 
   vtkBRDF* NewCopy() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
-  bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
-  double PdfAbove(const double i[3], const double o[3]) override;
 
   Basis Light;
   Basis View;
@@ -95,10 +86,7 @@ private:
   vtkAngleBasisBRDF(const vtkAngleBasisBRDF&) = delete;
   void operator=(const vtkAngleBasisBRDF&) = delete;
 
-  const float* FindValue(const double i[3], const double o[3]) const;
-
-  struct Sampler;
-  std::shared_ptr<const Sampler> Draws; // of this matrix
+  void SumPatches(const Basis& basis, const double given[3], bool overView, double rgb[3]);
 };
 
 #endif

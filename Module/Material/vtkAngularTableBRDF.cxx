@@ -3,14 +3,16 @@
 #include "vtkAngularTableBRDF.h"
 
 #include "HalfVector.h" // for angles
+#include "Refusal.h"
 #include "vtkBRDFExchange.h"
 #include "vtkObjectFactory.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 using namespace measuredbrdf;
 
@@ -32,16 +34,15 @@ struct Around
 // phi: degrees.
 Around Find(const vtkAngularTableBRDF::Nodes& nodes, double theta, double phi)
 {
-  const std::size_t last = nodes.Theta.size() - 1;
+  const std::vector<float>& thetas = nodes.Theta;
   std::size_t low = 0;
-  while (low + 2 < nodes.Theta.size() && theta >= nodes.Theta[low + 1])
+  while (low + 2 < thetas.size() && theta >= thetas[low + 1])
   {
     ++low;
   }
-  const std::size_t high = std::min(low + 1, last);
-  const double t =
-    high > low ? std::max((theta - nodes.Theta[low]) / (nodes.Theta[high] - nodes.Theta[low]), 0.0)
-               : 0.0;
+  const std::size_t high = std::min(low + 1, thetas.size() - 1);
+  const double step = double(thetas[high]) - thetas[low];
+  const double t = high > low ? std::max((theta - thetas[low]) / step, 0.0) : 0.0;
 
   const std::vector<float>& azimuths = nodes.Phi;
   const std::size_t count = azimuths.size();
@@ -66,52 +67,29 @@ double GetPhi(double x, double y)
   return positive < FullTurn ? positive : 0.0;
 }
 
-std::string FindProblem(const char* name, const vtkAngularTableBRDF::Nodes& nodes)
+// Angles ascend from 0 to less than the limit, or (closed) to the limit.
+void CheckAngles(
+  const std::string& name, const std::vector<float>& angles, double limit, const char* expected)
 {
-  const std::string of = std::string(name) + ": ";
-  const int most = vtkAngularTableBRDF::MaximumNodes; // not a reference to the constant
-  if (nodes.Theta.empty() || nodes.Phi.empty())
+  for (std::size_t k = 0; k < angles.size(); ++k)
   {
-    return of + "expected at least one polar angle and one azimuth";
+    Require((k == 0 ? angles[0] >= 0.0f : angles[k] > angles[k - 1]) && angles[k] <= limit,
+      name + " " + std::to_string(k) + ": expected ascending ones from 0 to " + expected +
+        " degrees");
   }
-  if (nodes.Phi.size() > static_cast<std::size_t>(most) / nodes.Theta.size())
-  {
-    return of + "expected at most " + std::to_string(most) + " nodes";
-  }
-  const auto isInOrder = [](const std::vector<float>& angles, std::size_t k)
-  { return k == 0 ? angles[0] >= 0.0f : angles[k] > angles[k - 1]; };
-  for (std::size_t k = 0; k < nodes.Theta.size(); ++k)
-  {
-    if (!isInOrder(nodes.Theta, k) || !(nodes.Theta[k] <= Horizon))
-    {
-      return of + "polar angle " + std::to_string(k) +
-             ": expected ascending ones from 0 to 90 degrees";
-    }
-  }
-  for (std::size_t k = 0; k < nodes.Phi.size(); ++k)
-  {
-    if (!isInOrder(nodes.Phi, k) || !(nodes.Phi[k] < FullTurn))
-    {
-      return of + "azimuth " + std::to_string(k) +
-             ": expected ascending ones from 0 to less than 360 degrees";
-    }
-  }
-  return "";
-}
 }
 
-//------------------------------------------------------------------------------
-void vtkAngularTableBRDF::PrintSelf(ostream& os, vtkIndent indent)
+void CheckNodes(const std::string& name, const vtkAngularTableBRDF::Nodes& nodes)
 {
-  this->Superclass::PrintSelf(os, indent);
-  const auto print = [&os, indent](const char* name, const Nodes& nodes)
-  {
-    os << indent << name << ": " << nodes.Theta.size() << " polar angles x " << nodes.Phi.size()
-       << " azimuths\n";
-  };
-  print("LightNodes", this->Light);
-  print("ViewNodes", this->View);
-  os << indent << "AzimuthOrigin: " << (this->Origin == LIGHT ? "light" : "tangent") << "\n";
+  const int most = vtkAngularTableBRDF::MaximumNodes; // not a reference to the constant
+  Require(!nodes.Theta.empty() && !nodes.Phi.empty(),
+    name + ": expected at least one polar angle and one azimuth");
+  Require(nodes.Phi.size() <= static_cast<std::size_t>(most) / nodes.Theta.size(),
+    name + ": expected at most " + std::to_string(most) + " nodes");
+  CheckAngles(name + ": polar angle", nodes.Theta, Horizon, "90");
+  CheckAngles(
+    name + ": azimuth", nodes.Phi, std::nextafter(float(FullTurn), 0.0f), "less than 360");
+}
 }
 
 //------------------------------------------------------------------------------
@@ -130,40 +108,28 @@ std::vector<float> vtkAngularTableBRDF::GetEvenAzimuths(int count)
 std::string vtkAngularTableBRDF::SetValues(
   Nodes light, Nodes view, std::vector<float> rgb, AzimuthOrigin origin)
 {
-  for (const std::string& problem : { FindProblem("light", light), FindProblem("view", view) })
-  {
-    if (!problem.empty())
+  return FindProblemOf(
+    [&]()
     {
-      return problem;
-    }
-  }
-  if (origin == LIGHT && (light.Phi.size() != 1 || light.Phi[0] != 0.0f))
-  {
-    return "light: expected the azimuth 0 only, because the view's are counted from it";
-  }
-  const std::size_t count = 3u * static_cast<std::size_t>(light.GetNumberOfNodes()) *
-                            static_cast<std::size_t>(view.GetNumberOfNodes());
-  if (count > 1000000u * static_cast<std::size_t>(int(MaximumMegavalues)))
-  {
-    return "values: expected at most " + std::to_string(int(MaximumMegavalues)) + " million";
-  }
-  if (rgb.size() != count)
-  {
-    return "values: found " + std::to_string(rgb.size()) + ", expected " + std::to_string(count);
-  }
-  const auto bad =
-    std::find_if(rgb.begin(), rgb.end(), [](float value) { return !std::isfinite(value); });
-  if (bad != rgb.end())
-  {
-    return "values: number " + std::to_string(bad - rgb.begin()) + " is not finite";
-  }
-  this->Light = std::move(light);
-  this->View = std::move(view);
-  this->Values = std::move(rgb);
-  this->Origin = origin;
-  this->ResetRenderable();
-  this->Modified();
-  return "";
+      CheckNodes("light", light);
+      CheckNodes("view", view);
+      Require(origin != LIGHT || (light.Phi.size() == 1 && light.Phi[0] == 0.0f),
+        "light: expected the azimuth 0 only, because the view's are counted from it");
+      const std::size_t count = 3u * static_cast<std::size_t>(light.GetNumberOfNodes()) *
+                                static_cast<std::size_t>(view.GetNumberOfNodes());
+      const int most = MaximumMegavalues;
+      Require(count <= 1000000u * static_cast<std::size_t>(most),
+        "values: expected at most " + std::to_string(most) + " million");
+      Require(rgb.size() == count,
+        "values: found " + std::to_string(rgb.size()) + ", expected " + std::to_string(count));
+      RequireFinite(rgb, "values");
+      this->Light = std::move(light);
+      this->View = std::move(view);
+      this->Values = std::move(rgb);
+      this->Origin = origin;
+      this->ResetRenderable();
+      this->Modified();
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -182,53 +148,16 @@ void vtkAngularTableBRDF::EvaluateAbove(const double i[3], const double o[3], do
                                 : (turned ? 0.0 : GetPhi(o[0], o[1]));
   const Around view = Find(this->View, GetTheta(o), phi);
   const auto columns = static_cast<std::size_t>(this->View.GetNumberOfNodes());
-  double sum[3] = { 0.0, 0.0, 0.0 };
+  glm::dvec3 sum(0.0);
   for (std::size_t a = 0; a < 4; ++a)
   {
     for (std::size_t b = 0; b < 4; ++b)
     {
-      const double weight = light.Weights[a] * view.Weights[b];
       const float* value = &this->Values[3 * (light.Nodes[a] * columns + view.Nodes[b])];
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        sum[c] += weight * value[c];
-      }
+      sum += light.Weights[a] * view.Weights[b] * glm::dvec3(glm::make_vec3(value));
     }
   }
-  std::transform(sum, sum + 3, f, [](double value) { return std::max(value, 0.0); });
-}
-
-//------------------------------------------------------------------------------
-// Extrapolation to the horizon goes as far beyond the last nodes as their steps and what remains to
-// 90 degrees allow, along each direction.
-void vtkAngularTableBRDF::GetBounds(
-  double vtkNotUsed(minimumCosine), double lower[3], double upper[3])
-{
-  const auto getReach = [](const Nodes& nodes)
-  {
-    const std::size_t count = nodes.Theta.size();
-    return count < 2 ? 0.0
-                     : (Horizon - nodes.Theta[count - 1]) /
-                         (nodes.Theta[count - 1] - nodes.Theta[count - 2]);
-  };
-  // Weights of an extrapolation: 1 + t and -t along each axis.
-  const double light = this->Values.empty() ? 0.0 : getReach(this->Light);
-  const double view = this->Values.empty() ? 0.0 : getReach(this->View);
-  const double negative = light * (1.0 + view) + view * (1.0 + light);
-  const double positive = (1.0 + light) * (1.0 + view) + light * view;
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    double low = std::numeric_limits<double>::max();
-    double high = std::numeric_limits<double>::lowest();
-    for (std::size_t k = c; k < this->Values.size(); k += 3)
-    {
-      low = std::min<double>(low, this->Values[k]);
-      high = std::max<double>(high, this->Values[k]);
-    }
-    const bool empty = this->Values.empty();
-    lower[c] = empty ? 0.0 : std::max(positive * low - negative * high, 0.0);
-    upper[c] = empty ? 0.0 : std::max(positive * high - negative * low, 0.0);
-  }
+  std::copy_n(&sum.x, 3, f);
 }
 
 //------------------------------------------------------------------------------

@@ -30,7 +30,6 @@ class VTKMEASUREDBRDF_EXPORT vtkAngularTableBRDF : public vtkResampledBRDF
 public:
   static vtkAngularTableBRDF* New();
   vtkTypeMacro(vtkAngularTableBRDF, vtkResampledBRDF);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Nodes of a direction.
   struct Nodes
@@ -70,7 +69,6 @@ public:
   const std::vector<float>& GetValues() const { return this->Values; }
   AzimuthOrigin GetAzimuthOrigin() const { return this->Origin; }
 
-  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return this->Origin == LIGHT; }
   bool IsReciprocal() override { return false; }
   std::string GetModelName() override { return "AngularTable"; }

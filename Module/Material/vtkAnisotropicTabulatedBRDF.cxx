@@ -6,6 +6,7 @@
 #include "ModuleShader.h"
 #include "NumberText.h"
 #include "ParallelFor.h"
+#include "Refusal.h"
 #include "Setters.h"
 #include "VolumeInterpolation.h"
 #include "vtkBRDFAnisotropicTable.h"
@@ -13,7 +14,9 @@
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
+#define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/gtx/rotate_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -27,25 +30,32 @@ namespace
 {
 constexpr std::size_t MostCells = std::size_t(1) << 26;
 
-std::size_t CountCells(const int dimensions[4])
+// Of a table of that shape.
+std::size_t CountCells(int azimuthRange, const int dimensions[4])
 {
+  const char* const names[] = { "phi_d", "theta_d", "phi_h", "theta_h" };
+  const int most = vtkAnisotropicTabulatedBRDF::MaximumSamples; // not a reference to the constant
   std::size_t cells = 1;
   for (int axis = 0; axis < 4; ++axis)
   {
+    Require(dimensions[axis] >= 1 && dimensions[axis] <= most,
+      "found " + std::to_string(dimensions[axis]) + " samples along " + names[axis] +
+        ", expected 1 to " + std::to_string(most));
     cells *= static_cast<std::size_t>(dimensions[axis]);
   }
+  Require(dimensions[1] * dimensions[2] <= most,
+    "found " + std::to_string(dimensions[1]) + " x " + std::to_string(dimensions[2]) +
+      " samples along theta_d and phi_h, expected a product of at most " + std::to_string(most));
+  Require(cells <= MostCells,
+    "found " + std::to_string(cells) + " samples, expected at most " + std::to_string(MostCells));
+  Require(azimuthRange == 0 || azimuthRange == 1,
+    "found azimuth range " + std::to_string(azimuthRange) + ", expected 0 or 1");
   return cells;
 }
 
 double GetLargestAzimuth(int azimuthRange)
 {
   return azimuthRange == vtkAnisotropicTabulatedBRDF::HALF_TURN ? Pi : 2.0 * Pi;
-}
-
-glm::dvec3 TurnBy(double phi, const glm::dvec3& d)
-{
-  const double c = std::cos(phi), s = std::sin(phi);
-  return glm::dvec3(c * d.x - s * d.y, s * d.x + c * d.y, d.z);
 }
 
 // A sample's directions, slid along theta_d to just above the horizon where they lie below: values
@@ -55,13 +65,11 @@ void GetCell(
 {
   HalfDifference angles{ UnitToThetaH((index[3] + 0.5) / dimensions[3]),
     0.5 * Pi * (index[1] + 0.5) / dimensions[1], 2.0 * Pi * (index[0] + 0.5) / dimensions[0] };
-  const double horizon =
-    std::atan2(std::cos(angles.ThetaH), std::sin(angles.ThetaH) * std::abs(std::cos(angles.PhiD)));
-  angles.ThetaD = std::min(angles.ThetaD, horizon * (1.0 - 1e-4));
+  angles.ThetaD = std::min(angles.ThetaD, FindHorizon(angles) * (1.0 - 1e-4));
   FromHalfDifference(angles, i, o);
   const double phi = GetLargestAzimuth(azimuthRange) * (index[2] + 0.5) / dimensions[2];
-  i = TurnBy(phi, i);
-  o = TurnBy(phi, o);
+  i = glm::rotateZ(i, phi);
+  o = glm::rotateZ(o, phi);
 }
 }
 
@@ -75,64 +83,17 @@ vtkAnisotropicTabulatedBRDF::~vtkAnisotropicTabulatedBRDF() = default;
 measuredbrdfSetClampedMacro(vtkAnisotropicTabulatedBRDF, ResamplingError, double, 0.0, 1e6);
 
 //------------------------------------------------------------------------------
-void vtkAnisotropicTabulatedBRDF::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "AzimuthRange: " << (this->AzimuthRange == HALF_TURN ? "pi" : "2 pi") << "\n";
-  os << indent << "Dimensions: " << this->Dimensions[0] << " " << this->Dimensions[1] << " "
-     << this->Dimensions[2] << " " << this->Dimensions[3] << "\n";
-  os << indent << "CosineWeighted: " << (this->CosineWeighted ? "On" : "Off") << "\n";
-  os << indent << "ResamplingError: " << this->ResamplingError << "\n";
-}
-
-//------------------------------------------------------------------------------
-std::string vtkAnisotropicTabulatedBRDF::FindProblem(
-  int azimuthRange, const int dimensions[4]) const
-{
-  const char* const names[] = { "phi_d", "theta_d", "phi_h", "theta_h" };
-  const int most = MaximumSamples; // not a reference to the constant
-  for (int axis = 0; axis < 4; ++axis)
-  {
-    if (dimensions[axis] < 1 || dimensions[axis] > most)
-    {
-      return "found " + std::to_string(dimensions[axis]) + " samples along " + names[axis] +
-             ", expected 1 to " + std::to_string(most);
-    }
-  }
-  if (dimensions[1] * dimensions[2] > most)
-  {
-    return "found " + std::to_string(dimensions[1]) + " x " + std::to_string(dimensions[2]) +
-           " samples along theta_d and phi_h, expected a product of at most " +
-           std::to_string(most);
-  }
-  if (CountCells(dimensions) > MostCells)
-  {
-    return "found " + std::to_string(CountCells(dimensions)) + " samples, expected at most " +
-           std::to_string(MostCells);
-  }
-  if (azimuthRange < HALF_TURN || azimuthRange > FULL_TURN)
-  {
-    return "found azimuth range " + std::to_string(azimuthRange) + ", expected 0 or 1";
-  }
-  return "";
-}
-
-//------------------------------------------------------------------------------
 bool vtkAnisotropicTabulatedBRDF::SetVolume(
   int azimuthRange, const int dimensions[4], std::vector<float> rgb)
 {
-  std::string problem = this->FindProblem(azimuthRange, dimensions);
-  if (problem.empty() && rgb.size() != 3 * CountCells(dimensions))
-  {
-    problem = "found " + std::to_string(rgb.size()) + " values, expected " +
-              std::to_string(3 * CountCells(dimensions));
-  }
-  const auto bad =
-    std::find_if(rgb.begin(), rgb.end(), [](float value) { return !std::isfinite(value); });
-  if (problem.empty() && bad != rgb.end())
-  {
-    problem = "value " + std::to_string(bad - rgb.begin()) + " is not finite";
-  }
+  const std::string problem = FindProblemOf(
+    [&]()
+    {
+      const std::size_t count = 3 * CountCells(azimuthRange, dimensions);
+      Require(rgb.size() == count,
+        "found " + std::to_string(rgb.size()) + " values, expected " + std::to_string(count));
+      RequireFinite(rgb, "volume");
+    });
   if (!problem.empty())
   {
     vtkErrorMacro("SetVolume: " << problem << "; the volume stays.");
@@ -150,8 +111,12 @@ bool vtkAnisotropicTabulatedBRDF::SetVolume(
 bool vtkAnisotropicTabulatedBRDF::Resample(
   vtkBRDF* source, int azimuthRange, const int dimensions[4])
 {
-  const std::string problem =
-    source ? this->FindProblem(azimuthRange, dimensions) : "there is no source";
+  const std::string problem = FindProblemOf(
+    [&]()
+    {
+      Require(source, "there is no source");
+      CountCells(azimuthRange, dimensions);
+    });
   if (!problem.empty())
   {
     vtkErrorMacro("Resample: " << problem << "; the volume stays.");
@@ -215,15 +180,6 @@ void vtkAnisotropicTabulatedBRDF::Prepare()
 }
 
 //------------------------------------------------------------------------------
-void vtkAnisotropicTabulatedBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
-{
-  // Interpolation never leaves the range of the samples.
-  FindBounds(this->Volume, lower, upper);
-  const double divisor = this->CosineWeighted ? std::clamp(minimumCosine, 1e-6, 1.0) : 1.0;
-  std::transform(upper, upper + 3, upper, [divisor](double value) { return value / divisor; });
-}
-
-//------------------------------------------------------------------------------
 // theta_d within phi_h is one axis of the texture.
 void vtkAnisotropicTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
@@ -266,8 +222,8 @@ void vtkAnisotropicTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 //------------------------------------------------------------------------------
 void vtkAnisotropicTabulatedBRDF::ExchangeData(vtkBRDFExchange& exchange)
 {
-  exchange.Option("cosineWeighted", { "off", "on" }, this->CosineWeighted,
-    [this](int value) { this->SetCosineWeighted(value == 1); });
+  exchange.Flag(
+    "cosineWeighted", this->CosineWeighted, [this](bool on) { this->SetCosineWeighted(on); });
   exchange.Number("resamplingError", this->ResamplingError,
     [this](double value) { this->SetResamplingError(value); });
   int azimuthRange = this->AzimuthRange;

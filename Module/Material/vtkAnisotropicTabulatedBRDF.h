@@ -30,7 +30,6 @@ class VTKMEASUREDBRDF_EXPORT vtkAnisotropicTabulatedBRDF : public vtkBRDF
 public:
   static vtkAnisotropicTabulatedBRDF* New();
   vtkTypeMacro(vtkAnisotropicTabulatedBRDF, vtkBRDF);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum AzimuthRangeType
   {
@@ -82,7 +81,6 @@ public:
    */
   bool Resample(vtkBRDF* source, int azimuthRange, const int dimensions[4]);
 
-  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return false; }
   bool IsReciprocal() override { return false; }
   void Prepare() override;
@@ -106,8 +104,6 @@ protected:
 private:
   vtkAnisotropicTabulatedBRDF(const vtkAnisotropicTabulatedBRDF&) = delete;
   void operator=(const vtkAnisotropicTabulatedBRDF&) = delete;
-
-  std::string FindProblem(int azimuthRange, const int dimensions[4]) const;
 };
 
 #endif

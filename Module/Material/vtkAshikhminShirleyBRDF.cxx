@@ -59,23 +59,6 @@ measuredbrdfSetFinite3Macro(vtkAshikhminShirleyBRDF, Reflectance);
 measuredbrdfSetFinite3Macro(vtkAshikhminShirleyBRDF, Diffuse);
 
 //------------------------------------------------------------------------------
-void vtkAshikhminShirleyBRDF::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "SpecularScale: " << this->SpecularScale[0] << " " << this->SpecularScale[1]
-     << " " << this->SpecularScale[2] << "\n";
-  os << indent << "Reflectance: " << this->Reflectance[0] << " " << this->Reflectance[1] << " "
-     << this->Reflectance[2] << "\n";
-  os << indent << "Diffuse: " << this->Diffuse[0] << " " << this->Diffuse[1] << " "
-     << this->Diffuse[2] << "\n";
-  os << indent << "ExponentU: " << this->ExponentU << "\n";
-  os << indent << "ExponentV: " << this->ExponentV << "\n";
-  os << indent << "FresnelModel: " << (this->FresnelModel == SCHLICK ? "Schlick" : "Dielectric")
-     << "\n";
-  os << indent << "IndexOfRefraction: " << this->IndexOfRefraction << "\n";
-}
-
-//------------------------------------------------------------------------------
 void vtkAshikhminShirleyBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
 {
   this->EvaluateSoftAbove(i, o, 0.0, f);
@@ -96,10 +79,7 @@ void vtkAshikhminShirleyBRDF::EvaluateSoftAbove(
   const double diffuse = DiffuseScale * DiffuseFactor(light.z) * DiffuseFactor(view.z);
   for (int c = 0; c < 3; ++c)
   {
-    const double fresnel = this->FresnelModel == SCHLICK
-                             ? SchlickFresnel(this->Reflectance[c], hd)
-                             : DielectricFresnel(this->IndexOfRefraction, hd);
-    f[c] = this->SpecularScale[c] * specular * fresnel +
+    f[c] = this->SpecularScale[c] * specular * this->GetFresnel(c, hd) +
            diffuse * this->Diffuse[c] * (1.0 - this->Reflectance[c]);
   }
 }
@@ -160,15 +140,20 @@ void vtkAshikhminShirleyBRDF::EvaluateLights(
 }
 
 //------------------------------------------------------------------------------
+double vtkAshikhminShirleyBRDF::GetFresnel(int channel, double cosine) const
+{
+  return this->FresnelModel == SCHLICK ? SchlickFresnel(this->Reflectance[channel], cosine)
+                                       : DielectricFresnel(this->IndexOfRefraction, cosine);
+}
+
+//------------------------------------------------------------------------------
 double vtkAshikhminShirleyBRDF::GetSpecularProbability() const
 {
   double specular = 0.0;
   double diffuse = 0.0;
   for (int c = 0; c < 3; ++c)
   {
-    specular += std::max(this->SpecularScale[c], 0.0) *
-                (this->FresnelModel == SCHLICK ? this->Reflectance[c]
-                                               : DielectricFresnel(this->IndexOfRefraction, 1.0));
+    specular += std::max(this->SpecularScale[c], 0.0) * this->GetFresnel(c, 1.0);
     diffuse += std::max(this->Diffuse[c] * (1.0 - this->Reflectance[c]), 0.0);
   }
   // The specular part grows towards grazing: never less than a quarter of the draws.
@@ -214,41 +199,21 @@ double vtkAshikhminShirleyBRDF::PdfAbove(const double i[3], const double o[3])
 }
 
 //------------------------------------------------------------------------------
-void vtkAshikhminShirleyBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
-{
-  // Both cosines >= m: then h.o >= m too (h halves the angle between i and o).
-  const double m = std::clamp(minimumCosine, 1e-6, 1.0);
-  const double peak = GetPeak(this->ExponentU, this->ExponentV) / (m * m);
-  for (int c = 0; c < 3; ++c)
-  {
-    const double fresnel =
-      this->FresnelModel == SCHLICK
-        ? std::max(SchlickFresnel(this->Reflectance[c], m), this->Reflectance[c])
-        : std::max(DielectricFresnel(this->IndexOfRefraction, m),
-            DielectricFresnel(this->IndexOfRefraction, 1.0));
-    lower[c] = 0.0;
-    upper[c] = std::max(this->SpecularScale[c], 0.0) * peak * fresnel +
-               DiffuseScale * std::max(this->Diffuse[c] * (1.0 - this->Reflectance[c]), 0.0);
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkAshikhminShirleyBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFAshikhminShirley", vtkBRDFAshikhminShirley);
   const double peak = GetPeak(this->ExponentU, this->ExponentV);
-  vtkBRDFShaderInputs::Uniform scale{ "brdfScale", {} };
-  vtkBRDFShaderInputs::Uniform reflectance{ "brdfReflectance", {} };
-  vtkBRDFShaderInputs::Uniform diffuse{ "brdfDiffuse", {} };
+  term.Uniforms = { { "brdfScale", {} }, { "brdfReflectance", {} }, { "brdfDiffuse", {} } };
   for (int c = 0; c < 3; ++c)
   {
-    scale.Values.push_back(static_cast<float>(this->SpecularScale[c] * peak));
-    reflectance.Values.push_back(static_cast<float>(this->Reflectance[c]));
-    diffuse.Values.push_back(
-      static_cast<float>(DiffuseScale * this->Diffuse[c] * (1.0 - this->Reflectance[c])));
+    const double values[] = { this->SpecularScale[c] * peak, this->Reflectance[c],
+      DiffuseScale * this->Diffuse[c] * (1.0 - this->Reflectance[c]) };
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      term.Uniforms[k].Values.push_back(static_cast<float>(values[k]));
+    }
   }
-  term.Uniforms = { scale, reflectance, diffuse };
   term.Uniforms.push_back({ "brdfExponents",
     { static_cast<float>(this->ExponentU), static_cast<float>(this->ExponentV), 0.0f } });
   // 0 selects Schlick: a dielectric has an index of at least 1.

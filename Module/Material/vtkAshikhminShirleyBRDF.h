@@ -24,7 +24,6 @@ class VTKMEASUREDBRDF_EXPORT vtkAshikhminShirleyBRDF : public vtkBRDF
 public:
   static vtkAshikhminShirleyBRDF* New();
   vtkTypeMacro(vtkAshikhminShirleyBRDF, vtkBRDF);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum FresnelModelType
   {
@@ -101,7 +100,6 @@ public:
   VTK_WRAPEXCLUDE void EvaluateLights(
     int count, const float* const i[3], const double o[3], float* const f[3]);
 
-  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return this->ExponentU == this->ExponentV; }
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "AshikhminShirley"; }
@@ -117,6 +115,7 @@ protected:
   bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
   double PdfAbove(const double i[3], const double o[3]) override;
 
+  double GetFresnel(int channel, double cosine) const;
   double GetSpecularProbability() const;
 
   double SpecularScale[3] = { 1.0, 1.0, 1.0 };

@@ -8,16 +8,20 @@
 #include "LocalFrame.h"
 #include "ParallelFor.h"
 #include "Printable.h"
+#include "Refusal.h"
 #include "Setters.h"
+#include "vtkBRDFExchange.h"
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstring>
-#include <stdexcept>
+#include <functional>
+#include <iterator>
 #include <vector>
 
 using namespace measuredbrdf;
@@ -45,23 +49,14 @@ vtkIdType CountTuples(const std::vector<Tuples>& inputs)
     const std::string name = input.Name;
     const std::string expected =
       std::to_string(input.Components) + (input.Components == 1 ? " component" : " components");
-    if (!input.Array)
-    {
-      throw std::invalid_argument(name + ": found no array, expected one of " + expected);
-    }
-    if (input.Array->GetNumberOfComponents() != input.Components)
-    {
-      throw std::invalid_argument(name + ": found tuples of " +
-                                  std::to_string(input.Array->GetNumberOfComponents()) +
-                                  ", expected " + expected);
-    }
+    Require(input.Array, name + ": found no array, expected one of " + expected);
+    Require(input.Array->GetNumberOfComponents() == input.Components,
+      name + ": found tuples of " + std::to_string(input.Array->GetNumberOfComponents()) +
+        ", expected " + expected);
     const vtkIdType tuples = input.Array->GetNumberOfTuples();
-    if (tuples != 1 && count != 1 && tuples != count)
-    {
-      throw std::invalid_argument(name + ": found " + std::to_string(tuples) +
-                                  " tuples, expected " + std::to_string(count) + ", as " + longest +
-                                  " has, or 1");
-    }
+    const bool isOdd = tuples != 1 && count != 1 && tuples != count;
+    Require(!isOdd, name + ": found " + std::to_string(tuples) + " tuples, expected " +
+                      std::to_string(count) + ", as " + longest + " has, or 1");
     if (tuples != 1)
     {
       count = tuples;
@@ -71,27 +66,20 @@ vtkIdType CountTuples(const std::vector<Tuples>& inputs)
   return count;
 }
 
-/**
- * Resizes the result, of floats or doubles, and lets function(const double* const inputs[2],
- * double* result) fill its tuples, on several threads, each of at least `grain` of them. The result
- * may be one of the one or two inputs. Throws what is wrong with the arrays.
- */
+// Resizes the result, of floats or doubles, and lets function(const double* const inputs[2],
+// double* result) fill its tuples, on several threads, each of at least `grain` of them. The result
+// may be one of the one or two inputs. Throws what is wrong with the arrays.
 template <typename Function>
-void MapTuples(
+void FillTuples(
   std::vector<Tuples> inputs, const Tuples& result, vtkIdType grain, const Function& function)
 {
   const vtkIdType count = CountTuples(inputs);
   const std::string name = result.Name;
   vtkDataArray* const to = result.Array;
-  if (!to)
-  {
-    throw std::invalid_argument(name + ": found no array, expected one to fill");
-  }
-  if (to->GetDataType() != VTK_FLOAT && to->GetDataType() != VTK_DOUBLE)
-  {
-    throw std::invalid_argument(name + ": found an array of type " + to->GetDataTypeAsString() +
-                                ", expected float or double");
-  }
+  Require(to, name + ": found no array, expected one to fill");
+  const bool isReal = to->GetDataType() == VTK_FLOAT || to->GetDataType() == VTK_DOUBLE;
+  Require(isReal,
+    name + ": found an array of type " + to->GetDataTypeAsString() + ", expected float or double");
   std::vector<vtkSmartPointer<vtkDataArray>> copies; // of an input that is the result, too
   for (Tuples& input : inputs)
   {
@@ -131,28 +119,89 @@ void MapTuples(
   to->Modified();
 }
 
-// Whether map() succeeded; says what was wrong.
-template <typename Map>
-bool ForArrays(vtkBRDF* brdf, const char* function, const Map& map)
+// The same of a prepared material; false with an error event where something is wrong.
+template <typename Function>
+bool MapTuples(vtkBRDF* brdf, const char* caller, const std::vector<Tuples>& inputs,
+  const Tuples& result, vtkIdType grain, const Function& function)
 {
-  try
+  const std::string problem = FindProblemOf(
+    [&]()
+    {
+      brdf->Prepare();
+      FillTuples(inputs, result, grain, function);
+    });
+  if (!problem.empty())
   {
-    brdf->Prepare();
-    map();
-    return true;
+    vtkErrorWithObjectMacro(brdf, << caller << ": " << problem << ".");
   }
-  catch (const std::invalid_argument& e)
+  return problem.empty();
+}
+
+//------------------------------------------------------------------------------
+// Reads a material's parameters for people: as far as it has some, with its terms.
+class Reading : public vtkBRDFExchange
+{
+public:
+  explicit Reading(vtkBRDFData& data)
+    : vtkBRDFExchange(data, false)
   {
-    vtkErrorWithObjectMacro(brdf, << function << ": " << e.what() << ".");
-    return false;
+  }
+  void Read(vtkBRDF* brdf)
+  {
+    FindProblemOf([&]() { brdf->ExchangeData(*this); }); // of an empty table, say
+  }
+
+protected:
+  void SaveTerm(vtkBRDF* term, vtkBRDFData& data) override
+  {
+    data.Model = term->GetClassName();
+    Reading(data).Read(term);
+  }
+  void LoadTerm(vtkBRDFData&, const std::function<void(vtkBRDF*)>&) override {}
+};
+
+// "Exponent: 50", the name in upper camel case.
+std::ostream& PrintName(std::ostream& os, vtkIndent indent, std::string name)
+{
+  name[0] = static_cast<char>(std::toupper(name[0]));
+  return os << indent << name << ": ";
+}
+
+void PrintData(const vtkBRDFData& data, std::ostream& os, vtkIndent indent)
+{
+  for (const auto& [name, option] : data.Options)
+  {
+    PrintName(os, indent, name) << option << "\n";
+  }
+  for (const auto& [name, numbers] : data.Numbers)
+  {
+    PrintName(os, indent, name);
+    std::copy(numbers.begin(), numbers.end(), std::ostream_iterator<double>(os, " "));
+    os << "\n";
+  }
+  for (const auto& [name, array] : data.Arrays)
+  {
+    PrintName(os, indent, name);
+    std::copy(array.Shape.begin(), array.Shape.end(), std::ostream_iterator<int>(os, " x "));
+    os << array.Channels << " values\n";
+  }
+  for (const vtkBRDFData& term : data.Terms)
+  {
+    os << indent << "Term: " << term.Model << "\n";
+    PrintData(term, os, indent.GetNextIndent());
   }
 }
 
-void Clean(double f[3])
+// Sets rgb to an integral over the directions above the horizon, of a given one there; else to 0.
+void Integrate(vtkBRDF* brdf, const double given[3], bool overView, double rgb[3])
 {
-  for (int c = 0; c < 3; ++c)
+  rgb[0] = rgb[1] = rgb[2] = 0.0;
+  glm::dvec3 unit;
+  if (ToUpperUnit(given, &unit.x))
   {
-    f[c] = std::isfinite(f[c]) ? std::max(f[c], 0.0) : 0.0;
+    brdf->Prepare();
+    const glm::dvec3 sum = IntegrateBRDF(brdf, unit, overView);
+    std::copy_n(&sum.x, 3, rgb);
   }
 }
 }
@@ -178,6 +227,9 @@ void vtkBRDF::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Name: " << ToPrintable(this->Name) << "\n";
   os << indent << "Source: " << ToPrintable(this->Source) << "\n";
   os << indent << "ResamplingTolerance: " << this->ResamplingTolerance << "\n";
+  vtkBRDFData data;
+  Reading(data).Read(this);
+  PrintData(data, os, indent);
 }
 
 //------------------------------------------------------------------------------
@@ -209,47 +261,30 @@ vtkBRDF* vtkBRDF::NewQuickRenderable()
 //------------------------------------------------------------------------------
 void vtkBRDF::Evaluate(const double i[3], const double o[3], double f[3])
 {
-  f[0] = f[1] = f[2] = 0.0;
-  double iUnit[3], oUnit[3];
-  if (!ToUpperUnit(i, iUnit) || !ToUpperUnit(o, oUnit))
-  {
-    return;
-  }
-  EvaluateTerm(this, iUnit, oUnit, f);
-}
-
-//------------------------------------------------------------------------------
-void vtkBRDF::EvaluateTerm(vtkBRDF* term, const double i[3], const double o[3], double f[3])
-{
-  f[0] = f[1] = f[2] = 0.0;
-  term->EvaluateAbove(i, o, f);
-  Clean(f);
-}
-
-//------------------------------------------------------------------------------
-void vtkBRDF::EvaluateSoftTerm(
-  vtkBRDF* term, const double i[3], const double o[3], double spread, double f[3])
-{
-  f[0] = f[1] = f[2] = 0.0;
-  term->EvaluateSoftAbove(i, o, spread, f);
-  Clean(f);
+  this->EvaluateSoft(i, o, 0.0, f);
 }
 
 //------------------------------------------------------------------------------
 void vtkBRDF::EvaluateSoft(const double i[3], const double o[3], double spread, double f[3])
 {
-  if (!(spread > 0.0))
-  {
-    this->Evaluate(i, o, f);
-    return;
-  }
   f[0] = f[1] = f[2] = 0.0;
   double iUnit[3], oUnit[3];
   if (!ToUpperUnit(i, iUnit) || !ToUpperUnit(o, oUnit))
   {
     return;
   }
-  EvaluateSoftTerm(this, iUnit, oUnit, std::min(spread, 1e6), f);
+  if (spread > 0.0)
+  {
+    this->EvaluateSoftAbove(iUnit, oUnit, std::min(spread, 1e6), f);
+  }
+  else
+  {
+    this->EvaluateAbove(iUnit, oUnit, f);
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    f[c] = std::isfinite(f[c]) ? std::max(f[c], 0.0) : 0.0;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -286,49 +321,33 @@ double vtkBRDF::Pdf(const double i[3], const double o[3])
 //------------------------------------------------------------------------------
 bool vtkBRDF::EvaluateArray(vtkDataArray* i, vtkDataArray* o, vtkDataArray* f)
 {
-  return ForArrays(this, "EvaluateArray",
-    [&]()
-    {
-      MapTuples({ { "i", i, 3 }, { "o", o, 3 } }, { "f", f, 3 }, Grain,
-        [this](const double* const inputs[2], double* result)
-        { this->Evaluate(inputs[0], inputs[1], result); });
-    });
+  return MapTuples(this, "EvaluateArray", { { "i", i, 3 }, { "o", o, 3 } }, { "f", f, 3 }, Grain,
+    [this](const double* const inputs[2], double* result)
+    { this->Evaluate(inputs[0], inputs[1], result); });
 }
 
 //------------------------------------------------------------------------------
 bool vtkBRDF::SampleArray(vtkDataArray* o, vtkDataArray* u, vtkDataArray* i)
 {
-  return ForArrays(this, "SampleArray",
-    [&]()
-    {
-      MapTuples({ { "o", o, 3 }, { "u", u, 2 } }, { "i", i, 3 }, Grain,
-        [this](const double* const inputs[2], double* result)
-        { this->Sample(inputs[0], inputs[1][0], inputs[1][1], result); });
-    });
+  return MapTuples(this, "SampleArray", { { "o", o, 3 }, { "u", u, 2 } }, { "i", i, 3 }, Grain,
+    [this](const double* const inputs[2], double* result)
+    { this->Sample(inputs[0], inputs[1][0], inputs[1][1], result); });
 }
 
 //------------------------------------------------------------------------------
 bool vtkBRDF::PdfArray(vtkDataArray* i, vtkDataArray* o, vtkDataArray* pdf)
 {
-  return ForArrays(this, "PdfArray",
-    [&]()
-    {
-      MapTuples({ { "i", i, 3 }, { "o", o, 3 } }, { "pdf", pdf, 1 }, Grain,
-        [this](const double* const inputs[2], double* result)
-        { *result = this->Pdf(inputs[0], inputs[1]); });
-    });
+  return MapTuples(this, "PdfArray", { { "i", i, 3 }, { "o", o, 3 } }, { "pdf", pdf, 1 }, Grain,
+    [this](const double* const inputs[2], double* result)
+    { *result = this->Pdf(inputs[0], inputs[1]); });
 }
 
 //------------------------------------------------------------------------------
 bool vtkBRDF::GetDirectionalAlbedoArray(vtkDataArray* o, vtkDataArray* albedo)
 {
-  return ForArrays(this, "GetDirectionalAlbedoArray",
-    [&]()
-    {
-      MapTuples({ { "o", o, 3 } }, { "albedo", albedo, 3 }, 1,
-        [this](const double* const inputs[2], double* result)
-        { this->GetDirectionalAlbedo(inputs[0], result); });
-    });
+  return MapTuples(this, "GetDirectionalAlbedoArray", { { "o", o, 3 } }, { "albedo", albedo, 3 }, 1,
+    [this](const double* const inputs[2], double* result)
+    { this->GetDirectionalAlbedo(inputs[0], result); });
 }
 
 //------------------------------------------------------------------------------
@@ -373,13 +392,11 @@ double vtkBRDF::PdfAbove(const double i[3], const double o[3])
 //------------------------------------------------------------------------------
 void vtkBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])
 {
-  albedo[0] = albedo[1] = albedo[2] = 0.0;
-  double oUnit[3];
-  if (!ToUpperUnit(o, oUnit))
-  {
-    return;
-  }
-  this->Prepare();
-  const glm::dvec3 sum = IntegrateBRDF(this, glm::make_vec3(oUnit), false);
-  std::copy_n(&sum.x, 3, albedo);
+  Integrate(this, o, false, albedo);
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDF::GetReflectance(const double i[3], double reflectance[3])
+{
+  Integrate(this, i, true, reflectance);
 }

@@ -86,6 +86,12 @@ public:
    */
   virtual void GetDirectionalAlbedo(const double o[3], double albedo[3]);
 
+  /**
+   * Directional-hemispherical reflectance r(i) = integral of f(i,o) cos(theta_o) do, RGB: the share
+   * of light from i that is reflected. As exact; equal to the albedo where f is reciprocal.
+   */
+  virtual void GetReflectance(const double i[3], double reflectance[3]);
+
   ///@{
   /**
    * Evaluate, Sample, Pdf and GetDirectionalAlbedo of n directions or pairs in one call, on several
@@ -105,12 +111,6 @@ public:
   bool PdfArray(vtkDataArray* i, vtkDataArray* o, vtkDataArray* pdf);
   bool GetDirectionalAlbedoArray(vtkDataArray* o, vtkDataArray* albedo);
   ///@}
-
-  /**
-   * Bounds on each channel of f over all pairs whose cosines are both at least minimumCosine (in
-   * (0,1]): lower <= f <= upper. Conservative, not tight.
-   */
-  virtual void GetBounds(double minimumCosine, double lower[3], double upper[3]) = 0;
 
   /**
    * Whether f only depends on the difference of the azimuths.
@@ -174,7 +174,7 @@ public:
   ///@{
   /**
    * For files: the model's name ("Lambert"), and its parameters, each named once, so that they can
-   * be saved and loaded. A program's own model overrides both and is given to
+   * be saved, loaded and printed. A program's own model overrides both and is given to
    * vtkBRDFModels::Register. Default: no name, not stored. Name, Source and ResamplingTolerance are
    * stored without being named.
    */
@@ -202,16 +202,6 @@ protected:
    * The same for light of the given spread, in (0, 1e6]; default: EvaluateAbove.
    */
   virtual void EvaluateSoftAbove(const double i[3], const double o[3], double spread, double f[3]);
-
-  ///@{
-  /**
-   * Evaluate and EvaluateSoft of another BRDF, for a sum. i and o must be unit vectors above the
-   * horizon.
-   */
-  static void EvaluateTerm(vtkBRDF* term, const double i[3], const double o[3], double f[3]);
-  static void EvaluateSoftTerm(
-    vtkBRDF* term, const double i[3], const double o[3], double spread, double f[3]);
-  ///@}
 
   ///@{
   /**

@@ -77,6 +77,13 @@ void vtkBRDFExchange::Triple(
 }
 
 //------------------------------------------------------------------------------
+void vtkBRDFExchange::Flag(
+  const std::string& name, bool value, const std::function<void(bool)>& set)
+{
+  this->Option(name, { "off", "on" }, value ? 1 : 0, [&set](int on) { set(on == 1); });
+}
+
+//------------------------------------------------------------------------------
 void vtkBRDFExchange::Option(const std::string& name, const std::vector<std::string>& choices,
   int value, const std::function<void(int)>& set)
 {
@@ -137,8 +144,8 @@ vtkBRDFData::Array vtkBRDFExchange::LoadArray(
 }
 
 //------------------------------------------------------------------------------
-void vtkBRDFExchange::Terms(const std::vector<vtkSmartPointer<vtkBRDF>>& terms, int maximum,
-  const std::function<void(vtkBRDF*)>& add)
+void vtkBRDFExchange::Terms(
+  const std::vector<vtkBRDF*>& terms, int maximum, const std::function<void(vtkBRDF*)>& add)
 {
   this->Named = true;
   if (!this->Loading)
@@ -156,6 +163,6 @@ void vtkBRDFExchange::Terms(const std::vector<vtkSmartPointer<vtkBRDF>>& terms, 
   }
   for (vtkBRDFData& data : this->Data.Terms)
   {
-    add(this->LoadTerm(data));
+    this->LoadTerm(data, add);
   }
 }

@@ -15,15 +15,15 @@
 #ifndef vtkBRDFExchange_h
 #define vtkBRDFExchange_h
 
-#include "vtkBRDF.h"               // for Terms
 #include "vtkBRDFData.h"           // for LoadArray
 #include "vtkMeasuredBRDFModule.h" // for export macro
-#include "vtkSmartPointer.h"       // for Terms
 
 #include <cstddef>    // for LoadArray
 #include <functional> // for setters
 #include <string>     // for names
 #include <vector>     // for arrays
+
+class vtkBRDF;
 
 class VTKMEASUREDBRDF_EXPORT vtkBRDFExchange
 {
@@ -49,7 +49,11 @@ public:
     const std::function<void(const double*)>& set);
   ///@}
 
-  /// One of a few choices, by its index; other texts in the data are problems.
+  ///@{
+  /**
+   * One of a few choices, by its index, or "off" and "on"; other texts in the data are problems.
+   */
+  void Flag(const std::string& name, bool value, const std::function<void(bool)>& set);
   void Option(const std::string& name, const std::vector<std::string>& choices, int value,
     const std::function<void(int)>& set);
 
@@ -68,8 +72,8 @@ public:
   bool HasNamed() const { return this->Named; }
 
   /// The materials of which this one is made; add is called for each one that was loaded.
-  void Terms(const std::vector<vtkSmartPointer<vtkBRDF>>& terms, int maximum,
-    const std::function<void(vtkBRDF*)>& add);
+  void Terms(
+    const std::vector<vtkBRDF*>& terms, int maximum, const std::function<void(vtkBRDF*)>& add);
 
   ///@{
   /**
@@ -85,7 +89,7 @@ protected:
    * For Terms.
    */
   virtual void SaveTerm(vtkBRDF* term, vtkBRDFData& data) = 0;
-  virtual vtkSmartPointer<vtkBRDF> LoadTerm(vtkBRDFData& data) = 0;
+  virtual void LoadTerm(vtkBRDFData& data, const std::function<void(vtkBRDF*)>& add) = 0;
   ///@}
 
 private:

@@ -4,7 +4,9 @@
 
 #include "ContentHash.h"
 #include "Printable.h"
+#include "Refusal.h"
 #include "Registry.h"
+#include "ScopedErrorCapture.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAngleBasisBRDF.h"
 #include "vtkAngularTableBRDF.h"
@@ -14,7 +16,6 @@
 #include "vtkBRDFExchange.h"
 #include "vtkBasisBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
-#include "vtkCallbackCommand.h"
 #include "vtkDistributionBRDF.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
@@ -24,16 +25,16 @@
 #include "vtkTensorTreeBRDF.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
-#include <stdexcept>
 #include <typeinfo>
+
+using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkBRDFModels);
 
 namespace
 {
-using measuredbrdf::Quote;
-using measuredbrdf::Registry;
 using Models = Registry<vtkBRDF>::Items;
 
 constexpr int MaximumDepth = 16; // of terms in terms
@@ -62,42 +63,14 @@ vtkSmartPointer<vtkBRDF> FindModel(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-// Keeps a material from complaining on its own: the exchange says what is wrong.
-class Silence
-{
-public:
-  explicit Silence(vtkObject* object)
-    : Object(object)
-  {
-    this->Tags[0] = object->AddObserver(vtkCommand::ErrorEvent, this->Command);
-    this->Tags[1] = object->AddObserver(vtkCommand::WarningEvent, this->Command);
-  }
-  ~Silence()
-  {
-    this->Object->RemoveObserver(this->Tags[0]);
-    this->Object->RemoveObserver(this->Tags[1]);
-  }
-  Silence(const Silence&) = delete;
-  void operator=(const Silence&) = delete;
-
-private:
-  vtkNew<vtkCallbackCommand> Command; // does nothing
-  vtkObject* Object;
-  unsigned long Tags[2];
-};
-
-//------------------------------------------------------------------------------
 // Knows how deep in terms it is. What it does throws std::runtime_error.
 class Exchange : public vtkBRDFExchange
 {
 public:
   static void Save(int depth, vtkBRDF* brdf, vtkBRDFData& data)
   {
-    CheckDepth(depth);
-    if (!brdf)
-    {
-      throw std::runtime_error("there is no material");
-    }
+    Require(depth <= MaximumDepth, "terms are nested too deeply");
+    Require(brdf, "there is no material");
     // A subclass is another material, even if it has its superclass's parameters.
     const auto model = FindModel(
       [brdf](const auto& other)
@@ -105,12 +78,8 @@ public:
         const vtkBRDF& object = *other;
         return typeid(object) == typeid(*brdf);
       });
-    if (!model)
-    {
-      throw std::runtime_error(
-        std::string(brdf->GetClassName()) +
-        " has no form in this format (vtkBRDFModels::Register gives it one)");
-    }
+    Require(model, std::string(brdf->GetClassName()) +
+                     " has no form in this format (vtkBRDFModels::Register gives it one)");
     data = {};
     data.Model = model->GetModelName();
     data.Name = brdf->GetName();
@@ -120,15 +89,13 @@ public:
 
   static vtkSmartPointer<vtkBRDF> Load(int depth, vtkBRDFData& data)
   {
-    CheckDepth(depth);
+    Require(depth <= MaximumDepth, "terms are nested too deeply");
     const auto model = FindModel(data.Model);
-    if (!model)
-    {
-      throw std::runtime_error(
-        "unknown model " + Quote(data.Model) + ", expected " + vtkBRDFModels::GetNames());
-    }
+    Require(
+      model, "unknown model " + Quote(data.Model) + ", expected " + vtkBRDFModels::GetNames());
     auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkBRDF::SafeDownCast(model->NewInstance()));
-    const Silence silence(brdf);
+    const ScopedErrorCapture errors(brdf); // the exchange says what is wrong
+    const ScopedErrorCapture warnings(brdf, vtkCommand::WarningEvent);
     Exchange(data, true, depth).ExchangeAll(brdf);
     brdf->SetName(data.Name);
     brdf->SetSource(data.Source);
@@ -137,9 +104,9 @@ public:
 
 protected:
   void SaveTerm(vtkBRDF* term, vtkBRDFData& data) override { Save(this->Depth + 1, term, data); }
-  vtkSmartPointer<vtkBRDF> LoadTerm(vtkBRDFData& data) override
+  void LoadTerm(vtkBRDFData& data, const std::function<void(vtkBRDF*)>& add) override
   {
-    return Load(this->Depth + 1, data);
+    add(Load(this->Depth + 1, data));
   }
 
 private:
@@ -149,21 +116,11 @@ private:
   {
   }
 
-  static void CheckDepth(int depth)
-  {
-    if (depth > MaximumDepth)
-    {
-      throw std::runtime_error("terms are nested too deeply");
-    }
-  }
-
   void ExchangeAll(vtkBRDF* brdf)
   {
     brdf->ExchangeData(*this);
-    if (!this->HasNamed())
-    {
-      this->Fail("the model names no parameters (vtkBRDF::ExchangeData does)");
-    }
+    this->Check(
+      this->HasNamed() ? "" : "the model names no parameters (vtkBRDF::ExchangeData does)");
     double tolerance = brdf->GetResamplingTolerance();
     this->Number("resamplingTolerance", tolerance,
       [&](double value)
@@ -177,23 +134,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// "", or what work threw.
-template <typename Work>
-std::string FindProblemOf(const Work& work)
-{
-  try
-  {
-    work();
-    return "";
-  }
-  catch (const std::runtime_error& e)
-  {
-    return e.what();
-  }
-}
-
-//------------------------------------------------------------------------------
-void AddData(measuredbrdf::ContentHash& hash, const vtkBRDFData& data)
+void AddData(ContentHash& hash, const vtkBRDFData& data)
 {
   hash.AddText(data.Model);
   for (const auto& [name, option] : data.Options)
@@ -231,25 +172,21 @@ bool IsName(const std::string& name)
 //------------------------------------------------------------------------------
 bool vtkBRDFModels::Register(vtkBRDF* model)
 {
-  if (!model)
+  const std::string problem = FindProblemOf(
+    [model]()
+    {
+      Require(model, "there is no model");
+      const std::string name = model->GetModelName();
+      Require(
+        IsName(name), "found the name " + Quote(name) + ", expected letters, digits and hyphens");
+      Require(GetRegistry().Add(model, [](vtkBRDF* other) { return other->GetModelName(); }),
+        "a model is called '" + name + "' already; expected another name");
+    });
+  if (!problem.empty())
   {
-    vtkGenericWarningMacro("vtkBRDFModels::Register: there is no model.");
-    return false;
+    vtkGenericWarningMacro("vtkBRDFModels::Register: " << problem << ".");
   }
-  const std::string name = model->GetModelName();
-  if (!IsName(name))
-  {
-    vtkGenericWarningMacro("vtkBRDFModels::Register: found the name "
-                           << Quote(name) << ", expected letters, digits and hyphens.");
-    return false;
-  }
-  if (!GetRegistry().Add(model, [](vtkBRDF* other) { return other->GetModelName(); }))
-  {
-    vtkGenericWarningMacro("vtkBRDFModels::Register: a model is called '"
-                           << name << "' already; expected another name.");
-    return false;
-  }
-  return true;
+  return problem.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -261,8 +198,7 @@ std::vector<vtkSmartPointer<vtkBRDF>> vtkBRDFModels::GetModels() { return GetReg
 //------------------------------------------------------------------------------
 std::string vtkBRDFModels::GetNames()
 {
-  return measuredbrdf::JoinNames(
-    GetModels(), [](const auto& model) { return model->GetModelName(); });
+  return JoinNames(GetModels(), [](const auto& model) { return model->GetModelName(); });
 }
 
 //------------------------------------------------------------------------------
@@ -286,7 +222,7 @@ std::string vtkBRDFModels::GetContentKey(vtkBRDF* brdf)
   {
     return "";
   }
-  measuredbrdf::ContentHash hash;
+  ContentHash hash;
   AddData(hash, data);
   return hash.GetText();
 }

@@ -16,11 +16,9 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <numeric>
 
 using namespace measuredbrdf;
@@ -51,8 +49,8 @@ constexpr Zone Hemisphere = { 1.0, 0.0 };
 
 Zone ToZone(const double degrees[2])
 {
-  return { std::cos(degrees[0] * (Pi / 180.0)),
-    degrees[1] < 90.0 ? std::cos(degrees[1] * (Pi / 180.0)) : 0.0 };
+  return { std::cos(ToRadians(degrees[0])),
+    degrees[1] < 90.0 ? std::cos(ToRadians(degrees[1])) : 0.0 };
 }
 
 // Pairs number first + 1 ... first + count of a fixed sequence, of directions in two zones. The
@@ -154,7 +152,6 @@ std::vector<char> FindCells(const std::vector<Probe>& probes, const int size[3],
 
 //------------------------------------------------------------------------------
 measuredbrdfSetClampedMacro(vtkBRDFResampler, Tolerance, double, 1e-6, 1.0);
-measuredbrdfSetClampedMacro(vtkBRDFResampler, MaximumNumberOfCells, vtkIdType, 64, 1 << 26);
 
 //------------------------------------------------------------------------------
 void vtkBRDFResampler::PrintSelf(ostream& os, vtkIndent indent)
@@ -162,7 +159,6 @@ void vtkBRDFResampler::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Input: " << this->Input.Get() << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
   os << indent << "Reciprocal: " << (this->Reciprocal ? "On" : "Off") << "\n";
   os << indent << "Output: " << this->Output.Get() << "\n";
 }
@@ -207,23 +203,15 @@ bool vtkBRDFResampler::Resample()
   }
   const std::vector<Probe> probes = MakeProbes(this->Input, 0, ChoosingProbes);
   double error = std::numeric_limits<double>::max();
-  int best[3] = { 0, 0, 0 };
-  std::map<std::array<int, 3>, double> known; // sizes' errors
+  int best[3] = { this->Reciprocal ? 8 : 16, 16, 32 };
   // The best size so far, or (trimming) any that meets the tolerance. Only the cells are evaluated
   // that the pairs read, a few of a large table's.
   const auto attempt = [&](const int size[3], bool trimming)
   {
-    const std::array<int, 3> key = { size[0], size[1], size[2] };
-    const auto before = known.find(key);
-    if (before != known.end() && before->second > this->Tolerance)
-    {
-      return false;
-    }
     vtkNew<vtkTabulatedBRDF> table;
     const std::vector<char> wanted = FindCells(probes, size, this->Reciprocal);
     FillHalfDifference(this->Input, this->Reciprocal, size, table, &wanted);
     const double tableError = Compare(probes, table);
-    known[key] = tableError;
     const bool better = trimming ? tableError <= this->Tolerance : tableError < error;
     if (better)
     {
@@ -242,13 +230,13 @@ bool vtkBRDFResampler::Resample()
   for (const int* step : ladder)
   {
     const int size[3] = { this->Reciprocal ? step[0] / 2 : step[0], step[1], step[2] };
-    if (error > this->Tolerance &&
-        static_cast<vtkIdType>(size[0]) * size[1] * size[2] <= this->MaximumNumberOfCells)
+    if (error > this->Tolerance)
     {
       attempt(size, false);
     }
   }
-  // Down again: halve whichever axis can spare it.
+  // Down again: halve each axis for as long as it can be spared.
+  bool isSpare[3] = { true, true, true };
   for (bool trimmed = error <= this->Tolerance; trimmed;)
   {
     trimmed = false;
@@ -256,13 +244,11 @@ bool vtkBRDFResampler::Resample()
     {
       int size[3] = { best[0], best[1], best[2] };
       size[axis] /= 2;
-      trimmed = (size[axis] >= 8 && attempt(size, true)) || trimmed;
+      isSpare[axis] = isSpare[axis] && size[axis] >= 8 && attempt(size, true);
+      trimmed = trimmed || isSpare[axis];
     }
   }
-  if (best[0] > 0)
-  {
-    FillHalfDifference(this->Input, this->Reciprocal, best, this->Output);
-  }
+  FillHalfDifference(this->Input, this->Reciprocal, best, this->Output);
   // The probes that chose the size flatter it: fresh ones report.
   error = Compare(MakeProbes(this->Input, ChoosingProbes, ReportingProbes), this->Output);
   this->Output->SetResamplingError(error);

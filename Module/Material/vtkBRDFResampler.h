@@ -52,14 +52,6 @@ public:
 
   ///@{
   /**
-   * Largest volume Resample() may choose, in cells; default 2^20 (6 MB as 16-bit RGB).
-   */
-  virtual void SetMaximumNumberOfCells(vtkIdType maximumNumberOfCells);
-  vtkGetMacro(MaximumNumberOfCells, vtkIdType);
-  ///@}
-
-  ///@{
-  /**
    * Whether the output is reciprocal by construction; default off.
    */
   vtkSetMacro(Reciprocal, bool);
@@ -68,9 +60,10 @@ public:
   ///@}
 
   /**
-   * Try larger and larger sizes until one meets the tolerance, then halve every axis for which the
-   * tolerance still holds. Returns whether the tolerance was met; if not, the output is the best
-   * size tried. Raises ProgressEvent (calldata: double*) between tries.
+   * Try larger and larger sizes, up to 2^20 cells (6 MB as 16-bit RGB), until one meets the
+   * tolerance, then halve every axis for which the tolerance still holds. Returns whether the
+   * tolerance was met; if not, the output is the best size tried. Raises ProgressEvent (calldata:
+   * double*) between tries.
    */
   bool Resample();
 
@@ -120,7 +113,6 @@ protected:
   vtkSmartPointer<vtkBRDF> Input;
   vtkNew<vtkTabulatedBRDF> Output;
   double Tolerance = 0.01;
-  vtkIdType MaximumNumberOfCells = 1 << 20;
   bool Reciprocal = false;
 
 private:

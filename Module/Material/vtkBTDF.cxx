@@ -5,10 +5,10 @@
 #include "HalfVector.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
-#include "ReflectionIntegral.h"
 #include "vtkObjectFactory.h"
 
-#include <glm/glm.hpp>
+#define GLM_ENABLE_EXPERIMENTAL
+#include <glm/gtx/component_wise.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -110,11 +110,8 @@ void vtkBTDF::Integrate(const double direction[3], bool isLight, double rgb[3])
     return;
   }
   const bool overView = isLight != values.IsExchanged; // of the folded values
-  values.Folded->Prepare();
-  const glm::dvec3 sum =
-    IntegrateReflection(values.Folded, glm::dvec3(fixed[0], fixed[1], fixed[2]),
-      overView ? IntegralOver::Views : IntegralOver::Lights);
-  std::copy_n(&sum.x, 3, rgb);
+  overView ? values.Folded->GetReflectance(fixed, rgb)
+           : values.Folded->GetDirectionalAlbedo(fixed, rgb);
 }
 
 //------------------------------------------------------------------------------
@@ -149,11 +146,8 @@ double vtkBTDF::GetReciprocityError()
     glm::dvec3 exchanged;
     this->Evaluate(&i.x, &o.x, &f.x);
     this->Evaluate(&o.x, &i.x, &exchanged.x);
-    for (int c = 0; c < 3; ++c)
-    {
-      difference += std::abs(f[c] - exchanged[c]);
-      sum += f[c];
-    }
+    difference += glm::compAdd(glm::abs(f - exchanged));
+    sum += glm::compAdd(f);
   }
   return sum > 0.0 ? difference / sum : 0.0;
 }

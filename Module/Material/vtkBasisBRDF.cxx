@@ -9,6 +9,7 @@
 #include "ModuleShader.h"
 #include "Neighbors.h"
 #include "NumberText.h"
+#include "Refusal.h"
 #include "Setters.h"
 #include "vtkBRDFBasis.h"
 #include "vtkBRDFExchange.h"
@@ -21,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <vector>
 
@@ -32,6 +34,11 @@ namespace
 {
 constexpr double MinimumCosine = 0.01; // that a sum is divided by; the shader has the same
 
+bool IsBasis(int basis)
+{
+  return basis >= vtkBasisBRDF::SPHERICAL_HARMONICS && basis <= vtkBasisBRDF::LEGENDRE_FOURIER;
+}
+
 bool HasZone(int basis)
 {
   return basis == vtkBasisBRDF::ZONAL || basis == vtkBasisBRDF::LEGENDRE_FOURIER;
@@ -39,17 +46,10 @@ bool HasZone(int basis)
 
 BasisFunctions MakeFunctions(int basis, int order, const double zone[2])
 {
-  const bool fourier = basis == vtkBasisBRDF::LEGENDRE_FOURIER;
-  switch (basis)
-  {
-    case vtkBasisBRDF::SPHERICAL_HARMONICS:
-      return BasisFunctions(false, order, 1.0, -1.0);
-    case vtkBasisBRDF::HEMISPHERICAL:
-      return BasisFunctions(false, order, 1.0, 0.0);
-    default:
-      return BasisFunctions(
-        fourier, order, std::cos(ToRadians(zone[0])), std::cos(ToRadians(zone[1])));
-  }
+  return HasZone(basis) ? BasisFunctions(basis == vtkBasisBRDF::LEGENDRE_FOURIER, order,
+                            std::cos(ToRadians(zone[0])), std::cos(ToRadians(zone[1])))
+                        : BasisFunctions(false, order, 1.0,
+                            basis == vtkBasisBRDF::SPHERICAL_HARMONICS ? -1.0 : 0.0);
 }
 
 double GetTurn(double y, double x) { return std::atan2(y, x) / (2.0 * Pi); }
@@ -196,21 +196,6 @@ vtkBasisBRDF::~vtkBasisBRDF() = default;
 measuredbrdfSetClampedMacro(vtkBasisBRDF, ResamplingError, double, 0.0, 1e6);
 
 //------------------------------------------------------------------------------
-void vtkBasisBRDF::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Basis: " << GetBasisName(this->Basis) << "\n";
-  os << indent << "Order: " << this->Order << "\n";
-  os << indent << "IncidentZone: " << this->IncidentZone[0] << " " << this->IncidentZone[1] << "\n";
-  os << indent << "OutgoingZone: " << this->OutgoingZone[0] << " " << this->OutgoingZone[1] << "\n";
-  os << indent << "NumberOfTheta: " << this->NumberOfTheta << "\n";
-  os << indent << "NumberOfPhi: " << this->NumberOfPhi << "\n";
-  os << indent << "IncidentCosine: " << (this->IncidentCosine ? "On" : "Off") << "\n";
-  os << indent << "OutgoingCosine: " << (this->OutgoingCosine ? "On" : "Off") << "\n";
-  os << indent << "ResamplingError: " << this->ResamplingError << "\n";
-}
-
-//------------------------------------------------------------------------------
 std::string vtkBasisBRDF::FindZoneProblem(const double zone[2])
 {
   if (zone[0] >= 0.0 && zone[0] <= MaximumZoneBegin && zone[0] + MinimumZoneWidth <= zone[1] &&
@@ -228,69 +213,59 @@ std::string vtkBasisBRDF::FindZoneProblem(const double zone[2])
 //------------------------------------------------------------------------------
 std::string vtkBasisBRDF::FindSizeProblem(int order, int nTheta, int nPhi)
 {
-  if (order < 0 || order > MaximumOrder)
+  const int most = MaximumNumberOfValues, mostOrder = MaximumOrder; // no references to constants
+  if (order < 0 || order > mostOrder)
   {
-    return "order " + std::to_string(order) + ", expected 0 to " + std::to_string(MaximumOrder);
+    return "order " + std::to_string(order) + ", expected 0 to " + std::to_string(mostOrder);
   }
+  const std::string samples =
+    std::to_string(nTheta) + " x " + std::to_string(nPhi) + " samples of o";
   if (nTheta < 2 || nTheta > 1024 || nPhi < 1 || nPhi > 1024)
   {
-    return std::to_string(nTheta) + " x " + std::to_string(nPhi) +
-           " samples of o, expected 2 to 1024 x 1 to 1024";
+    return samples + ", expected 2 to 1024 x 1 to 1024";
   }
   const std::int64_t functions = (order + 1) * (order + 1);
   const std::int64_t values = 3 * functions * nTheta * nPhi;
-  if (values > MaximumNumberOfValues)
-  {
-    return std::to_string(functions) + " functions x " + std::to_string(nTheta) + " x " +
-           std::to_string(nPhi) + " samples of o are " + std::to_string(values) +
-           " coefficients, expected at most " + std::to_string(MaximumNumberOfValues);
-  }
-  return "";
+  return values <= most
+           ? ""
+           : std::to_string(functions) + " functions x " + samples + " are " +
+               std::to_string(values) + " coefficients, expected at most " + std::to_string(most);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkBasisBRDF::SetCoefficients(int basis, int order, const double incidentZone[2],
   const double outgoingZone[2], int nTheta, int nPhi, std::vector<float> rgb)
 {
-  if (basis < SPHERICAL_HARMONICS || basis > LEGENDRE_FOURIER)
-  {
-    return "basis " + std::to_string(basis) + " is unknown";
-  }
-  std::string sizeProblem = FindSizeProblem(order, nTheta, nPhi);
-  if (!sizeProblem.empty())
-  {
-    return sizeProblem;
-  }
-  const bool ownZone = HasZone(basis);
-  const double incident[2] = { ownZone ? incidentZone[0] : 0.0, ownZone ? incidentZone[1] : 90.0 };
-  for (const double* zone : { incident, outgoingZone })
-  {
-    std::string problem = FindZoneProblem(zone);
-    if (!problem.empty())
+  const double hemisphere[2] = { 0.0, 90.0 };
+  const double* incident = HasZone(basis) ? incidentZone : hemisphere;
+  const std::string problem = FindProblemOf(
+    [&]()
     {
-      return problem;
-    }
-  }
-  const std::size_t count = static_cast<std::size_t>((order + 1) * (order + 1)) *
-                            static_cast<std::size_t>(nTheta) * static_cast<std::size_t>(nPhi);
-  if (rgb.size() != 3 * count)
+      Require(IsBasis(basis), "basis " + std::to_string(basis) + " is unknown");
+      for (const std::string& each : { FindSizeProblem(order, nTheta, nPhi),
+             FindZoneProblem(incident), FindZoneProblem(outgoingZone) })
+      {
+        Require(each.empty(), each);
+      }
+      const int count = 3 * (order + 1) * (order + 1) * nTheta * nPhi;
+      Require(rgb.size() == static_cast<std::size_t>(count),
+        std::to_string(rgb.size()) + " coefficients, expected " + std::to_string(count));
+      Require(std::all_of(rgb.begin(), rgb.end(), [](float v) { return std::isfinite(v); }),
+        "a coefficient is NaN or infinite");
+    });
+  if (problem.empty())
   {
-    return std::to_string(rgb.size()) + " coefficients, expected " + std::to_string(3 * count);
+    this->Basis = basis;
+    this->Order = order;
+    std::copy_n(incident, 2, this->IncidentZone);
+    std::copy_n(outgoingZone, 2, this->OutgoingZone);
+    this->NumberOfTheta = nTheta;
+    this->NumberOfPhi = nPhi;
+    this->Coefficients = std::move(rgb);
+    this->Cached.reset();
+    this->Modified();
   }
-  if (!std::all_of(rgb.begin(), rgb.end(), [](float v) { return std::isfinite(v); }))
-  {
-    return "a coefficient is NaN or infinite";
-  }
-  this->Basis = basis;
-  this->Order = order;
-  std::copy_n(incident, 2, this->IncidentZone);
-  std::copy_n(outgoingZone, 2, this->OutgoingZone);
-  this->NumberOfTheta = nTheta;
-  this->NumberOfPhi = nPhi;
-  this->Coefficients = std::move(rgb);
-  this->Cached.reset();
-  this->Modified();
-  return "";
+  return problem;
 }
 
 //------------------------------------------------------------------------------
@@ -298,15 +273,15 @@ std::string vtkBasisBRDF::GetBasisName(int basis)
 {
   static const char* const names[] = { "spherical harmonics", "hemispherical", "zonal",
     "Legendre x Fourier" };
-  return basis >= SPHERICAL_HARMONICS && basis <= LEGENDRE_FOURIER ? names[basis] : "unknown";
+  return IsBasis(basis) ? names[basis] : "unknown";
 }
 
 //------------------------------------------------------------------------------
 std::vector<double> vtkBasisBRDF::EvaluateBasis(
   int basis, int order, const double zone[2], const double direction[3])
 {
-  if (basis < SPHERICAL_HARMONICS || basis > LEGENDRE_FOURIER || order < 0 ||
-      order > MaximumOrder || (HasZone(basis) && !FindZoneProblem(zone).empty()))
+  if (!IsBasis(basis) || order < 0 || order > MaximumOrder ||
+      (HasZone(basis) && !FindZoneProblem(zone).empty()))
   {
     return {};
   }
@@ -409,36 +384,6 @@ void vtkBasisBRDF::Prepare()
 }
 
 //------------------------------------------------------------------------------
-void vtkBasisBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
-{
-  // Those of the sums, over the least of the cosines that they are divided by.
-  std::fill_n(lower, 3, 0.0);
-  std::fill_n(upper, 3, 0.0);
-  if (this->Coefficients.empty())
-  {
-    return;
-  }
-  const Tables& tables = this->GetTables();
-  double divisor = 1.0;
-  if (this->IncidentCosine)
-  {
-    divisor *= std::max(std::min(minimumCosine, tables.Functions.GetNear()), MinimumCosine);
-  }
-  if (this->OutgoingCosine)
-  {
-    const double near = std::cos(ToRadians(this->OutgoingZone[0]));
-    divisor *= std::max(std::min(minimumCosine, near), MinimumCosine);
-  }
-  // sum |C_k| max |B_k|
-  const Eigen::VectorXf sums =
-    tables.Coefficients.cwiseAbs().transpose() * tables.Basis.cwiseAbs().rowwise().maxCoeff();
-  for (Eigen::Index k = 0; k < sums.size(); ++k)
-  {
-    upper[k % 3] = std::max(upper[k % 3], sums[k] / divisor);
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkBasisBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
   if (this->Coefficients.empty())
@@ -477,34 +422,29 @@ void vtkBasisBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   vtkBRDFShaderInputs::Term term;
   SetModuleShader(term, "vtkBRDFBasis", vtkBRDFBasis);
   term.Constants.push_back({ "BRDF_BASIS_FUNCTIONS", std::to_string(n) });
-  const auto number = [](double v) { return static_cast<float>(v); };
+  const auto add = [&term](const char* name, std::initializer_list<double> values) {
+    term.Uniforms.push_back({ name, std::vector<float>(values.begin(), values.end()) });
+  };
   const double begin = ToRadians(this->OutgoingZone[0]);
   const double end = ToRadians(this->OutgoingZone[1]);
-  term.Uniforms.push_back({ "brdfScale", { 1.0f / scale } });
-  term.Uniforms.push_back({ "brdfIsotropic", { this->NumberOfPhi == 1 ? 1.0f : 0.0f } });
+  add("brdfScale", { 1.0f / scale });
+  add("brdfIsotropic", { this->NumberOfPhi == 1 ? 1.0 : 0.0 });
   // The basis's domain: its near cosine, the square of that angle's sine, and the way to the far
   // cosine; acos(x) in the table in right angles, halved.
   const double near = tables.Functions.GetNear();
-  term.Uniforms.push_back({ "brdfIncidentZone",
-    { number(near), number(1.0 - near * near), number(near - tables.Functions.GetFar()) } });
-  term.Uniforms.push_back({ "brdfGammaRange", { number(tables.GammaRange / Pi) } });
+  add("brdfIncidentZone", { near, 1.0 - near * near, near - tables.Functions.GetFar() });
+  add("brdfGammaRange", { tables.GammaRange / Pi });
   // In right angles, and the two cosines.
-  term.Uniforms.push_back({ "brdfOutgoingZone",
-    { number(begin * 2.0 / Pi), number(1.0 / ((end - begin) * 2.0 / Pi)), 0.0f } });
+  add("brdfOutgoingZone", { begin * 2.0 / Pi, 1.0 / ((end - begin) * 2.0 / Pi), 0.0 });
   // Limits of the cosines that the sum is divided by; both 1: it carries none.
   const double far = this->Basis == SPHERICAL_HARMONICS ? 0.0 : tables.Functions.GetFar();
-  const auto limits = [&number](bool carried, double low, double high) -> std::vector<float>
+  const auto addLimits = [&add](const char* name, bool carried, double low, double high)
   {
-    if (!carried)
-    {
-      return { 1.0f, 1.0f, 0.0f };
-    }
-    return { number(std::max(low, MinimumCosine)), number(std::max(high, MinimumCosine)), 0.0f };
+    add(name, { carried ? std::max(low, MinimumCosine) : 1.0,
+                carried ? std::max(high, MinimumCosine) : 1.0, 0.0 });
   };
-  term.Uniforms.push_back(
-    { "brdfIncidentCosine", limits(this->IncidentCosine, far, tables.Functions.GetNear()) });
-  term.Uniforms.push_back(
-    { "brdfOutgoingCosine", limits(this->OutgoingCosine, std::cos(end), std::cos(begin)) });
+  addLimits("brdfIncidentCosine", this->IncidentCosine, far, near);
+  addLimits("brdfOutgoingCosine", this->OutgoingCosine, std::cos(end), std::cos(begin));
 
   TextStream text;
   text << GetBasisName(this->Basis) << " basis of order " << this->Order << " (" << n
@@ -525,11 +465,10 @@ void vtkBasisBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 //------------------------------------------------------------------------------
 void vtkBasisBRDF::ExchangeData(vtkBRDFExchange& exchange)
 {
-  const std::vector<std::string> onOff = { "off", "on" };
-  exchange.Option("incidentCosine", onOff, this->IncidentCosine,
-    [this](int on) { this->SetIncidentCosine(on == 1); });
-  exchange.Option("outgoingCosine", onOff, this->OutgoingCosine,
-    [this](int on) { this->SetOutgoingCosine(on == 1); });
+  exchange.Flag(
+    "incidentCosine", this->IncidentCosine, [this](bool on) { this->SetIncidentCosine(on); });
+  exchange.Flag(
+    "outgoingCosine", this->OutgoingCosine, [this](bool on) { this->SetOutgoingCosine(on); });
   exchange.Number("resamplingError", this->ResamplingError,
     [this](double value) { this->SetResamplingError(value); });
   int basis = this->Basis;

@@ -43,7 +43,6 @@ class VTKMEASUREDBRDF_EXPORT vtkBasisBRDF : public vtkBRDF
 public:
   static vtkBasisBRDF* New();
   vtkTypeMacro(vtkBasisBRDF, vtkBRDF);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum BasisType
   {
@@ -159,7 +158,6 @@ public:
    */
   double GetNegativeMass(const double incident[2], const double outgoing[2], int pairs = 1 << 14);
 
-  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return this->NumberOfPhi == 1; }
   bool IsReciprocal() override { return false; }
   void Prepare() override;

@@ -23,15 +23,6 @@ measuredbrdfSetClampedMacro(vtkBlinnPhongBRDF, Exponent, double, 0.0, 1e6);
 measuredbrdfSetFinite3Macro(vtkBlinnPhongBRDF, Specular);
 
 //------------------------------------------------------------------------------
-void vtkBlinnPhongBRDF::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Specular: " << this->Specular[0] << " " << this->Specular[1] << " "
-     << this->Specular[2] << "\n";
-  os << indent << "Exponent: " << this->Exponent << "\n";
-}
-
-//------------------------------------------------------------------------------
 void vtkBlinnPhongBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
 {
   this->EvaluateSoftAbove(i, o, 0.0, f);
@@ -72,17 +63,6 @@ double vtkBlinnPhongBRDF::PdfAbove(const double i[3], const double o[3])
   const double s = h.x * h.x + h.y * h.y;
   return (this->Exponent + 1.0) / (2.0 * Pi) * PowerCosine(this->Exponent, s) /
          (4.0 * glm::dot(view, h));
-}
-
-//------------------------------------------------------------------------------
-void vtkBlinnPhongBRDF::GetBounds(
-  double vtkNotUsed(minimumCosine), double lower[3], double upper[3])
-{
-  for (int c = 0; c < 3; ++c)
-  {
-    lower[c] = 0.0;
-    upper[c] = std::max(this->Specular[c], 0.0) * (this->Exponent + 2.0) / (2.0 * Pi);
-  }
 }
 
 //------------------------------------------------------------------------------

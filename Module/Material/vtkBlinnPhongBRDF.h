@@ -19,7 +19,6 @@ class VTKMEASUREDBRDF_EXPORT vtkBlinnPhongBRDF : public vtkBRDF
 public:
   static vtkBlinnPhongBRDF* New();
   vtkTypeMacro(vtkBlinnPhongBRDF, vtkBRDF);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
@@ -38,7 +37,6 @@ public:
   vtkGetMacro(Exponent, double);
   ///@}
 
-  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "BlinnPhong"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;

@@ -12,8 +12,7 @@
  * Tables: theta_h = (pi/2) ((k + 1/2)/n)^2 for sample k of n (fine where lobes are sharp), phi_h =
  * 2 pi (k + 1/2)/n, theta_d = (pi/2) (k + 1/2)/n; constant beyond the outermost samples.
  *
- * Soft light (EvaluateSoft) reads an isotropic p at a wider level, blurred beforehand; with an
- * anisotropic p it is hard.
+ * Soft light (EvaluateSoft) stretches the lobe of an isotropic p; with an anisotropic p it is hard.
  */
 
 #ifndef vtkDistributionBRDF_h
@@ -21,7 +20,6 @@
 
 #include "vtkBRDF.h"
 
-#include <memory> // for sampling table
 #include <vector> // for tables
 
 class VTKMEASUREDBRDF_EXPORT vtkDistributionBRDF : public vtkBRDF
@@ -29,7 +27,6 @@ class VTKMEASUREDBRDF_EXPORT vtkDistributionBRDF : public vtkBRDF
 public:
   static vtkDistributionBRDF* New();
   vtkTypeMacro(vtkDistributionBRDF, vtkBRDF);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
    * Set p: nPhi rows of nTheta RGB triples (theta fastest), 1/sr. nPhi = 1: isotropic. Returns
@@ -63,7 +60,6 @@ public:
   const std::vector<float>& GetFresnel() const { return this->Fresnel; }
   ///@}
 
-  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return this->NumberOfPhi == 1; }
   void Prepare() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
@@ -72,7 +68,7 @@ public:
 
 protected:
   vtkDistributionBRDF();
-  ~vtkDistributionBRDF() override;
+  ~vtkDistributionBRDF() override = default;
 
   vtkBRDF* NewCopy() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
@@ -82,15 +78,11 @@ protected:
   int NumberOfPhi = 0;
   std::vector<float> Distribution;
   std::vector<float> Fresnel;
+  double OwnVariance = 0.0; // of an isotropic p's lobe; 0: it is anisotropic
 
 private:
   vtkDistributionBRDF(const vtkDistributionBRDF&) = delete;
   void operator=(const vtkDistributionBRDF&) = delete;
-
-  void PrepareLevels();
-
-  struct Levels;
-  std::unique_ptr<Levels> WidenedLevels; // of an isotropic p, for EvaluateSoft
 };
 
 #endif

@@ -18,14 +18,6 @@ vtkStandardNewMacro(vtkLambertBRDF);
 measuredbrdfSetFinite3Macro(vtkLambertBRDF, Albedo);
 
 //------------------------------------------------------------------------------
-void vtkLambertBRDF::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Albedo: " << this->Albedo[0] << " " << this->Albedo[1] << " " << this->Albedo[2]
-     << "\n";
-}
-
-//------------------------------------------------------------------------------
 void vtkLambertBRDF::EvaluateAbove(
   const double vtkNotUsed(i)[3], const double vtkNotUsed(o)[3], double f[3])
 {
@@ -43,15 +35,6 @@ void vtkLambertBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])
   for (int c = 0; c < 3; ++c)
   {
     albedo[c] *= measuredbrdf::Pi;
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkLambertBRDF::GetBounds(double vtkNotUsed(minimumCosine), double lower[3], double upper[3])
-{
-  for (int c = 0; c < 3; ++c)
-  {
-    lower[c] = upper[c] = std::max(this->Albedo[c], 0.0) / measuredbrdf::Pi;
   }
 }
 

@@ -17,7 +17,6 @@ class VTKMEASUREDBRDF_EXPORT vtkLambertBRDF : public vtkBRDF
 public:
   static vtkLambertBRDF* New();
   vtkTypeMacro(vtkLambertBRDF, vtkBRDF);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
@@ -30,7 +29,6 @@ public:
   ///@}
 
   void GetDirectionalAlbedo(const double o[3], double albedo[3]) override;
-  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "Lambert"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;

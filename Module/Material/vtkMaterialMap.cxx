@@ -9,7 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <iterator>
+#include <limits>
 
 vtkStandardNewMacro(vtkMaterialMap);
 
@@ -18,49 +19,14 @@ vtkMaterialMap::vtkMaterialMap() = default;
 vtkMaterialMap::~vtkMaterialMap() = default;
 
 //------------------------------------------------------------------------------
-void vtkMaterialMap::SetMode(int mode)
-{
-  if (mode < CLASSES || mode > TEXTURES)
-  {
-    measuredbrdfRefuseMacro(Mode, mode, "0 (classes), 1 (values), 2 (weights) or 3 (textures)");
-    return;
-  }
-  measuredbrdfAssignMacro(Mode, mode);
-}
+measuredbrdfSetInRangeMacro(vtkMaterialMap, Mode, int, CLASSES, TEXTURES);
+measuredbrdfSetInRangeMacro(
+  vtkMaterialMap, ArrayComponent, int, 0, std::numeric_limits<int>::max());
 
 //------------------------------------------------------------------------------
 void vtkMaterialMap::SetArrayName(const std::string& name)
 {
   measuredbrdfAssignMacro(ArrayName, name);
-}
-
-//------------------------------------------------------------------------------
-void vtkMaterialMap::SetArrayComponent(int component)
-{
-  if (component < 0)
-  {
-    measuredbrdfRefuseMacro(ArrayComponent, component, "a component's number from 0");
-    return;
-  }
-  measuredbrdfAssignMacro(ArrayComponent, component);
-}
-
-//------------------------------------------------------------------------------
-int vtkMaterialMap::Insert(Material material)
-{
-  if (this->GetNumberOfMaterials() >= MaximumNumberOfMaterials)
-  {
-    vtkErrorMacro("AddMaterial: there are " << MaximumNumberOfMaterials << " materials, the most.");
-    return -1;
-  }
-  const int index = this->GetNumberOfMaterials();
-  const auto place = std::upper_bound(this->ByValue.begin(), this->ByValue.end(), material.Value,
-    [this](double value, int k)
-    { return value < this->Materials[static_cast<std::size_t>(k)].Value; });
-  this->ByValue.insert(place, index);
-  this->Materials.push_back(std::move(material));
-  this->Modified();
-  return index;
 }
 
 //------------------------------------------------------------------------------
@@ -71,27 +37,31 @@ int vtkMaterialMap::AddMaterial(vtkBRDF* brdf, double value, const std::string& 
     vtkErrorMacro("AddMaterial: found the value " << value << ", expected a finite number.");
     return -1;
   }
-  const int known = this->FindClass(value);
-  if (known < 0)
+  const int count = this->GetNumberOfMaterials();
+  int index = this->FindClass(value);
+  if (index < 0 && count >= MaximumNumberOfMaterials)
   {
-    return this->Insert({ brdf, value, name, "" });
+    vtkErrorMacro("AddMaterial: there are " << count << " materials, the most.");
+    return -1;
   }
-  Material& material = this->Materials[static_cast<std::size_t>(known)];
+  if (index < 0)
+  {
+    index = count;
+    this->ByValue[value] = index;
+    this->Materials.push_back({ nullptr, value, "", "" });
+  }
+  Material& material = this->Materials[static_cast<std::size_t>(index)];
   material.BRDF = brdf;
   material.Name = name;
   this->Modified();
-  return known;
+  return index;
 }
 
 //------------------------------------------------------------------------------
 int vtkMaterialMap::AddMaterial(vtkBRDF* brdf, const std::string& name)
 {
-  double value = 0.0; // classes count on, too
-  for (const Material& material : this->Materials)
-  {
-    value = std::max(value, std::floor(material.Value) + 1.0);
-  }
-  return this->Insert({ brdf, value, name, "" });
+  const double last = this->ByValue.empty() ? -1.0 : this->ByValue.rbegin()->first;
+  return this->AddMaterial(brdf, std::max(std::floor(last) + 1.0, 0.0), name); // classes count on
 }
 
 //------------------------------------------------------------------------------
@@ -109,79 +79,57 @@ void vtkMaterialMap::RemoveAllMaterials()
 }
 
 //------------------------------------------------------------------------------
-vtkMaterialMap::Material* vtkMaterialMap::Find(int index, const char* caller)
+const vtkMaterialMap::Material& vtkMaterialMap::Get(int index) const
 {
-  if (index >= 0 && index < this->GetNumberOfMaterials())
-  {
-    return &this->Materials[static_cast<std::size_t>(index)];
-  }
-  if (caller)
+  static const Material none;
+  return index >= 0 && index < static_cast<int>(this->Materials.size())
+           ? this->Materials[static_cast<std::size_t>(index)]
+           : none;
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkMaterialMap::GetBRDF(int index) { return this->Get(index).BRDF; }
+double vtkMaterialMap::GetValue(int index) { return this->Get(index).Value; }
+std::string vtkMaterialMap::GetName(int index) { return this->Get(index).Name; }
+std::string vtkMaterialMap::GetWeightArrayName(int index)
+{
+  return this->Get(index).WeightArrayName;
+}
+
+//------------------------------------------------------------------------------
+template <typename Member, typename T>
+void vtkMaterialMap::Change(int index, Member member, const T& value, const char* caller)
+{
+  if (index < 0 || index >= this->GetNumberOfMaterials())
   {
     vtkErrorMacro(<< caller << ": found the number " << index << ", expected one of "
                   << this->GetNumberOfMaterials() << " materials, which count from 0.");
+    return;
   }
-  return nullptr;
-}
-
-//------------------------------------------------------------------------------
-vtkBRDF* vtkMaterialMap::GetBRDF(int index)
-{
-  const Material* material = this->Find(index, nullptr);
-  return material ? material->BRDF.Get() : nullptr;
-}
-
-//------------------------------------------------------------------------------
-double vtkMaterialMap::GetValue(int index)
-{
-  const Material* material = this->Find(index, nullptr);
-  return material ? material->Value : 0.0;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkMaterialMap::GetName(int index)
-{
-  const Material* material = this->Find(index, nullptr);
-  return material ? material->Name : "";
-}
-
-//------------------------------------------------------------------------------
-std::string vtkMaterialMap::GetWeightArrayName(int index)
-{
-  const Material* material = this->Find(index, nullptr);
-  return material ? material->WeightArrayName : "";
+  Material& material = this->Materials[static_cast<std::size_t>(index)];
+  if (material.*member != value)
+  {
+    material.*member = value;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkMaterialMap::SetBRDF(int index, vtkBRDF* brdf)
 {
-  Material* material = this->Find(index, "SetBRDF");
-  if (material && material->BRDF != brdf)
-  {
-    material->BRDF = brdf;
-    this->Modified();
-  }
+  this->Change(index, &Material::BRDF, vtkSmartPointer<vtkBRDF>(brdf), "SetBRDF");
 }
 
 //------------------------------------------------------------------------------
 void vtkMaterialMap::SetName(int index, const std::string& name)
 {
-  Material* material = this->Find(index, "SetName");
-  if (material && material->Name != name)
-  {
-    material->Name = name;
-    this->Modified();
-  }
+  this->Change(index, &Material::Name, name, "SetName");
 }
 
 //------------------------------------------------------------------------------
 void vtkMaterialMap::SetWeightArrayName(int index, const std::string& name)
 {
-  Material* material = this->Find(index, "SetWeightArrayName");
-  if (material && material->WeightArrayName != name)
-  {
-    material->WeightArrayName = name;
-    this->Modified();
-  }
+  this->Change(index, &Material::WeightArrayName, name, "SetWeightArrayName");
 }
 
 //------------------------------------------------------------------------------
@@ -216,36 +164,31 @@ vtkImageData* vtkMaterialMap::GetWeightImage(int index)
 //------------------------------------------------------------------------------
 int vtkMaterialMap::FindClass(double value)
 {
-  const auto place = std::lower_bound(this->ByValue.begin(), this->ByValue.end(), value,
-    [this](int k, double wanted)
-    { return this->Materials[static_cast<std::size_t>(k)].Value < wanted; });
-  const bool known = place != this->ByValue.end() &&
-                     this->Materials[static_cast<std::size_t>(*place)].Value == value;
-  return known ? *place : -1;
+  const auto place = std::isnan(value) ? this->ByValue.end() : this->ByValue.find(value);
+  return place != this->ByValue.end() ? place->second : -1;
 }
 
 //------------------------------------------------------------------------------
 double vtkMaterialMap::GetWeight(int index, double value)
 {
-  const Material* material = this->Find(index, nullptr);
-  if (!material || std::isnan(value))
+  if (index < 0 || index >= this->GetNumberOfMaterials() || std::isnan(value))
   {
     return 0.0;
   }
-  if (this->Mode == CLASSES || value == material->Value)
+  const double own = this->GetValue(index);
+  if (this->Mode == CLASSES || value == own)
   {
-    return value == material->Value ? 1.0 : 0.0;
+    return value == own ? 1.0 : 0.0;
   }
   // The next material towards the value; none: this one is alone.
-  const auto place = std::find(this->ByValue.begin(), this->ByValue.end(), index);
-  const bool above = value > material->Value;
-  if (above ? place + 1 == this->ByValue.end() : place == this->ByValue.begin())
+  const auto place = this->ByValue.find(own);
+  const bool above = value > own;
+  if (above ? std::next(place) == this->ByValue.end() : place == this->ByValue.begin())
   {
     return 1.0;
   }
-  const int next = above ? *(place + 1) : *(place - 1);
-  const double distance = this->GetValue(next) - material->Value;
-  return std::max(1.0 - (value - material->Value) / distance, 0.0);
+  const double next = (above ? std::next(place) : std::prev(place))->first;
+  return std::max(1.0 - (value - own) / (next - own), 0.0);
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,7 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for materials
 
+#include <map>    // for values
 #include <string> // for names
 #include <vector> // for materials
 
@@ -169,14 +170,15 @@ private:
     std::string Name;
     std::string WeightArrayName;
   };
-  Material* Find(int index, const char* caller);
-  int Insert(Material material);
+  const Material& Get(int index) const; // an empty one where there is none
+  template <typename Member, typename T>
+  void Change(int index, Member member, const T& value, const char* caller);
 
   int Mode = CLASSES;
   int ArrayComponent = 0;
   std::string ArrayName;
   std::vector<Material> Materials;
-  std::vector<int> ByValue; // materials' numbers, in the order of their values
+  std::map<double, int> ByValue; // materials' numbers
   std::vector<vtkSmartPointer<vtkImageData>> WeightImages;
   bool RepeatWeightImages = true;
 };

@@ -5,6 +5,7 @@
 #include "HalfVector.h"
 #include "NumberText.h"
 #include "Printable.h"
+#include "Refusal.h"
 #include "Setters.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
@@ -51,13 +52,19 @@ std::string vtkPhotographSet::FindExposureProblem(double exposure)
 //------------------------------------------------------------------------------
 int vtkPhotographSet::Insert(Photograph photograph)
 {
-  std::string problem = FindDirectionProblem(photograph.Light, "light");
-  problem = !problem.empty() ? problem : FindDirectionProblem(photograph.View, "view");
-  problem = !problem.empty() ? problem : FindExposureProblem(photograph.Exposure);
-  if (problem.empty() && this->GetNumberOfPhotographs() >= MaximumNumberOfPhotographs)
-  {
-    problem = "there are " + std::to_string(MaximumNumberOfPhotographs) + " photographs, the most";
-  }
+  const std::string problem = measuredbrdf::FindProblemOf(
+    [&]()
+    {
+      for (const std::string& each :
+        { FindDirectionProblem(photograph.Light, "light"),
+          FindDirectionProblem(photograph.View, "view"), FindExposureProblem(photograph.Exposure) })
+      {
+        measuredbrdf::Require(each.empty(), each);
+      }
+      const int most = MaximumNumberOfPhotographs;
+      measuredbrdf::Require(this->GetNumberOfPhotographs() < most,
+        "there are " + std::to_string(most) + " photographs, the most");
+    });
   if (!problem.empty())
   {
     vtkErrorMacro("AddPhotograph: " << measuredbrdf::ToPrintable(photograph.Name)
@@ -100,58 +107,48 @@ void vtkPhotographSet::RemoveAllPhotographs()
 }
 
 //------------------------------------------------------------------------------
-const vtkPhotographSet::Photograph* vtkPhotographSet::Find(int index) const
+const vtkPhotographSet::Photograph& vtkPhotographSet::Get(int index) const
 {
-  const bool exists = index >= 0 && static_cast<std::size_t>(index) < this->Photographs.size();
-  return exists ? &this->Photographs[static_cast<std::size_t>(index)] : nullptr;
+  static const Photograph none;
+  return index >= 0 && static_cast<std::size_t>(index) < this->Photographs.size()
+           ? this->Photographs[static_cast<std::size_t>(index)]
+           : none;
 }
 
 //------------------------------------------------------------------------------
 void vtkPhotographSet::GetLight(int index, double light[3])
 {
-  const Photograph* photograph = this->Find(index);
-  photograph ? std::copy_n(photograph->Light, 3, light) : std::fill_n(light, 3, 0.0);
+  std::copy_n(this->Get(index).Light, 3, light);
 }
 
 //------------------------------------------------------------------------------
 void vtkPhotographSet::GetView(int index, double view[3])
 {
-  const Photograph* photograph = this->Find(index);
-  photograph ? std::copy_n(photograph->View, 3, view) : std::fill_n(view, 3, 0.0);
+  std::copy_n(this->Get(index).View, 3, view);
 }
 
 //------------------------------------------------------------------------------
-double vtkPhotographSet::GetExposure(int index)
-{
-  const Photograph* photograph = this->Find(index);
-  return photograph ? photograph->Exposure : 0.0;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkPhotographSet::GetName(int index)
-{
-  const Photograph* photograph = this->Find(index);
-  return photograph ? photograph->Name : std::string();
-}
+double vtkPhotographSet::GetExposure(int index) { return this->Get(index).Exposure; }
+std::string vtkPhotographSet::GetName(int index) { return this->Get(index).Name; }
 
 //------------------------------------------------------------------------------
 double vtkPhotographSet::GetScale(int index)
 {
-  const Photograph* photograph = this->Find(index);
-  return photograph ? photograph->Exposure * this->Irradiance * photograph->Light[2] : 0.0;
+  const Photograph& photograph = this->Get(index);
+  return photograph.Exposure * this->Irradiance * photograph.Light[2];
 }
 
 //------------------------------------------------------------------------------
 vtkImageData* vtkPhotographSet::NewPicture(int index)
 {
-  const Photograph* photograph = this->Find(index);
-  if (!photograph || !photograph->Picture)
+  vtkImageData* picture = this->Get(index).Picture;
+  if (!picture)
   {
     vtkErrorMacro("NewPicture: there is no photograph " << index << ".");
     return nullptr;
   }
-  photograph->Picture->Register(nullptr);
-  return photograph->Picture;
+  picture->Register(nullptr);
+  return picture;
 }
 
 //------------------------------------------------------------------------------

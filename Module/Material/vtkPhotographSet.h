@@ -144,13 +144,13 @@ protected:
   struct Photograph
   {
     vtkSmartPointer<vtkImageData> Picture; // null: made when asked for
-    double Light[3];
-    double View[3];
-    double Exposure = 1.0;
+    double Light[3] = { 0.0, 0.0, 0.0 };
+    double View[3] = { 0.0, 0.0, 0.0 };
+    double Exposure = 0.0;
     std::string Name;
   };
-  const Photograph* Find(int index) const;
-  int Insert(Photograph photograph); // checked and normalized
+  const Photograph& Get(int index) const; // an empty one where there is none
+  int Insert(Photograph photograph);      // checked and normalized
 
   std::vector<Photograph> Photographs;
   double Irradiance = 3.14159265358979323846;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSumBRDF.h"
 
-#include "ReflectionIntegral.h"
+#include "HemisphereIntegral.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
@@ -17,6 +17,38 @@ vtkStandardNewMacro(vtkSumBRDF);
 namespace
 {
 constexpr double WeightTolerance = 0.05; // any weights will do, good ones draw well
+
+using TermList = std::vector<vtkSmartPointer<vtkBRDF>>;
+
+bool Holds(vtkBRDF* haystack, vtkBRDF* needle)
+{
+  vtkSumBRDF* sum = vtkSumBRDF::SafeDownCast(haystack);
+  bool holds = haystack == needle;
+  for (int k = 0; sum && !holds && k < sum->GetNumberOfTerms(); ++k)
+  {
+    holds = Holds(sum->GetTerm(k), needle);
+  }
+  return holds;
+}
+
+// Adds what get(term, rgb) gives for each term.
+template <typename Get>
+void AddTerms(const TermList& terms, double sum[3], const Get& get)
+{
+  for (vtkBRDF* term : terms)
+  {
+    double part[3];
+    get(term, part);
+    std::transform(part, part + 3, sum, sum, std::plus<double>());
+  }
+}
+
+// Whether is(term) of each term.
+template <typename Is>
+bool AllOf(const TermList& terms, const Is& is)
+{
+  return std::all_of(terms.begin(), terms.end(), is);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -24,38 +56,6 @@ vtkSumBRDF::vtkSumBRDF() = default;
 
 //------------------------------------------------------------------------------
 vtkSumBRDF::~vtkSumBRDF() = default;
-
-//------------------------------------------------------------------------------
-void vtkSumBRDF::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Terms: " << this->Terms.size() << "\n";
-  for (vtkBRDF* term : this->Terms)
-  {
-    os << indent << term->GetClassName() << "\n";
-    term->PrintSelf(os, indent.GetNextIndent());
-  }
-}
-
-namespace
-{
-bool Holds(vtkBRDF* haystack, vtkBRDF* needle)
-{
-  if (haystack == needle)
-  {
-    return true;
-  }
-  vtkSumBRDF* sum = vtkSumBRDF::SafeDownCast(haystack);
-  for (int k = 0; sum && k < sum->GetNumberOfTerms(); ++k)
-  {
-    if (Holds(sum->GetTerm(k), needle))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-}
 
 //------------------------------------------------------------------------------
 void vtkSumBRDF::AddTerm(vtkBRDF* term)
@@ -102,32 +102,17 @@ vtkMTimeType vtkSumBRDF::GetMTime()
   return time;
 }
 
-namespace
-{
-// Adds what get(term, rgb) gives for each term.
-template <typename Get>
-void AddTerms(const std::vector<vtkSmartPointer<vtkBRDF>>& terms, double sum[3], const Get& get)
-{
-  for (vtkBRDF* term : terms)
-  {
-    double part[3];
-    get(term, part);
-    std::transform(part, part + 3, sum, sum, std::plus<double>());
-  }
-}
-}
-
 //------------------------------------------------------------------------------
 void vtkSumBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
 {
-  AddTerms(this->Terms, f, [&](vtkBRDF* term, double part[3]) { EvaluateTerm(term, i, o, part); });
+  AddTerms(this->Terms, f, [&](vtkBRDF* term, double part[3]) { term->Evaluate(i, o, part); });
 }
 
 //------------------------------------------------------------------------------
 void vtkSumBRDF::EvaluateSoftAbove(const double i[3], const double o[3], double spread, double f[3])
 {
-  AddTerms(this->Terms, f,
-    [&](vtkBRDF* term, double part[3]) { EvaluateSoftTerm(term, i, o, spread, part); });
+  AddTerms(
+    this->Terms, f, [&](vtkBRDF* term, double part[3]) { term->EvaluateSoft(i, o, spread, part); });
 }
 
 //------------------------------------------------------------------------------
@@ -142,8 +127,7 @@ void vtkSumBRDF::Prepare()
   for (vtkBRDF* term : this->Terms)
   {
     term->Prepare();
-    const glm::dvec3 albedo =
-      IntegrateReflection(term, { 0.0, 0.0, 1.0 }, IntegralOver::Lights, WeightTolerance);
+    const glm::dvec3 albedo = IntegrateBRDF(term, { 0.0, 0.0, 1.0 }, false, WeightTolerance);
     weights.push_back(albedo[0] + albedo[1] + albedo[2]);
     total += weights.back();
   }
@@ -198,36 +182,21 @@ void vtkSumBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])
 }
 
 //------------------------------------------------------------------------------
-void vtkSumBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
-{
-  std::fill_n(lower, 3, 0.0);
-  std::fill_n(upper, 3, 0.0);
-  double other[3];
-  AddTerms(this->Terms, lower,
-    [&](vtkBRDF* term, double low[3]) { term->GetBounds(minimumCosine, low, other); });
-  AddTerms(this->Terms, upper,
-    [&](vtkBRDF* term, double high[3]) { term->GetBounds(minimumCosine, other, high); });
-}
-
-//------------------------------------------------------------------------------
 bool vtkSumBRDF::IsIsotropic()
 {
-  return std::all_of(
-    this->Terms.begin(), this->Terms.end(), [](vtkBRDF* term) { return term->IsIsotropic(); });
+  return AllOf(this->Terms, [](vtkBRDF* term) { return term->IsIsotropic(); });
 }
 
 //------------------------------------------------------------------------------
 bool vtkSumBRDF::IsReciprocal()
 {
-  return std::all_of(
-    this->Terms.begin(), this->Terms.end(), [](vtkBRDF* term) { return term->IsReciprocal(); });
+  return AllOf(this->Terms, [](vtkBRDF* term) { return term->IsReciprocal(); });
 }
 
 //------------------------------------------------------------------------------
 bool vtkSumBRDF::IsRenderable()
 {
-  return std::all_of(
-    this->Terms.begin(), this->Terms.end(), [](vtkBRDF* term) { return term->IsRenderable(); });
+  return AllOf(this->Terms, [](vtkBRDF* term) { return term->IsRenderable(); });
 }
 
 //------------------------------------------------------------------------------
@@ -284,7 +253,8 @@ void vtkSumBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 //------------------------------------------------------------------------------
 void vtkSumBRDF::ExchangeData(vtkBRDFExchange& exchange)
 {
-  exchange.Terms(this->Terms, MaximumNumberOfTerms, [this](vtkBRDF* term) { this->AddTerm(term); });
+  exchange.Terms({ this->Terms.begin(), this->Terms.end() }, MaximumNumberOfTerms,
+    [this](vtkBRDF* term) { this->AddTerm(term); });
 }
 
 //------------------------------------------------------------------------------

@@ -19,7 +19,6 @@ class VTKMEASUREDBRDF_EXPORT vtkSumBRDF : public vtkBRDF
 public:
   static vtkSumBRDF* New();
   vtkTypeMacro(vtkSumBRDF, vtkBRDF);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Most terms of a sum.
   static constexpr int MaximumNumberOfTerms = 64;
@@ -37,7 +36,6 @@ public:
 
   vtkMTimeType GetMTime() override;
   void GetDirectionalAlbedo(const double o[3], double albedo[3]) override;
-  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override;
   bool IsReciprocal() override;
   void Prepare() override;

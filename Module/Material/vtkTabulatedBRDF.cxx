@@ -5,13 +5,14 @@
 #include "Floats.h"
 #include "HalfVector.h"
 #include "LaneMath.h"
+#include "LocalFrame.h"
 #include "ModuleShader.h"
 #include "Neighbors.h"
 #include "NumberText.h"
 #include "OneByOne.h"
+#include "Refusal.h"
 #include "Setters.h"
 #include "VolumeInterpolation.h"
-#include "ZonalKernel.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFHalfDifference.h"
 #include "vtkBRDFHalfDifferenceSoft.h"
@@ -98,36 +99,18 @@ Cell Normalized(const Cell& sum)
   return sum.w > least ? sum / sum.w : Cell(0.0f);
 }
 
-// The volume averaged to width x height samples of phi_d and theta_d.
-std::vector<Cell> AverageCells(
-  const std::array<int, 3>& dimensions, const std::vector<float>& volume, int width, int height)
+// The volume at width x height samples of phi_d and theta_d.
+std::vector<Cell> SampleCells(
+  const int dimensions[3], const std::vector<float>& volume, int width, int height)
 {
-  // What part of sample k of `from` lies in sample j of `to` <= from, in units of the latter.
-  const auto getOverlap = [](int k, int from, int j, int to)
-  {
-    const float scale = static_cast<float>(to) / from;
-    return std::max(std::min((k + 1) * scale, j + 1.0f) - std::max(k * scale, j + 0.0f), 0.0f);
-  };
   std::vector<Cell> cells;
   for (int cell = 0; cell < width * height * dimensions[2]; ++cell)
   {
     const int x = cell % width, y = cell / width % height, z = cell / width / height;
-    const int bottom = ((y + 1) * dimensions[1] + height - 1) / height;
-    const int right = ((x + 1) * dimensions[0] + width - 1) / width;
-    Cell sum(0.0f);
-    for (int b = y * dimensions[1] / height; b < bottom; ++b)
-    {
-      for (int a = x * dimensions[0] / width; a < right; ++a)
-      {
-        const float* v = &volume[3 * (a + std::size_t(dimensions[0]) * (b + dimensions[1] * z))];
-        if (!std::isnan(v[0]))
-        {
-          sum += getOverlap(a, dimensions[0], x, width) * getOverlap(b, dimensions[1], y, height) *
-                 Cell(glm::make_vec3(v), 1.0f);
-        }
-      }
-    }
-    cells.push_back(Normalized(sum));
+    const VolumeSum sum = GatherCorners<3>(volume, dimensions,
+      { PeriodicNeighbors((x + 0.5) / width, dimensions[0]),
+        ClampedNeighbors((y + 0.5) / height, dimensions[1]), { z, z, 0.0 } });
+    cells.push_back(Normalized(Cell(glm::vec3(sum.Values), static_cast<float>(sum.Valid))));
   }
   return cells;
 }
@@ -156,6 +139,43 @@ double FindLobeVariance(const std::vector<Cell>& cells, int width, int height, i
   }
   return 1.0;
 }
+
+// Bessel function I_0(x) e^-x, x >= 0; relative error 2e-7 (Abramowitz and Stegun 9.8.1, 9.8.2).
+double ScaledBessel(double x)
+{
+  if (x < 3.75)
+  {
+    const double t = x * x / (3.75 * 3.75);
+    return std::exp(-x) *
+           (1.0 +
+             t * (3.5156229 +
+                   t * (3.0899424 +
+                         t * (1.2067492 + t * (0.2659732 + t * (0.0360768 + t * 0.0045813))))));
+  }
+  const double t = 3.75 / x;
+  return (0.39894228 +
+           t *
+             (0.01328592 +
+               t * (0.00225319 +
+                     t * (-0.00157565 +
+                           t * (0.00916281 +
+                                 t * (-0.02057706 +
+                                       t * (0.02635537 + t * (-0.01647633 + t * 0.00392377)))))))) /
+         std::sqrt(x);
+}
+
+// Mean over the azimuth of the von Mises-Fisher distribution of concentration 1/variance about an
+// angle of b from the axis, at an angle of a; times the width sin b of the ring at b. Not
+// normalized.
+double GetRingWeight(double a, double b, double variance)
+{
+  const double sine = std::sin(b);
+  const double x = std::sin(a) * sine / variance;
+  return ScaledBessel(x) * std::exp((std::cos(a - b) - 1.0) / variance) * sine;
+}
+
+// Angle beyond which weights are below 1e-7 of the largest.
+double GetRingReach(double variance) { return 6.0 * std::sqrt(variance); }
 
 // Weights of the n samples along theta_h in the mean about angle a; they sum to 1. The samples
 // stand for their linear interpolation, in steps fine enough for the kernel.
@@ -202,8 +222,8 @@ std::vector<double> GetRingWeights(double a, int n, double variance)
  * levels: linear. Level 0 is the volume itself and not held here.
  *
  * Wide levels need few samples: four levels have the same number along theta_h, the next four
- * half of it; phi_d and theta_d are averaged to steps of at least 5 and 2 degrees. The levels are
- * stacked along theta_h in one volume.
+ * half of it; steps of phi_d and theta_d are at least 5 and 2 degrees. The levels are stacked along
+ * theta_h in one volume.
  */
 struct vtkTabulatedBRDF::Levels
 {
@@ -212,11 +232,10 @@ struct vtkTabulatedBRDF::Levels
     // Samples along theta_h for a lobe of variance 1; the square root's spacing needs as many more
     // as the fourth root of the variance is smaller.
     constexpr double countOfUnitVariance = 8.0;
-    const std::array<int, 3> dimensions = { table.Dimensions[0], table.Dimensions[1],
-      table.Dimensions[2] };
+    const int* dimensions = table.Dimensions;
     const int width = std::min(dimensions[0], table.AzimuthRange == HALF_TURN ? 36 : 72);
     const int height = std::min(dimensions[1], 45);
-    const std::vector<Cell> cells = AverageCells(dimensions, table.Volume, width, height);
+    const std::vector<Cell> cells = SampleCells(dimensions, table.Volume, width, height);
     this->OwnVariance = FindLobeVariance(cells, width, height, dimensions[2]);
     this->Count = static_cast<int>(std::ceil(std::log2(1.0 + 1.0 / this->OwnVariance)));
     const int wanted =
@@ -297,6 +316,13 @@ struct vtkTabulatedBRDF::Levels
 
 namespace
 {
+// The mirror-symmetric azimuth of incident/outgoing tables ends at 0 and pi, all others close.
+bool HasPeriodicAzimuth(int parameterization, int azimuthRange)
+{
+  return parameterization == vtkTabulatedBRDF::HALF_DIFFERENCE ||
+         azimuthRange == vtkTabulatedBRDF::FULL_TURN;
+}
+
 // Angles of a pair in units of the axes, each in [0,1] (azimuth: any real number, periodic).
 glm::dvec3 ToUnit(int parameterization, int azimuthRange, const glm::dvec3& i, const glm::dvec3& o)
 {
@@ -407,43 +433,30 @@ measuredbrdfSetInRangeMacro(vtkTabulatedBRDF, Precision, int, AUTOMATIC, SHARED_
 measuredbrdfSetClampedMacro(vtkTabulatedBRDF, ResamplingError, double, 0.0, 1e6);
 
 //------------------------------------------------------------------------------
-void vtkTabulatedBRDF::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Parameterization: "
-     << (this->Parameterization == HALF_DIFFERENCE ? "half/difference" : "incident/outgoing")
-     << "\n";
-  os << indent << "AzimuthRange: " << (this->AzimuthRange == HALF_TURN ? "pi" : "2 pi") << "\n";
-  os << indent << "Dimensions: " << this->Dimensions[0] << " " << this->Dimensions[1] << " "
-     << this->Dimensions[2] << "\n";
-  os << indent << "CosineWeighted: " << (this->CosineWeighted ? "On" : "Off") << "\n";
-  os << indent << "Precision: " << this->Precision << "\n";
-  os << indent << "ResamplingError: " << this->ResamplingError << "\n";
-  os << indent << "NumberOfInvalidCells: " << this->NumberOfInvalidCells << "\n";
-}
-
-//------------------------------------------------------------------------------
 bool vtkTabulatedBRDF::SetVolume(
   int parameterization, int azimuthRange, const int dimensions[3], std::vector<float> rgb)
 {
-  std::size_t cells = 1;
-  for (int a = 0; a < 3; ++a)
-  {
-    if (dimensions[a] < 1 || dimensions[a] > 2048)
+  const std::string problem = FindProblemOf(
+    [&]()
     {
-      vtkErrorMacro("SetVolume: found " << dimensions[a] << " samples along axis " << a
-                                        << ", expected 1 to 2048; the volume stays.");
-      return false;
-    }
-    cells *= static_cast<std::size_t>(dimensions[a]);
-  }
-  if (rgb.size() != 3 * cells || parameterization < HALF_DIFFERENCE ||
-      parameterization > INCIDENT_OUTGOING || azimuthRange < HALF_TURN || azimuthRange > FULL_TURN)
+      std::size_t count = 3;
+      for (int a = 0; a < 3; ++a)
+      {
+        Require(dimensions[a] >= 1 && dimensions[a] <= 2048,
+          "found " + std::to_string(dimensions[a]) + " samples along axis " + std::to_string(a) +
+            ", expected 1 to 2048");
+        count *= static_cast<std::size_t>(dimensions[a]);
+      }
+      Require(rgb.size() == count && parameterization >= HALF_DIFFERENCE &&
+                parameterization <= INCIDENT_OUTGOING && azimuthRange >= HALF_TURN &&
+                azimuthRange <= FULL_TURN,
+        "found " + std::to_string(rgb.size()) + " values, parameterization " +
+          std::to_string(parameterization) + " and azimuth range " + std::to_string(azimuthRange) +
+          ", expected " + std::to_string(count) + " values and 0 or 1 both");
+    });
+  if (!problem.empty())
   {
-    vtkErrorMacro("SetVolume: found " << rgb.size() << " values, parameterization "
-                                      << parameterization << " and azimuth range " << azimuthRange
-                                      << ", expected " << 3 * cells
-                                      << " values and 0 or 1 both; the volume stays.");
+    vtkErrorMacro("SetVolume: " << problem << "; the volume stays.");
     return false;
   }
   this->Parameterization = parameterization;
@@ -479,10 +492,8 @@ bool vtkTabulatedBRDF::GetCellDirections(int parameterization, int azimuthRange,
   }
   else
   {
-    const double first = 0.5 * Pi * (z + 0.5) / dimensions[2];
-    light = glm::dvec3(std::sin(first), 0.0, std::cos(first));
-    view = glm::dvec3(
-      std::sin(second) * std::cos(phi), std::sin(second) * std::sin(phi), std::cos(second));
+    light = ToDirection(std::cos(0.5 * Pi * (z + 0.5) / dimensions[2]), 0.0);
+    view = ToDirection(std::cos(second), phi);
   }
   std::copy_n(glm::value_ptr(light), 3, i);
   std::copy_n(glm::value_ptr(view), 3, o);
@@ -498,11 +509,9 @@ void vtkTabulatedBRDF::EvaluateAbove(const double i[3], const double o[3], doubl
   }
   const glm::dvec3 u =
     ToUnit(this->Parameterization, this->AzimuthRange, glm::make_vec3(i), glm::make_vec3(o));
-  // The mirror-symmetric azimuth of incident/outgoing tables ends at 0 and pi, all others close.
-  const bool periodic =
-    this->Parameterization == HALF_DIFFERENCE || this->AzimuthRange == FULL_TURN;
-  const Neighbors azimuth = periodic ? PeriodicNeighbors(u.x, this->Dimensions[0])
-                                     : ClampedNeighbors(u.x, this->Dimensions[0]);
+  const Neighbors azimuth = HasPeriodicAzimuth(this->Parameterization, this->AzimuthRange)
+                              ? PeriodicNeighbors(u.x, this->Dimensions[0])
+                              : ClampedNeighbors(u.x, this->Dimensions[0]);
   DivideByValid(GatherCorners<3>(this->Volume, this->Dimensions,
                   { azimuth, ClampedNeighbors(u.y, this->Dimensions[1]),
                     ClampedNeighbors(u.z, this->Dimensions[2]) }),
@@ -520,6 +529,7 @@ void vtkTabulatedBRDF::EvaluateLights(
   }
   const bool isHalfDifference = this->Parameterization == HALF_DIFFERENCE;
   const bool isHalfTurn = this->AzimuthRange == HALF_TURN;
+  const bool isPeriodic = HasPeriodicAzimuth(this->Parameterization, this->AzimuthRange);
   const float scale = this->CosineWeighted ? static_cast<float>(1.0 / o[2]) : 1.0f;
   struct State : LaneState
   {
@@ -544,8 +554,7 @@ void vtkTabulatedBRDF::EvaluateLights(
     }
     for (int a = 0; a < 3; ++a)
     {
-      const bool isPeriodic = a == 0 && (isHalfDifference || !isHalfTurn);
-      s.Axes[a] = FindAxisLanes(units[a], this->Dimensions[a], isPeriodic);
+      s.Axes[a] = FindAxisLanes(units[a], this->Dimensions[a], a == 0 && isPeriodic);
     }
   };
   const auto interpolate = [&](State& s) MEASUREDBRDF_INLINED
@@ -605,19 +614,6 @@ void vtkTabulatedBRDF::Prepare()
 }
 
 //------------------------------------------------------------------------------
-void vtkTabulatedBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
-{
-  // Interpolation never leaves the range of the samples. Where no cell is valid f is 0.
-  FindBounds(this->Volume, lower, upper);
-  const double divisor = this->CosineWeighted ? std::clamp(minimumCosine, 1e-6, 1.0) : 1.0;
-  for (int c = 0; c < 3; ++c)
-  {
-    lower[c] = this->NumberOfInvalidCells > 0 ? 0.0 : lower[c];
-    upper[c] /= divisor;
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
   vtkBRDFShaderInputs::Term term;
@@ -626,10 +622,7 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   texture.ThreeD = true;
   texture.Dimensions = { this->Dimensions[0], this->Dimensions[1], this->Dimensions[2] };
   texture.Components = this->NumberOfInvalidCells > 0 ? 4 : 3;
-  const bool periodic =
-    this->Parameterization == HALF_DIFFERENCE || this->AzimuthRange == FULL_TURN;
-  texture.Repeat = { periodic, false, false };
-
+  texture.Repeat = { HasPeriodicAzimuth(this->Parameterization, this->AzimuthRange), false, false };
   const Storage storage = ChooseStorage(this->Precision, this->ResamplingTolerance, this->Volume);
   FillTexture(texture, this->Volume, storage);
   const bool isHalfDifference = this->Parameterization == HALF_DIFFERENCE;
@@ -658,12 +651,9 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     wider.Repeat = texture.Repeat;
     FillTexture(wider, levels->Volume, storage);
     term.SoftSource = vtkBRDFHalfDifferenceSoft;
-    const auto add = [&term](const char* name, double value) {
-      term.Uniforms.push_back({ name, { static_cast<float>(value) } });
-    };
-    add("brdfNumberOfLevels", levels->Count);
-    add("brdfFirstCount", levels->FirstSamples);
-    add("brdfOwnVariance", levels->OwnVariance);
+    term.Uniforms.push_back({ "brdfNumberOfLevels", { 1.0f * levels->Count } });
+    term.Uniforms.push_back({ "brdfFirstCount", { 1.0f * levels->FirstSamples } });
+    term.Uniforms.push_back({ "brdfOwnVariance", { static_cast<float>(levels->OwnVariance) } });
     text << ", wider for soft lights: " << levels->Count << " levels, " << wider.GetBytes()
          << " bytes";
     term.Textures.push_back(std::move(wider));
@@ -680,8 +670,8 @@ void vtkTabulatedBRDF::ExchangeData(vtkBRDFExchange& exchange)
 {
   exchange.Option("precision", { "automatic", "float16", "float32", "shared-exponent" },
     this->Precision, [this](int value) { this->SetPrecision(value); });
-  exchange.Option("cosineWeighted", { "off", "on" }, this->CosineWeighted,
-    [this](int value) { this->SetCosineWeighted(value == 1); });
+  exchange.Flag(
+    "cosineWeighted", this->CosineWeighted, [this](bool on) { this->SetCosineWeighted(on); });
   exchange.Number("resamplingError", this->ResamplingError,
     [this](double value) { this->SetResamplingError(value); });
   int parameterization = this->Parameterization;
@@ -698,10 +688,10 @@ void vtkTabulatedBRDF::ExchangeData(vtkBRDFExchange& exchange)
   }
   auto volume = exchange.LoadArray("volume", 3, 3);
   const int dimensions[3] = { volume.Shape[2], volume.Shape[1], volume.Shape[0] };
-  if (!this->SetVolume(parameterization, azimuthRange, dimensions, std::move(volume.Values)))
-  {
-    exchange.Fail("array 'volume' was refused");
-  }
+  exchange.Check(
+    this->SetVolume(parameterization, azimuthRange, dimensions, std::move(volume.Values))
+      ? ""
+      : "array 'volume' was refused");
 }
 
 //------------------------------------------------------------------------------

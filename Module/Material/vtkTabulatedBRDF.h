@@ -23,10 +23,10 @@
  * Soft light (EvaluateSoft) reads a HALF_DIFFERENCE volume at a wider level, blurred along theta_h
  * (of the stored value: f, or f cos(theta_o) where it is cosine-weighted). Levels are made, and are
  * part of the shader inputs, only if soft light is requested. Wider levels have fewer samples in
- * theta_h; phi_d and theta_d are averaged to 5 and 2 degrees. For MERL's 180 x 90 x 90 samples (8.7
- * MB as 16-bit floats) of a lobe of Blinn exponent 10, 300 and 100,000 they take 0.5, 1.9 and 7.1
- * MB more. For tables that already are as coarse as that in phi_d and theta_d, they take up to 8
- * times the table's size. INCIDENT_OUTGOING volumes have no half vector and stay hard.
+ * theta_h, and samples every 5 degrees in phi_d and every 2 in theta_d. For MERL's 180 x 90 x 90
+ * samples (8.7 MB as 16-bit floats) of a lobe of Blinn exponent 10, 300 and 100,000 they take 0.5,
+ * 1.9 and 7.1 MB more. For tables that already are as coarse as that in phi_d and theta_d, they
+ * take up to 8 times the table's size. INCIDENT_OUTGOING volumes have no half vector and stay hard.
  */
 
 #ifndef vtkTabulatedBRDF_h
@@ -42,7 +42,6 @@ class VTKMEASUREDBRDF_EXPORT vtkTabulatedBRDF : public vtkBRDF
 public:
   static vtkTabulatedBRDF* New();
   vtkTypeMacro(vtkTabulatedBRDF, vtkBRDF);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum ParameterizationType
   {
@@ -129,7 +128,6 @@ public:
   VTK_WRAPEXCLUDE void EvaluateLights(
     int count, const float* const i[3], const double o[3], float* const f[3]);
 
-  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsReciprocal() override
   {
     return this->Parameterization == HALF_DIFFERENCE && this->AzimuthRange == HALF_TURN &&

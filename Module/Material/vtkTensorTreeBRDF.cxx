@@ -3,6 +3,7 @@
 #include "vtkTensorTreeBRDF.h"
 
 #include "HalfVector.h"
+#include "Refusal.h"
 #include "vtkBRDFExchange.h"
 #include "vtkObjectFactory.h"
 
@@ -24,9 +25,9 @@ constexpr int DeepestTree = 64;
 // From the unit disc to [0,1]^2.
 void ToUnitSquare(double x, double y, double square[2])
 {
-  const glm::dvec2 p = DiscToSquare({ x, y });
-  square[0] = 0.5 * (p.x + 1.0);
-  square[1] = 0.5 * (p.y + 1.0);
+  const glm::dvec2 p = 0.5 * (DiscToSquare({ x, y }) + 1.0);
+  square[0] = p.x;
+  square[1] = p.y;
 }
 
 // Where a pair lies, each coordinate in [0, 1).
@@ -80,87 +81,47 @@ float Find(const Tree& tree, std::array<double, 4> place)
   return tree.Values[static_cast<std::size_t>(leaf.First + cell)];
 }
 
-// Values of a leaf.
-long long CountValues(int side, int dimensions)
-{
-  long long count = 1;
-  for (int axis = 0; axis < dimensions; ++axis)
-  {
-    count *= side;
-  }
-  return count;
-}
-
-std::string FindNodeProblem(const Tree& tree, std::size_t index)
+// Checks a node whose children were checked. Returns how many nodes stand above each other up to
+// it.
+int CheckNode(const Tree& tree, std::size_t index, const std::vector<int>& depths)
 {
   const Tree::Node& node = tree.Nodes[index];
   const std::string name = "node " + std::to_string(index) + ": ";
-  if (node.Side < 0 || node.Side > LargestSide || (node.Side & (node.Side - 1)) != 0)
-  {
-    return name + "found a side of " + std::to_string(node.Side) +
-           ", expected 0 for a branch or a power of two";
-  }
+  Require(node.Side >= 0 && node.Side <= LargestSide && (node.Side & (node.Side - 1)) == 0,
+    name + "found a side of " + std::to_string(node.Side) +
+      ", expected 0 for a branch or a power of two");
   const bool branch = node.Side == 0;
-  const long long count = branch ? 1ll << tree.Dimensions : CountValues(node.Side, tree.Dimensions);
+  const double count = std::pow(branch ? 2 : node.Side, tree.Dimensions);
   const std::size_t size = branch ? tree.Children.size() : tree.Values.size();
-  if (node.First < 0 || node.First + count > static_cast<long long>(size))
+  Require(node.First >= 0 && node.First + count <= static_cast<double>(size),
+    name + "its " + (branch ? "children" : "values") + " are not there");
+  int depth = 0;
+  for (int k = 0; branch && k < static_cast<int>(count); ++k)
   {
-    return name + "its " + (branch ? "children" : "values") + " are not there";
+    const int child = tree.Children[static_cast<std::size_t>(node.First + k)];
+    Require(child >= 0 && static_cast<std::size_t>(child) < index,
+      name + "expected children before their parents");
+    depth = std::max(depth, depths[static_cast<std::size_t>(child)]);
   }
-  const auto first = tree.Children.begin() + (branch ? node.First : 0);
-  const auto isBefore = [index](int child)
-  { return child >= 0 && static_cast<std::size_t>(child) < index; };
-  return branch && !std::all_of(first, first + (1 << tree.Dimensions), isBefore)
-           ? name + "expected children before their parents"
-           : "";
+  return depth + 1;
 }
 
-// Of a tree whose nodes have no problem.
-int FindDepth(const Tree& tree)
-{
-  std::vector<int> depths;
-  for (const Tree::Node& node : tree.Nodes)
-  {
-    int deepest = 0;
-    for (int k = 0; node.Side == 0 && k < 1 << tree.Dimensions; ++k)
-    {
-      const int child = tree.Children[static_cast<std::size_t>(node.First + k)];
-      deepest = std::max(deepest, depths[static_cast<std::size_t>(child)]);
-    }
-    depths.push_back(deepest + 1);
-  }
-  return depths.back();
-}
-
-std::string FindProblem(const Tree& tree)
+void CheckTree(const Tree& tree)
 {
   const std::size_t most = vtkTensorTreeBRDF::MaximumSize;
-  if (tree.Dimensions != 3 && tree.Dimensions != 4)
-  {
-    return "found " + std::to_string(tree.Dimensions) + " dimensions, expected 3 or 4";
-  }
-  if (tree.Nodes.empty() || tree.Nodes.size() > most || tree.Children.size() > most ||
-      tree.Values.size() > most)
-  {
-    return "expected 1 to " + std::to_string(most) + " nodes, and as many children and values";
-  }
+  Require(tree.Dimensions == 3 || tree.Dimensions == 4,
+    "found " + std::to_string(tree.Dimensions) + " dimensions, expected 3 or 4");
+  Require(!tree.Nodes.empty() && tree.Nodes.size() <= most && tree.Children.size() <= most &&
+            tree.Values.size() <= most,
+    "expected 1 to " + std::to_string(most) + " nodes, and as many children and values");
+  std::vector<int> depths;
   for (std::size_t index = 0; index < tree.Nodes.size(); ++index)
   {
-    const std::string problem = FindNodeProblem(tree, index);
-    if (!problem.empty())
-    {
-      return problem;
-    }
+    depths.push_back(CheckNode(tree, index, depths));
   }
-  if (FindDepth(tree) > DeepestTree)
-  {
-    return "expected at most " + std::to_string(DeepestTree) + " nodes above each other";
-  }
-  const auto bad = std::find_if(
-    tree.Values.begin(), tree.Values.end(), [](float value) { return !std::isfinite(value); });
-  return bad == tree.Values.end()
-           ? ""
-           : "value " + std::to_string(bad - tree.Values.begin()) + " is not finite";
+  Require(depths.back() <= DeepestTree,
+    "expected at most " + std::to_string(DeepestTree) + " nodes above each other");
+  RequireFinite(tree.Values, "values");
 }
 
 // As they are stored with other arrays; what is no whole number becomes -1, which is refused.
@@ -182,25 +143,16 @@ std::vector<int> ToNumbers(const std::vector<float>& values)
 }
 
 //------------------------------------------------------------------------------
-void vtkTensorTreeBRDF::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Dimensions: " << this->Data.Dimensions << "\n";
-  os << indent << "Nodes: " << this->Data.Nodes.size() << "\n";
-  os << indent << "Values: " << this->Data.Values.size() << "\n";
-}
-
-//------------------------------------------------------------------------------
 std::string vtkTensorTreeBRDF::SetTree(Tree tree)
 {
-  const std::string problem = FindProblem(tree);
-  if (problem.empty())
-  {
-    this->Data = std::move(tree);
-    this->ResetRenderable();
-    this->Modified();
-  }
-  return problem;
+  return FindProblemOf(
+    [&]()
+    {
+      CheckTree(tree);
+      this->Data = std::move(tree);
+      this->ResetRenderable();
+      this->Modified();
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -208,19 +160,8 @@ void vtkTensorTreeBRDF::EvaluateAbove(const double i[3], const double o[3], doub
 {
   if (!this->Data.Nodes.empty())
   {
-    const float value = Find(this->Data, GetPlace(this->Data, i, o));
-    std::fill_n(f, 3, std::max(value, 0.0f));
+    std::fill_n(f, 3, Find(this->Data, GetPlace(this->Data, i, o)));
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkTensorTreeBRDF::GetBounds(
-  double vtkNotUsed(minimumCosine), double lower[3], double upper[3])
-{
-  const std::vector<float>& values = this->Data.Values;
-  const auto ends = std::minmax_element(values.begin(), values.end());
-  std::fill_n(lower, 3, values.empty() ? 0.0 : std::max(*ends.first, 0.0f));
-  std::fill_n(upper, 3, values.empty() ? 0.0 : std::max(*ends.second, 0.0f));
 }
 
 //------------------------------------------------------------------------------

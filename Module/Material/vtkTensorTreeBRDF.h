@@ -29,7 +29,6 @@ class VTKMEASUREDBRDF_EXPORT vtkTensorTreeBRDF : public vtkResampledBRDF
 public:
   static vtkTensorTreeBRDF* New();
   vtkTypeMacro(vtkTensorTreeBRDF, vtkResampledBRDF);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
    * Nodes, children before their parents, the root last. A branch (Side 0) has 2^dimensions
@@ -59,7 +58,6 @@ public:
   std::string SetTree(Tree tree);
   const Tree& GetTree() const { return this->Data; }
 
-  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return this->Data.Dimensions == 3; }
   bool IsReciprocal() override { return false; }
   std::string GetModelName() override { return "TensorTree"; }

@@ -3,7 +3,7 @@
 #include "vtkBRDFAnalysis.h"
 
 #include "HalfVector.h"
-#include "ReflectionIntegral.h"
+#include "LocalFrame.h"
 #include "Setters.h"
 #include "vtkBasisBRDF.h"
 #include "vtkObjectFactory.h"
@@ -105,12 +105,10 @@ void vtkBRDFAnalysis::UpdateAlbedos()
     const double theta = this->Angles[j] * Pi / 180.0;
     for (int k = 0; k < azimuths; ++k)
     {
-      const double phi = 2.0 * Pi * k / azimuths;
-      const glm::dvec3 d(
-        std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
-      double albedo[3];
+      const glm::dvec3 d = ToDirection(std::cos(theta), 2.0 * Pi * k / azimuths);
+      double albedo[3], reflectance[3];
       this->BRDF->GetDirectionalAlbedo(&d.x, albedo);
-      const glm::dvec3 reflectance = IntegrateReflection(this->BRDF, d, IntegralOver::Views);
+      this->BRDF->GetReflectance(&d.x, reflectance);
       for (int c = 0; c < 3; ++c)
       {
         this->Albedos[j][c] += albedo[c] / azimuths;
@@ -194,44 +192,37 @@ double vtkBRDFAnalysis::GetTableNegativeMass(vtkTabulatedBRDF* table)
     return 0.0;
   }
   const int* size = table->GetDimensions();
-  const bool halfDifference = table->GetParameterization() == vtkTabulatedBRDF::HALF_DIFFERENCE;
+  const int parameterization = table->GetParameterization();
   double negative = 0.0;
   double total = 0.0;
-  const float* value = table->GetVolume().data();
-  for (int z = 0; z < size[2]; ++z)
+  for (int cell = 0; cell < size[0] * size[1] * size[2]; ++cell)
   {
-    for (int y = 0; y < size[1]; ++y)
+    const int x = cell % size[0], y = cell / size[0] % size[1], z = cell / size[0] / size[1];
+    const float* value = &table->GetVolume()[3 * static_cast<std::size_t>(cell)];
+    glm::dvec3 i, o;
+    if (!vtkTabulatedBRDF::GetCellDirections(
+          parameterization, table->GetAzimuthRange(), size, x, y, z, &i.x, &o.x) ||
+        !std::isfinite(value[0] + value[1] + value[2]))
     {
-      for (int x = 0; x < size[0]; ++x, value += 3)
-      {
-        double i[3];
-        double o[3];
-        if (!vtkTabulatedBRDF::GetCellDirections(
-              table->GetParameterization(), table->GetAzimuthRange(), size, x, y, z, i, o) ||
-            !std::isfinite(value[0] + value[1] + value[2]))
-        {
-          continue;
-        }
-        // di do = 4 cos(theta_d) dh dd (Rusinkiewicz 1998), theta_h on a quadratic axis; or the
-        // plain solid angles. Factors common to all cells are left out.
-        double weight = i[2] * o[2];
-        if (halfDifference)
-        {
-          const double axis = (z + 0.5) / size[2];
-          const double thetaH = UnitToThetaH(axis);
-          const double thetaD = 0.5 * Pi * (y + 0.5) / size[1];
-          weight *= std::cos(thetaD) * std::sin(thetaD) * std::sin(thetaH) * axis;
-        }
-        else
-        {
-          weight *= std::sqrt((1.0 - i[2] * i[2]) * (1.0 - o[2] * o[2]));
-        }
-        for (int c = 0; c < 3; ++c)
-        {
-          total += weight * std::abs(value[c]);
-          negative += weight * std::max(-value[c], 0.0f);
-        }
-      }
+      continue;
+    }
+    // di do = 4 cos(theta_d) dh dd (Rusinkiewicz 1998), theta_h on a quadratic axis; or the plain
+    // solid angles. Factors common to all cells are left out.
+    double weight = i.z * o.z;
+    if (parameterization == vtkTabulatedBRDF::HALF_DIFFERENCE)
+    {
+      const double axis = (z + 0.5) / size[2];
+      const double thetaD = 0.5 * Pi * (y + 0.5) / size[1];
+      weight *= std::cos(thetaD) * std::sin(thetaD) * std::sin(UnitToThetaH(axis)) * axis;
+    }
+    else
+    {
+      weight *= std::sqrt((1.0 - i.z * i.z) * (1.0 - o.z * o.z));
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      total += weight * std::abs(value[c]);
+      negative += weight * std::max(-value[c], 0.0f);
     }
   }
   return total > 0.0 ? negative / total : 0.0;

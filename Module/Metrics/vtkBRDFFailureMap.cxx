@@ -3,6 +3,7 @@
 #include "vtkBRDFFailureMap.h"
 
 #include "HalfVector.h"
+#include "LocalFrame.h"
 #include "LowDiscrepancy.h" // for GoldenRatio
 #include "ParallelFor.h"
 #include "Setters.h"
@@ -28,7 +29,6 @@ vtkStandardNewMacro(vtkBRDFFailureMap);
 
 namespace
 {
-constexpr double Degree = Pi / 180.0;
 constexpr double MinimumCosine = 0.02; // of what is shaded
 constexpr int LargestNumberOfWorst = 5;
 constexpr double WorstDistance = 10.0; // degrees
@@ -50,84 +50,40 @@ struct Cell
 };
 
 //------------------------------------------------------------------------------
-class Comparison
+// Compares both at all azimuths of a cell: getPair(azimuth, i, o) gives its pairs, those below the
+// horizon, too. Where a BRDF is anisotropic, each pair is turned about the normal.
+template <typename GetPair>
+Cell CompareCell(vtkBRDF* reference, vtkBRDF* brdf, int azimuths, const GetPair& getPair)
 {
-public:
-  Comparison(vtkBRDF* reference, vtkBRDF* brdf, int cells, int azimuths)
-    : Cells(cells)
-    , Azimuths(azimuths)
-    , Isotropic(reference->IsIsotropic() && brdf->IsIsotropic())
-    , Reference(reference)
-    , BRDF(brdf)
+  const bool isotropic = reference->IsIsotropic() && brdf->IsIsotropic();
+  Cell cell;
+  for (int k = 0; k < azimuths; ++k)
   {
-  }
-
-  Cell CompareIncidentOutgoing(int x, int y) const
-  {
-    const double step = 0.5 * Pi / this->Cells;
-    const double steepest = std::acos(MinimumCosine);
-    const double thetaI = std::min((x + 0.5) * step, steepest);
-    const double thetaO = std::min((y + 0.5) * step, steepest);
-    Cell cell;
-    for (int k = 0; k < this->Azimuths; ++k)
+    glm::dvec3 i, o, r, f;
+    getPair(2.0 * Pi * k / azimuths, i, o);
+    if (std::min(i.z, o.z) < MinimumCosine - 1e-9)
     {
-      const double phi = 2.0 * Pi * k / this->Azimuths;
-      const glm::dvec3 i(
-        std::sin(thetaI) * std::cos(phi), std::sin(thetaI) * std::sin(phi), std::cos(thetaI));
-      this->Add(i, { std::sin(thetaO), 0.0, std::cos(thetaO) }, k, cell);
+      continue;
     }
-    return cell;
-  }
-
-  Cell CompareHalfDifference(int x, int y) const
-  {
-    HalfDifference angles;
-    angles.ThetaH = UnitToThetaH((x + 0.5) / this->Cells);
-    angles.ThetaD = 0.5 * Pi * (y + 0.5) / this->Cells;
-    Cell cell;
-    for (int k = 0; k < this->Azimuths; ++k)
-    {
-      angles.PhiD = 2.0 * Pi * k / this->Azimuths;
-      glm::dvec3 i;
-      glm::dvec3 o;
-      FromHalfDifference(angles, i, o);
-      if (std::min(i.z, o.z) >= MinimumCosine)
-      {
-        this->Add(i, o, k, cell);
-      }
-    }
-    return cell;
-  }
-
-  const int Cells;
-
-private:
-  void Add(glm::dvec3 i, glm::dvec3 o, int k, Cell& cell) const
-  {
-    if (!this->Isotropic)
+    if (!isotropic)
     {
       const double turn = 2.0 * Pi * std::fmod(k * measuredbrdf::GoldenRatio, 1.0);
       i = glm::rotateZ(i, turn);
       o = glm::rotateZ(o, turn);
     }
-    glm::dvec3 r, f;
-    this->Reference->Evaluate(&i.x, &o.x, &r.x);
-    this->BRDF->Evaluate(&i.x, &o.x, &f.x);
+    reference->Evaluate(&i.x, &o.x, &r.x);
+    brdf->Evaluate(&i.x, &o.x, &f.x);
     const double difference = glm::compAdd(glm::abs(f - r));
     cell.Reference += glm::compAdd(r);
     cell.Difference += difference;
     if (difference > cell.Largest)
     {
       cell.Largest = difference;
-      cell.Azimuth = 360.0 * k / this->Azimuths;
+      cell.Azimuth = 360.0 * k / azimuths;
     }
   }
-
-  int Azimuths;
-  bool Isotropic;
-  vtkBRDF* Reference;
-  vtkBRDF* BRDF;
-};
+  return cell;
+}
 
 //------------------------------------------------------------------------------
 void FillImage(vtkImageData* image, const std::vector<Cell>& cells, int count, double width)
@@ -216,9 +172,11 @@ bool vtkBRDFFailureMap::Update()
   this->Abort = false;
   this->Reference->Prepare();
   this->BRDF->Prepare();
-  const Comparison comparison(
-    this->Reference, this->BRDF, this->NumberOfCells, this->NumberOfAzimuths);
   const int count = this->NumberOfCells;
+  const auto compare = [this](const auto& getPair)
+  { return CompareCell(this->Reference, this->BRDF, this->NumberOfAzimuths, getPair); };
+  const double step = 0.5 * Pi / count;
+  const double steepest = std::acos(MinimumCosine);
   std::vector<Cell> incidentOutgoing(static_cast<std::size_t>(count) * count);
   std::vector<Cell> halfDifference(incidentOutgoing.size());
   // Rows by a few, so that the calling thread can tell of them.
@@ -231,10 +189,20 @@ bool vtkBRDFFailureMap::Update()
       {
         for (vtkIdType k = begin; k < end; ++k)
         {
-          const int x = static_cast<int>(k) % count;
-          const int y = static_cast<int>(k) / count;
-          incidentOutgoing[static_cast<std::size_t>(k)] = comparison.CompareIncidentOutgoing(x, y);
-          halfDifference[static_cast<std::size_t>(k)] = comparison.CompareHalfDifference(x, y);
+          const double x = static_cast<double>(k % count) + 0.5;
+          const double y = static_cast<double>(k / count) + 0.5;
+          const double thetaI = std::min(x * step, steepest);
+          const double thetaO = std::min(y * step, steepest);
+          incidentOutgoing[k] = compare(
+            [&](double phi, glm::dvec3& i, glm::dvec3& o)
+            {
+              i = ToDirection(std::cos(thetaI), phi);
+              o = ToDirection(std::cos(thetaO), 0.0);
+            });
+          halfDifference[k] = compare(
+            [&](double phi, glm::dvec3& i, glm::dvec3& o) {
+              FromHalfDifference({ UnitToThetaH(x / count), y * step, phi }, i, o);
+            });
         }
       });
     double progress = std::min(1.0, static_cast<double>(first + group) / count);

@@ -20,7 +20,7 @@ vtkStandardNewMacro(vtkPictureDifference);
 namespace
 {
 constexpr std::size_t LastColor = 17;
-constexpr unsigned char Colors[LastColor + 1][3] = { { 0, 0, 4 }, { 9, 7, 32 }, { 26, 16, 66 },
+constexpr unsigned char Magma[LastColor + 1][3] = { { 0, 0, 4 }, { 9, 7, 32 }, { 26, 16, 66 },
   { 49, 17, 101 }, { 74, 16, 121 }, { 98, 25, 128 }, { 121, 34, 130 }, { 145, 43, 129 },
   { 170, 51, 125 }, { 194, 59, 117 }, { 217, 70, 107 }, { 236, 88, 96 }, { 247, 114, 92 },
   { 252, 142, 100 }, { 254, 170, 116 }, { 254, 198, 138 }, { 253, 226, 163 }, { 252, 253, 191 } };
@@ -37,7 +37,7 @@ std::array<unsigned char, 3> GetMagmaColor(double value)
   std::array<unsigned char, 3> color{};
   for (std::size_t c = 0; c < 3; ++c)
   {
-    const double mixed = Colors[k][c] + weight * (Colors[k + 1][c] - Colors[k][c]);
+    const double mixed = Magma[k][c] + weight * (Magma[k + 1][c] - Magma[k][c]);
     color[c] = static_cast<unsigned char>(std::lround(mixed));
   }
   return color;
@@ -123,9 +123,8 @@ bool vtkPictureDifference::Compare(vtkImageData* picture, vtkImageData* referenc
     const measuredbrdf::PictureError error =
       measuredbrdf::ComputePictureError(*Find(this->Metric), pair);
     this->Map = MakeImage(pair.Width, pair.Height, VTK_FLOAT, 1);
-    std::transform(error.Map.begin(), error.Map.end(),
-      static_cast<float*>(this->Map->GetScalarPointer()),
-      [](double value) { return static_cast<float>(value); });
+    Eigen::Map<Eigen::ArrayXf>(static_cast<float*>(this->Map->GetScalarPointer()),
+      error.Map.size()) = error.Map.cast<float>();
     this->MapMetric = this->Metric;
     this->Value = error.Value;
     return true;

@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadianceMetrics.h"
 
-#include "ColorDifference.h"
-#include "Flip.h"
+#include "NumberText.h"
 #include "PictureErrors.h"
-
+#include "Refusal.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
-#include "vtkEnvironment.h"
 #include "vtkObjectFactory.h"
 #include "vtkPictureDifference.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,8 +29,8 @@ namespace
 constexpr double RelMSEFloor = 0.01; // of the squared mean
 
 //------------------------------------------------------------------------------
-// Sorts the values. share in [0,1]; linear between neighbors.
-double GetPercentile(std::vector<double>& values, double share)
+// share in [0,1]; linear between neighbors.
+double GetPercentile(std::vector<double> values, double share)
 {
   if (values.empty())
   {
@@ -44,27 +44,55 @@ double GetPercentile(std::vector<double>& values, double share)
 }
 
 //------------------------------------------------------------------------------
+Colors Read(vtkDataArray* array, const std::string& name)
+{
+  Require(array && array->GetNumberOfComponents() == 3 && array->GetNumberOfTuples() >= 1,
+    "Radiance and reference need 3 components and a tuple at least");
+  Colors colors(3, array->GetNumberOfTuples());
+  for (vtkIdType k = 0; k < colors.cols(); ++k)
+  {
+    array->GetTuple(k, &colors(0, k));
+    for (const double value : colors.col(k))
+    {
+      if (!std::isfinite(value) || value < 0.0)
+      {
+        throw std::runtime_error("The " + name + " is " + NumberText(value) + " at tuple " +
+                                 std::to_string(k) + ", which is negative or not finite");
+      }
+    }
+  }
+  return colors;
+}
+
+std::pair<Colors, Colors> ReadBoth(vtkDataArray* radiance, vtkDataArray* reference)
+{
+  std::pair<Colors, Colors> both = { Read(radiance, "radiance"), Read(reference, "reference") };
+  Require(both.first.cols() == both.second.cols(),
+    "The radiance has " + std::to_string(both.first.cols()) + " tuples, its reference " +
+      std::to_string(both.second.cols()));
+  return both;
+}
+
+//------------------------------------------------------------------------------
 // Both are black where nothing is covered, and compared elsewhere.
 PicturePair MakePair(
   int width, int height, vtkDataArray* radiance, vtkDataArray* reference, vtkDataArray* coverage)
 {
-  PicturePair pair;
-  pair.Width = width;
-  pair.Height = height;
-  for (vtkIdType k = 0; k < reference->GetNumberOfTuples(); ++k)
+  auto [picture, expected] = ReadBoth(radiance, reference);
+  const vtkIdType count = picture.cols();
+  Require(width >= 1 && height >= 1 && static_cast<vtkIdType>(width) * height == count &&
+            (!coverage ||
+              (coverage->GetNumberOfTuples() == count && coverage->GetNumberOfComponents() == 1)),
+    "Pictures of " + std::to_string(width) + " x " + std::to_string(height) +
+      " pixels need as many tuples, and one component of coverage; " + std::to_string(count) +
+      " tuples were given");
+  Values covered = Values::Ones(count);
+  for (vtkIdType k = 0; coverage && k < count; ++k)
   {
-    const bool covered = !coverage || coverage->GetComponent(k, 0) != 0.0;
-    for (int c = 0; c < 3; ++c)
-    {
-      pair.Picture.Color.push_back(covered ? radiance->GetComponent(k, c) : 0.0);
-      pair.Reference.Color.push_back(covered ? reference->GetComponent(k, c) : 0.0);
-    }
-    if (covered)
-    {
-      pair.Compared.push_back(static_cast<std::size_t>(k));
-    }
+    covered[k] = coverage->GetComponent(k, 0) != 0.0 ? 1.0 : 0.0;
   }
-  return pair;
+  return { width, height, { false, picture.rowwise() * covered, Values::Ones(count) },
+    { false, expected.rowwise() * covered, Values::Ones(count) }, covered };
 }
 
 //------------------------------------------------------------------------------
@@ -74,10 +102,7 @@ PicturePair Encode(PicturePair pair, double white)
   for (PictureValues* values : { &pair.Picture, &pair.Reference })
   {
     values->IsEncoded = true;
-    for (double& value : values->Color)
-    {
-      value = std::pow(std::min(value / white, 1.0), 1.0 / 2.2);
-    }
+    values->Color = (values->Color / white).min(1.0).pow(1.0 / 2.2);
   }
   return pair;
 }
@@ -96,176 +121,98 @@ double GetSimilarity(const PicturePair& pair)
   {
     return GetFigure(vtkPictureDifference::SSIM, pair);
   }
-  catch (const std::invalid_argument&)
+  catch (const std::runtime_error&)
   {
     return std::numeric_limits<double>::quiet_NaN();
   }
 }
-}
 
 //------------------------------------------------------------------------------
-bool vtkRadianceMetrics::Check(vtkDataArray* radiance, vtkDataArray* reference)
+// Whether work() threw nothing; says what it threw.
+template <typename Work>
+bool Succeeds(vtkObject* metrics, const Work& work)
 {
-  for (vtkDataArray* array : { radiance, reference })
+  const std::string problem = FindProblemOf(work);
+  if (!problem.empty())
   {
-    if (!array || array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() < 1)
-    {
-      vtkErrorMacro("Radiance and reference need 3 components and a tuple at least.");
-      return false;
-    }
-    for (vtkIdType k = 0; k < 3 * array->GetNumberOfTuples(); ++k)
-    {
-      const double value = array->GetComponent(k / 3, static_cast<int>(k % 3));
-      if (!std::isfinite(value) || value < 0.0)
-      {
-        vtkErrorMacro("The " << (array == reference ? "reference" : "radiance") << " is " << value
-                             << " at tuple " << k / 3 << ", which is negative or not finite.");
-        return false;
-      }
-    }
+    vtkErrorWithObjectMacro(metrics, << problem << ".");
   }
-  if (radiance->GetNumberOfTuples() != reference->GetNumberOfTuples())
-  {
-    vtkErrorMacro("The radiance has " << radiance->GetNumberOfTuples() << " tuples, its reference "
-                                      << reference->GetNumberOfTuples() << ".");
-    return false;
-  }
-  return true;
+  return problem.empty();
+}
 }
 
 //------------------------------------------------------------------------------
 bool vtkRadianceMetrics::Compare(vtkDataArray* radiance, vtkDataArray* reference)
 {
-  if (!this->Check(radiance, reference))
-  {
-    return false;
-  }
-  const vtkIdType count = reference->GetNumberOfTuples();
-  double total = 0.0;
-  double difference = 0.0;
-  double squares = 0.0;
-  double symmetric = 0.0;
-  std::vector<double> relative;
-  std::vector<double> differences;
-  double x[3];
-  double r[3];
-  for (vtkIdType k = 0; k < count; ++k)
-  {
-    radiance->GetTuple(k, x);
-    reference->GetTuple(k, r);
-    double pixel = 0.0;
-    for (int c = 0; c < 3; ++c)
+  return Succeeds(this,
+    [&]()
     {
-      const double d = std::abs(x[c] - r[c]);
-      pixel += d;
-      squares += d * d;
-      symmetric += d > 0.0 ? d / (x[c] + r[c]) : 0.0;
-    }
-    const double sum = r[0] + r[1] + r[2];
-    total += sum;
-    difference += pixel;
-    differences.push_back(pixel);
-    if (sum > 0.0)
-    {
-      relative.push_back(pixel / sum);
-    }
-  }
-  if (!(total > 0.0))
-  {
-    vtkErrorMacro("The reference is black: no error is relative to it.");
-    return false;
-  }
-  const double values = 3.0 * static_cast<double>(count);
-  const double floor = RelMSEFloor * total * total / (values * values);
-  double relativeSquares = 0.0;
-  for (vtkIdType k = 0; k < count; ++k)
-  {
-    radiance->GetTuple(k, x);
-    reference->GetTuple(k, r);
-    for (int c = 0; c < 3; ++c)
-    {
-      const double d = x[c] - r[c];
-      relativeSquares += d * d / (r[c] * r[c] + floor);
-    }
-  }
-  this->RelativeL1 = difference / total;
-  this->RelativeRMSE = std::sqrt(squares / values) * values / total;
-  this->RelMSE = relativeSquares / values;
-  this->MedianRelative = GetPercentile(relative, 0.5);
-  this->P99Relative = GetPercentile(relative, 0.99);
-  const double mean = total / static_cast<double>(count);
-  this->Percentile95 = GetPercentile(differences, 0.95) / mean;
-  this->Percentile99 = GetPercentile(differences, 0.99) / mean;
-  this->SMAPE = symmetric / values;
-  return true;
+      const auto [x, r] = ReadBoth(radiance, reference);
+      const double mean = r.mean();
+      Require(mean > 0.0, "The reference is black: no error is relative to it");
+      const Colors d = (x - r).abs();
+      std::vector<double> relative;
+      std::vector<double> differences;
+      for (Eigen::Index k = 0; k < d.cols(); ++k)
+      {
+        differences.push_back(d.col(k).sum() / (3.0 * mean));
+        if (r.col(k).sum() > 0.0)
+        {
+          relative.push_back(d.col(k).sum() / r.col(k).sum());
+        }
+      }
+      this->RelativeL1 = d.mean() / mean;
+      this->RelativeRMSE = std::sqrt(d.square().mean()) / mean;
+      this->RelMSE = (d.square() / (r.square() + RelMSEFloor * mean * mean)).mean();
+      this->MedianRelative = GetPercentile(relative, 0.5);
+      this->P99Relative = GetPercentile(relative, 0.99);
+      this->Percentile95 = GetPercentile(differences, 0.95);
+      this->Percentile99 = GetPercentile(differences, 0.99);
+      this->SMAPE = (d > 0.0).select(d / (x + r), 0.0).mean();
+    });
 }
 
 //------------------------------------------------------------------------------
 bool vtkRadianceMetrics::ComparePictures(
   int width, int height, vtkDataArray* radiance, vtkDataArray* reference, vtkDataArray* coverage)
 {
-  if (!this->Check(radiance, reference))
-  {
-    return false;
-  }
-  const vtkIdType count = reference->GetNumberOfTuples();
-  if (width < 1 || height < 1 || static_cast<vtkIdType>(width) * height != count ||
-      (coverage &&
-        (coverage->GetNumberOfTuples() != count || coverage->GetNumberOfComponents() != 1)))
-  {
-    vtkErrorMacro("Pictures of " << width << " x " << height
-                                 << " pixels need as many tuples, and one component of coverage; "
-                                 << count << " tuples were given.");
-    return false;
-  }
-  this->Abort = false;
-  const PicturePair pair = MakePair(width, height, radiance, reference, coverage);
-  std::vector<double> channels;
-  std::vector<double> luminances;
-  for (const std::size_t k : pair.Compared)
-  {
-    const double* color = &pair.Reference.Color[3 * k];
-    channels.insert(channels.end(), color, color + 3);
-    luminances.push_back(vtkEnvironment::GetLuminance(color));
-  }
-  const double white = GetPercentile(channels, 0.99);
-  if (!(white > 0.0))
-  {
-    vtkErrorMacro("The reference is black: nothing to set the exposure by.");
-    return false;
-  }
-  const PicturePair encoded = Encode(pair, white);
-  const double flip = GetFigure(vtkPictureDifference::FLIP, encoded);
-  const std::vector<double> largest = ComputeHDRFlip(width, height, pair.Picture.Color,
-    pair.Reference.Color, FindExposures(std::move(luminances)),
-    [this](double share) { return this->ReportProgress(share); });
-  if (largest.empty() || !this->ReportProgress(1.0))
-  {
-    return false;
-  }
-  this->FLIP = flip;
-  this->HDRFLIP = pair.GetMean(largest);
-  this->SSIM = GetSimilarity(encoded);
-  this->DeltaE2000 = GetFigure(vtkPictureDifference::DELTA_E_2000, encoded);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkRadianceMetrics::ReportProgress(double share)
-{
-  this->InvokeEvent(vtkCommand::ProgressEvent, &share);
-  if (this->Abort)
-  {
-    vtkErrorMacro("ComparePictures was aborted.");
-    return false;
-  }
-  return true;
+  return Succeeds(this,
+    [&]()
+    {
+      const PicturePair pair = MakePair(width, height, radiance, reference, coverage);
+      this->Abort = false;
+      std::vector<double> channels;
+      for (Eigen::Index k = 0; k < pair.Compared.size(); ++k)
+      {
+        if (pair.Compared[k] > 0.0)
+        {
+          const double* color = &pair.Reference.Color(0, k);
+          channels.insert(channels.end(), color, color + 3);
+        }
+      }
+      const double white = GetPercentile(channels, 0.99);
+      Require(white > 0.0, "The reference is black: nothing to set the exposure by");
+      const PicturePair encoded = Encode(pair, white);
+      const double flip = GetFigure(vtkPictureDifference::FLIP, encoded);
+      const auto goOn = [this](double share)
+      {
+        this->InvokeEvent(vtkCommand::ProgressEvent, &share);
+        return !this->Abort;
+      };
+      const Values largest = ComputeHDRFlip(width, height, pair.Picture.Color, pair.Reference.Color,
+        FindExposures(pair.GetLuminances(pair.Reference.Color)), goOn);
+      Require(largest.size() > 0 && goOn(1.0), "ComparePictures was aborted");
+      this->FLIP = flip;
+      this->HDRFLIP = pair.GetMean(largest);
+      this->SSIM = GetSimilarity(encoded);
+      this->DeltaE2000 = GetFigure(vtkPictureDifference::DELTA_E_2000, encoded);
+    });
 }
 
 //------------------------------------------------------------------------------
 double vtkRadianceMetrics::ComputeDeltaE2000(const double lab1[3], const double lab2[3])
 {
-  return measuredbrdf::GetDeltaE2000({ lab1[0], lab1[1], lab1[2] }, { lab2[0], lab2[1], lab2[2] });
+  return measuredbrdf::GetDeltaE2000(Eigen::Array3d(lab1), Eigen::Array3d(lab2));
 }
 
 //------------------------------------------------------------------------------

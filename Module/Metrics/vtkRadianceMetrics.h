@@ -141,9 +141,6 @@ protected:
 private:
   vtkRadianceMetrics(const vtkRadianceMetrics&) = delete;
   void operator=(const vtkRadianceMetrics&) = delete;
-
-  bool Check(vtkDataArray* radiance, vtkDataArray* reference);
-  bool ReportProgress(double share);
 };
 
 #endif

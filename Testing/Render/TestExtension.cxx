@@ -25,11 +25,6 @@ class OwnBRDF : public vtkBRDF
 public:
   static OwnBRDF* New();
   vtkTypeMacro(OwnBRDF, vtkBRDF);
-  void GetBounds(double, double lower[3], double upper[3]) override
-  {
-    std::fill(lower, lower + 3, 0.0);
-    std::fill(upper, upper + 3, 0.4);
-  }
   void GetShaderInputs(vtkBRDFShaderInputs& inputs) override
   {
     if (this->Source.empty())

@@ -120,23 +120,23 @@ public:
   {
     glm::dvec2 fraction;
     const std::size_t cell = this->FindCell(u, fraction);
-    const Patch v = this->GetPatch(cell, slices);
-    return glm::mix(
-             glm::mix(v.V00, v.V10, fraction.x), glm::mix(v.V01, v.V11, fraction.x), fraction.y) *
+    return Interpolate(this->GetPatch(cell, slices), fraction) *
            (this->Conditional.empty() ? 1.0 : this->GetCellsPerSquare());
   }
 
-  /// Values of three functions, no densities, on the same grid.
-  static void EvaluateThree(
-    const BilinearWarp functions[3], const glm::dvec2& u, const Slices& slices, double values[3])
+  /// Values of three functions, no densities, whose slices lie one after another.
+  void EvaluateThree(const glm::dvec2& u, const Slices& slices, double values[3]) const
   {
     glm::dvec2 fraction;
-    const std::size_t cell = functions[0].FindCell(u, fraction);
-    for (int c = 0; c < 3; ++c)
+    const std::size_t cell = this->FindCell(u, fraction);
+    for (std::size_t c = 0; c < 3; ++c)
     {
-      const Patch v = functions[c].GetPatch(cell, slices);
-      values[c] = glm::mix(
-        glm::mix(v.V00, v.V10, fraction.x), glm::mix(v.V01, v.V11, fraction.x), fraction.y);
+      Patch patch{ 0.0, 0.0, 0.0, 0.0 };
+      for (int k = 0; k < slices.Count; ++k)
+      {
+        this->AddPatch(cell, 3 * slices.Index[k] + c, slices.Weight[k], patch);
+      }
+      values[c] = Interpolate(patch, fraction);
     }
   }
 
@@ -289,6 +289,12 @@ private:
       this->AddPatch(cell, slices.Index[k], slices.Weight[k], patch);
     }
     return patch;
+  }
+
+  static double Interpolate(const Patch& v, const glm::dvec2& fraction)
+  {
+    return glm::mix(
+      glm::mix(v.V00, v.V10, fraction.x), glm::mix(v.V01, v.V11, fraction.x), fraction.y);
   }
 
   void AddPatch(std::size_t cell, std::size_t slice, double weight, Patch& patch) const

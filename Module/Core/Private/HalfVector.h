@@ -123,6 +123,14 @@ inline void FromHalfDifference(const HalfDifference& angles, glm::dvec3& i, glm:
   o = ReflectAbout(i, glm::dvec3(sh, 0.0, ch));
 }
 
+/// The theta_d at which i or o lies on the horizon, of theta_h and phi_d: i.z or o.z =
+/// cos(theta_h) cos(theta_d) -+ sin(theta_h) sin(theta_d) cos(phi_d) = 0.
+inline double FindHorizon(const HalfDifference& angles)
+{
+  return std::atan2(
+    std::cos(angles.ThetaH), std::sin(angles.ThetaH) * std::abs(std::cos(angles.PhiD)));
+}
+
 /// Table coordinate of theta_h in [0,1]: fine where lobes are sharp (MERL's spacing); and back.
 inline double ThetaHToUnit(double thetaH)
 {

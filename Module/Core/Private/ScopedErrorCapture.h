@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An object's errors, taken off its hands: whoever uses it reports them.
+ * An object's errors or warnings, taken off its hands: whoever uses it reports them.
  */
 
 #ifndef ScopedErrorCapture_h
@@ -20,9 +20,9 @@ namespace measuredbrdf
 class ScopedErrorCapture
 {
 public:
-  explicit ScopedErrorCapture(vtkObject* source)
+  explicit ScopedErrorCapture(vtkObject* source, unsigned long event = vtkCommand::ErrorEvent)
     : Source(source)
-    , Tag(source->AddObserver(vtkCommand::ErrorEvent, this, &ScopedErrorCapture::Take))
+    , Tag(source->AddObserver(event, this, &ScopedErrorCapture::Take))
   {
   }
   ~ScopedErrorCapture() { this->Source->RemoveObserver(this->Tag); }

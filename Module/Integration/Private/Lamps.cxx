@@ -92,7 +92,6 @@ public:
     }
   }
 
-  void GetBounds(double, double[3], double[3]) override {}
   void GetShaderInputs(vtkBRDFShaderInputs&) override {}
   void Prepare() override { this->Material->Prepare(); }
   bool IsReciprocal() override { return false; }
@@ -214,13 +213,6 @@ void LampBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
     { sum += weight * glm::dvec3(UnpackSharedExponent(this->Texels[cell])); });
   sum *= this->Scale / o[2];
   std::copy_n(&sum.x, 3, f);
-}
-
-void LampBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
-{
-  std::fill_n(lower, 3, 0.0);
-  std::fill_n(upper, 3,
-    this->Scale * static_cast<double>(LargestSharedExponent) / std::max(minimumCosine, 1e-6));
 }
 
 void LampBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)

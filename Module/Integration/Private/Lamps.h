@@ -105,7 +105,6 @@ public:
   /// The term before another one's, which calls the function.
   void AddTo(vtkBRDFShaderInputs::Term& term);
 
-  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsReciprocal() override { return false; }
 
 protected:

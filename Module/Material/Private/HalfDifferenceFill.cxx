@@ -38,9 +38,7 @@ SlidCell GetSlidCell(const int dimensions[3], double range, int x, int y, int z)
   HalfDifference& angles = cell.Angles;
   angles = { UnitToThetaH((z + 0.5) / dimensions[2]), 0.5 * Pi * (y + 0.5) / dimensions[1],
     range * (x + 0.5) / dimensions[0] };
-  // i.z or o.z = cos(theta_h) cos(theta_d) -+ sin(theta_h) sin(theta_d) cos(phi_d) = 0.
-  const double horizon =
-    std::atan2(std::cos(angles.ThetaH), std::sin(angles.ThetaH) * std::abs(std::cos(angles.PhiD)));
+  const double horizon = FindHorizon(angles);
   const double gap = range < 2.0 * Pi ? 0.25 * Pi / dimensions[1] : 1e-4 * horizon;
   const double last = std::max(horizon - gap, 0.5 * horizon);
   cell.IsSlid = angles.ThetaD >= last;
@@ -100,37 +98,36 @@ void FillHalfDifference(vtkBRDF* input, bool reciprocal, const int dimensions[3]
   measuredbrdf::ParallelFor(0, dimensions[2], 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      std::vector<const float*> slid(sides); // of a column, the value that it ends with
-      for (vtkIdType z = begin; z < end; ++z)
+      for (vtkIdType column = static_cast<vtkIdType>(sides) * begin;
+           column < static_cast<vtkIdType>(sides) * end; ++column)
       {
-        std::fill(slid.begin(), slid.end(), nullptr);
+        const std::size_t x = static_cast<std::size_t>(column) % sides;
+        const std::size_t z = static_cast<std::size_t>(column) / sides;
+        const std::size_t mirror = mirrored ? width - 1 - x : x;
+        const float* slid = nullptr; // the value that the column ends with
         for (std::size_t y = 0; y < height; ++y)
         {
-          const std::size_t first = (static_cast<std::size_t>(z) * height + y) * width;
-          for (std::size_t x = 0; x < sides; ++x)
+          const std::size_t first = (z * height + y) * width;
+          if (wanted && !(*wanted)[first + x] && !(*wanted)[first + mirror])
           {
-            const std::size_t mirror = mirrored ? width - 1 - x : x;
-            if (wanted && !(*wanted)[first + x] && !(*wanted)[first + mirror])
-            {
-              continue;
-            }
-            float* value = &rgb[3 * (first + x)];
-            if (slid[x])
-            {
-              std::copy_n(slid[x], 3, value);
-            }
-            else
-            {
-              const SlidCell cell = GetSlidCell(
-                dimensions, range, static_cast<int>(x), static_cast<int>(y), static_cast<int>(z));
-              const glm::vec3 f = EvaluateCell(input, reciprocal, cell.Angles);
-              std::copy_n(&f.x, 3, value);
-              slid[x] = cell.IsSlid ? value : nullptr;
-            }
-            if (mirror != x)
-            {
-              std::copy_n(value, 3, &rgb[3 * (first + mirror)]);
-            }
+            continue;
+          }
+          float* value = &rgb[3 * (first + x)];
+          if (slid)
+          {
+            std::copy_n(slid, 3, value);
+          }
+          else
+          {
+            const SlidCell cell = GetSlidCell(
+              dimensions, range, static_cast<int>(x), static_cast<int>(y), static_cast<int>(z));
+            const glm::vec3 f = EvaluateCell(input, reciprocal, cell.Angles);
+            std::copy_n(&f.x, 3, value);
+            slid = cell.IsSlid ? value : nullptr;
+          }
+          if (mirror != x)
+          {
+            std::copy_n(value, 3, &rgb[3 * (first + mirror)]);
           }
         }
       }

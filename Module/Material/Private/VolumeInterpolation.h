@@ -96,19 +96,6 @@ inline VolumeCorners<3> FindHalfDifferenceCorners(const glm::dvec3& u, const int
     ClampedNeighbors(u.z, dimensions[2]) };
 }
 
-/// Least and largest values of each channel of RGB triples, 0 at least; NaN is left out.
-inline void FindBounds(const std::vector<float>& rgb, double lower[3], double upper[3])
-{
-  std::fill_n(lower, 3, rgb.empty() ? 0.0 : std::numeric_limits<double>::max());
-  std::fill_n(upper, 3, 0.0);
-  for (std::size_t k = 0; k < rgb.size(); ++k)
-  {
-    lower[k % 3] =
-      std::min(lower[k % 3], std::isnan(rgb[k]) ? lower[k % 3] : std::max(rgb[k], 0.0f));
-    upper[k % 3] = std::max(upper[k % 3], std::isnan(rgb[k]) ? 0.0 : rgb[k]);
-  }
-}
-
 /// The mean of the valid corners over the cosine that the volume holds.
 inline void DivideByValid(const VolumeSum& sum, double cosine, double f[3])
 {

@@ -2,20 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PictureErrors.h"
 
-#include "ColorDifference.h"
-#include "Flip.h"
 #include "NumberText.h"
+#include "Refusal.h"
 #include "SRGB.h"
 #include "vtkDataArray.h"
-#include "vtkEnvironment.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
-
-#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace measuredbrdf
 {
@@ -24,12 +21,6 @@ namespace
 // FLIP takes some 200 bytes for each.
 constexpr vtkIdType MaximumPixels = vtkIdType(1) << 25;
 constexpr double MaskThreshold = 0.5;
-
-//------------------------------------------------------------------------------
-[[noreturn]] void Refuse(const std::string& name, const std::string& problem)
-{
-  throw std::invalid_argument(name + ": " + problem);
-}
 
 //------------------------------------------------------------------------------
 std::string FormatSize(const int* dimensions)
@@ -51,36 +42,36 @@ double GetLargest(const std::string& name, vtkDataArray* scalars)
     case VTK_DOUBLE:
       return 0.0;
     default:
-      Refuse(name, std::string("type of values: found ") + scalars->GetDataTypeAsString() +
-                     ", expected unsigned char, unsigned short, float or double");
+      throw std::runtime_error(name + ": type of values: found " + scalars->GetDataTypeAsString() +
+                               ", expected unsigned char, unsigned short, float or double");
   }
 }
 
 //------------------------------------------------------------------------------
 vtkDataArray* GetScalars(const std::string& name, vtkImageData* image)
 {
-  if (!image)
-  {
-    Refuse(name, "there is none");
-  }
+  Require(image, name + ": there is none");
   const int* size = image->GetDimensions();
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  if (!scalars || size[0] < 1 || size[1] < 1 || size[2] != 1 ||
-      scalars->GetNumberOfTuples() != static_cast<vtkIdType>(size[0]) * size[1])
-  {
-    Refuse(name, "expected an image of one slice with a value for each pixel");
-  }
-  if (scalars->GetNumberOfTuples() > MaximumPixels)
-  {
-    Refuse(name, "size: found " + FormatSize(size) + ", expected at most " +
-                   std::to_string(MaximumPixels) + " pixels");
-  }
-  if (scalars->GetNumberOfComponents() > 4)
-  {
-    Refuse(name, "channels: found " + std::to_string(scalars->GetNumberOfComponents()) +
-                   ", expected 1 to 4: gray, gray and alpha, RGB, RGBA");
-  }
+  Require(scalars && size[0] >= 1 && size[1] >= 1 && size[2] == 1 &&
+            scalars->GetNumberOfTuples() == static_cast<vtkIdType>(size[0]) * size[1],
+    name + ": expected an image of one slice with a value for each pixel");
+  Require(scalars->GetNumberOfTuples() <= MaximumPixels,
+    name + ": size: found " + FormatSize(size) + ", expected at most " +
+      std::to_string(MaximumPixels) + " pixels");
+  Require(scalars->GetNumberOfComponents() <= 4,
+    name + ": channels: found " + std::to_string(scalars->GetNumberOfComponents()) +
+      ", expected 1 to 4: gray, gray and alpha, RGB, RGBA");
   return scalars;
+}
+
+//------------------------------------------------------------------------------
+void CheckSize(const std::string& name, vtkImageData* image, const int* size, const char* as)
+{
+  GetScalars(name, image);
+  Require(std::equal(size, size + 2, image->GetDimensions()),
+    name + ": size: found " + FormatSize(image->GetDimensions()) + ", expected " +
+      FormatSize(size) + " as " + as);
 }
 
 //------------------------------------------------------------------------------
@@ -91,118 +82,107 @@ PictureValues ReadValues(const std::string& name, vtkImageData* image, bool igno
   const double scale = largest > 0.0 ? 1.0 / largest : 1.0;
   const int components = scalars->GetNumberOfComponents();
   const int colors = components < 3 ? 1 : 3;
-  const int width = image->GetDimensions()[0];
-  PictureValues values;
-  values.IsEncoded = largest > 0.0;
-  values.Color.reserve(3 * static_cast<std::size_t>(scalars->GetNumberOfTuples()));
-  values.Alpha.reserve(static_cast<std::size_t>(scalars->GetNumberOfTuples()));
+  const vtkIdType count = scalars->GetNumberOfTuples();
+  PictureValues values{ largest > 0.0, Colors(3, count), Values::Ones(count) };
   double tuple[4];
-  for (vtkIdType k = 0; k < scalars->GetNumberOfTuples(); ++k)
+  for (vtkIdType k = 0; k < count; ++k)
   {
     scalars->GetTuple(k, tuple);
-    for (int c = 0; c < components; ++c)
+    const double* bad = std::find_if(
+      tuple, tuple + components, [](double v) { return !std::isfinite(v) || v < 0.0; });
+    if (bad != tuple + components)
     {
-      if (!std::isfinite(tuple[c]) || tuple[c] < 0.0)
-      {
-        Refuse(name, "pixel (" + std::to_string(k % width) + ", " + std::to_string(k / width) +
-                       ") from the bottom left, channel " + std::to_string(c) + ": found " +
-                       NumberText(tuple[c]) + ", expected a finite value of at least 0");
-      }
+      const int width = image->GetDimensions()[0];
+      throw std::runtime_error(name + ": pixel (" + std::to_string(k % width) + ", " +
+                               std::to_string(k / width) + ") from the bottom left, channel " +
+                               std::to_string(bad - tuple) + ": found " + NumberText(*bad) +
+                               ", expected a finite value of at least 0");
     }
     for (int c = 0; c < 3; ++c)
     {
-      values.Color.push_back(scale * tuple[c % colors]);
+      values.Color(c, k) = scale * tuple[c % colors];
     }
-    const bool opaque = ignoreAlpha || components == colors;
-    values.Alpha.push_back(opaque ? 1.0 : std::min(1.0, scale * tuple[colors]));
-    values.HasTransparency = values.HasTransparency || values.Alpha.back() < 1.0;
+    if (!ignoreAlpha && components > colors)
+    {
+      values.Alpha[k] = std::min(1.0, scale * tuple[colors]);
+    }
   }
   return values;
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::size_t> FindCompared(const int* size, const PictureArea& area)
+Values FindCompared(const int* size, const PictureArea& area)
 {
+  Plane compared = Plane::Zero(size[0], size[1]);
   vtkDataArray* mask = nullptr;
   double least = 0.0;
   if (area.Mask)
   {
+    CheckSize("mask", area.Mask, size, "the pictures");
     mask = GetScalars("mask", area.Mask);
-    const int* found = area.Mask->GetDimensions();
-    if (!std::equal(size, size + 2, found))
-    {
-      Refuse("mask",
-        "size: found " + FormatSize(found) + ", expected " + FormatSize(size) + " as the pictures");
-    }
     const double largest = GetLargest("mask", mask);
     least = MaskThreshold * (largest > 0.0 ? largest : 1.0);
   }
-  std::vector<std::size_t> compared;
   for (int y = area.Border; y < size[1] - area.Border; ++y)
   {
     for (int x = area.Border; x < size[0] - area.Border; ++x)
     {
       const vtkIdType k = static_cast<vtkIdType>(y) * size[0] + x;
-      if (!mask || mask->GetComponent(k, 0) >= least)
-      {
-        compared.push_back(static_cast<std::size_t>(k));
-      }
+      compared(x, y) = !mask || mask->GetComponent(k, 0) >= least ? 1.0 : 0.0;
     }
   }
-  if (compared.empty())
-  {
-    throw std::invalid_argument("the border and the mask leave no pixel to compare");
-  }
-  return compared;
-}
+  Require(compared.any(), "the border and the mask leave no pixel to compare");
+  return Eigen::Map<const Values>(compared.data(), compared.size());
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> PictureValues::Show(double background, double (*convert)(double, bool)) const
+Colors Decode(const Colors& encoded) { return encoded.unaryExpr(&DecodeSRGB); }
+
+Colors Encode(const Colors& linear) { return linear.min(1.0).unaryExpr(&EncodeSRGB); }
+}
+
+//------------------------------------------------------------------------------
+// Integers' colors are not yet multiplied by alpha; floats' are.
+Colors PictureValues::Show(double background) const
 {
-  std::vector<double> values = this->Color;
-  for (std::size_t k = 0; k < values.size(); ++k)
+  if (!this->HasTransparency())
   {
-    if (this->HasTransparency)
+    return this->Color;
+  }
+  const Colors color = this->IsEncoded ? this->Color.rowwise() * this->Alpha : this->Color;
+  return color.rowwise() + (1.0 - this->Alpha) * background;
+}
+
+//------------------------------------------------------------------------------
+Colors PictureValues::GetLinear(double background) const
+{
+  return this->IsEncoded ? Decode(this->Show(background)) : this->Show(background);
+}
+
+//------------------------------------------------------------------------------
+Colors PictureValues::GetDisplayed(double background) const
+{
+  return this->IsEncoded ? this->Show(background) : Encode(this->Show(background));
+}
+
+//------------------------------------------------------------------------------
+Colors PictureValues::GetDisplayedLight(double background) const
+{
+  return this->GetLinear(background).min(1.0);
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> PicturePair::GetLuminances(const Colors& linear) const
+{
+  std::vector<double> luminances;
+  for (Eigen::Index k = 0; k < linear.cols(); ++k)
+  {
+    if (this->Compared[k] > 0.0)
     {
-      const double alpha = this->Alpha[k / 3];
-      values[k] = (this->IsEncoded ? alpha * values[k] : values[k]) + (1.0 - alpha) * background;
+      luminances.push_back(GetLuminance(linear.col(k)));
     }
-    values[k] = convert(values[k], this->IsEncoded);
   }
-  return values;
-}
-
-//------------------------------------------------------------------------------
-std::vector<double> PictureValues::GetLinear(double background) const
-{
-  return this->Show(
-    background, [](double value, bool isEncoded) { return isEncoded ? DecodeSRGB(value) : value; });
-}
-
-//------------------------------------------------------------------------------
-std::vector<double> PictureValues::GetDisplayed(double background) const
-{
-  return this->Show(background, [](double value, bool isEncoded)
-    { return isEncoded ? value : EncodeSRGB(std::min(value, 1.0)); });
-}
-
-//------------------------------------------------------------------------------
-std::vector<double> PictureValues::GetDisplayedLight(double background) const
-{
-  return this->Show(background, [](double value, bool isEncoded)
-    { return std::min(isEncoded ? DecodeSRGB(value) : value, 1.0); });
-}
-
-//------------------------------------------------------------------------------
-double PicturePair::GetMean(const std::vector<double>& map) const
-{
-  double sum = 0.0;
-  for (const std::size_t k : this->Compared)
-  {
-    sum += map[k];
-  }
-  return sum / static_cast<double>(this->Compared.size());
+  return luminances;
 }
 
 //------------------------------------------------------------------------------
@@ -211,38 +191,19 @@ PicturePair MakePicturePair(vtkImageData* picture, vtkImageData* reference, cons
   GetScalars("picture", picture);
   GetScalars("reference", reference);
   const int* size = reference->GetDimensions();
-  if (!std::equal(size, size + 2, picture->GetDimensions()))
-  {
-    Refuse("picture", "size: found " + FormatSize(picture->GetDimensions()) + ", expected " +
-                        FormatSize(size) + " as the reference");
-  }
-  PicturePair pair;
-  pair.Width = size[0];
-  pair.Height = size[1];
-  pair.Picture = ReadValues("picture", picture, area.IgnoreAlpha);
-  pair.Reference = ReadValues("reference", reference, area.IgnoreAlpha);
-  pair.Compared = FindCompared(size, area);
+  CheckSize("picture", picture, size, "the reference");
+  PicturePair pair{ size[0], size[1], ReadValues("picture", picture, area.IgnoreAlpha),
+    ReadValues("reference", reference, area.IgnoreAlpha), FindCompared(size, area) };
   // What is not compared must not show in the filters of its neighbors.
-  std::vector<bool> isCompared(pair.Reference.Alpha.size(), false);
-  for (const std::size_t k : pair.Compared)
+  const Colors same = pair.Picture.IsEncoded == pair.Reference.IsEncoded ? pair.Reference.Color
+                      : pair.Picture.IsEncoded ? Encode(pair.Reference.Color)
+                                               : Decode(pair.Reference.Color);
+  for (Eigen::Index k = 0; k < pair.Compared.size(); ++k)
   {
-    isCompared[k] = true;
-  }
-  pair.Picture.HasTransparency |= pair.Reference.HasTransparency;
-  const bool alike = pair.Picture.IsEncoded == pair.Reference.IsEncoded;
-  for (std::size_t k = 0; k < isCompared.size(); ++k)
-  {
-    if (isCompared[k])
+    if (pair.Compared[k] == 0.0)
     {
-      continue;
-    }
-    pair.Picture.Alpha[k] = pair.Reference.Alpha[k];
-    for (std::size_t c = 3 * k; c < 3 * k + 3; ++c)
-    {
-      const double value = pair.Reference.Color[c];
-      pair.Picture.Color[c] = alike                    ? value
-                              : pair.Picture.IsEncoded ? EncodeSRGB(std::min(value, 1.0))
-                                                       : DecodeSRGB(value);
+      pair.Picture.Alpha[k] = pair.Reference.Alpha[k];
+      pair.Picture.Color.col(k) = same.col(k);
     }
   }
   return pair;
@@ -251,57 +212,49 @@ PicturePair MakePicturePair(vtkImageData* picture, vtkImageData* reference, cons
 namespace
 {
 //------------------------------------------------------------------------------
-PictureError ComputeDisplayedFlip(const PicturePair& pair, double background)
+PictureError TakeMean(const PicturePair& pair, const Values& map)
 {
-  PictureError error;
-  error.Map = ComputeFlip(pair.Width, pair.Height, pair.Picture.GetDisplayedLight(background),
-    pair.Reference.GetDisplayedLight(background));
-  error.Value = pair.GetMean(error.Map);
-  return error;
+  return { pair.GetMean(map), map * pair.Compared };
 }
 
 //------------------------------------------------------------------------------
-[[noreturn]] void RefuseBlack(const char* metric)
+PictureError ComputeDisplayedFlip(const PicturePair& pair, double background)
 {
-  throw std::invalid_argument(
-    std::string("reference: it is black, and ") + metric + " is relative to its light");
+  return TakeMean(
+    pair, ComputeFlip(pair.Width, pair.Height, pair.Picture.GetDisplayedLight(background),
+            pair.Reference.GetDisplayedLight(background)));
+}
+
+//------------------------------------------------------------------------------
+void RequireLight(bool isLit, const std::string& metric)
+{
+  Require(isLit, "reference: it is black, and " + metric + " is relative to its light");
 }
 
 //------------------------------------------------------------------------------
 PictureError ComputeRadianceFlip(const PicturePair& pair, double background)
 {
-  const std::vector<double> picture = pair.Picture.GetLinear(background);
-  const std::vector<double> reference = pair.Reference.GetLinear(background);
-  std::vector<double> luminances;
-  for (const std::size_t k : pair.Compared)
+  const Colors picture = pair.Picture.GetLinear(background);
+  const Colors reference = pair.Reference.GetLinear(background);
+  if ((picture == reference).all()) // however black
   {
-    luminances.push_back(vtkEnvironment::GetLuminance(&reference[3 * k]));
+    return { 0.0, Values::Zero(reference.cols()) };
   }
-  PictureError error;
-  error.Map.assign(reference.size() / 3, 0.0);
-  if (picture == reference)
-  {
-    return error; // however black
-  }
-  if (!(*std::max_element(luminances.begin(), luminances.end()) > 0.0))
-  {
-    RefuseBlack("hdr_flip");
-  }
-  error.Map = ComputeHDRFlip(
-    pair.Width, pair.Height, picture, reference, FindExposures(std::move(luminances)));
-  error.Value = pair.GetMean(error.Map);
-  return error;
+  const std::vector<double> luminances = pair.GetLuminances(reference);
+  RequireLight(*std::max_element(luminances.begin(), luminances.end()) > 0.0, "hdr_flip");
+  return TakeMean(
+    pair, ComputeHDRFlip(pair.Width, pair.Height, picture, reference, FindExposures(luminances)));
 }
 
 //------------------------------------------------------------------------------
-Plane GetLuma(const PicturePair& pair, const std::vector<double>& displayed)
+Plane GetLuma(const PicturePair& pair, const Colors& displayed)
 {
-  Plane plane(pair.Width, pair.Height);
-  for (std::size_t k = 0; k < displayed.size() / 3; ++k)
+  Plane luma(pair.Width, pair.Height);
+  for (Eigen::Index k = 0; k < luma.size(); ++k)
   {
-    plane.data()[k] = vtkEnvironment::GetLuminance(&displayed[3 * k]);
+    luma.data()[k] = GetLuminance(displayed.col(k));
   }
-  return plane;
+  return luma;
 }
 
 //------------------------------------------------------------------------------
@@ -309,103 +262,55 @@ PictureError ComputeStructuralSimilarity(const PicturePair& pair, double backgro
 {
   const Plane similarity = ComputeSimilarity(GetLuma(pair, pair.Picture.GetDisplayed(background)),
     GetLuma(pair, pair.Reference.GetDisplayed(background)));
-  PictureError error;
-  error.Map.assign(static_cast<std::size_t>(similarity.size()), 0.0);
-  const auto isInside = [](int at, int size)
-  { return at >= SimilarityRadius && at < size - SimilarityRadius; };
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (const std::size_t k : pair.Compared)
+  // Windows that lie within the picture.
+  Plane inside = Plane::Zero(pair.Width, pair.Height);
+  const int width = pair.Width - 2 * SimilarityRadius;
+  const int height = pair.Height - 2 * SimilarityRadius;
+  if (width > 0 && height > 0)
   {
-    const auto width = static_cast<std::size_t>(pair.Width);
-    if (isInside(static_cast<int>(k % width), pair.Width) &&
-        isInside(static_cast<int>(k / width), pair.Height))
-    {
-      sum += similarity.data()[k];
-      ++count;
-      error.Map[k] = 1.0 - similarity.data()[k];
-    }
+    inside.block(SimilarityRadius, SimilarityRadius, width, height) = 1.0;
   }
-  if (count == 0)
-  {
-    throw std::invalid_argument(
-      "ssim: no compared pixel has a window of 11 x 11 pixels around it within the picture");
-  }
-  error.Value = sum / static_cast<double>(count);
-  return error;
+  PicturePair windows{ pair.Width, pair.Height, {}, {},
+    pair.Compared * Eigen::Map<const Values>(inside.data(), inside.size()) };
+  Require(windows.Compared.any(),
+    "ssim: no compared pixel has a window of 11 x 11 pixels around it within the picture");
+  const PictureError difference =
+    TakeMean(windows, 1.0 - Eigen::Map<const Values>(similarity.data(), similarity.size()));
+  return { 1.0 - difference.Value, difference.Map };
 }
 
 //------------------------------------------------------------------------------
 PictureError ComputeColorDifference(const PicturePair& pair, double background)
 {
-  const std::vector<double> picture = pair.Picture.GetDisplayedLight(background);
-  const std::vector<double> reference = pair.Reference.GetDisplayedLight(background);
-  const auto getLab = [](const std::vector<double>& linear, std::size_t k)
-  { return ToLab(ToRelativeXYZ(glm::make_vec3(&linear[3 * k]))); };
-  PictureError error;
-  error.Map.assign(reference.size() / 3, 0.0);
-  for (const std::size_t k : pair.Compared)
+  const Colors picture = ToLab(pair.Picture.GetDisplayedLight(background));
+  const Colors reference = ToLab(pair.Reference.GetDisplayedLight(background));
+  Values map(reference.cols());
+  for (Eigen::Index k = 0; k < map.size(); ++k)
   {
-    error.Map[k] = GetDeltaE2000(getLab(picture, k), getLab(reference, k));
+    map[k] = GetDeltaE2000(picture.col(k), reference.col(k));
   }
-  error.Value = pair.GetMean(error.Map);
-  return error;
+  return TakeMean(pair, map);
 }
 
 //------------------------------------------------------------------------------
 PictureError ComputeRelativeL1(const PicturePair& pair, double background)
 {
-  const std::vector<double> picture = pair.Picture.GetLinear(background);
-  const std::vector<double> reference = pair.Reference.GetLinear(background);
-  PictureError error;
-  error.Map.assign(reference.size() / 3, 0.0);
-  double light = 0.0;
-  for (const std::size_t k : pair.Compared)
-  {
-    for (std::size_t c = 3 * k; c < 3 * k + 3; ++c)
-    {
-      light += reference[c];
-      error.Map[k] += std::abs(picture[c] - reference[c]);
-    }
-  }
-  const double mean = light / static_cast<double>(pair.Compared.size());
-  if (mean > 0.0)
-  {
-    for (double& value : error.Map)
-    {
-      value /= mean;
-    }
-  }
-  else if (picture != reference)
-  {
-    RefuseBlack("relative_l1");
-  }
-  error.Value = pair.GetMean(error.Map);
-  return error;
+  const Colors reference = pair.Reference.GetLinear(background);
+  const Values difference = (pair.Picture.GetLinear(background) - reference).abs().colwise().sum();
+  const double mean = pair.GetMean(reference.colwise().sum());
+  RequireLight(mean > 0.0 || pair.GetMean(difference) == 0.0, "relative_l1");
+  return TakeMean(pair, difference / (mean > 0.0 ? mean : 1.0));
 }
 
 //------------------------------------------------------------------------------
 // Of the stored values: the background plays no part.
 PictureError ComputeLargestDifference(const PicturePair& pair, double)
 {
-  if (pair.Picture.IsEncoded != pair.Reference.IsEncoded)
-  {
-    throw std::invalid_argument("max_difference: it compares stored values, and one picture holds "
-                                "integers, the other floats");
-  }
-  PictureError error;
-  error.Map.assign(pair.Reference.Alpha.size(), 0.0);
-  for (const std::size_t k : pair.Compared)
-  {
-    double& largest = error.Map[k];
-    largest = std::abs(pair.Picture.Alpha[k] - pair.Reference.Alpha[k]);
-    for (std::size_t c = 3 * k; c < 3 * k + 3; ++c)
-    {
-      largest = std::max(largest, std::abs(pair.Picture.Color[c] - pair.Reference.Color[c]));
-    }
-    error.Value = std::max(error.Value, largest);
-  }
-  return error;
+  Require(pair.Picture.IsEncoded == pair.Reference.IsEncoded,
+    "max_difference: it compares stored values, and one picture holds integers, the other floats");
+  const Values ofColors = (pair.Picture.Color - pair.Reference.Color).abs().colwise().maxCoeff();
+  const Values map = (pair.Picture.Alpha - pair.Reference.Alpha).abs().max(ofColors);
+  return { (map * pair.Compared).maxCoeff(), map * pair.Compared };
 }
 }
 
@@ -427,7 +332,7 @@ const std::vector<PictureMetric>& GetPictureMetrics()
 PictureError ComputePictureError(const PictureMetric& metric, const PicturePair& pair)
 {
   PictureError error = metric.Compute(pair, 0.0);
-  if (pair.Picture.HasTransparency || pair.Reference.HasTransparency)
+  if (pair.Picture.HasTransparency() || pair.Reference.HasTransparency())
   {
     PictureError onWhite = metric.Compute(pair, 1.0);
     if (metric.IsSimilarity ? onWhite.Value < error.Value : onWhite.Value > error.Value)

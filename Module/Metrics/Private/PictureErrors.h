@@ -9,8 +9,8 @@
 #ifndef PictureErrors_h
 #define PictureErrors_h
 
-#include <cstddef>
-#include <string>
+#include "PerceivedErrors.h"
+
 #include <vector>
 
 class vtkImageData;
@@ -20,22 +20,23 @@ namespace measuredbrdf
 /// A picture's values: integers as shares of their largest value, floats as they are.
 struct PictureValues
 {
-  bool IsEncoded = false;       // integers, sRGB-encoded; floats are linear
-  std::vector<double> Color;    // RGB
-  std::vector<double> Alpha;    // of each pixel; 1 where the picture has none
-  bool HasTransparency = false; // an alpha is not 1
+  bool IsEncoded = false; // integers, sRGB-encoded; floats are linear
+  Colors Color;
+  Values Alpha; // of each pixel; 1 where the picture has none
+
+  bool HasTransparency() const { return (this->Alpha < 1.0).any(); }
 
   /// Linear RGB in front of a gray background, of 0 or 1.
-  std::vector<double> GetLinear(double background) const;
+  Colors GetLinear(double background) const;
 
   /// The same as displayed: clamped to [0,1], and sRGB-encoded.
-  std::vector<double> GetDisplayed(double background) const;
+  Colors GetDisplayed(double background) const;
 
   /// The same display light, in linear [0,1].
-  std::vector<double> GetDisplayedLight(double background) const;
+  Colors GetDisplayedLight(double background) const;
 
 private:
-  std::vector<double> Show(double background, double (*convert)(double, bool isEncoded)) const;
+  Colors Show(double background) const;
 };
 
 /// Which pixels count.
@@ -52,19 +53,24 @@ struct PicturePair
   int Height = 0;
   PictureValues Picture; // the reference's values where nothing is compared
   PictureValues Reference;
-  std::vector<std::size_t> Compared; // pixels
+  Values Compared; // of each pixel: 1, or 0 where nothing is compared
 
-  double GetMean(const std::vector<double>& map) const;
+  double GetMean(const Values& map) const
+  {
+    return (map * this->Compared).sum() / this->Compared.sum();
+  }
+  /// The luminances of compared pixels.
+  std::vector<double> GetLuminances(const Colors& linear) const;
 };
 
-/// Throws std::invalid_argument, which says what is wrong with which picture.
+/// Throws std::runtime_error, which says what is wrong with which picture.
 PicturePair MakePicturePair(
   vtkImageData* picture, vtkImageData* reference, const PictureArea& area);
 
 struct PictureError
 {
   double Value = 0.0;
-  std::vector<double> Map; // the error of each pixel; 0 where nothing is compared
+  Values Map; // the error of each pixel; 0 where nothing is compared
 };
 
 /// A figure of two pictures.
@@ -74,7 +80,7 @@ struct PictureMetric
   bool IsSimilarity;       // larger is better
   double DefaultThreshold; // the value still taken for equal
   double Brightest;        // error of the brightest color of its map
-  /// In front of a background of 0 or 1. Throws std::invalid_argument.
+  /// In front of a background of 0 or 1. Throws std::runtime_error.
   PictureError (*Compute)(const PicturePair& pair, double background);
 };
 
@@ -82,7 +88,7 @@ struct PictureMetric
 const std::vector<PictureMetric>& GetPictureMetrics();
 
 /// The error over a black and over a white background, where the pictures let one through: the
-/// larger of both. Throws std::invalid_argument.
+/// larger of both. Throws std::runtime_error.
 PictureError ComputePictureError(const PictureMetric& metric, const PicturePair& pair);
 } // namespace measuredbrdf
 

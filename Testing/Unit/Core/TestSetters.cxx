@@ -187,7 +187,6 @@ TEST(Setters, OfMaterials)
   CLAMPED(vtkTabulatedBRDF, ResamplingError, 0.0, 1e6);
   CLAMPED(vtkBasisBRDF, ResamplingError, 0.0, 1e6);
   CLAMPED(vtkBRDFResampler, Tolerance, 1e-6, 1.0);
-  CLAMPED(vtkBRDFResampler, MaximumNumberOfCells, 64, 1 << 26);
 
   vtkNew<vtkDistributionBRDF> distribution;
   const auto listener = Listener::Hear(distribution);

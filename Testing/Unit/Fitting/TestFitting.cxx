@@ -119,7 +119,6 @@ class FunctionBRDF : public vtkBRDF
 public:
   static FunctionBRDF* New();
   vtkTypeMacro(FunctionBRDF, vtkBRDF);
-  void GetBounds(double, double[3], double[3]) override {}
   void GetShaderInputs(vtkBRDFShaderInputs&) override {}
   std::function<void(const double i[3], const double o[3], double f[3])> Function;
 

@@ -26,11 +26,6 @@ public:
   static StockBRDF* New();
   vtkTypeMacro(StockBRDF, vtkBRDF);
 
-  void GetBounds(double, double lower[3], double upper[3]) override
-  {
-    std::fill(lower, lower + 3, 0.0);
-    std::fill(upper, upper + 3, 1e6);
-  }
   void GetShaderInputs(vtkBRDFShaderInputs&) override {}
 
   vtkNew<vtkProperty> Property;

@@ -44,11 +44,6 @@ public:
   static NapBRDF* New();
   vtkTypeMacro(NapBRDF, vtkBRDF);
   bool IsIsotropic() override { return false; }
-  void GetBounds(double, double lower[3], double upper[3]) override
-  {
-    std::fill(lower, lower + 3, 0.0);
-    std::fill(upper, upper + 3, 1.0);
-  }
   void GetShaderInputs(vtkBRDFShaderInputs&) override {}
 
 protected:

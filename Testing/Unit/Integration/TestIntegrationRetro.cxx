@@ -42,11 +42,6 @@ public:
 
   double Exponent = 2000.0;
 
-  void GetBounds(double, double lower[3], double upper[3]) override
-  {
-    std::fill(lower, lower + 3, 0.0);
-    std::fill(upper, upper + 3, 1e9);
-  }
   void GetShaderInputs(vtkBRDFShaderInputs&) override {}
 
 protected:

@@ -26,9 +26,7 @@ glm::dvec3 DrawDirection(std::mt19937& random)
 {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   const double z = 0.05 + 0.95 * uniform(random);
-  const double phi = 6.283185307179586 * uniform(random);
-  const double s = std::sqrt(1.0 - z * z);
-  return glm::dvec3(s * std::cos(phi), s * std::sin(phi), z);
+  return FromAngles(std::acos(z), 6.283185307179586 * uniform(random));
 }
 
 vtkNew<vtkDistributionBRDF> NewBrushed() { return NewBrushedMetal(0.3, 0.6); }
@@ -54,14 +52,12 @@ TEST(AnisotropicTabulated, InterpolatesInFourQuantities)
     const double thetaD = 0.5 * pi * (y + 0.5) / 5.0;
     const double phiD = 2.0 * pi * (x + 0.5) / 8.0, phiH = 2.0 * pi * (p + 0.5) / 6.0;
     // d about the normal, turned to h.
-    const glm::dvec3 d(
-      std::sin(thetaD) * std::cos(phiD), std::sin(thetaD) * std::sin(phiD), std::cos(thetaD));
+    const glm::dvec3 d = FromAngles(thetaD, phiD);
     const glm::dvec3 a(std::cos(thetaH) * d.x + std::sin(thetaH) * d.z, d.y,
       std::cos(thetaH) * d.z - std::sin(thetaH) * d.x);
     const glm::dvec3 i(std::cos(phiH) * a.x - std::sin(phiH) * a.y,
       std::sin(phiH) * a.x + std::cos(phiH) * a.y, a.z);
-    const glm::dvec3 h(
-      std::sin(thetaH) * std::cos(phiH), std::sin(thetaH) * std::sin(phiH), std::cos(thetaH));
+    const glm::dvec3 h = FromAngles(thetaH, phiH);
     const glm::dvec3 o = 2.0 * glm::dot(i, h) * h - i;
     return i.z > 0.0 && o.z > 0.0 ? Evaluate(table, i, o) : glm::dvec3(-1.0);
   };
@@ -225,26 +221,9 @@ TEST(AnisotropicWarp, IsResampledForGraphicsCards)
   EXPECT_LT(form.GetTextureBytes(), 10u << 20);
 }
 
-// Copies, as planners make them, do not resample again.
+// Copies, as planners make them, do not resample again. One of another tolerance, in another thread
+// say, does not take away what the material has handed out.
 TEST(AnisotropicWarp, CopiesShareTheTable)
-{
-  AnisotropicWarpSizes sizes;
-  sizes.Parts = 2;
-  sizes.Thetas = 8;
-  sizes.Side = 17;
-  vtkNew<vtkAdaptiveWarpBRDF> file;
-  ASSERT_EQ(file->SetTables(MakeAnisotropicTables(NewBrushed(), sizes)), "");
-  file->SetResamplingTolerance(0.5);
-  const auto copy = vtkSmartPointer<vtkBRDF>::Take(file->NewSnapshot());
-  ASSERT_TRUE(copy);
-  EXPECT_EQ(copy->GetRenderable(), file->GetRenderable());
-  ASSERT_EQ(file->SetTables(MakeAnisotropicTables(NewBrushedMetal(0.5, 0.6), sizes)), "");
-  EXPECT_NE(copy->GetRenderable(), file->GetRenderable());
-}
-
-// A copy of another tolerance, in another thread say, does not take away what the material has
-// handed out.
-TEST(AnisotropicWarp, TablesOfCopiesStay)
 {
   AnisotropicWarpSizes sizes;
   sizes.Parts = 2;
@@ -255,6 +234,7 @@ TEST(AnisotropicWarp, TablesOfCopiesStay)
   file->SetResamplingTolerance(0.3);
   const auto copy = vtkSmartPointer<vtkBRDF>::Take(file->NewSnapshot());
   const auto other = vtkSmartPointer<vtkBRDF>::Take(file->NewSnapshot());
+  ASSERT_TRUE(copy && other);
   const vtkWeakPointer<vtkBRDF> table = file->GetRenderable();
   EXPECT_EQ(copy->GetRenderable(), table);
   other->SetResamplingTolerance(0.5);
@@ -270,6 +250,8 @@ TEST(AnisotropicWarp, TablesOfCopiesStay)
   copy->SetResamplingTolerance(0.5);
   EXPECT_EQ(copy->GetRenderable(), coarse);
   EXPECT_FALSE(table);
+  ASSERT_EQ(file->SetTables(MakeAnisotropicTables(NewBrushedMetal(0.5, 0.6), sizes)), "");
+  EXPECT_NE(file->GetRenderable(), coarse);
 }
 
 TEST(TensorTree, RefusesTowers)

@@ -13,7 +13,6 @@
 #include "vtkSOADataArrayTemplate.h"
 #include "vtkSmartPointer.h"
 #include "vtkSumBRDF.h"
-#include "vtkTabulatedBRDF.h"
 
 #include <gtest/gtest.h>
 
@@ -22,12 +21,13 @@
 #include <limits>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace
 {
 using Tuples = std::vector<std::vector<double>>;
+
+constexpr std::size_t Count = 3000; // several threads
 
 // Above the horizon and below, of any length, and some that are no directions.
 Tuples NewDirections(std::size_t count, unsigned int seed)
@@ -50,10 +50,10 @@ Tuples NewNumbers(std::size_t count)
 {
   std::mt19937 engine(7);
   std::uniform_real_distribution<double> number(0.0, 0.999);
-  Tuples numbers;
-  for (std::size_t k = 0; k < count; ++k)
+  Tuples numbers(count, std::vector<double>(2));
+  for (std::vector<double>& pair : numbers)
   {
-    numbers.push_back({ number(engine), number(engine) });
+    pair = { number(engine), number(engine) };
   }
   return numbers;
 }
@@ -71,119 +71,103 @@ vtkSmartPointer<Array> NewArray(const Tuples& tuples)
   return array;
 }
 
+vtkSmartPointer<vtkDoubleArray> NewDoubles(const Tuples& tuples)
+{
+  return NewArray<vtkDoubleArray>(tuples);
+}
+
 // The same value in every bit, as float where the array holds floats.
-void ExpectTuple(vtkDataArray* array, std::size_t k, const std::vector<double>& expected)
+void ExpectTuple(vtkDataArray* array, vtkIdType k, const std::vector<double>& expected)
 {
   ASSERT_EQ(array->GetNumberOfComponents(), static_cast<int>(expected.size()));
-  for (std::size_t c = 0; c < expected.size(); ++c)
+  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
   {
-    const double value = array->GetComponent(static_cast<vtkIdType>(k), static_cast<int>(c));
+    const double value = expected[static_cast<std::size_t>(c)];
     const bool isFloat = array->GetDataType() == VTK_FLOAT;
-    EXPECT_EQ(value, isFloat ? static_cast<float>(expected[c]) : expected[c])
+    EXPECT_EQ(array->GetComponent(k, c), isFloat ? static_cast<float>(value) : value)
       << "tuple " << k << ", component " << c;
   }
 }
 
-std::vector<double> GetTuple(vtkDataArray* array, std::size_t k)
+std::vector<double> GetTuple(vtkDataArray* array, vtkIdType k)
 {
   std::vector<double> tuple(static_cast<std::size_t>(array->GetNumberOfComponents()));
-  array->GetTuple(array->GetNumberOfTuples() == 1 ? 0 : static_cast<vtkIdType>(k), tuple.data());
+  array->GetTuple(array->GetNumberOfTuples() == 1 ? 0 : k, tuple.data());
   return tuple;
 }
 
-// The four of them against their scalar forms; i, o and u as the arrays give them.
+std::vector<double> EvaluateTuple(
+  vtkBRDF* brdf, const std::vector<double>& i, const std::vector<double>& o)
+{
+  std::vector<double> f(3);
+  brdf->Evaluate(i.data(), o.data(), f.data());
+  return f;
+}
+
+// Three of them against their scalar forms; i, o and u as the arrays give them.
 void ExpectScalarValues(
   vtkBRDF* brdf, vtkDataArray* i, vtkDataArray* o, vtkDataArray* u, vtkDataArray* result)
 {
-  const vtkIdType count = std::max(i->GetNumberOfTuples(), o->GetNumberOfTuples());
+  SCOPED_TRACE(brdf->GetClassName());
+  const auto expect = [&](vtkDataArray* other, const auto& getExpected)
+  {
+    const vtkIdType count = std::max(other->GetNumberOfTuples(), o->GetNumberOfTuples());
+    ASSERT_EQ(result->GetNumberOfTuples(), count);
+    for (vtkIdType k = 0; k < count; ++k)
+    {
+      ExpectTuple(result, k, getExpected(GetTuple(other, k), GetTuple(o, k)));
+    }
+  };
   ASSERT_TRUE(brdf->EvaluateArray(i, o, result));
-  ASSERT_EQ(result->GetNumberOfTuples(), count);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
-  {
-    std::vector<double> f(3);
-    brdf->Evaluate(GetTuple(i, k).data(), GetTuple(o, k).data(), f.data());
-    ExpectTuple(result, k, f);
-  }
+  expect(i, [&](const auto& light, const auto& view) { return EvaluateTuple(brdf, light, view); });
   ASSERT_TRUE(brdf->PdfArray(i, o, result));
-  ASSERT_EQ(result->GetNumberOfTuples(), count);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
-  {
-    ExpectTuple(result, k, { brdf->Pdf(GetTuple(i, k).data(), GetTuple(o, k).data()) });
-  }
+  expect(i, [&](const auto& light, const auto& view)
+    { return std::vector<double>{ brdf->Pdf(light.data(), view.data()) }; });
   ASSERT_TRUE(brdf->SampleArray(o, u, result));
-  const vtkIdType draws = std::max(u->GetNumberOfTuples(), o->GetNumberOfTuples());
-  ASSERT_EQ(result->GetNumberOfTuples(), draws);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(draws); ++k)
-  {
-    std::vector<double> drawn(3);
-    const std::vector<double> numbers = GetTuple(u, k);
-    brdf->Sample(GetTuple(o, k).data(), numbers[0], numbers[1], drawn.data());
-    ExpectTuple(result, k, drawn);
-  }
+  expect(u,
+    [&](const auto& numbers, const auto& view)
+    {
+      std::vector<double> drawn(3);
+      brdf->Sample(view.data(), numbers[0], numbers[1], drawn.data());
+      return drawn;
+    });
 }
 
 std::vector<vtkSmartPointer<vtkBRDF>> NewMaterials()
 {
   auto lobe = vtkSmartPointer<vtkAshikhminShirleyBRDF>::New();
   lobe->SetExponents(40.0, 900.0); // anisotropic
-  auto microfacets = vtkSmartPointer<vtkDistributionBRDF>::New();
-  const double f0[3] = { 0.04, 0.5, 0.9 };
-  microfacets->SetBlinnDistribution(30.0);
-  microfacets->SetSchlickFresnel(f0);
   auto sum = vtkSmartPointer<vtkSumBRDF>::New();
   sum->AddTerm(vtkNew<vtkLambertBRDF>());
-  sum->AddTerm(microfacets);
-  auto table = vtkSmartPointer<vtkTabulatedBRDF>::New();
-  const int size[3] = { 8, 6, 7 };
-  std::vector<float> values(std::size_t(3) * 8 * 6 * 7);
-  std::mt19937 engine(3);
-  for (float& value : values)
-  {
-    value = static_cast<float>(engine() % 1000) / 1000.0f;
-  }
-  table->SetVolume(
-    vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, size, std::move(values));
-  return { vtkSmartPointer<vtkLambertBRDF>::New(), lobe, microfacets, sum, table };
+  sum->AddTerm(vtkNew<vtkDistributionBRDF>());
+  return { lobe, sum };
 }
-
-constexpr std::size_t Count = 3000; // several threads
 } // namespace
 
 TEST(Arrays, AreTheScalarCalls)
 {
-  const Tuples i = NewDirections(Count, 1);
-  const Tuples o = NewDirections(Count, 2);
-  const Tuples u = NewNumbers(Count);
+  const Tuples i = NewDirections(Count, 1), o = NewDirections(Count, 2), u = NewNumbers(Count);
   for (vtkBRDF* brdf : NewMaterials())
   {
-    SCOPED_TRACE(brdf->GetClassName());
-    ExpectScalarValues(brdf, NewArray<vtkDoubleArray>(i), NewArray<vtkDoubleArray>(o),
-      NewArray<vtkDoubleArray>(u), vtkNew<vtkDoubleArray>());
+    ExpectScalarValues(brdf, NewDoubles(i), NewDoubles(o), NewDoubles(u), vtkNew<vtkDoubleArray>());
     ExpectScalarValues(brdf, NewArray<vtkFloatArray>(i), NewArray<vtkFloatArray>(o),
       NewArray<vtkFloatArray>(u), vtkNew<vtkFloatArray>());
   }
-}
-
-TEST(Arrays, OfAnyLayoutAndType)
-{
-  const Tuples i = NewDirections(Count, 1);
-  const Tuples o = NewDirections(Count, 2);
-  const Tuples u = NewNumbers(Count);
-  const Tuples integers = { { 0.0, 1.0, 2.0 } };
+  // Any layout and type.
   vtkNew<vtkAshikhminShirleyBRDF> brdf;
   ExpectScalarValues(brdf, NewArray<vtkSOADataArrayTemplate<double>>(i),
     NewArray<vtkSOADataArrayTemplate<float>>(o), NewArray<vtkSOADataArrayTemplate<double>>(u),
     vtkNew<vtkSOADataArrayTemplate<float>>());
-  ExpectScalarValues(brdf, NewArray<vtkDoubleArray>(i), NewArray<vtkIntArray>(integers),
+  ExpectScalarValues(brdf, NewDoubles(i), NewArray<vtkIntArray>({ { 0.0, 1.0, 2.0 } }),
     NewArray<vtkFloatArray>(u), vtkNew<vtkSOADataArrayTemplate<double>>());
 }
 
 TEST(Arrays, OneTupleServesForAll)
 {
-  const auto many = NewArray<vtkDoubleArray>(NewDirections(Count, 1));
+  const auto many = NewDoubles(NewDirections(Count, 1));
   const auto one = NewArray<vtkFloatArray>({ { 0.3, 0.1, 0.5 } });
-  const auto u = NewArray<vtkDoubleArray>(NewNumbers(Count));
-  const auto oneU = NewArray<vtkDoubleArray>({ { 0.25, 0.75 } });
+  const auto u = NewDoubles(NewNumbers(Count));
+  const auto oneU = NewDoubles({ { 0.25, 0.75 } });
   vtkNew<vtkDoubleArray> result;
   vtkNew<vtkAshikhminShirleyBRDF> brdf;
   ExpectScalarValues(brdf, many, one, u, result);
@@ -196,17 +180,15 @@ TEST(Arrays, OneTupleServesForAll)
 TEST(Arrays, AlbedosAreTheScalarCalls)
 {
   const Tuples o = { { 0.0, 0.0, 1.0 }, { 0.9, 0.0, 0.2 }, { 0.0, 1.0, -1.0 }, { 3.0, 4.0, 5.0 } };
-  const auto directions = NewArray<vtkDoubleArray>(o);
   vtkNew<vtkDoubleArray> albedos;
   for (vtkBRDF* brdf : NewMaterials())
   {
-    SCOPED_TRACE(brdf->GetClassName());
-    ASSERT_TRUE(brdf->GetDirectionalAlbedoArray(directions, albedos));
+    ASSERT_TRUE(brdf->GetDirectionalAlbedoArray(NewDoubles(o), albedos));
     ASSERT_EQ(albedos->GetNumberOfTuples(), 4);
-    for (std::size_t k = 0; k < o.size(); ++k)
+    for (vtkIdType k = 0; k < 4; ++k)
     {
       std::vector<double> albedo(3);
-      brdf->GetDirectionalAlbedo(o[k].data(), albedo.data());
+      brdf->GetDirectionalAlbedo(o[static_cast<std::size_t>(k)].data(), albedo.data());
       ExpectTuple(albedos, k, albedo);
     }
   }
@@ -221,66 +203,31 @@ TEST(Arrays, NoneAreNoError)
   ASSERT_TRUE(brdf->EvaluateArray(none, none, result));
   EXPECT_EQ(result->GetNumberOfTuples(), 0);
   EXPECT_EQ(result->GetNumberOfComponents(), 3);
-  const auto one = NewArray<vtkDoubleArray>({ { 0.0, 0.0, 1.0 } });
+  const auto one = NewDoubles({ { 0.0, 0.0, 1.0 } });
   ASSERT_TRUE(brdf->EvaluateArray(none, one, result)); // as arrays broadcast elsewhere
   EXPECT_EQ(result->GetNumberOfTuples(), 0);
 }
 
 TEST(Arrays, TheResultMayBeAnInput)
 {
-  const Tuples i = NewDirections(Count, 1);
-  const Tuples o = NewDirections(Count, 2);
+  const Tuples i = NewDirections(Count, 1), o = NewDirections(Count, 2);
   vtkNew<vtkAshikhminShirleyBRDF> brdf;
-  const auto incoming = NewArray<vtkDoubleArray>(i);
-  const auto outgoing = NewArray<vtkDoubleArray>(o);
+  const auto incoming = NewDoubles(i), outgoing = NewDoubles(o);
   ASSERT_TRUE(brdf->PdfArray(incoming, outgoing, incoming)); // of another size, too
-  for (std::size_t k = 0; k < Count; ++k)
-  {
-    ExpectTuple(incoming, k, { brdf->Pdf(i[k].data(), o[k].data()) });
-  }
   ASSERT_TRUE(brdf->EvaluateArray(outgoing, outgoing, outgoing));
-  for (std::size_t k = 0; k < Count; ++k)
-  {
-    std::vector<double> f(3);
-    brdf->Evaluate(o[k].data(), o[k].data(), f.data());
-    ExpectTuple(outgoing, k, f);
-  }
-}
-
-// As two NumPy views of one array do.
-TEST(Arrays, TheResultMayShareMemoryWithAnInput)
-{
-  const Tuples directions = NewDirections(Count, 1);
-  const auto i = NewArray<vtkDoubleArray>(directions);
-  const auto o = NewArray<vtkDoubleArray>({ { 0.0, 0.0, 1.0 } });
+  // As two NumPy views of one array do; memory of another owner is filled.
+  const auto shared = NewDoubles(i);
   vtkNew<vtkDoubleArray> result;
   result->SetNumberOfComponents(3);
-  result->SetArray(i->GetPointer(0), 3 * static_cast<vtkIdType>(Count), 1);
-  vtkNew<vtkAshikhminShirleyBRDF> brdf;
-  ASSERT_TRUE(brdf->EvaluateArray(i, o, result));
-  const double view[3] = { 0.0, 0.0, 1.0 };
+  result->SetArray(shared->GetPointer(0), 3 * static_cast<vtkIdType>(Count), 1);
+  ASSERT_TRUE(brdf->EvaluateArray(shared, NewDoubles({ { 0.0, 0.0, 1.0 } }), result));
+  EXPECT_EQ(result->GetPointer(0), shared->GetPointer(0));
   for (std::size_t k = 0; k < Count; ++k)
   {
-    std::vector<double> f(3);
-    brdf->Evaluate(directions[k].data(), view, f.data());
-    ExpectTuple(result, k, f);
-  }
-}
-
-TEST(Arrays, MemoryOfAnotherOwnerIsFilled)
-{
-  const auto i = NewArray<vtkDoubleArray>(NewDirections(10, 1));
-  const auto o = NewArray<vtkDoubleArray>({ { 0.0, 0.0, 1.0 } });
-  std::vector<double> memory(30, -1.0);
-  vtkNew<vtkDoubleArray> result;
-  result->SetNumberOfComponents(3);
-  result->SetArray(memory.data(), 30, 1);
-  vtkNew<vtkLambertBRDF> brdf;
-  ASSERT_TRUE(brdf->EvaluateArray(i, o, result));
-  EXPECT_EQ(result->GetPointer(0), memory.data());
-  for (const double value : memory)
-  {
-    EXPECT_GE(value, 0.0);
+    const auto at = static_cast<vtkIdType>(k);
+    ExpectTuple(incoming, at, { brdf->Pdf(i[k].data(), o[k].data()) });
+    ExpectTuple(outgoing, at, EvaluateTuple(brdf, o[k], o[k]));
+    ExpectTuple(result, at, EvaluateTuple(brdf, i[k], { 0.0, 0.0, 1.0 }));
   }
 }
 
@@ -288,10 +235,9 @@ TEST(Arrays, WhatDoesNotFitIsRefused)
 {
   vtkNew<vtkLambertBRDF> brdf;
   ErrorCatcher errors(brdf);
-  const auto seven = NewArray<vtkDoubleArray>(NewDirections(7, 1));
-  const auto six = NewArray<vtkDoubleArray>(NewDirections(6, 1));
-  const auto pairs = NewArray<vtkDoubleArray>(NewNumbers(7));
-  const auto result = NewArray<vtkDoubleArray>({ { 5.0 } });
+  const auto seven = NewDoubles(NewDirections(7, 1)), six = NewDoubles(NewDirections(6, 1));
+  const auto pairs = NewDoubles(NewNumbers(7));
+  const auto result = NewDoubles({ { 5.0 } });
   const auto expect = [&](bool worked, const std::string& text)
   {
     EXPECT_FALSE(worked) << text;

@@ -6,7 +6,6 @@
 #include "HalfVector.h"
 #include "LaneForms.h"
 #include "LaneMath.h"
-#include "LightRows.h"
 #include "SharedData.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
@@ -25,6 +24,35 @@
 #include <limits>
 #include <random>
 #include <vector>
+
+namespace
+{
+struct LightRows
+{
+  // What single precision makes of it, so that both precisions see the same.
+  void Add(const glm::dvec3& light)
+  {
+    const glm::vec3 rounded(light);
+    this->Directions.emplace_back(rounded);
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Values[c].push_back(rounded[c]);
+    }
+  }
+  // After the last one was added.
+  void SetPointers()
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Pointers[c] = this->Values[c].data();
+    }
+  }
+
+  std::vector<glm::dvec3> Directions;
+  std::vector<float> Values[3];
+  const float* Pointers[3] = { nullptr, nullptr, nullptr };
+};
+}
 
 using namespace measuredbrdf;
 

@@ -4,12 +4,12 @@
 
 #include "AnisotropicWarp.h"
 #include "HalfVector.h"
+#include "TestBasisHelpers.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFResampler.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
 #include "vtkSumBRDF.h"
 #include "vtkTabulatedBRDF.h"
@@ -25,32 +25,6 @@ using measuredbrdf::Pi;
 
 namespace
 {
-// Isotropic, but more towards one side of the plane of incidence.
-class SidedBRDF : public vtkBRDF
-{
-public:
-  static SidedBRDF* New();
-  vtkTypeMacro(SidedBRDF, vtkBRDF);
-  void GetBounds(double, double lower[3], double upper[3]) override
-  {
-    std::fill_n(lower, 3, 0.0);
-    std::fill_n(upper, 3, 2.0);
-  }
-  bool IsReciprocal() override { return false; }
-  void GetShaderInputs(vtkBRDFShaderInputs&) override {}
-  double Side = 0.5;
-
-protected:
-  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override
-  {
-    const double across = i[0] * o[1] - i[1] * o[0];
-    f[0] = 1.0 + this->Side * across;
-    f[1] = 0.5 + 0.3 * i[2];
-    f[2] = o[2];
-  }
-};
-vtkStandardNewMacro(SidedBRDF);
-
 vtkSmartPointer<vtkAdaptiveWarpBRDF> MakeIsotropicWarp()
 {
   vtkNew<vtkAshikhminShirleyBRDF> gloss;
@@ -68,10 +42,11 @@ vtkSmartPointer<vtkAdaptiveWarpBRDF> MakeIsotropicWarp()
 // the horizon, at the last theta_d before it.
 TEST(HalfDifferenceFill, EachCellHoldsItsOwnValue)
 {
-  for (const double side : { 0.0, 0.5 })
+  for (const double side : { 0.0, 0.5 }) // 0.5: more towards one side of the plane of incidence
   {
-    vtkNew<SidedBRDF> brdf;
-    brdf->Side = side;
+    vtkNew<testbasis::FunctionBRDF> brdf;
+    brdf->Function = [side](const glm::dvec3& i, const glm::dvec3& o)
+    { return glm::dvec3(1.0 + side * (i.x * o.y - i.y * o.x), 0.5 + 0.3 * i.z, o.z); };
     vtkNew<vtkBRDFResampler> resampler;
     resampler->SetInput(brdf);
     const int size[3] = { 7, 9, 12 }; // odd ones, too
@@ -85,8 +60,7 @@ TEST(HalfDifferenceFill, EachCellHoldsItsOwnValue)
       const int z = static_cast<int>(k) / (size[0] * size[1]);
       measuredbrdf::HalfDifference angles{ measuredbrdf::UnitToThetaH((z + 0.5) / size[2]),
         0.5 * Pi * (y + 0.5) / size[1], 2.0 * Pi * (x + 0.5) / size[0] };
-      const double horizon = std::atan2(
-        std::cos(angles.ThetaH), std::sin(angles.ThetaH) * std::abs(std::cos(angles.PhiD)));
+      const double horizon = measuredbrdf::FindHorizon(angles);
       below += angles.ThetaD > horizon ? 1 : 0;
       angles.ThetaD = std::min(angles.ThetaD, horizon * (1.0 - 1e-4));
       glm::dvec3 i, o, f;

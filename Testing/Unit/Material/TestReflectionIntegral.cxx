@@ -3,6 +3,7 @@
 // Albedos, reflectances and transmittances against dense sums.
 
 #include "SharedData.h"
+#include "TestDirections.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFAnalysis.h"
@@ -30,9 +31,7 @@ constexpr double HalfTurn = 3.14159265358979323846;
 
 glm::dvec3 GetDirection(double degrees, double azimuth = 0.0)
 {
-  const double theta = degrees * HalfTurn / 180.0;
-  return { std::sin(theta) * std::cos(azimuth), std::sin(theta) * std::sin(azimuth),
-    std::cos(theta) };
+  return FromAngles(degrees * HalfTurn / 180.0, azimuth);
 }
 
 // Over half vectors, by the midpoint rule: rows crowd towards the normal, where lobes are narrow. d
@@ -50,14 +49,12 @@ glm::dvec3 SumAll(vtkBRDF* brdf, const glm::dvec3& given, bool views, int rows)
     for (int x = 0; x < columns; ++x)
     {
       const double phi = (half ? 1.0 : 2.0) * HalfTurn * (x + 0.5) / columns;
-      const glm::dvec3 h(
-        std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+      const glm::dvec3 h = FromAngles(theta, phi);
       const double cosine = glm::dot(given, h);
       const glm::dvec3 d = 2.0 * cosine * h - given;
       if (cosine > 0.0 && d.z > 0.0)
       {
-        glm::dvec3 f;
-        brdf->Evaluate(views ? &given.x : &d.x, views ? &d.x : &given.x, &f.x);
+        const glm::dvec3 f = views ? Evaluate(brdf, given, d) : Evaluate(brdf, d, given);
         sum += f * (d.z * 4.0 * cosine * std::sin(theta) * HalfTurn * u);
       }
     }

@@ -105,30 +105,6 @@ double GetAlbedo(vtkBRDF* brdf, double spread, double viewDegrees)
 }
 }
 
-TEST(SoftTables, NoSpreadIsHard)
-{
-  vtkNew<vtkBlinnPhongBRDF> phong;
-  phong->SetExponent(300.0);
-  for (bool reciprocal : { true, false })
-  {
-    auto table = Tabulate(phong, reciprocal, 20, 20, 40);
-    const std::vector<double> o = GetView(40.0);
-    VisitLights(o.data(),
-      [&](const double i[3], double)
-      {
-        double hard[3], soft[3];
-        table->Evaluate(i, o.data(), hard);
-        for (double spread : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN() })
-        {
-          table->EvaluateSoft(i, o.data(), spread, soft);
-          EXPECT_EQ(soft[1], hard[1]);
-        }
-        table->EvaluateSoft(i, o.data(), 1e-9, soft);
-        EXPECT_NEAR(soft[1], hard[1], 1e-6 * (hard[1] + 50.0));
-      });
-  }
-}
-
 TEST(SoftTables, WithoutHalfVectorsStayHard)
 {
   vtkNew<vtkTabulatedBRDF> table;
@@ -241,8 +217,6 @@ TEST(SoftTables, NeverNegativeOrNaN)
       table->SetCosineWeighted(full);
       ASSERT_TRUE(table->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE,
         full ? vtkTabulatedBRDF::FULL_TURN : vtkTabulatedBRDF::HALF_TURN, dimensions, rgb));
-      double lower[3], upper[3];
-      table->GetBounds(0.01, lower, upper);
       for (int k = 0; k < 2000; ++k)
       {
         const double i[3] = { 2.0 * draw() - 1.0, 2.0 * draw() - 1.0, 0.02 + draw() };
@@ -252,7 +226,6 @@ TEST(SoftTables, NeverNegativeOrNaN)
         for (int c = 0; c < 3; ++c)
         {
           EXPECT_TRUE(std::isfinite(f[c]) && f[c] >= 0.0);
-          EXPECT_LE(f[c], upper[c] * (1.0 + 1e-5));
         }
       }
     }

@@ -41,11 +41,6 @@ public:
   static FormulaBRDF* New();
   vtkTypeMacro(FormulaBRDF, vtkBRDF);
 
-  void GetBounds(double, double lower[3], double upper[3]) override
-  {
-    std::fill_n(lower, 3, 0.0);
-    std::fill_n(upper, 3, 1e9);
-  }
   void GetShaderInputs(vtkBRDFShaderInputs&) override {}
 
   std::function<double(const double i[3], const double o[3])> Formula;

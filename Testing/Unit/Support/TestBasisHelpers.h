@@ -167,11 +167,6 @@ class FunctionBRDF : public vtkBRDF
 public:
   static FunctionBRDF* New();
   vtkTypeMacro(FunctionBRDF, vtkBRDF);
-  void GetBounds(double, double lower[3], double upper[3]) override
-  {
-    std::fill_n(lower, 3, 0.0);
-    std::fill_n(upper, 3, 1e30);
-  }
   bool IsIsotropic() override { return this->Isotropic; }
   bool IsReciprocal() override { return false; }
   void GetShaderInputs(vtkBRDFShaderInputs&) override {}

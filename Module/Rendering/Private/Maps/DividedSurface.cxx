@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DividedSurface.h"
 
+#include "HemisphereIntegral.h"
 #include "MaterialPieces.h"
-#include "ReflectionIntegral.h"
 #include "vtkActor.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
@@ -214,7 +214,7 @@ double DividedSurface::PredictError(const DrawnMaterials& materials) const
       try
       {
         brdf->Prepare();
-        albedo = IntegrateReflection(brdf, o, IntegralOver::Lights, 0.01);
+        albedo = IntegrateBRDF(brdf, o, false, 0.01);
       }
       catch (const std::exception&) // no memory, say: VTK prints mappers, too
       {

@@ -40,10 +40,6 @@ public:
   {
     this->Material->GetDirectionalAlbedo(o, albedo);
   }
-  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override
-  {
-    this->Material->GetBounds(minimumCosine, lower, upper);
-  }
   bool IsIsotropic() override { return this->Material->IsIsotropic(); }
   bool IsReciprocal() override { return this->Material->IsReciprocal(); }
   void Prepare() override { this->Material->Prepare(); }
@@ -66,11 +62,11 @@ protected:
 
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override
   {
-    EvaluateTerm(this->Material, i, o, f);
+    this->Material->Evaluate(i, o, f);
   }
   void EvaluateSoftAbove(const double i[3], const double o[3], double spread, double f[3]) override
   {
-    EvaluateSoftTerm(this->Material, i, o, spread, f);
+    this->Material->EvaluateSoft(i, o, spread, f);
   }
   bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override
   {
