@@ -11,12 +11,12 @@
 #include "Stability.h"
 #include "Tool.h"
 
-#include "vtkAshikhminShirleyBRDFFitter.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkBasisProjector.h"
 #include "vtkDistributionBRDFFitter.h"
 #include "vtkEmbeddedMaterials.h"
+#include "vtkLobeBRDFFitter.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 
@@ -144,7 +144,7 @@ private:
     this->AddRow("D-BRDF", distribution.Get(), &vtkBRDFFitter::Fit, !basis);
     for (int lobes = 1; MEASUREDBRDF_WITH_CERES && lobes <= 2; ++lobes)
     {
-      vtkNew<vtkAshikhminShirleyBRDFFitter> fitter;
+      vtkNew<vtkLobeBRDFFitter> fitter;
       fitter->SetInput(this->Material.BRDF);
       fitter->SetNumberOfLobes(lobes);
       this->AddRow(
