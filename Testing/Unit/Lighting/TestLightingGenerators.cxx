@@ -480,66 +480,43 @@ TEST(Importance, SameOnEveryMachine)
 //------------------------------------------------------------------------------
 TEST(Importance, Unbiased)
 {
-  // First moments of every channel, over many seeds, against the sum over texels. Texels are
-  // constant over their area, so their moment is the integral of the direction over it.
-  const int width = 24;
-  const int height = 12;
+  // First moments of every channel, over many seeds, against the sum over texels.
   vtkNew<vtkEnvironment> environment;
-  SetRandom(environment, width, height, 9);
-  double expected[9] = {};
-  for (int y = 0; y < height; ++y)
+  SetRandom(environment, 24, 12, 9);
+  vtkEnvironment* texels = environment->GetSubdivided();
+  glm::dmat3 expected(0.0);
+  for (int k = 0; k < texels->GetWidth() * texels->GetHeight(); ++k)
   {
-    const double a = Pi * (static_cast<double>(y) / height - 0.5);
-    const double b = Pi * (static_cast<double>(y + 1) / height - 0.5);
-    const double horizontal = 0.5 * (b - a) + 0.25 * (std::sin(2.0 * b) - std::sin(2.0 * a));
-    const double vertical =
-      2.0 * Pi / width * 0.5 * (std::sin(b) * std::sin(b) - std::sin(a) * std::sin(a));
-    for (int x = 0; x < width; ++x)
-    {
-      const double p = 2.0 * Pi * (static_cast<double>(x) / width - 0.5);
-      const double q = 2.0 * Pi * (static_cast<double>(x + 1) / width - 0.5);
-      const double moment[3] = { horizontal * (std::sin(q) - std::sin(p)), vertical,
-        horizontal * (std::cos(p) - std::cos(q)) };
-      double rgb[3];
-      environment->GetPixel(x, y, rgb);
-      for (int k = 0; k < 9; ++k)
-      {
-        expected[k] += rgb[k / 3] * moment[k % 3];
-      }
-    }
+    const int x = k % texels->GetWidth(), y = k / texels->GetWidth();
+    glm::dvec3 direction, rgb;
+    texels->GetTexelDirection(x, y, &direction.x);
+    texels->GetPixel(x, y, &rgb.x);
+    expected += texels->GetTexelSolidAngle(y) * glm::outerProduct(direction, rgb);
   }
-  const int runs = 1500;
-  double sum[9] = {};
-  double squares[9] = {};
+  constexpr int runs = 1500;
+  glm::dmat3 sum(0.0), squares(0.0);
   vtkNew<vtkImportanceLightSetGenerator> generator;
   vtkNew<vtkLightSet> lights;
   for (int run = 0; run < runs; ++run)
   {
     generator->SetSeed(static_cast<unsigned int>(100 + run));
     ASSERT_TRUE(generator->Generate(environment, 16, lights));
-    double estimate[9] = {};
-    for (int j = 0; j < lights->GetNumberOfLights(); ++j)
+    glm::dmat3 estimate(0.0);
+    for (int k = 0; k < lights->GetNumberOfLights(); ++k)
     {
-      double d[3];
-      double e[3];
-      lights->GetDirection(j, d);
-      lights->GetIrradiance(j, e);
-      for (int k = 0; k < 9; ++k)
-      {
-        estimate[k] += e[k / 3] * d[k % 3];
-      }
+      glm::dvec3 direction, irradiance;
+      lights->GetDirection(k, &direction.x);
+      lights->GetIrradiance(k, &irradiance.x);
+      estimate += glm::outerProduct(direction, irradiance);
     }
-    for (int k = 0; k < 9; ++k)
-    {
-      sum[k] += estimate[k];
-      squares[k] += estimate[k] * estimate[k];
-    }
+    sum += estimate;
+    squares += glm::matrixCompMult(estimate, estimate);
   }
   for (int k = 0; k < 9; ++k)
   {
-    const double mean = sum[k] / runs;
-    const double error = std::sqrt((squares[k] / runs - mean * mean) / runs);
-    EXPECT_NEAR(mean, expected[k], 5.0 * error) << "moment " << k;
+    const double mean = sum[k / 3][k % 3] / runs;
+    const double error = std::sqrt((squares[k / 3][k % 3] / runs - mean * mean) / runs);
+    EXPECT_NEAR(mean, expected[k / 3][k % 3], 5.0 * error) << "moment " << k;
     EXPECT_GT(error, 0.0);
   }
 }
