@@ -8,10 +8,9 @@
 #include "Progress.h"
 #include "Tool.h"
 
-#include "vtkAshikhminShirleyBRDFFitter.h"
 #include "vtkBRDFResampler.h"
-#include "vtkBlinnPhongBRDFFitter.h"
 #include "vtkDistributionBRDFFitter.h"
+#include "vtkLobeBRDFFitter.h"
 #include "vtkMeasuredBRDFConfigure.h"
 
 #include <CLI/CLI.hpp>
@@ -60,20 +59,14 @@ vtkSmartPointer<vtkBRDFFitter> MakeDistributionFitter(const FitOptions& options)
 
 #if MEASUREDBRDF_WITH_CERES
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkBRDFFitter> MakeAshikhminShirleyFitter(const FitOptions& options)
+vtkSmartPointer<vtkBRDFFitter> MakeLobeFitter(const FitOptions& options)
 {
-  auto fitter = vtkSmartPointer<vtkAshikhminShirleyBRDFFitter>::New();
+  auto fitter = vtkSmartPointer<vtkLobeBRDFFitter>::New();
+  fitter->SetShape(options.Model == "blinn-phong" ? vtkLobeBRDFFitter::BLINN_PHONG
+                                                  : vtkLobeBRDFFitter::ASHIKHMIN_SHIRLEY);
   fitter->SetNumberOfLobes(options.Lobes);
-  fitter->SetAnisotropy(options.Anisotropic ? vtkAshikhminShirleyBRDFFitter::ANISOTROPIC
-                                            : vtkAshikhminShirleyBRDFFitter::AS_INPUT);
-  return fitter;
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkBRDFFitter> MakeBlinnPhongFitter(const FitOptions& options)
-{
-  auto fitter = vtkSmartPointer<vtkBlinnPhongBRDFFitter>::New();
-  fitter->SetNumberOfLobes(options.Lobes);
+  fitter->SetAnisotropy(
+    options.Anisotropic ? vtkLobeBRDFFitter::ANISOTROPIC : vtkLobeBRDFFitter::AS_INPUT);
   return fitter;
 }
 #endif
@@ -90,8 +83,8 @@ struct Model
 const std::map<std::string, Model> Models = {
   { "d-brdf", { false, true, true, MakeDistributionFitter } },
 #if MEASUREDBRDF_WITH_CERES
-  { "ashikhmin-shirley", { true, false, true, MakeAshikhminShirleyFitter } },
-  { "blinn-phong", { true, false, false, MakeBlinnPhongFitter } },
+  { "ashikhmin-shirley", { true, false, true, MakeLobeFitter } },
+  { "blinn-phong", { true, false, false, MakeLobeFitter } },
 #endif
 };
 

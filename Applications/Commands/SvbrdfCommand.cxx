@@ -40,7 +40,6 @@ struct SvbrdfOptions
   double Tolerance = 0.02;
   double Smoothness = 0.01;
   int Sample = 4096;
-  int Memory = 1024;
   unsigned int Seed = 1;
   std::string Transfer;
   double Irradiance = 0.0;
@@ -182,8 +181,7 @@ ordered_json DescribeFit(const SvbrdfOptions& options, vtkMaterialMapFitter* fit
     { "saturated_pixels", fitter->GetNumberOfSaturatedPixels() },
     { "black_pixels", fitter->GetNumberOfBlackPixels() },
     { "invalid_pixels", fitter->GetNumberOfInvalidPixels() },
-    { "texels_without_data", fitter->GetNumberOfTexelsWithoutData() },
-    { "passes", fitter->GetNumberOfPasses() }, { "seed", options.Seed } };
+    { "texels_without_data", fitter->GetNumberOfTexelsWithoutData() }, { "seed", options.Seed } };
   if (options.Tables)
   {
     fit["factorization_error"] = fitter->GetFactorizationError();
@@ -293,7 +291,6 @@ void Run(const SvbrdfOptions& options, const CLI::App* command)
   fitter->SetTolerance(options.Tolerance);
   fitter->SetSmoothness(options.Smoothness);
   fitter->SetNumberOfSampleTexels(options.Sample);
-  fitter->SetMemoryLimit(options.Memory);
   fitter->SetSeed(options.Seed);
   tool::MakeFolder(options.Output);
   if (!tool::RunWithProgress(fitter.Get(), &vtkMaterialMapFitter::Fit, "fitting"))
@@ -350,10 +347,6 @@ void AddSvbrdfCommand(CLI::App& app)
     ->add_option("--sample", options->Sample,
       "Number of texels by which materials are chosen or found (default 4096)")
     ->check(CLI::Range(64, 1 << 20));
-  command
-    ->add_option("--memory", options->Memory,
-      "Mebibytes for sums (default 1024); with less, photographs are read more often")
-    ->check(CLI::Range(1, 1 << 20));
   command->add_option(
     "--seed", options->Seed, "Seed of the sample (default 1); the same seed gives the same map");
   command

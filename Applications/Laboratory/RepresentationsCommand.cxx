@@ -10,10 +10,10 @@
 #include "SphereLight.h"
 #include "Tool.h"
 
-#include "vtkAshikhminShirleyBRDFFitter.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkEmbeddedMaterials.h"
+#include "vtkLobeBRDFFitter.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 
@@ -139,7 +139,7 @@ private:
     {
       const auto fitLobes = [&]() -> vtkSmartPointer<vtkBRDF>
       {
-        vtkNew<vtkAshikhminShirleyBRDFFitter> fitter;
+        vtkNew<vtkLobeBRDFFitter> fitter;
         fitter->SetInput(this->Material.BRDF);
         fitter->SetNumberOfLobes(lobes);
         if (!tool::RunWithProgress(fitter.Get(), &vtkBRDFFitter::Fit, this->Material.Name))

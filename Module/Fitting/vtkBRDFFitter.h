@@ -54,6 +54,29 @@ public:
     double F[3];
     double Weight;
   };
+  using Samples = std::vector<Sample>;
+
+  /// Makes the weights sum to 1.
+  static void NormalizeWeights(Samples& samples);
+
+  /**
+   * The result of a model's fit; a null BRDF if it was aborted or failed. Report then says why.
+   */
+  struct Result
+  {
+    vtkSmartPointer<vtkBRDF> BRDF;
+    std::vector<double> History; // mean squares over the samples
+    bool Converged = false;
+    std::string Report;
+  };
+
+  ///@{
+  /**
+   * T of the current loss, and its derivative by f, which is finite for every f >= 0.
+   */
+  double GetLossValue(double f, double cosine) const;
+  double GetLossSlope(double f, double cosine) const;
+  ///@}
 #endif
 
   enum LossType
@@ -124,21 +147,10 @@ public:
   vtkGetMacro(Seed, unsigned int);
   ///@}
 
-  ///@{
-  /**
-   * 0 (default): starting points computed from the data. Otherwise NumberOfStarts random starting
-   * points are drawn with this seed, to test how far the result depends on them. For lobes the
-   * exponents are random, log-uniform in [1, 1e5]; for a D-BRDF the Lambert part, the reflectance
-   * at which F starts, and a tilt of p.
-   */
-  vtkSetMacro(StartSeed, unsigned int);
-  vtkGetMacro(StartSeed, unsigned int);
-  ///@}
-
   /**
    * Fit. Returns false with an error event and leaves output and figures unchanged when there is no
-   * input, options contradict each other, the input is 0 (or has no valid cell) at every pair or is
-   * too large to be squared, or the run was aborted.
+   * input, the input is 0 (or has no valid cell) at every pair or is too large to be squared, or
+   * the run was aborted.
    */
   bool Fit();
 
@@ -201,31 +213,10 @@ protected:
   ~vtkBRDFFitter() override;
 
   /**
-   * The result of a model's fit; a null BRDF if it was aborted or failed. Report then says why.
-   */
-  struct Result
-  {
-    vtkSmartPointer<vtkBRDF> BRDF;
-    std::vector<double> History; // mean squares over the samples
-    bool Converged = false;
-    std::string Report;
-  };
-
-  /**
-   * Describes the error in the subclass's options for this input; empty if there is none.
-   */
-  virtual std::string CheckOptions() { return std::string(); }
-
-  /**
    * Fit the model: minimize the mean of (GetLossValue(f, cos_i) - GetLossValue(f', cos_i))^2 over
    * samples and RGB. Input is set and prepared. Ask UpdateProgress now and then.
    */
   virtual Result FitTo(const std::vector<Sample>& samples) = 0;
-
-  /**
-   * T of the current loss.
-   */
-  double GetLossValue(double f, double cosine) const;
 
   /**
    * Report progress to the observers; returns false if the run has to stop.
@@ -240,7 +231,6 @@ protected:
   int MaximumNumberOfIterations = 200;
   double Tolerance = 1e-6;
   unsigned int Seed = 1;
-  unsigned int StartSeed = 0;
   std::atomic<bool> Abort{ false };
   double Residual = 0.0;
   double RelativeL2Error = 0.0;
@@ -254,7 +244,7 @@ private:
   vtkBRDFFitter(const vtkBRDFFitter&) = delete;
   void operator=(const vtkBRDFFitter&) = delete;
 
-  bool Measure(vtkBRDF* output); // false, nothing changed, where the figures are not finite
+  void Measure(vtkBRDF* output); // throws, nothing changed, where the figures are not finite
 };
 
 #endif

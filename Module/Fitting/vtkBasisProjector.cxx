@@ -56,17 +56,13 @@ Plan MakePlan(vtkBasisProjector* self)
     weights.push_back(
       rule.Weights[q] * 0.5 * (near - far) * (self->GetIncidentCosine() ? 1.0 / cosine : cosine));
   }
+  const Eigen::Map<const Eigen::VectorXd> plain(rule.Weights.data(), self->GetNumberOfNodes());
   for (int m = 0; m <= order; ++m)
   {
     if (self->GetMethod() == vtkBasisProjector::INNER_PRODUCT)
     {
-      Eigen::MatrixXd projection = MakeRadialMatrix(plan.Functions, m, plan.Cosines).transpose();
-      for (std::size_t q = 0; q < rule.Nodes.size(); ++q)
-      {
-        projection.col(static_cast<Eigen::Index>(q)) *=
-          2.0 * Pi * rule.Weights[q] * 0.5 * (near - far);
-      }
-      plan.Operators.push_back(projection);
+      plan.Operators.push_back(MakeRadialMatrix(plan.Functions, m, plan.Cosines).transpose() *
+                               (Pi * (near - far) * plain).asDiagonal());
     }
     else
     {
@@ -203,14 +199,8 @@ bool vtkBasisProjector::Project()
   constexpr int batch = 16;
   for (int first = 0; first < views; first += batch)
   {
-    measuredbrdf::ParallelFor(first, std::min(first + batch, views),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType view = begin; view < end; ++view)
-        {
-          projectView(static_cast<int>(view));
-        }
-      });
+    ParallelForEach(
+      std::min(batch, views - first), [&](int k) { projectView(first + k); }, nullptr, 0);
     double progress = std::min(first + batch, views) / static_cast<double>(views);
     this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
     if (this->Abort)

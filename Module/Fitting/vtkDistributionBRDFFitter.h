@@ -11,8 +11,9 @@
  * least squares on the linearized loss (Gauss-Newton), with the step length that lowers the
  * residual. Cells without pairs follow their neighbors.
  *
- * The output is a vtkSumBRDF of a vtkLambertBRDF and a vtkDistributionBRDF whose p is normalized
- * (the integral of p cos theta_h is 1), so that F contains the scale.
+ * p has 128 samples along theta_h, or 48 where it is anisotropic; F has 32 along theta_d. The
+ * output is a vtkSumBRDF of a vtkLambertBRDF and a vtkDistributionBRDF whose p is normalized (the
+ * integral of p cos theta_h is 1), so that F contains the scale.
  */
 
 #ifndef vtkDistributionBRDFFitter_h
@@ -32,28 +33,15 @@ public:
   enum FresnelModelType
   {
     MONOTONE = 0, // a table that never falls towards grazing
-    FREE = 1,     // a table
-    SCHLICK = 2   // F0 + (1 - F0)(1 - cos theta_d)^5 times a scale, tabulated
+    SCHLICK = 1   // F0 + (1 - F0)(1 - cos theta_d)^5 times a scale, tabulated
   };
 
   ///@{
   /**
-   * The form of F: MONOTONE (default), FREE or SCHLICK.
+   * The form of F: MONOTONE (default) or SCHLICK.
    */
   virtual void SetFresnelModel(int fresnelModel);
   vtkGetMacro(FresnelModel, int);
-  ///@}
-
-  /// Largest number of cells of p (samples along theta_h x phi_h): the size of the normal equations
-  /// is its square.
-  static constexpr int MaximumNumberOfCells = 1 << 16;
-
-  ///@{
-  /**
-   * Samples of p along theta_h, 2 to 4096; 0 (default): 128, or 48 where p is anisotropic.
-   */
-  virtual void SetNumberOfThetaSamples(int numberOfThetaSamples);
-  vtkGetMacro(NumberOfThetaSamples, int);
   ///@}
 
   ///@{
@@ -65,33 +53,20 @@ public:
   vtkGetMacro(NumberOfPhiSamples, int);
   ///@}
 
-  ///@{
-  /**
-   * Samples of F along theta_d, 2 to 1024; default 32.
-   */
-  virtual void SetNumberOfFresnelSamples(int numberOfFresnelSamples);
-  vtkGetMacro(NumberOfFresnelSamples, int);
-  ///@}
-
   std::string GetModelName() override { return "D-BRDF"; }
 
 protected:
   vtkDistributionBRDFFitter() = default;
   ~vtkDistributionBRDFFitter() override = default;
 
-  std::string CheckOptions() override;
   Result FitTo(const std::vector<Sample>& samples) override;
 
   int FresnelModel = MONOTONE;
-  int NumberOfThetaSamples = 0;
   int NumberOfPhiSamples = 0;
-  int NumberOfFresnelSamples = 32;
 
 private:
   vtkDistributionBRDFFitter(const vtkDistributionBRDFFitter&) = delete;
   void operator=(const vtkDistributionBRDFFitter&) = delete;
-
-  void GetSize(int& nTheta, int& nPhi);
 };
 
 #endif

@@ -20,6 +20,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <stdexcept>
 
 using namespace measuredbrdf;
 
@@ -51,9 +52,9 @@ vtkSmartPointer<vtkImageData> NewImage(int width, int height, std::size_t compon
 }
 
 // count of the texels, one at random in each of as many equal parts of the picture.
-std::vector<std::size_t> DrawSample(std::size_t texels, std::size_t count, unsigned int seed)
+std::vector<std::size_t> DrawSample(std::size_t texels, int count, unsigned int seed)
 {
-  std::vector<std::size_t> sample(std::min(texels, count));
+  std::vector<std::size_t> sample(std::min(texels, static_cast<std::size_t>(count)));
   std::mt19937 random(seed);
   for (std::size_t k = 0; k < sample.size(); ++k)
   {
@@ -65,6 +66,11 @@ std::vector<std::size_t> DrawSample(std::size_t texels, std::size_t count, unsig
         : std::min(static_cast<std::size_t>(share * static_cast<double>(texels)), texels - 1);
   }
   return sample;
+}
+
+MaterialValues TakeColumns(const MaterialValues& all, const std::vector<int>& columns)
+{
+  return { all.Values(Eigen::seqN(0, all.Values.rows()), columns), all.Scales };
 }
 }
 
@@ -93,7 +99,6 @@ struct vtkMaterialMapFitter::Results
   double SeenShare = 0.0;                     // of the tables' cells; tables only
   int Iterations = 0;                         // tables only
   bool Converged = false;
-  int Passes = 0; // over all photographs
   std::vector<std::string> Findings;
 
   // While it runs:
@@ -128,12 +133,7 @@ struct vtkMaterialMapFitter::Results
     return static_cast<std::size_t>(this->Width) * static_cast<std::size_t>(this->Height);
   }
 
-  std::size_t GetMemory() const
-  {
-    return static_cast<std::size_t>(this->Fitter->MemoryLimit) << 20;
-  }
-
-  // Throws MapFitError and MapFitStopped.
+  // Throws MapFitStopped and std::runtime_error.
   void Run()
   {
     PhotographPasses passes(this->Fitter->Photographs,
@@ -142,8 +142,8 @@ struct vtkMaterialMapFitter::Results
         this->Fitter->InvokeEvent(vtkCommand::ProgressEvent, &share);
         return !this->Fitter->Abort;
       });
-    this->Width = passes.GetWidth();
-    this->Height = passes.GetHeight();
+    this->Width = passes.Width;
+    this->Height = passes.Height;
     const bool isLibrary = this->Fitter->Method == LIBRARY;
     isLibrary ? this->ChooseMaterials(passes) : this->FindTables(passes);
     this->SolveAll(passes, isLibrary ? 0.5 : 0.6);
@@ -151,17 +151,13 @@ struct vtkMaterialMapFitter::Results
     passes.Proceed(1.0);
     this->FindLookalikes();
     this->FindUncertainties();
-    this->PixelCounts = passes.GetPixelCounts();
-    this->Passes = passes.GetNumberOfPasses();
+    this->PixelCounts = passes.PixelCounts;
   }
 
-  // As many texels as the memory holds, at most as many as the user wants.
-  std::vector<std::size_t> GetSample(std::size_t bytesPerTexel) const
+  std::vector<std::size_t> GetSample() const
   {
-    const std::size_t most = std::max<std::size_t>(this->GetMemory() / bytesPerTexel, 1);
-    return DrawSample(this->GetNumberOfTexels(),
-      std::min(most, static_cast<std::size_t>(this->Fitter->NumberOfSampleTexels)),
-      this->Fitter->Seed);
+    return DrawSample(
+      this->GetNumberOfTexels(), this->Fitter->NumberOfSampleTexels, this->Fitter->Seed);
   }
 
   // From a library to a few of its materials.
@@ -169,40 +165,30 @@ struct vtkMaterialMapFitter::Results
   {
     const auto& library = this->Fitter->Library;
     this->LibraryValues = EvaluateMaterials(this->Fitter->Photographs, library, {});
-    TexelSums sums(this->LibraryValues, this->GetSample(TexelSums::GetBytesPerTexel(
-                                          library.size(), this->LibraryValues.Scales.size())));
+    TexelSums sums(this->LibraryValues, this->GetSample());
     passes.Run(0.0, 0.35, [&](int k, const PhotographPixels& pixels) { sums.Add(k, pixels); });
     this->Chosen = SelectMaterials(sums, this->Fitter->MaximumNumberOfMaterials,
       this->Fitter->Tolerance, [&](double share) { passes.Proceed(0.35 + 0.15 * share); });
     if (this->Chosen.empty())
     {
-      throw MapFitError("no pixel is valid: all are saturated, black or not finite");
+      throw std::runtime_error("no pixel is valid: all are saturated, black or not finite");
     }
     for (const int k : this->Chosen)
     {
       this->Materials.emplace_back().Material = library[static_cast<std::size_t>(k)];
     }
-    this->Values = { this->LibraryValues.Values(
-                       Eigen::seqN(0, this->LibraryValues.Values.rows()), this->Chosen),
-      this->LibraryValues.Scales };
+    this->Values = TakeColumns(this->LibraryValues, this->Chosen);
     this->Converged = true;
   }
 
   // New materials from the photographs.
   void FindTables(PhotographPasses& passes)
   {
-    const int photographs = this->Fitter->Photographs->GetNumberOfPhotographs();
-    // The factorization keeps the sample twice, as floats.
-    const std::vector<std::size_t> sample =
-      this->GetSample(static_cast<std::size_t>(photographs) * 25);
     const int* size = this->Fitter->TableDimensions;
-    TableMaterials tables(this->Fitter->Photographs,
-      { this->Fitter->MaximumNumberOfMaterials, this->Fitter->Seed, this->Fitter->Compactness,
-        this->Fitter->Smoothness, { size[0], size[1], size[2] } },
-      sample.size());
-    passes.Run(
-      0.0, 0.3, [&](int k, const PhotographPixels& pixels) { tables.Add(k, pixels, sample); });
-    tables.Find([&](double share) { passes.Proceed(0.3 + 0.3 * share); });
+    const TableOptions options = { this->Fitter->MaximumNumberOfMaterials, this->Fitter->Seed,
+      this->Fitter->Smoothness, { size[0], size[1], size[2] } };
+    const TableMaterials tables =
+      FindTableMaterials(this->Fitter->Photographs, options, passes, this->GetSample());
     for (const NamedMaterial& found : tables.Materials)
     {
       this->Materials.emplace_back().Material = found;
@@ -214,64 +200,42 @@ struct vtkMaterialMapFitter::Results
     this->Values = EvaluateMaterials(this->Fitter->Photographs, tables.Materials, tables.Scales);
   }
 
-  // Weights of all texels, band by band: as many texels at once as the memory holds.
+  // Weights of all texels.
   void SolveAll(PhotographPasses& passes, double start)
   {
-    const std::size_t texels = this->GetNumberOfTexels();
     const std::size_t materials = this->Materials.size();
-    this->Weights.assign(materials * texels, 0.0f);
-    this->Errors.assign(texels, -1.0f);
-    const std::size_t bytes =
-      TexelSums::GetBytesPerTexel(materials, this->Values.Scales.size()) + sizeof(double) * 4;
-    const std::size_t band = std::clamp<std::size_t>(this->GetMemory() / bytes, 1, texels);
-    for (std::size_t first = 0; first < texels; first += band)
-    {
-      std::vector<std::size_t> numbers(std::min(band, texels - first));
-      std::iota(numbers.begin(), numbers.end(), first);
-      TexelSums sums(this->Values, std::move(numbers));
-      const double begin = static_cast<double>(first) / static_cast<double>(texels);
-      const double part =
-        static_cast<double>(sums.GetNumberOfTexels()) / static_cast<double>(texels);
-      passes.Run(start + (1.0 - start) * begin, start + (1.0 - start) * (begin + 0.9 * part),
-        [&](int k, const PhotographPixels& pixels) { sums.Add(k, pixels); });
-      this->SolveBand(sums);
-    }
-  }
-
-  void SolveBand(const TexelSums& sums)
-  {
-    const std::size_t materials = this->Materials.size();
+    std::vector<std::size_t> numbers(this->GetNumberOfTexels());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    this->Weights.assign(materials * numbers.size(), 0.0f);
+    this->Errors.assign(numbers.size(), -1.0f);
+    TexelSums sums(this->Values, std::move(numbers));
+    passes.Run(start, 0.9 + 0.1 * start,
+      [&](int k, const PhotographPixels& pixels) { sums.Add(k, pixels); });
     std::vector<int> columns(materials);
     std::iota(columns.begin(), columns.end(), 0);
-    struct Sums
-    {
-      double Residual = 0.0, Cross = 0.0, Model = 0.0;
-    };
-    std::vector<Sums> found(sums.GetNumberOfTexels());
-    measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(found.size()),
-      [&](vtkIdType begin, vtkIdType end)
+    std::vector<Eigen::Array3d> found(this->Errors.size(), Eigen::Array3d::Zero());
+    ParallelForEach(
+      this->Errors.size(),
+      [&](std::size_t k)
       {
-        for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+        const WeightSolution solution = SolveTexel(sums, k, columns);
+        std::transform(solution.Weights.begin(), solution.Weights.end(),
+          &this->Weights[materials * k], [](double w) { return static_cast<float>(w); });
+        if (sums.GetNumberOfPhotographs(k) > 0)
         {
-          const WeightSolution solution = SolveTexel(sums, k, columns);
-          const std::size_t texel = sums.GetTexel(k);
-          std::transform(solution.Weights.begin(), solution.Weights.end(),
-            &this->Weights[materials * texel], [](double w) { return static_cast<float>(w); });
-          if (sums.GetNumberOfPhotographs(k) > 0)
-          {
-            const double squares = sums.GetSquares(k);
-            const double cross = sums.GetRight(k, columns).dot(solution.Weights);
-            this->Errors[texel] =
-              static_cast<float>(std::sqrt(solution.Residual / (squares > 0.0 ? squares : 1.0)));
-            found[k] = { solution.Residual, cross, solution.Residual - squares + 2.0 * cross };
-          }
+          const double squares = sums.GetSquares(k);
+          const double cross = sums.GetRight(k, columns).dot(solution.Weights);
+          this->Errors[k] =
+            static_cast<float>(std::sqrt(solution.Residual / (squares > 0.0 ? squares : 1.0)));
+          found[k] << solution.Residual, cross, solution.Residual - squares + 2.0 * cross;
         }
-      });
+      },
+      nullptr, 0);
     for (std::size_t k = 0; k < found.size(); ++k) // in one order on any number of threads
     {
-      this->Residual += found[k].Residual;
-      this->Cross += found[k].Cross;
-      this->Model += found[k].Model;
+      this->Residual += found[k][0];
+      this->Cross += found[k][1];
+      this->Model += found[k][2];
       this->Samples += 3.0 * static_cast<double>(sums.GetNumberOfPhotographs(k));
       this->Texels += sums.GetNumberOfPhotographs(k) > 0 ? 1.0 : 0.0;
     }
@@ -449,10 +413,8 @@ vtkImageData* vtkMaterialMapFitter::GetErrorImage() { return this->ErrorImage; }
 measuredbrdfSetInRangeMacro(vtkMaterialMapFitter, Method, int, LIBRARY, TABLES);
 measuredbrdfSetInRangeMacro(vtkMaterialMapFitter, MaximumNumberOfMaterials, int, 1, 32);
 measuredbrdfSetClampedMacro(vtkMaterialMapFitter, Tolerance, double, 0.0, 1.0);
-measuredbrdfSetClampedMacro(vtkMaterialMapFitter, Compactness, double, 0.0, 1.0);
 measuredbrdfSetClampedMacro(vtkMaterialMapFitter, Smoothness, double, 1e-8, 1e4);
 measuredbrdfSetClampedMacro(vtkMaterialMapFitter, NumberOfSampleTexels, int, 64, 1 << 20);
-measuredbrdfSetClampedMacro(vtkMaterialMapFitter, MemoryLimit, int, 1, 1 << 20);
 
 //------------------------------------------------------------------------------
 void vtkMaterialMapFitter::SetTableDimensions(int phiD, int thetaD, int thetaH)
@@ -522,7 +484,7 @@ bool vtkMaterialMapFitter::Fit()
   {
     return false;
   }
-  catch (const MapFitError& error)
+  catch (const std::runtime_error& error)
   {
     vtkErrorMacro("Fit: " << ToPrintable(error.what()) << ".");
     return false;
@@ -548,7 +510,6 @@ double vtkMaterialMapFitter::GetFactorizationError() { return this->Found->Facto
 double vtkMaterialMapFitter::GetSeenShare() { return this->Found->SeenShare; }
 int vtkMaterialMapFitter::GetNumberOfIterations() { return this->Found->Iterations; }
 bool vtkMaterialMapFitter::GetConverged() { return this->Found->Converged; }
-int vtkMaterialMapFitter::GetNumberOfPasses() { return this->Found->Passes; }
 double vtkMaterialMapFitter::GetCoverage(int k) { return this->Found->Get(k).Coverage; }
 double vtkMaterialMapFitter::GetLargestWeight(int k) { return this->Found->Get(k).LargestWeight; }
 double vtkMaterialMapFitter::GetUncertainty(int k) { return this->Found->Get(k).Uncertainty; }
@@ -602,12 +563,10 @@ void vtkMaterialMapFitter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLibraryMaterials: " << this->Library.size() << "\n";
   os << indent << "MaximumNumberOfMaterials: " << this->MaximumNumberOfMaterials << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "Compactness: " << this->Compactness << "\n";
   os << indent << "Smoothness: " << this->Smoothness << "\n";
   os << indent << "TableDimensions: " << this->TableDimensions[0] << " " << this->TableDimensions[1]
      << " " << this->TableDimensions[2] << "\n";
   os << indent << "NumberOfSampleTexels: " << this->NumberOfSampleTexels << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
   os << indent << "MeanError: " << this->GetMeanError() << "\n";
@@ -622,6 +581,5 @@ void vtkMaterialMapFitter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SeenShare: " << this->GetSeenShare() << "\n";
   os << indent << "NumberOfIterations: " << this->GetNumberOfIterations() << "\n";
   os << indent << "Converged: " << (this->GetConverged() ? "On" : "Off") << "\n";
-  os << indent << "NumberOfPasses: " << this->GetNumberOfPasses() << "\n";
   os << indent << "NumberOfFindings: " << this->GetNumberOfFindings() << "\n";
 }

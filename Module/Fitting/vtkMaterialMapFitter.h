@@ -24,8 +24,9 @@
  * what it shows on the average, plus 1 % of full scale: bright and dark photographs count alike.
  * Pixels that are saturated, black or not finite (vtkPhotographSet) are left out and counted.
  *
- * Pictures are read one at a time, several times over; texels are worked on in as many bands as
- * MemoryLimit asks for. The same input and seed give the same bits on any number of threads.
+ * Pictures are read one at a time, twice. A texel takes 4 bytes for each material of the map, and
+ * some 60, and 8 more for each material while it is fitted. The same input and seed give the same
+ * bits on any number of threads.
  */
 
 #ifndef vtkMaterialMapFitter_h
@@ -108,15 +109,6 @@ public:
 
   ///@{
   /**
-   * TABLES: how strongly materials are drawn together, in [0, 1], default 1e-3. Mixtures alone do
-   * not say how far beyond them the pure materials lie; without this, noise drives them outward.
-   */
-  virtual void SetCompactness(double compactness);
-  vtkGetMacro(Compactness, double);
-  ///@}
-
-  ///@{
-  /**
    * TABLES: weight of the tables' squared second differences against the photographs, in [1e-8,
    * 1e4]; default 1e-2.
    */
@@ -140,15 +132,6 @@ public:
    */
   virtual void SetNumberOfSampleTexels(int number);
   vtkGetMacro(NumberOfSampleTexels, int);
-  ///@}
-
-  ///@{
-  /**
-   * Mebibytes for sums, in [1, 2^20]; default 1024. One photograph, the map and the error image
-   * come on top.
-   */
-  virtual void SetMemoryLimit(int mebibytes);
-  vtkGetMacro(MemoryLimit, int);
   ///@}
 
   ///@{
@@ -228,9 +211,6 @@ public:
   bool GetConverged();
   ///@}
 
-  /// How often all photographs were read.
-  int GetNumberOfPasses();
-
   ///@{
   /**
    * What the photographs leave open, a sentence each: materials that look alike, weights that are
@@ -250,11 +230,9 @@ protected:
   int Method = LIBRARY;
   int MaximumNumberOfMaterials = 4;
   double Tolerance = 0.02;
-  double Compactness = 1e-3;
   double Smoothness = 1e-2;
   int TableDimensions[3] = { 8, 16, 64 };
   int NumberOfSampleTexels = 4096;
-  int MemoryLimit = 1024;
   unsigned int Seed = 1;
   bool Abort = false;
   int WorstTexel[2] = { 0, 0 };

@@ -5,7 +5,6 @@
 #include "HalfVector.h" // for Pi
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
-#include "PBRShading.h"
 #include "vtkBRDF.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -29,6 +28,92 @@ vtkStandardNewMacro(vtkPBRPropertyFitter);
 
 namespace
 {
+// Parameters other than the base color, with vtkProperty's names and ranges.
+enum Axis
+{
+  ROUGHNESS,
+  METALLIC,
+  BASE_IOR,
+  EDGE_TINT,
+  COAT_STRENGTH,
+  COAT_ROUGHNESS,
+  COAT_IOR,
+  NUMBER_OF_AXES
+};
+using Parameters = Eigen::Array<double, NUMBER_OF_AXES, 1>;
+
+// VTK's physically based shading of one light, as in its fragment shader (VTK 9.1 to 9.6,
+// vtkPBRFunctions.glsl and vtkOpenGLPolyDataMapper::ReplaceShaderLight): GGX (Walter et al. 2007)
+// with the height-correlated Smith term (Heitz 2014), Schlick's Fresnel term (1994), a Lambertian
+// base, and a clear coat. Everything but the distribution is a polynomial in s = (1 - H.L)^5, so
+// that the radiance of a surface follows from a few moments of the light: the integrals of
+// lobe * s^n * L * cos, n = 0 to 3. Of the diffuse part the lobe is 1 / pi.
+
+double GetAlphaSquared(double roughness) { return std::pow(roughness, 4); }
+
+// GGX times pi / alpha^2.
+double GetDistribution(double ndh, double alpha2)
+{
+  const double d = (ndh * alpha2 - ndh) * ndh + 1.0;
+  return 1.0 / (d * d);
+}
+
+// D V of a lobe: f is D V times the Fresnel term. VTK's V takes roughness^2 where Heitz has
+// alpha^2 = roughness^4; this function follows VTK.
+double GetLobe(double ndh, double ndv, double ndl, double roughness)
+{
+  const double alpha2 = GetAlphaSquared(roughness);
+  const double a2 = roughness * roughness;
+  const double smith =
+    ndl * std::sqrt(a2 + ndv * (ndv - a2 * ndv)) + ndv * std::sqrt(a2 + ndl * (ndl - a2 * ndl));
+  return alpha2 / Pi * GetDistribution(ndh, alpha2) * 0.5 / std::max(smith, 1e-12);
+}
+
+// Density of i where h is drawn from D(h) cos(theta_h) (Walter et al. 2007, equation 38).
+double GetLobeDensity(double roughness, double ndh, double hdl)
+{
+  const double alpha2 = GetAlphaSquared(roughness);
+  return alpha2 / Pi * GetDistribution(ndh, alpha2) * ndh / (4.0 * std::max(hdl, 1e-9));
+}
+
+// Of the base layer.
+double GetReflectance(const Parameters& p)
+{
+  return vtkProperty::ComputeReflectanceFromIOR(p[BASE_IOR], 1.0) * (1.0 - p[COAT_STRENGTH]) +
+         vtkProperty::ComputeReflectanceFromIOR(p[BASE_IOR], p[COAT_IOR]) * p[COAT_STRENGTH];
+}
+
+// Reflectance at grazing incidence: of metals the edge tint, else low where F0 is below 2 %.
+double GetGrazing(const Parameters& p, const Eigen::Array3d& baseColor)
+{
+  const double base = GetReflectance(p);
+  const double sum = (base + (baseColor - base) * p[METALLIC]).sum();
+  const double f90 = std::clamp(50.0 * 0.33 * sum, 0.0, 1.0);
+  return f90 + (p[EDGE_TINT] - f90) * p[METALLIC];
+}
+
+// What the moments of a light are multiplied with, of one channel of base color c.
+struct Shading
+{
+  Eigen::Vector4d Diffuse, Base, Coat;
+
+  Shading(const Parameters& p, double c, double f90)
+  {
+    const double base = GetReflectance(p);
+    const double f0 = base + (c - base) * p[METALLIC];
+    const double df = f90 - f0; // F = f0 + df s
+    const double q = p[COAT_STRENGTH];
+    const double coatF0 = vtkProperty::ComputeReflectanceFromIOR(p[COAT_IOR], 1.0);
+    const double e = 1.0 - q * coatF0; // 1 - Fc = e - v s
+    const double v = q * (1.0 - coatF0);
+    this->Diffuse << (1.0 - f0) * e, -(1.0 - f0) * v - df * e, df * v, 0.0;
+    this->Diffuse *= (1.0 - p[METALLIC]) * c;
+    this->Base << f0 * e * e, df * e * e - 2.0 * e * v * f0, f0 * v * v - 2.0 * e * v * df,
+      df * v * v;
+    this->Coat << q * coatF0, q * (1.0 - coatF0), 0.0, 0.0;
+  }
+};
+
 // Rings of pixels, each of the same area on the sphere's disc, and pixels of a ring.
 constexpr int NumberOfPBRViews = 12;
 constexpr int NumberOfPBRAzimuths = 16;
@@ -41,26 +126,16 @@ constexpr std::array<double, 5> LobeRoughnesses = { 0.06, 0.12, 0.25, 0.45, 0.7 
 constexpr int DrawsOfLobe = 192;
 constexpr int DrawsOfCosine = 256;
 
-//------------------------------------------------------------------------------
-// Density of i where h is drawn from D(h) cos(theta_h) (Walter et al. 2007, equation 38).
-double GetLobeDensity(double roughness, double ndh, double hdl)
-{
-  const double alpha2 = std::pow(roughness, 4);
-  const double d = (ndh * alpha2 - ndh) * ndh + 1.0;
-  return alpha2 * ndh / (Pi * d * d * 4.0 * std::max(hdl, 1e-9));
-}
+using Moments = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>; // by pixel
 
-using Moments = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>; // by pixel: PBRMoments
-
-// Pictures of a sphere under a gray light, drawn by a measured material and by VTK's physically
-// based shading with the same quadrature, so that they can be compared. The sphere is seen from +z.
+// Pictures of a sphere under the neutral light, drawn by a measured material and by VTK's
+// physically based shading with the same quadrature, so that they can be compared. The sphere is
+// seen from +z.
 class PBRPicture
 {
 public:
-  /// The brdf must be prepared. light(direction): gray radiance, with no details finer than ten
-  /// degrees.
-  template <typename Light>
-  PBRPicture(vtkBRDF* brdf, const Light& light)
+  /// The brdf must be prepared.
+  explicit PBRPicture(vtkBRDF* brdf)
     : NumberOfTangents(brdf->IsIsotropic() ? 1 : TangentsOfAnisotropic)
     , Diffuse(NumberOfPixels, 4)
     , Reference(NumberOfPixels, 3 * this->NumberOfTangents)
@@ -73,7 +148,7 @@ public:
       view.Light.resize(NumberOfPBRAzimuths, static_cast<Eigen::Index>(view.Directions.size()));
       for (int pixel = 0; pixel < NumberOfPBRAzimuths; ++pixel)
       {
-        AddLight(view, pixel, 2.0 * Pi * (pixel + 0.5 * (k % 2)) / NumberOfPBRAzimuths, light);
+        AddLight(view, pixel, 2.0 * Pi * (pixel + 0.5 * (k % 2)) / NumberOfPBRAzimuths);
       }
       this->Diffuse.middleRows(k * NumberOfPBRAzimuths, NumberOfPBRAzimuths) =
         view.Light * view.Powers / Pi;
@@ -83,14 +158,14 @@ public:
 
   /// Base color of least error for the other parameters (of a roughness in hundredths), and that
   /// error: relative L1 over pixels and channels.
-  double FitColor(const PBRParameters& parameters, std::array<double, 3>& color)
+  double FitColor(const Parameters& parameters, Eigen::Array3d& color)
   {
     constexpr int rounds = 2;
     double sum = 0.0;
     // The reflectance at grazing incidence depends on all three channels where F0 is below 2 %:
     // fit, fit again with the one that belongs to the color, and measure with that of the last
     // color.
-    double f90 = GetPBRGrazing(parameters, color);
+    double f90 = GetGrazing(parameters, color);
     for (int k = 0; k <= rounds; ++k)
     {
       const Eigen::MatrixX3d radiance = this->GetRadiance(parameters, f90);
@@ -100,7 +175,7 @@ public:
         sum += k < rounds ? this->FitChannel(radiance, channel, color[channel])
                           : this->GetDistance(radiance, channel, color[channel]);
       }
-      const double next = GetPBRGrazing(parameters, color);
+      const double next = GetGrazing(parameters, color);
       if (next == f90)
       {
         break;
@@ -157,7 +232,7 @@ private:
     }
     for (const double roughness : LobeRoughnesses)
     {
-      const double alpha2 = std::pow(roughness, 4);
+      const double alpha2 = GetAlphaSquared(roughness);
       for (int k = 0; k < DrawsOfLobe; ++k)
       {
         // Walter et al. 2007, equation 35: tan^2(theta_h) = alpha^2 u / (1 - u).
@@ -175,8 +250,7 @@ private:
   }
 
   // Of the pixel at that azimuth of the sphere. Its tangent points towards the eye.
-  template <typename Light>
-  static void AddLight(View& view, int pixel, double phi, const Light& light)
+  static void AddLight(View& view, int pixel, double phi)
   {
     const glm::dvec3 normal = ToDirection(view.Cosine, phi);
     const glm::dvec3 tangent(-view.Cosine * std::cos(phi), -view.Cosine * std::sin(phi),
@@ -184,8 +258,9 @@ private:
     const glm::dmat3 frame(tangent, glm::cross(normal, tangent), normal);
     for (std::size_t k = 0; k < view.Directions.size(); ++k)
     {
+      const glm::dvec3 direction = frame * view.Directions[k];
       view.Light(pixel, static_cast<Eigen::Index>(k)) =
-        view.Weights[k] * light(frame * view.Directions[k]);
+        view.Weights[k] * vtkPBRPropertyFitter::GetNeutralRadiance(&direction.x);
     }
   }
 
@@ -225,7 +300,7 @@ private:
       for (std::size_t d = 0; d < view.Directions.size(); ++d)
       {
         lobe[static_cast<Eigen::Index>(d)] =
-          GetPBRLobe(view.NdH[d], view.Cosine, view.Directions[d].z, roughness);
+          GetLobe(view.NdH[d], view.Cosine, view.Directions[d].z, roughness);
       }
       moments.middleRows(k * NumberOfPBRAzimuths, NumberOfPBRAzimuths) =
         view.Light * lobe.asDiagonal() * view.Powers;
@@ -234,31 +309,21 @@ private:
   }
 
   // By pixel: the radiance as a polynomial of the channel's base color.
-  Eigen::MatrixX3d GetRadiance(const PBRParameters& parameters, double f90)
+  Eigen::MatrixX3d GetRadiance(const Parameters& parameters, double f90)
   {
-    const Moments& specular = this->GetSpecularMoments(parameters.Roughness);
-    const Moments& coat = parameters.CoatStrength > 0.0
-                            ? this->GetSpecularMoments(parameters.CoatRoughness)
-                            : specular; // times a strength of 0
-    const auto get = [](const Moments& moments, int pixel)
+    const Moments& base = this->GetSpecularMoments(parameters[ROUGHNESS]);
+    const Moments& coat = parameters[COAT_STRENGTH] > 0.0
+                            ? this->GetSpecularMoments(parameters[COAT_ROUGHNESS])
+                            : base; // times a strength of 0
+    Eigen::MatrixX3d at(NumberOfPixels, 3);
+    for (int k = 0; k < 3; ++k)
     {
-      PBRMoments own;
-      std::copy_n(&moments(pixel, 0), 4, own.begin());
-      return own;
-    };
-    Eigen::MatrixX3d radiance(NumberOfPixels, 3);
-    for (int p = 0; p < NumberOfPixels; ++p)
-    {
-      double at[3];
-      for (int k = 0; k < 3; ++k)
-      {
-        at[k] = GetPBRRadiance(
-          parameters, 0.5 * k, f90, get(this->Diffuse, p), get(specular, p), get(coat, p));
-      }
-      radiance.row(p) << at[0], -3.0 * at[0] + 4.0 * at[1] - at[2],
-        2.0 * (at[0] - 2.0 * at[1] + at[2]);
+      const Shading shading(parameters, 0.5 * k, f90);
+      at.col(k) = this->Diffuse * shading.Diffuse + base * shading.Base + coat * shading.Coat;
     }
-    return radiance;
+    Eigen::Matrix3d toPolynomial; // of values at 0, 1/2 and 1
+    toPolynomial << 1.0, -3.0, 2.0, 0.0, 4.0, -4.0, 0.0, -1.0, 2.0;
+    return at * toPolynomial;
   }
 
   // Sum |model - reference| of a channel.
@@ -311,61 +376,31 @@ constexpr double LeastRoughness = 0.05;
 // What further parameters have to leave of the error to be worth it: not all that draws a property
 // knows them.
 constexpr double WorthIt = 0.7;
+constexpr double WorthMetal = 0.95; // what a metal has to leave of a dielectric's error
 
-// What a search may change: each extent knows all parameters of the one before, too.
-enum Extent
-{
-  METALLIC_ROUGHNESS,
-  WITH_FRESNEL,
-  WITH_COAT
-};
+// What a search may change: so many of the axes.
+constexpr int MetallicRoughness = 2, WithFresnel = 4, WithCoat = 7;
 
-// What values a search may take beside the ranges of the axes.
+// What values a search may take.
 struct Limits
 {
-  double LeastMetallic;
-  double MostMetallic;
-  double MostRoughness;
-  double MostIndex;
-
-  PBRParameters Clamp(PBRParameters parameters) const
-  {
-    parameters.Metallic = std::clamp(parameters.Metallic, this->LeastMetallic, this->MostMetallic);
-    parameters.Roughness = std::min(parameters.Roughness, this->MostRoughness);
-    parameters.BaseIOR = std::min(parameters.BaseIOR, this->MostIndex);
-    parameters.CoatIOR = std::min(parameters.CoatIOR, this->MostIndex);
-    return parameters;
-  }
+  Parameters Least;
+  Parameters Most;
 };
-const Limits Free = { 0.0, 1.0, 1.0, 3.0 };
-const Limits Dielectric = { 0.0, 0.0, 1.0, 2.0 };
-const Limits Metal = { 0.3, 1.0, 0.6, 2.0 };
-constexpr double WorthMetal = 0.95; // what a metal has to leave of a dielectric's error
+
+Limits MakeLimits(double leastMetallic, double mostMetallic, double mostRoughness, double mostIndex)
+{
+  Limits limits;
+  limits.Least << LeastRoughness, leastMetallic, 1.0, 0.0, 0.0, LeastRoughness, 1.0;
+  limits.Most << mostRoughness, mostMetallic, mostIndex, 1.0, 1.0, 1.0, mostIndex;
+  return limits;
+}
 
 struct Candidate
 {
-  PBRParameters Parameters;
-  std::array<double, 3> Color = { 0.5, 0.5, 0.5 };
+  Parameters Values = Parameters::Zero();
+  Eigen::Array3d Color = Eigen::Array3d::Constant(0.5);
   double Error = std::numeric_limits<double>::infinity();
-};
-
-// What is searched, with its range and the first step of the refinement.
-struct Axis
-{
-  double PBRParameters::*Value;
-  double Least;
-  double Most;
-  double Step;
-  Extent From;
-};
-const Axis Axes[] = {
-  { &PBRParameters::Roughness, LeastRoughness, 1.0, 0.08, METALLIC_ROUGHNESS },
-  { &PBRParameters::Metallic, 0.0, 1.0, 0.2, METALLIC_ROUGHNESS },
-  { &PBRParameters::BaseIOR, 1.0, 3.0, 0.25, WITH_FRESNEL },
-  { &PBRParameters::EdgeTint, 0.0, 1.0, 0.25, WITH_FRESNEL },
-  { &PBRParameters::CoatStrength, 0.0, 1.0, 0.25, WITH_COAT },
-  { &PBRParameters::CoatRoughness, LeastRoughness, 1.0, 0.08, WITH_COAT },
-  { &PBRParameters::CoatIOR, 1.0, 3.0, 0.25, WITH_COAT },
 };
 
 void Keep(Candidate& best, const Candidate& other)
@@ -376,7 +411,7 @@ void Keep(Candidate& best, const Candidate& other)
   }
 }
 
-Candidate Try(PBRPicture& picture, const PBRParameters& parameters)
+Candidate Try(PBRPicture& picture, const Parameters& parameters)
 {
   Candidate candidate{ parameters };
   candidate.Error = picture.FitColor(parameters, candidate.Color);
@@ -384,8 +419,9 @@ Candidate Try(PBRPicture& picture, const PBRParameters& parameters)
 }
 
 // One parameter at a time, up and down, with steps halved until they are a hundredth.
-Candidate Refine(PBRPicture& picture, const Candidate& start, Extent extent, const Limits& limits)
+Candidate Refine(PBRPicture& picture, const Candidate& start, int extent, const Limits& limits)
 {
+  constexpr double steps[NUMBER_OF_AXES] = { 0.08, 0.2, 0.25, 0.25, 0.25, 0.08, 0.25 };
   Candidate best = start;
   for (double share = 1.0; share > 0.05; share *= 0.5)
   {
@@ -393,19 +429,16 @@ Candidate Refine(PBRPicture& picture, const Candidate& start, Extent extent, con
     for (int round = 0; round < 4 && best.Error <= 0.999 * before; ++round)
     {
       before = best.Error;
-      for (const Axis& axis : Axes)
+      for (int k = 0; k < 2 * extent; ++k)
       {
-        for (const double sign : { -1.0, 1.0 })
+        const int axis = k / 2;
+        const double step = (k % 2 == 0 ? -share : share) * steps[axis];
+        Parameters next = best.Values;
+        next[axis] = std::clamp(next[axis] + step, limits.Least[axis], limits.Most[axis]);
+        next[axis] = std::round(100.0 * next[axis]) / 100.0;
+        if (next[axis] != best.Values[axis])
         {
-          PBRParameters next = best.Parameters;
-          double& value = next.*axis.Value;
-          value = std::clamp(value + sign * share * axis.Step, axis.Least, axis.Most);
-          value = std::round(100.0 * value) / 100.0;
-          next = limits.Clamp(next);
-          if (axis.From <= extent && value != best.Parameters.*axis.Value)
-          {
-            Keep(best, Try(picture, next));
-          }
+          Keep(best, Try(picture, next));
         }
       }
     }
@@ -415,54 +448,54 @@ Candidate Refine(PBRPicture& picture, const Candidate& start, Extent extent, con
 
 //------------------------------------------------------------------------------
 // The best of what the few best starts lead to.
-Candidate Search(PBRPicture& picture, const std::vector<PBRParameters>& starts, Extent extent,
-  const Limits& limits)
+Candidate Search(
+  PBRPicture& picture, const std::vector<Parameters>& starts, int extent, const Limits& limits)
 {
   constexpr std::size_t refined = 3;
   std::vector<Candidate> candidates;
-  for (const PBRParameters& start : starts)
+  for (Parameters start : starts)
   {
-    candidates.push_back(Try(picture, limits.Clamp(start)));
+    start.head(extent) =
+      start.head(extent).max(limits.Least.head(extent)).min(limits.Most.head(extent));
+    candidates.push_back(Try(picture, start));
   }
   std::stable_sort(candidates.begin(), candidates.end(),
     [](const Candidate& a, const Candidate& b) { return a.Error < b.Error; });
   Candidate best;
   for (std::size_t k = 0; k < std::min(refined, candidates.size()); ++k)
   {
-    Keep(best, Refine(picture, candidates[k], extent, limits));
+    if (k == 0 || (candidates[k].Values != candidates[k - 1].Values).any())
+    {
+      Keep(best, Refine(picture, candidates[k], extent, limits));
+    }
   }
   return best;
 }
 
 //------------------------------------------------------------------------------
-std::vector<PBRParameters> GetStarts(Extent extent, const PBRParameters& before)
+std::vector<Parameters> GetStarts(int extent, double before)
 {
   // Rough ones first: of equals, where nothing is specular, the first is taken.
   const std::vector<double> any = { 1.0, 0.7, 0.5, 0.35, 0.25, 0.15, 0.07 };
-  const std::vector<double> few = { 1.0, 0.5, 0.3, before.Roughness };
+  const std::vector<double> few = { 1.0, 0.5, 0.3, before };
   const std::vector<double> indices = { 1.0, 1.5, 2.2 }, coats = { 0.07, 0.2, 0.4 }, one = { 0.0 };
-  std::vector<PBRParameters> starts;
-  for (const double roughness : extent == WITH_COAT ? few : any)
+  std::vector<Parameters> starts;
+  for (const double roughness : extent == WithCoat ? few : any)
   {
     for (const double metallic : { 0.0, 0.5, 1.0 })
     {
-      for (const double third : extent == WITH_FRESNEL ? indices
-                                : extent == WITH_COAT  ? coats
-                                                       : one)
+      for (const double third : extent == WithFresnel ? indices : extent == WithCoat ? coats : one)
       {
-        PBRParameters start;
-        start.Roughness = roughness;
-        start.Metallic = metallic;
-        if (extent == WITH_FRESNEL)
+        Parameters start;
+        start << roughness, metallic, 1.5, 1.0, 0.0, 0.0, 2.0; // VTK's defaults
+        if (extent == WithFresnel)
         {
-          start.BaseIOR = third;
-          start.EdgeTint = 0.5;
+          start[BASE_IOR] = third;
+          start[EDGE_TINT] = 0.5;
         }
-        else if (extent == WITH_COAT)
+        else if (extent == WithCoat)
         {
-          start.CoatStrength = 1.0;
-          start.CoatRoughness = third;
-          start.CoatIOR = 1.5;
+          start.tail(3) << 1.0, third, 1.5;
         }
         starts.push_back(start);
       }
@@ -476,9 +509,10 @@ std::vector<PBRParameters> GetStarts(Extent extent, const PBRParameters& before)
 Candidate SearchWithin(PBRPicture& picture, const Limits& limits)
 {
   Candidate best;
-  for (const Extent extent : { METALLIC_ROUGHNESS, WITH_FRESNEL, WITH_COAT })
+  for (const int extent : { MetallicRoughness, WithFresnel, WithCoat })
   {
-    const Candidate next = Search(picture, GetStarts(extent, best.Parameters), extent, limits);
+    const std::vector<Parameters> starts = GetStarts(extent, best.Values[ROUGHNESS]);
+    const Candidate next = Search(picture, starts, extent, limits);
     if (!(next.Error >= WorthIt * best.Error))
     {
       best = next;
@@ -525,26 +559,27 @@ bool vtkPBRPropertyFitter::Update()
     return false;
   }
   this->BRDF->Prepare();
-  PBRPicture picture(this->BRDF, [](const glm::dvec3& d) { return GetNeutralRadiance(&d.x); });
-  Candidate best = SearchWithin(picture, Dielectric);
-  const Candidate metal = SearchWithin(picture, Metal);
+  PBRPicture picture(this->BRDF);
+  const double leastMetallic = 0.3;
+  Candidate best = SearchWithin(picture, MakeLimits(0.0, 0.0, 1.0, 2.0)); // a dielectric
+  const Candidate metal = SearchWithin(picture, MakeLimits(leastMetallic, 1.0, 0.6, 2.0));
   // One at the least metallic part wants to be none.
   const bool isMetal =
-    metal.Parameters.Metallic > Metal.LeastMetallic && metal.Error < WorthMetal * best.Error;
+    metal.Values[METALLIC] > leastMetallic && metal.Error < WorthMetal * best.Error;
   best = isMetal ? metal : best;
   Candidate closest = best;
   Keep(closest, metal);
-  Keep(closest, SearchWithin(picture, Free));
+  Keep(closest, SearchWithin(picture, MakeLimits(0.0, 1.0, 1.0, 3.0)));
   this->ClosestError = closest.Error;
   best = this->UsualValues ? best : closest;
-  std::copy(best.Color.begin(), best.Color.end(), this->BaseColor);
-  this->Roughness = best.Parameters.Roughness;
-  this->Metallic = best.Parameters.Metallic;
-  this->BaseIOR = best.Parameters.BaseIOR;
-  this->EdgeTint = best.Parameters.EdgeTint;
-  this->CoatStrength = best.Parameters.CoatStrength;
-  this->CoatRoughness = best.Parameters.CoatRoughness;
-  this->CoatIOR = best.Parameters.CoatIOR;
+  std::copy_n(best.Color.data(), 3, this->BaseColor);
+  this->Roughness = best.Values[ROUGHNESS];
+  this->Metallic = best.Values[METALLIC];
+  this->BaseIOR = best.Values[BASE_IOR];
+  this->EdgeTint = best.Values[EDGE_TINT];
+  this->CoatStrength = best.Values[COAT_STRENGTH];
+  this->CoatRoughness = best.Values[COAT_ROUGHNESS];
+  this->CoatIOR = best.Values[COAT_IOR];
   this->RelativeError = best.Error;
   return true;
 }
@@ -573,16 +608,15 @@ void vtkPBRPropertyFitter::Apply(vtkProperty* property)
   // Phong's: the lobe's peak at normal incidence, pi f = F0 / (4 alpha^2), and the exponent of the
   // reflected vector, a quarter of the half vector's 2 / alpha^2 - 2 (Walter et al. 2007).
   const bool coat = this->CoatStrength > 0.5 && this->CoatRoughness < this->Roughness;
-  const double roughness = coat ? this->CoatRoughness : this->Roughness;
-  const double alpha2 = std::pow(roughness, 4);
+  const double alpha2 = GetAlphaSquared(coat ? this->CoatRoughness : this->Roughness);
   const double base = property->ComputeReflectanceOfBaseLayer();
-  double f0[3];
-  for (int c = 0; c < 3; ++c)
+  Eigen::Array3d f0 = Eigen::Map<const Eigen::Array3d>(this->BaseColor);
+  f0 = base + (f0 - base) * this->Metallic;
+  if (coat)
   {
-    f0[c] = coat ? GetPBRReflectance(this->CoatIOR, 1.0)
-                 : base + (this->BaseColor[c] - base) * this->Metallic;
+    f0.setConstant(vtkProperty::ComputeReflectanceFromIOR(this->CoatIOR, 1.0));
   }
-  const double most = std::max({ f0[0], f0[1], f0[2] });
+  const double most = f0.maxCoeff();
   if (most > 0.0)
   {
     property->SetSpecularColor(f0[0] / most, f0[1] / most, f0[2] / most);

@@ -16,6 +16,7 @@
 #include "vtkPointData.h"
 
 #include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -191,10 +192,8 @@ std::vector<float> Draw(
           (x + (k % samples + 0.5) / samples) / width, (y + (row + 0.5) / samples) / height, &d.x);
         sum += radiance(d);
       }
-      for (int c = 0; c < 3; ++c)
-      {
-        rgb.push_back(static_cast<float>(sum[c] / (samples * samples)));
-      }
+      const glm::vec3 mean(sum / static_cast<double>(samples * samples));
+      rgb.insert(rgb.end(), &mean.x, &mean.x + 3);
     }
   }
   return rgb;
@@ -354,11 +353,7 @@ void vtkEnvironment::GetPixel(int x, int y, double rgb[3])
     std::fill(rgb, rgb + 3, 0.0);
     return;
   }
-  const std::size_t k = 3 * (static_cast<std::size_t>(y) * this->Width + x);
-  for (int c = 0; c < 3; ++c)
-  {
-    rgb[c] = (*this->Pixels)[k + c];
-  }
+  std::copy_n(&(*this->Pixels)[3 * (static_cast<std::size_t>(y) * this->Width + x)], 3, rgb);
 }
 
 //------------------------------------------------------------------------------
@@ -418,7 +413,7 @@ void vtkEnvironment::GetTotal(double rgb[3])
   {
     return this->Subdivided->GetTotal(rgb);
   }
-  std::fill(rgb, rgb + 3, 0.0);
+  glm::dvec3 total(0.0);
   const float* pixel = this->Pixels->data();
   for (int y = 0; y < this->Height; ++y)
   {
@@ -427,11 +422,9 @@ void vtkEnvironment::GetTotal(double rgb[3])
     {
       row += glm::dvec3(pixel[0], pixel[1], pixel[2]);
     }
-    for (int c = 0; c < 3; ++c)
-    {
-      rgb[c] += row[c] * this->GetTexelSolidAngle(y);
-    }
+    total += row * this->GetTexelSolidAngle(y);
   }
+  std::copy_n(&total.x, 3, rgb);
 }
 
 //------------------------------------------------------------------------------
@@ -440,17 +433,12 @@ double vtkEnvironment::GetLuminance(const double rgb[3]) { return measuredbrdf::
 //------------------------------------------------------------------------------
 void vtkEnvironment::SetWorldToEnvironment(const double matrix[9])
 {
-  const glm::dvec3 rows[3] = { { matrix[0], matrix[1], matrix[2] },
-    { matrix[3], matrix[4], matrix[5] }, { matrix[6], matrix[7], matrix[8] } };
-  bool rotation = true;
-  for (int j = 0; j < 3; ++j)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      // Written so that NaN is refused too.
-      rotation = rotation && std::abs(glm::dot(rows[j], rows[k]) - (j == k ? 1.0 : 0.0)) <= 1e-6;
-    }
-  }
+  const glm::dmat3 rows = glm::make_mat3(matrix);
+  const glm::dmat3 difference = glm::transpose(rows) * rows - glm::dmat3(1.0);
+  const double* first = glm::value_ptr(difference);
+  // Written so that NaN is refused too.
+  const bool rotation =
+    std::all_of(first, first + 9, [](double value) { return std::abs(value) <= 1e-6; });
   if (!rotation || glm::dot(glm::cross(rows[0], rows[1]), rows[2]) < 0.0)
   {
     vtkErrorMacro("SetWorldToEnvironment: the matrix is not a rotation.");

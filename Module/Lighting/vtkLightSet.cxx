@@ -2,13 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLightSet.h"
 
-#include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,11 +114,8 @@ void vtkLightSet::SetLastRegion(int x0, int y0, int x1, int y1)
     vtkErrorMacro("SetLastRegion: no light, or an empty region.");
     return;
   }
-  int* region = this->Lights.back().Region;
-  region[0] = x0;
-  region[1] = y0;
-  region[2] = x1;
-  region[3] = y1;
+  const int region[4] = { x0, y0, x1, y1 };
+  std::copy_n(region, 4, this->Lights.back().Region);
   this->Modified();
 }
 
@@ -133,72 +124,6 @@ bool vtkLightSet::GetRegion(int index, int region[4])
 {
   std::copy_n(this->GetLight(index).Region, 4, region);
   return region[0] < region[2];
-}
-
-//------------------------------------------------------------------------------
-vtkPolyData* vtkLightSet::NewPolyData()
-{
-  const vtkIdType count = this->GetNumberOfLights();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(count);
-  vtkPolyData* lights = vtkPolyData::New();
-  const auto addArray = [lights, count](const char* name, int components)
-  {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(name);
-    array->SetNumberOfComponents(components);
-    array->SetNumberOfTuples(count);
-    lights->GetPointData()->AddArray(array);
-    return array.Get();
-  };
-  vtkDoubleArray* irradiance = addArray("Irradiance", 3);
-  vtkDoubleArray* solidAngle = addArray("SolidAngle", 1);
-  vtkDoubleArray* concentration = addArray("Concentration", 1);
-  vtkNew<vtkCellArray> vertices;
-  for (vtkIdType k = 0; k < count; ++k)
-  {
-    const Light& light = this->Lights[static_cast<std::size_t>(k)];
-    points->SetPoint(k, light.Direction);
-    irradiance->SetTuple(k, light.Irradiance);
-    solidAngle->SetValue(k, light.SolidAngle);
-    concentration->SetValue(k, light.Concentration);
-    vertices->InsertNextCell(1, &k);
-  }
-  lights->SetPoints(points);
-  lights->SetVerts(vertices);
-  return lights;
-}
-
-//------------------------------------------------------------------------------
-bool vtkLightSet::SetPolyData(vtkPolyData* lights)
-{
-  vtkDataArray* irradiance = lights ? lights->GetPointData()->GetArray("Irradiance") : nullptr;
-  if (!lights || !lights->GetPoints() || !irradiance || irradiance->GetNumberOfComponents() != 3 ||
-      irradiance->GetNumberOfTuples() != lights->GetNumberOfPoints())
-  {
-    vtkErrorMacro("SetPolyData: points with a 3-component point array \"Irradiance\" are needed.");
-    return false;
-  }
-  vtkDataArray* solidAngle = lights->GetPointData()->GetArray("SolidAngle");
-  vtkDataArray* concentration = lights->GetPointData()->GetArray("Concentration");
-  std::vector<Light> old;
-  old.swap(this->Lights);
-  for (vtkIdType k = 0; k < lights->GetNumberOfPoints(); ++k)
-  {
-    double direction[3];
-    double rgb[3];
-    lights->GetPoint(k, direction);
-    irradiance->GetTuple(k, rgb);
-    if (!this->AddLight(direction, rgb, solidAngle ? solidAngle->GetComponent(k, 0) : 0.0,
-          concentration ? concentration->GetComponent(k, 0) : 0.0))
-    {
-      this->Lights.swap(old);
-      return false;
-    }
-  }
-  this->Modified();
-  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -22,8 +22,6 @@
 
 #include <vector> // for lights
 
-class vtkPolyData;
-
 class VTKMEASUREDBRDF_EXPORT vtkLightSet : public vtkObject
 {
 public:
@@ -73,16 +71,6 @@ public:
    */
   void SetLastRegion(int x0, int y0, int x1, int y1);
   bool GetRegion(int index, int region[4]);
-  ///@}
-
-  ///@{
-  /**
-   * Convert to geometry and back: points on the unit sphere with vertices; point arrays
-   * "Irradiance" (3 doubles), "SolidAngle", "Concentration". The caller owns the new object.
-   * SetPolyData returns false and leaves the set unchanged without points or "Irradiance".
-   */
-  VTK_NEWINSTANCE vtkPolyData* NewPolyData();
-  bool SetPolyData(vtkPolyData* lights);
   ///@}
 
 protected:

@@ -24,7 +24,6 @@ class VTKMEASUREDBRDF_EXPORT vtkMedianCutLightSetGenerator : public vtkLightSetG
 public:
   static vtkMedianCutLightSetGenerator* New();
   vtkTypeMacro(vtkMedianCutLightSetGenerator, vtkLightSetGenerator);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   bool Generate(vtkEnvironment* environment, int count, vtkLightSet* output) override;
 

@@ -10,17 +10,15 @@
  * sum V. Splitting the cell of largest V, along either axis at the cut that leaves the least V1 +
  * V2, brings that sum down greedily.
  *
- * The splits are made once for each environment and are valid for every number of lights: N + 1
- * lights differ from N by one split. A cell's light has the exact RGB sum of its texels as
+ * N + 1 lights differ from N by one split. A cell's light has the exact RGB sum of its texels as
  * irradiance, the direction P/|P|, and the concentration that follows from V/E. Cells without
  * energy give no light, and cells of one texel are not split, so small maps give fewer lights than
  * requested.
  *
- * Lights are in the environment's frame. A rotation of the environment rotates them and needs no
- * new tree.
- *
- * The tree takes next to no memory while it is made, because each cell's texels are summed anew.
- * Raises ProgressEvent (calldata: double*); SetAbort(true) stops it.
+ * The sum of V over E is the relative RMS error of radiance from a half-vector lobe of exponent n
+ * over 0.06 n, about (within a factor of 2 until that exceeds some 0.3; conservative where one
+ * source dominates). The tree takes next to no memory while it is made, because each cell's texels
+ * are summed anew.
  */
 
 #ifndef vtkVarianceLightSetGenerator_h
@@ -28,56 +26,21 @@
 
 #include "vtkLightSetGenerator.h"
 
-#include <atomic> // for Abort
-#include <memory> // for Internals
-
 class VTKMEASUREDBRDF_EXPORT vtkVarianceLightSetGenerator : public vtkLightSetGenerator
 {
 public:
   static vtkVarianceLightSetGenerator* New();
   vtkTypeMacro(vtkVarianceLightSetGenerator, vtkLightSetGenerator);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   bool Generate(vtkEnvironment* environment, int count, vtkLightSet* output) override;
 
-  /**
-   * Sum of V over E of the last generated set, in [0,1]; 0 before the first. The relative RMS error
-   * of radiance from a half-vector lobe of exponent n is about 0.06 n times this (within a factor
-   * of 2 until it exceeds some 0.3; conservative where one source dominates).
-   */
-  vtkGetMacro(ResidualVariance, double);
-
-  /**
-   * The least number of lights whose sum of V over E is at most target (>= 0), or the largest
-   * number that can be made if none is enough. Returns 0 with an error event when environment is
-   * empty, target is negative or NaN, or the run was aborted.
-   */
-  int GetNumberOfLightsForVariance(vtkEnvironment* environment, double target);
-
-  ///@{
-  /**
-   * Set this from an observer or another thread to stop a running call. The call then fails with an
-   * error event and leaves its output unchanged. Each call clears it first.
-   */
-  void SetAbort(bool abort) { this->Abort = abort; }
-  bool GetAbort() { return this->Abort; }
-  ///@}
-
 protected:
-  vtkVarianceLightSetGenerator();
-  ~vtkVarianceLightSetGenerator() override;
-
-  double ResidualVariance = 0.0;
-  std::atomic<bool> Abort{ false };
+  vtkVarianceLightSetGenerator() = default;
+  ~vtkVarianceLightSetGenerator() override = default;
 
 private:
   vtkVarianceLightSetGenerator(const vtkVarianceLightSetGenerator&) = delete;
   void operator=(const vtkVarianceLightSetGenerator&) = delete;
-
-  bool Grow(vtkEnvironment* environment, int count);
-
-  struct Internals;
-  std::unique_ptr<Internals> Impl;
 };
 
 #endif

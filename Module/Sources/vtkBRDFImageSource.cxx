@@ -71,20 +71,19 @@ void vtkBRDFImageSource::ExecuteDataWithInformation(vtkDataObject* output, vtkIn
       const vtkIdType width = extent[1] - extent[0] + 1;
       const double pixel = 90.0 / this->Resolution;
       this->BRDF->Prepare();
-      ParallelFor(0, values->GetNumberOfTuples(),
-        [&](vtkIdType first, vtkIdType last)
+      measuredbrdf::ParallelForEach(
+        values->GetNumberOfTuples(),
+        [&](vtkIdType k)
         {
-          for (vtkIdType k = first; k < last; ++k)
-          {
-            const vtkIdType row = extent[2] + k / width;
-            const double x = pixel * (static_cast<double>(extent[0] + k % width) + 0.5);
-            const double thetaD = pixel * (static_cast<double>(row) + 0.5);
-            const double thetaH = this->UseThetaHSquared ? x * x / 90.0 : x;
-            double f[3];
-            EvaluateHalfDifference(this->BRDF, thetaH, thetaD, this->PhiD, this->PhiH, f);
-            values->SetTypedTuple(k, glm::value_ptr(glm::vec3(f[0], f[1], f[2])));
-          }
-        });
+          const vtkIdType row = extent[2] + k / width;
+          const double x = pixel * (static_cast<double>(extent[0] + k % width) + 0.5);
+          const double thetaD = pixel * (static_cast<double>(row) + 0.5);
+          const double thetaH = this->UseThetaHSquared ? x * x / 90.0 : x;
+          double f[3];
+          EvaluateHalfDifference(this->BRDF, thetaH, thetaD, this->PhiD, this->PhiH, f);
+          values->SetTypedTuple(k, glm::value_ptr(glm::vec3(f[0], f[1], f[2])));
+        },
+        nullptr, 0);
     });
 }
 

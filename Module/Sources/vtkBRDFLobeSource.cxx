@@ -178,23 +178,22 @@ void vtkBRDFLobeSource::Fill(vtkPolyData* output)
   }
   vtkBRDF* brdf = this->BRDF;
   vtkBTDF* btdf = this->Transmission;
-  ParallelFor(0, count,
-    [&](vtkIdType first, vtkIdType last)
+  measuredbrdf::ParallelForEach(
+    count,
+    [&](vtkIdType k)
     {
-      for (vtkIdType k = first; k < last; ++k)
-      {
-        const glm::dvec3 o = hemisphere.GetDirection(k);
-        glm::dvec3 f;
-        k < above ? brdf->Evaluate(glm::value_ptr(i), glm::value_ptr(o), glm::value_ptr(f))
-                  : btdf->Evaluate(glm::value_ptr(i), glm::value_ptr(o), glm::value_ptr(f));
-        const glm::dvec3 radiance = f * i.z;
-        values->SetTypedTuple(k, glm::value_ptr(glm::vec3(f)));
-        radiances->SetTypedTuple(k, glm::value_ptr(glm::vec3(radiance)));
-        luminances->SetValue(k, static_cast<float>(GetLuminance(radiance)));
-        directions->SetTypedTuple(k, glm::value_ptr(glm::vec3(o)));
-        transmitted->SetValue(k, k < above ? 0.0f : 1.0f);
-      }
-    });
+      const glm::dvec3 o = hemisphere.GetDirection(k);
+      glm::dvec3 f;
+      k < above ? brdf->Evaluate(glm::value_ptr(i), glm::value_ptr(o), glm::value_ptr(f))
+                : btdf->Evaluate(glm::value_ptr(i), glm::value_ptr(o), glm::value_ptr(f));
+      const glm::dvec3 radiance = f * i.z;
+      values->SetTypedTuple(k, glm::value_ptr(glm::vec3(f)));
+      radiances->SetTypedTuple(k, glm::value_ptr(glm::vec3(radiance)));
+      luminances->SetValue(k, static_cast<float>(GetLuminance(radiance)));
+      directions->SetTypedTuple(k, glm::value_ptr(glm::vec3(o)));
+      transmitted->SetValue(k, k < above ? 0.0f : 1.0f);
+    },
+    nullptr, 0);
 
   double factor = this->ScaleFactor;
   if (this->Normalize)

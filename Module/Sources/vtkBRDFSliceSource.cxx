@@ -102,28 +102,27 @@ void vtkBRDFSliceSource::Fill(vtkTable* output)
   const auto mask = NewArray<vtkUnsignedCharArray>("vtkValidPointMask", 1, count);
 
   this->BRDF->Prepare();
-  ParallelFor(0, count,
-    [&](vtkIdType first, vtkIdType last)
+  measuredbrdf::ParallelForEach(
+    count,
+    [&](vtkIdType row)
     {
-      for (vtkIdType row = first; row < last; ++row)
+      const vtkIdType outer = row / this->NumberOfPhiD;
+      const double thetaH = GetAngle(this->ThetaHRange, this->NumberOfThetaH,
+        outer / this->NumberOfThetaD, this->UseThetaHSquared);
+      const double thetaD =
+        GetAngle(this->ThetaDRange, this->NumberOfThetaD, outer % this->NumberOfThetaD, false);
+      const double phiD =
+        GetAngle(this->PhiDRange, this->NumberOfPhiD, row % this->NumberOfPhiD, false);
+      double f[3];
+      mask->SetValue(
+        row, EvaluateHalfDifference(this->BRDF, thetaH, thetaD, phiD, this->PhiH, f) ? 1 : 0);
+      const double values[7] = { thetaH, thetaD, phiD, f[0], f[1], f[2], GetLuminance(f) };
+      for (int c = 0; c < 7; ++c)
       {
-        const vtkIdType outer = row / this->NumberOfPhiD;
-        const double thetaH = GetAngle(this->ThetaHRange, this->NumberOfThetaH,
-          outer / this->NumberOfThetaD, this->UseThetaHSquared);
-        const double thetaD =
-          GetAngle(this->ThetaDRange, this->NumberOfThetaD, outer % this->NumberOfThetaD, false);
-        const double phiD =
-          GetAngle(this->PhiDRange, this->NumberOfPhiD, row % this->NumberOfPhiD, false);
-        double f[3];
-        mask->SetValue(
-          row, EvaluateHalfDifference(this->BRDF, thetaH, thetaD, phiD, this->PhiH, f) ? 1 : 0);
-        const double values[7] = { thetaH, thetaD, phiD, f[0], f[1], f[2], GetLuminance(f) };
-        for (int c = 0; c < 7; ++c)
-        {
-          columns[c]->SetValue(row, values[c]);
-        }
+        columns[c]->SetValue(row, values[c]);
       }
-    });
+    },
+    nullptr, 0);
 
   for (const auto& column : columns)
   {

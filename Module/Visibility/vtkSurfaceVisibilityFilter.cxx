@@ -104,10 +104,18 @@ struct vtkSurfaceVisibilityFilter::Internals
     return hash.GetText();
   }
 
-  // Build what rays meet: surfaces first, in their order.
-  void Build(vtkSurfaceVisibilityFilter* self, const std::vector<vtkPolyData*>& surfaces,
-    SurfaceTracer& tracer) const
+  // Traces what is asked for and not there; what was there stays until it is. Returns whether there
+  // is all: tracing may be aborted.
+  bool Update(vtkSurfaceVisibilityFilter* self, vtkDataObject* input)
   {
+    const auto surfaces = vtkCompositeDataSet::GetDataSets<vtkPolyData>(input);
+    const std::string key = this->MakeKey(self, surfaces);
+    const bool isKnown = key == this->Key;
+    if (isKnown && (!self->Bounce || this->HasBounce))
+    {
+      return true;
+    }
+    SurfaceTracer tracer; // of the surfaces first, in their order
     for (vtkPolyData* surface : surfaces)
     {
       if (self->SelfOcclusion)
@@ -120,50 +128,25 @@ struct vtkSurfaceVisibilityFilter::Internals
       tracer.AddSurface(occluder.Surface, occluder.Matrix ? occluder.Matrix->GetData() : nullptr);
     }
     tracer.Build();
-  }
-
-  // Returns whether there is what is asked for: tracing may be aborted.
-  bool Update(vtkSurfaceVisibilityFilter* self, vtkDataObject* input)
-  {
-    const auto surfaces = vtkCompositeDataSet::GetDataSets<vtkPolyData>(input);
-    const std::string key = this->MakeKey(self, surfaces);
-    const bool isKnown = key == this->Key;
-    if (isKnown && (!self->Bounce || this->HasBounce))
+    const double farthest =
+      self->MaximumDistance > 0.0 ? self->MaximumDistance : std::numeric_limits<double>::infinity();
+    std::vector<SurfaceArrays> traced = isKnown ? this->Arrays : std::vector<SurfaceArrays>();
+    const auto report = [self](double progress)
     {
-      return true;
-    }
-    if (!this->Trace(self, surfaces, !isKnown))
-    {
-      return false;
-    }
-    this->Key = key;
-    ++self->NumberOfTraces;
-    return true;
-  }
-
-  // What is asked for and not there; what was there stays until it is. Returns whether it was not
-  // aborted.
-  bool Trace(
-    vtkSurfaceVisibilityFilter* self, const std::vector<vtkPolyData*>& surfaces, bool withSky)
-  {
-    SurfaceTracer tracer;
-    this->Build(self, surfaces, tracer);
-    const VisibilitySettings settings = { self->NumberOfRays, self->BothSides, self->SelfOcclusion,
-      self->MaximumDistance > 0.0 ? self->MaximumDistance
-                                  : std::numeric_limits<double>::infinity() };
-    VisibilityTask task(tracer, surfaces, settings, (withSky ? 1 : 0) + (self->Bounce ? 1 : 0),
-      [self](double progress)
-      {
-        self->UpdateProgress(progress);
-        return !self->GetAbortExecute();
-      });
-    std::vector<SurfaceArrays> traced = withSky ? std::vector<SurfaceArrays>() : this->Arrays;
-    if ((withSky && !task.TraceSky(traced)) || (self->Bounce && !task.TraceBounce(traced)))
+      self->UpdateProgress(progress);
+      return !self->GetAbortExecute();
+    };
+    if (!TraceVisibility(tracer, surfaces,
+          { self->NumberOfRays, self->BothSides, self->SelfOcclusion, farthest, !isKnown,
+            self->Bounce },
+          report, traced))
     {
       return false;
     }
     this->Arrays = std::move(traced);
     this->HasBounce = self->Bounce;
+    this->Key = key;
+    ++self->NumberOfTraces;
     return true;
   }
 

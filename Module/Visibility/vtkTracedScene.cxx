@@ -18,6 +18,8 @@
 #include "vtkPolyData.h"
 #include "vtkTracedSurfaces.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -36,25 +38,26 @@ constexpr vtkIdType FewestTries = 4096;
 void FillHits(const std::vector<SurfacePoint>& found, vtkPolyData* hits)
 {
   const auto count = static_cast<vtkIdType>(found.size());
+  hits->Initialize();
+  const auto add = [&](vtkDataArray* array, const char* name, int components)
+  {
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(count);
+    hits->GetPointData()->AddArray(array);
+  };
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(count);
-  vtkNew<vtkFloatArray> normals;
-  vtkNew<vtkFloatArray> facets;
+  hits->SetPoints(points);
+  vtkNew<vtkFloatArray> normals, facets;
   vtkNew<vtkIntArray> surfaces;
   vtkNew<vtkIdTypeArray> cells;
-  normals->SetName("Normals");
-  facets->SetName("FacetNormals");
-  surfaces->SetName("Surface");
-  cells->SetName("Cell");
-  for (vtkDataArray* array :
-    { static_cast<vtkDataArray*>(normals), static_cast<vtkDataArray*>(facets) })
-  {
-    array->SetNumberOfComponents(3);
-    array->SetNumberOfTuples(count);
-  }
-  surfaces->SetNumberOfTuples(count);
-  cells->SetNumberOfTuples(count);
+  add(normals, "Normals", 3);
+  add(facets, "FacetNormals", 3);
+  add(surfaces, "Surface", 1);
+  add(cells, "Cell", 1);
+  hits->GetPointData()->SetNormals(normals);
   for (vtkIdType k = 0; k < count; ++k)
   {
     const SurfacePoint& point = found[k];
@@ -64,12 +67,6 @@ void FillHits(const std::vector<SurfacePoint>& found, vtkPolyData* hits)
     surfaces->SetValue(k, point.Surface);
     cells->SetValue(k, point.Cell);
   }
-  hits->Initialize();
-  hits->SetPoints(points);
-  hits->GetPointData()->SetNormals(normals);
-  hits->GetPointData()->AddArray(facets);
-  hits->GetPointData()->AddArray(surfaces);
-  hits->GetPointData()->AddArray(cells);
 }
 
 constexpr double Far = std::numeric_limits<double>::infinity();
@@ -77,13 +74,6 @@ constexpr double Far = std::numeric_limits<double>::infinity();
 glm::dvec3 Toward(const glm::dvec3& normal, const glm::dvec3& side)
 {
   return glm::dot(normal, side) < 0.0 ? -normal : normal;
-}
-
-SurfacePoint GetMiss()
-{
-  SurfacePoint miss;
-  miss.Position = miss.Normal = miss.Facet = glm::dvec3(0.0);
-  return miss;
 }
 } // namespace
 
@@ -190,18 +180,6 @@ vtkIdType vtkTracedScene::GetNumberOfSkippedTriangles()
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkTracedScene::GetNumberOfBytes()
-{
-  this->Build();
-  std::size_t bytes = this->Data->Tracer->GetBytes();
-  for (const vtkTracedSurfaces::Surface& surface : this->Data->Surfaces)
-  {
-    bytes += surface.Normals.capacity() * sizeof(float);
-  }
-  return static_cast<vtkIdType>(bytes);
-}
-
-//------------------------------------------------------------------------------
 void vtkTracedScene::GetBounds(double bounds[6])
 {
   this->Build();
@@ -223,19 +201,18 @@ bool vtkTracedScene::CastRays(vtkDataArray* origins, vtkDataArray* directions, v
   }
   const vtkTracedSurfaces& scene = this->GetSurfaces();
   const vtkIdType count = origins->GetNumberOfTuples();
-  std::vector<SurfacePoint> found(static_cast<std::size_t>(count), GetMiss());
-  measuredbrdf::ParallelFor(0, count,
-    [&](vtkIdType begin, vtkIdType end)
+  std::vector<SurfacePoint> found(static_cast<std::size_t>(count));
+  measuredbrdf::ParallelForEach(
+    count,
+    [&](vtkIdType k)
     {
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        glm::dvec3 origin;
-        glm::dvec3 direction;
-        origins->GetTuple(k, &origin.x);
-        directions->GetTuple(k, &direction.x);
-        scene.Cast(origin, direction, found[k]);
-      }
-    });
+      glm::dvec3 origin;
+      glm::dvec3 direction;
+      origins->GetTuple(k, &origin.x);
+      directions->GetTuple(k, &direction.x);
+      scene.Cast(origin, direction, found[k]);
+    },
+    nullptr, 0);
   FillHits(found, hits);
   return true;
 }
@@ -316,18 +293,14 @@ void vtkTracedSurfaces::TakeNormals(Surface& surface) const
   const glm::dvec3 z(m[2], m[6], m[10]);
   const glm::dmat3 turn(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
   const vtkIdType count = normals->GetNumberOfTuples();
-  surface.Normals.resize(3 * static_cast<std::size_t>(count));
   for (vtkIdType k = 0; k < count; ++k)
   {
     glm::dvec3 n;
     normals->GetTuple(k, &n.x);
     n = turn * n;
     const double length = glm::length(n);
-    for (int c = 0; c < 3; ++c)
-    {
-      surface.Normals[3 * k + c] =
-        length > 0.0 && std::isfinite(length) ? static_cast<float>(n[c] / length) : 0.0f;
-    }
+    surface.Normals.push_back(
+      length > 0.0 && std::isfinite(length) ? glm::vec3(n / length) : glm::vec3(0.0f));
   }
 }
 
@@ -340,24 +313,20 @@ bool vtkTracedSurfaces::Cast(
   {
     return false;
   }
-  double corners[3][3];
-  this->Tracer->GetCorners(hit, corners);
   glm::dvec3 p[3];
+  this->Tracer->GetCorners(hit, p);
   glm::dvec3 n[3];
-  point.Facet = Toward(glm::dvec3(hit.Normal[0], hit.Normal[1], hit.Normal[2]), -direction);
-  point.Position = glm::dvec3(0.0);
-  point.Normal = glm::dvec3(0.0);
+  point = SurfacePoint();
+  point.Facet = Toward(glm::make_vec3(hit.Normal), -direction);
   point.Surface = hit.Surface;
   point.Cell = hit.Cell;
-  const std::vector<float>& normals = this->Surfaces[hit.Surface].Normals;
+  const std::vector<glm::vec3>& normals = this->Surfaces[hit.Surface].Normals;
   for (int k = 0; k < 3; ++k)
   {
-    p[k] = glm::dvec3(corners[k][0], corners[k][1], corners[k][2]);
     point.Position += hit.Barycentrics[k] * p[k];
     if (!normals.empty())
     {
-      const float* normal = &normals[3 * hit.Points[k]];
-      n[k] = Toward(glm::dvec3(normal[0], normal[1], normal[2]), point.Facet);
+      n[k] = Toward(normals[hit.Points[k]], point.Facet);
       point.Normal += hit.Barycentrics[k] * n[k];
     }
   }

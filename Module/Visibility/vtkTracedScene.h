@@ -57,12 +57,11 @@ public:
 
   ///@{
   /**
-   * Of all surfaces, built if necessary: triangles; those that were left out; memory in bytes;
-   * bounds (xmin, xmax, ymin..., all 0 where there is no triangle).
+   * Of all surfaces, built if necessary: triangles; those that were left out; bounds (xmin, xmax,
+   * ymin..., all 0 where there is no triangle).
    */
   vtkIdType GetNumberOfTriangles();
   vtkIdType GetNumberOfSkippedTriangles();
-  vtkIdType GetNumberOfBytes();
   void GetBounds(double bounds[6]);
   ///@}
 

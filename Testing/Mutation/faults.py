@@ -155,7 +155,7 @@ add("Material.distribution-keeps-its-variance", "vtkDistributionBRDF.cxx",
     "SoftTables.FollowTheDistribution")
 add("Material.distribution-fresnel-unit", "vtkDistributionBRDF.cxx", "ClampedNeighbors(angles.ThetaD * (2.0 / Pi),",
     "ClampedNeighbors(angles.ThetaD,",
-    "Distribution.RetroReflectionInvertsToP|Parity.ClosedForms|LossFit.DistributionComesClose")
+    "Distribution.RetroReflectionInvertsToP|Parity.ClosedForms|KnownFit.ComesBack")
 add("Material.tabulated-azimuth-range", "VolumeInterpolation.h", "angles.PhiD / (halfTurn ? Pi : 2.0 * Pi)",
     "angles.PhiD / (halfTurn ? 2.0 * Pi : Pi)", "Tabulated.InterpolatesTrilinearly")
 add("Material.tabulated-divides-by-the-other-cosine", "vtkTabulatedBRDF.cxx",
@@ -211,7 +211,7 @@ add("Lighting.colors-are-gray", "RadianceValues.cxx", "array->GetNumberOfCompone
 add("Lighting.snapshot-without-rotation", "vtkEnvironment.cxx",
     "std::copy_n(this->WorldToEnvironment, 9, snapshot->WorldToEnvironment);", "", "EnvironmentSnapshots.ShareWhatNeverChanges")
 add("Lighting.new-pixels-old-time", "vtkEnvironment.cxx", "this->PixelsTime.Modified();\n  this->Modified();",
-    "this->Modified();", "Variance.FollowsThePixelsNotTheRotation|Planner.PlansAgainExactlyWhenItMust")
+    "this->Modified();", "Planner.PlansAgainExactlyWhenItMust")
 add("Lighting.cut-up-texels-are-moved", "vtkEnvironment.cxx", "Interpolate(this, (x + 0.5) / width, (y + 0.5) / height, radiance);",
     "Interpolate(this, (x + 1.0) / width, (y + 0.5) / height, radiance);", "CoarseMaps.AreCutUpWithoutChangingTheirLight")
 add("Lighting.seam-is-not-crossed", "TexelInterpolation.h", "first + 1 < size ? first + 1 : 0,",
@@ -225,17 +225,12 @@ add("Lighting.old-light-in-new-pixels", "vtkEnvironment.cxx",
     "PlanMemory.GoesWithThePixels|EveryMethod.FollowsItsInputs")
 add("Lighting.concentration-formula", "vtkLightSet.cxx", "r * (3.0 - r * r)", "r * (2.0 - r * r)",
     "LightConcentration.FromVariance")
-add("Lighting.light-set-without-concentration", "vtkLightSet.cxx",
-    "concentration ? concentration->GetComponent(k, 0) : 0.0))", "0.0))", "LightSet.PolyDataRoundTrip")
 add("Lighting.directions-of-any-length", "vtkLightSet.cxx", "light.Direction[c] = direction[c] / length;",
     "light.Direction[c] = direction[c];", "LightSet.AddsAndRefuses")
 add("Lighting.total-of-red", "vtkLightSet.cxx", "rgb[c] += light.Irradiance[c];", "rgb[c] += light.Irradiance[0];",
     "LightSet.AddsAndRefuses|Generators.KeepTheEnergy")
 add("Lighting.lower-half-of-the-octahedron", "EnvironmentPyramid.cxx", "std::swap(u, v);\n    u = 1.0 - u;",
     "u = 1.0 - u;", "EnvironmentPyramid.IsContinuousAcrossAllFourFolds|FilteredIntegrator.MirrorShowsTheEnvironment")
-add("Lighting.variance-of-another-number", "vtkVarianceLightSetGenerator.cxx",
-    "tree.GetResidual(std::min(count, tree.GetNumberOfCells()))", "tree.GetResidual(tree.GetNumberOfCells())",
-    "Variance.ClosedFormIsTheDefinition|Variance.NumberForVariance|Variance.SetsAreNested")
 add("Lighting.median-cut-takes-any-number", "vtkMedianCutLightSetGenerator.cxx", "(count & (count - 1)) != 0",
     "(count & 1) != 0", "Generators.RefuseBadArguments")
 add("Lighting.median-cut-energy", "LightTree.cxx", "this->Irradiance += solidAngle * rgb;",
@@ -245,8 +240,8 @@ add("Lighting.importance-weights", "vtkImportanceLightSetGenerator.cxx",
     "Importance.Unbiased|Generators.KeepTheEnergy")
 add("Lighting.importance-ignores-the-seed", "vtkImportanceLightSetGenerator.cxx", "std::mt19937 engine(this->Seed);",
     "std::mt19937 engine(1);", "Importance.SeedsRepeat")
-add("Lighting.lamps-leave-their-light", "ExtractedEmitters.cxx", "irradiance[c] = (value - kept) *",
-    "irradiance[c] = value *", "ExtractedEmitters.LightsAndRestAddUp")
+add("Lighting.lamps-leave-their-light", "ExtractedEmitters.cxx", "irradiance = (value - kept) *",
+    "irradiance = value *", "ExtractedEmitters.LightsAndRestAddUp")
 add("Lighting.faces-upside-down", "LightProbe.cxx", "{ { 1, 0, 0 }, { 0, 0, 1 }, { 0, -1, 0 } }",
     "{ { 1, 0, 0 }, { 0, 0, 1 }, { 0, 1, 0 } }",
     "Probes.MapsAreInverse|Probes.CubeFacesAreOpenGLs")
@@ -495,16 +490,16 @@ add("Metrics.failure-map-least-first", "vtkBRDFFailureMap.cxx", "cells[a].GetErr
 
 # Fitting
 
-add("Fitting.pairs-without-cosine", "FitSamples.cxx", "sample.Weight = sample.O.z / density;",
-    "sample.Weight = 1.0 / density;", "Fit.AlbedoIsTheHemispheres|Fit.FiguresAreWhatTheyAreSaidToBe")
-add("Fitting.pairs-density", "FitSamples.cxx", "half * difference / (4.0 * cosD)",
+add("Fitting.pairs-without-cosine", "vtkBRDFFitter.cxx", "const double weight = o.z / density;",
+    "const double weight = 1.0 / density;", "Fit.AlbedoIsTheHemispheres|Fit.FiguresAreWhatTheyAreSaidToBe")
+add("Fitting.pairs-density", "vtkBRDFFitter.cxx", "half * difference / (4.0 * cosD)",
     "half * difference / (cosD)", "Fit.AlbedoIsTheHemispheres|Fit.FiguresAreWhatTheyAreSaidToBe")
-add("Fitting.holes-count", "FitSamples.cxx", "valid[0] >= 0.5 ? sample.Weight : 0.0",
+add("Fitting.holes-count", "vtkBRDFFitter.cxx", "valid[0] >= 0.5 ? sample.Weight : 0.0",
     "valid[0] >= 0.5 ? sample.Weight : sample.Weight", "Fit.HolesInATableDoNotCount")
-add("Fitting.cube-root-without-cosine", "FitSamples.cxx", "std::cbrt(f * cosine + CubeRootOffset) -",
-    "std::cbrt(f + CubeRootOffset) -", "Fit.FiguresAreWhatTheyAreSaidToBe|LossFit.AshikhminShirleyComesBack")
-add("Fitting.figures-of-the-fitted-pairs", "vtkBRDFFitter.cxx", "this->Seed, this->NumberOfSamples,\n    std::max",
-    "this->Seed, 0,\n    std::max", "Fit.FiguresAreOfPairsThatTheFitDidNotSee")
+add("Fitting.cube-root-without-cosine", "vtkBRDFFitter.cxx", "std::cbrt(f * cosine + CubeRootOffset) -",
+    "std::cbrt(f + CubeRootOffset) -", "Fit.FiguresAreWhatTheyAreSaidToBe|KnownFit.ComesBack")
+add("Fitting.figures-of-the-fitted-pairs", "vtkBRDFFitter.cxx", "this->Seed, this->NumberOfSamples, std::max",
+    "this->Seed, 0, std::max", "Fit.FiguresAreOfPairsThatTheFitDidNotSee")
 add("Fitting.output-albedo-without-pi", "vtkBRDFFitter.cxx", "this->OutputAlbedo[c] = Pi * out[c] / cosines;",
     "this->OutputAlbedo[c] = out[c] / cosines;", "Fit.AlbedoIsTheHemispheres")
 add("Fitting.residual-of-the-sum-of-channels", "vtkBRDFFitter.cxx", "sample.Weight * t * t / 3.0;",
@@ -516,10 +511,10 @@ add("Fitting.relative-error-of-the-output", "vtkBRDFFitter.cxx", "total += proje
 add("Fitting.output-without-name", "vtkBRDFFitter.cxx", "result.BRDF->SetName(this->Input->GetName());", "",
     "Fit.OutputIsAMaterialLikeAnyOther")
 add("Fitting.non-negative-gradient", "LinearLeastSquares.cxx", "gradient[k] < -tolerance;",
-    "gradient[k] > tolerance;", "LossFit.DistributionComesClose|DistributionFit.AnisotropicTablesComeBack")
-add("Fitting.half-the-cost", "LobeFit.cxx", "push_back(2.0 * summary.cost)",
+    "gradient[k] > tolerance;", "KnownFit.ComesBack")
+add("Fitting.half-the-cost", "vtkLobeBRDFFitter.cxx", "push_back(2.0 * summary.cost)",
     "push_back(summary.cost)",
-    "Fit.FiguresAreWhatTheyAreSaidToBe|Fit.AshikhminShirleyIsTheLeastOfItsLoss")
+    "Fit.FiguresAreWhatTheyAreSaidToBe")
 add("Core.never-regularized", "ZonalOperators.h",
     "std::sqrt(regularization * weight.sum() / (4.0 * Pi)) * l * (l + 1.0)", "0.0 * regularization * l",
     "Projector.MethodsMinimizeTheirOwnNorm|Projector.ErrorFallsWithTheOrder|"
@@ -535,15 +530,15 @@ add("Laboratory.noise-ignores-the-seed", "Acquisition.cxx", ", Random(options.Se
     "Acquisition.SameSeedSameBits")
 add("Laboratory.light-without-cosine", "Acquisition.cxx", "2.0 * Pi / azimuths * cosine);",
     "2.0 * Pi / azimuths);", "Acquisition.IsTheInnerProduct")
-add("Fitting.pbr-roughness-power", "PBRShading.h", "const double alpha2 = std::pow(roughness, 4);",
-    "const double alpha2 = std::pow(roughness, 2);", "PropertyFitter.FindsVTKsOwn|PropertyFitter.Gold")
-add("Fitting.pbr-metals-are-diffuse", "PBRShading.h", "(1.0 - p.Metallic) * c * through", "c * through",
+add("Fitting.pbr-roughness-power", "vtkPBRPropertyFitter.cxx", "return std::pow(roughness, 4);",
+    "return std::pow(roughness, 2);", "PropertyFitter.FindsVTKsOwn|PropertyFitter.Gold")
+add("Fitting.pbr-metals-are-diffuse", "vtkPBRPropertyFitter.cxx", "(1.0 - p[METALLIC]) * c;", "c;",
     "PropertyFitter.FindsVTKsOwn|PropertyFitter.Gold")
 
 add("Fitting.multiplier-is-not-removed", "LinearLeastSquares.cxx", "this->Z -= this->Multiplier * solved.col(1);", "",
     "SimplexLeastSquares.NothingNearbyIsBetter")
-add("Fitting.masked-photographs-count", "TexelWeights.cxx", "if (this->IsMasked(k, p) != subtract)",
-    "if (this->IsMasked(k, p) == subtract)", "MaterialMapFitter.LeavesOutSpoiledPixels")
+add("Fitting.masked-photographs-count", "TexelWeights.cxx", "masked.end(), p) == subtract)",
+    "masked.end(), p) != subtract)", "MaterialMapFitter.LeavesOutSpoiledPixels")
 add("Fitting.saturated-pixels-count", "PhotographPasses.cxx", "most >= this->Saturation", "most > this->Saturation",
     "MaterialMapFitter.IntegersAreSharesOfTheirLargest|MaterialMapFitter.LeavesOutSpoiledPixels")
 add("Fitting.library-without-exchange-of-weights", "TexelWeights.cxx", "solution.Weights.dot(matrix * solution.Weights)",
@@ -1164,8 +1159,8 @@ add("Rendering.hidden-sky-of-the-wrong-side", "OcclusionShader.cxx",
     "OcclusionTest.NormalsMayPointEitherWay")
 add("Rendering.outlines-without-hidden-sky", "OcclusionArrays.cxx", "return -std::sqrt(1.0 - cosine * cosine) - margin;",
     "return 0.6 * cosine / margin;", "OcclusionTest.NormalsMayPointEitherWay")
-add("Visibility.same-side-twice", "VisibilityTask.cxx", "side == 0 ? 1.0 : -1.0, hidden));",
-    "1.0, hidden));", "SurfaceVisibility.TheOtherSideHasItsOwnSky")
+add("Visibility.same-side-twice", "VisibilityTask.cxx", "return side == 0 ? 1.0 : -1.0;",
+    "return 1.0;", "SurfaceVisibility.TheOtherSideHasItsOwnSky")
 add("Visibility.traced-again", "vtkSurfaceVisibilityFilter.cxx",
     "const bool isKnown = key == this->Key;", "const bool isKnown = false;", "SurfaceVisibility.WhatIsKnownIsNotTracedAgain")
 add("Visibility.bounce-beyond-the-sky", "HorizonCode.cxx", "std::floor(root / RootStep)", "std::ceil(root / RootStep)",

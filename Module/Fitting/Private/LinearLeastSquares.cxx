@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace measuredbrdf
 {
@@ -176,27 +175,20 @@ SmallVector GetShareVariances(const SmallMatrix& H)
   {
     return variances;
   }
-  // Helmert's basis of the plane: each column compares an unknown with those before it.
-  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(n, n - 1);
-  for (Eigen::Index k = 1; k < n; ++k)
-  {
-    const double length = std::sqrt(static_cast<double>(k * (k + 1)));
-    basis.col(k - 1).head(k).setConstant(1.0 / length);
-    basis(k, k - 1) = -static_cast<double>(k) / length;
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(basis.transpose() * H * basis);
-  const Eigen::MatrixXd vectors = basis * eigen.eigenvectors();
+  // On the plane of constant sum, which H then maps to itself; across it is 1 / n.
+  const Eigen::MatrixXd across = Eigen::MatrixXd::Constant(n, n, 1.0 / static_cast<double>(n));
+  const Eigen::MatrixXd plane = Eigen::MatrixXd::Identity(n, n) - across;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(plane * H * plane);
   const double least = 1e-12 * H.diagonal().maxCoeff();
-  for (Eigen::Index k = 0; k < n - 1; ++k)
+  for (Eigen::Index k = 0; k < n; ++k)
   {
+    // What is left of the vector for sums of 1, and of rounding.
+    const Eigen::ArrayXd squares = (plane * eigen.eigenvectors().col(k)).array().square();
     const double value = eigen.eigenvalues()[k];
-    for (Eigen::Index row = 0; row < n; ++row)
-    {
-      const double square = std::pow(vectors(row, k), 2);
-      variances[row] += value > least   ? square / value
-                        : square > 1e-9 ? std::numeric_limits<double>::infinity()
-                                        : 0.0;
-    }
+    variances.array() +=
+      value > least
+        ? Eigen::ArrayXd(squares / value)
+        : (squares > 1e-9).select(std::numeric_limits<double>::infinity(), Eigen::ArrayXd::Zero(n));
   }
   return variances;
 }
@@ -209,23 +201,6 @@ using Vector = Eigen::VectorXd;
 // In units where the diagonal is 1: what rounding leaves, and what keeps H from being singular.
 constexpr double SparseZero = 1e-12;
 constexpr double SparseRidge = 1e-11;
-
-// H with the rows and columns of the unknowns that are not free replaced by the identity's.
-Matrix Restrict(const Matrix& H, const std::vector<char>& free)
-{
-  Matrix restricted = H;
-  for (int column = 0; column < restricted.outerSize(); ++column)
-  {
-    for (Matrix::InnerIterator it(restricted, column); it; ++it)
-    {
-      if (!free[it.row()] || !free[it.col()])
-      {
-        it.valueRef() = it.row() == it.col() ? 1.0 : 0.0;
-      }
-    }
-  }
-  return restricted;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -233,12 +208,8 @@ void SolveNonNegative(const Matrix& H, const Vector& g, Vector& x)
 {
   const Eigen::Index n = g.size();
   // Unknowns can differ by ten orders of magnitude: scale the diagonal to 1.
-  Vector scale = Vector::Zero(n);
-  for (Eigen::Index k = 0; k < n; ++k)
-  {
-    const double diagonal = H.coeff(k, k);
-    scale[k] = diagonal > 0.0 ? 1.0 / std::sqrt(diagonal) : 0.0;
-  }
+  const Vector diagonal = H.diagonal();
+  const Vector scale = (diagonal.array() > 0.0).select(diagonal.cwiseSqrt().cwiseInverse(), 0.0);
   Matrix scaled = scale.asDiagonal() * H * scale.asDiagonal();
   for (Eigen::Index k = 0; k < n; ++k)
   {
@@ -247,11 +218,8 @@ void SolveNonNegative(const Matrix& H, const Vector& g, Vector& x)
   const Vector target = g.cwiseProduct(scale);
   const double tolerance = SparseZero * target.cwiseAbs().maxCoeff();
 
-  std::vector<char> free(static_cast<std::size_t>(n));
-  for (Eigen::Index k = 0; k < n; ++k)
-  {
-    free[k] = x[k] > 0.0;
-  }
+  using Flags = Eigen::Array<bool, Eigen::Dynamic, 1>;
+  Flags free = x.array() > 0.0;
   Eigen::SimplicialLDLT<Matrix> solver;
   solver.analyzePattern(scaled);
   Vector y = Vector::Zero(n);
@@ -259,34 +227,43 @@ void SolveNonNegative(const Matrix& H, const Vector& g, Vector& x)
   int patience = 3; // exchanges of whole blocks without progress before single ones
   for (Eigen::Index pass = 0; pass < 5 * n + 50; ++pass)
   {
-    solver.factorize(Restrict(scaled, free));
-    Vector right = target;
-    for (Eigen::Index k = 0; k < n; ++k)
+    // Rows and columns of the unknowns that are not free become the identity's.
+    Matrix restricted = scaled;
+    for (Eigen::Index column = 0; column < n; ++column)
     {
-      right[k] = free[k] ? right[k] : 0.0;
+      for (Matrix::InnerIterator it(restricted, column); it; ++it)
+      {
+        if (!free[it.row()] || !free[it.col()])
+        {
+          it.valueRef() = it.row() == it.col() ? 1.0 : 0.0;
+        }
+      }
     }
+    solver.factorize(restricted);
+    const Vector right = free.select(target, 0.0);
     y = solver.solve(right);
     const Vector gradient = scaled.selfadjointView<Eigen::Lower>() * y - target;
-    Eigen::Index wrong = 0, last = 0;
-    const auto isWrong = [&](Eigen::Index k)
-    { return free[k] ? y[k] < -tolerance : gradient[k] < -tolerance; };
+    Flags wrong(n);
+    Eigen::Index last = 0;
     for (Eigen::Index k = 0; k < n; ++k)
     {
-      wrong += isWrong(k) ? 1 : 0;
-      last = isWrong(k) ? k : last;
+      wrong[k] = free[k] ? y[k] < -tolerance : gradient[k] < -tolerance;
+      last = wrong[k] ? k : last;
     }
-    if (wrong == 0)
+    if (!wrong.any())
     {
       break;
     }
-    patience = wrong < fewest ? 3 : patience - 1;
-    fewest = std::min(fewest, wrong);
-    std::vector<char> next = free;
-    for (Eigen::Index k = patience < 0 ? last : 0; k <= last; ++k)
+    patience = wrong.count() < fewest ? 3 : patience - 1;
+    fewest = std::min(fewest, wrong.count());
+    if (patience < 0)
     {
-      next[k] = isWrong(k) ? !free[k] : free[k];
+      free[last] = !free[last];
     }
-    free = next;
+    else
+    {
+      free = free != wrong;
+    }
   }
   x = y.cwiseMax(0.0).cwiseProduct(scale);
 }

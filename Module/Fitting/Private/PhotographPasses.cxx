@@ -126,18 +126,21 @@ PhotographPixels PhotographPasses::Read(int index) const
   std::string problem = picture                   ? FindPictureProblem(picture)
                         : error.GetText().empty() ? "there is no picture"
                                                   : error.GetText();
-  const int* size = picture ? picture->GetDimensions() : nullptr;
-  if (problem.empty() && this->Width > 0 && (size[0] != this->Width || size[1] != this->Height))
+  PhotographPixels pixels;
+  pixels.Width = picture ? picture->GetDimensions()[0] : 0;
+  pixels.Height = picture ? picture->GetDimensions()[1] : 0;
+  if (problem.empty() && this->Width > 0 &&
+      (pixels.Width != this->Width || pixels.Height != this->Height))
   {
-    problem = "size: found " + FormatSize(size[0], size[1]) + ", expected the first photograph's " +
-              FormatSize(this->Width, this->Height);
+    problem = "size: found " + FormatSize(pixels.Width, pixels.Height) +
+              ", expected the first photograph's " + FormatSize(this->Width, this->Height);
   }
   if (!problem.empty())
   {
     const std::string given = this->Set->GetName(index);
     const std::string name = given.empty() ? "photograph " + std::to_string(index) : given;
     const bool isNamed = problem.find(name) != std::string::npos;
-    throw MapFitError(isNamed ? problem : name + ": " + problem);
+    throw std::runtime_error(isNamed ? problem : name + ": " + problem);
   }
   vtkDataArray* values = picture->GetPointData()->GetScalars();
   const bool isFloat = IsFloat(values->GetDataType());
@@ -145,16 +148,10 @@ PhotographPixels PhotographPasses::Read(int index) const
   const bool isGray = values->GetNumberOfComponents() == 1;
   const Decoder decoder(this->Set, isFloat);
   std::vector<float> table; // of each code, where there are few
-  if (divisor == 255.0 || divisor == 65535.0)
+  for (double code = 0.0; divisor <= 65535.0 && !isFloat && code <= divisor; ++code)
   {
-    for (double code = 0.0; code <= divisor; ++code)
-    {
-      table.push_back(decoder.GetLinear(code / divisor));
-    }
+    table.push_back(decoder.GetLinear(code / divisor));
   }
-  PhotographPixels pixels;
-  pixels.Width = size[0];
-  pixels.Height = size[1];
   for (vtkIdType k = 0; k < values->GetNumberOfTuples(); ++k)
   {
     double rgb[3];
@@ -177,21 +174,18 @@ PhotographPixels PhotographPasses::Read(int index) const
 void PhotographPasses::Run(
   double from, double to, const std::function<void(int, const PhotographPixels&)>& use)
 {
+  this->PixelCounts.fill(0);
   const int count = this->Set->GetNumberOfPhotographs();
   for (int k = 0; k < count; ++k)
   {
     this->Proceed(from + (to - from) * k / count);
     const PhotographPixels pixels = this->Read(k);
-    if (this->NumberOfPasses == 0)
+    for (const PixelState state : pixels.States)
     {
-      for (const PixelState state : pixels.States)
-      {
-        ++this->PixelCounts[static_cast<std::size_t>(state)];
-      }
+      ++this->PixelCounts[static_cast<std::size_t>(state)];
     }
     use(k, pixels);
   }
-  ++this->NumberOfPasses;
 }
 
 void PhotographPasses::Proceed(double share) const

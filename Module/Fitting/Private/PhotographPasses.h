@@ -35,12 +35,6 @@ struct PhotographPixels
   std::vector<PixelState> States; // of each pixel
 };
 
-/// What keeps a fit from working: a photograph that cannot be used, by its name, or another reason.
-struct MapFitError : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
-
 /// The user stopped the fit.
 struct MapFitStopped
 {
@@ -52,29 +46,24 @@ public:
   /// Reads the first photograph, for the size. report: with the share done; false: stop.
   PhotographPasses(vtkPhotographSet* set, std::function<bool(double)> report);
 
-  int GetWidth() const { return this->Width; }
-  int GetHeight() const { return this->Height; }
-
   /// use(number, pixels) for each photograph in turn, while progress goes from one share to the
-  /// other. Throws MapFitError and MapFitStopped.
+  /// other. Throws MapFitStopped, and std::runtime_error for a photograph that cannot be used, with
+  /// its name.
   void Run(double from, double to, const std::function<void(int, const PhotographPixels&)>& use);
 
   /// Report progress. Throws MapFitStopped.
   void Proceed(double share) const;
 
-  /// Pixels of each PixelState in all photographs.
-  const std::array<std::uint64_t, 4>& GetPixelCounts() const { return this->PixelCounts; }
-  int GetNumberOfPasses() const { return this->NumberOfPasses; }
+  int Width = 0;
+  int Height = 0;
+  /// Pixels of each PixelState in all photographs, as the last pass found them.
+  std::array<std::uint64_t, 4> PixelCounts{};
 
 private:
   PhotographPixels Read(int index) const;
 
   vtkPhotographSet* Set;
   std::function<bool(double)> Report;
-  int Width = 0;
-  int Height = 0;
-  int NumberOfPasses = 0;
-  std::array<std::uint64_t, 4> PixelCounts{};
 };
 } // namespace measuredbrdf
 

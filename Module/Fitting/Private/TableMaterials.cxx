@@ -3,6 +3,7 @@
 #include "TableMaterials.h"
 
 #include "HalfVector.h"
+#include "Neighbors.h"
 #include "ParallelFor.h"
 #include "vtkPhotographSet.h"
 #include "vtkTabulatedBRDF.h"
@@ -17,7 +18,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -28,23 +31,19 @@ namespace
 constexpr int MostIterations = 200;
 constexpr double ConvergedChange = 1e-5; // relative, of the sum of squares
 constexpr double Negligible = 1e-9;      // change of the sum of squares, as a share of all squares
-constexpr int Oversampling = 6;          // columns of the range finder beyond the materials
-constexpr Eigen::Index Block = 64;       // rows or texels that a thread takes at once
+// Mixtures alone do not say how far beyond them the pure materials lie; without this, noise drives
+// them outward.
+constexpr double Compactness = 1e-3;
+constexpr int Oversampling = 6;    // columns of the range finder beyond the materials
+constexpr Eigen::Index Block = 64; // rows or texels that a thread takes at once
 
 //------------------------------------------------------------------------------
 // function(first, count) for blocks of [0, n); what a block computes does not depend on threads.
 template <typename Function>
 void ForBlocks(Eigen::Index n, const Function& function)
 {
-  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>((n + Block - 1) / Block), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType b = begin; b < end; ++b)
-      {
-        const Eigen::Index first = static_cast<Eigen::Index>(b) * Block;
-        function(first, std::min(Block, n - first));
-      }
-    });
+  ParallelForEach((n + Block - 1) / Block,
+    [&](Eigen::Index b) { function(b * Block, std::min(Block, n - b * Block)); });
 }
 
 //------------------------------------------------------------------------------
@@ -106,15 +105,6 @@ std::vector<Eigen::Index> FindCorners(const Eigen::MatrixXf& data, int count, un
 }
 
 //------------------------------------------------------------------------------
-struct Factorization
-{
-  Eigen::MatrixXd Values;  // [row, material], >= 0
-  Eigen::MatrixXd Weights; // [material, texel], >= 0, sums of 1
-  double RelativeError = 0.0;
-  int Iterations = 0;
-  bool Converged = false;
-};
-
 /**
  * data, [row, texel] with three rows a photograph, as values times weights. mask is not 0 where
  * data say nothing: [texel][photograph]. Alternating constrained least squares (Lawrence et al.
@@ -122,7 +112,7 @@ struct Factorization
  * (Gillis and Vavasis 2014) in the affine subspace of the largest variance. Masked entries take the
  * model's values in each round.
  *
- * Larger simplices around the data fit them as well, so materials are drawn together: compactness
+ * Larger simplices around the data fit them as well, so materials are drawn together: Compactness
  * times the number of texels times the mean squared distance between materials is added to the sum
  * of squares (Berman et al. 2004, "ICE: a statistical approach to identifying endmembers"). The
  * same input and seed give the same bits on any number of threads.
@@ -130,39 +120,41 @@ struct Factorization
 class Alternation
 {
 public:
-  Alternation(Eigen::MatrixXf& data, const std::vector<unsigned char>& mask, int materials,
-    double compactness, unsigned int seed)
+  Eigen::MatrixXd Values; // [row, material], >= 0
+  double RelativeError = 0.0;
+  int Iterations = 0;
+  bool Converged = false;
+
+  Alternation(
+    Eigen::MatrixXf& data, const std::vector<unsigned char>& mask, int materials, unsigned int seed)
     : Data(data)
     , Mask(mask)
     , Materials(materials)
-    , Compactness(compactness)
   {
-    this->Result.Values.resize(data.rows(), materials);
-    this->Result.Weights = Eigen::MatrixXd::Zero(materials, data.cols());
+    this->Values.resize(data.rows(), materials);
+    this->Weights = Eigen::MatrixXd::Zero(materials, data.cols());
     int k = 0;
     for (const Eigen::Index corner : FindCorners(data, materials, seed))
     {
-      this->Result.Values.col(k++) = data.col(corner).cast<double>().cwiseMax(0.0);
+      this->Values.col(k++) = data.col(corner).cast<double>().cwiseMax(0.0);
     }
   }
 
-  Factorization Run(const std::function<void(double)>& proceed)
+  void Run(const std::function<void(double)>& proceed)
   {
     this->SolveWeights();
     double before = this->ImputeAndMeasure();
-    for (int k = 0; k < MostIterations && !this->Result.Converged; ++k)
+    while (this->Iterations < MostIterations && !this->Converged)
     {
-      proceed(static_cast<double>(k) / MostIterations);
+      proceed(static_cast<double>(this->Iterations++) / MostIterations);
       this->SolveValues();
       this->SolveWeights();
       const double after = this->ImputeAndMeasure();
-      this->Result.Iterations = k + 1;
-      this->Result.Converged =
+      this->Converged =
         std::abs(before - after) <= ConvergedChange * before + Negligible * this->Squares;
       before = after;
     }
-    this->Result.RelativeError = this->Squares > 0.0 ? std::sqrt(before / this->Squares) : 0.0;
-    return this->Result;
+    this->RelativeError = this->Squares > 0.0 ? std::sqrt(before / this->Squares) : 0.0;
   }
 
 private:
@@ -170,20 +162,20 @@ private:
   void SolveValues()
   {
     const int n = this->Materials;
-    SmallMatrix matrix = this->Result.Weights * this->Result.Weights.transpose();
+    SmallMatrix matrix = this->Weights * this->Weights.transpose();
     // The quadratic form of the sum over pairs of (v_a - v_b)^2 is n I - 11'.
     const double pairs = std::max(0.5 * n * (n - 1), 1.0);
-    const double strength = this->Compactness * static_cast<double>(this->Data.cols()) / pairs;
+    const double strength = Compactness * static_cast<double>(this->Data.cols()) / pairs;
     matrix += strength * (n * SmallMatrix::Identity(n, n) - SmallMatrix::Ones(n, n));
     ForBlocks(this->Data.rows(),
       [&](Eigen::Index first, Eigen::Index count)
       {
         const Eigen::MatrixXd rows = this->Data.middleRows(first, count).transpose().cast<double>();
-        const Eigen::MatrixXd right = this->Result.Weights * rows;
+        const Eigen::MatrixXd right = this->Weights * rows;
         for (Eigen::Index k = 0; k < count; ++k)
         {
           const SmallVector g = right.col(k);
-          this->Result.Values.row(first + k) =
+          this->Values.row(first + k) =
             SolveConstrained(matrix, g, UnknownsAre::NonNegative).transpose();
         }
       });
@@ -192,16 +184,16 @@ private:
   // Each texel's weights, given the values.
   void SolveWeights()
   {
-    const SmallMatrix matrix = this->Result.Values.transpose() * this->Result.Values;
+    const SmallMatrix matrix = this->Values.transpose() * this->Values;
     ForBlocks(this->Data.cols(),
       [&](Eigen::Index first, Eigen::Index count)
       {
         const Eigen::MatrixXd columns = this->Data.middleCols(first, count).cast<double>();
-        const Eigen::MatrixXd right = this->Result.Values.transpose() * columns;
+        const Eigen::MatrixXd right = this->Values.transpose() * columns;
         for (Eigen::Index k = 0; k < count; ++k)
         {
           const SmallVector g = right.col(k);
-          this->Result.Weights.col(first + k) = SolveConstrained(matrix, g, UnknownsAre::Shares);
+          this->Weights.col(first + k) = SolveConstrained(matrix, g, UnknownsAre::Shares);
         }
       });
   }
@@ -216,8 +208,7 @@ private:
       [&](Eigen::Index first, Eigen::Index count)
       {
         const auto block = static_cast<std::size_t>(first / Block);
-        const Eigen::MatrixXd model =
-          this->Result.Values * this->Result.Weights.middleCols(first, count);
+        const Eigen::MatrixXd model = this->Values * this->Weights.middleCols(first, count);
         for (Eigen::Index k = 0; k < count; ++k)
         {
           for (Eigen::Index row = 0; row < this->Data.rows(); ++row)
@@ -248,9 +239,8 @@ private:
   Eigen::MatrixXf& Data; // masked entries become the model's
   const std::vector<unsigned char>& Mask;
   int Materials;
-  double Compactness;
   double Squares = 0.0;
-  Factorization Result;
+  Eigen::MatrixXd Weights; // [material, texel], >= 0, sums of 1
 };
 
 constexpr int Refinements = 6;
@@ -263,60 +253,12 @@ constexpr double Flatness = 2e-3;
 constexpr double MostAzimuthal = 100.0;
 
 //------------------------------------------------------------------------------
-// Two neighbors on an axis of n cells, as vtkTabulatedBRDF has them.
-struct CellPair
-{
-  int Index[2];
-  double Weight[2];
-};
-
-CellPair FindCells(double unit, int n, bool periodic)
-{
-  const double x = periodic ? unit * n - 0.5 : std::clamp(unit * n - 0.5, 0.0, n - 1.0);
-  const double base = std::floor(x);
-  const int first = static_cast<int>(base);
-  const auto wrap = [n, periodic](int k)
-  { return periodic ? (k % n + n) % n : std::min(k, n - 1); };
-  return { { wrap(first), wrap(first + 1) }, { 1.0 - (x - base), x - base } };
-}
-
-//------------------------------------------------------------------------------
 // Of a cell's center. The logarithm of a Gaussian lobe about the normal is linear in it: what lies
 // between two polar angles that are seen is drawn towards such a lobe.
 double SquareOfThetaH(int cell, int n)
 {
   return std::pow(0.5 * Pi, 2) * std::pow((cell + 0.5) / n, 4);
 }
-
-//------------------------------------------------------------------------------
-// The square of a difference of neighboring cells.
-class Differences
-{
-public:
-  explicit Differences(std::size_t cells) { this->Entries.reserve(40 * cells); }
-
-  void AddFirst(int a, int b, double strength) { this->Add({ a, b }, { 1.0, -1.0 }, strength); }
-  // b lies at a share of the way from a to c.
-  void AddSecond(int a, int b, int c, double share, double strength)
-  {
-    this->Add({ a, b, c }, { 2.0 * (1.0 - share), -2.0, 2.0 * share }, strength);
-  }
-
-  std::vector<Eigen::Triplet<double>> Entries;
-
-private:
-  void Add(std::initializer_list<int> cells, std::initializer_list<double> factors, double strength)
-  {
-    for (std::size_t a = 0; a < cells.size(); ++a)
-    {
-      for (std::size_t b = 0; b < cells.size(); ++b)
-      {
-        this->Entries.emplace_back(
-          cells.begin()[a], cells.begin()[b], strength * factors.begin()[a] * factors.begin()[b]);
-      }
-    }
-  }
-};
 
 /// A pair of directions at which values are known, and how much they count.
 struct TablePoint
@@ -340,271 +282,190 @@ class TableCompletion
 public:
   /// Cells along phi_d, theta_d and theta_h. smoothness > 0: weight of the second differences.
   TableCompletion(
-    const std::vector<TablePoint>& points, const std::array<int, 3>& dimensions, double smoothness);
+    const std::vector<TablePoint>& points, const std::array<int, 3>& dimensions, double smoothness)
+    : Dimensions(dimensions)
+    , Weights(2 * static_cast<Eigen::Index>(points.size()))
+  {
+    Triplets entries;
+    for (std::size_t k = 0; k < points.size(); ++k)
+    {
+      this->AddPoint(points[k], 2 * static_cast<int>(k), entries);
+      this->Weights.segment<2>(2 * static_cast<Eigen::Index>(k)).setConstant(points[k].Weight);
+    }
+    const double mean = this->Weights.mean();
+    this->Weights /= mean > 0.0 ? mean : 1.0;
+    this->Interpolation.resize(this->Weights.size(), dimensions[0] * dimensions[1] * dimensions[2]);
+    this->Interpolation.setFromTriplets(entries.begin(), entries.end());
+    const Matrix weighted = this->Weights.asDiagonal() * this->Interpolation;
+    this->Gram = this->Interpolation.transpose() * weighted;
+    const Matrix system = this->Gram + smoothness * this->MakeRoughness();
+    this->Solver.compute(system);
+    if (this->Solver.info() != Eigen::Success)
+    {
+      throw std::runtime_error("the tables' equations have no solution");
+    }
+  }
 
   /**
    * The cells' values, phi_d fastest, from the points' values >= 0. All lie between the least and
    * the largest of these.
    */
-  std::vector<double> Complete(const std::vector<double>& values) const;
+  Eigen::VectorXd Complete(const std::vector<double>& values) const
+  {
+    const double largest = *std::max_element(values.begin(), values.end());
+    const double floor = std::max(1e-6 * largest, 1e-9);
+    Eigen::VectorXd target(this->Interpolation.rows());
+    for (std::size_t k = 0; k < values.size(); ++k)
+    {
+      target.segment<2>(2 * static_cast<Eigen::Index>(k))
+        .setConstant(std::log(std::max(values[k], floor)));
+    }
+    const double least = target.minCoeff(), most = target.maxCoeff(), mean = target.mean();
+    const auto smooth = [this](const Eigen::VectorXd& differences) -> Eigen::VectorXd
+    {
+      const Eigen::VectorXd weighted = this->Weights.cwiseProduct(differences);
+      const Eigen::VectorXd right = this->Interpolation.transpose() * weighted;
+      return this->Solver.solve(right);
+    };
+    Eigen::VectorXd cells = Eigen::VectorXd::Constant(this->Interpolation.cols(), mean);
+    cells += smooth((target.array() - mean).matrix());
+    for (int k = 0; k < Refinements; ++k)
+    {
+      cells = cells.cwiseMax(least).cwiseMin(most);
+      const Eigen::VectorXd exponentials = cells.array().exp().matrix();
+      const Eigen::VectorXd model = this->Interpolation * exponentials;
+      cells += smooth(target - model.array().log().matrix());
+    }
+    return cells.cwiseMax(least).cwiseMin(most).array().exp().matrix();
+  }
 
   /// Share of the cells above the horizon that some point touches.
-  double GetSeenShare() const { return this->SeenShare; }
+  double GetSeenShare() const
+  {
+    int above = 0, seen = 0;
+    const int nx = this->Dimensions[0], ny = this->Dimensions[1];
+    for (int cell = 0; cell < nx * ny * this->Dimensions[2]; ++cell)
+    {
+      double i[3], o[3];
+      const bool counts = vtkTabulatedBRDF::GetCellDirections(vtkTabulatedBRDF::HALF_DIFFERENCE,
+        vtkTabulatedBRDF::HALF_TURN, this->Dimensions.data(), cell % nx, cell / nx % ny,
+        cell / (nx * ny), i, o);
+      above += counts ? 1 : 0;
+      seen += counts && this->Gram.coeff(cell, cell) > 0.0 ? 1 : 0;
+    }
+    return above > 0 ? static_cast<double>(seen) / above : 0.0;
+  }
 
 private:
   using Matrix = Eigen::SparseMatrix<double>;
-  void AddPoint(
-    const TablePoint& point, int row, std::vector<Eigen::Triplet<double>>& entries) const;
-  Matrix MakeRoughness() const;
-  double FindSeenShare(const Matrix& gram) const;
+  using Triplets = std::vector<Eigen::Triplet<double>>;
+
+  // The point and its mirror image.
+  void AddPoint(const TablePoint& point, int row, Triplets& entries) const
+  {
+    const auto [nx, ny, nz] = this->Dimensions;
+    const HalfDifference angles =
+      ToHalfDifference(glm::make_vec3(point.I), glm::make_vec3(point.O));
+    const Neighbors y = ClampedNeighbors(angles.ThetaD * (2.0 / Pi), ny);
+    const Neighbors z = ClampedNeighbors(ThetaHToUnit(angles.ThetaH), nz);
+    for (int mirror = 0; mirror < 2; ++mirror)
+    {
+      const Neighbors x = PeriodicNeighbors((mirror == 0 ? 1.0 : -1.0) * angles.PhiD / Pi, nx);
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const bool a = (corner & 1) != 0, b = (corner & 2) != 0, c = (corner & 4) != 0;
+        const double weight = (a ? x.Weight : 1.0 - x.Weight) * (b ? y.Weight : 1.0 - y.Weight) *
+                              (c ? z.Weight : 1.0 - z.Weight);
+        const int cell = (a ? x.Second : x.First) +
+                         nx * ((b ? y.Second : y.First) + ny * (c ? z.Second : z.First));
+        if (weight > 0.0)
+        {
+          entries.emplace_back(row + mirror, cell, weight);
+        }
+      }
+    }
+  }
+
+  // The quadratic form of all first and second differences.
+  Matrix MakeRoughness() const
+  {
+    const auto [nx, ny, nz] = this->Dimensions;
+    Triplets entries;
+    // The square of a sum of cells' values times factors.
+    const auto add = [&entries](const std::vector<std::pair<int, double>>& cells, double strength)
+    {
+      for (const auto& [a, first] : cells)
+      {
+        for (const auto& [b, second] : cells)
+        {
+          entries.emplace_back(a, b, strength * first * second);
+        }
+      }
+    };
+    for (int here = 0; here < nx * ny * nz; ++here)
+    {
+      const int x = here % nx, y = here / nx % ny, z = here / (nx * ny);
+      const double sines =
+        std::sin(std::sqrt(SquareOfThetaH(z, nz))) * std::sin(0.5 * Pi * (y + 0.5) / ny);
+      const double azimuthal = std::min(1.0 / (sines * sines), MostAzimuthal);
+      const int next = here - x + (x + 1) % nx, second = here - x + (x + 2) % nx;
+      add({ { here, 1.0 }, { next, -1.0 } }, Flatness * azimuthal);
+      add({ { here, 1.0 }, { next, -2.0 }, { second, 1.0 } }, Strengths[0] * azimuthal);
+      if (y + 1 < ny)
+      {
+        add({ { here, 1.0 }, { here + nx, -1.0 } }, Flatness);
+      }
+      if (y + 2 < ny)
+      {
+        add({ { here, 1.0 }, { here + nx, -2.0 }, { here + 2 * nx, 1.0 } }, Strengths[1]);
+      }
+      if (z + 1 < nz)
+      {
+        add({ { here, 1.0 }, { here + nx * ny, -1.0 } }, Flatness);
+      }
+      if (z + 2 < nz)
+      {
+        // The middle one lies at a share of the way between the others.
+        const double share = (SquareOfThetaH(z + 1, nz) - SquareOfThetaH(z, nz)) /
+                             (SquareOfThetaH(z + 2, nz) - SquareOfThetaH(z, nz));
+        add({ { here, 2.0 * (1.0 - share) }, { here + nx * ny, -2.0 },
+              { here + 2 * nx * ny, 2.0 * share } },
+          Strengths[2]);
+      }
+    }
+    Matrix roughness(nx * ny * nz, nx * ny * nz);
+    roughness.setFromTriplets(entries.begin(), entries.end());
+    return roughness;
+  }
 
   std::array<int, 3> Dimensions;
   Matrix Interpolation;    // two rows for each point: it and its mirror image
   Eigen::VectorXd Weights; // of the rows
+  Matrix Gram;
   Eigen::SimplicialLDLT<Matrix> Solver;
-  double SeenShare = 0.0;
 };
-//------------------------------------------------------------------------------
-TableCompletion::TableCompletion(
-  const std::vector<TablePoint>& points, const std::array<int, 3>& dimensions, double smoothness)
-  : Dimensions(dimensions)
-{
-  std::vector<Eigen::Triplet<double>> entries;
-  this->Weights.resize(2 * static_cast<Eigen::Index>(points.size()));
-  for (std::size_t k = 0; k < points.size(); ++k)
-  {
-    this->AddPoint(points[k], 2 * static_cast<int>(k), entries);
-    this->Weights.segment<2>(2 * static_cast<Eigen::Index>(k)).setConstant(points[k].Weight);
-  }
-  const double mean = this->Weights.mean();
-  this->Weights /= mean > 0.0 ? mean : 1.0;
-  this->Interpolation.resize(this->Weights.size(), dimensions[0] * dimensions[1] * dimensions[2]);
-  this->Interpolation.setFromTriplets(entries.begin(), entries.end());
-  const Matrix weighted = this->Weights.asDiagonal() * this->Interpolation;
-  const Matrix gram = this->Interpolation.transpose() * weighted;
-  this->SeenShare = this->FindSeenShare(gram);
-  const Matrix system = gram + smoothness * this->MakeRoughness();
-  this->Solver.compute(system);
-  if (this->Solver.info() != Eigen::Success)
-  {
-    throw MapFitError("the tables' equations have no solution");
-  }
-}
 
-//------------------------------------------------------------------------------
-void TableCompletion::AddPoint(
-  const TablePoint& point, int row, std::vector<Eigen::Triplet<double>>& entries) const
-{
-  const HalfDifference angles = ToHalfDifference(glm::make_vec3(point.I), glm::make_vec3(point.O));
-  const CellPair y = FindCells(angles.ThetaD * (2.0 / Pi), this->Dimensions[1], false);
-  const CellPair z = FindCells(ThetaHToUnit(angles.ThetaH), this->Dimensions[2], false);
-  for (int mirror = 0; mirror < 2; ++mirror)
-  {
-    const double phi = mirror == 0 ? angles.PhiD : -angles.PhiD;
-    const CellPair x = FindCells(phi / Pi, this->Dimensions[0], true);
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      const int a = corner & 1, b = (corner >> 1) & 1, c = corner >> 2;
-      const double weight = x.Weight[a] * y.Weight[b] * z.Weight[c];
-      if (weight > 0.0)
-      {
-        const int cell =
-          x.Index[a] + this->Dimensions[0] * (y.Index[b] + this->Dimensions[1] * z.Index[c]);
-        entries.emplace_back(row + mirror, cell, weight);
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-TableCompletion::Matrix TableCompletion::MakeRoughness() const
-{
-  const int nx = this->Dimensions[0], ny = this->Dimensions[1], nz = this->Dimensions[2];
-  const auto size = static_cast<std::size_t>(nx * ny * nz);
-  Differences differences(size);
-  for (int z = 0; z < nz; ++z)
-  {
-    const double thetaH = std::sqrt(SquareOfThetaH(z, nz));
-    for (int y = 0; y < ny; ++y)
-    {
-      const double sines = std::sin(thetaH) * std::sin(0.5 * Pi * (y + 0.5) / ny);
-      const double azimuthal = std::min(1.0 / (sines * sines), MostAzimuthal);
-      for (int x = 0; x < nx; ++x)
-      {
-        const auto cell = [&](int dx, int dy, int dz)
-        { return (x + dx) % nx + nx * (y + dy + ny * (z + dz)); };
-        const int here = cell(0, 0, 0);
-        differences.AddFirst(here, cell(1, 0, 0), Flatness * azimuthal);
-        differences.AddSecond(here, cell(1, 0, 0), cell(2, 0, 0), 0.5, Strengths[0] * azimuthal);
-        if (y + 1 < ny)
-        {
-          differences.AddFirst(here, cell(0, 1, 0), Flatness);
-        }
-        if (y + 2 < ny)
-        {
-          differences.AddSecond(here, cell(0, 1, 0), cell(0, 2, 0), 0.5, Strengths[1]);
-        }
-        if (z + 1 < nz)
-        {
-          differences.AddFirst(here, cell(0, 0, 1), Flatness);
-        }
-        if (z + 2 < nz)
-        {
-          const double share = (SquareOfThetaH(z + 1, nz) - SquareOfThetaH(z, nz)) /
-                               (SquareOfThetaH(z + 2, nz) - SquareOfThetaH(z, nz));
-          differences.AddSecond(here, cell(0, 0, 1), cell(0, 0, 2), share, Strengths[2]);
-        }
-      }
-    }
-  }
-  Matrix roughness(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size));
-  roughness.setFromTriplets(differences.Entries.begin(), differences.Entries.end());
-  return roughness;
-}
-
-//------------------------------------------------------------------------------
-double TableCompletion::FindSeenShare(const Matrix& gram) const
-{
-  int above = 0, seen = 0, cell = 0;
-  for (int z = 0; z < this->Dimensions[2]; ++z)
-  {
-    for (int y = 0; y < this->Dimensions[1]; ++y)
-    {
-      for (int x = 0; x < this->Dimensions[0]; ++x, ++cell)
-      {
-        double i[3], o[3];
-        const bool counts = vtkTabulatedBRDF::GetCellDirections(vtkTabulatedBRDF::HALF_DIFFERENCE,
-          vtkTabulatedBRDF::HALF_TURN, this->Dimensions.data(), x, y, z, i, o);
-        above += counts ? 1 : 0;
-        seen += counts && gram.coeff(cell, cell) > 0.0 ? 1 : 0;
-      }
-    }
-  }
-  return above > 0 ? static_cast<double>(seen) / above : 0.0;
-}
-
-//------------------------------------------------------------------------------
-std::vector<double> TableCompletion::Complete(const std::vector<double>& values) const
-{
-  const double largest = *std::max_element(values.begin(), values.end());
-  const double floor = std::max(1e-6 * largest, 1e-9);
-  Eigen::VectorXd target(this->Interpolation.rows());
-  for (std::size_t k = 0; k < values.size(); ++k)
-  {
-    target.segment<2>(2 * static_cast<Eigen::Index>(k))
-      .setConstant(std::log(std::max(values[k], floor)));
-  }
-  const double least = target.minCoeff(), most = target.maxCoeff(), mean = target.mean();
-  const auto smooth = [this](const Eigen::VectorXd& differences) -> Eigen::VectorXd
-  {
-    const Eigen::VectorXd weighted = this->Weights.cwiseProduct(differences);
-    const Eigen::VectorXd right = this->Interpolation.transpose() * weighted;
-    return this->Solver.solve(right);
-  };
-  Eigen::VectorXd cells = Eigen::VectorXd::Constant(this->Interpolation.cols(), mean);
-  cells += smooth((target.array() - mean).matrix());
-  for (int k = 0; k < Refinements; ++k)
-  {
-    cells = cells.cwiseMax(least).cwiseMin(most);
-    const Eigen::VectorXd exponentials = cells.array().exp().matrix();
-    const Eigen::VectorXd model = this->Interpolation * exponentials;
-    cells += smooth(target - model.array().log().matrix());
-  }
-  const Eigen::VectorXd result = cells.cwiseMax(least).cwiseMin(most).array().exp().matrix();
-  return std::vector<double>(result.data(), result.data() + result.size());
-}
-}
-
-//------------------------------------------------------------------------------
-TableMaterials::TableMaterials(
-  vtkPhotographSet* photographs, const TableOptions& options, std::size_t sampleSize)
-  : Photographs(photographs)
-  , Options(options)
-  , Means(static_cast<std::size_t>(photographs->GetNumberOfPhotographs()), -1.0)
-{
-  const std::size_t count = this->Means.size();
-  this->Data.resize(static_cast<Eigen::Index>(3 * count), static_cast<Eigen::Index>(sampleSize));
-  this->Mask.assign(sampleSize * count, 0);
-  this->Scales.assign(count, NoiseFloor);
-}
-
-//------------------------------------------------------------------------------
-void TableMaterials::Add(
-  int photograph, const PhotographPixels& pixels, const std::vector<std::size_t>& sample)
-{
-  const auto number = static_cast<std::size_t>(photograph);
-  double sum = 0.0;
-  std::size_t valid = 0;
-  for (std::size_t k = 0; k < sample.size(); ++k)
-  {
-    const float* value = &pixels.Values[3 * sample[k]];
-    const bool isValid = pixels.States[sample[k]] == PixelState::Valid;
-    this->Mask[k * this->Means.size() + number] = isValid ? 0 : 1;
-    valid += isValid ? 1 : 0;
-    for (int c = 0; c < 3; ++c)
-    {
-      this->Data(3 * photograph + c, static_cast<Eigen::Index>(k)) = value[c];
-      sum += value[c];
-    }
-  }
-  if (valid > 0)
-  {
-    this->Means[number] = std::max(sum / (3.0 * static_cast<double>(valid)), 0.0);
-    this->Scales[number] = this->Means[number] + NoiseFloor;
-    // Where data say nothing, the photograph's mean is the first guess.
-    for (std::size_t k = 0; k < sample.size(); ++k)
-    {
-      if (this->Mask[k * this->Means.size() + number] != 0)
-      {
-        this->Data.block<3, 1>(3 * photograph, static_cast<Eigen::Index>(k))
-          .setConstant(static_cast<float>(this->Means[number]));
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void TableMaterials::Find(const std::function<void(double)>& proceed)
-{
-  if (std::all_of(this->Means.begin(), this->Means.end(), [](double mean) { return mean < 0.0; }))
-  {
-    throw MapFitError("no pixel is valid: all are saturated, black or not finite");
-  }
-  for (std::size_t k = 0; k < this->Scales.size(); ++k)
-  {
-    this->Data.middleRows<3>(3 * static_cast<Eigen::Index>(k)) /=
-      static_cast<float>(this->Scales[k]);
-  }
-  const Factorization factors = Alternation(
-    this->Data, this->Mask, this->Options.Materials, this->Options.Compactness, this->Options.Seed)
-                                  .Run(proceed);
-  this->FactorError = factors.RelativeError;
-  this->Iterations = factors.Iterations;
-  this->Converged = factors.Converged;
-  this->MakeTables(factors.Values);
-}
-
-//------------------------------------------------------------------------------
-void TableMaterials::MakeTables(const Eigen::MatrixXd& factors)
+// means: of the valid pixels of each photograph, linear; -1: none.
+void MakeTables(vtkPhotographSet* photographs, const TableOptions& options,
+  const std::vector<double>& means, const Eigen::MatrixXd& factors, TableMaterials& found)
 {
   std::vector<TablePoint> points;
   std::vector<int> seen; // the points' photographs
-  for (std::size_t k = 0; k < this->Means.size(); ++k)
+  for (std::size_t k = 0; k < means.size(); ++k)
   {
-    if (this->Means[k] >= 0.0)
+    if (means[k] >= 0.0)
     {
       seen.push_back(static_cast<int>(k));
       TablePoint point;
-      this->Photographs->GetLight(seen.back(), point.I);
-      this->Photographs->GetView(seen.back(), point.O);
+      photographs->GetLight(seen.back(), point.I);
+      photographs->GetView(seen.back(), point.O);
       // A logarithm's error is that of the value over the value.
-      point.Weight = std::max(std::pow(this->Means[k] / this->Scales[k], 2), 1e-6);
+      point.Weight = std::max(std::pow(means[k] / found.Scales[k], 2), 1e-6);
       points.push_back(point);
     }
   }
-  const std::array<int, 3>& dimensions = this->Options.Dimensions;
-  const TableCompletion completion(points, dimensions, this->Options.Smoothness);
-  this->SeenShare = completion.GetSeenShare();
+  const TableCompletion completion(points, options.Dimensions, options.Smoothness);
+  found.SeenShare = completion.GetSeenShare();
   for (Eigen::Index m = 0; m < factors.cols(); ++m)
   {
     std::vector<float> volume;
@@ -613,26 +474,85 @@ void TableMaterials::MakeTables(const Eigen::MatrixXd& factors)
       std::vector<double> values;
       for (const int k : seen)
       {
-        values.push_back(factors(3 * k + c, m) * this->Scales[static_cast<std::size_t>(k)] /
-                         this->Photographs->GetScale(k));
+        values.push_back(factors(3 * k + c, m) * found.Scales[static_cast<std::size_t>(k)] /
+                         photographs->GetScale(k));
       }
-      const std::vector<double> cells = completion.Complete(values);
-      volume.resize(3 * cells.size());
-      for (std::size_t cell = 0; cell < cells.size(); ++cell)
+      const Eigen::VectorXd cells = completion.Complete(values);
+      volume.resize(3 * static_cast<std::size_t>(cells.size()));
+      for (Eigen::Index cell = 0; cell < cells.size(); ++cell)
       {
-        volume[3 * cell + static_cast<std::size_t>(c)] = static_cast<float>(cells[cell]);
+        volume[static_cast<std::size_t>(3 * cell + c)] = static_cast<float>(cells[cell]);
       }
     }
     const auto table = vtkSmartPointer<vtkTabulatedBRDF>::New();
     if (!table->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN,
-          dimensions.data(), std::move(volume)))
+          options.Dimensions.data(), std::move(volume)))
     {
-      throw MapFitError("a table was refused");
+      throw std::runtime_error("a table was refused");
     }
     const std::string name = "material " + std::to_string(m + 1);
     table->SetName(name);
     table->SetSource("found in " + std::to_string(seen.size()) + " photographs");
-    this->Materials.emplace_back(table, name);
+    found.Materials.emplace_back(table, name);
   }
+}
+}
+
+//------------------------------------------------------------------------------
+TableMaterials FindTableMaterials(vtkPhotographSet* photographs, const TableOptions& options,
+  PhotographPasses& passes, const std::vector<std::size_t>& sample)
+{
+  const auto count = static_cast<std::size_t>(photographs->GetNumberOfPhotographs());
+  Eigen::MatrixXf data(3 * count, sample.size());            // [3 photograph + channel, texel]
+  std::vector<unsigned char> mask(sample.size() * count, 0); // [texel][photograph]
+  std::vector<double> means(count, -1.0);
+  TableMaterials found;
+  found.Scales.assign(count, NoiseFloor);
+  const auto add = [&](int photograph, const PhotographPixels& pixels)
+  {
+    const auto number = static_cast<std::size_t>(photograph);
+    double sum = 0.0;
+    int valid = 0;
+    for (std::size_t k = 0; k < sample.size(); ++k)
+    {
+      const bool isValid = pixels.States[sample[k]] == PixelState::Valid;
+      mask[k * count + number] = isValid ? 0 : 1;
+      valid += isValid ? 1 : 0;
+      const auto value = Eigen::Map<const Eigen::Vector3f>(&pixels.Values[3 * sample[k]]);
+      data.block<3, 1>(3 * photograph, static_cast<Eigen::Index>(k)) = value;
+      sum += value.cast<double>().sum();
+    }
+    if (valid == 0)
+    {
+      return;
+    }
+    means[number] = std::max(sum / (3.0 * valid), 0.0);
+    found.Scales[number] = means[number] + NoiseFloor;
+    // Where data say nothing, the photograph's mean is the first guess.
+    for (std::size_t k = 0; k < sample.size(); ++k)
+    {
+      if (mask[k * count + number] != 0)
+      {
+        data.block<3, 1>(3 * photograph, static_cast<Eigen::Index>(k))
+          .setConstant(static_cast<float>(means[number]));
+      }
+    }
+  };
+  passes.Run(0.0, 0.3, add);
+  if (*std::max_element(means.begin(), means.end()) < 0.0)
+  {
+    throw std::runtime_error("no pixel is valid: all are saturated, black or not finite");
+  }
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    data.middleRows<3>(3 * static_cast<Eigen::Index>(k)) /= static_cast<float>(found.Scales[k]);
+  }
+  Alternation factors(data, mask, options.Materials, options.Seed);
+  factors.Run([&](double share) { passes.Proceed(0.3 + 0.3 * share); });
+  found.FactorError = factors.RelativeError;
+  found.Iterations = factors.Iterations;
+  found.Converged = factors.Converged;
+  MakeTables(photographs, options, means, factors.Values, found);
+  return found;
 }
 } // namespace measuredbrdf

@@ -18,72 +18,53 @@ TexelSums::TexelSums(const MaterialValues& materials, std::vector<std::size_t> t
   , Right(Eigen::MatrixXd::Zero(
       materials.Values.cols(), static_cast<Eigen::Index>(this->Texels.size())))
   , Squares(this->Texels.size(), 0.0)
-  , Masked(this->Texels.size(), 0)
-  , WordsPerTexel((materials.Scales.size() + 63) / 64)
-  , Masks(this->WordsPerTexel * this->Texels.size(), 0)
+  , Masked(this->Texels.size())
 {
-}
-
-std::size_t TexelSums::GetBytesPerTexel(std::size_t materials, std::size_t photographs)
-{
-  return 8 * (materials + 1 + (photographs + 63) / 64 + 1) + 4;
 }
 
 void TexelSums::Add(int photograph, const PhotographPixels& pixels)
 {
-  const auto bit = static_cast<std::size_t>(photograph);
   const Eigen::MatrixXd rows = this->Materials.Values.middleRows<3>(3 * photograph).transpose();
-  const double inverse = 1.0 / this->Materials.Scales[bit];
-  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(this->Texels.size()),
-    [&](vtkIdType begin, vtkIdType end)
+  const double inverse = 1.0 / this->Materials.Scales[static_cast<std::size_t>(photograph)];
+  ParallelForEach(
+    this->Texels.size(),
+    [&](std::size_t k)
     {
-      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+      const std::size_t texel = this->Texels[k];
+      if (pixels.States[texel] != PixelState::Valid)
       {
-        const std::size_t texel = this->Texels[k];
-        if (pixels.States[texel] != PixelState::Valid)
-        {
-          this->Masks[k * this->WordsPerTexel + bit / 64] |= std::uint64_t(1) << (bit % 64);
-          ++this->Masked[k];
-          continue;
-        }
-        const Eigen::Vector3d value =
-          Eigen::Map<const Eigen::Vector3f>(&pixels.Values[3 * texel]).cast<double>() * inverse;
-        this->Right.col(static_cast<Eigen::Index>(k)).noalias() += rows * value;
-        this->Squares[k] += value.squaredNorm();
+        this->Masked[k].push_back(photograph);
+        return;
       }
-    });
+      const Eigen::Vector3d value =
+        Eigen::Map<const Eigen::Vector3f>(&pixels.Values[3 * texel]).cast<double>() * inverse;
+      this->Right.col(static_cast<Eigen::Index>(k)).noalias() += rows * value;
+      this->Squares[k] += value.squaredNorm();
+    },
+    nullptr, 0);
 }
 
 SmallMatrix TexelSums::GetMatrix(std::size_t k, const std::vector<int>& columns) const
 {
   const auto n = static_cast<Eigen::Index>(columns.size());
-  const std::size_t photographs = this->Materials.Scales.size();
+  const auto photographs = static_cast<int>(this->Materials.Scales.size());
+  const std::vector<int>& masked = this->Masked[k];
   // The sum of the valid ones, or all but the masked ones: what is less work.
-  const bool subtract = 2 * this->Masked[k] <= photographs;
+  const bool subtract = 2 * static_cast<int>(masked.size()) <= photographs;
   SmallMatrix matrix = SmallMatrix::Zero(n, n);
   if (subtract)
   {
     matrix = this->Matrix(columns, columns);
   }
-  for (std::size_t p = 0; p<photographs&& this->Masked[k]> 0; ++p)
+  for (int p = 0; p < photographs && !masked.empty(); ++p)
   {
-    if (this->IsMasked(k, p) != subtract)
+    if (std::binary_search(masked.begin(), masked.end(), p) == subtract)
     {
-      continue;
-    }
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      const SmallVector row =
-        this->Materials.Values(static_cast<Eigen::Index>(3 * p + c), columns).transpose();
-      matrix += (subtract ? -1.0 : 1.0) * row * row.transpose();
+      const Eigen::Matrix3Xd rows = this->Materials.Values(Eigen::seqN(3 * p, 3), columns);
+      matrix += (subtract ? -1.0 : 1.0) * rows.transpose() * rows;
     }
   }
   return matrix;
-}
-
-SmallVector TexelSums::GetRight(std::size_t k, const std::vector<int>& columns) const
-{
-  return this->Right(columns, static_cast<Eigen::Index>(k));
 }
 
 MaterialValues EvaluateMaterials(vtkPhotographSet* set, const std::vector<NamedMaterial>& materials,
@@ -148,10 +129,32 @@ public:
            this->Exchange(this->Chosen.size(), this->Chosen.empty() ? 0.0 : this->Tolerance, 0.0))
     {
     }
-    for (int round = 0; round < MostRounds && this->Improve(); ++round)
+    for (int round = 0; round < MostRounds; ++round)
     {
+      std::size_t place = 0;
+      while (place < this->Chosen.size() && !this->Exchange(place, LeastGain, this->Least))
+      {
+        ++place;
+      }
+      if (place == this->Chosen.size()) // no exchange helps
+      {
+        break;
+      }
     }
-    this->RemoveIdle();
+    // What earlier choices no longer need goes.
+    for (std::size_t place = 0; place < this->Chosen.size() && this->Chosen.size() > 1;)
+    {
+      std::vector<int> without = this->Chosen;
+      without.erase(without.begin() + static_cast<std::ptrdiff_t>(place));
+      const double error = this->GetError(without);
+      if ((1.0 - this->Tolerance) * error > this->Error + this->Least)
+      {
+        ++place;
+        continue;
+      }
+      this->Chosen = without;
+      this->Error = error;
+    }
     std::sort(this->Chosen.begin(), this->Chosen.end());
     return this->Chosen;
   }
@@ -186,15 +189,8 @@ private:
     constexpr std::size_t batch = 32; // so that progress is told now and then
     for (std::size_t first = 0; first < sets.size(); first += batch)
     {
-      measuredbrdf::ParallelFor(static_cast<vtkIdType>(first),
-        static_cast<vtkIdType>(std::min(first + batch, sets.size())), 1,
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
-          {
-            errors[k] = this->GetError(sets[k]);
-          }
-        });
+      ParallelForEach(std::min(batch, sets.size() - first),
+        [&](std::size_t k) { errors[first + k] = this->GetError(sets[first + k]); });
       this->Proceed(static_cast<double>(this->Chosen.size()) / this->Most);
     }
     const auto best = std::min_element(errors.begin(), errors.end());
@@ -205,39 +201,6 @@ private:
     this->Error = *best;
     this->Chosen = sets[static_cast<std::size_t>(best - errors.begin())];
     return true;
-  }
-
-  // Exchange one material where that helps.
-  bool Improve()
-  {
-    for (std::size_t place = 0; place < this->Chosen.size(); ++place)
-    {
-      if (this->Exchange(place, LeastGain, this->Least))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  // What earlier choices no longer need.
-  void RemoveIdle()
-  {
-    for (std::size_t place = 0; place < this->Chosen.size() && this->Chosen.size() > 1;)
-    {
-      std::vector<int> without = this->Chosen;
-      without.erase(without.begin() + static_cast<std::ptrdiff_t>(place));
-      const double error = this->GetError(without);
-      if ((1.0 - this->Tolerance) * error <= this->Error + this->Least)
-      {
-        this->Chosen = without;
-        this->Error = error;
-      }
-      else
-      {
-        ++place;
-      }
-    }
   }
 
   const TexelSums& Sums;

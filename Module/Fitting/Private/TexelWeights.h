@@ -16,7 +16,6 @@
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -48,16 +47,13 @@ MaterialValues EvaluateMaterials(vtkPhotographSet* set, const std::vector<NamedM
 /**
  * For each texel t and its valid photographs: H = sum m m', g = sum m b, and sum b^2, where m are
  * the materials' values and b is the pixel's. H is the same for all texels but for their masked
- * photographs, which are kept as bits.
+ * photographs, which are listed.
  */
 class TexelSums
 {
 public:
   /// texels: their numbers in the pictures.
   TexelSums(const MaterialValues& materials, std::vector<std::size_t> texels);
-
-  /// Bytes that each texel takes.
-  static std::size_t GetBytesPerTexel(std::size_t materials, std::size_t photographs);
 
   /// Add the next photograph, on several threads.
   void Add(int photograph, const PhotographPixels& pixels);
@@ -68,29 +64,25 @@ public:
 
   /// Of the materials at some of the columns, at most MaximumNumberOfUnknowns.
   SmallMatrix GetMatrix(std::size_t k, const std::vector<int>& columns) const;
-  SmallVector GetRight(std::size_t k, const std::vector<int>& columns) const;
+  SmallVector GetRight(std::size_t k, const std::vector<int>& columns) const
+  {
+    return this->Right(columns, static_cast<Eigen::Index>(k));
+  }
   double GetSquares(std::size_t k) const { return this->Squares[k]; }
 
   /// Valid photographs of a texel.
   std::size_t GetNumberOfPhotographs(std::size_t k) const
   {
-    return this->Materials.Scales.size() - this->Masked[k];
+    return this->Materials.Scales.size() - this->Masked[k].size();
   }
 
 private:
-  bool IsMasked(std::size_t k, std::size_t photograph) const
-  {
-    return (this->Masks[k * this->WordsPerTexel + photograph / 64] >> (photograph % 64) & 1u) != 0;
-  }
-
   const MaterialValues& Materials;
   std::vector<std::size_t> Texels;
-  Eigen::MatrixXd Matrix;            // of all photographs
-  Eigen::MatrixXd Right;             // [material, texel]
-  std::vector<double> Squares;       // of each texel
-  std::vector<std::uint32_t> Masked; // how many photographs of each texel
-  std::size_t WordsPerTexel;
-  std::vector<std::uint64_t> Masks; // of each texel
+  Eigen::MatrixXd Matrix;               // of all photographs
+  Eigen::MatrixXd Right;                // [material, texel]
+  std::vector<double> Squares;          // of each texel
+  std::vector<std::vector<int>> Masked; // photographs of each texel, ascending
 };
 
 struct WeightSolution

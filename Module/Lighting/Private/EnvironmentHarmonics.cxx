@@ -214,23 +214,20 @@ EnvironmentHarmonics::EnvironmentHarmonics(
   const std::size_t height = static_cast<std::size_t>(environment->GetHeight());
   const std::vector<Ring> rings = MakeRings(height, maximumDegree);
 
-  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(orders), 1,
-    [&](vtkIdType begin, vtkIdType end)
+  measuredbrdf::ParallelForEach(static_cast<vtkIdType>(orders),
+    [&](vtkIdType order)
     {
-      for (vtkIdType order = begin; order < end; ++order)
+      const std::size_t m = static_cast<std::size_t>(order);
+      const Sums sums = SumRings(rows, rings, height, orders, m);
+      for (std::size_t channel = 0; channel < 3; ++channel)
       {
-        const std::size_t m = static_cast<std::size_t>(order);
-        const Sums sums = SumRings(rows, rings, height, orders, m);
-        for (std::size_t channel = 0; channel < 3; ++channel)
+        for (std::size_t l = m; l < orders; ++l)
         {
-          for (std::size_t l = m; l < orders; ++l)
-          {
-            const auto row = sums[(l - m) % 2].row(static_cast<Eigen::Index>((l - m) / 2));
-            const auto column = static_cast<Eigen::Index>(2 * channel);
-            this->Coefficients[(channel * orders + m) * orders + l] =
-              std::sqrt((2.0 * static_cast<double>(l) + 1.0) / (4.0 * Pi)) *
-              std::complex<double>(row[column], row[column + 1]);
-          }
+          const auto row = sums[(l - m) % 2].row(static_cast<Eigen::Index>((l - m) / 2));
+          const auto column = static_cast<Eigen::Index>(2 * channel);
+          this->Coefficients[(channel * orders + m) * orders + l] =
+            std::sqrt((2.0 * static_cast<double>(l) + 1.0) / (4.0 * Pi)) *
+            std::complex<double>(row[column], row[column + 1]);
         }
       }
     });

@@ -123,8 +123,8 @@ std::vector<vtkSmartPointer<vtkLightSet>> EnvironmentPrecomputation::GetLightSet
       return nullptr;
     }
     vtkEnvironment* subdivided = environment->GetSubdivided();
-    LightTree tree(subdivided, rest);
-    if (!tree.Grow(subdivided, counts.front(), [&goOn](double) { return goOn(); }))
+    const LightTree tree(subdivided, rest ? *rest : TexelChanges(), counts.front(), goOn);
+    if (tree.IsStopped())
     {
       return nullptr;
     }

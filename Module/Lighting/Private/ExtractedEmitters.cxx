@@ -3,7 +3,10 @@
 #include "ExtractedEmitters.h"
 
 #include "HalfVector.h" // for Pi
+#include "SRGB.h"
 #include "vtkEnvironment.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -37,33 +40,28 @@ struct Lamp
     this->Moment += luminance * direction;
     this->Luminance += luminance;
   }
-  glm::dvec3 GetMean() const { return glm::normalize(this->Moment); }
 };
 
-// Whether all lies within the angle of the common mean; or the second is but the first's glare.
-bool AreOne(const Lamp& first, const Lamp& second, double angle)
-{
-  const bool isGlare = second.Luminance < Glare * first.Luminance;
-  const glm::dvec3 mean = glm::normalize(first.Moment + second.Moment);
-  const auto near = [&](const glm::dvec3& direction)
-  { return glm::distance(direction, mean) <= (isGlare ? 2.0 : 1.0) * angle; };
-  return std::all_of(first.Directions.begin(), first.Directions.end(), near) &&
-         std::all_of(second.Directions.begin(), second.Directions.end(), near);
-}
-
-// The brightest texel of a lamp may lie at its edge. Lamps come by their brightest texels.
+// Lamps become one where all of both lies within the angle of the common mean; within twice the
+// angle, where the second is but the first's glare. The brightest texel of a lamp may lie at its
+// edge. Lamps come by their brightest texels.
 void Merge(std::vector<Lamp>& lamps, double angle)
 {
   for (std::size_t a = 0; a < lamps.size(); ++a)
   {
     for (std::size_t b = a + 1; b < lamps.size(); ++b)
     {
-      if (!AreOne(lamps[a], lamps[b], angle))
+      Lamp& into = lamps[a];
+      const Lamp& from = lamps[b];
+      const bool isGlare = from.Luminance < Glare * into.Luminance;
+      const glm::dvec3 mean = glm::normalize(into.Moment + from.Moment);
+      const auto near = [&](const glm::dvec3& direction)
+      { return glm::distance(direction, mean) <= (isGlare ? 2.0 : 1.0) * angle; };
+      if (!std::all_of(into.Directions.begin(), into.Directions.end(), near) ||
+          !std::all_of(from.Directions.begin(), from.Directions.end(), near))
       {
         continue;
       }
-      Lamp& into = lamps[a];
-      const Lamp& from = lamps[b];
       into.Texels.insert(into.Texels.end(), from.Texels.begin(), from.Texels.end());
       into.Directions.insert(into.Directions.end(), from.Directions.begin(), from.Directions.end());
       into.Moment += from.Moment;
@@ -102,8 +100,7 @@ bool FindBrightestLamps(vtkEnvironment* environment,
     }
     else if (lamps.size() < static_cast<std::size_t>(angle > 0.0 ? Spare * maximum : maximum))
     {
-      lamps.emplace_back();
-      lamps.back().Add(texel.second, direction, texel.first);
+      lamps.emplace_back().Add(texel.second, direction, texel.first);
     }
     else
     {
@@ -140,8 +137,7 @@ glm::dvec3 GetMeanAround(
       const int neighbor = std::clamp(y + dy, 0, height - 1) * width + (x + dx + width) % width;
       if (owners.count(neighbor) == 0)
       {
-        const std::size_t k = static_cast<std::size_t>(neighbor);
-        sum += glm::dvec3(pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2]);
+        sum += glm::dvec3(glm::make_vec3(&pixels[3 * static_cast<std::size_t>(neighbor)]));
         ++neighbors;
       }
     }
@@ -216,31 +212,26 @@ std::vector<ExtractedEmitters::Part> Group(const std::vector<ExtractedEmitters::
 ExtractedEmitters::Ranking::Ranking(vtkEnvironment* environment, double share)
 {
   const std::vector<float>& pixels = environment->GetPixels();
-  // Twice over the pixels is cheaper than to keep their luminances.
-  const auto visit = [&](const auto& take)
+  double least = 0.0;
+  for (const bool isSummed : { false, true }) // it is cheaper than to keep all luminances
   {
-    int k = 0;
+    int texel = 0;
     for (int y = 0; y < environment->GetHeight(); ++y)
     {
       const double solidAngle = environment->GetTexelSolidAngle(y);
-      for (const int end = k + environment->GetWidth(); k < end; ++k)
+      for (const int end = texel + environment->GetWidth(); texel < end; ++texel)
       {
-        const double rgb[3] = { pixels[std::size_t(3) * k], pixels[std::size_t(3) * k + 1],
-          pixels[std::size_t(3) * k + 2] };
-        take(vtkEnvironment::GetLuminance(rgb) * solidAngle, k);
+        const double luminance =
+          solidAngle * GetLuminance(&pixels[3 * static_cast<std::size_t>(texel)]);
+        this->Total += isSummed ? 0.0 : luminance;
+        if (isSummed && luminance > least)
+        {
+          this->Texels.emplace_back(luminance, texel);
+        }
       }
     }
-  };
-  visit([this](double luminance, int) { this->Total += luminance; });
-  const double least = GetLeast(this->Total, share, environment);
-  visit(
-    [this, least](double luminance, int texel)
-    {
-      if (luminance > least)
-      {
-        this->Texels.emplace_back(luminance, texel);
-      }
-    });
+    least = GetLeast(this->Total, share, environment);
+  }
   std::sort(this->Texels.begin(), this->Texels.end(), std::greater<std::pair<double, int>>());
 }
 
@@ -297,14 +288,10 @@ bool ExtractedEmitters::Extract(
     const glm::dvec3 around = GetMeanAround(environment, x, y, owners);
     Light& light = this->Lights[static_cast<std::size_t>(owner->second)];
     TexelChanges::Texel rest{ static_cast<std::size_t>(texel.second), {} };
-    glm::dvec3 irradiance;
-    for (int c = 0; c < 3; ++c)
-    {
-      const float value = pixels[3 * rest.Index + static_cast<std::size_t>(c)];
-      const double kept = std::min<double>(value, around[c]);
-      irradiance[c] = (value - kept) * environment->GetTexelSolidAngle(y);
-      rest.Radiance[c] = static_cast<float>(kept);
-    }
+    const glm::dvec3 value = glm::make_vec3(&pixels[3 * rest.Index]);
+    const glm::dvec3 kept = glm::min(value, around);
+    const glm::dvec3 irradiance = (value - kept) * environment->GetTexelSolidAngle(y);
+    rest.Radiance = kept;
     this->Rest.Texels.push_back(rest);
     glm::dvec3 direction;
     environment->GetTexelDirection(x, y, &direction.x);
@@ -314,7 +301,7 @@ bool ExtractedEmitters::Extract(
   for (std::size_t k = 0; k < this->Lights.size(); ++k)
   {
     Light& light = this->Lights[k];
-    static_cast<Part&>(light) = Add(light.Parts, lamps[k].GetMean());
+    static_cast<Part&>(light) = Add(light.Parts, glm::normalize(lamps[k].Moment));
     light.Parts = Group(light.Parts);
   }
   return all;

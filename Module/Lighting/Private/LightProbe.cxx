@@ -19,20 +19,13 @@ namespace measuredbrdf
 {
 namespace
 {
-struct ProjectionText
-{
-  const char* Name;
-  const char* Size;
-};
-constexpr ProjectionText ProjectionTexts[] = {
-  { "lat-long", "any size" },
-  { "angular map", "as many columns as rows" },
-  { "mirror ball", "as many columns as rows" },
+// Names, and the sizes that images have.
+constexpr const char* ProjectionTexts[][2] = { { "lat-long", "any size" },
+  { "angular map", "as many columns as rows" }, { "mirror ball", "as many columns as rows" },
   { "horizontal cross", "4 square faces wide, 3 high" },
   { "vertical cross", "3 square faces wide, 4 high" },
   { "horizontal strip", "6 square faces wide, 1 high" },
-  { "vertical strip", "1 square face wide, 6 high" },
-};
+  { "vertical strip", "1 square face wide, 6 high" } };
 
 // How the faces of a cube lie in an image; columns and rows in faces, from the upper left.
 struct CubeLayout
@@ -190,9 +183,9 @@ private:
 
 int GetRows(Projection projection, int width, int height)
 {
-  double texels = static_cast<double>(width) * height;
   const CubeLayout* layout = GetCubeLayout(projection);
-  texels *= layout ? 6.0 / (layout->Columns * layout->Rows) : 0.25 * Pi;
+  const double shown = layout ? 6.0 / (layout->Columns * layout->Rows) : 0.25 * Pi;
+  const double texels = shown * width * height;
   return std::max(1, static_cast<int>(std::lround(std::sqrt(0.5 * texels))));
 }
 }
@@ -200,13 +193,13 @@ int GetRows(Projection projection, int width, int height)
 //------------------------------------------------------------------------------
 std::string GetProjectionName(Projection projection)
 {
-  return ProjectionTexts[static_cast<int>(projection)].Name;
+  return ProjectionTexts[static_cast<int>(projection)][0];
 }
 
 //------------------------------------------------------------------------------
 std::string GetExpectedSize(Projection projection)
 {
-  return ProjectionTexts[static_cast<int>(projection)].Size;
+  return ProjectionTexts[static_cast<int>(projection)][1];
 }
 
 //------------------------------------------------------------------------------
@@ -229,9 +222,11 @@ bool MapToDirection(Projection projection, const glm::dvec2& uv, glm::dvec3& dir
     double a;
     double b;
     const int face = FindFace(*layout, uv, a, b);
-    direction = face < 0 ? direction
-                         : glm::normalize(CubeFaces[face].Middle + a * CubeFaces[face].Right +
-                                          b * CubeFaces[face].Down);
+    if (face >= 0)
+    {
+      direction = glm::normalize(
+        CubeFaces[face].Middle + a * CubeFaces[face].Right + b * CubeFaces[face].Down);
+    }
     return face >= 0;
   }
   const glm::dvec2 p = 2.0 * uv - 1.0;
@@ -321,26 +316,23 @@ std::optional<BadValues> ConvertProbe(Projection projection, int width, int heig
   const int parts = columns > LargeMap / rows ? PartsOfLargeMap : PartsOfTexel;
   const TexelDirections points(columns * parts, rows * parts);
   std::vector<glm::dvec3> means(static_cast<std::size_t>(columns) * rows);
-  ParallelFor(0, static_cast<vtkIdType>(means.size()),
-    [&](vtkIdType begin, vtkIdType end)
+  ParallelForEach(
+    means.size(),
+    [&](std::size_t k)
     {
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        means[static_cast<std::size_t>(k)] = probe.GetMean(
-          static_cast<int>(k % columns), static_cast<int>(k / columns), points, parts);
-      }
-    });
+      const auto texel = static_cast<int>(k);
+      means[k] = probe.GetMean(texel % columns, texel / columns, points, parts);
+    },
+    nullptr, 0);
   // Points are taken or left by texels as wholes: no light is lost or gained over all.
-  glm::dvec3 shown(0.0);
-  double weights = 0.0;
+  glm::dvec4 shown(0.0);
   for (std::size_t k = 0; k < means.size(); ++k)
   {
-    const double weight = std::sin(Pi * (static_cast<double>(k / columns) + 0.5) / rows);
-    shown += weight * means[k];
-    weights += weight;
+    shown +=
+      std::sin(Pi * (static_cast<double>(k / columns) + 0.5) / rows) * glm::dvec4(means[k], 1.0);
   }
-  const glm::dvec3 gain =
-    probe.GetMean() / glm::max(shown / weights, glm::dvec3(std::numeric_limits<double>::min()));
+  const glm::dvec3 gain = probe.GetMean() / glm::max(glm::dvec3(shown) / shown.w,
+                                              glm::dvec3(std::numeric_limits<double>::min()));
   std::vector<float> result;
   for (const glm::dvec3& mean : means)
   {

@@ -2,32 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An environment's texels as a binary tree: a list of splits whose first N - 1 make N cells, for
- * every N. The cell of largest variance is split next, at the least sum of both parts' variances.
+ * An environment's texels in cells, for each of which a light can stand; and a binary tree of them:
+ * a list of splits whose first N - 1 make N cells, for every N. The cell of largest variance is
+ * split next, at the least sum of both parts' variances.
  */
 
 #ifndef LightTree_h
 #define LightTree_h
 
 #include "TexelChanges.h"
+#include "TexelTree.h"
 
 #include <glm/glm.hpp>
 
 #include <climits>
 #include <cstddef>
 #include <functional>
-#include <memory>
-#include <queue>
-#include <utility>
 #include <vector>
 
-class vtkEnvironment;
 class vtkLightSet;
 
 namespace measuredbrdf
 {
-struct TexelDirections;
-
 /// A rectangle of an environment's texels, for which a light can stand.
 struct LightCell
 {
@@ -48,63 +44,55 @@ struct LightCell
   void AddLight(int width, int height, vtkLightSet* output) const;
 };
 
+/// What the columns and the rows of a cell send. They are summed anew for each cell: a table of all
+/// sums would take 32 bytes a texel.
+class CellSlices
+{
+public:
+  CellSlices(vtkEnvironment* environment, const TexelChanges& changes)
+    : Directions(environment->GetWidth(), environment->GetHeight())
+    , Environment(environment)
+    , Changes(changes)
+  {
+  }
+
+  /// None of the columns, or of the rows, where they are not wanted.
+  void Sum(const LightCell& cell, bool columns, bool rows);
+
+  TexelDirections Directions;
+  // The sum of luminance times direction, and that of luminance.
+  std::vector<glm::dvec4> Columns;
+  std::vector<glm::dvec4> Rows;
+
+private:
+  vtkEnvironment* Environment;
+  const TexelChanges& Changes;
+};
+
 class LightTree
 {
 public:
-  struct Node : LightCell
-  {
-    int Split = INT_MAX; // the set of this many cells is the first without this one
-  };
+  /// Splits an environment, with some texels changed, until there are `cells` cells or no cell can
+  /// be split, or goOn, which is called now and then, says false.
+  LightTree(vtkEnvironment* environment, const TexelChanges& changes, int cells,
+    const std::function<bool()>& goOn);
 
-  /// Tree of an environment with some texels changed where that is not null.
-  explicit LightTree(
-    vtkEnvironment* environment, std::shared_ptr<const TexelChanges> changes = nullptr);
-
-  /// Split until there are `cells` cells or no cell can be split. Returns false if progress (called
-  /// with this call's share in [0,1]) returned false; the tree must then not be used any more.
-  bool Grow(vtkEnvironment* environment, int cells, const std::function<bool(double)>& progress);
-
-  int GetNumberOfCells() const { return static_cast<int>(this->Residuals.size()); }
-  bool IsComplete() const { return this->Queue.empty(); }
-
-  /// Sum of the variances of that many cells over the energy.
-  double GetResidual(int cells) const
-  {
-    return this->Residuals[static_cast<std::size_t>(cells) - 1];
-  }
+  /// goOn said false: the tree must not be used.
+  bool IsStopped() const { return this->Stopped; }
 
   /// One light for each of that many cells, or for all where there are fewer.
   void FillLightSet(int count, vtkLightSet* output) const;
 
 private:
-  class Cutter;
-
-  /// Whether node k is one of the set of this many cells.
-  bool IsIn(std::size_t k, int cells) const
+  struct Node : LightCell
   {
-    return static_cast<int>((k + 1) / 2) < cells && cells < this->Nodes[k].Split;
-  }
-
-  void Push(std::size_t node, const glm::dvec4& sum);
-  void Gather(vtkEnvironment* environment, std::size_t firstNode);
-  struct Candidate
-  {
-    double Variance;
-    std::size_t Node;
-    bool operator<(const Candidate& other) const
-    {
-      return std::make_pair(this->Variance, other.Node) <
-             std::make_pair(other.Variance, this->Node);
-    }
+    int Split = INT_MAX; // the set of this many cells is the first without this one
   };
 
   int Width;
   int Height;
-  std::shared_ptr<const TexelChanges> Changes;
-  double Total = 0.0;            // luminance
-  std::vector<Node> Nodes;       // in the order in which they were made: 1 + 2 splits
-  std::vector<double> Residuals; // by number of cells, from 1
-  std::priority_queue<Candidate> Queue;
+  bool Stopped = false;
+  std::vector<Node> Nodes; // in the order in which they were made: 1 + 2 splits
 };
 } // namespace measuredbrdf
 

@@ -39,13 +39,13 @@ void LimitInfinite(std::vector<float>& values, const BadValues& bad)
   }
 }
 
-// part(begin, end, found) over all values, in threads.
+// part(begin, end, found) over all values, in threads: the sum of what they found.
 template <typename Part>
-void ForValues(std::size_t count, BadValues& bad, Part&& part)
+BadValues ForValues(std::size_t count, Part&& part)
 {
   std::atomic<vtkIdType> negative(0);
   std::atomic<vtkIdType> notFinite(0);
-  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(count), 1 << 16,
+  ParallelFor(0, static_cast<vtkIdType>(count), 1 << 16,
     [&](vtkIdType begin, vtkIdType end)
     {
       BadValues found;
@@ -53,7 +53,7 @@ void ForValues(std::size_t count, BadValues& bad, Part&& part)
       negative += found.Negative;
       notFinite += found.NotFinite;
     });
-  bad = { negative, notFinite };
+  return { negative, notFinite };
 }
 
 // An image's scalars to clean RGB, for arrays of any kind.
@@ -86,7 +86,7 @@ struct Decoder
       }
     }
     const int gray = array->GetNumberOfComponents() == 1 ? 0 : 1;
-    ForValues(static_cast<std::size_t>(this->Count), this->Bad,
+    this->Bad = ForValues(static_cast<std::size_t>(this->Count),
       [&, gray](std::size_t begin, std::size_t end, BadValues& found)
       {
         const vtkDataArrayAccessor<Array> values(array);
@@ -127,8 +127,7 @@ float GetLargestValue(const std::vector<float>& values)
 
 BadValues CleanRadiance(std::vector<float>& values)
 {
-  BadValues bad;
-  ForValues(values.size(), bad,
+  const BadValues bad = ForValues(values.size(),
     [&values](std::size_t begin, std::size_t end, BadValues& found)
     {
       for (std::size_t k = begin; k < end; ++k)

@@ -100,27 +100,24 @@ void TexelTree::AverageTexels()
   const auto get = [&](int x, int y)
   { return glm::make_vec3(&pixels[3 * (static_cast<std::size_t>(y) * width + x)]); };
   this->Texels.resize(pixels.size() / 3);
-  measuredbrdf::ParallelFor(0, height,
-    [&](vtkIdType first, vtkIdType last)
+  ParallelForEach(
+    height,
+    [&](int y)
     {
-      std::vector<glm::vec3> row(static_cast<std::size_t>(width));
-      for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y)
+      std::vector<glm::vec3> row;
+      for (int x = 0; x < width; ++x)
       {
-        for (int x = 0; x < width; ++x)
-        {
-          row[static_cast<std::size_t>(x)] =
-            0.75f * get(x, y) +
-            0.125f * (get(x, std::max(y - 1, 0)) + get(x, std::min(y + 1, height - 1)));
-        }
-        for (int x = 0; x < width; ++x)
-        {
-          this->Texels[static_cast<std::size_t>(y) * width + x] =
-            0.75f * row[static_cast<std::size_t>(x)] +
-            0.125f * (row[static_cast<std::size_t>(x > 0 ? x - 1 : width - 1)] +
-                       row[static_cast<std::size_t>(x + 1 < width ? x + 1 : 0)]);
-        }
+        row.push_back(0.75f * get(x, y) +
+                      0.125f * (get(x, std::max(y - 1, 0)) + get(x, std::min(y + 1, height - 1))));
       }
-    });
+      for (int x = 0; x < width; ++x)
+      {
+        this->Texels[static_cast<std::size_t>(y) * width + x] =
+          0.75f * row[x] +
+          0.125f * (row[x > 0 ? x - 1 : width - 1] + row[x + 1 < width ? x + 1 : 0]);
+      }
+    },
+    nullptr, 0);
 }
 
 void TexelTree::AddLevel(std::vector<glm::dvec4>& moments)
@@ -134,12 +131,10 @@ void TexelTree::AddLevel(std::vector<glm::dvec4>& moments)
   Block black = {};
   std::fill_n(black.Directions[1], 4, 1.0f);
   level.Blocks.assign((width + 1) / 2 * static_cast<std::size_t>((level.Height + 1) / 2), black);
-  const auto sumRows = [&](vtkIdType first, vtkIdType last)
+  const auto sumRow = [&](int y)
   {
-    for (vtkIdType k = first * level.Width; k < last * level.Width; ++k)
+    for (int x = 0; x < level.Width; ++x)
     {
-      const int x = static_cast<int>(k % level.Width);
-      const int y = static_cast<int>(k / level.Width);
       glm::dvec3 irradiance(0.0);
       glm::dvec4 moment(0.0);
       double rest = 0.0;
@@ -169,10 +164,10 @@ void TexelTree::AddLevel(std::vector<glm::dvec4>& moments)
         block.Directions[c][at] = static_cast<float>(direction[c]);
       }
       block.Rests[at] = static_cast<float>(GetShareLeft(variance, rest));
-      coarse[static_cast<std::size_t>(k)] = moment;
+      coarse[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] = moment;
     }
   };
-  measuredbrdf::ParallelFor(0, level.Height, sumRows);
+  ParallelForEach(level.Height, sumRow, nullptr, 0);
   this->Levels.push_back(std::move(level));
   moments = std::move(coarse);
 }
@@ -234,19 +229,12 @@ glm::dvec3 TexelTree::GetPartRadiance(int part, int x, int y) const
   const double down = scale * (row & (halves - 1));
   const float* pixels = this->Environment->GetPixels().data();
   const auto get = [&](int i, int j)
-  { return pixels + 3 * (static_cast<std::ptrdiff_t>(j) * width + i); };
-  const float* corners[4] = { get(left, upper), get(right, upper), get(left, lower),
-    get(right, lower) };
-  glm::dvec3 radiance;
-  for (int c = 0; c < 3; ++c)
-  {
-    const double above =
-      corners[0][c] + across * (static_cast<double>(corners[1][c]) - corners[0][c]);
-    const double below =
-      corners[2][c] + across * (static_cast<double>(corners[3][c]) - corners[2][c]);
-    radiance[c] = above + down * (below - above);
-  }
-  return radiance;
+  { return glm::dvec3(glm::make_vec3(pixels + 3 * (static_cast<std::ptrdiff_t>(j) * width + i))); };
+  const glm::dvec3 first = get(left, upper), second = get(right, upper), third = get(left, lower),
+                   fourth = get(right, lower);
+  const glm::dvec3 above = first + across * (second - first);
+  const glm::dvec3 below = third + across * (fourth - third);
+  return above + down * (below - above);
 }
 
 TexelTree::Light TexelTree::Get(int level, int x, int y) const

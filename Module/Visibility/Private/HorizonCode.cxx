@@ -49,37 +49,32 @@ public:
   static constexpr int Sectors = HorizonCode::Sectors;
 
   using Interval = HorizonCode::Interval;
-  using Offset = std::function<double(int sector)>;          // of rays in their strata, 0 to 1
   using Test = std::function<bool(int sector, double sine)>; // whether a sector's middle is hidden
 
   /// hidden: of the rays, so many elevations each sector.
-  SectorIntervals(
-    const std::vector<char>& hidden, int elevations, const Offset& offset, const Test& test)
+  SectorIntervals(const std::vector<char>& hidden, int elevations, const Test& test)
     : Hidden(hidden)
     , Elevations(elevations)
-    , PlaceInStratum(offset)
     , IsHidden(test)
   {
     std::array<Flags, Sectors> flags;
     double misfit[2] = { 0.0, 0.0 };
     for (int s = 0; s < Sectors; ++s)
     {
-      Flags& own = flags[s];
-      own = this->FindFlags(s);
-      misfit[0] += this->FindRun(own).Misfit;
-      Flags visible = own;
+      flags[s] = this->FindFlags(s);
+      misfit[0] += this->FindRun(flags[s]).Misfit;
+      Flags visible = flags[s];
       visible.flip();
       misfit[1] += this->FindRun(visible).Misfit;
     }
     this->Opening = misfit[1] < misfit[0];
     for (int s = 0; s < Sectors; ++s)
     {
-      Flags& own = flags[s];
       if (this->Opening)
       {
-        own.flip();
+        flags[s].flip();
       }
-      this->Intervals[s] = this->Find(s, own);
+      this->Intervals[s] = this->Find(s, flags[s]);
     }
     this->PlaceEmpty();
   }
@@ -103,7 +98,7 @@ private:
 
   double GetPlace(int k, int sector) const
   {
-    return (k + this->PlaceInStratum(sector)) / this->Elevations;
+    return (k + HorizonCode::Rays::GetOffset(sector)) / this->Elevations;
   }
 
   bool IsInside(int sector, double sine) const
@@ -267,7 +262,6 @@ private:
 
   const std::vector<char>& Hidden;
   int Elevations;
-  Offset PlaceInStratum;
   Test IsHidden;
   bool Opening = false;
   int Zenith = -1; // whether it is inside; unknown
@@ -354,7 +348,7 @@ HorizonCode::Code HorizonCode::Encode(
   Code code = MakeOpen(normal);
   const glm::dmat3 frame = FrameAbout(UnpackNormal(code.data()));
   const int elevations = rays.GetElevations();
-  const SectorIntervals intervals(hidden, elevations, Rays::GetOffset,
+  const SectorIntervals intervals(hidden, elevations,
     [&test](int sector, double sine) { return test(Rays::Make(sector, 0.0, sine)); });
   std::array<double, sky::Harmonics> transfer{};
   int width = 0;

@@ -64,20 +64,18 @@ Face MakeFace(vtkPolyData* surface, const vtkIdType* ids, vtkIdType count)
 void HashArray(ContentHash& hash, vtkDataArray* array)
 {
   std::vector<double> values;
-  const vtkIdType count = array ? array->GetNumberOfValues() : 0;
-  const int components = array ? array->GetNumberOfComponents() : 1;
-  for (vtkIdType begin = 0; begin < count; begin += Piece * components)
+  const vtkIdType count = array ? array->GetNumberOfTuples() : 0;
+  for (vtkIdType tuple = 0; tuple < count; ++tuple)
   {
-    const vtkIdType end = std::min(begin + Piece * components, count);
-    values.clear();
-    for (vtkIdType tuple = begin / components; tuple < end / components; ++tuple)
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
     {
-      for (int c = 0; c < components; ++c)
-      {
-        values.push_back(array->GetComponent(tuple, c));
-      }
+      values.push_back(array->GetComponent(tuple, c));
     }
-    hash.AddValues(values);
+    if (tuple % Piece == Piece - 1 || tuple + 1 == count)
+    {
+      hash.AddValues(values);
+      values.clear();
+    }
   }
 }
 }

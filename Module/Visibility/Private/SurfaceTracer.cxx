@@ -13,11 +13,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace measuredbrdf
 {
-namespace tracing // SurfaceTracer::Internals has members of these types
+namespace
 {
 constexpr std::uint64_t MostElements = std::numeric_limits<std::uint32_t>::max() - 1u;
 
@@ -42,55 +43,14 @@ constexpr float EndSlack = 1.0f + 0x1p-21f;
 
 constexpr float Largest = std::numeric_limits<float>::max();
 
-struct Box
-{
-  glm::vec3 Low = glm::vec3(Largest);
-  glm::vec3 High = glm::vec3(-Largest);
+bool IsWithinRange(const glm::dvec3& v) { return std::isfinite(glm::dot(v, v)); }
+}
 
-  void Add(const Box& other)
-  {
-    this->Low = glm::min(this->Low, other.Low);
-    this->High = glm::max(this->High, other.High);
-  }
-  void Add(const glm::vec3& point)
-  {
-    this->Low = glm::min(this->Low, point);
-    this->High = glm::max(this->High, point);
-  }
-  double GetArea() const // half of it
-  {
-    const glm::dvec3 size = glm::dvec3(this->High) - glm::dvec3(this->Low);
-    return size.x < 0.0 ? 0.0 : size.x * size.y + size.y * size.z + size.z * size.x;
-  }
-};
-
-/// 16 bytes. Corners count over all surfaces' points, cells over all surfaces' cells.
-struct Triangle
-{
-  std::uint32_t Corners[3];
-  std::uint32_t Cell;
-};
-
-/// A ray in own coordinates; t is as in those of the scene.
-struct Ray
-{
-  glm::dvec3 Origin;
-  glm::dvec3 Direction;
-  double Least;
-  double Most; // t, of the nearest hit so far
-};
-
-/// Four boxes, each with a node below it or a run of triangles. Absent children have boxes that no
-/// ray meets.
-struct Node
-{
-  float Bounds[2][3][Width]; // low and high of x, y, z
-  std::uint32_t First[Width];
-  std::uint32_t Count[Width]; // of triangles from First on; 0: First is a node
-};
-
-/// The triangles of several surfaces, in single precision about the middle of the scene.
-struct TriangleSet
+/**
+ * The triangles of several surfaces, in single precision about the middle of the scene, and a tree
+ * of boxes with four children each.
+ */
+struct SurfaceTracer::Internals
 {
   /// Where a surface's points and cells begin in the counts over all surfaces.
   struct Start
@@ -98,10 +58,74 @@ struct TriangleSet
     std::uint32_t Point;
     std::uint32_t Cell;
   };
+
+  /// 16 bytes. Corners count over all surfaces' points, cells over all surfaces' cells.
+  struct Triangle
+  {
+    std::uint32_t Corners[3];
+    std::uint32_t Cell;
+  };
+
+  /// Four boxes, each with a node below it or a run of triangles. Absent children have boxes that
+  /// no ray meets.
+  struct Node
+  {
+    float Bounds[2][3][Width]; // low and high of x, y, z
+    std::uint32_t First[Width];
+    std::uint32_t Count[Width]; // of triangles from First on; 0: First is a node
+  };
+
+  /// A ray in own coordinates; t is as in those of the scene.
+  struct Ray
+  {
+    glm::dvec3 Origin;
+    glm::dvec3 Direction;
+    double Least;
+    double Most; // t, of the nearest hit so far
+  };
+
+  struct Box
+  {
+    glm::vec3 Low = glm::vec3(Largest);
+    glm::vec3 High = glm::vec3(-Largest);
+
+    void Add(const Box& other)
+    {
+      this->Low = glm::min(this->Low, other.Low);
+      this->High = glm::max(this->High, other.High);
+    }
+    glm::vec3 GetCenter() const { return 0.5f * this->Low + 0.5f * this->High; }
+    double GetArea() const // half of it
+    {
+      const glm::dvec3 size = glm::dvec3(this->High) - glm::dvec3(this->Low);
+      return size.x < 0.0 ? 0.0 : size.x * size.y + size.y * size.z + size.z * size.x;
+    }
+  };
+
+  /// Some of the triangles, while the tree is built.
+  struct Part
+  {
+    std::uint32_t Begin = 0;
+    std::uint32_t End = 0;
+    int Depth = 0; // how often the whole was cut for it
+    Box Bounds;
+    Box Centers;
+    bool IsLeaf = true; // it is not to be cut
+  };
+
+  /// Where to cut a part: behind a bin of an axis.
+  struct Split
+  {
+    int Axis = -1;
+    int Bin = 0;
+    double Cost = std::numeric_limits<double>::max();
+  };
+
   std::vector<Start> Starts;
-  std::vector<double> Positions; // until Finish
-  std::vector<float> Points;     // x, y, z in own coordinates
+  std::vector<glm::dvec3> Positions; // until Finish
+  std::vector<glm::vec3> Points;     // in own coordinates
   std::vector<Triangle> Triangles;
+  std::vector<Node> Nodes;
   std::uint64_t Cells = 0;
   vtkIdType Skipped = 0;
 
@@ -113,14 +137,35 @@ struct TriangleSet
   glm::dvec3 High = glm::dvec3(0.0);
   double Offset = 0.0;
 
-  glm::dvec3 GetPoint(std::uint32_t corner) const
+  glm::dvec3 GetPoint(std::uint32_t corner) const { return this->Points[corner]; }
+  glm::dvec3 GetNormal(const Triangle& triangle) const // times twice the area
   {
-    const float* p = &this->Points[3 * static_cast<std::size_t>(corner)];
-    return glm::dvec3(p[0], p[1], p[2]);
+    const glm::dvec3 a = this->GetPoint(triangle.Corners[0]);
+    return glm::cross(
+      this->GetPoint(triangle.Corners[1]) - a, this->GetPoint(triangle.Corners[2]) - a);
+  }
+  Box GetBox(const Triangle& triangle) const
+  {
+    Box box;
+    for (const std::uint32_t corner : triangle.Corners)
+    {
+      box.Add({ this->Points[corner], this->Points[corner] });
+    }
+    return box;
   }
 
-  int Add(vtkPolyData* surface, const double* matrix16);
+  int Add(vtkPolyData* surface, const double* m);
   void Finish();
+  void BuildTree();
+  Part MakePart(std::uint32_t begin, std::uint32_t end, int depth) const;
+  Split FindSplit(const Part& part) const;
+  std::uint32_t Cut(const Part& part);
+  std::vector<Part> Divide(const Part& whole);
+
+  static int GetBin(float center, float low, float high)
+  {
+    return std::min(static_cast<int>(Bins * ((center - low) / (high - low))), Bins - 1);
+  }
 
   /**
    * Whether the ray meets the triangle between Least and Most; then its t and weights of corners.
@@ -150,11 +195,16 @@ struct TriangleSet
     weights = glm::dvec3(u, v, w) / sum;
     return true;
   }
+
+  // The nearest hit, or with `any` the first one found; its triangle's index, or -1. A ray that is
+  // none, or not finite, meets nothing.
+  std::int64_t Trace(const double origin[3], const double direction[3], double tMin, double tMax,
+    bool any, double& t, glm::dvec3& weights) const;
 };
 
-int TriangleSet::Add(vtkPolyData* surface, const double* m)
+int SurfaceTracer::Internals::Add(vtkPolyData* surface, const double* m)
 {
-  const std::uint64_t points = this->Positions.size() / 3;
+  const std::uint64_t points = this->Positions.size();
   if (!surface ||
       points + static_cast<std::uint64_t>(surface->GetNumberOfPoints()) > MostElements ||
       this->Cells + static_cast<std::uint64_t>(surface->GetNumberOfCells()) > MostElements)
@@ -167,39 +217,36 @@ int TriangleSet::Add(vtkPolyData* surface, const double* m)
   {
     glm::dvec3 p;
     surface->GetPoint(k, &p.x);
-    for (int c = 0; c < 3; ++c)
+    glm::dvec3 placed = p;
+    for (int c = 0; c < 3 && m; ++c)
     {
-      this->Positions.push_back(
-        m ? m[4 * c] * p.x + m[4 * c + 1] * p.y + m[4 * c + 2] * p.z + m[4 * c + 3] : p[c]);
+      placed[c] = m[4 * c] * p.x + m[4 * c + 1] * p.y + m[4 * c + 2] * p.z + m[4 * c + 3];
     }
+    this->Positions.push_back(placed);
   }
   this->Skipped += ForEachFace(surface, Faces::Triangles,
     [&](const vtkIdType* corners, vtkIdType, vtkIdType cell)
     {
-      Triangle triangle;
-      triangle.Cell = start.Cell + static_cast<std::uint32_t>(cell);
+      Triangle triangle{ {}, start.Cell + static_cast<std::uint32_t>(cell) };
       bool isFinite = true;
       for (int c = 0; c < 3; ++c)
       {
         triangle.Corners[c] = start.Point + static_cast<std::uint32_t>(corners[c]);
-        const double* p = &this->Positions[3 * static_cast<std::size_t>(triangle.Corners[c])];
-        isFinite = isFinite && std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+        const glm::dvec3& p = this->Positions[triangle.Corners[c]];
+        isFinite = isFinite && std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
       }
       if (isFinite)
       {
         this->Triangles.push_back(triangle);
       }
-      else
-      {
-        ++this->Skipped;
-      }
+      this->Skipped += isFinite ? 0 : 1;
     });
   this->Cells += static_cast<std::uint64_t>(surface->GetNumberOfCells());
   return static_cast<int>(this->Starts.size()) - 1;
 }
 
 // After the last surface: to single precision about the middle, and without triangles of no area.
-void TriangleSet::Finish()
+void SurfaceTracer::Internals::Finish()
 {
   glm::dvec3 low(std::numeric_limits<double>::max());
   glm::dvec3 high(-low);
@@ -207,9 +254,8 @@ void TriangleSet::Finish()
   {
     for (const std::uint32_t corner : triangle.Corners)
     {
-      const glm::dvec3 p = glm::make_vec3(&this->Positions[3 * static_cast<std::size_t>(corner)]);
-      low = glm::min(low, p);
-      high = glm::max(high, p);
+      low = glm::min(low, this->Positions[corner]);
+      high = glm::max(high, this->Positions[corner]);
     }
   }
   if (this->Triangles.empty())
@@ -222,24 +268,23 @@ void TriangleSet::Finish()
   int exponent = 0;
   std::frexp(longest, &exponent);
   this->Scale = longest > 0.0 ? std::ldexp(1.0, -exponent) : 1.0;
-  this->Points.resize(this->Positions.size());
-  for (std::size_t k = 0; k < this->Positions.size(); ++k)
+  this->Points.reserve(this->Positions.size());
+  for (const glm::dvec3& position : this->Positions)
   {
-    const double value = (this->Positions[k] - this->Middle[static_cast<int>(k % 3)]) * this->Scale;
+    const glm::dvec3 own = (position - this->Middle) * this->Scale;
     // Points that no triangle uses may be anywhere.
-    this->Points[k] = std::abs(value) <= 1.0 ? static_cast<float>(value) : 0.0f;
+    const bool isWithin =
+      std::abs(own.x) <= 1.0 && std::abs(own.y) <= 1.0 && std::abs(own.z) <= 1.0;
+    this->Points.push_back(isWithin ? glm::vec3(own) : glm::vec3(0.0f));
   }
-  std::vector<double>().swap(this->Positions);
+  std::vector<glm::dvec3>().swap(this->Positions);
 
-  const auto hasNoArea = [this](const Triangle& triangle)
-  {
-    const glm::dvec3 a = this->GetPoint(triangle.Corners[0]);
-    const glm::dvec3 normal =
-      glm::cross(this->GetPoint(triangle.Corners[1]) - a, this->GetPoint(triangle.Corners[2]) - a);
-    const double area = glm::length(normal);
-    return !(area > 0.0) || !std::isfinite(area);
-  };
-  const auto last = std::remove_if(this->Triangles.begin(), this->Triangles.end(), hasNoArea);
+  const auto last = std::remove_if(this->Triangles.begin(), this->Triangles.end(),
+    [this](const Triangle& triangle)
+    {
+      const double area = glm::length(this->GetNormal(triangle));
+      return !(area > 0.0) || !std::isfinite(area);
+    });
   this->Skipped += static_cast<vtkIdType>(this->Triangles.end() - last);
   this->Triangles.erase(last, this->Triangles.end());
   this->Triangles.shrink_to_fit();
@@ -257,120 +302,57 @@ void TriangleSet::Finish()
  * Construction of SAH-based Bounding Volume Hierarchies"). A node's children come of cutting its
  * part, then the largest of what results, until there are four.
  */
-class TreeBuilder
+void SurfaceTracer::Internals::BuildTree()
 {
-public:
-  TreeBuilder(TriangleSet& set, std::vector<Node>& nodes)
-    : Set(set)
-    , Triangles(set.Triangles)
-    , Nodes(nodes)
+  if (this->Triangles.empty())
   {
+    return;
   }
-
-  void Run()
+  this->Nodes.emplace_back();
+  const auto all = static_cast<std::uint32_t>(this->Triangles.size());
+  std::vector<std::pair<std::uint32_t, Part>> tasks = { { 0, this->MakePart(0, all, 0) } };
+  while (!tasks.empty())
   {
-    this->Nodes.clear();
-    if (this->Triangles.empty())
+    const auto [number, whole] = tasks.back();
+    tasks.pop_back();
+    const std::vector<Part> parts = this->Divide(whole);
+    for (std::size_t k = 0; k < Width; ++k)
     {
-      return;
-    }
-    struct Task
-    {
-      std::uint32_t Node;
-      Part Whole;
-    };
-    this->Nodes.emplace_back();
-    std::vector<Task> tasks = { { 0,
-      this->MakePart(0, static_cast<std::uint32_t>(this->Triangles.size()), 0) } };
-    while (!tasks.empty())
-    {
-      const Task task = tasks.back();
-      tasks.pop_back();
-      const std::vector<Part> parts = this->Divide(task.Whole);
-      for (std::size_t k = 0; k < Width; ++k)
+      const Part part = k < parts.size() ? parts[k] : Part();
+      Node& node = this->Nodes[number];
+      for (int c = 0; c < 3; ++c)
       {
-        const Part part = k < parts.size() ? parts[k] : Part();
-        Node& node = this->Nodes[task.Node];
-        for (int c = 0; c < 3; ++c)
-        {
-          const float slack = k < parts.size() ? BoxSlack : 0.0f;
-          node.Bounds[0][c][k] = part.Bounds.Low[c] - slack;
-          node.Bounds[1][c][k] = part.Bounds.High[c] + slack;
-        }
-        node.First[k] = part.Begin;
-        node.Count[k] = part.IsLeaf ? part.End - part.Begin : 0;
-        if (!part.IsLeaf)
-        {
-          node.First[k] = static_cast<std::uint32_t>(this->Nodes.size());
-          tasks.push_back({ node.First[k], part });
-          this->Nodes.emplace_back();
-        }
+        const float slack = k < parts.size() ? BoxSlack : 0.0f;
+        node.Bounds[0][c][k] = part.Bounds.Low[c] - slack;
+        node.Bounds[1][c][k] = part.Bounds.High[c] + slack;
+      }
+      node.First[k] = part.Begin;
+      node.Count[k] = part.IsLeaf ? part.End - part.Begin : 0;
+      if (!part.IsLeaf)
+      {
+        node.First[k] = static_cast<std::uint32_t>(this->Nodes.size());
+        tasks.emplace_back(node.First[k], part);
+        this->Nodes.emplace_back();
       }
     }
-    this->Nodes.shrink_to_fit();
   }
+  this->Nodes.shrink_to_fit();
+}
 
-private:
-  struct Part
+SurfaceTracer::Internals::Part SurfaceTracer::Internals::MakePart(
+  std::uint32_t begin, std::uint32_t end, int depth) const
+{
+  Part part{ begin, end, depth, {}, {}, end - begin <= FewInLeaf };
+  for (std::uint32_t k = begin; k < end; ++k)
   {
-    std::uint32_t Begin = 0;
-    std::uint32_t End = 0;
-    int Depth = 0; // how often the whole was cut for it
-    Box Bounds;
-    Box Centers;
-    bool IsLeaf = true; // it is not to be cut
-  };
-  struct Split
-  {
-    int Axis = -1;
-    int Bin = 0; // the last one on the left
-    double Cost = std::numeric_limits<double>::max();
-  };
-
-  Box GetBox(const Triangle& triangle) const
-  {
-    Box box;
-    for (const std::uint32_t corner : triangle.Corners)
-    {
-      box.Add(glm::make_vec3(&this->Set.Points[3 * static_cast<std::size_t>(corner)]));
-    }
-    return box;
+    const Box box = this->GetBox(this->Triangles[k]);
+    part.Bounds.Add(box);
+    part.Centers.Add({ box.GetCenter(), box.GetCenter() });
   }
-  static float GetCenter(const Box& box, int axis)
-  {
-    return 0.5f * box.Low[axis] + 0.5f * box.High[axis];
-  }
-  static int GetBin(float center, float low, float high)
-  {
-    return std::min(static_cast<int>(Bins * ((center - low) / (high - low))), Bins - 1);
-  }
-  auto At(std::uint32_t k) const
-  {
-    return this->Triangles.begin() + static_cast<std::ptrdiff_t>(k);
-  }
+  return part;
+}
 
-  Part MakePart(std::uint32_t begin, std::uint32_t end, int depth) const
-  {
-    Part part{ begin, end, depth, {}, {}, end - begin <= FewInLeaf };
-    for (std::uint32_t k = begin; k < end; ++k)
-    {
-      const Box box = this->GetBox(this->Triangles[k]);
-      part.Bounds.Add(box);
-      part.Centers.Add(glm::vec3(GetCenter(box, 0), GetCenter(box, 1), GetCenter(box, 2)));
-    }
-    return part;
-  }
-
-  Split FindSplit(const Part& part) const;
-  std::uint32_t Cut(const Part& part) const;
-  std::vector<Part> Divide(const Part& whole) const;
-
-  TriangleSet& Set;
-  std::vector<Triangle>& Triangles;
-  std::vector<Node>& Nodes;
-};
-
-TreeBuilder::Split TreeBuilder::FindSplit(const Part& part) const
+SurfaceTracer::Internals::Split SurfaceTracer::Internals::FindSplit(const Part& part) const
 {
   std::array<std::array<Box, Bins>, 3> boxes;
   std::array<std::array<std::uint32_t, Bins>, 3> counts{};
@@ -378,25 +360,25 @@ TreeBuilder::Split TreeBuilder::FindSplit(const Part& part) const
   for (std::uint32_t k = part.Begin; k < part.End; ++k)
   {
     const Box box = this->GetBox(this->Triangles[k]);
+    const glm::vec3 center = box.GetCenter();
     for (int axis = 0; axis < 3; ++axis)
     {
       if (centers.High[axis] > centers.Low[axis])
       {
-        const auto bin = static_cast<std::size_t>(
-          GetBin(GetCenter(box, axis), centers.Low[axis], centers.High[axis]));
-        boxes[static_cast<std::size_t>(axis)][bin].Add(box);
-        ++counts[static_cast<std::size_t>(axis)][bin];
+        const int bin = GetBin(center[axis], centers.Low[axis], centers.High[axis]);
+        boxes[axis][bin].Add(box);
+        ++counts[axis][bin];
       }
     }
   }
   const double area = std::max(part.Bounds.GetArea(), std::numeric_limits<double>::min());
   Split best;
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  for (int axis = 0; axis < 3; ++axis)
   {
     std::array<double, Bins> right{}; // cost of all bins from here on
     Box box;
     std::uint32_t count = 0;
-    for (std::size_t bin = Bins; bin-- > 1;)
+    for (int bin = Bins; bin-- > 1;)
     {
       box.Add(boxes[axis][bin]);
       count += counts[axis][bin];
@@ -404,14 +386,14 @@ TreeBuilder::Split TreeBuilder::FindSplit(const Part& part) const
     }
     box = Box();
     count = 0;
-    for (std::size_t bin = 0; bin + 1 < Bins; ++bin)
+    for (int bin = 0; bin + 1 < Bins; ++bin)
     {
       box.Add(boxes[axis][bin]);
       count += counts[axis][bin];
       const double cost = TraversalCost + (box.GetArea() * count + right[bin + 1]) / area;
       if (count > 0 && cost < best.Cost)
       {
-        best = { static_cast<int>(axis), static_cast<int>(bin), cost };
+        best = { axis, bin, cost };
       }
     }
   }
@@ -420,7 +402,7 @@ TreeBuilder::Split TreeBuilder::FindSplit(const Part& part) const
 
 // Orders the part's triangles; returns where its second half begins, or its own begin where cutting
 // it would make rays slower.
-std::uint32_t TreeBuilder::Cut(const Part& part) const
+std::uint32_t SurfaceTracer::Internals::Cut(const Part& part)
 {
   const std::uint32_t count = part.End - part.Begin;
   const Split split = part.Depth < DeepestByArea ? this->FindSplit(part) : Split();
@@ -428,26 +410,27 @@ std::uint32_t TreeBuilder::Cut(const Part& part) const
   {
     return part.Begin;
   }
+  const auto begin = this->Triangles.begin() + part.Begin;
+  const auto end = this->Triangles.begin() + part.End;
   if (split.Axis >= 0)
   {
     const float low = part.Centers.Low[split.Axis];
     const float high = part.Centers.High[split.Axis];
-    const auto middle = std::partition(this->At(part.Begin), this->At(part.End),
+    const auto middle = std::partition(begin, end,
       [&](const Triangle& triangle)
-      { return GetBin(GetCenter(this->GetBox(triangle), split.Axis), low, high) <= split.Bin; });
+      { return GetBin(this->GetBox(triangle).GetCenter()[split.Axis], low, high) <= split.Bin; });
     return static_cast<std::uint32_t>(middle - this->Triangles.begin());
   }
   // Too deep, or all centers in one place: as many triangles on either side.
   const glm::vec3 size = part.Centers.High - part.Centers.Low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const std::uint32_t middle = part.Begin + count / 2;
-  std::nth_element(this->At(part.Begin), this->At(middle), this->At(part.End),
+  std::nth_element(begin, begin + count / 2, end,
     [this, axis](const Triangle& a, const Triangle& b)
-    { return GetCenter(this->GetBox(a), axis) < GetCenter(this->GetBox(b), axis); });
-  return middle;
+    { return this->GetBox(a).GetCenter()[axis] < this->GetBox(b).GetCenter()[axis]; });
+  return part.Begin + count / 2;
 }
 
-std::vector<TreeBuilder::Part> TreeBuilder::Divide(const Part& whole) const
+std::vector<SurfaceTracer::Internals::Part> SurfaceTracer::Internals::Divide(const Part& whole)
 {
   std::vector<Part> parts = { whole };
   while (parts.size() < Width)
@@ -472,76 +455,8 @@ std::vector<TreeBuilder::Part> TreeBuilder::Divide(const Part& whole) const
   return parts;
 }
 
-/// A ray in single precision, for boxes. It begins near the scene, where that is precise enough.
-struct NearRay
-{
-  bool Meets = false; // the scene's box
-  double Shift = 0.0; // t where it begins
-  double Length = 1.0;
-  float Origin[3];
-  float Inverse[3]; // of the unit direction
-  int Side[3];      // which of a box's planes it meets first
-  float Least;
-
-  NearRay(const TriangleSet& set, const Ray& ray)
-  {
-    double near = ray.Least;
-    double far = ray.Most;
-    const double slack = set.Offset * set.Scale;
-    this->Length = glm::length(ray.Direction);
-    for (int c = 0; c < 3; ++c)
-    {
-      const double d = ray.Direction[c];
-      const double inverse = 1.0 / std::copysign(std::max(std::abs(d), 1e-250), d);
-      const double a = (set.Low[c] - slack - ray.Origin[c]) * inverse;
-      const double b = (set.High[c] + slack - ray.Origin[c]) * inverse;
-      near = std::max(near, std::min(a, b));
-      far = std::min(far, std::max(a, b));
-    }
-    this->Meets = near <= far;
-    this->Shift = near > ray.Least ? near : 0.0;
-    for (int c = 0; c < 3; ++c)
-    {
-      this->Origin[c] = static_cast<float>(ray.Origin[c] + this->Shift * ray.Direction[c]);
-      // Never 1/0: 0 times infinity is no number.
-      const auto d = static_cast<float>(ray.Direction[c] / this->Length);
-      this->Inverse[c] = 1.0f / std::copysign(std::max(std::abs(d), 1e-20f), d);
-      this->Side[c] = std::signbit(d) ? 1 : 0;
-    }
-    this->Least = static_cast<float>((ray.Least - this->Shift) * this->Length) / EndSlack;
-  }
-
-  float GetEnd(const Ray& ray) const
-  {
-    const double most = (ray.Most - this->Shift) * this->Length;
-    return most < 0.5 * Largest ? static_cast<float>(most) * EndSlack + BoxSlack : Largest;
-  }
-};
-} // namespace tracing
-
-using namespace tracing;
-
-struct SurfaceTracer::Internals : TriangleSet
-{
-  std::vector<Node> Nodes;
-
-  // Whether the ray is one at all.
-  bool MakeRay(
-    const double origin[3], const double direction[3], double tMin, double tMax, Ray& ray) const
-  {
-    ray = { (glm::make_vec3(origin) - this->Middle) * this->Scale,
-      glm::make_vec3(direction) * this->Scale, tMin, tMax };
-    const double length = glm::dot(ray.Direction, ray.Direction);
-    return std::isfinite(glm::dot(ray.Origin, ray.Origin)) && std::isfinite(length) &&
-           length > 0.0 && tMin < tMax;
-  }
-
-  // The nearest hit, or with `any` the first one found; its triangle's index, or -1.
-  std::int64_t Trace(Ray ray, bool any, double& t, glm::dvec3& weights) const;
-};
-
-std::int64_t SurfaceTracer::Internals::Trace(
-  Ray ray, bool any, double& t, glm::dvec3& weights) const
+std::int64_t SurfaceTracer::Internals::Trace(const double origin[3], const double direction[3],
+  double tMin, double tMax, bool any, double& t, glm::dvec3& weights) const
 {
   using Lanes = Eigen::Array<float, Width, 1>;
   using Load = Eigen::Map<const Lanes>;
@@ -550,16 +465,54 @@ std::int64_t SurfaceTracer::Internals::Trace(
     std::uint32_t Node;
     float Enter;
   };
-  const NearRay near(*this, ray);
-  std::int64_t found = -1;
-  if (this->Nodes.empty() || !near.Meets)
+  Ray ray = { (glm::make_vec3(origin) - this->Middle) * this->Scale,
+    glm::make_vec3(direction) * this->Scale, tMin, tMax };
+  const double length = glm::length(ray.Direction);
+  if (!IsWithinRange(ray.Origin) || !IsWithinRange(ray.Direction) || !(length > 0.0) ||
+      !(tMin < tMax) || this->Nodes.empty())
   {
-    return found;
+    return -1;
   }
-  float end = near.GetEnd(ray);
+  // For boxes, in single precision: the ray from where it enters the scene's box on, which is
+  // precise enough there.
+  const double slack = this->Offset * this->Scale;
+  double near = tMin, far = tMax;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double d = ray.Direction[c];
+    const double inverse = 1.0 / std::copysign(std::max(std::abs(d), 1e-250), d);
+    const double a = (this->Low[c] - slack - ray.Origin[c]) * inverse;
+    const double b = (this->High[c] + slack - ray.Origin[c]) * inverse;
+    near = std::max(near, std::min(a, b));
+    far = std::min(far, std::max(a, b));
+  }
+  if (!(near <= far))
+  {
+    return -1;
+  }
+  const double shift = near > tMin ? near : 0.0; // t where it begins
+  float from[3], inverse[3];                     // of the unit direction
+  int side[3];                                   // which of a box's planes it meets first
+  for (int c = 0; c < 3; ++c)
+  {
+    from[c] = static_cast<float>(ray.Origin[c] + shift * ray.Direction[c]);
+    // Never 1/0: 0 times infinity is no number.
+    const auto d = static_cast<float>(ray.Direction[c] / length);
+    inverse[c] = 1.0f / std::copysign(std::max(std::abs(d), 1e-20f), d);
+    side[c] = std::signbit(d) ? 1 : 0;
+  }
+  const float least = static_cast<float>((tMin - shift) * length) / EndSlack;
+  const auto getEnd = [&]()
+  {
+    const double most = (ray.Most - shift) * length;
+    return most < 0.5 * Largest ? static_cast<float>(most) * EndSlack + BoxSlack : Largest;
+  };
+
+  std::int64_t found = -1;
+  float end = getEnd();
   std::array<Waiting, StackSize> stack;
   std::size_t waiting = 0;
-  stack[waiting++] = { 0, near.Least };
+  stack[waiting++] = { 0, least };
   while (waiting > 0)
   {
     const Waiting next = stack[--waiting];
@@ -568,13 +521,12 @@ std::int64_t SurfaceTracer::Internals::Trace(
       continue;
     }
     const Node& node = this->Nodes[next.Node];
-    Lanes enter = Lanes::Constant(near.Least);
+    Lanes enter = Lanes::Constant(least);
     Lanes leave = Lanes::Constant(end);
     for (int c = 0; c < 3; ++c)
     {
-      const int side = near.Side[c];
-      enter = enter.max((Load(node.Bounds[side][c]) - near.Origin[c]) * near.Inverse[c]);
-      leave = leave.min((Load(node.Bounds[1 - side][c]) - near.Origin[c]) * near.Inverse[c]);
+      enter = enter.max((Load(node.Bounds[side[c]][c]) - from[c]) * inverse[c]);
+      leave = leave.min((Load(node.Bounds[1 - side[c]][c]) - from[c]) * inverse[c]);
     }
     leave *= EndSlack;
     const std::size_t first = waiting;
@@ -611,7 +563,7 @@ std::int64_t SurfaceTracer::Internals::Trace(
         }
       }
     }
-    end = found >= 0 ? near.GetEnd(ray) : end;
+    end = found >= 0 ? getEnd() : end;
   }
   return found;
 }
@@ -631,42 +583,36 @@ int SurfaceTracer::AddSurface(vtkPolyData* surface, const double* matrix16)
 void SurfaceTracer::Build()
 {
   this->Data->Finish();
-  TreeBuilder(*this->Data, this->Data->Nodes).Run();
+  this->Data->BuildTree();
 }
 
 bool SurfaceTracer::IsOccluded(
   const double origin[3], const double direction[3], double tMin, double tMax) const
 {
-  Ray ray;
   double t = 0.0;
   glm::dvec3 weights;
-  return this->Data->MakeRay(origin, direction, tMin, tMax, ray) &&
-         this->Data->Trace(ray, true, t, weights) >= 0;
+  return this->Data->Trace(origin, direction, tMin, tMax, true, t, weights) >= 0;
 }
 
 bool SurfaceTracer::Intersect(
   const double origin[3], const double direction[3], double tMin, double tMax, Hit& hit) const
 {
   const Internals& set = *this->Data;
-  Ray ray;
   glm::dvec3 weights;
   double t = 0.0;
-  const std::int64_t found =
-    set.MakeRay(origin, direction, tMin, tMax, ray) ? set.Trace(ray, false, t, weights) : -1;
+  const std::int64_t found = set.Trace(origin, direction, tMin, tMax, false, t, weights);
   if (found < 0)
   {
     return false;
   }
-  const Triangle& triangle = set.Triangles[static_cast<std::size_t>(found)];
+  const Internals::Triangle& triangle = set.Triangles[static_cast<std::size_t>(found)];
   const auto after = std::upper_bound(set.Starts.begin(), set.Starts.end(), triangle.Corners[0],
-    [](std::uint32_t corner, const TriangleSet::Start& start) { return corner < start.Point; });
-  const TriangleSet::Start& start = *(after - 1);
+    [](std::uint32_t corner, const Internals::Start& start) { return corner < start.Point; });
+  const Internals::Start& start = *(after - 1);
   hit.T = t;
   hit.Surface = static_cast<int>(after - set.Starts.begin()) - 1;
   hit.Cell = static_cast<vtkIdType>(triangle.Cell - start.Cell);
-  const glm::dvec3 a = set.GetPoint(triangle.Corners[0]);
-  const glm::dvec3 normal = glm::normalize(
-    glm::cross(set.GetPoint(triangle.Corners[1]) - a, set.GetPoint(triangle.Corners[2]) - a));
+  const glm::dvec3 normal = glm::normalize(set.GetNormal(triangle));
   for (int c = 0; c < 3; ++c)
   {
     hit.Points[c] = static_cast<vtkIdType>(triangle.Corners[c] - start.Point);
@@ -676,17 +622,14 @@ bool SurfaceTracer::Intersect(
   return true;
 }
 
-void SurfaceTracer::GetCorners(const Hit& hit, double corners[3][3]) const
+void SurfaceTracer::GetCorners(const Hit& hit, glm::dvec3 corners[3]) const
 {
   const Internals& set = *this->Data;
   const std::uint32_t start = set.Starts[static_cast<std::size_t>(hit.Surface)].Point;
   for (int k = 0; k < 3; ++k)
   {
     const glm::dvec3 own = set.GetPoint(start + static_cast<std::uint32_t>(hit.Points[k]));
-    for (int c = 0; c < 3; ++c)
-    {
-      corners[k][c] = set.Middle[c] + own[c] / set.Scale;
-    }
+    corners[k] = set.Middle + own / set.Scale;
   }
 }
 
@@ -712,9 +655,9 @@ vtkIdType SurfaceTracer::GetNumberOfSkippedTriangles() const { return this->Data
 
 std::size_t SurfaceTracer::GetBytes() const
 {
-  return this->Data->Points.capacity() * sizeof(float) +
-         this->Data->Triangles.capacity() * sizeof(Triangle) +
-         this->Data->Nodes.capacity() * sizeof(Node);
+  return this->Data->Points.capacity() * sizeof(glm::vec3) +
+         this->Data->Triangles.capacity() * sizeof(Internals::Triangle) +
+         this->Data->Nodes.capacity() * sizeof(Internals::Node);
 }
 
 bool SurfaceTracer::GetBounds(double bounds[6]) const

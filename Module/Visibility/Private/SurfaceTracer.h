@@ -18,6 +18,8 @@
 
 #include "vtkType.h" // for vtkIdType
 
+#include <glm/glm.hpp>
+
 #include <cstddef>
 #include <memory>
 
@@ -69,7 +71,7 @@ public:
     const double origin[3], const double direction[3], double tMin, double tMax, Hit& hit) const;
 
   /// Of a hit's triangle, in Hit::Points' order.
-  void GetCorners(const Hit& hit, double corners[3][3]) const;
+  void GetCorners(const Hit& hit, glm::dvec3 corners[3]) const;
 
   /**
    * Where a ray begins that leaves a point of a surface, so that it does not meet that surface

@@ -10,16 +10,13 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <chrono>
 
 namespace measuredbrdf
 {
 namespace
 {
-// Between two reports of progress: whoever stops a trace waits that long at most.
-constexpr std::chrono::milliseconds ChunkTime(50);
-constexpr vtkIdType LeastChunk = 64;
-constexpr vtkIdType MostChunk = 1 << 16;
+// Rays between two reports of progress: some 50 ms. Whoever stops a trace waits that long at most.
+constexpr vtkIdType RaysPerReport = 1 << 16;
 
 vtkSmartPointer<vtkUnsignedCharArray> MakeBytes(vtkIdType points, int components)
 {
@@ -202,121 +199,90 @@ void SideArrays::Set(vtkIdType point, const HorizonCode::Code& code) const
     this->Light->GetPointer(point * HorizonCode::TransferBytes));
 }
 
-VisibilityTask::VisibilityTask(const SurfaceTracer& tracer,
-  const std::vector<vtkPolyData*>& surfaces, const VisibilitySettings& settings, int passes,
-  std::function<bool(double)> report)
-  : Tracer(tracer)
-  , Surfaces(surfaces)
-  , Settings(settings)
-  , Report(std::move(report))
+bool TraceVisibility(const SurfaceTracer& tracer, const std::vector<vtkPolyData*>& surfaces,
+  const VisibilitySettings& settings, const std::function<bool(double)>& report,
+  std::vector<SurfaceArrays>& traced)
 {
+  vtkIdType all = 1, done = 0;
   for (vtkPolyData* surface : surfaces)
   {
-    this->All += passes * surface->GetNumberOfPoints();
+    all +=
+      ((settings.WithSky ? 1 : 0) + (settings.WithBounce ? 1 : 0)) * surface->GetNumberOfPoints();
   }
-}
-
-// Returns whether it was not stopped. visit runs on several threads.
-template <typename Visit>
-bool VisibilityTask::ForEach(vtkIdType count, const Visit& visit)
-{
-  for (vtkIdType first = 0; first < count;)
+  // Returns whether it was not stopped. visit runs on several threads.
+  const auto forEach = [&](vtkIdType count, const auto& visit)
   {
-    const vtkIdType size = std::min(this->Chunk, count - first);
-    const auto start = std::chrono::steady_clock::now();
-    measuredbrdf::ParallelFor(first, first + size, 64,
-      [&visit](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType k = begin; k < end; ++k)
-        {
-          visit(k);
-        }
-      });
-    const auto taken = std::chrono::steady_clock::now() - start;
-    if (taken > ChunkTime)
+    const vtkIdType chunk = RaysPerReport / settings.NumberOfRays;
+    bool goesOn = true;
+    for (vtkIdType first = 0; first < count && goesOn; first += chunk)
     {
-      this->Chunk = std::max(this->Chunk / 2, LeastChunk);
+      const vtkIdType size = std::min(chunk, count - first);
+      ParallelForEach(
+        size, [&](vtkIdType k) { visit(first + k); }, nullptr, 0);
+      done += size;
+      goesOn = report(static_cast<double>(done) / static_cast<double>(all));
     }
-    else if (size == this->Chunk && taken < ChunkTime / 2)
-    {
-      this->Chunk = std::min(2 * this->Chunk, MostChunk);
-    }
-    first += size;
-    this->Done += size;
-    if (!this->Report(static_cast<double>(this->Done) / static_cast<double>(this->All)))
-    {
-      return false;
-    }
-  }
-  return true;
-}
+    return goesOn;
+  };
+  const auto getSign = [](std::size_t side) { return side == 0 ? 1.0 : -1.0; };
 
-bool VisibilityTask::TraceSky(std::vector<SurfaceArrays>& traced)
-{
-  const HorizonCode::Rays rays(this->Settings.NumberOfRays / HorizonCode::Sectors);
-  for (vtkPolyData* surface : this->Surfaces)
+  const HorizonCode::Rays rays(settings.NumberOfRays / HorizonCode::Sectors);
+  for (std::size_t s = 0; s < surfaces.size() && settings.WithSky; ++s)
   {
     SurfaceArrays arrays;
-    arrays.Key = GetSurfaceKey(surface);
-    const vtkIdType count = surface->GetNumberOfPoints();
-    const std::vector<SurfaceVertex> points = FindSurfacePoints(surface);
-    for (int side = 0; side < (this->Settings.BothSides ? 2 : 1); ++side)
+    arrays.Key = GetSurfaceKey(surfaces[s]);
+    const vtkIdType count = surfaces[s]->GetNumberOfPoints();
+    const std::vector<SurfaceVertex> points = FindSurfacePoints(surfaces[s]);
+    for (int side = 0; side < (settings.BothSides ? 2 : 1); ++side)
     {
       arrays.Sides.push_back({ MakeBytes(count, HorizonCode::SectorBytes),
         MakeBytes(count, HorizonCode::TransferBytes), nullptr, {} });
     }
-    const bool whole = this->ForEach(count,
-      [&](vtkIdType k)
+    const auto visit = [&](vtkIdType k)
+    {
+      thread_local std::vector<char> hidden;
+      for (std::size_t side = 0; side < arrays.Sides.size(); ++side)
       {
-        thread_local std::vector<char> hidden;
-        for (std::size_t side = 0; side < arrays.Sides.size(); ++side)
-        {
-          arrays.Sides[side].Set(k, TracePoint(this->Tracer, this->Settings.Farthest, rays,
-                                      points[k], side == 0 ? 1.0 : -1.0, hidden));
-        }
-      });
-    if (!whole)
+        arrays.Sides[side].Set(
+          k, TracePoint(tracer, settings.Farthest, rays, points[k], getSign(side), hidden));
+      }
+    };
+    if (!forEach(count, visit))
     {
       return false;
     }
     for (SideArrays& side : arrays.Sides)
     {
-      OpenBuriedPoints(surface, side);
+      OpenBuriedPoints(surfaces[s], side);
     }
     traced.push_back(std::move(arrays));
   }
-  return true;
-}
 
-bool VisibilityTask::TraceBounce(std::vector<SurfaceArrays>& traced)
-{
   // Half of the rays: what they add up varies less than what is hidden.
-  const HorizonCode::Rays rays(std::max(this->Settings.NumberOfRays / HorizonCode::Sectors / 2, 4));
+  const HorizonCode::Rays fewer(std::max(settings.NumberOfRays / HorizonCode::Sectors / 2, 4));
   static const std::vector<SurfaceArrays> none;
-  const std::vector<SurfaceArrays>& known = this->Settings.SelfOcclusion ? traced : none;
-  for (std::size_t s = 0; s < this->Surfaces.size(); ++s)
+  const std::vector<SurfaceArrays>& known = settings.SelfOcclusion ? traced : none;
+  for (std::size_t s = 0; s < surfaces.size() && settings.WithBounce; ++s)
   {
-    const vtkIdType count = this->Surfaces[s]->GetNumberOfPoints();
-    const std::vector<SurfaceVertex> points = FindSurfacePoints(this->Surfaces[s]);
+    const vtkIdType count = surfaces[s]->GetNumberOfPoints();
+    const std::vector<SurfaceVertex> points = FindSurfacePoints(surfaces[s]);
     std::vector<SideArrays>& sides = traced[s].Sides;
     for (SideArrays& side : sides)
     {
       side.Bounced = MakeBytes(count, BounceCode::Bytes);
     }
-    const bool whole = this->ForEach(count,
-      [&](vtkIdType k)
+    const auto visit = [&](vtkIdType k)
+    {
+      for (std::size_t side = 0; side < sides.size(); ++side)
       {
-        for (std::size_t side = 0; side < sides.size(); ++side)
-        {
-          const auto source = sides[side].Sources.find(k); // a buried point has another's
-          const vtkIdType from = source == sides[side].Sources.end() ? k : source->second;
-          const BounceCode::Code code = TraceBounced(this->Tracer, this->Settings.Farthest, rays,
-            known, points[from], side == 0 ? 1.0 : -1.0, sides[side].Get(from));
-          std::copy(
-            code.begin(), code.end(), sides[side].Bounced->GetPointer(k * BounceCode::Bytes));
-        }
-      });
-    if (!whole)
+        const auto source = sides[side].Sources.find(k); // a buried point has another's
+        const vtkIdType from = source == sides[side].Sources.end() ? k : source->second;
+        const BounceCode::Code code = TraceBounced(tracer, settings.Farthest, fewer, known,
+          points[from], getSign(side), sides[side].Get(from));
+        std::copy(code.begin(), code.end(), sides[side].Bounced->GetPointer(k * BounceCode::Bytes));
+      }
+    };
+    if (!forEach(count, visit))
     {
       return false;
     }

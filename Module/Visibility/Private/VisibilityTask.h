@@ -17,7 +17,6 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 class vtkPolyData;
@@ -48,34 +47,15 @@ struct VisibilitySettings
   bool BothSides;
   bool SelfOcclusion; // whether the tracer has the surfaces as its first ones
   double Farthest;
+  bool WithSky;    // else it is known
+  bool WithBounce; // what comes back from what hides the sky
 };
 
-class VisibilityTask
-{
-public:
-  /// passes: how many will be made. report: what share of all is done; returns whether to go on.
-  VisibilityTask(const SurfaceTracer& tracer, const std::vector<vtkPolyData*>& surfaces,
-    const VisibilitySettings& settings, int passes, std::function<bool(double)> report);
-
-  ///@{
-  /// Return whether they were not stopped. What is hidden of the sky, of each surface:
-  bool TraceSky(std::vector<SurfaceArrays>& traced);
-  /// And thereafter, what comes back from what hides it.
-  bool TraceBounce(std::vector<SurfaceArrays>& traced);
-  ///@}
-
-private:
-  template <typename Visit>
-  bool ForEach(vtkIdType count, const Visit& visit);
-
-  const SurfaceTracer& Tracer;
-  const std::vector<vtkPolyData*>& Surfaces;
-  VisibilitySettings Settings;
-  std::function<bool(double)> Report;
-  vtkIdType All = 1;
-  vtkIdType Done = 0;
-  vtkIdType Chunk = 64; // points until it is asked whether to go on: they take some 50 ms
-};
+/// Traces what is wanted, on top of what is known of each surface. report: what share of all is
+/// done; returns whether to go on. Returns whether it was not stopped.
+bool TraceVisibility(const SurfaceTracer& tracer, const std::vector<vtkPolyData*>& surfaces,
+  const VisibilitySettings& settings, const std::function<bool(double)>& report,
+  std::vector<SurfaceArrays>& traced);
 } // namespace measuredbrdf
 
 #endif

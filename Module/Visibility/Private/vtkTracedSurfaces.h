@@ -22,9 +22,9 @@ namespace measuredbrdf
 /// A point of a surface as a viewer sees it. Unit normals are on the viewer's side.
 struct SurfacePoint
 {
-  glm::dvec3 Position;
-  glm::dvec3 Normal;
-  glm::dvec3 Facet;
+  glm::dvec3 Position = glm::dvec3(0.0);
+  glm::dvec3 Normal = glm::dvec3(0.0);
+  glm::dvec3 Facet = glm::dvec3(0.0);
   int Surface = -1;
   vtkIdType Cell = 0;
 };
@@ -54,7 +54,7 @@ private:
   {
     vtkSmartPointer<vtkPolyData> Mesh; // a shallow copy: arrays are shared with the user's
     std::array<double, 16> Matrix;
-    std::vector<float> Normals; // 3 a point, world; empty: facets'
+    std::vector<glm::vec3> Normals; // of points, world; empty: facets'
   };
 
   // Just above the surface, on the viewer's side: directions below the facet meet it.

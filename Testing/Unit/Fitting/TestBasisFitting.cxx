@@ -12,14 +12,10 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 using namespace testbasis;
 
 namespace
 {
-constexpr double Hemisphere[2] = { 0.0, 90.0 };
-
 /// The material whose sum over B_k is exact: f = sum / cosines, with this one's coefficients.
 vtkSmartPointer<FunctionBRDF> MakeExact(
   vtkBasisBRDF* brdf, bool incidentCosine, bool outgoingCosine)
@@ -56,29 +52,22 @@ double GetLargestDifference(vtkBasisBRDF* a, vtkBasisBRDF* b)
 
 /// Relative L2 error over the zone of i, solid angle or projected solid angle as weight, of the
 /// exact sum with the coefficients of one sample of o (azimuth 0).
-double GetViewError(vtkBasisBRDF* brdf, vtkBRDF* truth, int t, const double zone[2],
-  bool cosineWeighted, bool clamped = false, double* smallest = nullptr)
+double GetViewError(
+  vtkBasisBRDF* brdf, vtkBRDF* truth, int t, const double zone[2], bool cosineWeighted)
 {
   const double* views = brdf->GetOutgoingZone();
   const glm::dvec3 o = FromAngles(
     ToRadians(views[0] + (views[1] - views[0]) * t / (brdf->GetNumberOfTheta() - 1)), 0.0);
-  double difference = 0.0, total = 0.0, least = 0.0, peak = 0.0;
+  double difference = 0.0, total = 0.0;
   ForZone(zone, 120, 128,
     [&](const glm::dvec3& i, double weight)
     {
       const double w = weight * (cosineWeighted ? i.z : 1.0);
       const double f = Evaluate(truth, i, o).x;
-      double g = SumExactly(brdf, i, t, 0).x;
-      least = std::min(least, g);
-      peak = std::max(peak, f);
-      g = clamped ? std::max(g, 0.0) : g;
+      const double g = SumExactly(brdf, i, t, 0).x;
       difference += w * (f - g) * (f - g);
       total += w * f * f;
     });
-  if (smallest)
-  {
-    *smallest = least / peak;
-  }
   return std::sqrt(difference / total);
 }
 
@@ -121,7 +110,7 @@ TEST(Projector, RecoversWhatLiesInTheBasis)
   {
     for (const int nPhi : { 1, 6 })
     {
-      for (const int flags : { 0, 1, 2, 3 })
+      for (const int flags : { 1, 2 }) // where cosines are: of i, of o
       {
         const bool in = (flags & 1) != 0, out = (flags & 2) != 0;
         const double high[2] = { 0.0, 85.0 };
@@ -180,31 +169,6 @@ TEST(Projector, ErrorFallsWithTheOrder)
 }
 
 //------------------------------------------------------------------------------
-// Section 6 of theory.md: harmonics of the sphere, plain projections of a lobe at 40 degrees over
-// the upper hemisphere, cosine-weighted. A clamp is never worse than nothing.
-TEST(Projector, TheClampCostsNothing)
-{
-  const double view[2] = { 40.0, 60.0 };
-  const auto measure = [&view](double exponent, int order, bool clamped)
-  {
-    const auto lobe = MakeLobe(exponent);
-    const auto brdf = Project(lobe, 0, order, Hemisphere, view,
-      [](vtkBasisProjector* projector)
-      {
-        projector->SetMethod(vtkBasisProjector::INNER_PRODUCT);
-        projector->OutgoingCosineOff();
-        projector->SetNumberOfTheta(2);
-        projector->SetNumberOfNodes(150);
-      });
-    return GetViewError(brdf, lobe, 0, Hemisphere, true, clamped);
-  };
-  EXPECT_NEAR(measure(20.0, 4, false), 0.12, 0.006);
-  EXPECT_NEAR(measure(100.0, 6, false), 0.44, 0.006);
-  EXPECT_NEAR(measure(100.0, 6, true), 0.42, 0.006);
-  EXPECT_LE(measure(20.0, 6, true), measure(20.0, 6, false));
-}
-
-//------------------------------------------------------------------------------
 // Each method is best at what it minimizes.
 TEST(Projector, MethodsMinimizeTheirOwnNorm)
 {
@@ -235,24 +199,15 @@ TEST(Projector, AnisotropicMaterials)
 {
   vtkNew<vtkAshikhminShirleyBRDF> brushed;
   brushed->SetExponents(10.0, 100.0);
-  const auto wrong = vtkSmartPointer<FunctionBRDF>::New(); // says that it is isotropic
-  wrong->Function = [&brushed](const glm::dvec3& i, const glm::dvec3& o)
-  { return Evaluate(brushed, i, o); };
-  double error[2];
-  for (const int isotropic : { 0, 1 })
-  {
-    const auto brdf = Project(isotropic ? static_cast<vtkBRDF*>(wrong) : brushed, 3, 8, Zone, Zone,
-      [](vtkBasisProjector* projector)
-      {
-        projector->SetNumberOfTheta(16);
-        projector->SetNumberOfPhi(32);
-        projector->SetNumberOfNodes(24);
-      });
-    EXPECT_EQ(brdf->GetNumberOfPhi(), isotropic ? 1 : 32);
-    error[isotropic] = GetError(brushed, brdf, 9.0, 57.0);
-  }
-  EXPECT_LT(error[0], 0.2);
-  EXPECT_GT(error[1], 3.0 * error[0]);
+  const auto brdf = Project(brushed, 3, 8, Zone, Zone,
+    [](vtkBasisProjector* projector)
+    {
+      projector->SetNumberOfTheta(16);
+      projector->SetNumberOfPhi(32);
+      projector->SetNumberOfNodes(24);
+    });
+  EXPECT_EQ(brdf->GetNumberOfPhi(), 32);
+  EXPECT_LT(GetError(brushed, brdf, 9.0, 57.0), 0.2);
 }
 
 //------------------------------------------------------------------------------
@@ -287,32 +242,10 @@ TEST(Projector, RefusesAndKeeps)
   projector->SetNumberOfTheta(3);
   projector->SetNumberOfNodes(21);
   ASSERT_TRUE(projector->Project());
-  // Setters refuse what is out of range: one message each, and the value stays (TestSetters).
-  const auto refuseValue = [&](const std::string& expected)
-  {
-    EXPECT_EQ(errors.Take(), 1);
-    EXPECT_NE(errors.GetText().find(expected), std::string::npos) << errors.GetText();
-  };
-  for (const int order : { -1, 0, 21, 100 })
-  {
-    projector->SetOrder(order);
-    refuseValue("found " + std::to_string(order) + ", expected a number from 1 to 20");
-    EXPECT_EQ(projector->GetOrder(), 6);
-  }
   projector->SetOrder(20);
   projector->SetNumberOfNodes(20);
   refuse("20 nodes, expected more than the order, 20");
   projector->SetOrder(3);
-  projector->SetIncidentZone(57.0, 9.0);
-  refuseValue("zone 57 to 9 degrees");
-  projector->SetIncidentZone(0.0, std::nan(""));
-  refuseValue("zone 0 to nan degrees");
-  projector->SetIncidentZone(9.0, 57.0);
-  projector->SetOutgoingZone(9.0, 9.5);
-  refuseValue("zone 9 to 9.5 degrees");
-  EXPECT_EQ(projector->GetOutgoingZone()[1], 90.0);
-  projector->SetOutgoingZone(9.0, 57.0);
-  EXPECT_TRUE(projector->Project());
   // Values that a coefficient can't hold.
   const auto enormous = vtkSmartPointer<FunctionBRDF>::New();
   enormous->Function = [](const glm::dvec3&, const glm::dvec3&) { return glm::dvec3(1e200); };
@@ -326,8 +259,4 @@ TEST(Projector, RefusesAndKeeps)
   projector->SetOrder(20);
   projector->SetNumberOfNodes(21);
   refuse("1387266048 coefficients, expected at most 67108864"); // before they are made
-  projector->SetOrder(3);
-  std::ostringstream text;
-  projector->Print(text);
-  EXPECT_NE(text.str().find("Order: 3"), std::string::npos);
 }

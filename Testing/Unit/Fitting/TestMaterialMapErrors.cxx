@@ -3,10 +3,9 @@
 // The edges of vtkMaterialMapFitter and of its photographs: tiny, broken, masked and mismatched.
 
 #include "ErrorCatcher.h"
+#include "ExpectStops.h"
 #include "MappedSample.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
 #include "vtkFloatArray.h"
 #include "vtkSMPTools.h"
 #include "vtkTabulatedBRDF.h"
@@ -248,12 +247,6 @@ TEST(MaterialMapFitter, IntegersAreSharesOfTheirLargest)
   EXPECT_LT(CompareWeights(other->GetOutput(), original).Largest, 0.05);
 }
 
-void ExpectSameBits(const std::vector<float>& a, const std::vector<float>& b)
-{
-  ASSERT_EQ(a.size(), b.size());
-  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(float)), 0);
-}
-
 TEST(MaterialMapFitter, TheSameBitsOnAnyNumberOfThreads)
 {
   const auto original = NewMappedSample(Two, 40);
@@ -272,67 +265,25 @@ TEST(MaterialMapFitter, TheSameBitsOnAnyNumberOfThreads)
     ASSERT_TRUE(vtkSMPTools::SetBackend("STDThread"));
     vtkSMPTools::Initialize(3);
     ASSERT_TRUE(fitter->Fit());
-    ExpectSameBits(GetValues(fitter), one);
+    const std::vector<float> several = GetValues(fitter);
+    ASSERT_EQ(several.size(), one.size());
+    EXPECT_EQ(std::memcmp(several.data(), one.data(), one.size() * sizeof(float)), 0);
     vtkSMPTools::Initialize();
     vtkSMPTools::SetBackend(usual.c_str());
   }
-}
-
-TEST(MaterialMapFitter, BandsOfTexelsChangeNothing)
-{
-  const auto original = NewMappedSample(Two, 150);
-  const auto fitter = NewFitter(NewPhotographs(original, 5), original);
-  ASSERT_TRUE(fitter->Fit());
-  EXPECT_EQ(fitter->GetNumberOfPasses(), 2);
-  const std::vector<float> whole = GetValues(fitter);
-  fitter->SetMemoryLimit(1);
-  ASSERT_TRUE(fitter->Fit());
-  EXPECT_GE(fitter->GetNumberOfPasses(), 3);
-  ExpectSameBits(GetValues(fitter), whole);
 }
 
 TEST(MaterialMapFitter, StopsWhenAskedTo)
 {
   const auto original = NewMappedSample(Two, 8);
   const auto fitter = NewFitter(NewPhotographs(original, 20), original);
-  ErrorCatcher errors(fitter);
-  struct Watch
-  {
-    double Last = -1.0;
-    double StopAt = 0.0;
-    bool Grows = true;
-  } watch;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&watch);
-  command->SetCallback(
-    [](vtkObject* caller, unsigned long, void* data, void* share)
-    {
-      auto* w = static_cast<Watch*>(data);
-      w->Grows = w->Grows && *static_cast<double*>(share) >= w->Last;
-      w->Last = *static_cast<double*>(share);
-      if (w->Last >= w->StopAt)
-      {
-        static_cast<vtkMaterialMapFitter*>(caller)->AbortOn();
-      }
-    });
-  fitter->AddObserver(vtkCommand::ProgressEvent, command);
   for (const int method : { vtkMaterialMapFitter::LIBRARY, vtkMaterialMapFitter::TABLES })
   {
     fitter->SetMethod(method);
-    for (const double share : { 0.0, 0.2, 0.4, 0.7 })
-    {
-      watch = Watch();
-      watch.StopAt = share;
-      EXPECT_FALSE(fitter->Fit());
-      EXPECT_TRUE(watch.Grows);
-      EXPECT_EQ(fitter->GetOutput(), nullptr);
-    }
+    ExpectStops(
+      fitter.Get(), [&]() { return fitter->Fit(); }, [&]() { return fitter->GetOutput(); }, 0,
+      { 0.0, 0.2, 0.4, 0.7 });
   }
-  EXPECT_EQ(errors.Take(), 0);
-  watch = Watch();
-  watch.StopAt = 2.0;
-  EXPECT_TRUE(fitter->Fit());
-  EXPECT_EQ(watch.Last, 1.0);
 }
 
 TEST(PhotographSet, RefusesDirectionsBelowTheHorizon)

@@ -54,40 +54,6 @@ TEST(Distribution1D, WithoutWeightUniform)
   EXPECT_NEAR(remainder, 0.4, 1e-12);
 }
 
-// A density p(x) = 2x on [0,1], tabulated: its CDF is x^2, and inversion follows sqrt(u), to half a
-// cell.
-TEST(Distribution1D, TabulatedDensity)
-{
-  const std::size_t n = 256;
-  std::vector<float> density(n);
-  for (std::size_t k = 0; k < n; ++k)
-  {
-    density[k] = 2.0f * (static_cast<float>(k) + 0.5f) / static_cast<float>(n);
-  }
-  const Distribution1D d(density.begin(), density.end());
-  EXPECT_NEAR(d.GetTotal() / n, 1.0, 1e-6);
-  EXPECT_EQ(d.GetCumulative(0), 0.0);
-  EXPECT_EQ(d.GetCumulative(n), 1.0);
-  for (std::size_t k = 0; k <= n; ++k)
-  {
-    const double x = double(k) / n;
-    EXPECT_NEAR(d.GetCumulative(k), x * x, 1e-6);
-  }
-  for (int k = 0; k < 1000; ++k)
-  {
-    const double u = (k + 0.5) / 1000;
-    double remainder;
-    const std::size_t cell = d.Invert(u, remainder);
-    EXPECT_NEAR((static_cast<double>(cell) + remainder) / n, std::sqrt(u), 0.5 / n);
-  }
-  // One cell, and none.
-  const Distribution1D one(density.begin(), density.begin() + 1);
-  double remainder;
-  EXPECT_EQ(one.Invert(0.25, remainder), 0u);
-  EXPECT_EQ(remainder, 0.25);
-  EXPECT_EQ(Distribution1D().GetSize(), 0u);
-}
-
 //------------------------------------------------------------------------------
 TEST(Distribution2D, SamplesFollowTheWeights)
 {

@@ -7,8 +7,6 @@
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBlinnPhongBRDF.h"
-#include "vtkCallbackCommand.h"
-#include "vtkDataArray.h"
 #include "vtkDistributionBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkImportanceLightSetGenerator.h"
@@ -17,8 +15,6 @@
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMath.h"
 #include "vtkMedianCutLightSetGenerator.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkSumBRDF.h"
 #include "vtkTabulatedBRDF.h"
@@ -75,47 +71,16 @@ void ExpectSameLuminance(vtkEnvironment* environment, vtkLightSet* lights)
   EXPECT_NEAR(vtkEnvironment::GetLuminance(GetTotal(lights).data()), expected, 1e-11 * expected);
 }
 
-double GetLuminanceSum(vtkEnvironment* environment, const int region[4])
+std::set<std::array<int, 4>> GetRegions(vtkLightSet* lights)
 {
-  double sum = 0.0;
-  for (int y = region[1]; y < region[3]; ++y)
-  {
-    for (int x = region[0]; x < region[2]; ++x)
-    {
-      double rgb[3];
-      environment->GetPixel(x, y, rgb);
-      sum += vtkEnvironment::GetLuminance(rgb) * environment->GetTexelSolidAngle(y);
-    }
-  }
-  return sum;
-}
-
-// A light as plain numbers, to compare sets.
-using Light = std::array<double, 11>;
-
-std::vector<Light> GetLights(vtkLightSet* lights)
-{
-  std::vector<Light> all;
+  std::set<std::array<int, 4>> all;
   for (int k = 0; k < lights->GetNumberOfLights(); ++k)
   {
-    Light light;
-    lights->GetDirection(k, &light[0]);
-    lights->GetIrradiance(k, &light[3]);
-    light[6] = lights->GetSolidAngle(k);
-    int region[4];
-    EXPECT_TRUE(lights->GetRegion(k, region));
-    std::copy_n(region, 4, &light[7]);
-    all.push_back(light);
+    std::array<int, 4> region;
+    EXPECT_TRUE(lights->GetRegion(k, region.data()));
+    all.insert(region);
   }
-  std::sort(all.begin(), all.end());
   return all;
-}
-
-double GetTotalLuminance(vtkEnvironment* environment)
-{
-  double total[3];
-  environment->GetTotal(total);
-  return vtkEnvironment::GetLuminance(total);
 }
 
 // Sum of luminance x |direction - centroid|^2 over a region, by the definition: two passes, no
@@ -165,7 +130,7 @@ double GetResidual(vtkEnvironment* environment, vtkLightSet* lights)
     EXPECT_TRUE(lights->GetRegion(k, region));
     sum += GetVariance(environment, region);
   }
-  return sum / GetTotalLuminance(environment);
+  return sum / vtkEnvironment::GetLuminance(GetTotal(environment).data());
 }
 
 void ExpectTiling(vtkEnvironment* environment, vtkLightSet* lights)
@@ -192,10 +157,7 @@ void ExpectTiling(vtkEnvironment* environment, vtkLightSet* lights)
 
 void ExpectSane(vtkEnvironment* environment, vtkLightSet* lights)
 {
-  double total[3];
-  double sum[3];
-  environment->GetTotal(total);
-  lights->GetTotal(sum);
+  const Color total = GetTotal(environment), sum = GetTotal(lights);
   for (int c = 0; c < 3; ++c)
   {
     EXPECT_NEAR(sum[c], total[c], 1e-12 * total[c]);
@@ -298,45 +260,6 @@ TEST(LightSet, AddsAndRefuses)
 }
 
 //------------------------------------------------------------------------------
-TEST(LightSet, PolyDataRoundTrip)
-{
-  vtkNew<vtkLightSet> lights;
-  for (int k = 0; k < 5; ++k)
-  {
-    const double direction[3] = { 1.0, k - 2.0, 0.5 * k };
-    const double irradiance[3] = { 0.1 * k, 1.0, 2.0 };
-    ASSERT_TRUE(lights->AddLight(direction, irradiance, 0.01 * k, 3.0 * k));
-  }
-  const auto geometry = vtkSmartPointer<vtkPolyData>::Take(lights->NewPolyData());
-  EXPECT_EQ(geometry->GetNumberOfVerts(), 5);
-  vtkNew<vtkLightSet> copy;
-  ErrorCatcher errors(copy);
-  ASSERT_TRUE(copy->SetPolyData(geometry));
-  ASSERT_EQ(copy->GetNumberOfLights(), 5);
-  for (int k = 0; k < 5; ++k)
-  {
-    double a[3];
-    double b[3];
-    lights->GetDirection(k, a);
-    copy->GetDirection(k, b);
-    EXPECT_NEAR(vtkMath::Distance2BetweenPoints(a, b), 0.0, 1e-30);
-    lights->GetIrradiance(k, a);
-    copy->GetIrradiance(k, b);
-    EXPECT_EQ(vtkMath::Distance2BetweenPoints(a, b), 0.0);
-    EXPECT_EQ(copy->GetSolidAngle(k), 0.01 * k);
-    EXPECT_EQ(copy->GetConcentration(k), 3.0 * k);
-  }
-  // Bad geometry changes nothing.
-  vtkNew<vtkPolyData> empty;
-  EXPECT_FALSE(copy->SetPolyData(empty));
-  EXPECT_FALSE(copy->SetPolyData(nullptr));
-  geometry->GetPointData()->GetArray("Irradiance")->SetComponent(3, 1, -1.0);
-  EXPECT_FALSE(copy->SetPolyData(geometry));
-  EXPECT_EQ(errors.Take(), 3);
-  EXPECT_EQ(copy->GetNumberOfLights(), 5);
-}
-
-//------------------------------------------------------------------------------
 TEST(Generators, RefuseBadArguments)
 {
   vtkNew<vtkEnvironment> empty;
@@ -389,6 +312,7 @@ TEST(Generators, KeepTheEnergy)
         if (!IsRandom(generator))
         {
           ExpectSane(environment, lights);
+          ExpectTiling(environment, lights);
         }
       }
     }
@@ -450,25 +374,6 @@ TEST(Generators, OfUniformMaps)
 }
 
 //------------------------------------------------------------------------------
-TEST(Generators, RegionsTileTheMap)
-{
-  vtkNew<vtkEnvironment> environment;
-  SetRandom(environment, 161, 79);
-  vtkNew<vtkLightSet> lights;
-  for (const auto& generator : MakeGenerators())
-  {
-    for (int count : { 1, 2, 64, 1024, 4096 })
-    {
-      if (!IsRandom(generator))
-      {
-        ASSERT_TRUE(generator->Generate(environment, count, lights));
-        ExpectTiling(environment, lights);
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 TEST(MedianCut, HalvesAreBalanced)
 {
   // Smooth energy: every region's share differs from 1/N by a texel row or column per cut.
@@ -492,9 +397,9 @@ TEST(MedianCut, HalvesAreBalanced)
   const double share = vtkEnvironment::GetLuminance(GetTotal(environment).data()) / 64;
   for (int k = 0; k < 64; ++k)
   {
-    int region[4];
-    ASSERT_TRUE(lights->GetRegion(k, region));
-    EXPECT_NEAR(GetLuminanceSum(environment, region), share, 0.06 * share);
+    double rgb[3];
+    lights->GetIrradiance(k, rgb);
+    EXPECT_NEAR(vtkEnvironment::GetLuminance(rgb), share, 0.06 * share);
   }
 }
 
@@ -508,43 +413,25 @@ TEST(MedianCut, PolarRegionsAreCutInLatitude)
   vtkNew<vtkMedianCutLightSetGenerator> generator;
   vtkNew<vtkLightSet> lights;
   ASSERT_TRUE(generator->Generate(environment, 8, lights));
-  std::set<std::array<int, 4>> regions;
   for (int k = 0; k < lights->GetNumberOfLights(); ++k)
   {
-    std::array<int, 4> region;
-    ASSERT_TRUE(lights->GetRegion(k, region.data()));
-    regions.insert(region);
-    // A cell's centroid by symmetry: in the middle of its azimuths.
-    double d[3];
-    lights->GetDirection(k, d);
-    double u;
-    double v;
-    vtkEnvironment::GetCoordinates(d, u, v);
-    EXPECT_NEAR(u, 0.5 * (region[0] + region[2]) / 128, 1e-12);
     // On directions: the octant's centroid has latitude atan(1/sqrt 2), not 45 degrees.
+    double d[3], u, v;
+    lights->GetDirection(k, d);
+    vtkEnvironment::GetCoordinates(d, u, v);
+    EXPECT_NEAR(std::remainder(u - 0.125, 0.25), 0.0, 1e-12);
     EXPECT_NEAR(std::abs(v - 0.5) * Pi, std::atan(std::sqrt(0.5)), 2e-3);
   }
-  std::set<std::array<int, 4>> expected;
-  for (int x = 0; x < 128; x += 32)
-  {
-    expected.insert({ x, 0, x + 32, 32 });
-    expected.insert({ x, 32, x + 32, 64 });
-  }
-  EXPECT_EQ(regions, expected);
-
   // Octants are pi/2 x pi/2, but narrower by the cosine of 45 degrees: cut in y, where the sine of
   // the latitude is nearest to 1/2 (10 rows of 2.8 degrees: 0.471; 11 rows: 0.514).
   ASSERT_TRUE(generator->Generate(environment, 16, lights));
-  ASSERT_EQ(lights->GetNumberOfLights(), 16);
-  std::set<std::pair<int, int>> rows;
-  for (int k = 0; k < 16; ++k)
+  std::set<std::array<int, 4>> expected;
+  for (int x = 0; x < 128; x += 32)
   {
-    int region[4];
-    ASSERT_TRUE(lights->GetRegion(k, region));
-    EXPECT_EQ(region[2] - region[0], 32);
-    rows.insert({ region[1], region[3] });
+    expected.insert({ { x, 0, x + 32, 21 }, { x, 21, x + 32, 32 }, { x, 32, x + 32, 43 },
+      { x, 43, x + 32, 64 } });
   }
-  EXPECT_EQ(rows, (std::set<std::pair<int, int>>{ { 0, 21 }, { 21, 32 }, { 32, 43 }, { 43, 64 } }));
+  EXPECT_EQ(GetRegions(lights), expected);
 }
 
 //------------------------------------------------------------------------------
@@ -558,12 +445,7 @@ TEST(Importance, SeedsRepeat)
     generator->SetSeed(seed);
     vtkNew<vtkLightSet> lights;
     EXPECT_TRUE(generator->Generate(environment, 32, lights));
-    std::vector<Color> directions(32);
-    for (int k = 0; k < 32; ++k)
-    {
-      lights->GetDirection(k, directions[std::size_t(k)].data());
-    }
-    return directions;
+    return GetTotal(lights);
   };
   EXPECT_EQ(run(1), run(1));
   EXPECT_NE(run(1), run(2));
@@ -598,66 +480,43 @@ TEST(Importance, SameOnEveryMachine)
 //------------------------------------------------------------------------------
 TEST(Importance, Unbiased)
 {
-  // First moments of every channel, over many seeds, against the sum over texels. Texels are
-  // constant over their area, so their moment is the integral of the direction over it.
-  const int width = 24;
-  const int height = 12;
+  // First moments of every channel, over many seeds, against the sum over texels.
   vtkNew<vtkEnvironment> environment;
-  SetRandom(environment, width, height, 9);
-  double expected[9] = {};
-  for (int y = 0; y < height; ++y)
+  SetRandom(environment, 24, 12, 9);
+  vtkEnvironment* texels = environment->GetSubdivided();
+  glm::dmat3 expected(0.0);
+  for (int k = 0; k < texels->GetWidth() * texels->GetHeight(); ++k)
   {
-    const double a = Pi * (static_cast<double>(y) / height - 0.5);
-    const double b = Pi * (static_cast<double>(y + 1) / height - 0.5);
-    const double horizontal = 0.5 * (b - a) + 0.25 * (std::sin(2.0 * b) - std::sin(2.0 * a));
-    const double vertical =
-      2.0 * Pi / width * 0.5 * (std::sin(b) * std::sin(b) - std::sin(a) * std::sin(a));
-    for (int x = 0; x < width; ++x)
-    {
-      const double p = 2.0 * Pi * (static_cast<double>(x) / width - 0.5);
-      const double q = 2.0 * Pi * (static_cast<double>(x + 1) / width - 0.5);
-      const double moment[3] = { horizontal * (std::sin(q) - std::sin(p)), vertical,
-        horizontal * (std::cos(p) - std::cos(q)) };
-      double rgb[3];
-      environment->GetPixel(x, y, rgb);
-      for (int k = 0; k < 9; ++k)
-      {
-        expected[k] += rgb[k / 3] * moment[k % 3];
-      }
-    }
+    const int x = k % texels->GetWidth(), y = k / texels->GetWidth();
+    glm::dvec3 direction, rgb;
+    texels->GetTexelDirection(x, y, &direction.x);
+    texels->GetPixel(x, y, &rgb.x);
+    expected += texels->GetTexelSolidAngle(y) * glm::outerProduct(direction, rgb);
   }
-  const int runs = 1500;
-  double sum[9] = {};
-  double squares[9] = {};
+  constexpr int runs = 1500;
+  glm::dmat3 sum(0.0), squares(0.0);
   vtkNew<vtkImportanceLightSetGenerator> generator;
   vtkNew<vtkLightSet> lights;
   for (int run = 0; run < runs; ++run)
   {
     generator->SetSeed(static_cast<unsigned int>(100 + run));
     ASSERT_TRUE(generator->Generate(environment, 16, lights));
-    double estimate[9] = {};
-    for (int j = 0; j < lights->GetNumberOfLights(); ++j)
+    glm::dmat3 estimate(0.0);
+    for (int k = 0; k < lights->GetNumberOfLights(); ++k)
     {
-      double d[3];
-      double e[3];
-      lights->GetDirection(j, d);
-      lights->GetIrradiance(j, e);
-      for (int k = 0; k < 9; ++k)
-      {
-        estimate[k] += e[k / 3] * d[k % 3];
-      }
+      glm::dvec3 direction, irradiance;
+      lights->GetDirection(k, &direction.x);
+      lights->GetIrradiance(k, &irradiance.x);
+      estimate += glm::outerProduct(direction, irradiance);
     }
-    for (int k = 0; k < 9; ++k)
-    {
-      sum[k] += estimate[k];
-      squares[k] += estimate[k] * estimate[k];
-    }
+    sum += estimate;
+    squares += glm::matrixCompMult(estimate, estimate);
   }
   for (int k = 0; k < 9; ++k)
   {
-    const double mean = sum[k] / runs;
-    const double error = std::sqrt((squares[k] / runs - mean * mean) / runs);
-    EXPECT_NEAR(mean, expected[k], 5.0 * error) << "moment " << k;
+    const double mean = sum[k / 3][k % 3] / runs;
+    const double error = std::sqrt((squares[k / 3][k % 3] / runs - mean * mean) / runs);
+    EXPECT_NEAR(mean, expected[k / 3][k % 3], 5.0 * error) << "moment " << k;
     EXPECT_GT(error, 0.0);
   }
 }
@@ -688,8 +547,6 @@ TEST(Variance, ClosedFormIsTheDefinition)
   {
     ASSERT_TRUE(generator->Generate(environment, count, lights));
     ASSERT_EQ(lights->GetNumberOfLights(), count);
-    EXPECT_NEAR(
-      generator->GetResidualVariance(), GetResidual(environment, lights), 1e-14 + 1e-12 / count);
     for (int k = 0; k < count; ++k)
     {
       int r[4];
@@ -742,20 +599,19 @@ TEST(Variance, FirstCutIsTheBestOne)
 }
 
 //------------------------------------------------------------------------------
-TEST(Variance, SetsAreNested)
+TEST(Variance, SetsAreNestedAndFollowThePixelsNotTheRotation)
 {
   vtkNew<vtkEnvironment> environment;
   SetRandom(environment, 64, 32);
   vtkNew<vtkVarianceLightSetGenerator> generator;
   vtkNew<vtkLightSet> lights;
-  std::vector<Light> last;
+  std::set<std::array<int, 4>> last;
   double residual = 2.0;
   for (int count = 1; count < 100; ++count)
   {
     ASSERT_TRUE(generator->Generate(environment, count, lights));
-    const std::vector<Light> now = GetLights(lights);
-    std::vector<Light> gone;
-    std::vector<Light> come;
+    const auto now = GetRegions(lights);
+    std::vector<std::array<int, 4>> gone, come;
     std::set_difference(last.begin(), last.end(), now.begin(), now.end(), std::back_inserter(gone));
     std::set_difference(now.begin(), now.end(), last.begin(), last.end(), std::back_inserter(come));
     if (count > 1)
@@ -763,118 +619,25 @@ TEST(Variance, SetsAreNested)
       EXPECT_EQ(gone.size(), 1u);
       EXPECT_EQ(come.size(), 2u);
     }
-    EXPECT_LT(generator->GetResidualVariance(), residual);
-    residual = generator->GetResidualVariance();
+    EXPECT_LT(GetResidual(environment, lights), residual);
+    residual = GetResidual(environment, lights);
     last = now;
   }
-  // A tree made at once has the same splits as one that grew; sums are added up in another order.
-  ASSERT_TRUE(generator->Generate(environment, 1500, lights));
-  last = GetLights(lights);
-  vtkNew<vtkVarianceLightSetGenerator> once;
-  vtkNew<vtkLightSet> other;
-  ASSERT_TRUE(once->Generate(environment, 1500, other));
-  const std::vector<Light> same = GetLights(other);
-  ASSERT_EQ(same.size(), last.size());
-  for (std::size_t k = 0; k < same.size(); ++k)
-  {
-    for (std::size_t c = 0; c < same[k].size(); ++c)
-    {
-      EXPECT_NEAR(same[k][c], last[k][c], 1e-12);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(Variance, NumberForVariance)
-{
-  vtkNew<vtkEnvironment> environment;
-  environment->SetToProceduralSky();
-  vtkNew<vtkVarianceLightSetGenerator> generator;
-  vtkNew<vtkLightSet> lights;
-  for (double target : { 1.0, 0.05, 0.01, 0.002 })
-  {
-    const int count = generator->GetNumberOfLightsForVariance(environment, target);
-    ASSERT_TRUE(generator->Generate(environment, count, lights));
-    EXPECT_LE(generator->GetResidualVariance(), target);
-    if (count > 1)
-    {
-      ASSERT_TRUE(generator->Generate(environment, count - 1, lights));
-      EXPECT_GT(generator->GetResidualVariance(), target);
-    }
-  }
-  ASSERT_TRUE(environment->SetPixels(128, 64, std::vector<float>(3 * 128 * 64, 1.0f)));
-  EXPECT_EQ(generator->GetNumberOfLightsForVariance(environment, 0.0), 128 * 64);
-  ErrorCatcher errors(generator);
-  EXPECT_EQ(generator->GetNumberOfLightsForVariance(nullptr, 0.1), 0);
-  EXPECT_EQ(generator->GetNumberOfLightsForVariance(environment, -0.1), 0);
-  EXPECT_EQ(generator->GetNumberOfLightsForVariance(environment, std::nan("")), 0);
-  EXPECT_EQ(errors.Take(), 3);
-}
-
-//------------------------------------------------------------------------------
-TEST(Variance, FollowsThePixelsNotTheRotation)
-{
-  vtkNew<vtkEnvironment> environment;
-  SetRandom(environment, 64, 32);
-  vtkNew<vtkVarianceLightSetGenerator> generator;
-  int trees = 0;
-  vtkNew<vtkCallbackCommand> count;
-  count->SetClientData(&trees);
-  count->SetCallback([](vtkObject*, unsigned long, void* data, void* progress)
-    { *static_cast<int*>(data) += *static_cast<double*>(progress) == 0.0; });
-  generator->AddObserver(vtkCommand::ProgressEvent, count);
-  vtkNew<vtkLightSet> lights;
-  ASSERT_TRUE(generator->Generate(environment, 50, lights));
-  const std::vector<Light> before = GetLights(lights);
   environment->SetRotationY(33.0);
-  ASSERT_TRUE(generator->Generate(environment, 50, lights));
-  EXPECT_EQ(GetLights(lights), before);
-  ASSERT_TRUE(generator->Generate(environment, 1000, lights));
-  EXPECT_EQ(trees, 1);
+  ASSERT_TRUE(generator->Generate(environment, 99, lights));
+  EXPECT_EQ(GetRegions(lights), last);
   SetRandom(environment, 64, 32, 2);
-  ASSERT_TRUE(generator->Generate(environment, 50, lights));
-  EXPECT_EQ(trees, 2);
-  EXPECT_NE(GetLights(lights), before);
+  ASSERT_TRUE(generator->Generate(environment, 99, lights));
+  EXPECT_NE(GetRegions(lights), last);
 }
 
 //------------------------------------------------------------------------------
-TEST(Variance, Aborts)
-{
-  vtkNew<vtkEnvironment> environment;
-  SetRandom(environment, 64, 32);
-  vtkNew<vtkVarianceLightSetGenerator> generator;
-  vtkNew<vtkLightSet> lights;
-  ASSERT_TRUE(generator->Generate(environment, 4, lights));
-  ErrorCatcher errors(generator);
-  vtkNew<vtkCallbackCommand> abort;
-  abort->SetCallback([](vtkObject* self, unsigned long, void*, void*)
-    { static_cast<vtkVarianceLightSetGenerator*>(self)->SetAbort(true); });
-  const unsigned long tag = generator->AddObserver(vtkCommand::ProgressEvent, abort);
-  SetRandom(environment, 64, 32);
-  EXPECT_FALSE(generator->Generate(environment, 64, lights));
-  EXPECT_EQ(errors.Take(), 1);
-  EXPECT_NE(errors.GetText().find("aborted"), std::string::npos);
-  EXPECT_EQ(lights->GetNumberOfLights(), 4);
-  generator->RemoveObserver(tag);
-  EXPECT_TRUE(generator->Generate(environment, 64, lights));
-  EXPECT_EQ(lights->GetNumberOfLights(), 64);
-}
-
-//------------------------------------------------------------------------------
-TEST(Variance, UniformAndSunny)
+// A sun of the sunrise's radiance before a dim sky is split off, however little area it has.
+TEST(Variance, FindsTheSun)
 {
   vtkNew<vtkEnvironment> environment;
   vtkNew<vtkLightSet> lights;
   vtkNew<vtkVarianceLightSetGenerator> generator;
-  ASSERT_TRUE(environment->SetPixels(128, 64, std::vector<float>(3 * 128 * 64, 1.0f)));
-  for (int count : { 1, 7, 8192, 16384 })
-  {
-    EXPECT_TRUE(generator->Generate(environment, count, lights));
-    EXPECT_EQ(lights->GetNumberOfLights(), std::min(count, 8192));
-    ExpectSane(environment, lights);
-    EXPECT_EQ(generator->GetResidualVariance() == 0.0, count >= 8192);
-  }
-  // A sun of the sunrise's radiance before a dim sky: split off, however little area it has.
   SetSingle(environment, 512, 256, 100, 170, { 222208.0, 222208.0, 222208.0 }, 1e-3f);
   EXPECT_TRUE(generator->Generate(environment, 64, lights));
   EXPECT_EQ(lights->GetNumberOfLights(), 64);
@@ -919,7 +682,7 @@ TEST(Variance, RadianceConverges)
       {
         EXPECT_LT(ours.RMS, median.RMS / 2.0);
         EXPECT_LT(ours.Median, median.Median / 2.0);
-        EXPECT_LT(ours.RMS, 2.0 * 0.06 * 20.0 * greedy->GetResidualVariance());
+        EXPECT_LT(ours.RMS, 2.0 * 0.06 * 20.0 * GetResidual(environment, lights));
       }
       errors.push_back(ours.RMS);
     }
@@ -1004,37 +767,7 @@ TEST(SoftLights, AreTheMeanOverTheLight)
 }
 
 //------------------------------------------------------------------------------
-TEST(SoftLights, LevelsOfATableAreTheClosedForm)
-{
-  // The table's p widened on the sphere against the lobe of the widened exponent; F = 1.
-  for (double n : { 20.0, 200.0, 2000.0 })
-  {
-    vtkNew<vtkDistributionBRDF> table;
-    table->SetBlinnDistribution(n);
-    ASSERT_TRUE(table->SetFresnel(1, { 1.0f, 1.0f, 1.0f }));
-    table->Prepare();
-    for (double kappa : { 20.0, 200.0, 2e4 })
-    {
-      const double variance = 1.0 / (4.0 * kappa); // normal view: o.h is nearly 1
-      const double widened = 1.0 / (1.0 / n + variance);
-      const double peak = (widened + 2.0) / (2.0 * Pi);
-      for (double angle : { 0.0, 0.5, 1.0 })
-      {
-        const double h = angle / std::sqrt(widened); // in widths
-        // Both directions tilted by h from the normal: i = o = h.
-        const double d[3] = { std::sin(h), 0.0, std::cos(h) };
-        double soft[3];
-        table->EvaluateSoft(d, d, 1.0 / kappa, soft);
-        const double g = 4.0 * (2.0 * d[2] - d[2] * d[2]);
-        const double expected = peak * std::pow(d[2], widened) / g;
-        EXPECT_NEAR(soft[1], expected, 0.06 * expected) << n << " " << kappa << " " << angle;
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-// The median error of 64 soft lights against that of hard ones, for lobes of exponent n.
+// The median error of 64 soft lights against that of hard ones, for lobes of exponent 500.
 TEST(SoftLights, LowerTheErrorOfSharpLobesAndTables)
 {
   const SpherePairs pairs = MakePairs();
@@ -1045,28 +778,25 @@ TEST(SoftLights, LowerTheErrorOfSharpLobesAndTables)
     vtkNew<vtkEnvironment> environment;
     hall ? environment->SetToProceduralHall() : environment->SetToProceduralSky();
     ASSERT_TRUE(generator->Generate(environment, 64, lights));
-    for (double n : { 100.0, 500.0 })
+    vtkNew<vtkBlinnPhongBRDF> phong;
+    phong->SetExponent(500.0);
+    vtkNew<vtkDistributionBRDF> distribution;
+    distribution->SetBlinnDistribution(500.0);
+    vtkNew<vtkBRDFResampler> resampler;
+    resampler->SetInput(distribution);
+    ASSERT_TRUE(resampler->ResampleTo(18, 45, 90));
+    for (vtkBRDF* lobe :
+      std::initializer_list<vtkBRDF*>{ phong.Get(), distribution.Get(), resampler->GetOutput() })
     {
-      vtkNew<vtkBlinnPhongBRDF> phong;
-      phong->SetExponent(n);
-      vtkNew<vtkDistributionBRDF> distribution;
-      distribution->SetBlinnDistribution(n);
-      vtkNew<vtkBRDFResampler> resampler;
-      resampler->SetInput(distribution);
-      ASSERT_TRUE(resampler->ResampleTo(18, 45, 90));
-      for (vtkBRDF* lobe :
-        std::initializer_list<vtkBRDF*>{ phong.Get(), distribution.Get(), resampler->GetOutput() })
-      {
-        const std::vector<glm::dvec3> exact = pairs.IntegrateExactly(lobe, environment);
-        vtkNew<vtkLightSetRadianceIntegrator> integrator;
-        integrator->SetBRDF(lobe);
-        integrator->SetLightSet(lights);
-        const Errors hard = Compare(exact, integrator, pairs);
-        integrator->SoftLightsOn();
-        const Errors soft = Compare(exact, integrator, pairs);
-        EXPECT_LT(soft.Median, hard.Median / 1.5) << hall << lobe->GetClassName() << n;
-        EXPECT_LT(soft.RMS, hard.RMS) << hall << lobe->GetClassName() << n;
-      }
+      const std::vector<glm::dvec3> exact = pairs.IntegrateExactly(lobe, environment);
+      vtkNew<vtkLightSetRadianceIntegrator> integrator;
+      integrator->SetBRDF(lobe);
+      integrator->SetLightSet(lights);
+      const Errors hard = Compare(exact, integrator, pairs);
+      integrator->SoftLightsOn();
+      const Errors soft = Compare(exact, integrator, pairs);
+      EXPECT_LT(soft.Median, hard.Median / 1.5) << hall << lobe->GetClassName();
+      EXPECT_LT(soft.RMS, hard.RMS) << hall << lobe->GetClassName();
     }
   }
 }

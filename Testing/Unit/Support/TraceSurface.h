@@ -9,13 +9,40 @@
 #define TraceSurface_h
 
 #include "HorizonCode.h"
+#include "vtkCellArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkSurfaceVisibilityFilter.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <glm/glm.hpp>
+
 #include <algorithm>
 #include <string>
+#include <vector>
+
+inline vtkSmartPointer<vtkPolyData> MakeSurface(
+  const std::vector<glm::dvec3>& points, const std::vector<std::vector<vtkIdType>>& polygons)
+{
+  vtkNew<vtkPoints> positions;
+  positions->SetDataTypeToDouble();
+  for (const glm::dvec3& p : points)
+  {
+    positions->InsertNextPoint(&p.x);
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const std::vector<vtkIdType>& polygon : polygons)
+  {
+    cells->InsertNextCell(static_cast<vtkIdType>(polygon.size()), polygon.data());
+  }
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(positions);
+  surface->SetPolys(cells);
+  return surface;
+}
 
 /// nullptr where the filter refuses or gives blocks.
 inline vtkPolyData* Trace(vtkSurfaceVisibilityFilter* filter, vtkDataObject* input)

@@ -161,35 +161,20 @@ TEST(BouncedLight, BouncesAreThoseOfTracedLight)
   std::vector<float> pixels;
   sky::Colors light;
   light.fill(glm::dvec3(0.0));
-  for (int y = 0; y < width / 2; ++y)
+  for (int k = 0; k < width * width / 2; ++k)
   {
-    for (int x = 0; x < width; ++x)
+    glm::dvec3 d;
+    vtkEnvironment::GetDirection((k % width + 0.5) / width, (k / width + 0.5) / (width / 2), &d.x);
+    const glm::vec3 radiance(1.0 + d.x, 1.0 + d.z, 1.0 + 2.0 * d.y * d.z);
+    pixels.insert(pixels.end(), &radiance.x, &radiance.x + 3);
+    const sky::Values values = sky::Evaluate(d);
+    const double solidAngle = 2.0 * Pi / width * 2.0 * std::sin(Pi / width) * std::hypot(d.x, d.z);
+    for (std::size_t j = 0; j < values.size(); ++j)
     {
-      glm::dvec3 d;
-      vtkEnvironment::GetDirection((x + 0.5) / width, (y + 0.5) / (width / 2), &d.x);
-      const glm::dvec3 radiance(1.0 + d.x, 1.0 + d.z, 1.0 + 2.0 * d.y * d.z);
-      for (int c = 0; c < 3; ++c)
-      {
-        pixels.push_back(static_cast<float>(radiance[c]));
-      }
+      light[j] += values[j] * solidAngle * glm::dvec3(radiance);
     }
   }
   environment->SetPixels(width, width / 2, pixels);
-  for (int y = 0; y < width / 2; ++y)
-  {
-    for (int x = 0; x < width; ++x)
-    {
-      glm::dvec3 d;
-      vtkEnvironment::GetDirection((x + 0.5) / width, (y + 0.5) / (width / 2), &d.x);
-      const sky::Values values = sky::Evaluate(d);
-      const float* rgb = &pixels[3 * (y * width + x)];
-      for (std::size_t j = 0; j < values.size(); ++j)
-      {
-        light[j] +=
-          values[j] * environment->GetTexelSolidAngle(y) * glm::dvec3(rgb[0], rgb[1], rgb[2]);
-      }
-    }
-  }
   vtkNew<vtkTracedScene> scene;
   scene->AddSurface(hollow);
   vtkNew<vtkLambertBRDF> white;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rays against surfaces: closed forms, and all triangles one by one.
 #include "SurfaceTracer.h"
+#include "TraceSurface.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
@@ -38,26 +39,6 @@ vtkSmartPointer<vtkPolyData> MakeFineSphere(int resolution)
   source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   source->Update();
   return source->GetOutput();
-}
-
-vtkSmartPointer<vtkPolyData> MakeSurface(
-  const std::vector<glm::dvec3>& points, const std::vector<std::vector<vtkIdType>>& polygons)
-{
-  const auto result = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> positions;
-  positions->SetDataTypeToDouble();
-  for (const glm::dvec3& p : points)
-  {
-    positions->InsertNextPoint(p.x, p.y, p.z);
-  }
-  vtkNew<vtkCellArray> cells;
-  for (const std::vector<vtkIdType>& polygon : polygons)
-  {
-    cells->InsertNextCell(static_cast<vtkIdType>(polygon.size()), polygon.data());
-  }
-  result->SetPoints(positions);
-  result->SetPolys(cells);
-  return result;
 }
 
 glm::dvec3 Draw(std::mt19937& random)

@@ -49,13 +49,13 @@ vtkIdType FindOrigin(vtkPolyData* surface)
 
 using measuredbrdf::HorizonCode;
 
-vtkSmartPointer<vtkPolyData> MakeSphere(double radius, double z)
+vtkSmartPointer<vtkPolyData> MakeSphere(double radius, double z, int resolution = 24)
 {
   vtkNew<vtkSphereSource> source;
   source->SetRadius(radius);
   source->SetCenter(0.0, 0.0, z);
-  source->SetThetaResolution(24);
-  source->SetPhiResolution(16);
+  source->SetThetaResolution(resolution);
+  source->SetPhiResolution(2 * resolution / 3);
   source->Update();
   return source->GetOutput();
 }
@@ -76,33 +76,18 @@ double GetHidden(vtkPolyData* surface, vtkIdType point, const std::string& suffi
   return HorizonCode::GetHiddenCosine(GetCode(surface, point, suffix));
 }
 
-using Point = std::array<double, 3>;
-
 // Triangles about some points of a plane z = 0, so that each has its own place.
-vtkSmartPointer<vtkPolyData> MakeFloor(const std::vector<Point>& places, double size)
+vtkSmartPointer<vtkPolyData> MakeFloor(const std::vector<glm::dvec3>& places, double size)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> triangles;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetNumberOfComponents(3);
-  for (const Point& p : places)
+  std::vector<glm::dvec3> points;
+  std::vector<std::vector<vtkIdType>> triangles;
+  for (const glm::dvec3& p : places)
   {
-    const vtkIdType first = points->InsertNextPoint(p.data());
-    points->InsertNextPoint(p[0] + size, p[1], p[2]);
-    points->InsertNextPoint(p[0], p[1] + size, p[2]);
-    const vtkIdType ids[3] = { first, first + 1, first + 2 };
-    triangles->InsertNextCell(3, ids);
-    for (int k = 0; k < 3; ++k)
-    {
-      normals->InsertNextTuple3(0.0, 0.0, 1.0);
-    }
+    const auto first = static_cast<vtkIdType>(points.size());
+    points.insert(points.end(), { p, p + glm::dvec3(size, 0, 0), p + glm::dvec3(0, size, 0) });
+    triangles.push_back({ first, first + 1, first + 2 });
   }
-  auto floor = vtkSmartPointer<vtkPolyData>::New();
-  floor->SetPoints(points);
-  floor->SetPolys(triangles);
-  floor->GetPointData()->SetNormals(normals);
-  return floor;
+  return MakeSurface(points, triangles);
 }
 
 vtkSmartPointer<vtkPolyData> MakeWall(double x, double length, double height)
@@ -113,17 +98,6 @@ vtkSmartPointer<vtkPolyData> MakeWall(double x, double length, double height)
   wall->SetPoint2(x, -length, height);
   wall->Update();
   return wall->GetOutput();
-}
-
-vtkSmartPointer<vtkPolyData> MakeBall(double z)
-{
-  vtkNew<vtkSphereSource> source;
-  source->SetCenter(0.0, 0.0, z);
-  source->SetRadius(1.0);
-  source->SetThetaResolution(120);
-  source->SetPhiResolution(80);
-  source->Update();
-  return source->GetOutput();
 }
 
 bool AreEqual(vtkPolyData* a, vtkPolyData* b)
@@ -163,30 +137,11 @@ TEST(SurfaceVisibility, TheOtherSideHasItsOwnSky)
 // Where two walls meet each hides half of what the other could see, to the last point.
 TEST(SurfaceVisibility, EdgesBelongToTheirOwnSide)
 {
-  vtkNew<vtkPolyData> corner;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkFloatArray> normals;
-  normals->SetNumberOfComponents(3);
   // A floor and a wall, two squares each; their points on the common edge are different ones.
-  const double places[12][3] = { { 0, 0, 0 }, { 50, 0, 0 }, { 50, 50, 0 }, { 0, 50, 0 },
-    { 50, 100, 0 }, { 0, 100, 0 }, { 0, 0, 0 }, { 0, 50, 0 }, { 0, 50, 50 }, { 0, 0, 50 },
-    { 0, 100, 0 }, { 0, 100, 50 } };
-  for (int k = 0; k < 12; ++k)
-  {
-    points->InsertNextPoint(places[k]);
-    normals->InsertNextTuple3(k < 6 ? 0.0 : 1.0, 0.0, k < 6 ? 1.0 : 0.0);
-  }
-  vtkNew<vtkCellArray> polygons;
-  const vtkIdType squares[4][4] = { { 0, 1, 2, 3 }, { 3, 2, 4, 5 }, { 6, 7, 8, 9 },
-    { 7, 10, 11, 8 } };
-  for (const vtkIdType* ids : squares)
-  {
-    polygons->InsertNextCell(4, ids);
-  }
-  corner->SetPoints(points);
-  corner->SetPolys(polygons);
-  corner->GetPointData()->SetNormals(normals);
+  const auto corner = MakeSurface(
+    { { 0, 0, 0 }, { 50, 0, 0 }, { 50, 50, 0 }, { 0, 50, 0 }, { 50, 100, 0 }, { 0, 100, 0 },
+      { 0, 0, 0 }, { 0, 50, 0 }, { 0, 50, 50 }, { 0, 0, 50 }, { 0, 100, 0 }, { 0, 100, 50 } },
+    { { 0, 1, 2, 3 }, { 3, 2, 4, 5 }, { 6, 7, 8, 9 }, { 7, 10, 11, 8 } });
   vtkNew<vtkSurfaceVisibilityFilter> filter;
   vtkPolyData* output = Trace(filter, corner);
   EXPECT_NEAR(GetHidden(output, 3), 0.5, 0.05);
@@ -331,22 +286,11 @@ TEST(SurfaceVisibility, TakesOddSurfaces)
 {
   vtkNew<vtkPolyData> empty;
   ExpectAllOpen(empty);
-  vtkNew<vtkPolyData> pointless;
-  vtkNew<vtkPoints> points;
-  points->InsertNextPoint(0.0, 0.0, 0.0);
-  points->InsertNextPoint(1.0, 0.0, 0.0);
-  points->InsertNextPoint(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
-  points->InsertNextPoint(0.0, 1.0, 0.0);
-  pointless->SetPoints(points);
-  ExpectAllOpen(pointless); // points of no polygon
-  vtkNew<vtkCellArray> polygons;
-  for (const std::vector<vtkIdType>& ids :
-    { std::vector<vtkIdType>{ 0, 1, 3 }, { 0, 0, 1 }, { 0, 2, 3 }, { 1, 0, 3 } })
-  {
-    polygons->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-  }
-  pointless->SetPolys(polygons); // twice the same triangle, one without area, one without a place
-  ExpectAllOpen(pointless);
+  const std::vector<glm::dvec3> points = { { 0, 0, 0 }, { 1, 0, 0 },
+    { std::numeric_limits<double>::quiet_NaN(), 0, 0 }, { 0, 1, 0 } };
+  ExpectAllOpen(MakeSurface(points, {})); // points of no polygon
+  // Twice the same triangle, one without area, one without a place.
+  ExpectAllOpen(MakeSurface(points, { { 0, 1, 3 }, { 0, 0, 1 }, { 0, 2, 3 }, { 1, 0, 3 } }));
   // Far away in large steps, and small.
   ExpectAllOpen(MakeSphere(1e6, 1e8));
   ExpectAllOpen(MakeSphere(1e-6, 0.0));
@@ -412,14 +356,14 @@ TEST(OcclusionStability, SlitsOfAnyWidth)
 TEST(OcclusionStability, ContactsAreDarkToTheLastPoint)
 {
   const std::vector<double> distances = { 0.02, 0.1, 0.3, 1.0, 3.0 };
-  std::vector<Point> places;
+  std::vector<glm::dvec3> places;
   for (const double d : distances)
   {
-    places.push_back({ d, 0.0, 0.0 });
+    places.emplace_back(d, 0.0, 0.0);
   }
   vtkNew<vtkSurfaceVisibilityFilter> filter;
   filter->SetNumberOfRays(512);
-  filter->AddOccluder(MakeBall(1.0));
+  filter->AddOccluder(MakeSphere(1.0, 1.0, 120));
   vtkPolyData* traced = Trace(filter, MakeFloor(places, 1e-3));
   for (std::size_t k = 0; k < distances.size(); ++k)
   {
@@ -433,7 +377,7 @@ TEST(OcclusionStability, OccludersMayMove)
 {
   const auto floor = MakeFloor({ { 0.0, 0.0, 0.0 } }, 1e-3);
   vtkNew<vtkPolyData> sphere;
-  sphere->DeepCopy(MakeBall(2.0));
+  sphere->DeepCopy(MakeSphere(1.0, 2.0, 120));
   vtkNew<vtkMatrix4x4> place;
   vtkNew<vtkSurfaceVisibilityFilter> filter;
   filter->SetNumberOfRays(512);
