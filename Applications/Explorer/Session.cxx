@@ -444,7 +444,7 @@ void Session::Edit(Signal changed, const std::function<void(State&)>& change)
 void Session::SetModelValues(
   const std::string& key, const std::string& parameter, const std::vector<double>& values)
 {
-  const ParametricModel* model = FindModel(GetModelFile({ key, {}, {}, {} }));
+  const ParametricModel* model = FindModel("model:" + key);
   for (const ModelParameter& one : model ? model->Parameters : std::vector<ModelParameter>())
   {
     if (one.Key == parameter && values.size() == one.Default.size())
