@@ -252,14 +252,15 @@ QWidget* MakeListPanel(Session* session)
 namespace
 {
 //------------------------------------------------------------------------------
-// A row of a table, as HTML: words in the first column, then figures.
-QString MakeRow(const QStringList& cells)
+// A row of a table, as HTML: words in the first column and the one of that number, else figures.
+QString MakeRow(const QStringList& cells, int words = -1, bool bold = false)
 {
   QString row = "<tr>";
   for (int k = 0; k < cells.size(); ++k)
   {
     row += QString("<td align='%1' style='padding:1px 6px'>%2</td>")
-             .arg(k == 0 ? "left" : "right", cells[k].toHtmlEscaped());
+             .arg(k == 0 || k == words ? "left" : "right",
+               bold ? "<b>" + cells[k].toHtmlEscaped() + "</b>" : cells[k].toHtmlEscaped());
   }
   return row + "</tr>";
 }
@@ -271,6 +272,13 @@ QString FormatError(double share)
 {
   return share < 0.0 ? QString("–") : QString::fromStdString(tool::FormatPercent(share));
 }
+
+//------------------------------------------------------------------------------
+QString FormatTime(double value) { return QString::fromStdString(tool::FormatMilliseconds(value)); }
+
+//------------------------------------------------------------------------------
+// Of a pixel, times a table's.
+QString FormatCost(double value) { return QString::number(value, 'f', 2); }
 
 //------------------------------------------------------------------------------
 // What was predicted and measured of both sides.
@@ -289,11 +297,8 @@ QString MakeFigures(const std::array<Side*, 2>& sides, const Evaluation& evaluat
     rows[2] << (side->IsReference()    ? QObject::tr("exact")
                 : figures.Error >= 0.0 ? FormatError(figures.Error)
                                        : QString("…"));
-    rows[3] << (choice < 0 ? QString("–")
-                           : QString::number(planner->GetPredictedCost(choice), 'f', 2));
-    rows[4] << (figures.Frame > 0.0
-                  ? QString::fromStdString(tool::FormatMilliseconds(figures.Frame))
-                  : QString("–"));
+    rows[3] << (choice < 0 ? QString("–") : FormatCost(planner->GetPredictedCost(choice)));
+    rows[4] << (figures.Frame > 0.0 ? FormatTime(figures.Frame) : QString("–"));
   }
   QString table;
   for (const QStringList& row : rows)
@@ -301,6 +306,28 @@ QString MakeFigures(const std::array<Side*, 2>& sides, const Evaluation& evaluat
     table += MakeRow(row);
   }
   return "<table width='100%'>" + table + "</table>";
+}
+
+//------------------------------------------------------------------------------
+// What was chosen of what, and why.
+QString MakeCandidates(vtkRadiancePlanner* planner)
+{
+  QString table = MakeRow({ QObject::tr("Method"), QObject::tr("Error"), QObject::tr("Cost"),
+                            QObject::tr("MB"), QObject::tr("Set-up"), QObject::tr("Sizes") },
+    5);
+  for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
+  {
+    const bool chosen = k == planner->GetChoice();
+    const double megabytes = 1e-6 * double(planner->GetTextureBytes(k));
+    table += MakeRow(
+      { (chosen ? "▸ " : "") + QString::fromStdString(planner->GetMethodName(k)),
+        FormatError(planner->GetPredictedError(k)), FormatCost(planner->GetPredictedCost(k)),
+        QString::number(megabytes, 'f', 2), FormatTime(planner->GetSetUpMilliseconds(k)),
+        QString::fromStdString(planner->GetDescription(k)) },
+      5, chosen);
+  }
+  return "<p>" + QString::fromStdString(planner->GetReason()).toHtmlEscaped() + "</p><table>" +
+         table + "</table>";
 }
 }
 
@@ -338,11 +365,11 @@ QWidget* MakePlanPanel(Session* session, std::array<Side*, 2> sides, Evaluation*
       if (side->GetPlanner() && side->GetPlanner()->GetChoice() >= 0)
       {
         plan = (side->IsReady() ? QString()
-                                : QObject::tr("(a new plan, or its picture, is being made)\n")) +
-               QString::fromStdString(side->GetPlanner()->GetPlan());
+                                : QObject::tr("(a new plan, or its picture, is being made) ")) +
+               MakeCandidates(side->GetPlanner());
       }
     }
-    html += "<pre>" + plan.toHtmlEscaped() + "</pre>";
+    html += plan;
     const tool::Size& size = evaluation->GetSize();
     html +=
       QObject::tr("<p>Errors are relative L1: mean |x - r| / mean r. Predicted: over a sphere "
