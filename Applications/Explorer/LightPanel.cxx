@@ -4,14 +4,12 @@
 
 #include "Controls.h"
 #include "Display.h"
-#include "RenderView.h"
 #include "Sheets.h"
 
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
 
 #include <QFormLayout>
-#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -26,15 +24,13 @@ constexpr int MapWidth = 800; // pixels of the environment's picture
 SkyView::SkyView(Session* session)
   : Model(session)
 {
-  this->setFocusPolicy(Qt::StrongFocus);
   this->setMinimumSize(200, 100);
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   this->setSizePolicy(policy);
   this->setCursor(Qt::SizeHorCursor);
   this->setAccessibleName(tr("Environment"));
-  this->setToolTip(
-    tr("Drag to turn the environment; Left and Right turn it by 1°, with Shift by 15°"));
+  this->setToolTip(tr("Drag to turn the environment"));
   connect(session, &Session::rotationChanged, this, QOverload<>::of(&QWidget::update));
 }
 
@@ -79,11 +75,6 @@ void SkyView::paintEvent(QPaintEvent*)
     painter.drawImage(frame.translated(shift - frame.width(), 0.0), this->Image);
     painter.drawImage(frame.translated(shift, 0.0), this->Image);
   }
-  if (this->hasFocus())
-  {
-    painter.setPen(this->palette().color(QPalette::Highlight));
-    painter.drawRect(frame.adjusted(0.5, 0.5, -0.5, -0.5));
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -103,20 +94,6 @@ void SkyView::mouseMoveEvent(QMouseEvent* event)
     this->Model->SetRotation(
       this->Model->GetState().Rotation - 360.0 * way / std::max(1.0, this->GetFrame().width()));
   }
-}
-
-//------------------------------------------------------------------------------
-// u falls as the environment turns.
-void SkyView::keyPressEvent(QKeyEvent* event)
-{
-  const int right = GetArrow(event).x();
-  const double step = event->modifiers() & Qt::ShiftModifier ? 15.0 : 1.0;
-  if (right == 0)
-  {
-    QWidget::keyPressEvent(event);
-    return;
-  }
-  this->Model->SetRotation(this->Model->GetState().Rotation - step * right);
 }
 
 //------------------------------------------------------------------------------
@@ -157,16 +134,12 @@ QWidget* MakeLightPanel(Session* session, Jobs* jobs)
   auto* rotation = MakeField(
     -180.0, 180.0, 1, 1.0, "°", QObject::tr("How far the environment is turned about the up axis"));
   rotation->setWrapping(true);
-  auto* lights = MakeBox(QObject::tr("Li&ghts"),
-    QObject::tr("The median-cut lights, as many as the picture's light sets have"));
-  lights->setChecked(true);
   auto* regions = MakeBox(
     QObject::tr("Re&gions"), QObject::tr("The part of the environment that each light stands for"));
   auto* row = new QHBoxLayout(environment);
   row->setContentsMargins(0, 0, 0, 0);
   AddNamed(row, QObject::tr("&Rotation"),
     Bind(rotation, session, &Session::rotationChanged, &State::Rotation));
-  row->addWidget(lights);
   row->addWidget(regions);
   row->addStretch(1);
   auto* layout = MakeColumn(panel);
@@ -197,21 +170,18 @@ QWidget* MakeLightPanel(Session* session, Jobs* jobs)
     map->SetRotationY(0.0); // the view turns the picture
     tool::LightSetOptions options;
     options.Count = session->GetState().Lights;
-    const bool withLights = lights->isChecked();
-    const bool withRegions = withLights && regions->isChecked();
-    regions->setEnabled(withLights);
+    const bool withRegions = regions->isChecked();
     jobs->Compute(
       "light map", QObject::tr("drawing the environment"),
       [=]()
       {
-        const auto set =
-          withLights ? tool::MakeLightSet(map, options) : vtkSmartPointer<vtkLightSet>::New();
-        const QString size =
-          QObject::tr("%1 x %2 pixels").arg(map->GetWidth()).arg(map->GetHeight());
+        const auto set = tool::MakeLightSet(map, options);
         return std::pair(
           MakeQImage(tool::DrawLightMap(map, set, withRegions, MapWidth, MapWidth / 2)),
-          size + (withLights ? QObject::tr("; %1 median-cut lights").arg(set->GetNumberOfLights())
-                             : QString()));
+          QObject::tr("%1 x %2 pixels; %3 median-cut lights")
+            .arg(map->GetWidth())
+            .arg(map->GetHeight())
+            .arg(set->GetNumberOfLights()));
       },
       [=](const std::pair<QImage, QString>& drawn)
       {
@@ -219,7 +189,6 @@ QWidget* MakeLightPanel(Session* session, Jobs* jobs)
         text->setText(drawn.second);
       });
   };
-  OnChange(lights, draw);
   OnChange(regions, draw);
   Follow(session, panel, { &Session::environmentChanged }, draw);
   QObject::connect(session, &Session::methodsChanged, panel,

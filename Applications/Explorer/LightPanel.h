@@ -16,7 +16,7 @@
 
 namespace explorer
 {
-/// The environment as a lat-long picture, which is turned by dragging it, or by Left and Right.
+/// The environment as a lat-long picture, which is turned by dragging it.
 class SkyView : public QWidget
 {
   Q_OBJECT
@@ -35,7 +35,6 @@ protected:
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
   QSize sizeHint() const override { return { 440, 220 }; }
   bool hasHeightForWidth() const override { return true; }
   int heightForWidth(int width) const override { return width / 2; }

@@ -18,7 +18,6 @@
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
 
-#include <QKeyEvent>
 #include <QMouseEvent>
 
 #include <glm/glm.hpp>
@@ -32,7 +31,6 @@ namespace
 {
 constexpr double HandleRadius = 1.25; // of the sphere that the ball is on; lobes reach 1
 constexpr double GrabDistance = 16.0; // pixels
-constexpr double LobeKeyStep = 5.0;   // degrees
 constexpr int Fine = 128;             // points of the lobe
 constexpr int Coarse = 48;            // while the light moves
 }
@@ -42,11 +40,9 @@ LobeView::LobeView(Session* session)
   : RenderView(tr("Lobe"))
   , Model(session)
 {
-  this->setFocusPolicy(Qt::StrongFocus);
   this->setMinimumSize(240, 200);
-  this->setToolTip(tr(
-    "Drag the yellow ball: the light's direction. Drag elsewhere: turn the view. Arrow keys move "
-    "the light"));
+  this->setToolTip(
+    tr("Drag the yellow ball: the light's direction. Drag elsewhere: turn the view"));
   this->Window->AddRenderer(this->Renderer);
   this->Renderer->SetBackground(0.16, 0.165, 0.175);
   this->Renderer->UseFXAAOn();
@@ -218,20 +214,6 @@ bool LobeView::IsOverHandle(QMouseEvent* mouse)
 {
   const QPoint distance = mouse->pos() - this->GetHandlePosition();
   return std::hypot(distance.x(), distance.y()) <= GrabDistance;
-}
-
-//------------------------------------------------------------------------------
-bool LobeView::ObeyKey(QKeyEvent* press)
-{
-  const QPoint arrow = GetArrow(press);
-  if (arrow.isNull())
-  {
-    return false;
-  }
-  const State& state = this->Model->GetState();
-  this->Model->SetLobe(
-    state.LobeThetaI + LobeKeyStep * arrow.y(), state.LobePhiI + LobeKeyStep * arrow.x());
-  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -20,9 +20,8 @@ class vtkSphereSource;
 
 namespace explorer
 {
-/// z is the normal, x the tangent. The yellow ball is where the light comes from; the arrow keys
-/// move it, too. Below the surface is what the material transmits, in another color, on the same
-/// scale.
+/// z is the normal, x the tangent. The yellow ball is where the light comes from. Below the surface
+/// is what the material transmits, in another color, on the same scale.
 class LobeView : public RenderView
 {
   Q_OBJECT
@@ -41,7 +40,6 @@ protected:
   bool IsOverHandle(QMouseEvent* mouse) override;
   void DragTo(const QPoint& place) override;
   void EndDrag() override { this->Update(); } // finely
-  bool ObeyKey(QKeyEvent* press) override;
   void PrepareFrame() override;
 
 private:

@@ -7,16 +7,13 @@
 #include "JsonReport.h"
 #include "Measuring.h"
 #include "Sheets.h"
-#include "SplitView.h"
 #include "Tool.h"
 
-#include "vtkEnvironment.h"
 #include "vtkRadiancePlanner.h"
 
 #include <QFontDatabase>
 #include <QHeaderView>
 #include <QPlainTextEdit>
-#include <QPushButton>
 #include <QScrollBar>
 #include <QTextBrowser>
 #include <QToolButton>
@@ -25,7 +22,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 namespace explorer
@@ -66,6 +62,7 @@ QWidget* MakePictureBar(Session* session)
   auto* difference = new QToolButton;
   difference->setText(QObject::tr("Difference"));
   difference->setCheckable(true);
+  difference->setShortcut(Qt::CTRL | Qt::Key_D);
   difference->setToolTip(QObject::tr("Show |A - B| instead of the pictures (Ctrl+D)"));
   auto* exposure = MakeField(-MostStops, MostStops, 1, 0.5, "",
     QObject::tr("Exposure of both sides in stops; at 0 the picture is that of the mapper"));
@@ -182,16 +179,17 @@ void AddCompareBoxes(QTreeWidget* list, Session* session)
       box->setFocusPolicy(Qt::NoFocus); // View, Compare has a key
       box->setObjectName("compare " + file);
       box->setAccessibleName(QObject::tr("Compare %1").arg(item->text(0)));
-      box->setChecked(session->IsCompared(file.toStdString()));
       list->setItemWidget(item, 1, box);
       OnChange(box, [=](bool on) { session->SetCompared(file.toStdString(), on); });
+      Follow(session, box, { &Session::comparedChanged },
+        [=]() { Show(box, session->IsCompared(file.toStdString())); });
     });
 }
 
 }
 
 //------------------------------------------------------------------------------
-QWidget* MakeListPanel(Session* session, const std::function<void(const QString&)>& open)
+QWidget* MakeListPanel(Session* session)
 {
   auto* panel = new QWidget;
   panel->setMinimumWidth(200);
@@ -208,27 +206,16 @@ QWidget* MakeListPanel(Session* session, const std::function<void(const QString&
   meshes->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
 
   auto* layout = MakeColumn(panel);
-  const auto add = [&](const QString& title, QWidget* list, const QString& kind, int stretch,
-                     const QString& toolTip)
+  const auto add = [&](const QString& title, QWidget* list, int stretch)
   {
     auto* label = new QLabel(title);
     label->setBuddy(list);
-    auto* button = new QPushButton(QObject::tr("Open…"));
-    button->setToolTip(toolTip);
-    auto* row = new QHBoxLayout;
-    row->addWidget(label);
-    row->addStretch(1);
-    row->addWidget(button);
-    layout->addLayout(row);
+    layout->addWidget(label);
     layout->addWidget(list, stretch);
-    QObject::connect(button, &QPushButton::clicked, panel, [=]() { open(kind); });
   };
-  add(QObject::tr("&Materials"), materials, "materials", 5,
-    QObject::tr("Open material files; or drop them into the window"));
-  add(QObject::tr("En&vironments"), environments, "environments", 2,
-    QObject::tr("Open environment images; or drop them into the window"));
-  add(QObject::tr("M&esh"), meshes, "meshes", 0,
-    QObject::tr("Open a mesh; or drop it into the window"));
+  add(QObject::tr("&Materials"), materials, 5);
+  add(QObject::tr("En&vironments"), environments, 2);
+  add(QObject::tr("M&esh"), meshes, 0);
 
   const auto choose = [=](QTreeWidget* list, void (Session::*set)(const std::string&))
   {
@@ -259,16 +246,6 @@ QWidget* MakeListPanel(Session* session, const std::function<void(const QString&
         AddItem(meshes, item.Name, QString::fromStdString(item.File), item.Source);
       }
       Show(meshes, QString::fromStdString(state.Mesh));
-    });
-  QObject::connect(session, &Session::comparedChanged, panel,
-    [=]()
-    {
-      ForEachItem(materials,
-        [=](QTreeWidgetItem* item, const QString& file)
-        {
-          auto* box = static_cast<QCheckBox*>(materials->itemWidget(item, 1));
-          Show(box, session->IsCompared(file.toStdString()));
-        });
     });
   return panel;
 }
@@ -356,13 +333,11 @@ QString MakeCandidates(vtkRadiancePlanner* planner)
 }
 
 //------------------------------------------------------------------------------
-QWidget* MakePlanPanel(
-  Session* session, std::array<Side*, 2> sides, Evaluation* evaluation, SplitView* view)
+QWidget* MakePlanPanel(Session* session, std::array<Side*, 2> sides, Evaluation* evaluation)
 {
   auto* panel = new QWidget;
   auto* text = new QTextBrowser;
   text->setAccessibleName(QObject::tr("Plan"));
-  auto* frame = new QLabel(QString("–"));
   auto* layout = MakeColumn(panel);
   auto* row = new QHBoxLayout;
   auto* percent = MakeField(0.1, 100.0, 2, 1.0, " %",
@@ -378,26 +353,24 @@ QWidget* MakePlanPanel(
     [=](double value) { session->SetTolerance(value / 100.0); });
   layout->addLayout(row);
   layout->addWidget(text, 1);
-  layout->addWidget(frame);
 
   const auto update = [=]()
   {
     QString html = MakeFigures(sides, *evaluation);
-    const auto planned = std::find_if(sides.begin(), sides.end(),
-      [](Side* side) { return side->GetPlanner() && side->GetPlanner()->GetChoice() >= 0; });
-    if (planned == sides.end())
+    QString plan =
+      session->IsDirectional()
+        ? QObject::tr("No plan: under one directional light there is nothing to integrate.")
+        : QObject::tr("No plan: neither side is planned, or the plan is being made.");
+    for (Side* side : { sides[1], sides[0] })
     {
-      html += session->IsDirectional()
-                ? QObject::tr("No plan: under one directional light there is nothing to integrate.")
-                : QObject::tr("No plan: neither side is planned, or the plan is being made.");
+      if (side->GetPlanner() && side->GetPlanner()->GetChoice() >= 0)
+      {
+        plan = (side->IsReady() ? QString()
+                                : QObject::tr("(a new plan, or its picture, is being made) ")) +
+               MakeCandidates(side->GetPlanner());
+      }
     }
-    else
-    {
-      html +=
-        ((*planned)->IsReady() ? QString()
-                               : QObject::tr("(a new plan, or its picture, is being made) ")) +
-        MakeCandidates((*planned)->GetPlanner());
-    }
+    html += plan;
     const tool::Size& size = evaluation->GetSize();
     html +=
       QObject::tr("<p>Errors are relative L1: mean |x - r| / mean r. Predicted: over a sphere "
@@ -415,9 +388,6 @@ QWidget* MakePlanPanel(
     QObject::connect(side, &Side::changed, panel, update);
   }
   QObject::connect(evaluation, &Evaluation::changed, panel, update);
-  QObject::connect(view, &SplitView::framed, panel,
-    [=](double milliseconds)
-    { frame->setText(QObject::tr("Last frame of the window: %1").arg(FormatTime(milliseconds))); });
   update();
   return panel;
 }
@@ -487,184 +457,87 @@ QWidget* MakeParameterRow(
 }
 
 //------------------------------------------------------------------------------
-QWidget* MakeModelPanel(Session* session, const std::function<void()>& save)
+QWidget* MakeModelPanel(Session* session)
 {
   auto* panel = new QWidget;
-  auto* models = new QComboBox;
-  models->addItem(QObject::tr("None"), QString());
-  for (const ParametricModel& model : GetModels())
-  {
-    AddItem(models, model.Name, QString::fromStdString(GetModelFile(model)));
-  }
-  models->setAccessibleName(QObject::tr("Model"));
-  models->setObjectName("models");
-  auto* button = new QPushButton(QObject::tr("&Save as…"));
-  button->setToolTip(QObject::tr("Write the material with these parameters to a file (.exr)"));
   auto* text = new QLabel;
   text->setWordWrap(true);
-  auto* row = new QHBoxLayout;
-  AddNamed(row, QObject::tr("&Model"), models);
-  row->addWidget(button);
-  row->setStretchFactor(models, 1);
   auto* layout = MakeColumn(panel);
-  layout->addLayout(row);
   layout->addWidget(text);
   layout->addStretch(1);
-
-  const auto update = [=]()
-  {
-    const std::string& file = session->GetState().Material;
-    const ParametricModel* model = FindModel(file);
-    Show(models, model ? QString::fromStdString(file) : QString());
-    auto* before = panel->findChild<QWidget*>("parameters", Qt::FindDirectChildrenOnly);
-    if (before && before->property("model").toString() == models->currentData().toString())
+  Follow(session, panel, { &Session::listsChanged },
+    [=]()
     {
-      return;
-    }
-    delete before;
-    auto* rows = new QWidget;
-    rows->setObjectName("parameters");
-    rows->setProperty("model", models->currentData());
-    layout->insertWidget(2, rows);
-    text->setText(model ? QString::fromStdString(model->Description)
-                        : QObject::tr("The material that is shown is no model. Choose one here or "
-                                      "in the list of materials."));
-    auto* column = new QVBoxLayout(rows);
-    column->setContentsMargins(0, 0, 0, 0);
-    for (const ModelParameter& parameter :
-      model ? model->Parameters : std::vector<ModelParameter>())
-    {
-      for (std::size_t k = 0; k < parameter.Default.size(); ++k)
+      const ParametricModel* model = FindModel(session->GetState().Material);
+      const QString key = model ? QString::fromStdString(model->Key) : QString();
+      auto* before = panel->findChild<QWidget*>("parameters", Qt::FindDirectChildrenOnly);
+      if (before && before->property("model").toString() == key)
       {
-        column->addWidget(MakeParameterRow(session, *model, parameter, k));
+        return;
       }
-    }
-  };
-  QObject::connect(button, &QPushButton::clicked, panel, [save]() { save(); });
-  OnChange(models,
-    [=](const QVariant& file)
-    {
-      if (!file.toString().isEmpty())
+      delete before;
+      auto* rows = new QWidget;
+      rows->setObjectName("parameters");
+      rows->setProperty("model", key);
+      layout->insertWidget(1, rows);
+      text->setText(model ? QString::fromStdString(model->Name + ": " + model->Description)
+                          : QObject::tr("The material that is shown is no model. Choose one in the "
+                                        "list of materials."));
+      auto* column = new QVBoxLayout(rows);
+      column->setContentsMargins(0, 0, 0, 0);
+      for (const ModelParameter& parameter :
+        model ? model->Parameters : std::vector<ModelParameter>())
       {
-        session->SetMaterial(file.toString().toStdString());
-      }
-      else
-      {
-        update(); // "none" is no choice
+        for (std::size_t k = 0; k < parameter.Default.size(); ++k)
+        {
+          column->addWidget(MakeParameterRow(session, *model, parameter, k));
+        }
       }
     });
-  Follow(session, panel, { &Session::listsChanged }, update);
   return panel;
 }
 
 namespace
 {
-// Where a deviation is worth a warning.
-constexpr double ReciprocityLimit = 0.01; // relative
-constexpr double Rounding = 1e-9;
-constexpr double NegativeMassLimit = 0.001; // share
-
 //------------------------------------------------------------------------------
-std::string Format(const char* format, double value)
+// What was measured, which says how good the material is, before what it is.
+nlohmann::ordered_json PutFindingsFirst(const nlohmann::ordered_json& info)
 {
-  char text[64];
-  std::snprintf(text, sizeof(text), format, value);
-  return text;
-}
-
-//------------------------------------------------------------------------------
-Finding FindTransmission(const nlohmann::ordered_json& transmission)
-{
-  const auto share = [](const nlohmann::ordered_json& row)
+  nlohmann::ordered_json sorted;
+  for (const char* key :
+    { "name", "reciprocity_error", "reciprocal_by_construction", "largest_albedo", "gains_energy",
+      "negative_values", "negative_mass", "invalid_values", "transmission" })
   {
-    const std::array<double, 3> rgb = row["light"];
-    return tool::FormatPercent(vtkEnvironment::GetLuminance(rgb.data()));
-  };
-  const nlohmann::ordered_json& rows = transmission["per_angle"];
-  const double total = transmission["largest_reflectance_and_transmittance"];
-  const bool gains = transmission["gains_energy"];
-  return { !gains, "Transmission",
-    "Transmits " + share(rows.front()) + " of light along the normal, " + share(rows.back()) +
-      " at " + Format("%.0f degrees", rows.back()["degrees"]) + "; with what is reflected " +
-      Format("%.3f at most (azimuths averaged)", total) +
-      (gains ? ": more light than it gets" : "") + ". Not drawn in the picture" };
-}
-}
-
-//------------------------------------------------------------------------------
-std::vector<Finding> FindFindings(const nlohmann::ordered_json& info)
-{
-  std::vector<Finding> findings;
-  const double reciprocity = info["reciprocity_error"];
-  findings.push_back({ reciprocity <= ReciprocityLimit, "Reciprocity",
-    (reciprocity < Rounding
-        ? std::string("f(i,o) and f(o,i) are equal but for rounding")
-        : "f(i,o) and f(o,i) differ by " + tool::FormatPercent(reciprocity) + " (RMS " +
-            tool::FormatPercent(info["reciprocity_rms_error"]) + ")") +
-      (info["reciprocal_by_construction"] ? "; reciprocal by construction" : "") });
-  const double albedo = info["largest_albedo"];
-  const bool gains = info["gains_energy"];
-  findings.push_back({ !gains, "Energy",
-    "The largest albedo is " + Format("%.3f", albedo) +
-      (gains ? ": the material gives back more light than it gets"
-             : "; no reflectance is above 1") });
-  const std::size_t negative = info["negative_values"];
-  const double mass = info["negative_mass"];
-  findings.push_back({ mass <= NegativeMassLimit, "Negative values",
-    negative == 0 && !(mass > 0.0) ? std::string("None")
-                                   : tool::FormatCount(negative, "stored value") + ", " +
-                                       tool::FormatPercent(mass) + " of all f, clamped to 0" });
-  const std::size_t invalid = info["invalid_values"];
-  findings.push_back({ invalid == 0, "Invalid values",
-    invalid == 0 ? std::string("None")
-                 : tool::FormatCount(invalid, "stored value") + " not finite, replaced" });
-  if (info.contains("transmission"))
-  {
-    findings.push_back(FindTransmission(info["transmission"]));
+    if (info.contains(key))
+    {
+      sorted[key] = info[key];
+    }
   }
-  return findings;
-}
-
-//------------------------------------------------------------------------------
-QString MakeFindingsTable(const nlohmann::ordered_json& info)
-{
-  QString rows;
-  for (const Finding& finding : FindFindings(info))
+  for (const auto& [key, value] : info.items())
   {
-    rows += QString("<tr><td style='color:%1'>%2</td><td style='padding:2px "
-                    "8px'><b>%3</b></td><td>%4</td></tr>")
-              .arg(finding.IsGood ? "#2e8c3e" : "#c8641e", finding.IsGood ? "✔" : "⚠",
-                QString::fromStdString(finding.Name).toHtmlEscaped(),
-                QString::fromStdString(finding.Text).toHtmlEscaped());
+    sorted[key] = value;
   }
-  return "<table>" + rows + "</table>";
+  return sorted;
+}
 }
 
 //------------------------------------------------------------------------------
 QWidget* MakeFindingsPanel(Session* session)
 {
-  auto* panel = new QWidget;
-  auto* findings = new QLabel;
-  findings->setObjectName("findings");
-  findings->setWordWrap(true);
-  findings->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  findings->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* text = new QPlainTextEdit;
+  text->setObjectName("findings");
   text->setReadOnly(true);
   text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   text->setLineWrapMode(QPlainTextEdit::NoWrap);
   text->setAccessibleName(QObject::tr("What is known of the material"));
-  auto* layout = MakeColumn(panel);
-  layout->addWidget(findings);
-  layout->addWidget(text, 1);
-  Follow(session, panel, { &Session::materialChanged, &Session::inspected },
+  Follow(session, text, { &Session::materialChanged, &Session::inspected },
     [=]()
     {
       const nlohmann::ordered_json& info = session->GetInspection();
-      findings->setText(info.is_null() ? QObject::tr("Being measured …") : MakeFindingsTable(info));
       text->setPlainText(
-        info.is_null() ? QString() : QString::fromStdString(tool::FormatReport(info)));
+        info.is_null() ? QObject::tr("Being measured …")
+                       : QString::fromStdString(tool::FormatReport(PutFindingsFirst(info))));
     });
-  return panel;
+  return text;
 }
 } // namespace explorer

@@ -2,20 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderView.h"
 
-#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QTimer>
 
 namespace explorer
 {
-//------------------------------------------------------------------------------
-QPoint GetArrow(const QKeyEvent* press)
-{
-  const int key = press->key();
-  return { (key == Qt::Key_Right) - (key == Qt::Key_Left),
-    (key == Qt::Key_Down) - (key == Qt::Key_Up) };
-}
-
 //------------------------------------------------------------------------------
 RenderView::RenderView(const QString& name, QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
@@ -90,7 +81,6 @@ bool RenderView::event(QEvent* event)
       }
       break;
     case QEvent::KeyPress:
-      return this->ObeyKey(static_cast<QKeyEvent*>(event)) || QOpenGLWidget::event(event);
     case QEvent::KeyRelease:
       return QOpenGLWidget::event(event);
     default:

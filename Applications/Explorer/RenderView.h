@@ -14,14 +14,10 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 
-class QKeyEvent;
 class QMouseEvent;
 
 namespace explorer
 {
-/// Where an arrow key points to, right and down; (0, 0) for other keys.
-QPoint GetArrow(const QKeyEvent* press);
-
 class RenderView : public QVTKOpenGLNativeWidget
 {
   Q_OBJECT
@@ -42,9 +38,6 @@ protected:
   virtual void DragTo(const QPoint&) {}
   virtual void EndDrag() {}
   ///@}
-
-  /// Whether a key was for this view; it has been obeyed then.
-  virtual bool ObeyKey(QKeyEvent*) { return false; }
 
   /// What is to be done before a frame that was requested.
   virtual void PrepareFrame() {}

@@ -254,7 +254,8 @@ void Session::ReadCompared()
   for (const std::string& file : this->Current.Compared)
   {
     const auto found = this->Compared.find(file);
-    if (found == this->Compared.end() || found->second.Values != FindValues(file, models))
+    if (found == this->Compared.end() || found->second.Info.is_null() ||
+        found->second.Values != FindValues(file, models))
     {
       missing.push_back(file);
     }
@@ -272,25 +273,33 @@ void Session::ReadCompared()
         {
           return;
         }
-        ShownMaterial read;
+        const auto show = [this, &post](const ShownMaterial& read)
+        {
+          post(
+            [this, read]()
+            {
+              this->Compared[read.Material.File] = read;
+              Q_EMIT this->comparedChanged();
+            });
+        };
         const auto problem = measuredbrdf::FindThrown(
           [&]()
           {
-            read = ReadMaterial(file, models);
-            read.Info = tool::InspectMaterial(read.Material);
+            ShownMaterial read = ReadMaterial(file, models);
+            const tool::Material snapshot = MakeSnapshot(read.Material);
+            show(read);
+            read.Info = tool::InspectMaterial(snapshot); // for the albedo, which takes longer
+            show(read);
           });
-        post(
-          [=]()
-          {
-            if (problem)
+        if (problem)
+        {
+          post(
+            [=]()
             {
               this->Say(QString::fromStdString(*problem), true);
               this->SetCompared(file, false);
-              return;
-            }
-            this->Compared[file] = read;
-            Q_EMIT this->comparedChanged();
-          });
+            });
+        }
       }
     });
 }
@@ -444,7 +453,7 @@ void Session::Edit(Signal changed, const std::function<void(State&)>& change)
 void Session::SetModelValues(
   const std::string& key, const std::string& parameter, const std::vector<double>& values)
 {
-  const ParametricModel* model = FindModel(GetModelFile({ key, {}, {}, {} }));
+  const ParametricModel* model = FindModel("model:" + key);
   for (const ModelParameter& one : model ? model->Parameters : std::vector<ModelParameter>())
   {
     if (one.Key == parameter && values.size() == one.Default.size())

@@ -232,8 +232,7 @@ SplitView::SplitView(Session* session, Jobs* jobs, std::array<Side*, 2> sides, Q
   style->AddObserver(vtkCommand::EndInteractionEvent, this, &SplitView::OnMoved);
   this->interactor()->SetInteractorStyle(style);
   style->SetDefaultRenderer(this->Front);
-  this->Window->AddObserver(vtkCommand::StartEvent, this, &SplitView::OnBegin);
-  this->Window->AddObserver(vtkCommand::EndEvent, this, &SplitView::OnEnd);
+  this->Window->AddObserver(vtkCommand::StartEvent, this, &SplitView::PlaceCameras);
 
   connect(session, &Session::pictureChanged, this, &SplitView::UpdatePicture);
   connect(session, &Session::rotationChanged, this, &SplitView::UpdatePicture);
@@ -462,22 +461,6 @@ void SplitView::PlaceCameras()
 }
 
 //------------------------------------------------------------------------------
-void SplitView::OnBegin()
-{
-  this->PlaceCameras();
-  this->Begin = std::chrono::steady_clock::now();
-}
-
-//------------------------------------------------------------------------------
-void SplitView::OnEnd()
-{
-  this->Window->WaitForCompletion();
-  Q_EMIT this->framed(
-    std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - this->Begin)
-      .count());
-}
-
-//------------------------------------------------------------------------------
 // A frame that is not shown is drawn to the end.
 QImage SplitView::Grab()
 {
@@ -508,10 +491,10 @@ void SplitView::DragTo(const QPoint& place)
 }
 
 //------------------------------------------------------------------------------
-bool SplitView::ObeyKey(QKeyEvent* press)
+void SplitView::keyPressEvent(QKeyEvent* event)
 {
-  const int right = GetArrow(press).x();
+  const int right = (event->key() == Qt::Key_Right) - (event->key() == Qt::Key_Left);
   this->Model->SetSplit(this->Model->GetState().Split + 0.01 * right);
-  return right != 0;
+  event->setAccepted(right != 0);
 }
 } // namespace explorer

@@ -18,7 +18,6 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
-#include <chrono>
 #include <memory>
 
 class vtkActor;
@@ -67,13 +66,10 @@ public:
   /// Where the line is, in the widget's pixels.
   int GetLinePosition() const;
 
-Q_SIGNALS:
-  void framed(double milliseconds);
-
 protected:
   bool IsOverHandle(QMouseEvent* mouse) override;
   void DragTo(const QPoint& place) override;
-  bool ObeyKey(QKeyEvent* press) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
 private:
   void UpdatePicture();
@@ -82,8 +78,6 @@ private:
   void UpdateBackdrop();
   void MakeLabels();
   void PlaceCameras();
-  void OnBegin();
-  void OnEnd();
   void OnMoved();
   void TakeCamera();
   bool IsDifference() const;
@@ -105,7 +99,6 @@ private:
   vtkNew<vtkActor2D> Line;
   std::array<vtkNew<vtkTextActor>, 2> Labels;
   vtkSmartPointer<vtkScalarBarActor> Legend;
-  std::chrono::steady_clock::time_point Begin;
   double Factor = 1.0; // of radiance
 };
 } // namespace explorer

@@ -3,18 +3,22 @@
 #include "Window.h"
 
 #include "Files.h"
+#include "Inspection.h"
 #include "LightPanel.h"
 #include "LobePanel.h"
 #include "Materials.h"
+#include "MeasuredBRDFToolVersion.h"
+#include "Measuring.h"
 #include "Meshes.h"
 #include "Panels.h"
 #include "ParallelFor.h"
-#include "Report.h"
 #include "SlicePanel.h"
 #include "Tool.h"
 
 #include "vtkBRDFReader.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkRadianceMetrics.h"
 #include "vtkRadiancePlanner.h"
 
 #include <QAction>
@@ -31,13 +35,14 @@
 #include <QStatusBar>
 #include <QSurfaceFormat>
 #include <QTabWidget>
-#include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <clocale>
 #include <functional>
+
+using nlohmann::ordered_json;
 
 namespace explorer
 {
@@ -87,56 +92,130 @@ void Ask(QWidget* parent, const QString& title, const QString& name, const QStri
 }
 }
 
-/// A line above the picture for errors and notes, which does not stop anything.
-class MessageBar : public QFrame
+/// All that a report is made of, so that a thread can make it: a page (.html, one
+/// file with its pictures) or figures (.json).
+struct ReportData
 {
-public:
-  MessageBar()
-    : Text(new QLabel)
-  {
-    this->setFrameShape(QFrame::StyledPanel);
-    this->Text->setWordWrap(true);
-    this->Text->setTextFormat(Qt::PlainText);
-    this->Text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto* close = new QToolButton;
-    close->setText("×");
-    close->setAutoRaise(true);
-    close->setToolTip(QObject::tr("Hide this message"));
-    close->setAccessibleName(QObject::tr("Hide this message"));
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(8, 4, 4, 4);
-    layout->addWidget(this->Text, 1);
-    layout->addWidget(close, 0, Qt::AlignTop);
-    this->Timer.setSingleShot(true);
-    connect(&this->Timer, &QTimer::timeout, this, &QWidget::hide);
-    connect(close, &QToolButton::clicked, this, &QWidget::hide);
-    this->hide();
-  }
-
-  /// Errors stay until they are closed or another message comes; notes go after a while.
-  void Show(const QString& text, bool isError)
-  {
-    if (text.isEmpty() || (!isError && this->isVisible() && !this->Timer.isActive()))
-    {
-      return; // a note does not hide an error
-    }
-    const QString printable =
-      QString::fromStdString(vtkBRDFReader::GetPrintable(text.toStdString()));
-    this->Text->setText(
-      printable.size() > MostCharacters ? printable.left(MostCharacters) + "…" : printable);
-    this->Text->setToolTip(printable.size() > MostCharacters ? printable : QString());
-    this->setStyleSheet(
-      isError ? "background: #7a251f; color: white" : "background: #2d4a66; color: white");
-    isError ? this->Timer.stop() : this->Timer.start(NoteTime);
-    this->show();
-  }
-
-  QString GetText() const { return this->isHidden() ? QString() : this->Text->text(); }
-
-private:
-  QLabel* Text;
-  QTimer Timer;
+  ordered_json Figures; // all but the errors of its "sides"
+  tool::Size Size{ 1, 1 };
+  std::shared_ptr<const tool::Surface> Visible;
+  std::vector<double> Reference;
+  std::array<std::vector<double>, 2> Radiance; // of the sides, 3 doubles a pixel of the surface
+  std::vector<std::pair<QString, QImage>> Pictures; // with titles
 };
+
+namespace
+{
+const char* const Style =
+  "body{font-family:sans-serif;max-width:60em;margin:2em auto;padding:0 1em;color:#222}"
+  "table{border-collapse:collapse}td,th{padding:.2em .8em;border-bottom:1px solid "
+  "#ddd;text-align:left}"
+  "td.n{text-align:right}img{max-width:100%}pre{background:#f4f4f4;padding:1em;overflow:auto}";
+
+//------------------------------------------------------------------------------
+QString Escape(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
+
+//------------------------------------------------------------------------------
+QString Embed(const QImage& image)
+{
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  image.save(&buffer, "PNG");
+  return "data:image/png;base64," + QString::fromLatin1(bytes.toBase64());
+}
+
+//------------------------------------------------------------------------------
+QString MakePage(const ReportData& data, const ordered_json& report)
+{
+  const QString title = Escape(report["material"]) + " under " + Escape(report["environment"]);
+  QString page = "<!DOCTYPE html><html><head><meta charset='utf-8'><title>" + title +
+                 "</title><style>" + Style + "</style></head><body><h1>" + title + "</h1>";
+  for (const auto& [name, image] : data.Pictures)
+  {
+    page += "<h2>" + name.toHtmlEscaped() + "</h2><img alt='" + name.toHtmlEscaped() + "' src='" +
+            Embed(image) + "'>";
+  }
+  page += "<h2>Methods</h2><table><tr><th></th><th>A</th><th>B</th></tr>";
+  // A figure of both sides, or "–" where one has none.
+  using Format = std::function<std::string(double)>;
+  const auto row = [&](const std::string& name, const std::string& key, const Format& format)
+  {
+    const ordered_json::json_pointer pointer(key);
+    page += "<tr><td>" + QString::fromStdString(name) + "</td>";
+    for (const ordered_json& side : report["sides"])
+    {
+      const bool has = side.contains(pointer) && side[pointer].is_number();
+      page +=
+        "<td class='n'>" + (has ? QString::fromStdString(format(side[pointer])) : "–") + "</td>";
+    }
+    page += "</tr>";
+  };
+  page += "<tr><td>Method</td><td>" + Escape(report["sides"][0]["description"]) + "</td><td>" +
+          Escape(report["sides"][1]["description"]) + "</td></tr>";
+  row("Frame", "/frame_ms", &tool::FormatMilliseconds);
+  row("Predicted error", "/predicted_error", &tool::FormatPercent);
+  for (const tool::Metric& metric : tool::GetMetrics())
+  {
+    row(
+      metric.Label, "/errors/" + metric.Name,
+      metric.Relative ? Format(&tool::FormatPercent)
+                      : [](double value) { return QString::number(value, 'g', 3).toStdString(); });
+  }
+  page +=
+    QString("</table><p>Errors are of this view in %1 x %2 pixels, against the exact picture. "
+            "The frame is one of that size.</p>")
+      .arg(data.Size.Width)
+      .arg(data.Size.Height);
+  if (report.contains("light"))
+  {
+    page += QString("<p>One directional light: polar angle %1°, azimuth %2°, irradiance %3.</p>")
+              .arg(report["light"]["theta"].get<double>())
+              .arg(report["light"]["phi"].get<double>())
+              .arg(report["light"]["irradiance"].get<double>());
+  }
+  if (report["plan"] != "")
+  {
+    page += "<h2>Plan</h2><pre>" + Escape(report["plan"]) + "</pre>";
+  }
+  if (report.contains("info"))
+  {
+    page += "<h2>Material</h2><pre>" + Escape(tool::FormatReport(report["info"])) + "</pre>";
+  }
+  return page + "<h2>State</h2><pre>" + Escape(report["state"].dump(2)) +
+         "</pre><p>measured-brdf " MEASUREDBRDF_VERSION "</p></body></html>\n";
+}
+
+//------------------------------------------------------------------------------
+// As the path's ending says, .html or .json; whole or not at all: the figures with the sides'
+// errors by every metric of `compare`, and the page with its pictures. Throws tool::Error.
+void WriteReport(const ReportData& data, const std::string& path)
+{
+  const std::string ending = tool::Extension(path);
+  if (ending != ".html" && ending != ".json")
+  {
+    throw tool::Error(path + ": a report's name ends in .html or .json");
+  }
+  tool::CheckWritable(path);
+  ordered_json report = data.Figures;
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    if (!data.Reference.empty() && data.Radiance[k].size() == data.Reference.size())
+    {
+      vtkNew<vtkRadianceMetrics> metrics;
+      tool::Measure(
+        metrics, tool::Grid(*data.Visible, data.Size), data.Radiance[k], data.Reference);
+      for (const tool::Metric& metric : tool::GetMetrics())
+      {
+        report["sides"][k]["errors"][metric.Name] = metric.Get(metrics); // NaN becomes null
+      }
+    }
+  }
+  tool::WriteWhole(path,
+    ending == ".html" ? MakePage(data, report).toStdString()
+                      : report.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+}
+}
 
 //------------------------------------------------------------------------------
 Application::Application(int& argc, char* argv[])
@@ -179,8 +258,7 @@ Window::Window(const State& state, QWidget* parent)
   this->MakeMenus();
   this->UpdateTitle();
 
-  connect(this->Model, &Session::messaged, this,
-    [this](const QString& text, bool isError) { this->Messages->Show(text, isError); });
+  connect(this->Model, &Session::messaged, this, &Window::ShowMessage);
   for (const auto signal : { &Session::materialChanged, &Session::environmentChanged })
   {
     connect(this->Model, signal, this, &Window::UpdateTitle);
@@ -211,7 +289,14 @@ Window::~Window()
 //------------------------------------------------------------------------------
 void Window::MakePanels()
 {
-  this->Messages = new MessageBar;
+  this->Messages = new QLabel;
+  this->Messages->setMargin(6);
+  this->Messages->setWordWrap(true);
+  this->Messages->setTextInteractionFlags(Qt::TextBrowserInteraction);
+  this->Messages->hide();
+  this->MessageTimer.setSingleShot(true);
+  connect(this->Messages, &QLabel::linkActivated, this->Messages, &QWidget::hide);
+  connect(&this->MessageTimer, &QTimer::timeout, this->Messages, &QWidget::hide);
   auto* middle = new QWidget;
   auto* layout = new QVBoxLayout(middle);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -225,12 +310,11 @@ void Window::MakePanels()
   this->Tabs->setDocumentMode(true);
   this->Tabs->setUsesScrollButtons(false); // the panel is as wide as its tabs: none is hidden
   const std::pair<QString, QWidget*> tabs[] = {
-    { tr("Plan"), MakePlanPanel(this->Model, this->Sides, this->Measured, this->View) },
+    { tr("Plan"), MakePlanPanel(this->Model, this->Sides, this->Measured) },
     { tr("Lobe"), MakeLobePanel(this->Model) }, { tr("Slices"), MakeSlicePanel(this->Model) },
     { tr("Image"), MakeImagePanel(this->Model, this->Background) },
     { tr("Light"), MakeLightPanel(this->Model, this->Background) },
-    { tr("Material"), MakeFindingsPanel(this->Model) },
-    { tr("Model"), MakeModelPanel(this->Model, [this]() { this->AskForMaterial(); }) }
+    { tr("Material"), MakeFindingsPanel(this->Model) }, { tr("Model"), MakeModelPanel(this->Model) }
   };
   for (const auto& [title, panel] : tabs)
   {
@@ -253,9 +337,8 @@ void Window::MakePanels()
     this->addDockWidget(area, made);
     return made;
   };
-  QDockWidget* left = dock(tr("Scene"), "scene",
-    MakeListPanel(this->Model, [this](const QString& kind) { this->OpenFiles(kind); }),
-    Qt::LeftDockWidgetArea);
+  QDockWidget* left =
+    dock(tr("Scene"), "scene", MakeListPanel(this->Model), Qt::LeftDockWidgetArea);
   QDockWidget* right = dock(tr("Analysis"), "analysis", this->Tabs, Qt::RightDockWidgetArea);
   this->resizeDocks({ left, right }, { 230, 460 }, Qt::Horizontal);
 }
@@ -270,7 +353,7 @@ void Window::MakeMenus()
     action->setShortcut(key);
     return action;
   };
-  add(tr("&Open…"), QKeySequence::Open, [this]() { this->OpenFiles(""); });
+  add(tr("&Open…"), QKeySequence::Open, [this]() { this->OpenFiles(); });
   menu->addSeparator();
   add(tr("&Save state…"), QKeySequence::Save,
     [this]()
@@ -290,24 +373,22 @@ void Window::MakeMenus()
       Ask(this, tr("Save report"), "explorer.html", tr("Reports (*.html *.json)"),
         [this](const QString& path) { this->SaveReport(path); });
     });
-  add(tr("Save &material…"), Qt::CTRL | Qt::Key_M, [this]() { this->AskForMaterial(); });
+  add(tr("Save &material…"), Qt::CTRL | Qt::Key_M,
+    [this]()
+    {
+      Ask(this, tr("Save material"), "material.exr", tr("Materials (*.exr)"),
+        [this](const QString& path) { this->Model->SaveMaterial(path.toStdString()); });
+    });
   menu->addSeparator();
   add(tr("&Quit"), QKeySequence::Quit, [this]() { this->close(); });
 
   menu = this->menuBar()->addMenu(tr("&View"));
   add(tr("&Reset camera"), Qt::Key_Home, [this]() { this->View->ResetCamera(); });
-  QAction* difference = add(tr("&Difference"), Qt::CTRL | Qt::Key_D,
-    [this](bool on) { this->Model->SetShown(on ? Shown::Difference : Shown::Split); });
   QAction* backdrop = add(tr("&Backdrop"), Qt::CTRL | Qt::Key_B,
     [this](bool on) { this->Model->Set(&State::Backdrop, on, &Session::pictureChanged); });
-  difference->setCheckable(true);
   backdrop->setCheckable(true);
   connect(this->Model, &Session::pictureChanged, this,
-    [this, difference, backdrop]()
-    {
-      difference->setChecked(this->Model->GetState().Show == Shown::Difference);
-      backdrop->setChecked(this->Model->GetState().Backdrop);
-    });
+    [this, backdrop]() { backdrop->setChecked(this->Model->GetState().Backdrop); });
   add(tr("&Compare this material"), Qt::CTRL | Qt::Key_T,
     [this]()
     {
@@ -359,27 +440,36 @@ void Window::MakeStatusBar()
 }
 
 //------------------------------------------------------------------------------
-void Window::OpenFiles(const QString& kind)
+// Errors stay until they are closed or another message comes; notes go after a while.
+void Window::ShowMessage(const QString& text, bool isError)
 {
-  std::vector<std::string> endings = GetMaterialExtensions();
-  const QString materials = MakeFilter(tr("Materials"), endings);
-  const QString environments = MakeFilter(tr("Environments"), GetEnvironmentExtensions());
-  const QString meshes = MakeFilter(tr("Meshes"), tool::GetMeshExtensions());
-  const QString states = tr("States (*.json)");
-  const QString all = tr("All files (*)");
-  const QStringList filters = kind == "materials"      ? QStringList{ materials, all }
-                              : kind == "environments" ? QStringList{ environments, all }
-                              : kind == "meshes"
-                                ? QStringList{ meshes, all }
-                                : QStringList{ all, materials, environments, meshes, states };
-  this->Model->Open(QFileDialog::getOpenFileNames(this, tr("Open"), QString(), filters.join(";;")));
+  if (text.isEmpty() || (!isError && !this->Messages->isHidden() && !this->MessageTimer.isActive()))
+  {
+    return; // a note does not hide an error
+  }
+  this->Message = QString::fromStdString(vtkBRDFReader::GetPrintable(text.toStdString()));
+  const QString shown = this->Message.size() > MostCharacters
+                          ? this->Message.left(MostCharacters) + "…"
+                          : this->Message;
+  this->Messages->setText(shown.toHtmlEscaped() + tr(" <a href='#'>Hide</a>"));
+  this->Messages->setToolTip(shown == this->Message ? QString() : this->Message.toHtmlEscaped());
+  this->Messages->setStyleSheet(
+    isError ? "background: #7a251f; color: white" : "background: #2d4a66; color: white");
+  QPalette colors = this->Messages->palette();
+  colors.setColor(QPalette::Link, Qt::white);
+  this->Messages->setPalette(colors);
+  isError ? this->MessageTimer.stop() : this->MessageTimer.start(NoteTime);
+  this->Messages->show();
 }
 
 //------------------------------------------------------------------------------
-void Window::AskForMaterial()
+void Window::OpenFiles()
 {
-  Ask(this, tr("Save material"), "material.exr", tr("Materials (*.exr)"),
-    [this](const QString& path) { this->Model->SaveMaterial(path.toStdString()); });
+  const QStringList filters = { tr("All files (*)"),
+    MakeFilter(tr("Materials"), GetMaterialExtensions()),
+    MakeFilter(tr("Environments"), GetEnvironmentExtensions()),
+    MakeFilter(tr("Meshes"), tool::GetMeshExtensions()), tr("States (*.json)") };
+  this->Model->Open(QFileDialog::getOpenFileNames(this, tr("Open"), QString(), filters.join(";;")));
 }
 
 //------------------------------------------------------------------------------
@@ -434,8 +524,8 @@ ReportData Window::CollectReport()
   data.Figures = { { "format", "measured-brdf explorer report" },
     { "material", this->Model->GetMaterial().Name }, { "environment", state.Environment },
     { "width", data.Size.Width }, { "height", data.Size.Height },
-    { "sides", nlohmann::ordered_json::array() }, { "plan", "" },
-    { "state", nlohmann::ordered_json::parse(WriteState(state)) } };
+    { "sides", ordered_json::array() }, { "plan", "" },
+    { "state", ordered_json::parse(WriteState(state)) } };
   if (this->Model->IsDirectional())
   {
     data.Figures["light"] = { { "theta", state.Light.Theta }, { "phi", state.Light.Phi },
@@ -448,7 +538,7 @@ ReportData Window::CollectReport()
   for (int k = 0; k < 2; ++k)
   {
     const Side* side = this->GetSide(k);
-    nlohmann::ordered_json entry = { { "description", side->Describe().toStdString() } };
+    ordered_json entry = { { "description", side->Describe().toStdString() } };
     vtkRadiancePlanner* planner = side->IsReference() ? nullptr : side->GetPlanner();
     if (planner && planner->GetChoice() >= 0)
     {
@@ -567,7 +657,10 @@ void Window::UpdateTitle()
 }
 
 //------------------------------------------------------------------------------
-QString Window::GetMessage() const { return this->Messages->GetText(); }
+QString Window::GetMessage() const
+{
+  return this->Messages->isHidden() ? QString() : this->Message;
+}
 
 //------------------------------------------------------------------------------
 bool Window::IsSettled() const

@@ -20,11 +20,11 @@
 
 #include <array>
 
+class QLabel;
 class QTabWidget;
 
 namespace explorer
 {
-class MessageBar;
 struct ReportData;
 
 /// The QApplication, with what has to be set before and after it is made.
@@ -77,8 +77,8 @@ private:
   void MakePanels();
   void MakeMenus();
   void MakeStatusBar();
-  void OpenFiles(const QString& kind);
-  void AskForMaterial();
+  void ShowMessage(const QString& text, bool isError);
+  void OpenFiles();
   void Poll();
   void UpdateOverlays();
   void UpdateTitle();
@@ -89,7 +89,9 @@ private:
   std::array<Side*, 2> Sides;
   SplitView* View;
   Evaluation* Measured;
-  MessageBar* Messages;
+  QLabel* Messages; // above the picture: errors and notes, which stop nothing
+  QString Message;  // what it says
+  QTimer MessageTimer;
   QTabWidget* Tabs;
   QTimer Poller;
 };

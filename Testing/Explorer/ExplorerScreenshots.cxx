@@ -4,8 +4,7 @@
 // or saves the picture of a state: ExplorerScreenshots STATE.json SIZE PICTURE.png
 #include "Window.h"
 
-#include <QElapsedTimer>
-#include <QThread>
+#include <QtTest>
 
 #include <cstdio>
 #include <cstdlib>
@@ -18,38 +17,20 @@ namespace
 constexpr int Patience = 600000; // ms
 
 //------------------------------------------------------------------------------
-void Wait(int milliseconds)
-{
-  QElapsedTimer timer;
-  timer.start();
-  while (timer.elapsed() < milliseconds)
-  {
-    QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
-    QThread::msleep(5);
-  }
-}
-
-//------------------------------------------------------------------------------
 void Settle(Window& window)
 {
-  QElapsedTimer timer;
-  timer.start();
-  Wait(500);
-  while (!window.IsSettled() && timer.elapsed() < Patience)
-  {
-    Wait(100);
-  }
-  if (!window.IsSettled())
+  QTest::qWait(500);
+  if (!QTest::qWaitFor([&window]() { return window.IsSettled(); }, Patience))
   {
     std::printf("not settled after %d s; the next picture shows what is there\n", Patience / 1000);
   }
-  Wait(500);
+  QTest::qWait(500);
 }
 
 //------------------------------------------------------------------------------
 void Shoot(Window& window, const QString& folder, const char* name)
 {
-  Wait(500);
+  QTest::qWait(500);
   const QString path = folder + "/explorer-" + name + ".png";
   const QImage image = window.grab().toImage().convertToFormat(QImage::Format_RGB32);
   const bool isSaved = image.save(path, "PNG");

@@ -31,6 +31,7 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QMouseEvent>
+#include <QPlainTextEdit>
 #include <QSlider>
 #include <QTabBar>
 #include <QTabWidget>
@@ -552,9 +553,6 @@ void ExplorerWindow::environmentIsDragged()
   const double rotation = window->GetSession()->GetState().Rotation;
   QVERIFY2(
     std::abs(rotation + 360.0 * (width / 8) / width) < 1e-9, qPrintable(QString::number(rotation)));
-  view->setFocus();
-  QTest::keyClick(view, Qt::Key_Left, Qt::ShiftModifier);
-  QVERIFY(std::abs(window->GetSession()->GetState().Rotation - rotation - 15.0) < 1e-9);
 }
 
 //------------------------------------------------------------------------------
@@ -574,9 +572,6 @@ void ExplorerWindow::lightIsDragged()
   const QPoint distance = view->GetHandlePosition() - end;
   QVERIFY2(distance.manhattanLength() <= 3,
     qPrintable(QString("%1 %2").arg(distance.x()).arg(distance.y())));
-  const double theta = session->GetState().LobeThetaI;
-  QTest::keyClick(view, Qt::Key_Up);
-  QVERIFY(std::abs(session->GetState().LobeThetaI - std::max(0.0, theta - 5.0)) < 1e-9);
 }
 
 //------------------------------------------------------------------------------
@@ -642,7 +637,9 @@ void ExplorerWindow::transmissionIsShown()
   const QString file = folder.filePath("shade.xml");
   {
     std::ofstream stream(file.toStdString());
-    stream << MakeBsdfXml("Columns", MakeBsdfXmlBlock("Visible", "Transmission Front", 0.3, 0.001));
+    stream << MakeBsdfXmlTree(3, "{0.1}",
+      MakeBsdfXmlTreeBlock("Transmission Front", "{0.2}") +
+        MakeBsdfXmlTreeBlock("Transmission Back", "{0.15}"));
   }
   State state = MakeLightState();
   state.Methods = { method::PBR,
@@ -682,12 +679,12 @@ void ExplorerWindow::transmissionIsShown()
   auto* charts = this->Find<SliceView>();
   QTRY_VERIFY_WITH_TIMEOUT(charts->GetTransmittances().front().Degrees.size() == 10, Patience);
   const Curve& shown = charts->GetTransmittances().front();
-  QVERIFY(std::abs(shown.Values[0][1] - 7.0 * vtkMath::Pi()) < 1.0); // the file's other side
+  QVERIFY(std::abs(shown.Values[0][1] - 0.15 * vtkMath::Pi()) < 0.01); // the file's other side
   session->Set(&State::SlicePolar, true, &Session::slicesChanged);
   const Curve& plane = charts->GetCurves(SliceView::Plane).front();
   QVERIFY(plane.Degrees.front() < -90.0 && plane.Degrees.back() > 90.0);
-  const auto* findings = this->Find<QLabel>("findings");
-  QVERIFY(findings->text().contains("Transmits 9"));
+  const QString findings = this->Find<QPlainTextEdit>("findings")->toPlainText();
+  QVERIFY(findings.contains("reciprocity") && findings.contains("transmission"));
   QCOMPARE(saidOfPictures, 1);
   disconnect(connection);
 
@@ -747,7 +744,7 @@ void ExplorerWindow::pictureAndReport()
   QVERIFY(page.open(QIODevice::ReadOnly));
   const QByteArray text = page.readAll();
   QCOMPARE(static_cast<int>(text.count("data:image/png;base64,")), 4);
-  QVERIFY(text.contains("Reciprocity"));
+  QVERIFY(text.contains("reciprocity"));
   window->SaveReport(folder.filePath("report.doc"));
   QTRY_VERIFY_WITH_TIMEOUT(window->GetMessage().contains("report.doc"), Patience);
 }
@@ -901,9 +898,7 @@ void ExplorerWindow::slidersSetAModel()
   QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience);
   QVERIFY(window->GetEvaluation()->GetFigures(0).Error < 2e-3);
   // Another model has its own rows, and the first keeps its values.
-  auto* models = this->Find<QComboBox>("models");
-  models->setCurrentIndex(models->findData("model:AshikhminShirley"));
-  Q_EMIT models->activated(models->currentIndex());
+  session->SetMaterial("model:AshikhminShirley");
   QTRY_VERIFY_WITH_TIMEOUT(this->Find<QComboBox>("fresnel"), Patience);
   auto* fresnel = this->Find<QComboBox>("fresnel");
   fresnel->setCurrentIndex(1);
