@@ -45,18 +45,6 @@ std::vector<tool::CostPoint> GetCosts(const JSON& pair)
 }
 
 //------------------------------------------------------------------------------
-// Of quotes and commas, RFC 4180.
-std::string Quote(const std::string& text)
-{
-  std::string quoted;
-  for (const char c : text)
-  {
-    quoted += c == '"' ? std::string(2, c) : std::string(1, c);
-  }
-  return "\"" + quoted + "\"";
-}
-
-//------------------------------------------------------------------------------
 // A cell after others.
 std::string MakeCell(double value)
 {
@@ -79,9 +67,10 @@ std::string MakeCSV(const JSON& results)
     for (std::size_t k = 0; k < pair.at("points").size(); ++k)
     {
       const JSON& point = pair["points"][k];
-      text += Quote(pair.at("material")) + "," + Quote(pair.at("environment")) + "," +
-              point.at("method").get<std::string>() + "," + Quote(point.at("size")) +
-              MakeCell(GetNumber(point, "setup_ms")) + MakeCell(GetNumber(point, "frame_ms"));
+      text += tool::QuoteCell(pair.at("material")) + "," + tool::QuoteCell(pair.at("environment")) +
+              "," + point.at("method").get<std::string>() + "," +
+              tool::QuoteCell(point.at("size")) + MakeCell(GetNumber(point, "setup_ms")) +
+              MakeCell(GetNumber(point, "frame_ms"));
       for (const JSON& quartile :
         point.value("frame_ms_quartiles", JSON::array({ nullptr, nullptr })))
       {
@@ -93,7 +82,7 @@ std::string MakeCSV(const JSON& results)
       }
       const JSON& front = pair.at("front");
       text += std::find(front.begin(), front.end(), k) != front.end() ? ",1," : ",0,";
-      text += point.contains("left_out") ? Quote(point["left_out"]) : "";
+      text += point.contains("left_out") ? tool::QuoteCell(point["left_out"]) : "";
       for (const tool::Metric& metric : tool::GetMetrics())
       {
         text += MakeCell(tool::GetPointError(point, metric.Name));
@@ -215,8 +204,9 @@ ChartJson LoadResults(
     results = measuredbrdf::ParseJson<ChartJson>(file);
     for (const char* part : { "version", "settings", "machine" })
     {
-      const ChartJson changes = ChartJson::diff(results.at(part), fresh.at(part));
-      if (problem.empty() && !changes.empty())
+      const ChartJson changes =
+        problem.empty() ? ChartJson::diff(results.at(part), fresh.at(part)) : ChartJson();
+      if (!changes.empty())
       {
         problem = std::string(": was measured with another ") + part + "; now " + changes.dump();
       }

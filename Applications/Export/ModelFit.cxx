@@ -44,13 +44,13 @@ namespace
 {
 //------------------------------------------------------------------------------
 /// Asks after each iteration whether to go on; an exception waits until the solver has returned.
-class Watcher : public ceres::IterationCallback
+struct Watcher : ceres::IterationCallback
 {
-public:
   explicit Watcher(const std::function<void()>& proceed)
     : Proceed(proceed)
   {
   }
+
   ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override
   {
     try
@@ -64,15 +64,7 @@ public:
       return ceres::SOLVER_ABORT;
     }
   }
-  void Rethrow() const
-  {
-    if (this->Thrown)
-    {
-      std::rethrow_exception(this->Thrown);
-    }
-  }
 
-private:
   const std::function<void()>& Proceed;
   std::exception_ptr Thrown;
 };
@@ -233,7 +225,11 @@ public:
     if ((part == Feature::Specular || part == Feature::Sheen) && this->Allowed.LeastMetallic == 0.0)
     {
       // A metal hides what these parts change: without them it was the best, with them it may not.
-      bases.push_back(this->MakeDielectric(before.Values));
+      // The same without a metallic part, of the material's color:
+      bases.push_back(before.Values);
+      std::transform(this->Albedo.begin(), this->Albedo.end(), bases.back().begin(),
+        [](double albedo) { return std::clamp(albedo, 0.0, 1.0); });
+      bases.back()[MetallicPlace] = 0.0;
     }
     Candidate best;
     for (const std::vector<double>& base : bases)
@@ -285,17 +281,6 @@ private:
       [](const Candidate& a, const Candidate& b) { return a.Error < b.Error; });
     starts.resize(std::min(starts.size(), most));
     return starts;
-  }
-
-  // The same without a metallic part, of the material's color.
-  std::vector<double> MakeDielectric(std::vector<double> values) const
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      values[c] = std::clamp(this->Albedo[c], 0.0, 1.0);
-    }
-    values[MetallicPlace] = 0.0;
-    return values;
   }
 
   FreeValue GetRange(std::size_t at) const
@@ -362,7 +347,10 @@ public:
     options.callbacks.push_back(&watcher);
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
-    watcher.Rethrow();
+    if (watcher.Thrown)
+    {
+      std::rethrow_exception(watcher.Thrown);
+    }
     if (!summary.IsSolutionUsable())
     {
       return start;

@@ -40,18 +40,6 @@ struct RepresentationsOptions
 };
 
 //------------------------------------------------------------------------------
-// A cell of text: quoted, quotes in it doubled (RFC 4180).
-std::string QuoteCell(const std::string& text)
-{
-  std::string cell = "\"";
-  for (const char c : text)
-  {
-    cell += c == '"' ? "\"\"" : std::string(1, c);
-  }
-  return cell + "\"";
-}
-
-//------------------------------------------------------------------------------
 // Makes what a material can be turned into, one after the other, and writes a row for each.
 class Comparison
 {
@@ -74,7 +62,7 @@ public:
         name = environment->GetName() + " " + std::to_string(k);
       }
       names.push_back(name);
-      this->Text += "," + QuoteCell("image_" + name);
+      this->Text += "," + tool::QuoteCell("image_" + name);
       this->Lights.push_back(laboratory::Shrink(environment, MapWidth));
     }
     this->Text += ",texture_bytes,seconds,recommended\n";
@@ -161,7 +149,7 @@ private:
     brdf->Prepare();
     auto* basis = vtkBasisBRDF::SafeDownCast(brdf);
     vtkBRDF* original = this->Material.BRDF;
-    this->Text += QuoteCell(this->Material.Name) + "," + QuoteCell(name) + "," +
+    this->Text += tool::QuoteCell(this->Material.Name) + "," + tool::QuoteCell(name) + "," +
                   std::to_string(basis ? basis->GetNumberOfFunctions() : 0);
     this->AddFigure(vtkBRDFResampler::GetZoneRelativeL2Error(
       original, brdf, this->Zone, this->Zone, NumberOfErrorPairs));

@@ -164,6 +164,17 @@ std::vector<Pair> ReadPairs(const std::string& path, const PairColumns& columns)
 }
 
 //------------------------------------------------------------------------------
+std::string QuoteCell(const std::string& text)
+{
+  std::string cell = "\"";
+  for (const char c : text)
+  {
+    cell += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return cell + "\"";
+}
+
+//------------------------------------------------------------------------------
 void WriteResults(const std::string& path, const PairColumns& columns,
   const std::vector<Pair>& pairs, const std::vector<double>& rgb)
 {

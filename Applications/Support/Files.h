@@ -29,6 +29,9 @@ using Pair = std::array<double, 6>;
  */
 std::vector<Pair> ReadPairs(const std::string& path, const PairColumns& columns);
 
+/// A cell of text in a CSV file: quoted, quotes in it doubled (RFC 4180).
+std::string QuoteCell(const std::string& text);
+
 /// The pairs with r,g,b (3 per pair), to a file, or to stdout where path is empty. Throws Error.
 void WriteResults(const std::string& path, const PairColumns& columns,
   const std::vector<Pair>& pairs, const std::vector<double>& rgb);

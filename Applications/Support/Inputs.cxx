@@ -4,6 +4,7 @@
 
 #include "FetchCatalog.h"
 #include "Files.h"
+#include "NumberText.h"
 #include "Tool.h"
 
 #include "vtkBRDFFormats.h"
@@ -21,87 +22,81 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <sstream>
+#include <vector>
 
 namespace tool
 {
 namespace
 {
-constexpr double MinimumAngle = 1.0;
-constexpr double MaximumAngle = 120.0;
-
 //------------------------------------------------------------------------------
-// Two numbers with one separator between, and nothing else.
-template <typename Number>
-bool ParseTwo(const std::string& text, char separator, Number& first, Number& second)
+// Finite numbers with separators between; none where there is anything else.
+std::vector<double> ParseNumbers(const std::string& text, char separator)
 {
-  const char* end = text.data() + text.size();
-  const auto a = std::from_chars(text.data(), end, first);
-  if (a.ec != std::errc() || a.ptr == end || *a.ptr != separator)
+  std::vector<double> numbers;
+  std::istringstream stream(text + separator);
+  for (std::string cell; std::getline(stream, cell, separator);)
   {
-    return false;
+    double number = 0.0;
+    if (!measuredbrdf::ParseNumber(cell, number))
+    {
+      return {};
+    }
+    numbers.push_back(number);
   }
-  const auto b = std::from_chars(a.ptr + 1, end, second);
-  return b.ec == std::errc() && b.ptr == end;
+  return numbers;
 }
 }
 
 //------------------------------------------------------------------------------
 Size ParseSize(const std::string& option, const std::string& text, int largest)
 {
-  Size size{};
-  if (!ParseTwo(text, 'x', size.Width, size.Height) || size.Width < 1 || size.Height < 1 ||
-      size.Width > largest || size.Height > largest)
+  const std::vector<double> sides = ParseNumbers(text, 'x');
+  const bool valid =
+    sides.size() == 2 && std::all_of(sides.begin(), sides.end(),
+                           [largest](double side)
+                           { return side >= 1.0 && side <= largest && side == std::floor(side); });
+  if (!valid)
   {
     throw UsageError(option + ": '" + text + "' is not WIDTHxHEIGHT with both between 1 and " +
                      std::to_string(largest) + ", like 800x600");
   }
-  return size;
+  return { static_cast<int>(sides[0]), static_cast<int>(sides[1]) };
 }
 
 //------------------------------------------------------------------------------
 View ParseView(const std::string& text)
 {
-  View view{};
-  const std::size_t first = text.find(',');
-  const std::size_t last = text.rfind(',');
-  bool valid = false;
-  if (first == last)
+  std::vector<double> angles = ParseNumbers(text, ',');
+  if (angles.size() == 2)
   {
-    valid = ParseTwo(text, ',', view.Azimuth, view.Elevation);
+    angles.push_back(View{}.Angle);
   }
-  else
-  {
-    valid = ParseTwo(text.substr(0, last), ',', view.Azimuth, view.Elevation) &&
-            ParseTwo(text.substr(first + 1), ',', view.Elevation, view.Angle);
-  }
-  valid = valid && std::isfinite(view.Azimuth) && std::abs(view.Elevation) <= 90.0 &&
-          view.Angle >= MinimumAngle && view.Angle <= MaximumAngle;
-  if (!valid)
+  if (angles.size() != 3 || std::abs(angles[1]) > 90.0 || angles[2] < 1.0 || angles[2] > 120.0)
   {
     throw UsageError("--view: '" + text +
                      "' is not AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,ANGLE in degrees with the "
                      "elevation between -90 and 90 and the angle of view between 1 and 120, like "
                      "30,20");
   }
-  return view;
+  return { angles[0], angles[1], angles[2] };
 }
 
 //------------------------------------------------------------------------------
 Range ParseZone(const std::string& option, const std::string& text)
 {
-  Range zone{};
-  if (!ParseTwo(text, ',', zone.Begin, zone.End) || !(zone.Begin >= 0.0) ||
-      !(zone.Begin + vtkBasisBRDF::MinimumZoneWidth <= zone.End) || !(zone.End <= 90.0))
+  const std::vector<double> zone = ParseNumbers(text, ',');
+  if (zone.size() != 2 || zone[0] < 0.0 || zone[0] + vtkBasisBRDF::MinimumZoneWidth > zone[1] ||
+      zone[1] > 90.0)
   {
     throw UsageError(option + ": '" + text +
                      "' is not BEGIN,END in degrees with 0 <= BEGIN < END <= 90 and at least " +
                      FormatNumber(vtkBasisBRDF::MinimumZoneWidth) + " between, like 9,57");
   }
-  return zone;
+  return { zone[0], zone[1] };
 }
 
 namespace

@@ -945,7 +945,7 @@ class Export(ToolTest):
     with a material whose fit is quick: what the fits find is tested by numbers (TestToolExport, test_gltf)."""
 
     def export(self, target, name, *options, material="gold-paint"):
-        common = ["--fit-under", "neutral", "--environment", "sky", "--size", "12"]
+        common = ["--fit-under", "neutral", "--environment", "sky", "--size", "12", "--closest"]
         return run("export", material, "--to", target, "-o", self.path(name), *common, *options)
 
     def write_constant(self, name):
@@ -955,7 +955,7 @@ class Export(ToolTest):
 
     def test_gltf(self):
         sheet, report = self.path("sheet.png"), self.path("report.json")
-        result = self.export("gltf", "matte.gltf", "--closest", "--sheet", sheet, "--report", report, "--json",
+        result = self.export("gltf", "matte.gltf", "--sheet", sheet, "--report", report, "--json",
                              material=self.write_constant("matte.mbsdf"))
         self.check(result, 0)
         figures = read_json(report)

@@ -29,8 +29,8 @@
 
 namespace
 {
-constexpr int Width = 77; // the last column is half a block
-constexpr int Height = 80;
+constexpr int Width = 53; // the last column is half a block
+constexpr int Height = 54;
 
 // Of a sphere seen from afar along z: some pixels are missing on the right.
 tool::Surface MakeSphere()

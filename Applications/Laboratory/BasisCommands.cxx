@@ -13,8 +13,52 @@
 #include <memory>
 #include <vector>
 
+// Materials in a basis: by a simulated device, by projection, and continued beyond a zone.
 namespace
 {
+struct AcquireOptions
+{
+  std::string File;
+  std::string Output;
+  std::string Zone = "9,57";
+  laboratory::AcquisitionOptions Device;
+};
+
+//------------------------------------------------------------------------------
+tool::Range FindDeviceZone(const AcquireOptions& options, const CLI::App* command)
+{
+  if (options.Device.Basis != vtkBasisBRDF::HEMISPHERICAL)
+  {
+    return tool::ParseZone("--zone", options.Zone);
+  }
+  if (command->count("--zone") > 0)
+  {
+    throw tool::UsageError(
+      "--zone: has no effect with --basis hemispherical, which covers 0 to 90 degrees");
+  }
+  return { 0.0, 90.0 };
+}
+
+//------------------------------------------------------------------------------
+void RunAcquire(const AcquireOptions& options, const CLI::App* command)
+{
+  laboratory::AcquisitionOptions device = options.Device;
+  const tool::Range range = FindDeviceZone(options, command);
+  device.Zone[0] = range.Begin;
+  device.Zone[1] = range.End;
+  tool::Interruptible interruptible;
+  const tool::Material material = tool::LoadMaterial(options.File);
+  const laboratory::Acquisition taken =
+    laboratory::Acquire(material.BRDF, device, laboratory::ShowProgress("acquiring"));
+  tool::WriteMaterial(taken.Stack, options.Output);
+  tool::PrintOut(options.File + " -> " + options.Output + "\n" +
+                 "photographs: " + std::to_string(taken.NumberOfPhotographs) + "\n" +
+                 laboratory::FormatShare("relative L2 error inside the zone",
+                   vtkBRDFResampler::GetZoneRelativeL2Error(
+                     material.BRDF, taken.Stack, device.Zone, device.Zone, 1 << 16)) +
+                 tool::DescribeForm(taken.Stack) + "\n");
+}
+
 struct ProjectOptions
 {
   std::string File;
@@ -27,7 +71,7 @@ struct ProjectOptions
 };
 
 //------------------------------------------------------------------------------
-void Check(const ProjectOptions& options, const CLI::App* command)
+void CheckProject(const ProjectOptions& options, const CLI::App* command)
 {
   for (const char* option : { "--maximum-residual", "--maximum-negative-mass" })
   {
@@ -82,9 +126,9 @@ vtkSmartPointer<vtkBasisBRDF> Extrapolate(
 }
 
 //------------------------------------------------------------------------------
-void Run(const ProjectOptions& options, const CLI::App* command)
+void RunProject(const ProjectOptions& options, const CLI::App* command)
 {
-  Check(options, command);
+  CheckProject(options, command);
   const tool::Range range = tool::ParseZone("--zone", options.Zone);
   const double zone[2] = { range.Begin, range.End };
   tool::Interruptible interruptible;
@@ -131,6 +175,46 @@ void Run(const ProjectOptions& options, const CLI::App* command)
 namespace tool
 {
 //------------------------------------------------------------------------------
+void AddAcquireCommand(CLI::App& app)
+{
+  auto options = std::make_shared<AcquireOptions>();
+  CLI::App* command = app.add_subcommand(
+    "acquire", "Simulate a device with a projector and a camera that measures a material");
+  command->add_option("FILE", options->File, GetMaterialHelp())->required();
+  std::map<std::string, int> patterns = laboratory::Bases;
+  patterns.erase("spherical-harmonics");
+  command
+    ->add_option("--basis", options->Device.Basis,
+      "Patterns that the projector shows: zonal (default), legendre-fourier or hemispherical")
+    ->transform(CLI::CheckedTransformer(patterns));
+  command
+    ->add_option("--order", options->Device.Order,
+      "Order L of the basis (default 6): (L+1)^2 functions, each with two photographs except the "
+      "first")
+    ->check(CLI::Range(1, static_cast<int>(vtkBasisBRDF::MaximumOrder)));
+  command->add_option("--zone", options->Zone,
+    "Polar angles in degrees that projector and camera cover (default 9,57)");
+  command
+    ->add_option("--noise", options->Device.Noise,
+      "Standard deviation of the camera's noise, as a share of the brightest pixel of each pair of "
+      "photographs (default 0)")
+    ->check(Between(0.0, 1e6));
+  command
+    ->add_option("--bits", options->Device.Bits,
+      "Bits of the camera's pixels, 1 to 24; 0 (default): no rounding")
+    ->check(CLI::Range(0, 24));
+  command->add_option("--seed", options->Device.Seed, "Seed of the noise (default 1)");
+  command->add_option("-o,--output", options->Output, "File to write, ending in .exr")
+    ->check(EndsIn({ ".exr" }))
+    ->required();
+  command->footer(
+    "The stack of coefficients is a material like any other: use it with 'info', 'render', ...\n"
+    "'project OUT.exr --extrapolate' extends it beyond the zone.\n\n"
+    "Example:\n  measured-brdf-lab acquire gold-paint --order 6 --noise 0.01 --bits 12 -o "
+    "stack.exr");
+  command->callback([options, command]() { RunAcquire(*options, command); });
+}
+//------------------------------------------------------------------------------
 void AddProjectCommand(CLI::App& app)
 {
   auto options = std::make_shared<ProjectOptions>();
@@ -173,6 +257,6 @@ void AddProjectCommand(CLI::App& app)
     "Examples:\n"
     "  measured-brdf-lab project blue-fabric --basis legendre-fourier --order 6 -o blue.exr\n"
     "  measured-brdf-lab project stack.exr --extrapolate -o whole.exr");
-  command->callback([options, command]() { Run(*options, command); });
+  command->callback([options, command]() { RunProject(*options, command); });
 }
 } // namespace tool
