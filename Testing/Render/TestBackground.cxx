@@ -5,9 +5,9 @@
 #include "EventCounter.h"
 #include "RenderFixture.h"
 
-#include "EverywherePairs.h"
 #include "../Unit/Support/AnisotropicWarp.h"
 #include "../Unit/Support/GatedBRDF.h"
+#include "../Unit/Support/SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
@@ -166,21 +166,12 @@ void SetToPanels(vtkEnvironment* environment)
 // Relative L1, as what stands in for plans is judged.
 double GetErrorEverywhere(vtkRadianceIntegrator* integrator)
 {
-  vtkNew<vtkDoubleArray> normals, views, radiance, exact;
-  AddEverywherePairs(300, normals, views);
+  SpherePairs pairs;
+  pairs.AddRandom(300);
   vtkNew<vtkAdaptiveRadianceIntegrator> reference;
   reference->SetBRDF(integrator->GetBRDF());
   reference->SetEnvironment(integrator->GetEnvironment());
-  reference->Integrate(normals, views, exact);
-  integrator->Integrate(normals, views, radiance);
-  double difference = 0.0;
-  double sum = 0.0;
-  for (vtkIdType k = 0; k < exact->GetNumberOfValues(); ++k)
-  {
-    difference += std::abs(radiance->GetValue(k) - exact->GetValue(k));
-    sum += exact->GetValue(k);
-  }
-  return difference / sum;
+  return GetRelativeError(pairs.Integrate(integrator), pairs.Integrate(reference));
 }
 }
 
