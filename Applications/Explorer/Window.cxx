@@ -4,6 +4,7 @@
 
 #include "Files.h"
 #include "Inspection.h"
+#include "JsonReport.h"
 #include "LightPanel.h"
 #include "LobePanel.h"
 #include "Materials.h"

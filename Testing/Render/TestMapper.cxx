@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The mapper as a citizen of VTK: what changes when, and what stays as the stock mapper has it.
-#include "../Unit/Support/EverywherePairs.h"
 #include "../Unit/Support/AnisotropicWarp.h"
 #include "../Unit/Support/GatedBRDF.h"
+#include "../Unit/Support/SpherePairs.h"
 #include "RenderFixture.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAdaptiveWarpBRDF.h"
@@ -970,21 +970,12 @@ void SetToPanels(vtkEnvironment* environment)
 // Relative L1, as what stands in for plans is judged.
 double GetErrorEverywhere(vtkRadianceIntegrator* integrator)
 {
-  vtkNew<vtkDoubleArray> normals, views, radiance, exact;
-  AddEverywherePairs(300, normals, views);
+  SpherePairs pairs;
+  pairs.AddRandom(300);
   vtkNew<vtkAdaptiveRadianceIntegrator> reference;
   reference->SetBRDF(integrator->GetBRDF());
   reference->SetEnvironment(integrator->GetEnvironment());
-  reference->Integrate(normals, views, exact);
-  integrator->Integrate(normals, views, radiance);
-  double difference = 0.0;
-  double sum = 0.0;
-  for (vtkIdType k = 0; k < exact->GetNumberOfValues(); ++k)
-  {
-    difference += std::abs(radiance->GetValue(k) - exact->GetValue(k));
-    sum += exact->GetValue(k);
-  }
-  return difference / sum;
+  return GetRelativeError(pairs.Integrate(integrator), pairs.Integrate(reference));
 }
 }
 

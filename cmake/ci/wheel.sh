@@ -4,7 +4,7 @@
 # Builds the Python package with pip against the system's VTK, installs it into a virtual environment (build-venv), and
 # uses it there: one copy of the library, a picture that is not empty, and the package's Python tests.
 #
-#   cmake/ci/wheel.sh [TEST...]         TEST: names in Testing/Python, e.g. TestRender; default: all
+#   cmake/ci/wheel.sh [TEST...]         TEST: names in Testing/Python, e.g. TestEvaluate; default: all
 #
 # pip compiles in build-wheel, which a later run uses again. The picture is build-venv/sphere.png.
 set -euo pipefail

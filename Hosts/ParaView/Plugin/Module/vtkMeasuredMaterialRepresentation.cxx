@@ -405,22 +405,32 @@ void vtkMeasuredMaterialRepresentation::ForEachMapper(const Function& function)
 }
 
 //------------------------------------------------------------------------------
-// The first mapper says what is wrong and keeps what it had; the others follow it.
+// What is wrong is said here once, not by each mapper.
+template <typename Setter>
+void vtkMeasuredMaterialRepresentation::SetNumber(
+  const char* name, Setter set, double value, double low, double high)
+{
+  if (!(value >= low && value <= high))
+  {
+    vtkErrorMacro(<< name << ": found " << value << ", expected a number from " << low << " to "
+                  << high << "; what was set before stays.");
+    return;
+  }
+  this->ForEachMapper([&](vtkCompositeMeasuredBRDFMapper* mapper, bool) { (mapper->*set)(value); });
+}
+
+//------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::SetErrorTolerance(double tolerance)
 {
-  auto* const first = static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper);
-  first->SetErrorTolerance(tolerance);
-  this->ForEachMapper([first](vtkCompositeMeasuredBRDFMapper* mapper, bool)
-    { mapper->SetErrorTolerance(first->GetErrorTolerance()); });
+  this->SetNumber(
+    "SetErrorTolerance", &vtkCompositeMeasuredBRDFMapper::SetErrorTolerance, tolerance, 0.001, 1.0);
 }
 
 //------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::SetMaximumCost(double cost)
 {
-  auto* const first = static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper);
-  first->SetMaximumCost(cost);
-  this->ForEachMapper([first](vtkCompositeMeasuredBRDFMapper* mapper, bool)
-    { mapper->SetMaximumCost(first->GetMaximumCost()); });
+  this->SetNumber(
+    "SetMaximumCost", &vtkCompositeMeasuredBRDFMapper::SetMaximumCost, cost, 1.0, 1e6);
 }
 
 //------------------------------------------------------------------------------

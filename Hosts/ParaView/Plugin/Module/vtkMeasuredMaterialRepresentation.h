@@ -147,6 +147,8 @@ private:
   void NamesChanged();
   template <typename Function>
   void ForEachMapper(const Function& function); // (mapper, whether it draws the level of detail)
+  template <typename Setter>
+  void SetNumber(const char* name, Setter set, double value, double low, double high);
   int FindOcclusionMode(vtkDataObject* data, bool interactive);
   void WarnOfParts();
   void UpdateMappers(vtkDataObject* data, vtkDataObject* levelOfDetail);
