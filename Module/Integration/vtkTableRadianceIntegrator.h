@@ -59,7 +59,7 @@
 #ifndef vtkTableRadianceIntegrator_h
 #define vtkTableRadianceIntegrator_h
 
-#include "vtkEnvironment.h" // for SetRest
+#include "vtkEnvironment.h" // for SetLight
 #include "vtkRadianceIntegrator.h"
 
 #include <memory> // for tables
