@@ -42,11 +42,13 @@ inline double Wrap01(double x)
 }
 
 /**
- * Call use(i, o) for `count` pairs of unit directions whose polar angles lie in two zones (begin
- * and end in degrees, of i and of o).
+ * Sum of the negative parts over the sum of absolute values, of evaluate(i, o, f) at `count` pairs
+ * of unit directions whose polar angles lie in two zones (begin and end in degrees, of i and of o);
+ * 0 where all are 0.
  */
-template <typename Use>
-void ForZonePairs(const double incident[2], const double outgoing[2], int count, const Use& use)
+template <typename Evaluate>
+double GetNegativeMass(
+  const double incident[2], const double outgoing[2], int count, const Evaluate& evaluate)
 {
   // Uniform in sin^2 of the polar angle.
   const auto draw = [](const double zone[2], double u, double v, double direction[3])
@@ -55,37 +57,20 @@ void ForZonePairs(const double incident[2], const double outgoing[2], int count,
     const double end = std::pow(std::sin(zone[1] * (Pi / 180.0)), 2.0);
     SampleCosine(begin + u * (end - begin), v, direction);
   };
-  for (int k = 1; k <= count; ++k)
-  {
-    const std::uint32_t n = static_cast<std::uint32_t>(k);
-    double i[3], o[3];
-    draw(incident, RadicalInverse(n, 2), RadicalInverse(n, 3), i);
-    draw(outgoing, RadicalInverse(n, 5), RadicalInverse(n, 7), o);
-    use(i, o);
-  }
-}
-
-/**
- * Sum of the negative parts over the sum of absolute values, of evaluate(i, o, f) at such pairs; 0
- * where all are 0.
- */
-template <typename Evaluate>
-double GetNegativeMass(
-  const double incident[2], const double outgoing[2], int count, const Evaluate& evaluate)
-{
   double negative = 0.0;
   double total = 0.0;
-  ForZonePairs(incident, outgoing, count,
-    [&](const double i[3], const double o[3])
+  for (std::uint32_t n = 1; n <= static_cast<std::uint32_t>(count); ++n)
+  {
+    double i[3], o[3], f[3];
+    draw(incident, RadicalInverse(n, 2), RadicalInverse(n, 3), i);
+    draw(outgoing, RadicalInverse(n, 5), RadicalInverse(n, 7), o);
+    evaluate(i, o, f);
+    for (const double value : f)
     {
-      double f[3];
-      evaluate(i, o, f);
-      for (const double value : f)
-      {
-        total += std::abs(value);
-        negative += std::max(-value, 0.0);
-      }
-    });
+      total += std::abs(value);
+      negative += std::max(-value, 0.0);
+    }
+  }
   return total > 0.0 ? negative / total : 0.0;
 }
 } // namespace measuredbrdf

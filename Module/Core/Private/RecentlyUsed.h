@@ -43,53 +43,38 @@ public:
     return &found->second->second;
   }
 
-  /// The value of a key, a new one where there is none. The one used longest ago goes for it.
-  Value& operator[](const Key& key)
+  /// The value of a key, a new one where there is none. What was used longest ago and is too many
+  /// goes to `surplus`, for the caller to destroy.
+  Value& Get(const Key& key, std::list<std::pair<Key, Value>>& surplus)
   {
-    Value& value = this->Add(key);
-    this->TakeSurplus();
-    return value;
-  }
-
-  /// The same, but none goes yet.
-  Value& Add(const Key& key)
-  {
-    if (Value* known = this->Find(key))
+    if (!this->Find(key))
     {
-      return *known;
+      std::list<Entry> made;
+      made.emplace_back(key, Value());
+      this->Places.emplace(key, made.begin());
+      this->Entries.splice(this->Entries.begin(), made);
     }
-    std::list<Entry> made;
-    made.emplace_back(key, Value());
-    this->Places.emplace(key, made.begin());
-    this->Entries.splice(this->Entries.begin(), made);
-    return this->Entries.front().second;
-  }
-
-  /// Those used longest ago, which are too many, for the caller to destroy.
-  std::list<std::pair<Key, Value>> TakeSurplus()
-  {
-    std::list<Entry> surplus;
     while (this->Entries.size() > this->Most)
     {
       this->Places.erase(this->Entries.back().first);
       surplus.splice(surplus.end(), this->Entries, std::prev(this->Entries.end()));
     }
-    return surplus;
+    return this->Entries.front().second;
   }
 
-  /// Remove all whose key and value the condition holds for.
-  template <typename Condition>
-  void RemoveIf(const Condition& condition)
+  Value& operator[](const Key& key)
   {
-    for (auto entry = this->Entries.begin(); entry != this->Entries.end();)
+    std::list<Entry> surplus;
+    return this->Get(key, surplus);
+  }
+
+  void Remove(const Key& key)
+  {
+    const auto found = this->Places.find(key);
+    if (found != this->Places.end())
     {
-      const auto next = std::next(entry);
-      if (condition(entry->first, entry->second))
-      {
-        this->Places.erase(entry->first);
-        this->Entries.erase(entry);
-      }
-      entry = next;
+      this->Entries.erase(found->second);
+      this->Places.erase(found);
     }
   }
 
@@ -151,8 +136,7 @@ public:
   {
     std::list<std::pair<Key, Value>> surplus; // destroyed, as what is replaced, after the lock
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    std::swap(this->Values.Add(key), value);
-    surplus = this->Values.TakeSurplus();
+    std::swap(this->Values.Get(key, surplus), value);
   }
 
   /// What is known is the caller's own from now on: others find nothing until it is put back.
@@ -161,7 +145,7 @@ public:
     const std::lock_guard<std::mutex> lock(this->Mutex);
     Value* known = this->Values.Find(key);
     std::optional<Value> taken = known ? std::optional<Value>(std::move(*known)) : std::nullopt;
-    this->Values.RemoveIf([&key](const Key& other, const Value&) { return other == key; });
+    this->Values.Remove(key);
     return taken;
   }
 

@@ -211,7 +211,7 @@ TEST(RecentlyUsed, KeepsWhatWasUsedLast)
   EXPECT_FALSE(values.Find(1));
   EXPECT_EQ(*values.Find(0), "0");
   EXPECT_EQ(*values.Find(2), "2");
-  values.RemoveIf([](int key, const std::string&) { return key == 2; });
+  values.Remove(2);
   EXPECT_FALSE(values.Find(2));
   values[4] = "4";
   EXPECT_EQ(values.GetSize(), 3u);
