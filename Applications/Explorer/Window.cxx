@@ -33,8 +33,10 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
+#include <QProxyStyle>
 #include <QStatusBar>
 #include <QSurfaceFormat>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -68,6 +70,20 @@ int& Prepare(int& argc)
   QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
   return argc;
 }
+
+//------------------------------------------------------------------------------
+// Tabs with less beside their names, so that all of them fit above a panel.
+class NarrowTabs : public QProxyStyle
+{
+public:
+  int pixelMetric(
+    PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override
+  {
+    constexpr int Space = 12; // logical pixels; Fusion has 24
+    const int usual = this->QProxyStyle::pixelMetric(metric, option, widget);
+    return metric == PM_TabBarTabHSpace ? std::min(usual, Space) : usual;
+  }
+};
 
 //------------------------------------------------------------------------------
 QString MakeFilter(const QString& name, const std::vector<std::string>& endings)
@@ -309,6 +325,9 @@ void Window::MakePanels()
 
   this->Tabs = new QTabWidget;
   this->Tabs->setDocumentMode(true);
+  auto* narrow = new NarrowTabs;
+  narrow->setParent(this->Tabs);
+  this->Tabs->tabBar()->setStyle(narrow);
   this->Tabs->setUsesScrollButtons(false); // the panel is as wide as its tabs: none is hidden
   const std::pair<QString, QWidget*> tabs[] = {
     { tr("Plan"), MakePlanPanel(this->Model, this->Sides, this->Measured) },
