@@ -20,6 +20,7 @@
 
 #include "vtkBRDFResampler.h"
 #include "vtkBasisBRDF.h"
+#include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDFFitter.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkLambertBRDF.h"

@@ -233,7 +233,6 @@ TEST(Setters, OfIntegrators)
   CLAMPED(vtkTableRadianceIntegrator, NumberOfRows, 9, 513);
   CLAMPED(vtkTableRadianceIntegrator, NumberOfViewAngles, 2, 64);
   CLAMPED(vtkTableRadianceIntegrator, NumberOfAzimuths, 4, 64);
-  CLAMPED(vtkTableRadianceIntegrator, HarmonicDegree, 0, 1024);
   CLAMPED(vtkTableRadianceIntegrator, NumberOfNodes, 16, 1024);
   CLAMPED(vtkFilteredRadianceIntegrator, NumberOfSamples, 1, 1024);
   CLAMPED(vtkHybridRadianceIntegrator, NumberOfRows, 9, 513);

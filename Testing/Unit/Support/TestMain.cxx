@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // GoogleTest's main, in the locale of C that MEASUREDBRDF_TEST_LOCALE names, as a program of Qt's
 // or GTK's is in its user's. Messages stay in English. C++'s locale, by which tests read and write
-// files of their own, is CommaLocale's (TestNumberText).
+// files of their own, is CommaLocale's.
 #include <gtest/gtest.h>
 
 #include <clocale>
