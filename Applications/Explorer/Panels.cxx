@@ -534,9 +534,9 @@ QWidget* MakeFindingsPanel(Session* session)
     [=]()
     {
       const nlohmann::ordered_json& info = session->GetInspection();
-      text->setPlainText(
-        info.is_null() ? QObject::tr("Being measured …")
-                       : QString::fromStdString(tool::FormatReport(PutFindingsFirst(info))));
+      text->setPlainText(info.is_null()
+                           ? QObject::tr("Being measured …")
+                           : QString::fromStdString(tool::FormatReport(PutFindingsFirst(info))));
     });
   return text;
 }
