@@ -718,19 +718,19 @@ TEST_F(Auto, TolerancesAreClampedWithAWarning)
   EXPECT_EQ(errors.Count, 3);
 }
 
-// A table cannot hold an anisotropic material: said once, drawn as the superclass does, mended by
+// A hybrid cannot hold an anisotropic material: said once, drawn as the superclass does, mended by
 // taking either away.
 TEST_F(Auto, AnIntegratorThatRefuses)
 {
   vtkNew<vtkAshikhminShirleyBRDF> brushed;
   brushed->SetExponents(5.0, 20.0);
-  vtkNew<vtkTableRadianceIntegrator> table;
-  table->SetNumberOfRows(9);
+  vtkNew<vtkHybridRadianceIntegrator> hybrid;
+  hybrid->SetNumberOfRows(9);
   this->Measured->SetBRDF(brushed);
-  this->Measured->SetIntegrator(table);
+  this->Measured->SetIntegrator(hybrid);
   EventCounter warnings(this->Measured, vtkCommand::WarningEvent); // there are no tangents
   EventCounter errors(this->Measured, vtkCommand::ErrorEvent);
-  EventCounter reasons(table, vtkCommand::ErrorEvent); // the mapper gives the reason
+  EventCounter reasons(hybrid, vtkCommand::ErrorEvent); // the mapper gives the reason
   for (int frame = 0; frame < 3; ++frame)
   {
     this->RenderEncoded();

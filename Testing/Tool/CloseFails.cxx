@@ -9,15 +9,15 @@
 #include <cstdio>
 #include <cstring>
 
-extern "C" int close(int descriptor)
+extern "C" int fclose(std::FILE* file)
 {
-  static const auto next = reinterpret_cast<int (*)(int)>(dlsym(RTLD_NEXT, "close"));
+  static const auto next = reinterpret_cast<int (*)(std::FILE*)>(dlsym(RTLD_NEXT, "fclose"));
   char link[64];
   char name[4096];
-  std::snprintf(link, sizeof(link), "/proc/self/fd/%d", descriptor);
+  std::snprintf(link, sizeof(link), "/proc/self/fd/%d", fileno(file));
   const ssize_t length = readlink(link, name, sizeof(name) - 1);
   name[length > 0 ? length : 0] = '\0';
-  const int result = next(descriptor);
+  const int result = next(file);
   if (std::strstr(name, ".part"))
   {
     errno = EDQUOT;
