@@ -721,7 +721,7 @@ add("Rendering.left-tables-go-on", "PlanJob.cxx", "return this->Planner->GetAbor
     "CurrentPlan.LeavesResamplingInTheMiddle")
 add("Rendering.left-jobs-are-kept", "PlanJob.cxx", "owned.reset();", "",
     "Background.ItsEndLeavesNothing")
-add("Rendering.left-plans-go-on", "PlanJob.cxx", "      ++this->Left;\n      job->Planner->SetAbort(true);\n", "      ++this->Left;\n",
+add("Rendering.left-plans-go-on", "PlanJob.cxx", "job->Planner->SetAbort(!job->Done);", "",
     "Background.AChangeStopsWhatIsInTheMaking")
 add("Rendering.changed-materials-are-not-redrawn", "MaterialSettings.cxx", "add(this->BRDF);", "",
     "Mapper.RebuildsExactlyWhenItMust|Scene.RedrawTimeFollowsAppearance")
