@@ -718,14 +718,15 @@ TEST_F(Auto, TolerancesAreClampedWithAWarning)
   EXPECT_EQ(errors.Count, 3);
 }
 
-// A table cannot hold an anisotropic material: said once, drawn as the superclass does, mended by
-// taking either away.
+// Maps of the sharp part cannot hold an anisotropic material: said once, drawn as the superclass
+// does, mended by taking either away.
 TEST_F(Auto, AnIntegratorThatRefuses)
 {
   vtkNew<vtkAshikhminShirleyBRDF> brushed;
   brushed->SetExponents(5.0, 20.0);
   vtkNew<vtkTableRadianceIntegrator> table;
   table->SetNumberOfRows(9);
+  table->SetNumberOfMaps(2);
   this->Measured->SetBRDF(brushed);
   this->Measured->SetIntegrator(table);
   EventCounter warnings(this->Measured, vtkCommand::WarningEvent); // there are no tangents
