@@ -721,7 +721,7 @@ add("Rendering.left-tables-go-on", "PlanJob.cxx", "return this->Planner->GetAbor
     "CurrentPlan.LeavesResamplingInTheMiddle")
 add("Rendering.left-jobs-are-kept", "PlanJob.cxx", "owned.reset();", "",
     "Background.ItsEndLeavesNothing")
-add("Rendering.left-plans-go-on", "PlanJob.cxx", "      ++this->Left;\n      job->Planner->SetAbort(true);\n", "      ++this->Left;\n",
+add("Rendering.left-plans-go-on", "PlanJob.cxx", "job->Planner->SetAbort(!job->Done);", "",
     "Background.AChangeStopsWhatIsInTheMaking")
 add("Rendering.changed-materials-are-not-redrawn", "MaterialSettings.cxx", "add(this->BRDF);", "",
     "Mapper.RebuildsExactlyWhenItMust|Scene.RedrawTimeFollowsAppearance")
@@ -1119,8 +1119,10 @@ add("Rendering.traces-of-others", "AutomaticOcclusion.cxx", "if (stamp == this->
 add("Rendering.blocks-without-arrays-stay-open", "MaterialDrawingOcclusion.cxx", "this->Given.Blocks == this->Given.All)",
     "this->Given.Blocks > 0)", "OcclusionBlocks.SomeHaveArrays")
 add("Rendering.arrays-alone-are-traced", "MaterialDrawingOcclusion.cxx", "const bool always = this->Settings->OcclusionMode == 2;",
-    "const bool always = this->Settings->OcclusionMode >= 2;",
+    "const bool always = this->Settings->OcclusionMode > 0;",
     "OcclusionBlocks.SomeHaveArrays")
+add("Rendering.traced-without-other-data", "MaterialDrawingOcclusion.cxx", "last.Data->ShallowCopy(surface);",
+    "last.Data->ShallowCopy(traced);", "BounceTest.AllMappersDrawTheSame")
 add("Rendering.blocks-are-listed-for-each", "SurfaceBlocks.cxx", "this->Other != other ||", "this->Other != nullptr ||",
     "OcclusionBlocks.ManyAreListedOnce")
 add("Rendering.blocks-are-compared-for-each", "MaterialDrawingOcclusion.cxx", "if (always && !this->IsTraceCurrent)",

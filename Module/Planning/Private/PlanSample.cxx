@@ -46,7 +46,7 @@ void GetValues(vtkDoubleArray* coarse, vtkDoubleArray* fine, std::vector<double>
   }
 }
 
-// Weights scaled so that their sum is count, but each at 1.0 1. Each round makes up for what the
+// Weights scaled so that their sum is count, but each at most 1. Each round makes up for what the
 // one before cut off.
 std::vector<double> ScaleToSum(std::vector<double> weights, double count)
 {

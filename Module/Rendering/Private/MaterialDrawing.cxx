@@ -9,6 +9,7 @@
 #include "TextureEnvironment.h"
 #include "VisibleSurface.h"
 #include "vtkActor.h"
+#include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -111,9 +112,10 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   request.Inputs.MaximumCost = this->Settings->MaximumCost;
   request.Inputs.WithShaderInputs =
     this->Settings->UseSceneLights && HasLight(state.Renderer, state.Environment != nullptr);
-  if (this->Settings->PlanForView)
+  if (this->Settings->PlanForView && this->Seen)
   {
-    this->Look(state, request.Inputs);
+    request.Inputs.Seen = this->Seen;
+    request.Inputs.SeenTime = this->SeenTime;
   }
   request.Timing = timings[this->Settings->PlanningMode];
   request.Member = this->GetMember(use.first);
@@ -122,20 +124,18 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
 }
 
 // What the first picture after SetPlanForView shows of all surfaces. Nothing may be in view then:
-// the next picture looks again.
-void MaterialDrawing::Look(const FrameState& state, PlanInputs& inputs)
+// the next picture of another view looks again.
+void MaterialDrawing::Look(const FrameState& state)
 {
-  if (!this->Seen || this->SeenTime < this->Settings->ViewTime)
+  const ViewStamp view = { state.Renderer, state.Renderer->GetActiveCamera()->GetMTime(),
+    state.Actor->GetRedrawMTime() };
+  if (this->SeenTime < this->Settings->ViewTime || (!this->Seen && view != this->SeenIn))
   {
+    this->SeenIn = view;
     this->Seen = std::make_shared<VisibleSurface>(
       GetBlocks(this->Owner->GetInputDataObject(0, 0)), state.Renderer, state.Actor);
     this->SeenTime.Modified();
     this->Seen = this->Seen->IsEmpty() ? nullptr : this->Seen;
-  }
-  if (this->Seen)
-  {
-    inputs.Seen = this->Seen;
-    inputs.SeenTime = this->SeenTime;
   }
 }
 
@@ -259,9 +259,14 @@ void MaterialDrawing::ResolveAll(
 {
   const PlanJob::Hold hold; // until what stands in is made
   std::vector<PlanRequest> requests;
+  const bool isPlanned = state.Environment && this->IsPlanned();
+  if (isPlanned && this->Settings->PlanForView)
+  {
+    this->Look(state);
+  }
   for (const MaterialUse& use : uses)
   {
-    if (use.first && state.Environment && this->IsPlanned())
+    if (isPlanned && use.first)
     {
       requests.push_back(this->GetRequest(use, state));
     }

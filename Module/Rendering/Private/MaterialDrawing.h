@@ -30,6 +30,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -116,9 +117,16 @@ public:
     this->RefusedOcclusion.erase(part);
   }
   const OcclusionLight* FindOcclusionLight(const DrawnMaterial& drawn);
+  /// What FindWhole found last.
+  struct WholeSurface
+  {
+    vtkSmartPointer<vtkPolyData> Traced;
+    vtkMTimeType Time = 0; // of the surface
+    vtkSmartPointer<vtkPolyData> Data;
+  };
   /// Of a surface that a material map will divide: itself, or with the arrays that it has to have
   /// (SetOcclusionModeToOn). The same object while nothing changes.
-  vtkSmartPointer<vtkPolyData> FindWhole(vtkPolyData* surface);
+  vtkPolyData* FindWhole(vtkPolyData* surface, WholeSurface& last);
   /// What was traced for a part because it is worth that, or for all of them because the mode says
   /// so (AutomaticOcclusion); null: nothing.
   vtkDataObject* GetTracedOcclusion(const void* part);
@@ -181,7 +189,7 @@ private:
   /// As plans know a material (PlanRequest::Member).
   vtkBRDF* GetMember(vtkBRDF* brdf) const { return brdf == this->Settings->BRDF ? nullptr : brdf; }
   PlanRequest GetRequest(const MaterialUse& use, const FrameState& state);
-  void Look(const FrameState& state, PlanInputs& inputs);
+  void Look(const FrameState& state);
   bool IsPlanned() const { return !this->Settings->Integrator; }
   void DropPlans(const FrameState& state, bool anyMaterial);
   void DropOcclusionLights();
@@ -222,7 +230,9 @@ private:
   std::map<std::pair<const void*, vtkRenderer*>, ViewFrame> Frames;
   std::shared_ptr<const VisibleSurface> Seen; // what PlanForView plans for
   vtkTimeStamp SeenTime;
-  const ViewFrame* Frame = nullptr; // drawn now
+  using ViewStamp = std::tuple<vtkRenderer*, vtkMTimeType, vtkMTimeType>; // camera, actor
+  ViewStamp SeenIn;                                                       // only compared
+  const ViewFrame* Frame = nullptr;                                       // drawn now
   vtkWeakPointer<vtkRenderer> LastRenderer;
   SelectedMaterials Selected;
   SampleSums Sums;

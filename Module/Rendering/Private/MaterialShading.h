@@ -177,7 +177,7 @@ private:
   bool IsPlain = false;        // drawn by VTK's class, since materials failed
   int BuiltOcclusionMode = -1; // of the buffers
   bool BuiltOcclusionBounce = false;
-  const void* BuiltTracedOcclusion = nullptr;
+  vtkSmartPointer<vtkDataObject> BuiltTracedOcclusion;
   std::size_t MostAttributes = 0; // of the graphics card that has the buffers
   std::size_t MostVaryings = 0;
   std::size_t VaryingsOfBase = 0; // for clipping planes and edges, in this frame

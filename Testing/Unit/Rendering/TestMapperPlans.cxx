@@ -38,6 +38,7 @@
 #include <functional>
 #include <memory>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -607,20 +608,18 @@ public:
 };
 vtkStandardNewMacro(Plain);
 
-/// Isotropic while candidates are listed, when the planner and three methods ask: tables are
-/// planned, and then refused.
-class Fickle : public vtkBlinnPhongBRDF
+/// Nothing can be planned for it.
+class Troubled : public vtkBlinnPhongBRDF
 {
 public:
-  static Fickle* New();
-  vtkTypeMacro(Fickle, vtkBlinnPhongBRDF);
-  bool IsIsotropic() override { return this->Asked++ < 4; }
-  std::atomic<int> Asked{ 0 };
+  static Troubled* New();
+  vtkTypeMacro(Troubled, vtkBlinnPhongBRDF);
+  void Prepare() override { throw std::runtime_error("its own trouble"); }
 
 protected:
-  vtkBRDF* NewCopy() override { return Fickle::New(); }
+  vtkBRDF* NewCopy() override { return Troubled::New(); }
 };
-vtkStandardNewMacro(Fickle);
+vtkStandardNewMacro(Troubled);
 }
 
 TEST_F(Background, WithoutSnapshotsItIsTheForeground)
@@ -642,13 +641,13 @@ TEST_F(Background, FailuresAreToldAndNotRepeated)
 {
   CurrentPlan plan;
   ASSERT_TRUE(this->Update(plan));
-  vtkNew<Fickle> fickle;
-  const PlanInputs inputs(fickle, this->Sky, 0.05);
+  vtkNew<Troubled> troubled;
+  const PlanInputs inputs(troubled, this->Sky, 0.05);
   EXPECT_FALSE(plan.Update(inputs, Timing::Changes, this->Problem));
   ASSERT_TRUE(WaitUntil([&]() { return plan.IsReady(); }));
   EXPECT_EQ(this->Problem, "");
   EXPECT_TRUE(plan.Update(inputs, Timing::Changes, this->Problem));
-  EXPECT_NE(this->Problem.find("isotropic"), std::string::npos) << this->Problem;
+  EXPECT_NE(this->Problem.find("its own trouble"), std::string::npos) << this->Problem;
   EXPECT_EQ(plan.GetPlan(), nullptr);
   this->Problem.clear();
   EXPECT_FALSE(plan.Update(inputs, Timing::Changes, this->Problem));

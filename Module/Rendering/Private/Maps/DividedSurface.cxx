@@ -93,7 +93,7 @@ bool DividedSurface::Divide(vtkPolyData* input)
   }
   std::string warning;
   const std::string problem = this->Parts.Update(
-    this->Drawing->FindWhole(input), settings.MaterialMap, settings.BRDF, warning);
+    this->Drawing->FindWhole(input, this->Whole), settings.MaterialMap, settings.BRDF, warning);
   for (const std::string& text : { problem, warning })
   {
     if (!text.empty() && this->Parts.HasFailed())

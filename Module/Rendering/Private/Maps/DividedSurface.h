@@ -72,6 +72,7 @@ private:
   void DropMappers();
 
   std::shared_ptr<MaterialDrawing> Drawing;
+  MaterialDrawing::WholeSurface Whole;
   MaterialParts Parts;
   vtkNew<vtkCallbackCommand> ForwardEvents;
   vtkSmartPointer<PartsMapper> Mapper;                // null: nothing is drawn by parts

@@ -155,7 +155,6 @@ void MaterialParts::Drop()
 {
   this->Parts.clear();
   this->Whole = nullptr;
-  this->NumberOfWeightArrays = 0;
   this->BRDFs.clear();
   this->Uses.clear();
 }
@@ -342,7 +341,6 @@ void MaterialParts::MakeSurfaces(
     named->SetName(partarrays::Coordinates);
     data->AddArray(named);
   }
-  this->NumberOfWeightArrays = static_cast<int>(weights.size());
   for (const MaterialPart& part : this->Parts)
   {
     part.Surface->SetPoints(this->Whole->GetPoints());

@@ -82,9 +82,6 @@ public:
   /// The polygons of all parts, one after the other, and the input's vertices and lines.
   vtkPolyData* GetWhole() const { return this->Whole; }
 
-  /// Arrays of weights, of the part that needs most.
-  int GetNumberOfWeightArrays() const { return this->NumberOfWeightArrays; }
-
   /// Rises with each division.
   unsigned long GetRevision() const { return this->Revision; }
 
@@ -124,7 +121,6 @@ private:
 
   std::vector<MaterialPart> Parts;
   vtkSmartPointer<vtkPolyData> Whole;
-  int NumberOfWeightArrays = 0;
   std::vector<vtkBRDF*> BRDFs;
   std::unordered_map<vtkBRDF*, Use> Uses;
   std::string Problem;

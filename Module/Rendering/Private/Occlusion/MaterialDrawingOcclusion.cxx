@@ -3,6 +3,7 @@
 // MaterialDrawing's part in shading with what surfaces hide from themselves.
 #include "MaterialDrawing.h"
 
+#include "SharedTrace.h"
 #include "SurfaceBlocks.h"
 #include "vtkActor.h"
 #include "vtkEnvironment.h"
@@ -148,11 +149,22 @@ vtkPolyData* MaterialDrawing::FindTraced(vtkPolyData* surface, const void* part)
                                               this->Owner->GetInputDataObject(0, 0), surface);
 }
 
-vtkSmartPointer<vtkPolyData> MaterialDrawing::FindWhole(vtkPolyData* surface)
+vtkPolyData* MaterialDrawing::FindWhole(vtkPolyData* surface, WholeSurface& last)
 {
   vtkPolyData* traced =
     this->Settings->OcclusionMode == 2 ? this->FindTraced(surface, nullptr) : nullptr;
-  return traced ? traced : surface;
+  if (!traced)
+  {
+    last = {};
+    return surface;
+  }
+  if (last.Traced != traced || last.Time != surface->GetMTime())
+  {
+    last = { traced, surface->GetMTime(), vtkSmartPointer<vtkPolyData>::New() };
+    last.Data->ShallowCopy(surface); // what was traced is the geometry alone
+    CopyTraced(traced, last.Data);
+  }
+  return last.Data;
 }
 
 std::string MaterialDrawing::DescribeOcclusion() const

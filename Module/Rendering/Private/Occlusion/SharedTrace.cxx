@@ -24,9 +24,9 @@ namespace measuredbrdf
 namespace
 {
 constexpr std::chrono::milliseconds Patience(20); // until goesOn is asked again
+}
 
-// The filter's arrays in place of those of another surface that may be there.
-void MoveArrays(vtkPolyData* from, vtkPolyData* to)
+void CopyTraced(vtkPolyData* from, vtkPolyData* to)
 {
   for (const std::string name : { vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName(),
          vtkSurfaceVisibilityFilter::GetHiddenLightArrayName(),
@@ -46,7 +46,6 @@ void MoveArrays(vtkPolyData* from, vtkPolyData* to)
   fields->AddArray(
     from->GetFieldData()->GetAbstractArray(vtkSurfaceVisibilityFilter::GetKeyArrayName()));
   to->SetFieldData(fields);
-}
 }
 
 // A trace's stop is asked for by the filter's own thread: a request from another one could come
@@ -151,7 +150,7 @@ vtkSmartPointer<vtkDataObject> SharedTrace::Attach(
     {
       auto copy = vtkSmartPointer<vtkPolyData>::New();
       copy->ShallowCopy(surface);
-      MoveArrays(this->Arrays[number++], copy);
+      CopyTraced(this->Arrays[number++], copy);
       return copy;
     });
 }
@@ -182,7 +181,7 @@ void SharedTrace::Trace(vtkDataObject* input, bool withBounce, const std::functi
     for (vtkPolyData* surface : GetBlocks(filter->GetOutputDataObject(0)))
     {
       this->Arrays.push_back(vtkSmartPointer<vtkPolyData>::New());
-      MoveArrays(surface, this->Arrays.back());
+      CopyTraced(surface, this->Arrays.back());
     }
   }
   filter->GetOutputDataObject(0)->Initialize(); // the arrays are enough

@@ -28,6 +28,9 @@ std::string GetContentKey(vtkDataObject* input);
 /// What rays meet and where they begin, in arrays that the copy shares; nothing else of the data.
 vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* surface);
 
+/// Its arrays in place of those of another surface that may be there.
+void CopyTraced(vtkPolyData* from, vtkPolyData* to);
+
 /// vtkSurfaceVisibilityFilter's arrays, of both sides and without occluders, of surfaces of one
 /// content. They stay for as long as anybody holds this.
 class SharedTrace

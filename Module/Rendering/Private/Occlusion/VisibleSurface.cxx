@@ -105,7 +105,7 @@ VisibleSurface::VisibleSurface(const std::vector<vtkPolyData*>& surfaces, vtkMat
     const glm::dvec2 shares((k + 0.5) / Rays, RadicalInverse(static_cast<unsigned int>(k + 1), 2));
     const glm::dvec2 place = glm::mix(low, high, shares);
     const glm::dvec4 ends[2] = { back * glm::dvec4(place, -1.0, 1.0),
-      back * glm::dvec4(place, 1.0, 1.0) };
+      back * glm::dvec4(place, 0.0, 1.0) };
     const glm::dvec3 from = glm::dvec3(ends[0]) / ends[0].w;
     const glm::dvec3 direction = glm::normalize(glm::dvec3(ends[1]) / ends[1].w - from);
     // What is nearer than the clipping range counts: it is set anew before the picture is drawn.

@@ -16,7 +16,6 @@
 #include <condition_variable>
 #include <list>
 #include <mutex>
-#include <set>
 #include <thread>
 #include <utility>
 
@@ -101,22 +100,20 @@ struct PlanJob::Queue
     for (this->Changed.wait(lock, mayBegin); !this->Waiting.empty();
          this->Changed.wait(lock, mayBegin))
     {
-      std::shared_ptr<PlanJob> job = this->Waiting.front();
-      this->Current.insert(job.get());
-      this->Waiting.pop_front();
+      const auto place = this->Waiting.begin();
+      this->Current.splice(this->Current.end(), this->Waiting, place);
       ++this->Running;
       lock.unlock();
-      job->Work(nullptr);
+      (*place)->Work(nullptr);
       lock.lock();
       --this->Running;
-      this->Current.erase(job.get());
+      std::shared_ptr<PlanJob> job = std::move(*place);
       job->Done = true;
-      const int left = job->IsLeft ? 1 : 0;
       this->Changed.notify_all();
       lock.unlock();
       job.reset(); // with all that it used, where nobody waits for it
       lock.lock();
-      this->Left -= left;
+      this->Current.erase(place);
       this->Changed.notify_all();
     }
     --this->Threads;
@@ -127,12 +124,8 @@ struct PlanJob::Queue
   {
     const Lock lock(this->Mutex);
     this->Waiting.remove(job);
-    if (this->Current.count(job.get()) > 0)
-    {
-      job->IsLeft = true;
-      ++this->Left;
-      job->Planner->SetAbort(true);
-    }
+    job->IsLeft = true;
+    job->Planner->SetAbort(!job->Done);
     this->Changed.notify_all();
   }
 
@@ -147,9 +140,12 @@ struct PlanJob::Queue
     {
       job->Done = true;
     }
-    for (PlanJob* job : this->Current)
+    for (const std::shared_ptr<PlanJob>& job : this->Current)
     {
-      job->Planner->SetAbort(true);
+      if (job)
+      {
+        job->Planner->SetAbort(true);
+      }
     }
     this->Changed.notify_all();
   }
@@ -165,10 +161,9 @@ struct PlanJob::Queue
   std::mutex Mutex;
   std::condition_variable Changed;
   Jobs Waiting;
-  std::set<PlanJob*> Current;
+  Jobs Current; // null: done, and about to be released
   int Threads = 0;
   int Running = 0; // jobs
-  int Left = 0;    // of these, those that nobody waits for
   int Waiters = 0; // Renders
   int Holds = 0;
   bool IsStopped = false;
@@ -244,7 +239,12 @@ void PlanJob::WaitForStopped()
 {
   Queue& queue = GetQueue();
   Queue::Lock lock(queue.Mutex);
-  queue.Changed.wait(lock, [&queue]() { return queue.Left == 0; });
+  queue.Changed.wait(lock,
+    [&queue]()
+    {
+      return std::none_of(queue.Current.begin(), queue.Current.end(),
+        [](const std::shared_ptr<PlanJob>& job) { return !job || job->IsLeft; });
+    });
 }
 
 bool PlanJob::Wait(const Progress& progress)

@@ -138,7 +138,7 @@ private:
   bool Succeeded = false;
   std::atomic<bool> WithShaderInputs{ false }; // make the material's, too
   std::atomic<bool> Done{ false };
-  bool IsLeft = false; // while it runs; the queue's lock guards it
+  bool IsLeft = false; // nobody waits for it any more; the queue's lock guards it
   std::atomic<double> Share{ 0.0 };
 };
 } // namespace measuredbrdf
