@@ -718,7 +718,7 @@ TEST_F(Auto, TolerancesAreClampedWithAWarning)
   EXPECT_EQ(errors.Count, 3);
 }
 
-// A table cannot hold an anisotropic material: said once, drawn as the superclass does, mended by
+// Maps cannot hold an anisotropic material: said once, drawn as the superclass does, mended by
 // taking either away.
 TEST_F(Auto, AnIntegratorThatRefuses)
 {
@@ -726,6 +726,7 @@ TEST_F(Auto, AnIntegratorThatRefuses)
   brushed->SetExponents(5.0, 20.0);
   vtkNew<vtkTableRadianceIntegrator> table;
   table->SetNumberOfRows(9);
+  table->SetNumberOfMaps(1);
   this->Measured->SetBRDF(brushed);
   this->Measured->SetIntegrator(table);
   EventCounter warnings(this->Measured, vtkCommand::WarningEvent); // there are no tangents
