@@ -133,7 +133,8 @@ private:
     {
       const int across = (x + k % 3 - 1 + this->Width) % this->Width;
       const int down = std::clamp(y + k / 3 - 1, 0, this->Height - 1);
-      const float* rgb = &this->Environment->GetPixels()[3 * (down * this->Width + across)];
+      const std::size_t texel = static_cast<std::size_t>(down) * this->Width + across;
+      const float* rgb = &this->Environment->GetPixels()[3 * texel];
       mean += (k % 3 == 1 ? 0.75 : 0.125) * (k / 3 == 1 ? 0.75 : 0.125) *
               Sum(glm::dvec3(glm::make_vec3(rgb)));
     }

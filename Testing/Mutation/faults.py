@@ -301,7 +301,7 @@ add("Integration.tiles-of-few-nodes", "vtkTableRadianceIntegrator.cxx", "constex
     "TableTiles.KernelsHaveNodesEnough")
 add("Integration.fine-kernels-stay", "MaterialPrecomputation.cxx", " || sizes[1] > mostNodes", "",
     "MaterialPrecomputation.MakesForgottenNodesAgain")
-add("Integration.forgotten-nodes-stay-so", "MaterialPrecomputation.cxx", " && !(areNodesWanted && !all.front().HasNodes())", "",
+add("Integration.forgotten-nodes-stay-so", "MaterialPrecomputation.cxx", " && !(areNodesWanted && !kernels.At.front().HasNodes())", "",
     "MaterialPrecomputation.MakesForgottenNodesAgain")
 add("Integration.nodes-made-again-for-nothing", "MaterialPrecomputation.cxx", "use.Nodes || kernels", "true || kernels",
     "MaterialPrecomputation.MakesForgottenNodesAgain")

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <utility>
 
 namespace measuredbrdf
 {
@@ -34,16 +35,15 @@ MaterialKernels& MaterialPrecomputation::GetKernels(
 {
   const auto [angles, resolution, azimuths] = sizes;
   MaterialKernels& kernels = this->KernelsOf[{ angles, resolution, azimuths }];
-  std::vector<LobeKernel>& all = kernels.At;
   const bool areNodesWanted = use.Nodes || kernels.NeedsNodes(use.Degree, use.Orders);
-  if (!all.empty() && !(areNodesWanted && !all.front().HasNodes()))
+  if (!kernels.At.empty() && !(areNodesWanted && !kernels.At.front().HasNodes()))
   {
     return kernels;
   }
   const LobeViews* const views = azimuths > 0 ? nullptr : &this->GetViews(brdf, abort);
   const AnisotropicViews* const turned =
     azimuths > 0 ? &this->GetAnisotropicViews(brdf, abort) : nullptr;
-  all.assign(std::max(azimuths, 1) * angles, LobeKernel());
+  std::vector<LobeKernel> all(std::max(azimuths, 1) * angles);
   measuredbrdf::ParallelForEach(
     all.size(),
     [&, each = std::max(azimuths, 1), nodes = resolution](std::size_t k)
@@ -57,10 +57,7 @@ MaterialKernels& MaterialPrecomputation::GetKernels(
       all[k].Means.Delta = views ? views->GetAxis(theta) : 0.0;
     },
     &abort);
-  if (abort)
-  {
-    all.clear();
-  }
+  kernels.At = abort ? std::vector<LobeKernel>() : std::move(all); // never a part of them
   return kernels;
 }
 
@@ -69,14 +66,15 @@ std::vector<std::vector<float>> MaterialKernels::Expand(int degree, int orders)
   if (this->NeedsNodes(degree, orders))
   {
     assert(!this->At.empty() && this->At.front().HasNodes()); // Use was of less
-    this->Degree = std::max(this->Degree, degree);
-    this->Orders = std::max(this->Orders, orders);
     std::vector<TurnedLobe> lobes;
     for (const LobeKernel& kernel : this->At)
     {
       lobes.push_back({ &kernel, kernel.Means.Delta });
     }
-    this->Harmonics = ExpandLobes(lobes, this->Degree, this->Orders);
+    const int highest = std::max(this->Degree, degree), most = std::max(this->Orders, orders);
+    this->Harmonics = ExpandLobes(lobes, highest, most);
+    this->Degree = highest; // not before: where that throws, what is known stays
+    this->Orders = most;
   }
   std::vector<std::vector<float>> parts;
   for (const std::vector<float>& all : this->Harmonics)

@@ -6,6 +6,7 @@
 #include "ParallelFor.h"
 #include "SurfacePoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -15,7 +16,8 @@ namespace measuredbrdf
 {
 namespace
 {
-// Rays between two reports of progress: some 50 ms. Whoever stops a trace waits that long at most.
+// Of each thread between two reports of progress: some 50 ms. Whoever stops a trace waits that long
+// at most.
 constexpr vtkIdType RaysPerReport = 1 << 16;
 
 vtkSmartPointer<vtkUnsignedCharArray> MakeBytes(vtkIdType points, int components)
@@ -212,7 +214,8 @@ bool TraceVisibility(const SurfaceTracer& tracer, const std::vector<vtkPolyData*
   // Returns whether it was not stopped. visit runs on several threads.
   const auto forEach = [&](vtkIdType count, const auto& visit)
   {
-    const vtkIdType chunk = RaysPerReport / settings.NumberOfRays;
+    const vtkIdType chunk =
+      RaysPerReport * vtkSMPTools::GetEstimatedNumberOfThreads() / settings.NumberOfRays;
     bool goesOn = true;
     for (vtkIdType first = 0; first < count && goesOn; first += chunk)
     {

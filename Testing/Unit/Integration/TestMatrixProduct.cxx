@@ -6,6 +6,7 @@
 #include "LaneForms.h"
 #include "LobeHarmonics.h"
 #include "MaterialPrecomputation.h"
+#include "ParallelFor.h"
 #include "SpherePairs.h"
 #include "vtkBRDF.h"
 #include "vtkEmbeddedMaterials.h"
@@ -17,6 +18,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -82,6 +84,27 @@ TEST(MaterialPrecomputation, KeepsExpandedKernels)
       }
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// Where loops throw, for lack of memory say, nothing half made is kept.
+TEST(MaterialPrecomputation, KeepsWholeKernelsOnly)
+{
+  const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("nickel"));
+  brdf->Prepare();
+  const std::atomic<bool> never{ false };
+  MaterialPrecomputation parts, others;
+  parts.GetViews(brdf, never);
+  const auto expectThrown = [](const auto& work)
+  {
+    std::atomic<int> begun{ 0 };
+    const StoppableLoops loops([&begun]() { return ++begun > 1; });
+    EXPECT_THROW(work(), std::runtime_error);
+  };
+  expectThrown([&]() { parts.GetKernels(brdf, { 4, 32 }, never); });
+  MaterialKernels& kernels = parts.GetKernels(brdf, { 4, 32 }, never);
+  expectThrown([&]() { kernels.Expand(12, 2); });
+  EXPECT_EQ(kernels.Expand(12, 2), others.GetKernels(brdf, { 4, 32 }, never).Expand(12, 2));
 }
 
 //------------------------------------------------------------------------------
