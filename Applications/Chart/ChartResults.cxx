@@ -208,7 +208,7 @@ ChartJson LoadResults(
         problem.empty() ? ChartJson::diff(results.at(part), fresh.at(part)) : ChartJson();
       if (!changes.empty())
       {
-        problem = std::string(": was measured with another ") + part + "; now " + changes.dump();
+        problem = std::string(": differs in its ") + part + "; now " + changes.dump();
       }
     }
     if (problem.empty())

@@ -184,9 +184,11 @@ void AddAcquireCommand(CLI::App& app)
   std::map<std::string, int> patterns = laboratory::Bases;
   patterns.erase("spherical-harmonics");
   command
-    ->add_option("--basis", options->Device.Basis,
+    ->add_option_function<std::string>(
+      "--basis",
+      [options](const std::string& name) { options->Device.Basis = laboratory::Bases.at(name); },
       "Patterns that the projector shows: zonal (default), legendre-fourier or hemispherical")
-    ->transform(CLI::CheckedTransformer(patterns));
+    ->check(CLI::IsMember(patterns));
   command
     ->add_option("--order", options->Device.Order,
       "Order L of the basis (default 6): (L+1)^2 functions, each with two photographs except the "
@@ -222,10 +224,12 @@ void AddProjectCommand(CLI::App& app)
     "project", "Project a material onto a basis, or extrapolate a basis beyond its zone");
   command->add_option("FILE", options->File, GetMaterialHelp())->required();
   command
-    ->add_option("--basis", options->Basis,
+    ->add_option_function<std::string>(
+      "--basis",
+      [options](const std::string& name) { options->Basis = laboratory::Bases.at(name); },
       "spherical-harmonics or hemispherical (both of light from 0 to 90 degrees), zonal or "
       "legendre-fourier (of a zone)")
-    ->transform(CLI::CheckedTransformer(laboratory::Bases));
+    ->check(CLI::IsMember(laboratory::Bases));
   command
     ->add_option("--order", options->Order,
       "Order N of the basis: (N+1)^2 functions. For a FILE that is in a basis already: order of "

@@ -17,24 +17,34 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 namespace fs = std::filesystem;
 
 namespace
 {
 //------------------------------------------------------------------------------
-// Cells between commas, without surrounding blanks.
+// Cells without surrounding blanks and quotes. Commas inside quotes belong to the cell (RFC 4180).
 std::vector<std::string> Split(const std::string& line)
 {
   constexpr const char* blanks = " \t\r\n\v\f";
-  std::vector<std::string> cells;
-  std::istringstream stream(line + ",");
-  for (std::string cell; std::getline(stream, cell, ',');)
+  std::vector<std::string> cells(1);
+  bool isQuoted = false;
+  for (const char c : line)
+  {
+    isQuoted = isQuoted != (c == '"');
+    if (c == ',' && !isQuoted)
+    {
+      cells.emplace_back();
+    }
+    else if (c != '"')
+    {
+      cells.back() += c;
+    }
+  }
+  for (std::string& cell : cells)
   {
     cell.erase(0, std::min(cell.find_first_not_of(blanks), cell.size()));
     cell.erase(cell.find_last_not_of(blanks) + 1);
-    cells.push_back(cell);
   }
   return cells;
 }

@@ -25,6 +25,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <tuple>
 #include <vector>
 
 // The model of a channel at a sample is f = Lambert + p F / (4 (cos_i + cos_o - cos_i cos_o)). p
@@ -59,20 +60,16 @@ struct Table
   Sparse Basis;
   std::vector<Tie> Ties; // neighboring cells
 
-  Table(
-    int samples, const std::vector<Eigen::Triplet<double>>& entries, const Eigen::MatrixXd& basis)
-    : Interpolation(samples, basis.rows() + 1)
+  Table(int samples, const std::vector<Eigen::Triplet<double>>& entries, const Sparse& basis)
+    : Interpolation(samples, basis.rows())
+    , Basis(basis)
   {
     std::vector<Eigen::Triplet<double>> all = entries;
     for (int k = 0; k < samples; ++k)
     {
-      all.emplace_back(k, static_cast<int>(basis.rows()), 1.0);
+      all.emplace_back(k, static_cast<int>(basis.rows()) - 1, 1.0);
     }
     this->Interpolation.setFromTriplets(all.begin(), all.end());
-    Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(basis.rows() + 1, basis.cols() + 1);
-    whole.topLeftCorner(basis.rows(), basis.cols()) = basis;
-    whole(basis.rows(), basis.cols()) = 1.0;
-    this->Basis = whole.sparseView();
   }
 
   Eigen::ArrayXd At(const Vector& cells) const
@@ -110,7 +107,9 @@ Table MakeDistribution(const vtkBRDFFitter::Samples& samples, int thetas, int ph
     entries.emplace_back(row, p.Second * thetas + t.Second, p.Weight * t.Weight);
   }
   const int cells = thetas * phis;
-  Table table(static_cast<int>(samples.size()), entries, Eigen::MatrixXd::Identity(cells, cells));
+  Sparse basis(cells + 1, cells + 1);
+  basis.setIdentity();
+  Table table(static_cast<int>(samples.size()), entries, basis);
   for (int cell = 0; cell < cells; ++cell)
   {
     const int beside = (cell + thetas) % cells;
@@ -138,13 +137,17 @@ Table MakeFresnel(const vtkBRDFFitter::Samples& samples, bool isSchlick)
     entries.emplace_back(static_cast<int>(k), d.First, 1.0 - d.Weight);
     entries.emplace_back(static_cast<int>(k), d.Second, d.Weight);
   }
-  Eigen::MatrixXd basis = Eigen::MatrixXd::Ones(n, n).triangularView<Eigen::Lower>(); // monotone
+  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(n + 1, isSchlick ? 3 : n + 1);
   if (isSchlick)
   {
-    basis.resize(n, 2);
-    basis << Vector::Ones(n), SchlickTable(0.0);
+    basis.topLeftCorner(n, 2) << Vector::Ones(n), SchlickTable(0.0);
   }
-  Table table(static_cast<int>(samples.size()), entries, basis);
+  else // monotone
+  {
+    basis.topLeftCorner(n, n).triangularView<Eigen::Lower>().setOnes();
+  }
+  basis(n, basis.cols() - 1) = 1.0;
+  Table table(static_cast<int>(samples.size()), entries, basis.sparseView());
   for (int k = 0; k + 1 < n && !isSchlick; ++k)
   {
     table.Ties.push_back({ k, k + 1 });
@@ -220,52 +223,46 @@ private:
     const Eigen::Index cells = (this->*values).size();
     Vector now(cells + 1);
     now << this->*values, this->Lambert;
-    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(cells + 1, cells + 1);
-    Vector g = Vector::Zero(cells + 1);
-    std::vector<double> row;
+    SparseRows rows = table.Interpolation; // f = rows * now
+    Vector weights(factor.size()), targets(factor.size());
     for (Eigen::Index k = 0; k < factor.size(); ++k)
     {
-      const int first = table.Interpolation.outerIndexPtr()[k];
-      const int count = table.Interpolation.outerIndexPtr()[k + 1] - first;
-      const int* columns = table.Interpolation.innerIndexPtr() + first;
-      row.assign(static_cast<std::size_t>(count), 1.0); // the last one is the Lambert part's
-      double f = now[cells];
-      for (int a = 0; a + 1 < count; ++a)
+      double f = 0.0;
+      for (SparseRows::InnerIterator it(rows, k); it; ++it)
       {
-        row[a] = factor[k] * table.Interpolation.valuePtr()[first + a];
-        f += row[a] * now[columns[a]];
+        it.valueRef() *= it.col() < cells ? factor[k] : 1.0; // the last one is the Lambert part's
+        f += it.value() * now[it.col()];
       }
       const vtkBRDFFitter::Sample& sample = data.Samples[static_cast<std::size_t>(k)];
       const double slope = data.Fitter.GetLossSlope(f, sample.I[2]);
       const double t = data.Fitter.GetLossValue(sample.F[this->Index], sample.I[2]) -
                        data.Fitter.GetLossValue(f, sample.I[2]);
-      const double weight = sample.Weight * slope * slope;
-      for (int a = 0; a < count; ++a)
-      {
-        g[columns[a]] += weight * (f + t / slope) * row[a];
-        for (int b = 0; b < count; ++b)
-        {
-          H(columns[b], columns[a]) += weight * row[a] * row[b];
-        }
-      }
+      weights[k] = sample.Weight * slope * slope;
+      targets[k] = f + t / slope;
     }
+    const SparseRows weighted = weights.asDiagonal() * rows;
+    Sparse H = rows.transpose() * weighted;
+    Vector g = weighted.transpose() * targets;
     const Vector known = H.diagonal();
     const double least = 1e-12 * known.head(cells).mean();
+    std::vector<Eigen::Triplet<double>> pulls;
     for (const auto& [a, b] : table.Ties)
     {
       const double strength = TieStrength * std::max({ known[a], known[b], least });
       const double pull = strength * (now[a] - now[b]);
-      H(a, a) += strength;
-      H(b, b) += strength;
-      H(a, b) -= strength;
-      H(b, a) -= strength;
+      for (const auto& [row, column, sign] :
+        { std::tuple(a, a, 1.0), { b, b, 1.0 }, { a, b, -1.0 }, { b, a, -1.0 } })
+      {
+        pulls.emplace_back(row, column, sign * strength);
+      }
       g[a] += pull;
       g[b] -= pull;
     }
-    const Sparse sparse = H.sparseView();
+    Sparse ties(cells + 1, cells + 1);
+    ties.setFromTriplets(pulls.begin(), pulls.end());
+    H += ties;
     Vector x = warm ? now : Vector::Ones(table.Basis.cols());
-    SolveNonNegative(
-      table.Basis.transpose() * sparse * table.Basis, table.Basis.transpose() * g, x);
+    SolveNonNegative(table.Basis.transpose() * H * table.Basis, table.Basis.transpose() * g, x);
 
     // All the way to the goal, or half, ..., or nowhere: means of valid tables are valid.
     const Vector goal = table.Basis * x;

@@ -484,7 +484,7 @@ bool vtkMaterialMapFitter::Fit()
   {
     return false;
   }
-  catch (const std::runtime_error& error)
+  catch (const std::exception& error) // for lack of memory, too
   {
     vtkErrorMacro("Fit: " << ToPrintable(error.what()) << ".");
     return false;

@@ -299,7 +299,7 @@ class Evaluate(ToolTest):
         return run("evaluate", material or self.write_fits(), "--pairs", pairs, *more)
 
     def test_lambert(self):
-        text = "# a remark\r\n\r\nname,oz,ix, iy,iz,ox,oy\r\nfirst,0.8,0,0,1,0.6,0\r\n# end\r\n"
+        text = '# a remark\r\n\r\nname,oz,"ix", iy,iz,ox,oy\r\n"first, of two",0.8,0,0,1,0.6,0\r\n# end\r\n'
         result = self.evaluate(text)
         self.check(result, 0)
         head, row, rest = result.stdout.split("\n")

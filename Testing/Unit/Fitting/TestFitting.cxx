@@ -306,6 +306,22 @@ const Known Cases[] = {
       return fitter;
     },
     []() -> vtkSmartPointer<vtkBRDF> { return MakeDistribution(48, 32); }, 0.01, {} },
+  { "MatteTables", false, NewTablesOf<vtkBRDFFitter::LOG_COSINE>,
+    []() -> vtkSmartPointer<vtkBRDF> {
+      return Sum({ MakeLambert({ 0.6, 0.3, 0.0 }) });
+    },
+    0.01, {} },
+  { "ManyCells", false, // whose equations are sparse
+    []() -> vtkSmartPointer<vtkBRDFFitter>
+    {
+      auto fitter = vtkSmartPointer<vtkDistributionBRDFFitter>::New();
+      fitter->SetNumberOfPhiSamples(1024);
+      fitter->SetNumberOfSamples(4096);
+      fitter->SetNumberOfStarts(1);
+      fitter->SetMaximumNumberOfIterations(1);
+      return fitter;
+    },
+    NewTablesInput, 1.0, {} },
 };
 }
 
