@@ -309,6 +309,7 @@ void Window::MakePanels()
   this->Messages = new QLabel;
   this->Messages->setMargin(6);
   this->Messages->setWordWrap(true);
+  this->Messages->setTextFormat(Qt::RichText);
   this->Messages->setTextInteractionFlags(Qt::TextBrowserInteraction);
   this->Messages->hide();
   this->MessageTimer.setSingleShot(true);
@@ -471,7 +472,8 @@ void Window::ShowMessage(const QString& text, bool isError)
   const QString shown = this->Message.size() > MostCharacters
                           ? this->Message.left(MostCharacters) + "…"
                           : this->Message;
-  this->Messages->setText(shown.toHtmlEscaped() + tr(" <a href='#'>Hide</a>"));
+  this->Messages->setText(
+    shown.toHtmlEscaped().replace('\n', "<br>") + tr(" <a href='#'>Hide</a>"));
   this->Messages->setToolTip(shown == this->Message ? QString() : this->Message.toHtmlEscaped());
   this->Messages->setStyleSheet(
     isError ? "background: #7a251f; color: white" : "background: #2d4a66; color: white");
