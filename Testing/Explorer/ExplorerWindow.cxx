@@ -433,7 +433,7 @@ void ExplorerWindow::sameMethodsDoNotDiffer()
   double mean = -1.0;
   QVERIFY(window->GetEvaluation()->MakeDifference(mean));
   QCOMPARE(mean, 0.0);
-  for (const char* key : { method::LightSet, method::SoftLights })
+  for (const char* key : { method::PBR, method::Thesis })
   {
     window->GetSession()->SetMethod(1, key);
     QVERIFY(!window->IsSettled());
