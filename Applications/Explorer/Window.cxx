@@ -310,6 +310,7 @@ void Window::MakePanels()
   this->Messages->setMargin(6);
   this->Messages->setWordWrap(true);
   this->Messages->setTextFormat(Qt::RichText);
+  this->Messages->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // words may be long
   this->Messages->setTextInteractionFlags(Qt::TextBrowserInteraction);
   this->Messages->hide();
   this->MessageTimer.setSingleShot(true);
@@ -473,13 +474,10 @@ void Window::ShowMessage(const QString& text, bool isError)
                           ? this->Message.left(MostCharacters) + "…"
                           : this->Message;
   this->Messages->setText(
-    shown.toHtmlEscaped().replace('\n', "<br>") + tr(" <a href='#'>Hide</a>"));
+    shown.toHtmlEscaped().replace('\n', "<br>") + tr(" <a href='#' style='color: white'>Hide</a>"));
   this->Messages->setToolTip(shown == this->Message ? QString() : this->Message.toHtmlEscaped());
   this->Messages->setStyleSheet(
     isError ? "background: #7a251f; color: white" : "background: #2d4a66; color: white");
-  QPalette colors = this->Messages->palette();
-  colors.setColor(QPalette::Link, Qt::white);
-  this->Messages->setPalette(colors);
   isError ? this->MessageTimer.stop() : this->MessageTimer.start(NoteTime);
   this->Messages->show();
 }
