@@ -331,11 +331,12 @@ std::vector<vtkIdType> FindBad(vtkDataArray* array, bool isDirection)
 void CheckCells(const std::string& path, vtkDataObject* data)
 {
   auto* mesh = vtkPointSet::SafeDownCast(data);
-  if (!mesh || !mesh->GetPoints())
+  if (!mesh)
   {
     return;
   }
-  const std::vector<vtkIdType> bad = FindBad(mesh->GetPoints()->GetData(), false);
+  const std::vector<vtkIdType> bad =
+    FindBad(mesh->GetPoints() ? mesh->GetPoints()->GetData() : nullptr, false);
   if (!bad.empty())
   {
     throw Error(path + ": point " + std::to_string(bad.front()) + " is not finite");
@@ -475,7 +476,6 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path)
 constexpr const char* NotesName = "Notes"; // the field that holds what the child had to say
 constexpr int HasError = 1;                // exit status: the answer is a message
 
-//------------------------------------------------------------------------------
 //------------------------------------------------------------------------------
 // The tool, which answers ReadMeshOption, beside this program; empty where there is none.
 std::string FindTool()

@@ -88,24 +88,33 @@ void Session::Replace(const State& state, bool withCamera)
 }
 
 //------------------------------------------------------------------------------
-// Several may be opened at a time, each after what it is named with.
+// One after the other: the newest job also reads what the one that it stops has not read.
 void Session::Open(const QStringList& files)
 {
-  this->Background->Start(QString("open %1").arg(++this->Openings), tr("reading"),
-    [this, files, models = this->Current.Models](const Jobs::Post& post)
+  if (files.isEmpty())
+  {
+    return;
+  }
+  this->Opening += files;
+  this->Background->Start("open", tr("reading"),
+    [this, opening = this->Opening, models = this->Current.Models](const Jobs::Post& post)
     {
-      for (const QString& file : files)
+      for (const QString& file : opening)
       {
         if (tool::BackgroundWork::Get()->IsStopped())
         {
           return;
         }
         const std::string name = file.toStdString();
-        if (const auto problem = measuredbrdf::FindThrown(
-              [&]() { post(this->Read(FindFileKind(name), name, models)); }))
-        {
-          post([=]() { this->Say(QString::fromStdString(*problem), true); });
-        }
+        std::function<void()> show;
+        const auto problem =
+          measuredbrdf::FindThrown([&]() { show = this->Read(FindFileKind(name), name, models); });
+        post(
+          [=]()
+          {
+            this->Opening.removeFirst();
+            problem ? this->Say(QString::fromStdString(*problem), true) : show();
+          });
       }
     });
 }

@@ -177,7 +177,7 @@ private:
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkSmartPointer<vtkPolyData> Mesh;
   std::string MeshFile;       // of Mesh
-  int Openings = 0;           // how often files were opened
+  QStringList Opening;        // what is not read yet
   bool IsCameraGiven = false; // by the state that the next mesh belongs to
 };
 } // namespace explorer

@@ -90,16 +90,18 @@ struct ChartScale
 
 class SliceView : public QWidget
 {
-  Q_OBJECT // tests find it
+  Q_OBJECT
 
-    public : enum Chart {
-      ThetaH,
-      ThetaD,
-      PhiD,
-      Albedo,
-      Plane, // of incidence, also as a polar chart
-      NumberOfCharts
-    };
+public:
+  enum Chart
+  {
+    ThetaH,
+    ThetaD,
+    PhiD,
+    Albedo,
+    Plane, // of incidence, also as a polar chart
+    NumberOfCharts
+  };
 
   explicit SliceView(Session* session);
 

@@ -406,6 +406,16 @@ State ReadState(const std::string& text, const std::string& name)
   {
     json.erase("exposure");
   }
+  // Of earlier versions: a method that is gone, and samples that were edited.
+  if (json.contains("methods"))
+  {
+    std::replace(json["methods"].begin(), json["methods"].end(), ordered_json("basis"),
+      ordered_json(method::Planned));
+  }
+  if (!json.value("edits", ordered_json()).empty())
+  {
+    tool::PrintNote(name + ": \"edits\" are left out: samples are edited in a material's file");
+  }
   State state;
   Visit(state, fields);
   if ((state.Lights & (state.Lights - 1)) != 0)

@@ -309,6 +309,8 @@ void Window::MakePanels()
   this->Messages = new QLabel;
   this->Messages->setMargin(6);
   this->Messages->setWordWrap(true);
+  this->Messages->setTextFormat(Qt::RichText);
+  this->Messages->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // words may be long
   this->Messages->setTextInteractionFlags(Qt::TextBrowserInteraction);
   this->Messages->hide();
   this->MessageTimer.setSingleShot(true);
@@ -471,13 +473,11 @@ void Window::ShowMessage(const QString& text, bool isError)
   const QString shown = this->Message.size() > MostCharacters
                           ? this->Message.left(MostCharacters) + "…"
                           : this->Message;
-  this->Messages->setText(shown.toHtmlEscaped() + tr(" <a href='#'>Hide</a>"));
+  this->Messages->setText(
+    shown.toHtmlEscaped().replace('\n', "<br>") + tr(" <a href='#' style='color: white'>Hide</a>"));
   this->Messages->setToolTip(shown == this->Message ? QString() : this->Message.toHtmlEscaped());
   this->Messages->setStyleSheet(
     isError ? "background: #7a251f; color: white" : "background: #2d4a66; color: white");
-  QPalette colors = this->Messages->palette();
-  colors.setColor(QPalette::Link, Qt::white);
-  this->Messages->setPalette(colors);
   isError ? this->MessageTimer.stop() : this->MessageTimer.start(NoteTime);
   this->Messages->show();
 }

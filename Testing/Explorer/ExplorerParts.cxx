@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The explorer's parts that need no window: states, jobs, kinds of files, findings,
-// charts, the directional light, models with parameters, tables of samples.
+// The explorer's parts that need no window: states, jobs, kinds of files, transmission, charts, the
+// directional light, models with parameters.
 #include "Display.h"
 #include "Inspection.h"
 #include "Jobs.h"
@@ -30,6 +30,7 @@
 #include <QtTest>
 
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
@@ -113,12 +114,16 @@ void ExplorerParts::stateRoundTrip()
 //------------------------------------------------------------------------------
 void ExplorerParts::stateDefaults()
 {
-  const State state = ReadState(
-    R"({"format": "measured-brdf explorer state", "version": 1, "exposure": 3, "lights": 16})",
+  const std::atomic<bool> stop{ false };
+  const tool::BackgroundWork work(stop, [](const std::string&, double) {});
+  const State state = ReadState(R"({"format": "measured-brdf explorer state", "version": 1,
+    "exposure": 3, "lights": 16, "methods": ["pbr", "basis"], "edits": {"a.exr": [[1, 0, 0, 0]]}})",
     "s");
+  QVERIFY(work.Notes.find("s: \"edits\" are left out") == 0);
   QCOMPARE(state.Lights, 16);
   State expected;
   expected.Lights = 16;
+  expected.Methods = { method::PBR, method::Planned };
   QCOMPARE(WriteState(state), WriteState(expected));
 }
 
