@@ -146,7 +146,7 @@ protected:
     vtkSmartPointer<vtkImageData> Picture; // null: made when asked for
     double Light[3] = { 0.0, 0.0, 0.0 };
     double View[3] = { 0.0, 0.0, 0.0 };
-    double Exposure = 0.0;
+    double Exposure = 1.0;
     std::string Name;
   };
   const Photograph& Get(int index) const; // an empty one where there is none
