@@ -8,6 +8,7 @@
 #include "Neighbors.h"
 #include "Refusal.h"
 #include "VolumeInterpolation.h"
+#include "ZonalKernel.h"
 #include "vtkBRDFDistribution.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"
@@ -26,6 +27,9 @@ vtkStandardNewMacro(vtkDistributionBRDF);
 
 namespace
 {
+// Levels of larger tables are made at this many angles and interpolated: 24 x 256^2 weights.
+constexpr int MaximumAngles = 256;
+
 // Variance of the Blinn lobe with p's ratio of peak to projected integral: (n+2)/2pi for cos^n.
 double FindBlinnVariance(int nTheta, const std::vector<float>& p)
 {
@@ -47,7 +51,81 @@ glm::dvec3 GetColor(const std::vector<float>& rgb, int k)
 {
   return glm::dvec3(glm::make_vec3(&rgb[3 * static_cast<std::size_t>(k)]));
 }
+}
 
+//------------------------------------------------------------------------------
+/**
+ * Level k of Count is p convolved on the sphere with a von Mises-Fisher distribution of variance
+ * (1/kappa) s (r^(k/(Count - 1)) - 1), r = 1 + 1/s, s = p's own variance: from 0 to 1, in steps
+ * that lower a lobe's peak by equal factors. Between levels: linear.
+ */
+struct vtkDistributionBRDF::Levels
+{
+  static constexpr int Count = 24;
+
+  /// p at the nTheta table angles of vtkDistributionBRDF, RGB triples.
+  Levels(int nTheta, const std::vector<float>& p)
+    : OwnVariance(FindBlinnVariance(nTheta, p))
+    , Rows(p)
+  {
+    // Rings of p at up to MaximumAngles angles.
+    const int n = std::min(nTheta, MaximumAngles);
+    std::vector<double> angles, widths;
+    std::vector<glm::dvec3> values;
+    for (int k = 0; k < n; ++k)
+    {
+      const double u = (k + 0.5) / n;
+      angles.push_back(UnitToThetaH(u));
+      widths.push_back(UnitToThetaH((k + 1.0) / n) - UnitToThetaH(static_cast<double>(k) / n));
+      const Neighbors t = ClampedNeighbors(u, nTheta);
+      values.push_back(glm::mix(GetColor(p, t.First), GetColor(p, t.Second), t.Weight));
+    }
+    std::vector<glm::dvec3> blurred(values.size());
+    for (int level = 1; level < Count; ++level)
+    {
+      const double variance =
+        this->OwnVariance * (std::pow(1.0 + 1.0 / this->OwnVariance, level / (Count - 1.0)) - 1.0);
+      const double reach = GetRingReach(variance);
+      for (int a = 0; a < n; ++a)
+      {
+        glm::dvec3 sum(0.0);
+        double total = 0.0;
+        const auto first = std::lower_bound(angles.begin(), angles.end(), angles[a] - reach);
+        const auto last = std::upper_bound(angles.begin(), angles.end(), angles[a] + reach);
+        for (auto it = first; it != last; ++it)
+        {
+          const std::ptrdiff_t b = it - angles.begin();
+          const double weight = widths[b] * GetRingWeight(angles[a], *it, variance);
+          sum += weight * values[b];
+          total += weight;
+        }
+        blurred[a] = total > 0.0 ? sum / total : values[a];
+      }
+      for (int k = 0; k < nTheta; ++k)
+      {
+        const Neighbors t = ClampedNeighbors((k + 0.5) / nTheta, n);
+        const glm::vec3 value(glm::mix(blurred[t.First], blurred[t.Second], t.Weight));
+        this->Rows.insert(this->Rows.end(), { value.x, value.y, value.z });
+      }
+    }
+  }
+
+  /// The levels around a variance >= 0 in h.
+  Neighbors Find(double variance) const
+  {
+    const double level =
+      (Count - 1) *
+      std::min(std::log1p(variance / this->OwnVariance) / std::log1p(1.0 / this->OwnVariance), 1.0);
+    const int first = std::min(static_cast<int>(level), Count - 2);
+    return { first, first + 1, level - first };
+  }
+
+  double OwnVariance;
+  std::vector<float> Rows; // Count rows of nTheta RGB triples; row 0 is p itself
+};
+
+namespace
+{
 constexpr int MostSamples = 16384; // of a side
 
 // Takes a table of so many samples where it is one; clears rounding noise below 0.
@@ -94,8 +172,8 @@ bool vtkDistributionBRDF::SetDistribution(int nTheta, int nPhi, const std::vecto
   }
   this->NumberOfTheta = nTheta;
   this->NumberOfPhi = nPhi;
-  this->OwnVariance = nPhi == 1 ? FindBlinnVariance(nTheta, this->Distribution) : 0.0;
   this->ResetLobe();
+  this->WidenedLevels.reset();
   this->Modified();
   return true;
 }
@@ -173,32 +251,43 @@ void vtkDistributionBRDF::EvaluateSoftAbove(
   const glm::dvec3 view = glm::make_vec3(o);
   const HalfDifference angles = ToHalfDifference(light, view);
   const glm::dvec3 h = HalfVector(light, view);
-  // The lobe with the light's variance in addition is as much wider, and lower, as Blinn's of such
-  // variances are.
-  const double variance = HalfVectorSpread(spread, glm::dot(h, view));
-  const bool soft = spread > 0.0 && this->OwnVariance > 0.0;
-  const double share = soft ? this->OwnVariance / (this->OwnVariance + variance) : 1.0;
-  const double height =
-    soft ? (share + 2.0 * this->OwnVariance) / (1.0 + 2.0 * this->OwnVariance) : 1.0;
-  const Neighbors t =
-    ClampedNeighbors(ThetaHToUnit(angles.ThetaH * std::sqrt(share)), this->NumberOfTheta);
-  const Neighbors p = PeriodicNeighbors(std::atan2(h.y, h.x) / (2.0 * Pi), this->NumberOfPhi);
+  const Neighbors t = ClampedNeighbors(ThetaHToUnit(angles.ThetaH), this->NumberOfTheta);
+  // Rows of the table are phi_h; of the levels, widths.
+  const bool soft = spread > 0.0 && this->NumberOfPhi == 1;
+  if (soft)
+  {
+    this->PrepareLevels();
+  }
+  const std::vector<float>& rows = soft ? this->WidenedLevels->Rows : this->Distribution;
+  const Neighbors p = soft
+                        ? this->WidenedLevels->Find(HalfVectorSpread(spread, glm::dot(h, view)))
+                        : PeriodicNeighbors(std::atan2(h.y, h.x) / (2.0 * Pi), this->NumberOfPhi);
   const Neighbors d =
     ClampedNeighbors(angles.ThetaD * (2.0 / Pi), static_cast<int>(this->Fresnel.size() / 3));
   const double g = 4.0 * (light.z + view.z - light.z * view.z);
-  const auto at = [this](int theta, int row)
-  { return GetColor(this->Distribution, row * this->NumberOfTheta + theta); };
+  const auto at = [this, &rows](int theta, int row)
+  { return GetColor(rows, row * this->NumberOfTheta + theta); };
   const glm::dvec3 p0 = glm::mix(at(t.First, p.First), at(t.Second, p.First), t.Weight);
   const glm::dvec3 p1 = glm::mix(at(t.First, p.Second), at(t.Second, p.Second), t.Weight);
   const glm::dvec3 fresnel =
     glm::mix(GetColor(this->Fresnel, d.First), GetColor(this->Fresnel, d.Second), d.Weight);
-  const glm::dvec3 value = glm::mix(p0, p1, p.Weight) * fresnel * (height / g);
+  const glm::dvec3 value = glm::mix(p0, p1, p.Weight) * fresnel / g;
   std::copy_n(&value.x, 3, f);
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributionBRDF::PrepareLevels()
+{
+  if (!this->WidenedLevels && this->NumberOfPhi == 1)
+  {
+    this->WidenedLevels = std::make_shared<const Levels>(this->NumberOfTheta, this->Distribution);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkDistributionBRDF::Prepare()
 {
+  this->PrepareLevels();
   if (this->HasLobe())
   {
     return;
@@ -221,10 +310,23 @@ void vtkDistributionBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   measuredbrdf::SetModuleShader(term, "vtkBRDFDistribution", vtkBRDFDistribution);
   vtkBRDFShaderInputs::Texture p;
   p.Name = "brdfDistribution";
-  p.Dimensions = { this->NumberOfTheta, this->NumberOfPhi, 1 };
-  p.Repeat = { false, true, false };
-  p.Data = this->Distribution;
-  term.Uniforms.push_back({ "brdfOwnVariance", { static_cast<float>(this->OwnVariance) } });
+  if (this->NumberOfPhi == 1)
+  {
+    this->PrepareLevels();
+    p.Dimensions = { this->NumberOfTheta, Levels::Count, 1 };
+    p.Data = this->WidenedLevels->Rows;
+    term.Uniforms.push_back(
+      { "brdfOwnVariance", { static_cast<float>(this->WidenedLevels->OwnVariance) } });
+    term.Uniforms.push_back({ "brdfNumberOfLevels", { static_cast<float>(Levels::Count) } });
+  }
+  else
+  {
+    p.Dimensions = { this->NumberOfTheta, this->NumberOfPhi, 1 };
+    p.Repeat = { false, true, false };
+    p.Data = this->Distribution;
+    term.Uniforms.push_back({ "brdfOwnVariance", { 1.0f } });
+    term.Uniforms.push_back({ "brdfNumberOfLevels", { 0.0f } });
+  }
   vtkBRDFShaderInputs::Texture fresnel;
   fresnel.Name = "brdfFresnel";
   fresnel.Dimensions = { static_cast<int>(this->Fresnel.size() / 3), 1, 1 };
@@ -267,6 +369,6 @@ vtkBRDF* vtkDistributionBRDF::NewCopy()
   copy->NumberOfPhi = this->NumberOfPhi;
   copy->Distribution = this->Distribution;
   copy->Fresnel = this->Fresnel;
-  copy->OwnVariance = this->OwnVariance;
+  copy->WidenedLevels = this->WidenedLevels;
   return copy;
 }

@@ -12,7 +12,8 @@
  * Tables: theta_h = (pi/2) ((k + 1/2)/n)^2 for sample k of n (fine where lobes are sharp), phi_h =
  * 2 pi (k + 1/2)/n, theta_d = (pi/2) (k + 1/2)/n; constant beyond the outermost samples.
  *
- * Soft light (EvaluateSoft) stretches the lobe of an isotropic p; with an anisotropic p it is hard.
+ * Soft light (EvaluateSoft) reads an isotropic p at a wider level, blurred beforehand; with an
+ * anisotropic p it is hard.
  */
 
 #ifndef vtkDistributionBRDF_h
@@ -20,6 +21,7 @@
 
 #include "vtkBRDF.h"
 
+#include <memory> // for levels
 #include <vector> // for tables
 
 class VTKMEASUREDBRDF_EXPORT vtkDistributionBRDF : public vtkBRDF
@@ -78,11 +80,15 @@ protected:
   int NumberOfPhi = 0;
   std::vector<float> Distribution;
   std::vector<float> Fresnel;
-  double OwnVariance = 0.0; // of an isotropic p's lobe; 0: it is anisotropic
 
 private:
   vtkDistributionBRDF(const vtkDistributionBRDF&) = delete;
   void operator=(const vtkDistributionBRDF&) = delete;
+
+  void PrepareLevels();
+
+  struct Levels;
+  std::shared_ptr<const Levels> WidenedLevels; // of an isotropic p, for EvaluateSoft
 };
 
 #endif

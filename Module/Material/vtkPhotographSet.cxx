@@ -109,7 +109,7 @@ void vtkPhotographSet::RemoveAllPhotographs()
 //------------------------------------------------------------------------------
 const vtkPhotographSet::Photograph& vtkPhotographSet::Get(int index) const
 {
-  static const Photograph none{ nullptr, {}, {}, 0.0, {} };
+  static const Photograph none = { nullptr, {}, {}, 0.0, "" };
   return index >= 0 && static_cast<std::size_t>(index) < this->Photographs.size()
            ? this->Photographs[static_cast<std::size_t>(index)]
            : none;

@@ -150,8 +150,8 @@ add("Material.ashikhmin-shirley-two-quadrants", "vtkAshikhminShirleyBRDF.cxx",
     "quadrant == 1.0 || quadrant == 2.0 ? -1.0", "quadrant >= 2.0 ? -1.0", "Sampling.FollowsItsPdf")
 add("Material.distribution-denominator", "vtkDistributionBRDF.cxx", "4.0 * (light.z + view.z - light.z * view.z)",
     "4.0 * (light.z + view.z)", "Distribution.RetroReflectionInvertsToP|Evaluate.KeepsItsPromises|Parity.ClosedForms")
-add("Material.distribution-keeps-its-variance", "vtkDistributionBRDF.cxx",
-    "nPhi == 1 ? FindBlinnVariance(nTheta, this->Distribution) : 0.0;", "0.02;",
+add("Material.distribution-keeps-old-levels", "vtkDistributionBRDF.cxx",
+    "this->ResetLobe();\n  this->WidenedLevels.reset();", "this->ResetLobe();",
     "SoftTables.FollowTheDistribution")
 add("Material.distribution-fresnel-unit", "vtkDistributionBRDF.cxx", "ClampedNeighbors(angles.ThetaD * (2.0 / Pi),",
     "ClampedNeighbors(angles.ThetaD,",
@@ -1141,8 +1141,7 @@ add("Rendering.views-for-ever", "AutomaticOcclusion.cxx", "MostAnswers = 1024;",
     "Forecast.ViewsThatTakeTurnsComeToAnEnd")
 add("Rendering.throws-end-the-thread-unsaid", "AutomaticOcclusion.cxx",
     "this->Found.Most, *problem };", "this->Found.Most, std::string() };", "Forecast.TellsWhatIsThrown")
-add("Core.threads-outlive-the-process", "BackgroundThreads.cxx", "    for (const std::function<void()>& stop : stops)",
-    "    for (const std::function<void()>& stop : std::vector<std::function<void()>>())",
+add("Core.threads-outlive-the-process", "BackgroundThreads.cxx", "      thread.Stop();", "",
     "EndOfProcess.StopsPlans|EndOfProcess.StopsForecasts")
 add("Core.objects-outlive-the-process", "BackgroundThreads.cxx", "      (*release)();", "",
     "EndOfProcess.LeavesNoObjects")

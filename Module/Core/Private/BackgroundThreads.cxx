@@ -5,13 +5,13 @@
 #include "ParallelFor.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <chrono>
-#include <condition_variable>
 #include <cstdlib>
 #include <exception>
+#include <future>
 #include <list>
 #include <mutex>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -36,13 +36,17 @@ int GetProcess()
 #endif
 }
 
+struct BackgroundThread
+{
+  std::function<void()> Stop;
+  std::future<void> Work; // its end waits for the thread
+};
+
 // Never destroyed: threads may still run when a process's statics go.
 struct BackgroundThreads
 {
   std::mutex Mutex;
-  std::condition_variable Changed;
-  std::list<std::function<void()>> Stops; // one for each thread that works
-  int Running = 0;                        // threads, with those that destroy what they kept
+  std::list<BackgroundThread> Threads;
   std::vector<std::function<void()>> Releases;
   bool IsRegistered = false;
   bool IsEnding = false;
@@ -73,20 +77,20 @@ struct BackgroundThreads
       return;
     }
     std::unique_lock<std::mutex> lock(this->Mutex);
-    this->IsEnding = true;
-    auto stops = this->Stops;
+    this->IsEnding = true; // no thread comes or goes any more
     lock.unlock();
-    for (const std::function<void()>& stop : stops)
+    for (const BackgroundThread& thread : this->Threads)
     {
-      stop();
+      thread.Stop();
     }
-    stops.clear();
-    lock.lock();
-    if (this->Changed.wait_for(lock, ThreadPatience, [this]() { return this->Running == 0; }))
+    const auto last = std::chrono::steady_clock::now() + ThreadPatience;
+    const bool areDone = std::all_of(this->Threads.begin(), this->Threads.end(),
+      [&last](const BackgroundThread& thread)
+      { return thread.Work.wait_until(last) == std::future_status::ready; });
+    if (areDone)
     {
-      const std::vector<std::function<void()>> releases = std::move(this->Releases);
-      lock.unlock();
-      for (auto release = releases.rbegin(); release != releases.rend(); ++release)
+      this->Threads.clear();
+      for (auto release = this->Releases.rbegin(); release != this->Releases.rend(); ++release)
       {
         (*release)();
       }
@@ -98,38 +102,37 @@ struct BackgroundThreads
 bool RunInBackground(std::function<void()> work, std::function<void()> stop)
 {
   BackgroundThreads& threads = BackgroundThreads::Get();
-  std::list<std::function<void()>> made; // outlives the lock, as a thread that did not start does
+  std::list<BackgroundThread> done; // outlives the lock, as a thread that did not start does
   const std::lock_guard<std::mutex> lock(threads.Mutex);
   if (threads.IsEnding)
   {
     return false;
   }
   threads.Register();
+  for (auto next = threads.Threads.begin(); next != threads.Threads.end();)
+  {
+    const auto thread = next++;
+    if (thread->Work.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+    {
+      done.splice(done.end(), threads.Threads, thread);
+    }
+  }
   try // there may be no memory, or no thread
   {
-    made.push_back(std::move(stop));
-    std::thread(
-      [&threads, place = made.begin(), own = std::move(work)]() mutable
+    std::list<BackgroundThread> made(1);
+    made.front().Stop = std::move(stop);
+    made.front().Work = std::async(std::launch::async,
+      [own = std::move(work)]() mutable
       {
         FindThrown(own); // nobody catches it above a thread
         own = nullptr;   // what it held goes before the thread counts as ended
-        std::list<std::function<void()>> ended;
-        std::unique_lock<std::mutex> held(threads.Mutex);
-        ended.splice(ended.end(), threads.Stops, place);
-        held.unlock();
-        ended.clear();
-        held.lock();
-        --threads.Running;
-        std::notify_all_at_thread_exit(threads.Changed, std::move(held));
-      })
-      .detach();
+      });
+    threads.Threads.splice(threads.Threads.end(), made);
   }
   catch (const std::exception&)
   {
     return false;
   }
-  threads.Stops.splice(threads.Stops.end(), made);
-  ++threads.Running;
   return true;
 }
 

@@ -186,9 +186,15 @@ private:
 // Whether a line of the text's beginning is VARS.
 bool HasAstmColumns(std::string_view text)
 {
-  const std::string start = "\n" + std::string(SkipByteOrderMark(text.substr(0, LongestHeader)));
-  const std::size_t line = std::min(start.find("\nVARS "), start.size());
-  return start.substr(line, start.find('\n', line + 1) - line).find("theta_") != std::string::npos;
+  std::string_view rest = SkipByteOrderMark(text.substr(0, LongestHeader));
+  std::string_view value;
+  bool has = false;
+  while (!has && !rest.empty())
+  {
+    has = HasKey(TakeUntil(rest, '\n'), "VARS", value) &&
+          value.find("theta_") != std::string_view::npos;
+  }
+  return has;
 }
 
 //------------------------------------------------------------------------------

@@ -34,6 +34,7 @@ namespace measuredbrdf
 namespace
 {
 constexpr const char* BsdfXmlFormatName = "BSDF XML";
+constexpr std::size_t DeepestElement = 64;
 constexpr std::size_t MostElements = 1000000;
 constexpr std::size_t DeepestBrace = 32;
 constexpr double AngleTolerance = 1e-3; // degrees
@@ -97,6 +98,10 @@ public:
 protected:
   void StartElement(const char* name, const char**) override
   {
+    if (this->Open.size() >= DeepestElement) // a search in each element would take for ever
+    {
+      this->Fail("elements are nested too deeply");
+    }
     if (this->Elements.size() >= MostElements)
     {
       this->Fail("found more than " + std::to_string(MostElements) + " elements");

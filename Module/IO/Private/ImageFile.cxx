@@ -328,7 +328,7 @@ void LimitValues(DecodedImage& image)
     if (image.Pixels[k] > largest && k % values < 3)
     {
       image.Pixels[k] = largest;
-      ++count;
+      count += image.IsGray && k % values > 0 ? 0 : 1; // a gray value stands three times
     }
   }
   if (count > 0)

@@ -98,7 +98,7 @@ TEST(IOAstm, TakesOtherWaysOfWritingIt)
     "\r\n\r\n");
   const auto reader =
     ReadFile(WriteBytes(folder("a.txt"), "\xef\xbb\xbf"
-                                         "VARS phi_s, Integrated, theta_s, theta_i\r\n" +
+                                         " VARS\tphi_s, Integrated, theta_s, theta_i\r\n" +
                                            rows + std::string("\x1a")));
   for (const char* part : { "degrees", "mirrored", "column 'Integrated'" })
   {

@@ -242,7 +242,7 @@ TEST(IOBsdfXml, RefusesBadFiles)
     tower += "<a>";
   }
   ExpectBytesRefused(
-    folder, Replace(good, "<Optical>", "<Optical>" + tower), { BsdfXmlFormat, "well-formed" });
+    folder, Replace(good, "<Optical>", "<Optical>" + tower), { BsdfXmlFormat, "deeply" });
 }
 
 //------------------------------------------------------------------------------

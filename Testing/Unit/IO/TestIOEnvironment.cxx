@@ -107,6 +107,8 @@ TEST(IOEnvironment, RepairsAndCounts)
   EXPECT_NE(found.Notes.find("2 values of +infinity were taken as 65504"), std::string::npos);
   WriteImage(folder("float.exr"), 1, 1, 3, { infinity, 1.0f, 3e6f });
   ExpectValues(ReadTopFirst(folder("float.exr")), { 3e6, 1, 3e6 });
+  WriteImage(folder("gray.exr"), 2, 1, 1, { infinity, 1.0f });
+  EXPECT_NE(ReadTopFirst(folder("gray.exr")).Notes.find("1 value of"), std::string::npos);
   // Probes that are converted count, too.
   std::vector<float> pixels(3 * 40 * 30, 1.0f);
   pixels[3 * (40 * 15 + 15)] = -1.0f; // row 15 of 30: inside the middle faces

@@ -149,6 +149,36 @@ TEST(SoftTables, FollowTheDistribution)
   EXPECT_NE(evaluate(changed), before);
 }
 
+// As measured materials have it: a sharp lobe on a wide one, each blurred for itself.
+TEST(SoftTables, LobesOfADistributionAddUp)
+{
+  vtkNew<vtkDistributionBRDF> brdf;
+  const auto evaluate = [&](double degrees)
+  {
+    const glm::dvec3 i =
+      measuredbrdf::ReflectAbout({ 0, 0, 1 }, { std::sin(measuredbrdf::ToRadians(degrees)), 0.0,
+                                                std::cos(measuredbrdf::ToRadians(degrees)) });
+    const double o[3] = { 0.0, 0.0, 1.0 };
+    double soft[3];
+    brdf->EvaluateSoft(&i.x, o, 0.02, soft);
+    return soft[1];
+  };
+  for (const double degrees : { 0.0, 4.0, 12.0, 30.0 })
+  {
+    brdf->SetBlinnDistribution(500.0);
+    std::vector<float> both = brdf->GetDistribution();
+    const double sharp = evaluate(degrees);
+    brdf->SetBlinnDistribution(5.0);
+    const double wide = evaluate(degrees);
+    for (std::size_t k = 0; k < both.size(); ++k)
+    {
+      both[k] = 0.05f * both[k] + brdf->GetDistribution()[k];
+    }
+    ASSERT_TRUE(brdf->SetDistribution(256, 1, both));
+    EXPECT_NEAR(evaluate(degrees) / (0.05 * sharp + wide), 1.0, 0.1) << degrees;
+  }
+}
+
 TEST(SoftTables, AgreeWithTheClosedForm)
 {
   // Both forms widen the same lobe; a table holds it in samples and steps of width, and the factors

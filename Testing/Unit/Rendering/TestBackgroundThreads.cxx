@@ -438,6 +438,7 @@ namespace
 {
 void EndWhilePlanning()
 {
+  EXPECT_TRUE(measuredbrdf::RunInBackground([]() {}, []() {})); // a thread that ends before
   auto* brdf = GatedBRDF::New();
   brdf->SetExponent(90.0);
   Watched = brdf->Door;
