@@ -162,7 +162,6 @@ public:
       const std::string where = Concat(path, ": photograph ", photographs.size());
       const ListObject listed(where, entry, { "file", "light", "view", "exposure", "comment" });
       Photograph photograph;
-      photograph.Exposure = 1.0; // where nothing says another
       const json file = listed.Get("file");
       const std::string name = file.is_string() ? file.get<std::string>() : "";
       listed.GetDirection("light", photograph.Light);
@@ -202,7 +201,6 @@ public:
         continue;
       }
       Photograph photograph;
-      photograph.Exposure = 1.0; // where nothing says another
       photograph.Name = entry->path().string();
       std::array<double, 4> angles{};
       if (FindAngles(GetFileTitle(photograph.Name), angles))
