@@ -261,7 +261,8 @@ std::vector<std::vector<int>> vtkLightSetRadianceIntegrator::GetCandidateSizes(b
 //------------------------------------------------------------------------------
 double vtkLightSetRadianceIntegrator::EstimateCost()
 {
-  return PixelCosts::Pixel + PixelCosts::Light * this->NumberOfLights;
+  using namespace measuredbrdf::PixelCosts;
+  return Pixel + Light * this->NumberOfLights;
 }
 
 //------------------------------------------------------------------------------
