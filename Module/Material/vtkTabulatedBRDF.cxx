@@ -100,18 +100,36 @@ Cell Normalized(const Cell& sum)
   return sum.w > least ? sum / sum.w : Cell(0.0f);
 }
 
-// The volume at width x height samples of phi_d and theta_d.
-std::vector<Cell> SampleCells(
+// The volume averaged to width x height samples of phi_d and theta_d: measured noise is, too.
+std::vector<Cell> AverageCells(
   const int dimensions[3], const std::vector<float>& volume, int width, int height)
 {
+  // What part of sample k of `from` lies in sample j of `to` <= from, in units of the latter.
+  const auto getOverlap = [](int k, int from, int j, int to)
+  {
+    const float scale = static_cast<float>(to) / from;
+    return std::max(std::min((k + 1) * scale, j + 1.0f) - std::max(k * scale, j + 0.0f), 0.0f);
+  };
   std::vector<Cell> cells;
   for (int cell = 0; cell < width * height * dimensions[2]; ++cell)
   {
     const int x = cell % width, y = cell / width % height, z = cell / width / height;
-    const VolumeSum sum = GatherCorners<3>(volume, dimensions,
-      { PeriodicNeighbors((x + 0.5) / width, dimensions[0]),
-        ClampedNeighbors((y + 0.5) / height, dimensions[1]), { z, z, 0.0 } });
-    cells.push_back(Normalized(Cell(glm::vec3(sum.Values), static_cast<float>(sum.Valid))));
+    const int bottom = ((y + 1) * dimensions[1] + height - 1) / height;
+    const int right = ((x + 1) * dimensions[0] + width - 1) / width;
+    Cell sum(0.0f);
+    for (int b = y * dimensions[1] / height; b < bottom; ++b)
+    {
+      for (int a = x * dimensions[0] / width; a < right; ++a)
+      {
+        const float* v = &volume[3 * (a + std::size_t(dimensions[0]) * (b + dimensions[1] * z))];
+        if (!std::isnan(v[0]))
+        {
+          sum += getOverlap(a, dimensions[0], x, width) * getOverlap(b, dimensions[1], y, height) *
+                 Cell(glm::make_vec3(v), 1.0f);
+        }
+      }
+    }
+    cells.push_back(Normalized(sum));
   }
   return cells;
 }
@@ -186,8 +204,8 @@ std::vector<double> GetRingWeights(double a, int n, double variance)
  * levels: linear. Level 0 is the volume itself and not held here.
  *
  * Wide levels need few samples: four levels have the same number along theta_h, the next four
- * half of it; steps of phi_d and theta_d are at least 5 and 2 degrees. The levels are stacked along
- * theta_h in one volume.
+ * half of it; phi_d and theta_d are averaged to steps of at least 5 and 2 degrees. The levels are
+ * stacked along theta_h in one volume.
  */
 struct vtkTabulatedBRDF::Levels
 {
@@ -199,7 +217,7 @@ struct vtkTabulatedBRDF::Levels
     const int* dimensions = table.Dimensions;
     const int width = std::min(dimensions[0], table.AzimuthRange == HALF_TURN ? 36 : 72);
     const int height = std::min(dimensions[1], 45);
-    const std::vector<Cell> cells = SampleCells(dimensions, table.Volume, width, height);
+    const std::vector<Cell> cells = AverageCells(dimensions, table.Volume, width, height);
     this->OwnVariance = FindLobeVariance(cells, width, height, dimensions[2]);
     this->Count = static_cast<int>(std::ceil(std::log2(1.0 + 1.0 / this->OwnVariance)));
     const int wanted =

@@ -718,19 +718,20 @@ TEST_F(Auto, TolerancesAreClampedWithAWarning)
   EXPECT_EQ(errors.Count, 3);
 }
 
-// A hybrid cannot hold an anisotropic material: said once, drawn as the superclass does, mended by
-// taking either away.
+// Maps of the sharp part cannot hold an anisotropic material: said once, drawn as the superclass
+// does, mended by taking either away.
 TEST_F(Auto, AnIntegratorThatRefuses)
 {
   vtkNew<vtkAshikhminShirleyBRDF> brushed;
   brushed->SetExponents(5.0, 20.0);
-  vtkNew<vtkHybridRadianceIntegrator> hybrid;
-  hybrid->SetNumberOfRows(9);
+  vtkNew<vtkTableRadianceIntegrator> table;
+  table->SetNumberOfRows(9);
+  table->SetNumberOfMaps(2);
   this->Measured->SetBRDF(brushed);
-  this->Measured->SetIntegrator(hybrid);
+  this->Measured->SetIntegrator(table);
   EventCounter warnings(this->Measured, vtkCommand::WarningEvent); // there are no tangents
   EventCounter errors(this->Measured, vtkCommand::ErrorEvent);
-  EventCounter reasons(hybrid, vtkCommand::ErrorEvent); // the mapper gives the reason
+  EventCounter reasons(table, vtkCommand::ErrorEvent); // the mapper gives the reason
   for (int frame = 0; frame < 3; ++frame)
   {
     this->RenderEncoded();
