@@ -92,7 +92,7 @@ void vtkAngleBasisBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3]
 }
 
 //------------------------------------------------------------------------------
-void vtkAngleBasisBRDF::GetReflectance(const double i[3], double reflectance[3])
+void vtkAngleBasisBRDF::GetDirectionalReflectance(const double i[3], double reflectance[3])
 {
   this->SumPatches(this->View, i, true, reflectance);
 }

@@ -63,7 +63,7 @@ public:
    * Exact: sums over all patches.
    */
   void GetDirectionalAlbedo(const double o[3], double albedo[3]) override;
-  void GetReflectance(const double i[3], double reflectance[3]) override;
+  void GetDirectionalReflectance(const double i[3], double reflectance[3]) override;
   ///@}
 
   bool IsIsotropic() override { return false; }

@@ -396,7 +396,7 @@ void vtkBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])
 }
 
 //------------------------------------------------------------------------------
-void vtkBRDF::GetReflectance(const double i[3], double reflectance[3])
+void vtkBRDF::GetDirectionalReflectance(const double i[3], double reflectance[3])
 {
   Integrate(this, i, true, reflectance);
 }

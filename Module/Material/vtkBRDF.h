@@ -90,7 +90,7 @@ public:
    * Directional-hemispherical reflectance r(i) = integral of f(i,o) cos(theta_o) do, RGB: the share
    * of light from i that is reflected. As exact; equal to the albedo where f is reciprocal.
    */
-  virtual void GetReflectance(const double i[3], double reflectance[3]);
+  virtual void GetDirectionalReflectance(const double i[3], double reflectance[3]);
 
   ///@{
   /**

@@ -110,7 +110,7 @@ void vtkBTDF::Integrate(const double direction[3], bool isLight, double rgb[3])
     return;
   }
   const bool overView = isLight != values.IsExchanged; // of the folded values
-  overView ? values.Folded->GetReflectance(fixed, rgb)
+  overView ? values.Folded->GetDirectionalReflectance(fixed, rgb)
            : values.Folded->GetDirectionalAlbedo(fixed, rgb);
 }
 

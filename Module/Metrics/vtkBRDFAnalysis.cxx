@@ -108,7 +108,7 @@ void vtkBRDFAnalysis::UpdateAlbedos()
       const glm::dvec3 d = ToDirection(std::cos(theta), 2.0 * Pi * k / azimuths);
       double albedo[3], reflectance[3];
       this->BRDF->GetDirectionalAlbedo(&d.x, albedo);
-      this->BRDF->GetReflectance(&d.x, reflectance);
+      this->BRDF->GetDirectionalReflectance(&d.x, reflectance);
       for (int c = 0; c < 3; ++c)
       {
         this->Albedos[j][c] += albedo[c] / azimuths;
