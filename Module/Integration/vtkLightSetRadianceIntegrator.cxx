@@ -25,6 +25,7 @@
 #include <string>
 #include <vector>
 
+namespace PixelCosts = measuredbrdf::PixelCosts;
 using measuredbrdf::EnvironmentPrecomputation;
 using measuredbrdf::GetSpread;
 using measuredbrdf::LampBRDF;
@@ -261,8 +262,7 @@ std::vector<std::vector<int>> vtkLightSetRadianceIntegrator::GetCandidateSizes(b
 //------------------------------------------------------------------------------
 double vtkLightSetRadianceIntegrator::EstimateCost()
 {
-  using namespace measuredbrdf::PixelCosts;
-  return Pixel + Light * this->NumberOfLights;
+  return PixelCosts::Pixel + PixelCosts::Light * this->NumberOfLights;
 }
 
 //------------------------------------------------------------------------------
