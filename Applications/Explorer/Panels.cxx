@@ -185,7 +185,6 @@ void AddCompareBoxes(QTreeWidget* list, Session* session)
         [=]() { Show(box, session->IsCompared(file.toStdString())); });
     });
 }
-
 }
 
 //------------------------------------------------------------------------------

@@ -406,11 +406,14 @@ State ReadState(const std::string& text, const std::string& name)
   {
     json.erase("exposure");
   }
-  // Of earlier versions: a method that is gone, and samples that were edited.
-  if (json.contains("methods"))
+  // Of earlier versions: methods that are gone, and samples that were edited.
+  for (const char* gone : { "basis", "factored", "anisotropic-table" })
   {
-    std::replace(json["methods"].begin(), json["methods"].end(), ordered_json("basis"),
-      ordered_json(method::Planned));
+    if (json.contains("methods"))
+    {
+      std::replace(json["methods"].begin(), json["methods"].end(), ordered_json(gone),
+        ordered_json(method::Planned));
+    }
   }
   if (!json.value("edits", ordered_json()).empty())
   {

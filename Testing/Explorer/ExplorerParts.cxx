@@ -117,13 +117,13 @@ void ExplorerParts::stateDefaults()
   const std::atomic<bool> stop{ false };
   const tool::BackgroundWork work(stop, [](const std::string&, double) {});
   const State state = ReadState(R"({"format": "measured-brdf explorer state", "version": 1,
-    "exposure": 3, "lights": 16, "methods": ["pbr", "basis"], "edits": {"a.exr": [[1, 0, 0, 0]]}})",
+    "exposure": 3, "lights": 16, "methods": ["factored", "basis"], "edits": {"a.exr": [[1, 0, 0, 0]]}})",
     "s");
   QVERIFY(work.Notes.find("s: \"edits\" are left out") == 0);
   QCOMPARE(state.Lights, 16);
   State expected;
   expected.Lights = 16;
-  expected.Methods = { method::PBR, method::Planned };
+  expected.Methods = { method::Planned, method::Planned };
   QCOMPARE(WriteState(state), WriteState(expected));
 }
 

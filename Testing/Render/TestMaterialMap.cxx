@@ -284,6 +284,68 @@ TEST_F(MaterialMapBlocks, ScalarsThatChooseColorNoBlock)
   }
 }
 
+// Classes of cells against the same cells in a block for each class, in perspective: the same
+// pixels, to the last one along borders and silhouette.
+TEST_F(MaterialMapBlocks, BordersOfCellsAreThoseOfBlocks)
+{
+  this->AddMaterials(5);
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(0.9);
+  sphere->SetThetaResolution(23);
+  sphere->SetPhiResolution(17);
+  vtkNew<vtkPolyDataNormals> facets; // a point of its own for each corner
+  facets->SetInputConnection(sphere->GetOutputPort());
+  facets->SplittingOff();
+  facets->Update();
+  this->Sheet->ShallowCopy(facets->GetOutput());
+  const vtkIdType cells = this->Sheet->GetNumberOfCells();
+  const auto classOf = [](vtkIdType cell)
+  { return static_cast<int>((7 * cell * cell + cell) % 5); };
+  this->SetArray(this->Sheet->GetCellData(), cells, 1,
+    [&](vtkIdType cell, int) { return static_cast<double>(classOf(cell)); });
+  this->Actor->RotateX(40.0);
+  this->Actor->RotateY(25.0);
+  this->Renderer->GetActiveCamera()->ParallelProjectionOff();
+  this->Renderer->GetActiveCamera()->SetViewAngle(24.0);
+  this->Window->SetSize(150, 150);
+  this->Mapper->SetMaterialMap(this->Map);
+  const FloatImage mapped = this->RenderEncoded();
+  for (int k = 0; k < 5; ++k)
+  {
+    vtkNew<vtkPolyData> block;
+    block->ShallowCopy(this->Sheet);
+    vtkNew<vtkCellArray> polygons;
+    for (vtkIdType cell = 0; cell < cells; ++cell)
+    {
+      vtkNew<vtkIdList> corners;
+      this->Sheet->GetCellPoints(cell, corners);
+      if (classOf(cell) == k)
+      {
+        polygons->InsertNextCell(corners);
+      }
+    }
+    block->SetPolys(polygons);
+    block->GetCellData()->Initialize();
+    const auto index = static_cast<unsigned int>(k);
+    this->Blocks->SetBlock(index, block);
+    this->Composite->SetBlockBRDF(index + 1, this->Materials[k]);
+  }
+  this->Actor->SetMapper(this->Composite);
+  const FloatImage blocks = this->RenderEncoded();
+  // 1.3e-4 on a graphics card; next to a step of a table's profile rounding chooses the texel.
+  const double limit = 2.0 * this->GetLimit(0.5 * Same);
+  std::size_t covered = 0;
+  std::size_t apart = 0;
+  for (std::size_t k = 0; k < mapped.RGBA.size(); ++k)
+  {
+    ASSERT_NEAR(mapped.RGBA[k], blocks.RGBA[k], std::max(limit, 2e-4));
+    apart += std::abs(mapped.RGBA[k] - blocks.RGBA[k]) > limit ? 1 : 0;
+    covered += k % 4 == 0 && mapped.RGBA[k] > 0.0f ? 1 : 0;
+  }
+  EXPECT_GT(covered, 10000u);
+  EXPECT_LT(apart, covered / 500);
+}
+
 // A block's own color takes the place of scalars, divided or not; in newer VTK scalars go first.
 TEST_F(MaterialMapBlocks, ABlocksColorGoesBeforeScalars)
 {
@@ -312,7 +374,6 @@ TEST_F(MaterialMapBlocks, ABlocksColorGoesBeforeScalars)
     EXPECT_LT(this->RenderLinear().At(20, 30)[1], 0.01 * this->Alone[0].At(20, 30)[1]) << classes;
   }
 }
-
 }
 
 //------------------------------------------------------------------------------

@@ -930,7 +930,6 @@ vtkSmartPointer<CountedBlocks> MakeTriangles(int count)
   }
   return blocks;
 }
-
 }
 
 class OcclusionBlocks : public RenderFixture
@@ -1078,7 +1077,6 @@ TEST_F(OcclusionBlocks, ManyAreListedOnce)
 // their reference in C++, pictures against traced light, and bad arrays.
 namespace
 {
-
 // A hollow that is open towards the camera, at +z; its points and normals are inside.
 vtkSmartPointer<vtkPolyData> MakeHollow(double endPhi = 125.0)
 {

@@ -87,9 +87,6 @@ public:
     return std::exchange(this->Entries, {});
   }
 
-  /// How many are kept from now on, at least one.
-  void SetMost(std::size_t most) { this->Most = most; }
-
   std::size_t GetSize() const { return this->Entries.size(); }
 
   ///@{

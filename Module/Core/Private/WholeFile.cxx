@@ -138,15 +138,17 @@ void WriteWholeFile(const std::string& path, std::string_view bytes)
   }
   const fs::path part = GetFolder(place) / MakePartName();
   std::error_code error;
-  const bool isWritten = WriteTo(part.string(), "wbx", bytes, true);
+  const fs::file_status old = fs::symlink_status(place, error);
+  bool isWritten = WriteTo(part.string(), "wbx", {}, false);
+  if (isWritten && fs::exists(old)) // some file systems have no permissions to keep
+  {
+    fs::permissions(part, old.permissions() & fs::perms(0777), error); // before others can read it
+  }
+  isWritten = isWritten && WriteTo(part.string(), "wb", bytes, true);
   const std::error_code written(errno, std::generic_category());
+  error.clear();
   if (isWritten)
   {
-    const fs::file_status old = fs::symlink_status(place, error);
-    if (fs::exists(old)) // some file systems have no permissions to keep
-    {
-      fs::permissions(part, old.permissions() & fs::perms(0777), error);
-    }
     fs::rename(part, place, error);
   }
   if (!isWritten || error)

@@ -372,7 +372,6 @@ std::vector<std::vector<float>> ExpandLanes(
   }
   return results;
 }
-
 }
 
 std::vector<std::vector<float>> ExpandLobes(

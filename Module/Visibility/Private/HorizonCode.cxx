@@ -267,7 +267,6 @@ private:
   int Zenith = -1; // whether it is inside; unknown
   std::array<Interval, Sectors> Intervals;
 };
-
 }
 
 void HorizonCode::PackNormal(const glm::dvec3& normal, std::uint8_t bytes[3])

@@ -13,7 +13,6 @@
 namespace
 {
 const std::vector<std::string> Three = { "nickel", "red-fabric2", "blue-rubber" };
-
 }
 
 TEST(MaterialMapFitter, FindsTheMaterialsOfALibraryAndTheirWeights)

@@ -142,5 +142,4 @@ TEST(IOUtia, TablesAreChecked)
   expect(
     one, one, { 0.0f, std::numeric_limits<float>::infinity(), 0.0f }, "number 1 is not finite");
 }
-
 }

@@ -659,7 +659,6 @@ TEST_F(Background, FailuresAreToldAndNotRepeated)
 // What a camera sees of a surface, as plans for a view want it, against areas worked out by hand.
 namespace
 {
-
 std::vector<glm::dvec3> Get(vtkDoubleArray* array)
 {
   std::vector<glm::dvec3> directions(static_cast<std::size_t>(array->GetNumberOfTuples()));

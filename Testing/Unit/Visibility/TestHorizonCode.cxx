@@ -255,5 +255,4 @@ TEST(HorizonLight, NarrowSlitsAreDark)
   EXPECT_LT(slit.GetVisibleLamp({ std::sqrt(0.91), 0.0, 0.3 }), 0.01);
   EXPECT_GT(slit.GetHiddenShare({ 0.0, 0.0, 8.0 }), 0.98);
 }
-
 }

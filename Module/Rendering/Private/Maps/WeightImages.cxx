@@ -89,7 +89,6 @@ std::vector<float> GetValues(vtkImageData* image, std::size_t& bad)
   }
   return values;
 }
-
 }
 
 // Weights are looked at in the texels of a grid as fine as the finest image, each at the nearest
