@@ -125,11 +125,11 @@ ordered_json InspectMaterial(const Material& material)
   }
   info["largest_albedo"] = analysis->GetLargestAlbedo();
   info["gains_energy"] = analysis->GetGainsEnergy();
-  vtkBRDFShaderInputs form;
-  brdf->GetShaderInputs(form);
-  info["shader_inputs"] = { { "description", form.Description },
-    { "texture_bytes", form.GetTextureBytes() }, { "resampling_error", form.ResamplingError },
-    { "quantization_error", form.QuantizationError } };
+  vtkBRDFShaderInputs inputs;
+  brdf->GetShaderInputs(inputs);
+  info["shader_inputs"] = { { "description", inputs.Description },
+    { "texture_bytes", inputs.GetTextureBytes() }, { "resampling_error", inputs.ResamplingError },
+    { "quantization_error", inputs.QuantizationError } };
   if (!vtkBasisBRDF::SafeDownCast(brdf))
   {
     info["recommendation"] = Advise(brdf);

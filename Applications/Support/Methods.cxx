@@ -30,9 +30,9 @@ namespace tool
 //------------------------------------------------------------------------------
 std::string DescribeForm(vtkBRDF* brdf)
 {
-  vtkBRDFShaderInputs form;
-  brdf->GetShaderInputs(form);
-  return form.Description;
+  vtkBRDFShaderInputs inputs;
+  brdf->GetShaderInputs(inputs);
+  return inputs.Description;
 }
 
 //------------------------------------------------------------------------------

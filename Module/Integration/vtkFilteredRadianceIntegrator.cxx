@@ -370,7 +370,7 @@ void vtkFilteredRadianceIntegrator::IntegratePart(
 }
 
 //------------------------------------------------------------------------------
-bool vtkFilteredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
+bool vtkFilteredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 {
   if (!this->Prepare())
   {
@@ -412,7 +412,7 @@ bool vtkFilteredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
     std::to_string(count) + " samples of a map of " + std::to_string(pyramid.GetSize()) + " x " +
     std::to_string(pyramid.GetSize()) + " texels (" + (half ? "16" : "32") + "-bit), " +
     std::to_string(this->GetNumberOfExtractedLights()) + " directional lights";
-  form = std::move(result);
+  inputs = std::move(result);
   return true;
 }
 

@@ -56,7 +56,7 @@ public:
    * Two bilinear reads of the environment, two of the tables and a light per sample; the extracted
    * lights as vtkLightSetRadianceIntegrator draws them.
    */
-  bool GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  bool GetShaderInputs(vtkBRDFShaderInputs& inputs) override;
   bool UsesBRDFOnGPU() override { return true; }
 
   ///@{

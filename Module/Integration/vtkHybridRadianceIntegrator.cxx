@@ -248,7 +248,7 @@ void vtkHybridRadianceIntegrator::IntegratePart(
 }
 
 //------------------------------------------------------------------------------
-bool vtkHybridRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
+bool vtkHybridRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 {
   if (!this->Prepare())
   {
@@ -271,7 +271,7 @@ bool vtkHybridRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
     result.QuantizationError = std::max(result.QuantizationError, part.QuantizationError);
     result.Description += (result.Description.empty() ? "" : "; ") + part.Description;
   }
-  form = std::move(result);
+  inputs = std::move(result);
   return true;
 }
 

@@ -118,7 +118,7 @@ public:
   vtkIdType EstimateTextureBytes() override;
   ///@}
 
-  bool GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  bool GetShaderInputs(vtkBRDFShaderInputs& inputs) override;
   bool UsesBRDFOnGPU() override;
 
 protected:

@@ -170,7 +170,7 @@ void vtkLightSetRadianceIntegrator::IntegratePart(
 }
 
 //------------------------------------------------------------------------------
-bool vtkLightSetRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
+bool vtkLightSetRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 {
   if (!this->Prepare())
   {
@@ -197,10 +197,10 @@ bool vtkLightSetRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   {
     AddLightTexture(this->Current, term);
   }
-  form = vtkBRDFShaderInputs();
-  form.Description =
+  inputs = vtkBRDFShaderInputs();
+  inputs.Description =
     std::to_string(count) + (this->SoftLights ? " soft" : " directional") + " lights";
-  form.Terms.push_back(std::move(term));
+  inputs.Terms.push_back(std::move(term));
   return true;
 }
 

@@ -82,7 +82,7 @@ public:
   vtkBooleanMacro(Unrolled, bool);
   ///@}
 
-  bool GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  bool GetShaderInputs(vtkBRDFShaderInputs& inputs) override;
   bool UsesBRDFOnGPU() override { return true; }
   bool UsesSoftLights() override { return this->SoftLights; }
   bool NeedsEnvironment() override;

@@ -80,9 +80,9 @@ public:
    * `vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)`, their uniforms and textures. The columns of
    * frame are tangent, bitangent and normal in the environment's frame, o is the view in that
    * frame's coordinates, its cosine at least MinimumViewCosine. Terms are summed. Returns false
-   * (form unchanged) where there is no such form or nothing to build it from.
+   * (inputs unchanged) where there is no such text or nothing to build it from.
    */
-  virtual bool GetShaderInputs(vtkBRDFShaderInputs& form);
+  virtual bool GetShaderInputs(vtkBRDFShaderInputs& inputs);
 
   /**
    * Whether the GLSL of GetShaderInputs calls the material's brdfEvaluate.
@@ -90,7 +90,7 @@ public:
   virtual bool UsesBRDFOnGPU() { return false; }
 
   /**
-   * Whether it calls brdfEvaluateSoft: the material's form has to be asked for with
+   * Whether it calls brdfEvaluateSoft: ask for the material's inputs with
    * vtkBRDFShaderInputs::SoftLights.
    */
   virtual bool UsesSoftLights() { return false; }

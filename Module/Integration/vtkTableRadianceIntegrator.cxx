@@ -51,11 +51,11 @@ vtkTableRadianceIntegrator::~vtkTableRadianceIntegrator() = default;
 //------------------------------------------------------------------------------
 void vtkTableRadianceIntegrator::SetLight(
   const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest, vtkLightSet* lamps,
-  vtkBRDF* form)
+  vtkBRDF* renderable)
 {
   this->Rest = rest;
   this->Lamps = lamps;
-  this->LampForm = form;
+  this->LampForm = renderable;
   this->Modified();
 }
 
@@ -213,22 +213,22 @@ int vtkTableRadianceIntegrator::GetNumberOfPeriods()
 }
 
 //------------------------------------------------------------------------------
-bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
+bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 {
   if (!this->Prepare())
   {
     return false;
   }
-  form = this->Data->Table->GetShaderInputs();
+  inputs = this->Data->Table->GetShaderInputs();
   if (this->Data->Lamps)
   {
-    this->Data->Lamps->AddTo(form.Terms.front());
-    form.Description += "; " + std::to_string(this->Lamps->GetNumberOfLights()) +
-                        " directional lights near the lobe's axis";
+    this->Data->Lamps->AddTo(inputs.Terms.front());
+    inputs.Description += "; " + std::to_string(this->Lamps->GetNumberOfLights()) +
+                          " directional lights near the lobe's axis";
   }
   if (this->Data->Maps)
   {
-    this->Data->Maps->AddTo(form);
+    this->Data->Maps->AddTo(inputs);
   }
   return true;
 }

@@ -135,7 +135,7 @@ public:
    */
   int GetNumberOfPeriods();
 
-  bool GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  bool GetShaderInputs(vtkBRDFShaderInputs& inputs) override;
 
   ///@{
   /**
@@ -155,9 +155,9 @@ public:
   ///
   /// lamps: lights that together are what it lacks then. Pixels add what they see of them within a
   /// window about the lobe's axis; the table holds what lies outside of it. Null (default): there
-  /// are none. form: what they are evaluated with; null: GetRenderable().
+  /// are none. renderable: what they are evaluated with; null: GetRenderable().
   void SetLight(const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest,
-    vtkLightSet* lamps = nullptr, vtkBRDF* form = nullptr);
+    vtkLightSet* lamps = nullptr, vtkBRDF* renderable = nullptr);
 #endif
 
   bool UsesBRDFOnGPU() override;

@@ -181,7 +181,7 @@ void vtkAnisotropicTabulatedBRDF::Prepare()
 
 //------------------------------------------------------------------------------
 // theta_d within phi_h is one axis of the texture.
-void vtkAnisotropicTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
+void vtkAnisotropicTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 {
   vtkBRDFShaderInputs::Term term;
   vtkBRDFShaderInputs::Texture texture;
@@ -210,13 +210,13 @@ void vtkAnisotropicTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   {
     text << ", resampling error " << this->ResamplingError;
   }
-  form.QuantizationError =
-    std::max(form.QuantizationError, texture.HalfFloat ? HalfRounding : FloatRounding);
-  form.ResamplingError = std::max(form.ResamplingError, this->ResamplingError);
-  form.Description = text.str();
+  inputs.QuantizationError =
+    std::max(inputs.QuantizationError, texture.HalfFloat ? HalfRounding : FloatRounding);
+  inputs.ResamplingError = std::max(inputs.ResamplingError, this->ResamplingError);
+  inputs.Description = text.str();
   term.Textures.push_back(std::move(texture));
   term.Fetches = 2;
-  form.Terms.push_back(std::move(term));
+  inputs.Terms.push_back(std::move(term));
 }
 
 //------------------------------------------------------------------------------

@@ -84,7 +84,7 @@ public:
   bool IsIsotropic() override { return false; }
   bool IsReciprocal() override { return false; }
   void Prepare() override;
-  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& inputs) override;
   std::string GetModelName() override { return "AnisotropicTabulated"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 

@@ -199,7 +199,7 @@ double vtkAshikhminShirleyBRDF::PdfAbove(const double i[3], const double o[3])
 }
 
 //------------------------------------------------------------------------------
-void vtkAshikhminShirleyBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
+void vtkAshikhminShirleyBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 {
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFAshikhminShirley", vtkBRDFAshikhminShirley);
@@ -219,8 +219,8 @@ void vtkAshikhminShirleyBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   // 0 selects Schlick: a dielectric has an index of at least 1.
   term.Uniforms.push_back({ "brdfIndex",
     { this->FresnelModel == SCHLICK ? 0.0f : static_cast<float>(this->IndexOfRefraction) } });
-  form.Terms.push_back(term);
-  form.Description = "Ashikhmin-Shirley, closed form";
+  inputs.Terms.push_back(term);
+  inputs.Description = "Ashikhmin-Shirley, closed form";
 }
 
 //------------------------------------------------------------------------------

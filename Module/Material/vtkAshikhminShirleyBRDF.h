@@ -101,7 +101,7 @@ public:
     int count, const float* const i[3], const double o[3], float* const f[3]);
 
   bool IsIsotropic() override { return this->ExponentU == this->ExponentV; }
-  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& inputs) override;
   std::string GetModelName() override { return "AshikhminShirley"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 

@@ -160,9 +160,9 @@ public:
 
   /**
    * GLSL text, uniforms and textures that evaluate GetRenderable() on the GPU. The GLSL form of
-   * EvaluateSoft is included only if form.SoftLights requests it.
+   * EvaluateSoft is included only if inputs.SoftLights requests it.
    */
-  virtual void GetShaderInputs(vtkBRDFShaderInputs& form) = 0;
+  virtual void GetShaderInputs(vtkBRDFShaderInputs& inputs) = 0;
 
   /**
    * A copy that shares no data that either object may change, so that another thread may use it

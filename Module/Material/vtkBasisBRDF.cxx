@@ -384,7 +384,7 @@ void vtkBasisBRDF::Prepare()
 }
 
 //------------------------------------------------------------------------------
-void vtkBasisBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
+void vtkBasisBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 {
   if (this->Coefficients.empty())
   {
@@ -454,12 +454,12 @@ void vtkBasisBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
        << " bytes";
   term.Textures = { std::move(coefficients), std::move(basis) };
   term.Fetches = 2 * n; // of a pixel's first light; the coefficients stay
-  form.QuantizationError =
-    std::max(form.QuantizationError, amplification * (halfFloat ? HalfRounding : FloatRounding));
-  form.ResamplingError =
-    std::max(form.ResamplingError, std::hypot(this->ResamplingError, interpolation));
-  form.Description = text.str();
-  form.Terms.push_back(std::move(term));
+  inputs.QuantizationError =
+    std::max(inputs.QuantizationError, amplification * (halfFloat ? HalfRounding : FloatRounding));
+  inputs.ResamplingError =
+    std::max(inputs.ResamplingError, std::hypot(this->ResamplingError, interpolation));
+  inputs.Description = text.str();
+  inputs.Terms.push_back(std::move(term));
 }
 
 //------------------------------------------------------------------------------

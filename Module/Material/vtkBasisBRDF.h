@@ -161,7 +161,7 @@ public:
   bool IsIsotropic() override { return this->NumberOfPhi == 1; }
   bool IsReciprocal() override { return false; }
   void Prepare() override;
-  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& inputs) override;
   std::string GetModelName() override { return "Basis"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
   double GetMaximumArraySize() override { return MaximumNumberOfValues; }

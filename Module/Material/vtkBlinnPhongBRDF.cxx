@@ -66,7 +66,7 @@ double vtkBlinnPhongBRDF::PdfAbove(const double i[3], const double o[3])
 }
 
 //------------------------------------------------------------------------------
-void vtkBlinnPhongBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
+void vtkBlinnPhongBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 {
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFBlinnPhong", vtkBRDFBlinnPhong);
@@ -77,8 +77,8 @@ void vtkBlinnPhongBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   }
   term.Uniforms.push_back(scale);
   term.Uniforms.push_back({ "brdfExponent", { static_cast<float>(this->Exponent) } });
-  form.Terms.push_back(term);
-  form.Description = "Blinn-Phong, closed form";
+  inputs.Terms.push_back(term);
+  inputs.Description = "Blinn-Phong, closed form";
 }
 
 //------------------------------------------------------------------------------

@@ -37,7 +37,7 @@ public:
   vtkGetMacro(Exponent, double);
   ///@}
 
-  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& inputs) override;
   std::string GetModelName() override { return "BlinnPhong"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 

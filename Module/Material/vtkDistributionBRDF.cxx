@@ -304,7 +304,7 @@ void vtkDistributionBRDF::Prepare()
 }
 
 //------------------------------------------------------------------------------
-void vtkDistributionBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
+void vtkDistributionBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 {
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFDistribution", vtkBRDFDistribution);
@@ -333,11 +333,11 @@ void vtkDistributionBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   fresnel.Data = this->Fresnel;
   term.Textures = { p, fresnel };
   term.Fetches = 2;
-  form.Terms.push_back(term);
-  form.QuantizationError = std::max(form.QuantizationError, 0x1p-23);
-  form.Description = "D-BRDF, tables of " + std::to_string(this->NumberOfTheta) + " x " +
-                     std::to_string(this->NumberOfPhi) + " and " +
-                     std::to_string(this->Fresnel.size() / 3) + " samples, 32-bit";
+  inputs.Terms.push_back(term);
+  inputs.QuantizationError = std::max(inputs.QuantizationError, 0x1p-23);
+  inputs.Description = "D-BRDF, tables of " + std::to_string(this->NumberOfTheta) + " x " +
+                       std::to_string(this->NumberOfPhi) + " and " +
+                       std::to_string(this->Fresnel.size() / 3) + " samples, 32-bit";
 }
 
 //------------------------------------------------------------------------------

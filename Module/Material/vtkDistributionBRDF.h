@@ -64,7 +64,7 @@ public:
 
   bool IsIsotropic() override { return this->NumberOfPhi == 1; }
   void Prepare() override;
-  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& inputs) override;
   std::string GetModelName() override { return "Distribution"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 

@@ -39,7 +39,7 @@ void vtkLambertBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])
 }
 
 //------------------------------------------------------------------------------
-void vtkLambertBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
+void vtkLambertBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 {
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFLambert", vtkBRDFLambert);
@@ -49,8 +49,8 @@ void vtkLambertBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     albedo.Values.push_back(static_cast<float>(a));
   }
   term.Uniforms.push_back(albedo);
-  form.Terms.push_back(term);
-  form.Description = "Lambert, closed form";
+  inputs.Terms.push_back(term);
+  inputs.Description = "Lambert, closed form";
 }
 
 //------------------------------------------------------------------------------

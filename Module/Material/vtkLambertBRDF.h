@@ -29,7 +29,7 @@ public:
   ///@}
 
   void GetDirectionalAlbedo(const double o[3], double albedo[3]) override;
-  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& inputs) override;
   std::string GetModelName() override { return "Lambert"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 

@@ -176,7 +176,7 @@ vtkBRDF* vtkResampledBRDF::NewQuickRenderable()
 }
 
 //------------------------------------------------------------------------------
-void vtkResampledBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
+void vtkResampledBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 {
-  this->GetRenderable()->GetShaderInputs(form);
+  this->GetRenderable()->GetShaderInputs(inputs);
 }

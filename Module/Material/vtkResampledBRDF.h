@@ -25,7 +25,7 @@ public:
   vtkBRDF* GetRenderable() override;
   bool IsRenderable() override { return false; }
   VTK_NEWINSTANCE vtkBRDF* NewQuickRenderable() override;
-  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& inputs) override;
 
 protected:
   vtkResampledBRDF();

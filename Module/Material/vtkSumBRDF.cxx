@@ -239,15 +239,15 @@ vtkBRDF* vtkSumBRDF::NewQuickRenderable()
 }
 
 //------------------------------------------------------------------------------
-void vtkSumBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
+void vtkSumBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 {
   std::string description;
   for (vtkBRDF* term : this->Terms)
   {
-    term->GetShaderInputs(form);
-    description += (description.empty() ? "" : " + ") + form.Description;
+    term->GetShaderInputs(inputs);
+    description += (description.empty() ? "" : " + ") + inputs.Description;
   }
-  form.Description = description.empty() ? "nothing (black)" : description;
+  inputs.Description = description.empty() ? "nothing (black)" : description;
 }
 
 //------------------------------------------------------------------------------

@@ -42,7 +42,7 @@ public:
   bool IsRenderable() override;
   vtkBRDF* GetRenderable() override;
   VTK_NEWINSTANCE vtkBRDF* NewQuickRenderable() override;
-  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& inputs) override;
   std::string GetModelName() override { return "Sum"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 

@@ -596,7 +596,7 @@ void vtkTabulatedBRDF::Prepare()
 }
 
 //------------------------------------------------------------------------------
-void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
+void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 {
   vtkBRDFShaderInputs::Term term;
   vtkBRDFShaderInputs::Texture texture;
@@ -621,7 +621,7 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   {
     text << ", resampling error " << this->ResamplingError;
   }
-  const Levels* levels = form.SoftLights ? this->GetLevels() : nullptr;
+  const Levels* levels = inputs.SoftLights ? this->GetLevels() : nullptr;
   term.Fetches = levels ? 2 : 1;
   if (levels)
   {
@@ -641,10 +641,10 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     term.Textures.push_back(std::move(wider));
   }
   term.Textures.insert(term.Textures.begin(), std::move(texture));
-  form.QuantizationError = std::max(form.QuantizationError, storage.Rounding);
-  form.ResamplingError = std::max(form.ResamplingError, this->ResamplingError);
-  form.Description = text.str();
-  form.Terms.push_back(std::move(term));
+  inputs.QuantizationError = std::max(inputs.QuantizationError, storage.Rounding);
+  inputs.ResamplingError = std::max(inputs.ResamplingError, this->ResamplingError);
+  inputs.Description = text.str();
+  inputs.Terms.push_back(std::move(term));
 }
 
 //------------------------------------------------------------------------------

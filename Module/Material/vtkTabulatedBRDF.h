@@ -134,7 +134,7 @@ public:
            !this->CosineWeighted;
   }
   void Prepare() override;
-  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& inputs) override;
   std::string GetModelName() override { return "Tabulated"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 

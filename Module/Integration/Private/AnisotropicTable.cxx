@@ -204,12 +204,12 @@ vtkBRDFShaderInputs AnisotropicTable::GetShaderInputs() const
     AddTexture(term, "brdfTableProfile", AnisotropicViews::Angles, AnisotropicViews::Azimuths, 3);
   profile.Data = this->Profile;
   profile.Repeat[1] = true;
-  vtkBRDFShaderInputs form = this->MakeForm(
+  vtkBRDFShaderInputs inputs = this->MakeForm(
     std::move(term), this->Rows * this->ViewAzimuths, this->Angles * (this->Azimuths + 1));
-  form.Description = "anisotropic radiance table, " + std::to_string(this->Columns) + " x " +
-                     std::to_string(this->Rows) + " axes x " + std::to_string(this->Azimuths) +
-                     " azimuths x " + std::to_string(this->Angles) + " x " +
-                     std::to_string(this->ViewAzimuths) + " views";
-  return form;
+  inputs.Description = "anisotropic radiance table, " + std::to_string(this->Columns) + " x " +
+                       std::to_string(this->Rows) + " axes x " + std::to_string(this->Azimuths) +
+                       " azimuths x " + std::to_string(this->Angles) + " x " +
+                       std::to_string(this->ViewAzimuths) + " views";
+  return inputs;
 }
 } // namespace measuredbrdf

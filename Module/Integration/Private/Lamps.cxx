@@ -215,7 +215,7 @@ void LampBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
   std::copy_n(&sum.x, 3, f);
 }
 
-void LampBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
+void LampBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 {
   vtkBRDFShaderInputs::Term term;
   term.Source = vtkBRDFEnvironmentLampLobe;
@@ -226,16 +226,16 @@ void LampBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   texture.Dimensions = { LobeSize[0], LobeSize[1], LobeSize[2] };
   texture.SharedExponents = this->Texels;
   term.Textures.push_back(std::move(texture));
-  form = vtkBRDFShaderInputs();
-  form.QuantizationError = std::ldexp(1.0, -9);
-  form.Terms.push_back(std::move(term));
+  inputs = vtkBRDFShaderInputs();
+  inputs.QuantizationError = std::ldexp(1.0, -9);
+  inputs.Terms.push_back(std::move(term));
 }
 
 void LampBRDF::AddTo(vtkBRDFShaderInputs::Term& term)
 {
-  vtkBRDFShaderInputs form;
-  this->GetShaderInputs(form);
-  vtkBRDFShaderInputs::Term& own = form.Terms.front();
+  vtkBRDFShaderInputs inputs;
+  this->GetShaderInputs(inputs);
+  vtkBRDFShaderInputs::Term& own = inputs.Terms.front();
   term.Source = own.Source + term.Source;
   std::move(own.Uniforms.begin(), own.Uniforms.end(), std::back_inserter(term.Uniforms));
   std::move(own.Textures.begin(), own.Textures.end(), std::back_inserter(term.Textures));

@@ -100,7 +100,7 @@ public:
   static std::string GetFunction() { return "brdfLampINSTANCE"; }
 
   /// One term. Its function is GetFunction().
-  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& inputs) override;
 
   /// The term before another one's, which calls the function.
   void AddTo(vtkBRDFShaderInputs::Term& term);

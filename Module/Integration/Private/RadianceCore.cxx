@@ -365,14 +365,14 @@ std::vector<float> RadianceCore::GetShaderWeights() const
   return texels;
 }
 
-void RadianceCore::AddTo(vtkBRDFShaderInputs& form) const
+void RadianceCore::AddTo(vtkBRDFShaderInputs& inputs) const
 {
   if (this->Orders.empty()) // constant light, or nothing sharp
   {
     return;
   }
   // Both parts look at the same place of their maps: one text, the maps' before the table's.
-  vtkBRDFShaderInputs::Term& term = form.Terms.at(0);
+  vtkBRDFShaderInputs::Term& term = inputs.Terms.at(0);
   term.Source = std::string(vtkBRDFEnvironmentCore) + term.Source;
   term.Shader = "vtkBRDFEnvironmentCore";
   const int modes = this->Orders.size();
@@ -418,8 +418,9 @@ void RadianceCore::AddTo(vtkBRDFShaderInputs& form) const
   maps.HalfFloat = true;
   maps.Repeat[0] = true; // they are round
   maps.Data = this->Fields;
-  form.Description += "; " + std::to_string(fields) + " maps of " + std::to_string(this->Columns) +
-                      " x " + std::to_string(this->Rows) + " of its sharp part";
+  inputs.Description += "; " + std::to_string(fields) + " maps of " +
+                        std::to_string(this->Columns) + " x " + std::to_string(this->Rows) +
+                        " of its sharp part";
 }
 
 glm::dvec3 RadianceCore::Evaluate(

@@ -84,7 +84,7 @@ struct RadianceCore
     const CoreKernels& kernels, int fields, const std::function<bool(double)>& goOn);
 
   /// Adds the same to a table's form.
-  void AddTo(vtkBRDFShaderInputs& form) const;
+  void AddTo(vtkBRDFShaderInputs& inputs) const;
 
 private:
   double AddFields(int order, const FieldSynthesis::Fields& fields, std::size_t mode);

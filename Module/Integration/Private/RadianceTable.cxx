@@ -432,10 +432,10 @@ vtkBRDFShaderInputs RadianceTable::MakeForm(
     term.Uniforms.push_back({ "brdfTableIrradianceScale", { this->Irradiance->Scale } });
     term.Fetches += 2; // with its profile
   }
-  vtkBRDFShaderInputs form;
-  form.QuantizationError = std::ldexp(1.0, -9);
-  form.Terms.push_back(std::move(term));
-  return form;
+  vtkBRDFShaderInputs inputs;
+  inputs.QuantizationError = std::ldexp(1.0, -9);
+  inputs.Terms.push_back(std::move(term));
+  return inputs;
 }
 
 vtkBRDFShaderInputs RadianceTable::GetShaderInputs() const
@@ -467,11 +467,11 @@ vtkBRDFShaderInputs RadianceTable::GetShaderInputs() const
     sizes += " (" + std::to_string(tiles.GetFineColumns()) + " x " +
              std::to_string(tiles.FineRows) + " where they bend most)";
   }
-  vtkBRDFShaderInputs form =
+  vtkBRDFShaderInputs inputs =
     this->MakeForm(std::move(term), this->GetHeight(), this->Angles * (this->Azimuths + 1));
-  form.Description = sizes + " x " + std::to_string(this->Angles) + " view angles x " +
-                     std::to_string(this->Azimuths) + " azimuths";
-  return form;
+  inputs.Description = sizes + " x " + std::to_string(this->Angles) + " view angles x " +
+                       std::to_string(this->Azimuths) + " azimuths";
+  return inputs;
 }
 
 namespace

@@ -201,15 +201,16 @@ TEST(AnisotropicTable, ShaderInputs)
 {
   const auto table =
     NewAnisotropicTable(NewCoated(40.0, 10.0), NewSmallEnvironment(false), { 9, 3, 6, 4 });
-  vtkBRDFShaderInputs form;
-  ASSERT_TRUE(table->GetShaderInputs(form));
-  ASSERT_EQ(form.Terms.size(), 1u);
-  ASSERT_EQ(form.Terms[0].Textures.size(), 3u);
-  const vtkBRDFShaderInputs::Texture& radiance = form.Terms[0].Textures[1];
+  vtkBRDFShaderInputs inputs;
+  ASSERT_TRUE(table->GetShaderInputs(inputs));
+  ASSERT_EQ(inputs.Terms.size(), 1u);
+  ASSERT_EQ(inputs.Terms[0].Textures.size(), 3u);
+  const vtkBRDFShaderInputs::Texture& radiance = inputs.Terms[0].Textures[1];
   EXPECT_EQ(radiance.Dimensions[0], 16);
   EXPECT_EQ(radiance.Dimensions[1], 9 * 4);
   EXPECT_EQ(radiance.Dimensions[2], 3 * 7);
-  EXPECT_NEAR(static_cast<double>(form.GetTextureBytes()),
+  EXPECT_NEAR(static_cast<double>(inputs.GetTextureBytes()),
     static_cast<double>(table->EstimateTextureBytes()), 1.0);
-  EXPECT_EQ(form.Description, "anisotropic radiance table, 16 x 9 axes x 6 azimuths x 3 x 4 views");
+  EXPECT_EQ(
+    inputs.Description, "anisotropic radiance table, 16 x 9 axes x 6 azimuths x 3 x 4 views");
 }

@@ -96,10 +96,10 @@ TEST(FactoredIntegrator, SizesAndShaderInputs)
 {
   const auto factored =
     NewFactored(NewGloss(100.0), NewSmallEnvironment(false), 16, 5, { 9, 4, 6 });
-  vtkBRDFShaderInputs form;
-  ASSERT_TRUE(factored->GetShaderInputs(form));
-  ASSERT_EQ(form.Terms.size(), 1u);
-  const vtkBRDFShaderInputs::Texture& fields = form.Terms[0].Textures.back();
+  vtkBRDFShaderInputs inputs;
+  ASSERT_TRUE(factored->GetShaderInputs(inputs));
+  ASSERT_EQ(inputs.Terms.size(), 1u);
+  const vtkBRDFShaderInputs::Texture& fields = inputs.Terms[0].Textures.back();
   EXPECT_EQ(fields.Dimensions[0], 32);
   EXPECT_EQ(fields.Dimensions[1] % 16, 0);
   EXPECT_LE(fields.Dimensions[1], 5 * 16);
@@ -108,7 +108,7 @@ TEST(FactoredIntegrator, SizesAndShaderInputs)
   {
     ASSERT_LE(std::abs(value), 32768.5f);
   }
-  EXPECT_NE(form.Description.find("32 x 16 of its sharp part"), std::string::npos);
+  EXPECT_NE(inputs.Description.find("32 x 16 of its sharp part"), std::string::npos);
   const auto copy = vtkSmartPointer<vtkRadianceIntegrator>::Take(factored->NewCopy());
   EXPECT_EQ(copy->GetSizesText(), factored->GetSizesText());
 }

@@ -128,10 +128,10 @@ TEST(FilteredIntegrator, RealSun)
     const double error = GetRelativeError(pairs.Integrate(filtered), reference);
     EXPECT_GT(filtered->GetNumberOfExtractedLights(), 0);
     EXPECT_TRUE(filtered->UsesBRDFOnGPU());
-    vtkBRDFShaderInputs form;
-    ASSERT_TRUE(filtered->GetShaderInputs(form));
-    EXPECT_EQ(form.Terms.size(), 2u);
-    EXPECT_TRUE(form.Terms[0].Textures[0].HalfFloat); // in its range without the sun
+    vtkBRDFShaderInputs inputs;
+    ASSERT_TRUE(filtered->GetShaderInputs(inputs));
+    EXPECT_EQ(inputs.Terms.size(), 2u);
+    EXPECT_TRUE(inputs.Terms[0].Textures[0].HalfFloat); // in its range without the sun
     std::printf("sunrise, Blinn-Phong %g, N=64: %.4f\n", exponent, error);
     EXPECT_LT(error, 0.05);
   }
@@ -167,10 +167,10 @@ TEST(FilteredIntegrator, BroadLobesSeeSmallPanels)
     std::printf("small panel, N=%d: %.4f\n", count, error);
     EXPECT_LT(error, limit);
     EXPECT_EQ(filtered->GetNumberOfExtractedLights(), 0);
-    vtkBRDFShaderInputs form;
-    ASSERT_TRUE(filtered->GetShaderInputs(form));
+    vtkBRDFShaderInputs inputs;
+    ASSERT_TRUE(filtered->GetShaderInputs(inputs));
     vtkIdType bytes = 0;
-    for (const auto& texture : form.Terms[0].Textures)
+    for (const auto& texture : inputs.Terms[0].Textures)
     {
       bytes += static_cast<vtkIdType>(texture.Data.size()) * (texture.HalfFloat ? 2 : 4);
     }

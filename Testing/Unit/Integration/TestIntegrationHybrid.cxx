@@ -324,13 +324,14 @@ TEST(HybridIntegrator, EveryPartPays)
 TEST(HybridIntegrator, ShaderInputs)
 {
   const auto hybrid = NewHybrid(NewCoating(200.0), NewSunny(1e6f, 2));
-  vtkBRDFShaderInputs form;
-  ASSERT_TRUE(hybrid->GetShaderInputs(form));
-  ASSERT_EQ(form.Terms.size(), 2u);
-  EXPECT_EQ(form.Terms[0].Shader, "vtkBRDFEnvironmentCore");
-  EXPECT_EQ(form.Terms[1].Shader, "vtkBRDFLightSet");
+  vtkBRDFShaderInputs inputs;
+  ASSERT_TRUE(hybrid->GetShaderInputs(inputs));
+  ASSERT_EQ(inputs.Terms.size(), 2u);
+  EXPECT_EQ(inputs.Terms[0].Shader, "vtkBRDFEnvironmentCore");
+  EXPECT_EQ(inputs.Terms[1].Shader, "vtkBRDFLightSet");
   EXPECT_TRUE(hybrid->UsesBRDFOnGPU());
-  EXPECT_NE(form.Description.find("2 directional lights"), std::string::npos) << form.Description;
+  EXPECT_NE(inputs.Description.find("2 directional lights"), std::string::npos)
+    << inputs.Description;
 }
 
 //------------------------------------------------------------------------------

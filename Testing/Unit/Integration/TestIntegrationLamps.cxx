@@ -221,9 +221,9 @@ TEST(HybridLamps, AreAreasForNarrowLobes)
     EXPECT_GT(points, 4.0 * areas);
     EXPECT_FALSE(hybrid->UsesBRDFOnGPU());
     EXPECT_EQ(hybrid->EstimateTextureBytes(), bytes);
-    vtkBRDFShaderInputs form;
-    ASSERT_TRUE(hybrid->GetShaderInputs(form));
-    EXPECT_NEAR(static_cast<double>(form.GetTextureBytes()), static_cast<double>(bytes),
+    vtkBRDFShaderInputs inputs;
+    ASSERT_TRUE(hybrid->GetShaderInputs(inputs));
+    EXPECT_NEAR(static_cast<double>(inputs.GetTextureBytes()), static_cast<double>(bytes),
       0.02 * static_cast<double>(bytes));
   }
 }
@@ -267,20 +267,20 @@ TEST(HybridLamps, ShaderInputs)
   {
     Lamps lamps(count);
     const auto hybrid = NewHybrid(NewCoating(100.0), lamps.Environment, 17);
-    vtkBRDFShaderInputs form;
-    ASSERT_TRUE(hybrid->GetShaderInputs(form));
+    vtkBRDFShaderInputs inputs;
+    ASSERT_TRUE(hybrid->GetShaderInputs(inputs));
     EXPECT_EQ(hybrid->GetNumberOfLights(), count);
     EXPECT_TRUE(hybrid->UsesBRDFOnGPU());
-    ASSERT_EQ(form.Terms.size(), 1u);
+    ASSERT_EQ(inputs.Terms.size(), 1u);
     std::size_t directions = 0;
-    for (const vtkBRDFShaderInputs::Uniform& uniform : form.Terms[0].Uniforms)
+    for (const vtkBRDFShaderInputs::Uniform& uniform : inputs.Terms[0].Uniforms)
     {
       directions += uniform.Name.find("brdfDirection") == 0 ? 1 : 0;
     }
     EXPECT_EQ(directions, count > 32 ? 0u : static_cast<std::size_t>(count));
     EXPECT_NE(
-      form.Description.find(std::to_string(count) + " directional lights"), std::string::npos)
-      << form.Description;
+      inputs.Description.find(std::to_string(count) + " directional lights"), std::string::npos)
+      << inputs.Description;
   }
 }
 

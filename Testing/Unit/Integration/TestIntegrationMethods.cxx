@@ -89,15 +89,15 @@ TEST_P(EveryMethod, RefusesAndKeepsGoing)
 {
   const auto method = this->Make(nullptr, nullptr);
   ErrorCatcher errors(method);
-  vtkBRDFShaderInputs form;
-  form.Description = "mine";
+  vtkBRDFShaderInputs inputs;
+  inputs.Description = "mine";
   const auto expectProblem = [&](const char* problem)
   {
     EXPECT_FALSE(method->Prepare());
     EXPECT_EQ(errors.Take(), 1);
     EXPECT_NE(errors.GetText().find(problem), std::string::npos) << errors.GetText();
-    EXPECT_FALSE(method->GetShaderInputs(form));
-    EXPECT_EQ(form.Description, "mine");
+    EXPECT_FALSE(method->GetShaderInputs(inputs));
+    EXPECT_EQ(inputs.Description, "mine");
     errors.Take();
   };
   expectProblem("no BRDF");

@@ -205,10 +205,10 @@ TEST(TableIntegrator, Suns)
     const auto table = NewTable(brdf, environment, 65, 16, 16);
     const double error =
       GetRelativeError(pairs.Integrate(table), pairs.IntegrateExactly(brdf, environment));
-    vtkBRDFShaderInputs form;
-    ASSERT_TRUE(table->GetShaderInputs(form));
+    vtkBRDFShaderInputs inputs;
+    ASSERT_TRUE(table->GetShaderInputs(inputs));
     float largest = 0.0f;
-    for (const float value : form.Terms[0].Textures[1].Data)
+    for (const float value : inputs.Terms[0].Textures[1].Data)
     {
       largest = std::max(largest, std::abs(value));
     }
@@ -257,14 +257,14 @@ TEST(TableIntegrator, ProgressRisesToOne)
 TEST(TableIntegrator, ShaderInputs)
 {
   const auto table = NewTable(NewCoating(20.0), NewSmallEnvironment(false), 9, 5, 6);
-  vtkBRDFShaderInputs form;
-  ASSERT_TRUE(table->GetShaderInputs(form));
+  vtkBRDFShaderInputs inputs;
+  ASSERT_TRUE(table->GetShaderInputs(inputs));
   EXPECT_FALSE(table->UsesBRDFOnGPU());
-  ASSERT_EQ(form.Terms.size(), 1u);
-  EXPECT_EQ(form.Terms[0].Shader, "vtkBRDFEnvironmentTable");
-  ASSERT_EQ(form.Terms[0].Textures.size(), 3u);
+  ASSERT_EQ(inputs.Terms.size(), 1u);
+  EXPECT_EQ(inputs.Terms[0].Shader, "vtkBRDFEnvironmentTable");
+  ASSERT_EQ(inputs.Terms[0].Textures.size(), 3u);
   std::size_t bytes = 0;
-  for (const vtkBRDFShaderInputs::Texture& texture : form.Terms[0].Textures)
+  for (const vtkBRDFShaderInputs::Texture& texture : inputs.Terms[0].Textures)
   {
     const std::size_t texels = static_cast<std::size_t>(texture.Dimensions[0]) *
                                static_cast<std::size_t>(texture.Dimensions[1]) *
@@ -280,18 +280,18 @@ TEST(TableIntegrator, ShaderInputs)
       ASSERT_TRUE(std::isfinite(value)) << texture.Name;
     }
   }
-  EXPECT_EQ(form.GetTextureBytes(), bytes);
-  const vtkBRDFShaderInputs::Texture& volume = form.Terms[0].Textures[1];
+  EXPECT_EQ(inputs.GetTextureBytes(), bytes);
+  const vtkBRDFShaderInputs::Texture& volume = inputs.Terms[0].Textures[1];
   EXPECT_EQ(volume.Dimensions[0], 16);
   EXPECT_EQ(volume.Dimensions[1], 9);
   EXPECT_EQ(volume.Dimensions[2], 5 * 7); // the first azimuth again after the last
   EXPECT_TRUE(volume.ThreeD && !volume.SharedExponents.empty() && volume.Repeat[0]);
-  EXPECT_NE(form.Description.find("16 x 9"), std::string::npos) << form.Description;
+  EXPECT_NE(inputs.Description.find("16 x 9"), std::string::npos) << inputs.Description;
 
   // Without a Lambert part there is no map of irradiance.
   table->SetBRDF(NewPhong(1e4)); // 0 far from the lobe, to the last bit
-  ASSERT_TRUE(table->GetShaderInputs(form));
-  EXPECT_EQ(form.Terms[0].Textures.size(), 2u);
+  ASSERT_TRUE(table->GetShaderInputs(inputs));
+  EXPECT_EQ(inputs.Terms[0].Textures.size(), 2u);
 }
 
 // A quick one differs by less than a tenth of what a stand-in may be wrong by, for a fifth of the

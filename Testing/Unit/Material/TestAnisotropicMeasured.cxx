@@ -99,9 +99,9 @@ TEST(AnisotropicTabulated, RefusesAndKeeps)
   EXPECT_EQ(Evaluate(table, { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 }), glm::dvec3(0.25));
   // Without a volume it is black, on the graphics card, too.
   vtkNew<vtkAnisotropicTabulatedBRDF> none;
-  vtkBRDFShaderInputs form;
-  none->GetShaderInputs(form);
-  EXPECT_EQ(form.Terms.at(0).Textures.at(0).Data, std::vector<float>(3, 0.0f));
+  vtkBRDFShaderInputs inputs;
+  none->GetShaderInputs(inputs);
+  EXPECT_EQ(inputs.Terms.at(0).Textures.at(0).Data, std::vector<float>(3, 0.0f));
 }
 
 TEST(AnisotropicTabulated, ErrorFallsWithTheSize)
@@ -216,9 +216,9 @@ TEST(AnisotropicWarp, IsResampledForGraphicsCards)
   EXPECT_EQ(table->GetAzimuthRange(), vtkAnisotropicTabulatedBRDF::HALF_TURN);
   EXPECT_GT(table->GetResamplingError(), 0.0);
   EXPECT_LE(table->GetResamplingError(), 0.03);
-  vtkBRDFShaderInputs form;
-  file->GetShaderInputs(form);
-  EXPECT_LT(form.GetTextureBytes(), 10u << 20);
+  vtkBRDFShaderInputs inputs;
+  file->GetShaderInputs(inputs);
+  EXPECT_LT(inputs.GetTextureBytes(), 10u << 20);
 }
 
 // Copies, as planners make them, do not resample again. One of another tolerance, in another thread

@@ -213,10 +213,10 @@ TEST(BasisBRDF, InterpolatesWithinItsTolerance)
           total += glm::dot(exact, exact);
         }
         const double error = std::sqrt(difference / total);
-        vtkBRDFShaderInputs form;
-        brdf->GetShaderInputs(form);
-        EXPECT_NEAR(form.ResamplingError, error, 0.25 * error) << basis << " " << order;
-        const bool capped = form.Terms[0].Textures[1].Dimensions[0] == 256;
+        vtkBRDFShaderInputs inputs;
+        brdf->GetShaderInputs(inputs);
+        EXPECT_NEAR(inputs.ResamplingError, error, 0.25 * error) << basis << " " << order;
+        const bool capped = inputs.Terms[0].Textures[1].Dimensions[0] == 256;
         EXPECT_TRUE(!capped || order == 20 || tolerance < 0.01);
         EXPECT_TRUE(error < tolerance || capped)
           << vtkBasisBRDF::GetBasisName(basis) << ", order " << order << ": " << error;
@@ -474,9 +474,9 @@ TEST(BasisBRDF, WithoutCoefficients)
   const glm::dvec3 up(0.0, 0.0, 1.0);
   brdf->Prepare();
   EXPECT_EQ(Evaluate(brdf, up, up), glm::dvec3(0.0));
-  vtkBRDFShaderInputs form;
-  brdf->GetShaderInputs(form);
-  EXPECT_TRUE(form.Terms.empty());
+  vtkBRDFShaderInputs inputs;
+  brdf->GetShaderInputs(inputs);
+  EXPECT_TRUE(inputs.Terms.empty());
   glm::dvec3 i;
   EXPECT_TRUE(brdf->Sample(&up.x, 0.3, 0.3, &i.x));
   EXPECT_NEAR(brdf->Pdf(&i.x, &up.x), i.z / Pi, 1e-12);
@@ -535,12 +535,12 @@ TEST(BasisBRDF, ShaderInputs)
       v *= size;
     }
     const auto scaled = MakeBasis(3, 2, Zone, Zone, 2, 1, rgb);
-    vtkBRDFShaderInputs form;
-    scaled->GetShaderInputs(form);
-    for (const float v : form.Terms[0].Textures[0].Data)
+    vtkBRDFShaderInputs inputs;
+    scaled->GetShaderInputs(inputs);
+    for (const float v : inputs.Terms[0].Textures[0].Data)
     {
       ASSERT_TRUE(
-        std::isfinite(v) && (!form.Terms[0].Textures[0].HalfFloat || std::abs(v) < 65504));
+        std::isfinite(v) && (!inputs.Terms[0].Textures[0].HalfFloat || std::abs(v) < 65504));
     }
   }
 }
@@ -558,10 +558,10 @@ TEST(BasisBRDF, QuantizationErrorOfHalfFloats)
         MakeBasis(2, order, Zone, Zone, 8, 6, MakeCoefficients(order, 8, 6, 12, ripple));
       ASSERT_TRUE(brdf);
       brdf->SetResamplingTolerance(0.05);
-      vtkBRDFShaderInputs form;
-      brdf->GetShaderInputs(form);
-      const auto& coefficients = form.Terms[0].Textures[0];
-      const auto& basis = form.Terms[0].Textures[1];
+      vtkBRDFShaderInputs inputs;
+      brdf->GetShaderInputs(inputs);
+      const auto& coefficients = inputs.Terms[0].Textures[0];
+      const auto& basis = inputs.Terms[0].Textures[1];
       ASSERT_TRUE(coefficients.HalfFloat);
       const std::size_t functions = static_cast<std::size_t>((order + 1) * (order + 1));
       const std::size_t views = coefficients.Data.size() / (3 * functions);
@@ -584,8 +584,8 @@ TEST(BasisBRDF, QuantizationErrorOfHalfFloats)
         }
       }
       const double error = std::sqrt(difference / total);
-      EXPECT_LT(error, form.QuantizationError);
-      EXPECT_GT(error, 0.2 * form.QuantizationError);
+      EXPECT_LT(error, inputs.QuantizationError);
+      EXPECT_GT(error, 0.2 * inputs.QuantizationError);
     }
   }
 }

@@ -519,9 +519,9 @@ TEST(Tabulated, SharedExponents)
   const auto get = [&](double tolerance)
   {
     table->SetResamplingTolerance(tolerance);
-    vtkBRDFShaderInputs form;
-    table->GetShaderInputs(form);
-    return form;
+    vtkBRDFShaderInputs inputs;
+    table->GetShaderInputs(inputs);
+    return inputs;
   };
   const vtkBRDFShaderInputs half = get(0.01);
   table->SetPrecision(vtkTabulatedBRDF::SHARED_EXPONENT);

@@ -124,10 +124,10 @@ TEST(SoftTables, WithoutHalfVectorsStayHard)
   table->EvaluateSoft(i, o, 0.1, soft);
   EXPECT_GT(hard[1], 0.0);
   EXPECT_EQ(soft[1], hard[1]);
-  vtkBRDFShaderInputs form;
-  form.SoftLights = true;
-  table->GetShaderInputs(form);
-  EXPECT_TRUE(form.Terms[0].SoftSource.empty());
+  vtkBRDFShaderInputs inputs;
+  inputs.SoftLights = true;
+  table->GetShaderInputs(inputs);
+  EXPECT_TRUE(inputs.Terms[0].SoftSource.empty());
 }
 
 // What was made for one distribution does not serve the next.
