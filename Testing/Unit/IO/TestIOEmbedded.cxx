@@ -7,6 +7,7 @@
 
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEmbeddedMaterials.h"
+#include "vtkEnvironment.h"
 #include "vtkTabulatedBRDF.h"
 
 #include <algorithm>
