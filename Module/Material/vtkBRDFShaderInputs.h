@@ -46,6 +46,7 @@ struct vtkBRDFShaderInputs
     int Components = 3;                                   // 1, 3 or 4
     bool HalfFloat = false;                               // stored as 16-bit float on the GPU
     std::array<bool, 3> Repeat = { false, false, false }; // else clamp to edge
+    bool Mipmaps = false;                                 // its means are drawn from afar
     std::vector<float> Data;                              // x fastest, components interleaved
     // In place of Data, where it is not empty: RGB >= 0 in 32 bits a texel (GL_RGB9_E5, see
     // Floats.h); Components and HalfFloat then do not count.
@@ -55,7 +56,7 @@ struct vtkBRDFShaderInputs
     bool IsPadded() const { return Components == 3 && !HalfFloat && !ThreeD; }
     std::size_t GetBytes() const
     {
-      const std::size_t bytes = Data.size() * (HalfFloat ? 2 : 4);
+      const std::size_t bytes = Data.size() * (HalfFloat ? 2 : 4) * (Mipmaps ? 4 : 3) / 3;
       return 4 * SharedExponents.size() + (IsPadded() ? bytes / 3 * 4 : bytes);
     }
   };

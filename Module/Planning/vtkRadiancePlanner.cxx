@@ -204,25 +204,28 @@ bool vtkRadiancePlanner::Search()
   }
   measuredbrdf::PlanComparison comparison;
   comparison.Pairs = impl.Given.Normals ? impl.Given : DrawPairsOfAllViews(task);
-  if (!measuredbrdf::SamplePairs(task, ladder, comparison.Pairs) ||
-      !measuredbrdf::MakeReference(task, comparison))
-  {
-    return this->Fail(
-      task.Problem.empty() ? "there is no reference to compare with." : task.Problem);
-  }
-  comparison.ReferenceError = std::hypot(comparison.ReferenceError, FilterWeights);
   measuredbrdf::Plan plan;
-  const bool done = measuredbrdf::Climb(task, comparison, std::move(ladder), plan,
-    [this](double progress) { this->InvokeEvent(vtkCommand::ProgressEvent, &progress); });
+  std::string problem =
+    "nothing fits into MaximumTextureBytes, " + bytes + ", with the textures of the material.";
+  try
+  {
+    measuredbrdf::SamplePairs(task, ladder, comparison.Pairs);
+    measuredbrdf::MakeReference(task, comparison);
+    comparison.ReferenceError = std::hypot(comparison.ReferenceError, FilterWeights);
+    measuredbrdf::Climb(task, comparison, std::move(ladder), plan,
+      [this](double progress) { this->InvokeEvent(vtkCommand::ProgressEvent, &progress); });
+  }
+  catch (const measuredbrdf::PlanFailure& failure)
+  {
+    problem = failure.what();
+  }
   if (!plan.Warnings.empty())
   {
     vtkWarningMacro("Update: left out what could not be prepared: " << plan.Warnings);
   }
-  if (!done || plan.Choice < 0)
+  if (plan.Choice < 0)
   {
-    return this->Fail(!task.Problem.empty() ? task.Problem
-                                            : "nothing fits into MaximumTextureBytes, " + bytes +
-                                                ", with the textures of the material.");
+    return this->Fail(problem);
   }
   if (!material.empty()) // it says what it is; and nothing was aborted
   {

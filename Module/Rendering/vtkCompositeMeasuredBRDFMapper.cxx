@@ -21,37 +21,10 @@ using namespace measuredbrdf;
 struct vtkCompositeMeasuredBRDFMapper::Internals
 {
   explicit Internals(vtkMapper* self)
-    : Drawing(std::make_shared<MaterialDrawing>(self, [this]() { return this->GetUsesToCome(); }))
+    : Drawing(std::make_shared<MaterialDrawing>(self, [this]() { return this->Blocks.GetBRDFs(); }))
     , Settings(Drawing->GetSettings())
     , Blocks(Drawing)
   {
-  }
-
-  // Each material once; which blocks have it shows while they are drawn.
-  std::vector<MaterialUse> GetUsesToCome() const
-  {
-    std::set<vtkBRDF*> brdfs = { this->Settings.BRDF };
-    for (const auto& [index, brdf] : this->Settings.BlocksByIndex)
-    {
-      brdfs.insert(brdf);
-    }
-    for (const auto& [name, brdf] : this->Settings.BlocksByName)
-    {
-      brdfs.insert(brdf);
-    }
-    std::vector<MaterialUse> uses;
-    for (vtkBRDF* brdf : brdfs)
-    {
-      uses.push_back({ brdf, {} });
-    }
-    for (const MaterialUse& use : this->Blocks.GetUses())
-    {
-      if (brdfs.insert(use.first).second)
-      {
-        uses.push_back(use);
-      }
-    }
-    return uses;
   }
 
   std::shared_ptr<MaterialDrawing> Drawing; // shared with the batches
@@ -113,6 +86,7 @@ vtkCompositeMapperHelper2* vtkCompositeMeasuredBRDFMapper::CreateHelper()
 
 //------------------------------------------------------------------------------
 measuredbrdfAllSettingsMacro(vtkCompositeMeasuredBRDFMapper);
+measuredbrdfDrawingMacro(vtkCompositeMeasuredBRDFMapper);
 
 //------------------------------------------------------------------------------
 void vtkCompositeMeasuredBRDFMapper::SetBlockBRDF(unsigned int flatIndex, vtkBRDF* brdf)
@@ -164,30 +138,6 @@ std::string vtkCompositeMeasuredBRDFMapper::GetPlan()
 }
 
 //------------------------------------------------------------------------------
-bool vtkCompositeMeasuredBRDFMapper::GetPlanPending() { return this->Impl->Drawing->IsPending(); }
-
-//------------------------------------------------------------------------------
-bool vtkCompositeMeasuredBRDFMapper::GetPlanReady() { return this->Impl->Drawing->IsReady(); }
-
-//------------------------------------------------------------------------------
-void vtkCompositeMeasuredBRDFMapper::SetAbortPlanning(bool abort)
-{
-  this->Impl->Drawing->SetAbortPlanning(abort);
-}
-
-//------------------------------------------------------------------------------
-bool vtkCompositeMeasuredBRDFMapper::GetAbortPlanning()
-{
-  return this->Impl->Drawing->GetAbortPlanning();
-}
-
-//------------------------------------------------------------------------------
-double vtkCompositeMeasuredBRDFMapper::FitProperty(vtkProperty* property)
-{
-  return vtkPBRPropertyFitter::Fit(this->GetBRDF(), property);
-}
-
-//------------------------------------------------------------------------------
 vtkIdType vtkCompositeMeasuredBRDFMapper::GetTextureBytes()
 {
   std::set<const vtkTextureObject*> counted;
@@ -216,7 +166,8 @@ void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* act
   {
     return; // the superclass wants both
   }
-  const Depth inside(this->Impl->RenderDepth);
+  const Restored inside(this->Impl->RenderDepth);
+  ++this->Impl->RenderDepth;
   this->Impl->Blocks.Begin();
   vtkObject* style = this->GetCompositeDataDisplayAttributes();
   this->Impl->Drawing->Render(

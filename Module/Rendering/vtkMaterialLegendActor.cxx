@@ -28,50 +28,27 @@
 #include "vtkViewport.h"
 #include "vtkWindow.h"
 
+#include <glm/glm.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <map>
+#include <utility>
 #include <vector>
 
 using namespace measuredbrdf;
 
 namespace
 {
+constexpr int SpherePixels = 96;     // across a picture
 constexpr double Tolerance = 0.05;   // of the pictures
 constexpr double LargestText = 0.33; // of a sphere's diameter, for its name
 constexpr double TitleShare = 0.1;   // of the legend's height, at most
 constexpr double LegendGap = 0.06;   // between entries, as a share of their size
 
-// Entries stand in equal cells, each a sphere with its name to the right, and go down the columns.
-struct LegendGrid
-{
-  int Rows = 1;
-  double Width = 0.0; // of a cell, in pixels
-  double Height = 0.0;
-  double Sphere = 0.0; // diameter
-
-  // The one with the largest spheres that leave most of the width to the names.
-  static LegendGrid Find(int count, double width, double height)
-  {
-    LegendGrid best;
-    for (int columns = 1; columns <= count; ++columns)
-    {
-      LegendGrid grid;
-      grid.Rows = (count + columns - 1) / columns;
-      grid.Width = width / columns;
-      grid.Height = height / grid.Rows;
-      const double share = columns > 1 ? 0.25 : 0.5;
-      grid.Sphere = (1.0 - LegendGap) * std::min(share * grid.Width, grid.Height);
-      best = grid.Sphere > best.Sphere ? grid : best;
-    }
-    return best;
-  }
-};
-
 // A picture of a sphere of a material, RGBA in floats, radiance^(1/2.2), transparent around the
 // sphere. Seen along -z from a great distance. Null where there is nothing to integrate with.
-vtkSmartPointer<vtkImageData> MakeMaterialPicture(
-  vtkBRDF* brdf, vtkEnvironment* environment, int pixels)
+vtkSmartPointer<vtkImageData> MakeMaterialPicture(vtkBRDF* brdf, vtkEnvironment* environment)
 {
   vtkNew<vtkRadiancePlanner> planner;
   planner->SetBRDF(brdf);
@@ -82,124 +59,91 @@ vtkSmartPointer<vtkImageData> MakeMaterialPicture(
     return nullptr;
   }
   const auto integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator());
-  vtkNew<vtkDoubleArray> normals;
-  vtkNew<vtkDoubleArray> views;
-  vtkNew<vtkDoubleArray> radiance;
-  for (vtkDoubleArray* array : { normals.Get(), views.Get() })
+  vtkNew<vtkDoubleArray> normals, views, radiance;
+  normals->SetNumberOfComponents(3);
+  views->SetNumberOfComponents(3);
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(SpherePixels, SpherePixels, 1);
+  image->AllocateScalars(VTK_FLOAT, 4);
+  vtkDataArray* rgba = image->GetPointData()->GetScalars();
+  const double radius = 0.5 * SpherePixels - 1.0; // room for a soft edge
+  for (vtkIdType k = 0; k < image->GetNumberOfPoints(); ++k)
   {
-    array->SetNumberOfComponents(3);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(pixels) * pixels);
-  }
-  const double radius = 0.5 * pixels - 1.0; // room for a soft edge
-  std::vector<double> coverage;
-  for (int y = 0; y < pixels; ++y)
-  {
-    for (int x = 0; x < pixels; ++x)
-    {
-      double u = (x + 0.5 - 0.5 * pixels) / radius;
-      double v = (y + 0.5 - 0.5 * pixels) / radius;
-      const double r = std::hypot(u, v);
-      coverage.push_back(std::clamp((1.0 - r) * radius + 0.5, 0.0, 1.0));
-      const double inside = std::min(1.0, 0.999 / std::max(r, 1e-9));
-      u *= inside;
-      v *= inside;
-      const vtkIdType k = static_cast<vtkIdType>(y) * pixels + x;
-      normals->SetTuple3(k, u, v, std::sqrt(std::max(1.0 - u * u - v * v, 0.0)));
-      views->SetTuple3(k, 0.0, 0.0, 1.0);
-    }
+    glm::dvec2 place(k % SpherePixels + 0.5, k / SpherePixels + 0.5);
+    place = (place - 0.5 * SpherePixels) / radius;
+    const double r = glm::length(place);
+    rgba->SetComponent(k, 3, std::clamp((1.0 - r) * radius + 0.5, 0.0, 1.0));
+    place *= std::min(1.0, 0.999 / r);
+    normals->InsertNextTuple3(place.x, place.y, std::sqrt(1.0 - glm::dot(place, place)));
+    views->InsertNextTuple3(0.0, 0.0, 1.0);
   }
   if (!integrator || !integrator->Integrate(normals, views, radiance))
   {
     return nullptr;
   }
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(pixels, pixels, 1);
-  image->AllocateScalars(VTK_FLOAT, 4);
-  auto* rgba = static_cast<float*>(image->GetScalarPointer());
-  for (std::size_t k = 0; k < coverage.size(); ++k)
+  for (vtkIdType k = 0; k < 3 * image->GetNumberOfPoints(); ++k)
   {
-    for (int c = 0; c < 3; ++c)
-    {
-      const double value = radiance->GetComponent(static_cast<vtkIdType>(k), c);
-      *rgba++ = static_cast<float>(std::pow(std::max(value, 0.0), 1.0 / 2.2));
-    }
-    *rgba++ = static_cast<float>(coverage[k]);
+    const double value = std::max(radiance->GetValue(k), 0.0);
+    rgba->SetComponent(k / 3, static_cast<int>(k % 3), std::pow(value, 1.0 / 2.2));
   }
   return image;
+}
+
+// A square with a picture, in pixels of the viewport.
+vtkSmartPointer<vtkActor2D> MakeSquare(
+  vtkImageData* picture, double left, double bottom, double size)
+{
+  vtkNew<vtkPoints> corners;
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(2);
+  for (const glm::dvec2 corner :
+    { glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(1, 1), glm::dvec2(0, 1) })
+  {
+    corners->InsertNextPoint(left + size * corner.x, bottom + size * corner.y, 0.0);
+    coordinates->InsertNextTuple2(corner.x, corner.y);
+  }
+  vtkNew<vtkPolyData> square;
+  square->SetPoints(corners);
+  square->GetPointData()->SetTCoords(coordinates);
+  square->AllocateExact(1, 4);
+  const vtkIdType ids[4] = { 0, 1, 2, 3 };
+  square->InsertNextCell(VTK_QUAD, 4, ids);
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(square);
+  vtkNew<vtkTexture> texture;
+  texture->InterpolateOn();
+  texture->SetColorModeToDirectScalars();
+  texture->SetInputData(picture);
+  auto actor = vtkSmartPointer<vtkTexturedActor2D>::New();
+  actor->SetMapper(mapper);
+  actor->SetTexture(texture);
+  return actor;
+}
+
+vtkSmartPointer<vtkTextActor> MakeText(
+  const std::string& words, vtkTextProperty* property, double left, double y)
+{
+  auto text = vtkSmartPointer<vtkTextActor>::New();
+  text->SetInput(words.c_str());
+  text->GetTextProperty()->ShallowCopy(property);
+  text->GetTextProperty()->SetJustificationToLeft();
+  text->GetTextProperty()->SetVerticalJustificationToCentered();
+  text->SetPosition(left, y);
+  return text;
 }
 }
 
 struct vtkMaterialLegendActor::Internals
 {
-  // A square with the picture, in pixels, and the name.
-  struct Entry
-  {
-    Entry()
-    {
-      vtkNew<vtkFloatArray> coordinates;
-      coordinates->SetNumberOfComponents(2);
-      for (int k = 0; k < 4; ++k)
-      {
-        coordinates->InsertNextTuple2(k == 1 || k == 2 ? 1.0 : 0.0, k / 2);
-      }
-      vtkNew<vtkPolyData> square;
-      square->SetPoints(this->Corners);
-      square->GetPointData()->SetTCoords(coordinates);
-      square->AllocateExact(1, 4);
-      const vtkIdType ids[4] = { 0, 1, 2, 3 };
-      square->InsertNextCell(VTK_QUAD, 4, ids);
-      vtkNew<vtkPolyDataMapper2D> mapper;
-      mapper->SetInputData(square);
-      this->Texture->InterpolateOn();
-      this->Texture->SetColorModeToDirectScalars();
-      this->Sphere->SetMapper(mapper);
-      this->Sphere->SetTexture(this->Texture);
-    }
-    void Place(double left, double bottom, double size)
-    {
-      for (vtkIdType k = 0; k < 4; ++k)
-      {
-        this->Corners->InsertPoint(
-          k, left + (k == 1 || k == 2 ? size : 0.0), bottom + (k / 2) * size, 0.0);
-      }
-      this->Corners->GetData()->Modified();
-      this->Corners->Modified();
-    }
-
-    std::string Label;
-    vtkSmartPointer<vtkImageData> Picture; // null: it could not be made
-    vtkSmartPointer<vtkBRDF> Material;     // what it was made of
-    vtkMTimeType Time = 0;
-    int Resolution = 0;
-    vtkNew<vtkPoints> Corners;
-    vtkNew<vtkTexture> Texture;
-    vtkNew<vtkTexturedActor2D> Sphere;
-    vtkNew<vtkTextActor> Text;
-  };
+  // A material and the light, as they were when its picture was made; times are never used twice.
+  using Pictures = std::map<std::pair<vtkBRDF*, vtkMTimeType>, vtkSmartPointer<vtkImageData>>;
 
   vtkSmartPointer<vtkEnvironment> Sky; // where there is no environment
   vtkNew<vtkTextProperty> TextProperty;
-  vtkSmartPointer<vtkTextActor> Title; // made when it is drawn: it needs VTK's fonts
-  std::vector<std::unique_ptr<Entry>> Entries;
-  std::vector<double> LayoutOf; // what the last layout depended on
+  Pictures Known;
+  std::vector<vtkSmartPointer<vtkActor2D>> Actors; // all that is drawn
+  std::vector<double> LayoutOf;                    // what the last layout depended on
   vtkMTimeType LayoutTime = 0;
-
-  template <typename Visit>
-  void ForEachActor(const Visit& visit)
-  {
-    for (const auto& entry : this->Entries)
-    {
-      if (entry->Picture)
-      {
-        visit(entry->Sphere.Get());
-      }
-      visit(entry->Text.Get());
-    }
-    if (this->Title && !this->Entries.empty())
-    {
-      visit(this->Title.Get());
-    }
-  }
 };
 
 vtkStandardNewMacro(vtkMaterialLegendActor);
@@ -239,9 +183,6 @@ vtkMaterialMap* vtkMaterialLegendActor::GetMaterialMap() { return this->Material
 vtkEnvironment* vtkMaterialLegendActor::GetEnvironment() { return this->Environment; }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetClampedMacro(vtkMaterialLegendActor, SphereResolution, int, 8, 512);
-
-//------------------------------------------------------------------------------
 vtkTextProperty* vtkMaterialLegendActor::GetTextProperty() { return this->Impl->TextProperty; }
 
 //------------------------------------------------------------------------------
@@ -253,128 +194,114 @@ vtkMTimeType vtkMaterialLegendActor::GetMTime()
 }
 
 //------------------------------------------------------------------------------
-// A picture is made anew only where its own material, the light or the resolution changed.
-void vtkMaterialLegendActor::UpdateEntries()
-{
-  vtkEnvironment* light = this->Environment;
-  if (!light)
-  {
-    if (!this->Impl->Sky)
-    {
-      this->Impl->Sky = vtkSmartPointer<vtkEnvironment>::New();
-      this->Impl->Sky->SetToProceduralSky();
-    }
-    light = this->Impl->Sky;
-  }
-  std::size_t shown = 0;
-  for (int k = 0; this->MaterialMap && k < this->MaterialMap->GetNumberOfMaterials(); ++k)
-  {
-    vtkBRDF* brdf = this->MaterialMap->GetBRDF(k);
-    if (!brdf)
-    {
-      continue;
-    }
-    if (shown == this->Impl->Entries.size())
-    {
-      this->Impl->Entries.push_back(std::make_unique<Internals::Entry>());
-    }
-    Internals::Entry& entry = *this->Impl->Entries[shown++];
-    const std::string name = this->MaterialMap->GetName(k);
-    entry.Label = name.empty() ? NumberText(this->MaterialMap->GetValue(k)) : name;
-    const vtkMTimeType time = std::max(brdf->GetMTime(), light->GetMTime());
-    if (entry.Material != brdf || entry.Time != time || entry.Resolution != this->SphereResolution)
-    {
-      entry.Material = brdf;
-      entry.Time = time;
-      entry.Resolution = this->SphereResolution;
-      entry.Picture = MakeMaterialPicture(brdf, light, this->SphereResolution);
-      entry.Texture->SetInputDataObject(entry.Picture);
-      if (!entry.Picture)
-      {
-        vtkErrorMacro("There is no picture of material " << k << ".");
-      }
-    }
-  }
-  this->Impl->Entries.resize(shown);
-}
-
-//------------------------------------------------------------------------------
+// Entries stand in equal cells, each a sphere with its name to the right, and go down the columns.
 void vtkMaterialLegendActor::UpdateLayout(vtkViewport* viewport)
 {
+  Internals& impl = *this->Impl;
   const int* low = this->PositionCoordinate->GetComputedViewportValue(viewport);
   const double left = low[0];
   const double bottom = low[1];
   const int* high = this->Position2Coordinate->GetComputedViewportValue(viewport);
   const double width = std::max(high[0] - left, 8.0);
-  const double height = std::max(high[1] - bottom, 8.0);
+  double height = std::max(high[1] - bottom, 8.0);
   vtkWindow* window = viewport->GetVTKWindow();
   const std::vector<double> from = { left, bottom, width, height,
     static_cast<double>(window ? window->GetDPI() : 0) };
   const vtkMTimeType time = this->GetMTime();
-  if (from == this->Impl->LayoutOf && time == this->Impl->LayoutTime)
+  if (from == impl.LayoutOf && time == impl.LayoutTime)
   {
     return; // fonts take time
   }
-  this->Impl->LayoutOf = from;
-  this->Impl->LayoutTime = time;
-  this->UpdateEntries();
-  this->Impl->Title = nullptr;
-  if (this->Impl->Entries.empty())
+  impl.LayoutOf = from;
+  impl.LayoutTime = time;
+  impl.Actors.clear();
+  if (!this->Environment && !impl.Sky)
   {
-    return;
+    impl.Sky = vtkSmartPointer<vtkEnvironment>::New();
+    impl.Sky->SetToProceduralSky();
   }
-  double room = height;
-  if (!this->Title.empty())
+  vtkEnvironment* light = this->Environment ? this->Environment : impl.Sky;
+
+  std::vector<int> shown;
+  for (int k = 0; this->MaterialMap && k < this->MaterialMap->GetNumberOfMaterials(); ++k)
   {
-    room -= 1.2 * TitleShare * height;
-    this->Impl->Title = vtkSmartPointer<vtkTextActor>::New();
-    vtkTextActor* title = this->Impl->Title;
-    title->SetInput(this->Title.c_str());
-    title->GetTextProperty()->ShallowCopy(this->Impl->TextProperty);
+    if (this->MaterialMap->GetBRDF(k))
+    {
+      shown.push_back(k);
+    }
+  }
+  const int count = static_cast<int>(shown.size());
+  if (count > 0 && !this->Title.empty())
+  {
+    const auto title = MakeText(this->Title, impl.TextProperty, left, bottom + height);
+    title->GetTextProperty()->SetVerticalJustificationToTop();
     title->SetConstrainedFontSize(
       viewport, static_cast<int>(width), static_cast<int>(TitleShare * height));
-    title->GetTextProperty()->SetVerticalJustificationToTop();
-    title->SetPosition(left, bottom + height);
+    impl.Actors.push_back(title);
+    height -= 1.2 * TitleShare * height;
   }
-  this->PlaceEntries(viewport, left, bottom, width, room);
-}
-
-//------------------------------------------------------------------------------
-// All names have one size: the largest with which they fit.
-void vtkMaterialLegendActor::PlaceEntries(
-  vtkViewport* viewport, double left, double bottom, double width, double height)
-{
-  const int count = static_cast<int>(this->Impl->Entries.size());
-  const LegendGrid grid = LegendGrid::Find(count, width, height);
-  const double besides = (1.0 + LegendGap) * grid.Sphere;
-  std::vector<vtkTextActor*> texts;
-  for (int k = 0; k < count; ++k)
+  // The columns with the largest spheres that leave most of the width to the names.
+  const auto getRows = [count](int columns) { return (count + columns - 1) / columns; };
+  const auto getSphere = [&](int columns)
   {
-    const double x = left + k / grid.Rows * grid.Width;
-    const double middle = bottom + height - (k % grid.Rows + 0.5) * grid.Height;
-    Internals::Entry& entry = *this->Impl->Entries[static_cast<std::size_t>(k)];
-    entry.Place(x, middle - 0.5 * grid.Sphere, grid.Sphere);
-    entry.Text->SetInput(entry.Label.c_str());
-    entry.Text->GetTextProperty()->ShallowCopy(this->Impl->TextProperty);
-    entry.Text->GetTextProperty()->SetJustificationToLeft();
-    entry.Text->GetTextProperty()->SetVerticalJustificationToCentered();
-    entry.Text->SetPosition(x + besides, middle);
-    texts.push_back(entry.Text);
+    const double share = columns > 1 ? 0.25 : 0.5;
+    return (1.0 - LegendGap) * std::min(share * width / columns, height / getRows(columns));
+  };
+  int columns = 1;
+  for (int more = 2; more <= count; ++more)
+  {
+    columns = getSphere(more) > getSphere(columns) ? more : columns;
   }
-  const double room = grid.Width - besides - LegendGap * grid.Sphere;
-  int size[2];
-  vtkTextActor::SetMultipleConstrainedFontSize(viewport, static_cast<int>(std::max(room, 1.0)),
-    static_cast<int>(std::max(LargestText * grid.Sphere, 1.0)), texts.data(), count, size);
+  const double sphere = count > 0 ? getSphere(columns) : 0.0;
+  Internals::Pictures pictures;
+  std::vector<vtkTextActor*> names;
+  for (int place = 0; place < count; ++place)
+  {
+    const int rows = getRows(columns);
+    const double x = left + place / rows * width / columns;
+    const double y = bottom + height - (place % rows + 0.5) * height / rows;
+    const int k = shown[place];
+    vtkBRDF* brdf = this->MaterialMap->GetBRDF(k);
+    const std::pair<vtkBRDF*, vtkMTimeType> key(
+      brdf, std::max(brdf->GetMTime(), light->GetMTime()));
+    const auto known = impl.Known.find(key);
+    const auto [picture, isNew] = pictures.try_emplace(key);
+    if (isNew)
+    {
+      picture->second =
+        known != impl.Known.end() ? known->second : MakeMaterialPicture(brdf, light);
+    }
+    if (picture->second)
+    {
+      impl.Actors.push_back(MakeSquare(picture->second, x, y - 0.5 * sphere, sphere));
+    }
+    else if (isNew && known == impl.Known.end())
+    {
+      vtkErrorMacro("There is no picture of material " << k << ".");
+    }
+    const std::string name = this->MaterialMap->GetName(k);
+    const auto text = MakeText(name.empty() ? NumberText(this->MaterialMap->GetValue(k)) : name,
+      impl.TextProperty, x + (1.0 + LegendGap) * sphere, y);
+    names.push_back(text);
+    impl.Actors.push_back(text);
+  }
+  impl.Known = std::move(pictures);
+  if (count > 0) // all names have one size: the largest with which they fit
+  {
+    const double room = width / columns - (1.0 + 2.0 * LegendGap) * sphere;
+    int size[2];
+    vtkTextActor::SetMultipleConstrainedFontSize(viewport, static_cast<int>(std::max(room, 1.0)),
+      static_cast<int>(std::max(LargestText * sphere, 1.0)), names.data(), count, size);
+  }
 }
 
 //------------------------------------------------------------------------------
 int vtkMaterialLegendActor::RenderOverlay(vtkViewport* viewport)
 {
   int drawn = 0;
-  if (viewport)
+  for (vtkActor2D* actor : this->Impl->Actors)
   {
-    this->Impl->ForEachActor(
-      [&drawn, viewport](vtkActor2D* actor) { drawn += actor->RenderOverlay(viewport); });
+    drawn += viewport ? actor->RenderOverlay(viewport) : 0;
   }
   return drawn;
 }
@@ -383,11 +310,12 @@ int vtkMaterialLegendActor::RenderOverlay(vtkViewport* viewport)
 int vtkMaterialLegendActor::RenderOpaqueGeometry(vtkViewport* viewport)
 {
   int drawn = 0;
-  if (viewport && measuredbrdf::RunGuarded(
-                    this, "RenderOpaqueGeometry", [&]() { this->UpdateLayout(viewport); }))
+  if (viewport && RunGuarded(this, "RenderOpaqueGeometry", [&]() { this->UpdateLayout(viewport); }))
   {
-    this->Impl->ForEachActor(
-      [&drawn, viewport](vtkActor2D* actor) { drawn += actor->RenderOpaqueGeometry(viewport); });
+    for (vtkActor2D* actor : this->Impl->Actors)
+    {
+      drawn += actor->RenderOpaqueGeometry(viewport);
+    }
   }
   return drawn;
 }
@@ -395,8 +323,10 @@ int vtkMaterialLegendActor::RenderOpaqueGeometry(vtkViewport* viewport)
 //------------------------------------------------------------------------------
 void vtkMaterialLegendActor::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Impl->ForEachActor(
-    [window](vtkActor2D* actor) { actor->ReleaseGraphicsResources(window); });
+  for (vtkActor2D* actor : this->Impl->Actors)
+  {
+    actor->ReleaseGraphicsResources(window);
+  }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -407,5 +337,4 @@ void vtkMaterialLegendActor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaterialMap: " << this->MaterialMap.Get() << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";
   os << indent << "Title: " << this->Title << "\n";
-  os << indent << "SphereResolution: " << this->SphereResolution << "\n";
 }

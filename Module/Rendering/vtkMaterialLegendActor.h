@@ -64,15 +64,6 @@ public:
   std::string GetTitle() { return this->Title; }
   ///@}
 
-  ///@{
-  /**
-   * Pixels across the picture of a sphere, which is scaled to its place; default 96, clamped to
-   * [8, 512].
-   */
-  virtual void SetSphereResolution(int pixels);
-  vtkGetMacro(SphereResolution, int);
-  ///@}
-
   /**
    * Font, color and style of the names and the title. Sizes are found so that all fit.
    */
@@ -93,14 +84,11 @@ private:
   vtkMaterialLegendActor(const vtkMaterialLegendActor&) = delete;
   void operator=(const vtkMaterialLegendActor&) = delete;
 
-  void UpdateEntries();
   void UpdateLayout(vtkViewport* viewport);
-  void PlaceEntries(vtkViewport* viewport, double left, double bottom, double width, double height);
 
   vtkSmartPointer<vtkMaterialMap> MaterialMap;
   vtkSmartPointer<vtkEnvironment> Environment;
   std::string Title;
-  int SphereResolution = 96;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -23,38 +23,29 @@ struct vtkMeasuredBRDFMapper::Internals : public MaterialShading
 {
   explicit Internals(vtkMeasuredBRDFMapper* self)
     : MaterialShading(
-        self, std::make_shared<MaterialDrawing>(self, [this]() { return this->GetUsesToCome(); }))
+        self, std::make_shared<MaterialDrawing>(self, [this]() { return this->DivideNext(); }))
     , Self(self)
     , Parts(Drawing)
     , Settings(Drawing->GetSettings())
   {
   }
 
-  std::vector<MaterialUse> GetUsesToCome()
+  // The materials that a map gives the surface as it is now.
+  std::vector<vtkBRDF*> DivideNext()
   {
-    vtkPolyData* surface = this->Self->GetInput();
-    if (!surface) // composite data, of which nothing is drawn
+    vtkPolyData* surface = this->Self->GetInput(); // null: composite data are not drawn
+    if (!surface || !this->Settings.MaterialMap)
     {
       return {};
     }
-    if (this->Settings.MaterialMap)
+    if (!this->Self->Static)
     {
-      if (!this->Self->Static)
-      {
-        this->Self->Update();
-      }
-      if (this->Parts.Divide(surface))
-      {
-        return this->Parts.GetUses();
-      }
+      this->Self->Update();
     }
-    return { { this->Settings.BRDF, { surface } } };
+    return this->Parts.Divide(surface) ? this->Parts.GetBRDFs() : std::vector<vtkBRDF*>();
   }
 
-  std::vector<MaterialUse> GetMaterialUses() override
-  {
-    return { { this->Settings.BRDF, { this->Self->CurrentInput } } };
-  }
+  std::vector<vtkBRDF*> GetBRDFs() override { return { this->Settings.BRDF.Get() }; }
 
   vtkMeasuredBRDFMapper* Self;
   DividedSurface Parts; // of a surface that a material map divides
@@ -72,6 +63,7 @@ vtkMeasuredBRDFMapper::~vtkMeasuredBRDFMapper() = default;
 
 //------------------------------------------------------------------------------
 measuredbrdfAllSettingsMacro(vtkMeasuredBRDFMapper);
+measuredbrdfDrawingMacro(vtkMeasuredBRDFMapper);
 
 //------------------------------------------------------------------------------
 std::string vtkMeasuredBRDFMapper::GetPlan()
@@ -136,7 +128,8 @@ void vtkMeasuredBRDFMapper::RenderPiece(vtkRenderer* ren, vtkActor* actor)
   {
     return; // the superclass wants both
   }
-  const Depth inside(this->Impl->RenderDepth);
+  const Restored inside(this->Impl->RenderDepth);
+  ++this->Impl->RenderDepth;
   this->Impl->Drawing->Render(ren, actor,
     [&]()
     {
@@ -238,18 +231,6 @@ void vtkMeasuredBRDFMapper::SetPropertyShaderParameters(
 }
 
 //------------------------------------------------------------------------------
-bool vtkMeasuredBRDFMapper::GetPlanPending() { return this->Impl->Drawing->IsPending(); }
-
-//------------------------------------------------------------------------------
-bool vtkMeasuredBRDFMapper::GetPlanReady() { return this->Impl->Drawing->IsReady(); }
-
-//------------------------------------------------------------------------------
-double vtkMeasuredBRDFMapper::FitProperty(vtkProperty* property)
-{
-  return vtkPBRPropertyFitter::Fit(this->GetBRDF(), property);
-}
-
-//------------------------------------------------------------------------------
 vtkIdType vtkMeasuredBRDFMapper::GetTextureBytes()
 {
   std::set<const vtkTextureObject*> counted;
@@ -285,23 +266,14 @@ void vtkMeasuredBRDFMapper::GetVisiblePairs(
 }
 
 //------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::SetAbortPlanning(bool abort)
-{
-  this->Impl->Drawing->SetAbortPlanning(abort);
-}
-
-//------------------------------------------------------------------------------
-bool vtkMeasuredBRDFMapper::GetAbortPlanning() { return this->Impl->Drawing->GetAbortPlanning(); }
-
-//------------------------------------------------------------------------------
 double* vtkMeasuredBRDFMapper::GetBounds()
 {
   double* bounds = this->Superclass::GetBounds();
-  if (vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)) &&
-      this->Impl->Drawing->WarnOnce("composite"))
+  if (vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)))
   {
-    vtkWarningMacro("The input is composite data, of which this mapper draws nothing: use "
-                    "vtkCompositeMeasuredBRDFMapper.");
+    this->Impl->Drawing->WarnOnce("composite",
+      "The input is composite data, of which this mapper draws nothing: use "
+      "vtkCompositeMeasuredBRDFMapper.");
   }
   return bounds;
 }

@@ -18,8 +18,6 @@
 #include "vtkPolyData.h"
 #include "vtkTracedSurfaces.h"
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -308,26 +306,24 @@ void vtkTracedSurfaces::TakeNormals(Surface& surface) const
 bool vtkTracedSurfaces::Cast(
   const glm::dvec3& origin, const glm::dvec3& direction, SurfacePoint& point) const
 {
-  SurfaceTracer::Hit hit{};
-  if (!this->Tracer->Intersect(&origin.x, &direction.x, 0.0, Far, hit))
+  const std::optional<SurfaceTracer::Hit> hit = this->Tracer->Intersect(origin, direction, Far);
+  if (!hit)
   {
     return false;
   }
-  glm::dvec3 p[3];
-  this->Tracer->GetCorners(hit, p);
   glm::dvec3 n[3];
   point = SurfacePoint();
-  point.Facet = Toward(glm::make_vec3(hit.Normal), -direction);
-  point.Surface = hit.Surface;
-  point.Cell = hit.Cell;
-  const std::vector<glm::vec3>& normals = this->Surfaces[hit.Surface].Normals;
+  point.Facet = Toward(hit->Normal, -direction);
+  point.Surface = hit->Surface;
+  point.Cell = hit->Cell;
+  const std::vector<glm::vec3>& normals = this->Surfaces[hit->Surface].Normals;
   for (int k = 0; k < 3; ++k)
   {
-    point.Position += hit.Barycentrics[k] * p[k];
+    point.Position += hit->Barycentrics[k] * hit->Corners[k];
     if (!normals.empty())
     {
-      n[k] = Toward(normals[hit.Points[k]], point.Facet);
-      point.Normal += hit.Barycentrics[k] * n[k];
+      n[k] = Toward(normals[hit->Points[k]], point.Facet);
+      point.Normal += hit->Barycentrics[k] * n[k];
     }
   }
   const double length = glm::length(point.Normal);
@@ -341,7 +337,8 @@ bool vtkTracedSurfaces::Cast(
   glm::dvec3 lift(0.0);
   for (int k = 0; k < 3; ++k)
   {
-    lift -= hit.Barycentrics[k] * std::min(glm::dot(point.Position - p[k], n[k]), 0.0) * n[k];
+    lift -=
+      hit->Barycentrics[k] * std::min(glm::dot(point.Position - hit->Corners[k], n[k]), 0.0) * n[k];
   }
   point.Position += lift;
   return true;
@@ -356,6 +353,5 @@ glm::dvec3 vtkTracedSurfaces::Leave(const SurfacePoint& from) const
 //------------------------------------------------------------------------------
 bool vtkTracedSurfaces::IsHidden(const SurfacePoint& from, const glm::dvec3& direction) const
 {
-  const glm::dvec3 origin = this->Leave(from);
-  return this->Tracer->IsOccluded(&origin.x, &direction.x, 0.0, Far);
+  return this->Tracer->IsOccluded(this->Leave(from), direction, Far);
 }

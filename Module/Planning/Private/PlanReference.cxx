@@ -10,7 +10,6 @@
 #include "MaterialPrecomputation.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkLightSet.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -148,21 +147,10 @@ PlanPairs TakeSome(const PlanPairs& all)
   return pairs;
 }
 
-// What an integrator says of the few pairs becomes what others are compared with.
-bool SetReference(PlanTask& task, vtkRadianceIntegrator* integrator, PlanComparison& few)
+// How far an integrator is from what the few pairs reflect, with two standard errors.
+double Measure(const PlanTask& task, vtkRadianceIntegrator* integrator, const PlanComparison& few)
 {
-  few.Reference = vtkSmartPointer<vtkDoubleArray>::New();
-  return Integrate(task, integrator, few.Pairs, few.Reference);
-}
-
-// How far an integrator is from that, with two standard errors.
-bool Measure(
-  PlanTask& task, vtkRadianceIntegrator* integrator, const PlanComparison& few, double& error)
-{
-  vtkNew<vtkDoubleArray> radiance;
-  const bool integrated = Integrate(task, integrator, few.Pairs, radiance);
-  error = integrated ? Compare(few, radiance).Error : 0.0;
-  return integrated;
+  return Compare(few, Integrate(task, integrator, few.Pairs)).Error;
 }
 
 bool MayLightsDo(const PlanTask& task)
@@ -174,32 +162,25 @@ bool MayLightsDo(const PlanTask& task)
 }
 
 // The fewest lights that do, and how far they are off: what half of all differ from all, and they.
-// None where all lights do not.
-bool TryLights(PlanTask& task, PlanComparison& few, vtkSmartPointer<vtkRadianceIntegrator>& chosen,
-  double& error)
+// Null where all lights do not.
+vtkSmartPointer<vtkRadianceIntegrator> TryLights(
+  const PlanTask& task, PlanComparison& few, double& error)
 {
   const auto lights = vtkSmartPointer<LightsReference>::New();
   lights->SetBRDF(task.BRDF);
   lights->SetEnvironment(task.Environment);
-  if (!SetReference(task, lights, few))
-  {
-    return false;
-  }
+  few.Reference = Integrate(task, lights, few.Pairs);
   double own = 0.0;
   double fewer = 0.0;
   int number = LightCounts[0];
   for (const int count : LightCounts)
   {
-    double other = 0.0;
     lights->SetNumberOfLights(count);
-    if (count < LightCounts[0] && !Measure(task, lights, few, other))
-    {
-      return false;
-    }
+    const double other = count < LightCounts[0] ? Measure(task, lights, few) : 0.0;
     own = count == LightCounts[1] ? other : own;
     if (!(own <= std::min(LightsShare * task.Tolerance, LargestError)))
     {
-      return true;
+      return nullptr;
     }
     if (other > std::min(FewerShare * task.Tolerance, LargestError))
     {
@@ -209,41 +190,40 @@ bool TryLights(PlanTask& task, PlanComparison& few, vtkSmartPointer<vtkRadianceI
     fewer = other;
   }
   lights->SetNumberOfLights(number);
-  chosen = lights;
   error = own + fewer;
-  return true;
+  return lights;
 }
 
-bool TakeAdaptive(PlanTask& task, PlanComparison& few,
-  vtkSmartPointer<vtkRadianceIntegrator>& chosen, double& error)
+vtkSmartPointer<vtkRadianceIntegrator> TakeAdaptive(
+  const PlanTask& task, PlanComparison& few, double& error)
 {
   const double tolerance = std::min(ShareOfTolerance * task.Tolerance, LargestTolerance);
   const auto adaptive = vtkSmartPointer<vtkAdaptiveRadianceIntegrator>::New();
   adaptive->SetBRDF(task.BRDF);
   adaptive->SetEnvironment(task.Environment);
   adaptive->SetTolerance(Finer * tolerance);
-  if (!SetReference(task, adaptive, few))
-  {
-    return false;
-  }
+  few.Reference = Integrate(task, adaptive, few.Pairs);
   adaptive->SetTolerance(tolerance);
-  chosen = adaptive;
-  return Measure(task, adaptive, few, error);
+  error = Measure(task, adaptive, few);
+  return adaptive;
 }
 }
 
-vtkSmartPointer<vtkRadianceIntegrator> MakeReference(PlanTask& task, PlanComparison& comparison)
+vtkSmartPointer<vtkRadianceIntegrator> MakeReference(
+  const PlanTask& task, PlanComparison& comparison)
 {
   PlanComparison few;
   few.Pairs = TakeSome(comparison.Pairs);
   vtkSmartPointer<vtkRadianceIntegrator> chosen;
-  double& error = comparison.ReferenceError;
-  const bool known = !MayLightsDo(task) || TryLights(task, few, chosen, error);
-  if (!known || (!chosen && !TakeAdaptive(task, few, chosen, error)))
+  if (MayLightsDo(task))
   {
-    return nullptr;
+    chosen = TryLights(task, few, comparison.ReferenceError);
   }
-  comparison.Reference = vtkSmartPointer<vtkDoubleArray>::New();
-  return Integrate(task, chosen, comparison.Pairs, comparison.Reference) ? chosen : nullptr;
+  if (!chosen)
+  {
+    chosen = TakeAdaptive(task, few, comparison.ReferenceError);
+  }
+  comparison.Reference = Integrate(task, chosen, comparison.Pairs);
+  return chosen;
 }
 } // namespace measuredbrdf

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlanSearch.h"
 
-#include "vtkNew.h"
 #include "vtkRadianceMethods.h"
 
 #include <algorithm>
@@ -91,30 +90,30 @@ std::vector<std::size_t> OrderByDifference(
 }
 }
 
-bool SamplePairs(PlanTask& task, std::vector<PlanCandidate>& candidates, PlanPairs& pairs)
+void SamplePairs(const PlanTask& task, std::vector<PlanCandidate>& candidates, PlanPairs& pairs)
 {
-  if (pairs.Normals->GetNumberOfTuples() <= PairsToCompare || task.IsAborted())
+  if (task.IsAborted())
   {
-    return !task.IsAborted();
+    throw PlanFailure("aborted");
+  }
+  if (pairs.Normals->GetNumberOfTuples() <= PairsToCompare)
+  {
+    return;
   }
   const auto first = std::find_if(candidates.begin(), candidates.end(),
     [](const PlanCandidate& candidate) { return vtkRadianceMethods::IsBuiltIn(candidate.Method); });
   const auto larger = std::find_if(first, candidates.end(),
     [&first](const PlanCandidate& other)
     { return other.Method == first->Method && other.Sizes > first->Sizes; });
-  if (larger == candidates.end())
+  vtkSmartPointer<vtkDoubleArray> coarse, fine;
+  if (larger != candidates.end())
   {
-    pairs = ChoosePairs(pairs, nullptr, nullptr, PairsToCompare);
-    return true;
-  }
-  vtkNew<vtkDoubleArray> coarse, fine;
-  if (!Prepare(task, *first) || !Integrate(task, first->Integrator, pairs, coarse) ||
-      !Prepare(task, *larger) || !Integrate(task, larger->Integrator, pairs, fine))
-  {
-    return false;
+    Prepare(task, *first);
+    coarse = Integrate(task, first->Integrator, pairs);
+    Prepare(task, *larger);
+    fine = Integrate(task, larger->Integrator, pairs);
   }
   pairs = ChoosePairs(pairs, coarse, fine, PairsToCompare);
-  return true;
 }
 
 PlanPairs ChoosePairs(const PlanPairs& all, vtkDoubleArray* coarse, vtkDoubleArray* fine, int count)

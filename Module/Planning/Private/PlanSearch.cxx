@@ -7,7 +7,6 @@
 #include "ScopedErrorCapture.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkCommand.h"
-#include "vtkNew.h"
 #include "vtkRadianceMethods.h"
 
 #include <algorithm>
@@ -24,25 +23,28 @@ constexpr double InteractiveCost = 4.0;
 
 std::string Percent(double value) { return NumberText(100.0 * value, 2) + " %"; }
 
-// While one lives, an integrator at work hears of an abort, and its error becomes the task's.
+// While one lives, an integrator at work hears of an abort, and its error is kept.
 class Supervision
 {
 public:
-  Supervision(PlanTask& task, vtkRadianceIntegrator* integrator)
+  Supervision(const PlanTask& task, vtkRadianceIntegrator* integrator)
     : Task(task)
     , Integrator(integrator)
     , Error(integrator)
     , Tag(integrator->AddObserver(vtkCommand::ProgressEvent, this, &Supervision::OnProgress))
   {
   }
-  ~Supervision()
-  {
-    this->Integrator->RemoveObserver(this->Tag);
-    const std::string problem = this->Error.GetText();
-    this->Task.Problem = problem.empty() ? this->Task.Problem : problem;
-  }
+  ~Supervision() { this->Integrator->RemoveObserver(this->Tag); }
   Supervision(const Supervision&) = delete;
   void operator=(const Supervision&) = delete;
+
+  void Check(bool done) const
+  {
+    if (!done)
+    {
+      throw PlanFailure(this->Error.GetText());
+    }
+  }
 
 private:
   void OnProgress(vtkObject*, unsigned long, void*)
@@ -53,7 +55,7 @@ private:
     }
   }
 
-  PlanTask& Task;
+  const PlanTask& Task;
   vtkSmartPointer<vtkRadianceIntegrator> Integrator;
   ScopedErrorCapture Error;
   unsigned long Tag;
@@ -120,7 +122,7 @@ std::vector<PlanCandidate> ListCandidates(const PlanTask& task, std::string& giv
   return candidates;
 }
 
-bool Prepare(PlanTask& task, PlanCandidate& candidate)
+void Prepare(const PlanTask& task, PlanCandidate& candidate)
 {
   const auto start = std::chrono::steady_clock::now();
   const Supervision supervision(task, candidate.Integrator);
@@ -129,42 +131,45 @@ bool Prepare(PlanTask& task, PlanCandidate& candidate)
   candidate.Integrator->SetPrecomputation(nullptr); // it may go to another thread
   const auto end = std::chrono::steady_clock::now();
   candidate.SetUp += std::chrono::duration<double, std::milli>(end - start).count();
-  return prepared;
+  supervision.Check(prepared);
 }
 
-bool Integrate(PlanTask& task, vtkRadianceIntegrator* integrator, const PlanPairs& pairs,
-  vtkDoubleArray* radiance)
+vtkSmartPointer<vtkDoubleArray> Integrate(
+  const PlanTask& task, vtkRadianceIntegrator* integrator, const PlanPairs& pairs)
 {
+  auto radiance = vtkSmartPointer<vtkDoubleArray>::New();
   const Supervision supervision(task, integrator);
-  return integrator->Integrate(pairs.Normals, pairs.Views, radiance);
+  supervision.Check(integrator->Integrate(pairs.Normals, pairs.Views, radiance));
+  return radiance;
 }
 
 namespace
 {
-// Prepare a rung and see how far it is from the reference. fits: it belongs to the plan.
-bool Try(PlanTask& task, const PlanComparison& comparison, PlanCandidate& candidate,
-  std::string& warnings, bool& fits)
+// Prepare a rung and see how far it is from the reference. Returns whether it belongs to the plan.
+bool Try(const PlanTask& task, const PlanComparison& comparison, PlanCandidate& candidate,
+  std::string& warnings)
 {
-  vtkNew<vtkDoubleArray> radiance;
-  bool done =
-    Prepare(task, candidate) && Integrate(task, candidate.Integrator, comparison.Pairs, radiance);
-  if (done)
+  vtkSmartPointer<vtkDoubleArray> radiance;
+  try
   {
+    Prepare(task, candidate);
+    radiance = Integrate(task, candidate.Integrator, comparison.Pairs);
     const double* values = radiance->GetPointer(0);
-    done = std::all_of(values, values + radiance->GetNumberOfValues(),
-      [](double value) { return std::isfinite(value); });
-    task.Problem = done ? task.Problem : "its radiance is not finite";
+    if (!std::all_of(values, values + radiance->GetNumberOfValues(),
+          [](double value) { return std::isfinite(value); }))
+    {
+      throw PlanFailure("its radiance is not finite");
+    }
   }
-  if (!done)
+  catch (const PlanFailure& failure)
   {
     if (task.IsAborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))
     {
-      return false;
+      throw;
     }
     warnings += (warnings.empty() ? "" : "\n") + candidate.Method + ", " + candidate.Description +
-                ": " + task.Problem;
-    task.Problem.clear();
-    return true;
+                ": " + failure.what();
+    return false;
   }
   if (candidate.Integrator->UsesBRDFOnGPU())
   {
@@ -174,8 +179,7 @@ bool Try(PlanTask& task, const PlanComparison& comparison, PlanCandidate& candid
     candidate.Bytes += static_cast<vtkIdType>(inputs.GetTextureBytes());
   }
   static_cast<PlanError&>(candidate) = Compare(comparison, radiance);
-  fits = candidate.Bytes <= task.MaximumBytes;
-  return true;
+  return candidate.Bytes <= task.MaximumBytes;
 }
 
 // Of what was tried, the cheapest first, and costs at most so much: the cheapest within the
@@ -193,20 +197,15 @@ int FindBest(const std::vector<PlanCandidate>& tried, double tolerance, double m
 }
 }
 
-bool Climb(PlanTask& task, const PlanComparison& comparison, std::vector<PlanCandidate> ladder,
-  Plan& plan, const std::function<void(double)>& progress)
+void Climb(const PlanTask& task, const PlanComparison& comparison,
+  std::vector<PlanCandidate> ladder, Plan& plan, const std::function<void(double)>& progress)
 {
   bool found = false;
   for (std::size_t rung = 0; rung < ladder.size() && (!found || task.All); ++rung)
   {
     PlanCandidate& candidate = ladder[rung];
     candidate.MayBeChosen = candidate.MayBeChosen && !found; // the choice is the climb's
-    bool fits = false;
-    if (!Try(task, comparison, candidate, plan.Warnings, fits))
-    {
-      return false;
-    }
-    if (fits)
+    if (Try(task, comparison, candidate, plan.Warnings))
     {
       plan.Candidates.push_back(candidate);
       found = found || (candidate.MayBeChosen && candidate.Error <= task.Tolerance);
@@ -218,7 +217,7 @@ bool Climb(PlanTask& task, const PlanComparison& comparison, std::vector<PlanCan
   }
   if (task.IsAborted())
   {
-    return false;
+    throw PlanFailure("aborted");
   }
   plan.Choice = FindBest(plan.Candidates, task.Tolerance, HUGE_VAL);
   const int quick = FindBest(plan.Candidates, task.Tolerance, InteractiveCost);
@@ -232,7 +231,6 @@ bool Climb(PlanTask& task, const PlanComparison& comparison, std::vector<PlanCan
       candidate.Integrator = nullptr; // which holds its tables
     }
   }
-  return true;
 }
 
 std::string ExplainChoice(const Plan& plan, double tolerance, const std::string& givenUp)

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,13 @@ struct PlanTask
   double MaximumCost = 0.0;   // of a pixel, times a table's
   std::shared_ptr<vtkRadianceIntegrator::Precomputation> Shared;
   std::function<bool()> IsAborted = []() { return false; }; // asked now and then
-  std::string Problem;                                      // why something failed
+};
+
+/// Why there is no plan; thrown by what follows, also where it was aborted.
+class PlanFailure : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
 };
 
 /// A method (vtkRadianceMethods) with its sizes.
@@ -73,11 +80,10 @@ std::vector<PlanCandidate> ListCandidates(const PlanTask& task, std::string& giv
 
 ///@{
 /// Prepare the candidate's integrator with what the task's candidates share (SetUp grows by the
-/// time), and integrate the light of pairs. False, with the task's Problem, where that failed or
-/// was aborted.
-bool Prepare(PlanTask& task, PlanCandidate& candidate);
-bool Integrate(PlanTask& task, vtkRadianceIntegrator* integrator, const PlanPairs& pairs,
-  vtkDoubleArray* radiance);
+/// time), and integrate the light of pairs.
+void Prepare(const PlanTask& task, PlanCandidate& candidate);
+vtkSmartPointer<vtkDoubleArray> Integrate(
+  const PlanTask& task, vtkRadianceIntegrator* integrator, const PlanPairs& pairs);
 ///@}
 
 /// How many pairs candidates are compared on.
@@ -88,9 +94,8 @@ constexpr int PairsToCompare = 512;
 /// for all pairs that were drawn (Horvitz, Thompson 1952, "A Generalization of Sampling Without
 /// Replacement from a Finite Universe"). The two candidates are the first of the module's own and
 /// the first of its method that is larger; they are prepared for it. Where there are no such two,
-/// all pairs are alike. Repeatable. False, with the task's Problem, where that failed or was
-/// aborted.
-bool SamplePairs(PlanTask& task, std::vector<PlanCandidate>& candidates, PlanPairs& pairs);
+/// all pairs are alike. Repeatable.
+void SamplePairs(const PlanTask& task, std::vector<PlanCandidate>& candidates, PlanPairs& pairs);
 
 /// Such a sample of about so many pairs, by what two methods say that they reflect (null: all pairs
 /// are alike).
@@ -105,24 +110,24 @@ constexpr int MostReferenceSuns = 64;
  * truth (ReferenceError, relative L1 with two standard errors): by a sum over lights for an
  * isotropic material of which nothing is sharper than a light is wide, and which half as many
  * lights reflect nearly alike; else by the adaptive integral, each pair to half the tolerance that
- * plans are made for, at most 1 %, against an eighth of that.
- *
- * Returns what computed the comparison's Reference; null, with the task's Problem, where that
- * failed or was aborted.
+ * plans are made for, at most 1 %, against an eighth of that. Returns what computed the
+ * comparison's Reference.
  */
-vtkSmartPointer<vtkRadianceIntegrator> MakeReference(PlanTask& task, PlanComparison& comparison);
+vtkSmartPointer<vtkRadianceIntegrator> MakeReference(
+  const PlanTask& task, PlanComparison& comparison);
 
 /**
  * Try the rungs of the ladder, which is in the order of cost, up to the first one within the
  * tolerance. That is the choice; where there is none, the most accurate one is. progress is called
  * with the share of the ladder that was tried; it may be empty.
  *
- * Returns false, with the task's Problem, where it was aborted, or a method of the module failed. A
- * rung of a program's own that cannot be prepared is left out with a warning. So is one that takes
- * too many bytes with the textures of its material, without one.
+ * A rung of a program's own that cannot be prepared is left out with a warning. So is one that
+ * takes too many bytes with the textures of its material, without one. The plan has the warnings
+ * also where this throws.
  */
-bool Climb(PlanTask& task, const PlanComparison& comparison, std::vector<PlanCandidate> ladder,
-  Plan& plan, const std::function<void(double)>& progress = nullptr);
+void Climb(const PlanTask& task, const PlanComparison& comparison,
+  std::vector<PlanCandidate> ladder, Plan& plan,
+  const std::function<void(double)>& progress = nullptr);
 
 /// Why the choice was chosen, one line. givenUp: the cheapest method that costs too much, or "".
 std::string ExplainChoice(const Plan& plan, double tolerance, const std::string& givenUp);

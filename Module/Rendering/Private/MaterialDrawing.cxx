@@ -36,13 +36,21 @@ bool IsInteracting(vtkRenderer* renderer)
 }
 }
 
-MaterialDrawing::MaterialDrawing(vtkMapper* owner, std::function<std::vector<MaterialUse>()> uses)
+MaterialDrawing::MaterialDrawing(vtkMapper* owner, std::function<std::vector<vtkBRDF*>()> toCome)
   : Owner(owner)
-  , UsesToCome(std::move(uses))
+  , ToCome(std::move(toCome))
 {
 }
 
 MaterialDrawing::~MaterialDrawing() = default;
+
+void MaterialDrawing::WarnOnce(const std::string& cause, const std::string& text)
+{
+  if (this->Warned.insert(cause).second)
+  {
+    vtkWarningWithObjectMacro(this->Owner, << text);
+  }
+}
 
 MaterialDrawing::SweepAtEnd::~SweepAtEnd()
 {
@@ -61,9 +69,9 @@ void MaterialDrawing::KeepPlansInUse()
       members.insert(this->GetMember(brdf));
     }
   };
-  for (const MaterialUse& use : this->UsesToCome())
+  for (vtkBRDF* brdf : this->ToCome())
   {
-    add(inUse, use.first);
+    add(inUse, brdf);
   }
   if (this->Settings->BRDF)
   {
@@ -93,22 +101,22 @@ vtkSmartPointer<vtkEnvironment> MaterialDrawing::ResolveEnvironment(vtkRenderer*
   {
     std::string problem;
     environment = FindEnvironment(renderer, problem);
-    if (!problem.empty() && this->WarnOnce("environment: " + problem))
+    if (!problem.empty())
     {
-      vtkWarningWithObjectMacro(this->Owner, << "The renderer's environment texture"
-                                             << (environment ? ": " : " lights nothing here: ")
-                                             << problem);
+      this->WarnOnce("environment: " + problem,
+        "The renderer's environment texture" +
+          std::string(environment ? ": " : " lights nothing here: ") + problem);
     }
   }
   return environment && environment->GetWidth() > 0 ? environment : nullptr;
 }
 
-PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState& state)
+PlanRequest MaterialDrawing::GetRequest(vtkBRDF* brdf, const FrameState& state)
 {
   const CurrentPlan::Timing timings[] = { CurrentPlan::Timing::Foreground,
     CurrentPlan::Timing::Changes, CurrentPlan::Timing::Always };
   PlanRequest request;
-  request.Inputs = PlanInputs(use.first, state.Environment, this->Settings->ErrorTolerance);
+  request.Inputs = PlanInputs(brdf, state.Environment, this->Settings->ErrorTolerance);
   request.Inputs.MaximumCost = this->Settings->MaximumCost;
   request.Inputs.WithShaderInputs =
     this->Settings->UseSceneLights && HasLight(state.Renderer, state.Environment != nullptr);
@@ -118,7 +126,7 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
     request.Inputs.SeenTime = this->SeenTime;
   }
   request.Timing = timings[this->Settings->PlanningMode];
-  request.Member = this->GetMember(use.first);
+  request.Member = this->GetMember(brdf);
   request.Renderer = state.Renderer;
   return request;
 }
@@ -139,10 +147,9 @@ void MaterialDrawing::Look(const FrameState& state)
   }
 }
 
-bool MaterialDrawing::ResolvePlan(
-  DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state)
+bool MaterialDrawing::ResolvePlan(DrawnMaterial& drawn, const FrameState& state)
 {
-  PlanRequest request = this->GetRequest(use, state);
+  PlanRequest request = this->GetRequest(drawn.Source, state);
   request.Progress = [this](double progress)
   {
     this->Owner->UpdateProgress(progress);
@@ -175,8 +182,7 @@ bool MaterialDrawing::ResolvePlan(
   return current->IsPending();
 }
 
-void MaterialDrawing::ResolveIntegrator(
-  DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state)
+void MaterialDrawing::ResolveIntegrator(DrawnMaterial& drawn, const FrameState& state)
 {
   if (vtkRadianceIntegrator* wanted = this->Settings->Integrator)
   {
@@ -191,7 +197,7 @@ void MaterialDrawing::ResolveIntegrator(
   }
   else if (state.Environment)
   {
-    const bool pending = this->ResolvePlan(drawn, use, state);
+    const bool pending = this->ResolvePlan(drawn, state);
     if (!drawn.Integrator) // one that failed is not drawn by a coarse table for good
     {
       drawn.Integrator = FindStandIn(drawn.BRDF, drawn.Environment, pending);
@@ -221,20 +227,20 @@ std::string MaterialDrawing::UploadInputs(DrawnMaterial& drawn, vtkRenderer* ren
   return problem.empty() ? CheckTextureUnits(samplers, window) : problem;
 }
 
-DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState& state)
+DrawnMaterial MaterialDrawing::Resolve(vtkBRDF* brdf, const FrameState& state)
 {
   DrawnMaterial drawn;
-  if (!use.first)
+  if (!brdf)
   {
     return drawn;
   }
-  drawn.Source = use.first;
-  drawn.BRDF = use.first;
+  drawn.Source = brdf;
+  drawn.BRDF = brdf;
   drawn.Environment = state.Environment;
   std::string problem;
   try
   {
-    this->ResolveIntegrator(drawn, use, state);
+    this->ResolveIntegrator(drawn, state);
     problem = this->UploadInputs(drawn, state.Renderer);
   }
   catch (const std::exception& e) // no memory, say
@@ -255,7 +261,7 @@ DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState&
 }
 
 void MaterialDrawing::ResolveAll(
-  ViewFrame& frame, const FrameState& state, const std::vector<MaterialUse>& uses)
+  ViewFrame& frame, const FrameState& state, const std::vector<vtkBRDF*>& brdfs)
 {
   const PlanJob::Hold hold; // until what stands in is made
   std::vector<PlanRequest> requests;
@@ -264,18 +270,18 @@ void MaterialDrawing::ResolveAll(
   {
     this->Look(state);
   }
-  for (const MaterialUse& use : uses)
+  for (vtkBRDF* brdf : brdfs)
   {
-    if (isPlanned && use.first)
+    if (isPlanned && brdf)
     {
-      requests.push_back(this->GetRequest(use, state));
+      requests.push_back(this->GetRequest(brdf, state));
     }
   }
   this->Plans.BeginAll(requests);
   std::vector<DrawnMaterial> materials; // the last ones stay until these have their textures
-  for (const MaterialUse& use : uses)
+  for (vtkBRDF* brdf : brdfs)
   {
-    materials.push_back(this->Resolve(use, state));
+    materials.push_back(this->Resolve(brdf, state));
   }
   frame.Materials = std::move(materials);
 }
@@ -295,7 +301,7 @@ MaterialDrawing::ViewFrame& MaterialDrawing::FindFrame(vtkRenderer* renderer, co
 }
 
 void MaterialDrawing::BeginFrame(
-  vtkRenderer* renderer, vtkActor* actor, const void* part, const std::vector<MaterialUse>& uses)
+  vtkRenderer* renderer, vtkActor* actor, const void* part, const std::vector<vtkBRDF*>& brdfs)
 {
   this->Selected.Clear();
   this->Frame = nullptr;
@@ -304,12 +310,12 @@ void MaterialDrawing::BeginFrame(
     return;
   }
   ViewFrame& frame = this->FindFrame(renderer, part);
-  const bool any = std::any_of(
-    uses.begin(), uses.end(), [](const MaterialUse& use) { return use.first != nullptr; });
+  const bool any =
+    std::any_of(brdfs.begin(), brdfs.end(), [](vtkBRDF* brdf) { return brdf != nullptr; });
   const FrameState state = { renderer, actor, any ? this->ResolveEnvironment(renderer) : nullptr,
     IsInteracting(renderer) && !this->Sums.HasTime(renderer, actor, part) };
   this->DropPlans(state, any);
-  this->ResolveAll(frame, state, uses);
+  this->ResolveAll(frame, state, brdfs);
   this->DropOcclusionLights();
   this->ForecastOcclusion(state, part, frame);
   this->Frame = &frame;
@@ -442,7 +448,6 @@ void MaterialDrawing::Forget(const void* part)
   this->Sums.Forget(part);
   this->Forecasts.erase(part);
   this->BouncingParts.erase(part);
-  this->RefusedOcclusion.erase(part);
 }
 
 void MaterialDrawing::GetVisiblePairs(

@@ -43,24 +43,20 @@ class vtkWindow;
 
 namespace measuredbrdf
 {
-/// A material and the surfaces made of it, which are blocks of one data set. No material: VTK's
-/// class draws them.
-using MaterialUse = std::pair<vtkBRDF*, std::vector<vtkPolyData*>>;
-
 class MaterialDrawing
 {
 public:
-  /// owner: the mapper that users know, which warns and reports errors. uses: what it will draw
-  /// next, as far as it knows between its renders.
-  MaterialDrawing(vtkMapper* owner, std::function<std::vector<MaterialUse>()> uses);
+  /// owner: the mapper that users know, which warns and reports errors. toCome: the materials of a
+  /// map that it will draw next, as far as it knows between its renders.
+  MaterialDrawing(vtkMapper* owner, std::function<std::vector<vtkBRDF*>()> toCome);
   ~MaterialDrawing();
   MaterialDrawing(const MaterialDrawing&) = delete;
   void operator=(const MaterialDrawing&) = delete;
 
   vtkMapper* GetOwner() const { return this->Owner; }
 
-  /// Whether this is the first warning for that cause.
-  bool WarnOnce(const std::string& cause) { return this->Warned.insert(cause).second; }
+  /// The owner's warning event, the first time for that cause.
+  void WarnOnce(const std::string& cause, const std::string& text);
 
   /// Report at the end of this Render what can't be drawn as it should be.
   void AddFailure(const std::string& text) { this->Failures.insert(text); }
@@ -79,9 +75,10 @@ public:
 
   /// Get ready to draw a part of a frame: bring plans and textures up to date. In passes that take
   /// no color from the material (picking, shadow maps) VTK's class draws, and nothing is planned.
-  /// part: which of the mappers that share this object draws.
+  /// part: which of the mappers that share this object draws. brdfs: its materials; null: VTK's
+  /// class draws.
   void BeginFrame(
-    vtkRenderer* renderer, vtkActor* actor, const void* part, const std::vector<MaterialUse>& uses);
+    vtkRenderer* renderer, vtkActor* actor, const void* part, const std::vector<vtkBRDF*>& brdfs);
   void EndFrame();
 
   /// Add samples up before the frame is drawn (SampleSums), between BeginFrame and EndFrame.
@@ -111,11 +108,7 @@ public:
   std::shared_ptr<OcclusionArrays> FindOcclusion(
     vtkPolyData* surface, const void* part, bool isPart);
   /// Before those that a part's new buffers ask for.
-  void BeginOcclusion(const void* part)
-  {
-    this->BouncingParts.erase(part);
-    this->RefusedOcclusion.erase(part);
-  }
+  void BeginOcclusion(const void* part) { this->BouncingParts.erase(part); }
   const OcclusionLight* FindOcclusionLight(const DrawnMaterial& drawn);
   /// What FindWhole found last.
   struct WholeSurface
@@ -188,7 +181,7 @@ private:
 
   /// As plans know a material (PlanRequest::Member).
   vtkBRDF* GetMember(vtkBRDF* brdf) const { return brdf == this->Settings->BRDF ? nullptr : brdf; }
-  PlanRequest GetRequest(const MaterialUse& use, const FrameState& state);
+  PlanRequest GetRequest(vtkBRDF* brdf, const FrameState& state);
   void Look(const FrameState& state);
   bool IsPlanned() const { return !this->Settings->Integrator; }
   void DropPlans(const FrameState& state, bool anyMaterial);
@@ -201,11 +194,11 @@ private:
   ///@{
   /// The stages of a frame, in this order; the last three for each material.
   vtkSmartPointer<vtkEnvironment> ResolveEnvironment(vtkRenderer* renderer);
-  void ResolveAll(ViewFrame& frame, const FrameState& state, const std::vector<MaterialUse>& uses);
-  DrawnMaterial Resolve(const MaterialUse& use, const FrameState& state);
-  void ResolveIntegrator(DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state);
+  void ResolveAll(ViewFrame& frame, const FrameState& state, const std::vector<vtkBRDF*>& brdfs);
+  DrawnMaterial Resolve(vtkBRDF* brdf, const FrameState& state);
+  void ResolveIntegrator(DrawnMaterial& drawn, const FrameState& state);
   /// Whether one is being made.
-  bool ResolvePlan(DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state);
+  bool ResolvePlan(DrawnMaterial& drawn, const FrameState& state);
   std::string UploadInputs(DrawnMaterial& drawn, vtkRenderer* renderer);
   ///@}
 
@@ -224,7 +217,7 @@ private:
   std::set<std::string> Failures;                                 // of this Render
   std::map<std::string, std::pair<vtkRenderer*, vtkActor*>> Said; // and whose Render had it last
   std::unique_ptr<MaterialSettings> Settings = std::make_unique<MaterialSettings>();
-  std::function<std::vector<MaterialUse>()> UsesToCome;
+  std::function<std::vector<vtkBRDF*>()> ToCome;
   MapperPlans Plans;
   /// Of parts and renderers. Each keeps its textures for the next Render.
   std::map<std::pair<const void*, vtkRenderer*>, ViewFrame> Frames;
@@ -255,9 +248,7 @@ private:
   /// Of parts; null: of all of them, where the mode says to trace.
   std::map<const void*, std::unique_ptr<AutomaticOcclusion>> Forecasts;
   std::set<const void*> BouncingParts; // whose buffers have what comes back
-  /// Surfaces of parts, only counted, whose arrays are of another surface or damaged.
-  std::map<const void*, std::set<const vtkPolyData*>> RefusedOcclusion;
-  bool WasReady = false; // whether a plan made in the background waited to be drawn
+  bool WasReady = false;               // whether a plan made in the background waited to be drawn
   vtkTimeStamp ReadyTime;
 };
 } // namespace measuredbrdf

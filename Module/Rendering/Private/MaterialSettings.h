@@ -117,4 +117,15 @@ struct MaterialSettings
   measuredbrdfModeSettingMacro(Class, ScalarColoringMode, 2);                         \
   measuredbrdfModeSettingMacro(Class, OcclusionMode, 4)
 
+/// What both mappers ask of their Impl->Drawing.
+#define measuredbrdfDrawingMacro(Class)                                                      \
+  bool Class::GetPlanPending() { return this->Impl->Drawing->IsPending(); }                  \
+  bool Class::GetPlanReady() { return this->Impl->Drawing->IsReady(); }                      \
+  void Class::SetAbortPlanning(bool abort) { this->Impl->Drawing->SetAbortPlanning(abort); } \
+  bool Class::GetAbortPlanning() { return this->Impl->Drawing->GetAbortPlanning(); }         \
+  double Class::FitProperty(vtkProperty* property)                                           \
+  {                                                                                          \
+    return vtkPBRPropertyFitter::Fit(this->GetBRDF(), property);                             \
+  }
+
 #endif

@@ -5,6 +5,7 @@
 #include "BRDFShader.h"
 #include "OcclusionShader.h"
 #include "RenderPassQueries.h"
+#include "TextureEnvironment.h"
 
 #include "vtkActor.h"
 #include "vtkBRDF.h"
@@ -96,30 +97,6 @@ public:
   }
 };
 
-// VTK's mapper declares normals and positions for lit primitives only; an environment lights scenes
-// without a single vtkLight. Works on int (VTK < 9.4) and on the enum that followed.
-template <typename Complexity>
-class ForceLit
-{
-public:
-  explicit ForceLit(Complexity& complexity)
-    : Target(complexity)
-    , Saved(complexity)
-  {
-    if (static_cast<int>(complexity) == 0)
-    {
-      complexity = static_cast<Complexity>(1);
-    }
-  }
-  ~ForceLit() { this->Target = this->Saved; }
-  ForceLit(const ForceLit&) = delete;
-  void operator=(const ForceLit&) = delete;
-
-private:
-  Complexity& Target;
-  Complexity Saved;
-};
-
 // Of a vertex array: the tuples that have a value which is not finite or, as directions, no length.
 vtkIdType CountBadTuples(vtkDataArray* array, bool areDirections = false)
 {
@@ -156,24 +133,14 @@ void FindWorldToView(vtkRenderer* renderer, vtkMatrix4x4* toView)
   vtkMatrix4x4::Transpose(worldToView, toView); // OpenGL's order
 }
 
-// From view coordinates to the environment's own axes: VTK's envMatrix, which leads to the
-// renderer's environment, and the environment's own rotation (null: none). One matrix, because a
-// fragment's directions are turned where software renderers pay for each multiplication.
+// From view coordinates to the environment's own axes. One matrix, because a fragment's directions
+// are turned where software renderers pay for each multiplication.
 glm::mat3 GetViewToEnvironment(vtkRenderer* renderer, vtkEnvironment* environment)
 {
-  glm::dmat3 own(1.0);
-  if (environment)
-  {
-    environment->GetWorldToEnvironment(&own[0].x); // by rows
-  }
-  glm::dmat3 axes; // columns: those of VTK's envMatrix are right, up and right x up
-  renderer->GetEnvironmentRight(&axes[0].x);
-  renderer->GetEnvironmentUp(&axes[1].x);
-  axes[2] = glm::cross(axes[0], axes[1]);
   const vtkNew<vtkMatrix4x4> toView;
   FindWorldToView(renderer, toView);
   const glm::dmat3 viewToWorld(glm::make_mat4(toView->GetData())); // rows: the transpose
-  return glm::transpose(own) * glm::transpose(axes) * viewToWorld;
+  return GetWorldToEnvironment(renderer, environment) * viewToWorld;
 }
 
 // slots: none where there is one material.
@@ -201,14 +168,13 @@ bool Contains(const std::string& text, const char* part)
 {
   return text.find(part) != std::string::npos;
 }
+}
 
-// The tag stays, for what comes after.
 void AddAfterTag(vtkShader* shader, const std::string& tag, const std::string& lines)
 {
   std::string source = shader->GetSource();
   vtkShaderProgram::Substitute(source, tag, tag + "\n" + lines, false);
   shader->SetSource(source);
-}
 }
 
 ShaderLimits ShaderLimits::Read(vtkOpenGLState* state)
@@ -244,7 +210,8 @@ MaterialShading::~MaterialShading()
 
 void MaterialShading::DrawPiece(const Step& render, const Step& finish)
 {
-  const Depth inside(this->RenderDepth);
+  const Restored inside(this->RenderDepth);
+  ++this->RenderDepth;
   this->IsPlain = false;
   for (bool tries = true; tries;)
   {
@@ -270,7 +237,7 @@ void MaterialShading::StartPiece(
 {
   if (!this->IsPlain)
   {
-    this->Drawing->BeginFrame(ren, actor, this->Mapper, this->GetMaterialUses());
+    this->Drawing->BeginFrame(ren, actor, this->Mapper, this->GetBRDFs());
   }
   // Each distance and each edge's equation takes a vector of four. (DrawingEdges would want
   // buffers.)
@@ -340,9 +307,7 @@ void MaterialShading::PrepareBuffers(vtkRenderer* ren)
   this->BuiltOcclusionMode = this->Drawing->GetSettings().OcclusionMode;
   this->BuiltOcclusionBounce = this->Drawing->GetSettings().OcclusionBounce;
   this->BuiltTracedOcclusion = this->Drawing->GetTracedOcclusion(this->Mapper);
-  const ShaderLimits limits = ShaderLimits::Read(static_cast<vtkOpenGLRenderer*>(ren)->GetState());
-  this->MostAttributes = limits.Attributes;
-  this->MostVaryings = limits.Varyings;
+  this->Limits = ShaderLimits::Read(static_cast<vtkOpenGLRenderer*>(ren)->GetState());
   this->Drawing->BeginOcclusion(this->Mapper);
   this->HasBadNormals = false;
   this->AddOcclusion(ren);
@@ -386,10 +351,9 @@ void MaterialShading::CheckVertices(vtkPolyData* surface)
   add(CountBadTuples(points->GetTCoords()), " of its texture coordinates are not finite");
   add(surface->GetPoints() ? CountBadTuples(surface->GetPoints()->GetData()) : 0,
     " of its points are not finite: their polygons are not drawn");
-  if (!text.empty() && !this->Drawing->GetMaterials().empty() &&
-      this->Drawing->WarnOnce("vertices"))
+  if (!text.empty() && !this->Drawing->GetMaterials().empty())
   {
-    vtkWarningWithObjectMacro(this->Drawing->GetOwner(), << text << ".");
+    this->Drawing->WarnOnce("vertices", text + ".");
   }
 }
 
@@ -460,9 +424,12 @@ void MaterialShading::ReplaceValues(Shaders shaders, vtkActor* actor, const Step
     replace();
     return;
   }
+  // VTK's mapper declares normals and positions for lit primitives only; an environment lights
+  // scenes without a single vtkLight. An int (VTK < 9.4) or the enum that followed.
   auto& complexity = Inside::GetInfo(this->Mapper, cellBO).LastLightComplexity;
   this->LightComplexity = static_cast<int>(complexity);
-  const ForceLit lit(complexity);
+  const Restored own(complexity);
+  complexity = static_cast<std::decay_t<decltype(complexity)>>(std::max(this->LightComplexity, 1));
   replace();
   // VTK's mapper multiplies encoded radiance by the actor's texture.
   std::string fs = shaders[vtkShader::Fragment]->GetSource();
@@ -477,34 +444,26 @@ void MaterialShading::ReplaceValues(Shaders shaders, vtkActor* actor, const Step
   shaders[vtkShader::Fragment]->SetSource(fs);
 }
 
-// Beside the positions, whose tags are still there.
+void MaterialShading::PassOn(
+  Shaders shaders, const std::string& type, const std::string& name, const std::string& value)
+{
+  const std::string declarations = "//VTK::PositionVC::Dec";
+  const std::string code = "//VTK::PositionVC::Impl";
+  vtkShader* vertex = shaders[vtkShader::Vertex];
+  vtkShader* geometry = shaders[vtkShader::Geometry];
+  AddAfterTag(vertex, declarations, "out " + type + " " + name + "VSOutput;\n");
+  AddAfterTag(vertex, code, "  " + name + "VSOutput = " + value + ";\n");
+  AddAfterTag(geometry, declarations,
+    "in " + type + " " + name + "VSOutput[];\nout " + type + " " + name + "GSOutput;\n");
+  AddAfterTag(geometry, code, "  " + name + "GSOutput = " + name + "VSOutput[i];\n");
+}
+
 void MaterialShading::PassTangentsOn(Shaders shaders) const
 {
   const bool declared = Contains(shaders[vtkShader::Vertex]->GetSource(), "in vec3 tangentMC;");
   AddAfterTag(shaders[vtkShader::Vertex], "//VTK::PositionVC::Dec",
-    std::string("out vec3 brdfTangentVCVSOutput;\nuniform mat3 brdfTangentMatrix;\n") +
-      (declared ? "" : "in vec3 tangentMC;\n"));
-  AddAfterTag(shaders[vtkShader::Vertex], "//VTK::PositionVC::Impl",
-    "  brdfTangentVCVSOutput = brdfTangentMatrix * tangentMC;\n");
-  AddAfterTag(shaders[vtkShader::Geometry], "//VTK::PositionVC::Dec",
-    "in vec3 brdfTangentVCVSOutput[];\nout vec3 brdfTangentVCGSOutput;\n");
-  AddAfterTag(shaders[vtkShader::Geometry], "//VTK::PositionVC::Impl",
-    "  brdfTangentVCGSOutput = brdfTangentVCVSOutput[i];\n");
-}
-
-// The same way; the fragment shader's part comes with the lights.
-void MaterialShading::PassOcclusionOn(Shaders shaders)
-{
-  const SurfaceOcclusion occlusion = this->GetOcclusion();
-  if (occlusion.Lights.empty())
-  {
-    return;
-  }
-  const OcclusionText text = MakeOcclusionText(occlusion.Lights, occlusion.Layout);
-  AddAfterTag(shaders[vtkShader::Vertex], "//VTK::PositionVC::Dec", text.VertexDeclarations);
-  AddAfterTag(shaders[vtkShader::Vertex], "//VTK::PositionVC::Impl", text.VertexCode);
-  AddAfterTag(shaders[vtkShader::Geometry], "//VTK::PositionVC::Dec", text.GeometryDeclarations);
-  AddAfterTag(shaders[vtkShader::Geometry], "//VTK::PositionVC::Impl", text.GeometryCode);
+    std::string("uniform mat3 brdfTangentMatrix;\n") + (declared ? "" : "in vec3 tangentMC;\n"));
+  PassOn(shaders, "vec3", "brdfTangentVC", "brdfTangentMatrix * tangentMC");
 }
 
 bool MaterialShading::ReplaceLight(Shaders shaders, vtkRenderer* ren, vtkActor* actor)
@@ -515,7 +474,6 @@ bool MaterialShading::ReplaceLight(Shaders shaders, vtkRenderer* ren, vtkActor* 
     return false;
   }
   this->WarnOfTextures(actor);
-  this->PassOcclusionOn(shaders);
   const SelectedMaterials& selected = this->Drawing->GetSelected();
   ShaderBody body;
   if (selected.AreAnyAnisotropic())
@@ -525,21 +483,30 @@ bool MaterialShading::ReplaceLight(Shaders shaders, vtkRenderer* ren, vtkActor* 
     {
       this->PassTangentsOn(shaders);
     }
-    else if (this->Drawing->WarnOnce("tangents"))
+    else
     {
-      vtkWarningWithObjectMacro(this->Drawing->GetOwner(),
-        << "The material is anisotropic but the polydata has no float point tangents "
-           "(PointData::SetTangents, or vtkPolyDataTangents for texture coordinates): they turn "
-           "about the environment's up axis.");
+      this->Drawing->WarnOnce("tangents",
+        "The material is anisotropic but the polydata has no float point tangents "
+        "(PointData::SetTangents, or vtkPolyDataTangents for texture coordinates): they turn about "
+        "the environment's up axis.");
     }
   }
   const auto& [lights, layout] = this->GetOcclusion();
+  OcclusionText occlusion;
+  if (!lights.empty())
+  {
+    occlusion = MakeOcclusionText(lights, layout);
+    vtkShader* vertex = shaders[vtkShader::Vertex];
+    vtkShader* geometry = shaders[vtkShader::Geometry];
+    AddAfterTag(vertex, "//VTK::PositionVC::Dec", occlusion.VertexDeclarations);
+    AddAfterTag(vertex, "//VTK::PositionVC::Impl", occlusion.VertexCode);
+    AddAfterTag(geometry, "//VTK::PositionVC::Dec", occlusion.GeometryDeclarations);
+    AddAfterTag(geometry, "//VTK::PositionVC::Impl", occlusion.GeometryCode);
+  }
   const MixtureText& mixture = selected.GetMixture();
   const std::vector<ShaderMember> members = GetShaderMembers(selected.Get(), mixture.Slots, lights);
   std::string fs = shaders[vtkShader::Fragment]->GetSource();
   const SumStage stage = this->Drawing->GetSums().GetStage();
-  const OcclusionText occlusion =
-    lights.empty() ? OcclusionText() : MakeOcclusionText(lights, layout);
   std::string declarations =
     body.Tangents == TangentSource::Data ? "in vec3 brdfTangentVCVSOutput;\n" : "";
   declarations +=
@@ -585,13 +552,12 @@ void MaterialShading::WarnOfTextures(vtkActor* actor)
     { "albedoTex", "materialTex", "emissiveTex", "anisotropyTex", "coatNormalTex" })
   {
     if (std::any_of(textures.begin(), textures.end(),
-          [name](const auto& texture) { return texture.second == name; }) &&
-        this->Drawing->WarnOnce(name))
+          [name](const auto& texture) { return texture.second == name; }))
     {
-      vtkWarningWithObjectMacro(this->Drawing->GetOwner(),
-        << "The property's texture " << name
-        << " has no effect: the surface reflects as the measured material does. An actor's own "
-           "texture and scalars multiply its radiance.");
+      this->Drawing->WarnOnce(name,
+        "The property's texture " + std::string(name) +
+          " has no effect: the surface reflects as the measured material does. An actor's own "
+          "texture and scalars multiply its radiance.");
     }
   }
 }
@@ -659,8 +625,8 @@ bool MaterialShading::FitsOcclusion(const SurfaceOcclusion& occlusion) const
   }
   const OcclusionNeeds needs = CountOcclusionNeeds(occlusion.Lights, occlusion.Layout);
   // Tangents may be handed on twice, as VTK's and turned by ours.
-  return own + needs.Attributes <= this->MostAttributes &&
-         4 * (own + 1) + this->VaryingsOfBase + needs.Varyings <= this->MostVaryings;
+  return own + needs.Attributes <= this->Limits.Attributes &&
+         4 * (own + 1) + this->VaryingsOfBase + needs.Varyings <= this->Limits.Varyings;
 }
 
 // What the buffers have, or the part of it that the graphics card has room for: without what comes
@@ -695,24 +661,14 @@ MaterialShading::SurfaceOcclusion MaterialShading::GetOcclusion()
       break;
     }
   }
-  if (*leftOut && this->Drawing->WarnOnce(leftOut))
+  if (*leftOut)
   {
-    vtkWarningWithObjectMacro(this->Drawing->GetOwner(),
-      << "The surface is drawn " << leftOut << ": shaders of this graphics card may have "
-      << this->MostAttributes << " vertex attributes and " << this->MostVaryings
-      << " components of varyings.");
+    this->Drawing->WarnOnce(leftOut,
+      "The surface is drawn " + std::string(leftOut) + ": shaders of this graphics card may have " +
+        std::to_string(this->Limits.Attributes) + " vertex attributes and " +
+        std::to_string(this->Limits.Varyings) + " components of varyings.");
   }
   return occlusion;
-}
-
-std::vector<vtkEnvironment*> MaterialShading::GetEnvironments() const
-{
-  std::vector<vtkEnvironment*> environments;
-  for (const DrawnMaterial* drawn : this->Drawing->GetSelected().Get())
-  {
-    environments.push_back(drawn->Environment);
-  }
-  return environments;
 }
 
 void MaterialShading::SetOcclusionUniforms(
@@ -723,7 +679,12 @@ void MaterialShading::SetOcclusionUniforms(
   {
     return;
   }
-  const OcclusionAxes axes(ren, actor, this->GetEnvironments());
+  std::vector<vtkEnvironment*> environments;
+  for (const DrawnMaterial* drawn : this->Drawing->GetSelected().Get())
+  {
+    environments.push_back(drawn->Environment);
+  }
+  const OcclusionAxes axes(ren, actor, environments);
   OcclusionSides sides = this->Sides;
   sides.Both = layout.TwoSided; // what there is room for
   sides.Bounced = layout.Bounced;

@@ -52,29 +52,33 @@ struct ShaderLimits
   static void SetMost(std::size_t attributes, std::size_t varyings);
 };
 
-/// Counts the calls of a function that have not returned yet, whatever way they end.
-class Depth
+/// Gives a variable its value back in the end, whatever way that comes.
+template <typename T>
+class Restored
 {
 public:
-  explicit Depth(int& depth)
-    : Count(depth)
+  explicit Restored(T& variable)
+    : Variable(variable)
+    , Value(variable)
   {
-    ++this->Count;
   }
-  ~Depth() { --this->Count; }
-  Depth(const Depth&) = delete;
-  void operator=(const Depth&) = delete;
+  ~Restored() { this->Variable = this->Value; }
+  Restored(const Restored&) = delete;
+  void operator=(const Restored&) = delete;
 
 private:
-  int& Count;
+  T& Variable;
+  T Value;
 };
+
+/// The tag stays, for what comes after.
+void AddAfterTag(vtkShader* shader, const std::string& tag, const std::string& lines);
 
 class MaterialShading
 {
 public:
   using Shaders = std::map<vtkShader::Type, vtkShader*>;
   using Step = std::function<void()>; // what VTK's class does there
-  using MaterialUse = measuredbrdf::MaterialUse;
 
   explicit MaterialShading(
     vtkOpenGLPolyDataMapper* mapper, std::shared_ptr<MaterialDrawing> drawing = nullptr);
@@ -120,10 +124,10 @@ public:
 
 protected:
   ///@{
-  /// What the mapper draws: its materials with their surfaces; only the surfaces of one material
+  /// What the mapper draws: its materials (MaterialDrawing::BeginFrame); only those of one material
   /// until the next call (-1: all of them); whether scalars do not color what is drawn now,
   /// whatever the mapper says; whether it is a part of a surface that a material map divides.
-  virtual std::vector<MaterialUse> GetMaterialUses() = 0;
+  virtual std::vector<vtkBRDF*> GetBRDFs() = 0;
   virtual void ShowOnly(int vtkNotUsed(material)) {}
   virtual bool IgnoresScalars() { return false; }
   virtual bool IsPart() { return false; }
@@ -131,6 +135,11 @@ protected:
 
   /// Hand what the surface hides from itself to the buffers that are being built.
   virtual void AddOcclusion(vtkRenderer* ren);
+
+  /// Hand a value of the vertex shader on to the fragment shader, as `name`VSOutput, beside the
+  /// positions, whose tags are still there.
+  static void PassOn(
+    Shaders shaders, const std::string& type, const std::string& name, const std::string& value);
 
   /// Warn of what can't be drawn of a surface whose buffers are being built.
   void CheckVertices(vtkPolyData* surface);
@@ -164,11 +173,9 @@ private:
   int FindSuperfluousLight(vtkRenderer* ren) const;
   void WarnOfTextures(vtkActor* actor);
   void PassTangentsOn(Shaders shaders) const;
-  void PassOcclusionOn(Shaders shaders);
   SurfaceOcclusion GetOcclusion();
   bool FitsOcclusion(const SurfaceOcclusion& occlusion) const;
   void SetOcclusionUniforms(vtkShaderProgram* program, vtkRenderer* ren, vtkActor* actor);
-  std::vector<vtkEnvironment*> GetEnvironments() const;
 
   vtkOpenGLPolyDataMapper* Mapper;
   int LightComplexity = 0;     // VTK's, of the primitives whose shaders are being made
@@ -178,8 +185,7 @@ private:
   int BuiltOcclusionMode = -1; // of the buffers
   bool BuiltOcclusionBounce = false;
   vtkSmartPointer<vtkDataObject> BuiltTracedOcclusion;
-  std::size_t MostAttributes = 0; // of the graphics card that has the buffers
-  std::size_t MostVaryings = 0;
+  ShaderLimits Limits;            // of the graphics card that has the buffers
   std::size_t VaryingsOfBase = 0; // for clipping planes and edges, in this frame
 };
 } // namespace measuredbrdf

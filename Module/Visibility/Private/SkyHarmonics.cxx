@@ -29,27 +29,30 @@ std::vector<glm::dvec3> MakeDirections()
   return directions;
 }
 
-struct Band
-{
-  Eigen::MatrixXd FromValues; // at the directions
-};
+// All functions at the directions, turned: a row each.
+using Turned = Eigen::Matrix<double, Width, Harmonics>;
 
-// Least squares: more directions than functions, but for the last degree.
-std::vector<Band> MakeBands(const std::vector<glm::dvec3>& directions)
+Turned EvaluateAll(const std::vector<glm::dvec3>& directions, const glm::dmat3& turn)
 {
-  std::vector<Band> bands;
+  Turned values;
+  for (int k = 0; k < Width; ++k)
+  {
+    const Values at = Evaluate(turn * directions[k]);
+    values.row(k) = Eigen::Map<const Eigen::Matrix<double, 1, Harmonics>>(at.data());
+  }
+  return values;
+}
+
+// Of each degree: its functions' coefficients from values at the directions, by least squares.
+// There are more directions than functions, but for the last degree.
+std::vector<Eigen::MatrixXd> MakeBands(const std::vector<glm::dvec3>& directions)
+{
+  std::vector<Eigen::MatrixXd> bands;
+  const Turned values = EvaluateAll(directions, glm::dmat3(1.0));
   for (int l = 0; l <= Degree; ++l)
   {
-    Eigen::MatrixXd values(Width, 2 * l + 1);
-    for (int k = 0; k < Width; ++k)
-    {
-      const Values at = Evaluate(directions[k]);
-      for (int m = 0; m < 2 * l + 1; ++m)
-      {
-        values(k, m) = at[l * l + m];
-      }
-    }
-    bands.push_back({ values.completeOrthogonalDecomposition().pseudoInverse() });
+    const Eigen::MatrixXd own = values.middleCols(l * l, 2 * l + 1);
+    bands.push_back(own.completeOrthogonalDecomposition().pseudoInverse());
   }
   return bands;
 }
@@ -74,30 +77,16 @@ Colors Rotate(const Colors& light, const glm::dmat3& r)
 {
   // Threads may use them until the very end.
   static const auto& directions = *new std::vector<glm::dvec3>(MakeDirections());
-  static const auto& bands = *new std::vector<Band>(MakeBands(directions));
+  static const auto& bands = *new std::vector<Eigen::MatrixXd>(MakeBands(directions));
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>; // of colors
+  const Turned turned = EvaluateAll(directions, r);
   Colors result;
-  std::array<Values, Width> turned;
-  for (std::size_t k = 0; k < directions.size(); ++k)
-  {
-    turned[k] = Evaluate(r * directions[k]);
-  }
   for (int l = 0; l <= Degree; ++l)
   {
-    for (int m = 0; m < 2 * l + 1; ++m)
-    {
-      glm::dvec3 sum(0.0);
-      for (int k = 0; k < Width; ++k)
-      {
-        glm::dvec3 value(0.0);
-        for (int n = 0; n < 2 * l + 1; ++n)
-        {
-          const auto at = static_cast<std::size_t>(l * l + n);
-          value += turned[k][at] * light[at];
-        }
-        sum += bands[l].FromValues(m, k) * value;
-      }
-      result[l * l + m] = sum;
-    }
+    const int count = 2 * l + 1;
+    Eigen::Map<Rows>(&result[l * l].x, count, 3) =
+      bands[l] * turned.middleCols(l * l, count) *
+      Eigen::Map<const Rows>(&light[l * l].x, count, 3);
   }
   return result;
 }

@@ -13,7 +13,6 @@
 #include "vtkPolygon.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -26,12 +25,6 @@ namespace
 constexpr double Inwards = 0.02;
 constexpr vtkIdType Piece = 4096; // values that are hashed at a time
 
-struct Face
-{
-  glm::dvec3 Area = glm::dvec3(0.0); // normal times twice the area
-  glm::dvec3 Middle = glm::dvec3(0.0);
-};
-
 glm::dvec3 GetPoint(vtkPolyData* surface, vtkIdType id)
 {
   glm::dvec3 p;
@@ -42,23 +35,6 @@ glm::dvec3 GetPoint(vtkPolyData* surface, vtkIdType id)
 bool IsFinite(const glm::dvec3& p)
 {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
-// Newell's normal, which polygons of any shape have.
-Face MakeFace(vtkPolyData* surface, const vtkIdType* ids, vtkIdType count)
-{
-  Face face;
-  const glm::dvec3 first = GetPoint(surface, ids[0]); // large coordinates cancel
-  glm::dvec3 before(0.0);
-  for (vtkIdType k = 1; k < count; ++k)
-  {
-    const glm::dvec3 at = GetPoint(surface, ids[k]) - first;
-    face.Area += glm::cross(before, at);
-    face.Middle += at;
-    before = at;
-  }
-  face.Middle = first + face.Middle / static_cast<double>(count);
-  return face;
 }
 
 void HashArray(ContentHash& hash, vtkDataArray* array)
@@ -78,6 +54,22 @@ void HashArray(ContentHash& hash, vtkDataArray* array)
     }
   }
 }
+}
+
+Face MakeFace(vtkPolyData* surface, const vtkIdType* ids, vtkIdType count)
+{
+  Face face;
+  const glm::dvec3 first = GetPoint(surface, ids[0]); // large coordinates cancel
+  glm::dvec3 before(0.0);
+  for (vtkIdType k = 1; k < count; ++k)
+  {
+    const glm::dvec3 at = GetPoint(surface, ids[k]) - first;
+    face.Area += glm::cross(before, at);
+    face.Middle += at;
+    before = at;
+  }
+  face.Middle = first + face.Middle / static_cast<double>(count);
+  return face;
 }
 
 void TriangulatePolygon(
@@ -193,36 +185,6 @@ std::vector<SurfaceVertex> FindSurfacePoints(vtkPolyData* surface)
       }
     });
   return points;
-}
-
-double GetLeastCosine(vtkPolyData* surface, const std::vector<glm::dvec3>& normals)
-{
-  constexpr std::size_t steps = 200;
-  std::array<double, steps + 1> areas{}; // of polygons, by their least cosine
-  double all = 0.0;
-  ForEachFace(surface, Faces::Polygons,
-    [&](const vtkIdType* ids, vtkIdType count, vtkIdType)
-    {
-      const Face face = MakeFace(surface, ids, count);
-      const double area = glm::length(face.Area);
-      double least = area > 0.0 && std::isfinite(area) ? 1.0 : -1.0;
-      for (vtkIdType k = 0; least >= 0.0 && k < count; ++k)
-      {
-        const glm::dvec3& normal = normals[ids[k]];
-        least = std::min(least, std::abs(glm::dot(face.Area, normal)) / area);
-      }
-      if (least >= 0.0)
-      {
-        areas[static_cast<std::size_t>(least * steps)] += area;
-        all += area;
-      }
-    });
-  std::size_t step = 0;
-  for (double below = areas[0]; step < steps && below <= 0.01 * all; below += areas[step])
-  {
-    ++step;
-  }
-  return static_cast<double>(step) / steps;
 }
 
 std::string GetSurfaceKey(vtkPolyData* surface)

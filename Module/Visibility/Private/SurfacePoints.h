@@ -82,6 +82,15 @@ vtkIdType ForEachFace(vtkPolyData* surface, Faces faces, const Visit& visit)
   return skipped;
 }
 
+struct Face
+{
+  glm::dvec3 Area = glm::dvec3(0.0); // normal times twice the area
+  glm::dvec3 Middle = glm::dvec3(0.0);
+};
+
+/// Of a polygon of any shape, by Newell's normal.
+Face MakeFace(vtkPolyData* surface, const vtkIdType* ids, vtkIdType count);
+
 struct SurfaceVertex
 {
   glm::dvec3 Normal = glm::dvec3(0.0);     // unit; zero: the point is of no polygon
@@ -92,10 +101,6 @@ struct SurfaceVertex
 /// One for each point of polygons and strips. Normals are the data's point normals, if they have
 /// three components; else the polygons' mean by area.
 std::vector<SurfaceVertex> FindSurfacePoints(vtkPolyData* surface);
-
-/// The least cosine between a polygon and the normals of its points, whichever way these point; the
-/// polygons where it is less make up a hundredth of the area. 1 where there is none.
-double GetLeastCosine(vtkPolyData* surface, const std::vector<glm::dvec3>& normals);
 
 /// The version of the form of visibility arrays. It stands before their surface's key.
 inline constexpr const char* SurfaceKeyVersion = "4:";

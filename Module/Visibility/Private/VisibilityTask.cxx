@@ -8,8 +8,6 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include <algorithm>
 
 namespace measuredbrdf
@@ -31,10 +29,7 @@ vtkSmartPointer<vtkUnsignedCharArray> MakeBytes(vtkIdType points, int components
 // Just above the triangle beside a point, on one of its sides (1: that of its normal; or -1).
 glm::dvec3 Leave(const SurfaceTracer& tracer, const SurfaceVertex& point, double side)
 {
-  const glm::dvec3 face = side * point.FaceNormal;
-  glm::dvec3 origin;
-  tracer.OffsetOrigin(&point.Origin.x, &face.x, &face.x, &origin.x);
-  return origin;
+  return point.Origin + side * tracer.GetOffset() * point.FaceNormal;
 }
 
 // The code of a point's side. hidden: memory for its rays. Two passes over the same points give the
@@ -52,10 +47,7 @@ HorizonCode::Code TracePoint(const SurfaceTracer& tracer, double farthest,
   const glm::dmat3 frame = FrameAbout(HorizonCode::UnpackNormal(packed));
   const glm::dvec3 origin = Leave(tracer, point, side);
   const auto test = [&](const glm::dvec3& direction)
-  {
-    const glm::dvec3 d = frame * direction;
-    return tracer.IsOccluded(&origin.x, &d.x, 0.0, farthest);
-  };
+  { return tracer.IsOccluded(origin, frame * direction, farthest); };
   hidden.clear();
   for (const glm::dvec3& direction : rays.GetDirections())
   {
@@ -75,7 +67,6 @@ BounceCode::Transfer GetVisible(const std::vector<SurfaceArrays>& surfaces,
     return sum; // an occluder, of which nothing is known: it stays dark
   }
   const std::vector<SideArrays>& sides = surfaces[surface].Sides;
-  const glm::dvec3 facet = glm::make_vec3(hit.Normal);
   HorizonCode::Code codes[3];
   glm::dvec3 normal(0.0);
   for (int k = 0; k < 3; ++k)
@@ -83,7 +74,8 @@ BounceCode::Transfer GetVisible(const std::vector<SurfaceArrays>& surfaces,
     codes[k] = sides[0].Get(hit.Points[k]);
     normal += HorizonCode::UnpackNormal(codes[k].data());
   }
-  const bool isBack = (glm::dot(normal, facet) > 0.0) == (glm::dot(facet, direction) > 0.0);
+  const bool isBack =
+    (glm::dot(normal, hit.Normal) > 0.0) == (glm::dot(hit.Normal, direction) > 0.0);
   if (isBack && sides.size() < 2)
   {
     return sum;
@@ -118,10 +110,9 @@ BounceCode::Code TraceBounced(const SurfaceTracer& tracer, double farthest,
   for (const glm::dvec3& ray : rays.GetDirections())
   {
     const glm::dvec3 direction = frame * ray;
-    SurfaceTracer::Hit hit;
-    if (tracer.Intersect(&origin.x, &direction.x, 0.0, farthest, hit))
+    if (const auto hit = tracer.Intersect(origin, direction, farthest))
     {
-      const BounceCode::Transfer visible = GetVisible(surfaces, hit, direction);
+      const BounceCode::Transfer visible = GetVisible(surfaces, *hit, direction);
       for (std::size_t j = 0; j < sum.size(); ++j)
       {
         sum[j] += ray.z * visible[j];

@@ -15,7 +15,6 @@
 
 #include <atomic>
 #include <cstddef>
-#include <cstdio>
 #include <cstdlib>
 #include <new>
 #include <stdexcept>
@@ -152,8 +151,6 @@ TEST(PlanMemory, BelongsToTheEnvironment)
     const long peak = heap::Peak - start;
     // In 32 bits here, in 16 on the graphics card.
     const vtkIdType tables = 2 * plans.back()->GetTextureBytes(plans.back()->GetChoice());
-    std::printf("peak %.1f bytes a texel, kept %.2f MB, of tables %.2f MB\n", peak / texels,
-      1e-6 * static_cast<double>(kept), 1e-6 * static_cast<double>(tables));
     EXPECT_LT(peak, 16 * texels);
     if (plans.size() > 1)
     {
@@ -164,7 +161,6 @@ TEST(PlanMemory, BelongsToTheEnvironment)
   // 16 MB in a program, however many materials there are.
   plans.clear();
   const long shared = heap::Bytes - before - pixels;
-  std::printf("shared %.2f MB\n", 1e-6 * static_cast<double>(shared));
   EXPECT_GT(shared, 100000);
   EXPECT_LT(shared, 8 * texels);
   environment = nullptr;

@@ -103,8 +103,6 @@ TEST(PlanSample, LooksWhereMethodsDiffer)
   EXPECT_NEAR(chosen.Normals->GetNumberOfTuples(), 512, 1);
   EXPECT_EQ(chosen.Views->GetNumberOfTuples(), chosen.Normals->GetNumberOfTuples());
   ASSERT_EQ(static_cast<vtkIdType>(chosen.Weights.size()), chosen.Normals->GetNumberOfTuples());
-  std::printf("%d of %d pairs that see the lamp, uniform sample: %.1f\n", CountLamp(chosen),
-    CountLamp(all), 512.0 * CountLamp(all) / Many);
   EXPECT_GE(CountLamp(chosen), 0.8 * CountLamp(all));
   const double share = GetLampShare(all);
   EXPECT_NEAR(GetLampShare(chosen), share, 0.05 * share);
@@ -167,8 +165,8 @@ TEST(PlanPictures, AreWhatCamerasSee)
   const auto getError = [](const glm::dvec3& normal, const glm::dvec3& view)
   { return 0.01 + 0.05 * std::pow(1.0 - glm::dot(normal, view), 2.0); };
   const PlanPairs pairs = DrawMany();
-  const std::vector<double> cameras = measuredbrdf::GetPictureCameras();
-  ASSERT_EQ(cameras.size(), 3u * 14u);
+  const std::vector<glm::dvec3> cameras = measuredbrdf::GetPictureCameras();
+  ASSERT_EQ(cameras.size(), 14u);
   EXPECT_EQ(pairs.Cameras, cameras);
   std::vector<double> differences, references;
   for (vtkIdType k = 0; k < Many; ++k)
@@ -187,7 +185,7 @@ TEST(PlanPictures, AreWhatCamerasSee)
                       std::accumulate(references.begin(), references.end(), 0.0);
   for (std::size_t c = 0; c < ratios.size(); ++c)
   {
-    const glm::dvec3 view = glm::make_vec3(&cameras[3 * c]);
+    const glm::dvec3& view = cameras[c];
     double error = 0.0;
     double light = 0.0;
     for (int k = 0; k < 4000; ++k) // uniform over the disc
@@ -244,8 +242,6 @@ TEST(PlanSample, CrowdsAboutLamps)
     }
     // Mirror directions of a sphere are uniform.
     const double expected = 0.5 * (1.0 - std::cos(glm::radians(degrees)));
-    std::printf("within %g degrees: %d pairs for %.3g of the pixels, expected %.3g\n", degrees,
-      count, share, expected);
     EXPECT_NEAR(share, expected, 0.15 * expected);
     EXPECT_GT(count, 300);
   }
@@ -297,10 +293,10 @@ TEST(PlanSample, StopsAndTakesAnything)
   std::vector<measuredbrdf::PlanCandidate> none;
   PlanPairs pairs = all;
   task.IsAborted = []() { return true; };
-  EXPECT_FALSE(measuredbrdf::SamplePairs(task, none, pairs));
+  EXPECT_THROW(measuredbrdf::SamplePairs(task, none, pairs), measuredbrdf::PlanFailure);
   EXPECT_EQ(pairs.Normals->GetNumberOfTuples(), Many);
   task.IsAborted = []() { return false; };
-  ASSERT_TRUE(measuredbrdf::SamplePairs(task, none, pairs));
+  measuredbrdf::SamplePairs(task, none, pairs);
   EXPECT_NEAR(pairs.Normals->GetNumberOfTuples(), measuredbrdf::PairsToCompare, 1);
 }
 
@@ -356,7 +352,7 @@ std::vector<glm::dvec3> Refer(
   comparison.Pairs.Normals = pairs.Normals;
   comparison.Pairs.Views = pairs.Views;
   brdf->Prepare();
-  EXPECT_TRUE(MakeReference(task, comparison)) << task.Problem;
+  MakeReference(task, comparison);
   stated = comparison.ReferenceError;
   std::vector<glm::dvec3> values;
   for (vtkIdType k = 0; k < comparison.Reference->GetNumberOfTuples(); ++k)
@@ -416,7 +412,6 @@ void ExpectAsStated(const std::string& what, const std::vector<glm::dvec3>& refe
   double stated, const std::vector<glm::dvec3>& expected, double own)
 {
   const double error = GetRelativeError(reference, expected);
-  std::printf("%s: off by %.5f, said to be %.5f\n", what.c_str(), error, stated);
   EXPECT_LE(error, stated + own) << what;
   EXPECT_LE(stated, 0.35 * PlanTolerance) << what;
 }
@@ -605,9 +600,7 @@ TEST(PlanSearch, ClimbsToTheCheapestWithinTheTolerance)
     }
     measuredbrdf::Plan plan;
     double last = 0.0;
-    EXPECT_TRUE(Climb(
-      task, comparison, ladder, plan, [&last](double share) { last = std::max(last, share); }))
-      << task.Problem;
+    Climb(task, comparison, ladder, plan, [&last](double share) { last = std::max(last, share); });
     EXPECT_GT(last, 0.0);
     tried.clear();
     for (const PlanCandidate& candidate : plan.Candidates)
@@ -651,12 +644,12 @@ TEST(PlanSearch, PassesOverWhatDoesNotFit)
     MakeCandidate(2, 0.015, 0.015) };
   ladder[1].Bytes = 1001;
   measuredbrdf::Plan plan;
-  ASSERT_TRUE(Climb(task, comparison, ladder, plan));
+  Climb(task, comparison, ladder, plan);
   EXPECT_EQ(plan.Candidates.size(), 2u);
   EXPECT_EQ(plan.Candidates.back().Sizes[0], 2);
   task.IsAborted = []() { return true; };
   measuredbrdf::Plan stopped;
-  EXPECT_FALSE(Climb(task, comparison, ladder, stopped));
+  EXPECT_THROW(Climb(task, comparison, ladder, stopped), PlanFailure);
 }
 
 //------------------------------------------------------------------------------
@@ -672,11 +665,11 @@ TEST(PlanSearch, EstimatesSinglePictures)
   const auto run = [&]()
   {
     measuredbrdf::Plan plan;
-    EXPECT_TRUE(Climb(task, comparison, { MakeCandidate(1, 0.0039, 0.0273) }, plan));
+    Climb(task, comparison, { MakeCandidate(1, 0.0039, 0.0273) }, plan);
     return plan.Candidates.front();
   };
   EXPECT_NEAR(run().Picture, run().Error, 1e-9); // all of it is one picture
-  comparison.Pairs.Cameras = { 0.0, 0.0, 1.0, 1.0, 0.0, 0.0 };
+  comparison.Pairs.Cameras = { { 0.0, 0.0, 1.0 }, { 1.0, 0.0, 0.0 } };
   EXPECT_NEAR(run().Picture, 1.75 * run().Error, 1e-9);
   // What a cheap candidate has at the cameras says half of it.
   comparison.Pairs.Ratios = { 1.0, 1.0 };

@@ -43,7 +43,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <set>
@@ -105,8 +104,6 @@ TEST_P(PlannerPromise, IsKept)
       const int choice = planner->GetChoice();
       const double predicted = planner->GetPredictedError(choice);
       const double actual = GetRelativeError(pairs.Integrate(TakeChoice(planner)), reference);
-      std::printf("%s, %s, %g: actual %.4f; %s\n", GetParam(), hall ? "hall" : "sky", tolerance,
-        actual, planner->GetPlan().c_str());
       EXPECT_TRUE(planner->GetMeetsTolerance());
       EXPECT_LE(predicted, tolerance);
       EXPECT_LE(actual, tolerance);
@@ -180,7 +177,6 @@ TEST(Planner, SaysWhenItCannot)
   const auto planner = NewPlanner(chrome, environment, 1e-3);
   planner->SetMaximumTextureBytes(8 << 20); // to be quick
   ASSERT_TRUE(planner->Update());
-  std::printf("%s\n", planner->GetPlan().c_str());
   EXPECT_FALSE(planner->GetMeetsTolerance());
   EXPECT_TRUE(Contains(planner->GetReason(), "most accurate")) << planner->GetReason();
   ASSERT_GT(planner->GetNumberOfCandidates(), 1);
@@ -201,7 +197,6 @@ TEST(Planner, AnisotropicMaterialsGetTablesOrLightSets)
   for (const char* method : { "table", "light-set" })
   {
     ASSERT_TRUE(planner->Update());
-    std::printf("%s\n", planner->GetPlan().c_str());
     EXPECT_EQ(planner->GetMethodName(planner->GetChoice()), method);
     EXPECT_EQ(TakeChoice(planner)->GetMethodName(), method);
     EXPECT_TRUE(planner->GetMeetsTolerance());
@@ -230,8 +225,6 @@ TEST(Planner, TextureMemory)
     ASSERT_TRUE(TakeChoice(planner)->GetShaderInputs(form));
     const vtkIdType said = planner->GetTextureBytes(planner->GetChoice());
     const vtkIdType used = static_cast<vtkIdType>(form.GetTextureBytes());
-    std::printf("at most %lld bytes: said %lld, used %lld; %s\n", static_cast<long long>(limit),
-      static_cast<long long>(said), static_cast<long long>(used), planner->GetPlan().c_str());
     EXPECT_LE(used, limit);
     EXPECT_LE(used, said);
     EXPECT_GE(used, said / 2);
@@ -337,7 +330,6 @@ TEST(Planner, PlansForWhatIsSeen)
   }
   ASSERT_TRUE(planner->SetPairs(wall.Normals, wall.Views));
   ASSERT_TRUE(planner->Update());
-  std::printf("%s\n", planner->GetPlan().c_str());
   const vtkIdType seen = planner->GetTextureBytes(planner->GetChoice());
   EXPECT_LT(seen, everywhere);
   EXPECT_TRUE(planner->GetMeetsTolerance());
@@ -433,7 +425,6 @@ TEST(Planner, BlackAndTinyEnvironments)
     const auto tiny = NewConstantEnvironment(1, height, 1.0f);
     planner->SetEnvironment(tiny);
     ASSERT_TRUE(planner->Update());
-    std::printf("1 x %d: %s\n", height, planner->GetPlan().c_str());
     EXPECT_GT(planner->GetPredictedError(planner->GetChoice()), 0.0);
     EXPECT_LT(planner->GetPredictedError(planner->GetChoice()), 0.2);
   }
@@ -463,10 +454,6 @@ TEST(Planner, EvaluateAllListsEveryMethod)
   vtkIdType lastBytes = 0;
   for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
   {
-    std::printf("%-9s %-45s error %.4f, cost %.3f, %9lld bytes, set up %.0f ms\n",
-      planner->GetMethodName(k).c_str(), planner->GetDescription(k).c_str(),
-      planner->GetPredictedError(k), planner->GetPredictedCost(k),
-      static_cast<long long>(planner->GetTextureBytes(k)), planner->GetSetUpMilliseconds(k));
     ++methods[planner->GetMethodName(k)];
     EXPECT_GT(planner->GetTextureBytes(k), 0);
     EXPECT_TRUE(std::isfinite(planner->GetPredictedError(k)));
@@ -1064,7 +1051,6 @@ TEST_F(OcclusionPredictor, FewPointsForetellMany)
       const double uncertainty = predictor->GetUncertainty();
       predictor->SetNumberOfPoints(8000);
       ASSERT_TRUE(predictor->Update());
-      std::printf("%.4f +- %.4f, many points %.4f\n", error, uncertainty, predictor->GetError());
       EXPECT_LT(std::abs(std::log(error / predictor->GetError())), std::log(1.5));
       EXPECT_LT(std::abs(error - predictor->GetError()), 2.0 * uncertainty);
       EXPECT_LT(predictor->GetUncertainty(), uncertainty);

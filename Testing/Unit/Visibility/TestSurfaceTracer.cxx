@@ -99,17 +99,16 @@ TEST(SurfaceTracer, FindsTheNearestTriangle)
   {
     const glm::dvec3 origin = middle + (k % 2 == 0 ? 2.0 : 0.5) * Draw(random);
     const glm::dvec3 direction = Draw(random);
-    SurfaceTracer::Hit hit{};
     double t = 0.0;
     const vtkIdType expected = findNearest(origin, direction, t);
-    const bool isHit = tracer.Intersect(&origin.x, &direction.x, 0.0, Far, hit);
-    EXPECT_EQ(tracer.IsOccluded(&origin.x, &direction.x, 0.0, Far), isHit);
-    hits += isHit ? 1 : 0;
-    const bool isSame = isHit == (expected >= 0) && (!isHit || hit.Cell == expected);
+    const auto hit = tracer.Intersect(origin, direction, Far);
+    EXPECT_EQ(tracer.IsOccluded(origin, direction, Far), hit.has_value());
+    hits += hit ? 1 : 0;
+    const bool isSame = hit ? hit->Cell == expected : expected < 0;
     different += isSame ? 0 : 1;
-    if (isHit && isSame)
+    if (hit && isSame)
     {
-      EXPECT_NEAR(hit.T, t, 1e-5);
+      EXPECT_NEAR(hit->T, t, 1e-5);
     }
   }
   EXPECT_GT(hits, 1000);
@@ -128,8 +127,7 @@ TEST(SurfaceTracer, IsWatertight)
   int escaped = 0;
   for (int k = 0; k < 50000; ++k)
   {
-    const glm::dvec3 d = Draw(random);
-    escaped += tracer.IsOccluded(&inside.x, &d.x, 0.0, Far) ? 0 : 1;
+    escaped += tracer.IsOccluded(inside, Draw(random), Far) ? 0 : 1;
   }
   for (vtkIdType k = 0; k < sphere->GetNumberOfPoints(); ++k)
   {
@@ -140,7 +138,7 @@ TEST(SurfaceTracer, IsWatertight)
       sphere->GetPoint(k, &p.x);
       sphere->GetPoint((k + 1) % sphere->GetNumberOfPoints(), &q.x);
       const glm::dvec3 d = glm::mix(p, q, share) - inside;
-      escaped += tracer.IsOccluded(&inside.x, &d.x, 0.0, Far) ? 0 : 1;
+      escaped += tracer.IsOccluded(inside, d, Far) ? 0 : 1;
     }
   }
   EXPECT_EQ(escaped, 0);
@@ -166,15 +164,14 @@ TEST(SurfaceTracer, PointsOfASphereSeeOut)
       {
         const glm::dvec3 from = middle + 3.0 * size * Draw(random);
         const glm::dvec3 to = middle - from + 0.5 * size * Draw(random);
-        SurfaceTracer::Hit hit{};
-        ASSERT_TRUE(tracer.Intersect(&from.x, &to.x, 0.0, Far, hit)) << size;
-        const glm::dvec3 point = from + hit.T * to;
+        const auto hit = tracer.Intersect(from, to, Far);
+        ASSERT_TRUE(hit) << size;
+        const glm::dvec3 point = from + hit->T * to;
         EXPECT_NEAR(glm::length(point - middle) / size, 1.0, 0.01);
         const glm::dvec3 direction = Draw(random);
-        glm::dvec3 origin;
-        tracer.OffsetOrigin(&point.x, hit.Normal, &direction.x, &origin.x);
-        const double cosine = glm::dot(direction, glm::make_vec3(hit.Normal));
-        const bool hidden = tracer.IsOccluded(&origin.x, &direction.x, 0.0, Far);
+        const double cosine = glm::dot(direction, hit->Normal);
+        const glm::dvec3 origin = point + std::copysign(tracer.GetOffset(), cosine) * hit->Normal;
+        const bool hidden = tracer.IsOccluded(origin, direction, Far);
         wrong += std::abs(cosine) > 1e-3 && hidden != (cosine < 0.0) ? 1 : 0;
       }
       EXPECT_EQ(wrong, 0) << "size " << size << ", " << away << " sizes away";
@@ -212,38 +209,35 @@ TEST(SurfaceTracer, DescribesTheHit)
   EXPECT_NEAR(bounds[1], 0.5, 1e-6);
   EXPECT_NEAR(bounds[5], 10.0, 1e-6);
 
-  const double down[3] = { 0.0, 0.0, -2.0 };
-  const auto trace = [&](double x, double y, SurfaceTracer::Hit& hit)
-  {
-    const double origin[3] = { x, y, 14.0 };
-    return tracer.Intersect(origin, down, 0.0, Far, hit);
+  const glm::dvec3 down(0.0, 0.0, -2.0);
+  const auto trace = [&](double x, double y) {
+    return tracer.Intersect({ x, y, 14.0 }, down, Far);
   };
-  SurfaceTracer::Hit hit{};
-  ASSERT_TRUE(trace(-1.0, 2.9, hit)); // the pentagon's tip
-  EXPECT_EQ(hit.Surface, 1);
-  EXPECT_EQ(hit.Cell, 2);
-  EXPECT_NEAR(hit.T, 2.0, 1e-6);
-  EXPECT_NEAR(hit.Normal[2], -1.0, 1e-12); // mirrored
+  auto hit = trace(-1.0, 2.9); // the pentagon's tip
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->Surface, 1);
+  EXPECT_EQ(hit->Cell, 2);
+  EXPECT_NEAR(hit->T, 2.0, 1e-6);
+  EXPECT_NEAR(hit->Normal[2], -1.0, 1e-12); // mirrored
   glm::dvec3 position(0.0);
   for (int c = 0; c < 3; ++c)
   {
-    position += hit.Barycentrics[c] * points[hit.Points[c]];
+    position += hit->Barycentrics[c] * points[hit->Points[c]];
   }
   EXPECT_NEAR(position.x, 1.0, 1e-6); // of the surface itself
   EXPECT_NEAR(position.y, 2.9, 1e-6);
-  ASSERT_TRUE(trace(-6.5, 0.1, hit));
-  EXPECT_EQ(hit.Cell, 3);
-  EXPECT_FALSE(trace(-6.0, 1.0, hit)) << "the concave quad's notch";
-  ASSERT_TRUE(trace(0.2, 0.1, hit));
-  EXPECT_EQ(hit.Surface, 0);
-  EXPECT_EQ(hit.Cell, 0);
-  EXPECT_NEAR(hit.Normal[2], 1.0, 1e-12);
-  EXPECT_NEAR(hit.T, 7.0, 1e-6);
-
-  const double origin[3] = { 0.2, 0.1, 14.0 };
-  EXPECT_TRUE(tracer.IsOccluded(origin, down, 0.0, 7.1));
-  EXPECT_FALSE(tracer.IsOccluded(origin, down, 0.0, 6.9));
-  EXPECT_FALSE(tracer.IsOccluded(origin, down, 7.1, Far));
+  hit = trace(-6.5, 0.1);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->Cell, 3);
+  EXPECT_FALSE(trace(-6.0, 1.0)) << "the concave quad's notch";
+  hit = trace(0.2, 0.1);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->Surface, 0);
+  EXPECT_EQ(hit->Cell, 0);
+  EXPECT_NEAR(hit->Normal[2], 1.0, 1e-12);
+  EXPECT_NEAR(hit->T, 7.0, 1e-6);
+  EXPECT_TRUE(tracer.IsOccluded({ 0.2, 0.1, 14.0 }, down, 7.1));
+  EXPECT_FALSE(tracer.IsOccluded({ 0.2, 0.1, 14.0 }, down, 6.9));
 }
 
 // Strips count as their triangles do.
@@ -263,9 +257,9 @@ TEST(SurfaceTracer, ReadsStrips)
   {
     const glm::dvec3 from = 2.0 * Draw(random);
     const glm::dvec3 to = -from;
-    SurfaceTracer::Hit hit{};
-    ASSERT_TRUE(tracer.Intersect(&from.x, &to.x, 0.0, Far, hit));
-    EXPECT_LT(glm::dot(to, glm::make_vec3(hit.Normal)), 0.0) << "all face outwards";
+    const auto hit = tracer.Intersect(from, to, Far);
+    ASSERT_TRUE(hit);
+    EXPECT_LT(glm::dot(to, hit->Normal), 0.0) << "all face outwards";
   }
 }
 
@@ -273,8 +267,8 @@ TEST(SurfaceTracer, ReadsStrips)
 TEST(SurfaceTracer, SkipsWhatCannotHide)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double origin[3] = { 0.2, 0.2, 1.0 };
-  const double down[3] = { 0.0, 0.0, -1.0 };
+  const glm::dvec3 origin(0.2, 0.2, 1.0);
+  const glm::dvec3 down(0.0, 0.0, -1.0);
   vtkNew<vtkPolyData> nothing;
   SurfaceTracer empty;
   EXPECT_EQ(empty.AddSurface(nullptr), -1);
@@ -282,7 +276,7 @@ TEST(SurfaceTracer, SkipsWhatCannotHide)
   empty.Build();
   double bounds[6];
   EXPECT_FALSE(empty.GetBounds(bounds));
-  EXPECT_FALSE(empty.IsOccluded(origin, down, 0.0, Far));
+  EXPECT_FALSE(empty.IsOccluded(origin, down, Far));
 
   const vtkSmartPointer<vtkPolyData> odd =
     MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { nan, 0, 0 }, { 0, Far, 1 }, { 2, 0, 0 },
@@ -293,13 +287,12 @@ TEST(SurfaceTracer, SkipsWhatCannotHide)
   tracer.Build();
   EXPECT_EQ(tracer.GetNumberOfTriangles(), 1);
   EXPECT_EQ(tracer.GetNumberOfSkippedTriangles(), 5);
-  EXPECT_TRUE(tracer.IsOccluded(origin, down, 0.0, Far));
-  const double bad[3] = { nan, 0.0, -1.0 };
-  const double zero[3] = { 0.0, 0.0, 0.0 };
-  EXPECT_FALSE(tracer.IsOccluded(bad, down, 0.0, Far));
-  EXPECT_FALSE(tracer.IsOccluded(origin, bad, 0.0, Far));
-  EXPECT_FALSE(tracer.IsOccluded(origin, zero, 0.0, Far));
-  EXPECT_FALSE(tracer.IsOccluded(origin, down, nan, Far));
+  EXPECT_TRUE(tracer.IsOccluded(origin, down, Far));
+  const glm::dvec3 bad(nan, 0.0, -1.0);
+  EXPECT_FALSE(tracer.IsOccluded(bad, down, Far));
+  EXPECT_FALSE(tracer.IsOccluded(origin, bad, Far));
+  EXPECT_FALSE(tracer.IsOccluded(origin, glm::dvec3(0.0), Far));
+  EXPECT_FALSE(tracer.IsOccluded(origin, down, nan));
 }
 
 // Many triangles in one place, and nested ones: no recursion, no endless depth.
@@ -320,11 +313,9 @@ TEST(SurfaceTracer, TakesPilesAndNests)
   SurfaceTracer tracer;
   tracer.AddSurface(MakeSurface(points, triangles));
   tracer.Build();
-  const double down[3] = { 0.0, 0.0, -1.0 };
-  const double inside[3] = { 0.2, 0.2, 1.0 };
-  const double outside[3] = { 0.6, 0.6, 1.0 };
-  EXPECT_TRUE(tracer.IsOccluded(inside, down, 0.0, Far));
-  EXPECT_FALSE(tracer.IsOccluded(outside, down, 0.0, Far));
+  const glm::dvec3 down(0.0, 0.0, -1.0);
+  EXPECT_TRUE(tracer.IsOccluded({ 0.2, 0.2, 1.0 }, down, Far));
+  EXPECT_FALSE(tracer.IsOccluded({ 0.6, 0.6, 1.0 }, down, Far));
 }
 
 } // namespace

@@ -96,7 +96,7 @@ void BlockBatch::ForEachBlock(const Visit& visit)
 #endif
 }
 
-std::vector<BlockBatch::MaterialUse> BlockBatch::GetMaterialUses()
+std::vector<vtkBRDF*> BlockBatch::GetBRDFs()
 {
   this->All->Update();
   // The superclass may have moved its records of blocks: they are looked up in each frame.
@@ -121,7 +121,7 @@ std::vector<BlockBatch::MaterialUse> BlockBatch::GetMaterialUses()
     this->Revision = this->All->GetRevision();
     this->Sort();
   }
-  return this->Uses;
+  return this->BRDFs;
 }
 
 void BlockBatch::AddOcclusion(vtkRenderer*)
@@ -168,7 +168,7 @@ void BlockBatch::AppendOneBufferObject(vtkRenderer* ren, vtkActor* actor, BlockR
 
 void BlockBatch::ShowOnly(int material)
 {
-  if (this->Uses.size() < 2 && !this->HasDivided)
+  if (this->BRDFs.size() < 2 && !this->HasDivided)
   {
     return;
   }
@@ -183,7 +183,7 @@ void BlockBatch::ShowOnly(int material)
 void BlockBatch::Sort()
 {
   this->Blocks.clear();
-  this->Uses.clear();
+  this->BRDFs.clear();
   this->HasDivided = false;
   std::map<vtkBRDF*, int> places;
   this->ForEachBlock(
@@ -196,17 +196,16 @@ void BlockBatch::Sort()
         return;
       }
       vtkBRDF* brdf = this->All->GetBRDF(surface);
-      const auto [place, isNew] = places.try_emplace(brdf, static_cast<int>(this->Uses.size()));
+      const auto [place, isNew] = places.try_emplace(brdf, static_cast<int>(this->BRDFs.size()));
       if (isNew)
       {
-        this->Uses.push_back({ brdf, {} });
+        this->BRDFs.push_back(brdf);
       }
-      this->Uses[place->second].second.push_back(surface);
       this->Blocks.push_back({ surface, &record.Visibility, true, place->second });
     });
-  if (this->Uses.empty()) // nothing is left to show
+  if (this->BRDFs.empty()) // nothing is left to show
   {
-    this->Uses.push_back({ nullptr, {} });
+    this->BRDFs.push_back(nullptr);
   }
 }
 } // namespace measuredbrdf

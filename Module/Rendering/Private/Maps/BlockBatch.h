@@ -57,7 +57,7 @@ protected:
   BlockBatch() = default;
   ~BlockBatch() override = default;
 
-  std::vector<MaterialUse> GetMaterialUses() override;
+  std::vector<vtkBRDF*> GetBRDFs() override;
   void AddOcclusion(vtkRenderer* ren) override;
   void AppendOneBufferObject(vtkRenderer* ren, vtkActor* actor, BlockRecord* record,
     vtkIdType& offset, std::vector<unsigned char>& colors, std::vector<float>& normals) override;
@@ -82,8 +82,8 @@ private:
   void Sort();
 
   CompositeBlocks* All = nullptr;
-  std::vector<Block> Blocks; // in the superclass's order
-  std::vector<MaterialUse> Uses;
+  std::vector<Block> Blocks;   // in the superclass's order
+  std::vector<vtkBRDF*> BRDFs; // of the blocks that it shows
   unsigned long Revision = 0;
   int Shown = -1;
   bool HasDivided = false;

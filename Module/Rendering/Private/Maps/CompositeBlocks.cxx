@@ -101,10 +101,10 @@ void CompositeBlocks::Update()
     Walk walk{ settings, this->Materials, {}, 0 };
     walk.Visit(data, nullptr, { settings.BRDF, false });
     const std::string missing = walk.GetMissing();
-    if (!missing.empty() && this->Drawing->WarnOnce("blocks: " + missing))
+    if (!missing.empty())
     {
-      vtkWarningWithObjectMacro(this->Drawing->GetOwner(),
-        << "Materials are set for blocks that the data do not have: " << missing << ".");
+      this->Drawing->WarnOnce("blocks: " + missing,
+        "Materials are set for blocks that the data do not have: " + missing + ".");
     }
   }
   const auto isMapped = [&](const Material& material)
@@ -190,18 +190,14 @@ void CompositeBlocks::Render(vtkRenderer* renderer, vtkActor* actor)
   }
 }
 
-std::vector<MaterialUse> CompositeBlocks::GetUses() const
+std::vector<vtkBRDF*> CompositeBlocks::GetBRDFs() const
 {
-  std::map<vtkBRDF*, std::vector<vtkPolyData*>> surfaces;
+  std::set<vtkBRDF*> brdfs;
   for (const auto& [surface, block] : this->DividedBlocks)
   {
-    for (const MaterialUse& use : block.Surface->GetUses())
-    {
-      std::vector<vtkPolyData*>& all = surfaces[use.first];
-      all.insert(all.end(), use.second.begin(), use.second.end());
-    }
+    brdfs.insert(block.Surface->GetBRDFs().begin(), block.Surface->GetBRDFs().end());
   }
-  return { surfaces.begin(), surfaces.end() };
+  return { brdfs.begin(), brdfs.end() };
 }
 
 // All blocks share them.

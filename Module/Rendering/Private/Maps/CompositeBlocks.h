@@ -59,7 +59,8 @@ public:
   void Render(vtkRenderer* renderer, vtkActor* actor);
   ///@}
 
-  std::vector<MaterialUse> GetUses() const;
+  /// Of the divided blocks.
+  std::vector<vtkBRDF*> GetBRDFs() const;
 
   /// Of the images of weights on the graphics card.
   vtkIdType GetImageBytes() const;

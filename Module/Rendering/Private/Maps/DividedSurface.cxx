@@ -100,11 +100,10 @@ bool DividedSurface::Divide(vtkPolyData* input)
     {
       this->Drawing->AddFailure("The material map is not used in this frame: " + text + ".");
     }
-    else if (!text.empty() && this->Drawing->WarnOnce(GetCause(text)))
+    else if (!text.empty())
     {
-      vtkWarningWithObjectMacro(this->Drawing->GetOwner(),
-        << (problem.empty() ? "The material map: " : "The material map is not used: ") << text
-        << ".");
+      this->Drawing->WarnOnce(GetCause(text),
+        (problem.empty() ? "The material map: " : "The material map is not used: ") + text + ".");
     }
   }
   this->Input = input;
@@ -187,16 +186,6 @@ void DividedSurface::Clear()
   this->DropMappers();
   this->Parts.Clear();
   this->Input = nullptr;
-}
-
-std::vector<MaterialUse> DividedSurface::GetUses() const
-{
-  std::vector<MaterialUse> uses;
-  for (vtkBRDF* brdf : this->Parts.GetBRDFs())
-  {
-    uses.emplace_back(brdf, this->Parts.GetSurfaces(brdf));
-  }
-  return uses;
 }
 
 double DividedSurface::PredictError(const DrawnMaterials& materials) const

@@ -53,7 +53,7 @@ public:
   double GetTimeToDraw() const { return this->Mapper ? this->Mapper->GetTimeToDraw() : 0.0; }
 
   /// What is drawn next, after Divide.
-  std::vector<MaterialUse> GetUses() const;
+  const std::vector<vtkBRDF*>& GetBRDFs() const { return this->Parts.GetBRDFs(); }
 
   /// The error of the whole that the plans of the last frame predict, relative L1: that of each
   /// material by its share of the surface and its albedo. Negative: there are no plans.

@@ -3,6 +3,7 @@
 #include "MaterialParts.h"
 
 #include "MaterialPieces.h"
+#include "SurfacePoints.h"
 #include "WeightImages.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -14,8 +15,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-
-#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <exception>
@@ -98,22 +97,6 @@ MaterialPart MakePart(const MaterialPieces& pieces, const Set& set)
   return part;
 }
 
-double GetArea(vtkPolyData* points, const vtkIdType* begin, const vtkIdType* end)
-{
-  glm::dvec3 first(0.0);
-  glm::dvec3 last(0.0);
-  glm::dvec3 normal(0.0);
-  for (const vtkIdType* corner = begin; corner != end; ++corner)
-  {
-    glm::dvec3 next;
-    points->GetPoint(*corner, &next.x);
-    first = corner == begin ? next : first;
-    normal += corner == begin ? glm::dvec3(0.0) : glm::cross(last - first, next - first);
-    last = next;
-  }
-  return 0.5 * glm::length(normal);
-}
-
 // Copies these rows of all arrays, also of those that VTK leaves out by default.
 void CopyTuples(
   vtkDataSetAttributes* from, vtkDataSetAttributes* to, const std::vector<vtkIdType>& tuples)
@@ -156,7 +139,7 @@ void MaterialParts::Drop()
   this->Parts.clear();
   this->Whole = nullptr;
   this->BRDFs.clear();
-  this->Uses.clear();
+  this->Shares.clear();
 }
 
 void MaterialParts::Clear()
@@ -354,15 +337,9 @@ void MaterialParts::AddPart(MaterialPart part)
 {
   for (vtkBRDF* brdf : part.Members)
   {
-    const auto [use, isNew] = this->Uses.try_emplace(brdf);
-    if (isNew)
+    if (this->Shares.try_emplace(brdf, 0.0).second)
     {
       this->BRDFs.push_back(brdf);
-    }
-    std::vector<vtkPolyData*>& surfaces = use->second.Surfaces;
-    if (surfaces.empty() || surfaces.back() != part.Surface) // a material may be there twice
-    {
-      surfaces.push_back(part.Surface);
     }
   }
   this->Parts.push_back(part);
@@ -375,33 +352,27 @@ void MaterialParts::AddPart(MaterialPart part)
   }
 }
 
-const MaterialParts::Use& MaterialParts::Find(vtkBRDF* brdf) const
-{
-  static const Use none;
-  const auto found = this->Uses.find(brdf);
-  return found == this->Uses.end() ? none : found->second;
-}
-
 void MaterialParts::MeasureShares(const MaterialPieces& pieces)
 {
   double sum = 0.0;
   for (const MaterialPieces::Piece& piece : pieces.Pieces)
   {
-    const vtkIdType* corners = pieces.Corners.data();
-    const double area = GetArea(pieces.Points, corners + piece.Begin, corners + piece.End);
+    const Face face =
+      MakeFace(pieces.Points, &pieces.Corners[piece.Begin], piece.End - piece.Begin);
+    const double area = 0.5 * glm::length(face.Area);
     for (int material : pieces.Sets[piece.Set])
     {
       if (vtkBRDF* brdf = pieces.BRDFs[material])
       {
         const double share = area * pieces.GetShare(piece, material);
-        this->Uses[brdf].Share += share;
+        this->Shares[brdf] += share;
         sum += share;
       }
     }
   }
-  for (auto& [brdf, use] : this->Uses)
+  for (auto& [brdf, share] : this->Shares)
   {
-    use.Share = sum > 0.0 ? use.Share / sum : 0.0;
+    share = sum > 0.0 ? share / sum : 0.0;
   }
 }
 } // namespace measuredbrdf

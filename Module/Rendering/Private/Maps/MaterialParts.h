@@ -89,12 +89,10 @@ public:
   const std::vector<vtkBRDF*>& GetBRDFs() const { return this->BRDFs; }
 
   /// The share of the surface's area that is of a material, of the area that is of any.
-  double GetShare(vtkBRDF* brdf) const { return this->Find(brdf).Share; }
-
-  /// All surfaces on which a material may be seen.
-  const std::vector<vtkPolyData*>& GetSurfaces(vtkBRDF* brdf) const
+  double GetShare(vtkBRDF* brdf) const
   {
-    return this->Find(brdf).Surfaces;
+    const auto found = this->Shares.find(brdf);
+    return found == this->Shares.end() ? 0.0 : found->second;
   }
 
 private:
@@ -112,17 +110,10 @@ private:
   void MeasureShares(const MaterialPieces& pieces);
   void Drop();
 
-  struct Use // looked up in every frame
-  {
-    double Share = 0.0;
-    std::vector<vtkPolyData*> Surfaces;
-  };
-  const Use& Find(vtkBRDF* brdf) const;
-
   std::vector<MaterialPart> Parts;
   vtkSmartPointer<vtkPolyData> Whole;
   std::vector<vtkBRDF*> BRDFs;
-  std::unordered_map<vtkBRDF*, Use> Uses;
+  std::unordered_map<vtkBRDF*, double> Shares;
   std::string Problem;
   std::string Warning;
   vtkPolyData* Input = nullptr; // only compared

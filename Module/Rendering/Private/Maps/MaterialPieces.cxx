@@ -3,9 +3,8 @@
 #include "MaterialPieces.h"
 
 #include "HorizonCode.h"
+#include "SurfacePoints.h"
 #include "WeightImages.h"
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
@@ -40,56 +39,41 @@ struct MapArray
   // The classes or values, of points or cells.
   static MapArray Find(vtkPolyData* input, vtkMaterialMap* map)
   {
-    MapArray found;
-    const std::string name = map->GetArrayName();
-    found.Look(input->GetPointData(), name);
-    found.OfCells = !found.Array;
-    if (found.OfCells)
-    {
-      found.Look(input->GetCellData(), name);
-    }
-    if (!found.Array)
-    {
-      throw MapProblem(name.empty()
-                         ? "the surface has no active scalars"
-                         : "the surface has no point or cell array \"" + name + "\" of numbers");
-    }
-    found.Check(map->GetArrayComponent(),
-      found.OfCells ? input->GetNumberOfCells() : input->GetNumberOfPoints(), name);
-    return found;
+    return MapArray(input, map->GetArrayName(), map->GetArrayComponent(), true);
   }
 
   // A material's weights, of points.
   static MapArray FindWeights(vtkPolyData* input, vtkMaterialMap* map, int material)
   {
-    MapArray found;
     const std::string own = map->GetWeightArrayName(material);
-    const std::string name = own.empty() ? map->GetArrayName() : own;
-    found.Look(input->GetPointData(), name);
-    if (!found.Array)
-    {
-      throw MapProblem(name.empty() ? "the surface's points have no active scalars"
-                                    : "the surface has no point array \"" + name + "\" of numbers");
-    }
-    found.Check(own.empty() ? material : 0, input->GetNumberOfPoints(), name);
-    return found;
+    return own.empty() ? MapArray(input, map->GetArrayName(), material, false)
+                       : MapArray(input, own, 0, false);
   }
 
 private:
-  void Look(vtkDataSetAttributes* data, const std::string& name)
+  MapArray(vtkPolyData* input, const std::string& name, int component, bool mayBeOfCells)
+    : Component(component)
   {
-    this->Array = name.empty() ? data->GetScalars() : data->GetArray(name.c_str());
-  }
-
-  void Check(int component, vtkIdType tuples, const std::string& name)
-  {
+    const auto look = [&](vtkDataSetAttributes* data)
+    { return name.empty() ? data->GetScalars() : data->GetArray(name.c_str()); };
+    this->Array = look(input->GetPointData());
+    this->OfCells = !this->Array && mayBeOfCells;
+    this->Array = this->OfCells ? look(input->GetCellData()) : this->Array;
+    const std::string owner = mayBeOfCells ? "the surface" : "the surface's points";
+    const std::string kind = mayBeOfCells ? "point or cell array" : "point array";
     const std::string quoted = name.empty() ? "active scalars" : "array \"" + name + "\"";
-    this->Component = component;
+    if (!this->Array)
+    {
+      throw MapProblem(name.empty()
+                         ? owner + (mayBeOfCells ? " has" : " have") + " no active scalars"
+                         : "the surface has no " + kind + " \"" + name + "\" of numbers");
+    }
     if (component >= this->Array->GetNumberOfComponents())
     {
       throw MapProblem("it reads component " + std::to_string(component) + " of the " + quoted +
                        ", which has " + std::to_string(this->Array->GetNumberOfComponents()));
     }
+    const vtkIdType tuples = this->OfCells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
     if (this->Array->GetNumberOfTuples() < tuples)
     {
       throw MapProblem("the " + quoted + " has " +
@@ -103,30 +87,13 @@ private:
 template <typename Visit>
 void ForEachPolygon(vtkPolyData* input, const Visit& visit)
 {
-  vtkIdType cell = input->GetNumberOfVerts() + input->GetNumberOfLines();
-  vtkIdType count = 0;
-  const vtkIdType* points = nullptr;
   std::vector<vtkIdType> corners;
-  const auto polygons =
-    vtkSmartPointer<vtkCellArrayIterator>::Take(input->GetPolys()->NewIterator());
-  for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal(); polygons->GoToNextCell())
-  {
-    polygons->GetCurrentCell(count, points);
-    corners.assign(points, points + count);
-    visit(corners, cell++);
-  }
-  const auto strips =
-    vtkSmartPointer<vtkCellArrayIterator>::Take(input->GetStrips()->NewIterator());
-  for (strips->GoToFirstCell(); !strips->IsDoneWithTraversal(); strips->GoToNextCell())
-  {
-    strips->GetCurrentCell(count, points);
-    for (vtkIdType c = 0; c + 2 < count; ++c) // none of fewer than 3 points
+  ForEachFace(input, Faces::Polygons,
+    [&](const vtkIdType* points, vtkIdType count, vtkIdType cell)
     {
-      corners = { points[c], points[c + 1 + c % 2], points[c + 2 - c % 2] };
+      corners.assign(points, points + count);
       visit(corners, cell);
-    }
-    ++cell;
-  }
+    });
 }
 
 // Horizon codes are no numbers to interpolate: their sectors turn with their normals, and either
@@ -304,9 +271,7 @@ void MaterialPieces::FindClasses(vtkMaterialMap* map)
   ForEachPolygon(this->Input,
     [&](const std::vector<vtkIdType>& corners, vtkIdType cell)
     {
-      const int first = array.OfCells     ? classify(cell)
-                        : corners.empty() ? 0
-                                          : this->Classes[corners.front()];
+      const int first = array.OfCells ? classify(cell) : this->Classes[corners.front()];
       if (array.OfCells || std::all_of(corners.begin(), corners.end(),
                              [&](vtkIdType point) { return this->Classes[point] == first; }))
       {
@@ -428,8 +393,7 @@ void MaterialPieces::CutBands(const std::vector<vtkIdType>& polygon, vtkIdType c
   {
     values.push_back(ofCell ? this->CellValues[cell] : this->Values[point]);
   }
-  if (values.empty() ||
-      std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); }))
+  if (std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); }))
   {
     this->AddPiece(ofCell ? polygon : this->AddCuts(polygon), cell, { 0 });
     return;

@@ -109,12 +109,11 @@ void PartsMapper::SetParts(const MaterialParts* parts, vtkMaterialMap* map, bool
     this->Owner = parts;
     this->Revision = parts->GetRevision();
     this->Parts.clear();
-    this->Uses.clear();
+    this->BRDFs = parts->GetBRDFs();
     std::map<vtkBRDF*, std::size_t> places;
-    for (vtkBRDF* brdf : parts->GetBRDFs())
+    for (std::size_t k = 0; k < this->BRDFs.size(); ++k)
     {
-      places[brdf] = this->Uses.size();
-      this->Uses.emplace_back(brdf, parts->GetSurfaces(brdf));
+      places[this->BRDFs[k]] = k;
     }
     for (const MaterialPart& data : parts->Get())
     {
@@ -124,9 +123,9 @@ void PartsMapper::SetParts(const MaterialParts* parts, vtkMaterialMap* map, bool
         this->Parts.back().Uses.push_back(places[brdf]);
       }
     }
-    if (this->Uses.empty())
+    if (this->BRDFs.empty())
     {
-      this->Uses.push_back({ nullptr, {} });
+      this->BRDFs.push_back(nullptr);
     }
     this->SetInputDataObject(parts->GetWhole());
   }
@@ -214,13 +213,12 @@ void PartsMapper::ShowOnly(int number)
 bool PartsMapper::ReadyImages(vtkRenderer* ren)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow());
-  this->Images = WeightTextures::Find(this->Map, window);
+  std::string problem;
+  this->Images = FindWeightTextures(this->Map, window, problem);
   this->ImagesOf[window] = this->Images; // they stay while other windows are drawn
-  const std::string problem = this->Images->Update(this->Map, window);
-  if (!problem.empty() && this->Drawing->WarnOnce(problem))
+  if (!problem.empty())
   {
-    vtkErrorWithObjectMacro(
-      this->Drawing->GetOwner(), << "The material map is not drawn: " << problem << ".");
+    this->Drawing->AddFailure("The material map is not drawn: " + problem + ".");
   }
   return problem.empty();
 }
@@ -331,12 +329,13 @@ std::vector<std::size_t> PartsMapper::ChooseMembers(const Part& part, vtkRendere
     free -= samplers;
     chosen.push_back(member);
   }
-  if (chosen.size() < order.size() && this->Drawing->WarnOnce("units of a mixture"))
+  if (chosen.size() < order.size())
   {
-    vtkWarningWithObjectMacro(this->Drawing->GetOwner(),
-      << "Up to " << order.size() << " materials meet on a part of the surface, more than the "
-      << "graphics card's texture units suffice for: the " << chosen.size()
-      << " that cover most are mixed there.");
+    this->Drawing->WarnOnce(
+      "units of a mixture", "Up to " + std::to_string(order.size()) +
+                              " materials meet on a part of the surface, more "
+                              "than the graphics card's texture units suffice for: the " +
+                              std::to_string(chosen.size()) + " that cover most are mixed there.");
   }
   std::sort(chosen.begin(), chosen.end());
   return chosen;
@@ -409,32 +408,19 @@ bool PartsMapper::NeedsWeights(const vtkOpenGLHelper* cellBO) const
 // The weights go through the shader stages beside the positions, as tangents do.
 void PartsMapper::ReplaceShaderPositionVC(Shaders shaders, vtkRenderer* ren, vtkActor* actor)
 {
-  const auto add = [&shaders](
-                     vtkShader::Type stage, const std::string& place, const std::string& text)
-  {
-    std::string source = shaders[stage]->GetSource();
-    const std::string mark = "//VTK::PositionVC::" + place;
-    vtkShaderProgram::Substitute(source, mark, mark + "\n" + text, false);
-    shaders[stage]->SetSource(source);
-  };
   if (this->NeedsWeights(this->LastBoundBO))
   {
     for (const auto& [name, type] : this->GetAttributes(this->Shown->Data))
     {
-      const std::string vertex = name + "VCVSOutput";
-      const std::string geometry = name + "VCGSOutput";
-      add(vtkShader::Vertex, "Dec",
-        "in " + type + " " + name + ";\nout " + type + " " + vertex + ";\n");
-      add(vtkShader::Vertex, "Impl", "  " + vertex + " = " + name + ";\n");
-      add(vtkShader::Geometry, "Dec",
-        "in " + type + " " + vertex + "[];\nout " + type + " " + geometry + ";\n");
-      add(vtkShader::Geometry, "Impl", "  " + geometry + " = " + vertex + "[i];\n");
+      AddAfterTag(
+        shaders[vtkShader::Vertex], "//VTK::PositionVC::Dec", "in " + type + " " + name + ";\n");
+      PassOn(shaders, type, name + "VC", name);
     }
     if (this->IsRest(this->LastBoundBO))
     {
       const MixtureText text = this->MakeMixtureText(this->Shown->Data, {});
-      add(vtkShader::Fragment, "Dec", text.Declarations);
-      add(vtkShader::Fragment, "Impl", text.Implementation);
+      AddAfterTag(shaders[vtkShader::Fragment], "//VTK::PositionVC::Dec", text.Declarations);
+      AddAfterTag(shaders[vtkShader::Fragment], "//VTK::PositionVC::Impl", text.Implementation);
     }
   }
   this->Superclass::ReplaceShaderPositionVC(shaders, ren, actor);
@@ -463,7 +449,7 @@ void PartsMapper::SetMapperShaderParameters(
   }
   if (this->Images && this->NeedsWeights(&cellBO))
   {
-    this->Images->SetUniforms(cellBO.Program);
+    this->Images->SetUniforms(cellBO.Program, 0);
   }
 }
 
@@ -498,8 +484,8 @@ MixtureText PartsMapper::MakeMixtureText(
   }
   for (std::size_t k = 0; part.Kind == MixtureKind::Images && k < this->ImageComponents.size(); ++k)
   {
-    text.Declarations += "uniform sampler2D " + WeightTextures::GetSampler(k) + ";\n";
-    code += "  vec4 " + Texel(k) + " = texture(" + WeightTextures::GetSampler(k) + ", " +
+    text.Declarations += "uniform sampler2D " + GetWeightSampler(k) + ";\n";
+    code += "  vec4 " + Texel(k) + " = texture(" + GetWeightSampler(k) + ", " +
             VaryingOf(partarrays::Coordinates) + ");\n";
   }
   const int count = part.NumberOfWeights;

@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,7 +65,8 @@ public:
   /// Of the images of weights on the graphics card.
   vtkIdType GetImageBytes() const
   {
-    return this->Images ? static_cast<vtkIdType>(this->Images->GetBytes()) : 0;
+    std::set<const vtkTextureObject*> counted;
+    return this->Images ? static_cast<vtkIdType>(this->Images->CountBytes(counted)) : 0;
   }
 
   void RenderPieceDraw(vtkRenderer* ren, vtkActor* actor) override;
@@ -74,7 +76,7 @@ protected:
   PartsMapper();
   ~PartsMapper() override;
 
-  std::vector<MaterialUse> GetMaterialUses() override { return this->Uses; }
+  std::vector<vtkBRDF*> GetBRDFs() override { return this->BRDFs; }
   bool IsPart() override { return true; }
   bool IgnoresScalars() override;
   void ShowOnly(int part) override;
@@ -93,7 +95,7 @@ private:
   struct Part
   {
     MaterialPart Data;
-    std::vector<std::size_t> Uses;                       // of its members
+    std::vector<std::size_t> Uses;                       // its members' places among all
     vtkSmartPointer<vtkOpenGLIndexBufferObject> Indices; // of its triangles
     int FirstPrimitive = 0;                              // counted over all parts
   };
@@ -120,13 +122,13 @@ private:
   unsigned long Revision = 0; // of the owner's parts
   std::vector<Part> Parts;
   const Part* Shown = nullptr; // null: all are
-  std::vector<MaterialUse> Uses;
+  std::vector<vtkBRDF*> BRDFs;
   bool AreColorsOfMap = false;
   const BlockStyle* Style = nullptr;
   vtkSmartPointer<vtkMaterialMap> Map;
   std::vector<int> ImageComponents;       // of each image of weights
-  std::shared_ptr<WeightTextures> Images; // of the window drawn last
-  RecentlyUsed<vtkOpenGLRenderWindow*, std::shared_ptr<WeightTextures>> ImagesOf{ MostWindows };
+  std::shared_ptr<ShaderTextures> Images; // of the window drawn last
+  RecentlyUsed<vtkOpenGLRenderWindow*, std::shared_ptr<ShaderTextures>> ImagesOf{ MostWindows };
   bool AreBuilt = false;                           // the parts' indices
   vtkWeakPointer<vtkOpenGLRenderWindow> OwnWindow; // in which they and the shaders are
   // Of all primitives, while a part is shown.

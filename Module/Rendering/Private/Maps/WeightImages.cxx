@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WeightImages.h"
 
-#include "SharedObjects.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMaterialMap.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
-#include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cmath>
@@ -148,94 +144,27 @@ std::vector<double> MeasureWeightImages(vtkMaterialMap* map, std::string& warnin
   return means;
 }
 
-std::shared_ptr<WeightTextures> WeightTextures::Find(
-  vtkMaterialMap* map, vtkOpenGLRenderWindow* window)
+std::shared_ptr<ShaderTextures> FindWeightTextures(
+  vtkMaterialMap* map, vtkOpenGLRenderWindow* window, std::string& problem)
 {
-  using Key = std::pair<vtkMaterialMap*, vtkOpenGLRenderWindow*>;
-  static HeldObjects<Key, WeightTextures> shared;
-  return shared.FindOrMake({ map, window }, []() { return std::make_shared<WeightTextures>(); });
-}
-
-std::string WeightTextures::Update(vtkMaterialMap* map, vtkOpenGLRenderWindow* window)
-{
-  const bool lost = std::any_of(this->Textures.begin(), this->Textures.end(),
-    [window](const vtkSmartPointer<vtkTextureObject>& texture)
-    { return texture->GetHandle() == 0 || texture->GetContext() != window; });
-  std::vector<std::pair<vtkImageData*, vtkMTimeType>> source;
-  for (int k = 0; k < map->GetNumberOfWeightImages(); ++k)
+  const auto make = [map](vtkBRDFShaderInputs& inputs)
   {
-    source.emplace_back(map->GetWeightImage(k), map->GetWeightImage(k)->GetMTime());
-  }
-  const bool repeats = map->GetRepeatWeightImages();
-  if (this->Window == window && source == this->Source && repeats == this->Repeats && !lost)
-  {
-    return "";
-  }
-  std::vector<vtkSmartPointer<vtkTextureObject>> textures;
-  std::size_t bytes = 0;
-  for (int k = 0; k < map->GetNumberOfWeightImages(); ++k)
-  {
-    vtkImageData* image = map->GetWeightImage(k);
-    int size[3];
-    image->GetDimensions(size);
-    if (std::max(size[0], size[1]) > vtkTextureObject::GetMaximumTextureSize(window))
+    for (int k = 0; k < map->GetNumberOfWeightImages(); ++k)
     {
-      return "weight image " + std::to_string(k) + " is larger than this graphics card's limit";
+      vtkImageData* image = map->GetWeightImage(k);
+      const bool repeats = map->GetRepeatWeightImages();
+      std::size_t bad = 0; // reported when the surface was divided
+      vtkBRDFShaderInputs::Texture texture;
+      texture.Name = "brdfWeightImage"; // a term each, which numbers the samplers
+      image->GetDimensions(texture.Dimensions.data());
+      texture.Components = GetScalars(image)->GetNumberOfComponents();
+      texture.Repeat = { repeats, repeats, false };
+      texture.Mipmaps = true;
+      texture.Data = GetValues(image, bad);
+      inputs.Terms.emplace_back().Textures.push_back(std::move(texture));
     }
-    std::size_t bad = 0; // reported when the surface was divided
-    std::vector<float> values = GetValues(image, bad);
-    auto texture = vtkSmartPointer<vtkTextureObject>::New();
-    texture->SetContext(window);
-    const int wrap = repeats ? vtkTextureObject::Repeat : vtkTextureObject::ClampToEdge;
-    texture->SetWrapS(wrap);
-    texture->SetWrapT(wrap);
-    texture->SetGenerateMipmap(true); // radiance is linear in the weights: means are right
-    texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
-    texture->SetMagnificationFilter(vtkTextureObject::Linear);
-    if (!texture->Create2DFromRaw(static_cast<unsigned int>(size[0]),
-          static_cast<unsigned int>(size[1]), GetScalars(image)->GetNumberOfComponents(), VTK_FLOAT,
-          values.data()))
-    {
-      return "weight image " + std::to_string(k) + " could not be uploaded";
-    }
-    bytes += 4 * values.size() / 3 * 4; // with the smaller levels
-    textures.push_back(texture);
-  }
-  this->Textures = std::move(textures);
-  this->Bytes = bytes;
-  ++this->Uploads;
-  this->Source = std::move(source);
-  this->Repeats = repeats;
-  this->Window = window;
-  return "";
-}
-
-void WeightTextures::Activate()
-{
-  for (const vtkSmartPointer<vtkTextureObject>& texture : this->Textures)
-  {
-    texture->Activate();
-  }
-}
-
-void WeightTextures::Deactivate()
-{
-  for (const vtkSmartPointer<vtkTextureObject>& texture : this->Textures)
-  {
-    texture->Deactivate();
-  }
-}
-
-std::string WeightTextures::GetSampler(std::size_t image)
-{
-  return "brdfWeightImage" + std::to_string(image);
-}
-
-void WeightTextures::SetUniforms(vtkShaderProgram* program) const
-{
-  for (std::size_t k = 0; k < this->Textures.size(); ++k)
-  {
-    program->SetUniformi(GetSampler(k).c_str(), this->Textures[k]->GetTextureUnit());
-  }
+    return std::string();
+  };
+  return ShaderTextures::Find(map, map->GetDivisionMTime(), false, window, make, problem);
 }
 } // namespace measuredbrdf

@@ -8,21 +8,16 @@
 #ifndef WeightImages_h
 #define WeightImages_h
 
-#include "vtkSmartPointer.h"
-#include "vtkType.h"
+#include "ShaderTextures.h"
 
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
-class vtkImageData;
 class vtkMaterialMap;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
-class vtkTextureObject;
 
 namespace measuredbrdf
 {
@@ -38,34 +33,16 @@ public:
 /// is odd about them, or "". Throws a MapProblem where they cannot be used.
 std::vector<double> MeasureWeightImages(vtkMaterialMap* map, std::string& warning);
 
-/// Shared by all that draw by the map in a window.
-class WeightTextures
+/// They in a window, for all that draw by the map there. Means are drawn from afar: radiance is
+/// linear in the weights. problem: what went wrong, or "". Never null.
+std::shared_ptr<ShaderTextures> FindWeightTextures(
+  vtkMaterialMap* map, vtkOpenGLRenderWindow* window, std::string& problem);
+
+/// The sampler of an image.
+inline std::string GetWeightSampler(std::size_t image)
 {
-public:
-  static std::shared_ptr<WeightTextures> Find(vtkMaterialMap* map, vtkOpenGLRenderWindow* window);
-
-  /// Upload what changed. Returns what went wrong, or "".
-  std::string Update(vtkMaterialMap* map, vtkOpenGLRenderWindow* window);
-
-  void Activate();
-  void Deactivate();
-  void SetUniforms(vtkShaderProgram* program) const;
-  std::size_t GetBytes() const { return this->Bytes; }
-
-  /// How often the images were uploaded: for tests.
-  int GetNumberOfUploads() const { return this->Uploads; }
-
-  /// The sampler of an image.
-  static std::string GetSampler(std::size_t image);
-
-private:
-  std::vector<vtkSmartPointer<vtkTextureObject>> Textures;
-  std::size_t Bytes = 0;
-  int Uploads = 0;
-  std::vector<std::pair<vtkImageData*, vtkMTimeType>> Source; // only compared
-  bool Repeats = false;
-  vtkOpenGLRenderWindow* Window = nullptr;
-};
+  return "brdfWeightImage" + std::to_string(image);
+}
 } // namespace measuredbrdf
 
 #endif

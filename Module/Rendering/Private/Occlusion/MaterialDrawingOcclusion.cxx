@@ -5,6 +5,7 @@
 
 #include "SharedTrace.h"
 #include "SurfaceBlocks.h"
+#include "TextureEnvironment.h"
 #include "vtkActor.h"
 #include "vtkEnvironment.h"
 #include "vtkMapper.h"
@@ -33,19 +34,11 @@ bool HasArrays(vtkPolyData* surface)
 // From a surface's axes to those in which the renderer's environment is given.
 vtkSmartPointer<vtkMatrix4x4> FindToEnvironment(vtkRenderer* renderer, vtkActor* actor)
 {
-  const double* right = renderer->GetEnvironmentRight();
-  const double* up = renderer->GetEnvironmentUp();
-  const glm::dvec3 x(right[0], right[1], right[2]);
-  const glm::dvec3 y(up[0], up[1], up[2]);
-  // As VTK's envMatrix has them.
-  const glm::dvec3 rows[3] = { x, y, glm::cross(x, y) };
+  const glm::dmat3 toEnvironment = GetWorldToEnvironment(renderer, nullptr);
   vtkNew<vtkMatrix4x4> turn;
-  for (int row = 0; row < 3; ++row)
+  for (int k = 0; k < 9; ++k)
   {
-    for (int column = 0; column < 3; ++column)
-    {
-      turn->SetElement(row, column, rows[row][column]);
-    }
+    turn->SetElement(k / 3, k % 3, toEnvironment[k % 3][k / 3]);
   }
   auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
   vtkMatrix4x4::Multiply4x4(turn, actor->GetMatrix(), matrix);
@@ -107,7 +100,7 @@ void MaterialDrawing::UpdateForecast(const void* part, const OcclusionQuestion& 
     forecast = std::make_unique<AutomaticOcclusion>();
   }
   const std::string problem = forecast->Update(question);
-  if (!problem.empty() && this->WarnOnce("forecast: " + problem))
+  if (!problem.empty() && this->Warned.insert("forecast: " + problem).second)
   {
     vtkErrorWithObjectMacro(
       this->Owner, << "The surface is drawn as if it hid nothing from itself: " << problem << ".");
@@ -184,17 +177,6 @@ std::string MaterialDrawing::DescribeOcclusion() const
               : this->Forecasts.empty()         ? ", left out of the others"
                                                 : "");
   }
-  std::size_t refused = 0;
-  for (const auto& [part, surfaces] : this->RefusedOcclusion)
-  {
-    refused += surfaces.size();
-  }
-  if (refused > 0)
-  {
-    given += "; hidden sky that is given does not fit " +
-             (this->Given.All == 1 ? "the surface" : std::to_string(refused) + " of the blocks") +
-             " and is left out";
-  }
   return (text.empty() ? "" : "; " + text) + given +
          (this->BouncingParts.empty() ? "" : "; one bounce modeled");
 }
@@ -225,20 +207,16 @@ std::shared_ptr<OcclusionArrays> MaterialDrawing::FindOcclusion(
   vtkPolyData* traced = isPart ? nullptr : this->FindTraced(surface, part);
   const auto arrays = OcclusionArrays::Read(
     traced ? traced : surface, isPart, this->Settings->OcclusionBounce, problem);
-  if (arrays && arrays->HasBounce)
+  if (arrays && arrays->HasBounce())
   {
     this->BouncingParts.insert(part);
   }
-  if (!isPart && !arrays && HasArrays(surface))
+  if (!problem.empty())
   {
-    this->RefusedOcclusion[part].insert(surface);
-  }
-  if (!problem.empty() && this->WarnOnce("occlusion: " + problem))
-  {
-    vtkWarningWithObjectMacro(this->Owner,
-      << (arrays ? "What the surface hides from itself is drawn black, without a bounce: "
-                 : "The surface is drawn as if it hid nothing from itself: ")
-      << problem << ".");
+    this->WarnOnce("occlusion: " + problem,
+      (arrays ? "What the surface hides from itself is drawn black, without a bounce: "
+              : "The surface is drawn as if it hid nothing from itself: ") +
+        problem + ".");
   }
   return arrays;
 }
@@ -275,12 +253,11 @@ OcclusionLights MaterialDrawing::GetSelectedOcclusion(bool any)
   }
   if (selected.size() > MaximumOccludedMembers)
   {
-    if (this->WarnOnce("occluded mixture"))
-    {
-      vtkWarningWithObjectMacro(this->Owner,
-        << selected.size() << " materials meet on a part of the surface, which is drawn as if it "
-        << "hid nothing from itself: that is done for up to " << MaximumOccludedMembers << ".");
-    }
+    this->WarnOnce(
+      "occluded mixture", std::to_string(selected.size()) +
+                            " materials meet on a part of the surface, which is drawn "
+                            "as if it hid nothing from itself: that is done for up to " +
+                            std::to_string(MaximumOccludedMembers) + ".");
     return lights;
   }
   for (const DrawnMaterial* drawn : selected)

@@ -12,7 +12,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -20,35 +19,42 @@ namespace measuredbrdf
 {
 namespace
 {
-vtkSmartPointer<vtkFloatArray> MakeFloats(vtkIdType points, int components)
+// Arrays of all points, with the bytes that get(point) returns, three in each float.
+template <typename Get>
+std::vector<vtkSmartPointer<vtkFloatArray>> Pack(
+  vtkIdType points, int count, int components, const Get& get)
 {
-  auto array = vtkSmartPointer<vtkFloatArray>::New();
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(points);
-  return array;
+  std::vector<vtkSmartPointer<vtkFloatArray>> arrays;
+  for (int first = 0; first < count; first += 3 * components)
+  {
+    arrays.push_back(vtkSmartPointer<vtkFloatArray>::New());
+    arrays.back()->SetNumberOfComponents(components);
+    arrays.back()->SetNumberOfTuples(points);
+  }
+  for (vtkIdType point = 0; point < points; ++point)
+  {
+    const auto bytes = get(point);
+    for (int k = 0; 3 * k < count; ++k)
+    {
+      const int packed = bytes[3 * k] + 256 * bytes[3 * k + 1] + 65536 * bytes[3 * k + 2];
+      arrays[k / components]->SetTypedComponent(point, k % components, static_cast<float>(packed));
+    }
+  }
+  return arrays;
 }
 
-OcclusionArrays::Side MakeSide(vtkIdType points)
+template <typename Get>
+void PackCodes(OcclusionArrays::Side& side, vtkIdType points, const Get& get)
 {
   static_assert(HorizonCode::Bytes == 3 * 4 * OcclusionArrays::Attributes, "three bytes a float");
-  OcclusionArrays::Side side;
-  for (vtkSmartPointer<vtkFloatArray>& array : side)
-  {
-    array = MakeFloats(points, 4);
-  }
-  return side;
+  const auto arrays = Pack(points, HorizonCode::Bytes, 4, get);
+  std::copy(arrays.begin(), arrays.end(), side.Codes.begin());
 }
 
-// A point's bytes, three in each float of its tuples in the arrays.
-void Pack(const unsigned char* bytes, int count, vtkIdType point,
-  const vtkSmartPointer<vtkFloatArray>* arrays)
+template <typename Get>
+void PackBounce(OcclusionArrays::Side& side, vtkIdType points, const Get& get)
 {
-  const int components = arrays[0]->GetNumberOfComponents();
-  for (int k = 0; 3 * k < count; ++k)
-  {
-    const int packed = bytes[3 * k] + 256 * bytes[3 * k + 1] + 65536 * bytes[3 * k + 2];
-    arrays[k / components]->SetTypedComponent(point, k % components, static_cast<float>(packed));
-  }
+  side.Bounce = Pack(points, BounceCode::Bytes, BounceCode::Bytes / 3, get).front();
 }
 
 std::string Describe(const std::string& name, const std::string& problem)
@@ -82,48 +88,35 @@ vtkUnsignedCharArray* FindArray(
   return problem.empty() ? array : nullptr;
 }
 
-// Null, with a reason, where there is none.
-vtkSmartPointer<vtkFloatArray> ReadBounceSide(
-  vtkPolyData* surface, const std::string& suffix, std::string& problem)
+// These return false, with a reason, where there is none.
+bool ReadBounce(vtkPolyData* surface, const std::string& suffix, OcclusionArrays::Side& side,
+  std::string& problem)
 {
   vtkUnsignedCharArray* bytes = FindArray(surface,
     vtkSurfaceVisibilityFilter::GetBouncedLightArrayName() + suffix, BounceCode::Bytes, problem);
-  if (!bytes)
+  if (bytes)
   {
-    return nullptr;
+    PackBounce(side, surface->GetNumberOfPoints(),
+      [bytes](vtkIdType k) { return bytes->GetPointer(k * BounceCode::Bytes); });
   }
-  vtkSmartPointer<vtkFloatArray> array =
-    MakeFloats(surface->GetNumberOfPoints(), BounceCode::Bytes / 3);
-  for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k)
-  {
-    Pack(bytes->GetPointer(k * BounceCode::Bytes), BounceCode::Bytes, k, &array);
-  }
-  return array;
+  return bytes != nullptr;
 }
 
 bool ReadSide(vtkPolyData* surface, const std::string& suffix, OcclusionArrays::Side& side,
   std::string& problem)
 {
-  vtkUnsignedCharArray* sky =
-    FindArray(surface, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName() + suffix,
-      HorizonCode::SectorBytes, problem);
-  vtkUnsignedCharArray* light =
-    sky ? FindArray(surface, vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() + suffix,
-            HorizonCode::TransferBytes, problem)
-        : nullptr;
-  if (!light)
+  SideArrays arrays;
+  arrays.Sky = FindArray(surface, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName() + suffix,
+    HorizonCode::SectorBytes, problem);
+  arrays.Light =
+    arrays.Sky ? FindArray(surface, vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() + suffix,
+                   HorizonCode::TransferBytes, problem)
+               : nullptr;
+  if (arrays.Light)
   {
-    return false;
+    PackCodes(side, surface->GetNumberOfPoints(), [&arrays](vtkIdType k) { return arrays.Get(k); });
   }
-  const vtkIdType points = surface->GetNumberOfPoints();
-  side = MakeSide(points);
-  const SideArrays arrays = { sky, light, nullptr, {} };
-  for (vtkIdType k = 0; k < points; ++k)
-  {
-    const HorizonCode::Code code = arrays.Get(k);
-    Pack(code.data(), HorizonCode::Bytes, k, side.data());
-  }
-  return true;
+  return arrays.Light != nullptr;
 }
 
 // Whether nothing of the sky is seen from any point of a polygon, as from inside of a closed
@@ -151,22 +144,6 @@ bool IsClosed(vtkPolyData* surface, const std::string& suffix)
   return all;
 }
 
-// Triangles turned away from the viewer are not seen: of their points, those that no other triangle
-// has need no code.
-double FindLeastCosine(vtkPolyData* surface)
-{
-  auto* sky = vtkUnsignedCharArray::SafeDownCast(
-    surface->GetPointData()->GetAbstractArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()));
-  std::vector<glm::dvec3> normals;
-  for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k)
-  {
-    normals.push_back(HorizonCode::UnpackNormal(sky->GetPointer(k * HorizonCode::SectorBytes)));
-  }
-  constexpr double margin = 0.05; // views differ within a triangle
-  const double cosine = GetLeastCosine(surface, normals);
-  return -std::sqrt(1.0 - cosine * cosine) - margin;
-}
-
 std::string CheckKey(vtkPolyData* surface)
 {
   auto* keys = vtkStringArray::SafeDownCast(
@@ -190,26 +167,17 @@ OcclusionArrays OcclusionArrays::Complete(
   const OcclusionArrays* given, vtkIdType points, bool both, bool bounced)
 {
   OcclusionArrays whole = given ? *given : OcclusionArrays();
-  if (given && whole.HasBack == both && whole.HasBounce == bounced)
+  for (Side* side : { &whole.Front, both ? &whole.Back : &whole.Front })
   {
-    return whole;
+    if (!side->Codes[0])
+    {
+      PackCodes(*side, points, [](vtkIdType) { return HorizonCode::MakeOpen({ 0.0, 0.0, 1.0 }); });
+    }
+    if (bounced && !side->Bounce)
+    {
+      PackBounce(*side, points, [](vtkIdType) { return BounceCode::MakeDark(); });
+    }
   }
-  const Side open = MakeSide(points);
-  const auto dark = MakeFloats(points, BounceCode::Bytes / 3);
-  const HorizonCode::Code openCode = HorizonCode::MakeOpen({ 0.0, 0.0, 1.0 });
-  const BounceCode::Code darkCode = BounceCode::MakeDark();
-  for (vtkIdType k = 0; k < points; ++k)
-  {
-    Pack(openCode.data(), HorizonCode::Bytes, k, open.data());
-    Pack(darkCode.data(), BounceCode::Bytes, k, &dark);
-  }
-  whole.Front = given ? whole.Front : open;
-  whole.Back = both && !whole.HasBack ? open : whole.Back;
-  whole.BounceFront = whole.HasBounce ? whole.BounceFront : dark;
-  whole.BounceBack = whole.HasBounce && whole.HasBack ? whole.BounceBack : dark;
-  whole.BounceBack = both ? whole.BounceBack : nullptr;
-  whole.HasBack = both;
-  whole.HasBounce = bounced;
   return whole;
 }
 
@@ -235,49 +203,24 @@ std::shared_ptr<OcclusionArrays> OcclusionArrays::Read(
   }
   const std::string back =
     std::string(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()) + "Back";
-  arrays->HasBack = surface->GetPointData()->HasArray(back.c_str()) &&
-                    ReadSide(surface, "Back", arrays->Back, problem);
-  if (!problem.empty())
+  const bool both = surface->GetPointData()->HasArray(back.c_str()) != 0;
+  if (both && !ReadSide(surface, "Back", arrays->Back, problem))
   {
     return nullptr;
   }
-  arrays->LeastCosine = FindLeastCosine(surface);
-  if (withBounce)
+  if (withBounce && (!ReadBounce(surface, "", arrays->Front, problem) ||
+                      (both && !ReadBounce(surface, "Back", arrays->Back, problem))))
   {
-    arrays->ReadBounce(surface, problem);
+    arrays->Front.Bounce = arrays->Back.Bounce = nullptr;
   }
-  if (arrays->HasBack)
+  // A side that sees nothing of the sky costs nothing.
+  const bool isBackClosed = both && IsClosed(surface, "Back");
+  if (isBackClosed || (both && IsClosed(surface, "")))
   {
-    arrays->LeaveOutClosedSide(surface);
+    arrays->Front = isBackClosed ? arrays->Front : arrays->Back;
+    arrays->Back = Side();
+    arrays->IsOtherClosed = true;
   }
   return arrays;
-}
-
-void OcclusionArrays::ReadBounce(vtkPolyData* surface, std::string& problem)
-{
-  this->BounceFront = ReadBounceSide(surface, "", problem);
-  this->BounceBack =
-    this->BounceFront && this->HasBack ? ReadBounceSide(surface, "Back", problem) : nullptr;
-  this->HasBounce = problem.empty();
-}
-
-void OcclusionArrays::LeaveOutClosedSide(vtkPolyData* surface)
-{
-  if (IsClosed(surface, "Back"))
-  {
-    this->IsOtherClosed = true;
-  }
-  else if (IsClosed(surface, ""))
-  {
-    this->Front = this->Back;
-    this->BounceFront = this->BounceBack;
-    this->IsOtherClosed = true;
-  }
-  if (this->IsOtherClosed)
-  {
-    this->Back = Side();
-    this->BounceBack = nullptr;
-    this->HasBack = false;
-  }
 }
 } // namespace measuredbrdf

@@ -22,18 +22,19 @@ namespace measuredbrdf
 struct OcclusionArrays
 {
   static constexpr std::size_t Attributes = 5; // of four floats
-  using Side = std::array<vtkSmartPointer<vtkFloatArray>, Attributes>;
+
+  /// Of one side of the surface; null arrays: it has none.
+  struct Side
+  {
+    std::array<vtkSmartPointer<vtkFloatArray>, Attributes> Codes;
+    vtkSmartPointer<vtkFloatArray> Bounce; // what comes back from what is hidden: three floats
+  };
   Side Front;
   Side Back;
-  ///@{
-  /// What comes back from what is hidden, likewise: one attribute of three floats.
-  vtkSmartPointer<vtkFloatArray> BounceFront;
-  vtkSmartPointer<vtkFloatArray> BounceBack;
-  bool HasBounce = false;
-  ///@}
-  bool HasBack = false;
   bool IsOtherClosed = false; // no back: the side that Front is not about sees nothing of the sky
-  double LeastCosine = -1.0;  // of the view and normals of points whose code triangles may show
+
+  bool HasBack() const { return this->Back.Codes[0] != nullptr; }
+  bool HasBounce() const { return this->Front.Bounce != nullptr; }
 
   /// Those of a surface (null: it has none) with a back, or with what comes back, where others in
   /// the same buffers have that. What is missing is of points that see all of their sky.
@@ -44,13 +45,16 @@ struct OcclusionArrays
   template <typename Visit>
   void ForEachAttribute(const Visit& visit) const
   {
-    for (std::size_t k = 0; k < Attributes; ++k)
+    for (const bool isBack : { false, true })
     {
-      visit("brdfSky" + std::to_string(k), this->Front[k].Get());
-      visit("brdfSkyBack" + std::to_string(k), this->HasBack ? this->Back[k].Get() : nullptr);
+      const Side& side = isBack ? this->Back : this->Front;
+      const std::string suffix = isBack ? "Back" : "";
+      for (std::size_t k = 0; k < Attributes; ++k)
+      {
+        visit("brdfSky" + suffix + std::to_string(k), side.Codes[k].Get());
+      }
+      visit("brdfBounce" + suffix, side.Bounce.Get());
     }
-    visit("brdfBounce", this->HasBounce ? this->BounceFront.Get() : nullptr);
-    visit("brdfBounceBack", this->HasBounce ? this->BounceBack.Get() : nullptr);
   }
 
   /// Whether the surface brings some, whatever they are.
@@ -61,10 +65,6 @@ struct OcclusionArrays
   /// have what comes back; where that is not there, problem says so, and the rest counts.
   static std::shared_ptr<OcclusionArrays> Read(
     vtkPolyData* surface, bool isPart, bool withBounce, std::string& problem);
-
-private:
-  void ReadBounce(vtkPolyData* surface, std::string& problem);
-  void LeaveOutClosedSide(vtkPolyData* surface);
 };
 } // namespace measuredbrdf
 

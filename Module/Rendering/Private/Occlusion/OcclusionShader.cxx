@@ -7,11 +7,11 @@
 #include "Lamps.h"
 #include "LocalFrame.h"
 #include "NumberText.h"
+#include "TextureEnvironment.h"
 #include "vtkActor.h"
 #include "vtkBRDFBouncedLight.h"
 #include "vtkBRDFHiddenSky.h"
 #include "vtkCamera.h"
-#include "vtkEnvironment.h"
 #include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -34,7 +34,7 @@ constexpr std::size_t LampsOfMixtures = 4; // of each of several materials
 constexpr const char* OpenOdds = "-8.963"; // brdfSkyOdds(0)
 constexpr const char* OpenMargin = "3.0";  // HorizonCode::LargestMargin
 
-// An array of vec3. Of no vectors: nothing, as GLSL has no empty arrays.
+// Arrays of vectors. Of no vectors: nothing, as GLSL has no empty arrays.
 void SetVectors(
   vtkShaderProgram* program, const std::string& name, const std::vector<glm::dvec3>& vectors)
 {
@@ -42,6 +42,16 @@ void SetVectors(
   if (!values.empty())
   {
     program->SetUniform3fv(name.c_str(), static_cast<int>(values.size()), &values[0].x);
+  }
+}
+
+void SetVectors(
+  vtkShaderProgram* program, const std::string& name, const std::vector<glm::dvec4>& vectors)
+{
+  const std::vector<glm::vec4> values(vectors.begin(), vectors.end());
+  if (!values.empty())
+  {
+    program->SetUniform4fv(name.c_str(), static_cast<int>(values.size()), &values[0].x);
   }
 }
 
@@ -89,24 +99,6 @@ const char* GetSideName(std::size_t side) { return side == 0 ? "" : "Back"; }
 
 std::size_t CountSides(const OcclusionLayout& layout) { return layout.TwoSided ? 2 : 1; }
 
-// Both sides of three materials or four leave no varyings for lamps, nor for what bounces.
-bool IsCrowded(const OcclusionLights& lights, bool twoSided)
-{
-  return twoSided && lights.size() > 2;
-}
-
-std::size_t CountLamps(const OcclusionLights& lights, bool twoSided, std::size_t member)
-{
-  const std::size_t mixed = IsCrowded(lights, twoSided) ? 0 : LampsOfMixtures;
-  const std::size_t most = lights.size() > 1 ? mixed : OcclusionLight::MaximumLamps;
-  return std::min(lights[member]->Lamps.size(), most);
-}
-
-bool Bounces(const OcclusionLights& lights, const OcclusionLayout& layout, std::size_t member)
-{
-  return layout.Bounced && lights[member]->Bounce && !IsCrowded(lights, layout.TwoSided);
-}
-
 //------------------------------------------------------------------------------
 // What hands a value to the fragment shader: a type, and a name to which stages add VSOutput.
 struct Varying
@@ -125,23 +117,28 @@ public:
   Member(const OcclusionLights& lights, const OcclusionLayout& layout, std::size_t side,
     std::size_t member)
     : Light(lights[member])
-    , Lamps(CountLamps(lights, layout.TwoSided, member))
-    , IsBouncing(Bounces(lights, layout, member))
     , HasLobe(Light->HasLobe)
     , HasPanels(!Light->Panels.empty())
-    , HasTableLamps(HasLobe && Lamps > 0 && !Light->LampLight.empty())
     , Index(member)
     , Digits(std::to_string(member))
     , Side(GetSideName(side))
   {
+    // Both sides of three materials or four leave no varyings for lamps, nor for what bounces.
+    const bool isCrowded = layout.TwoSided && lights.size() > 2;
+    const std::size_t most = isCrowded           ? 0
+                             : lights.size() > 1 ? LampsOfMixtures
+                                                 : OcclusionLight::MaximumLamps;
+    this->Lamps = std::min(this->Light->Lamps.size(), most);
+    this->IsBouncing = layout.Bounced && this->Light->Bounce && !isCrowded;
+    this->HasTableLamps = this->HasLobe && this->Lamps > 0 && !this->Light->LampLight.empty();
   }
 
   const OcclusionLight* Light;
-  std::size_t Lamps; // that are tested: varyings are few
-  bool IsBouncing;
+  std::size_t Lamps = 0; // that are tested: varyings are few
+  bool IsBouncing = false;
   bool HasLobe;
   bool HasPanels;
-  bool HasTableLamps; // a table holds a part of what the lobe shows of tested lamps
+  bool HasTableLamps = false; // a table holds a part of what the lobe shows of tested lamps
   std::size_t Index;
 
   std::vector<Varying> GetVaryings() const;
@@ -465,7 +462,7 @@ std::string MakeViewCode()
       { "#LAST", std::to_string(OcclusionViews - 2) } });
 }
 
-// A side of a point, outputs open where no triangle shows it.
+// A side of a point.
 std::string MakeSideCode(
   const OcclusionLights& lights, const OcclusionLayout& layout, std::size_t side)
 {
@@ -479,14 +476,13 @@ std::string MakeSideCode(
           "  vec3 brdfSkyNormalVC = normalize(brdfSkyN * brdfSkyToModel);\n"
           "  float brdfSkyCosine = dot(brdfSkyNormalVC, brdfSkyO);\n";
   text += side == 0 ? "  brdfSkyNormalVSOutput = brdfSkyNormalVC;\n" : "";
-  text += "  if (brdfSkyCosine > brdfSkyLeast)\n  {\n";
   text += UnpackCode(side) + MakeViewCode();
   for (const Member& member : members)
   {
     text +=
       member.MakeLightCode() + "  if (brdfSkyMatters)\n  {\n" + member.MakeShareCode() + "  }\n";
   }
-  return text + "  }\n  }\n";
+  return text + "  }\n";
 }
 
 std::vector<Varying> GetVaryings(const OcclusionLights& lights, const OcclusionLayout& layout)
@@ -584,28 +580,6 @@ glm::mat4 GetIrradianceForm(const sky::Colors& light, int channel)
   return glm::mat4(form);
 }
 
-void SetFloats(vtkShaderProgram* program, const std::string& name, const std::vector<float>& values)
-{
-  program->SetUniform1fv(name.c_str(), static_cast<int>(values.size()), values.data());
-}
-
-void SetFours(
-  vtkShaderProgram* program, const std::string& name, const std::vector<glm::dvec4>& vectors)
-{
-  std::vector<float> values;
-  for (const glm::dvec4& v : vectors)
-  {
-    for (int c = 0; c < 4; ++c)
-    {
-      values.push_back(static_cast<float>(v[c]));
-    }
-  }
-  if (!values.empty())
-  {
-    program->SetUniform4fv(name.c_str(), static_cast<int>(vectors.size()), values.data());
-  }
-}
-
 // What comes back from what is hidden: the light's first harmonics, times the steps of
 // BouncedLight's bytes and the albedo of what is hidden.
 void SetBounce(vtkShaderProgram* program, const std::string& number, const OcclusionLight& light,
@@ -655,9 +629,8 @@ OcclusionNeeds CountOcclusionNeeds(const OcclusionLights& lights, const Occlusio
 OcclusionText MakeOcclusionText(const OcclusionLights& lights, const OcclusionLayout& layout)
 {
   OcclusionText text;
-  text.VertexDeclarations = DeclareCodes(lights, layout) +
-                            "uniform mat3 brdfSkyToModel;\n"
-                            "uniform float brdfSkyParallel, brdfSkyLeast;\n";
+  text.VertexDeclarations = DeclareCodes(lights, layout) + "uniform mat3 brdfSkyToModel;\n"
+                                                           "uniform float brdfSkyParallel;\n";
   text.VertexCode = "  vec3 brdfSkyO = brdfSkyParallel > 0.5 ? vec3(0.0, 0.0, 1.0)\n"
                     "    : normalize(-vertexVCVSOutput.xyz);\n";
   for (std::size_t side = 0; side < CountSides(layout); ++side)
@@ -715,20 +688,9 @@ OcclusionAxes::OcclusionAxes(
   const double size = std::cbrt(std::abs(glm::determinant(toView)));
   this->ToModel = size > 0.0 ? size * glm::inverse(toView) : glm::dmat3(1.0);
   const glm::dmat3 turned = GetNearestOrthogonal(toWorld);
-  // Rows: right, up, right x up, as VTK's envMatrix has them.
-  glm::dmat3 columns;
-  renderer->GetEnvironmentRight(&columns[0].x);
-  renderer->GetEnvironmentUp(&columns[1].x);
-  columns[2] = glm::cross(columns[0], columns[1]);
   for (vtkEnvironment* environment : environments)
   {
-    glm::dmat3 own(1.0);
-    if (environment)
-    {
-      environment->GetWorldToEnvironment(&own[0].x); // rows
-      own = glm::transpose(own);
-    }
-    this->ToEnvironment.push_back(own * glm::transpose(columns) * turned);
+    this->ToEnvironment.push_back(GetWorldToEnvironment(renderer, environment) * turned);
   }
 }
 
@@ -739,7 +701,6 @@ void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& ligh
   glm::mat3 columns(toModel);
   program->SetUniformMatrix3x3("brdfSkyToModel", &columns[0][0]);
   program->SetUniformf("brdfSkyParallel", parallel ? 1.0f : 0.0f);
-  program->SetUniformf("brdfSkyLeast", static_cast<float>(sides.LeastCosine));
   if (!sides.Both)
   {
     program->SetUniformf("brdfSkyOther", sides.IsOtherClosed ? LargestIrradiance : 0.0f);
@@ -782,8 +743,8 @@ void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& ligh
       places.emplace_back(toSurface * panel.Direction, panel.Concentration);
       glows.emplace_back(panel.Irradiance, GetPanelRadius(panel));
     }
-    SetFours(program, "brdfSkyPanel" + number, places);
-    SetFours(program, "brdfSkyPanelLight" + number, glows);
+    SetVectors(program, "brdfSkyPanel" + number, places);
+    SetVectors(program, "brdfSkyPanelLight" + number, glows);
     vectors.clear();
     for (std::size_t k = 0; k < member.Lamps; ++k)
     {
@@ -795,9 +756,9 @@ void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& ligh
     SetVectors(program, "brdfSkyLampLight" + number, vectors);
     if (!vectors.empty())
     {
-      SetFloats(program, "brdfSkyTurns" + number, turns);
-      SetFloats(
-        program, "brdfSkyLampReach" + number, { static_cast<float>(2.0 * LampWindow().Reach) });
+      program->SetUniform1fv(("brdfSkyTurns" + number).c_str(), OcclusionViews, turns.data());
+      program->SetUniformf(
+        ("brdfSkyLampReach" + number).c_str(), static_cast<float>(2.0 * LampWindow().Reach));
     }
   }
 }

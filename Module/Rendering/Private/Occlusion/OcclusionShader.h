@@ -16,7 +16,6 @@
 
 #include <glm/glm.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -86,15 +85,13 @@ struct OcclusionSides
   bool Both = false;
   bool Bounced = false;
   bool IsOtherClosed = true; // one side: whether the other one sees nothing, or all of its sky
-  double LeastCosine = 1.0;  // OcclusionArrays'
 
   /// Null: a surface that sees all of its sky.
   void Add(const OcclusionArrays* arrays)
   {
-    this->Both = this->Both || (arrays && arrays->HasBack);
-    this->Bounced = this->Bounced || (arrays && arrays->HasBounce);
+    this->Both = this->Both || (arrays && arrays->HasBack());
+    this->Bounced = this->Bounced || (arrays && arrays->HasBounce());
     this->IsOtherClosed = this->IsOtherClosed && arrays && arrays->IsOtherClosed;
-    this->LeastCosine = std::min(this->LeastCosine, arrays ? arrays->LeastCosine : 1.0);
   }
 };
 

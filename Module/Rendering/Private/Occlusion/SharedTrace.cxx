@@ -48,46 +48,6 @@ void CopyTraced(vtkPolyData* from, vtkPolyData* to)
   to->SetFieldData(fields);
 }
 
-// A trace's stop is asked for by the filter's own thread: a request from another one could come
-// before it begins. Whatever happens, the filter has neither observer nor input afterwards.
-class SharedTrace::Run
-{
-public:
-  Run(vtkSurfaceVisibilityFilter* filter, vtkDataObject* input, const std::function<bool()>& goesOn,
-    bool& isTracing)
-    : Filter(filter)
-    , GoesOn(goesOn)
-    , IsTracing(isTracing)
-  {
-    this->Tag = filter->AddObserver(vtkCommand::ProgressEvent, this, &Run::Follow);
-    filter->SetAbortExecute(0); // VTK 9.3 and later keep an earlier stop
-    filter->SetInputDataObject(input);
-    this->IsTracing = true;
-  }
-  ~Run()
-  {
-    this->Filter->RemoveObserver(this->Tag);
-    this->Filter->SetInputDataObject(nullptr);
-    this->IsTracing = false;
-  }
-  Run(const Run&) = delete;
-  void operator=(const Run&) = delete;
-
-private:
-  void Follow(vtkObject*, unsigned long, void*)
-  {
-    if (!this->GoesOn())
-    {
-      this->Filter->SetAbortExecute(1);
-    }
-  }
-
-  vtkSurfaceVisibilityFilter* Filter;
-  const std::function<bool()>& GoesOn;
-  bool& IsTracing;
-  unsigned long Tag;
-};
-
 std::string GetContentKey(vtkDataObject* input)
 {
   ContentHash hash;
@@ -131,7 +91,7 @@ vtkSmartPointer<vtkDataObject> SharedTrace::Attach(
       return nullptr;
     }
   }
-  if (this->IsTracing)
+  if (this->GoesOn)
   {
     // The filter's progress has led back to here, on the thread that traces.
     return SharedTrace().Attach(input, withBounce, goesOn);
@@ -164,7 +124,19 @@ void SharedTrace::Trace(vtkDataObject* input, bool withBounce, const std::functi
   }
   vtkSmartPointer<vtkSurfaceVisibilityFilter> filter =
     std::move(this->Filter); // back if all goes well
-  const Run run(filter, CopyBlocks(input, CopyGeometry), goesOn, this->IsTracing);
+  this->GoesOn = goesOn;
+  const unsigned long tag =
+    filter->AddObserver(vtkCommand::ProgressEvent, this, &SharedTrace::Follow);
+  // Whatever happens, the filter has neither observer nor input afterwards.
+  const std::shared_ptr<vtkSurfaceVisibilityFilter> end(filter.Get(),
+    [this, tag](vtkSurfaceVisibilityFilter* traced)
+    {
+      traced->RemoveObserver(tag);
+      traced->SetInputDataObject(nullptr);
+      this->GoesOn = nullptr;
+    });
+  filter->SetAbortExecute(0); // VTK 9.3 and later keep an earlier stop
+  filter->SetInputDataObject(CopyBlocks(input, CopyGeometry));
   filter->SetBounce(withBounce);
   const int before = filter->GetNumberOfTraces();
   const ScopedErrorCapture error(filter);
@@ -185,6 +157,16 @@ void SharedTrace::Trace(vtkDataObject* input, bool withBounce, const std::functi
     }
   }
   filter->GetOutputDataObject(0)->Initialize(); // the arrays are enough
-  this->Filter = std::move(filter);
+  this->Filter = filter;
+}
+
+// A stop is asked for by the filter's own thread: a request from another one could come before it
+// begins.
+void SharedTrace::Follow(vtkObject* filter, unsigned long, void*)
+{
+  if (!this->GoesOn())
+  {
+    vtkSurfaceVisibilityFilter::SafeDownCast(filter)->SetAbortExecute(1);
+  }
 }
 } // namespace measuredbrdf

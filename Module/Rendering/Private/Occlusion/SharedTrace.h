@@ -54,15 +54,15 @@ public:
   int GetNumberOfTraces() const { return this->NumberOfTraces; }
 
 private:
-  class Run;
   bool Has(bool withBounce) const
   {
     return !this->Arrays.empty() && (!withBounce || this->HasBounce);
   }
+  void Follow(vtkObject* filter, unsigned long event, void* data);
   void Trace(vtkDataObject* input, bool withBounce, const std::function<bool()>& goesOn);
 
   std::recursive_timed_mutex Mutex; // held by the thread that traces
-  bool IsTracing = false;
+  std::function<bool()> GoesOn;     // of the trace that runs now
   // Of each surface, without points: whoever has these may change them.
   std::vector<vtkSmartPointer<vtkPolyData>> Arrays;
   bool HasBounce = false;

@@ -4,21 +4,19 @@
 
 #include "LowDiscrepancy.h"
 #include "ScopedErrorCapture.h"
+#include "TextureEnvironment.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkTracedScene.h"
 #include "vtkTracedSurfaces.h"
 
-#include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <array>
 
 namespace measuredbrdf
 {
@@ -31,16 +29,6 @@ double GetAspect(vtkRenderer* renderer)
 {
   const int* size = renderer->GetSize();
   return static_cast<double>(std::max(size[0], 1)) / std::max(size[1], 1);
-}
-
-// Rows: those of the renderer's environment.
-std::array<double, 9> GetAxes(vtkRenderer* renderer)
-{
-  std::array<double, 9> axes;
-  renderer->GetEnvironmentRight(axes.data());
-  renderer->GetEnvironmentUp(&axes[3]);
-  vtkMath::Cross(axes.data(), &axes[3], &axes[6]);
-  return axes;
 }
 
 // The part of the picture, whose corners are -1 and 1, that a box may be seen in.
@@ -70,12 +58,12 @@ void FindRectangle(
 VisibleSurface::VisibleSurface(
   const std::vector<vtkPolyData*>& surfaces, vtkRenderer* renderer, vtkActor* actor)
   : VisibleSurface(surfaces, actor->GetMatrix(), renderer->GetActiveCamera(), GetAspect(renderer),
-      GetAxes(renderer).data())
+      GetWorldToEnvironment(renderer, nullptr))
 {
 }
 
 VisibleSurface::VisibleSurface(const std::vector<vtkPolyData*>& surfaces, vtkMatrix4x4* toWorld,
-  vtkCamera* camera, double aspect, const double toFrame[9])
+  vtkCamera* camera, double aspect, const glm::dmat3& toFrame)
 {
   this->Normals->SetNumberOfComponents(3);
   this->Views->SetNumberOfComponents(3);
@@ -97,7 +85,6 @@ VisibleSurface::VisibleSurface(const std::vector<vtkPolyData*>& surfaces, vtkMat
   const glm::dmat4 projection = glm::transpose(
     glm::make_mat4(camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)->GetData()));
   const glm::dmat4 back = glm::inverse(projection);
-  const glm::dmat3 rotation = glm::transpose(glm::make_mat3(toFrame));
   glm::dvec2 low, high;
   FindRectangle(projection, box, low, high);
   for (int k = 0; k < Rays; ++k)
@@ -117,8 +104,8 @@ VisibleSurface::VisibleSurface(const std::vector<vtkPolyData*>& surfaces, vtkMat
     if (scene->GetSurfaces().Cast(origin, direction, point))
     {
       const glm::dvec3 normal =
-        rotation * (glm::dot(point.Normal, direction) > 0.0 ? -point.Normal : point.Normal);
-      const glm::dvec3 view = rotation * -direction;
+        toFrame * (glm::dot(point.Normal, direction) > 0.0 ? -point.Normal : point.Normal);
+      const glm::dvec3 view = toFrame * -direction;
       this->Normals->InsertNextTuple(&normal.x);
       this->Views->InsertNextTuple(&view.x);
     }

@@ -15,6 +15,8 @@
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 
+#include <glm/glm.hpp>
+
 #include <vector>
 
 class vtkActor;
@@ -31,10 +33,10 @@ struct VisibleSurface
   vtkNew<vtkDoubleArray> Normals;
   vtkNew<vtkDoubleArray> Views;
 
-  /// toFrame: rows of a rotation of the world, into the frame that pairs are wanted in. aspect: the
+  /// toFrame: a rotation of the world, into the frame that pairs are wanted in. aspect: the
   /// picture's width divided by its height.
   VisibleSurface(const std::vector<vtkPolyData*>& surfaces, vtkMatrix4x4* toWorld,
-    vtkCamera* camera, double aspect, const double toFrame[9]);
+    vtkCamera* camera, double aspect, const glm::dmat3& toFrame);
 
   /// What the renderer's camera sees of an actor's surfaces, in the frame of the renderer's
   /// environment: the world, turned by EnvironmentUp and EnvironmentRight.

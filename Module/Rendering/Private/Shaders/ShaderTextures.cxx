@@ -62,8 +62,8 @@ std::shared_ptr<vtkTextureObject> Upload(
                                    : vtkTextureObject::GetMaximumTextureSize(window);
   if (*std::max_element(texture.Dimensions.begin(), texture.Dimensions.end()) > limit)
   {
-    problem = texture.Name + " is larger than this graphics card's limit of " +
-              std::to_string(limit) + " texels a side";
+    problem =
+      " is larger than this graphics card's limit of " + std::to_string(limit) + " texels a side";
     return nullptr;
   }
   const auto wrap = [&texture](int axis)
@@ -71,7 +71,9 @@ std::shared_ptr<vtkTextureObject> Upload(
   const std::shared_ptr<vtkTextureObject> result(
     vtkTextureObject::New(), [](vtkTextureObject* object) { object->Delete(); });
   result->SetContext(window);
-  result->SetMinificationFilter(vtkTextureObject::Linear);
+  result->SetGenerateMipmap(texture.Mipmaps);
+  result->SetMinificationFilter(
+    texture.Mipmaps ? vtkTextureObject::LinearMipmapLinear : vtkTextureObject::Linear);
   result->SetMagnificationFilter(vtkTextureObject::Linear);
   result->SetWrapS(wrap(0));
   result->SetWrapT(wrap(1));
@@ -108,7 +110,7 @@ std::shared_ptr<vtkTextureObject> Upload(
   }
   if (!created)
   {
-    problem = texture.Name + " could not be uploaded";
+    problem = " could not be uploaded";
     return nullptr;
   }
   return result;
@@ -121,6 +123,7 @@ std::string GetContent(const vtkBRDFShaderInputs::Texture& texture)
   hash.AddValue(texture.Components);
   hash.AddValue(texture.ThreeD);
   hash.AddValue(texture.HalfFloat);
+  hash.AddValue(texture.Mipmaps);
   for (int axis = 0; axis < 3; ++axis)
   {
     hash.AddValue(texture.Dimensions[static_cast<std::size_t>(axis)]);
@@ -145,17 +148,6 @@ std::shared_ptr<vtkTextureObject> FindOrUpload(
     held.Add(key, found);
   }
   return found;
-}
-
-// What was uploaded for a source in a window.
-template <typename Source>
-std::shared_ptr<ShaderTextures> FindShared(
-  Source* source, bool softLights, vtkOpenGLRenderWindow* window)
-{
-  using Key = std::tuple<Source*, bool, vtkOpenGLRenderWindow*>;
-  static HeldObjects<Key, ShaderTextures> held;
-  return held.FindOrMake({ source, softLights, window },
-    [softLights]() { return std::make_shared<ShaderTextures>(softLights); });
 }
 
 constexpr std::size_t LongestCompilerMessage = 2000;
@@ -251,9 +243,8 @@ bool ShaderTextures::IsIn(vtkOpenGLRenderWindow* window) const
            [window](const Uploaded& uploaded) { return IsLost(uploaded.Texture.get(), window); });
 }
 
-template <typename Make>
 std::string ShaderTextures::Update(
-  vtkMTimeType time, vtkOpenGLRenderWindow* window, const Make& makeInputs)
+  vtkMTimeType time, vtkOpenGLRenderWindow* window, const Make& make)
 {
   if (this->Time >= time && this->IsIn(window))
   {
@@ -267,7 +258,7 @@ std::string ShaderTextures::Update(
   {
     vtkBRDFShaderInputs inputs;
     inputs.SoftLights = this->SoftLights;
-    this->Failure = makeInputs(inputs);
+    this->Failure = make(inputs);
     if (this->Failure.empty())
     {
       this->Failure = this->Upload(std::move(inputs), time, window);
@@ -281,24 +272,35 @@ std::string ShaderTextures::Update(
   return this->Failure;
 }
 
+std::shared_ptr<ShaderTextures> ShaderTextures::Find(const void* source, vtkMTimeType time,
+  bool softLights, vtkOpenGLRenderWindow* window, const Make& make, std::string& problem)
+{
+  using Key = std::tuple<const void*, bool, vtkOpenGLRenderWindow*>;
+  static HeldObjects<Key, ShaderTextures> held;
+  const std::shared_ptr<ShaderTextures> found = held.FindOrMake({ source, softLights, window },
+    [softLights]() { return std::make_shared<ShaderTextures>(softLights); });
+  problem = found->Update(time, window, make);
+  return found;
+}
+
 std::shared_ptr<ShaderTextures> ShaderTextures::Find(
   vtkBRDF* brdf, bool softLights, vtkOpenGLRenderWindow* window, std::string& problem)
 {
-  const std::shared_ptr<ShaderTextures> found = FindShared(brdf, softLights, window);
-  problem = found->Update(brdf->GetMTime(), window,
+  return Find(
+    brdf, brdf->GetMTime(), softLights, window,
     [brdf](vtkBRDFShaderInputs& inputs)
     {
       brdf->GetShaderInputs(inputs);
       return ValidateShaders(inputs, TermKind::Material);
-    });
-  return found;
+    },
+    problem);
 }
 
 std::shared_ptr<ShaderTextures> ShaderTextures::Find(
   vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window, std::string& problem)
 {
-  const std::shared_ptr<ShaderTextures> found = FindShared(integrator, false, window);
-  problem = found->Update(integrator->GetInputsMTime(), window,
+  return Find(
+    integrator, integrator->GetInputsMTime(), false, window,
     [integrator](vtkBRDFShaderInputs& inputs)
     {
       const ScopedErrorCapture reason(integrator);
@@ -306,8 +308,8 @@ std::shared_ptr<ShaderTextures> ShaderTextures::Find(
                ? ValidateShaders(inputs, TermKind::Integrator)
                : std::string(integrator->GetClassName()) + " has nothing to draw with" +
                    (reason.GetText().empty() ? "" : ": " + reason.GetText());
-    });
-  return found;
+    },
+    problem);
 }
 
 std::string ShaderTextures::Upload(
@@ -323,7 +325,7 @@ std::string ShaderTextures::Upload(
       const auto uploaded = FindOrUpload(texture, window, problem);
       if (!uploaded)
       {
-        return problem;
+        return texture.Name + std::to_string(term) + problem;
       }
       textures.push_back({ texture.Name, term, uploaded, bytes });
     }

@@ -11,6 +11,7 @@
 #include "vtkBRDFShaderInputs.h"
 #include "vtkType.h"
 
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -34,14 +35,19 @@ public:
   {
   }
 
+  /// Makes what a source has to upload. Returns what is wrong with it, or "".
+  using Make = std::function<std::string(vtkBRDFShaderInputs&)>;
+
   ///@{
   /// Those of a source in this window, uploaded if the source changed or the window lost them.
   /// softLights: with what they need of the material. problem: what went wrong, or ""; what was
-  /// uploaded before then stays. Never null.
+  /// uploaded before then stays. Never null. time: when the source last changed.
   static std::shared_ptr<ShaderTextures> Find(
     vtkBRDF* brdf, bool softLights, vtkOpenGLRenderWindow* window, std::string& problem);
   static std::shared_ptr<ShaderTextures> Find(
     vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window, std::string& problem);
+  static std::shared_ptr<ShaderTextures> Find(const void* source, vtkMTimeType time,
+    bool softLights, vtkOpenGLRenderWindow* window, const Make& make, std::string& problem);
   ///@}
 
   /// Whether all were uploaded to this window, which has not lost them.
@@ -60,8 +66,7 @@ public:
 private:
   /// Upload what a source makes at that time. What it can't make is not asked for again until it
   /// changes.
-  template <typename Make>
-  std::string Update(vtkMTimeType time, vtkOpenGLRenderWindow* window, const Make& makeInputs);
+  std::string Update(vtkMTimeType time, vtkOpenGLRenderWindow* window, const Make& make);
 
   struct Uploaded
   {

@@ -181,5 +181,19 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkRenderer* renderer, std::stri
   return environment;
 }
 
+glm::dmat3 GetWorldToEnvironment(vtkRenderer* renderer, vtkEnvironment* environment)
+{
+  glm::dmat3 axes;
+  renderer->GetEnvironmentRight(&axes[0].x);
+  renderer->GetEnvironmentUp(&axes[1].x);
+  axes[2] = glm::cross(axes[0], axes[1]);
+  glm::dmat3 own(1.0);
+  if (environment)
+  {
+    environment->GetWorldToEnvironment(&own[0].x); // by rows
+  }
+  return glm::transpose(own) * glm::transpose(axes);
+}
+
 void SweepEnvironments() { Environments::Get().Sweep(); }
 } // namespace measuredbrdf
