@@ -15,8 +15,8 @@
  *
  * The tolerance is compared with an estimate of the error, which is no bound. Tests hold each pair
  * within 0.3 % of a fine sum with the default, from felt to mirror-like paint.
- * vtkExactRadianceIntegrator sums over the texels' centers instead: for lobes as narrow as a texel
- * that is something else.
+ * A sum over the texels' centers, as other programs do it, is something else for lobes as narrow as
+ * a texel.
  */
 
 #ifndef vtkAdaptiveRadianceIntegrator_h
@@ -70,8 +70,8 @@ protected:
 
   void CopyProperties(vtkRadianceIntegrator* source) override;
   bool Begin() override;
-  void IntegratePart(
-    int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
+  void IntegratePair(
+    const double n[3], const double o[3], const double t[3], double radiance[3]) override;
 
 private:
   vtkAdaptiveRadianceIntegrator(const vtkAdaptiveRadianceIntegrator&) = delete;

@@ -326,8 +326,8 @@ bool vtkFilteredRadianceIntegrator::Begin()
 }
 
 //------------------------------------------------------------------------------
-void vtkFilteredRadianceIntegrator::IntegratePart(
-  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
+void vtkFilteredRadianceIntegrator::IntegratePair(
+  const double n[3], const double o[3], const double t[3], double radiance[3])
 {
   const Frame frame = FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
   const glm::dvec3 view = LiftView(ToLocal(frame, glm::make_vec3(o)));

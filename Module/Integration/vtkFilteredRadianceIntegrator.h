@@ -78,8 +78,8 @@ protected:
 
   /// Fails for anisotropic materials.
   bool Begin() override;
-  void IntegratePart(
-    int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
+  void IntegratePair(
+    const double n[3], const double o[3], const double t[3], double radiance[3]) override;
 
   int NumberOfSamples = 32;
 

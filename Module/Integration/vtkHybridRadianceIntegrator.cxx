@@ -237,8 +237,8 @@ vtkSmartPointer<vtkTableRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroa
 }
 
 //------------------------------------------------------------------------------
-void vtkHybridRadianceIntegrator::IntegratePart(
-  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
+void vtkHybridRadianceIntegrator::IntegratePair(
+  const double n[3], const double o[3], const double t[3], double radiance[3])
 {
   AddTo(this->Impl->Broad, n, o, t, radiance);
   if (this->Impl->Lights)

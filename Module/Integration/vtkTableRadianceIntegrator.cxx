@@ -192,8 +192,8 @@ bool vtkTableRadianceIntegrator::MakeMaps(Precomputation& parts, Tables& made)
 }
 
 //------------------------------------------------------------------------------
-void vtkTableRadianceIntegrator::IntegratePart(
-  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
+void vtkTableRadianceIntegrator::IntegratePair(
+  const double n[3], const double o[3], const double t[3], double radiance[3])
 {
   const glm::dvec3 normal = glm::make_vec3(n);
   const glm::dvec3 view = glm::make_vec3(o);

@@ -332,10 +332,6 @@ add("Material.anisotropic-always-half-a-turn", "HalfTurn.h", "return difference 
     "return true;", "AnisotropicTable.ClothWithANapHasOnePeriod")
 add("Integration.anisotropic-axis-in-the-plane", "AnisotropicTable.cxx", "lobe.Axis.y * out.x - lobe.Axis.x * out.y, w", "0.0, w",
     "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")
-add("Integration.exact-without-cosine", "vtkExactRadianceIntegrator.cxx", "sum += cosine * f *", "sum += f *",
-    "ExactIntegrator.LambertUnderAConstantSkyHasAClosedForm")
-add("Integration.exact-leaves-out-the-last-part", "vtkExactRadianceIntegrator.cxx",
-    "(texels + TexelsPerPart - 1) / TexelsPerPart", "texels / TexelsPerPart", "ExactIntegrator.EqualsAPlainSum")
 add("Integration.filtered-lamps-without-cosine", "vtkFilteredRadianceIntegrator.cxx",
     "return i.z * f;", "return f;",
     "FilteredReference.Converges|Parity.FilteredIntegrator")
@@ -380,8 +376,10 @@ add("Integration.samples-of-the-whole-material", "vtkFilteredRadianceIntegrator.
 add("Integration.samples-do-not-interpolate", "vtkFilteredRadianceIntegrator.cxx", "a.Weight + t * (b.Weight - a.Weight)",
     "a.Weight", "Parity.FilteredIntegrator|EveryMethod.WhiteFurnaceIsTheDirectionalAlbedo")
 add("Integration.light-set-without-cosine", "vtkLightSetRadianceIntegrator.cxx",
-    "light.z * f * irradiance", "f * irradiance",
-    "LightSetIntegrator.ConvergesToTheReference")
+    "above[k].z * values[k] * irradiances[k]", "values[k] * irradiances[k]",
+    "ExactIntegrator.LambertUnderAConstantSkyHasAClosedForm|LightSetIntegrator.ConvergesToTheReference")
+add("Integration.light-set-leaves-out-the-last-lights", "vtkLightSetRadianceIntegrator.cxx",
+    "  addFound();\n  measuredbrdf::AddRGB", "  measuredbrdf::AddRGB", "ExactIntegrator.EqualsAPlainSum")
 add("Integration.spread-is-the-concentration", "Lamps.cxx",
     "concentration > 0.0 ? 1.0 / concentration : 0.0", "concentration > 0.0 ? concentration : 0.0",
     "SoftLights.LowerTheErrorOfSharpLobesAndTables")
