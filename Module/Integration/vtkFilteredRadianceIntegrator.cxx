@@ -151,7 +151,7 @@ private:
     const double rest = 1.0 - LastView * view / (NumberOfViews - 1);
     const double theta = 0.5 * Pi * (1.0 - rest * rest);
     const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
-    const LobeSampler lobe(brdf, o, nullptr, Floor);
+    const LobeSampler lobe(brdf, o, Floor);
     const float limit = static_cast<float>(lobe.GetLimit());
     Sample* sample = &this->Samples[view * this->Count];
     for (const glm::dvec2& point : points)
@@ -461,6 +461,5 @@ vtkIdType vtkFilteredRadianceIntegrator::EstimateTextureBytes()
 void vtkFilteredRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
   os << indent << "Extracted lights: " << this->GetNumberOfExtractedLights() << "\n";
 }

@@ -323,7 +323,6 @@ void vtkLightSetRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Generator: " << this->Generator.Get() << "\n";
-  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
   os << indent << "LightSet: " << this->LightSet.Get() << "\n";
   os << indent << "CurrentLightSet: " << this->GetCurrentLightSet() << "\n";
   os << indent << "SoftLights: " << (this->SoftLights ? "On" : "Off") << "\n";

@@ -302,4 +302,8 @@ void vtkRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BRDF: " << this->BRDF.Get() << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";
   os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
+  for (const Size& size : this->GetSizes())
+  {
+    os << indent << size.Name << ": " << size.Value << "\n";
+  }
 }

@@ -293,7 +293,7 @@ add("Integration.table-without-its-blur", "RadianceTable.cxx", "smoothed[b % siz
 add("Integration.no-splines-along-rows", "FieldSynthesis.cxx", "of.Above != MapPart::None && of.Below != MapPart::None", "false", "LinearSpline.*|TableReference.ErrorFallsWithSize*|AnisotropicTable.*")
 add("Integration.tiles-where-nothing-bends", "RadianceTable.cxx", "scores[a] > scores[b]", "scores[a] < scores[b]",
     "TableTiles.*")
-add("Integration.tiles-with-seams", "RadianceTable.cxx", "!tile.Inside[k]", "false",
+add("Integration.tiles-with-seams", "RadianceTable.cxx", "!tile.Own[k].IsInside", "false",
     "TableTiles.NoSeams")
 add("Integration.tiles-of-any-size", "RadianceTable.cxx", "std::ceil((others + LeastTileBytes) / BytesStep)", "std::ceil((others + LeastTileBytes) / BytesStep + 1.0)",
     "TableTiles.FillWhatIsAllowed")
@@ -633,7 +633,7 @@ add("Planning.percentiles-without-weights", "PlanComparison.cxx", "left += share
     "PlanComparison.AddsChanceAndTheReferencesError")
 add("Integration.other-half-unmirrored", "FieldSynthesis.cxx", "getOut(places.Mirror, -m) = sign * (even - odd);",
     "getOut(places.Mirror, -m) = sign * (even + odd);", "FieldSynthesis.IsTheSumOverHarmonics")
-add("Integration.tiles-without-the-lifted-rings", "RadianceTable.cxx", "LiftDarkRingsOfMap(patch.data(), Wide, Wide);", "",
+add("Integration.tiles-without-the-lifted-rings", "RadianceTable.cxx", "LiftDarkRingsOfMap(&patch[0].x, Wide, Wide);", "",
     "TableTiles.NeedTheNodesAboutThem")
 add("Integration.azimuths-turn-backwards", "RadianceTable.cxx", "gain * std::sin(angle)", "-gain * std::sin(angle)",
     "TableReference.*|TableIntegrator.*")
@@ -888,7 +888,7 @@ add("Integration.lamps-count-one-part-more", "Lamps.cxx", "CountBase * start + s
     "Parity.HybridOfWideLamps")
 add("Integration.lamps-window-with-an-edge", "Lamps.h", "x < 1.0 ? root * root : 0.0", "x < 1.0 ? 1.0 : 0.0",
     "LampWindow.EndsWithoutAnEdge|HybridLamps.NothingShowsWhereTheWindowEnds")
-add("Integration.lamps-in-the-table-again", "LobeHarmonics.cxx", "1.0 - window.GetWeight(MakeDirection", "1.0 - 0.0 * window.GetWeight(MakeDirection",
+add("Integration.lamps-in-the-table-again", "LobeHarmonics.cxx", "1.0 - LampWindow::GetWeight(MakeDirection", "1.0 - 0.0 * LampWindow::GetWeight(MakeDirection",
     "HybridLamps.AddUpToTheLamps")
 add("Integration.lamps-as-points", "vtkHybridRadianceIntegrator.cxx", "lamps ? lamps->GetSpread(", "lamps ? 0.0 * lamps->GetSpread(",
     "HybridLamps.AreAreasForNarrowLobes")

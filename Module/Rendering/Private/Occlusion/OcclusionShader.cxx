@@ -797,7 +797,7 @@ void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& ligh
     {
       SetFloats(program, "brdfSkyTurns" + number, turns);
       SetFloats(
-        program, "brdfSkyLampReach" + number, { static_cast<float>(2.0 * LampWindow().Reach) });
+        program, "brdfSkyLampReach" + number, { static_cast<float>(2.0 * LampWindow::GetReach()) });
     }
   }
 }
