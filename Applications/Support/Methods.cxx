@@ -299,10 +299,7 @@ void PlanOptions::AddTo(CLI::App* command, bool forView)
 }
 
 //------------------------------------------------------------------------------
-bool IsOnCpuOnly(const std::string& method)
-{
-  return method == "exact" || method == "reference" || method == Traced;
-}
+bool IsOnCpuOnly(const std::string& method) { return method == "reference" || method == Traced; }
 
 //------------------------------------------------------------------------------
 int Method::GetNumberOfLights() const

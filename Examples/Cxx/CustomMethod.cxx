@@ -130,8 +130,7 @@ protected:
     return true;
   }
 
-  void IntegratePart(
-    int, const double n[3], const double*, const double*, double radiance[3]) override
+  void IntegratePair(const double n[3], const double*, const double*, double radiance[3]) override
   {
     double y[9];
     EvaluateHarmonics(n, y);

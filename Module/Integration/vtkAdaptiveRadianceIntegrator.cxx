@@ -63,8 +63,8 @@ bool vtkAdaptiveRadianceIntegrator::Begin()
 }
 
 //------------------------------------------------------------------------------
-void vtkAdaptiveRadianceIntegrator::IntegratePart(
-  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
+void vtkAdaptiveRadianceIntegrator::IntegratePair(
+  const double n[3], const double o[3], const double t[3], double radiance[3])
 {
   this->SumPair(
     { glm::make_vec3(n), glm::make_vec3(o), glm::make_vec3(t) }, this->Tolerance, radiance);

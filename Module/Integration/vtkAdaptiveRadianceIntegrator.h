@@ -4,19 +4,16 @@
  * @class   vtkAdaptiveRadianceIntegrator
  * @brief   the reference: the integral itself to a tolerance, pair by pair
  *
- * It integrates f(i,o) cos(theta_i) L over the sky as vtkEnvironment defines it between texels, and
- * looks closely only where that counts. It begins with squares of many texels, each with its
- * irradiance and its mean direction, and divides the one whose four quarters differ most from it,
+ * It integrates f(i,o) cos(theta_i) L over the sky as vtkEnvironment defines it between texels. It
+ * begins with squares of many texels and divides the one whose four quarters differ most from it,
  * down to small parts of texels, until what remains is below the tolerance (globally adaptive
- * cubature, as Genz and Malik 1980 do it). Three things keep it from stopping early where a square
- * and its quarters agree by chance: squares are small in any case about directions drawn from
- * f cos(theta_i), and grow with the distance to them; a table of f's peaks tells of those between
- * the squares' points; and a quarter inherits a share of the error that it was made to find.
+ * cubature, as Genz and Malik 1980 do it). docs/methods/reference.md says what keeps it from
+ * stopping early where a square and its quarters agree by chance.
  *
  * The tolerance is compared with an estimate of the error, which is no bound. Tests hold each pair
  * within 0.3 % of a fine sum with the default, from felt to mirror-like paint.
- * vtkExactRadianceIntegrator sums over the texels' centers instead: for lobes as narrow as a texel
- * that is something else.
+ * A sum over the texels' centers, as other programs do it, is something else for lobes as narrow as
+ * a texel.
  */
 
 #ifndef vtkAdaptiveRadianceIntegrator_h
@@ -70,8 +67,8 @@ protected:
 
   void CopyProperties(vtkRadianceIntegrator* source) override;
   bool Begin() override;
-  void IntegratePart(
-    int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
+  void IntegratePair(
+    const double n[3], const double o[3], const double t[3], double radiance[3]) override;
 
 private:
   vtkAdaptiveRadianceIntegrator(const vtkAdaptiveRadianceIntegrator&) = delete;

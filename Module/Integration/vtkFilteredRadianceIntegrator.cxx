@@ -151,7 +151,7 @@ private:
     const double rest = 1.0 - LastView * view / (NumberOfViews - 1);
     const double theta = 0.5 * Pi * (1.0 - rest * rest);
     const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
-    const LobeSampler lobe(brdf, o, nullptr, Floor);
+    const LobeSampler lobe(brdf, o, Floor);
     const float limit = static_cast<float>(lobe.GetLimit());
     Sample* sample = &this->Samples[view * this->Count];
     for (const glm::dvec2& point : points)
@@ -326,8 +326,8 @@ bool vtkFilteredRadianceIntegrator::Begin()
 }
 
 //------------------------------------------------------------------------------
-void vtkFilteredRadianceIntegrator::IntegratePart(
-  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
+void vtkFilteredRadianceIntegrator::IntegratePair(
+  const double n[3], const double o[3], const double t[3], double radiance[3])
 {
   const Frame frame = FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
   const glm::dvec3 view = LiftView(ToLocal(frame, glm::make_vec3(o)));
@@ -461,6 +461,5 @@ vtkIdType vtkFilteredRadianceIntegrator::EstimateTextureBytes()
 void vtkFilteredRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
   os << indent << "Extracted lights: " << this->GetNumberOfExtractedLights() << "\n";
 }

@@ -16,12 +16,10 @@
  * material: samples of a broad lobe miss small panels, lights do not. Texels much brighter than the
  * rest (a sun) are taken out first and added as directional lights.
  *
- * What is not exact: the environment's blur (it is as wide as the samples' spacing, also beyond a
- * sharp edge of the lobe; round, where lobes are stretched at grazing views); the lights'
- * directions; the interpolation between 128 views and the map's resolution, at most 1024 x 1024
- * texels of equal area. All but the last two vanish as N grows. The samples turn with the view's
- * azimuth: where the view comes along the normal, too few of them show as rays about that point.
- * Views closer to the horizon than 1.1 degrees are taken there, as the shader takes them.
+ * Not exact are the environment's blur, which is round and as wide as the samples' spacing, and the
+ * lights' directions, both less so as N grows; the interpolation between 128 views; and the map's
+ * resolution, at most 1024 x 1024 texels of equal area. Views closer to the horizon than 1.1
+ * degrees are taken there, as the shader takes them.
  */
 
 #ifndef vtkFilteredRadianceIntegrator_h
@@ -78,8 +76,8 @@ protected:
 
   /// Fails for anisotropic materials.
   bool Begin() override;
-  void IntegratePart(
-    int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
+  void IntegratePair(
+    const double n[3], const double o[3], const double t[3], double radiance[3]) override;
 
   int NumberOfSamples = 32;
 

@@ -32,9 +32,6 @@ namespace
 {
 constexpr int SmallTableRows = 33; // beside maps
 
-// Degree of the blur where lamps stay in the map: the table's rows would show in a narrower halo.
-constexpr double HaloDegree = 2.0;
-
 // A planner's lamps of many texels are several lights (degrees) where more than so much of the
 // albedo lies in lobes narrower than twice LampAngle.
 constexpr double FineLampAngle = 0.6;
@@ -228,17 +225,12 @@ vtkSmartPointer<vtkTableRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroa
   table->SetNumberOfMaps(this->NumberOfMaps);
   table->SetNumberOfMapRows(std::min(this->NumberOfRows, 512));
   table->SetQuick(this->Quick && !hasMaps);
-  if (hasMaps && this->MaximumNumberOfLights == 0 &&
-      this->CountLights(this->LightAngle, PlannedLights) > 0)
-  {
-    table->SetSmoothingDegree(HaloDegree);
-  }
   return table;
 }
 
 //------------------------------------------------------------------------------
-void vtkHybridRadianceIntegrator::IntegratePart(
-  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
+void vtkHybridRadianceIntegrator::IntegratePair(
+  const double n[3], const double o[3], const double t[3], double radiance[3])
 {
   AddTo(this->Impl->Broad, n, o, t, radiance);
   if (this->Impl->Lights)
@@ -384,7 +376,7 @@ double vtkHybridRadianceIntegrator::EstimateCost()
   double lights = count;
   if (this->IsWindowed(count))
   {
-    lights = Finding + count * (Found + LampWindow().GetShare());
+    lights = Finding + count * (Found + LampWindow::GetShare());
   }
   return this->NewBroad()->EstimateCost() + PixelCosts::Light * lights;
 }
@@ -403,11 +395,6 @@ vtkIdType vtkHybridRadianceIntegrator::EstimateTextureBytes()
 void vtkHybridRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfRows: " << this->NumberOfRows << "\n";
-  os << indent << "NumberOfViewAngles: " << this->NumberOfViewAngles << "\n";
-  os << indent << "NumberOfAzimuths: " << this->NumberOfAzimuths << "\n";
-  os << indent << "NumberOfMaps: " << this->NumberOfMaps << "\n";
-  os << indent << "MaximumNumberOfLights: " << this->MaximumNumberOfLights << "\n";
   os << indent << "LightAngle: " << this->LightAngle << "\n";
   os << indent << "Quick: " << (this->Quick ? "On" : "Off") << "\n";
   os << indent << "Lights: " << this->GetNumberOfLights() << "\n";

@@ -128,8 +128,8 @@ protected:
   void CopyProperties(vtkRadianceIntegrator* source) override;
   /// Fails for anisotropic materials with maps.
   bool Begin() override;
-  void IntegratePart(
-    int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
+  void IntegratePair(
+    const double n[3], const double o[3], const double t[3], double radiance[3]) override;
 
   int NumberOfRows = 33;
   int NumberOfViewAngles = 12;

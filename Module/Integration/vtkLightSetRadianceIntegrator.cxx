@@ -6,6 +6,7 @@
 #include "DirectionPairs.h"
 #include "EnvironmentPrecomputation.h"
 #include "Lamps.h"
+#include "LightLanes.h"
 #include "LocalFrame.h"
 #include "ModuleShader.h"
 #include "ScopedErrorCapture.h"
@@ -34,6 +35,7 @@ using measuredbrdf::MakeLightTexture;
 namespace
 {
 constexpr int MaximumUnrolled = 16;
+constexpr std::size_t LightsAtOnce = 128;
 const int PlannedCounts[] = { 64, 256, 1024, 4096 };
 constexpr int MostPlannedLights = 256; // more cost seconds a frame without a graphics card
 
@@ -84,6 +86,20 @@ void AddLightUniforms(vtkLightSet* lights, vtkBRDFShaderInputs::Term& term)
 vtkStandardNewMacro(vtkLightSetRadianceIntegrator);
 
 //------------------------------------------------------------------------------
+struct vtkLightSetRadianceIntegrator::Internals
+{
+  struct Light
+  {
+    glm::dvec3 Direction, Irradiance;
+    double Spread;
+  };
+  vtkSmartPointer<vtkLightSet> Set;
+  vtkSmartPointer<vtkBRDF> Shaded; // the material, or what knows soft light of it
+  measuredbrdf::LightLanes Lanes;  // of it
+  std::vector<Light> Lights;
+};
+
+//------------------------------------------------------------------------------
 vtkLightSetRadianceIntegrator::vtkLightSetRadianceIntegrator() = default;
 
 //------------------------------------------------------------------------------
@@ -102,7 +118,10 @@ vtkLightSet* vtkLightSetRadianceIntegrator::GetLightSet() { return this->LightSe
 vtkLightSetGenerator* vtkLightSetRadianceIntegrator::GetGenerator() { return this->Generator; }
 
 //------------------------------------------------------------------------------
-vtkLightSet* vtkLightSetRadianceIntegrator::GetCurrentLightSet() { return this->Current; }
+vtkLightSet* vtkLightSetRadianceIntegrator::GetCurrentLightSet()
+{
+  return this->Prepared ? this->Prepared->Set.Get() : nullptr;
+}
 
 //------------------------------------------------------------------------------
 bool vtkLightSetRadianceIntegrator::NeedsEnvironment() { return !this->LightSet; }
@@ -121,9 +140,17 @@ bool vtkLightSetRadianceIntegrator::Begin()
     vtkErrorMacro("Prepare: " << problem);
     return false;
   }
-  this->Current = lights;
-  this->Shaded = this->SoftLights ? this->BRDF->GetRenderable() : this->BRDF.Get();
-  this->Shaded->Prepare();
+  const vtkSmartPointer<vtkBRDF> shaded =
+    this->SoftLights ? this->BRDF->GetRenderable() : this->BRDF.Get();
+  shaded->Prepare();
+  this->Prepared.reset(new Internals{ lights, shaded, measuredbrdf::LightLanes(shaded), {} });
+  for (int k = 0; k < lights->GetNumberOfLights(); ++k)
+  {
+    Internals::Light light{ {}, {}, this->SoftLights ? GetSpread(lights, k) : 0.0 };
+    lights->GetDirection(k, &light.Direction.x);
+    lights->GetIrradiance(k, &light.Irradiance.x);
+    this->Prepared->Lights.push_back(light);
+  }
   return true;
 }
 
@@ -146,27 +173,46 @@ vtkSmartPointer<vtkLightSet> vtkLightSetRadianceIntegrator::MakeLights(std::stri
 }
 
 //------------------------------------------------------------------------------
-void vtkLightSetRadianceIntegrator::IntegratePart(
-  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
+void vtkLightSetRadianceIntegrator::IntegratePair(
+  const double n[3], const double o[3], const double t[3], double radiance[3])
 {
   const measuredbrdf::Frame frame = measuredbrdf::FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
   // As the shader does, so that both agree at silhouettes.
   const glm::dvec3 view = measuredbrdf::LiftView(measuredbrdf::ToLocal(frame, glm::make_vec3(o)));
-  for (int k = 0; k < this->Current->GetNumberOfLights(); ++k)
+  std::array<glm::dvec3, LightsAtOnce> above, irradiances, values;
+  std::size_t found = 0;
+  glm::dvec3 sum(0.0);
+  const auto addFound = [&]()
   {
-    glm::dvec3 direction;
-    glm::dvec3 irradiance;
-    this->Current->GetDirection(k, &direction.x);
-    this->Current->GetIrradiance(k, &irradiance.x);
-    const glm::dvec3 light = measuredbrdf::ToLocal(frame, direction);
-    if (light.z > 0.0)
+    if (this->InLanes)
     {
-      glm::dvec3 f;
-      const double spread = this->SoftLights ? GetSpread(this->Current, k) : 0.0;
-      this->Shaded->EvaluateSoft(&light.x, &view.x, spread, &f.x);
-      measuredbrdf::AddRGB(light.z * f * irradiance, radiance);
+      this->Prepared->Lanes.Evaluate(found, above.data(), view, values.data());
+    }
+    for (std::size_t k = 0; k < found; ++k)
+    {
+      sum += above[k].z * values[k] * irradiances[k];
+    }
+    found = 0;
+  };
+  for (const Internals::Light& light : this->Prepared->Lights)
+  {
+    above[found] = measuredbrdf::ToLocal(frame, light.Direction);
+    if (above[found].z > 0.0)
+    {
+      if (!this->InLanes)
+      {
+        this->Prepared->Shaded->EvaluateSoft(
+          &above[found].x, &view.x, light.Spread, &values[found].x);
+      }
+      irradiances[found++] = light.Irradiance;
+    }
+    if (found == LightsAtOnce)
+    {
+      addFound();
     }
   }
+  addFound();
+  measuredbrdf::AddRGB(sum, radiance);
 }
 
 //------------------------------------------------------------------------------
@@ -176,7 +222,8 @@ bool vtkLightSetRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& inputs)
   {
     return false;
   }
-  const int count = this->Current->GetNumberOfLights();
+  vtkLightSet* const lights = this->Prepared->Set;
+  const int count = lights->GetNumberOfLights();
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFLightSet", vtkBRDFLightSet);
   auto* areas = LampBRDF::SafeDownCast(this->BRDF);
@@ -191,11 +238,11 @@ bool vtkLightSetRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& inputs)
                                            : "brdfEvaluate(i, o)" });
   if (this->Unrolled && count <= MaximumUnrolled)
   {
-    AddLightUniforms(this->Current, term);
+    AddLightUniforms(lights, term);
   }
   else
   {
-    AddLightTexture(this->Current, term);
+    AddLightTexture(lights, term);
   }
   inputs = vtkBRDFShaderInputs();
   inputs.Description =
@@ -276,9 +323,8 @@ void vtkLightSetRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Generator: " << this->Generator.Get() << "\n";
-  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
   os << indent << "LightSet: " << this->LightSet.Get() << "\n";
-  os << indent << "CurrentLightSet: " << this->Current.Get() << "\n";
+  os << indent << "CurrentLightSet: " << this->GetCurrentLightSet() << "\n";
   os << indent << "SoftLights: " << (this->SoftLights ? "On" : "Off") << "\n";
   os << indent << "Unrolled: " << (this->Unrolled ? "On" : "Off") << "\n";
 }

@@ -5,7 +5,8 @@
  * @brief   the thesis's light loop: the sum over a light set (CPU twin of the mapper's shader)
  *
  * L_o = sum_j f(i_j,o) cos(theta_j) E_j (thesis 2.3.2). The lights come from the environment by a
- * generator. A light set of the program's own may take their place: it lives in the environment's
+ * generator; as many lights as the environment has texels are the sum over the texels' centers. A
+ * light set of the program's own may take their place: it lives in the environment's
  * frame, and an environment is then only needed for its rotation and may be missing. Views closer
  * to the horizon than 1.1 degrees are taken there, as the shader takes them.
  *
@@ -19,6 +20,8 @@
 #define vtkLightSetRadianceIntegrator_h
 
 #include "vtkRadianceIntegrator.h"
+
+#include <memory> // for Internals
 
 class vtkLightSet;
 class vtkLightSetGenerator;
@@ -72,6 +75,12 @@ public:
   vtkBooleanMacro(SoftLights, bool);
   ///@}
 
+#ifndef __VTK_WRAP__
+  /// For planners: evaluate hard lights many at a time, in single precision, where the material
+  /// can.
+  void SetInLanes(bool inLanes) { this->InLanes = inLanes; }
+#endif
+
   ///@{
   /**
    * Whether the shader has up to 16 lights written one by one; default off. Software renderers draw
@@ -107,19 +116,20 @@ protected:
 
   void CopyProperties(vtkRadianceIntegrator* source) override;
   bool Begin() override;
-  void IntegratePart(
-    int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
+  void IntegratePair(
+    const double n[3], const double o[3], const double t[3], double radiance[3]) override;
 
   vtkSmartPointer<vtkLightSetGenerator> Generator;
   int NumberOfLights = 64;
   vtkSmartPointer<vtkLightSet> LightSet;
-  vtkSmartPointer<vtkLightSet> Current;
-  vtkSmartPointer<vtkBRDF> Shaded; // the material, or what knows soft light of it
   bool SoftLights = false;
   bool Unrolled = false;
 
 private:
+  bool InLanes = false;
   vtkSmartPointer<vtkLightSet> MakeLights(std::string& problem);
+  struct Internals;
+  std::unique_ptr<Internals> Prepared; // null: nothing yet
 
   vtkLightSetRadianceIntegrator(const vtkLightSetRadianceIntegrator&) = delete;
   void operator=(const vtkLightSetRadianceIntegrator&) = delete;

@@ -202,31 +202,22 @@ std::vector<std::vector<int>> vtkRadianceIntegrator::GetCandidateSizes(bool) { r
 bool vtkRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs&) { return false; }
 
 //------------------------------------------------------------------------------
-// Each pair in parts.
 bool vtkRadianceIntegrator::Integrate(
   vtkDataArray* normals, vtkDataArray* views, vtkDataArray* radiance, vtkDataArray* tangents)
 {
-  std::vector<double> parts;
-  const auto sumPairs = [&](const vtkDirectionPair* pairs, vtkIdType size, double* sums)
+  const auto sumPairs = [this](const vtkDirectionPair* pairs, vtkIdType count, double* sums)
   {
-    const vtkIdType count = std::max(this->GetNumberOfParts(), 1);
-    parts.assign(3 * static_cast<std::size_t>(size * count), 0.0);
     measuredbrdf::ParallelForEach(
-      size * count,
-      [&](vtkIdType item)
+      count,
+      [&](vtkIdType k)
       {
-        const vtkDirectionPair& pair = pairs[item / count];
+        const vtkDirectionPair& pair = pairs[k];
         if (glm::dot(pair.Normal, pair.View) > 0.0)
         {
-          this->IntegratePart(static_cast<int>(item % count), &pair.Normal.x, &pair.View.x,
-            &pair.Tangent.x, &parts[3 * item]);
+          this->IntegratePair(&pair.Normal.x, &pair.View.x, &pair.Tangent.x, &sums[3 * k]);
         }
       },
       &this->Abort, 0);
-    for (vtkIdType k = 0; k < 3 * size * count; ++k)
-    {
-      sums[k / (3 * count) * 3 + k % 3] += parts[k];
-    }
   };
   return this->IntegrateGroups("Integrate", normals, views, radiance, tangents, 1, sumPairs);
 }
@@ -311,4 +302,8 @@ void vtkRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BRDF: " << this->BRDF.Get() << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";
   os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
+  for (const Size& size : this->GetSizes())
+  {
+    os << indent << size.Name << ": " << size.Value << "\n";
+  }
 }

@@ -206,14 +206,10 @@ protected:
   /// Raise ProgressEvent; returns whether to go on.
   bool Report(double progress);
 
-  /// How many parts the sum of one pair has: threads share pairs and parts alike, so one pair may
-  /// keep all of them busy. The result does not depend on the number of threads.
-  virtual int GetNumberOfParts() { return 1; }
-
-  /// Add one part of one pair's radiance: unit n and o (environment frame), t = unit tangent or
-  /// zero, n.o > 0. Thread safe.
-  virtual void IntegratePart(
-    int part, const double n[3], const double o[3], const double t[3], double radiance[3]) = 0;
+  /// Add one pair's radiance: unit n and o (environment frame), t = unit tangent or zero, n.o > 0.
+  /// Thread safe.
+  virtual void IntegratePair(
+    const double n[3], const double o[3], const double t[3], double radiance[3]) = 0;
 
   using SumGroups =
     std::function<void(const vtkDirectionPair* pairs, vtkIdType groups, double* sums)>;
@@ -223,12 +219,11 @@ protected:
   bool IntegrateGroups(const char* method, vtkDataArray* normals, vtkDataArray* views,
     vtkDataArray* radiance, vtkDataArray* tangents, vtkIdType size, const SumGroups& sum);
 
-  /// For integrators that are made of others: IntegratePart of a prepared one whose sum is one
-  /// part.
+  /// For integrators that are made of others: IntegratePair of a prepared one.
   static void AddTo(vtkRadianceIntegrator* integrator, const double n[3], const double o[3],
     const double t[3], double radiance[3])
   {
-    integrator->IntegratePart(0, n, o, t, radiance);
+    integrator->IntegratePair(n, o, t, radiance);
   }
 
   /// For them, too: prepare one of the others. Its progress is this one's, and it stops where this

@@ -5,7 +5,6 @@
 #include "Printable.h"
 #include "Registry.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
-#include "vtkExactRadianceIntegrator.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLightSetRadianceIntegrator.h"
@@ -26,7 +25,7 @@ Methods MakeOwnMethods()
 {
   Methods methods = Registry<vtkRadianceIntegrator>::Make<vtkTableRadianceIntegrator,
     vtkHybridRadianceIntegrator, vtkLightSetRadianceIntegrator, vtkFilteredRadianceIntegrator,
-    vtkAdaptiveRadianceIntegrator, vtkExactRadianceIntegrator>();
+    vtkAdaptiveRadianceIntegrator>();
   for (const auto& method : methods)
   {
     if (auto* lights = vtkLightSetRadianceIntegrator::SafeDownCast(method))

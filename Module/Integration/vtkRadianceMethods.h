@@ -5,7 +5,7 @@
  * @brief   the methods that integrate an environment's light which this program knows
  *
  * A method is a vtkRadianceIntegrator that serves as a model for others. Those of the module come
- * first: table, hybrid, light-set, filtered, reference, exact.
+ * first: table, hybrid, light-set, filtered, reference.
  * A program adds its own by Register. Planners, mappers and every program that asks here then know
  * it, at once. Any thread may call these methods.
  */

@@ -34,9 +34,10 @@ struct vtkTableRadianceIntegrator::Tables
 
 namespace
 {
-constexpr int NodesOfTiles = 2;      // times NumberOfNodes, where there are tiles
-constexpr int KnotsPerViewAngle = 4; // of the kernels that the maps are made of
-constexpr int KernelNodes = 64;      // likewise
+constexpr int NodesOfTiles = 2;         // times NumberOfNodes, where there are tiles
+constexpr double SmoothingDegree = 4.0; // about which a table hands over to its maps
+constexpr int KnotsPerViewAngle = 4;    // of the kernels that the maps are made of
+constexpr int KernelNodes = 64;         // likewise
 constexpr int MostAnisotropicAngles = 32;
 }
 
@@ -149,8 +150,8 @@ bool vtkTableRadianceIntegrator::MakeTable(Precomputation& parts, Tables& made)
   }
   else
   {
-    scale = SynthesizeRadiance({ *harmonics, this->Lamps ? all.get() : nullptr, {} }, knots, degree,
-      this->NumberOfMaps > 0 ? this->SmoothingDegree : 0.0, report, table);
+    scale = SynthesizeRadiance({ *harmonics, this->Lamps ? all.get() : nullptr }, knots, degree,
+      this->NumberOfMaps > 0 ? SmoothingDegree : 0.0, report, table);
     MakeProfile(parts.GetViews(this->BRDF, this->Abort), knots, scale, table);
   }
   if (scale > 0.0 && table.HasFloor)
@@ -184,7 +185,7 @@ bool vtkTableRadianceIntegrator::MakeMaps(Precomputation& parts, Tables& made)
   }
   RadianceTable table(this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths);
   MakeProfile(views, tableKnots, 1.0, table);
-  const CoreKernels kernels{ knots, tableKnots, table, this->SmoothingDegree, this->NumberOfMapRows,
+  const CoreKernels kernels{ knots, tableKnots, table, SmoothingDegree, this->NumberOfMapRows,
     degree };
   made.Maps = std::make_unique<RadianceCore>(this->NumberOfMapRows);
   return made.Maps->Make(*harmonics, views, kernels, this->NumberOfMaps,
@@ -192,8 +193,8 @@ bool vtkTableRadianceIntegrator::MakeMaps(Precomputation& parts, Tables& made)
 }
 
 //------------------------------------------------------------------------------
-void vtkTableRadianceIntegrator::IntegratePart(
-  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
+void vtkTableRadianceIntegrator::IntegratePair(
+  const double n[3], const double o[3], const double t[3], double radiance[3])
 {
   const glm::dvec3 normal = glm::make_vec3(n);
   const glm::dvec3 view = glm::make_vec3(o);
@@ -240,7 +241,6 @@ measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfAzimuths, int, 4
 measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfViewAzimuths, int, 2, 32);
 measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfMaps, int, 0, 32);
 measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfMapRows, int, 8, 512);
-measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, SmoothingDegree, double, 1.0, 64.0);
 measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfNodes, int, 16, 1024);
 
 //------------------------------------------------------------------------------
@@ -272,7 +272,6 @@ void vtkTableRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
   {
     this->SetNumberOfMaps(table->NumberOfMaps);
     this->SetNumberOfMapRows(table->NumberOfMapRows);
-    this->SetSmoothingDegree(table->SmoothingDegree);
     this->SetNumberOfNodes(table->NumberOfNodes);
     this->SetQuick(table->Quick);
   }
@@ -323,13 +322,8 @@ vtkIdType vtkTableRadianceIntegrator::EstimateTextureBytes()
 void vtkTableRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfRows: " << this->NumberOfRows << "\n";
-  os << indent << "NumberOfViewAngles: " << this->NumberOfViewAngles << "\n";
-  os << indent << "NumberOfAzimuths: " << this->NumberOfAzimuths << "\n";
-  os << indent << "NumberOfViewAzimuths: " << this->NumberOfViewAzimuths << "\n";
   os << indent << "NumberOfMaps: " << this->NumberOfMaps << "\n";
   os << indent << "NumberOfMapRows: " << this->NumberOfMapRows << "\n";
-  os << indent << "SmoothingDegree: " << this->SmoothingDegree << "\n";
   os << indent << "NumberOfNodes: " << this->NumberOfNodes << "\n";
   os << indent << "Quick: " << (this->Quick ? "On" : "Off") << "\n";
 }

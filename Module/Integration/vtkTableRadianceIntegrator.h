@@ -5,55 +5,32 @@
  * @brief   outgoing radiance, integrated ahead of time into a table: a few fetches a pixel
  *
  * For an isotropic BRDF under a distant environment, radiance depends on the normal and the view
- * alone. Per view angle theta_o the kernel f cos(theta_i) is split into a Lambert part c(theta_o)
- * cos(theta_i), which needs the irradiance E over the normal only, and the rest, which is seen
- * about its own mean direction, an axis in the plane of incidence at angle delta(theta_o) from the
- * normal (weighted by the cube of the rest: near the mirror direction for gloss, near the normal
- * for felt). Carried into the world, the rest's radiance T depends on the axis' direction D, on
- * theta_o and on the azimuth psi of the plane of incidence about D, to first order on D alone:
+ * alone. For each polar angle theta_o of the view the kernel f cos(theta_i) is split into a Lambert
+ * part, c(theta_o) cos(theta_i), and the rest, which is seen about its own mean direction: near the
+ * mirror direction for gloss, near the normal for felt. With D that direction in the world, psi the
+ * azimuth of the plane of incidence about it, and E the irradiance,
  *
  *   L_o = c(theta_o) E(n) + s(theta_o) T(D, theta_o, psi)
  *
- * s, near 1, sees to it that between the table's view angles a constant environment comes out as
- * the directional albedo. T is a 3D texture: azimuth of D; polar angle of D; psi within view
- * angles. Two trilinear fetches interpolate it linearly in all four, whatever the light. Rows lie
- * on the poles and D's azimuth and psi are taken in the meridian's frame, so there is no seam and
- * no pole to interpolate across.
+ * s is near 1 and keeps the directional albedo exact. T is a 3D texture, which two trilinear
+ * fetches interpolate in all four quantities. It is a convolution over the rotation group
+ * (Kostelec, Rockmore 2008; Ramamoorthi, Hanrahan 2002). docs/methods/tables.md has the formulas,
+ * the cost and the errors.
  *
- * Building it is a convolution over the rotation group: with the environment's harmonics a_lm and
- * the kernel's harmonics b_lk about its axis, T = sum over l, m, k of b_lk D^l_mk(D, psi)
- * conj(a_lm), synthesized by Wigner's d functions over D's polar angle and fast Fourier transforms
- * over both azimuths (Kostelec, Rockmore 2008; reparameterization by a lobe's direction:
- * Ramamoorthi, Hanrahan 2002). Every texel of the environment takes part; the
- * last degrees fade out. What is stored are the linear splines of least squared error, and dark
- * rings about lamps that are sharper than the rows are lifted.
+ * **Anisotropic materials**: T has the view's azimuth as a fifth quantity, and psi is the azimuth
+ * of the tangent. Four trilinear fetches interpolate it.
  *
- * **Anisotropic materials** depend on the frame of normal and tangent and on the view's polar angle
- * and azimuth in it. T then has the view's azimuth as a fifth quantity, and psi is the azimuth of
- * the tangent. Narrow lobes need many rows: vtkLightSetRadianceIntegrator with soft lights takes no
- * memory.
+ * **Maps** (isotropic materials): the sharp part of a mirror-like lobe depends on theta_o and psi
+ * in few ways. A small table then has what a blur leaves of the kernels, and maps A_k and B_k over
+ * D have what it lacks (docs/methods/factored.md):
  *
- * **Maps** (isotropic materials): a table that does justice to a mirror-like lobe takes tens of
- * megabytes, as it has a fine map over D for every view angle and azimuth. But the sharp part of
- * these maps depends on the two in few ways. So the kernels are cut in two by degree: what a blur
- * leaves of them is the business of a small table, and what that lacks of them is factored,
+ *   sum over k of W_k(theta_o) (cos(m_k psi) A_k(D) + sin(m_k psi) B_k(D))
  *
- *   sum over k of W_k(theta_o) (cos(m_k psi) A_k(D) + sin(m_k psi) B_k(D)),
+ * This is the pair of textures of O'Toole 2007, coefficients and functions, with the light in one
+ * of them. Each map costs a bilinear fetch.
  *
- * by singular values of the kernels' harmonics, for each azimuthal order m, weighted by what the
- * environment has of each degree (its power to the 3/2, which serves the absolute error). A_k and
- * B_k are fine maps, each the environment convolved with one function. This is the pair of textures
- * of O'Toole 2007, coefficients and functions, with the light in one of them.
- *
- * Cost: 2 trilinear fetches a pixel, one texel of a profile over theta_o, a bilinear fetch of E
- * where there is a Lambert part, with tiles one of a single texel, and a bilinear one for each map;
- * of anisotropic materials 4 trilinear fetches and 3 of the profile. Errors: linear interpolation
- * in the quantities and the harmonics' degree, second order where radiance is smooth, first order
- * where the horizon cuts a bright light; and the modes that maps leave out.
- *
- * Isotropic BRDFs are taken as symmetric about the plane of incidence, f(theta_i, theta_o, phi) =
- * f(theta_i, theta_o, -phi), as nearly all isotropic materials are: of one that is not, the mean of
- * both is integrated. Views closer to the horizon than 1.1 degrees are taken there.
+ * Of an isotropic BRDF that is not symmetric about the plane of incidence the mean of both sides is
+ * integrated. Views closer to the horizon than 1.1 degrees are taken there.
  */
 
 #ifndef vtkTableRadianceIntegrator_h
@@ -97,17 +74,15 @@ public:
   ///@{
   /**
    * Maps of the sharp part at most (default 0, in [0, 32]; a mode takes one, or two where it
-   * depends on the azimuth), their rows (default 256, in [8, 512]; twice as many columns), and the
-   * degree about which the table hands over to them (default 4, in [1, 64]). The maps' values lie
-   * at cells' centers, as an environment's do: with as many rows as the environment has, they show
-   * what a mirror shows. Prepare fails where the material is anisotropic.
+   * depends on the azimuth), and their rows (default 256, in [8, 512]; twice as many columns). The
+   * table hands over to them about degree 4. The maps' values lie at cells' centers, as an
+   * environment's do: with as many rows as the environment has, they show what a mirror shows.
+   * Prepare fails where the material is anisotropic.
    */
   virtual void SetNumberOfMaps(int numberOfMaps);
   vtkGetMacro(NumberOfMaps, int);
   virtual void SetNumberOfMapRows(int numberOfMapRows);
   vtkGetMacro(NumberOfMapRows, int);
-  virtual void SetSmoothingDegree(double smoothingDegree);
-  vtkGetMacro(SmoothingDegree, double);
   ///@}
 
   ///@{
@@ -168,8 +143,8 @@ protected:
 
   void CopyProperties(vtkRadianceIntegrator* source) override;
   bool Begin() override;
-  void IntegratePart(
-    int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
+  void IntegratePair(
+    const double n[3], const double o[3], const double t[3], double radiance[3]) override;
 
   int NumberOfRows = 65;
   int NumberOfViewAngles = 16;
@@ -177,7 +152,6 @@ protected:
   int NumberOfViewAzimuths = 8;
   int NumberOfMaps = 0;
   int NumberOfMapRows = 256;
-  double SmoothingDegree = 4.0;
   int NumberOfNodes = 64;
   bool Quick = false;
 

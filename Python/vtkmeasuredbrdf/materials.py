@@ -250,8 +250,7 @@ def integrate(
         Shape (3,) or (..., 3): the local frame's x axis, for anisotropic materials. None: any.
     method
         A name (`vtkRadianceMethods`): "reference" (default, each pair within 0.3 %), "table", "hybrid",
-        "light-set", "filtered", "exact" (the sum over the texels' centers: slow); or a `vtkRadianceIntegrator`, of
-        which a copy is used.
+        "light-set", "filtered"; or a `vtkRadianceIntegrator`, of which a copy is used.
     sizes
         The method's sizes (`vtkRadianceIntegrator.GetSizesText`), the most important one first.
     tolerance

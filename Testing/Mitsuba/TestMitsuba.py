@@ -14,6 +14,7 @@ INTEGRAL = 0.003  # of the reference
 SAMPLED = 0.005  # and four standard errors
 QUIET = 0.01  # relative standard error up to which sampled figures are compared: eight runs do not tell that of rare peaks
 SUM_STEP = 3  # every third pair's sum: every material and map has some
+TEXELS = ("--method", "light-set", "--light-set", "variance", "--lights", "1048576")  # at their centers
 FEW_NEGATIVE = 0.001  # how much of the radiance negative values may take for the sampled figures to be comparable
 
 
@@ -23,7 +24,7 @@ def integrate(program, method, material, environment, pairs):
         for pair in pairs:
             file.write(",".join(map(repr, pair["normal"] + pair["view"])) + "\n")
         file.flush()
-        command = [program, "integrate", material, "--environment", environment, "--method", method]
+        command = [program, "integrate", material, "--environment", environment, *method]
         made = subprocess.run([*command, "--pairs", file.name], stdout=subprocess.PIPE, text=True, check=True)
     return [[float(row[c]) for c in "rgb"] for row in csv.DictReader(made.stdout.splitlines())]
 
@@ -47,9 +48,9 @@ def main():
         material = os.path.join(shared, "materials", "rgl", name + "_rgb.bsdf")
         worst = farthest = noisy = noise = 0.0
         pairs = result["pairs"]
-        integrals = integrate(program, "reference", material, light, pairs)
+        integrals = integrate(program, ("--method", "reference"), material, light, pairs)
         summed = pairs[::SUM_STEP]
-        sums = integrate(program, "exact", material, light, summed)
+        sums = integrate(program, TEXELS, material, light, summed)
         assert len(sums) == len(summed), f"{len(sums)} sums of {len(summed)} pairs"
         sums = iter(sums)
         for k, (integral, pair) in enumerate(zip(integrals, pairs, strict=True)):

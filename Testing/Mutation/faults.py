@@ -293,7 +293,7 @@ add("Integration.table-without-its-blur", "RadianceTable.cxx", "smoothed[b % siz
 add("Integration.no-splines-along-rows", "FieldSynthesis.cxx", "of.Above != MapPart::None && of.Below != MapPart::None", "false", "LinearSpline.*|TableReference.ErrorFallsWithSize*|AnisotropicTable.*")
 add("Integration.tiles-where-nothing-bends", "RadianceTable.cxx", "scores[a] > scores[b]", "scores[a] < scores[b]",
     "TableTiles.*")
-add("Integration.tiles-with-seams", "RadianceTable.cxx", "!tile.Inside[k]", "false",
+add("Integration.tiles-with-seams", "RadianceTable.cxx", "!tile.Own[k].IsInside", "false",
     "TableTiles.NoSeams")
 add("Integration.tiles-of-any-size", "RadianceTable.cxx", "std::ceil((others + LeastTileBytes) / BytesStep)", "std::ceil((others + LeastTileBytes) / BytesStep + 1.0)",
     "TableTiles.FillWhatIsAllowed")
@@ -332,10 +332,6 @@ add("Material.anisotropic-always-half-a-turn", "HalfTurn.h", "return difference 
     "return true;", "AnisotropicTable.ClothWithANapHasOnePeriod")
 add("Integration.anisotropic-axis-in-the-plane", "AnisotropicTable.cxx", "lobe.Axis.y * out.x - lobe.Axis.x * out.y, w", "0.0, w",
     "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")
-add("Integration.exact-without-cosine", "vtkExactRadianceIntegrator.cxx", "sum += cosine * f *", "sum += f *",
-    "ExactIntegrator.LambertUnderAConstantSkyHasAClosedForm")
-add("Integration.exact-leaves-out-the-last-part", "vtkExactRadianceIntegrator.cxx",
-    "(texels + TexelsPerPart - 1) / TexelsPerPart", "texels / TexelsPerPart", "ExactIntegrator.EqualsAPlainSum")
 add("Integration.filtered-lamps-without-cosine", "vtkFilteredRadianceIntegrator.cxx",
     "return i.z * f;", "return f;",
     "FilteredReference.Converges|Parity.FilteredIntegrator")
@@ -380,8 +376,10 @@ add("Integration.samples-of-the-whole-material", "vtkFilteredRadianceIntegrator.
 add("Integration.samples-do-not-interpolate", "vtkFilteredRadianceIntegrator.cxx", "a.Weight + t * (b.Weight - a.Weight)",
     "a.Weight", "Parity.FilteredIntegrator|EveryMethod.WhiteFurnaceIsTheDirectionalAlbedo")
 add("Integration.light-set-without-cosine", "vtkLightSetRadianceIntegrator.cxx",
-    "light.z * f * irradiance", "f * irradiance",
-    "LightSetIntegrator.ConvergesToTheReference")
+    "above[k].z * values[k] * irradiances[k]", "values[k] * irradiances[k]",
+    "ExactIntegrator.LambertUnderAConstantSkyHasAClosedForm|LightSetIntegrator.ConvergesToTheReference")
+add("Integration.light-set-leaves-out-the-last-lights", "vtkLightSetRadianceIntegrator.cxx",
+    "  addFound();\n  measuredbrdf::AddRGB", "  measuredbrdf::AddRGB", "ExactIntegrator.EqualsAPlainSum")
 add("Integration.spread-is-the-concentration", "Lamps.cxx",
     "concentration > 0.0 ? 1.0 / concentration : 0.0", "concentration > 0.0 ? concentration : 0.0",
     "SoftLights.LowerTheErrorOfSharpLobesAndTables")
@@ -635,7 +633,7 @@ add("Planning.percentiles-without-weights", "PlanComparison.cxx", "left += share
     "PlanComparison.AddsChanceAndTheReferencesError")
 add("Integration.other-half-unmirrored", "FieldSynthesis.cxx", "getOut(places.Mirror, -m) = sign * (even - odd);",
     "getOut(places.Mirror, -m) = sign * (even + odd);", "FieldSynthesis.IsTheSumOverHarmonics")
-add("Integration.tiles-without-the-lifted-rings", "RadianceTable.cxx", "LiftDarkRingsOfMap(patch.data(), Wide, Wide);", "",
+add("Integration.tiles-without-the-lifted-rings", "RadianceTable.cxx", "LiftDarkRingsOfMap(&patch[0].x, Wide, Wide);", "",
     "TableTiles.NeedTheNodesAboutThem")
 add("Integration.azimuths-turn-backwards", "RadianceTable.cxx", "gain * std::sin(angle)", "-gain * std::sin(angle)",
     "TableReference.*|TableIntegrator.*")
@@ -888,7 +886,7 @@ add("Integration.lamps-count-one-part-more", "Lamps.cxx", "CountBase * start + s
     "Parity.HybridOfWideLamps")
 add("Integration.lamps-window-with-an-edge", "Lamps.h", "x < 1.0 ? root * root : 0.0", "x < 1.0 ? 1.0 : 0.0",
     "LampWindow.EndsWithoutAnEdge|HybridLamps.NothingShowsWhereTheWindowEnds")
-add("Integration.lamps-in-the-table-again", "LobeHarmonics.cxx", "1.0 - window.GetWeight(MakeDirection", "1.0 - 0.0 * window.GetWeight(MakeDirection",
+add("Integration.lamps-in-the-table-again", "LobeHarmonics.cxx", "1.0 - LampWindow::GetWeight(MakeDirection", "1.0 - 0.0 * LampWindow::GetWeight(MakeDirection",
     "HybridLamps.AddUpToTheLamps")
 add("Integration.lamps-as-points", "vtkHybridRadianceIntegrator.cxx", "lamps ? lamps->GetSpread(", "lamps ? 0.0 * lamps->GetSpread(",
     "HybridLamps.AreAreasForNarrowLobes")

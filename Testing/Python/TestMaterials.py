@@ -377,7 +377,7 @@ class TestIntegrate(unittest.TestCase):
         integrator = vtkmeasuredbrdf.vtkAdaptiveRadianceIntegrator()
         np.testing.assert_array_equal(integrate(felt, sky, normals, views, method=integrator), exact)
         self.assertIsNone(integrator.GetBRDF())
-        np.testing.assert_allclose(integrate(felt, sky, normals, views, method="exact"), exact, rtol=3e-3)
+        np.testing.assert_allclose(integrate(felt, sky, normals, views, method="light-set", sizes=[1 << 20]), exact, rtol=3e-3)
         turned = integrate(felt, Environment("sky", rotation=90.0), normals, views, (1, 0, 0))
         self.assertFalse(np.allclose(turned, exact))
 

@@ -72,8 +72,7 @@ protected:
     this->Source = static_cast<OwnIntegrator*>(source)->Source;
   }
   bool Begin() override { return true; }
-  void IntegratePart(
-    int, const double[3], const double[3], const double[3], double radiance[3]) override
+  void IntegratePair(const double[3], const double[3], const double[3], double radiance[3]) override
   {
     radiance[0] += 0.25;
     radiance[1] += 0.5;

@@ -392,10 +392,9 @@ class Integrate(ToolTest):
         self.check(run(*common, "--method", "magic"), 2, "--method")
         self.check(run(*common, "--method", "light-set", "--lights", 100), 2, "power")
         for method, sizes in (("table", "8"), ("table", "65,16,16,1"), ("table", "65;16"),
-                              ("filtered", "0"), ("filtered", "9,nan"), ("exact", "3")):
+                              ("filtered", "0"), ("filtered", "9,nan"), ("reference", "3")):
             self.check(run(*common, "--method", method, "--sizes", sizes), 2, "--sizes")
         self.check(run(*common, "--on", "gpu"), 2, "--on", "reference")
-        self.check(run(*common, "--on", "gpu", "--method", "exact"), 2, "--on", "exact")
         self.check(run(*common, "--on", "tpu"), 2, "--on")
         self.check(run(*common, "--order", "2"), 2, "--order", "thesis")
         for tolerance in ("nan", "1e-4", "2"):
@@ -1128,7 +1127,7 @@ class PlanErrors(ToolTest):
     def test_bad_input(self):
         common = self.COMPARE
         self.check(run(*common, "--method", "magic"), 2, "--method")
-        self.check(run(*common, "--method", "exact"), 2, "--method")
+        self.check(run(*common, "--method", "reference"), 2, "--method")
         for option in ("--tolerance", "--maximum-cost"):
             for value in ("0", "-1", "nan"):
                 self.check(run(*common, option, value), 2, option, value)

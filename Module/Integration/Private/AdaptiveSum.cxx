@@ -83,17 +83,15 @@ void SquareMiddles::Weigh(int count, float f[3][Most])
 namespace
 {
 constexpr std::uint32_t NumberOfDraws = 64;
-constexpr int NumberOfViews = 256; // over theta_o
+constexpr int NumberOfViews = 48; // over theta_o, denser towards the horizon, where f changes fast
+constexpr int PeakViews = 64;
 
 glm::dvec2 GetPoint(std::uint32_t k)
 {
   return glm::dvec2((k + 0.5) / NumberOfDraws, RadicalInverse(k, 2));
 }
 
-double GetTheta(int view) { return 0.5 * Pi * (view + 0.5) / NumberOfViews; }
-
-// Peaks: of every fourth view, over a square that the hemisphere fills by area.
-constexpr int ViewsPerPeaks = 4;
+// Peaks lie over a square that the hemisphere fills by area.
 constexpr int PeakSize = 64;
 constexpr int PeakLevels = 6; // 64, 32, ..., 2
 constexpr int PeakCellsOfView = 5460;
@@ -117,20 +115,21 @@ ReflectionGuide::ReflectionGuide(vtkBRDF* brdf)
   {
     return;
   }
-  const LobeTable table(brdf);
   std::vector<std::vector<Draw>> views(NumberOfViews);
   measuredbrdf::ParallelForEach(NumberOfViews,
     [&](int view)
     {
-      const double theta = GetTheta(view);
-      const LobeSampler sampler(brdf, glm::dvec3(std::sin(theta), 0.0, std::cos(theta)), &table);
+      const double rest = 1.0 - (view + 0.5) / NumberOfViews;
+      const double theta = 0.5 * Pi * (1.0 - rest * rest);
+      const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
+      const LobeSampler sampler(brdf, o);
       for (std::uint32_t k = 0; k < NumberOfDraws && !sampler.IsBlack(); ++k)
       {
         double density = 0.0;
         const glm::dvec3 i = sampler.Sample(GetPoint(k), density);
         if (i.z > 0.0 && density > 0.0)
         {
-          views[view].push_back({ i, 1.0 / (NumberOfDraws * density) });
+          views[view].push_back({ HalfVector(i, o), 1.0 / (NumberOfDraws * density) });
         }
       }
     });
@@ -140,12 +139,11 @@ ReflectionGuide::ReflectionGuide(vtkBRDF* brdf)
 
 void ReflectionGuide::TabulatePeaks()
 {
-  constexpr int views = NumberOfViews / ViewsPerPeaks;
-  this->PeakCells.resize(static_cast<std::size_t>(views) * PeakCellsOfView);
-  measuredbrdf::ParallelForEach(views,
+  this->PeakCells.resize(static_cast<std::size_t>(PeakViews) * PeakCellsOfView);
+  measuredbrdf::ParallelForEach(PeakViews,
     [&](int view)
     {
-      const double theta = 0.5 * Pi * (static_cast<double>(view) + 0.5) / views;
+      const double theta = 0.5 * Pi * (view + 0.5) / PeakViews;
       const double o[3] = { std::sin(theta), 0.0, std::cos(theta) };
       float* fine = &this->PeakCells[static_cast<std::size_t>(view) * PeakCellsOfView];
       for (int k = 0; k < PeakSize * PeakSize; ++k)
@@ -176,10 +174,9 @@ ReflectionGuide::Peaks ReflectionGuide::GetPeaks(const glm::dvec3& o) const
   Peaks peaks;
   if (!this->PeakCells.empty())
   {
-    constexpr int views = NumberOfViews / ViewsPerPeaks;
-    const int view = static_cast<int>(std::acos(std::min(o.z, 1.0)) / (0.5 * Pi) * views);
-    peaks.Cells =
-      &this->PeakCells[static_cast<std::size_t>(std::clamp(view, 0, views - 1)) * PeakCellsOfView];
+    const int view = static_cast<int>(std::acos(std::min(o.z, 1.0)) / (0.5 * Pi) * PeakViews);
+    peaks.Cells = &this->PeakCells[static_cast<std::size_t>(std::clamp(view, 0, PeakViews - 1)) *
+                                   PeakCellsOfView];
     const double s = std::hypot(o.x, o.y);
     peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, o.y) / s : glm::dvec2(1.0, 0.0);
   }
@@ -231,16 +228,18 @@ void ReflectionGuide::Draws(const glm::dvec3& o, std::vector<Draw>& draws) const
     }
     return;
   }
-  const int view = static_cast<int>(std::acos(std::min(o.z, 1.0)) / (0.5 * Pi) * NumberOfViews);
-  draws = this->Views[std::clamp(view, 0, NumberOfViews - 1)];
+  const double rest = std::sqrt(std::max(1.0 - std::acos(std::min(o.z, 1.0)) / (0.5 * Pi), 0.0));
+  const int view = static_cast<int>(NumberOfViews * (1.0 - rest));
   const double s = std::hypot(o.x, o.y);
-  if (s > 0.0)
+  const glm::dvec2 azimuth = s > 0.0 ? glm::dvec2(o) / s : glm::dvec2(1.0, 0.0);
+  for (const Draw& draw : this->Views[std::clamp(view, 0, NumberOfViews - 1)])
   {
-    for (Draw& draw : draws) // about the normal, to the view's azimuth
+    const glm::dvec3& h = draw.Direction; // turned about the normal, to the view's azimuth
+    const glm::dvec3 i = ReflectAbout(
+      o, { azimuth.x * h.x - azimuth.y * h.y, azimuth.y * h.x + azimuth.x * h.y, h.z });
+    if (i.z > 0.0)
     {
-      const glm::dvec3 d = draw.Direction;
-      draw.Direction.x = (o.x * d.x - o.y * d.y) / s;
-      draw.Direction.y = (o.y * d.x + o.x * d.y) / s;
+      draws.push_back({ i, draw.SolidAngle });
     }
   }
 }

@@ -103,8 +103,10 @@ private:
   void TabulatePeaks();
 
   vtkSmartPointer<vtkBRDF> BRDF;
-  std::vector<std::vector<Draw>> Views; // of an isotropic BRDF, their azimuth 0
-  std::vector<float> PeakCells;         // likewise: view, level, cell of the hemisphere's square
+  // Half vectors of an isotropic BRDF's draws, by the view, whose azimuth is 0: nearly the same for
+  // all views about it.
+  std::vector<std::vector<Draw>> Views;
+  std::vector<float> PeakCells; // likewise: view, level, cell of the hemisphere's square
 };
 
 /// Small where draws of f are, and large elsewhere.

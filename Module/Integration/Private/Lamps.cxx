@@ -47,69 +47,46 @@ constexpr double LampReach = 2.8;
 constexpr double NearLamp = 8.0;
 constexpr double FarLamp = 20.0;
 
-// Weights of points at equal distances that have a normal distribution's variance, 1.
-struct LampPoints
+// So many points at equal distances, and their weights, which have a normal distribution's
+// variance, 1.
+std::vector<glm::dvec2> MakeLampPoints(int count)
 {
-  std::vector<double> Places;
-  std::vector<double> Weights;
-
-  explicit LampPoints(int count)
+  std::vector<glm::dvec2> points;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (int k = 0; k < count; ++k)
   {
-    double sum = 0.0;
-    double squares = 0.0;
-    for (int k = 0; k < count; ++k)
-    {
-      const double x = LampReach * ((2.0 * k + 1.0) / count - 1.0);
-      const double weight = count > 2 ? std::exp(-0.5 * x * x) : 1.0;
-      this->Places.push_back(x);
-      this->Weights.push_back(weight);
-      sum += weight;
-      squares += weight * x * x;
-    }
-    for (std::size_t k = 0; k < this->Places.size(); ++k)
-    {
-      this->Places[k] *= squares > 0.0 ? std::sqrt(sum / squares) : 0.0;
-      this->Weights[k] /= sum;
-    }
+    const double x = LampReach * ((2.0 * k + 1.0) / count - 1.0);
+    const double weight = count > 2 ? std::exp(-0.5 * x * x) : 1.0;
+    points.emplace_back(x, weight);
+    sum += weight;
+    squares += weight * x * x;
   }
-};
+  for (glm::dvec2& point : points)
+  {
+    point *= glm::dvec2(squares > 0.0 ? std::sqrt(sum / squares) : 0.0, 1.0 / sum);
+  }
+  return points;
+}
+}
 
 // f over lamps by quadrature: what the table samples.
-class LampMean : public vtkBRDF
+struct LampBRDF::Mean
 {
-public:
-  static LampMean* New();
-  vtkTypeMacro(LampMean, vtkBRDF);
+  vtkBRDF* Material;
+  LightLanes Lights; // of it
+  double Deviation;
+  std::vector<std::vector<glm::dvec2>> Rules; // by their numbers of points
 
-  void Use(vtkBRDF* material, double spread)
+  glm::dvec3 Evaluate(const glm::dvec3& light, const glm::dvec3& view) const
   {
-    this->Material = material;
-    this->Lights = LightLanes(material);
-    this->Deviation = std::sqrt(spread);
-    for (int count = 0; count <= MostLampPoints; ++count)
-    {
-      this->Rules.emplace_back(count);
-    }
-  }
-
-  void GetShaderInputs(vtkBRDFShaderInputs&) override {}
-  void Prepare() override { this->Material->Prepare(); }
-  bool IsReciprocal() override { return false; }
-
-protected:
-  LampMean() = default;
-  ~LampMean() override = default;
-
-  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override
-  {
-    const glm::dvec3 light = glm::make_vec3(i);
-    const glm::dvec3 view = glm::make_vec3(o);
+    glm::dvec3 f;
     const double away =
       glm::distance(light, glm::dvec3(-view.x, -view.y, view.z)) / this->Deviation;
     if (away > FarLamp)
     {
-      this->Material->Evaluate(i, o, f);
-      return;
+      this->Material->Evaluate(&light.x, &view.x, &f.x);
+      return f;
     }
     // Across the plane of i and o the lobe of a half vector is narrower, by its cosine with o.
     const double cosine = std::max(glm::dot(HalfVector(light, view), view), 1e-3);
@@ -122,23 +99,19 @@ protected:
     tangent = length > 1e-6 ? tangent / length : glm::dvec3(light.z, 0.0, -light.x);
     tangent = glm::normalize(tangent);
     const glm::dvec3 side = glm::cross(light, tangent);
-    constexpr std::size_t most = PointsAlong * MostLampPoints;
-    std::array<glm::dvec3, most> lights{};
-    std::array<glm::dvec3, most> values{};
-    std::array<double, most> shares;
+    std::array<glm::dvec3, PointsAlong * MostLampPoints> lights{}, values{};
+    std::array<double, PointsAlong * MostLampPoints> shares;
     std::size_t count = 0;
-    const LampPoints& rows = this->Rules[along];
-    const LampPoints& columns = this->Rules[across];
-    for (std::size_t y = 0; y < rows.Places.size(); ++y)
+    for (const glm::dvec2& row : this->Rules[along])
     {
-      for (std::size_t x = 0; x < columns.Places.size(); ++x)
+      for (const glm::dvec2& column : this->Rules[across])
       {
-        const glm::dvec3 at = glm::normalize(
-          light + this->Deviation * (rows.Places[y] * tangent + columns.Places[x] * side));
+        const glm::dvec3 at =
+          glm::normalize(light + this->Deviation * (row.x * tangent + column.x * side));
         if (at.z > 0.0) // the rest of the lamp has set
         {
           lights[count] = at;
-          shares[count++] = rows.Weights[y] * columns.Weights[x];
+          shares[count++] = row.y * column.y;
         }
       }
     }
@@ -150,32 +123,29 @@ protected:
       sum += shares[k] * values[k];
       weights += shares[k];
     }
-    sum /= std::max(weights, 1e-12);
-    std::copy_n(&sum.x, 3, f);
+    return sum / std::max(weights, 1e-12);
   }
-
-private:
-  vtkSmartPointer<vtkBRDF> Material;
-  LightLanes Lights; // of it
-  double Deviation = 0.0;
-  std::vector<LampPoints> Rules; // by their numbers of points
 };
-
-vtkStandardNewMacro(LampMean);
-}
 
 vtkStandardNewMacro(LampBRDF);
 
+LampBRDF::LampBRDF() = default;
+LampBRDF::~LampBRDF() = default;
+
 vtkSmartPointer<LampBRDF> LampBRDF::Make(vtkBRDF* material, double spread)
 {
-  vtkNew<LampMean> mean;
-  mean->Use(material, spread);
+  auto made = vtkSmartPointer<LampBRDF>::New();
+  made->Sampled.reset(new Mean{ material, LightLanes(material), std::sqrt(spread), {} });
+  for (int count = 0; count <= MostLampPoints; ++count)
+  {
+    made->Sampled->Rules.push_back(MakeLampPoints(count));
+  }
   const int whole[3] = { 2 * LobeSize[0], LobeSize[1], LobeSize[2] };
   vtkNew<vtkTabulatedBRDF> table;
-  FillHalfDifference(mean, false, whole, table);
+  FillHalfDifference(made, false, whole, table);
+  made->Sampled.reset();
   const std::vector<float>& volume = table->GetVolume();
   const float largest = std::max(*std::max_element(volume.begin(), volume.end()), 1e-20f);
-  auto made = vtkSmartPointer<LampBRDF>::New();
   made->Scale = static_cast<double>(largest / LargestSharedExponent);
   made->Texels.reserve(volume.size() / 6);
   for (std::size_t row = 0; row < volume.size(); row += 3u * 2u * LobeSize[0])
@@ -204,10 +174,16 @@ vtkIdType LampBRDF::GetTextureBytes()
 
 void LampBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
 {
+  glm::dvec3 sum(0.0);
+  if (this->Sampled)
+  {
+    sum = this->Sampled->Evaluate(glm::make_vec3(i), glm::make_vec3(o));
+    std::copy_n(&sum.x, 3, f);
+    return;
+  }
   const glm::dvec3 u = ToHalfDifferenceUnit(glm::make_vec3(i), glm::make_vec3(o), false);
   const VolumeCorners<3> corners = { ClampedNeighbors(2.0 * std::abs(u.x), LobeSize[0]),
     ClampedNeighbors(u.y, LobeSize[1]), ClampedNeighbors(u.z, LobeSize[2]) };
-  glm::dvec3 sum(0.0);
   ForCorners<3>(LobeSize, corners,
     [&](std::size_t cell, double weight)
     { sum += weight * glm::dvec3(UnpackSharedExponent(this->Texels[cell])); });
@@ -310,9 +286,9 @@ glm::dvec3 TableLamps::Sum(const Frame& frame, const glm::dvec3& view, const glm
   for (const Lamp& lamp : this->Lamps)
   {
     const glm::dvec3& middle = lamp.Whole[0].Direction;
-    const double weight = this->Window.GetWeight(middle, axis);
+    const double weight = LampWindow::GetWeight(middle, axis);
     const bool isWhole =
-      lamp.Parts.empty() || this->Window.GetNearness(middle, axis) < LampWindow::PartsNearness;
+      lamp.Parts.empty() || LampWindow::GetNearness(middle, axis) < LampWindow::PartsNearness;
     for (const Part& part : isWhole ? lamp.Whole : lamp.Parts)
     {
       const glm::dvec3 light = ToLocal(frame, part.Direction);
@@ -403,7 +379,8 @@ void TableLamps::AddTo(vtkBRDFShaderInputs::Term& table) const
   table.Uniforms.push_back(
     { "brdfPartsNearness", { static_cast<float>(LampWindow::PartsNearness) } });
   table.Constants.push_back({ "LIGHTS_PER_ROW", std::to_string(LightsPerRow) + ".0" });
-  table.Uniforms.push_back({ "brdfLampReach", { static_cast<float>(2.0 * this->Window.Reach) } });
+  table.Uniforms.push_back(
+    { "brdfLampReach", { static_cast<float>(2.0 * LampWindow::GetReach()) } });
   table.Textures.push_back(this->MakeTexture());
 }
 } // namespace measuredbrdf

@@ -18,6 +18,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,25 +36,26 @@ struct LampWindow
   /// Where it ends, in radians (docs/methods/hybrids.md).
   static constexpr double Radius = 0.7;
 
-  LampWindow()
+  /// 1 / the squared distance of unit directions at which it ends.
+  static double GetReach()
   {
-    const double half = std::sin(0.5 * Radius);
-    this->Reach = 0.25 / (half * half);
+    static const double reach = 0.25 / std::pow(std::sin(0.5 * Radius), 2);
+    return reach;
   }
 
   /// Of unit directions. The shader's vtkBRDFEnvironmentLamps.glsl does the same.
-  double GetWeight(const glm::dvec3& lamp, const glm::dvec3& axis) const
+  static double GetWeight(const glm::dvec3& lamp, const glm::dvec3& axis)
   {
-    const double x = 1.0 - this->GetNearness(lamp, axis);
+    const double x = 1.0 - GetNearness(lamp, axis);
     const double root = 1.0 - x * x;
     return x < 1.0 ? root * root : 0.0;
   }
 
   /// Of unit directions: 1 where the lamp is on the axis, 0 where the window ends, negative beyond.
-  double GetNearness(const glm::dvec3& lamp, const glm::dvec3& axis) const
+  static double GetNearness(const glm::dvec3& lamp, const glm::dvec3& axis)
   {
     const glm::dvec3 away = lamp - axis;
-    return 1.0 - this->Reach * glm::dot(away, away);
+    return 1.0 - GetReach() * glm::dot(away, away);
   }
 
   /// A lamp nearer than this, 10 degrees, is the sum of its parts; else one light. In a lobe's tail
@@ -61,9 +63,7 @@ struct LampWindow
   static constexpr double PartsNearness = 0.935;
 
   /// How much of all directions the window covers: half of 1 - cos(radius).
-  double GetShare() const { return 0.25 / this->Reach; }
-
-  double Reach; // 1 / the squared distance of unit directions at which the window ends
+  static double GetShare() { return 0.25 / GetReach(); }
 };
 
 class LobeViews;
@@ -108,8 +108,8 @@ public:
   bool IsReciprocal() override { return false; }
 
 protected:
-  LampBRDF() = default;
-  ~LampBRDF() override = default;
+  LampBRDF();
+  ~LampBRDF() override;
 
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
 
@@ -117,6 +117,8 @@ private:
   LampBRDF(const LampBRDF&) = delete;
   void operator=(const LampBRDF&) = delete;
 
+  struct Mean;
+  std::unique_ptr<Mean> Sampled;     // while the table is made
   std::vector<std::uint32_t> Texels; // phi_d fastest, with shared exponents
   double Scale = 1.0;                // of their values
   bool SeesParts = false;
@@ -136,8 +138,6 @@ public:
   /// shaded: what the graphics card evaluates; prepared. A LampBRDF sees the parts of a LampSet.
   TableLamps(vtkLightSet* lights, vtkBRDF* shaded);
   ~TableLamps();
-
-  const LampWindow& GetWindow() const { return this->Window; }
 
   /// Sum of w (f - lambert) cos(theta_i) E, of either sign: the Lambert part of all light is the
   /// table's. view: in the frame; axis: of the lobe, in the environment's.
@@ -165,7 +165,6 @@ private:
   vtkSmartPointer<vtkBRDF> Shaded;
   std::vector<Lamp> Lamps;
   bool HaveParts;
-  LampWindow Window;
 };
 } // namespace measuredbrdf
 

@@ -167,7 +167,7 @@ void LobeKernel::ForgetNodes()
   std::vector<glm::dvec3>().swap(this->Rest);
 }
 
-LobeKernel LobeKernel::GetOutside(const LampWindow& window, double delta) const
+LobeKernel LobeKernel::GetOutside(double delta) const
 {
   LobeKernel outside = *this;
   const glm::dvec3 axis(-std::sin(delta), 0.0, std::cos(delta));
@@ -176,7 +176,7 @@ LobeKernel LobeKernel::GetOutside(const LampWindow& window, double delta) const
   {
     for (const LobeNode& a : this->Azimuths)
     {
-      outside.Rest[k++] *= 1.0 - window.GetWeight(MakeDirection(p.Angle, a.Angle), axis);
+      outside.Rest[k++] *= 1.0 - LampWindow::GetWeight(MakeDirection(p.Angle, a.Angle), axis);
     }
   }
   return outside;

@@ -52,9 +52,9 @@ struct LobeKernel
   void ForgetNodes();
   ///@}
 
-  /// The rest outside of a window about the axis at delta, in the same unit: ExpandLobes divides
-  /// it by the whole rest's integral.
-  LobeKernel GetOutside(const LampWindow& window, double delta) const;
+  /// The rest outside of the LampWindow about the axis at delta, in the same unit: ExpandLobes
+  /// divides it by the whole rest's integral.
+  LobeKernel GetOutside(double delta) const;
 };
 
 /// A kernel in the frame whose z is (-sin delta, 0, cos delta) and whose x lies in the plane of

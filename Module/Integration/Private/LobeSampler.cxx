@@ -4,7 +4,6 @@
 
 #include "HalfVector.h"
 #include "LowDiscrepancy.h"
-#include "ParallelFor.h"
 #include "vtkBRDF.h"
 
 #include <algorithm>
@@ -21,7 +20,6 @@ constexpr int Azimuths = 64;
 constexpr int RetroDraws = 256; // that tell how much lies about the view
 
 constexpr int NumberOfCells = Polars * Azimuths;
-constexpr int TableViews = 48;
 
 // The cells' middles, azimuth by azimuth, which are the same for all samplers.
 const std::vector<glm::dvec3>& GetMiddles()
@@ -48,61 +46,19 @@ double GetSum(vtkBRDF* brdf, const glm::dvec3& i, const glm::dvec3& o)
   brdf->Evaluate(&i.x, &o.x, &f.x);
   return f.x + f.y + f.z;
 }
-
-// Tabulated views are denser towards the horizon, where f changes fast.
-double GetTableTheta(int view)
-{
-  const double rest = 1.0 - (view + 0.5) / TableViews;
-  return 0.5 * Pi * (1.0 - rest * rest);
-}
 }
 
-LobeTable::LobeTable(vtkBRDF* brdf)
-  : Values(static_cast<std::size_t>(TableViews * NumberOfCells), 0.0f)
-{
-  measuredbrdf::ParallelForEach(TableViews,
-    [&](int view)
-    {
-      const double theta = GetTableTheta(view);
-      const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
-      float* values = &this->Values[view * NumberOfCells];
-      for (int cell = 0; cell < NumberOfCells; ++cell)
-      {
-        const glm::dvec3 i = ReflectAbout(o, GetMiddles()[cell]);
-        values[cell] = i.z > 0.0 ? static_cast<float>(GetSum(brdf, i, o)) : 0.0f;
-      }
-    });
-}
-
-void LobeTable::Read(const glm::dvec3& o, std::vector<double>& f) const
-{
-  const double theta = std::atan2(o.x, o.z);
-  const double at = TableViews * (1.0 - std::sqrt(std::max(1.0 - theta / (0.5 * Pi), 0.0))) - 0.5;
-  const int low = std::clamp(static_cast<int>(std::floor(at)), 0, TableViews - 1);
-  const int high = std::clamp(static_cast<int>(std::floor(at)) + 1, 0, TableViews - 1);
-  const float* first = &this->Values[low * NumberOfCells];
-  const float* second = &this->Values[high * NumberOfCells];
-  for (std::size_t cell = 0; cell < static_cast<std::size_t>(NumberOfCells); ++cell)
-  {
-    f[cell] = std::max(first[cell], second[cell]);
-  }
-}
-
-LobeSampler::LobeSampler(vtkBRDF* brdf, const glm::dvec3& o, const LobeTable* table, double floor)
+LobeSampler::LobeSampler(vtkBRDF* brdf, const glm::dvec3& o, double floor)
   : View(o)
   , Retro(o)
 {
   std::vector<double> weights(NumberOfCells, 0.0); // densities per solid angle of half vectors
-  if (table)
-  {
-    table->Read(o, weights);
-  }
   for (int cell = 0; cell < NumberOfCells; ++cell)
   {
     const glm::dvec3& h = GetMiddles()[cell];
     const glm::dvec3 i = ReflectAbout(o, h);
-    const double f = !(i.z > 0.0) ? 0.0 : table ? weights[cell] : GetSum(brdf, i, o);
-    weights[cell] = f * i.z * 4.0 * std::max(glm::dot(o, h), 0.0);
+    weights[cell] =
+      i.z > 0.0 ? GetSum(brdf, i, o) * i.z * 4.0 * std::max(glm::dot(o, h), 0.0) : 0.0;
   }
   this->Cells.emplace(weights, Polars, Azimuths, 1.0);
   this->Limit = floor * this->Cells->GetTotal();

@@ -16,36 +16,17 @@
 #include <glm/glm.hpp>
 
 #include <optional>
-#include <vector>
 
 class vtkBRDF;
 
 namespace measuredbrdf
 {
-/// What samplers of many views of an isotropic BRDF may read instead of evaluating it: f over the
-/// half vector, which hardly varies with the view, at a few views.
-class LobeTable
-{
-public:
-  /// Of a prepared BRDF.
-  explicit LobeTable(vtkBRDF* brdf);
-
-  /// Sum of f's channels in each cell, the largest of the views about o, whose y is 0.
-  void Read(const glm::dvec3& o, std::vector<double>& f) const;
-
-private:
-  std::vector<float> Values; // view, cell
-};
-
 class LobeSampler
 {
 public:
-  /**
-   * Of a prepared BRDF and unit o above the horizon; with a table of it, where there is one. With a
-   * floor (a density in 1/sr), draws are of the sharp part alone.
-   */
-  LobeSampler(
-    vtkBRDF* brdf, const glm::dvec3& o, const LobeTable* table = nullptr, double floor = 0.0);
+  /// Of a prepared BRDF and unit o above the horizon. With a floor (a density in 1/sr), draws are
+  /// of the sharp part alone.
+  LobeSampler(vtkBRDF* brdf, const glm::dvec3& o, double floor = 0.0);
 
   /// Sum of the channels of f cos(theta_i) where its density in its own integral is the floor.
   double GetLimit() const { return this->Limit; }

@@ -64,29 +64,25 @@ struct MapView
   int Rows;
   int Columns;
 
-  const float* Get(int row, int column) const
+  glm::vec3 Get(int row, int column) const
   {
     const int round = (column + this->Columns) % this->Columns;
-    return this->Values + 3 * (static_cast<std::ptrdiff_t>(row) * this->Columns + round);
+    return glm::make_vec3(
+      this->Values + 3 * (static_cast<std::ptrdiff_t>(row) * this->Columns + round));
   }
 
   // By how much a node is off the middle between its neighbors, along both axes.
   double GetBend(int row, int column) const
   {
-    double bend = 0.0;
-    const float* at = this->Get(row, column);
-    for (int c = 0; c < 3; ++c)
-    {
-      bend +=
-        std::abs(this->Get(row - 1, column)[c] + this->Get(row + 1, column)[c] - 2.0f * at[c]);
-      bend +=
-        std::abs(this->Get(row, column - 1)[c] + this->Get(row, column + 1)[c] - 2.0f * at[c]);
-    }
-    return bend;
+    const glm::vec3 twice = 2.0f * this->Get(row, column);
+    const glm::vec3 bend =
+      glm::abs(this->Get(row - 1, column) + this->Get(row + 1, column) - twice) +
+      glm::abs(this->Get(row, column - 1) + this->Get(row, column + 1) - twice);
+    return bend.x + bend.y + bend.z;
   }
 
   // At a fine node, on the edge between two nodes of this map.
-  float GetBetween(int row, int column, int c) const
+  glm::vec3 GetBetween(int row, int column) const
   {
     constexpr int ratio = TableTiles::Ratio;
     const int above = std::min(row / ratio, this->Rows - 2);
@@ -94,8 +90,8 @@ struct MapView
     const float across = static_cast<float>(column % ratio) / ratio;
     const auto along = [&](int at)
     {
-      const float left = this->Get(at, column / ratio)[c];
-      return left + across * (this->Get(at, column / ratio + 1)[c] - left);
+      const glm::vec3 left = this->Get(at, column / ratio);
+      return left + across * (this->Get(at, column / ratio + 1) - left);
     };
     return along(above) + down * (along(above + 1) - along(above));
   }
@@ -115,13 +111,14 @@ int TableTiles::GetRows(int rows)
 
 TableTiles::TableTiles(int rows, int slices)
   : FineRows(GetFineRows(rows))
+  , Rows(GetRows(rows))
+  , Columns(2 * (this->Rows - 1))
 {
   if (this->FineRows > 0)
   {
-    const int columns = 2 * (GetRows(rows) - 1);
-    this->Across = columns / Texels;
-    const double bytes = GetTileBytes(4.0 * GetRows(rows) * columns * slices);
-    this->Down = std::clamp(static_cast<int>(bytes / (4.0 * Texels * columns * slices)), 1,
+    this->Across = this->Columns / Texels;
+    const double bytes = GetTileBytes(4.0 * this->Rows * this->Columns * slices);
+    this->Down = std::clamp(static_cast<int>(bytes / (4.0 * Texels * this->Columns * slices)), 1,
       (this->CountRows() * this->CountColumns() + this->Across - 1) / this->Across);
     this->Places.assign(static_cast<std::size_t>(this->CountRows()) * this->CountColumns(), 0.0f);
   }
@@ -130,23 +127,19 @@ TableTiles::TableTiles(int rows, int slices)
 void TableTiles::Choose(const std::vector<float>& radiance, const std::vector<double>& weights)
 {
   constexpr int side = Intervals / Ratio; // coarse intervals
-  const int rows = GetRows(this->FineRows);
-  const int columns = 2 * (rows - 1);
-  const std::size_t texels = static_cast<std::size_t>(rows) * columns;
+  const std::size_t texels = static_cast<std::size_t>(this->Rows) * this->Columns;
   std::vector<double> bends(texels, 0.0);
-  measuredbrdf::ParallelFor(1, rows - 1, 1,
-    [&](vtkIdType begin, vtkIdType end)
+  measuredbrdf::ParallelForEach(this->Rows - 2,
+    [&](int k)
     {
-      for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
+      const int row = k + 1;
+      const double area = std::sin(Pi * row / (this->Rows - 1));
+      for (std::size_t slice = 0; slice < weights.size(); ++slice)
       {
-        const double area = std::sin(Pi * row / (rows - 1));
-        for (std::size_t slice = 0; slice < weights.size(); ++slice)
+        const MapView map{ &radiance[3 * slice * texels], this->Rows, this->Columns };
+        for (int column = 0; column < this->Columns; ++column)
         {
-          const MapView map{ &radiance[3 * slice * texels], rows, columns };
-          for (int column = 0; column < columns; ++column)
-          {
-            bends[row * columns + column] += area * weights[slice] * map.GetBend(row, column);
-          }
+          bends[row * this->Columns + column] += area * weights[slice] * map.GetBend(row, column);
         }
       }
     });
@@ -157,8 +150,8 @@ void TableTiles::Choose(const std::vector<float>& radiance, const std::vector<do
     const int left = static_cast<int>(tile) % this->CountColumns() * side;
     for (int k = 0; k < (side + 1) * (side + 1); ++k)
     {
-      const int column = (left + k % (side + 1)) % columns;
-      scores[tile] += bends[(first + k / (side + 1)) * columns + column];
+      const int column = (left + k % (side + 1)) % this->Columns;
+      scores[tile] += bends[(first + k / (side + 1)) * this->Columns + column];
     }
   }
   std::vector<std::size_t> order(scores.size());
@@ -224,10 +217,9 @@ bool TableTiles::IsInside(int row, int column) const
 std::vector<float> TableTiles::Join(
   const std::vector<float>& coarse, const MapPart& nodes, const std::vector<float>& fine) const
 {
-  const int rows = GetRows(this->FineRows);
-  const int columns = 2 * (rows - 1);
-  const std::size_t texels = 3 * static_cast<std::size_t>(rows * columns);
-  const std::size_t joined = texels + 3 * static_cast<std::size_t>(columns * Texels * this->Down);
+  const std::size_t texels = 3 * static_cast<std::size_t>(this->Rows * this->Columns);
+  const std::size_t joined =
+    texels + 3 * static_cast<std::size_t>(this->Columns * Texels * this->Down);
   const std::size_t slices = coarse.size() / texels;
   std::vector<float> all(slices * joined, 0.0f);
   const std::vector<Tile> tiles = this->MakeTiles(nodes);
@@ -243,8 +235,6 @@ std::vector<float> TableTiles::Join(
 std::vector<TableTiles::Tile> TableTiles::MakeTiles(const MapPart& nodes) const
 {
   std::vector<Tile> tiles;
-  const int rows = GetRows(this->FineRows);
-  const int columns = 2 * (rows - 1);
   for (std::size_t number = 0; number < this->Places.size(); ++number)
   {
     const int place = static_cast<int>(this->Places[number]) - 1;
@@ -255,8 +245,6 @@ std::vector<TableTiles::Tile> TableTiles::MakeTiles(const MapPart& nodes) const
     Tile tile;
     tile.Row = static_cast<int>(number) / this->CountColumns() * Intervals;
     tile.Column = static_cast<int>(number) % this->CountColumns() * Intervals;
-    tile.Place = static_cast<std::size_t>(
-      (rows + place / this->Across * Texels) * columns + place % this->Across * Texels);
     for (int k = 0; k < Wide * Wide; ++k)
     {
       tile.Nodes.push_back(
@@ -264,8 +252,15 @@ std::vector<TableTiles::Tile> TableTiles::MakeTiles(const MapPart& nodes) const
     }
     for (int k = 0; k < Texels * Texels; ++k)
     {
-      tile.Inside.push_back(
-        this->IsInside(tile.Row + k / Texels, (tile.Column + k % Texels) % this->GetFineColumns()));
+      const int row = tile.Row + k / Texels;
+      const int column = (tile.Column + k % Texels) % this->GetFineColumns();
+      Tile::Node node;
+      node.Texel = (this->Rows + place / this->Across * Texels + k / Texels) * this->Columns +
+                   place % this->Across * Texels + k % Texels;
+      node.Coarse =
+        row % Ratio == 0 && column % Ratio == 0 ? row / Ratio * this->Columns + column / Ratio : -1;
+      node.IsInside = this->IsInside(row, column);
+      tile.Own.push_back(node);
     }
     tiles.push_back(std::move(tile));
   }
@@ -275,44 +270,35 @@ std::vector<TableTiles::Tile> TableTiles::MakeTiles(const MapPart& nodes) const
 // Of one slice.
 void TableTiles::AddTiles(const std::vector<Tile>& tiles, const float* fine, float* out) const
 {
-  const int rows = GetRows(this->FineRows);
-  const int columns = 2 * (rows - 1);
-  std::vector<float> patch(3 * Wide * Wide);
+  const auto put = [out](int texel, const glm::vec3& rgb)
+  { std::copy_n(&rgb.x, 3, out + 3 * static_cast<std::ptrdiff_t>(texel)); };
+  std::vector<glm::vec3> patch(Wide * Wide);
   for (const Tile& tile : tiles)
   {
-    for (std::size_t k = 0; k < tile.Nodes.size(); ++k)
+    for (std::size_t k = 0; k < patch.size(); ++k)
     {
-      std::copy_n(fine + 3 * static_cast<std::size_t>(tile.Nodes[k]), 3, &patch[3 * k]);
+      patch[k] = glm::make_vec3(fine + 3 * static_cast<std::ptrdiff_t>(tile.Nodes[k]));
     }
-    LiftDarkRingsOfMap(patch.data(), Wide, Wide); // what is off at the sides, the margin takes
+    LiftDarkRingsOfMap(&patch[0].x, Wide, Wide); // what is off at the sides, the margin takes
     for (int k = 0; k < Texels * Texels; ++k)
     {
-      const int down = k / Texels;
-      const int across = k % Texels;
-      const float* const value =
-        &patch[3 * static_cast<std::size_t>((down + RingMargin) * Wide + across + RingMargin)];
-      std::copy_n(
-        value, 3, out + 3 * (tile.Place + static_cast<std::size_t>(down * columns + across)));
+      const glm::vec3& value = patch[(k / Texels + RingMargin) * Wide + k % Texels + RingMargin];
+      put(tile.Own[k].Texel, value);
       // The coarse map rings about lamps: where it meets tiles it takes their values.
-      const int row = tile.Row + down;
-      const int column = (tile.Column + across) % this->GetFineColumns();
-      if (row % Ratio == 0 && column % Ratio == 0)
+      if (tile.Own[k].Coarse >= 0)
       {
-        std::copy_n(value, 3, out + 3 * (row / Ratio * columns + column / Ratio));
+        put(tile.Own[k].Coarse, value);
       }
     }
   }
-  const MapView map{ out, rows, columns };
+  const MapView map{ out, this->Rows, this->Columns };
   for (const Tile& tile : tiles)
   {
     for (int k = 0; k < Texels * Texels; ++k)
     {
-      const int down = k / Texels;
-      const int across = k % Texels;
-      float* const to = out + 3 * (tile.Place + static_cast<std::size_t>(down * columns + across));
-      for (int c = 0; c < 3 && !tile.Inside[k]; ++c)
+      if (!tile.Own[k].IsInside)
       {
-        to[c] = map.GetBetween(tile.Row + down, tile.Column + across, c);
+        put(tile.Own[k].Texel, map.GetBetween(tile.Row + k / Texels, tile.Column + k % Texels));
       }
     }
   }
@@ -474,16 +460,11 @@ vtkBRDFShaderInputs RadianceTable::GetShaderInputs() const
   return inputs;
 }
 
-namespace
-{
-constexpr std::size_t Together = 512; // values of each slice, which fit into a core's cache
-}
-
 AzimuthSeries::AzimuthSeries(int angles, int azimuths, std::size_t texels)
-  : Angles(angles)
-  , Azimuths(azimuths)
+  : Azimuths(azimuths)
+  , Slices(static_cast<std::size_t>(azimuths) + 1)
   , Size(3 * texels)
-  , Values(this->Size * this->GetSlices() * static_cast<std::size_t>(angles))
+  , Values(this->Size * this->Slices * static_cast<std::size_t>(angles))
 {
 }
 
@@ -494,32 +475,31 @@ void AzimuthSeries::Set(int order, const FieldSynthesis::Fields& fields, std::si
   measuredbrdf::ParallelForEach(fields[0].size() / texels,
     [&](std::size_t angle)
     {
-      const std::size_t slice = 2 * static_cast<std::size_t>(order) - (order > 0 ? 1 : 0);
-      float* real = &this->Values[((firstAngle + angle) * this->GetSlices() + slice) * this->Size];
-      float* imaginary = order > 0 ? real + this->Size : nullptr;
+      const std::size_t slice = order > 0 ? 2 * static_cast<std::size_t>(order) - 1 : 0;
+      float* real = &this->Values[((firstAngle + angle) * this->Slices + slice) * this->Size];
       for (std::size_t k = 0; k < this->Size; ++k)
       {
         const std::complex<float> value = fields[k % 3][angle * texels + k / 3];
         real[k] = value.real();
-        if (imaginary)
+        if (order > 0)
         {
-          imaginary[k] = value.imag();
+          real[this->Size + k] = value.imag();
         }
       }
     });
 }
 
-// What each number of the series counts for at each azimuth: slices x rows, one for each azimuth
-// and some of zeros.
-std::vector<float> AzimuthSeries::GetTurns() const
+std::vector<float> AzimuthSeries::TakeRadiance()
 {
-  const std::size_t slices = this->GetSlices();
-  const std::size_t rows = RoundUp(slices, ProductRows);
-  std::vector<float> turns(rows * slices, 0.0f);
-  for (std::size_t azimuth = 0; azimuth < slices; ++azimuth)
+  constexpr std::size_t together = 512; // values of each slice, which fit into a core's cache
+  const std::size_t rows = RoundUp(this->Slices, ProductRows);
+  // What each number of the series counts for at each azimuth: slices x rows, one for each azimuth
+  // and some of zeros.
+  std::vector<float> turns(rows * this->Slices, 0.0f);
+  for (std::size_t azimuth = 0; azimuth < this->Slices; ++azimuth)
   {
     turns[azimuth] = 1.0f;
-    for (int order = 1; order <= this->GetLastOrder(); ++order)
+    for (int order = 1; order <= this->Azimuths / 2; ++order)
     {
       const double gain = 2.0 * GetLinearSplineGain(static_cast<double>(order) / this->Azimuths);
       const double angle = 2.0 * Pi * order * static_cast<double>(azimuth) / this->Azimuths;
@@ -528,34 +508,27 @@ std::vector<float> AzimuthSeries::GetTurns() const
       turns[at] = static_cast<float>(gain * std::sin(angle));
     }
   }
-  return turns;
-}
-
-std::vector<float> AzimuthSeries::TakeRadiance()
-{
-  const std::size_t slices = this->GetSlices();
-  const std::size_t rows = RoundUp(slices, ProductRows);
-  const std::vector<float> turns = this->GetTurns();
-  const std::size_t blocks = (this->Size + Together - 1) / Together;
-  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(blocks) * this->Angles, 16,
+  const std::size_t blocks = (this->Size + together - 1) / together;
+  const std::size_t angles = this->Values.size() / (this->Slices * this->Size);
+  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(blocks * angles), 16,
     [&](vtkIdType begin, vtkIdType end)
     {
-      std::vector<float> series(slices * Together, 0.0f);
-      std::vector<float> radiance(rows * Together);
+      std::vector<float> series(this->Slices * together, 0.0f);
+      std::vector<float> radiance(rows * together);
       for (std::size_t k = begin; k < static_cast<std::size_t>(end); ++k)
       {
-        const std::size_t first = k % blocks * Together;
-        const std::size_t count = std::min(Together, this->Size - first);
-        float* values = &this->Values[k / blocks * slices * this->Size + first];
-        for (std::size_t slice = 0; slice < slices; ++slice)
+        const std::size_t first = k % blocks * together;
+        const std::size_t count = std::min(together, this->Size - first);
+        float* values = &this->Values[k / blocks * this->Slices * this->Size + first];
+        for (std::size_t slice = 0; slice < this->Slices; ++slice)
         {
-          std::copy_n(values + slice * this->Size, count, &series[slice * Together]);
+          std::copy_n(values + slice * this->Size, count, &series[slice * together]);
         }
-        Multiply({ turns.data(), rows }, { series.data(), Together }, rows, slices, Together,
+        Multiply({ turns.data(), rows }, { series.data(), together }, rows, this->Slices, together,
           radiance.data());
-        for (std::size_t slice = 0; slice < slices; ++slice)
+        for (std::size_t slice = 0; slice < this->Slices; ++slice)
         {
-          std::copy_n(&radiance[slice * Together], count, values + slice * this->Size);
+          std::copy_n(&radiance[slice * together], count, values + slice * this->Size);
         }
       }
     });
@@ -637,8 +610,8 @@ FieldSynthesis::Kernels PickOrder(
 }
 }
 
-std::vector<std::vector<float>> ExpandTableKernels(MaterialKernels& knots, int degree, int orders,
-  double smoothing, int rows, const LampWindow* window)
+std::vector<std::vector<float>> ExpandTableKernels(
+  MaterialKernels& knots, int degree, int orders, double smoothing, int rows, bool outsideOnly)
 {
   const std::size_t size = static_cast<std::size_t>(degree) + 1;
   std::vector<float> smoothed;
@@ -651,14 +624,14 @@ std::vector<std::vector<float>> ExpandTableKernels(MaterialKernels& knots, int d
   outside.reserve(knots.At.size());
   for (const LobeKernel& knot : knots.At)
   {
-    if (window)
+    if (outsideOnly)
     {
-      outside.push_back(knot.GetOutside(*window, knot.Means.Delta));
+      outside.push_back(knot.GetOutside(knot.Means.Delta));
       lobes.push_back({ &outside.back(), knot.Means.Delta });
     }
   }
   std::vector<std::vector<float>> kernels =
-    window ? ExpandLobes(lobes, degree, orders) : knots.Expand(degree, orders);
+    outsideOnly ? ExpandLobes(lobes, degree, orders) : knots.Expand(degree, orders);
   for (std::size_t k = 0; k < kernels.size(); ++k)
   {
     for (std::size_t b = 0; b < kernels[k].size(); ++b)
@@ -715,7 +688,7 @@ std::vector<float> SynthesizeMaps(const TableLight& light, MaterialKernels& knot
   std::vector<std::vector<float>> outside;
   if (light.All)
   {
-    outside = ExpandTableKernels(knots, degree, orders, 0.0, rows, &light.Window);
+    outside = ExpandTableKernels(knots, degree, orders, 0.0, rows, true);
     for (std::size_t k = 0; k < kernels.size(); ++k)
     {
       std::transform(kernels[k].begin(), kernels[k].end(), outside[k].begin(), kernels[k].begin(),
@@ -804,19 +777,14 @@ double SynthesizeRadiance(const TableLight& light, MaterialKernels& knots, int d
 bool PutProfile(const LobeMeans& lobe, const LobeMeans& between, const glm::dvec3& first,
   double scale, std::size_t at, std::vector<float>& profile)
 {
-  glm::dvec3 share(0.0);
-  for (int c = 0; c < 3; ++c)
-  {
-    const double wanted = lobe.Amplitude[c] + Pi * (lobe.Floor[c] - between.Floor[c]);
-    share[c] = between.Amplitude[c] > 0.0 ? std::max(wanted, 0.0) / between.Amplitude[c] : 0.0;
-  }
+  const glm::dvec3 wanted =
+    glm::max(lobe.Amplitude + Pi * (lobe.Floor - between.Floor), glm::dvec3(0.0));
+  const glm::dvec3 share = glm::mix(glm::dvec3(0.0), wanted / between.Amplitude,
+    glm::greaterThan(between.Amplitude, glm::dvec3(0.0)));
   std::size_t out = 3 * at;
-  for (const glm::dvec3& row : { first, share * scale, between.Floor })
+  for (const glm::vec3 row : { first, share * scale, between.Floor })
   {
-    for (int c = 0; c < 3; ++c)
-    {
-      profile[out + static_cast<std::size_t>(c)] = static_cast<float>(row[c]);
-    }
+    std::copy_n(&row.x, 3, &profile[out]);
     out += profile.size() / 3;
   }
   return between.Floor != glm::dvec3(0.0);

@@ -63,7 +63,9 @@ struct TableTiles
   static int GetFineRows(int rows);
   ///@}
 
-  int FineRows = 0;
+  int FineRows;
+  int Rows; // of the coarse map
+  int Columns;
   int Across = 0; // tiles side by side in the texture, below the coarse map
   int Down = 0;   // rows of them; before Choose: at most
   /// For each tile of the sphere, side by side: 1 + its place in the texture; 0: it has none.
@@ -92,10 +94,15 @@ private:
   /// What a tile is made of.
   struct Tile
   {
-    int Row, Column;          // of its first fine node
-    std::size_t Place;        // of its first texel in a slice
-    std::vector<int> Nodes;   // of it and a margin, by number
-    std::vector<char> Inside; // whether its nodes are
+    struct Node
+    {
+      int Texel;  // in a slice
+      int Coarse; // the coarse map's texel at the same place; -1: none
+      bool IsInside;
+    };
+    int Row, Column;        // of its first fine node
+    std::vector<int> Nodes; // of it and a margin, by number
+    std::vector<Node> Own;  // without the margin
   };
   std::vector<Tile> MakeTiles(const MapPart& nodes) const;
   void AddTiles(const std::vector<Tile>& tiles, const float* fine, float* map) const;
@@ -187,8 +194,6 @@ public:
   /// Of orders up to half of the azimuths; those that are not set are 0.
   AzimuthSeries(int angles, int azimuths, std::size_t texels);
 
-  int GetLastOrder() const { return this->Azimuths / 2; }
-
   /// G_k of each channel: some angles from the first on x texels.
   void Set(int order, const FieldSynthesis::Fields& fields, std::size_t firstAngle = 0);
 
@@ -197,12 +202,9 @@ public:
   std::vector<float> TakeRadiance();
 
 private:
-  std::size_t GetSlices() const { return static_cast<std::size_t>(this->Azimuths) + 1; }
-  std::vector<float> GetTurns() const;
-
-  int Angles;
   int Azimuths;
-  std::size_t Size; // RGB of a map
+  std::size_t Slices; // of each view angle
+  std::size_t Size;   // RGB of a map
   std::vector<float> Values;
 };
 
@@ -227,10 +229,10 @@ inline double GetSmoothed(int l, double smoothing)
 }
 
 /// What a table of so many rows has of the kernels at its view angles: harmonics about each one's
-/// axis, times its albedo, less what a blur takes and what fades, as ExpandLobes has them. window:
-/// only what lies outside of it; null: all.
+/// axis, times its albedo, less what a blur takes and what fades, as ExpandLobes has them; all or
+/// what lies outside of the LampWindow.
 std::vector<std::vector<float>> ExpandTableKernels(MaterialKernels& knots, int degree, int orders,
-  double smoothing, int rows, const LampWindow* window = nullptr);
+  double smoothing, int rows, bool outsideOnly = false);
 
 /// Sum of the squares of an environment's harmonics of one degree.
 double GetEnergy(const EnvironmentHarmonics& environment, int channel, int l);
@@ -239,8 +241,7 @@ double GetEnergy(const EnvironmentHarmonics& environment, int channel, int l);
 struct TableLight
 {
   const EnvironmentHarmonics& Environment; // without lamps, if All is given
-  const EnvironmentHarmonics* All;         // with them; null: there are none
-  LampWindow Window;                       // about the axis: the table has no lamps within it
+  const EnvironmentHarmonics* All;         // with them, which the LampWindow hides; null: none
 };
 
 /// The table's radiance, of kernels at its view angles up to a harmonic degree. goOn gets the share

@@ -4,18 +4,16 @@
 
 #include "EnvironmentPrecomputation.h"
 #include "HalfVector.h" // for Pi
-#include "LightLanes.h"
 #include "LobeViews.h"
-#include "LocalFrame.h"
 #include "MaterialPrecomputation.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkLightSet.h"
-#include "vtkObjectFactory.h"
+#include "vtkLightSetRadianceIntegrator.h"
+#include "vtkNew.h"
 
-#include <glm/gtc/type_ptr.hpp>
+#include <glm/glm.hpp>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <iterator>
 
@@ -38,95 +36,37 @@ constexpr double LargestTolerance = 0.01;
 constexpr double Finer = 0.125; // of that, against which its error is measured
 
 constexpr int LightCounts[] = { 4096, 2048, 1024, 256 }; // of variance light sets
-constexpr std::size_t LightsAtOnce = 128;                // those above the horizon
 
 // A sum over many lights, for lobes that are broad. Suns and lamps are lights of their own; the
-// rest is a variance light set. How far that is from the integral depends on the material.
-class LightsReference : public vtkRadianceIntegrator
+// rest is a variance light set of so many, one of LightCounts. How far that is from the integral
+// depends on the material. Throws where it was aborted.
+void SetLights(const PlanTask& task, int count, vtkLightSetRadianceIntegrator* integrator)
 {
-public:
-  static LightsReference* New();
-  vtkTypeMacro(LightsReference, vtkRadianceIntegrator);
-  vtkSetMacro(NumberOfLights, int); // one of LightCounts
-
-protected:
-  bool Begin() override;
-  void IntegratePart(
-    int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
-
-private:
-  int NumberOfLights = LightCounts[0];
-  LightLanes Lanes; // of the material
-  // By index: the material is evaluated for many at a time.
-  std::vector<glm::dvec3> Directions;
-  std::vector<glm::dvec3> Irradiances;
-};
-
-vtkStandardNewMacro(LightsReference);
-
-bool LightsReference::Begin()
-{
-  const auto goOn = [this]() { return this->Report(0.0); };
-  EnvironmentPrecomputation& parts = this->Environment->GetParts();
+  const auto goOn = [&task]() { return !task.IsAborted(); };
+  EnvironmentPrecomputation& parts = task.Environment->GetParts();
   const auto bright = parts.GetExtractedEmitters(
-    this->Environment, ExtractedEmitters::DefaultShare, MostReferenceSuns, goOn);
+    task.Environment, ExtractedEmitters::DefaultShare, MostReferenceSuns, goOn);
   const std::vector<int> counts(std::begin(LightCounts), std::end(LightCounts));
-  const auto sets = bright ? parts.GetLightSets(this->Environment, bright->Rest, counts, goOn)
+  const auto sets = bright ? parts.GetLightSets(task.Environment, bright->Rest, counts, goOn)
                            : std::vector<vtkSmartPointer<vtkLightSet>>();
   if (sets.empty())
   {
-    vtkErrorMacro("Integrate: aborted.");
-    return false;
+    throw PlanFailure("aborted");
   }
-  this->Lanes = LightLanes(this->BRDF);
-  this->Directions.clear();
-  this->Irradiances.clear();
+  vtkNew<vtkLightSet> all;
   for (const ExtractedEmitters::Light& sun : bright->Lights)
   {
-    this->Directions.push_back(sun.Direction);
-    this->Irradiances.push_back(sun.Irradiance);
+    all->AddLight(&sun.Direction.x, &sun.Irradiance.x);
   }
-  const auto which = std::find(counts.begin(), counts.end(), this->NumberOfLights);
-  vtkLightSet* others = sets[static_cast<std::size_t>(which - counts.begin())];
+  vtkLightSet* others = sets[std::find(counts.begin(), counts.end(), count) - counts.begin()];
   for (int k = 0; k < others->GetNumberOfLights(); ++k)
   {
     glm::dvec3 direction, irradiance;
     others->GetDirection(k, &direction.x);
     others->GetIrradiance(k, &irradiance.x);
-    this->Directions.push_back(direction);
-    this->Irradiances.push_back(irradiance);
+    all->AddLight(&direction.x, &irradiance.x);
   }
-  return true;
-}
-
-void LightsReference::IntegratePart(
-  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
-{
-  const Frame frame = FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
-  const glm::dvec3 view = LiftView(ToLocal(frame, glm::make_vec3(o)));
-  std::array<glm::dvec3, LightsAtOnce> above, irradiances, values;
-  glm::dvec3 sum(0.0);
-  const std::size_t count = this->Directions.size();
-  std::size_t found = 0;
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    above[found] = ToLocal(frame, this->Directions[k]);
-    irradiances[found] = this->Irradiances[k];
-    found += above[found].z > 0.0 ? 1 : 0;
-    if (found == LightsAtOnce || k + 1 == count)
-    {
-      this->Lanes.Evaluate(found, above.data(), view, values.data());
-      for (std::size_t j = 0; j < found; ++j)
-      {
-        sum += above[j].z * values[j] * irradiances[j];
-      }
-      found = 0;
-    }
-  }
-  for (int c = 0; c < 3; ++c)
-  {
-    radiance[c] += sum[c];
-  }
+  integrator->SetLightSet(all);
 }
 
 // Some of the pairs.
@@ -166,17 +106,23 @@ bool MayLightsDo(const PlanTask& task)
 vtkSmartPointer<vtkRadianceIntegrator> TryLights(
   const PlanTask& task, PlanComparison& few, double& error)
 {
-  const auto lights = vtkSmartPointer<LightsReference>::New();
+  const auto lights = vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
   lights->SetBRDF(task.BRDF);
   lights->SetEnvironment(task.Environment);
+  lights->SetInLanes(true);
+  SetLights(task, LightCounts[0], lights);
   few.Reference = Integrate(task, lights, few.Pairs);
   double own = 0.0;
   double fewer = 0.0;
   int number = LightCounts[0];
   for (const int count : LightCounts)
   {
-    lights->SetNumberOfLights(count);
-    const double other = count < LightCounts[0] ? Measure(task, lights, few) : 0.0;
+    double other = 0.0;
+    if (count < LightCounts[0])
+    {
+      SetLights(task, count, lights);
+      other = Measure(task, lights, few);
+    }
     own = count == LightCounts[1] ? other : own;
     if (!(own <= std::min(LightsShare * task.Tolerance, LargestError)))
     {
@@ -189,7 +135,7 @@ vtkSmartPointer<vtkRadianceIntegrator> TryLights(
     number = count;
     fewer = other;
   }
-  lights->SetNumberOfLights(number);
+  SetLights(task, number, lights);
   error = own + fewer;
   return lights;
 }

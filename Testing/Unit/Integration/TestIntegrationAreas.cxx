@@ -7,7 +7,6 @@
 #include "SpherePairs.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkEnvironment.h"
-#include "vtkExactRadianceIntegrator.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkImportanceLightSetGenerator.h"
@@ -67,7 +66,7 @@ std::vector<Way> GetWays(vtkBRDF* brdf, vtkEnvironment* environment, bool all = 
   vtkNew<vtkFilteredRadianceIntegrator> filtered;
   filtered->SetNumberOfSamples(256);
   std::vector<Way> ways;
-  ways.push_back({ "exact", vtkSmartPointer<vtkExactRadianceIntegrator>::New(), 1e-3 });
+  ways.push_back({ "exact", NewExactSum(brdf, environment).Get(), 1e-3 });
   ways.push_back({ "table", table.Get(), 0.01 });
   if (all)
   {

@@ -6,7 +6,6 @@
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
-#include "vtkExactRadianceIntegrator.h"
 #include "vtkFloatArray.h"
 #include "vtkImportanceLightSetGenerator.h"
 #include "vtkLambertBRDF.h"
@@ -139,8 +138,8 @@ TEST(Integrators, ErrorsLeaveTheOutputAlone)
 {
   const auto environment = NewConstantEnvironment(8, 4, 1.0f);
   vtkNew<vtkLambertBRDF> brdf;
-  vtkNew<vtkExactRadianceIntegrator> exact;
-  ErrorCatcher errors(exact);
+  vtkNew<vtkLightSetRadianceIntegrator> loop;
+  ErrorCatcher errors(loop);
   const auto three = NewVectors(std::vector<glm::dvec3>(3, glm::dvec3(0.0, 0.0, 1.0)));
   const auto two = NewVectors(std::vector<glm::dvec3>(2, glm::dvec3(0.0, 0.0, 1.0)));
   const auto zero = NewVectors(std::vector<glm::dvec3>(3, glm::dvec3(0.0)));
@@ -151,33 +150,27 @@ TEST(Integrators, ErrorsLeaveTheOutputAlone)
   radiance->SetNumberOfTuples(1);
   radiance->SetValue(0, 42.0f);
 
-  EXPECT_FALSE(exact->Integrate(three, three, radiance)); // no BRDF
-  exact->SetBRDF(brdf);
-  EXPECT_FALSE(exact->Integrate(three, three, radiance)); // no environment
+  EXPECT_FALSE(loop->Integrate(three, three, radiance)); // no BRDF
+  loop->SetBRDF(brdf);
+  EXPECT_FALSE(loop->Integrate(three, three, radiance)); // no environment
   vtkNew<vtkEnvironment> empty;
-  exact->SetEnvironment(empty);
-  EXPECT_FALSE(exact->Integrate(three, three, radiance));
-  exact->SetEnvironment(environment);
-  EXPECT_FALSE(exact->Integrate(nullptr, three, radiance));
-  EXPECT_FALSE(exact->Integrate(three, three, nullptr));
-  EXPECT_FALSE(exact->Integrate(three, two, radiance));
-  EXPECT_FALSE(exact->Integrate(three, three, radiance, two));
-  EXPECT_FALSE(exact->Integrate(scalars, three, radiance));
-  EXPECT_FALSE(exact->Integrate(three, zero, radiance));
-  EXPECT_FALSE(exact->Integrate(nan, three, radiance));
-  EXPECT_FALSE(exact->Integrate(three, three, radiance, nan));
+  loop->SetEnvironment(empty);
+  EXPECT_FALSE(loop->Integrate(three, three, radiance));
+  loop->SetEnvironment(environment);
+  EXPECT_FALSE(loop->Integrate(nullptr, three, radiance));
+  EXPECT_FALSE(loop->Integrate(three, three, nullptr));
+  EXPECT_FALSE(loop->Integrate(three, two, radiance));
+  EXPECT_FALSE(loop->Integrate(three, three, radiance, two));
+  EXPECT_FALSE(loop->Integrate(scalars, three, radiance));
+  EXPECT_FALSE(loop->Integrate(three, zero, radiance));
+  EXPECT_FALSE(loop->Integrate(nan, three, radiance));
+  EXPECT_FALSE(loop->Integrate(three, three, radiance, nan));
   EXPECT_EQ(errors.Take(), 11);
   EXPECT_EQ(radiance->GetNumberOfTuples(), 1);
   EXPECT_EQ(radiance->GetValue(0), 42.0f);
-  EXPECT_TRUE(exact->Integrate(three, three, radiance, zero)); // a zero tangent: any frame
+  EXPECT_TRUE(loop->Integrate(three, three, radiance, zero)); // a zero tangent: any frame
   EXPECT_EQ(radiance->GetNumberOfTuples(), 3);
   EXPECT_EQ(radiance->GetNumberOfComponents(), 3);
-
-  vtkNew<vtkLightSetRadianceIntegrator> loop;
-  loop->SetBRDF(brdf);
-  ErrorCatcher loopErrors(loop);
-  EXPECT_FALSE(loop->Integrate(three, three, radiance));
-  EXPECT_EQ(loopErrors.Take(), 1);
 }
 
 //------------------------------------------------------------------------------

@@ -11,7 +11,6 @@
 #include "vtkDistributionBRDF.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
-#include "vtkExactRadianceIntegrator.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLambertBRDF.h"
@@ -66,7 +65,6 @@ const Method Methods[] = {
   { "filtered", NewOf<vtkFilteredRadianceIntegrator>, { 32 }, { 2 }, true, 1e-5, 1.0, { 1024 },
     0.03 },
   { "lights", NewOf<vtkLightSetRadianceIntegrator>, { 16 }, { 8 }, false, 1e-9, 1.0, {}, 0.0 },
-  { "exact", NewOf<vtkExactRadianceIntegrator>, {}, {}, false, 1e-9, 1.0, {}, 0.0 },
   { "adaptive", NewOf<vtkAdaptiveRadianceIntegrator>, {}, {}, false },
 };
 

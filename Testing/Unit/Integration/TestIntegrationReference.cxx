@@ -3,11 +3,11 @@
 // Measured materials under real environments against figures computed with the RGL authors' own
 // evaluation code.
 #include "SharedData.h"
+#include "SpherePairs.h"
 
 #include "vtkBRDFReader.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironmentReader.h"
-#include "vtkExactRadianceIntegrator.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkNew.h"
 
@@ -71,9 +71,7 @@ TEST_P(ExactReference, MeasuredMaterial)
   environment->SetFileName(SharedData + "/environments/" + light + ".exr");
   ASSERT_TRUE(environment->Read()) << environment->GetErrorMessage();
 
-  vtkNew<vtkExactRadianceIntegrator> integrator;
-  integrator->SetBRDF(reader->GetBRDF());
-  integrator->SetEnvironment(environment->GetEnvironment());
+  const auto integrator = NewExactSum(reader->GetBRDF(), environment->GetEnvironment());
   vtkNew<vtkDoubleArray> radiance;
   ASSERT_TRUE(integrator->Integrate(normals, views, radiance));
   double worst = 0.0;

@@ -491,7 +491,7 @@ public:
 
 protected:
   bool Begin() override { return true; }
-  void IntegratePart(int vtkNotUsed(part), const double n[3], const double vtkNotUsed(o)[3],
+  void IntegratePair(const double n[3], const double vtkNotUsed(o)[3],
     const double vtkNotUsed(t)[3], double radiance[3]) override
   {
     for (int c = 0; c < 3; ++c)

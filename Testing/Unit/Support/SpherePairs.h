@@ -13,7 +13,8 @@
 #include "vtkBRDF.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
-#include "vtkExactRadianceIntegrator.h"
+#include "vtkLightSet.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkNew.h"
 #include "vtkRadianceIntegrator.h"
 
@@ -25,6 +26,27 @@
 #include <cstddef>
 #include <random>
 #include <vector>
+
+/// The sum over the centers of all texels: each is a light.
+inline vtkNew<vtkLightSetRadianceIntegrator> NewExactSum(vtkBRDF* brdf, vtkEnvironment* environment)
+{
+  vtkEnvironment* texels = environment->GetSubdivided();
+  vtkNew<vtkLightSet> lights;
+  for (int k = 0; k < texels->GetWidth() * texels->GetHeight(); ++k)
+  {
+    const int row = k / texels->GetWidth();
+    glm::dvec3 direction, rgb;
+    texels->GetTexelDirection(k % texels->GetWidth(), row, &direction.x);
+    texels->GetPixel(k % texels->GetWidth(), row, &rgb.x);
+    rgb *= texels->GetTexelSolidAngle(row);
+    lights->AddLight(&direction.x, &rgb.x);
+  }
+  vtkNew<vtkLightSetRadianceIntegrator> exact;
+  exact->SetBRDF(brdf);
+  exact->SetEnvironment(environment);
+  exact->SetLightSet(lights);
+  return exact;
+}
 
 struct SpherePairs
 {
@@ -96,10 +118,7 @@ struct SpherePairs
 
   std::vector<glm::dvec3> IntegrateExactly(vtkBRDF* brdf, vtkEnvironment* environment) const
   {
-    vtkNew<vtkExactRadianceIntegrator> exact;
-    exact->SetBRDF(brdf);
-    exact->SetEnvironment(environment);
-    return this->Integrate(exact);
+    return this->Integrate(NewExactSum(brdf, environment));
   }
 };
 

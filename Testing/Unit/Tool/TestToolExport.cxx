@@ -4,13 +4,13 @@
 #include "ExportCases.h"
 #include "ExportFiles.h"
 #include "LitSphere.h"
+#include "SpherePairs.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkCell.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
-#include "vtkExactRadianceIntegrator.h"
 #include "vtkGLTFImporter.h"
 #include "vtkLambertBRDF.h"
 #include "vtkMapper.h"
@@ -99,10 +99,7 @@ std::vector<double> SumExactly(
     views->InsertNextTuple(Front.data());
     tangents->InsertNextTuple3(n.z, 0.0, -n.x);
   }
-  vtkNew<vtkExactRadianceIntegrator> exact;
-  exact->SetBRDF(brdf);
-  exact->SetEnvironment(environment);
-  EXPECT_TRUE(exact->Integrate(normals, views, radiance, tangents));
+  EXPECT_TRUE(NewExactSum(brdf, environment)->Integrate(normals, views, radiance, tangents));
   const double* values = radiance->GetPointer(0);
   return { values, values + radiance->GetNumberOfValues() };
 }

@@ -758,7 +758,7 @@ void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& ligh
     {
       program->SetUniform1fv(("brdfSkyTurns" + number).c_str(), OcclusionViews, turns.data());
       program->SetUniformf(
-        ("brdfSkyLampReach" + number).c_str(), static_cast<float>(2.0 * LampWindow().Reach));
+        ("brdfSkyLampReach" + number).c_str(), static_cast<float>(2.0 * LampWindow::GetReach()));
     }
   }
 }
