@@ -5,7 +5,6 @@
 #include "BasisFunctions.h"
 #include "HalfVector.h" // for angles
 #include "LocalFrame.h"
-#include "ZonalOperators.h"
 
 #include "vtkBRDFResampler.h"
 

@@ -13,11 +13,9 @@
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironmentReader.h"
-#include "vtkImportanceLightSetGenerator.h"
+#include "vtkLightSetGenerator.h"
 #include "vtkMeasuredBRDFConfigure.h"
-#include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
-#include "vtkVarianceLightSetGenerator.h"
 
 #include <CLI/CLI.hpp>
 
@@ -304,21 +302,11 @@ void LightSetOptions::Check() const
 vtkSmartPointer<vtkLightSet> MakeLightSet(
   vtkEnvironment* environment, const LightSetOptions& options)
 {
-  vtkSmartPointer<vtkLightSetGenerator> generator;
-  if (options.IsMedianCut())
-  {
-    generator = vtkSmartPointer<vtkMedianCutLightSetGenerator>::New();
-  }
-  else if (!options.IsImportance())
-  {
-    generator = vtkSmartPointer<vtkVarianceLightSetGenerator>::New();
-  }
-  else
-  {
-    auto importance = vtkSmartPointer<vtkImportanceLightSetGenerator>::New();
-    importance->SetSeed(options.Seed);
-    generator = importance;
-  }
+  vtkNew<vtkLightSetGenerator> generator;
+  generator->SetMethod(options.IsMedianCut()    ? vtkLightSetGenerator::MEDIAN_CUT
+                       : options.IsImportance() ? vtkLightSetGenerator::IMPORTANCE
+                                                : vtkLightSetGenerator::VARIANCE);
+  generator->SetSeed(options.Seed);
   auto lights = vtkSmartPointer<vtkLightSet>::New();
   if (!generator->Generate(environment, options.Count, lights))
   {

@@ -7,7 +7,6 @@
 #include "LocalFrame.h"
 #include "ParallelFor.h"
 #include "Setters.h"
-#include "ZonalOperators.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 

@@ -12,7 +12,7 @@
  * The sharp part is seen by a fixed low-discrepancy set of N samples; each reads the environment at
  * the resolution at which a texel's solid angle is the sample's, 1/(N pdf) (Colbert, Krivanek, GPU
  * Gems 3, ch. 20). Directions, levels and weights are tabulated by the view's polar angle. The
- * broad part is a sum over N lights (vtkVarianceLightSetGenerator), each evaluated with the
+ * broad part is a sum over N lights (vtkLightSetGenerator, by variance), each evaluated with the
  * material: samples of a broad lobe miss small panels, lights do not. Texels much brighter than the
  * rest (a sun) are taken out first and added as directional lights.
  *

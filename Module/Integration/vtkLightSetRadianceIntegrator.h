@@ -35,8 +35,8 @@ public:
 
   ///@{
   /**
-   * How the environment becomes lights, e.g. vtkMedianCutLightSetGenerator for the thesis's; null
-   * (default): cells of least variance, vtkVarianceLightSetGenerator with its defaults. Integrators
+   * How the environment becomes lights, e.g. vtkLightSetGenerator's median cut, the thesis's; null
+   * (default): cells of least variance, by vtkLightSetGenerator's method of that name. Integrators
    * that share a generator and an environment share the lights.
    */
   void SetGenerator(vtkLightSetGenerator* generator);

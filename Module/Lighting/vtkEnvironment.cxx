@@ -3,10 +3,10 @@
 #include "vtkEnvironment.h"
 
 #include "HalfVector.h" // for Pi
+#include "Neighbors.h"
 #include "Printable.h"
 #include "RadianceValues.h"
 #include "SRGB.h"
-#include "TexelInterpolation.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -22,7 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <utility>
 
 using measuredbrdf::Pi;
@@ -200,13 +199,13 @@ std::vector<float> Draw(
 }
 
 // Radiance at (u,v) of an environment that is not empty.
-void Interpolate(vtkEnvironment* environment, double u, double v, double rgb[3])
+glm::dvec3 Interpolate(vtkEnvironment* environment, double u, double v)
 {
-  const std::size_t width = static_cast<std::size_t>(environment->GetWidth());
-  const float* pixels = environment->GetPixels().data();
-  measuredbrdf::InterpolateTexels(
-    width, static_cast<std::size_t>(environment->GetHeight()), u, v,
-    [&](std::size_t x, std::size_t y) { return pixels + 3 * (y * width + x); }, rgb);
+  const std::vector<float>& pixels = environment->GetPixels();
+  const int width = environment->GetWidth();
+  return measuredbrdf::InterpolateTexels(width, environment->GetHeight(), u, v,
+    [&](std::size_t x, std::size_t y)
+    { return glm::dvec3(glm::make_vec3(&pixels[3 * (y * width + x)])); });
 }
 
 // Maps of fewer rows are cut up to twice as many at least, and columns alike; but no map grows
@@ -321,9 +320,8 @@ void vtkEnvironment::Subdivide()
   {
     for (int x = 0; x < width; ++x)
     {
-      double radiance[3];
-      Interpolate(this, (x + 0.5) / width, (y + 0.5) / height, radiance);
-      std::copy_n(radiance, 3, std::back_inserter(rgb));
+      const glm::vec3 radiance(Interpolate(this, (x + 0.5) / width, (y + 0.5) / height));
+      rgb.insert(rgb.end(), &radiance.x, &radiance.x + 3);
     }
   }
   this->Subdivided = vtkSmartPointer<vtkEnvironment>::New();
@@ -398,12 +396,9 @@ void vtkEnvironment::GetRadiance(const double direction[3], double rgb[3])
   double u;
   double v;
   vtkEnvironment::GetCoordinates(direction, u, v);
-  if (this->Pixels->empty() || !std::isfinite(u) || !std::isfinite(v))
-  {
-    std::fill(rgb, rgb + 3, 0.0);
-    return;
-  }
-  Interpolate(this, u, v, rgb);
+  const bool isSeen = !this->Pixels->empty() && std::isfinite(u) && std::isfinite(v);
+  const glm::dvec3 radiance = isSeen ? Interpolate(this, u, v) : glm::dvec3(0.0);
+  std::copy_n(&radiance.x, 3, rgb);
 }
 
 //------------------------------------------------------------------------------

@@ -9,7 +9,9 @@
 #include "vtkObjectFactory.h"
 #include "vtkTabulatedBRDF.h"
 
-#include <glm/glm.hpp>
+#define GLM_ENABLE_EXPERIMENTAL
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/gtx/component_wise.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -96,36 +98,34 @@ bool vtkBRDFAnalysis::Update()
 void vtkBRDFAnalysis::UpdateAlbedos()
 {
   const int azimuths = this->BRDF->IsIsotropic() ? 1 : 8;
-  this->Albedos.assign(this->Angles.size(), { 0.0, 0.0, 0.0 });
-  this->Reflectances = this->Albedos;
-  this->LargestAlbedo = 0.0;
-  double largestReflectance = 0.0;
-  for (std::size_t j = 0; j < this->Angles.size(); ++j)
+  this->Albedos.clear();
+  this->Reflectances.clear();
+  glm::dvec3 largestAlbedo(0.0), largestReflectance(0.0);
+  for (const double angle : this->Angles)
   {
-    const double theta = this->Angles[j] * Pi / 180.0;
+    glm::dvec3 albedos(0.0), reflectances(0.0);
     for (int k = 0; k < azimuths; ++k)
     {
-      const glm::dvec3 d = ToDirection(std::cos(theta), 2.0 * Pi * k / azimuths);
-      double albedo[3], reflectance[3];
-      this->BRDF->GetDirectionalAlbedo(&d.x, albedo);
-      this->BRDF->GetDirectionalReflectance(&d.x, reflectance);
-      for (int c = 0; c < 3; ++c)
-      {
-        this->Albedos[j][c] += albedo[c] / azimuths;
-        this->Reflectances[j][c] += reflectance[c] / azimuths;
-        this->LargestAlbedo = std::max({ this->LargestAlbedo, albedo[c], reflectance[c] });
-        largestReflectance = std::max(largestReflectance, reflectance[c]);
-      }
+      const glm::dvec3 d = ToDirection(std::cos(ToRadians(angle)), 2.0 * Pi * k / azimuths);
+      glm::dvec3 albedo, reflectance;
+      this->BRDF->GetDirectionalAlbedo(&d.x, &albedo.x);
+      this->BRDF->GetDirectionalReflectance(&d.x, &reflectance.x);
+      albedos += albedo / static_cast<double>(azimuths);
+      reflectances += reflectance / static_cast<double>(azimuths);
+      largestAlbedo = glm::max(largestAlbedo, albedo);
+      largestReflectance = glm::max(largestReflectance, reflectance);
     }
+    this->Albedos.push_back({ albedos.x, albedos.y, albedos.z });
+    this->Reflectances.push_back({ reflectances.x, reflectances.y, reflectances.z });
   }
-  this->GainsEnergy = largestReflectance > 1.005;
+  this->LargestAlbedo = glm::compMax(glm::max(largestAlbedo, largestReflectance));
+  this->GainsEnergy = glm::compMax(largestReflectance) > 1.005;
 }
 
 //------------------------------------------------------------------------------
 void vtkBRDFAnalysis::UpdatePairs()
 {
-  std::fill_n(this->Minimum, 3, std::numeric_limits<double>::infinity());
-  std::fill_n(this->Maximum, 3, 0.0);
+  glm::dvec3 least(std::numeric_limits<double>::infinity()), largest(0.0);
   double difference = 0.0;
   double sum = 0.0;
   double squaredDifference = 0.0;
@@ -135,36 +135,32 @@ void vtkBRDFAnalysis::UpdatePairs()
   const auto random = [&engine]() { return static_cast<double>(engine()) * 0x1p-32; };
   for (int k = 0; k < this->NumberOfPairs; ++k)
   {
-    double o[3];
-    double i[3];
+    glm::dvec3 o, i, f, swapped;
     double u[4];
     std::generate_n(u, 4, random);
-    SampleCosine(u[0], u[1], o);
+    SampleCosine(u[0], u[1], &o.x);
     if (k % 2 == 0)
     {
-      SampleCosine(u[2], u[3], i);
+      SampleCosine(u[2], u[3], &i.x);
     }
-    else if (!this->BRDF->Sample(o, u[2], u[3], i))
+    else if (!this->BRDF->Sample(&o.x, u[2], u[3], &i.x))
     {
       continue; // below the horizon: weight 0
     }
-    const double cosine = i[2] / Pi;
-    const double weight = cosine / (0.5 * (cosine + this->BRDF->Pdf(i, o)));
-    double f[3];
-    double swapped[3];
-    this->BRDF->Evaluate(i, o, f);
-    this->BRDF->Evaluate(o, i, swapped);
-    for (int c = 0; c < 3; ++c)
-    {
-      this->Minimum[c] = std::min(this->Minimum[c], f[c]);
-      this->Maximum[c] = std::max(this->Maximum[c], f[c]);
-      const double d = f[c] - swapped[c];
-      difference += weight * std::abs(d);
-      sum += weight * f[c];
-      squaredDifference += weight * d * d;
-      squaredSum += weight * f[c] * f[c];
-    }
+    const double cosine = i.z / Pi;
+    const double weight = cosine / (0.5 * (cosine + this->BRDF->Pdf(&i.x, &o.x)));
+    this->BRDF->Evaluate(&i.x, &o.x, &f.x);
+    this->BRDF->Evaluate(&o.x, &i.x, &swapped.x);
+    least = glm::min(least, f);
+    largest = glm::max(largest, f);
+    const glm::dvec3 d = f - swapped;
+    difference += weight * glm::compAdd(glm::abs(d));
+    sum += weight * glm::compAdd(f);
+    squaredDifference += weight * glm::dot(d, d);
+    squaredSum += weight * glm::dot(f, f);
   }
+  std::copy_n(&least.x, 3, this->Minimum);
+  std::copy_n(&largest.x, 3, this->Maximum);
   this->ReciprocityError = sum > 0.0 ? difference / sum : 0.0;
   this->ReciprocityRMSError = squaredSum > 0.0 ? std::sqrt(squaredDifference / squaredSum) : 0.0;
 }
@@ -193,16 +189,15 @@ double vtkBRDFAnalysis::GetTableNegativeMass(vtkTabulatedBRDF* table)
   }
   const int* size = table->GetDimensions();
   const int parameterization = table->GetParameterization();
-  double negative = 0.0;
-  double total = 0.0;
+  glm::dvec3 negative(0.0), total(0.0);
   for (int cell = 0; cell < size[0] * size[1] * size[2]; ++cell)
   {
     const int x = cell % size[0], y = cell / size[0] % size[1], z = cell / size[0] / size[1];
-    const float* value = &table->GetVolume()[3 * static_cast<std::size_t>(cell)];
+    const glm::dvec3 value(glm::make_vec3(&table->GetVolume()[3 * static_cast<std::size_t>(cell)]));
     glm::dvec3 i, o;
     if (!vtkTabulatedBRDF::GetCellDirections(
           parameterization, table->GetAzimuthRange(), size, x, y, z, &i.x, &o.x) ||
-        !std::isfinite(value[0] + value[1] + value[2]))
+        !std::isfinite(glm::compAdd(value)))
     {
       continue;
     }
@@ -219,13 +214,11 @@ double vtkBRDFAnalysis::GetTableNegativeMass(vtkTabulatedBRDF* table)
     {
       weight *= std::sqrt((1.0 - i.z * i.z) * (1.0 - o.z * o.z));
     }
-    for (int c = 0; c < 3; ++c)
-    {
-      total += weight * std::abs(value[c]);
-      negative += weight * std::max(-value[c], 0.0f);
-    }
+    total += weight * glm::abs(value);
+    negative += weight * glm::max(-value, 0.0);
   }
-  return total > 0.0 ? negative / total : 0.0;
+  const double all = glm::compAdd(total);
+  return all > 0.0 ? glm::compAdd(negative) / all : 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 
 using namespace measuredbrdf;
 
@@ -29,8 +30,7 @@ vtkStandardNewMacro(vtkBRDFFailureMap);
 
 namespace
 {
-constexpr double MinimumCosine = 0.02; // of what is shaded
-constexpr int LargestNumberOfWorst = 5;
+constexpr std::size_t LargestNumberOfWorst = 5;
 constexpr double WorstDistance = 10.0; // degrees
 
 //------------------------------------------------------------------------------
@@ -61,7 +61,7 @@ Cell CompareCell(vtkBRDF* reference, vtkBRDF* brdf, int azimuths, const GetPair&
   {
     glm::dvec3 i, o, r, f;
     getPair(2.0 * Pi * k / azimuths, i, o);
-    if (std::min(i.z, o.z) < MinimumCosine - 1e-9)
+    if (std::min(i.z, o.z) < MinimumViewCosine - 1e-9)
     {
       continue;
     }
@@ -102,33 +102,32 @@ void FillImage(vtkImageData* image, const std::vector<Cell>& cells, int count, d
 }
 
 //------------------------------------------------------------------------------
+// Angles of a cell, in degrees.
+glm::dvec2 GetAngles(std::size_t cell, int count)
+{
+  return 90.0 / count * (glm::dvec2(cell % count, cell / count) + 0.5);
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::array<double, 4>> FindWorst(const std::vector<Cell>& cells, int count)
 {
-  std::vector<std::size_t> order;
-  for (std::size_t k = 0; k < cells.size(); ++k)
-  {
-    if (cells[k].GetError() > 0.0)
-    {
-      order.push_back(k);
-    }
-  }
+  std::vector<std::size_t> order(cells.size());
+  std::iota(order.begin(), order.end(), 0);
+  order.erase(std::remove_if(order.begin(), order.end(),
+                [&](std::size_t k) { return !(cells[k].GetError() > 0.0); }),
+    order.end());
   std::stable_sort(order.begin(), order.end(),
     [&](std::size_t a, std::size_t b) { return cells[a].GetError() > cells[b].GetError(); });
   std::vector<std::array<double, 4>> worst;
   for (const std::size_t k : order)
   {
-    const double thetaI = 90.0 * (static_cast<double>(k % count) + 0.5) / count;
-    const double thetaO = 90.0 * (static_cast<double>(k / count) + 0.5) / count;
+    const glm::dvec2 angles = GetAngles(k, count);
     const bool isNew = std::none_of(worst.begin(), worst.end(),
       [&](const std::array<double, 4>& other)
-      { return std::hypot(other[0] - thetaI, other[1] - thetaO) < WorstDistance; });
-    if (isNew)
+      { return glm::distance(glm::dvec2(other[0], other[1]), angles) < WorstDistance; });
+    if (isNew && worst.size() < LargestNumberOfWorst)
     {
-      worst.push_back({ thetaI, thetaO, cells[k].Azimuth, cells[k].GetError() });
-    }
-    if (worst.size() == LargestNumberOfWorst)
-    {
-      break;
+      worst.push_back({ angles.x, angles.y, cells[k].Azimuth, cells[k].GetError() });
     }
   }
   return worst;
@@ -137,17 +136,15 @@ std::vector<std::array<double, 4>> FindWorst(const std::vector<Cell>& cells, int
 //------------------------------------------------------------------------------
 double GetWeightedError(const std::vector<Cell>& cells, int count)
 {
-  double difference = 0.0;
-  double reference = 0.0;
+  Cell sum;
   for (std::size_t k = 0; k < cells.size(); ++k)
   {
     // cos sin of both angles, up to a factor.
-    const double weight = std::sin(Pi * (static_cast<double>(k % count) + 0.5) / count) *
-                          std::sin(Pi * (static_cast<double>(k / count) + 0.5) / count);
-    difference += weight * cells[k].Difference;
-    reference += weight * cells[k].Reference;
+    const double weight = glm::compMul(glm::sin(2.0 * glm::radians(GetAngles(k, count))));
+    sum.Difference += weight * cells[k].Difference;
+    sum.Reference += weight * cells[k].Reference;
   }
-  return reference > 0.0 ? difference / reference : std::numeric_limits<double>::quiet_NaN();
+  return sum.GetError();
 }
 }
 
@@ -176,7 +173,7 @@ bool vtkBRDFFailureMap::Update()
   const auto compare = [this](const auto& getPair)
   { return CompareCell(this->Reference, this->BRDF, this->NumberOfAzimuths, getPair); };
   const double step = 0.5 * Pi / count;
-  const double steepest = std::acos(MinimumCosine);
+  const double steepest = std::acos(MinimumViewCosine);
   std::vector<Cell> incidentOutgoing(static_cast<std::size_t>(count) * count);
   std::vector<Cell> halfDifference(incidentOutgoing.size());
   // Rows by a few, so that the calling thread can tell of them.

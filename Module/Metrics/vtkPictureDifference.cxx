@@ -5,43 +5,27 @@
 #include "PictureErrors.h"
 #include "Setters.h"
 
+#include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <exception>
+#include <iterator>
 #include <limits>
 
 vtkStandardNewMacro(vtkPictureDifference);
 
 namespace
 {
-constexpr std::size_t LastColor = 17;
-constexpr unsigned char Magma[LastColor + 1][3] = { { 0, 0, 4 }, { 9, 7, 32 }, { 26, 16, 66 },
-  { 49, 17, 101 }, { 74, 16, 121 }, { 98, 25, 128 }, { 121, 34, 130 }, { 145, 43, 129 },
-  { 170, 51, 125 }, { 194, 59, 117 }, { 217, 70, 107 }, { 236, 88, 96 }, { 247, 114, 92 },
-  { 252, 142, 100 }, { 254, 170, 116 }, { 254, 198, 138 }, { 253, 226, 163 }, { 252, 253, 191 } };
-
-//------------------------------------------------------------------------------
 // Magma (van der Walt and Smith 2015), which FLIP's error maps have: black, purple, orange, pale
-// yellow. A value in [0,1], clamped, to sRGB bytes. Linear between 18 of the 256 published colors:
-// at most 3 of 255 off.
-std::array<unsigned char, 3> GetMagmaColor(double value)
-{
-  const double at = std::clamp(value, 0.0, 1.0) * LastColor;
-  const std::size_t k = std::min(static_cast<std::size_t>(at), LastColor - 1);
-  const double weight = at - static_cast<double>(k);
-  std::array<unsigned char, 3> color{};
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    const double mixed = Magma[k][c] + weight * (Magma[k + 1][c] - Magma[k][c]);
-    color[c] = static_cast<unsigned char>(std::lround(mixed));
-  }
-  return color;
-}
+// yellow, in sRGB. Linear between 18 of the 256 published colors: at most 3 of 255 off.
+constexpr unsigned char Magma[][3] = { { 0, 0, 4 }, { 9, 7, 32 }, { 26, 16, 66 }, { 49, 17, 101 },
+  { 74, 16, 121 }, { 98, 25, 128 }, { 121, 34, 130 }, { 145, 43, 129 }, { 170, 51, 125 },
+  { 194, 59, 117 }, { 217, 70, 107 }, { 236, 88, 96 }, { 247, 114, 92 }, { 252, 142, 100 },
+  { 254, 170, 116 }, { 254, 198, 138 }, { 253, 226, 163 }, { 252, 253, 191 } };
 
 //------------------------------------------------------------------------------
 // Null where there is no such metric.
@@ -51,15 +35,6 @@ const measuredbrdf::PictureMetric* Find(int metric)
   return metric >= 0 && metric < static_cast<int>(metrics.size())
            ? &metrics[static_cast<std::size_t>(metric)]
            : nullptr;
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> MakeImage(int width, int height, int type, int components)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(width, height, 1);
-  image->AllocateScalars(type, components);
-  return image;
 }
 }
 
@@ -122,7 +97,9 @@ bool vtkPictureDifference::Compare(vtkImageData* picture, vtkImageData* referenc
       picture, reference, { this->Border, this->Mask, this->IgnoreAlpha });
     const measuredbrdf::PictureError error =
       measuredbrdf::ComputePictureError(*Find(this->Metric), pair);
-    this->Map = MakeImage(pair.Width, pair.Height, VTK_FLOAT, 1);
+    this->Map = vtkSmartPointer<vtkImageData>::New();
+    this->Map->SetDimensions(pair.Width, pair.Height, 1);
+    this->Map->AllocateScalars(VTK_FLOAT, 1);
     Eigen::Map<Eigen::ArrayXf>(static_cast<float*>(this->Map->GetScalarPointer()),
       error.Map.size()) = error.Map.cast<float>();
     this->MapMetric = this->Metric;
@@ -150,17 +127,17 @@ vtkImageData* vtkPictureDifference::NewHeatMap()
   {
     return nullptr;
   }
-  const int* size = this->Map->GetDimensions();
-  const vtkSmartPointer<vtkImageData> image = MakeImage(size[0], size[1], VTK_UNSIGNED_CHAR, 3);
-  const auto* errors = static_cast<const float*>(this->Map->GetScalarPointer());
-  auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
-  const double brightest = Find(this->MapMetric)->Brightest;
-  for (vtkIdType k = 0; k < this->Map->GetNumberOfPoints(); ++k)
+  vtkNew<vtkColorTransferFunction> magma;
+  const double step = Find(this->MapMetric)->Brightest / (std::size(Magma) - 1.0);
+  for (const auto& color : Magma)
   {
-    const auto color = GetMagmaColor(errors[k] / brightest);
-    std::copy(color.begin(), color.end(), bytes + 3 * k);
+    magma->AddRGBPoint(
+      step * magma->GetSize(), color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
   }
-  image->Register(nullptr);
+  vtkImageData* image = vtkImageData::New();
+  image->SetDimensions(this->Map->GetDimensions());
+  image->GetPointData()->SetScalars(vtkSmartPointer<vtkUnsignedCharArray>::Take(magma->MapScalars(
+    this->Map->GetPointData()->GetScalars(), VTK_COLOR_MODE_MAP_SCALARS, 0, VTK_RGB)));
   return image;
 }
 

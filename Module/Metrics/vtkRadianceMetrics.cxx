@@ -3,6 +3,7 @@
 #include "vtkRadianceMetrics.h"
 
 #include "NumberText.h"
+#include "ParallelFor.h"
 #include "PictureErrors.h"
 #include "Refusal.h"
 #include "vtkCommand.h"
@@ -126,25 +127,12 @@ double GetSimilarity(const PicturePair& pair)
     return std::numeric_limits<double>::quiet_NaN();
   }
 }
-
-//------------------------------------------------------------------------------
-// Whether work() threw nothing; says what it threw.
-template <typename Work>
-bool Succeeds(vtkObject* metrics, const Work& work)
-{
-  const std::string problem = FindProblemOf(work);
-  if (!problem.empty())
-  {
-    vtkErrorWithObjectMacro(metrics, << problem << ".");
-  }
-  return problem.empty();
-}
 }
 
 //------------------------------------------------------------------------------
 bool vtkRadianceMetrics::Compare(vtkDataArray* radiance, vtkDataArray* reference)
 {
-  return Succeeds(this,
+  return RunGuarded(this, "Compare",
     [&]()
     {
       const auto [x, r] = ReadBoth(radiance, reference);
@@ -176,7 +164,7 @@ bool vtkRadianceMetrics::Compare(vtkDataArray* radiance, vtkDataArray* reference
 bool vtkRadianceMetrics::ComparePictures(
   int width, int height, vtkDataArray* radiance, vtkDataArray* reference, vtkDataArray* coverage)
 {
-  return Succeeds(this,
+  return RunGuarded(this, "ComparePictures",
     [&]()
     {
       const PicturePair pair = MakePair(width, height, radiance, reference, coverage);
@@ -201,7 +189,7 @@ bool vtkRadianceMetrics::ComparePictures(
       };
       const Values largest = ComputeHDRFlip(width, height, pair.Picture.Color, pair.Reference.Color,
         FindExposures(pair.GetLuminances(pair.Reference.Color)), goOn);
-      Require(largest.size() > 0 && goOn(1.0), "ComparePictures was aborted");
+      Require(largest.size() > 0 && goOn(1.0), "aborted");
       this->FLIP = flip;
       this->HDRFLIP = pair.GetMean(largest);
       this->SSIM = GetSimilarity(encoded);

@@ -33,81 +33,53 @@ namespace
 {
 //------------------------------------------------------------------------------
 // Directions on half circles from the mirror direction m to the horizon. Along each, the angle from
-// m grows with the square of the point's number.
-class Hemisphere
+// m grows with the square of the point's number. The first is m, the others go circle by circle.
+std::vector<glm::dvec3> MakeDirections(const glm::dvec3& mirror, int radial, int circular)
 {
-public:
-  Hemisphere(const glm::dvec3& mirror, int radial, int circular)
-    : Axes(FrameAbout(mirror))
-    , Radial(radial)
-    , Circular(circular)
+  const Frame axes = FrameAbout(mirror); // the third is m
+  std::vector<glm::dvec3> directions = { mirror };
+  for (int k = 0; k < radial * circular; ++k)
   {
-  }
-
-  vtkIdType GetNumberOfPoints() const
-  {
-    return 1 + static_cast<vtkIdType>(this->Radial) * this->Circular;
-  }
-
-  // Point 0 is m, the others go circle by circle; then come as many, mirrored at the surface.
-  glm::dvec3 GetDirection(vtkIdType point) const
-  {
-    if (point >= this->GetNumberOfPoints())
-    {
-      const glm::dvec3 above = this->GetDirection(point - this->GetNumberOfPoints());
-      return { above.x, above.y, -above.z };
-    }
-    if (point == 0)
-    {
-      return this->Axes[2];
-    }
-    const vtkIdType circle = 1 + (point - 1) / this->Circular;
-    const double step = static_cast<double>(circle) / this->Radial;
-    const double azimuth =
-      2.0 * Pi * static_cast<double>((point - 1) % this->Circular) / this->Circular;
-    const glm::dvec3 side = std::cos(azimuth) * this->Axes[0] + std::sin(azimuth) * this->Axes[1];
+    const double step = (k / circular + 1.0) / radial;
+    const double azimuth = 2.0 * Pi * (k % circular) / circular;
+    const glm::dvec3 side = std::cos(azimuth) * axes[0] + std::sin(azimuth) * axes[1];
     // cos(a) m.z + sin(a) side.z = 0 at the horizon.
-    const double horizon = std::atan2(this->Axes[2].z, -side.z);
-    const double angle = horizon * step * step;
-    glm::dvec3 direction = std::cos(angle) * this->Axes[2] + std::sin(angle) * side;
+    const double angle = std::atan2(mirror.z, -side.z) * step * step;
+    glm::dvec3 direction = std::cos(angle) * mirror + std::sin(angle) * side;
     direction.z = step < 1.0 ? std::max(direction.z, 0.0) : 0.0; // no rounding on the rim
-    return direction;
+    directions.push_back(direction);
   }
+  return directions;
+}
 
-  // Of points from the first one on. They face outwards of what lies above the surface, or, turned,
-  // below it.
-  void AddCells(vtkCellArray* cells, vtkIdType first, bool below) const
+//------------------------------------------------------------------------------
+// Of points from the first one on. They face outwards of what lies above the surface, or, turned,
+// below it.
+void AddCells(int radial, int circular, vtkIdType first, bool below, vtkCellArray* cells)
+{
+  const auto add = [&](std::vector<vtkIdType> polygon)
   {
-    const auto add = [&](std::vector<vtkIdType> polygon)
+    for (vtkIdType& point : polygon)
     {
-      for (vtkIdType& point : polygon)
-      {
-        point += first;
-      }
-      if (below)
-      {
-        std::reverse(polygon.begin(), polygon.end());
-      }
-      cells->InsertNextCell(static_cast<vtkIdType>(polygon.size()), polygon.data());
-    };
-    for (vtkIdType k = 0; k < this->Circular; ++k)
+      point += first;
+    }
+    if (below)
     {
-      const vtkIdType next = (k + 1) % this->Circular;
-      add({ 0, 1 + k, 1 + next });
-      for (vtkIdType ring = 0; ring + 1 < this->Radial; ++ring)
-      {
-        const vtkIdType inner = 1 + ring * this->Circular;
-        const vtkIdType outer = inner + this->Circular;
-        add({ inner + k, outer + k, outer + next, inner + next });
-      }
+      std::reverse(polygon.begin(), polygon.end());
+    }
+    cells->InsertNextCell(static_cast<vtkIdType>(polygon.size()), polygon.data());
+  };
+  for (vtkIdType k = 0; k < circular; ++k)
+  {
+    const vtkIdType next = (k + 1) % circular;
+    add({ 0, 1 + k, 1 + next });
+    for (vtkIdType inner = 1; inner < (radial - 1) * circular; inner += circular)
+    {
+      const vtkIdType outer = inner + circular;
+      add({ inner + k, outer + k, outer + next, inner + next });
     }
   }
-
-private:
-  Frame Axes; // the third is m
-  int Radial;
-  int Circular;
-};
+}
 
 //------------------------------------------------------------------------------
 double GetDistance(int scaling, double luminance)
@@ -157,19 +129,20 @@ void vtkBRDFLobeSource::Fill(vtkPolyData* output)
   {
     throw std::runtime_error("There is no BRDF; call SetBRDF first");
   }
-  const double theta = this->ThetaI * Degree;
-  const double phi = this->PhiI * Degree;
-  const glm::dvec3 i(
-    std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
-  const Hemisphere hemisphere(
-    { -i.x, -i.y, i.z }, this->RadialResolution, this->CircularResolution);
-  const vtkIdType above = hemisphere.GetNumberOfPoints();
-  const vtkIdType count = this->Transmission ? 2 * above : above;
-  // Above the surface, then, where there is transmission, as many below.
+  const glm::dvec3 i = ToDirection(std::cos(ToRadians(this->ThetaI)), ToRadians(this->PhiI));
+  std::vector<glm::dvec3> directions =
+    MakeDirections({ -i.x, -i.y, i.z }, this->RadialResolution, this->CircularResolution);
+  const auto above = static_cast<vtkIdType>(directions.size());
+  for (vtkIdType k = 0; this->Transmission && k < above; ++k) // as many below the surface
+  {
+    const glm::dvec3 up = directions[k];
+    directions.emplace_back(up.x, up.y, -up.z);
+  }
+  const auto count = static_cast<vtkIdType>(directions.size());
   const auto values = NewArray<vtkFloatArray>("BRDF", 3, count);
   const auto radiances = NewArray<vtkFloatArray>("Radiance", 3, count);
   const auto luminances = NewArray<vtkFloatArray>("Luminance", 1, count);
-  const auto directions = NewArray<vtkFloatArray>("Direction", 3, count);
+  const auto named = NewArray<vtkFloatArray>("Direction", 3, count);
   const auto transmitted = NewArray<vtkFloatArray>("Transmitted", 1, count);
   this->BRDF->Prepare();
   if (this->Transmission)
@@ -182,7 +155,7 @@ void vtkBRDFLobeSource::Fill(vtkPolyData* output)
     count,
     [&](vtkIdType k)
     {
-      const glm::dvec3 o = hemisphere.GetDirection(k);
+      const glm::dvec3& o = directions[k];
       glm::dvec3 f;
       k < above ? brdf->Evaluate(glm::value_ptr(i), glm::value_ptr(o), glm::value_ptr(f))
                 : btdf->Evaluate(glm::value_ptr(i), glm::value_ptr(o), glm::value_ptr(f));
@@ -190,7 +163,7 @@ void vtkBRDFLobeSource::Fill(vtkPolyData* output)
       values->SetTypedTuple(k, glm::value_ptr(glm::vec3(f)));
       radiances->SetTypedTuple(k, glm::value_ptr(glm::vec3(radiance)));
       luminances->SetValue(k, static_cast<float>(GetLuminance(radiance)));
-      directions->SetTypedTuple(k, glm::value_ptr(glm::vec3(o)));
+      named->SetTypedTuple(k, glm::value_ptr(glm::vec3(o)));
       transmitted->SetValue(k, k < above ? 0.0f : 1.0f);
     },
     nullptr, 0);
@@ -205,22 +178,20 @@ void vtkBRDFLobeSource::Fill(vtkPolyData* output)
   points->SetNumberOfPoints(count);
   for (vtkIdType k = 0; k < count; ++k)
   {
-    const double distance = factor * GetDistance(this->Scaling, luminances->GetValue(k));
-    const glm::dvec3 place = distance * hemisphere.GetDirection(k);
+    const glm::dvec3 place =
+      factor * GetDistance(this->Scaling, luminances->GetValue(k)) * directions[k];
     points->SetPoint(k, glm::value_ptr(place));
   }
   vtkNew<vtkCellArray> cells;
-  hemisphere.AddCells(cells, 0, false);
-  if (btdf)
+  for (vtkIdType first = 0; first < count; first += above)
   {
-    hemisphere.AddCells(cells, above, true);
+    AddCells(this->RadialResolution, this->CircularResolution, first, first > 0, cells);
   }
-
   output->SetPoints(points);
   output->SetPolys(cells);
   output->GetPointData()->AddArray(values);
   output->GetPointData()->AddArray(radiances);
-  output->GetPointData()->AddArray(directions);
+  output->GetPointData()->AddArray(named);
   output->GetPointData()->SetScalars(luminances);
   if (btdf)
   {

@@ -53,7 +53,7 @@ def make_samples(count):
 def make_lights(count, soft=False):
     lights = make(measured.vtkLightSetRadianceIntegrator, NumberOfLights=count, SoftLights=soft)
     if not soft:
-        lights.SetGenerator(measured.vtkMedianCutLightSetGenerator())
+        lights.SetGenerator(measured.vtkLightSetGenerator())
     return lights
 
 

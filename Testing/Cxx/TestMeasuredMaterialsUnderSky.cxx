@@ -9,9 +9,9 @@
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkImageData.h"
+#include "vtkLightSetGenerator.h"
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
-#include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
 #include "vtkRegressionTestImage.h"
 #include "vtkRenderWindow.h"
@@ -46,7 +46,7 @@ int TestMeasuredMaterialsUnderSky(int argc, char* argv[])
   sphere->SetPhiResolution(64);
   sphere->SetRadius(0.47);
   vtkNew<vtkLightSetRadianceIntegrator> lights;
-  lights->SetGenerator(vtkNew<vtkMedianCutLightSetGenerator>());
+  lights->SetGenerator(vtkNew<vtkLightSetGenerator>());
   const char* names[] = { "blue-fabric", "pink-fabric2", "gold-paint", "green-metallic-paint",
     "violet-rubber", "red-fabric2", "silver-metallic-paint", "pink-felt", "cherry-235" };
   for (int k = 0; k < 9; ++k)

@@ -11,9 +11,9 @@
 #include "vtkEmbeddedMaterials.h"
 #include "vtkFloatArray.h"
 #include "vtkLight.h"
+#include "vtkLightSetGenerator.h"
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
-#include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
 #include "vtkParametricFunctionSource.h"
 #include "vtkParametricTorus.h"
@@ -90,7 +90,7 @@ int TestMeasuredSceneLights(int argc, char* argv[])
   brushed->SetDiffuse(0.6, 0.4, 0.2);
   brushed->SetExponents(8.0, 200.0);
   vtkNew<vtkLightSetRadianceIntegrator> lights;
-  lights->SetGenerator(vtkNew<vtkMedianCutLightSetGenerator>());
+  lights->SetGenerator(vtkNew<vtkLightSetGenerator>());
   vtkNew<vtkMeasuredBRDFMapper> ringMapper;
   ringMapper->SetInputData(ring);
   ringMapper->SetBRDF(brushed);

@@ -67,7 +67,7 @@ add("Core.zone-without-clamp", "BasisFunctions.h",
     "return 2.0 * (cosine - this->Far) / (this->Near - this->Far) - 1.0;",
     "BasisFunctions.Edges|BasisBRDF.ConstantBeyondTheZones")
 add("Core.negative-weights-count", "Distribution.h", "std::isfinite(w) && w > 0.0 ? w : 0.0",
-    "std::isfinite(w) ? w : 0.0", "Distribution1D.ProbabilitiesAndInversion|Distribution1D.WithoutWeightUniform")
+    "std::isfinite(w) ? w : 0.0", "Distribution1D.ProbabilitiesAndInversion")
 add("Core.boundary-belongs-to-the-cell-before", "Distribution.h",
     "std::upper_bound(this->Cdf.begin() + 1, this->Cdf.end(), u)",
     "std::lower_bound(this->Cdf.begin() + 1, this->Cdf.end(), u)", "Distribution1D.ProbabilitiesAndInversion")
@@ -87,7 +87,7 @@ add("Core.hash-of-the-last-piece", "ContentHash.cxx", "{ this->State[0], this->S
 add("Core.warp-weights-of-slices", "BilinearWarp.h", "result.Weight[k] *= 1.0 - w;", "result.Weight[k] *= w;",
     "IOTensor.Reads|IOTensor.AgreesWithTheAuthorsCode|Sampling.FollowsItsPdf")
 add("Core.warp-inverts-without-cells", "BilinearWarp.h",
-    "density = glm::mix(c0, c1, fraction.x) * this->GetCellsPerSquare();", "density = glm::mix(c0, c1, fraction.x);",
+    "density = glm::mix(c.x, c.y, fraction.x) * this->GetCellsPerSquare();", "density = glm::mix(c.x, c.y, fraction.x);",
     "IOTensor.AgreesWithTheAuthorsCode|Sampling.FollowsItsPdf")
 add("Material.tabulated-lanes-have-no-sign", "vtkTabulatedBRDF.cxx",
     "(across < 0.0f ? -turns : turns) *", "turns *", "ManyLights.OfTables")
@@ -204,18 +204,18 @@ add("Lighting.rotation-the-other-way", "vtkEnvironment.cxx", "{ c, 0.0, -s, 0.0,
     "{ c, 0.0, s, 0.0, 1.0, 0.0, -s, 0.0, c }", "Environment.Rotation")
 add("Lighting.mirrored-rotation-is-taken", "vtkEnvironment.cxx", "rows[2]) < 0.0)", "rows[2]) < -2.0)",
     "Environment.Rotation")
-add("Lighting.swapped-counts", "RadianceValues.cxx", "found.Negative : found.NotFinite",
-    "found.NotFinite : found.Negative", "Environment.RepairsAndCounts")
-add("Lighting.colors-are-gray", "RadianceValues.cxx", "array->GetNumberOfComponents() == 1 ? 0 : 1;",
-    "array->GetNumberOfComponents() == 1 ? 0 : 0;", "Environment.TakesImagesOfAnyType")
+add("Lighting.swapped-counts", "RadianceValues.cxx", "negative : notFinite",
+    "notFinite : negative", "Environment.RepairsAndCounts")
+add("Lighting.colors-are-gray", "RadianceValues.cxx", "components == 1 ? 0 : static_cast<int>(k % 3);",
+    "0;", "Environment.TakesImagesOfAnyType")
 add("Lighting.snapshot-without-rotation", "vtkEnvironment.cxx",
     "std::copy_n(this->WorldToEnvironment, 9, snapshot->WorldToEnvironment);", "", "EnvironmentSnapshots.ShareWhatNeverChanges")
 add("Lighting.new-pixels-old-time", "vtkEnvironment.cxx", "this->PixelsTime.Modified();\n  this->Modified();",
     "this->Modified();", "Planner.PlansAgainExactlyWhenItMust")
-add("Lighting.cut-up-texels-are-moved", "vtkEnvironment.cxx", "Interpolate(this, (x + 0.5) / width, (y + 0.5) / height, radiance);",
-    "Interpolate(this, (x + 1.0) / width, (y + 0.5) / height, radiance);", "CoarseMaps.AreCutUpWithoutChangingTheirLight")
-add("Lighting.seam-is-not-crossed", "TexelInterpolation.h", "first + 1 < size ? first + 1 : 0,",
-    "first + 1 < size ? first + 1 : first,", "Environment.InterpolatesBetweenTexels|EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
+add("Lighting.cut-up-texels-are-moved", "vtkEnvironment.cxx", "Interpolate(this, (x + 0.5) / width, (y + 0.5) / height)",
+    "Interpolate(this, (x + 1.0) / width, (y + 0.5) / height)", "CoarseMaps.AreCutUpWithoutChangingTheirLight")
+add("Core.seam-is-not-crossed", "Neighbors.h", "x = PeriodicNeighbors(u,",
+    "x = ClampedNeighbors(u,", "Environment.InterpolatesBetweenTexels|EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
 add("Lighting.harmonics-of-point-masses", "EnvironmentHarmonics.cxx", "* sinc * sinc, half)", ", half)",
     "EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
 add("Lighting.harmonics-of-one-hemisphere", "EnvironmentHarmonics.cxx", "(north - south).real()", "(north + south).real()",
@@ -229,17 +229,17 @@ add("Lighting.directions-of-any-length", "vtkLightSet.cxx", "light.Direction[c] 
     "light.Direction[c] = direction[c];", "LightSet.AddsAndRefuses")
 add("Lighting.total-of-red", "vtkLightSet.cxx", "rgb[c] += light.Irradiance[c];", "rgb[c] += light.Irradiance[0];",
     "LightSet.AddsAndRefuses|Generators.KeepTheEnergy")
-add("Lighting.lower-half-of-the-octahedron", "EnvironmentPyramid.cxx", "std::swap(u, v);\n    u = 1.0 - u;",
-    "u = 1.0 - u;", "EnvironmentPyramid.IsContinuousAcrossAllFourFolds|FilteredIntegrator.MirrorShowsTheEnvironment")
-add("Lighting.median-cut-takes-any-number", "vtkMedianCutLightSetGenerator.cxx", "(count & (count - 1)) != 0",
+add("Lighting.lower-half-of-the-octahedron", "EnvironmentPyramid.cxx", "std::swap(u, v);\n    u = 1 - u;",
+    "u = 1 - u;", "EnvironmentPyramid.IsContinuousAcrossAllFourFolds|FilteredIntegrator.MirrorShowsTheEnvironment")
+add("Lighting.median-cut-takes-any-number", "vtkLightSetGenerator.cxx", "(count & (count - 1)) != 0",
     "(count & 1) != 0", "Generators.RefuseBadArguments")
 add("Lighting.median-cut-energy", "LightTree.cxx", "this->Irradiance += solidAngle * rgb;",
     "this->Irradiance += rgb;", "Generators.KeepTheEnergy")
-add("Lighting.importance-weights", "vtkImportanceLightSetGenerator.cxx",
-    "weights.push_back(solidAngle * vtkEnvironment", "weights.push_back(vtkEnvironment",
+add("Lighting.importance-weights", "vtkLightSetGenerator.cxx",
+    "weights.push_back(solidAngle * GetLuminance", "weights.push_back(GetLuminance",
     "Importance.Unbiased|Generators.KeepTheEnergy")
-add("Lighting.importance-ignores-the-seed", "vtkImportanceLightSetGenerator.cxx", "std::mt19937 engine(this->Seed);",
-    "std::mt19937 engine(1);", "Importance.SeedsRepeat")
+add("Lighting.importance-ignores-the-seed", "vtkLightSetGenerator.cxx", "std::mt19937 engine(seed);",
+    "std::mt19937 engine(1);", "Importance.SameOnEveryMachine")
 add("Lighting.lamps-leave-their-light", "ExtractedEmitters.cxx", "irradiance = (value - kept) *",
     "irradiance = value *", "ExtractedEmitters.LightsAndRestAddUp")
 add("Lighting.faces-upside-down", "LightProbe.cxx", "{ { 1, 0, 0 }, { 0, 0, 1 }, { 0, -1, 0 } }",
@@ -252,7 +252,7 @@ add("Lighting.harmonics-scale", "EnvironmentHarmonics.cxx", "factors[m] * std::c
 
 # Integration
 
-add("Lighting.parts-are-the-texel", "TexelTree.cxx", "2 * x + 1 - (1 << part)", "2 * x - (1 << part)",
+add("Lighting.parts-are-the-texel", "TexelTree.cxx", "(x + 0.5) / at.Width, (y", "(x + 0.0) / at.Width, (y",
     "TexelTree.PartsAreInterpolated")
 add("Integration.adaptive-stops-at-texels", "AdaptiveSum.cxx",
     "if (level == this->Texels->GetLowestLevel())", "if (level <= 0)",
@@ -461,23 +461,23 @@ add("Metrics.pictures-over-black-only", "PictureErrors.cxx", "metric.Compute(pai
     "metric.Compute(pair, 0.0)", "PictureDifference.AlphaOverBlackAndWhite")
 add("Metrics.masks-hide-black-only", "PictureErrors.cxx", "mask->GetComponent(k, 0) >= least",
     "mask->GetComponent(k, 0) > 0.0 * least", "PictureDifference.BorderAndMask")
-add("Metrics.border-of-rows-is-compared", "PictureErrors.cxx", "int y = area.Border;", "int y = 0;",
+add("Metrics.border-of-rows-is-compared", "PictureErrors.cxx", "inside.block(border, border, columns, rows)", "inside.block(border, 0, columns, height)",
     "PictureDifference.BorderOnAllSides")
 add("Metrics.masked-pixels-show-in-their-neighbors", "PictureErrors.cxx", "if (pair.Compared[k] == 0.0)",
     "if (pair.Compared[k] > 2.0)", "PictureDifference.BorderAndMask")
 add("Metrics.similarities-pass-below-the-threshold", "vtkPictureDifference.cxx",
     "this->Value >= threshold : this->Value <= threshold", "this->Value <= threshold : this->Value <= threshold",
     "PictureDifference.BorderAndMask")
-add("Metrics.ssim-with-cut-windows", "PictureErrors.cxx", "inside.block(SimilarityRadius, SimilarityRadius, width, height) = 1.0;",
-    "inside = 1.0;", "PictureDifference.AgreesWithOtherPrograms")
-add("Metrics.heat-map-of-one-scale", "vtkPictureDifference.cxx", "GetMagmaColor(errors[k] / brightest)",
-    "GetMagmaColor(errors[k] * brightest)", "PictureDifference.HeatMap")
-add("Metrics.reciprocity-of-the-same-pair", "vtkBRDFAnalysis.cxx", "this->BRDF->Evaluate(o, i, swapped);",
-    "this->BRDF->Evaluate(i, o, swapped);", "BRDFAnalysis.ReciprocityErrorOfAKnownOne")
-add("Metrics.negative-mass-of-positive-values", "vtkBRDFAnalysis.cxx", "std::max(-value[c], 0.0f)",
-    "std::max(value[c], 0.0f)", "BRDFAnalysis.NegativeMassOfATable")
-add("Metrics.albedos-in-degrees", "vtkBRDFAnalysis.cxx", "const double theta = this->Angles[j] * Pi / 180.0;",
-    "const double theta = this->Angles[j] * Pi / 360.0;",
+add("Metrics.ssim-with-cut-windows", "PictureErrors.cxx", "MakeInside(pair.Width, pair.Height, SimilarityRadius)",
+    "MakeInside(pair.Width, pair.Height, 0)", "PictureDifference.AgreesWithOtherPrograms")
+add("Metrics.heat-map-of-one-scale", "vtkPictureDifference.cxx", "Find(this->MapMetric)->Brightest / (",
+    "1.0 / (", "PictureDifference.HeatMap")
+add("Metrics.reciprocity-of-the-same-pair", "vtkBRDFAnalysis.cxx", "this->BRDF->Evaluate(&o.x, &i.x, &swapped.x);",
+    "this->BRDF->Evaluate(&i.x, &o.x, &swapped.x);", "BRDFAnalysis.ReciprocityErrorOfAKnownOne")
+add("Metrics.negative-mass-of-positive-values", "vtkBRDFAnalysis.cxx", "glm::max(-value, 0.0)",
+    "glm::max(value, 0.0)", "BRDFAnalysis.NegativeMassOfATable")
+add("Metrics.albedos-in-degrees", "vtkBRDFAnalysis.cxx", "std::cos(ToRadians(angle))",
+    "std::cos(0.5 * ToRadians(angle))",
     "BRDFAnalysis.Lambert|BRDFAnalysis.ReciprocityErrorOfAKnownOne|BRDFAnalysis.NegativeMassOfABasis|"
     "BRDFAnalysis.Arguments")
 add("Metrics.failure-map-forgets-the-worst-azimuth", "vtkBRDFFailureMap.cxx",
@@ -513,7 +513,7 @@ add("Fitting.non-negative-gradient", "LinearLeastSquares.cxx", "gradient[k] < -t
 add("Fitting.half-the-cost", "vtkLobeBRDFFitter.cxx", "push_back(2.0 * summary.cost)",
     "push_back(summary.cost)",
     "Fit.FiguresAreWhatTheyAreSaidToBe")
-add("Core.never-regularized", "ZonalOperators.h",
+add("Core.never-regularized", "BasisFunctions.h",
     "std::sqrt(regularization * weight.sum() / (4.0 * Pi)) * l * (l + 1.0)", "0.0 * regularization * l",
     "Projector.MethodsMinimizeTheirOwnNorm|Projector.ErrorFallsWithTheOrder|"
     "Extrapolator.ProblemIsIllPosed")
@@ -753,12 +753,12 @@ add("Sources.lobe-without-the-cosine", "vtkBRDFLobeSource.cxx", "const glm::dvec
     "const glm::dvec3 radiance = f;", "LobeSource.PointsLie")
 add("Sources.lobe-about-the-light", "vtkBRDFLobeSource.cxx", "{ -i.x, -i.y, i.z }", "{ i.x, i.y, i.z }",
     "LobeSource.PointsLie")
-add("Sources.lobe-open-at-its-seam", "vtkBRDFLobeSource.cxx", "(k + 1) % this->Circular", "k + 1",
+add("Sources.lobe-open-at-its-seam", "vtkBRDFLobeSource.cxx", "(k + 1) % circular", "k + 1",
     "LobeSource.TheSurface")
 add("Sources.slice-range-ends-early", "vtkBRDFSliceSource.cxx", "static_cast<double>(index) / (number - 1)",
     "static_cast<double>(index) / number", "SliceSource.RowsHold")
-add("Sources.phi-h-forgotten", "MaterialSource.h", "const double s = std::sin(phiH * Degree);",
-    "const double s = 0.0;", "SliceSource.RowsHold")
+add("Sources.phi-h-forgotten", "MaterialSource.h", "o = glm::rotateZ(o, ToRadians(phiH));",
+    "", "SliceSource.RowsHold")
 add("Sources.below-the-horizon-is-valid", "MaterialSource.h", "i.z > 1e-9 && o.z > 1e-9", "i.z > 1e-9",
     "SliceSource.RowsHold|ImageSource.Pixels")
 add("Sources.image-at-pixel-corners", "vtkBRDFImageSource.cxx", "(static_cast<double>(extent[0] + k % width) + 0.5)",
@@ -926,10 +926,10 @@ add("IO.bsdf-xml-sides-of-transmission", "BsdfXmlFile.cxx", "&lit == &side ? vtk
     "&lit != &side ? vtkBTDF::FRONT : vtkBTDF::BACK", "IOTransmission.ReadsMatrices|IOTransmission.AgreesWithRadiance")
 add("IO.bsdf-xml-keeps-the-last-transmission", "vtkBRDFReader.cxx",
     "this->Transmission = content.Transmission;\n      this->Notes", "this->Notes", "IOTransmission.IsOfferedBesideReflection")
-add("Sources.lobe-of-transmission-above", "vtkBRDFLobeSource.cxx", "{ above.x, above.y, -above.z }", "above",
+add("Sources.lobe-of-transmission-above", "vtkBRDFLobeSource.cxx", "(up.x, up.y, -up.z)", "(up)",
     "LobeSource.TransmissionIsBelowTheSurface")
-add("Sources.lobe-of-transmission-inside-out", "vtkBRDFLobeSource.cxx", "AddCells(cells, above, true)",
-    "AddCells(cells, above, false)", "LobeSource.TransmissionIsBelowTheSurface")
+add("Sources.lobe-of-transmission-inside-out", "vtkBRDFLobeSource.cxx", "first, first > 0, cells",
+    "first, false, cells", "LobeSource.TransmissionIsBelowTheSurface")
 add("IO.bsdf-xml-rows-as-columns", "BsdfXmlFile.cxx", 'if (IsSameWord(this->Structure, "Rows"))',
     'if (IsSameWord(this->Structure, "Never"))', "IOBsdfXml.Reads")
 add("Material.warp-folds-the-other-way", "vtkAdaptiveWarpBRDF.cxx", "along.x + along.y < 0.0", "along.x + along.y > 0.0",

@@ -3,14 +3,14 @@
 // Shading against closed forms at values where no factor is 1: lights, scalars, grazing views,
 // tangents; and a copy that forgets nothing.
 #include "RenderFixture.h"
-#include "ScaledLight.h"
+#include "RandomLight.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBasisBRDF.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkLightCollection.h"
 #include "vtkLightSet.h"
+#include "vtkLightSetGenerator.h"
 #include "vtkLightSetRadianceIntegrator.h"
-#include "vtkMedianCutLightSetGenerator.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPBRIrradianceTexture.h"
 #include "vtkPBRPrefilterTexture.h"
@@ -37,7 +37,7 @@ protected:
     this->Plane->SetPoint1(1.0, -1.0, 0.0);
     this->Plane->SetPoint2(-1.0, 1.0, 0.0);
     this->Mapper->SetInputConnection(this->Plane->GetOutputPort());
-    this->Lights->SetGenerator(vtkNew<vtkMedianCutLightSetGenerator>());
+    this->Lights->SetGenerator(vtkNew<vtkLightSetGenerator>());
     this->Mapper->SetIntegrator(this->Lights);
     this->Mapper->SetBRDF(this->Lambert);
     this->Lambert->SetAlbedo(0.9, 0.6, 0.3);

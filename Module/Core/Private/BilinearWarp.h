@@ -120,7 +120,7 @@ public:
   {
     glm::dvec2 fraction;
     const std::size_t cell = this->FindCell(u, fraction);
-    return Interpolate(this->GetPatch(cell, slices), fraction) *
+    return Interpolate(this->GetCorners(cell, slices), fraction) *
            (this->Conditional.empty() ? 1.0 : this->GetCellsPerSquare());
   }
 
@@ -131,12 +131,7 @@ public:
     const std::size_t cell = this->FindCell(u, fraction);
     for (std::size_t c = 0; c < 3; ++c)
     {
-      Patch patch{ 0.0, 0.0, 0.0, 0.0 };
-      for (int k = 0; k < slices.Count; ++k)
-      {
-        this->AddPatch(cell, 3 * slices.Index[k] + c, slices.Weight[k], patch);
-      }
-      values[c] = Interpolate(patch, fraction);
+      values[c] = Interpolate(this->GetCorners(cell, slices, 3, c), fraction);
     }
   }
 
@@ -164,13 +159,11 @@ public:
     };
     const std::size_t column = FindInterval(width, u.x, conditional);
     u.x -= conditional(column);
-    const Patch v = this->GetPatch(row * width + column, slices);
-    const double c0 = glm::mix(v.V00, v.V01, u.y);
-    const double c1 = glm::mix(v.V10, v.V11, u.y);
-    u.x = InvertLinear(c0, c1, u.x);
-    density = glm::mix(c0, c1, u.x) * this->GetCellsPerSquare();
-    return glm::dvec2((static_cast<double>(column) + u.x) / (this->Width - 1),
-      (static_cast<double>(row) + u.y) / (this->Height - 1));
+    const Corners corners = this->GetCorners(row * width + column, slices);
+    const glm::dvec2 c = glm::mix(corners[0], corners[1], u.y);
+    u.x = InvertLinear(c.x, c.y, u.x);
+    density = glm::mix(c.x, c.y, u.x) * this->GetCellsPerSquare();
+    return (glm::dvec2(column, row) + u) / glm::dvec2(this->Width - 1, this->Height - 1);
   }
 
   /// The inverse of Sample. density: at u.
@@ -180,37 +173,35 @@ public:
     const std::size_t cell = this->FindCell(u, fraction);
     const std::size_t width = this->Width;
     const std::size_t row = cell / width;
-    // All that is looked up, in one pass over the slices.
-    Patch v{ 0.0, 0.0, 0.0, 0.0 };
-    double before0 = 0.0, before1 = 0.0, r0 = 0.0, r1 = 0.0, below = 0.0;
-    const std::size_t height = this->Height;
+    // All that is looked up, in one pass over the slices: integrals up to the cell's left side, and
+    // of whole rows.
+    Corners corners(0.0);
+    glm::dvec2 before(0.0), total(0.0);
+    double below = 0.0;
     for (int k = 0; k < slices.Count; ++k)
     {
       const std::size_t slice = slices.Index[k];
       const double w = slices.Weight[k];
       const double* conditional = &this->Conditional[slice * this->GetSliceSize()];
-      this->AddPatch(cell, slice, w, v);
-      before0 += w * conditional[cell];
-      before1 += w * conditional[cell + width];
-      r0 += w * conditional[(row + 1) * width - 1];
-      r1 += w * conditional[(row + 2) * width - 1];
-      below += w * this->Marginal[slice * height + row];
+      corners += w * this->GetCornersOf(cell, slice);
+      before += w * glm::dvec2(conditional[cell], conditional[cell + width]);
+      total +=
+        w * glm::dvec2(conditional[(row + 1) * width - 1], conditional[(row + 2) * width - 1]);
+      below += w * this->Marginal[slice * this->Height + row];
     }
-    const double c0 = glm::mix(v.V00, v.V01, fraction.y);
-    const double c1 = glm::mix(v.V10, v.V11, fraction.y);
-    density = glm::mix(c0, c1, fraction.x) * this->GetCellsPerSquare();
-    const double x =
-      fraction.x * (c0 + 0.5 * fraction.x * (c1 - c0)) + glm::mix(before0, before1, fraction.y);
-    const double total = glm::mix(r0, r1, fraction.y);
-    const double y = fraction.y * (r0 + 0.5 * fraction.y * (r1 - r0)) + below;
-    return glm::dvec2(total > 0.0 ? x / total : 0.0, y);
+    // From 0 to t under a line from a.x to a.y.
+    const auto integrate = [](const glm::dvec2& a, double t)
+    { return t * (a.x + 0.5 * t * (a.y - a.x)); };
+    const glm::dvec2 c = glm::mix(corners[0], corners[1], fraction.y);
+    density = glm::mix(c.x, c.y, fraction.x) * this->GetCellsPerSquare();
+    const double x = integrate(c, fraction.x) + glm::mix(before.x, before.y, fraction.y);
+    const double all = glm::mix(total.x, total.y, fraction.y);
+    return glm::dvec2(all > 0.0 ? x / all : 0.0, integrate(total, fraction.y) + below);
   }
 
 private:
-  struct Patch
-  {
-    double V00, V10, V01, V11;
-  };
+  /// Values at a cell's corners, the lower two and the upper two.
+  using Corners = glm::dmat2;
 
   std::size_t GetSliceSize() const
   {
@@ -255,13 +246,12 @@ private:
 
   std::size_t FindCell(const glm::dvec2& u, glm::dvec2& fraction) const
   {
-    const double px = std::clamp(u.x, 0.0, 1.0) * (this->Width - 1);
-    const double py = std::clamp(u.y, 0.0, 1.0) * (this->Height - 1);
-    const int x = std::min(static_cast<int>(px), this->Width - 2);
-    const int y = std::min(static_cast<int>(py), this->Height - 2);
-    fraction = glm::dvec2(px - x, py - y);
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(this->Width) +
-           static_cast<std::size_t>(x);
+    const glm::dvec2 place =
+      glm::clamp(u, 0.0, 1.0) * glm::dvec2(this->Width - 1, this->Height - 1);
+    const glm::ivec2 cell =
+      glm::min(glm::ivec2(place), glm::ivec2(this->Width - 2, this->Height - 2));
+    fraction = place - glm::dvec2(cell);
+    return static_cast<std::size_t>(cell.y) * this->Width + cell.x;
   }
 
   double Lookup(const std::vector<double>& data, std::size_t offset, std::size_t stride,
@@ -281,30 +271,28 @@ private:
     return this->Lookup(this->Conditional, (row + 1) * width - 1, this->GetSliceSize(), slices);
   }
 
-  Patch GetPatch(std::size_t cell, const Slices& slices) const
+  Corners GetCornersOf(std::size_t cell, std::size_t slice) const
   {
-    Patch patch{ 0.0, 0.0, 0.0, 0.0 };
+    const double* v = &this->Values[slice * this->GetSliceSize() + cell];
+    return Corners(v[0], v[1], v[this->Width], v[this->Width + 1]);
+  }
+
+  /// Of slices that are `stride` apart, from the first one on.
+  Corners GetCorners(
+    std::size_t cell, const Slices& slices, std::size_t stride = 1, std::size_t first = 0) const
+  {
+    Corners corners(0.0);
     for (int k = 0; k < slices.Count; ++k)
     {
-      this->AddPatch(cell, slices.Index[k], slices.Weight[k], patch);
+      corners += slices.Weight[k] * this->GetCornersOf(cell, stride * slices.Index[k] + first);
     }
-    return patch;
+    return corners;
   }
 
-  static double Interpolate(const Patch& v, const glm::dvec2& fraction)
+  static double Interpolate(const Corners& corners, const glm::dvec2& fraction)
   {
-    return glm::mix(
-      glm::mix(v.V00, v.V10, fraction.x), glm::mix(v.V01, v.V11, fraction.x), fraction.y);
-  }
-
-  void AddPatch(std::size_t cell, std::size_t slice, double weight, Patch& patch) const
-  {
-    const std::size_t width = this->Width;
-    const double* v = &this->Values[slice * this->GetSliceSize() + cell];
-    patch.V00 += weight * v[0];
-    patch.V10 += weight * v[1];
-    patch.V01 += weight * v[width];
-    patch.V11 += weight * v[width + 1];
+    const glm::dvec2 c = glm::mix(corners[0], corners[1], fraction.y);
+    return glm::mix(c.x, c.y, fraction.x);
   }
 
   /// Largest k with cdf(k) <= u, at most n - 2.

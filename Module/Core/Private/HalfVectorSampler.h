@@ -34,20 +34,16 @@ std::vector<double> MeanOverDifferenceAngles(int nTheta, int nPhi, Function eval
     const double sine = nPhi > 1 ? std::sin(phi) : 0.0;
     const auto turn = [cosine, sine](const glm::dvec3& d)
     { return glm::dvec3(cosine * d.x - sine * d.y, sine * d.x + cosine * d.y, d.z); };
-    for (int d = 0; d < nThetaD; ++d)
+    for (int k = 0; k < nThetaD * nPhiD; ++k)
     {
-      for (int p = 0; p < nPhiD; ++p)
-      {
-        glm::dvec3 i, o;
-        FromHalfDifference({ UnitToThetaH((t + 0.5) / nTheta), 0.5 * Pi * (d + 0.5) / nThetaD,
-                             2.0 * Pi * (p + 0.5) / nPhiD },
-          i, o);
-        i = turn(i);
-        o = turn(o);
-        double f[3];
-        evaluate(&i.x, &o.x, f);
-        weights[cell] += (f[0] + f[1] + f[2]) * i.z;
-      }
+      glm::dvec3 i, o, f;
+      FromHalfDifference({ UnitToThetaH((t + 0.5) / nTheta), 0.5 * Pi * (k / nPhiD + 0.5) / nThetaD,
+                           2.0 * Pi * (k % nPhiD + 0.5) / nPhiD },
+        i, o);
+      i = turn(i);
+      o = turn(o);
+      evaluate(&i.x, &o.x, &f.x);
+      weights[cell] += (f.x + f.y + f.z) * i.z;
     }
   }
   return weights;
@@ -74,10 +70,9 @@ public:
     }
     for (std::size_t k = 0; k < weights.size(); ++k)
     {
-      masses[k] = weights[k] * this->SolidAngles[k % static_cast<std::size_t>(nTheta)];
+      masses[k] = weights[k] * this->SolidAngles[k % nTheta];
     }
-    this->Cells =
-      Distribution2D(masses, static_cast<std::size_t>(nTheta), static_cast<std::size_t>(nPhi));
+    this->Cells = Distribution2D(masses, nTheta, nPhi);
     if (this->Cells.IsZero())
     {
       this->LobeShare = 0.0;
@@ -119,9 +114,7 @@ public:
       const int t = std::min(
         static_cast<int>(ThetaHToUnit(theta) * this->NumberOfTheta), this->NumberOfTheta - 1);
       const int p = std::min(static_cast<int>(phi * this->NumberOfPhi), this->NumberOfPhi - 1);
-      const double density =
-        this->Cells.GetProbability(static_cast<std::size_t>(t), static_cast<std::size_t>(p)) /
-        this->SolidAngles[t];
+      const double density = this->Cells.GetProbability(t, p) / this->SolidAngles[t];
       pdf += this->LobeShare * density / (4.0 * std::max(glm::dot(o, h), 1e-9));
     }
     return pdf;

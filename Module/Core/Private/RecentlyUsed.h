@@ -10,10 +10,10 @@
 
 #include "BackgroundThreads.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <list>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -34,13 +34,14 @@ public:
   /// Null where it is not known. Stays valid while no other key is added.
   Value* Find(const Key& key)
   {
-    const auto found = this->Places.find(key);
-    if (found == this->Places.end())
+    const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
+      [&key](const Entry& entry) { return entry.first == key; });
+    if (found == this->Entries.end())
     {
       return nullptr;
     }
-    this->Entries.splice(this->Entries.begin(), this->Entries, found->second);
-    return &found->second->second;
+    this->Entries.splice(this->Entries.begin(), this->Entries, found);
+    return &found->second;
   }
 
   /// The value of a key, a new one where there is none. What was used longest ago and is too many
@@ -49,14 +50,10 @@ public:
   {
     if (!this->Find(key))
     {
-      std::list<Entry> made;
-      made.emplace_back(key, Value());
-      this->Places.emplace(key, made.begin());
-      this->Entries.splice(this->Entries.begin(), made);
+      this->Entries.emplace_front(key, Value());
     }
     while (this->Entries.size() > this->Most)
     {
-      this->Places.erase(this->Entries.back().first);
       surplus.splice(surplus.end(), this->Entries, std::prev(this->Entries.end()));
     }
     return this->Entries.front().second;
@@ -70,22 +67,16 @@ public:
 
   void Remove(const Key& key)
   {
-    const auto found = this->Places.find(key);
-    if (found != this->Places.end())
+    if (this->Find(key))
     {
-      this->Entries.erase(found->second);
-      this->Places.erase(found);
+      this->Entries.pop_front();
     }
   }
 
   void Clear() { this->TakeAll(); }
 
   /// All, for the caller to destroy.
-  std::list<std::pair<Key, Value>> TakeAll()
-  {
-    this->Places.clear();
-    return std::exchange(this->Entries, {});
-  }
+  std::list<std::pair<Key, Value>> TakeAll() { return std::exchange(this->Entries, {}); }
 
   std::size_t GetSize() const { return this->Entries.size(); }
 
@@ -97,8 +88,7 @@ public:
 
 private:
   using Entry = std::pair<Key, Value>;
-  std::list<Entry> Entries;
-  std::map<Key, typename std::list<Entry>::iterator> Places;
+  std::list<Entry> Entries; // few: they are searched one by one
   std::size_t Most;
 };
 

@@ -50,12 +50,11 @@ public:
     const std::string name = getName(item);
     const auto isSame = [&](const auto& other)
     { return other == item || getName(other.Get()) == name; };
-    if (std::any_of(this->Own.begin(), this->Own.end(), isSame) ||
-        std::any_of(this->Added.begin(), this->Added.end(), isSame))
+    if (std::any_of(this->All.begin(), this->All.end(), isSame))
     {
       return false;
     }
-    this->Added.emplace_back(item);
+    this->All.emplace_back(item);
     return true;
   }
 
@@ -63,50 +62,50 @@ public:
   bool Remove(T* item)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    const auto found = std::find(this->Added.begin(), this->Added.end(), item);
-    if (found == this->Added.end())
-    {
-      return false;
-    }
-    this->Added.erase(found);
-    return true;
+    const auto found = std::find(this->All.begin() + this->Own, this->All.end(), item);
+    const bool isThere = found != this->All.end();
+    this->All.erase(found, isThere ? found + 1 : found);
+    return isThere;
   }
 
-  const Items& GetOwn() const { return this->Own; }
+  Items GetOwn()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return { this->All.begin(), this->All.begin() + this->Own };
+  }
 
   /// In the order in which they were added.
   Items GetAdded()
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    return this->Added;
+    return { this->All.begin() + this->Own, this->All.end() };
   }
 
   /// The module's own, then those that were added.
   Items GetAll()
   {
-    Items all = this->Own;
-    const Items added = this->GetAdded();
-    all.insert(all.end(), added.begin(), added.end());
-    return all;
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return this->All;
   }
 
 private:
   explicit Registry(Items own)
-    : Own(std::move(own))
+    : All(std::move(own))
+    , Own(static_cast<std::ptrdiff_t>(this->All.size()))
   {
   }
 
   void Clear()
   {
-    Items released[2]; // after the lock
+    Items released; // after the lock
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    released[0].swap(this->Own);
-    released[1].swap(this->Added);
+    released.swap(this->All);
+    this->Own = 0;
   }
 
   std::mutex Mutex;
-  Items Own;
-  Items Added;
+  Items All; // the module's own first
+  std::ptrdiff_t Own;
 };
 
 /// "a, b or c", as getName tells them.

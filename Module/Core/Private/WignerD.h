@@ -44,22 +44,13 @@ public:
     }
     // d at First = sign sqrt((2 l)! / ((l + j)! (l - j)!)) cos^a(theta/2) sin^b(theta/2).
     const int l = this->First;
-    const int j = std::abs(m) >= std::abs(k) ? k : m;
+    const bool isM = std::abs(m) >= std::abs(k);
+    const int larger = isM ? m : k;
+    const int j = larger >= 0 ? (isM ? k : m) : -(isM ? k : m);
     this->LogStart = 0.5 * (LogFactorial(2 * l) - LogFactorial(l + j) - LogFactorial(l - j));
-    bool negative;
-    if (std::abs(m) >= std::abs(k))
-    {
-      this->CosinePower = m >= 0 ? l + k : l - k;
-      this->SinePower = m >= 0 ? l - k : l + k;
-      negative = m >= 0 && (l - k) % 2 != 0;
-    }
-    else
-    {
-      this->CosinePower = k >= 0 ? l + m : l - m;
-      this->SinePower = k >= 0 ? l - m : l + m;
-      negative = k < 0 && (l + m) % 2 != 0;
-    }
-    this->Sign = negative ? -1.0 : 1.0;
+    this->CosinePower = l + j;
+    this->SinePower = l - j;
+    this->Sign = isM == (larger >= 0) && this->SinePower % 2 != 0 ? -1.0 : 1.0;
     double before = 0.0; // the root of the degree below: at the first one it is 0
     this->Steps.reserve(this->Last - l);
     for (int degree = l; degree < this->Last; ++degree)

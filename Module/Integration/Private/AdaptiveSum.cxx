@@ -332,7 +332,6 @@ constexpr float LeastErrorShare = 3.0f;
 ///@}
 /// Within texels radiance is smooth: what the quarters leave is not left once it is extrapolated.
 constexpr float PartRest = 0.15f;
-constexpr auto SmoothRest = static_cast<float>(TexelTree::SmoothRest);
 constexpr float PeakTimes = 2.0f;        // of a square's mean f: less is no hidden peak
 constexpr float LargestRest = 1.0f;      // above, a square tells nothing
 constexpr double LargestEstimate = 1e36; // which is finite in single precision
@@ -489,7 +488,7 @@ void AdaptiveSum<Size>::Finish(std::size_t index)
   Square& square = this->All[index];
   const int level = square.Level;
   const bool isLast = level - 1 == this->Texels->GetLowestLevel(); // as exact as can be
-  const float rest = level > 0 ? this->Texels->GetRest(level, square.X, square.Y) : SmoothRest;
+  const float rest = this->Texels->GetRest(level, square.X, square.Y);
   const float left = level > 0 ? std::max(rest, LeastRest) : PartRest;
   for (auto& of : square.Of)
   {
@@ -575,7 +574,6 @@ typename AdaptiveSum<Size>::Square& AdaptiveSum<Size>::Add(int level, int x, int
   {
     this->All.resize(2 * this->NumberOfAll + 1024);
   }
-  this->Texels->Prefetch(level, x, y);
   Square& square = this->All[this->NumberOfAll++];
   square.Level = level;
   square.X = x;

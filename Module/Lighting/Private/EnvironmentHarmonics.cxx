@@ -3,9 +3,8 @@
 #include "EnvironmentHarmonics.h"
 
 #include "BasisFunctions.h"
+#include "Neighbors.h"
 #include "ParallelFor.h"
-#include "TexelChanges.h"
-#include "TexelInterpolation.h"
 #include "WignerD.h"
 #include "vtkEnvironment.h"
 
@@ -20,28 +19,23 @@ namespace measuredbrdf
 {
 namespace
 {
-// By channel, row and order.
-using Series = std::vector<std::complex<double>>;
+using Complex = std::complex<double>;
+using Series = std::vector<Complex>; // by channel, row and order
 
 // How many columns a row is transformed with: its own, or, where a large prime number of columns
 // would make that slow, so many interpolated ones that they change next to nothing.
-std::size_t ChooseColumns(std::size_t width)
+int ChooseColumns(int width)
 {
-  constexpr std::size_t largestFactor = 64;
-  std::size_t rest = width;
-  for (std::size_t factor = 2; factor <= largestFactor; ++factor)
+  constexpr int largestFactor = 64;
+  int rest = width;
+  for (int factor = 2; factor <= largestFactor; ++factor)
   {
     while (rest % factor == 0)
     {
       rest /= factor;
     }
   }
-  std::size_t power = 1;
-  while (power < 8 * width)
-  {
-    power *= 2;
-  }
-  return rest == 1 ? width : power;
+  return rest == 1 ? width : 1 << static_cast<int>(std::ceil(std::log2(8.0 * width)));
 }
 
 // The Fourier series of each row, of the function between its texels: that of point masses at
@@ -49,47 +43,44 @@ std::size_t ChooseColumns(std::size_t width)
 // them.
 Series TransformRows(vtkEnvironment* environment, const TexelChanges& texels, std::size_t orders)
 {
-  const std::size_t width = static_cast<std::size_t>(environment->GetWidth());
-  const std::size_t height = static_cast<std::size_t>(environment->GetHeight());
-  const std::size_t columns = ChooseColumns(width);
-  std::vector<TexelNeighbors> neighbors;
-  for (std::size_t x = 0; x < columns; ++x)
+  const int width = environment->GetWidth();
+  const std::size_t height = environment->GetHeight();
+  const int columns = ChooseColumns(width);
+  std::vector<Neighbors> neighbors;
+  for (int x = 0; x < columns; ++x)
   {
-    neighbors.push_back(
-      TexelNeighbors::InRow((static_cast<double>(x) + 0.5) / static_cast<double>(columns), width));
+    neighbors.push_back(PeriodicNeighbors((x + 0.5) / columns, width));
   }
   // The harmonics' azimuth is 3 pi/2 - phi_x: e^(-i m azimuth) = i^m e^(i m phi_x).
-  const std::complex<double> turns[4] = { 1.0, { 0.0, 1.0 }, -1.0, { 0.0, -1.0 } };
-  std::vector<std::complex<double>> factors;
+  const Complex turns[4] = { 1.0, { 0.0, 1.0 }, -1.0, { 0.0, -1.0 } };
+  std::vector<Complex> factors;
   for (std::size_t m = 0; m < orders; ++m)
   {
-    const double half = Pi * static_cast<double>(m) / static_cast<double>(columns);
+    const double half = Pi * static_cast<double>(m) / columns;
     const double sinc = m > 0 ? std::sin(half) / half : 1.0;
-    factors.push_back(
-      turns[m % 4] * std::polar(2.0 * Pi / static_cast<double>(columns) * sinc * sinc, half));
+    factors.push_back(turns[m % 4] * std::polar(2.0 * Pi / columns * sinc * sinc, half));
   }
   Series rows(3 * height * orders);
-  measuredbrdf::ParallelFor(0, static_cast<vtkIdType>(height),
+  measuredbrdf::ParallelFor(0, environment->GetHeight(),
     [&](vtkIdType begin, vtkIdType end)
     {
       Eigen::FFT<double> transform;
       std::vector<float> room;
       std::vector<double> values(columns);
-      std::vector<std::complex<double>> series;
+      std::vector<Complex> series;
       for (vtkIdType row = begin; row < end; ++row)
       {
-        const float* rgb =
-          texels.GetRow(environment, static_cast<int>(row), 0, static_cast<int>(width), room);
+        const float* rgb = texels.GetRow(environment, static_cast<int>(row), 0, width, room);
         for (std::size_t channel = 0; channel < 3; ++channel)
         {
-          for (std::size_t x = 0; x < columns; ++x)
+          for (int x = 0; x < columns; ++x)
           {
-            const TexelNeighbors& near = neighbors[x];
-            values[x] = near.Mix(rgb[3 * near.First + channel], rgb[3 * near.Second + channel]);
+            const Neighbors& near = neighbors[x];
+            values[x] =
+              near.Mix<double>(rgb[3 * near.First + channel], rgb[3 * near.Second + channel]);
           }
           transform.fwd(series, values);
-          std::complex<double>* out =
-            &rows[(channel * height + static_cast<std::size_t>(row)) * orders];
+          Complex* out = &rows[(channel * height + row) * orders];
           for (std::size_t m = 0; m < orders; ++m)
           {
             out[m] = factors[m] * std::conj(series[m % columns]);
@@ -104,24 +95,18 @@ Series TransformRows(vtkEnvironment* environment, const TexelChanges& texels, st
 struct Ring
 {
   double Theta;
-  double Weight;       // with the sine
-  TexelNeighbors Rows; // from the south pole for the south, from the north pole for the north
-
-  std::complex<double> Mix(
-    const std::complex<double>& first, const std::complex<double>& second) const
-  {
-    return this->Weight * (first + this->Rows.Weight * (second - first));
-  }
+  double Weight;  // with the sine
+  Neighbors Rows; // from the south pole for the south, from the north pole for the north
 };
 
 // Gauss-Legendre nodes between each two rows' centers, where rows are interpolated linearly, and
 // between the pole and the first row's.
-std::vector<Ring> MakeRings(std::size_t height, int degree)
+std::vector<Ring> MakeRings(int height, int degree)
 {
-  const double rowsOfDegree = static_cast<double>(degree) / static_cast<double>(height);
+  const double rowsOfDegree = static_cast<double>(degree) / height;
   const Quadrature rule = GaussLegendre(rowsOfDegree <= 0.5 ? 2 : rowsOfDegree <= 1.0 ? 3 : 4);
   std::vector<Ring> rings;
-  const double step = Pi / static_cast<double>(height);
+  const double step = Pi / height;
   for (double begin = 0.0; begin < 0.5 * Pi - 1e-6 * step;)
   {
     // Half a row at the pole and, where the rows are even in number, at the equator.
@@ -130,7 +115,7 @@ std::vector<Ring> MakeRings(std::size_t height, int degree)
     {
       const double theta = 0.5 * (begin + end) + 0.5 * (end - begin) * rule.Nodes[k];
       rings.push_back({ theta, 0.5 * (end - begin) * rule.Weights[k] * std::sin(theta),
-        TexelNeighbors::InColumn(theta / Pi, height) });
+        ClampedNeighbors(theta / Pi, height) });
     }
     begin = end;
   }
@@ -142,8 +127,8 @@ std::vector<Ring> MakeRings(std::size_t height, int degree)
 // l - m is odd change sign across the equator.
 using Sums = std::array<Eigen::Matrix<double, Eigen::Dynamic, 6>, 2>;
 
-Sums SumRings(const Series& rows, const std::vector<Ring>& rings, std::size_t height,
-  std::size_t orders, std::size_t m)
+Sums SumRings(
+  const Series& rows, const std::vector<Ring>& rings, int height, std::size_t orders, std::size_t m)
 {
   constexpr std::size_t together = 128; // rings, whose functions stay in the processor's cache
   const WignerD functions(static_cast<int>(m), 0, static_cast<int>(orders) - 1);
@@ -174,11 +159,13 @@ Sums SumRings(const Series& rows, const std::vector<Ring>& rings, std::size_t he
         WignerD::GetLog(std::cos(0.5 * ring.Theta)), WignerD::GetLog(std::sin(0.5 * ring.Theta)));
       for (std::size_t channel = 0; channel < 3; ++channel)
       {
-        const auto get = [&](std::size_t y) { return rows[(channel * height + y) * orders + m]; };
-        const std::size_t top = height - 1;
-        const std::complex<double> north =
-          ring.Mix(get(top - ring.Rows.First), get(top - ring.Rows.Second));
-        const std::complex<double> south = ring.Mix(get(ring.Rows.First), get(ring.Rows.Second));
+        const auto mix = [&](int first, int second)
+        {
+          const Complex* all = &rows[channel * height * orders + m];
+          return ring.Weight * ring.Rows.Mix(all[first * orders], all[second * orders]);
+        };
+        const Complex north = mix(height - 1 - ring.Rows.First, height - 1 - ring.Rows.Second);
+        const Complex south = mix(ring.Rows.First, ring.Rows.Second);
         const auto column = static_cast<Eigen::Index>(2 * channel);
         values[0].row(k).segment<2>(column) << (north + south).real(), (north + south).imag();
         values[1].row(k).segment<2>(column) << (north - south).real(), (north - south).imag();
@@ -203,21 +190,19 @@ Sums SumRings(const Series& rows, const std::vector<Ring>& rings, std::size_t he
 }
 
 EnvironmentHarmonics::EnvironmentHarmonics(
-  vtkEnvironment* environment, int maximumDegree, const TexelChanges* changes)
+  vtkEnvironment* environment, int maximumDegree, const TexelChanges& changes)
   : MaximumDegree(maximumDegree)
 {
   environment = environment->GetSubdivided();
   const std::size_t orders = static_cast<std::size_t>(maximumDegree) + 1;
   this->Coefficients.assign(3 * orders * orders, 0.0);
-  static const TexelChanges& none = *new TexelChanges; // never destroyed: threads use it
-  const Series rows = TransformRows(environment, changes ? *changes : none, orders);
-  const std::size_t height = static_cast<std::size_t>(environment->GetHeight());
+  const Series rows = TransformRows(environment, changes, orders);
+  const int height = environment->GetHeight();
   const std::vector<Ring> rings = MakeRings(height, maximumDegree);
 
-  measuredbrdf::ParallelForEach(static_cast<vtkIdType>(orders),
-    [&](vtkIdType order)
+  measuredbrdf::ParallelForEach(orders,
+    [&](std::size_t m)
     {
-      const std::size_t m = static_cast<std::size_t>(order);
       const Sums sums = SumRings(rows, rings, height, orders, m);
       for (std::size_t channel = 0; channel < 3; ++channel)
       {
@@ -227,7 +212,7 @@ EnvironmentHarmonics::EnvironmentHarmonics(
           const auto column = static_cast<Eigen::Index>(2 * channel);
           this->Coefficients[(channel * orders + m) * orders + l] =
             std::sqrt((2.0 * static_cast<double>(l) + 1.0) / (4.0 * Pi)) *
-            std::complex<double>(row[column], row[column + 1]);
+            Complex(row[column], row[column + 1]);
         }
       }
     });

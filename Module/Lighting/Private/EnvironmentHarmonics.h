@@ -24,20 +24,17 @@ class EnvironmentHarmonics
 {
 public:
   /// Harmonics of an environment that is not empty, up to the given degree, with these changes of
-  /// its texels (or null).
+  /// its texels.
   EnvironmentHarmonics(
-    vtkEnvironment* environment, int maximumDegree, const TexelChanges* changes = nullptr);
+    vtkEnvironment* environment, int maximumDegree, const TexelChanges& changes = {});
 
   int GetMaximumDegree() const { return this->MaximumDegree; }
 
   /// a_lm of channel 0, 1 or 2, for 0 <= m <= l; a_l,-m = (-1)^m conj(a_lm).
   std::complex<double> Get(int channel, int l, int m) const
   {
-    return this->Coefficients[(static_cast<std::size_t>(channel) *
-                                  static_cast<std::size_t>(this->MaximumDegree + 1) +
-                                static_cast<std::size_t>(m)) *
-                                static_cast<std::size_t>(this->MaximumDegree + 1) +
-                              static_cast<std::size_t>(l)];
+    const std::size_t orders = static_cast<std::size_t>(this->MaximumDegree) + 1;
+    return this->Coefficients[(channel * orders + m) * orders + l];
   }
 
 private:

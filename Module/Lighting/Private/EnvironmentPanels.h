@@ -38,8 +38,8 @@ public:
   /// Where the light starts from: so many lights.
   static constexpr int Lights = 16;
 
-  /// An environment that is not empty, with some texels changed where that is not null.
-  EnvironmentPanels(vtkEnvironment* environment, const TexelChanges* changes, vtkLightSet* lights);
+  /// An environment that is not empty, with some texels changed.
+  EnvironmentPanels(vtkEnvironment* environment, const TexelChanges& changes, vtkLightSet* lights);
 
   const std::vector<Panel>& GetPanels() const { return this->Panels; }
 

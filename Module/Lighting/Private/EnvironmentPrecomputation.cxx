@@ -19,11 +19,12 @@ namespace
 {
 // Harmonics come up to these degrees, so that tables of several sizes share them.
 constexpr int Degrees[] = { 129, 257, 321, 513 };
+
+TexelChanges GetChanges(const EnvironmentPrecomputation::Rest& rest)
+{
+  return rest ? *rest : TexelChanges();
 }
-
-EnvironmentPrecomputation::EnvironmentPrecomputation() = default;
-
-EnvironmentPrecomputation::~EnvironmentPrecomputation() = default;
+}
 
 std::shared_ptr<const EnvironmentPrecomputation::Lamps> EnvironmentPrecomputation::Keep(
   ExtractedEmitters&& bright)
@@ -83,14 +84,14 @@ std::shared_ptr<const EnvironmentHarmonics> EnvironmentPrecomputation::GetHarmon
   const int* enough = std::lower_bound(std::begin(Degrees), std::end(Degrees), degree);
   const int made = enough != std::end(Degrees) ? *enough : degree;
   return this->Harmonics.Get({ rest, made }, goOn,
-    [&]() { return std::make_shared<EnvironmentHarmonics>(environment, made, rest.get()); });
+    [&]() { return std::make_shared<EnvironmentHarmonics>(environment, made, GetChanges(rest)); });
 }
 
 std::shared_ptr<const EnvironmentPyramid> EnvironmentPrecomputation::GetPyramid(
   vtkEnvironment* environment, const Rest& rest, const GoOn& goOn)
 {
-  return this->Pyramids.Get(
-    rest, goOn, [&]() { return std::make_shared<EnvironmentPyramid>(environment, rest.get()); });
+  return this->Pyramids.Get(rest, goOn,
+    [&]() { return std::make_shared<EnvironmentPyramid>(environment, GetChanges(rest)); });
 }
 
 std::shared_ptr<const EnvironmentPanels> EnvironmentPrecomputation::GetPanels(
@@ -100,7 +101,7 @@ std::shared_ptr<const EnvironmentPanels> EnvironmentPrecomputation::GetPanels(
     [&]() -> std::shared_ptr<EnvironmentPanels>
     {
       const auto lights = this->GetLightSet(environment, rest, EnvironmentPanels::Lights, goOn);
-      return lights ? std::make_shared<EnvironmentPanels>(environment, rest.get(), lights)
+      return lights ? std::make_shared<EnvironmentPanels>(environment, GetChanges(rest), lights)
                     : nullptr;
     });
 }
@@ -123,7 +124,8 @@ std::vector<vtkSmartPointer<vtkLightSet>> EnvironmentPrecomputation::GetLightSet
       return nullptr;
     }
     vtkEnvironment* subdivided = environment->GetSubdivided();
-    const LightTree tree(subdivided, rest ? *rest : TexelChanges(), counts.front(), goOn);
+    const TexelChanges changes = GetChanges(rest);
+    const LightTree tree(subdivided, changes, counts.front(), goOn);
     if (tree.IsStopped())
     {
       return nullptr;

@@ -52,7 +52,13 @@ public:
   template <typename GoOn, typename Make>
   Pointer Get(const Key& key, const GoOn& goOn, const Make& make)
   {
-    const std::shared_ptr<Entry> entry = this->Find(key);
+    std::shared_ptr<Entry> entry;
+    {
+      const std::lock_guard<std::mutex> access(this->Access);
+      std::shared_ptr<Entry>& known = this->Entries[key];
+      known = known ? known : std::make_shared<Entry>();
+      entry = known;
+    }
     std::unique_lock<std::timed_mutex> lock(entry->Making, std::defer_lock);
     while (!lock.try_lock_for(std::chrono::milliseconds(10)))
     {
@@ -74,17 +80,6 @@ private:
     std::timed_mutex Making;
     Pointer Made;
   };
-
-  std::shared_ptr<Entry> Find(const Key& key)
-  {
-    const std::lock_guard<std::mutex> lock(this->Access);
-    std::shared_ptr<Entry>& entry = this->Entries[key];
-    if (!entry)
-    {
-      entry = std::make_shared<Entry>();
-    }
-    return entry;
-  }
 
   std::mutex Access;
   RecentlyUsed<Key, std::shared_ptr<Entry>> Entries{ Most };
@@ -121,9 +116,6 @@ public:
   /// texels, however they were found.
   using Rest = std::shared_ptr<const TexelChanges>;
 
-  EnvironmentPrecomputation();
-  ~EnvironmentPrecomputation();
-
   /// Lights and what they leave.
   struct Lamps
   {
@@ -157,7 +149,7 @@ public:
   std::shared_ptr<const EnvironmentPanels> GetPanels(
     vtkEnvironment* environment, const Rest& rest, const GoOn& goOn);
 
-  /// vtkVarianceLightSetGenerator's as it is.
+  /// vtkLightSetGenerator's by variance.
   vtkSmartPointer<vtkLightSet> GetLightSet(
     vtkEnvironment* environment, const Rest& rest, int count, const GoOn& goOn);
 

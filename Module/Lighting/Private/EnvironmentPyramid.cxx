@@ -3,13 +3,15 @@
 #include "EnvironmentPyramid.h"
 
 #include "HalfVector.h" // for Pi
-#include "TexelChanges.h"
-#include "TexelInterpolation.h"
+#include "Neighbors.h"
+#include "TexelTree.h"
 #include "vtkEnvironment.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace measuredbrdf
@@ -28,51 +30,23 @@ int GetParts(vtkEnvironment* environment, int size)
   return std::clamp(static_cast<int>(std::ceil(2.0 * std::sqrt(ratio))), 1, 64);
 }
 
-// Radiance times solid angle.
-glm::dvec3 SumTexels(vtkEnvironment* environment, const TexelChanges& changes)
+// (u,v) in [0,1]^2 of a unit direction: glm::vec3 or glm::dvec3. The result is below 1.
+template <typename Direction>
+auto ToSquare(const Direction& d)
 {
-  const int width = environment->GetWidth();
-  std::vector<float> room;
-  glm::dvec3 sum(0.0);
-  for (int y = 0; y < environment->GetHeight(); ++y)
-  {
-    const float* pixels = changes.GetRow(environment, y, 0, width, room);
-    const double solidAngle = environment->GetTexelSolidAngle(y);
-    for (int x = 0; x < width; ++x)
-    {
-      sum += solidAngle * glm::dvec3(pixels[3 * x], pixels[3 * x + 1], pixels[3 * x + 2]);
-    }
-  }
-  return sum;
-}
-
-// atan(y/x) in right angles for x, y >= 0, as brdfQuadrant does it.
-float Quadrant(float y, float x)
-{
-  const float r = std::min(x, y) / std::max(std::max(x, y), 1e-30f);
-  const float s = r * r;
-  const float a =
-    r * (0.636619357f +
-          s * (-0.212163183f +
-                s * (0.126569445f +
-                      s * (-0.0858621121f +
-                            s * (0.0533940294f + s * (-0.0235631824f + s * 0.0050059724f))))));
-  return y > x ? 1.0f - a : a;
-}
-}
-
-glm::dvec2 EnvironmentPyramid::ToSquare(const glm::dvec3& d)
-{
-  const double r = std::sqrt(std::max(1.0 - std::abs(d.z), 0.0));
-  double v = r * std::atan2(std::abs(d.y), std::abs(d.x)) * 2.0 / Pi;
-  double u = r - v;
-  if (d.z < 0.0)
+  using Number = typename Direction::value_type;
+  const Number r = std::sqrt(std::max(1 - std::abs(d.z), Number(0)));
+  Number v = r * std::atan2(std::abs(d.y), std::abs(d.x)) * static_cast<Number>(2.0 / Pi);
+  Number u = r - v;
+  if (d.z < 0)
   {
     std::swap(u, v);
-    u = 1.0 - u;
-    v = 1.0 - v;
+    u = 1 - u;
+    v = 1 - v;
   }
-  return 0.5 * glm::dvec2(std::copysign(u, d.x), std::copysign(v, d.y)) + 0.5;
+  const glm::vec<2, Number> uv(std::copysign(u, d.x), std::copysign(v, d.y));
+  return glm::clamp((uv + Number(1)) / Number(2), Number(0), Number(0.999999));
+}
 }
 
 glm::dvec3 EnvironmentPyramid::ToSphere(const glm::dvec2& uv)
@@ -89,7 +63,7 @@ glm::dvec3 EnvironmentPyramid::ToSphere(const glm::dvec2& uv)
 }
 
 EnvironmentPyramid::EnvironmentPyramid(
-  vtkEnvironment* environment, const TexelChanges* changes, int size)
+  vtkEnvironment* environment, const TexelChanges& changes, int size)
 {
   environment = environment->GetSubdivided();
   this->Size = size > 0 ? size : ChooseSize(environment);
@@ -102,8 +76,7 @@ EnvironmentPyramid::EnvironmentPyramid(
   this->AtlasHeight = std::max(this->Size + 2, row);
   this->Atlas.assign(
     static_cast<std::size_t>(this->GetAtlasWidth() * this->AtlasHeight), glm::vec4(0.0f));
-  static const TexelChanges& none = *new TexelChanges; // never destroyed: threads use it
-  this->Fill(environment, changes ? *changes : none);
+  this->Fill(environment, changes);
   for (int level = 0; level < this->GetNumberOfLevels(); ++level)
   {
     if (level > 0)
@@ -135,63 +108,39 @@ std::size_t EnvironmentPyramid::Locate(int level, int x, int y) const
   return static_cast<std::size_t>(place.y * this->GetAtlasWidth() + place.x);
 }
 
-glm::vec4& EnvironmentPyramid::At(int level, int x, int y)
-{
-  return this->Atlas[this->Locate(level, x, y)];
-}
-
 // Sums of RGB and of weights, by area, of the points that fall into each texel of the map.
 std::vector<glm::dvec4> EnvironmentPyramid::Gather(
   vtkEnvironment* environment, const TexelChanges& changes) const
 {
   const int width = environment->GetWidth();
   const int height = environment->GetHeight();
-  std::vector<glm::dvec4> sums(
-    static_cast<std::size_t>(this->Size) * static_cast<std::size_t>(this->Size), glm::dvec4(0.0));
   const int parts = GetParts(environment, this->Size);
-  std::vector<glm::dvec2> columns;
-  std::vector<TexelNeighbors> neighbors;
+  const TexelDirections directions(width * parts, height * parts);
+  std::vector<glm::dvec4> sums(static_cast<std::size_t>(this->Size) * this->Size, glm::dvec4(0.0));
+  std::vector<Neighbors> columns;
   for (int k = 0; k < width * parts; ++k)
   {
-    const double u = (k + 0.5) / (width * parts);
-    glm::dvec3 d;
-    vtkEnvironment::GetDirection(u, 0.5, &d.x);
-    columns.emplace_back(d.x, d.z);
-    neighbors.push_back(TexelNeighbors::InRow(u, static_cast<std::size_t>(width)));
+    columns.push_back(PeriodicNeighbors((k + 0.5) / (width * parts), width));
   }
   std::vector<float> firstRoom, secondRoom;
-  std::vector<float> mixed(3 * static_cast<std::size_t>(width));
+  std::vector<glm::dvec3> mixed(width);
   for (int row = 0; row < height * parts; ++row)
   {
-    const double v = (row + 0.5) / (height * parts);
-    glm::dvec3 meridian;
-    vtkEnvironment::GetDirection(0.5, v, &meridian.x);
-    const double cosine = std::hypot(meridian.x, meridian.z);
     // Interpolated between two rows of texels, then between two texels of that.
-    const auto rows = TexelNeighbors::InColumn(v, static_cast<std::size_t>(height));
-    const float* first =
-      changes.GetRow(environment, static_cast<int>(rows.First), 0, width, firstRoom);
-    const float* second =
-      changes.GetRow(environment, static_cast<int>(rows.Second), 0, width, secondRoom);
-    for (std::size_t k = 0; k < mixed.size(); ++k)
+    const Neighbors rows = ClampedNeighbors((row + 0.5) / (height * parts), height);
+    const float* first = changes.GetRow(environment, rows.First, 0, width, firstRoom);
+    const float* second = changes.GetRow(environment, rows.Second, 0, width, secondRoom);
+    for (int x = 0; x < width; ++x)
     {
-      mixed[k] = static_cast<float>(rows.Mix(first[k], second[k]));
+      mixed[x] =
+        rows.Mix<glm::dvec3>(glm::make_vec3(first + 3 * x), glm::make_vec3(second + 3 * x));
     }
-    for (std::size_t column = 0; column < columns.size(); ++column)
+    for (int column = 0; column < width * parts; ++column)
     {
-      const glm::dvec3 d(cosine * columns[column].x, meridian.y, cosine * columns[column].y);
-      const glm::dvec2 uv = ToSquare(d);
-      const int x = std::min(static_cast<int>(uv.x * this->Size), this->Size - 1);
-      const int y = std::min(static_cast<int>(uv.y * this->Size), this->Size - 1);
-      const TexelNeighbors& between = neighbors[column];
-      const float* a = &mixed[3 * between.First];
-      const float* b = &mixed[3 * between.Second];
-      glm::dvec4 value(1.0);
-      for (int c = 0; c < 3; ++c)
-      {
-        value[c] = between.Mix(a[c], b[c]);
-      }
-      sums[static_cast<std::size_t>(y) * this->Size + x] += cosine * value;
+      const glm::ivec2 at(ToSquare(directions.Get(column, row)) * static_cast<double>(this->Size));
+      const Neighbors& near = columns[column];
+      sums[static_cast<std::size_t>(at.y) * this->Size + at.x] +=
+        directions.Rows[row].x * glm::dvec4(near.Mix(mixed[near.First], mixed[near.Second]), 1.0);
     }
   }
   return sums;
@@ -201,40 +150,45 @@ void EnvironmentPyramid::Fill(vtkEnvironment* environment, const TexelChanges& c
 {
   // The map's texels take the mean of what falls into them.
   const std::vector<glm::dvec4> sums = this->Gather(environment, changes);
+  const double solidAngle = 4.0 * Pi / static_cast<double>(sums.size());
   glm::dvec3 shown(0.0);
-  for (int y = 0; y < this->Size; ++y)
+  const auto forTexels = [this](const auto& use)
   {
-    for (int x = 0; x < this->Size; ++x)
+    for (int k = 0; k < this->Size * this->Size; ++k)
     {
-      const glm::dvec4& sum = sums[static_cast<std::size_t>(y) * this->Size + x];
-      glm::dvec3 mean;
-      if (sum.w > 0.0)
-      {
-        mean = glm::dvec3(sum) / sum.w;
-      }
-      else
-      {
-        const glm::dvec3 d = ToSphere((glm::dvec2(x, y) + 0.5) / static_cast<double>(this->Size));
-        changes.GetRadiance(environment, &d.x, &mean.x);
-      }
-      this->At(0, x, y) = glm::vec4(glm::vec3(mean), 0.0f);
-      shown += mean * 4.0 * Pi / (static_cast<double>(this->Size) * this->Size);
+      use(k, this->At(0, k % this->Size, k / this->Size));
     }
-  }
+  };
+  forTexels(
+    [&](int k, glm::vec4& texel)
+    {
+      glm::dvec3 mean = glm::dvec3(sums[k]) / sums[k].w;
+      if (!(sums[k].w > 0.0))
+      {
+        const glm::dvec2 middle(k % this->Size + 0.5, k / this->Size + 0.5);
+        const glm::dvec3 d = ToSphere(middle / static_cast<double>(this->Size));
+        double u, v;
+        vtkEnvironment::GetCoordinates(&d.x, u, v);
+        mean = changes.Interpolate(environment, u, v);
+      }
+      texel = glm::vec4(glm::vec3(mean), 0.0f);
+      shown += mean * solidAngle;
+    });
   // Points are taken or left by the map's texels as wholes: no light is lost or gained over all.
-  const glm::dvec3 kept = SumTexels(environment, changes);
-  glm::vec4 gain(1.0f);
-  for (int c = 0; c < 3; ++c)
+  glm::dvec3 kept(0.0);
+  std::vector<float> room;
+  for (int y = 0; y < environment->GetHeight(); ++y)
   {
-    gain[c] = shown[c] > 0.0 ? static_cast<float>(kept[c] / shown[c]) : 1.0f;
-  }
-  for (int y = 0; y < this->Size; ++y)
-  {
-    for (int x = 0; x < this->Size; ++x)
+    const float* pixels = changes.GetRow(environment, y, 0, environment->GetWidth(), room);
+    glm::dvec3 sum(0.0);
+    for (int x = 0; x < environment->GetWidth(); ++x)
     {
-      this->At(0, x, y) *= gain;
+      sum += glm::dvec3(glm::make_vec3(pixels + 3 * x));
     }
+    kept += environment->GetTexelSolidAngle(y) * sum;
   }
+  const glm::dvec3 gain = kept / glm::max(shown, std::numeric_limits<double>::min());
+  forTexels([&](int, glm::vec4& texel) { texel *= glm::vec4(gain, 1.0f); });
 }
 
 void EnvironmentPyramid::Halve(int level)
@@ -274,40 +228,25 @@ float EnvironmentPyramid::GetLevel(double solidAngle) const
   return static_cast<float>(0.5 * std::log2(std::max(solidAngle / texel, 1e-30)));
 }
 
-glm::vec3 EnvironmentPyramid::Bilinear(int level, float u, float v) const
+glm::vec3 EnvironmentPyramid::Bilinear(int level, const glm::vec2& uv) const
 {
-  const float size = static_cast<float>(this->Size >> level);
-  const float x = u * size + 0.5f;
-  const float y = v * size + 0.5f;
-  const int x0 = static_cast<int>(x);
-  const int y0 = static_cast<int>(y);
-  const std::size_t stride = static_cast<std::size_t>(this->GetAtlasWidth());
-  const glm::vec4* row = &this->Atlas[this->Locate(level, x0 - 1, y0 - 1)];
-  const float right = x - static_cast<float>(x0);
-  return glm::vec3(glm::mix(glm::mix(row[0], row[1], right),
-    glm::mix(row[stride], row[stride + 1], right), y - static_cast<float>(y0)));
+  const glm::vec2 place = uv * static_cast<float>(this->Size >> level) + 0.5f;
+  const glm::ivec2 first(place);
+  const glm::vec2 weight = place - glm::vec2(first);
+  const glm::vec4* row = &this->Atlas[this->Locate(level, first.x - 1, first.y - 1)];
+  const glm::vec4* next = row + this->GetAtlasWidth();
+  return glm::vec3(
+    glm::mix(glm::mix(row[0], row[1], weight.x), glm::mix(next[0], next[1], weight.x), weight.y));
 }
 
 glm::vec3 EnvironmentPyramid::Sample(const glm::vec3& d, float lod) const
 {
-  const float r = std::sqrt(std::max(1.0f - std::abs(d.z), 0.0f));
-  float v = r * Quadrant(std::abs(d.y), std::abs(d.x));
-  float u = r - v;
-  if (d.z < 0.0f)
-  {
-    std::swap(u, v);
-    u = 1.0f - u;
-    v = 1.0f - v;
-  }
-  u = 0.5f * std::copysign(u, d.x) + 0.5f;
-  v = 0.5f * std::copysign(v, d.y) + 0.5f;
-  u = std::clamp(u, 0.0f, 0.999999f);
-  v = std::clamp(v, 0.0f, 0.999999f);
   const int last = this->GetNumberOfLevels() - 1;
   const float clamped = std::clamp(lod, 0.0f, static_cast<float>(last));
   const int level = std::min(static_cast<int>(clamped), std::max(last - 1, 0));
   const float t = clamped - static_cast<float>(level);
-  const glm::vec3 fine = this->Bilinear(level, u, v);
-  return last > 0 && t > 0.0f ? fine + t * (this->Bilinear(level + 1, u, v) - fine) : fine;
+  const glm::vec2 uv = ToSquare(d);
+  const glm::vec3 fine = this->Bilinear(level, uv);
+  return last > 0 && t > 0.0f ? glm::mix(fine, this->Bilinear(level + 1, uv), t) : fine;
 }
 } // namespace measuredbrdf

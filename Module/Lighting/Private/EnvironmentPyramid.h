@@ -26,11 +26,11 @@ class EnvironmentPyramid
 {
 public:
   /**
-   * From an environment that is not empty, with some texels changed where that is not null. size:
-   * texels a side of the finest level, a power of two or 768; 0: as ChooseSize.
+   * From an environment that is not empty, with some texels changed. size: texels a side of the
+   * finest level, a power of two or 768; 0: as ChooseSize.
    */
   explicit EnvironmentPyramid(
-    vtkEnvironment* environment, const TexelChanges* changes = nullptr, int size = 0);
+    vtkEnvironment* environment, const TexelChanges& changes = {}, int size = 0);
 
   /// About as fine as the environment: a power of two up to 512, or 768.
   static int ChooseSize(vtkEnvironment* environment);
@@ -53,16 +53,13 @@ public:
   int GetAtlasWidth() const { return this->Size + this->Size / 2 + 4; }
   int GetAtlasHeight() const { return this->AtlasHeight; }
 
-  ///@{
-  /// The map: unit direction <-> (u,v) in [0,1]^2.
-  static glm::dvec2 ToSquare(const glm::dvec3& d);
+  /// The direction of (u,v) in [0,1]^2.
   static glm::dvec3 ToSphere(const glm::dvec2& uv);
-  ///@}
 
 private:
   std::size_t Locate(int level, int x, int y) const;
-  glm::vec4& At(int level, int x, int y);
-  glm::vec3 Bilinear(int level, float u, float v) const;
+  glm::vec4& At(int level, int x, int y) { return this->Atlas[this->Locate(level, x, y)]; }
+  glm::vec3 Bilinear(int level, const glm::vec2& uv) const;
   std::vector<glm::dvec4> Gather(vtkEnvironment* environment, const TexelChanges& changes) const;
   void Fill(vtkEnvironment* environment, const TexelChanges& changes);
   void Halve(int level);

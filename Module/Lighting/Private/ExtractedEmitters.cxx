@@ -6,13 +6,10 @@
 #include "SRGB.h"
 #include "vtkEnvironment.h"
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace measuredbrdf
@@ -24,21 +21,32 @@ namespace
 constexpr double Contrast = 32.0;
 constexpr double Glare = 0.01; // of a lamp's luminance: may lie twice as far
 constexpr double LeastGroupAngle = ToRadians(0.1);
-constexpr int Spare = 4; // so many times the wanted lights may be merged into them
+constexpr std::size_t Spare = 4; // so many times the wanted lights may be merged into them
+
+// A texel's light: luminance of radiance times solid angle.
+struct Bright
+{
+  double Luminance;
+  int Index;
+  glm::dvec3 Direction = glm::dvec3(0.0);
+};
+
+bool IsBrighter(const Bright& a, const Bright& b)
+{
+  return std::make_pair(a.Luminance, a.Index) > std::make_pair(b.Luminance, b.Index);
+}
 
 struct Lamp
 {
-  std::vector<int> Texels;
-  std::vector<glm::dvec3> Directions;
+  std::vector<Bright> Texels;          // the brightest first
   glm::dvec3 Moment = glm::dvec3(0.0); // directions by luminance
   double Luminance = 0.0;
 
-  void Add(int texel, const glm::dvec3& direction, double luminance)
+  void Add(const Bright& texel)
   {
     this->Texels.push_back(texel);
-    this->Directions.push_back(direction);
-    this->Moment += luminance * direction;
-    this->Luminance += luminance;
+    this->Moment += texel.Luminance * texel.Direction;
+    this->Luminance += texel.Luminance;
   }
 };
 
@@ -55,52 +63,70 @@ void Merge(std::vector<Lamp>& lamps, double angle)
       const Lamp& from = lamps[b];
       const bool isGlare = from.Luminance < Glare * into.Luminance;
       const glm::dvec3 mean = glm::normalize(into.Moment + from.Moment);
-      const auto near = [&](const glm::dvec3& direction)
-      { return glm::distance(direction, mean) <= (isGlare ? 2.0 : 1.0) * angle; };
-      if (!std::all_of(into.Directions.begin(), into.Directions.end(), near) ||
-          !std::all_of(from.Directions.begin(), from.Directions.end(), near))
+      const auto near = [&](const Bright& texel)
+      { return glm::distance(texel.Direction, mean) <= (isGlare ? 2.0 : 1.0) * angle; };
+      if (std::all_of(into.Texels.begin(), into.Texels.end(), near) &&
+          std::all_of(from.Texels.begin(), from.Texels.end(), near))
       {
-        continue;
+        into.Texels.insert(into.Texels.end(), from.Texels.begin(), from.Texels.end());
+        std::sort(into.Texels.begin(), into.Texels.end(), IsBrighter);
+        into.Moment += from.Moment;
+        into.Luminance += from.Luminance;
+        lamps.erase(lamps.begin() + static_cast<std::ptrdiff_t>(b));
+        b = a; // all others again
       }
-      into.Texels.insert(into.Texels.end(), from.Texels.begin(), from.Texels.end());
-      into.Directions.insert(into.Directions.end(), from.Directions.begin(), from.Directions.end());
-      into.Moment += from.Moment;
-      into.Luminance += from.Luminance;
-      lamps.erase(lamps.begin() + static_cast<std::ptrdiff_t>(b));
-      b = a; // all others again
     }
   }
 }
 
-// Luminance of a share, at least: no texel of a small map counts that is but a little brighter.
-double GetLeast(double total, double share, vtkEnvironment* environment)
+// The texels above a share of all luminance, at least: no texel of a small map counts that is but a
+// little brighter. The brightest first.
+std::vector<Bright> FindBrightest(vtkEnvironment* environment, double share)
 {
-  const double texels = static_cast<double>(environment->GetPixels().size() / 3);
-  return total * std::max(share, Contrast / texels);
+  const std::vector<float>& pixels = environment->GetPixels();
+  const int width = environment->GetWidth();
+  glm::dvec3 all;
+  environment->GetTotal(&all.x);
+  const double texels = static_cast<double>(pixels.size() / 3);
+  const double least = GetLuminance(all) * std::max(share, Contrast / texels);
+  std::vector<Bright> brightest;
+  for (int y = 0; y < environment->GetHeight(); ++y)
+  {
+    const double solidAngle = environment->GetTexelSolidAngle(y);
+    for (int x = 0; x < width; ++x)
+    {
+      const int texel = y * width + x;
+      const double luminance = solidAngle * GetLuminance(&pixels[3 * std::size_t(texel)]);
+      if (luminance > least)
+      {
+        brightest.push_back({ luminance, texel });
+        environment->GetTexelDirection(x, y, &brightest.back().Direction.x);
+      }
+    }
+  }
+  std::sort(brightest.begin(), brightest.end(), IsBrighter);
+  return brightest;
 }
 
 // The lamps of the brightest texels, `maximum` at most: each has one texel, or those within an
 // angle of its brightest one. Returns whether all texels found a lamp.
-bool FindBrightestLamps(vtkEnvironment* environment,
-  const std::vector<std::pair<double, int>>& brightest, int maximum, double angle,
-  std::vector<Lamp>& lamps)
+bool FindBrightestLamps(
+  const std::vector<Bright>& brightest, std::size_t maximum, double angle, std::vector<Lamp>& lamps)
 {
-  const int width = environment->GetWidth();
+  lamps.clear();
   bool all = true;
-  for (const auto& texel : brightest)
+  for (const Bright& texel : brightest)
   {
-    glm::dvec3 direction;
-    environment->GetTexelDirection(texel.second % width, texel.second / width, &direction.x);
     const auto near = [&](const Lamp& lamp)
-    { return glm::distance(direction, lamp.Directions.front()) <= angle; };
+    { return glm::distance(texel.Direction, lamp.Texels.front().Direction) <= angle; };
     const auto found = angle > 0.0 ? std::find_if(lamps.begin(), lamps.end(), near) : lamps.end();
     if (found != lamps.end())
     {
-      found->Add(texel.second, direction, texel.first);
+      found->Add(texel);
     }
-    else if (lamps.size() < static_cast<std::size_t>(angle > 0.0 ? Spare * maximum : maximum))
+    else if (lamps.size() < (angle > 0.0 ? Spare * maximum : maximum))
     {
-      lamps.emplace_back().Add(texel.second, direction, texel.first);
+      lamps.emplace_back().Add(texel);
     }
     else
     {
@@ -111,11 +137,11 @@ bool FindBrightestLamps(vtkEnvironment* environment,
   {
     Merge(lamps, angle);
   }
-  if (lamps.size() > static_cast<std::size_t>(maximum))
+  if (lamps.size() > maximum)
   {
     std::stable_sort(lamps.begin(), lamps.end(),
       [](const Lamp& first, const Lamp& second) { return first.Luminance > second.Luminance; });
-    lamps.resize(static_cast<std::size_t>(maximum));
+    lamps.resize(maximum);
     all = false;
   }
   return all;
@@ -123,26 +149,23 @@ bool FindBrightestLamps(vtkEnvironment* environment,
 
 // Mean radiance of a texel's neighbors that are no lights; 0 where all are.
 glm::dvec3 GetMeanAround(
-  vtkEnvironment* environment, int x, int y, const std::unordered_map<int, int>& owners)
+  vtkEnvironment* environment, int texel, const std::unordered_set<int>& lights)
 {
   const int width = environment->GetWidth();
-  const int height = environment->GetHeight();
-  const std::vector<float>& pixels = environment->GetPixels();
-  glm::dvec3 sum(0.0);
-  int neighbors = 0;
-  for (int dy = -1; dy <= 1; ++dy)
+  const int last = environment->GetHeight() - 1;
+  glm::dvec4 sum(0.0);
+  for (int k = 0; k < 9; ++k)
   {
-    for (int dx = -1; dx <= 1; ++dx)
+    const int x = (texel % width + k % 3 - 1 + width) % width;
+    const int y = std::clamp(texel / width + k / 3 - 1, 0, last);
+    if (lights.count(y * width + x) == 0)
     {
-      const int neighbor = std::clamp(y + dy, 0, height - 1) * width + (x + dx + width) % width;
-      if (owners.count(neighbor) == 0)
-      {
-        sum += glm::dvec3(glm::make_vec3(&pixels[3 * static_cast<std::size_t>(neighbor)]));
-        ++neighbors;
-      }
+      glm::dvec3 radiance;
+      environment->GetPixel(x, y, &radiance.x);
+      sum += glm::dvec4(radiance, 1.0);
     }
   }
-  return neighbors > 0 ? sum / static_cast<double>(neighbors) : glm::dvec3(0.0);
+  return glm::dvec3(sum) / std::max(sum.w, 1.0);
 }
 
 // Variance along each axis of what one texel shows between its neighbors' centers: a triangle of
@@ -162,7 +185,7 @@ ExtractedEmitters::Part Add(
   double light = 0.0;
   for (const ExtractedEmitters::Part& part : parts)
   {
-    const double luminance = vtkEnvironment::GetLuminance(&part.Irradiance.x);
+    const double luminance = GetLuminance(part.Irradiance);
     light += luminance;
     sum.Direction += luminance * part.Direction;
     sum.Irradiance += part.Irradiance;
@@ -209,32 +232,6 @@ std::vector<ExtractedEmitters::Part> Group(const std::vector<ExtractedEmitters::
 }
 }
 
-ExtractedEmitters::Ranking::Ranking(vtkEnvironment* environment, double share)
-{
-  const std::vector<float>& pixels = environment->GetPixels();
-  double least = 0.0;
-  for (const bool isSummed : { false, true }) // it is cheaper than to keep all luminances
-  {
-    int texel = 0;
-    for (int y = 0; y < environment->GetHeight(); ++y)
-    {
-      const double solidAngle = environment->GetTexelSolidAngle(y);
-      for (const int end = texel + environment->GetWidth(); texel < end; ++texel)
-      {
-        const double luminance =
-          solidAngle * GetLuminance(&pixels[3 * static_cast<std::size_t>(texel)]);
-        this->Total += isSummed ? 0.0 : luminance;
-        if (isSummed && luminance > least)
-        {
-          this->Texels.emplace_back(luminance, texel);
-        }
-      }
-    }
-    least = GetLeast(this->Total, share, environment);
-  }
-  std::sort(this->Texels.begin(), this->Texels.end(), std::greater<std::pair<double, int>>());
-}
-
 ExtractedEmitters::ExtractedEmitters(
   vtkEnvironment* environment, double share, int maximum, double angle)
 {
@@ -243,67 +240,38 @@ ExtractedEmitters::ExtractedEmitters(
   {
     return;
   }
-  const Ranking ranking(environment, share);
-  while (!this->Extract(environment, ranking, share, maximum, angle) && angle > 0.0 &&
-         share < DefaultShare)
+  std::vector<Lamp> lamps;
+  while (!FindBrightestLamps(
+           FindBrightest(environment, share), static_cast<std::size_t>(maximum), angle, lamps) &&
+         angle > 0.0 && share < DefaultShare)
   {
     share *= 2.0;
   }
-}
-
-bool ExtractedEmitters::Extract(
-  vtkEnvironment* environment, const Ranking& ranking, double share, int maximum, double angle)
-{
-  this->Rest.Texels.clear();
-  this->Lights.clear();
-  const int width = environment->GetWidth();
-  const std::vector<float>& pixels = environment->GetPixels();
-  const double least = GetLeast(ranking.Total, share, environment);
-  std::vector<std::pair<double, int>> brightest(
-    ranking.Texels.begin(), std::find_if(ranking.Texels.begin(), ranking.Texels.end(),
-                              [least](const auto& texel) { return !(texel.first > least); }));
-
-  std::vector<Lamp> lamps;
-  const bool all = FindBrightestLamps(environment, brightest, maximum, angle, lamps);
-  std::unordered_map<int, int> owners; // texels' lights
-  for (std::size_t lamp = 0; lamp < lamps.size(); ++lamp)
+  std::unordered_set<int> lights; // their texels
+  for (const Lamp& lamp : lamps)
   {
-    for (const int texel : lamps[lamp].Texels)
+    for (const Bright& texel : lamp.Texels)
     {
-      owners[texel] = static_cast<int>(lamp);
+      lights.insert(texel.Index);
     }
   }
-
-  this->Lights.resize(lamps.size());
-  for (const auto& texel : brightest)
+  for (const Lamp& lamp : lamps)
   {
-    const auto owner = owners.find(texel.second);
-    if (owner == owners.end())
+    std::vector<Part> parts;
+    for (const Bright& texel : lamp.Texels)
     {
-      continue;
+      // What is left is what its neighbors that are no lights show.
+      const int y = texel.Index / environment->GetWidth();
+      glm::dvec3 value;
+      environment->GetPixel(texel.Index % environment->GetWidth(), y, &value.x);
+      const glm::dvec3 kept = glm::min(value, GetMeanAround(environment, texel.Index, lights));
+      const glm::dvec3 irradiance = (value - kept) * environment->GetTexelSolidAngle(y);
+      this->Rest.Texels.push_back({ static_cast<std::size_t>(texel.Index), kept });
+      parts.push_back(
+        { texel.Direction, irradiance, GetTexelSpread(environment, texel.Direction) });
     }
-    const int x = texel.second % width;
-    const int y = texel.second / width;
-    // What is left is what its neighbors that are no lights show.
-    const glm::dvec3 around = GetMeanAround(environment, x, y, owners);
-    Light& light = this->Lights[static_cast<std::size_t>(owner->second)];
-    TexelChanges::Texel rest{ static_cast<std::size_t>(texel.second), {} };
-    const glm::dvec3 value = glm::make_vec3(&pixels[3 * rest.Index]);
-    const glm::dvec3 kept = glm::min(value, around);
-    const glm::dvec3 irradiance = (value - kept) * environment->GetTexelSolidAngle(y);
-    rest.Radiance = kept;
-    this->Rest.Texels.push_back(rest);
-    glm::dvec3 direction;
-    environment->GetTexelDirection(x, y, &direction.x);
-    light.Parts.push_back({ direction, irradiance, GetTexelSpread(environment, direction) });
+    this->Lights.push_back({ Add(parts, glm::normalize(lamp.Moment)), Group(parts) });
   }
   std::sort(this->Rest.Texels.begin(), this->Rest.Texels.end());
-  for (std::size_t k = 0; k < this->Lights.size(); ++k)
-  {
-    Light& light = this->Lights[k];
-    static_cast<Part&>(light) = Add(light.Parts, glm::normalize(lamps[k].Moment));
-    light.Parts = Group(light.Parts);
-  }
-  return all;
 }
 } // namespace measuredbrdf

@@ -14,7 +14,6 @@
 #include <glm/glm.hpp>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 class vtkEnvironment;
@@ -62,19 +61,6 @@ struct ExtractedEmitters
   std::vector<Light> Lights;
   /// Changes of GetSubdivided(): the mean of their neighbors in place of the lights' texels.
   TexelChanges Rest;
-
-private:
-  /// The texels that hold more than a share of all luminance, the brightest first.
-  struct Ranking
-  {
-    Ranking(vtkEnvironment* environment, double share);
-    double Total = 0.0;
-    std::vector<std::pair<double, int>> Texels; // luminance, index
-  };
-
-  /// Returns whether all texels with that share found a light.
-  bool Extract(
-    vtkEnvironment* environment, const Ranking& ranking, double share, int maximum, double angle);
 };
 } // namespace measuredbrdf
 

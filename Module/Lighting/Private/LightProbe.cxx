@@ -11,7 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -30,20 +30,21 @@ constexpr const char* ProjectionTexts[][2] = { { "lat-long", "any size" },
 // How the faces of a cube lie in an image; columns and rows in faces, from the upper left.
 struct CubeLayout
 {
-  int Columns;
-  int Rows;
+  glm::ivec2 Size;
   glm::ivec2 Cells[6]; // of +x -x +y -y +z -z
   bool TurnedBack;     // -z is upside down
+
+  double GetSign(int face) const { return face == 5 && this->TurnedBack ? -1.0 : 1.0; }
 };
 
 // Null for projections that are not cubes.
 const CubeLayout* GetCubeLayout(Projection projection)
 {
   static const CubeLayout layouts[] = {
-    { 4, 3, { { 2, 1 }, { 0, 1 }, { 1, 0 }, { 1, 2 }, { 1, 1 }, { 3, 1 } }, false },
-    { 3, 4, { { 2, 1 }, { 0, 1 }, { 1, 0 }, { 1, 2 }, { 1, 1 }, { 1, 3 } }, true },
-    { 6, 1, { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 3, 0 }, { 4, 0 }, { 5, 0 } }, false },
-    { 1, 6, { { 0, 0 }, { 0, 1 }, { 0, 2 }, { 0, 3 }, { 0, 4 }, { 0, 5 } }, false }
+    { { 4, 3 }, { { 2, 1 }, { 0, 1 }, { 1, 0 }, { 1, 2 }, { 1, 1 }, { 3, 1 } }, false },
+    { { 3, 4 }, { { 2, 1 }, { 0, 1 }, { 1, 0 }, { 1, 2 }, { 1, 1 }, { 1, 3 } }, true },
+    { { 6, 1 }, { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 3, 0 }, { 4, 0 }, { 5, 0 } }, false },
+    { { 1, 6 }, { { 0, 0 }, { 0, 1 }, { 0, 2 }, { 0, 3 }, { 0, 4 }, { 0, 5 } }, false }
   };
   return projection >= Projection::HorizontalCross
            ? &layouts[static_cast<int>(projection) - static_cast<int>(Projection::HorizontalCross)]
@@ -71,36 +72,26 @@ const CubeFace CubeFaces[6] = {
 };
 
 // The face that a direction hits, and where.
-int GetFace(const glm::dvec3& d, double& a, double& b)
+int GetFace(const glm::dvec3& d, glm::dvec2& at)
 {
   const glm::dvec3 m = glm::abs(d);
   const int face = m.x >= m.y && m.x >= m.z ? (d.x > 0.0 ? 0 : 1)
                    : m.y >= m.z             ? (d.y > 0.0 ? 2 : 3)
                                             : (d.z < 0.0 ? 4 : 5);
-  const double depth = glm::dot(d, CubeFaces[face].Middle);
-  a = glm::dot(d, CubeFaces[face].Right) / depth;
-  b = glm::dot(d, CubeFaces[face].Down) / depth;
+  at = glm::dvec2(glm::dot(d, CubeFaces[face].Right), glm::dot(d, CubeFaces[face].Down)) /
+       glm::dot(d, CubeFaces[face].Middle);
   return face;
 }
 
 // The face that shows at (u,v), and where; -1 beside the faces.
-int FindFace(const CubeLayout& layout, const glm::dvec2& uv, double& a, double& b)
+int FindFace(const CubeLayout& layout, const glm::dvec2& uv, glm::dvec2& at)
 {
-  const double x = uv.x * layout.Columns;
-  const double y = (1.0 - uv.y) * layout.Rows;
-  const int column = std::clamp(static_cast<int>(x), 0, layout.Columns - 1);
-  const int row = std::clamp(static_cast<int>(y), 0, layout.Rows - 1);
-  for (int face = 0; face < 6; ++face)
-  {
-    if (layout.Cells[face] == glm::ivec2(column, row))
-    {
-      const double sign = face == 5 && layout.TurnedBack ? -1.0 : 1.0;
-      a = sign * (2.0 * (x - column) - 1.0);
-      b = sign * (2.0 * (y - row) - 1.0);
-      return face;
-    }
-  }
-  return -1;
+  const glm::dvec2 place = glm::dvec2(uv.x, 1.0 - uv.y) * glm::dvec2(layout.Size);
+  const glm::ivec2 cell = glm::clamp(glm::ivec2(place), glm::ivec2(0), layout.Size - 1);
+  const auto* found = std::find(std::begin(layout.Cells), std::end(layout.Cells), cell);
+  const int face = static_cast<int>(found - layout.Cells);
+  at = layout.GetSign(face) * (2.0 * (place - glm::dvec2(cell)) - 1.0);
+  return face < 6 ? face : -1;
 }
 
 // Points a side at which a texel of the environment is looked up in the probe, and a texel of the
@@ -184,7 +175,7 @@ private:
 int GetRows(Projection projection, int width, int height)
 {
   const CubeLayout* layout = GetCubeLayout(projection);
-  const double shown = layout ? 6.0 / (layout->Columns * layout->Rows) : 0.25 * Pi;
+  const double shown = layout ? 6.0 / (layout->Size.x * layout->Size.y) : 0.25 * Pi;
   const double texels = shown * width * height;
   return std::max(1, static_cast<int>(std::lround(std::sqrt(0.5 * texels))));
 }
@@ -207,8 +198,8 @@ bool FitsProjection(Projection projection, int width, int height)
 {
   if (const CubeLayout* layout = GetCubeLayout(projection))
   {
-    return width % layout->Columns == 0 && height % layout->Rows == 0 &&
-           width / layout->Columns == height / layout->Rows;
+    const glm::ivec2 face = glm::ivec2(width, height) / layout->Size;
+    return face * layout->Size == glm::ivec2(width, height) && face.x == face.y;
   }
   return projection == Projection::LatLong || width == height;
 }
@@ -219,13 +210,12 @@ bool MapToDirection(Projection projection, const glm::dvec2& uv, glm::dvec3& dir
   direction = glm::dvec3(0.0);
   if (const CubeLayout* layout = GetCubeLayout(projection))
   {
-    double a;
-    double b;
-    const int face = FindFace(*layout, uv, a, b);
+    glm::dvec2 at;
+    const int face = FindFace(*layout, uv, at);
     if (face >= 0)
     {
       direction = glm::normalize(
-        CubeFaces[face].Middle + a * CubeFaces[face].Right + b * CubeFaces[face].Down);
+        CubeFaces[face].Middle + at.x * CubeFaces[face].Right + at.y * CubeFaces[face].Down);
     }
     return face >= 0;
   }
@@ -252,12 +242,12 @@ glm::dvec2 MapToImage(Projection projection, const glm::dvec3& direction)
 {
   if (const CubeLayout* layout = GetCubeLayout(projection))
   {
-    double a;
-    double b;
-    const int face = GetFace(direction, a, b);
-    const double sign = face == 5 && layout->TurnedBack ? -0.5 : 0.5;
-    return { (layout->Cells[face].x + 0.5 + sign * a) / layout->Columns,
-      1.0 - (layout->Cells[face].y + 0.5 + sign * b) / layout->Rows };
+    glm::dvec2 at;
+    const int face = GetFace(direction, at);
+    const glm::dvec2 place =
+      (glm::dvec2(layout->Cells[face]) + 0.5 + 0.5 * layout->GetSign(face) * at) /
+      glm::dvec2(layout->Size);
+    return { place.x, 1.0 - place.y };
   }
   const double side = std::hypot(direction.x, direction.y);
   const bool ball = projection == Projection::MirrorBall;
@@ -273,14 +263,10 @@ double GetSolidAngleDensity(Projection projection, const glm::dvec2& uv)
 {
   if (const CubeLayout* layout = GetCubeLayout(projection))
   {
-    double a;
-    double b;
-    if (FindFace(*layout, uv, a, b) < 0)
-    {
-      return 0.0;
-    }
-    const double square = 1.0 + a * a + b * b;
-    return 4.0 * layout->Columns * layout->Rows / (square * std::sqrt(square));
+    glm::dvec2 at;
+    const bool isBeside = FindFace(*layout, uv, at) < 0;
+    const double areas = 4.0 * layout->Size.x * layout->Size.y;
+    return isBeside ? 0.0 : areas / std::pow(1.0 + glm::dot(at, at), 1.5);
   }
   if (projection == Projection::MirrorBall)
   {

@@ -15,6 +15,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <climits>
 #include <cstddef>
 #include <functional>
@@ -29,12 +30,16 @@ struct LightCell
 {
   // Texels [X0,X1) x [Y0,Y1).
   int X0, Y0, X1, Y1;
-  double Luminance = 0.0;
-  glm::dvec3 Moment = glm::dvec3(0.0); // luminance-weighted sum of directions
+  glm::dvec4 Moment = glm::dvec4(0.0); // sum of luminance times direction, and that of luminance
   glm::dvec3 Irradiance = glm::dvec3(0.0);
   double SolidAngle = 0.0;
 
-  bool IsTexel() const { return this->X1 - this->X0 == 1 && this->Y1 - this->Y0 == 1; }
+  int GetWidth() const { return this->X1 - this->X0; }
+  int GetHeight() const { return this->Y1 - this->Y0; }
+  bool IsTexel() const { return this->GetWidth() == 1 && this->GetHeight() == 1; }
+
+  /// Its first `at` columns, or rows, and the others, without their light.
+  std::array<LightCell, 2> Cut(bool columns, int at) const;
 
   /// Adds up what its texels send, with some of them changed.
   void Gather(
@@ -60,8 +65,7 @@ public:
   void Sum(const LightCell& cell, bool columns, bool rows);
 
   TexelDirections Directions;
-  // The sum of luminance times direction, and that of luminance.
-  std::vector<glm::dvec4> Columns;
+  std::vector<glm::dvec4> Columns; // LightCell::Moment of each
   std::vector<glm::dvec4> Rows;
 
 private:

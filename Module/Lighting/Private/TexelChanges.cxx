@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TexelChanges.h"
 
-#include "TexelInterpolation.h"
+#include "Neighbors.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 
 const float* vtkEnvironment::TexelChanges::GetRow(
   vtkEnvironment* environment, int y, int x0, int x1, std::vector<float>& room) const
 {
-  const std::size_t row =
-    static_cast<std::size_t>(y) * static_cast<std::size_t>(environment->GetWidth());
-  const std::size_t first = row + static_cast<std::size_t>(x0);
-  const std::size_t last = row + static_cast<std::size_t>(x1);
+  const std::size_t row = static_cast<std::size_t>(y) * environment->GetWidth();
+  const std::size_t first = row + x0;
+  const std::size_t last = row + x1;
   const float* pixels = environment->GetPixels().data() + 3 * first;
   auto change = std::lower_bound(this->Texels.begin(), this->Texels.end(), Texel{ first, {} });
   if (change == this->Texels.end() || change->Index >= last)
@@ -27,28 +28,19 @@ const float* vtkEnvironment::TexelChanges::GetRow(
   return room.data();
 }
 
-void vtkEnvironment::TexelChanges::GetRadiance(
-  vtkEnvironment* environment, const double direction[3], double rgb[3]) const
+glm::dvec3 vtkEnvironment::TexelChanges::Interpolate(
+  vtkEnvironment* environment, double u, double v) const
 {
-  if (this->Texels.empty())
-  {
-    environment->GetRadiance(direction, rgb);
-    return;
-  }
-  double u;
-  double v;
-  vtkEnvironment::GetCoordinates(direction, u, v);
-  const std::size_t width = static_cast<std::size_t>(environment->GetWidth());
+  const int width = environment->GetWidth();
   const float* pixels = environment->GetPixels().data();
-  measuredbrdf::InterpolateTexels(
-    width, static_cast<std::size_t>(environment->GetHeight()), u, v,
+  return measuredbrdf::InterpolateTexels(width, environment->GetHeight(), u, v,
     [&](std::size_t x, std::size_t y)
     {
       const std::size_t index = y * width + x;
       const auto found =
         std::lower_bound(this->Texels.begin(), this->Texels.end(), Texel{ index, {} });
-      return found != this->Texels.end() && found->Index == index ? &found->Radiance.x
-                                                                  : pixels + 3 * index;
-    },
-    rgb);
+      return glm::dvec3(found != this->Texels.end() && found->Index == index
+                          ? found->Radiance
+                          : glm::make_vec3(pixels + 3 * index));
+    });
 }

@@ -36,8 +36,8 @@ struct vtkEnvironment::TexelChanges
   const float* GetRow(
     vtkEnvironment* environment, int y, int x0, int x1, std::vector<float>& room) const;
 
-  /// As vtkEnvironment::GetRadiance.
-  void GetRadiance(vtkEnvironment* environment, const double direction[3], double rgb[3]) const;
+  /// Radiance at (u,v) in [0,1]^2 of an environment that is not empty.
+  glm::dvec3 Interpolate(vtkEnvironment* environment, double u, double v) const;
 };
 
 namespace measuredbrdf

@@ -14,34 +14,42 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 namespace measuredbrdf
 {
-/// Directions of all texels of a lat-long image from one sine and cosine per column and per row.
+/// Directions of the middles of a lat-long image's texels, or of a grid of other squares, from one
+/// sine and cosine per column and per row.
 struct TexelDirections
 {
   TexelDirections(int width, int height)
+    : TexelDirections(width, height, width, height)
   {
+  }
+
+  /// Squares, so many, of which an image has acrossImage and upImage; those that the image's edge
+  /// cuts off have their middle on the image.
+  TexelDirections(int width, int height, double acrossImage, double upImage)
+  {
+    glm::dvec3 d;
     for (int x = 0; x < width; ++x)
     {
-      glm::dvec3 d;
-      vtkEnvironment::GetDirection((x + 0.5) / width, 0.5, &d.x);
+      vtkEnvironment::GetDirection(std::min((x + 0.5) / acrossImage, 1.0), 0.5, &d.x);
       this->Columns.emplace_back(d.x, d.z);
     }
     for (int y = 0; y < height; ++y)
     {
-      glm::dvec3 d;
-      vtkEnvironment::GetDirection(0.5, (y + 0.5) / height, &d.x);
+      vtkEnvironment::GetDirection(0.5, std::min((y + 0.5) / upImage, 1.0), &d.x);
       this->Rows.emplace_back(d.x, d.y);
     }
   }
 
   glm::dvec3 Get(int x, int y) const
   {
-    const glm::dvec2& column = this->Columns[static_cast<std::size_t>(x)];
-    const glm::dvec2& row = this->Rows[static_cast<std::size_t>(y)];
+    const glm::dvec2& column = this->Columns[x];
+    const glm::dvec2& row = this->Rows[y];
     return glm::dvec3(row.x * column.x, row.y, row.x * column.y);
   }
 
@@ -59,7 +67,8 @@ public:
     glm::dvec3 Direction;  // unit: the mean, weighted by luminance
     /// Summing over the four squares of half the size instead of this one leaves this much of what
     /// it changes to do, for an integrand of second order: the share of the variance of directions
-    /// that remains in them. A third where radiance is constant.
+    /// that remains in them. A third where radiance is constant, and of squares of level 0 and
+    /// less.
     double Rest;
   };
 
@@ -69,14 +78,14 @@ public:
   ///@{
   /// Squares of level 0 are texels; on each level up, width and height are half as large (rounded
   /// up). Those of negative levels are parts of texels, 2 x 2, 4 x 4, ..., down to 0.01 degrees.
-  int GetHighestLevel() const { return static_cast<int>(this->Levels.size()) - 1; }
-  int GetLowestLevel() const { return 1 - static_cast<int>(this->Parts.size()); }
-  int GetWidth(int level) const;
-  int GetHeight(int level) const;
+  int GetHighestLevel() const { return this->Lowest + static_cast<int>(this->Levels.size()) - 1; }
+  int GetLowestLevel() const { return this->Lowest; }
+  int GetWidth(int level) const { return this->At(level).Width; }
+  int GetHeight(int level) const { return this->At(level).Height; }
   ///@}
 
   /// Half the diagonal of a square at the equator, in rad: an upper bound.
-  double GetLargestRadius(int level) const { return this->GetScale(level) * this->Radius; }
+  double GetLargestRadius(int level) const { return this->At(level).Scale * this->Radius; }
 
   /// A square's middle, of its area and not of its light, and half its diagonal.
   glm::dvec3 GetMiddle(int level, int x, int y, double& radius) const;
@@ -89,19 +98,13 @@ public:
   void GetQuarters(
     int level, int x, int y, float* const directions[3], float* const irradiances[3]) const;
 
-  /// Light::Rest of a square of a level above 0.
+  /// Light::Rest.
   float GetRest(int level, int x, int y) const
   {
-    return this->Levels[static_cast<std::size_t>(level)]
-      .Blocks[this->GetBlock(level, x, y)]
-      .Rests[2 * (y % 2) + x % 2];
+    return level > 0 ? this->GetBlock(level, x, y).Rests[2 * (y % 2) + x % 2] : SmoothRest;
   }
 
-  /// Asks the processor for what GetQuarters will read soon.
-  void Prefetch(int level, int x, int y) const;
-
-  /// Light::Rest of squares of level 0 and less.
-  static constexpr double SmoothRest = 1.0 / 3.0; // of constant radiance
+  static constexpr float SmoothRest = 1.0f / 3.0f; // of constant radiance
 
 private:
   /// Two by two squares, left to right, then down, in two lines of a processor's cache: what
@@ -109,45 +112,35 @@ private:
   /// Squares beyond the map's edge are black.
   struct alignas(64) Block
   {
-    float Directions[3][4];
-    float Irradiances[3][4];
-    float Rests[4];
+    float Directions[3][4] = { {}, { 1.0f, 1.0f, 1.0f, 1.0f }, {} };
+    float Irradiances[3][4] = {};
+    float Rests[4] = {};
   };
   struct Level
   {
     int Width;
     int Height;
-    std::vector<Block> Blocks; // none on level 0
+    double Scale;              // 2 to the level
+    TexelDirections Middles;   // of the squares
+    double StripArea;          // solid angle of a square on the equator
+    std::vector<Block> Blocks; // of levels above 0
   };
 
+  void AddLevel(int level);
   void AverageTexels();
-  /// That which holds a square of a level above 0.
-  std::size_t GetBlock(int level, int x, int y) const
+  void SumQuarters(Level& level, std::vector<glm::dvec4>& moments);
+  const Level& At(int level) const { return this->Levels[level - this->Lowest]; }
+  const Block& GetBlock(int level, int x, int y) const
   {
-    const auto width = static_cast<std::size_t>((this->GetWidth(level) + 1) / 2);
-    return static_cast<std::size_t>(y / 2) * width + static_cast<std::size_t>(x / 2);
-  }
-
-  void AddLevel(std::vector<glm::dvec4>& moments);
-  void AddMiddles();
-  glm::dvec4 GetTexelMoment(const Light& light, int y) const;
-  double GetSolidAngle(int level, int y) const;
-  glm::dvec3 GetPartRadiance(int part, int x, int y) const;
-
-  /// 2 to the level.
-  double GetScale(int level) const
-  {
-    return this->Scales[static_cast<std::size_t>(level - this->GetLowestLevel())];
+    const Level& at = this->At(level);
+    return at.Blocks[static_cast<std::size_t>(y / 2) * ((at.Width + 1) / 2) + x / 2];
   }
 
   vtkSmartPointer<vtkEnvironment> Environment;
-  std::vector<glm::vec3> Texels;      // the mean radiance of each one's area
-  std::vector<TexelDirections> Parts; // levels 0, -1, ...
-  std::vector<TexelDirections> Above; // levels 1, 2, ...: the middles
-  std::vector<double> StripAreas;     // solid angles on the equator, of levels 0, -1, ...
-  std::vector<Level> Levels;
-  std::vector<double> Scales; // of the levels, the lowest first
-  double Radius = 0.0;        // of a texel on the equator
+  std::vector<glm::vec3> Texels; // the mean radiance of each one's area
+  int Lowest = 0;
+  std::vector<Level> Levels; // the lowest first
+  double Radius = 0.0;       // of a texel on the equator
 };
 } // namespace measuredbrdf
 

@@ -111,28 +111,36 @@ PictureValues ReadValues(const std::string& name, vtkImageData* image, bool igno
 }
 
 //------------------------------------------------------------------------------
+// 1 for each pixel inside a border, 0 on it.
+Values MakeInside(int width, int height, int border)
+{
+  Plane inside = Plane::Zero(width, height);
+  const int columns = width - 2 * border;
+  const int rows = height - 2 * border;
+  if (columns > 0 && rows > 0)
+  {
+    inside.block(border, border, columns, rows) = 1.0;
+  }
+  return Eigen::Map<const Values>(inside.data(), inside.size());
+}
+
+//------------------------------------------------------------------------------
 Values FindCompared(const int* size, const PictureArea& area)
 {
-  Plane compared = Plane::Zero(size[0], size[1]);
-  vtkDataArray* mask = nullptr;
-  double least = 0.0;
+  Values compared = MakeInside(size[0], size[1], area.Border);
   if (area.Mask)
   {
     CheckSize("mask", area.Mask, size, "the pictures");
-    mask = GetScalars("mask", area.Mask);
+    vtkDataArray* mask = GetScalars("mask", area.Mask);
     const double largest = GetLargest("mask", mask);
-    least = MaskThreshold * (largest > 0.0 ? largest : 1.0);
-  }
-  for (int y = area.Border; y < size[1] - area.Border; ++y)
-  {
-    for (int x = area.Border; x < size[0] - area.Border; ++x)
+    const double least = MaskThreshold * (largest > 0.0 ? largest : 1.0);
+    for (Eigen::Index k = 0; k < compared.size(); ++k)
     {
-      const vtkIdType k = static_cast<vtkIdType>(y) * size[0] + x;
-      compared(x, y) = !mask || mask->GetComponent(k, 0) >= least ? 1.0 : 0.0;
+      compared[k] *= mask->GetComponent(k, 0) >= least ? 1.0 : 0.0;
     }
   }
   Require(compared.any(), "the border and the mask leave no pixel to compare");
-  return Eigen::Map<const Values>(compared.data(), compared.size());
+  return compared;
 }
 
 //------------------------------------------------------------------------------
@@ -262,16 +270,8 @@ PictureError ComputeStructuralSimilarity(const PicturePair& pair, double backgro
 {
   const Plane similarity = ComputeSimilarity(GetLuma(pair, pair.Picture.GetDisplayed(background)),
     GetLuma(pair, pair.Reference.GetDisplayed(background)));
-  // Windows that lie within the picture.
-  Plane inside = Plane::Zero(pair.Width, pair.Height);
-  const int width = pair.Width - 2 * SimilarityRadius;
-  const int height = pair.Height - 2 * SimilarityRadius;
-  if (width > 0 && height > 0)
-  {
-    inside.block(SimilarityRadius, SimilarityRadius, width, height) = 1.0;
-  }
   PicturePair windows{ pair.Width, pair.Height, {}, {},
-    pair.Compared * Eigen::Map<const Values>(inside.data(), inside.size()) };
+    pair.Compared * MakeInside(pair.Width, pair.Height, SimilarityRadius) };
   Require(windows.Compared.any(),
     "ssim: no compared pixel has a window of 11 x 11 pixels around it within the picture");
   const PictureError difference =

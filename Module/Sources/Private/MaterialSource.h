@@ -14,15 +14,14 @@
 #include "vtkBRDF.h"
 #include "vtkSmartPointer.h"
 
+#define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/gtx/rotate_vector.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace measuredbrdf
 {
-constexpr double Degree = Pi / 180.0;
-
 inline vtkMTimeType GetLatestTime(vtkMTimeType time, vtkBRDF* brdf)
 {
   return brdf ? std::max(time, brdf->GetMTime()) : time;
@@ -46,11 +45,9 @@ inline bool EvaluateHalfDifference(
   vtkBRDF* brdf, double thetaH, double thetaD, double phiD, double phiH, double f[3])
 {
   glm::dvec3 i, o;
-  FromHalfDifference({ thetaH * Degree, thetaD * Degree, phiD * Degree }, i, o);
-  const double c = std::cos(phiH * Degree);
-  const double s = std::sin(phiH * Degree);
-  i = { c * i.x - s * i.y, s * i.x + c * i.y, i.z };
-  o = { c * o.x - s * o.y, s * o.x + c * o.y, o.z };
+  FromHalfDifference({ ToRadians(thetaH), ToRadians(thetaD), ToRadians(phiD) }, i, o);
+  i = glm::rotateZ(i, ToRadians(phiH));
+  o = glm::rotateZ(o, ToRadians(phiH));
   brdf->Evaluate(glm::value_ptr(i), glm::value_ptr(o), f);
   // Angles of 90 degrees leave a rounding error above the horizon.
   if (i.z > 1e-9 && o.z > 1e-9)

@@ -3,6 +3,7 @@
 // One rule for bad values in every setter: what is no number or no enumerator is refused with one
 // error, and the value stays; numbers out of range are clamped with one warning, or refused.
 
+#include "ErrorCatcher.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFAnalysis.h"
 #include "vtkBRDFFailureMap.h"
@@ -37,38 +38,26 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 const double NaN = std::nan("");
 
-// Counts an object's errors and warnings while it lives.
-class Listener : public vtkCommand
+// An object's errors and warnings.
+struct Listener
 {
-public:
-  vtkTypeMacro(Listener, vtkCommand);
-  static vtkSmartPointer<Listener> Hear(vtkObject* object)
+  explicit Listener(vtkObject* object)
+    : Errors(object)
+    , Warnings(object, vtkCommand::WarningEvent)
   {
-    auto listener = vtkSmartPointer<Listener>::Take(new Listener);
-    object->AddObserver(vtkCommand::ErrorEvent, listener);
-    object->AddObserver(vtkCommand::WarningEvent, listener);
-    return listener;
-  }
-  void Execute(vtkObject*, unsigned long event, void* text) override
-  {
-    ++(event == vtkCommand::ErrorEvent ? this->Errors : this->Warnings);
-    this->Text = static_cast<const char*>(text);
   }
 
   // What was said since the last call, by number.
   void Expect(const std::string& setter, int errors, int warnings)
   {
-    EXPECT_EQ(this->Errors, errors) << setter << " " << this->Text;
-    EXPECT_EQ(this->Warnings, warnings) << setter << " " << this->Text;
-    EXPECT_TRUE(errors + warnings == 0 || this->Text.find(setter) != std::string::npos)
-      << this->Text;
-    this->Errors = this->Warnings = 0;
+    const std::string text = errors > 0 ? this->Errors.GetText() : this->Warnings.GetText();
+    EXPECT_EQ(this->Errors.Take(), errors) << setter << " " << text;
+    EXPECT_EQ(this->Warnings.Take(), warnings) << setter << " " << text;
+    EXPECT_TRUE(errors + warnings == 0 || text.find(setter) != std::string::npos) << text;
   }
 
-private:
-  int Errors = 0;
-  int Warnings = 0;
-  std::string Text;
+  ErrorCatcher Errors;
+  ErrorCatcher Warnings;
 };
 
 // Finite numbers out of [low, high] are clamped or refused; `bad` are refused.
@@ -76,7 +65,7 @@ template <typename Object, typename S, typename G, typename T>
 void ExpectRule(const char* setter, bool clamps, Object* object, void (S::*set)(T), T (G::*get)(),
   double low, double high, std::vector<double> bad = {})
 {
-  const auto listener = Listener::Hear(object);
+  Listener listener(object);
   const T before = (object->*get)();
   const vtkMTimeType time = object->GetMTime();
   std::vector<std::pair<double, double>> clamped = { { low - 1.0, low } };
@@ -98,25 +87,25 @@ void ExpectRule(const char* setter, bool clamps, Object* object, void (S::*set)(
   for (const double value : bad)
   {
     (object->*set)(static_cast<T>(value));
-    listener->Expect(setter, 1, 0);
+    listener.Expect(setter, 1, 0);
     EXPECT_EQ((object->*get)(), before) << setter << " " << value;
     EXPECT_EQ(object->GetMTime(), time) << setter;
   }
   for (const auto& [value, taken] : clamped)
   {
     (object->*set)(static_cast<T>(clamps ? value : taken));
-    listener->Expect(setter, 0, clamps ? 1 : 0);
+    listener.Expect(setter, 0, clamps ? 1 : 0);
     EXPECT_EQ((object->*get)(), static_cast<T>(taken)) << setter;
   }
   (object->*set)(before);
-  listener->Expect(setter, 0, 0);
+  listener.Expect(setter, 0, 0);
 }
 
 template <typename Object>
 void ExpectFinite3(const char* setter, Object* object, void (Object::*set)(double, double, double),
   void (Object::*setArray)(const double*), double* (Object::*get)())
 {
-  const auto listener = Listener::Hear(object);
+  Listener listener(object);
   const std::vector<double> before((object->*get)(), (object->*get)() + 3);
   for (const double bad : { NaN, Infinity, -Infinity })
   {
@@ -125,14 +114,14 @@ void ExpectFinite3(const char* setter, Object* object, void (Object::*set)(doubl
       double values[3] = { 0.25, 0.5, 0.75 };
       values[k] = bad;
       (object->*set)(values[0], values[1], values[2]);
-      listener->Expect(setter, 1, 0);
+      listener.Expect(setter, 1, 0);
       (object->*setArray)(values);
-      listener->Expect(setter, 1, 0);
+      listener.Expect(setter, 1, 0);
       EXPECT_EQ(std::vector<double>((object->*get)(), (object->*get)() + 3), before) << setter;
     }
   }
   (object->*set)(0.25, 0.5, 0.75);
-  listener->Expect(setter, 0, 0);
+  listener.Expect(setter, 0, 0);
   EXPECT_EQ((object->*get)()[1], 0.5) << setter;
 }
 
@@ -140,18 +129,18 @@ template <typename Object>
 void ExpectZone(
   const char* setter, Object* object, void (Object::*set)(double, double), double* (Object::*get)())
 {
-  const auto listener = Listener::Hear(object);
+  Listener listener(object);
   const double begin = (object->*get)()[0], end = (object->*get)()[1];
   for (const auto& bad : { std::pair<double, double>(NaN, 57.0), { 9.0, Infinity }, { 57.0, 9.0 },
          { -1.0, 57.0 }, { 9.0, 91.0 } })
   {
     (object->*set)(bad.first, bad.second);
-    listener->Expect(setter, 1, 0);
+    listener.Expect(setter, 1, 0);
     EXPECT_EQ((object->*get)()[0], begin);
     EXPECT_EQ((object->*get)()[1], end);
   }
   (object->*set)(10.0, 50.0);
-  listener->Expect(setter, 0, 0);
+  listener.Expect(setter, 0, 0);
   EXPECT_EQ((object->*get)()[0], 10.0);
 }
 }
@@ -188,44 +177,44 @@ TEST(Setters, OfMaterials)
   CLAMPED(vtkBRDFResampler, Tolerance, 1e-6, 1.0);
 
   vtkNew<vtkDistributionBRDF> distribution;
-  const auto listener = Listener::Hear(distribution);
+  Listener listener(distribution);
   const std::vector<float> p = distribution->GetDistribution(), f = distribution->GetFresnel();
   for (const double bad : { NaN, Infinity, -1.0 })
   {
     distribution->SetBlinnDistribution(bad);
-    listener->Expect("SetBlinnDistribution", 1, 0);
+    listener.Expect("SetBlinnDistribution", 1, 0);
     const double f0[3] = { 0.5, bad, 0.5 };
     distribution->SetSchlickFresnel(f0);
-    listener->Expect("SetSchlickFresnel", 1, 0);
+    listener.Expect("SetSchlickFresnel", 1, 0);
   }
   EXPECT_FALSE(distribution->SetDistribution(1, 1, { 1.0f }));
-  listener->Expect("SetDistribution", 1, 0);
+  listener.Expect("SetDistribution", 1, 0);
   EXPECT_FALSE(distribution->SetFresnel(1, { 1.0f, NAN, 1.0f }));
-  listener->Expect("SetFresnel", 1, 0);
+  listener.Expect("SetFresnel", 1, 0);
   EXPECT_EQ(distribution->GetDistribution(), p);
   EXPECT_EQ(distribution->GetFresnel(), f);
 
   vtkNew<vtkTabulatedBRDF> table;
-  const auto tableListener = Listener::Hear(table);
+  Listener tableListener(table);
   const int one[3] = { 1, 1, 1 }, none[3] = { 1, 0, 1 };
   EXPECT_FALSE(table->SetVolume(0, 0, one, { 1.0f }));
-  tableListener->Expect("SetVolume", 1, 0);
+  tableListener.Expect("SetVolume", 1, 0);
   EXPECT_FALSE(table->SetVolume(0, 0, none, {}));
-  tableListener->Expect("SetVolume", 1, 0);
+  tableListener.Expect("SetVolume", 1, 0);
   EXPECT_FALSE(table->SetVolume(2, 0, one, { 1.0f, 1.0f, 1.0f }));
-  tableListener->Expect("SetVolume", 1, 0);
+  tableListener.Expect("SetVolume", 1, 0);
 }
 
 TEST(Setters, OfLightingAndReaders)
 {
   REFUSED(vtkEnvironmentReader, Projection, -1, vtkEnvironmentReader::CUBE_VERTICAL_STRIP);
   vtkNew<vtkEnvironment> environment;
-  const auto listener = Listener::Hear(environment);
+  Listener listener(environment);
   environment->SetRotationY(NaN);
-  listener->Expect("SetWorldToEnvironment", 1, 0);
+  listener.Expect("SetWorldToEnvironment", 1, 0);
   const double zeros[9] = {};
   environment->SetWorldToEnvironment(zeros);
-  listener->Expect("SetWorldToEnvironment", 1, 0);
+  listener.Expect("SetWorldToEnvironment", 1, 0);
 }
 
 TEST(Setters, OfIntegrators)
@@ -245,11 +234,11 @@ TEST(Setters, OfIntegrators)
   CLAMPED(vtkBRDFFailureMap, NumberOfCells, 2, 720);
   CLAMPED(vtkBRDFFailureMap, NumberOfAzimuths, 2, 3600);
   vtkNew<vtkBRDFAnalysis> analysis;
-  const auto listener = Listener::Hear(analysis);
+  Listener listener(analysis);
   for (const double bad : { NaN, Infinity, -1.0, 90.0 })
   {
     analysis->SetAngles(1, &bad);
-    listener->Expect("SetAngles", 1, 0);
+    listener.Expect("SetAngles", 1, 0);
   }
 }
 

@@ -3,7 +3,6 @@
 // RGL's spectral files, written here from their published layout: no measured one was at hand.
 
 #include "AnisotropicWarp.h"
-#include "BrushedMetal.h"
 #include "SpectraForTests.h"
 #include "TestIOHelpers.h"
 

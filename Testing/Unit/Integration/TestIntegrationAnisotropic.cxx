@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables of anisotropic materials against the reference.
 
-#include "BrushedMetal.h"
+#include "AnisotropicWarp.h"
 #include "HalfVector.h"
 #include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"

@@ -44,17 +44,6 @@ TEST(Distribution1D, ProbabilitiesAndInversion)
 }
 
 //------------------------------------------------------------------------------
-TEST(Distribution1D, WithoutWeightUniform)
-{
-  const std::vector<double> weights(4, 0.0);
-  const Distribution1D d(weights.begin(), weights.end());
-  EXPECT_TRUE(d.IsZero());
-  double remainder;
-  EXPECT_EQ(d.Invert(0.6, remainder), 2u);
-  EXPECT_NEAR(remainder, 0.4, 1e-12);
-}
-
-//------------------------------------------------------------------------------
 TEST(Distribution2D, SamplesFollowTheWeights)
 {
   const std::size_t width = 6;
@@ -76,10 +65,8 @@ TEST(Distribution2D, SamplesFollowTheWeights)
   double sumX = 0.0;
   for (int k = 0; k < draws; ++k)
   {
-    std::size_t x;
-    std::size_t y;
-    double inX;
-    double inY;
+    std::size_t x, y;
+    double inX, inY;
     const double u = Uniform(engine);
     d.Invert(u, Uniform(engine), x, y, inX, inY);
     ++hits[y * width + x];
@@ -115,10 +102,8 @@ TEST(Distribution2D, ZeroRows)
   const Distribution2D middle({ 0, 0, 0, 0, 0, 2, 6, 0, 0, 0, 0, 0 }, 4, 3);
   for (int k = 0; k < 144; ++k)
   {
-    std::size_t x;
-    std::size_t y;
-    double inX;
-    double inY;
+    std::size_t x, y;
+    double inX, inY;
     const double u = (k % 12 + 0.5) / 12;
     const double v = (k / 12 + 0.5) / 12;
     none.Invert(u, v, x, y, inX, inY);

@@ -103,7 +103,7 @@ TEST(EnvironmentHarmonics, AreIntegralsOfTheInterpolatedSky)
 TEST(EnvironmentPyramid, IsContinuousAcrossAllFourFolds)
 {
   const auto environment = NewNoise(256, 128);
-  const EnvironmentPyramid pyramid(environment, nullptr, 768);
+  const EnvironmentPyramid pyramid(environment, {}, 768);
   const glm::dvec2 folds[4] = { { -1.0, 0.0 }, { 1.0, 0.0 }, { 0.0, -1.0 }, { 0.0, 1.0 } };
   for (int level = 0; level + 2 < pyramid.GetNumberOfLevels(); ++level)
   {
@@ -237,13 +237,14 @@ TEST(EnvironmentPrecomputation, SetsOfOneTreeAreThoseOfTheirOwn)
     ASSERT_EQ(sets[k]->GetNumberOfLights(), counts[k]);
     for (int light = 0; light < counts[k]; ++light)
     {
-      glm::dvec3 direction[2], irradiance[2];
-      sets[k]->GetDirection(light, &direction[0].x);
-      own->GetDirection(light, &direction[1].x);
-      sets[k]->GetIrradiance(light, &irradiance[0].x);
-      own->GetIrradiance(light, &irradiance[1].x);
-      EXPECT_LT(glm::distance(direction[0], direction[1]), 1e-9) << counts[k] << ": " << light;
-      EXPECT_LT(glm::distance(irradiance[0], irradiance[1]), 1e-12) << counts[k] << ": " << light;
+      SCOPED_TRACE(light);
+      glm::dvec3 a, b;
+      sets[k]->GetDirection(light, &a.x);
+      own->GetDirection(light, &b.x);
+      EXPECT_LT(glm::distance(a, b), 1e-9);
+      sets[k]->GetIrradiance(light, &a.x);
+      own->GetIrradiance(light, &b.x);
+      EXPECT_LT(glm::distance(a, b), 1e-12);
     }
   }
   EXPECT_TRUE(apart.GetLightSets(environment, nullptr, { 5, 0 }, goOn).empty());

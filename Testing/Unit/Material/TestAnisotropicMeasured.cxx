@@ -3,7 +3,6 @@
 // Measured anisotropic materials: the table for graphics cards, and RGL's anisotropic files.
 
 #include "AnisotropicWarp.h"
-#include "BrushedMetal.h"
 #include "ErrorCatcher.h"
 
 #include "TestDirections.h"

@@ -13,13 +13,13 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPictureDifference.h"
+#include "vtkPointData.h"
 #include "vtkRadianceMetrics.h"
 #include "vtkSmartPointer.h"
 
+#include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -30,30 +30,25 @@ namespace
 constexpr int Width = 64;
 constexpr int Height = 48;
 
-using RGB = std::array<double, 3>;
+using RGB = glm::dvec3;
 using Formula = RGB (*)(int x, int y);
 
 vtkSmartPointer<vtkDoubleArray> Draw(Formula formula, double exponent = 1.0)
 {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetNumberOfComponents(3);
-  for (int y = 0; y < Height; ++y)
+  for (int k = 0; k < Width * Height; ++k)
   {
-    for (int x = 0; x < Width; ++x)
-    {
-      for (const double value : formula(x, y))
-      {
-        array->InsertNextValue(std::pow(value, exponent));
-      }
-    }
+    const RGB rgb = glm::pow(formula(k % Width, k / Width), RGB(exponent));
+    array->InsertNextTuple(&rgb.x);
   }
   return array;
 }
 
-// In [0,1).
-double Noise(int x, int y, int seed)
+// In [0,1), of a seed for each channel.
+RGB Noise(int x, int y, const glm::ivec3& seeds)
 {
-  return ((x * 73 + y * 151 + x * y * 7 + seed) % 101) / 100.0;
+  return RGB((seeds + x * 73 + y * 151 + x * y * 7) % 101) / 100.0;
 }
 
 // Pictures as displayed, in [0,1]; more than 1 % of each reference's channels are 1.
@@ -62,11 +57,7 @@ RGB Gradient(int x, int y)
   return x < 4 ? RGB{ 1.0, 1.0, 1.0 } : RGB{ x / 64.0, y / 48.0, (x + y) / 112.0 };
 }
 
-RGB GradientDarker(int x, int y)
-{
-  const RGB rgb = Gradient(x, y);
-  return { 0.9 * rgb[0], 0.95 * rgb[1], rgb[2] };
-}
+RGB GradientDarker(int x, int y) { return RGB(0.9, 0.95, 1.0) * Gradient(x, y); }
 
 RGB Stripe(int x, int y)
 {
@@ -81,12 +72,7 @@ RGB Flat(int x, int) { return x >= 60 ? RGB{ 1.0, 1.0, 1.0 } : RGB{ 0.3, 0.5, 0.
 
 RGB FlatNoisy(int x, int y)
 {
-  RGB rgb = Flat(x, y);
-  for (int c = 0; c < 3; ++c)
-  {
-    rgb[c] = std::min(1.0, rgb[c] * (0.8 + 0.4 * Noise(x, y, 31 * c)));
-  }
-  return rgb;
+  return glm::min(Flat(x, y) * (0.8 + 0.4 * Noise(x, y, { 0, 31, 62 })), 1.0);
 }
 
 RGB Spot(int x, int y, int squaredRadius)
@@ -104,40 +90,23 @@ RGB SpotsSmaller(int x, int y) { return Spot(x, y, 8); }
 RGB SunAt(int x, int y, int center)
 {
   const double distance = (x - center) * (x - center) + (y - 20) * (y - 20);
-  const double value = std::exp2(10.0 * std::exp(-distance / 50.0) - 3.0);
-  return { value, 0.8 * value, 0.5 * value };
+  return std::exp2(10.0 * std::exp(-distance / 50.0) - 3.0) * RGB(1.0, 0.8, 0.5);
 }
 
 RGB Sun(int x, int y) { return SunAt(x, y, 40); }
 
 RGB SunMoved(int x, int y) { return SunAt(x, y, 41); }
 
-RGB Ramp(int x, int y)
-{
-  return { std::exp2(x / 8.0 - 6.0), std::exp2(y / 8.0 - 6.0), std::exp2((x + y) / 16.0 - 6.0) };
-}
+RGB Ramp(int x, int y) { return glm::exp2(RGB(x / 8.0, y / 8.0, (x + y) / 16.0) - 6.0); }
 
-RGB RampTinted(int x, int y)
-{
-  const RGB rgb = Ramp(x, y);
-  return { 1.1 * rgb[0], rgb[1], (x > 30 ? 0.8 : 1.0) * rgb[2] };
-}
+RGB RampTinted(int x, int y) { return Ramp(x, y) * RGB(1.1, 1.0, x > 30 ? 0.8 : 1.0); }
 
 RGB Steps(int x, int y)
 {
-  const double value = std::pow(4.0, (x / 16 + 2 * (y / 16)) % 5 - 2);
-  return { value, 0.7 * value, 1.3 * value };
+  return std::pow(4.0, (x / 16 + 2 * (y / 16)) % 5 - 2) * RGB(1.0, 0.7, 1.3);
 }
 
-RGB StepsNoisy(int x, int y)
-{
-  RGB rgb = Steps(x, y);
-  for (int c = 0; c < 3; ++c)
-  {
-    rgb[c] *= 0.9 + 0.2 * Noise(x, y, 17 * c);
-  }
-  return rgb;
-}
+RGB StepsNoisy(int x, int y) { return Steps(x, y) * (0.9 + 0.2 * Noise(x, y, { 0, 17, 34 })); }
 
 vtkSmartPointer<vtkDoubleArray> MakeArray(const std::vector<double>& values, int components = 3)
 {
@@ -157,16 +126,10 @@ Image MakeImage(int type, int width, int height, int components, const std::vect
   auto image = Image::New();
   image->SetDimensions(width, height, 1);
   image->AllocateScalars(type, components);
-  std::size_t k = 0;
-  for (int y = 0; y < height; ++y)
+  for (int k = 0; k < width * height * components; ++k)
   {
-    for (int x = 0; x < width; ++x)
-    {
-      for (int c = 0; c < components; ++c)
-      {
-        image->SetScalarComponentFromDouble(x, y, 0, c, values[k++ % values.size()]);
-      }
-    }
+    image->GetPointData()->GetScalars()->SetComponent(
+      k / components, k % components, values[static_cast<std::size_t>(k) % values.size()]);
   }
   return image;
 }
@@ -193,7 +156,7 @@ Image DrawBytes(Formula formula)
   for (int k = 0; k < Width * Height; ++k)
   {
     const RGB bytes = formula(k % Width, k / Width);
-    values.insert(values.end(), bytes.begin(), bytes.end());
+    values.insert(values.end(), &bytes.x, &bytes.x + 3);
   }
   return MakeImage(VTK_UNSIGNED_CHAR, Width, Height, 3, values);
 }
@@ -508,26 +471,24 @@ TEST(PictureDifference, HeatMap)
   difference->SetMetric(vtkPictureDifference::DELTA_E_2000); // the map is of the last Compare
   const auto heat = Image::Take(difference->NewHeatMap());
   // The ends of magma.
-  const double ends[2][3] = { { 0.0, 0.0, 4.0 }, { 252.0, 253.0, 191.0 } };
-  for (int x = 0; x < 2; ++x)
+  const auto getColor = [](vtkImageData* image, vtkIdType pixel)
   {
-    for (int c = 0; c < 3; ++c)
-    {
-      EXPECT_EQ(heat->GetScalarComponentAsDouble(x, 0, 0, c), ends[x][c]);
-    }
-  }
+    RGB color;
+    image->GetPointData()->GetScalars()->GetTuple(pixel, &color.x);
+    return color;
+  };
+  EXPECT_EQ(getColor(heat, 0), RGB(0.0, 0.0, 4.0));
+  EXPECT_EQ(getColor(heat, 1), RGB(252.0, 253.0, 191.0));
   // The middle of matplotlib's: (183, 55, 121) at 128 of 255.
   const Image gray = MakeImage(VTK_UNSIGNED_CHAR, 2, 1, 3, { 128.0 });
   Compare(difference, vtkPictureDifference::MAX_DIFFERENCE, gray, black);
   const auto middle = Image::Take(difference->NewHeatMap());
-  EXPECT_NEAR(middle->GetScalarComponentAsDouble(0, 0, 0, 0), 183.0, 3.0);
-  EXPECT_NEAR(middle->GetScalarComponentAsDouble(0, 0, 0, 1), 55.0, 3.0);
-  EXPECT_NEAR(middle->GetScalarComponentAsDouble(0, 0, 0, 2), 121.0, 3.0);
+  EXPECT_LT(glm::distance(getColor(middle, 0), RGB(183.0, 55.0, 121.0)), 5.0);
   // CIEDE2000 is brightest at 10.
   const Image lighter = MakeImage(VTK_UNSIGNED_CHAR, 2, 1, 3, { 141.0 });
   EXPECT_NEAR(Compare(difference, vtkPictureDifference::DELTA_E_2000, lighter, gray), 5.0, 0.3);
   const auto half = Image::Take(difference->NewHeatMap());
-  EXPECT_NEAR(half->GetScalarComponentAsDouble(0, 0, 0, 0), 183.0, 15.0);
+  EXPECT_NEAR(getColor(half, 0).x, 183.0, 15.0);
 }
 
 TEST(PictureDifference, BadInput)

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plans: whether they keep what they promise, and when they are made.
 #include "AnisotropicWarp.h"
-#include "BrushedMetal.h"
 #include "ErrorCatcher.h"
 #include "NumberText.h"
-#include "ScaledLight.h"
+#include "RandomLight.h"
 #include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
@@ -21,8 +20,8 @@
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLambertBRDF.h"
 #include "vtkLightSet.h"
+#include "vtkLightSetGenerator.h"
 #include "vtkLightSetRadianceIntegrator.h"
-#include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOcclusionPredictor.h"
@@ -732,7 +731,7 @@ TEST(RadianceMethods, CopiesHaveEveryProperty)
   filtered->SetNumberOfSamples(5);
   ExpectCopied(filtered, { "Extracted lights" });
   vtkNew<vtkLightSetRadianceIntegrator> lights;
-  lights->SetGenerator(vtkNew<vtkMedianCutLightSetGenerator>());
+  lights->SetGenerator(vtkNew<vtkLightSetGenerator>());
   lights->SetNumberOfLights(32);
   lights->SetLightSet(vtkNew<vtkLightSet>());
   lights->SoftLightsOn();

@@ -3,6 +3,7 @@
 // Lobes, slices and images of materials that are given by a formula.
 
 #include "ErrorCatcher.h"
+#include "TestBasisHelpers.h"
 
 #include "vtkBRDFImageSource.h"
 #include "vtkBRDFLobeSource.h"
@@ -35,26 +36,14 @@ namespace
 constexpr double Degree = 3.14159265358979323846 / 180.0;
 
 // A function of a pair, 1, 2 and 3 times in the channels.
-class FormulaBRDF : public vtkBRDF
+vtkSmartPointer<testbasis::FunctionBRDF> MakeMaterial(
+  const std::function<double(const glm::dvec3& i, const glm::dvec3& o)>& formula)
 {
-public:
-  static FormulaBRDF* New();
-  vtkTypeMacro(FormulaBRDF, vtkBRDF);
-
-  void GetShaderInputs(vtkBRDFShaderInputs&) override {}
-
-  std::function<double(const double i[3], const double o[3])> Formula;
-
-protected:
-  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      f[c] = (c + 1) * this->Formula(i, o);
-    }
-  }
-};
-vtkStandardNewMacro(FormulaBRDF);
+  auto brdf = vtkSmartPointer<testbasis::FunctionBRDF>::New();
+  brdf->Function = [formula](const glm::dvec3& i, const glm::dvec3& o)
+  { return formula(i, o) * glm::dvec3(1.0, 2.0, 3.0); };
+  return brdf;
+}
 
 constexpr double LuminanceOf123 = 0.2126 + 2.0 * 0.7152 + 3.0 * 0.0722;
 
@@ -66,13 +55,11 @@ struct Angles
   double PhiH;
 };
 
-Angles GetAngles(const double i[3], const double o[3])
+Angles GetAngles(const glm::dvec3& i, const glm::dvec3& o)
 {
-  double h[3];
-  vtkMath::Add(i, o, h);
-  vtkMath::Normalize(h);
-  return { std::acos(std::min(h[2], 1.0)) / Degree,
-    std::acos(std::min(vtkMath::Dot(h, i), 1.0)) / Degree, std::atan2(h[1], h[0]) / Degree };
+  const glm::dvec3 h = glm::normalize(i + o);
+  return { std::acos(std::min(h.z, 1.0)) / Degree,
+    std::acos(std::min(glm::dot(h, i), 1.0)) / Degree, std::atan2(h.y, h.x) / Degree };
 }
 
 // Of pyramids from the origin over the cells from the first one on: negative where they face
@@ -87,12 +74,11 @@ double GetVolume(vtkPolyData* lobe, vtkIdType first)
     lobe->GetCellPoints(k, count, points);
     for (vtkIdType t = 1; t + 1 < count; ++t)
     {
-      double a[3], b[3], c[3], normal[3];
-      lobe->GetPoint(points[0], a);
-      lobe->GetPoint(points[t], b);
-      lobe->GetPoint(points[t + 1], c);
-      vtkMath::Cross(b, c, normal);
-      volume += vtkMath::Dot(a, normal) / 6.0;
+      glm::dvec3 a, b, c;
+      lobe->GetPoint(points[0], &a.x);
+      lobe->GetPoint(points[t], &b.x);
+      lobe->GetPoint(points[t + 1], &c.x);
+      volume += glm::dot(a, glm::cross(b, c)) / 6.0;
     }
   }
   return volume;
@@ -107,9 +93,8 @@ double GetColumn(vtkTable* table, vtkIdType row, const char* name)
 //------------------------------------------------------------------------------
 TEST(LobeSource, PointsLieAsFarAsTheLightThatIsReflectedTheirWay)
 {
-  vtkNew<FormulaBRDF> brdf;
-  brdf->Formula = [](const double i[3], const double o[3])
-  { return 1.0 + 0.5 * o[0] + 0.25 * o[1] * i[2]; };
+  const auto brdf = MakeMaterial(
+    [](const glm::dvec3& i, const glm::dvec3& o) { return 1.0 + 0.5 * o[0] + 0.25 * o[1] * i[2]; });
   vtkNew<vtkBRDFLobeSource> source;
   source->SetBRDF(brdf);
   source->SetThetaI(60.0);
@@ -127,25 +112,21 @@ TEST(LobeSource, PointsLieAsFarAsTheLightThatIsReflectedTheirWay)
   vtkDataArray* luminance = lobe->GetPointData()->GetScalars();
   ASSERT_TRUE(f && radiance && direction && luminance);
   EXPECT_STREQ(luminance->GetName(), "Luminance");
-  const double i[3] = { std::sin(60.0 * Degree) * std::cos(200.0 * Degree),
-    std::sin(60.0 * Degree) * std::sin(200.0 * Degree), 0.5 };
+  const glm::dvec3 i = FromDegrees(60.0, 200.0);
   int aboveHorizon = 0;
   for (vtkIdType k = 0; k < lobe->GetNumberOfPoints(); ++k)
   {
-    double o[3], place[3];
-    direction->GetTuple(k, o);
-    lobe->GetPoint(k, place);
-    EXPECT_NEAR(vtkMath::Norm(o), 1.0, 1e-6);
-    EXPECT_GE(o[2], 0.0);
-    aboveHorizon += o[2] > 0.0 ? 1 : 0;
-    const double expected = o[2] > 1e-6 ? brdf->Formula(i, o) : 0.0;
+    glm::dvec3 o, place;
+    direction->GetTuple(k, &o.x);
+    lobe->GetPoint(k, &place.x);
+    EXPECT_NEAR(glm::length(o), 1.0, 1e-6);
+    EXPECT_GE(o.z, 0.0);
+    aboveHorizon += o.z > 0.0 ? 1 : 0;
+    const double expected = o.z > 1e-6 ? brdf->Function(i, o).x : 0.0;
     EXPECT_NEAR(f->GetComponent(k, 2), 3.0 * expected, 1e-5) << k;
     EXPECT_NEAR(radiance->GetComponent(k, 1), 2.0 * 0.5 * expected, 1e-5) << k;
     EXPECT_NEAR(luminance->GetTuple1(k), LuminanceOf123 * 0.5 * expected, 1e-5) << k;
-    for (int c = 0; c < 3; ++c)
-    {
-      EXPECT_NEAR(place[c], 3.0 * LuminanceOf123 * 0.5 * expected * o[c], 1e-5) << k;
-    }
+    EXPECT_LT(glm::distance(place, 3.0 * LuminanceOf123 * 0.5 * expected * o), 2e-5) << k;
   }
   EXPECT_GE(aboveHorizon, 1 + 19 * 30);
   // The first point is the mirror direction's.
@@ -202,10 +183,9 @@ TEST(LobeSource, TheSurfaceIsClosedAndFacesOutwards)
 // A diffuse sheet: below the surface a second lobe of half the size, with normals outwards.
 TEST(LobeSource, TransmissionIsBelowTheSurface)
 {
-  vtkNew<FormulaBRDF> brdf;
-  brdf->Formula = [](const double*, const double*) { return 0.2; };
-  vtkNew<FormulaBRDF> folded;
-  folded->Formula = [](const double i[3], const double o[3]) { return 0.1 * (i[0] > o[0]); };
+  const auto brdf = MakeMaterial([](const glm::dvec3&, const glm::dvec3&) { return 0.2; });
+  const auto folded =
+    MakeMaterial([](const glm::dvec3& i, const glm::dvec3& o) { return 0.1 * (i[0] > o[0]); });
   vtkNew<vtkBTDF> transmission;
   transmission->SetFolded(vtkBTDF::FRONT, folded);
   vtkNew<vtkBRDFLobeSource> source;
@@ -228,19 +208,18 @@ TEST(LobeSource, TransmissionIsBelowTheSurface)
   const double cosine = std::cos(30.0 * Degree);
   for (vtkIdType k = 0; k < above; ++k)
   {
-    double up[3], down[3], point[3];
-    directions->GetTuple(k, up);
-    directions->GetTuple(above + k, down);
-    EXPECT_EQ(up[0], down[0]);
-    EXPECT_EQ(up[2], -down[2]);
+    glm::dvec3 up, down, point;
+    directions->GetTuple(k, &up.x);
+    directions->GetTuple(above + k, &down.x);
+    EXPECT_EQ(down, glm::dvec3(up.x, up.y, -up.z));
     EXPECT_EQ(transmitted->GetTuple1(k), 0.0);
     EXPECT_EQ(transmitted->GetTuple1(above + k), 1.0);
-    if (down[2] < -1e-6 && std::abs(down[0] - 0.5) > 1e-6)
+    if (down.z < -1e-6 && std::abs(down.x - 0.5) > 1e-6)
     {
-      const double expected = down[0] < 0.5 ? 0.1 * cosine * LuminanceOf123 : 0.0;
+      const double expected = down.x < 0.5 ? 0.1 * cosine * LuminanceOf123 : 0.0;
       EXPECT_NEAR(luminances->GetTuple1(above + k), expected, 1e-6);
-      lobe->GetPoint(above + k, point);
-      EXPECT_NEAR(vtkMath::Dot(point, down), expected, 1e-6);
+      lobe->GetPoint(above + k, &point.x);
+      EXPECT_NEAR(glm::dot(point, down), expected, 1e-6);
     }
   }
   // Where light goes straight on.
@@ -258,8 +237,8 @@ TEST(LobeSource, TransmissionIsBelowTheSurface)
 //------------------------------------------------------------------------------
 TEST(LobeSource, LogarithmsAndNormalizedSizes)
 {
-  vtkNew<FormulaBRDF> brdf;
-  brdf->Formula = [](const double[3], const double o[3]) { return o[0] > 0.0 ? 40.0 : 0.01; };
+  const auto brdf =
+    MakeMaterial([](const glm::dvec3&, const glm::dvec3& o) { return o[0] > 0.0 ? 40.0 : 0.01; });
   vtkNew<vtkBRDFLobeSource> source;
   source->SetBRDF(brdf);
   source->SetScalingToLogarithmic();
@@ -275,7 +254,7 @@ TEST(LobeSource, LogarithmsAndNormalizedSizes)
   EXPECT_NEAR(vtkMath::Norm(place), 2.0, 1e-6);
 
   // A black material has a lobe of no size.
-  brdf->Formula = [](const double[3], const double[3]) { return 0.0; };
+  brdf->Function = [](const glm::dvec3&, const glm::dvec3&) { return glm::dvec3(0.0); };
   brdf->Modified();
   source->Update();
   double bounds[6];
@@ -286,12 +265,12 @@ TEST(LobeSource, LogarithmsAndNormalizedSizes)
 //------------------------------------------------------------------------------
 TEST(SliceSource, RowsHoldTheirAnglesAndValues)
 {
-  vtkNew<FormulaBRDF> brdf;
-  brdf->Formula = [](const double i[3], const double o[3])
-  {
-    const Angles angles = GetAngles(i, o);
-    return 1000.0 * angles.ThetaH + angles.ThetaD + 0.001 * std::abs(angles.PhiH);
-  };
+  const auto brdf = MakeMaterial(
+    [](const glm::dvec3& i, const glm::dvec3& o)
+    {
+      const Angles angles = GetAngles(i, o);
+      return 1000.0 * angles.ThetaH + angles.ThetaD + 0.001 * std::abs(angles.PhiH);
+    });
   vtkNew<vtkBRDFSliceSource> source;
   source->SetBRDF(brdf);
   source->SetThetaHRange(5.0, 65.0);
@@ -351,12 +330,12 @@ TEST(SliceSource, TooManyRowsAreRefused)
 //------------------------------------------------------------------------------
 TEST(ImageSource, PixelsAreTheSlicesOfBurley)
 {
-  vtkNew<FormulaBRDF> brdf;
-  brdf->Formula = [](const double i[3], const double o[3])
-  {
-    const Angles angles = GetAngles(i, o);
-    return 1000.0 * angles.ThetaH + angles.ThetaD;
-  };
+  const auto brdf = MakeMaterial(
+    [](const glm::dvec3& i, const glm::dvec3& o)
+    {
+      const Angles angles = GetAngles(i, o);
+      return 1000.0 * angles.ThetaH + angles.ThetaD;
+    });
   vtkNew<vtkBRDFImageSource> source;
   source->SetBRDF(brdf);
   source->SetResolution(9);

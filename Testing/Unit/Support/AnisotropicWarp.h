@@ -2,20 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A material as RGL's anisotropic files hold it, made of another: for tests, which have no such
- * file.
+ * Anisotropic materials: as RGL's files hold them, made of another, for tests have no such file;
+ * and brushed metal.
  */
 
 #ifndef AnisotropicWarp_h
 #define AnisotropicWarp_h
 
 #include "vtkAdaptiveWarpBRDF.h"
+#include "vtkDistributionBRDF.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <numeric>
 #include <vector>
 
 struct AnisotropicWarpSizes
@@ -48,11 +53,7 @@ inline vtkAdaptiveWarpBRDF::Tables MakeAnisotropicTables(
   }
   const auto flat = [](std::vector<int> shape)
   {
-    std::size_t count = 1;
-    for (const int n : shape)
-    {
-      count *= static_cast<std::size_t>(n);
-    }
+    const int count = std::accumulate(shape.begin(), shape.end(), 1, std::multiplies<int>());
     return vtkAdaptiveWarpBRDF::Table{ shape, std::vector<float>(count, 1.0f) };
   };
   tables.Ndf = flat({ 4, 4 });
@@ -94,6 +95,32 @@ inline vtkAdaptiveWarpBRDF::Tables MakeAnisotropicTables(
     }
   }
   return tables;
+}
+
+/// Trowbridge, Reitz 1975's distribution (GGX) of widths along the tangent and across it.
+inline vtkNew<vtkDistributionBRDF> NewBrushedMetal(double along, double across)
+{
+  constexpr int Thetas = 128, Phis = 128;
+  std::vector<float> rgb;
+  for (int phi = 0; phi < Phis; ++phi)
+  {
+    for (int theta = 0; theta < Thetas; ++theta)
+    {
+      const double part = (theta + 0.5) / Thetas;
+      const double angle = 0.5 * vtkMath::Pi() * part * part;
+      const double azimuth = 2.0 * vtkMath::Pi() * (phi + 0.5) / Phis;
+      const double x = std::sin(angle) * std::cos(azimuth) / along;
+      const double y = std::sin(angle) * std::sin(azimuth) / across;
+      const double z = std::cos(angle);
+      const double d = x * x + y * y + z * z;
+      rgb.insert(rgb.end(), 3, static_cast<float>(1.0 / (vtkMath::Pi() * along * across * d * d)));
+    }
+  }
+  vtkNew<vtkDistributionBRDF> brdf;
+  brdf->SetDistribution(Thetas, Phis, rgb);
+  const double f0[3] = { 0.95, 0.7, 0.4 };
+  brdf->SetSchlickFresnel(f0);
+  return brdf;
 }
 
 #endif

@@ -2,52 +2,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Collects an object's error events instead of printing them.
+ * Collects an object's errors, or its warnings, instead of printing them.
  */
 
 #ifndef ErrorCatcher_h
 #define ErrorCatcher_h
 
-#include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
-#include "vtkNew.h"
 #include "vtkObject.h"
 
 #include <string>
+#include <utility>
 
 class ErrorCatcher
 {
 public:
-  explicit ErrorCatcher(vtkObject* object)
+  explicit ErrorCatcher(vtkObject* object, unsigned long event = vtkCommand::ErrorEvent)
+    : Object(object)
+    , Tag(object->AddObserver(event, this, &ErrorCatcher::Catch))
   {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback(
-      [](vtkObject*, unsigned long, void* self, void* text)
-      {
-        auto* catcher = static_cast<ErrorCatcher*>(self);
-        ++catcher->Count;
-        catcher->Text = static_cast<const char*>(text);
-      });
-    this->Object = object;
-    this->Tag = object->AddObserver(vtkCommand::ErrorEvent, this->Command);
   }
   ~ErrorCatcher() { this->Object->RemoveObserver(this->Tag); }
   ErrorCatcher(const ErrorCatcher&) = delete;
   ErrorCatcher& operator=(const ErrorCatcher&) = delete;
 
   /// Events since the last call.
-  int Take()
-  {
-    const int count = this->Count;
-    this->Count = 0;
-    return count;
-  }
+  int Take() { return std::exchange(this->Count, 0); }
   const std::string& GetText() const { return this->Text; }
 
 private:
-  vtkNew<vtkCallbackCommand> Command;
+  void Catch(vtkObject*, unsigned long, void* text)
+  {
+    ++this->Count;
+    this->Text = static_cast<const char*>(text);
+  }
+
   vtkObject* Object;
-  unsigned long Tag = 0;
+  unsigned long Tag;
   int Count = 0;
   std::string Text;
 };

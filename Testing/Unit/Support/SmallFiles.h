@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,13 +74,9 @@ inline vtkAdaptiveWarpBRDF::Tables MakeTables()
   const auto fill = [](std::vector<int> shape, float start)
   {
     vtkAdaptiveWarpBRDF::Table table;
-    std::size_t count = 1;
-    for (const int size : shape)
-    {
-      count *= std::size_t(size);
-    }
+    const int count = std::accumulate(shape.begin(), shape.end(), 1, std::multiplies<int>());
     table.Shape = std::move(shape);
-    for (std::size_t k = 0; k < count; ++k)
+    for (int k = 0; k < count; ++k)
     {
       table.Values.push_back(start + 0.125f * float((7 * k) % 11));
     }

@@ -107,10 +107,7 @@ struct SpherePairs
     {
       glm::dvec3 rgb;
       radiance->GetTuple(k, &rgb.x);
-      for (int c = 0; c < 3; ++c)
-      {
-        EXPECT_TRUE(std::isfinite(rgb[c]) && rgb[c] >= 0.0) << k;
-      }
+      EXPECT_TRUE(std::isfinite(rgb.x + rgb.y + rgb.z) && glm::min(rgb, 0.0) == glm::dvec3(0.0));
       result.push_back(rgb);
     }
     return result;
@@ -127,17 +124,13 @@ inline double GetRelativeError(
   const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& reference)
 {
   EXPECT_EQ(a.size(), reference.size());
-  double difference = 0.0;
-  double sum = 0.0;
+  glm::dvec3 difference(0.0), sum(0.0);
   for (std::size_t k = 0; k < std::min(a.size(), reference.size()); ++k)
   {
-    for (int c = 0; c < 3; ++c)
-    {
-      difference += std::abs(a[k][c] - reference[k][c]);
-      sum += reference[k][c];
-    }
+    difference += glm::abs(a[k] - reference[k]);
+    sum += reference[k];
   }
-  return difference / sum;
+  return (difference.x + difference.y + difference.z) / (sum.x + sum.y + sum.z);
 }
 
 /// One normal seen at some polar angles, in degrees, under the same radiance from everywhere: the
@@ -163,16 +156,13 @@ struct FurnacePairs : SpherePairs
   double GetLargestError(vtkRadianceIntegrator* integrator) const
   {
     const std::vector<glm::dvec3> radiance = this->Integrate(integrator);
-    double largest = 0.0;
+    glm::dvec3 largest(0.0);
     for (std::size_t k = 0; k < radiance.size(); ++k)
     {
-      for (int c = 0; c < 3; ++c)
-      {
-        const double expected = this->Expected[k][c];
-        largest = std::max(largest, std::abs(radiance[k][c] - expected) / std::max(expected, 0.05));
-      }
+      const glm::dvec3& expected = this->Expected[k];
+      largest = glm::max(largest, glm::abs(radiance[k] - expected) / glm::max(expected, 0.05));
     }
-    return largest;
+    return std::max({ largest.x, largest.y, largest.z });
   }
 
   std::vector<glm::dvec3> Expected;
@@ -200,26 +190,18 @@ inline void ShrinkEnvironment(vtkEnvironment* environment, int width, int height
   const int a = environment->GetWidth() / width;
   const int b = environment->GetHeight() / height;
   std::vector<float> rgb;
-  for (int y = 0; y < height; ++y)
+  for (int texel = 0; texel < width * height; ++texel)
   {
-    for (int x = 0; x < width; ++x)
+    glm::dvec4 sum(0.0);
+    for (int k = 0; k < a * b; ++k)
     {
-      glm::dvec3 sum(0.0);
-      double total = 0.0;
-      for (int k = 0; k < a * b; ++k)
-      {
-        const int row = y * b + k / a;
-        const double solidAngle = environment->GetTexelSolidAngle(row);
-        glm::dvec3 texel;
-        environment->GetPixel(x * a + k % a, row, &texel.x);
-        sum += texel * solidAngle;
-        total += solidAngle;
-      }
-      for (int c = 0; c < 3; ++c)
-      {
-        rgb.push_back(static_cast<float>(sum[c] / total));
-      }
+      const int row = texel / width * b + k / a;
+      glm::dvec3 radiance;
+      environment->GetPixel(texel % width * a + k % a, row, &radiance.x);
+      sum += environment->GetTexelSolidAngle(row) * glm::dvec4(radiance, 1.0);
     }
+    const glm::vec3 mean(sum / sum.w);
+    rgb.insert(rgb.end(), &mean.x, &mean.x + 3);
   }
   EXPECT_TRUE(environment->SetPixels(width, height, rgb));
 }
@@ -228,14 +210,7 @@ inline void ShrinkEnvironment(vtkEnvironment* environment, int width, int height
 inline vtkNew<vtkEnvironment> NewSmallEnvironment(bool hall)
 {
   vtkNew<vtkEnvironment> environment;
-  if (hall)
-  {
-    environment->SetToProceduralHall();
-  }
-  else
-  {
-    environment->SetToProceduralSky();
-  }
+  hall ? environment->SetToProceduralHall() : environment->SetToProceduralSky();
   ShrinkEnvironment(environment, 128, 64);
   return environment;
 }

@@ -18,6 +18,7 @@
 #include "vtkSmartPointer.h"
 
 #include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -29,9 +30,8 @@
 namespace testbasis
 {
 using measuredbrdf::Pi;
+using measuredbrdf::ToRadians;
 constexpr double Zone[2] = { 9.0, 57.0 }; // degrees, of the thesis
-
-inline double ToRadians(double degrees) { return degrees * Pi / 180.0; }
 
 inline glm::dvec3 FromCosine(double cosine, double phi)
 {
@@ -96,24 +96,20 @@ inline std::vector<float> MakeCoefficients(
   {
     for (int m = -l; m <= l; ++m)
     {
-      double slope[3], phase[3], base[3];
+      glm::dvec3 slope, phase, base;
       for (int c = 0; c < 3; ++c)
       {
         base[c] = l == 0 ? 2.0 : ripple * draw() / (1.0 + l * l);
         slope[c] = 0.3 * draw();
         phase[c] = Pi * draw();
       }
-      for (int t = 0; t < nTheta; ++t)
+      for (int k = 0; k < nTheta * nPhi; ++k)
       {
-        for (int p = 0; p < nPhi; ++p)
-        {
-          for (int c = 0; c < 3; ++c)
-          {
-            const double turn = nPhi > 1 ? std::cos(2.0 * Pi * p / nPhi + phase[c]) : 0.0;
-            rgb.push_back(
-              static_cast<float>(base[c] * (1.0 + slope[c] * t / (nTheta - 1.0) + 0.2 * turn)));
-          }
-        }
+        const double along = k / nPhi / (nTheta - 1.0);
+        const glm::dvec3 turn =
+          nPhi > 1 ? 0.2 * glm::cos(2.0 * Pi * (k % nPhi) / nPhi + phase) : glm::dvec3(0.0);
+        const glm::vec3 value(base * (1.0 + slope * along + turn));
+        rgb.insert(rgb.end(), &value.x, &value.x + 3);
       }
     }
   }
@@ -127,15 +123,6 @@ inline vtkSmartPointer<vtkBasisBRDF> MakeBasis(int basis, int order, const doubl
   const std::string problem =
     brdf->SetCoefficients(basis, order, incident, outgoing, nTheta, nPhi, rgb);
   return problem.empty() ? brdf : nullptr;
-}
-
-/// Coefficient of function k, channel c at sample t, p of o.
-inline double GetCoefficient(vtkBasisBRDF* brdf, int k, int t, int p, int c)
-{
-  return brdf
-    ->GetCoefficients()[3 * static_cast<std::size_t>(
-                              (k * brdf->GetNumberOfTheta() + t) * brdf->GetNumberOfPhi() + p) +
-                        static_cast<std::size_t>(c)];
 }
 
 /// What a material would be without any table of basis values; o on a sample of theta_o, phi_o.
@@ -153,10 +140,8 @@ inline glm::dvec3 SumExactly(
   glm::dvec3 sum(0.0);
   for (int k = 0; k < brdf->GetNumberOfFunctions(); ++k)
   {
-    for (int c = 0; c < 3; ++c)
-    {
-      sum[c] += GetCoefficient(brdf, k, t, p, c) * values[static_cast<std::size_t>(k)];
-    }
+    const int sample = (k * brdf->GetNumberOfTheta() + t) * brdf->GetNumberOfPhi() + p;
+    sum += values[k] * glm::dvec3(glm::make_vec3(&brdf->GetCoefficients()[3 * sample]));
   }
   return sum;
 }
@@ -177,8 +162,7 @@ public:
 protected:
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override
   {
-    const glm::dvec3 value =
-      this->Function(glm::dvec3(i[0], i[1], i[2]), glm::dvec3(o[0], o[1], o[2]));
+    const glm::dvec3 value = this->Function(glm::make_vec3(i), glm::make_vec3(o));
     std::copy_n(&value.x, 3, f);
   }
 };
