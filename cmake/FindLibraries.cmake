@@ -1,5 +1,6 @@
 # The libraries that the module is made with, beside VTK.
 find_package(glm REQUIRED)
+find_package(OpenEXR REQUIRED)
 find_package(nlohmann_json REQUIRED)
 # VTK's own build has a FindEigen3 with another target, and a target `eigen` of its own, at sight of
 # which Eigen's configuration defines nothing.
@@ -13,9 +14,8 @@ if (NOT MEASUREDBRDF_XXHASH_INCLUDE)
   message(FATAL_ERROR "xxHash was not found. Install it (Debian: libxxhash-dev).")
 endif ()
 
-# Three more are optional. OFF: the module builds, and says when it is used what it lacks.
+# Two more are optional. OFF: the module builds, and says when it is used what it lacks.
 option(MEASUREDBRDF_WITH_CERES "Fit Blinn-Phong and Ashikhmin-Shirley lobes (needs Ceres)" ON)
-option(MEASUREDBRDF_WITH_OPENEXR "Read and write .exr materials (needs OpenEXR)" ON)
 option(MEASUREDBRDF_WITH_OPENIMAGEIO "Read images as environments (needs OpenImageIO)" ON)
 macro (measuredbrdf_find_optional package debian_package)
   string(TOUPPER "MEASUREDBRDF_WITH_${package}" option)
@@ -28,7 +28,6 @@ macro (measuredbrdf_find_optional package debian_package)
   endif ()
 endmacro ()
 measuredbrdf_find_optional(Ceres libceres-dev)
-measuredbrdf_find_optional(OpenEXR libopenexr-dev)
 measuredbrdf_find_optional(OpenImageIO "libopenimageio-dev openimageio-tools")
 
 # One is optional for the command line tool.

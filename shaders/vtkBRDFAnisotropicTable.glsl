@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Table over half and difference angles and the half vector's azimuth. C++ twin:
-// vtkAnisotropicTabulatedBRDF.
+// vtkTabulatedBRDF, ANISOTROPIC.
 uniform sampler3D brdfVolumeINSTANCE; // phi_d; theta_d within phi_h; theta_h (brdfHalfDifference)
 uniform float brdfScaleINSTANCE;
 uniform float brdfTurnsINSTANCE; // periods of phi_h in 2 pi: 2 where half a turn changes nothing

@@ -12,7 +12,6 @@
 #include "Sheets.h"
 #include "Tool.h"
 
-#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkPBRPropertyFitter.h"
 #include "vtkRadianceMetrics.h"
@@ -38,7 +37,7 @@ struct ExportOptions
   std::string Output;
   std::string Model;
   std::vector<std::string> FitUnder = { "sky", "hall", "neutral" };
-  std::string Environment = MEASUREDBRDF_WITH_OPENEXR ? "room" : "";
+  std::string Environment = "room";
   tool::View View = { 30.0, 20.0 };
   std::string Sheet;
   std::string Report;

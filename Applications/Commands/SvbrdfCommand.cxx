@@ -11,7 +11,6 @@
 #include "vtkImageData.h"
 #include "vtkMaterialMap.h"
 #include "vtkMaterialMapFitter.h"
-#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkPhotographSet.h"
 #include "vtkPhotographSetReader.h"
@@ -65,10 +64,6 @@ void Check(const SvbrdfOptions& options, const CLI::App* command)
   {
     throw tool::UsageError("--tolerance: has no effect with --tables, which finds as many "
                            "materials as --materials says");
-  }
-  if (!MEASUREDBRDF_WITH_OPENEXR && options.Tables)
-  {
-    throw tool::UsageError("--tables: this build writes no .exr materials, without OpenEXR");
   }
   if (command->count("--irradiance") > 0 &&
       (!(options.Irradiance > 0.0) || !std::isfinite(options.Irradiance)))
@@ -217,10 +212,7 @@ void WriteErrors(const SvbrdfOptions& options, vtkImageData* errors, ordered_jso
     shown.Pixels[k] = k % 4 == 3 ? 1.0f : static_cast<float>(error / white);
   }
   const fs::path folder(options.Output);
-  if (MEASUREDBRDF_WITH_OPENEXR)
-  {
-    tool::WriteEXR((folder / "error.exr").string(), exact);
-  }
+  tool::WriteEXR((folder / "error.exr").string(), exact);
   tool::WritePNG((folder / "error.png").string(), shown, [](double value) { return value; });
   fit["white_of_error_png"] = white;
 }

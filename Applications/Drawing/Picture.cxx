@@ -9,7 +9,6 @@
 #include "vtkImageData.h"
 #include "vtkImageResize.h"
 #include "vtkMath.h"
-#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkStdString.h"
@@ -17,20 +16,17 @@
 #include "vtkTextRenderer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#include <ImfStdIO.h>
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
-
-#if MEASUREDBRDF_WITH_OPENEXR
-#include <ImfChannelList.h>
-#include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
-#include <ImfOutputFile.h>
-#include <ImfStdIO.h>
-#endif
 
 namespace tool
 {
@@ -116,7 +112,6 @@ void WritePNG(const std::string& path, vtkImageData* image)
 //------------------------------------------------------------------------------
 void WriteEXR(const std::string& path, const Picture& picture)
 {
-#if MEASUREDBRDF_WITH_OPENEXR
   // EXR has its first row at the top.
   const std::size_t row = 4 * static_cast<std::size_t>(picture.Width);
   std::vector<float> pixels;
@@ -152,10 +147,6 @@ void WriteEXR(const std::string& path, const Picture& picture)
     throw Error(path + ": cannot be written: " + e.what());
   }
   WriteWhole(path, bytes);
-#else
-  CheckWritable(path); // says why not
-  static_cast<void>(picture);
-#endif
 }
 
 //------------------------------------------------------------------------------

@@ -8,7 +8,6 @@
 #include "SimulatedPhotographs.h"
 #include "Tool.h"
 
-#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkPictureReader.h"
 
@@ -28,7 +27,7 @@ struct PhotographOptions
   std::string Output;
   std::string Directions = "bonn";
   std::string Exposure = "auto";
-  std::string Format = MEASUREDBRDF_WITH_OPENEXR ? "exr" : "png";
+  std::string Format = "exr";
   int Count = 200;
   double Noise = 0.0;
 };
@@ -193,8 +192,7 @@ void AddPhotographCommand(CLI::App& app)
   command
     ->add_option("--format", options->Format,
       "exr (default): linear floats; png: 8 bits by sRGB's curve, as cameras' JPEG files have")
-    ->check(MEASUREDBRDF_WITH_OPENEXR ? CLI::IsMember({ "exr", "png" })
-                                      : CLI::IsMember(std::vector<std::string>{ "png" }));
+    ->check(CLI::IsMember({ "exr", "png" }));
   command->add_option("-o,--output", options->Output, "Folder for the images and photographs.json")
     ->required();
   command->footer("Nothing of it was photographed: photographs.json says so, too.\n\n"

@@ -7,7 +7,6 @@
 #include "WholeFile.h"
 
 #include "vtkBRDFWriter.h"
-#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 
 #include <algorithm>
@@ -232,11 +231,6 @@ void CheckWritable(const std::string& path)
   if (path.empty())
   {
     return;
-  }
-  if (!MEASUREDBRDF_WITH_OPENEXR && Extension(path) == ".exr")
-  {
-    throw Error(
-      path + ": cannot be written: this build has no OpenEXR (MEASUREDBRDF_WITH_OPENEXR)");
   }
   try
   {

@@ -148,10 +148,7 @@ const char* const EnvironmentHelp =
   "PNG, JPEG, TIFF, BMP, PNM or PFM; six cube faces, named with %s for px, nx, py, ny, pz, nz; "
   "or "
 #endif
-#if MEASUREDBRDF_WITH_OPENEXR
-  "'room' (photographed), "
-#endif
-  "'sky' or 'hall' (computed), which are built in";
+  "'room' (photographed), 'sky' or 'hall' (computed), which are built in";
 
 //------------------------------------------------------------------------------
 Material LoadMaterial(const std::string& file)
@@ -240,10 +237,6 @@ vtkSmartPointer<vtkEnvironment> LoadEnvironment(const std::string& file)
         vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment(file)))
   {
     return embedded;
-  }
-  if (!MEASUREDBRDF_WITH_OPENEXR && file == "room")
-  {
-    throw Error(TakeErrorText());
   }
   vtkNew<vtkEnvironmentReader> reader;
   const std::string path = ResolveFetched(file, "environment");

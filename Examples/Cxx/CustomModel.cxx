@@ -16,7 +16,6 @@
 #include <vtkCamera.h>
 #include <vtkLightSet.h>
 #include <vtkLightSetRadianceIntegrator.h>
-#include <vtkMeasuredBRDFConfigure.h>
 #include <vtkMeasuredBRDFMapper.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -88,13 +87,9 @@ protected:
 };
 vtkStandardNewMacro(OrenNayarBRDF);
 
-// Whether a file gives the same material back. A build without OpenEXR has no such files.
+// Whether a file gives the same material back.
 bool IsKept(OrenNayarBRDF* brdf, const std::string& path)
 {
-  if (!MEASUREDBRDF_WITH_OPENEXR)
-  {
-    return true;
-  }
   vtkNew<vtkBRDFWriter> writer;
   writer->SetFileName(path);
   writer->SetBRDF(brdf);

@@ -4,7 +4,6 @@
 
 #include "MaterialFormat.h"
 #include "Registry.h"
-#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -21,13 +20,8 @@ using Formats = Registry<vtkBRDFFormat>;
 Formats::Items MakeOwnFormats()
 {
   Formats::Items items;
-  for (const MaterialFormat* format : {
-         &TensorFormat, &MbsdfFormat,
-#if MEASUREDBRDF_WITH_OPENEXR
-           &ExrMaterialFormat,
-#endif
-           &BsdfXmlFormat, &OpenMaterialFormat, &AstmFormat, &FitFormat, &UtiaFormat, &MerlFormat
-       })
+  for (const MaterialFormat* format : { &TensorFormat, &MbsdfFormat, &ExrMaterialFormat,
+         &BsdfXmlFormat, &OpenMaterialFormat, &AstmFormat, &FitFormat, &UtiaFormat, &MerlFormat })
   {
     items.push_back(BuiltInFormat::Make(*format));
   }

@@ -5,7 +5,6 @@
 #include "FileBytes.h"
 #include "vtkBRDFFormats.h"
 #include "vtkCommand.h"
-#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkObjectFactory.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -111,10 +110,6 @@ vtkSmartPointer<vtkBRDFFormat> FindFormat(const vtkBRDFFormat::File& file)
   if (format)
   {
     return format;
-  }
-  if (!MEASUREDBRDF_WITH_OPENEXR && file.Bytes.substr(0, sizeof(ExrMagic) - 1) == ExrMagic)
-  {
-    throw FileError(file.Path, ": ", NoOpenEXR, ".exr materials cannot be read");
   }
   throw FileError(file.Path, ": magic at byte 0: the first bytes are of no known format (",
     vtkBRDFFormats::GetNames(), "); ", DescribeContent(file.Bytes));

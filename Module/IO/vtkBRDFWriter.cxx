@@ -4,7 +4,6 @@
 
 #include "FileBytes.h"
 #include "vtkBRDFFormats.h"
-#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkObjectFactory.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -34,8 +33,6 @@ bool vtkBRDFWriter::Write()
       const std::string extension = vtksys::SystemTools::LowerCase(
         vtksys::SystemTools::GetFilenameLastExtension(this->FileName));
       const auto format = vtkBRDFFormats::FindForWriting(extension);
-      Require(format || MEASUREDBRDF_WITH_OPENEXR || extension != ".exr", this->FileName, ": ",
-        NoOpenEXR, ".exr materials cannot be written");
       Require(format != nullptr, this->FileName, ": found extension ", Quote(extension),
         ", expected ", vtkBRDFFormats::GetExtensions(true));
       std::string error;

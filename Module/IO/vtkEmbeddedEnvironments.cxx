@@ -2,15 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEmbeddedEnvironments.h"
 
+#include "EmbeddedRoom.h" // made of EmbeddedRoom.exr
 #include "MaterialFormat.h"
 #include "vtkEnvironment.h"
-#include "vtkMeasuredBRDFConfigure.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-
-#if MEASUREDBRDF_WITH_OPENEXR
-#include "EmbeddedRoom.h" // made of EmbeddedRoom.exr
-#endif
 
 #include <algorithm>
 #include <cstddef>
@@ -29,9 +24,7 @@ struct Embedded
 };
 
 const std::vector<Embedded> Environments = {
-#if MEASUREDBRDF_WITH_OPENEXR
   { "room", "Poly Haven, as Blender's interior.exr, CC0 1.0; 512 x 256" },
-#endif
   { "sky", "procedural: a clear sky with a sun; 256 x 128" },
   { "hall", "procedural: a dark hall with bright windows and lamps; 512 x 256" },
 };
@@ -40,7 +33,6 @@ const std::vector<Embedded> Environments = {
 // Returns whether it worked.
 bool ReadRoom(vtkEnvironment* environment)
 {
-#if MEASUREDBRDF_WITH_OPENEXR
   const auto file = measuredbrdf::FileBytes::View("embedded room",
     std::string_view(reinterpret_cast<const char*>(EmbeddedRoom), sizeof(EmbeddedRoom)));
   int width = 0;
@@ -53,14 +45,6 @@ bool ReadRoom(vtkEnvironment* environment)
     std::swap_ranges(low, low + row, &pixels[row * static_cast<std::size_t>(height - 1 - y)]);
   }
   return environment->SetPixels(width, height, std::move(pixels));
-#else
-  static_cast<void>(environment);
-  const vtkNew<vtkEmbeddedEnvironments> self; // an object to complain
-  vtkErrorWithObjectMacro(
-    self.Get(), "NewEnvironment: " << measuredbrdf::NoOpenEXR
-                                   << "the embedded environment 'room' cannot be read.");
-  return false;
-#endif
 }
 }
 

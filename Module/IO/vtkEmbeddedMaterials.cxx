@@ -2,18 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEmbeddedMaterials.h"
 
-#include "EmbeddedFits.h" // made of EmbeddedFits.fit
+#include "EmbeddedCarPaint.h" // made of EmbeddedCarPaint.exr
+#include "EmbeddedFits.h"     // made of EmbeddedFits.fit
 #include "MaterialFormat.h"
 #include "Printable.h"
 #include "Registry.h"
 #include "vtkBRDF.h"
-#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-
-#if MEASUREDBRDF_WITH_OPENEXR
-#include "EmbeddedCarPaint.h" // made of EmbeddedCarPaint.exr
-#endif
 
 #include <algorithm>
 #include <vector>
@@ -55,21 +51,17 @@ const std::vector<Material> Materials = {
   { "white-marble", "stone" },
   { "hematite", "stone" },
   { "cherry-235", "wood" },
-#if MEASUREDBRDF_WITH_OPENEXR
   { CarPaint, "car paint" },
-#endif
 };
 
 vtkSmartPointer<vtkBRDF> MakeMaterial(const std::string& name)
 {
-#if MEASUREDBRDF_WITH_OPENEXR
   if (name == CarPaint)
   {
     const auto file = measuredbrdf::FileBytes::View("embedded " + name,
       std::string_view(reinterpret_cast<const char*>(EmbeddedCarPaint), sizeof(EmbeddedCarPaint)));
     return measuredbrdf::ExrMaterialFormat.Read(file, "").BRDF;
   }
-#endif
   const auto fits = measuredbrdf::FileBytes::View("embedded materials", EmbeddedFits);
   const vtkSmartPointer<vtkBRDF> brdf = measuredbrdf::FitFormat.Read(fits, name).BRDF;
   brdf->SetSource("MERL sample " + name + ", " + brdf->GetSource());
@@ -110,13 +102,6 @@ vtkBRDF* vtkEmbeddedMaterials::NewBRDF(const std::string& name)
   if (!known)
   {
     const vtkNew<vtkEmbeddedMaterials> self; // an object to complain
-    if (name == CarPaint)                    // known to other builds
-    {
-      vtkErrorWithObjectMacro(self.Get(), "NewBRDF: " << measuredbrdf::NoOpenEXR
-                                                      << "the embedded material '" << CarPaint
-                                                      << "' cannot be read.");
-      return nullptr;
-    }
     vtkErrorWithObjectMacro(self.Get(),
       "NewBRDF: there is no embedded material "
         << measuredbrdf::Quote(name) << ", only "

@@ -64,14 +64,15 @@ public:
     }
   }
 
-  /// Null where there is none of that name.
-  json Get(const char* key) const { return this->Object.value(key, json()); }
-
-  bool Has(const char* key) const { return this->Object.contains(key); }
+  /// absent: where there is none of that name.
+  json Get(const char* key, const json& absent = json()) const
+  {
+    return this->Object.value(key, absent);
+  }
 
   void GetNumber(const char* key, double& number) const
   {
-    if (this->Has(key))
+    if (this->Object.contains(key))
     {
       const json value = this->Get(key);
       number = value.is_number() ? value.get<double>() : NAN;
@@ -229,52 +230,34 @@ public:
     {
       return this->Superclass::NewPicture(index);
     }
-    try
+    vtkImageData* picture = nullptr;
+    std::string error;
+    if (!CatchFileError(
+          photograph.Name, error, [&]() { picture = this->ReadPicture(photograph.Name); }))
     {
-      return this->ReadPicture(photograph.Name);
+      vtkErrorMacro("NewPicture: " << error);
     }
-    catch (const std::exception& e) // FileError; out of memory, say
-    {
-      const std::string what = e.what();
-      vtkErrorMacro("NewPicture: " << (what.find(photograph.Name) != std::string::npos
-                                         ? what
-                                         : ToPrintable(photograph.Name + ": " + what)));
-    }
-    return nullptr;
+    return picture;
   }
 
 private:
   void TakeSettings(const std::string& path, const ListObject& root)
   {
-    double irradiance = this->Irradiance;
-    double gamma = this->Gamma;
-    double saturation = this->SaturationLevel;
-    double black = this->BlackLevel;
-    root.GetNumber("irradiance", irradiance);
-    root.GetNumber("gamma", gamma);
-    root.GetNumber("saturation", saturation);
-    root.GetNumber("black", black);
-    Require(irradiance > 0.0 && gamma >= 0.1 && gamma <= 10.0, path,
+    root.GetNumber("irradiance", this->Irradiance);
+    root.GetNumber("gamma", this->Gamma);
+    root.GetNumber("saturation", this->SaturationLevel);
+    root.GetNumber("black", this->BlackLevel);
+    Require(this->Irradiance > 0.0 && this->Gamma >= 0.1 && this->Gamma <= 10.0, path,
       ": expected an irradiance > 0 and a gamma from 0.1 to 10");
-    this->SetIrradiance(irradiance);
-    this->SetGamma(gamma);
-    this->SetSaturationLevel(saturation);
-    this->SetBlackLevel(black);
-    if (root.Has("levels_for_floats"))
-    {
-      const json levels = root.Get("levels_for_floats");
-      Require(levels.is_boolean(), path, ": levels_for_floats: expected true or false");
-      this->LevelsForFloats = levels.get<bool>();
-    }
-    if (root.Has("transfer"))
-    {
-      const json transfer = root.Get("transfer");
-      const auto known =
-        Transfers.find(transfer.is_string() ? transfer.get<std::string>() : std::string());
-      Require(
-        known != Transfers.end(), path, ": transfer: expected automatic, linear, srgb or power");
-      this->Transfer = known->second;
-    }
+    const json levels = root.Get("levels_for_floats", false);
+    Require(levels.is_boolean(), path, ": levels_for_floats: expected true or false");
+    this->LevelsForFloats = levels.get<bool>();
+    const json transfer = root.Get("transfer", "automatic");
+    const auto known =
+      Transfers.find(transfer.is_string() ? transfer.get<std::string>() : std::string());
+    Require(
+      known != Transfers.end(), path, ": transfer: expected automatic, linear, srgb or power");
+    this->Transfer = known->second;
   }
 
   void Take(const std::string& path, const std::vector<Photograph>& photographs, const char* what)

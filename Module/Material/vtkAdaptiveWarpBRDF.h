@@ -13,7 +13,7 @@
  * Not reciprocal in general: measured values keep their asymmetry.
  *
  * For the GPU the material is resampled into a vtkTabulatedBRDF or, where it is anisotropic, a
- * vtkAnisotropicTabulatedBRDF, over half and difference angles, with phi_d over the full turn to
+ * vtkTabulatedBRDF, over half and difference angles, with phi_d over the full turn to
  * keep the asymmetry; see GetRenderable(). The table grows until it meets ResamplingTolerance. If
  * no size does, the best one is used, with one warning.
  */

@@ -12,7 +12,7 @@
  *
  * It is not interpolated, as in Radiance. Patches are 10 to 15 degrees wide in the usual bases;
  * pictures show their edges where light is concentrated. For lights graphics cards get a resampled
- * vtkAnisotropicTabulatedBRDF, with one warning where that exceeds ResamplingTolerance.
+ * vtkTabulatedBRDF, with one warning where that exceeds ResamplingTolerance.
  */
 
 #ifndef vtkAngleBasisBRDF_h

@@ -13,9 +13,8 @@
  * Azimuths are counted from the tangent, or those of the view from the light's: then the material
  * is isotropic, and the light's nodes have one azimuth.
  *
- * Nothing is assumed of reciprocity or symmetry. For lights graphics cards get a resampled table
- * (vtkAnisotropicTabulatedBRDF or, of an isotropic material, vtkTabulatedBRDF), with one warning
- * where that exceeds ResamplingTolerance.
+ * Nothing is assumed of reciprocity or symmetry. For lights graphics cards get a resampled
+ * vtkTabulatedBRDF, with one warning where that exceeds ResamplingTolerance.
  */
 
 #ifndef vtkAngularTableBRDF_h

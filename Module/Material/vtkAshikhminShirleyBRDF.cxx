@@ -204,21 +204,14 @@ void vtkAshikhminShirleyBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFAshikhminShirley", vtkBRDFAshikhminShirley);
   const double peak = GetPeak(this->ExponentU, this->ExponentV);
-  term.Uniforms = { { "brdfScale", {} }, { "brdfReflectance", {} }, { "brdfDiffuse", {} } };
-  for (int c = 0; c < 3; ++c)
-  {
-    const double values[] = { this->SpecularScale[c] * peak, this->Reflectance[c],
-      DiffuseScale * this->Diffuse[c] * (1.0 - this->Reflectance[c]) };
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      term.Uniforms[k].Values.push_back(static_cast<float>(values[k]));
-    }
-  }
-  term.Uniforms.push_back({ "brdfExponents",
-    { static_cast<float>(this->ExponentU), static_cast<float>(this->ExponentV), 0.0f } });
-  // 0 selects Schlick: a dielectric has an index of at least 1.
-  term.Uniforms.push_back({ "brdfIndex",
-    { this->FresnelModel == SCHLICK ? 0.0f : static_cast<float>(this->IndexOfRefraction) } });
+  const glm::dvec3 reflectance = glm::make_vec3(this->Reflectance);
+  // An index of 0 selects Schlick: a dielectric has an index of at least 1.
+  const double index = this->FresnelModel == SCHLICK ? 0.0 : this->IndexOfRefraction;
+  term.Uniforms = { MakeTriple("brdfScale", peak * glm::make_vec3(this->SpecularScale)),
+    MakeTriple("brdfReflectance", reflectance),
+    MakeTriple("brdfDiffuse", DiffuseScale * glm::make_vec3(this->Diffuse) * (1.0 - reflectance)),
+    MakeTriple("brdfExponents", { this->ExponentU, this->ExponentV, 0.0 }),
+    { "brdfIndex", { static_cast<float>(index) } } };
   inputs.Terms.push_back(term);
   inputs.Description = "Ashikhmin-Shirley, closed form";
 }

@@ -66,70 +66,64 @@ vtkIdType CountTuples(const std::vector<Tuples>& inputs)
   return count;
 }
 
-// Resizes the result, of floats or doubles, and lets function(const double* const inputs[2],
-// double* result) fill its tuples, on several threads, each of at least `grain` of them. The result
-// may be one of the one or two inputs. Throws what is wrong with the arrays.
+// Prepares the material, resizes the result, of floats or doubles, and lets function(const double*
+// const inputs[2], double* result) fill its tuples, on several threads, each of at least `grain` of
+// them. The result may be one of the one or two inputs. Returns false with an error event where
+// something is wrong with the arrays.
 template <typename Function>
-void FillTuples(
-  std::vector<Tuples> inputs, const Tuples& result, vtkIdType grain, const Function& function)
+bool MapTuples(vtkBRDF* brdf, const char* caller, std::vector<Tuples> inputs, const Tuples& result,
+  vtkIdType grain, const Function& function)
 {
-  const vtkIdType count = CountTuples(inputs);
-  const std::string name = result.Name;
-  vtkDataArray* const to = result.Array;
-  Require(to, name + ": found no array, expected one to fill");
-  const bool isReal = to->GetDataType() == VTK_FLOAT || to->GetDataType() == VTK_DOUBLE;
-  Require(isReal,
-    name + ": found an array of type " + to->GetDataTypeAsString() + ", expected float or double");
-  std::vector<vtkSmartPointer<vtkDataArray>> copies; // of an input that is the result, too
-  for (Tuples& input : inputs)
+  const auto fill = [&]()
   {
-    if (input.Array == to)
+    brdf->Prepare();
+    const vtkIdType count = CountTuples(inputs);
+    const std::string name = result.Name;
+    vtkDataArray* const to = result.Array;
+    Require(to, name + ": found no array, expected one to fill");
+    const bool isReal = to->GetDataType() == VTK_FLOAT || to->GetDataType() == VTK_DOUBLE;
+    Require(isReal, name + ": found an array of type " + to->GetDataTypeAsString() +
+                      ", expected float or double");
+    std::vector<vtkSmartPointer<vtkDataArray>> copies; // of an input that is the result, too
+    for (Tuples& input : inputs)
     {
-      copies.push_back(vtkSmartPointer<vtkDataArray>::Take(to->NewInstance()));
-      copies.back()->DeepCopy(to);
-      input.Array = copies.back();
-    }
-  }
-  // Memory of another owner (vtkDataArray::SetVoidArray) stays in use where it has the right size.
-  if (to->GetNumberOfComponents() != result.Components)
-  {
-    to->Initialize(); // or vtkSOADataArrayTemplate does not allocate the new components
-    to->SetNumberOfComponents(result.Components);
-  }
-  if (to->GetNumberOfTuples() != count)
-  {
-    to->SetNumberOfTuples(count);
-  }
-  measuredbrdf::ParallelFor(0, count, grain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      double from[2][3];
-      double value[3];
-      const double* const pointers[2] = { from[0], from[1] };
-      for (vtkIdType k = begin; k < end; ++k)
+      if (input.Array == to)
       {
-        for (std::size_t a = 0; a < inputs.size(); ++a)
-        {
-          inputs[a].Array->GetTuple(inputs[a].Array->GetNumberOfTuples() == 1 ? 0 : k, from[a]);
-        }
-        function(pointers, value);
-        to->SetTuple(k, value);
+        copies.push_back(vtkSmartPointer<vtkDataArray>::Take(to->NewInstance()));
+        copies.back()->DeepCopy(to);
+        input.Array = copies.back();
       }
-    });
-  to->Modified();
-}
-
-// The same of a prepared material; false with an error event where something is wrong.
-template <typename Function>
-bool MapTuples(vtkBRDF* brdf, const char* caller, const std::vector<Tuples>& inputs,
-  const Tuples& result, vtkIdType grain, const Function& function)
-{
-  const std::string problem = FindProblemOf(
-    [&]()
+    }
+    // Memory of another owner (vtkDataArray::SetVoidArray) stays in use where it has the right
+    // size.
+    if (to->GetNumberOfComponents() != result.Components)
     {
-      brdf->Prepare();
-      FillTuples(inputs, result, grain, function);
-    });
+      to->Initialize(); // or vtkSOADataArrayTemplate does not allocate the new components
+      to->SetNumberOfComponents(result.Components);
+    }
+    if (to->GetNumberOfTuples() != count)
+    {
+      to->SetNumberOfTuples(count);
+    }
+    measuredbrdf::ParallelFor(0, count, grain,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        double from[2][3];
+        double value[3];
+        const double* const pointers[2] = { from[0], from[1] };
+        for (vtkIdType k = begin; k < end; ++k)
+        {
+          for (std::size_t a = 0; a < inputs.size(); ++a)
+          {
+            inputs[a].Array->GetTuple(inputs[a].Array->GetNumberOfTuples() == 1 ? 0 : k, from[a]);
+          }
+          function(pointers, value);
+          to->SetTuple(k, value);
+        }
+      });
+    to->Modified();
+  };
+  const std::string problem = FindProblemOf(fill);
   if (!problem.empty())
   {
     vtkErrorWithObjectMacro(brdf, << caller << ": " << problem << ".");

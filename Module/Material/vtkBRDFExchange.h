@@ -36,6 +36,9 @@ public:
   /// Whether the material gets its parameters from the data; otherwise the data get the material's.
   bool IsLoading() const { return this->Loading; }
 
+  /// The model's name in the data.
+  const std::string& GetModelName() const { return this->Data.Model; }
+
   ///@{
   /**
    * A number, or a triple of them; member has to be the variable that set changes. Values that are

@@ -10,7 +10,6 @@
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAngleBasisBRDF.h"
 #include "vtkAngularTableBRDF.h"
-#include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFData.h"
 #include "vtkBRDFExchange.h"
@@ -42,9 +41,16 @@ constexpr int MaximumDepth = 16; // of terms in terms
 Registry<vtkBRDF>& GetRegistry()
 {
   static auto& registry = Registry<vtkBRDF>::MakeShared(
-    Registry<vtkBRDF>::Make<vtkLambertBRDF, vtkBlinnPhongBRDF, vtkAshikhminShirleyBRDF,
-      vtkDistributionBRDF, vtkTabulatedBRDF, vtkAnisotropicTabulatedBRDF, vtkAngleBasisBRDF,
-      vtkAngularTableBRDF, vtkTensorTreeBRDF, vtkBasisBRDF, vtkAdaptiveWarpBRDF, vtkSumBRDF>());
+    []()
+    {
+      auto models =
+        Registry<vtkBRDF>::Make<vtkLambertBRDF, vtkBlinnPhongBRDF, vtkAshikhminShirleyBRDF,
+          vtkDistributionBRDF, vtkTabulatedBRDF, vtkTabulatedBRDF, vtkAngleBasisBRDF,
+          vtkAngularTableBRDF, vtkTensorTreeBRDF, vtkBasisBRDF, vtkAdaptiveWarpBRDF, vtkSumBRDF>();
+      const int one[4] = { 1, 1, 1, 1 }; // the second table is a model of another name
+      vtkTabulatedBRDF::SafeDownCast(models[5])->SetVolume(0, one, { 0.0f, 0.0f, 0.0f });
+      return models;
+    }());
   return registry;
 }
 
@@ -81,7 +87,7 @@ public:
     Require(model, std::string(brdf->GetClassName()) +
                      " has no form in this format (vtkBRDFModels::Register gives it one)");
     data = {};
-    data.Model = model->GetModelName();
+    data.Model = brdf->GetModelName();
     data.Name = brdf->GetName();
     data.Source = brdf->GetSource();
     Exchange(data, false, depth).ExchangeAll(brdf);

@@ -164,19 +164,6 @@ void vtkBRDFResampler::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkBRDFResampler::SetInput(vtkBRDF* input)
-{
-  if (this->Input != input)
-  {
-    this->Input = input;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkBRDF* vtkBRDFResampler::GetInput() { return this->Input; }
-
-//------------------------------------------------------------------------------
 bool vtkBRDFResampler::ResampleTo(int nPhiD, int nThetaD, int nThetaH)
 {
   const int dimensions[3] = { nPhiD, nThetaD, nThetaH };

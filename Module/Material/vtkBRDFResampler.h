@@ -37,8 +37,8 @@ public:
   /**
    * The BRDF to resample.
    */
-  void SetInput(vtkBRDF* input);
-  vtkBRDF* GetInput();
+  vtkSetSmartPointerMacro(Input, vtkBRDF);
+  vtkGetSmartPointerMacro(Input, vtkBRDF);
   ///@}
 
   ///@{

@@ -187,12 +187,6 @@ struct vtkBasisBRDF::Tables
 };
 
 //------------------------------------------------------------------------------
-vtkBasisBRDF::vtkBasisBRDF() = default;
-
-//------------------------------------------------------------------------------
-vtkBasisBRDF::~vtkBasisBRDF() = default;
-
-//------------------------------------------------------------------------------
 measuredbrdfSetClampedMacro(vtkBasisBRDF, ResamplingError, double, 0.0, 1e6);
 
 //------------------------------------------------------------------------------
@@ -297,12 +291,11 @@ const vtkBasisBRDF::Tables& vtkBasisBRDF::GetTables()
   const bool current = this->Cached && this->Cached->Tolerance == this->ResamplingTolerance &&
                        this->Cached->Cosines[0] == this->IncidentCosine &&
                        this->Cached->Cosines[1] == this->OutgoingCosine;
-  if (current)
+  if (!current)
   {
-    return *this->Cached;
+    this->ResetLobe();
+    this->Cached = std::make_shared<const Tables>(this);
   }
-  this->ResetLobe();
-  this->Cached = std::make_unique<Tables>(this);
   return *this->Cached;
 }
 

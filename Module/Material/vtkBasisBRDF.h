@@ -167,8 +167,8 @@ public:
   double GetMaximumArraySize() override { return MaximumNumberOfValues; }
 
 protected:
-  vtkBasisBRDF();
-  ~vtkBasisBRDF() override;
+  vtkBasisBRDF() = default;
+  ~vtkBasisBRDF() override = default;
 
   vtkBRDF* NewCopy() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
@@ -192,7 +192,7 @@ private:
   const Tables& GetTables();
   void Sum(const double i[3], const double o[3], double f[3]);
 
-  std::unique_ptr<Tables> Cached;
+  std::shared_ptr<const Tables> Cached;
 };
 
 #endif

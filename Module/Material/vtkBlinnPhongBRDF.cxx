@@ -37,10 +37,7 @@ void vtkBlinnPhongBRDF::EvaluateSoftAbove(
   const double s = h.x * h.x + h.y * h.y;
   const double n = WidenedExponent(this->Exponent, HalfVectorSpread(spread, glm::dot(h, view)));
   const double lobe = (n + 2.0) / (2.0 * Pi) * PowerCosine(n, s);
-  for (int c = 0; c < 3; ++c)
-  {
-    f[c] = this->Specular[c] * lobe;
-  }
+  std::transform(this->Specular, this->Specular + 3, f, [lobe](double k) { return k * lobe; });
 }
 
 //------------------------------------------------------------------------------
@@ -70,13 +67,9 @@ void vtkBlinnPhongBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 {
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFBlinnPhong", vtkBRDFBlinnPhong);
-  vtkBRDFShaderInputs::Uniform scale{ "brdfScale", {} };
-  for (double k : this->Specular)
-  {
-    scale.Values.push_back(static_cast<float>(k * (this->Exponent + 2.0) / (2.0 * Pi)));
-  }
-  term.Uniforms.push_back(scale);
-  term.Uniforms.push_back({ "brdfExponent", { static_cast<float>(this->Exponent) } });
+  const glm::dvec3 specular = glm::make_vec3(this->Specular);
+  term.Uniforms = { MakeTriple("brdfScale", specular * (this->Exponent + 2.0) / (2.0 * Pi)),
+    { "brdfExponent", { static_cast<float>(this->Exponent) } } };
   inputs.Terms.push_back(term);
   inputs.Description = "Blinn-Phong, closed form";
 }

@@ -128,22 +128,25 @@ namespace
 {
 constexpr int MostSamples = 16384; // of a side
 
-// Takes a table of so many samples where it is one; clears rounding noise below 0.
-void TakeTable(const std::vector<float>& rgb, std::size_t samples, std::vector<float>& table)
+// Takes a table of that size; clears rounding noise below 0. Returns what is wrong with it, or "".
+std::string TakeTable(int width, int height, std::vector<float> rgb, std::vector<float>& table)
 {
-  std::vector<float> values = rgb;
-  Require(values.size() == 3 * samples, "found " + std::to_string(rgb.size()) + " values for " +
-                                          std::to_string(samples) + " samples, expected 3 each");
-  RequireFinite(values, "values");
-  Require(ClearNoise(values), "found a negative value, expected none");
-  table = std::move(values);
-}
-
-void CheckSide(int samples)
-{
-  Require(samples >= 1 && samples <= MostSamples, "found " + std::to_string(samples) +
+  return FindProblemOf(
+    [&]()
+    {
+      for (const int side : { width, height })
+      {
+        Require(side >= 1 && side <= MostSamples, "found " + std::to_string(side) +
                                                     " samples along a side, expected 1 to " +
                                                     std::to_string(MostSamples));
+      }
+      const std::size_t samples = static_cast<std::size_t>(width) * height;
+      Require(rgb.size() == 3 * samples, "found " + std::to_string(rgb.size()) + " values for " +
+                                           std::to_string(samples) + " samples, expected 3 each");
+      RequireFinite(rgb, "values");
+      Require(ClearNoise(rgb), "found a negative value, expected none");
+      table = std::move(rgb);
+    });
 }
 }
 
@@ -158,13 +161,7 @@ vtkDistributionBRDF::vtkDistributionBRDF()
 //------------------------------------------------------------------------------
 bool vtkDistributionBRDF::SetDistribution(int nTheta, int nPhi, const std::vector<float>& rgb)
 {
-  const std::string problem = FindProblemOf(
-    [&]()
-    {
-      CheckSide(nTheta);
-      CheckSide(nPhi);
-      TakeTable(rgb, static_cast<std::size_t>(nTheta) * nPhi, this->Distribution);
-    });
+  const std::string problem = TakeTable(nTheta, nPhi, rgb, this->Distribution);
   if (!problem.empty())
   {
     vtkErrorMacro("SetDistribution: " << problem << "; p stays.");
@@ -181,12 +178,7 @@ bool vtkDistributionBRDF::SetDistribution(int nTheta, int nPhi, const std::vecto
 //------------------------------------------------------------------------------
 bool vtkDistributionBRDF::SetFresnel(int n, const std::vector<float>& rgb)
 {
-  const std::string problem = FindProblemOf(
-    [&]()
-    {
-      CheckSide(n);
-      TakeTable(rgb, static_cast<std::size_t>(n), this->Fresnel);
-    });
+  const std::string problem = TakeTable(n, 1, rgb, this->Fresnel);
   if (!problem.empty())
   {
     vtkErrorMacro("SetFresnel: " << problem << "; F stays.");
@@ -308,30 +300,18 @@ void vtkDistributionBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 {
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFDistribution", vtkBRDFDistribution);
-  vtkBRDFShaderInputs::Texture p;
-  p.Name = "brdfDistribution";
-  if (this->NumberOfPhi == 1)
-  {
-    this->PrepareLevels();
-    p.Dimensions = { this->NumberOfTheta, Levels::Count, 1 };
-    p.Data = this->WidenedLevels->Rows;
-    term.Uniforms.push_back(
-      { "brdfOwnVariance", { static_cast<float>(this->WidenedLevels->OwnVariance) } });
-    term.Uniforms.push_back({ "brdfNumberOfLevels", { static_cast<float>(Levels::Count) } });
-  }
-  else
-  {
-    p.Dimensions = { this->NumberOfTheta, this->NumberOfPhi, 1 };
-    p.Repeat = { false, true, false };
-    p.Data = this->Distribution;
-    term.Uniforms.push_back({ "brdfOwnVariance", { 1.0f } });
-    term.Uniforms.push_back({ "brdfNumberOfLevels", { 0.0f } });
-  }
-  vtkBRDFShaderInputs::Texture fresnel;
-  fresnel.Name = "brdfFresnel";
-  fresnel.Dimensions = { static_cast<int>(this->Fresnel.size() / 3), 1, 1 };
-  fresnel.Data = this->Fresnel;
-  term.Textures = { p, fresnel };
+  // Rows of the texture are widths of an isotropic p, else phi_h.
+  const bool hasLevels = this->NumberOfPhi == 1;
+  this->PrepareLevels();
+  auto& p = AddTexture(term, "brdfDistribution", this->NumberOfTheta,
+    hasLevels ? static_cast<int>(Levels::Count) : this->NumberOfPhi);
+  p.Repeat[1] = !hasLevels;
+  p.Data = hasLevels ? this->WidenedLevels->Rows : this->Distribution;
+  const double variance = hasLevels ? this->WidenedLevels->OwnVariance : 1.0;
+  term.Uniforms = { { "brdfOwnVariance", { static_cast<float>(variance) } },
+    { "brdfNumberOfLevels", { hasLevels ? static_cast<float>(Levels::Count) : 0.0f } } };
+  AddTexture(term, "brdfFresnel", static_cast<int>(this->Fresnel.size() / 3), 1).Data =
+    this->Fresnel;
   term.Fetches = 2;
   inputs.Terms.push_back(term);
   inputs.QuantizationError = std::max(inputs.QuantizationError, 0x1p-23);

@@ -10,6 +10,8 @@
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 
 vtkStandardNewMacro(vtkLambertBRDF);
@@ -21,10 +23,8 @@ measuredbrdfSetFinite3Macro(vtkLambertBRDF, Albedo);
 void vtkLambertBRDF::EvaluateAbove(
   const double vtkNotUsed(i)[3], const double vtkNotUsed(o)[3], double f[3])
 {
-  for (int c = 0; c < 3; ++c)
-  {
-    f[c] = this->Albedo[c] / measuredbrdf::Pi;
-  }
+  std::transform(
+    this->Albedo, this->Albedo + 3, f, [](double albedo) { return albedo / measuredbrdf::Pi; });
 }
 
 //------------------------------------------------------------------------------
@@ -32,10 +32,7 @@ void vtkLambertBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])
 {
   const double up[3] = { 0.0, 0.0, 1.0 };
   this->Evaluate(up, o, albedo);
-  for (int c = 0; c < 3; ++c)
-  {
-    albedo[c] *= measuredbrdf::Pi;
-  }
+  std::for_each(albedo, albedo + 3, [](double& value) { value *= measuredbrdf::Pi; });
 }
 
 //------------------------------------------------------------------------------
@@ -43,12 +40,7 @@ void vtkLambertBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 {
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFLambert", vtkBRDFLambert);
-  vtkBRDFShaderInputs::Uniform albedo{ "brdfAlbedo", {} };
-  for (double a : this->Albedo)
-  {
-    albedo.Values.push_back(static_cast<float>(a));
-  }
-  term.Uniforms.push_back(albedo);
+  term.Uniforms = { measuredbrdf::MakeTriple("brdfAlbedo", glm::make_vec3(this->Albedo)) };
   inputs.Terms.push_back(term);
   inputs.Description = "Lambert, closed form";
 }

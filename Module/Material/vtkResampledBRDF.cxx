@@ -5,7 +5,6 @@
 #include "HalfDifferenceFill.h"
 #include "HalfTurn.h"
 #include "Printable.h"
-#include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkBRDFResampler.h"
 #include "vtkNew.h"
 #include "vtkTabulatedBRDF.h"
@@ -29,13 +28,12 @@ constexpr int Ladder[][4] = { { 12, 8, 24, 24 }, { 16, 12, 32, 32 }, { 16, 16, 4
 constexpr int ChoosingPairs = 1 << 13;
 constexpr int ReportingPairs = 1 << 15;
 
-vtkSmartPointer<vtkAnisotropicTabulatedBRDF> MakeAnisotropicTable(
+vtkSmartPointer<vtkTabulatedBRDF> MakeAnisotropicTable(
   vtkBRDF* source, const int step[4], bool half)
 {
   const int size[4] = { step[0], step[1], half ? step[2] / 2 : step[2], step[3] };
-  auto table = vtkSmartPointer<vtkAnisotropicTabulatedBRDF>::New();
-  table->Resample(source,
-    half ? vtkAnisotropicTabulatedBRDF::HALF_TURN : vtkAnisotropicTabulatedBRDF::FULL_TURN, size);
+  auto table = vtkSmartPointer<vtkTabulatedBRDF>::New();
+  table->Resample(source, half ? vtkTabulatedBRDF::HALF_TURN : vtkTabulatedBRDF::FULL_TURN, size);
   return table;
 }
 
@@ -43,10 +41,10 @@ vtkSmartPointer<vtkAnisotropicTabulatedBRDF> MakeAnisotropicTable(
 // within the tolerance, or the best of seven sizes, the largest of 1.8 million cells (10.6 MB as
 // 16-bit RGB; half as many where half a turn changes nothing). Its ResamplingError holds the error,
 // of pairs that chose nothing.
-vtkSmartPointer<vtkAnisotropicTabulatedBRDF> ResampleAnisotropic(vtkBRDF* source, double tolerance)
+vtkSmartPointer<vtkTabulatedBRDF> ResampleAnisotropic(vtkBRDF* source, double tolerance)
 {
   const bool half = IsSameAfterHalfATurn(source);
-  vtkSmartPointer<vtkAnisotropicTabulatedBRDF> best;
+  vtkSmartPointer<vtkTabulatedBRDF> best;
   double least = 0.0;
   for (const int* step : Ladder)
   {
@@ -121,24 +119,21 @@ vtkBRDF* vtkResampledBRDF::GetRenderable()
   {
     return this->Own.Table;
   }
-  vtkSmartPointer<vtkBRDF> made;
-  double error = 0.0;
+  vtkSmartPointer<vtkTabulatedBRDF> made;
   if (this->IsIsotropic())
   {
     vtkNew<vtkBRDFResampler> resampler;
     resampler->SetInput(this);
     resampler->SetTolerance(this->ResamplingTolerance);
     resampler->Resample();
-    error = resampler->GetOutput()->GetResamplingError();
-    resampler->GetOutput()->SetPrecision(vtkTabulatedBRDF::SHARED_EXPONENT);
     made = resampler->GetOutput();
+    made->SetPrecision(vtkTabulatedBRDF::SHARED_EXPONENT);
   }
   else
   {
-    const auto table = ResampleAnisotropic(this, this->ResamplingTolerance);
-    error = table->GetResamplingError();
-    made = table;
+    made = ResampleAnisotropic(this, this->ResamplingTolerance);
   }
+  const double error = made->GetResamplingError();
   if (error > this->ResamplingTolerance)
   {
     vtkWarningMacro(<< Quote(this->Name) << ": resampling for shaders keeps an error of " << error
@@ -153,24 +148,22 @@ vtkBRDF* vtkResampledBRDF::GetRenderable()
 vtkBRDF* vtkResampledBRDF::NewQuickRenderable()
 {
   const std::unique_lock<std::mutex> lock(this->Common->Mutex, std::try_to_lock);
-  vtkSmartPointer<vtkBRDF> table;
   if (lock && this->HasRenderable())
   {
-    table = this->Own.Table;
+    this->Own.Table->Register(nullptr);
+    return this->Own.Table;
   }
-  else if (this->IsIsotropic())
+  auto table = vtkSmartPointer<vtkTabulatedBRDF>::New();
+  if (this->IsIsotropic())
   {
-    auto quick = vtkSmartPointer<vtkTabulatedBRDF>::New();
-    FillHalfDifference(this, false, QuickSize, quick);
-    quick->SetPrecision(vtkTabulatedBRDF::SHARED_EXPONENT);
-    NameAfter(this, quick);
-    table = quick;
+    FillHalfDifference(this, false, QuickSize, table);
+    table->SetPrecision(vtkTabulatedBRDF::SHARED_EXPONENT);
   }
   else
   {
     table = MakeAnisotropicTable(this, Ladder[0], IsSameAfterHalfATurn(this));
-    NameAfter(this, table);
   }
+  NameAfter(this, table);
   table->Register(nullptr);
   return table;
 }

@@ -4,7 +4,7 @@
  * @class   vtkResampledBRDF
  * @brief   abstract class of BRDFs without a GLSL form, which are resampled for graphics cards
  *
- * GetRenderable() is a vtkTabulatedBRDF or, of anisotropic materials, a vtkAnisotropicTabulatedBRDF
+ * GetRenderable() is a vtkTabulatedBRDF, of anisotropic materials with the half vector's azimuth,
  * whose error is within ResamplingTolerance, or the best of some sizes and a warning. It is made
  * again where the data or the tolerance have changed. NewQuickRenderable() gives the same if it is
  * made, else a new table of a fixed, coarse size, and waits for no thread that makes the other.

@@ -52,12 +52,6 @@ bool AllOf(const TermList& terms, const Is& is)
 }
 
 //------------------------------------------------------------------------------
-vtkSumBRDF::vtkSumBRDF() = default;
-
-//------------------------------------------------------------------------------
-vtkSumBRDF::~vtkSumBRDF() = default;
-
-//------------------------------------------------------------------------------
 void vtkSumBRDF::AddTerm(vtkBRDF* term)
 {
   if (!term || Holds(term, this))

@@ -47,8 +47,8 @@ public:
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 
 protected:
-  vtkSumBRDF();
-  ~vtkSumBRDF() override;
+  vtkSumBRDF() = default;
+  ~vtkSumBRDF() override = default;
 
   vtkBRDF* NewCopy() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;

@@ -10,10 +10,12 @@
 #include "Neighbors.h"
 #include "NumberText.h"
 #include "OneByOne.h"
+#include "ParallelFor.h"
 #include "Refusal.h"
 #include "Setters.h"
 #include "VolumeInterpolation.h"
 #include "ZonalKernel.h"
+#include "vtkBRDFAnisotropicTable.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFHalfDifference.h"
 #include "vtkBRDFHalfDifferenceSoft.h"
@@ -21,7 +23,9 @@
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
+#define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/gtx/rotate_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -301,8 +305,52 @@ namespace
 // The mirror-symmetric azimuth of incident/outgoing tables ends at 0 and pi, all others close.
 bool HasPeriodicAzimuth(int parameterization, int azimuthRange)
 {
-  return parameterization == vtkTabulatedBRDF::HALF_DIFFERENCE ||
+  return parameterization != vtkTabulatedBRDF::INCIDENT_OUTGOING ||
          azimuthRange == vtkTabulatedBRDF::FULL_TURN;
+}
+
+double GetLargestAzimuth(int azimuthRange)
+{
+  return azimuthRange == vtkTabulatedBRDF::HALF_TURN ? Pi : 2.0 * Pi;
+}
+
+constexpr int MostSamples = 2048; // along an axis of the texture
+constexpr std::size_t MostAnisotropicCells = std::size_t(1) << 26;
+
+// Returns how many values a table of the shape has. Throws what is wrong with the shape.
+std::size_t CountValues(int axes, const int* dimensions, int azimuthRange)
+{
+  std::size_t cells = 1;
+  for (int axis = 0; axis < axes; ++axis)
+  {
+    Require(dimensions[axis] >= 1 && dimensions[axis] <= MostSamples,
+      "found " + std::to_string(dimensions[axis]) + " samples along axis " + std::to_string(axis) +
+        ", expected 1 to " + std::to_string(MostSamples));
+    cells *= static_cast<std::size_t>(dimensions[axis]);
+  }
+  Require(
+    axes < 4 || (dimensions[1] * dimensions[2] <= MostSamples && cells <= MostAnisotropicCells),
+    "found " + std::to_string(cells) + " samples, " + std::to_string(dimensions[1]) + " x " +
+      std::to_string(dimensions[2]) + " of them along theta_d and phi_h, expected at most " +
+      std::to_string(MostAnisotropicCells) + " and " + std::to_string(MostSamples));
+  Require(
+    azimuthRange == vtkTabulatedBRDF::HALF_TURN || azimuthRange == vtkTabulatedBRDF::FULL_TURN,
+    "found azimuth range " + std::to_string(azimuthRange) + ", expected 0 or 1");
+  return 3 * cells;
+}
+
+// A sample's directions, slid along theta_d to just above the horizon where they lie below: values
+// there are seen by interpolation only.
+void GetAnisotropicCell(
+  int azimuthRange, const int dimensions[4], const int index[4], glm::dvec3& i, glm::dvec3& o)
+{
+  HalfDifference angles{ UnitToThetaH((index[3] + 0.5) / dimensions[3]),
+    0.5 * Pi * (index[1] + 0.5) / dimensions[1], 2.0 * Pi * (index[0] + 0.5) / dimensions[0] };
+  angles.ThetaD = std::min(angles.ThetaD, FindHorizon(angles) * (1.0 - 1e-4));
+  FromHalfDifference(angles, i, o);
+  const double phi = GetLargestAzimuth(azimuthRange) * (index[2] + 0.5) / dimensions[2];
+  i = glm::rotateZ(i, phi);
+  o = glm::rotateZ(o, phi);
 }
 
 // Angles of a pair in units of the axes, each in [0,1] (azimuth: any real number, periodic).
@@ -405,12 +453,6 @@ MEASUREDBRDF_INLINE Float4 InterpolateInLanes(
 }
 
 //------------------------------------------------------------------------------
-vtkTabulatedBRDF::vtkTabulatedBRDF() = default;
-
-//------------------------------------------------------------------------------
-vtkTabulatedBRDF::~vtkTabulatedBRDF() = default;
-
-//------------------------------------------------------------------------------
 measuredbrdfSetInRangeMacro(vtkTabulatedBRDF, Precision, int, AUTOMATIC, SHARED_EXPONENT);
 measuredbrdfSetClampedMacro(vtkTabulatedBRDF, ResamplingError, double, 0.0, 1e6);
 
@@ -421,29 +463,48 @@ bool vtkTabulatedBRDF::SetVolume(
   const std::string problem = FindProblemOf(
     [&]()
     {
-      std::size_t count = 3;
-      for (int a = 0; a < 3; ++a)
-      {
-        Require(dimensions[a] >= 1 && dimensions[a] <= 2048,
-          "found " + std::to_string(dimensions[a]) + " samples along axis " + std::to_string(a) +
-            ", expected 1 to 2048");
-        count *= static_cast<std::size_t>(dimensions[a]);
-      }
-      Require(rgb.size() == count && parameterization >= HALF_DIFFERENCE &&
-                parameterization <= INCIDENT_OUTGOING && azimuthRange >= HALF_TURN &&
-                azimuthRange <= FULL_TURN,
-        "found " + std::to_string(rgb.size()) + " values, parameterization " +
-          std::to_string(parameterization) + " and azimuth range " + std::to_string(azimuthRange) +
-          ", expected " + std::to_string(count) + " values and 0 or 1 both");
+      Require(parameterization == HALF_DIFFERENCE || parameterization == INCIDENT_OUTGOING,
+        "found parameterization " + std::to_string(parameterization) + ", expected 0 or 1");
+      const std::size_t count = CountValues(3, dimensions, azimuthRange);
+      Require(rgb.size() == count,
+        "found " + std::to_string(rgb.size()) + " values, expected " + std::to_string(count));
+      this->TakeVolume(parameterization, azimuthRange, dimensions, 1, std::move(rgb));
     });
   if (!problem.empty())
   {
     vtkErrorMacro("SetVolume: " << problem << "; the volume stays.");
-    return false;
   }
+  return problem.empty();
+}
+
+//------------------------------------------------------------------------------
+bool vtkTabulatedBRDF::SetVolume(int azimuthRange, const int dimensions[4], std::vector<float> rgb)
+{
+  const std::string problem = FindProblemOf(
+    [&]()
+    {
+      const std::size_t count = CountValues(4, dimensions, azimuthRange);
+      Require(rgb.size() == count,
+        "found " + std::to_string(rgb.size()) + " values, expected " + std::to_string(count));
+      RequireFinite(rgb, "volume");
+      const int texture[3] = { dimensions[0], dimensions[1] * dimensions[2], dimensions[3] };
+      this->TakeVolume(ANISOTROPIC, azimuthRange, texture, dimensions[2], std::move(rgb));
+    });
+  if (!problem.empty())
+  {
+    vtkErrorMacro("SetVolume: " << problem << "; the volume stays.");
+  }
+  return problem.empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkTabulatedBRDF::TakeVolume(int parameterization, int azimuthRange, const int dimensions[3],
+  int azimuths, std::vector<float> rgb)
+{
   this->Parameterization = parameterization;
   this->AzimuthRange = azimuthRange;
   std::copy_n(dimensions, 3, this->Dimensions);
+  this->NumberOfAzimuths = azimuths;
   this->Volume = std::move(rgb);
   this->NumberOfInvalidCells = 0;
   for (std::size_t k = 0; k < this->Volume.size(); k += 3)
@@ -458,14 +519,54 @@ bool vtkTabulatedBRDF::SetVolume(
   this->ResetLobe();
   this->WidenedLevels = std::make_shared<Levels>();
   this->Modified();
-  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTabulatedBRDF::Resample(vtkBRDF* source, int azimuthRange, const int dimensions[4])
+{
+  const std::string problem = FindProblemOf(
+    [&]()
+    {
+      Require(source, "there is no source");
+      CountValues(4, dimensions, azimuthRange);
+    });
+  if (!problem.empty())
+  {
+    vtkErrorMacro("Resample: " << problem << "; the volume stays.");
+    return false;
+  }
+  source->Prepare();
+  const vtkIdType rows = static_cast<vtkIdType>(dimensions[2]) * dimensions[3];
+  const std::size_t row = 3u * static_cast<std::size_t>(dimensions[0] * dimensions[1]);
+  std::vector<float> rgb(row * static_cast<std::size_t>(rows));
+  measuredbrdf::ParallelFor(0, rows, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      float* value = &rgb[row * static_cast<std::size_t>(begin)];
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        for (int cell = 0; cell < dimensions[0] * dimensions[1]; ++cell, value += 3)
+        {
+          const int index[4] = { cell % dimensions[0], cell / dimensions[0],
+            static_cast<int>(k % dimensions[2]), static_cast<int>(k / dimensions[2]) };
+          glm::dvec3 i, o, f;
+          GetAnisotropicCell(azimuthRange, dimensions, index, i, o);
+          source->Evaluate(&i.x, &o.x, &f.x);
+          const glm::vec3 weighted(
+            glm::min(f * o.z, static_cast<double>(std::numeric_limits<float>::max())));
+          std::copy_n(&weighted.x, 3, value);
+        }
+      }
+    });
+  this->SetCosineWeighted(true);
+  return this->SetVolume(azimuthRange, dimensions, std::move(rgb));
 }
 
 //------------------------------------------------------------------------------
 bool vtkTabulatedBRDF::GetCellDirections(int parameterization, int azimuthRange,
   const int dimensions[3], int x, int y, int z, double i[3], double o[3])
 {
-  const double phi = (azimuthRange == HALF_TURN ? Pi : 2.0 * Pi) * (x + 0.5) / dimensions[0];
+  const double phi = GetLargestAzimuth(azimuthRange) * (x + 0.5) / dimensions[0];
   const double second = 0.5 * Pi * (y + 0.5) / dimensions[1];
   glm::dvec3 light, view;
   if (parameterization == HALF_DIFFERENCE)
@@ -489,22 +590,39 @@ void vtkTabulatedBRDF::EvaluateAbove(const double i[3], const double o[3], doubl
   {
     return;
   }
-  const glm::dvec3 u =
-    ToUnit(this->Parameterization, this->AzimuthRange, glm::make_vec3(i), glm::make_vec3(o));
+  const glm::dvec3 light = glm::make_vec3(i), view = glm::make_vec3(o);
+  const double divisor = this->CosineWeighted ? o[2] : 1.0;
+  if (this->Parameterization == ANISOTROPIC)
+  {
+    const glm::dvec3 unit = ToHalfDifferenceUnit(light, view, false);
+    const glm::dvec3 h = HalfVector(light, view);
+    const double phiH = std::hypot(h.x, h.y) > 1e-7 ? std::atan2(h.y, h.x) : 0.0;
+    const int azimuths = this->NumberOfAzimuths;
+    const int dimensions[4] = { this->Dimensions[0], this->Dimensions[1] / azimuths, azimuths,
+      this->Dimensions[2] };
+    DivideByValid(
+      GatherCorners<4>(this->Volume, dimensions,
+        { PeriodicNeighbors(unit.x, dimensions[0]), ClampedNeighbors(unit.y, dimensions[1]),
+          PeriodicNeighbors(phiH / GetLargestAzimuth(this->AzimuthRange), azimuths),
+          ClampedNeighbors(unit.z, dimensions[3]) }),
+      divisor, f);
+    return;
+  }
+  const glm::dvec3 u = ToUnit(this->Parameterization, this->AzimuthRange, light, view);
   const Neighbors azimuth = HasPeriodicAzimuth(this->Parameterization, this->AzimuthRange)
                               ? PeriodicNeighbors(u.x, this->Dimensions[0])
                               : ClampedNeighbors(u.x, this->Dimensions[0]);
   DivideByValid(GatherCorners<3>(this->Volume, this->Dimensions,
                   { azimuth, ClampedNeighbors(u.y, this->Dimensions[1]),
                     ClampedNeighbors(u.z, this->Dimensions[2]) }),
-    this->CosineWeighted ? o[2] : 1.0, f);
+    divisor, f);
 }
 
 //------------------------------------------------------------------------------
 void vtkTabulatedBRDF::EvaluateLights(
   int count, const float* const i[3], const double o[3], float* const f[3])
 {
-  if (this->NumberOfInvalidCells > 0 || this->Volume.empty())
+  if (this->NumberOfInvalidCells > 0 || this->Volume.empty() || !this->IsIsotropic())
   {
     EvaluateLightsOneByOne(this, count, i, o, f);
     return;
@@ -591,7 +709,7 @@ void vtkTabulatedBRDF::Prepare()
 {
   if (!this->HasLobe() && !this->Volume.empty())
   {
-    this->SetLobe(90, 1, 0.5);
+    this->IsIsotropic() ? this->SetLobe(90, 1, 0.5) : this->SetLobe(64, 32, 0.5);
   }
 }
 
@@ -607,22 +725,39 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
   texture.Repeat = { HasPeriodicAzimuth(this->Parameterization, this->AzimuthRange), false, false };
   const Storage storage = ChooseStorage(this->Precision, this->ResamplingTolerance, this->Volume);
   FillTexture(texture, this->Volume, storage);
-  const bool isHalfDifference = this->Parameterization == HALF_DIFFERENCE;
-  SetModuleShader(term, isHalfDifference ? "vtkBRDFHalfDifference" : "vtkBRDFIncidentOutgoing",
-    isHalfDifference ? vtkBRDFHalfDifference : vtkBRDFIncidentOutgoing);
+  struct Form
+  {
+    const char* Shader;
+    const char* Source;
+    const char* Text;
+  };
+  const Form forms[] = { { "vtkBRDFHalfDifference", vtkBRDFHalfDifference, "half/difference" },
+    { "vtkBRDFIncidentOutgoing", vtkBRDFIncidentOutgoing, "incident/outgoing" },
+    { "vtkBRDFAnisotropicTable", vtkBRDFAnisotropicTable, "anisotropic half/difference" } };
+  const Form& form = forms[this->Parameterization];
+  SetModuleShader(term, form.Shader, form.Source);
   term.Uniforms = { { "brdfScale", { 1.0f / storage.Scale } },
     { "brdfTurns", { this->AzimuthRange == HALF_TURN ? 2.0f : 1.0f } },
     { "brdfCosineWeighted", { this->CosineWeighted ? 1.0f : 0.0f } } };
   TextStream text;
-  text << (isHalfDifference ? "half/difference" : "incident/outgoing") << " volume "
-       << this->Dimensions[0] << " x " << this->Dimensions[1] << " x " << this->Dimensions[2]
-       << ", " << storage.Text << ", " << texture.GetBytes() << " bytes";
+  text << form.Text << " volume " << this->Dimensions[0] << " x ";
+  if (!this->IsIsotropic())
+  {
+    term.Uniforms.push_back({ "brdfAzimuths", { 1.0f * this->NumberOfAzimuths } });
+    text << this->Dimensions[1] / this->NumberOfAzimuths << " x " << this->NumberOfAzimuths;
+  }
+  else
+  {
+    text << this->Dimensions[1];
+  }
+  text << " x " << this->Dimensions[2] << ", " << storage.Text << ", " << texture.GetBytes()
+       << " bytes";
   if (this->ResamplingError > 0.0)
   {
     text << ", resampling error " << this->ResamplingError;
   }
   const Levels* levels = inputs.SoftLights ? this->GetLevels() : nullptr;
-  term.Fetches = levels ? 2 : 1;
+  term.Fetches = levels || !this->IsIsotropic() ? 2 : 1;
   if (levels)
   {
     vtkBRDFShaderInputs::Texture wider;
@@ -648,32 +783,44 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 }
 
 //------------------------------------------------------------------------------
+// An anisotropic table is a model of its own, whose array has four axes.
 void vtkTabulatedBRDF::ExchangeData(vtkBRDFExchange& exchange)
 {
-  exchange.Option("precision", { "automatic", "float16", "float32", "shared-exponent" },
-    this->Precision, [this](int value) { this->SetPrecision(value); });
+  const bool isIsotropic =
+    exchange.IsLoading() ? exchange.GetModelName() == "Tabulated" : this->IsIsotropic();
   exchange.Flag(
     "cosineWeighted", this->CosineWeighted, [this](bool on) { this->SetCosineWeighted(on); });
   exchange.Number("resamplingError", this->ResamplingError,
     [this](double value) { this->SetResamplingError(value); });
   int parameterization = this->Parameterization;
   int azimuthRange = this->AzimuthRange;
-  exchange.Option("parameterization", { "half-difference", "incident-outgoing" }, parameterization,
-    [&](int value) { parameterization = value; });
   exchange.Option("azimuthRange", { "half-turn", "full-turn" }, azimuthRange,
     [&](int value) { azimuthRange = value; });
+  if (isIsotropic)
+  {
+    exchange.Option("precision", { "automatic", "float16", "float32", "shared-exponent" },
+      this->Precision, [this](int value) { this->SetPrecision(value); });
+    exchange.Option("parameterization", { "half-difference", "incident-outgoing" },
+      parameterization, [&](int value) { parameterization = value; });
+  }
   if (!exchange.IsLoading())
   {
-    exchange.SaveArray(
-      "volume", { this->Dimensions[2], this->Dimensions[1], this->Dimensions[0] }, 3, this->Volume);
+    std::vector<int> shape = { this->Dimensions[2], this->Dimensions[1], this->Dimensions[0] };
+    if (!isIsotropic)
+    {
+      shape[1] /= this->NumberOfAzimuths;
+      shape.insert(shape.begin() + 1, this->NumberOfAzimuths);
+    }
+    exchange.SaveArray("volume", shape, 3, this->Volume);
     return;
   }
-  auto volume = exchange.LoadArray("volume", 3, 3);
-  const int dimensions[3] = { volume.Shape[2], volume.Shape[1], volume.Shape[0] };
-  exchange.Check(
-    this->SetVolume(parameterization, azimuthRange, dimensions, std::move(volume.Values))
-      ? ""
-      : "array 'volume' was refused");
+  auto volume = exchange.LoadArray("volume", isIsotropic ? 3 : 4, 3);
+  std::reverse(volume.Shape.begin(), volume.Shape.end());
+  const bool isTaken =
+    isIsotropic ? this->SetVolume(
+                    parameterization, azimuthRange, volume.Shape.data(), std::move(volume.Values))
+                : this->SetVolume(azimuthRange, volume.Shape.data(), std::move(volume.Values));
+  exchange.Check(isTaken ? "" : "array 'volume' was refused");
 }
 
 //------------------------------------------------------------------------------
@@ -683,6 +830,7 @@ vtkBRDF* vtkTabulatedBRDF::NewCopy()
   copy->Parameterization = this->Parameterization;
   copy->AzimuthRange = this->AzimuthRange;
   std::copy_n(this->Dimensions, 3, copy->Dimensions);
+  copy->NumberOfAzimuths = this->NumberOfAzimuths;
   copy->Precision = this->Precision;
   copy->CosineWeighted = this->CosineWeighted;
   copy->ResamplingError = this->ResamplingError;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTabulatedBRDF
- * @brief   isotropic BRDF as a table over half/difference or incident/outgoing angles, trilinear
+ * @brief   BRDF as a table over half/difference or incident/outgoing angles, linear between samples
  *
  * HALF_DIFFERENCE (Rusinkiewicz 1998; MERL's parameters): axes (phi_d, theta_d, theta_h), x = phi_d
  * fastest. Sample k of n lies at theta_h = (pi/2) ((k+1/2)/n)^2, theta_d = (pi/2)(k+1/2)/n,
@@ -11,6 +11,12 @@
  *
  * INCIDENT_OUTGOING (MBSDF's parameters): axes (delta phi, theta_o, theta_i), all uniform at cell
  * centers; AzimuthRange pi: mirror-symmetric in delta phi; 2 pi: periodic.
+ *
+ * ANISOTROPIC (Rusinkiewicz 1998): axes (phi_d, theta_d, phi_h, theta_h), as HALF_DIFFERENCE but
+ * with phi_d over 2 pi and the half vector's azimuth from the tangent: phi_h = AzimuthRange
+ * (k+1/2)/n, periodic. AzimuthRange pi: the material is the same after half a turn, as brushed
+ * metal is; 2 pi: not necessarily, as cloth with a nap. It is the graphics card's form of measured
+ * anisotropic materials (vtkAdaptiveWarpBRDF): one 3D texture, two fetches.
  *
  * A cosine-weighted volume holds f cos(theta_o), which stays smooth up to the horizon where f
  * itself grows without bound; Evaluate divides by the cosine.
@@ -26,7 +32,7 @@
  * theta_h, and samples every 5 degrees in phi_d and every 2 in theta_d. For MERL's 180 x 90 x 90
  * samples (8.7 MB as 16-bit floats) of a lobe of Blinn exponent 10, 300 and 100,000 they take 0.5,
  * 1.9 and 7.1 MB more. For tables that already are as coarse as that in phi_d and theta_d, they
- * take up to 8 times the table's size. INCIDENT_OUTGOING volumes have no half vector and stay hard.
+ * take up to 8 times the table's size. The other parameterizations stay hard.
  */
 
 #ifndef vtkTabulatedBRDF_h
@@ -46,7 +52,8 @@ public:
   enum ParameterizationType
   {
     HALF_DIFFERENCE = 0,
-    INCIDENT_OUTGOING = 1
+    INCIDENT_OUTGOING = 1,
+    ANISOTROPIC = 2
   };
 
   enum AzimuthRangeType
@@ -71,13 +78,27 @@ public:
   bool SetVolume(
     int parameterization, int azimuthRange, const int dimensions[3], std::vector<float> rgb);
 
+  /**
+   * The same for an ANISOTROPIC table. dimensions: samples along (phi_d, theta_d, phi_h, theta_h),
+   * each in [1, 2048], as the product of the second and the third; 2^26 in all. All values finite.
+   */
+  bool SetVolume(int azimuthRange, const int dimensions[4], std::vector<float> rgb);
+
+  /**
+   * Make an ANISOTROPIC table of another BRDF: f cos(theta_o) at all samples. Returns false with an
+   * error event for sizes that SetVolume refuses. Measures no error.
+   */
+  bool Resample(vtkBRDF* source, int azimuthRange, const int dimensions[4]);
+
   ///@{
   /**
-   * The values that SetVolume set.
+   * The values that SetVolume set. Of an ANISOTROPIC table the second dimension is that of theta_d
+   * times that of phi_h (NumberOfAzimuths, else 1), theta_d faster.
    */
   vtkGetMacro(Parameterization, int);
   vtkGetMacro(AzimuthRange, int);
   vtkGetVector3Macro(Dimensions, int);
+  vtkGetMacro(NumberOfAzimuths, int);
   const std::vector<float>& GetVolume() const { return this->Volume; }
   vtkIdType GetNumberOfInvalidCells() const { return this->NumberOfInvalidCells; }
   ///@}
@@ -114,7 +135,8 @@ public:
   ///@}
 
   /**
-   * Direction pair at the center of cell (x,y,z) in a canonical azimuth (h or o in the xz plane).
+   * Direction pair at the center of cell (x,y,z) in a canonical azimuth (h or o in the xz plane) of
+   * an isotropic table.
    * Returns false where i or o lies at or below the horizon: such cells hold no material.
    */
   static bool GetCellDirections(int parameterization, int azimuthRange, const int dimensions[3],
@@ -128,6 +150,7 @@ public:
   VTK_WRAPEXCLUDE void EvaluateLights(
     int count, const float* const i[3], const double o[3], float* const f[3]);
 
+  bool IsIsotropic() override { return this->Parameterization != ANISOTROPIC; }
   bool IsReciprocal() override
   {
     return this->Parameterization == HALF_DIFFERENCE && this->AzimuthRange == HALF_TURN &&
@@ -135,12 +158,15 @@ public:
   }
   void Prepare() override;
   void GetShaderInputs(vtkBRDFShaderInputs& inputs) override;
-  std::string GetModelName() override { return "Tabulated"; }
+  std::string GetModelName() override
+  {
+    return this->Parameterization == ANISOTROPIC ? "AnisotropicTabulated" : "Tabulated";
+  }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 
 protected:
-  vtkTabulatedBRDF();
-  ~vtkTabulatedBRDF() override;
+  vtkTabulatedBRDF() = default;
+  ~vtkTabulatedBRDF() override = default;
 
   vtkBRDF* NewCopy() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
@@ -149,6 +175,7 @@ protected:
   int Parameterization = HALF_DIFFERENCE;
   int AzimuthRange = HALF_TURN;
   int Dimensions[3] = { 0, 0, 0 };
+  int NumberOfAzimuths = 1;
   int Precision = AUTOMATIC;
   bool CosineWeighted = false;
   double ResamplingError = 0.0;
@@ -158,6 +185,9 @@ protected:
 private:
   vtkTabulatedBRDF(const vtkTabulatedBRDF&) = delete;
   void operator=(const vtkTabulatedBRDF&) = delete;
+
+  void TakeVolume(int parameterization, int azimuthRange, const int dimensions[3], int azimuths,
+    std::vector<float> rgb);
 
   struct Levels;
   const Levels* GetLevels();

@@ -183,7 +183,7 @@ void vtkBRDFAnalysis::UpdateNegativeMass()
 //------------------------------------------------------------------------------
 double vtkBRDFAnalysis::GetTableNegativeMass(vtkTabulatedBRDF* table)
 {
-  if (table->GetVolume().empty())
+  if (table->GetVolume().empty() || !table->IsIsotropic())
   {
     return 0.0;
   }

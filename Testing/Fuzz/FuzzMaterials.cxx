@@ -26,9 +26,7 @@ FUZZ_FORMAT(Mbsdf, "")
 FUZZ_FORMAT(Merl, "")
 FUZZ_FORMAT(OpenMaterial, ChooseWavelength(data, size, "905nm"))
 FUZZ_FORMAT(Tensor, "")
-#if MEASUREDBRDF_WITH_OPENEXR
 FUZZ_FORMAT(ExrMaterial, "")
-#endif
 
 int FuzzBsdfXml(const std::uint8_t* data, std::size_t size)
 {

@@ -5,15 +5,11 @@
 #include "EveryModel.h"
 #include "FileBytes.h"
 #include "FuzzTarget.h"
+#include "MaterialFormat.h"
 #include "SmallBsdfXml.h"
 #include "SmallFiles.h"
 #include "SmallOpenMaterial.h"
 #include "vtkBRDFModels.h"
-#include "vtkMeasuredBRDFConfigure.h"
-
-#if MEASUREDBRDF_WITH_OPENEXR
-#include "MaterialFormat.h"
-#endif
 
 namespace fuzz
 {
@@ -38,7 +34,6 @@ std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials()
   return materials;
 }
 
-#if MEASUREDBRDF_WITH_OPENEXR
 //------------------------------------------------------------------------------
 Seeds MakeExrMaterials()
 {
@@ -67,7 +62,6 @@ Seeds MakeExrHeaders()
   seeds.push_back(texts);
   return seeds;
 }
-#endif
 
 //------------------------------------------------------------------------------
 Seeds MakeEnvironments()
@@ -175,7 +169,6 @@ Seeds MakeSeeds(const std::string& target)
 {"file": "a.png", "light": {"theta": 15, "phi": 30}, "view": [0.5, 0, 1], "exposure": 0.5}]})",
       "00001 tl015 pl030 tv045 pv-60.jpg" };
   }
-#if MEASUREDBRDF_WITH_OPENEXR
   if (target == "ExrHeader")
   {
     return MakeExrHeaders();
@@ -184,7 +177,6 @@ Seeds MakeSeeds(const std::string& target)
   {
     return MakeExrMaterials();
   }
-#endif
   if (target == "MaterialData")
   {
     Seeds seeds;

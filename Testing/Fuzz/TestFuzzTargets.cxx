@@ -166,9 +166,7 @@ INSTANTIATE_TEST_SUITE_P(All, FuzzTargets,
 #if MEASUREDBRDF_WITH_OPENIMAGEIO
     Case{ "Environment", FuzzEnvironment },
 #endif
-#if MEASUREDBRDF_WITH_OPENEXR
     Case{ "ExrHeader", FuzzExrHeader }, Case{ "ExrMaterial", FuzzExrMaterial },
-#endif
     Case{ "Astm", FuzzAstm }, Case{ "BsdfXml", FuzzBsdfXml }, Case{ "Fit", FuzzFit },
     Case{ "MaterialData", FuzzMaterialData }, Case{ "Mbsdf", FuzzMbsdf }, Case{ "Merl", FuzzMerl },
     Case{ "OpenMaterial", FuzzOpenMaterial }, Case{ "PhotographList", FuzzPhotographList },

@@ -56,7 +56,7 @@ add("Core.half-difference-azimuth", "HalfVector.h", "cosPhi * i.y - sinPhi * i.x
 add("Core.sample-cosine-radius", "HalfVector.h", "const double r = std::sqrt(u1);", "const double r = u1;",
     "Sampling.FollowsItsPdf")
 add("Core.gauss-legendre-weight", "BasisFunctions.h", "2.0 / ((1.0 - x * x)", "1.0 / ((1.0 - x * x)",
-    "GaussLegendre.KnownRules")
+    "GaussLegendre.ExactToItsDegree")
 add("Core.legendre-recurrence-sign", "BasisFunctions.h", "x * p1 - k * p0) / (k + 1.0)",
     "x * p1 + k * p0) / (k + 1.0)", "BasisFunctions.Orthonormal")
 add("Core.azimuth-without-root-two", "BasisFunctions.h",
@@ -131,8 +131,8 @@ add("Material.array-blocks-lie-on-another", "vtkBRDF.cxx", "to->SetTuple(k, valu
     "Arrays.AreTheScalarCalls")
 add("Material.array-sample-with-one-number", "vtkBRDF.cxx", "inputs[1][0], inputs[1][1], result",
     "inputs[1][0], inputs[1][0], result", "Arrays.AreTheScalarCalls")
-add("Material.lambert-without-pi", "vtkLambertBRDF.cxx", "f[c] = this->Albedo[c] / measuredbrdf::Pi;",
-    "f[c] = this->Albedo[c];", "Lambert.ClosedForm")
+add("Material.lambert-without-pi", "vtkLambertBRDF.cxx", "return albedo / measuredbrdf::Pi;",
+    "return albedo;", "Lambert.ClosedForm")
 add("Material.blinn-phong-normalization", "vtkBlinnPhongBRDF.cxx", "const double lobe = (n + 2.0)",
     "const double lobe = (n + 1.0)", "BlinnPhong.PaperFormula")
 add("Material.blinn-phong-jacobian", "vtkBlinnPhongBRDF.cxx", "(4.0 * glm::dot(view, h));",
@@ -159,8 +159,7 @@ add("Material.distribution-fresnel-unit", "vtkDistributionBRDF.cxx", "ClampedNei
 add("Material.tabulated-azimuth-range", "VolumeInterpolation.h", "angles.PhiD / (halfTurn ? Pi : 2.0 * Pi)",
     "angles.PhiD / (halfTurn ? 2.0 * Pi : Pi)", "Tabulated.InterpolatesTrilinearly")
 add("Material.tabulated-divides-by-the-other-cosine", "vtkTabulatedBRDF.cxx",
-    "ClampedNeighbors(u.z, this->Dimensions[2]) }),\n    this->CosineWeighted ? o[2]",
-    "ClampedNeighbors(u.z, this->Dimensions[2]) }),\n    this->CosineWeighted ? i[2]",
+    "const double divisor = this->CosineWeighted ? o[2]", "const double divisor = this->CosineWeighted ? i[2]",
     "Tabulated.InterpolatesTrilinearly|Parity.Tables|Resampler.ZonesNextToTheHorizon")
 add("Material.tabulated-invalid-cells-are-black", "vtkTabulatedBRDF.cxx",
     "v[0] = v[1] = v[2] = std::numeric_limits<float>::quiet_NaN();", "v[0] = v[1] = v[2] = 0.0f;",
@@ -168,7 +167,7 @@ add("Material.tabulated-invalid-cells-are-black", "vtkTabulatedBRDF.cxx",
 add("Material.tabulated-never-makes-levels", "vtkTabulatedBRDF.cxx",
     "this->WidenedLevels = std::make_shared<Levels>();", "", "SoftTables.AgreeWithTheClosedForm")
 add("Material.tabulated-shared-exponents-of-negative-values", "vtkTabulatedBRDF.cxx",
-    "[](float v) { return v >= 0.0f; }", "[](float) { return true; }", "Tabulated.SharedExponents")
+    "[](float v) { return v >= 0.0f; }", "[](float) { return true; }", "Tabulated.PrecisionFollowsTheTolerance")
 add("Material.tabulated-half-floats-overflow", "ModuleShader.h", "32768.0f / peak", "131072.0f / peak",
     "Parity.Tables|Parity.EmbeddedMeasurement|Tabulated.PrecisionFollowsTheTolerance")
 add("Material.tabulated-copy-without-cosine", "vtkTabulatedBRDF.cxx", "copy->CosineWeighted = this->CosineWeighted;",
@@ -1053,7 +1052,7 @@ add("IO.open-material-swaps-directions", "OpenMaterialFile.cxx",
     "IOOpenMaterial.InterpolatesBetweenUnevenAngles")
 add("IO.astm-angles-always-in-degrees", "AstmFile.cxx", "angles[k] = degrees ? angle : ToDegrees(angle);", "angles[k] = angle;",
     "IOAstm.InterpolatesOnAGrid")
-add("IO.astm-other-side-forgotten", "AstmFile.cxx", "      angles[k + 1] += 180.0;\n", "",
+add("IO.astm-other-side-forgotten", "AstmFile.cxx", "angles[k + 1] += angles[k] < 0.0 ? 180.0 : 0.0;", "",
     "IOAstm.NegativePolarAnglesAreOnTheOtherSide")
 add("IO.astm-number-of-points-ignored", "AstmFile.cxx", "rows == 0 || (this->Points > 0.0 &&", "rows == 0 || (false &&",
     "IOAstm.RefusesBadFiles")
@@ -1062,8 +1061,8 @@ add("IO.infrared-counts-as-visible", "SpectralColor.cxx", "wavelength < LastVisi
 add("IO.spectra-under-equal-energy", "SpectralColor.cxx", "entry.w * glm::dvec3(entry)",
     "glm::dvec3(entry)", "IOSpectral.AgreesWithAnotherProgramsSum")
 add("IO.spectra-not-scaled-to-white", "SpectralColor.cxx", "weight / sums * white", "weight / sums.y * white", "IOSpectral.FlatSpectraAreGray")
-add("IO.spectral-takes-the-first-value", "TensorFile.cxx", "sum += weight * double(*value++);",
-    "sum += weight * double(*value);", "IOSpectral.AgreesWithAnotherProgramsSum")
+add("IO.spectral-takes-the-first-value", "TensorFile.cxx", "toRgb * values.cast<double>()",
+    "toRgb.rowwise().sum() * values.row(0).cast<double>()", "IOSpectral.AgreesWithAnotherProgramsSum")
 add("Rendering.legend-shows-the-last-first", "vtkMaterialLegendActor.cxx",
     "bottom + height - (place % rows + 0.5)", "bottom + (place % rows + 0.5)",
     "MaterialLegend.DrawsSpheresBelowEachOther")

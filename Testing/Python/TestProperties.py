@@ -22,7 +22,6 @@ NOT_PRINTED = {
     ("vtkMaterialMap", "BRDF"),
     ("vtkMaterialMap", "Name"),
     ("vtkMaterialMap", "WeightArrayName"),
-    ("vtkAnisotropicTabulatedBRDF", "Volume"),
     ("vtkTabulatedBRDF", "Volume"),
     ("vtkTracedRadianceIntegrator", "SurfaceBRDF"),
 }

@@ -5,7 +5,6 @@
 // f(i,o) cos(theta_i) for its own pair of directions.
 #include "RenderFixture.h"
 #include "vtkAdaptiveWarpBRDF.h"
-#include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFReader.h"
 #include "vtkBasisBRDF.h"
@@ -468,7 +467,7 @@ TEST_F(Parity, AnisotropicTables)
   brushed->SetExponents(5.0, 60.0);
   for (const int range : { 0, 1 })
   {
-    vtkNew<vtkAnisotropicTabulatedBRDF> table;
+    vtkNew<vtkTabulatedBRDF> table;
     // Few samples of theta_d: a mistake at the ends of that axis shows.
     const int size[4] = { 12, range == 0 ? 3 : 10, range == 0 ? 7 : 14, 16 };
     ASSERT_TRUE(table->Resample(brushed, range, size));

@@ -21,10 +21,13 @@
 #include "MaterialFormat.h"
 #include "SRGB.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -68,42 +71,84 @@ bool HasKey(std::string_view line, std::string_view key, std::string_view& value
   return has;
 }
 
+// Whether a line of the text's beginning is VARS.
+bool HasAstmColumns(std::string_view text)
+{
+  std::string_view rest = SkipByteOrderMark(text.substr(0, LongestHeader));
+  std::string_view value;
+  bool has = false;
+  while (!has && !rest.empty())
+  {
+    has = HasKey(TakeUntil(rest, '\n'), "VARS", value) &&
+          value.find("theta_") != std::string_view::npos;
+  }
+  return has;
+}
+
+// 550 of "550nm"; 0: it is no such name.
+double ToWavelength(std::string_view name)
+{
+  double wavelength = 0.0;
+  const bool hasUnit = name.size() > 2 && name.substr(name.size() - 2) == "nm";
+  return hasUnit && ParseNumber(name.substr(0, name.size() - 2), wavelength)
+           ? std::max(wavelength, 0.0)
+           : 0.0;
+}
+
 //------------------------------------------------------------------------------
-// The text taken apart. Throws FileError where VARS or NUM_POINTS is wrong or missing, or a row has
-// another number of numbers.
-class AstmText
+class AstmFile
 {
 public:
-  AstmText(const FileBytes& file, bool onlyHeader)
+  /// Reads the lines up to VARS. Throws FileError, as Read does.
+  explicit AstmFile(const FileBytes& file)
     : File(file)
     , Rest(SkipByteOrderMark(file.GetView()))
   {
     this->ReadHeader();
-    if (!onlyHeader)
-    {
-      this->ReadRows();
-    }
+    this->FindColumns();
   }
 
-  const FileBytes& File;
-  std::vector<std::string> Header;  // lines before VARS
-  std::vector<std::string> Columns; // that VARS names
-  std::vector<double> Numbers;      // row by row
-  std::vector<std::size_t> Lines;   // of the rows in the file, from 1
+  /// Of the values, nm, ascending; empty: they have none.
+  const std::vector<double>& GetWavelengths() const { return this->Wavelengths; }
 
-  const double* GetRow(std::size_t row) const { return &this->Numbers[row * this->Columns.size()]; }
+  MaterialFile Read(const std::string& material)
+  {
+    this->ReadRows();
+    const SpectralChannels channels = this->FindChannels(material);
+    MaterialFile result;
+    for (const std::string& line : this->Header)
+    {
+      result.AddNote("File header: " + line);
+    }
+    if (!channels.Note.empty())
+    {
+      result.AddNote(channels.Note);
+    }
+    std::vector<GonioReading> readings = this->GetReadings(channels, result);
+    NoteCount(result.NumberOfNegativeValues,
+      " values are negative: kept, clamped at 0 after interpolation.", result);
+    MakeGonioTable(
+      std::move(readings), this->File.GetPath() + ": " + AstmFormatName + ", rows", result);
+    NameAfterFile(result, this->File, AstmFormatName);
+    if (!material.empty())
+    {
+      result.BRDF->SetName(result.BRDF->GetName() + " " + material);
+    }
+    return result;
+  }
 
+private:
+  // line: 0 where the field alone says the place.
   template <typename... Pieces>
   void Require(
     bool condition, std::size_t line, const std::string& field, const Pieces&... what) const
   {
     if (!condition)
     {
-      FailIn(this->File, AstmFormatName, Concat("line ", line, field), what...);
+      FailIn(this->File, AstmFormatName, line > 0 ? Concat("line ", line, field) : field, what...);
     }
   }
 
-private:
   std::string_view TakeLine()
   {
     ++this->Line;
@@ -143,6 +188,45 @@ private:
       " bytes, expected the names of the columns");
   }
 
+  void FindColumns()
+  {
+    const auto require = [this](bool condition, const auto&... what)
+    { this->Require(condition, 0, "VARS", what...); };
+    std::map<std::string, std::size_t> places;
+    for (const std::string& name : this->Columns)
+    {
+      require(places.emplace(name, places.size()).second, "names ", Quote(name), " twice");
+    }
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      const auto found = places.find(AngleNames[k]);
+      require(found != places.end() || k == 1, "names no ", AngleNames[k],
+        ", expected theta_i, phi_i, theta_s, phi_s and values");
+      this->Angles[k] = found == places.end() ? NoColumn : found->second;
+    }
+    std::map<double, std::size_t> byWavelength;
+    for (std::size_t k = 0; k < this->Columns.size(); ++k)
+    {
+      if (std::find(this->Angles.begin(), this->Angles.end(), k) == this->Angles.end())
+      {
+        this->Values.push_back(k);
+        const double wavelength = ToWavelength(this->Columns[k]);
+        require(wavelength == 0.0 || byWavelength.emplace(wavelength, k).second, "names ",
+          GetWavelengthName(wavelength), " twice");
+      }
+    }
+    require(!this->Values.empty(), "names no column of values");
+    if (byWavelength.size() == this->Values.size())
+    {
+      this->Values.clear();
+      for (const auto& [wavelength, column] : byWavelength)
+      {
+        this->Wavelengths.push_back(wavelength);
+        this->Values.push_back(column);
+      }
+    }
+  }
+
   void ReadRows()
   {
     while (!this->Rest.empty())
@@ -177,220 +261,111 @@ private:
       this->Points > 0.0 ? NumberText(this->Points, 15) + " (NUM_POINTS)" : "at least 1");
   }
 
-  std::string_view Rest;
-  std::size_t Line = 0;
-  double Points = 0.0; // 0: not said
-};
-
-//------------------------------------------------------------------------------
-// Whether a line of the text's beginning is VARS.
-bool HasAstmColumns(std::string_view text)
-{
-  std::string_view rest = SkipByteOrderMark(text.substr(0, LongestHeader));
-  std::string_view value;
-  bool has = false;
-  while (!has && !rest.empty())
+  double GetNumber(std::size_t row, std::size_t column) const
   {
-    has = HasKey(TakeUntil(rest, '\n'), "VARS", value) &&
-          value.find("theta_") != std::string_view::npos;
+    return column == NoColumn ? 0.0 : this->Numbers[row * this->Columns.size() + column];
   }
-  return has;
-}
 
-//------------------------------------------------------------------------------
-// Where things stand in a row.
-struct AstmColumns
-{
-  std::array<std::size_t, 4> Angles; // as AngleNames
-  std::vector<std::size_t> Values;
-  std::vector<double> Wavelengths; // of the values, ascending; empty: they have none
-};
-
-// 550 of "550nm"; 0: it is no such name.
-double ToWavelength(std::string_view name)
-{
-  double wavelength = 0.0;
-  const bool hasUnit = name.size() > 2 && name.substr(name.size() - 2) == "nm";
-  return hasUnit && ParseNumber(name.substr(0, name.size() - 2), wavelength)
-           ? std::max(wavelength, 0.0)
-           : 0.0;
-}
-
-AstmColumns FindColumns(const AstmText& text)
-{
-  const auto require = [&text](bool condition, const auto&... what)
+  // What the values are: the chosen ones, and their weights.
+  SpectralChannels FindChannels(const std::string& material) const
   {
-    if (!condition)
+    const std::string where = this->File.GetPath() + ": " + AstmFormatName;
+    if (!this->Wavelengths.empty())
     {
-      FailIn(text.File, AstmFormatName, "VARS", what...);
+      return ChooseChannels(this->Wavelengths, material, where);
     }
-  };
-  AstmColumns columns;
-  columns.Angles.fill(NoColumn);
-  std::vector<std::pair<double, std::size_t>> values; // wavelength and column
-  for (std::size_t k = 0; k < text.Columns.size(); ++k)
-  {
-    const std::string& name = text.Columns[k];
-    const auto angle = std::size_t(std::find(AngleNames, AngleNames + 4, name) - AngleNames);
-    if (angle == 4)
+    measuredbrdf::Require(material.empty(), where, ", name: found ", Quote("#" + material),
+      ", but the columns are no wavelengths");
+    SpectralChannels channels;
+    std::string together;
+    for (const std::size_t k : this->Values)
     {
-      values.emplace_back(ToWavelength(name), k);
-      continue;
+      channels.Chosen.push_back(channels.Chosen.size());
+      together += (together.empty() ? "" : ",") + this->Columns[k];
     }
-    require(columns.Angles[angle] == NoColumn, "names ", Quote(name), " twice");
-    columns.Angles[angle] = k;
-  }
-  for (const std::size_t k : { 0, 2, 3 })
-  {
-    require(columns.Angles[k] != NoColumn, "names no ", AngleNames[k],
-      ", expected theta_i, phi_i, theta_s, phi_s and values");
-  }
-  require(!values.empty(), "names no column of values");
-  const bool isSpectral =
-    std::all_of(values.begin(), values.end(), [](const auto& value) { return value.first > 0.0; });
-  if (isSpectral)
-  {
-    std::sort(values.begin(), values.end());
-  }
-  for (const auto& [wavelength, column] : values)
-  {
-    columns.Values.push_back(column);
-    if (isSpectral)
+    if (this->Values.size() == 1)
     {
-      require(columns.Wavelengths.empty() || columns.Wavelengths.back() != wavelength, "names ",
-        GetWavelengthName(wavelength), " twice");
-      columns.Wavelengths.push_back(wavelength);
+      channels.Weights = { glm::dvec3(1.0) };
+      channels.Note = "Gray, of the column " + Quote(together) + ".";
+      return channels;
     }
-  }
-  return columns;
-}
-
-// What the values are: the chosen ones, and their weights.
-SpectralChannels FindChannels(
-  const AstmText& text, const AstmColumns& columns, const std::string& material)
-{
-  const std::string where = text.File.GetPath() + ": " + AstmFormatName;
-  if (!columns.Wavelengths.empty())
-  {
-    return ChooseChannels(columns.Wavelengths, material, where);
-  }
-  Require(material.empty(), where, ", name: found ", Quote("#" + material),
-    ", but the columns are no wavelengths");
-  SpectralChannels channels;
-  std::string together;
-  for (const std::size_t k : columns.Values)
-  {
-    channels.Chosen.push_back(channels.Chosen.size());
-    together += (together.empty() ? "" : ",") + text.Columns[k];
-  }
-  const bool isXyz = together == "X,Y,Z";
-  if (columns.Values.size() == 1)
-  {
-    channels.Weights = { glm::dvec3(1.0) };
-    channels.Note = "Gray, of the column " + Quote(together) + ".";
+    const bool isXyz = together == "X,Y,Z";
+    measuredbrdf::Require(isXyz || together == "R,G,B", where, ", VARS: found the values ",
+      Quote(together), ", expected R,G,B or X,Y,Z or wavelengths such as 550nm, or one column");
+    // The matrix is a list of rows, glm's of columns.
+    const glm::dmat3 toRgb =
+      isXyz ? glm::transpose(glm::make_mat3(&XYZToRGB[0][0])) : glm::dmat3(1.0);
+    channels.Weights = { toRgb[0], toRgb[1], toRgb[2] };
+    channels.Note = isXyz ? "X, Y, Z were taken to be under D65." : "";
     return channels;
   }
-  Require(isXyz || together == "R,G,B", where, ", VARS: found the values ", Quote(together),
-    ", expected R,G,B or X,Y,Z or wavelengths such as 550nm, or one column");
-  for (int j = 0; j < 3; ++j)
-  {
-    glm::dvec3 unit(0.0);
-    unit[j] = 1.0;
-    channels.Weights.push_back(
-      isXyz ? glm::dvec3(XYZToRGB[0][j], XYZToRGB[1][j], XYZToRGB[2][j]) : unit);
-  }
-  channels.Note = isXyz ? "X, Y, Z were taken to be under D65." : "";
-  return channels;
-}
 
-//------------------------------------------------------------------------------
-// A row's angles in degrees, polar ones that are not negative.
-std::array<float, 4> GetAngles(
-  const AstmText& text, const AstmColumns& columns, std::size_t row, bool degrees)
-{
-  std::array<double, 4> angles = {};
-  for (std::size_t k = 0; k < 4; ++k)
+  // A row's angles in degrees, polar ones that are not negative.
+  std::array<double, 4> GetAngles(std::size_t row, bool degrees) const
   {
-    const double angle = columns.Angles[k] == NoColumn ? 0.0 : text.GetRow(row)[columns.Angles[k]];
-    angles[k] = degrees ? angle : ToDegrees(angle);
-    const double most = k % 2 == 0 ? RightAngle : MostTurns * 360.0;
-    text.Require(std::abs(angles[k]) <= most + AngleRounding, text.Lines[row], "", AngleNames[k],
-      " is ", angles[k], " degrees, expected ", -most, " to ", most);
-  }
-  for (const std::size_t k : { 0, 2 })
-  {
-    if (angles[k] < 0.0)
+    std::array<double, 4> angles;
+    for (std::size_t k = 0; k < 4; ++k)
     {
-      angles[k] = -angles[k];
-      angles[k + 1] += 180.0;
+      const double angle = this->GetNumber(row, this->Angles[k]);
+      angles[k] = degrees ? angle : ToDegrees(angle);
+      const double most = k % 2 == 0 ? RightAngle : MostTurns * 360.0;
+      this->Require(std::abs(angles[k]) <= most + AngleRounding, this->Lines[row], "",
+        AngleNames[k], " is ", angles[k], " degrees, expected ", -most, " to ", most);
     }
-    angles[k] = std::min(angles[k], RightAngle);
-  }
-  return { static_cast<float>(angles[0]), static_cast<float>(angles[1]),
-    static_cast<float>(angles[2]), static_cast<float>(angles[3]) };
-}
-
-std::vector<GonioReading> GetReadings(const AstmText& text, const AstmColumns& columns,
-  const SpectralChannels& channels, MaterialFile& result)
-{
-  bool degrees = false; // polar angles of radians are at most pi/2
-  for (std::size_t row = 0; row < text.Lines.size(); ++row)
-  {
-    const double* numbers = text.GetRow(row);
-    degrees |= std::max(std::abs(numbers[columns.Angles[0]]),
-                 std::abs(numbers[columns.Angles[2]])) > ToRadians(RightAngle + AngleRounding);
-  }
-  result.AddNote(std::string("Angles were taken as ") + (degrees ? "degrees." : "radians."));
-  std::vector<GonioReading> readings;
-  for (std::size_t row = 0; row < text.Lines.size(); ++row)
-  {
-    const std::array<float, 4> angles = GetAngles(text, columns, row, degrees);
-    glm::dvec3 color(0.0);
-    for (std::size_t k = 0; k < channels.Chosen.size(); ++k)
+    for (const std::size_t k : { 0, 2 })
     {
-      const double value = text.GetRow(row)[columns.Values[channels.Chosen[k]]];
-      text.Require(std::isfinite(static_cast<float>(value)), text.Lines[row], "", "found ", value,
-        ", expected a number that 32 bits can hold");
-      result.NumberOfNegativeValues += value < 0.0;
-      color += channels.Weights[k] * value;
+      angles[k + 1] += angles[k] < 0.0 ? 180.0 : 0.0;
+      angles[k] = std::min(std::abs(angles[k]), RightAngle);
     }
-    readings.push_back({ angles[0], angles[1], angles[2], angles[3], color });
+    return angles;
   }
-  return readings;
-}
 
-//------------------------------------------------------------------------------
-MaterialFile ReadAstm(const FileBytes& file, const std::string& material)
-{
-  const AstmText text(file, false);
-  const AstmColumns columns = FindColumns(text);
-  const SpectralChannels channels = FindChannels(text, columns, material);
-  MaterialFile result;
-  for (const std::string& line : text.Header)
+  std::vector<GonioReading> GetReadings(
+    const SpectralChannels& channels, MaterialFile& result) const
   {
-    result.AddNote("File header: " + line);
+    bool degrees = false; // polar angles of radians are at most pi/2
+    for (std::size_t row = 0; row < this->Lines.size(); ++row)
+    {
+      degrees |=
+        std::max(std::abs(this->GetNumber(row, this->Angles[0])),
+          std::abs(this->GetNumber(row, this->Angles[2]))) > ToRadians(RightAngle + AngleRounding);
+    }
+    result.AddNote(std::string("Angles were taken as ") + (degrees ? "degrees." : "radians."));
+    std::vector<GonioReading> readings;
+    for (std::size_t row = 0; row < this->Lines.size(); ++row)
+    {
+      const glm::vec4 angles(glm::make_vec4(this->GetAngles(row, degrees).data()));
+      glm::dvec3 color(0.0);
+      for (std::size_t k = 0; k < channels.Chosen.size(); ++k)
+      {
+        const double value = this->GetNumber(row, this->Values[channels.Chosen[k]]);
+        this->Require(std::isfinite(static_cast<float>(value)), this->Lines[row], "", "found ",
+          value, ", expected a number that 32 bits can hold");
+        result.NumberOfNegativeValues += value < 0.0;
+        color += channels.Weights[k] * value;
+      }
+      readings.push_back({ angles[0], angles[1], angles[2], angles[3], color });
+    }
+    return readings;
   }
-  if (!channels.Note.empty())
-  {
-    result.AddNote(channels.Note);
-  }
-  std::vector<GonioReading> readings = GetReadings(text, columns, channels, result);
-  NoteCount(result.NumberOfNegativeValues,
-    " values are negative: kept, clamped at 0 after interpolation.", result);
-  MakeGonioTable(std::move(readings), file.GetPath() + ": " + AstmFormatName + ", rows", result);
-  NameAfterFile(result, file, AstmFormatName);
-  if (!material.empty())
-  {
-    result.BRDF->SetName(result.BRDF->GetName() + " " + material);
-  }
-  return result;
-}
+
+  const FileBytes& File;
+  std::string_view Rest; // what was not read yet
+  std::size_t Line = 0;
+  double Points = 0.0;               // 0: not said
+  std::vector<std::string> Header;   // lines before VARS
+  std::vector<std::string> Columns;  // that VARS names
+  std::array<std::size_t, 4> Angles; // columns, as AngleNames
+  std::vector<std::size_t> Values;   // columns
+  std::vector<double> Wavelengths;   // of the values
+  std::vector<double> Numbers;       // row by row
+  std::vector<std::size_t> Lines;    // of the rows in the file, from 1
+};
 }
 
 const MaterialFormat AstmFormat = { AstmFormatName, "ASTM E1392 .astm (as Cornell's)", ".astm",
   [](const vtkBRDFFormat::File& file)
   { return HasExtension(file.Path, ".astm") || HasAstmColumns(file.Bytes); },
-  ReadAstm,
-  [](const FileBytes& file)
-  { return GetWavelengthNames(FindColumns(AstmText(file, true)).Wavelengths); } };
+  [](const FileBytes& file, const std::string& material) { return AstmFile(file).Read(material); },
+  [](const FileBytes& file) { return GetWavelengthNames(AstmFile(file).GetWavelengths()); } };
 } // namespace measuredbrdf

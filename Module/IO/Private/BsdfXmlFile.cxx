@@ -8,14 +8,11 @@
  */
 
 #include "MaterialFormat.h"
-#include "ScopedErrorCapture.h"
 #include "vtkAngleBasisBRDF.h"
 #include "vtkBTDF.h"
-#include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkTensorTreeBRDF.h"
-#include "vtkXMLParser.h"
 
+#include <vtk_pugixml.h>
 #include <vtksys/SystemTools.hxx>
 
 #include <glm/glm.hpp>
@@ -23,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -34,8 +30,8 @@ namespace measuredbrdf
 namespace
 {
 constexpr const char* BsdfXmlFormatName = "BSDF XML";
-constexpr std::size_t DeepestElement = 64;
-constexpr std::size_t MostElements = 1000000;
+constexpr int DeepestElement = 64;
+constexpr std::ptrdiff_t MostTags = 2000000;
 constexpr std::size_t DeepestBrace = 32;
 constexpr double AngleTolerance = 1e-3; // degrees
 constexpr std::string_view White = " \t\r\n";
@@ -53,116 +49,35 @@ std::string Trim(std::string_view text)
 }
 
 //------------------------------------------------------------------------------
-// Of a list of all elements in the order in which they begin.
-struct Element
+using Element = pugi::xml_node;
+
+/// All elements of that name in this one, at any depth.
+std::vector<Element> FindAll(const Element& element, const std::string& name)
 {
-  std::string Name;
-  std::string Text;
-  std::uint64_t Offset = 0; // in the file
-  std::size_t Size = 0;     // how many elements are in it, at any depth: they follow it
-
-  /// All elements of that name in this one.
-  std::vector<const Element*> FindAll(const std::string& name) const
+  std::vector<Element> found;
+  for (const pugi::xpath_node& each : element.select_nodes((".//" + name).c_str()))
   {
-    std::vector<const Element*> found;
-    for (const Element* element = this + 1; element <= this + this->Size; ++element)
-    {
-      if (element->Name == name)
-      {
-        found.push_back(element);
-      }
-    }
-    return found;
+    found.push_back(each.node());
   }
+  return found;
+}
 
-  /// The first one's text; "" where there is none.
-  std::string GetText(const std::string& name) const
-  {
-    const std::vector<const Element*> found = this->FindAll(name);
-    return found.empty() ? "" : Trim(found.front()->Text);
-  }
-};
-
-// Makes the list. The first problem counts; after it nothing is kept.
-class XmlParser : public vtkXMLParser
+/// An element's own text; comments may divide it.
+std::string GetText(const Element& element)
 {
-public:
-  static XmlParser* New();
-  vtkTypeMacro(XmlParser, vtkXMLParser);
-
-  std::vector<Element> Elements;
-  std::string Problem;
-  std::uint64_t ProblemOffset = 0;
-  std::uint64_t Start = 0; // of the XML in the file
-
-protected:
-  void StartElement(const char* name, const char**) override
+  std::string text;
+  for (const Element& part : element)
   {
-    if (this->Open.size() >= DeepestElement) // a search in each element would take for ever
-    {
-      this->Fail("elements are nested too deeply");
-    }
-    if (this->Elements.size() >= MostElements)
-    {
-      this->Fail("found more than " + std::to_string(MostElements) + " elements");
-    }
-    if (this->Elements.empty() && std::string(name) != "WindowElement")
-    {
-      this->Fail("the root is " + Quote(name) + ", expected 'WindowElement'");
-    }
-    if (this->Problem.empty())
-    {
-      this->Open.push_back(this->Elements.size());
-      this->Elements.push_back({ name, "", this->GetPlace(), 0 });
-    }
+    text += part.type() == pugi::node_element ? "" : part.value();
   }
+  return text;
+}
 
-  void CharacterDataHandler(const char* data, int length) override
-  {
-    if (this->Problem.empty() && !this->Open.empty())
-    {
-      this->Elements[this->Open.back()].Text.append(data, static_cast<std::size_t>(length));
-    }
-  }
-
-  void EndElement(const char*) override
-  {
-    if (this->Problem.empty() && !this->Open.empty())
-    {
-      this->Elements[this->Open.back()].Size = this->Elements.size() - 1 - this->Open.back();
-      this->Open.pop_back();
-    }
-  }
-
-  void ReportXmlParseError() override
-  {
-    const ScopedErrorCapture error(this);
-    this->Superclass::ReportXmlParseError(); // "...byte index N: REASON"
-    const std::string text = error.GetText();
-    this->Fail("no well-formed XML: " +
-               text.substr(text.rfind(": ") == std::string::npos ? 0 : text.rfind(": ") + 2));
-  }
-
-private:
-  std::uint64_t GetPlace()
-  {
-    return this->Start + static_cast<std::uint64_t>(this->GetXMLByteIndex());
-  }
-
-  // No exception may pass through the parser, which is written in C.
-  void Fail(const std::string& problem)
-  {
-    if (this->Problem.empty())
-    {
-      this->Problem = problem;
-      this->ProblemOffset = this->GetPlace();
-    }
-  }
-
-  std::vector<std::size_t> Open; // places in the list
-};
-
-vtkStandardNewMacro(XmlParser);
+/// The trimmed text of the first element of that name in this one; "" where there is none.
+std::string GetText(const Element& element, const std::string& name)
+{
+  return Trim(GetText(element.select_node((".//" + name).c_str()).node()));
+}
 
 // "line 3, column 14", counted from 1 in bytes.
 std::string DescribeLine(std::string_view text, std::uint64_t offset)
@@ -185,42 +100,53 @@ std::size_t FindXmlStart(std::string_view text)
   return isXml ? 0 : start;
 }
 
+// Finds elements that are nested too deeply: a search in each of them would take for ever.
+struct DepthCheck : pugi::xml_tree_walker
+{
+  bool for_each(Element& element) override
+  {
+    this->Deepest = element;
+    return this->depth() < DeepestElement;
+  }
+  Element Deepest;
+};
+
 // Throws FileError where it is no well-formed XML, has a document type of its own, or is not a
-// WindowElement.
-std::vector<Element> ParseBsdfXml(const ByteReader& reader)
+// WindowElement. start: of the XML in the file.
+void ParseBsdfXml(const ByteReader& reader, std::size_t start, pugi::xml_document& document)
 {
   const std::string_view bytes = reader.GetFile().GetView();
+  const auto requireNone = [&](std::size_t at, const char* field, const char* what)
+  {
+    if (at != std::string_view::npos)
+    {
+      reader.FailAt(at, field, "found ", what);
+    }
+  };
   // A document type may define texts that grow without bound.
-  const std::size_t type = bytes.find("<!DOCTYPE");
-  const std::size_t zero = bytes.find('\0');
-  if (type != std::string_view::npos)
+  requireNone(bytes.find("<!DOCTYPE"), "document type", "one, expected none");
+  requireNone(bytes.find('\0'), "text", "a zero byte, expected UTF-8");
+  reader.Require(std::count(bytes.begin(), bytes.end(), '<') <= MostTags, "text",
+    "found more than ", MostTags, " tags");
+  const auto require = [&](bool condition, std::ptrdiff_t offset, const std::string& problem)
   {
-    reader.FailAt(type, "document type", "found one, expected none");
-  }
-  if (zero != std::string_view::npos)
-  {
-    reader.FailAt(zero, "text", "found a zero byte, expected UTF-8");
-  }
-  reader.Require(bytes.size() <= std::numeric_limits<int>::max(), "file", "found ", bytes.size(),
-    " bytes, expected 2 GB at most");
-  vtkNew<XmlParser> parser;
-  const std::size_t start = FindXmlStart(bytes);
-  parser->Start = start;
-  const int parsed =
-    parser->Parse(bytes.data() + start, static_cast<unsigned int>(bytes.size() - start));
-  if (!parser->Problem.empty() || !parsed)
-  {
-    std::size_t at = std::min(static_cast<std::size_t>(parser->ProblemOffset), bytes.size());
-    // The parser names the place behind an ampersand that begins no entity.
-    const bool isAmpersand = at > 0 && bytes[at - 1] == '&';
-    at -= isAmpersand ? 1 : 0;
-    const std::string_view there = bytes.substr(at, 24);
-    reader.FailAt(at, "text, " + DescribeLine(bytes, at),
-      parser->Problem.empty() ? "no well-formed XML" : parser->Problem,
-      there.empty() ? ", at the end" : ", found " + Quote(there.substr(0, there.find('\n'))),
-      isAmpersand ? ", expected '&amp;' for an ampersand" : "");
-  }
-  return std::move(parser->Elements);
+    if (!condition)
+    {
+      const std::size_t at = std::min(start + static_cast<std::size_t>(offset), bytes.size());
+      const std::string_view there = bytes.substr(at, 24);
+      reader.FailAt(at, "text, " + DescribeLine(bytes, at), problem,
+        there.empty() ? ", at the end" : ", found " + Quote(there.substr(0, there.find('\n'))));
+    }
+  };
+  const pugi::xml_parse_result result = document.load_buffer(
+    bytes.data() + start, bytes.size() - start, pugi::parse_default, pugi::encoding_utf8);
+  require(result, result.offset, Concat("no well-formed XML: ", result.description()));
+  const Element root = document.document_element();
+  require(std::string_view(root.name()) == "WindowElement",
+    std::max<std::ptrdiff_t>(root.offset_debug() - 1, 0),
+    "the root is " + Quote(root.name()) + ", expected 'WindowElement'");
+  DepthCheck check;
+  require(document.traverse(check), check.Deepest.offset_debug(), "elements are nested too deeply");
 }
 
 //------------------------------------------------------------------------------
@@ -333,18 +259,8 @@ struct BsdfBlock
   std::string Direction; // "Reflection Back"
   std::string ColumnBasis;
   std::string RowBasis;
-  std::string_view Values;
+  Element Values;
   std::uint64_t Offset; // of the values in the file
-
-  std::string GetField() const { return "ScatteringData of " + Quote(this->Direction); }
-};
-
-// Values as they are in the file.
-struct Scattering
-{
-  vtkSmartPointer<vtkBRDF> BRDF; // of transmission: folded
-  vtkIdType Negative = 0;
-  bool HasColor = false;
 };
 
 // CIE XYZ to linear sRGB (IEC 61966-2-1), a row for each channel. X = Y = Z is gray, as in
@@ -363,24 +279,27 @@ class BsdfXmlFile
 public:
   explicit BsdfXmlFile(const FileBytes& file)
     : Reader(file, BsdfXmlFormatName)
-    , Elements(ParseBsdfXml(this->Reader))
-    , Layers(this->Elements.front().FindAll("Layer"))
-    , Layer(this->Layers.empty() ? this->Elements.front() : *this->Layers.front())
-    , Structure(this->Layer.GetText("IncidentDataStructure"))
-    , TreeAxes(IsSameWord(this->Structure, "TensorTree3")   ? 3
-               : IsSameWord(this->Structure, "TensorTree4") ? 4
-                                                            : 0)
+    , Start(FindXmlStart(file.GetView()))
   {
-    for (const Element* data : this->Layer.FindAll("WavelengthData"))
+    ParseBsdfXml(this->Reader, this->Start, this->Document);
+    const Element root = this->Document.document_element();
+    const std::vector<Element> layers = FindAll(root, "Layer");
+    this->NumberOfLayers = layers.size();
+    this->Layer = layers.empty() ? root : layers.front();
+    this->Structure = GetText(this->Layer, "IncidentDataStructure");
+    this->TreeAxes = IsSameWord(this->Structure, "TensorTree3")   ? 3
+                     : IsSameWord(this->Structure, "TensorTree4") ? 4
+                                                                  : 0;
+    for (const Element& data : FindAll(this->Layer, "WavelengthData"))
     {
-      for (const Element* block : data->FindAll("WavelengthDataBlock"))
+      for (const Element& block : FindAll(data, "WavelengthDataBlock"))
       {
-        const std::vector<const Element*> values = block->FindAll("ScatteringData");
+        const Element values = block.select_node(".//ScatteringData").node();
+        const Element place = values ? values : block;
         this->Blocks.push_back(
-          { data->GetText("Wavelength"), block->GetText("WavelengthDataDirection"),
-            block->GetText("ColumnAngleBasis"), block->GetText("RowAngleBasis"),
-            values.empty() ? std::string_view() : std::string_view(values.front()->Text),
-            values.empty() ? block->Offset : values.front()->Offset });
+          { GetText(data, "Wavelength"), GetText(block, "WavelengthDataDirection"),
+            GetText(block, "ColumnAngleBasis"), GetText(block, "RowAngleBasis"), values,
+            this->Start + static_cast<std::uint64_t>(place.offset_debug()) - 1 });
       }
     }
   }
@@ -411,23 +330,21 @@ public:
     MaterialFile result;
     this->ReadReflection(side, result);
     this->ReadTransmission(side, result);
-    const std::string_view bytes = this->Reader.GetFile().GetView();
-    const std::size_t start = FindXmlStart(bytes);
-    if (start > 0)
+    if (this->Start > 0)
     {
-      const std::string chatter = Trim(bytes.substr(0, std::min<std::size_t>(start, 60)));
-      result.AddNote(Concat("The ", start, " bytes before the XML begins are left out",
+      const std::string_view bytes = this->Reader.GetFile().GetView();
+      const std::string chatter = Trim(bytes.substr(0, std::min<std::size_t>(this->Start, 60)));
+      result.AddNote(Concat("The ", this->Start, " bytes before the XML begins are left out",
         chatter.empty() ? "." : ": " + Quote(chatter) + "."));
     }
-    if (this->Layers.size() > 1)
+    if (this->NumberOfLayers > 1)
     {
-      result.AddNote(Concat("The first of ", this->Layers.size(), " layers."));
+      result.AddNote(Concat("The first of ", this->NumberOfLayers, " layers."));
     }
     if (result.BRDF)
     {
       NameAfterFile(result, this->Reader.GetFile(), "BSDF XML");
-      const std::vector<const Element*> materials = this->Layer.FindAll("Material");
-      const std::string name = materials.empty() ? "" : materials.front()->GetText("Name");
+      const std::string name = GetText(this->Layer, "Material//Name");
       if (!name.empty() && name != "Name") // genBSDF's own
       {
         result.BRDF->SetName(name);
@@ -443,11 +360,12 @@ private:
     if (!condition)
     {
       // Commas separate the values; what reads like two may have been one with a decimal comma.
-      const bool isWhole = block.Values.find('.') == std::string_view::npos;
+      const std::string values = GetText(block.Values);
       this->Reader.FailAt(block.Offset,
-        block.GetField() + ", " + DescribeLine(this->Reader.GetFile().GetView(), block.Offset),
+        "ScatteringData of " + Quote(block.Direction) + ", " +
+          DescribeLine(this->Reader.GetFile().GetView(), block.Offset),
         what...,
-        isWhole && block.Values.find(',') < block.Values.size()
+        values.find('.') == std::string::npos && values.find(',') != std::string::npos
           ? "; are decimal commas written? Numbers have a decimal point"
           : "");
     }
@@ -483,12 +401,12 @@ private:
 
   vtkAngleBasisBRDF::Basis MakeBasis(const std::string& name) const
   {
-    std::vector<const Element*> rings;
-    for (const Element* basis : this->Layer.FindAll("AngleBasis"))
+    std::vector<Element> rings;
+    for (const Element& basis : FindAll(this->Layer, "AngleBasis"))
     {
-      if (rings.empty() && basis->GetText("AngleBasisName") == name)
+      if (rings.empty() && GetText(basis, "AngleBasisName") == name)
       {
-        rings = basis->FindAll("AngleBasisBlock");
+        rings = FindAll(basis, "AngleBasisBlock");
       }
     }
     this->Reader.Require(!rings.empty(), "AngleBasis", "the file does not define ", Quote(name));
@@ -496,13 +414,13 @@ private:
     constexpr int most = vtkAngleBasisBRDF::MaximumPatches;
     int sum = 0;
     double lower = 0.0;
-    for (const Element* ring : rings)
+    for (const Element& ring : rings)
     {
       const std::string field = Concat("ring ", basis.Patches.size(), " of ", Quote(name));
       const auto get = [&](const char* element)
       {
         double number = 0.0;
-        const std::string text = ring->GetText(element);
+        const std::string text = GetText(ring, element);
         this->Reader.Require(ToNumber(text, number), field + ", " + element, "found ", Quote(text),
           ", expected a number");
         return number;
@@ -528,7 +446,8 @@ private:
   {
     const std::size_t expected = rows * columns;
     std::vector<float> values;
-    std::string_view rest = block.Values;
+    const std::string text = GetText(block.Values);
+    std::string_view rest = text;
     for (std::string_view word = TakeWord(rest); !word.empty(); word = TakeWord(rest))
     {
       double number = 0.0;
@@ -555,47 +474,53 @@ private:
     return values;
   }
 
-  Scattering ReadBases(const BsdfBlock& visible) const
+  bool HasColor(const BsdfBlock& visible) const
+  {
+    return this->TreeAxes == 0 && this->FindBlock(visible.Direction, "CIE-X") &&
+           this->FindBlock(visible.Direction, "CIE-Z");
+  }
+
+  vtkSmartPointer<vtkBRDF> ReadBases(const BsdfBlock& visible, vtkIdType& negative) const
   {
     const auto light = this->MakeBasis(visible.RowBasis);
     const auto view = this->MakeBasis(visible.ColumnBasis);
-    const auto read = [&](const BsdfBlock& block)
+    const bool hasColor = this->HasColor(visible);
+    const auto read = [&](const char* wavelength)
     {
-      return this->ReadMatrix(block, static_cast<std::size_t>(light.GetNumberOfPatches()),
+      return this->ReadMatrix(hasColor ? *this->FindBlock(visible.Direction, wavelength) : visible,
+        static_cast<std::size_t>(light.GetNumberOfPatches()),
         static_cast<std::size_t>(view.GetNumberOfPatches()));
     };
-    const std::vector<float> y = read(visible);
-    const BsdfBlock* red = this->FindBlock(visible.Direction, "CIE-X");
-    const BsdfBlock* blue = this->FindBlock(visible.Direction, "CIE-Z");
-    Scattering result;
-    result.HasColor = red && blue;
-    const std::vector<float> x = result.HasColor ? read(*red) : y;
-    const std::vector<float> z = result.HasColor ? read(*blue) : y;
+    const std::vector<float> y = read("Visible");
+    const std::vector<float> x = hasColor ? read("CIE-X") : y;
+    const std::vector<float> z = hasColor ? read("CIE-Z") : y;
     std::vector<float> rgb;
     for (std::size_t k = 0; k < y.size(); ++k)
     {
-      const glm::vec3 color = result.HasColor
-                                ? glm::vec3(EqualEnergyToRGB * glm::dvec3(x[k], y[k], z[k]))
-                                : glm::vec3(y[k]);
+      const glm::vec3 color =
+        hasColor ? glm::vec3(EqualEnergyToRGB * glm::dvec3(x[k], y[k], z[k])) : glm::vec3(y[k]);
       rgb.insert(rgb.end(), &color.x, &color.x + 3);
     }
-    result.Negative = CountNegative(result.HasColor ? rgb : y);
+    negative = CountNegative(hasColor ? rgb : y);
     auto brdf = vtkSmartPointer<vtkAngleBasisBRDF>::New();
     const std::string problem = brdf->SetMatrix(light, view, std::move(rgb));
     this->Reader.Require(problem.empty(), "AngleBasis", problem);
-    result.BRDF = brdf;
-    return result;
+    return brdf;
   }
 
-  Scattering ReadTree(const BsdfBlock& visible) const
+  // The values of a block as they are in the file; of transmission: folded.
+  vtkSmartPointer<vtkBRDF> ReadBlock(const BsdfBlock& visible, vtkIdType& negative) const
   {
-    Scattering result;
+    if (this->TreeAxes == 0)
+    {
+      return this->ReadBases(visible, negative);
+    }
     auto brdf = vtkSmartPointer<vtkTensorTreeBRDF>::New();
     std::string problem;
     try
     {
-      const Tree tree = ParseBsdfTree(visible.Values, this->TreeAxes);
-      result.Negative = CountNegative(tree.Values);
+      const Tree tree = ParseBsdfTree(GetText(visible.Values), this->TreeAxes);
+      negative = CountNegative(tree.Values);
       problem = brdf->SetTree(tree);
     }
     catch (const FileError& e)
@@ -603,13 +528,7 @@ private:
       problem = e.what();
     }
     this->RequireIn(visible, problem.empty(), problem);
-    result.BRDF = brdf;
-    return result;
-  }
-
-  Scattering ReadBlock(const BsdfBlock& visible) const
-  {
-    return this->TreeAxes > 0 ? this->ReadTree(visible) : this->ReadBases(visible);
+    return brdf;
   }
 
   void ReadReflection(const BsdfSide& side, MaterialFile& result) const
@@ -619,10 +538,8 @@ private:
     {
       return;
     }
-    const Scattering read = this->ReadBlock(*visible);
-    result.BRDF = read.BRDF;
-    result.NumberOfNegativeValues = read.Negative;
-    if (!read.HasColor)
+    result.BRDF = this->ReadBlock(*visible, result.NumberOfNegativeValues);
+    if (!this->HasColor(*visible))
     {
       result.AddNote(this->TreeAxes > 0
                        ? "Values are of visible light; a tree's colors are not read."
@@ -642,16 +559,17 @@ private:
       {
         continue;
       }
-      const Scattering read = this->ReadBlock(*visible);
+      vtkIdType negative = 0;
+      const auto folded = this->ReadBlock(*visible, negative);
       if (!result.Transmission)
       {
         result.Transmission = vtkSmartPointer<vtkBTDF>::New();
       }
-      result.Transmission->SetFolded(&lit == &side ? vtkBTDF::FRONT : vtkBTDF::BACK, read.BRDF);
-      if (read.Negative > 0)
+      result.Transmission->SetFolded(&lit == &side ? vtkBTDF::FRONT : vtkBTDF::BACK, folded);
+      if (negative > 0)
       {
-        result.AddNote(Concat("Negative values of ", Quote(visible->Direction),
-          ", which count as 0: ", read.Negative, "."));
+        result.AddNote(Concat(
+          "Negative values of ", Quote(visible->Direction), ", which count as 0: ", negative, "."));
       }
     }
     if (result.Transmission)
@@ -661,11 +579,12 @@ private:
   }
 
   ByteReader Reader;
-  std::vector<Element> Elements; // the root first
-  std::vector<const Element*> Layers;
-  const Element& Layer; // the first one, or the root
+  std::size_t Start; // of the XML in the file
+  pugi::xml_document Document;
+  std::size_t NumberOfLayers = 0;
+  Element Layer; // the first one, or the root
   std::string Structure;
-  int TreeAxes; // 0: no tree
+  int TreeAxes = 0; // 0: no tree
   std::vector<BsdfBlock> Blocks;
 };
 }

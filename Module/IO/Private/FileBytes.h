@@ -66,11 +66,6 @@ bool CatchFileError(const std::string& path, std::string& error, const std::func
  */
 std::uintmax_t CheckFile(const std::string& path);
 
-/// How messages begin where this build lacks an optional library.
-constexpr const char NoOpenEXR[] = "this build has no OpenEXR (MEASUREDBRDF_WITH_OPENEXR): ";
-constexpr const char NoOpenImageIO[] =
-  "this build has no OpenImageIO (MEASUREDBRDF_WITH_OPENIMAGEIO): ";
-
 /// A file's name without folders and extension.
 std::string GetFileStem(const std::string& path);
 

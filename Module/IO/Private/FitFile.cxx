@@ -20,7 +20,7 @@
 #include "vtkNew.h"
 #include "vtkSumBRDF.h"
 
-#include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -65,6 +65,7 @@ const std::map<std::string, std::vector<FitAttribute>> FitModels = { { "Aggregat
 /// Model(attribute = value, ..., Model(...), ...)
 struct FitCall
 {
+  std::string Material; // of a whole entry
   std::string Model;
   int Line = 0;
   std::map<std::string, std::vector<double>> Attributes;
@@ -77,13 +78,6 @@ struct FitCall
            std::any_of(this->Terms.begin(), this->Terms.end(),
              [&](const FitCall& term) { return term.Uses(start); });
   }
-};
-
-// A material of the text.
-struct FitEntry
-{
-  std::string Name;
-  FitCall Expression;
 };
 
 //------------------------------------------------------------------------------
@@ -110,8 +104,8 @@ public:
         this->FailAt(line, "material ", Quote(name), " was already given in line ", first->second);
       }
       this->Expect('=');
-      const std::string model = this->ReadName("a model's name");
-      this->Entries.push_back({ name, this->ReadCall(model) });
+      this->Entries.push_back(this->ReadCall(this->ReadName("a model's name")));
+      this->Entries.back().Material = name;
     }
     if (this->Entries.empty())
     {
@@ -123,9 +117,9 @@ public:
   std::vector<std::string> GetNames() const
   {
     std::vector<std::string> names;
-    for (const FitEntry& entry : this->Entries)
+    for (const FitCall& entry : this->Entries)
     {
-      names.push_back(entry.Name);
+      names.push_back(entry.Material);
     }
     return names;
   }
@@ -135,26 +129,26 @@ public:
   {
     const std::size_t count = this->Entries.size();
     const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
-      [&](const FitEntry& entry) { return name.empty() ? count == 1 : entry.Name == name; });
+      [&](const FitCall& entry) { return name.empty() ? count == 1 : entry.Material == name; });
     if (found == this->Entries.end())
     {
       std::string some;
       for (std::size_t k = 0; k < std::min<std::size_t>(3, count); ++k)
       {
-        some += (k ? ", " : "") + ToPrintable(this->Entries[k].Name, LongestName);
+        some += (k ? ", " : "") + ToPrintable(this->Entries[k].Material, LongestName);
       }
       throw FileError(this->File.GetPath(), ": ", FitFormatName, ": ",
         name.empty() ? "choose one with #name" : "no material " + Quote(name), " among its ", count,
         " materials (", some, count > 3 ? ", ...)" : ")");
     }
-    const FitCall& expression = found->Expression;
+    const FitCall& expression = *found;
     const bool low = expression.Uses("Low");
     const bool ngan =
       expression.Uses("Ngan") || (!low && this->Comments.find("Ngan") != std::string::npos);
     MaterialFile result;
     vtkNew<vtkSumBRDF> sum;
-    this->AddTerms(*found, expression, ngan ? NganScale : glm::dvec3(1.0), sum, result);
-    sum->SetName(found->Name);
+    this->AddTerms(found->Material, expression, ngan ? NganScale : glm::dvec3(1.0), sum, result);
+    sum->SetName(found->Material);
     std::string models;
     for (const FitCall& term : expression.Terms)
     {
@@ -306,20 +300,19 @@ private:
 
   //----------------------------------------------------------------------------
   // Adds the BRDFs of a call to the sum. scale: of albedos; result takes notes.
-  void AddTerms(const FitEntry& entry, FitCall call, const glm::dvec3& scale, vtkSumBRDF* sum,
+  void AddTerms(const std::string& material, FitCall call, const glm::dvec3& scale, vtkSumBRDF* sum,
     MaterialFile& result) const
   {
-    this->CheckCall(entry, call, result);
+    this->CheckCall(material, call, result);
+    for (const FitCall& term : call.Terms)
+    {
+      this->AddTerms(material, term, scale, sum, result);
+    }
     if (call.Model == "Aggregate")
     {
-      for (const FitCall& term : call.Terms)
-      {
-        this->AddTerms(entry, term, scale, sum, result);
-      }
       return;
     }
-    const std::vector<double>& rgb = call.Attributes["albedo"];
-    const glm::dvec3 albedo = scale * glm::dvec3(rgb[0], rgb[1], rgb[2]);
+    const glm::dvec3 albedo = scale * glm::make_vec3(call.Attributes["albedo"].data());
     if (call.Model == "Lambertian")
     {
       vtkNew<vtkLambertBRDF> term;
@@ -355,13 +348,13 @@ private:
 
   // Throws where the model does not exist, has other attributes, or values out of their bounds.
   // What rounding put beyond them is repaired, and noted.
-  void CheckCall(const FitEntry& entry, FitCall& call, MaterialFile& result) const
+  void CheckCall(const std::string& material, FitCall& call, MaterialFile& result) const
   {
     const auto require = [&](bool condition, const auto&... what)
     {
       if (!condition)
       {
-        this->FailAt(call.Line, "material ", Quote(entry.Name), ", ",
+        this->FailAt(call.Line, "material ", Quote(material), ", ",
           ToPrintable(call.Model, LongestName), ": ", what...);
       }
     };
@@ -408,7 +401,7 @@ private:
   std::string_view Text; // what was not read yet
   int Line = 1;
   std::string Comments; // the text of all of them so far
-  std::vector<FitEntry> Entries;
+  std::vector<FitCall> Entries;
 };
 
 //------------------------------------------------------------------------------

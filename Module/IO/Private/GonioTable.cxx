@@ -63,15 +63,9 @@ std::vector<float> FindAngles(const Readings& readings, const float GonioReading
     angles.push_back(reading.*member);
   }
   std::sort(angles.begin(), angles.end());
-  std::vector<float> nodes;
-  for (const float angle : angles)
-  {
-    if (nodes.empty() || angle - nodes.back() >= SameAngle)
-    {
-      nodes.push_back(angle);
-    }
-  }
-  return nodes;
+  const auto isSame = [](float kept, float angle) { return angle - kept < SameAngle; };
+  angles.erase(std::unique(angles.begin(), angles.end(), isSame), angles.end());
+  return angles;
 }
 
 Index FindNode(const Nodes& nodes, float theta, float phi)
@@ -193,11 +187,9 @@ void FillGrid(GonioGrid& grid, const Readings& readings, MaterialFile& result)
     int& count = counts(view, light);
     repeated += count > 0;
     ++count;
-    for (int c = 0; c < 3; ++c)
-    {
-      float& mean = grid.RGB(light, 3 * view + c); // so far
-      mean += (static_cast<float>(reading.Color[c]) - mean) / static_cast<float>(count);
-    }
+    auto mean = grid.RGB.block<1, 3>(light, 3 * view); // so far
+    mean += (Eigen::Map<const Eigen::RowVector3d>(&reading.Color[0]).cast<float>() - mean) /
+            static_cast<float>(count);
   }
   std::vector<char> litLights;
   std::int64_t missing = 0; // but for directions along the normal, which have one value

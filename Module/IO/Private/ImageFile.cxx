@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -200,24 +201,19 @@ private:
   // first is the top one; +X: the first is the left one.
   void TakeResolution(std::string_view text)
   {
-    const std::vector<std::string> words = SplitWords(text);
-    const std::string axes = words.size() == 4 ? words[0] + words[2] : "";
-    const bool rows = axes.size() == 4 && axes[1] == 'Y' && axes[3] == 'X';
-    const bool columns = axes.size() == 4 && axes[1] == 'X' && axes[3] == 'Y';
-    const auto isSign = [](char c) { return c == '+' || c == '-'; };
-    const auto takeSize = [](const std::string& word, int& size)
-    {
-      double number = 0.0;
-      const bool isSize = ParseNumber(word, number) && number >= 1.0 && number <= 1 << 30;
-      size = isSize ? static_cast<int>(number) : 0;
-      return isSize;
-    };
-    const bool isGood = (rows || columns) && isSign(axes[0]) && isSign(axes[2]) &&
-                        takeSize(words[1], this->NumberOfScanlines) &&
-                        takeSize(words[3], this->ScanlineLength);
+    static const std::regex pattern(
+      " *([-+])([XY]) +([1-9][0-9]{0,8}) +([-+])([XY]) +([1-9][0-9]{0,8}) *");
+    constexpr std::size_t longest = 80;
+    const std::string line(text.substr(0, longest + 1));
+    std::smatch found;
+    const bool isGood =
+      line.size() <= longest && std::regex_match(line, found, pattern) && found[2] != found[5];
     this->Require(isGood, "resolution", text, "a line such as '-Y 512 +X 1024'");
-    const bool top = axes[rows ? 0 : 2] == '-';
-    const bool left = axes[rows ? 2 : 0] == '+';
+    this->NumberOfScanlines = std::stoi(found[3]);
+    this->ScanlineLength = std::stoi(found[6]);
+    const bool rows = found[2] == "Y";
+    const bool top = found[rows ? 1 : 4] == "-";
+    const bool left = found[rows ? 4 : 1] == "+";
     // EXIF 2.32, tag 274: 1 to 4 begin at the top left, top right, bottom right, bottom left; 5 to
     // 8, whose scanlines are columns, at the left top, right top, right bottom, left bottom.
     const int corner = top ? (left ? 0 : 1) : (left ? 3 : 2);
@@ -393,9 +389,8 @@ DecodedImage ReadRadiancePicture(ImageSource& source)
 //------------------------------------------------------------------------------
 // Top row first -> bottom row first.
 template <typename Value>
-void FillScalars(const ImageFile& file, double scale, int colors, void* scalars)
+void FillScalars(const ImageFile& file, double scale, int colors, Value* values)
 {
-  auto* values = static_cast<Value*>(scalars);
   for (int y = file.Height - 1; y >= 0; --y)
   {
     const auto width = static_cast<std::size_t>(file.Width);
@@ -449,18 +444,11 @@ vtkSmartPointer<vtkImageData> MakeImageData(const ImageFile& file, bool isIntege
                          : file.HasBytes ? VTK_UNSIGNED_CHAR
                                          : VTK_UNSIGNED_SHORT,
     colors + (file.HasAlpha ? 1 : 0));
-  void* scalars = image->GetScalarPointer();
-  if (!isInteger)
+  const double scale = !isInteger ? 1.0 : file.HasBytes ? 255.0 : 65535.0;
+  switch (image->GetScalarType())
   {
-    FillScalars<float>(file, 1.0, colors, scalars);
-  }
-  else if (file.HasBytes)
-  {
-    FillScalars<unsigned char>(file, 255.0, colors, scalars);
-  }
-  else
-  {
-    FillScalars<unsigned short>(file, 65535.0, colors, scalars);
+    vtkTemplateMacro(
+      FillScalars(file, scale, colors, static_cast<VTK_TT*>(image->GetScalarPointer())));
   }
   return image;
 }

@@ -81,7 +81,8 @@ DecodedImage DecodeImage(const ImageSource& source)
   }
   return image;
 #else
-  throw FileError(source.Path + ": " + NoOpenImageIO + "image files cannot be read");
+  throw FileError(source.Path,
+    ": this build has no OpenImageIO (MEASUREDBRDF_WITH_OPENIMAGEIO): image files cannot be read");
 #endif
 }
 } // namespace measuredbrdf

@@ -203,17 +203,12 @@ std::vector<double> FindWavelengths(const FileBytes& file, const OpenMaterialTab
     all.push_back(row[0] / Nanometer);
   }
   std::sort(all.begin(), all.end());
-  std::vector<double> different;
-  for (const double wavelength : all)
-  {
-    if (different.empty() || wavelength > different.back() * (1.0 + SameWavelength))
-    {
-      different.push_back(wavelength);
-    }
-  }
-  RequireOf(file, different.size() <= MostWavelengths, TableName, "found ", different.size(),
+  const auto isSame = [](double kept, double other)
+  { return other <= kept * (1.0 + SameWavelength); };
+  all.erase(std::unique(all.begin(), all.end(), isSame), all.end());
+  RequireOf(file, all.size() <= MostWavelengths, TableName, "found ", all.size(),
     " wavelengths, expected at most ", MostWavelengths);
-  return different;
+  return all;
 }
 
 //------------------------------------------------------------------------------

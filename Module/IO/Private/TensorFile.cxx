@@ -14,6 +14,8 @@
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkSmartPointer.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -235,29 +237,18 @@ private:
     this->Require(bad == spectra.Values.end(), "spectra", "value ", bad - spectra.Values.begin(),
       " is not finite");
     const std::vector<glm::dvec3> weights = GetSpectralWeights(wavelengths);
-    const std::size_t texels = std::size_t(spectra.Shape[3]) * std::size_t(spectra.Shape[4]);
+    const Eigen::Map<const Eigen::Matrix3Xd> toRgb(&weights[0].x, 3, Eigen::Index(count));
+    const auto texels = Eigen::Index(spectra.Shape[3]) * spectra.Shape[4];
     vtkAdaptiveWarpBRDF::Table colors;
     colors.Shape = spectra.Shape;
     colors.Shape[2] = 3;
-    std::vector<glm::dvec3> sums(texels);
-    for (std::size_t at = 0; at < spectra.Values.size(); at += count * texels)
+    for (std::size_t at = 0; at < spectra.Values.size(); at += count * std::size_t(texels))
     {
-      std::fill(sums.begin(), sums.end(), glm::dvec3(0.0));
-      const float* value = &spectra.Values[at];
-      for (const glm::dvec3& weight : weights)
-      {
-        for (glm::dvec3& sum : sums)
-        {
-          sum += weight * double(*value++);
-        }
-      }
-      for (int c = 0; c < 3; ++c)
-      {
-        for (const glm::dvec3& sum : sums)
-        {
-          colors.Values.push_back(static_cast<float>(sum[c]));
-        }
-      }
+      // Rows are wavelengths, and then channels, of a row of texels each.
+      using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+      const Eigen::Map<const Rows> values(&spectra.Values[at], Eigen::Index(count), texels);
+      const Rows rgb = (toRgb * values.cast<double>()).cast<float>();
+      colors.Values.insert(colors.Values.end(), rgb.data(), rgb.data() + rgb.size());
     }
     std::string note = Concat("Spectra at ", count, " wavelengths, ", wavelengths.front(), " to ",
       wavelengths.back(), " nm: summed over the CIE 1931 color-matching functions under D65.");

@@ -51,7 +51,7 @@ bool LightLanes::AreSideBySide() const
       [](const LightLanes& term) { return term.AreSideBySide(); });
   }
   return (this->Warp && this->Warp->IsIsotropic()) || this->Fit || this->Lambert ||
-         (this->Table && this->Table->GetNumberOfInvalidCells() == 0);
+         (this->Table && this->Table->IsIsotropic() && this->Table->GetNumberOfInvalidCells() == 0);
 }
 
 void LightLanes::Evaluate(

@@ -11,6 +11,8 @@
 
 #include "vtkBRDFShaderInputs.h"
 
+#include <glm/glm.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,6 +40,13 @@ inline void SetModuleShader(vtkBRDFShaderInputs::Term& term, const char* name, c
   term.Shader = name;
   term.Source = source;
   term.IsTested = true;
+}
+
+/// A uniform of three numbers.
+inline vtkBRDFShaderInputs::Uniform MakeTriple(const char* name, const glm::dvec3& values)
+{
+  return { name,
+    { static_cast<float>(values.x), static_cast<float>(values.y), static_cast<float>(values.z) } };
 }
 
 /// A new texture of the term, of three dimensions where depth > 1.

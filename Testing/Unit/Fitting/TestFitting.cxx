@@ -628,7 +628,6 @@ TEST(Fit, ProgressAndAbort)
 //------------------------------------------------------------------------------
 TEST(Fit, OutputIsAMaterialLikeAnyOther)
 {
-  NEEDS_OPENEXR();
   const auto input = Sum({ MakeLambert({ 0.3, 0.2, 0.1 }), MakePhong(30.0, { 0.1, 0.2, 0.3 }) });
   input->SetName("paint");
   input->SetSource("a test");

@@ -4,12 +4,9 @@
 #include "ErrorCatcher.h"
 #include "TestIOHelpers.h"
 
-#include "vtkBRDFFormats.h"
-#include "vtkEmbeddedEnvironments.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkEnvironmentReader.h"
-#include "vtkLambertBRDF.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkPictureReader.h"
 #include "vtkStringOutputWindow.h"
@@ -18,9 +15,6 @@ using namespace testio;
 
 namespace
 {
-constexpr bool HasOpenEXR = MEASUREDBRDF_WITH_OPENEXR;
-constexpr bool HasOpenImageIO = MEASUREDBRDF_WITH_OPENIMAGEIO;
-const std::string NoOpenEXR = "this build has no OpenEXR (MEASUREDBRDF_WITH_OPENEXR)";
 
 bool Holds(const std::string& text, const std::string& part)
 {
@@ -41,62 +35,9 @@ std::string Listen(const Run& run)
 }
 
 //------------------------------------------------------------------------------
-// Lists name what is there, and nothing else.
-TEST(IOAbsent, ListsFollowTheBuild)
-{
-  EXPECT_EQ(Holds(vtkBRDFFormats::GetNames(), "OpenEXR material"), HasOpenEXR);
-  EXPECT_EQ(Holds(vtkBRDFFormats::GetDescriptions(), ".exr"), HasOpenEXR);
-  EXPECT_EQ(vtkBRDFFormats::GetExtensions(true), HasOpenEXR ? ".exr or .binary" : ".binary");
-  EXPECT_EQ(vtkBRDFFormats::FindForWriting(".exr") != nullptr, HasOpenEXR);
-  for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
-  {
-    const std::string name = vtkEmbeddedMaterials::GetName(k);
-    EXPECT_TRUE(vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name))) << name;
-    EXPECT_TRUE(HasOpenEXR || name != "blue-car-paint");
-  }
-  EXPECT_EQ(vtkEmbeddedEnvironments::GetNumberOfEnvironments(), HasOpenEXR ? 3 : 2);
-  EXPECT_EQ(vtkEmbeddedEnvironments::GetName(0), HasOpenEXR ? "room" : "sky");
-}
-
-//------------------------------------------------------------------------------
-TEST(IOAbsent, OpenEXR)
-{
-  if (HasOpenEXR)
-  {
-    GTEST_SKIP() << "this build has OpenEXR";
-  }
-  const Folder folder;
-  const std::string path = folder("a.exr");
-  std::ofstream(path, std::ios::binary) << "\x76\x2f\x31\x01 and so on";
-  vtkNew<vtkBRDFReader> reader;
-  ErrorCatcher readErrors(reader);
-  reader->SetFileName(path);
-  EXPECT_FALSE(reader->Read());
-  EXPECT_EQ(readErrors.Take(), 1);
-  EXPECT_EQ(reader->GetErrorMessage(), path + ": " + NoOpenEXR + ": .exr materials cannot be read");
-
-  vtkNew<vtkBRDFWriter> writer;
-  ErrorCatcher writeErrors(writer);
-  writer->SetBRDF(vtkNew<vtkLambertBRDF>());
-  writer->SetFileName(folder("b.exr"));
-  EXPECT_FALSE(writer->Write());
-  EXPECT_EQ(writeErrors.Take(), 1);
-  EXPECT_EQ(writer->GetErrorMessage(),
-    folder("b.exr") + ": " + NoOpenEXR + ": .exr materials cannot be written");
-  EXPECT_FALSE(std::filesystem::exists(folder("b.exr")));
-
-  const std::string paint =
-    Listen([] { EXPECT_FALSE(vtkEmbeddedMaterials::NewBRDF("blue-car-paint")); });
-  EXPECT_TRUE(Holds(paint, NoOpenEXR + ": the embedded material 'blue-car-paint'")) << paint;
-  const std::string room =
-    Listen([] { EXPECT_FALSE(vtkEmbeddedEnvironments::NewEnvironment("room")); });
-  EXPECT_TRUE(Holds(room, NoOpenEXR + ": the embedded environment 'room'")) << room;
-}
-
-//------------------------------------------------------------------------------
 TEST(IOAbsent, OpenImageIO)
 {
-  if (HasOpenImageIO)
+  if (MEASUREDBRDF_WITH_OPENIMAGEIO)
   {
     GTEST_SKIP() << "this build has OpenImageIO";
   }

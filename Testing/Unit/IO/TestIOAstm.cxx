@@ -220,7 +220,7 @@ TEST(IOAstm, RefusesBadFiles)
   expect("VARS theta_i,phi_i,theta_s,R,G,B\n0,0,0,1,1,1\n", { "names no phi_s" });
   expect("VARS theta_i,phi_i,theta_s,phi_s\n0,0,0,0\n", { "no column of values" });
   expect("VARS theta_i,phi_i,theta_s,phi_s,R,G\n0,0,0,0,1,1\n", { "'R,G'", "550nm" });
-  expect("VARS theta_i,phi_i,theta_s,phi_s,550nm,550nm\n0,0,0,0,1,1\n", { "550nm twice" });
+  expect("VARS theta_i,phi_i,theta_s,phi_s,550nm,550.0nm\n0,0,0,0,1,1\n", { "550nm twice" });
   expect(vars, { "found 0 rows" });
   expect("NUM_POINTS 2\n" + vars + row, { "found 1 rows, expected 2 (NUM_POINTS)" });
   expect("NUM_POINTS x\n" + vars + row, { "line 1, NUM_POINTS", "'x'" });

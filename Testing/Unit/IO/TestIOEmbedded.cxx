@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the library itself holds: a measured car paint and a photographed room; and 16-bit tables.
 #include "ErrorCatcher.h"
-#include "NeedsLibrary.h"
 #include "TestIOHelpers.h"
 
 #include "vtkEmbeddedEnvironments.h"
@@ -32,7 +31,6 @@ vtkSmartPointer<vtkTabulatedBRDF> MakeTable(std::vector<float> rgb)
 //------------------------------------------------------------------------------
 TEST(IOEmbedded, HoldsAMeasurement)
 {
-  NEEDS_OPENEXR();
   const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("blue-car-paint"));
   auto* paint = vtkTabulatedBRDF::SafeDownCast(brdf);
   ASSERT_TRUE(paint);
@@ -67,7 +65,6 @@ TEST(IOEmbedded, HoldsAMeasurement)
 //------------------------------------------------------------------------------
 TEST(IOEmbedded, HoldsARoom)
 {
-  NEEDS_OPENEXR();
   const int count = vtkEmbeddedEnvironments::GetNumberOfEnvironments();
   std::vector<std::string> names;
   for (int k = 0; k < count; ++k)
@@ -111,7 +108,6 @@ TEST(IOEmbedded, HoldsARoom)
 //------------------------------------------------------------------------------
 TEST(IOHalfFloats, RoundTrip)
 {
-  NEEDS_OPENEXR();
   const Folder folder;
   const float invalid = std::numeric_limits<float>::quiet_NaN();
   const auto table =
@@ -141,7 +137,6 @@ TEST(IOHalfFloats, RoundTrip)
 //------------------------------------------------------------------------------
 TEST(IOHalfFloats, RefusesWhatIsTooLarge)
 {
-  NEEDS_OPENEXR();
   const Folder folder;
   const auto table = MakeTable({ 0.1f, 70000.0f, 0.3f });
   vtkNew<vtkBRDFWriter> writer;

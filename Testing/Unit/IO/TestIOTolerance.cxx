@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What instruments, converters and editors really write: taken and reported where it is harmless.
 // And what hostile files hold: never in a message as it is.
-#include "NeedsLibrary.h"
 #include "TestIOHelpers.h"
 
 #include "Printable.h"
@@ -245,7 +244,6 @@ TEST(IOMessages, PrintableText)
 // Names and values that a file chooses, in every message that quotes them.
 TEST(IOMessages, NothingOfAFileReachesTheTerminalAsItIs)
 {
-  NEEDS_OPENEXR();
   const Folder folder;
   const auto expectClean = [&](const std::string& bytes, const std::string& quoted)
   {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How many textures a pixel fetches, as methods and materials say it, against their own GLSL text:
 // every fetch in a function counts as often as the function is called.
-#include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkDistributionBRDF.h"
@@ -89,9 +88,11 @@ TEST(ShaderFetches, Materials)
   vtkNew<vtkDistributionBRDF> distribution;
   vtkNew<vtkTabulatedBRDF> half;
   vtkNew<vtkTabulatedBRDF> both;
-  vtkNew<vtkAnisotropicTabulatedBRDF> brushed;
+  vtkNew<vtkTabulatedBRDF> brushed;
   const int size[3] = { 2, 2, 2 };
+  const int four[4] = { 2, 2, 1, 2 };
   ASSERT_TRUE(half->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, 0, size, std::vector<float>(24)));
+  ASSERT_TRUE(brushed->SetVolume(0, four, std::vector<float>(24)));
   ASSERT_TRUE(
     both->SetVolume(vtkTabulatedBRDF::INCIDENT_OUTGOING, 0, size, std::vector<float>(24)));
   const std::pair<vtkBRDF*, int> expected[] = { { lambert, 0 }, { closed, 0 }, { distribution, 2 },

@@ -7,10 +7,10 @@
 
 #include "TestDirections.h"
 #include "vtkAngleBasisBRDF.h"
-#include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkSmartPointer.h"
+#include "vtkTabulatedBRDF.h"
 #include "vtkTensorTreeBRDF.h"
 #include "vtkWeakPointer.h"
 
@@ -42,8 +42,8 @@ TEST(AnisotropicTabulated, InterpolatesInFourQuantities)
     rgb.insert(rgb.end(), { 1.0f + 0.1f * t + 0.2f * y + 0.05f * x * (8 - x) + 0.07f * p * (6 - p),
                             1.0f * p, 1.0f * x });
   }
-  vtkNew<vtkAnisotropicTabulatedBRDF> table;
-  ASSERT_TRUE(table->SetVolume(vtkAnisotropicTabulatedBRDF::FULL_TURN, size, rgb));
+  vtkNew<vtkTabulatedBRDF> table;
+  ASSERT_TRUE(table->SetVolume(vtkTabulatedBRDF::FULL_TURN, size, rgb));
   constexpr double pi = 3.14159265358979323846;
   const auto at = [&](double x, double y, double p, double t)
   {
@@ -76,42 +76,15 @@ TEST(AnisotropicTabulated, InterpolatesInFourQuantities)
   }
 }
 
-TEST(AnisotropicTabulated, RefusesAndKeeps)
-{
-  vtkNew<vtkAnisotropicTabulatedBRDF> table;
-  ErrorCatcher errors(table);
-  const int size[4] = { 2, 1, 2, 1 };
-  ASSERT_TRUE(table->SetVolume(0, size, std::vector<float>(12, 0.25f)));
-  EXPECT_EQ(errors.Take(), 0);
-  const int empty[4] = { 2, 0, 2, 1 }, huge[4] = { 2, 64, 64, 1 };
-  std::vector<float> bad(12, 0.25f);
-  EXPECT_FALSE(table->SetVolume(0, empty, {}));
-  EXPECT_FALSE(table->SetVolume(0, huge, std::vector<float>(3 * 2 * 64 * 64, 1.0f)));
-  EXPECT_FALSE(table->SetVolume(2, size, bad));
-  bad.pop_back();
-  EXPECT_FALSE(table->SetVolume(0, size, bad));
-  bad.push_back(std::numeric_limits<float>::quiet_NaN());
-  EXPECT_FALSE(table->SetVolume(0, size, bad));
-  EXPECT_FALSE(table->Resample(nullptr, 0, size));
-  EXPECT_FALSE(table->Resample(table, 0, empty));
-  EXPECT_EQ(errors.Take(), 7);
-  EXPECT_EQ(Evaluate(table, { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 }), glm::dvec3(0.25));
-  // Without a volume it is black, on the graphics card, too.
-  vtkNew<vtkAnisotropicTabulatedBRDF> none;
-  vtkBRDFShaderInputs inputs;
-  none->GetShaderInputs(inputs);
-  EXPECT_EQ(inputs.Terms.at(0).Textures.at(0).Data, std::vector<float>(3, 0.0f));
-}
-
 TEST(AnisotropicTabulated, ErrorFallsWithTheSize)
 {
   const auto brushed = NewBrushed();
   double last = 1.0;
   for (const int n : { 8, 16, 32 })
   {
-    vtkNew<vtkAnisotropicTabulatedBRDF> table;
+    vtkNew<vtkTabulatedBRDF> table;
     const int size[4] = { n, n, n / 2, n };
-    ASSERT_TRUE(table->Resample(brushed, vtkAnisotropicTabulatedBRDF::HALF_TURN, size));
+    ASSERT_TRUE(table->Resample(brushed, vtkTabulatedBRDF::HALF_TURN, size));
     const double error = vtkBRDFResampler::GetRelativeL2Error(brushed, table, 1 << 13);
     EXPECT_LT(error, 0.5 * last);
     last = error;
@@ -209,10 +182,10 @@ TEST(AnisotropicWarp, IsResampledForGraphicsCards)
   ASSERT_EQ(file->SetTables(MakeAnisotropicTables(NewBrushed(), sizes)), "");
   ErrorCatcher errors(file);
   file->SetResamplingTolerance(0.03);
-  auto* table = vtkAnisotropicTabulatedBRDF::SafeDownCast(file->GetRenderable());
+  auto* table = vtkTabulatedBRDF::SafeDownCast(file->GetRenderable());
   ASSERT_TRUE(table);
   EXPECT_EQ(errors.Take(), 0);
-  EXPECT_EQ(table->GetAzimuthRange(), vtkAnisotropicTabulatedBRDF::HALF_TURN);
+  EXPECT_EQ(table->GetAzimuthRange(), vtkTabulatedBRDF::HALF_TURN);
   EXPECT_GT(table->GetResamplingError(), 0.0);
   EXPECT_LE(table->GetResamplingError(), 0.03);
   vtkBRDFShaderInputs inputs;

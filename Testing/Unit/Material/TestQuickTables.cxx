@@ -6,7 +6,6 @@
 #include "HalfVector.h"
 #include "TestBasisHelpers.h"
 #include "vtkAdaptiveWarpBRDF.h"
-#include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFResampler.h"
 #include "vtkNew.h"
@@ -101,7 +100,7 @@ TEST(QuickTables, OfAnisotropicMaterialsAndSums)
   vtkNew<vtkAdaptiveWarpBRDF> warp;
   ASSERT_EQ(warp->SetTables(MakeAnisotropicTables(brushed, AnisotropicWarpSizes())), "");
   const auto quick = vtkSmartPointer<vtkBRDF>::Take(warp->NewQuickRenderable());
-  EXPECT_TRUE(vtkAnisotropicTabulatedBRDF::SafeDownCast(quick));
+  EXPECT_TRUE(vtkTabulatedBRDF::SafeDownCast(quick));
   const double error = vtkBRDFResampler::GetLogCosineDistance(warp, quick, 1 << 12);
   EXPECT_LT(error, 0.05);
 
@@ -114,5 +113,5 @@ TEST(QuickTables, OfAnisotropicMaterialsAndSums)
   ASSERT_TRUE(made);
   ASSERT_EQ(made->GetNumberOfTerms(), 2);
   EXPECT_EQ(made->GetTerm(0), brushed.Get());
-  EXPECT_TRUE(vtkAnisotropicTabulatedBRDF::SafeDownCast(made->GetTerm(1)));
+  EXPECT_TRUE(vtkTabulatedBRDF::SafeDownCast(made->GetTerm(1)));
 }

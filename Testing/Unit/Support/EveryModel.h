@@ -12,7 +12,6 @@
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAngleBasisBRDF.h"
 #include "vtkAngularTableBRDF.h"
-#include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBasisBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
@@ -64,9 +63,9 @@ inline std::vector<vtkSmartPointer<vtkBRDF>> MakeEveryModel(
                    vtkBasisBRDF::HEMISPHERICAL, 1, zone, zone, 3, 1, makeValues(36)) == "";
   vtkNew<vtkAdaptiveWarpBRDF> warp;
   good = good && warp->SetTables(MakeTables()) == "";
-  vtkNew<vtkAnisotropicTabulatedBRDF> turned;
+  vtkNew<vtkTabulatedBRDF> turned;
   const int size[4] = { 2, 1, 2, 2 };
-  good = good && turned->SetVolume(vtkAnisotropicTabulatedBRDF::FULL_TURN, size, makeValues(24));
+  good = good && turned->SetVolume(vtkTabulatedBRDF::FULL_TURN, size, makeValues(24));
   vtkNew<vtkTensorTreeBRDF> tree;
   good = good && tree->SetTree({ 3, { { 1, 0 }, { 2, 1 }, { 0, 0 } }, { 0, 1, 0, 1, 0, 1, 0, 1 },
                    makeValues(9) }) == "";
