@@ -8,6 +8,8 @@
 #ifndef State_h
 #define State_h
 
+#include <nlohmann/json.hpp>
+
 #include <array>
 #include <cstddef>
 #include <map>
@@ -72,6 +74,8 @@ enum class Shown
   Split,
   Difference
 };
+NLOHMANN_JSON_SERIALIZE_ENUM(
+  Shown, { { Shown::Split, "split" }, { Shown::Difference, "difference" } })
 
 /// Of the methods that sum over lights.
 constexpr int MostLights = 4096;
