@@ -67,9 +67,8 @@ struct ModelParameter
   std::string Description;
   double Least;
   double Largest;
-  std::vector<double> Default;      // one number, or red, green and blue
-  bool IsLogarithmic = false;       // the slider's scale
-  std::vector<std::string> Choices; // where it is one of a few: their names, from 0
+  std::vector<double> Default; // one number, or red, green and blue
+  bool IsLogarithmic = false;  // the slider's scale
 };
 
 struct ParametricModel
@@ -78,6 +77,7 @@ struct ParametricModel
   std::string Name;
   std::string Description;
   std::vector<ModelParameter> Parameters;
+  vtkSmartPointer<vtkBRDF> (*Make)(const ModelValues& values); // values that are in range
 };
 
 /// Lambert, Blinn-Phong, Ashikhmin-Shirley, D-BRDF.
@@ -94,9 +94,6 @@ ModelValues GetValues(const ParametricModel& model, const ModelStates& states);
 
 /// The same of a material by its name or file; nothing where that is no model.
 ModelValues FindValues(const std::string& file, const ModelStates& states);
-
-/// Of values that are in range.
-vtkSmartPointer<vtkBRDF> MakeModel(const ParametricModel& model, const ModelValues& values);
 
 /// A copy for another thread; the material itself where its class has none.
 tool::Material MakeSnapshot(const tool::Material& material);

@@ -397,7 +397,7 @@ constexpr int SliderSteps = 400;
 constexpr int TitleWidth = 130; // pixels
 
 //------------------------------------------------------------------------------
-// A number of a model by a slider and a field, or one of a few choices.
+// A number of a model by a slider and a field.
 QWidget* MakeParameterRow(
   Session* session, const ParametricModel& model, const ModelParameter& parameter, std::size_t k)
 {
@@ -424,21 +424,6 @@ QWidget* MakeParameterRow(
   auto* label = new QLabel(title);
   label->setMinimumWidth(TitleWidth);
   layout->addWidget(label);
-  if (!parameter.Choices.empty())
-  {
-    auto* choices = new QComboBox;
-    for (std::size_t j = 0; j < parameter.Choices.size(); ++j)
-    {
-      AddItem(choices, parameter.Choices[j], double(j));
-    }
-    choices->setAccessibleName(title);
-    choices->setObjectName(name);
-    layout->addWidget(choices);
-    layout->addStretch(1);
-    OnChange(choices, [=](const QVariant& choice) { set(choice.toDouble()); });
-    Follow(session, row, { &Session::modelsChanged }, [=]() { Show(choices, get()); });
-    return row;
-  }
   auto* field =
     MakeField(parameter.Least, parameter.Largest, parameter.Largest > 100.0 ? 1 : 3, 1.0, "", "");
   field->setAccessibleName(title);
@@ -496,30 +481,6 @@ QWidget* MakeModelPanel(Session* session)
   return panel;
 }
 
-namespace
-{
-//------------------------------------------------------------------------------
-// What was measured, which says how good the material is, before what it is.
-nlohmann::ordered_json PutFindingsFirst(const nlohmann::ordered_json& info)
-{
-  nlohmann::ordered_json sorted;
-  for (const char* key :
-    { "name", "reciprocity_error", "reciprocal_by_construction", "largest_albedo", "gains_energy",
-      "negative_values", "negative_mass", "invalid_values", "transmission" })
-  {
-    if (info.contains(key))
-    {
-      sorted[key] = info[key];
-    }
-  }
-  for (const auto& [key, value] : info.items())
-  {
-    sorted[key] = value;
-  }
-  return sorted;
-}
-}
-
 //------------------------------------------------------------------------------
 QWidget* MakeFindingsPanel(Session* session)
 {
@@ -533,9 +494,10 @@ QWidget* MakeFindingsPanel(Session* session)
     [=]()
     {
       const nlohmann::ordered_json& info = session->GetInspection();
-      text->setPlainText(info.is_null()
-                           ? QObject::tr("Being measured …")
-                           : QString::fromStdString(tool::FormatReport(PutFindingsFirst(info))));
+      text->setPlainText(session->GetInspectionError().isEmpty()
+                           ? info.is_null() ? QObject::tr("Being measured …")
+                                            : QString::fromStdString(tool::FormatReport(info))
+                           : session->GetInspectionError());
     });
   return text;
 }

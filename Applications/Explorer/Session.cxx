@@ -322,7 +322,6 @@ void Session::Take(const ShownMaterial& read)
   this->Current.Material = read.Material.File;
   AddOnce(this->Current.MaterialFiles, read.Material.File);
   this->Say(QString::fromStdString(read.Material.Notes), false);
-  this->Made = read;
   Q_EMIT this->listsChanged();
   this->SetMade(read);
   this->Remake.start(); // where settings have changed since it was asked for
@@ -333,6 +332,7 @@ void Session::Take(const ShownMaterial& read)
 void Session::SetMade(const ShownMaterial& made)
 {
   this->Made = made;
+  this->InspectionError.clear();
   Q_EMIT this->materialChanged();
   this->Background->Compute(
     "findings", tr("measuring the material"),
@@ -340,6 +340,12 @@ void Session::SetMade(const ShownMaterial& made)
     [this](const nlohmann::ordered_json& info)
     {
       this->Made.Info = info;
+      Q_EMIT this->inspected();
+    },
+    [this](const QString& text)
+    {
+      this->Say(text, true);
+      this->InspectionError = tr("The material could not be measured: %1").arg(text);
       Q_EMIT this->inspected();
     });
 }

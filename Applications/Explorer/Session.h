@@ -77,8 +77,11 @@ public:
   vtkPolyData* GetMesh() const { return this->Mesh; }
   ///@}
 
-  /// What was measured of the material; null before.
+  ///@{
+  /// What was measured of the material, null before; and why it cannot be measured, else "".
   const nlohmann::ordered_json& GetInspection() const { return this->Made.Info; }
+  const QString& GetInspectionError() const { return this->InspectionError; }
+  ///@}
 
   /// The file of the mesh that is shown.
   const std::string& GetMeshFile() const { return this->MeshFile; }
@@ -172,6 +175,7 @@ private:
   Jobs* Background;
   State Current;
   ShownMaterial Made;
+  QString InspectionError;
   std::map<std::string, ShownMaterial> Compared; // by their files
   QTimer Remake;
   vtkSmartPointer<vtkEnvironment> Environment;

@@ -490,7 +490,8 @@ QWidget* MakeSlicePanel(Session* session)
 
 namespace
 {
-constexpr int ImageSize = 256;
+constexpr int ImageSize = 256; // pixels
+constexpr int ShownSize = 384;
 
 //------------------------------------------------------------------------------
 // A perfectly white matte surface, f = 1/pi, is white.
@@ -514,56 +515,18 @@ QImage DrawSlice(vtkBRDF* brdf, double phiD, double stops, bool isSquared)
   return MakeQImage(picture);
 }
 
-/// The picture with its axes.
-class ImageSlice : public QWidget
-{
-public:
-  QImage Image;
-  bool IsSquared = false;
-
-  ImageSlice()
-  {
-    this->setMinimumSize(200, 200);
-    this->setAccessibleName(QObject::tr("Image slice"));
-    this->setToolTip(QObject::tr(
-      "f over theta_h and theta_d (Burley 2012): the left edge is the highlight, the top its "
-      "Fresnel reflection, the right edge grazing retroreflection"));
-  }
-
-protected:
-  void paintEvent(QPaintEvent*) override
-  {
-    QPainter painter(this);
-    if (this->Image.isNull())
-    {
-      painter.drawText(this->rect(), Qt::AlignCenter, QObject::tr("Being drawn …"));
-      return;
-    }
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    const double line = this->fontMetrics().height();
-    const double left = this->fontMetrics().horizontalAdvance("90 θd") + 8.0;
-    const double size = std::min(this->width() - left - line, this->height() - 3.0 * line - 6.0);
-    const QRectF frame(left, 1.5 * line, size, size);
-    painter.drawImage(frame, this->Image);
-    for (const int degrees : { 0, 30, 60, 90 })
-    {
-      const double share = degrees / 90.0;
-      const double across = this->IsSquared ? std::sqrt(share) : share;
-      const QString text = QString::number(degrees) + (degrees < 90 ? "" : " θ");
-      DrawCentered(painter, frame.bottomLeft() + QPointF(across * size, 0.6 * line),
-        degrees < 90 ? text : text + "h");
-      DrawCentered(painter, frame.bottomLeft() - QPointF(0.5 * left, share * size),
-        degrees < 90 ? text : text + "d");
-    }
-  }
-};
 }
 
 //------------------------------------------------------------------------------
 QWidget* MakeImagePanel(Session* session, Jobs* jobs)
 {
   auto* panel = new QWidget;
-  auto* slice = new ImageSlice;
+  auto* slice = new QLabel(QObject::tr("Being drawn …"));
+  slice->setFixedSize(ShownSize, ShownSize);
+  slice->setScaledContents(true);
+  slice->setAccessibleName(QObject::tr("Image slice"));
+  auto* axes = new QLabel;
+  axes->setWordWrap(true);
   auto* phiD = MakeField(
     0.0, 180.0, 1, 15.0, "°", QObject::tr("Azimuth of the difference at which the image is cut"));
   phiD->setValue(90.0);
@@ -579,7 +542,9 @@ QWidget* MakeImagePanel(Session* session, Jobs* jobs)
   row->addStretch(1);
   auto* layout = MakeColumn(panel);
   layout->addLayout(row);
-  layout->addWidget(slice, 1);
+  layout->addWidget(slice);
+  layout->addWidget(axes);
+  layout->addStretch(1);
   const auto draw = [=]()
   {
     if (!session->GetMaterial().BRDF)
@@ -590,13 +555,14 @@ QWidget* MakeImagePanel(Session* session, Jobs* jobs)
       "image slice", QObject::tr("drawing the image slice"),
       [material = MakeSnapshot(session->GetMaterial()), angle = phiD->value(),
         exposure = stops->value(), isSquared = squared->isChecked()]()
-      { return std::pair(DrawSlice(material.BRDF, angle, exposure, isSquared), isSquared); },
-      [=](const std::pair<QImage, bool>& drawn)
-      {
-        slice->Image = drawn.first;
-        slice->IsSquared = drawn.second;
-        slice->update();
-      });
+      { return DrawSlice(material.BRDF, angle, exposure, isSquared); },
+      [=](const QImage& drawn) { slice->setPixmap(QPixmap::fromImage(drawn)); });
+    axes->setText(
+      QObject::tr(
+        "f (Burley 2012): upwards θd from 0° to 90°, to the right %1. The left edge "
+        "is the highlight, the top its Fresnel reflection, the right edge grazing retroreflection.")
+        .arg(squared->isChecked() ? QObject::tr("the root of θh, 30° at 0.58 and 60° at 0.82")
+                                  : QObject::tr("θh from 0° to 90°")));
   };
   OnChange(phiD, draw);
   OnChange(stops, draw);

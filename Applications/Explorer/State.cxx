@@ -21,6 +21,7 @@
 #include <type_traits>
 
 using nlohmann::ordered_json;
+using namespace nlohmann::literals;
 
 namespace explorer
 {
@@ -187,16 +188,12 @@ void CheckModels(const ModelStates& states, const std::string& name)
         Fail(name, place + "/" + field, "a parameter of this model");
       }
       const auto isRight = [&](double one)
-      {
-        return one >= parameter->Least && one <= parameter->Largest &&
-               (parameter->Choices.empty() || one == std::floor(one));
-      };
+      { return one >= parameter->Least && one <= parameter->Largest; };
       if (numbers.size() != parameter->Default.size() ||
           !std::all_of(numbers.begin(), numbers.end(), isRight))
       {
         Fail(name, place + "/" + field,
-          "a list of " + std::to_string(parameter->Default.size()) +
-            (parameter->Choices.empty() ? " numbers" : " whole numbers") +
+          "a list of " + std::to_string(parameter->Default.size()) + " numbers" +
             DescribeRange(parameter->Least, parameter->Largest));
       }
     }
@@ -333,6 +330,10 @@ State ReadState(const std::string& text, const std::string& name)
       std::replace(json["methods"].begin(), json["methods"].end(), ordered_json(gone),
         ordered_json(method::Planned));
     }
+  }
+  if (json.contains("/models/AshikhminShirley/fresnel"_json_pointer))
+  {
+    json["models"]["AshikhminShirley"].erase("fresnel");
   }
   if (!json.value("edits", ordered_json()).empty())
   {

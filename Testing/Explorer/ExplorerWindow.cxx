@@ -899,11 +899,9 @@ void ExplorerWindow::slidersSetAModel()
   QVERIFY(window->GetEvaluation()->GetFigures(0).Error < 2e-3);
   // Another model has its own rows, and the first keeps its values.
   session->SetMaterial("model:AshikhminShirley");
-  QTRY_VERIFY_WITH_TIMEOUT(this->Find<QComboBox>("fresnel"), Patience);
-  auto* fresnel = this->Find<QComboBox>("fresnel");
-  fresnel->setCurrentIndex(1);
-  Q_EMIT fresnel->activated(1);
-  QCOMPARE(session->GetState().Models.at("AshikhminShirley").at("fresnel")[0], 1.0);
+  QTRY_VERIFY_WITH_TIMEOUT(this->Find<QDoubleSpinBox>("index_of_refraction"), Patience);
+  this->Find<QDoubleSpinBox>("index_of_refraction")->setValue(1.5);
+  QCOMPARE(session->GetState().Models.at("AshikhminShirley").at("index_of_refraction")[0], 1.5);
   session->SetMaterial("model:BlinnPhong");
   QTRY_VERIFY_WITH_TIMEOUT(this->Find<QDoubleSpinBox>("specular 0"), Patience);
   QCOMPARE(this->Find<QDoubleSpinBox>("specular 0")->value(), 0.75);
