@@ -4,7 +4,9 @@
 
 #include "Files.h"
 #include "Meshes.h"
+#include "NumberText.h"
 #include "State.h"
+#include "Tool.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFFormats.h"
@@ -18,11 +20,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
+#include <utility>
 
 namespace explorer
 {
 namespace
 {
+const std::string Prefix = "model:";
+
 //------------------------------------------------------------------------------
 bool Has(const std::vector<std::string>& list, const std::string& ending)
 {
@@ -103,7 +109,7 @@ std::vector<Item> ListMaterials(const std::vector<std::string>& opened)
   AddFiles(items, opened);
   for (const ParametricModel& model : GetModels())
   {
-    items.push_back({ GetModelFile(model), model.Name, "Models",
+    items.push_back({ Prefix + model.Key, model.Name, "Models",
       model.Description + "; its parameters are in the Model tab" });
   }
   const auto embedded = static_cast<std::ptrdiff_t>(items.size());
@@ -148,7 +154,6 @@ std::vector<Item> ListMeshes(const std::string& opened)
 
 namespace
 {
-const std::string Prefix = "model:";
 constexpr double LargestExponent = 1e6; // as the models' own
 
 //------------------------------------------------------------------------------
@@ -258,38 +263,73 @@ const std::vector<ParametricModel>& GetModels()
 }
 
 //------------------------------------------------------------------------------
-std::string GetModelFile(const ParametricModel& model) { return Prefix + model.Key; }
-
-//------------------------------------------------------------------------------
-const ParametricModel* FindModel(const std::string& file)
+const ParametricModel* FindModel(const std::string& name)
 {
   const std::vector<ParametricModel>& models = GetModels();
   const auto found = std::find_if(models.begin(), models.end(),
-    [&file](const ParametricModel& model) { return GetModelFile(model) == file; });
+    [&name](const ParametricModel& model)
+    { return name.substr(0, name.find(' ')) == Prefix + model.Key; });
   return found == models.end() ? nullptr : &*found;
 }
 
 //------------------------------------------------------------------------------
-ModelValues GetValues(const ParametricModel& model, const ModelStates& states)
+std::string NameModel(const ParametricModel& model, const ModelValues& values)
 {
-  ModelValues values;
-  const auto state = states.find(model.Key);
+  std::string name = Prefix + model.Key;
   for (const ModelParameter& parameter : model.Parameters)
   {
-    values[parameter.Key] = parameter.Default;
-    if (state != states.end() && state->second.count(parameter.Key) != 0)
+    const std::vector<double>& numbers = values.at(parameter.Key);
+    char separator = '=';
+    name += numbers == parameter.Default ? "" : " " + parameter.Key;
+    for (std::size_t k = 0; k < numbers.size() && numbers != parameter.Default; ++k)
     {
-      values[parameter.Key] = state->second.at(parameter.Key);
+      name += std::exchange(separator, ',') + tool::FormatNumber(numbers[k]);
     }
   }
-  return values;
+  return name;
 }
 
 //------------------------------------------------------------------------------
-ModelValues FindValues(const std::string& file, const ModelStates& states)
+ModelValues GetValues(const std::string& name)
 {
-  const ParametricModel* model = FindModel(file);
-  return model ? GetValues(*model, states) : ModelValues();
+  const std::vector<ModelParameter>& known = FindModel(name)->Parameters;
+  ModelValues values;
+  for (const ModelParameter& parameter : known)
+  {
+    values[parameter.Key] = parameter.Default;
+  }
+  std::istringstream words(name);
+  std::string word;
+  words >> word; // the model's own
+  while (words >> word)
+  {
+    std::replace_if(
+      word.begin(), word.end(), [](char c) { return c == '=' || c == ','; }, ' ');
+    std::istringstream parts(word);
+    std::string text;
+    parts >> text;
+    const auto parameter = std::find_if(
+      known.begin(), known.end(), [&text](const ModelParameter& one) { return one.Key == text; });
+    if (parameter == known.end())
+    {
+      throw tool::Error(name + ": \"" + text + "\": expected a parameter of this model");
+    }
+    std::vector<double> numbers;
+    for (double number = 0.0; parts >> text && measuredbrdf::ParseNumber(text, number) &&
+                              number >= parameter->Least && number <= parameter->Largest;)
+    {
+      numbers.push_back(number);
+    }
+    if (parts || numbers.size() != parameter->Default.size())
+    {
+      throw tool::Error(name + ": \"" + parameter->Key + "\": expected " +
+                        tool::FormatCount(parameter->Default.size(), "number") + " from " +
+                        tool::FormatNumber(parameter->Least) + " to " +
+                        tool::FormatNumber(parameter->Largest));
+    }
+    values[parameter->Key] = numbers;
+  }
+  return values;
 }
 
 //------------------------------------------------------------------------------
@@ -304,17 +344,16 @@ tool::Material MakeSnapshot(const tool::Material& material)
 }
 
 //------------------------------------------------------------------------------
-ShownMaterial ReadMaterial(const std::string& file, const ModelStates& models)
+ShownMaterial ReadMaterial(const std::string& file)
 {
   ShownMaterial read;
   if (const ParametricModel* model = FindModel(file))
   {
-    read.Values = GetValues(*model, models);
-    read.Material.BRDF = model->Make(read.Values);
-    read.Material.BRDF->SetName(model->Name);
+    read.Material.BRDF = model->Make(GetValues(file));
+    read.Material.Name = model->Name + file.substr(std::min(file.find(' '), file.size()));
+    read.Material.BRDF->SetName(read.Material.Name);
     read.Material.BRDF->SetSource(model->Description);
     read.Material.File = file;
-    read.Material.Name = model->Name;
     read.Material.Source = model->Description;
     read.Material.Format = "model";
   }

@@ -17,6 +17,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -60,9 +61,12 @@ std::vector<Item> ListMeshes(const std::string& opened);
 /// Whether it is a built-in name, or a model's, and no file.
 bool IsBuiltIn(const std::string& name);
 
+/// Parameters of a model, by their keys: one number, or red, green and blue.
+using ModelValues = std::map<std::string, std::vector<double>>;
+
 struct ModelParameter
 {
-  std::string Key;  // in state files
+  std::string Key;  // in names of models
   std::string Name; // for people
   std::string Description;
   double Least;
@@ -83,17 +87,17 @@ struct ParametricModel
 /// Lambert, Blinn-Phong, Ashikhmin-Shirley, D-BRDF.
 const std::vector<ParametricModel>& GetModels();
 
-///@{
-/// A model as State names it in a material's place, "model:Lambert"; null: it is none.
-std::string GetModelFile(const ParametricModel& model);
-const ParametricModel* FindModel(const std::string& file);
-///@}
+/**
+ * A model is named in a material's place with those of its parameters that are not as usual:
+ * "model:Lambert", "model:BlinnPhong exponent=300 specular=0.1,0.2,0.3".
+ */
+std::string NameModel(const ParametricModel& model, const ModelValues& values);
 
-/// All parameters of a model: those that a state has set, and the others' defaults.
-ModelValues GetValues(const ParametricModel& model, const ModelStates& states);
+/// The model of that name, whatever follows it; null: it is none's.
+const ParametricModel* FindModel(const std::string& name);
 
-/// The same of a material by its name or file; nothing where that is no model.
-ModelValues FindValues(const std::string& file, const ModelStates& states);
+/// All parameters of a name that a model has. Throws tool::Error that says what was expected.
+ModelValues GetValues(const std::string& name);
 
 /// A copy for another thread; the material itself where its class has none.
 tool::Material MakeSnapshot(const tool::Material& material);
@@ -102,13 +106,12 @@ tool::Material MakeSnapshot(const tool::Material& material);
 struct ShownMaterial
 {
   tool::Material Material;     // prepared
-  ModelValues Values;          // of a model; empty for others
   nlohmann::ordered_json Info; // what tool::InspectMaterial finds; null before
 };
 
 /// By name or file as State has it, models among them; without Info. Takes long. Throws
 /// tool::Error.
-ShownMaterial ReadMaterial(const std::string& file, const ModelStates& models);
+ShownMaterial ReadMaterial(const std::string& file);
 } // namespace explorer
 
 #endif

@@ -141,7 +141,9 @@ void FillList(QTreeWidget* list, const std::vector<Item>& items, const std::stri
     auto* line = new QTreeWidgetItem(heading, { QString::fromStdString(item.Name) });
     line->setData(0, Qt::UserRole, QString::fromStdString(item.File));
     line->setToolTip(0, QString::fromStdString(item.Source));
-    if (item.File == current)
+    // A model's parameters follow its name; that with the same ones is a file, which comes first.
+    if (item.File == current ||
+        (!list->currentItem() && current.compare(0, item.File.size() + 1, item.File + " ") == 0))
     {
       list->setCurrentItem(line);
     }
@@ -408,15 +410,12 @@ QWidget* MakeParameterRow(
     QString::fromStdString(parameter.Name) + (isColor ? channels[k] : QString());
   const QString name =
     QString::fromStdString(parameter.Key) + (isColor ? QString(" %1").arg(k) : QString());
-  const auto getAll = [=, &model]()
-  { return GetValues(model, session->GetState().Models).at(parameter.Key); };
-  const auto get = [=]() { return getAll()[k]; };
-  const auto set = [=, &model](double value)
+  const auto get = [=, &model]() // until its rows go, another model may be edited
   {
-    std::vector<double> values = getAll();
-    values[k] = value;
-    session->SetModelValues(model.Key, parameter.Key, values);
+    const bool isShown = FindModel(session->GetEdited()) == &model;
+    return (isShown ? GetValues(session->GetEdited()).at(parameter.Key) : parameter.Default)[k];
   };
+  const auto set = [=](double value) { session->SetModelValue(parameter.Key, k, value); };
   auto* row = new QWidget;
   row->setToolTip(QString::fromStdString(parameter.Description));
   auto* layout = new QHBoxLayout(row);
@@ -449,10 +448,10 @@ QWidget* MakeModelPanel(Session* session)
   auto* layout = MakeColumn(panel);
   layout->addWidget(text);
   layout->addStretch(1);
-  Follow(session, panel, { &Session::listsChanged },
+  Follow(session, panel, { &Session::modelsChanged },
     [=]()
     {
-      const ParametricModel* model = FindModel(session->GetState().Material);
+      const ParametricModel* model = FindModel(session->GetEdited());
       const QString key = model ? QString::fromStdString(model->Key) : QString();
       auto* before = panel->findChild<QWidget*>("parameters", Qt::FindDirectChildrenOnly);
       if (before && before->property("model").toString() == key)

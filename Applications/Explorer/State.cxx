@@ -21,7 +21,6 @@
 #include <type_traits>
 
 using nlohmann::ordered_json;
-using namespace nlohmann::literals;
 
 namespace explorer
 {
@@ -78,8 +77,6 @@ void Visit(SomeState& state, const Visitor& visit)
   visit("material", state.Material, "a text", isText);
   visit("compared", state.Compared,
     "at most " + std::to_string(MostCompared) + " different materials", areDifferent);
-  visit("models", state.Models, "an object of models, with a list of numbers for each parameter",
-    isAny);
   visit("environment", state.Environment, "a text", isText);
   visit("light_theta", state.Light.Theta, 0.0, 180.0);
   visit("light_phi", state.Light.Phi, -180.0, 180.0);
@@ -168,35 +165,18 @@ struct Limiter
 };
 
 //------------------------------------------------------------------------------
-void CheckModels(const ModelStates& states, const std::string& name)
+// States of earlier versions kept the parameters of models beside their names.
+void AddParameters(std::string& name, const ordered_json& models)
 {
-  for (const auto& [key, values] : states)
+  const ParametricModel* model = FindModel(name);
+  if (model && models.contains(model->Key))
   {
-    const std::string place = "models/" + key;
-    const ParametricModel* model = FindModel("model:" + key);
-    if (!model)
+    ModelValues values = GetValues(name);
+    for (const ModelParameter& parameter : model->Parameters)
     {
-      Fail(name, place, "the name of a model, such as \"Lambert\"");
+      values[parameter.Key] = models[model->Key].value(parameter.Key, values[parameter.Key]);
     }
-    for (const auto& [field, numbers] : values)
-    {
-      const auto& known = model->Parameters;
-      const auto parameter = std::find_if(known.begin(), known.end(),
-        [&wanted = field](const ModelParameter& one) { return one.Key == wanted; });
-      if (parameter == known.end())
-      {
-        Fail(name, place + "/" + field, "a parameter of this model");
-      }
-      const auto isRight = [&](double one)
-      { return one >= parameter->Least && one <= parameter->Largest; };
-      if (numbers.size() != parameter->Default.size() ||
-          !std::all_of(numbers.begin(), numbers.end(), isRight))
-      {
-        Fail(name, place + "/" + field,
-          "a list of " + std::to_string(parameter->Default.size()) + " numbers" +
-            DescribeRange(parameter->Least, parameter->Largest));
-      }
-    }
+    name = NameModel(*model, values);
   }
 }
 
@@ -331,17 +311,24 @@ State ReadState(const std::string& text, const std::string& name)
         ordered_json(method::Planned));
     }
   }
-  if (json.contains("/models/AshikhminShirley/fresnel"_json_pointer))
-  {
-    json["models"]["AshikhminShirley"].erase("fresnel");
-  }
   if (!json.value("edits", ordered_json()).empty())
   {
     tool::PrintNote(name + ": \"edits\" are left out: samples are edited in a material's file");
   }
   State state;
   Visit(state, Reader{ json, name });
-  CheckModels(state.Models, name);
+  try
+  {
+    AddParameters(state.Material, json.value("models", ordered_json()));
+    for (std::string& compared : state.Compared)
+    {
+      AddParameters(compared, json.value("models", ordered_json()));
+    }
+  }
+  catch (const std::exception&)
+  {
+    Fail(name, "models", "an object of models, with a list of numbers for each parameter");
+  }
   if ((state.Lights & (state.Lights - 1)) != 0)
   {
     Fail(name, "lights", "a power of two");
