@@ -18,13 +18,15 @@ namespace
 constexpr int RemakeTime = 80; // ms after a slider moved
 
 //------------------------------------------------------------------------------
-// A file, not a built-in name.
-void AddOnce(std::vector<std::string>& list, const std::string& file)
+// A file, not a built-in name. Returns whether it was not there before.
+bool AddOnce(std::vector<std::string>& list, const std::string& file)
 {
   if (!explorer::IsBuiltIn(file) && std::find(list.begin(), list.end(), file) == list.end())
   {
     list.push_back(file);
+    return true;
   }
+  return false;
 }
 } // namespace
 
@@ -223,8 +225,10 @@ void Session::SetCompared(const std::string& file, bool isCompared)
   else if (isCompared)
   {
     files.push_back(file);
-    AddOnce(this->Current.MaterialFiles, file); // a model with parameters is listed for its box
-    Q_EMIT this->listsChanged();
+    if (AddOnce(this->Current.MaterialFiles, file)) // a model with parameters, for its box
+    {
+      Q_EMIT this->listsChanged();
+    }
   }
   this->SetCompared(files);
 }
