@@ -3,6 +3,7 @@
 #include "Evaluation.h"
 
 #include "Display.h"
+#include "Measuring.h"
 #include "Picture.h"
 #include "ReferencePicture.h"
 #include "Scenes.h"
@@ -227,15 +228,9 @@ void Evaluation::TakeReference(const std::vector<double>& radiance, bool complet
 {
   this->Radiance = radiance;
   this->Complete = complete;
-  auto picture = std::make_shared<tool::Picture>(this->Size.Width, this->Size.Height);
-  for (std::size_t k = 0; k < this->Visible->Pixels.size(); ++k)
-  {
-    float* pixel = &picture->Pixels[4 * std::size_t(this->Visible->Pixels[k])];
-    std::copy_n(&radiance[3 * k], 3, pixel);
-    pixel[3] = 1.0f;
-  }
-  Dilate(*picture);
-  this->Reference = picture;
+  tool::Picture picture = tool::Grid(*this->Visible, this->Size).Draw(radiance);
+  Dilate(picture);
+  this->Reference = std::make_shared<const tool::Picture>(std::move(picture));
   this->Measure();
   Q_EMIT this->changed();
 }
@@ -243,8 +238,7 @@ void Evaluation::TakeReference(const std::vector<double>& radiance, bool complet
 //------------------------------------------------------------------------------
 std::shared_ptr<const tool::Picture> Evaluation::GetPicture(int side) const
 {
-  const auto k = side;
-  return this->Sides[k]->IsReference() ? this->Reference : this->Pictures[k];
+  return this->Sides[side]->IsReference() ? this->Reference : this->Pictures[side];
 }
 
 //------------------------------------------------------------------------------

@@ -4,7 +4,9 @@
 
 #include "Files.h"
 #include "Meshes.h"
+#include "NumberText.h"
 #include "State.h"
+#include "Tool.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFFormats.h"
@@ -18,11 +20,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
+#include <utility>
 
 namespace explorer
 {
 namespace
 {
+const std::string Prefix = "model:";
+
 //------------------------------------------------------------------------------
 bool Has(const std::vector<std::string>& list, const std::string& ending)
 {
@@ -103,7 +109,7 @@ std::vector<Item> ListMaterials(const std::vector<std::string>& opened)
   AddFiles(items, opened);
   for (const ParametricModel& model : GetModels())
   {
-    items.push_back({ GetModelFile(model), model.Name, "Models",
+    items.push_back({ Prefix + model.Key, model.Name, "Models",
       model.Description + "; its parameters are in the Model tab" });
   }
   const auto embedded = static_cast<std::ptrdiff_t>(items.size());
@@ -148,21 +154,20 @@ std::vector<Item> ListMeshes(const std::string& opened)
 
 namespace
 {
-const std::string Prefix = "model:";
 constexpr double LargestExponent = 1e6; // as the models' own
 
 //------------------------------------------------------------------------------
 ModelParameter MakeExponent(
   const std::string& key, const std::string& name, const std::string& description, double value)
 {
-  return { key, name, description, 0.0, LargestExponent, { value }, true, {} };
+  return { key, name, description, 0.0, LargestExponent, { value }, true };
 }
 
 //------------------------------------------------------------------------------
 ModelParameter MakeColor(const std::string& key, const std::string& name,
   const std::string& description, double largest, double value)
 {
-  return { key, name, description, 0.0, largest, { value, value, value }, false, {} };
+  return { key, name, description, 0.0, largest, { value, value, value } };
 }
 
 //------------------------------------------------------------------------------
@@ -182,43 +187,44 @@ vtkSmartPointer<vtkBRDF> AddDiffuse(vtkBRDF* brdf, const std::vector<double>& al
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkBRDF> MakeAshikhminShirley(const ModelValues& values)
+vtkSmartPointer<vtkBRDF> MakeLambert(const ModelValues& values)
 {
-  auto brdf = vtkSmartPointer<vtkAshikhminShirleyBRDF>::New();
-  brdf->SetSpecularScale(values.at("specular_scale").data());
-  brdf->SetReflectance(values.at("reflectance").data());
-  brdf->SetDiffuse(values.at("diffuse").data());
-  brdf->SetExponents(values.at("exponent_u")[0], values.at("exponent_v")[0]);
-  brdf->SetFresnelModel(values.at("fresnel")[0] == 0.0 ? vtkAshikhminShirleyBRDF::SCHLICK
-                                                       : vtkAshikhminShirleyBRDF::DIELECTRIC);
-  brdf->SetIndexOfRefraction(values.at("index_of_refraction")[0]);
+  auto brdf = vtkSmartPointer<vtkLambertBRDF>::New();
+  brdf->SetAlbedo(values.at("albedo").data());
   return brdf;
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkBRDF> MakeBRDF(const std::string& key, const ModelValues& values)
+vtkSmartPointer<vtkBRDF> MakeBlinnPhong(const ModelValues& values)
 {
-  if (key == "Lambert")
-  {
-    auto brdf = vtkSmartPointer<vtkLambertBRDF>::New();
-    brdf->SetAlbedo(values.at("albedo").data());
-    return brdf;
-  }
-  if (key == "BlinnPhong")
-  {
-    vtkNew<vtkBlinnPhongBRDF> brdf;
-    brdf->SetSpecular(values.at("specular").data());
-    brdf->SetExponent(values.at("exponent")[0]);
-    return AddDiffuse(brdf, values.at("albedo"));
-  }
-  if (key == "Distribution")
-  {
-    vtkNew<vtkDistributionBRDF> brdf;
-    brdf->SetBlinnDistribution(values.at("exponent")[0]);
-    brdf->SetSchlickFresnel(values.at("f0").data());
-    return AddDiffuse(brdf, values.at("albedo"));
-  }
-  return MakeAshikhminShirley(values);
+  vtkNew<vtkBlinnPhongBRDF> brdf;
+  brdf->SetSpecular(values.at("specular").data());
+  brdf->SetExponent(values.at("exponent")[0]);
+  return AddDiffuse(brdf, values.at("albedo"));
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDF> MakeAshikhminShirley(const ModelValues& values)
+{
+  auto brdf = vtkSmartPointer<vtkAshikhminShirleyBRDF>::New();
+  const double index = values.at("index_of_refraction")[0];
+  brdf->SetSpecularScale(values.at("specular_scale").data());
+  brdf->SetReflectance(values.at("reflectance").data());
+  brdf->SetDiffuse(values.at("diffuse").data());
+  brdf->SetExponents(values.at("exponent_u")[0], values.at("exponent_v")[0]);
+  brdf->SetFresnelModel(
+    index > 1.0 ? vtkAshikhminShirleyBRDF::DIELECTRIC : vtkAshikhminShirleyBRDF::SCHLICK);
+  brdf->SetIndexOfRefraction(index);
+  return brdf;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDF> MakeDistribution(const ModelValues& values)
+{
+  vtkNew<vtkDistributionBRDF> brdf;
+  brdf->SetBlinnDistribution(values.at("exponent")[0]);
+  brdf->SetSchlickFresnel(values.at("f0").data());
+  return AddDiffuse(brdf, values.at("albedo"));
 }
 }
 
@@ -229,10 +235,12 @@ const std::vector<ParametricModel>& GetModels()
     MakeColor("albedo", "Albedo", "Share of the light that a Lambert part reflects", 1.0, 0.2);
   static const std::vector<ParametricModel> models = {
     { "Lambert", "Lambert", "f = albedo / pi",
-      { MakeColor("albedo", "Albedo", "Share of the light that is reflected", 1.0, 0.8) } },
+      { MakeColor("albedo", "Albedo", "Share of the light that is reflected", 1.0, 0.8) },
+      &MakeLambert },
     { "BlinnPhong", "Blinn-Phong", "ks (n+2)/(2 pi) (n.h)^n, with a Lambert part",
       { lambert, MakeColor("specular", "Specular", "Scale ks of the lobe, no unit", 1.0, 0.1),
-        MakeExponent("exponent", "Exponent", "Exponent n of the half vector's cosine", 50.0) } },
+        MakeExponent("exponent", "Exponent", "Exponent n of the half vector's cosine", 50.0) },
+      &MakeBlinnPhong },
     { "AshikhminShirley", "Ashikhmin-Shirley",
       "Anisotropic Phong lobe with Fresnel term and coupled diffuse part (2000)",
       { MakeColor("reflectance", "Reflectance", "Rs, reflectance at normal incidence", 1.0, 0.04),
@@ -240,61 +248,88 @@ const std::vector<ParametricModel>& GetModels()
         MakeColor("specular_scale", "Specular scale", "Factor on the specular part", 10.0, 1.0),
         MakeExponent("exponent_u", "Exponent u", "Phong exponent along the tangent", 100.0),
         MakeExponent("exponent_v", "Exponent v", "Phong exponent along the bitangent", 100.0),
-        { "fresnel", "Fresnel", "Schlick's, from the reflectance, or a dielectric's, exact", 0.0,
-          1.0, { 0.0 }, false, { "Schlick", "Dielectric" } },
-        { "index_of_refraction", "Index of refraction", "Of the dielectric's Fresnel term", 1.0,
-          100.0, { 1.5 }, true, {} } } },
+        { "index_of_refraction", "Index of refraction",
+          "Above 1: a dielectric's exact Fresnel term. At 1: Schlick's, from the reflectance", 1.0,
+          100.0, { 1.0 }, true } },
+      &MakeAshikhminShirley },
     { "Distribution", "D-BRDF",
       "Ashikhmin and Premoze's (2007) with Blinn-Phong's distribution and Schlick's Fresnel term, "
       "and a Lambert part",
       { lambert, MakeColor("f0", "F0", "Fresnel reflectance at normal incidence", 1.0, 0.04),
-        MakeExponent("exponent", "Exponent", "Exponent of the distribution", 50.0) } }
+        MakeExponent("exponent", "Exponent", "Exponent of the distribution", 50.0) },
+      &MakeDistribution }
   };
   return models;
 }
 
 //------------------------------------------------------------------------------
-std::string GetModelFile(const ParametricModel& model) { return Prefix + model.Key; }
-
-//------------------------------------------------------------------------------
-const ParametricModel* FindModel(const std::string& file)
+const ParametricModel* FindModel(const std::string& name)
 {
   const std::vector<ParametricModel>& models = GetModels();
   const auto found = std::find_if(models.begin(), models.end(),
-    [&file](const ParametricModel& model) { return GetModelFile(model) == file; });
+    [&name](const ParametricModel& model)
+    { return name.substr(0, name.find(' ')) == Prefix + model.Key; });
   return found == models.end() ? nullptr : &*found;
 }
 
 //------------------------------------------------------------------------------
-ModelValues GetValues(const ParametricModel& model, const ModelStates& states)
+std::string NameModel(const ParametricModel& model, const ModelValues& values)
 {
-  ModelValues values;
-  const auto state = states.find(model.Key);
+  std::string name = Prefix + model.Key;
   for (const ModelParameter& parameter : model.Parameters)
   {
-    values[parameter.Key] = parameter.Default;
-    if (state != states.end() && state->second.count(parameter.Key) != 0)
+    const std::vector<double>& numbers = values.at(parameter.Key);
+    char separator = '=';
+    name += numbers == parameter.Default ? "" : " " + parameter.Key;
+    for (std::size_t k = 0; k < numbers.size() && numbers != parameter.Default; ++k)
     {
-      values[parameter.Key] = state->second.at(parameter.Key);
+      name += std::exchange(separator, ',') + tool::FormatNumber(numbers[k]);
     }
   }
+  return name;
+}
+
+//------------------------------------------------------------------------------
+ModelValues GetValues(const std::string& name)
+{
+  const std::vector<ModelParameter>& known = FindModel(name)->Parameters;
+  ModelValues values;
+  for (const ModelParameter& parameter : known)
+  {
+    values[parameter.Key] = parameter.Default;
+  }
+  std::istringstream words(name);
+  std::string word;
+  words >> word; // the model's own
+  while (words >> word)
+  {
+    std::replace_if(
+      word.begin(), word.end(), [](char c) { return c == '=' || c == ','; }, ' ');
+    std::istringstream parts(word);
+    std::string text;
+    parts >> text;
+    const auto parameter = std::find_if(
+      known.begin(), known.end(), [&text](const ModelParameter& one) { return one.Key == text; });
+    if (parameter == known.end())
+    {
+      throw tool::Error(name + ": \"" + text + "\": expected a parameter of this model");
+    }
+    std::vector<double> numbers;
+    for (double number = 0.0; parts >> text && measuredbrdf::ParseNumber(text, number) &&
+                              number >= parameter->Least && number <= parameter->Largest;)
+    {
+      numbers.push_back(number);
+    }
+    if (parts || numbers.size() != parameter->Default.size())
+    {
+      throw tool::Error(name + ": \"" + parameter->Key + "\": expected " +
+                        tool::FormatCount(parameter->Default.size(), "number") + " from " +
+                        tool::FormatNumber(parameter->Least) + " to " +
+                        tool::FormatNumber(parameter->Largest));
+    }
+    values[parameter->Key] = numbers;
+  }
   return values;
-}
-
-//------------------------------------------------------------------------------
-ModelValues FindValues(const std::string& file, const ModelStates& states)
-{
-  const ParametricModel* model = FindModel(file);
-  return model ? GetValues(*model, states) : ModelValues();
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkBRDF> MakeModel(const ParametricModel& model, const ModelValues& values)
-{
-  const vtkSmartPointer<vtkBRDF> brdf = MakeBRDF(model.Key, values);
-  brdf->SetName(model.Name);
-  brdf->SetSource(model.Description);
-  return brdf;
 }
 
 //------------------------------------------------------------------------------
@@ -309,15 +344,16 @@ tool::Material MakeSnapshot(const tool::Material& material)
 }
 
 //------------------------------------------------------------------------------
-ShownMaterial ReadMaterial(const std::string& file, const ModelStates& models)
+ShownMaterial ReadMaterial(const std::string& file)
 {
   ShownMaterial read;
   if (const ParametricModel* model = FindModel(file))
   {
-    read.Values = GetValues(*model, models);
-    read.Material.BRDF = MakeModel(*model, read.Values);
+    read.Material.BRDF = model->Make(GetValues(file));
+    read.Material.Name = model->Name + file.substr(std::min(file.find(' '), file.size()));
+    read.Material.BRDF->SetName(read.Material.Name);
+    read.Material.BRDF->SetSource(model->Description);
     read.Material.File = file;
-    read.Material.Name = model->Name;
     read.Material.Source = model->Description;
     read.Material.Format = "model";
   }

@@ -17,6 +17,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -60,16 +61,18 @@ std::vector<Item> ListMeshes(const std::string& opened);
 /// Whether it is a built-in name, or a model's, and no file.
 bool IsBuiltIn(const std::string& name);
 
+/// Parameters of a model, by their keys: one number, or red, green and blue.
+using ModelValues = std::map<std::string, std::vector<double>>;
+
 struct ModelParameter
 {
-  std::string Key;  // in state files
+  std::string Key;  // in names of models
   std::string Name; // for people
   std::string Description;
   double Least;
   double Largest;
-  std::vector<double> Default;      // one number, or red, green and blue
-  bool IsLogarithmic = false;       // the slider's scale
-  std::vector<std::string> Choices; // where it is one of a few: their names, from 0
+  std::vector<double> Default; // one number, or red, green and blue
+  bool IsLogarithmic = false;  // the slider's scale
 };
 
 struct ParametricModel
@@ -78,25 +81,23 @@ struct ParametricModel
   std::string Name;
   std::string Description;
   std::vector<ModelParameter> Parameters;
+  vtkSmartPointer<vtkBRDF> (*Make)(const ModelValues& values); // values that are in range
 };
 
 /// Lambert, Blinn-Phong, Ashikhmin-Shirley, D-BRDF.
 const std::vector<ParametricModel>& GetModels();
 
-///@{
-/// A model as State names it in a material's place, "model:Lambert"; null: it is none.
-std::string GetModelFile(const ParametricModel& model);
-const ParametricModel* FindModel(const std::string& file);
-///@}
+/**
+ * A model is named in a material's place with those of its parameters that are not as usual:
+ * "model:Lambert", "model:BlinnPhong exponent=300 specular=0.1,0.2,0.3".
+ */
+std::string NameModel(const ParametricModel& model, const ModelValues& values);
 
-/// All parameters of a model: those that a state has set, and the others' defaults.
-ModelValues GetValues(const ParametricModel& model, const ModelStates& states);
+/// The model of that name, whatever follows it; null: it is none's.
+const ParametricModel* FindModel(const std::string& name);
 
-/// The same of a material by its name or file; nothing where that is no model.
-ModelValues FindValues(const std::string& file, const ModelStates& states);
-
-/// Of values that are in range.
-vtkSmartPointer<vtkBRDF> MakeModel(const ParametricModel& model, const ModelValues& values);
+/// All parameters of a name that a model has. Throws tool::Error that says what was expected.
+ModelValues GetValues(const std::string& name);
 
 /// A copy for another thread; the material itself where its class has none.
 tool::Material MakeSnapshot(const tool::Material& material);
@@ -105,13 +106,12 @@ tool::Material MakeSnapshot(const tool::Material& material);
 struct ShownMaterial
 {
   tool::Material Material;     // prepared
-  ModelValues Values;          // of a model; empty for others
   nlohmann::ordered_json Info; // what tool::InspectMaterial finds; null before
 };
 
 /// By name or file as State has it, models among them; without Info. Takes long. Throws
 /// tool::Error.
-ShownMaterial ReadMaterial(const std::string& file, const ModelStates& models);
+ShownMaterial ReadMaterial(const std::string& file);
 } // namespace explorer
 
 #endif

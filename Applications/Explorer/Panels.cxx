@@ -141,7 +141,9 @@ void FillList(QTreeWidget* list, const std::vector<Item>& items, const std::stri
     auto* line = new QTreeWidgetItem(heading, { QString::fromStdString(item.Name) });
     line->setData(0, Qt::UserRole, QString::fromStdString(item.File));
     line->setToolTip(0, QString::fromStdString(item.Source));
-    if (item.File == current)
+    // A model's parameters follow its name; that with the same ones is a file, which comes first.
+    if (item.File == current ||
+        (!list->currentItem() && current.compare(0, item.File.size() + 1, item.File + " ") == 0))
     {
       list->setCurrentItem(line);
     }
@@ -397,7 +399,7 @@ constexpr int SliderSteps = 400;
 constexpr int TitleWidth = 130; // pixels
 
 //------------------------------------------------------------------------------
-// A number of a model by a slider and a field, or one of a few choices.
+// A number of a model by a slider and a field.
 QWidget* MakeParameterRow(
   Session* session, const ParametricModel& model, const ModelParameter& parameter, std::size_t k)
 {
@@ -408,15 +410,12 @@ QWidget* MakeParameterRow(
     QString::fromStdString(parameter.Name) + (isColor ? channels[k] : QString());
   const QString name =
     QString::fromStdString(parameter.Key) + (isColor ? QString(" %1").arg(k) : QString());
-  const auto getAll = [=, &model]()
-  { return GetValues(model, session->GetState().Models).at(parameter.Key); };
-  const auto get = [=]() { return getAll()[k]; };
-  const auto set = [=, &model](double value)
+  const auto get = [=, &model]() // until its rows go, another model may be edited
   {
-    std::vector<double> values = getAll();
-    values[k] = value;
-    session->SetModelValues(model.Key, parameter.Key, values);
+    const bool isShown = FindModel(session->GetEdited()) == &model;
+    return (isShown ? GetValues(session->GetEdited()).at(parameter.Key) : parameter.Default)[k];
   };
+  const auto set = [=](double value) { session->SetModelValue(parameter.Key, k, value); };
   auto* row = new QWidget;
   row->setToolTip(QString::fromStdString(parameter.Description));
   auto* layout = new QHBoxLayout(row);
@@ -424,21 +423,6 @@ QWidget* MakeParameterRow(
   auto* label = new QLabel(title);
   label->setMinimumWidth(TitleWidth);
   layout->addWidget(label);
-  if (!parameter.Choices.empty())
-  {
-    auto* choices = new QComboBox;
-    for (std::size_t j = 0; j < parameter.Choices.size(); ++j)
-    {
-      AddItem(choices, parameter.Choices[j], double(j));
-    }
-    choices->setAccessibleName(title);
-    choices->setObjectName(name);
-    layout->addWidget(choices);
-    layout->addStretch(1);
-    OnChange(choices, [=](const QVariant& choice) { set(choice.toDouble()); });
-    Follow(session, row, { &Session::modelsChanged }, [=]() { Show(choices, get()); });
-    return row;
-  }
   auto* field =
     MakeField(parameter.Least, parameter.Largest, parameter.Largest > 100.0 ? 1 : 3, 1.0, "", "");
   field->setAccessibleName(title);
@@ -464,10 +448,10 @@ QWidget* MakeModelPanel(Session* session)
   auto* layout = MakeColumn(panel);
   layout->addWidget(text);
   layout->addStretch(1);
-  Follow(session, panel, { &Session::listsChanged },
+  Follow(session, panel, { &Session::modelsChanged },
     [=]()
     {
-      const ParametricModel* model = FindModel(session->GetState().Material);
+      const ParametricModel* model = FindModel(session->GetEdited());
       const QString key = model ? QString::fromStdString(model->Key) : QString();
       auto* before = panel->findChild<QWidget*>("parameters", Qt::FindDirectChildrenOnly);
       if (before && before->property("model").toString() == key)
@@ -496,30 +480,6 @@ QWidget* MakeModelPanel(Session* session)
   return panel;
 }
 
-namespace
-{
-//------------------------------------------------------------------------------
-// What was measured, which says how good the material is, before what it is.
-nlohmann::ordered_json PutFindingsFirst(const nlohmann::ordered_json& info)
-{
-  nlohmann::ordered_json sorted;
-  for (const char* key :
-    { "name", "reciprocity_error", "reciprocal_by_construction", "largest_albedo", "gains_energy",
-      "negative_values", "negative_mass", "invalid_values", "transmission" })
-  {
-    if (info.contains(key))
-    {
-      sorted[key] = info[key];
-    }
-  }
-  for (const auto& [key, value] : info.items())
-  {
-    sorted[key] = value;
-  }
-  return sorted;
-}
-}
-
 //------------------------------------------------------------------------------
 QWidget* MakeFindingsPanel(Session* session)
 {
@@ -533,9 +493,10 @@ QWidget* MakeFindingsPanel(Session* session)
     [=]()
     {
       const nlohmann::ordered_json& info = session->GetInspection();
-      text->setPlainText(info.is_null()
-                           ? QObject::tr("Being measured …")
-                           : QString::fromStdString(tool::FormatReport(PutFindingsFirst(info))));
+      text->setPlainText(session->GetInspectionError().isEmpty()
+                           ? info.is_null() ? QObject::tr("Being measured …")
+                                            : QString::fromStdString(tool::FormatReport(info))
+                           : session->GetInspectionError());
     });
   return text;
 }

@@ -29,11 +29,11 @@ QWidget* MakeListPanel(Session* session);
 /// The tolerance ("tolerance"), what is planned for it, and what was measured of both sides.
 QWidget* MakePlanPanel(Session* session, std::array<Side*, 2> sides, Evaluation* evaluation);
 
-/// The parameters of a model by sliders, fields and choices, called by the parameter's key and,
+/// The parameters of a model by sliders and fields, called by the parameter's key and,
 /// where it is a color, 0, 1 or 2.
 QWidget* MakeModelPanel(Session* session);
 
-/// What `info` says of the material, with what it measured first.
+/// What `info` says of the material.
 QWidget* MakeFindingsPanel(Session* session);
 } // namespace explorer
 

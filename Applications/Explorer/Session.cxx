@@ -18,13 +18,15 @@ namespace
 constexpr int RemakeTime = 80; // ms after a slider moved
 
 //------------------------------------------------------------------------------
-// A file, not a built-in name.
-void AddOnce(std::vector<std::string>& list, const std::string& file)
+// A file, not a built-in name. Returns whether it was not there before.
+bool AddOnce(std::vector<std::string>& list, const std::string& file)
 {
   if (!explorer::IsBuiltIn(file) && std::find(list.begin(), list.end(), file) == list.end())
   {
     list.push_back(file);
+    return true;
   }
+  return false;
 }
 } // namespace
 
@@ -37,7 +39,7 @@ Session::Session(Jobs* jobs, QObject* parent)
 {
   this->Remake.setSingleShot(true);
   this->Remake.setInterval(RemakeTime);
-  connect(&this->Remake, &QTimer::timeout, this, &Session::RemakeMaterial);
+  connect(&this->Remake, &QTimer::timeout, this, [this]() { this->SetMaterial(this->Edited); });
   connect(this, &Session::rotationChanged, this,
     [this]()
     {
@@ -61,12 +63,10 @@ void Session::Replace(const State& state, bool withCamera)
   this->Current.Mesh = before.Mesh;
   for (const std::string& file : state.Compared)
   {
-    AddOnce(this->Current.MaterialFiles, file); // so that it can be taken out
+    AddOnce(this->Current.MaterialFiles, file); // so that it can be taken out of them
   }
   Q_EMIT this->listsChanged();
-  Q_EMIT this->modelsChanged();
   this->SetMaterial(state.Material);
-  this->Remake.start(); // where it is the one that is shown
   this->SetCompared(state.Compared);
   this->SetEnvironment(state.Environment);
   Q_EMIT this->lightChanged();
@@ -97,7 +97,7 @@ void Session::Open(const QStringList& files)
   }
   this->Opening += files;
   this->Background->Start("open", tr("reading"),
-    [this, opening = this->Opening, models = this->Current.Models](const Jobs::Post& post)
+    [this, opening = this->Opening](const Jobs::Post& post)
     {
       for (const QString& file : opening)
       {
@@ -108,7 +108,7 @@ void Session::Open(const QStringList& files)
         const std::string name = file.toStdString();
         std::function<void()> show;
         const auto problem =
-          measuredbrdf::FindThrown([&]() { show = this->Read(FindFileKind(name), name, models); });
+          measuredbrdf::FindThrown([&]() { show = this->Read(FindFileKind(name), name); });
         post(
           [=]()
           {
@@ -121,8 +121,7 @@ void Session::Open(const QStringList& files)
 
 //------------------------------------------------------------------------------
 // On a thread. What it returns shows what was read, on the window's.
-std::function<void()> Session::Read(
-  FileKind kind, const std::string& file, const ModelStates& models)
+std::function<void()> Session::Read(FileKind kind, const std::string& file)
 {
   switch (kind)
   {
@@ -137,19 +136,19 @@ std::function<void()> Session::Read(
                                                           : tool::LoadEnvironment(file)]()
       { this->Take(environment, file); };
     case FileKind::Material:
-      return [this, read = ReadMaterial(file, models)]() { this->Take(read); };
+      return [this, read = ReadMaterial(file)]() { this->Take(read); };
     default: // a material or an environment
       break;
   }
   try
   {
-    return this->Read(FileKind::Material, file, models);
+    return this->Read(FileKind::Material, file);
   }
   catch (const tool::Error& asMaterial)
   {
     try
     {
-      return this->Read(FileKind::Environment, file, models);
+      return this->Read(FileKind::Environment, file);
     }
     catch (const tool::Error& asEnvironment)
     {
@@ -169,8 +168,7 @@ void Session::Show(FileKind kind, const QString& job, const std::string& file, b
     return;
   }
   this->Background->Compute(
-    job, tr("reading"),
-    [=, models = this->Current.Models]() { return this->Read(kind, file, models); },
+    job, tr("reading"), [=]() { return this->Read(kind, file); },
     [](const std::function<void()>& show) { show(); },
     [this](const QString& text)
     {
@@ -182,6 +180,7 @@ void Session::Show(FileKind kind, const QString& job, const std::string& file, b
 //------------------------------------------------------------------------------
 void Session::SetMaterial(const std::string& file)
 {
+  this->Remake.stop();
   this->Show(FileKind::Material, "material", file,
     this->GetMaterial().BRDF && file == this->Current.Material);
 }
@@ -226,6 +225,10 @@ void Session::SetCompared(const std::string& file, bool isCompared)
   else if (isCompared)
   {
     files.push_back(file);
+    if (AddOnce(this->Current.MaterialFiles, file)) // a model with parameters, for its box
+    {
+      Q_EMIT this->listsChanged();
+    }
   }
   this->SetCompared(files);
 }
@@ -253,18 +256,15 @@ std::vector<ShownMaterial> Session::GetChartedMaterials() const
 }
 
 //------------------------------------------------------------------------------
-// What is missing, or is a model with other parameters now. One job reads one after the other: they
-// may be large. A model is shown as it was until then.
+// What is missing. One job reads one after the other: they may be large.
 void Session::ReadCompared()
 {
   this->Background->Stop("compare");
-  const ModelStates models = this->Current.Models;
   std::vector<std::string> missing;
   for (const std::string& file : this->Current.Compared)
   {
     const auto found = this->Compared.find(file);
-    if (found == this->Compared.end() || found->second.Info.is_null() ||
-        found->second.Values != FindValues(file, models))
+    if (found == this->Compared.end() || found->second.Info.is_null())
     {
       missing.push_back(file);
     }
@@ -294,7 +294,7 @@ void Session::ReadCompared()
         const auto problem = measuredbrdf::FindThrown(
           [&]()
           {
-            ShownMaterial read = ReadMaterial(file, models);
+            ShownMaterial read = ReadMaterial(file);
             const tool::Material snapshot = MakeSnapshot(read.Material);
             show(read);
             read.Info = tool::InspectMaterial(snapshot); // for the albedo, which takes longer
@@ -318,52 +318,37 @@ void Session::ReadCompared()
 void Session::Take(const ShownMaterial& read)
 {
   this->Background->Stop("material");
-  this->Background->Stop("remake"); // of what was shown
   this->Current.Material = read.Material.File;
-  AddOnce(this->Current.MaterialFiles, read.Material.File);
+  if (!FindModel(read.Material.File))
+  {
+    AddOnce(this->Current.MaterialFiles, read.Material.File);
+  }
   this->Say(QString::fromStdString(read.Material.Notes), false);
   this->Made = read;
+  this->InspectionError.clear();
   Q_EMIT this->listsChanged();
-  this->SetMade(read);
-  this->Remake.start(); // where settings have changed since it was asked for
-}
-
-//------------------------------------------------------------------------------
-// The material, and then what is measured of it.
-void Session::SetMade(const ShownMaterial& made)
-{
-  this->Made = made;
+  const bool isEdited =
+    FindModel(this->Edited) && FindModel(this->Edited) == FindModel(read.Material.File);
+  if (!this->Remake.isActive() || !isEdited) // else its parameters are being set
+  {
+    this->Remake.stop();
+    this->Edited = read.Material.File;
+    Q_EMIT this->modelsChanged();
+  }
   Q_EMIT this->materialChanged();
   this->Background->Compute(
     "findings", tr("measuring the material"),
-    [material = MakeSnapshot(made.Material)]() { return tool::InspectMaterial(material); },
+    [material = MakeSnapshot(read.Material)]() { return tool::InspectMaterial(material); },
     [this](const nlohmann::ordered_json& info)
     {
       this->Made.Info = info;
       Q_EMIT this->inspected();
-    });
-}
-
-//------------------------------------------------------------------------------
-// The models that are shown with other parameters; another material is not waited for.
-void Session::RemakeMaterial()
-{
-  this->ReadCompared();
-  const std::string& file = this->Made.Material.File;
-  const ModelStates& models = this->Current.Models;
-  this->Background->Stop("remake"); // of parameters that may be taken back
-  if (!this->Made.Material.BRDF || this->Made.Values == FindValues(file, models))
-  {
-    return;
-  }
-  this->Background->Compute(
-    "remake", tr("making the material"), [file, models]() { return ReadMaterial(file, models); },
-    [this](const ShownMaterial& made)
+    },
+    [this](const QString& text)
     {
-      if (made.Material.File == this->Made.Material.File)
-      {
-        this->SetMade(made);
-      }
+      this->Say(text, true);
+      this->InspectionError = tr("The material could not be measured: %1").arg(text);
+      Q_EMIT this->inspected();
     });
 }
 
@@ -459,24 +444,16 @@ void Session::Edit(Signal changed, const std::function<void(State&)>& change)
 }
 
 //------------------------------------------------------------------------------
-void Session::SetModelValues(
-  const std::string& key, const std::string& parameter, const std::vector<double>& values)
+void Session::SetModelValue(const std::string& parameter, std::size_t k, double value)
 {
-  const ParametricModel* model = FindModel("model:" + key);
-  for (const ModelParameter& one : model ? model->Parameters : std::vector<ModelParameter>())
+  if (const ParametricModel* model = FindModel(this->Edited))
   {
-    if (one.Key == parameter && values.size() == one.Default.size())
-    {
-      std::vector<double>& set = this->Current.Models[key][parameter];
-      set = values;
-      for (double& value : set)
-      {
-        value = std::isfinite(value) ? std::clamp(value, one.Least, one.Largest) : one.Default[0];
-      }
-    }
+    ModelValues values = GetValues(this->Edited);
+    values.at(parameter).at(k) = value;
+    this->Edited = NameModel(*model, values);
+    this->Remake.start();
+    Q_EMIT this->modelsChanged();
   }
-  Q_EMIT this->modelsChanged();
-  this->Remake.start();
 }
 
 //------------------------------------------------------------------------------

@@ -77,8 +77,11 @@ public:
   vtkPolyData* GetMesh() const { return this->Mesh; }
   ///@}
 
-  /// What was measured of the material; null before.
+  ///@{
+  /// What was measured of the material, null before; and why it cannot be measured, else "".
   const nlohmann::ordered_json& GetInspection() const { return this->Made.Info; }
+  const QString& GetInspectionError() const { return this->InspectionError; }
+  ///@}
 
   /// The file of the mesh that is shown.
   const std::string& GetMeshFile() const { return this->MeshFile; }
@@ -118,10 +121,12 @@ public:
   void SetSplit(double share) { this->Set(&State::Split, share, &Session::pictureChanged); }
   ///@}
 
-  /// A parameter of a model: what is shown of it follows in the background. Parameters that are not
-  /// known change nothing.
-  void SetModelValues(
-    const std::string& key, const std::string& parameter, const std::vector<double>& values);
+  ///@{
+  /// The name of the material that is shown, where it is a model with the parameters that it will
+  /// have: what is shown of it follows in the background.
+  const std::string& GetEdited() const { return this->Edited; }
+  void SetModelValue(const std::string& parameter, std::size_t k, double value);
+  ///@}
 
   ///@{
   /// State files. False with a message where that does not work.
@@ -160,20 +165,20 @@ Q_SIGNALS:
   void messaged(const QString& text, bool isError);
 
 private:
-  std::function<void()> Read(FileKind kind, const std::string& file, const ModelStates& models);
+  std::function<void()> Read(FileKind kind, const std::string& file);
   void Show(FileKind kind, const QString& job, const std::string& file, bool isShown);
-  void RemakeMaterial();
   void ReadCompared();
   void Take(const ShownMaterial& read);
   void Take(const vtkSmartPointer<vtkEnvironment>& environment, const std::string& file);
   void Take(const vtkSmartPointer<vtkPolyData>& mesh, const std::string& file);
-  void SetMade(const ShownMaterial& made);
 
   Jobs* Background;
   State Current;
   ShownMaterial Made;
+  QString InspectionError;
   std::map<std::string, ShownMaterial> Compared; // by their files
-  QTimer Remake;
+  std::string Edited;
+  QTimer Remake; // until Edited is made
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkSmartPointer<vtkPolyData> Mesh;
   std::string MeshFile;       // of Mesh

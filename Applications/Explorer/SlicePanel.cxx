@@ -230,6 +230,7 @@ double ChartScale::Find(double value) const
     this->Logarithmic ? std::max(std::log10(std::max(value, this->Floor)), this->Least) : value;
   return (place - this->Least) / (this->Largest - this->Least);
 }
+
 namespace
 {
 const QColor LightColor(240, 170, 0);
@@ -249,52 +250,6 @@ void DrawCentered(QPainter& painter, const QPointF& middle, const QString& text)
     Qt::AlignCenter, text);
 }
 
-//------------------------------------------------------------------------------
-// A frame with ticks and their texts below it and left of it, and lines across it at the ticks.
-void DrawAxes(QPainter& painter, const QRectF& frame, const ChartTicks& across,
-  const ChartTicks& upwards, bool grid)
-{
-  const double line = painter.fontMetrics().height();
-  const auto draw = [&](const QPointF& at, const QPointF& outwards, const QPointF& end)
-  {
-    painter.setPen(GridColor);
-    painter.drawLine(at, grid ? end : at);
-    painter.setPen(Qt::black);
-    painter.drawLine(at, at + outwards);
-  };
-  for (const auto& [share, text] : across)
-  {
-    const QPointF at(frame.left() + share * frame.width(), frame.bottom());
-    draw(at, { 0.0, 4.0 }, { at.x(), frame.top() });
-    DrawCentered(painter, at + QPointF(0.0, 4.0 + 0.5 * line), QString::fromStdString(text));
-  }
-  for (const auto& [share, text] : upwards)
-  {
-    const QPointF at(frame.left(), frame.bottom() - share * frame.height());
-    draw(at, { -4.0, 0.0 }, { frame.right(), at.y() });
-    painter.drawText(QRectF(0.0, at.y() - line, at.x() - 6.0, 2.0 * line),
-      Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(text));
-  }
-  painter.setBrush(Qt::NoBrush);
-  painter.drawRect(frame);
-}
-
-//------------------------------------------------------------------------------
-// Lines through the places that a function finds of their angles and values.
-template <typename Function>
-void DrawLines(QPainter& painter, const std::vector<ChartLine>& lines, bool dashed, Function place)
-{
-  for (const ChartLine& line : lines)
-  {
-    QPolygonF points;
-    for (std::size_t k = 0; k < line.Values.size(); ++k)
-    {
-      points << place(line.Degrees[k], line.Values[k]);
-    }
-    painter.setPen(MakePen(line.Color, 2.0, dashed));
-    painter.drawPolyline(points);
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -354,10 +309,10 @@ void SliceView::Update()
 }
 
 //------------------------------------------------------------------------------
-void SliceView::DrawChart(QPainter& painter, int chart, const QRectF& area) const
+// Values over an axis of angles. Or a polar chart, where the distance from the origin is the value:
+// upwards is the normal, the mirror's side is right, below the surface is what is transmitted.
+void SliceView::DrawChart(QPainter& painter, int chart, bool polar, const QRectF& area) const
 {
-  const char* const titles[] = { "f (1/sr) over θh", "f (1/sr) over θd", "f (1/sr) over φd",
-    "albedo over θo", "f (1/sr) over θo, negative towards the light" };
   const State& state = this->Model->GetState();
   const std::vector<ChartLine> lines = MakeLines(this->Curves[chart]);
   const std::vector<ChartLine> dashed =
@@ -366,109 +321,98 @@ void SliceView::DrawChart(QPainter& painter, int chart, const QRectF& area) cons
   all.insert(all.end(), dashed.begin(), dashed.end());
   const ChartScale scale(all, state.SliceLogarithmic && chart != Albedo);
   const bool allAround = chart == Plane && this->IsAllAround();
-  const bool transmits = std::any_of(
-    dashed.begin(), dashed.end(), [](const ChartLine& line) { return !line.Values.empty(); });
   const double last = allAround || chart == PhiD ? 180.0 : 90.0;
   const double first = chart == Plane ? -last : 0.0;
   const double line = painter.fontMetrics().height();
   const double left = painter.fontMetrics().horizontalAdvance("0.0001") + 10.0;
-  const QRectF frame =
-    area.adjusted(left, 1.5 * line, -line, -1.3 * line - 4.0); // beside the texts of its axes
-  const auto place = [&](double degrees, double value)
-  {
-    return QPointF(frame.left() + (degrees - first) / (last - first) * frame.width(),
-      frame.bottom() - scale.Find(value) * frame.height());
-  };
-  ChartTicks across;
-  for (double at = first; at <= last; at += last > 90.0 ? 60.0 : 30.0)
-  {
-    across.emplace_back((at - first) / (last - first), std::to_string(static_cast<int>(at)));
-  }
-  DrawAxes(painter, frame, across, scale.Ticks, true);
-  painter.save();
-  painter.setClipRect(frame);
-  if (chart == Plane) // the light and its mirror direction
-  {
-    for (const double sign : { -1.0, 1.0 })
-    {
-      const double x = place(sign * state.LobeThetaI, 0.0).x();
-      painter.setPen(MakePen(LightColor, sign < 0.0 ? 3.0 : 1.0, sign > 0.0));
-      painter.drawLine(QPointF(x, frame.top()), QPointF(x, frame.bottom()));
-    }
-  }
-  DrawLines(painter, lines, false, place);
-  DrawLines(painter, dashed, true, place);
-  painter.restore();
-  painter.setPen(Qt::black);
-  DrawCentered(painter, { frame.center().x(), area.top() + 0.8 * line },
-    allAround   ? "the same over θo; beyond 90: transmitted"
-    : transmits ? "albedo; dashed: transmitted"
-                : titles[chart]);
-}
-
-//------------------------------------------------------------------------------
-// Upwards is the normal, the mirror's side is right; below the surface is what is transmitted. The
-// distance from the origin is the value, and circles have constant values.
-void SliceView::DrawPolar(QPainter& painter, const QRectF& area) const
-{
-  const State& state = this->Model->GetState();
-  const std::vector<ChartLine> lines = MakeLines(this->Curves[Plane]);
-  const ChartScale scale(lines, state.SliceLogarithmic);
-  const bool allAround = this->IsAllAround();
-  const double line = painter.fontMetrics().height();
+  const QRectF frame = area.adjusted(left, 1.5 * line, -line, -1.3 * line - 4.0);
   const double radius = std::min(0.5 * area.width() - 2.0 * line,
     (area.height() - (allAround ? 4.5 : 4.0) * line) / (allAround ? 2.0 : 1.0));
   const QPointF center(area.center().x(), area.top() + 2.7 * line + radius);
-  const auto place = [&](double share, double degrees)
+  const auto place = [&](double degrees, double share) // of the axis of values
   {
     const double angle = glm::radians(degrees);
-    return center + share * radius * QPointF(std::sin(angle), -std::cos(angle));
+    return polar ? center + share * radius * QPointF(std::sin(angle), -std::cos(angle))
+                 : QPointF(frame.left() + (degrees - first) / (last - first) * frame.width(),
+                     frame.bottom() - share * frame.height());
   };
-  const auto drawCircle = [&](double share)
-  {
-    const double r = share * radius;
-    painter.drawArc(
-      QRectF(center.x() - r, center.y() - r, 2.0 * r, 2.0 * r), 0, 16 * (allAround ? 360 : 180));
-  };
-  const auto drawRay = [&](double degrees, const QPen& pen)
+  const auto drawAngle = [&](double degrees, const QPen& pen)
   {
     painter.setPen(pen);
-    painter.drawLine(center, place(1.0, degrees));
+    painter.drawLine(place(degrees, 0.0), place(degrees, 1.0));
   };
-  for (int degrees = -150; degrees <= 180; degrees += 30)
+  const auto drawValue = [&](double share)
   {
-    if (std::abs(degrees) < 90 || (allAround && std::abs(degrees) > 90))
+    QPolygonF points;
+    for (double degrees = first; degrees <= last; degrees += 1.0)
     {
-      drawRay(degrees, MakePen(GridColor, 1.0));
-      painter.setPen(Qt::darkGray);
-      DrawCentered(painter, place(1.0 + 0.8 * line / radius, degrees), QString::number(degrees));
+      points << place(degrees, share);
+    }
+    painter.setPen(GridColor);
+    painter.drawPolyline(points);
+  };
+  const auto drawLines = [&](const std::vector<ChartLine>& shown, bool isDashed)
+  {
+    for (const ChartLine& one : shown)
+    {
+      QPolygonF points;
+      for (std::size_t k = 0; k < one.Values.size(); ++k)
+      {
+        points << place(one.Degrees[k], scale.Find(one.Values[k]));
+      }
+      painter.setPen(MakePen(one.Color, 2.0, isDashed));
+      painter.drawPolyline(points);
+    }
+  };
+
+  for (double at = first; at <= last; at += polar || last <= 90.0 ? 30.0 : 60.0)
+  {
+    if (polar && (at == first || std::abs(at) == 90.0))
+    {
+      continue; // the texts of values are there
+    }
+    drawAngle(at, GridColor);
+    painter.setPen(Qt::darkGray);
+    DrawCentered(painter,
+      polar ? place(at, 1.0 + 0.8 * line / radius) : place(at, 0.0) + QPointF(0.0, 0.8 * line),
+      QString::number(at));
+  }
+  drawValue(1.0);
+  const std::size_t count = scale.Ticks.size();
+  const std::size_t step = polar ? 1 + count / (allAround ? 4 : 5) : 1; // as fit beside each other
+  for (std::size_t k = 0; k < count; k += step)
+  {
+    const auto& [share, text] = scale.Ticks[count - 1 - k];
+    drawValue(share);
+    painter.setPen(Qt::darkGray);
+    DrawCentered(painter,
+      polar ? place(90.0, share) + QPointF(0.0, 0.6 * line)
+            : place(first, share) - QPointF(0.5 * left, 0.0),
+      QString::fromStdString(text));
+  }
+  painter.setPen(MakePen(Qt::darkGray, polar && allAround ? 2.0 : 1.0)); // the surface
+  polar ? painter.drawLine(place(-90.0, 1.0), place(90.0, 1.0)) : painter.drawRect(frame);
+  if (chart == Plane)
+  {
+    drawAngle(-state.LobeThetaI, MakePen(LightColor, 3.0));
+    drawAngle(state.LobeThetaI, MakePen(LightColor, 1.0, true)); // the mirror direction
+    if (allAround)
+    {
+      drawAngle(180.0 - state.LobeThetaI, MakePen(LightColor, 1.0, true)); // straight on
     }
   }
-  painter.setPen(GridColor);
-  drawCircle(1.0);
-  const std::size_t step = 1 + scale.Ticks.size() / (allAround ? 4 : 5); // as fit beside each other
-  for (std::size_t k = 0; k < scale.Ticks.size(); k += step)
-  {
-    const auto& [share, text] = scale.Ticks[scale.Ticks.size() - 1 - k];
-    painter.setPen(GridColor);
-    drawCircle(share);
-    painter.setPen(Qt::darkGray);
-    DrawCentered(
-      painter, place(share, 90.0) + QPointF(0.0, 0.6 * line), QString::fromStdString(text));
-  }
-  painter.setPen(MakePen(Qt::darkGray, allAround ? 2.0 : 1.0)); // the surface
-  painter.drawLine(place(1.0, -90.0), place(1.0, 90.0));
-  drawRay(-state.LobeThetaI, MakePen(LightColor, 3.0));
-  drawRay(state.LobeThetaI, MakePen(LightColor, 1.0, true)); // the mirror direction
-  if (allAround)
-  {
-    drawRay(180.0 - state.LobeThetaI, MakePen(LightColor, 1.0, true)); // straight on
-  }
-  DrawLines(painter, lines, false,
-    [&](double degrees, double value) { return place(scale.Find(value), degrees); });
+  drawLines(lines, false);
+  drawLines(dashed, true);
+  const bool transmits = std::any_of(
+    dashed.begin(), dashed.end(), [](const ChartLine& one) { return !one.Values.empty(); });
+  const char* const titles[] = { "f (1/sr) over θh", "f (1/sr) over θd", "f (1/sr) over φd",
+    "albedo over θo", "f (1/sr) over θo, negative towards the light" };
   painter.setPen(Qt::black);
-  DrawCentered(
-    painter, { center.x(), area.top() + 0.8 * line }, tr("f (1/sr) in the plane of incidence"));
+  DrawCentered(painter, { area.center().x(), area.top() + 0.8 * line },
+    polar       ? "f (1/sr) in the plane of incidence"
+    : allAround ? "the same over θo; beyond 90: transmitted"
+    : transmits ? "albedo; dashed: transmitted"
+                : titles[chart]);
 }
 
 //------------------------------------------------------------------------------
@@ -483,14 +427,14 @@ void SliceView::paintEvent(QPaintEvent*)
   if (this->Model->GetState().SlicePolar)
   {
     const double polar = (this->IsAllAround() ? 0.6 : 0.45) * h;
-    this->DrawPolar(painter, QRectF(0.0, 0.0, w, polar));
-    this->DrawChart(painter, Plane, QRectF(0.0, polar, w, h - polar));
+    this->DrawChart(painter, Plane, true, QRectF(0.0, 0.0, w, polar));
+    this->DrawChart(painter, Plane, false, QRectF(0.0, polar, w, h - polar));
     return;
   }
   for (int k = 0; k < 4; ++k)
   {
-    this->DrawChart(
-      painter, k, QRectF(k % 2 == 0 ? 0.0 : 0.5 * w, k < 2 ? 0.0 : 0.5 * h, 0.5 * w, 0.5 * h));
+    this->DrawChart(painter, k, false,
+      QRectF(k % 2 == 0 ? 0.0 : 0.5 * w, k < 2 ? 0.0 : 0.5 * h, 0.5 * w, 0.5 * h));
   }
 }
 
@@ -546,7 +490,8 @@ QWidget* MakeSlicePanel(Session* session)
 
 namespace
 {
-constexpr int ImageSize = 256;
+constexpr int ImageSize = 256; // pixels
+constexpr int ShownSize = 384;
 
 //------------------------------------------------------------------------------
 // A perfectly white matte surface, f = 1/pi, is white.
@@ -570,56 +515,18 @@ QImage DrawSlice(vtkBRDF* brdf, double phiD, double stops, bool isSquared)
   return MakeQImage(picture);
 }
 
-/// The picture with its axes.
-class ImageSlice : public QWidget
-{
-public:
-  QImage Image;
-  bool IsSquared = false;
-
-  ImageSlice()
-  {
-    this->setMinimumSize(200, 200);
-    this->setAccessibleName(QObject::tr("Image slice"));
-    this->setToolTip(QObject::tr(
-      "f over theta_h and theta_d (Burley 2012): the left edge is the highlight, the top its "
-      "Fresnel reflection, the right edge grazing retroreflection"));
-  }
-
-protected:
-  void paintEvent(QPaintEvent*) override
-  {
-    QPainter painter(this);
-    if (this->Image.isNull())
-    {
-      painter.drawText(this->rect(), Qt::AlignCenter, QObject::tr("Being drawn …"));
-      return;
-    }
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    const double line = this->fontMetrics().height();
-    const double left = this->fontMetrics().horizontalAdvance("90 θd") + 8.0;
-    const double size = std::min(this->width() - left - line, this->height() - 3.0 * line - 6.0);
-    const QRectF frame(left, 1.5 * line, size, size);
-    ChartTicks across, upwards;
-    for (const int degrees : { 0, 30, 60, 90 })
-    {
-      const double share = degrees / 90.0;
-      across.emplace_back(this->IsSquared ? std::sqrt(share) : share, std::to_string(degrees));
-      upwards.emplace_back(share, std::to_string(degrees));
-    }
-    across.back().second += " θh";
-    upwards.back().second += " θd";
-    painter.drawImage(frame, this->Image);
-    DrawAxes(painter, frame, across, upwards, false);
-  }
-};
 }
 
 //------------------------------------------------------------------------------
 QWidget* MakeImagePanel(Session* session, Jobs* jobs)
 {
   auto* panel = new QWidget;
-  auto* slice = new ImageSlice;
+  auto* slice = new QLabel(QObject::tr("Being drawn …"));
+  slice->setFixedSize(ShownSize, ShownSize);
+  slice->setScaledContents(true);
+  slice->setAccessibleName(QObject::tr("Image slice"));
+  auto* axes = new QLabel;
+  axes->setWordWrap(true);
   auto* phiD = MakeField(
     0.0, 180.0, 1, 15.0, "°", QObject::tr("Azimuth of the difference at which the image is cut"));
   phiD->setValue(90.0);
@@ -635,7 +542,9 @@ QWidget* MakeImagePanel(Session* session, Jobs* jobs)
   row->addStretch(1);
   auto* layout = MakeColumn(panel);
   layout->addLayout(row);
-  layout->addWidget(slice, 1);
+  layout->addWidget(slice);
+  layout->addWidget(axes);
+  layout->addStretch(1);
   const auto draw = [=]()
   {
     if (!session->GetMaterial().BRDF)
@@ -646,13 +555,14 @@ QWidget* MakeImagePanel(Session* session, Jobs* jobs)
       "image slice", QObject::tr("drawing the image slice"),
       [material = MakeSnapshot(session->GetMaterial()), angle = phiD->value(),
         exposure = stops->value(), isSquared = squared->isChecked()]()
-      { return std::pair(DrawSlice(material.BRDF, angle, exposure, isSquared), isSquared); },
-      [=](const std::pair<QImage, bool>& drawn)
-      {
-        slice->Image = drawn.first;
-        slice->IsSquared = drawn.second;
-        slice->update();
-      });
+      { return DrawSlice(material.BRDF, angle, exposure, isSquared); },
+      [=](const QImage& drawn) { slice->setPixmap(QPixmap::fromImage(drawn)); });
+    axes->setText(
+      QObject::tr(
+        "f (Burley 2012): upwards θd from 0° to 90°, to the right %1. The left edge "
+        "is the highlight, the top its Fresnel reflection, the right edge grazing retroreflection.")
+        .arg(squared->isChecked() ? QObject::tr("the root of θh, 30° at 0.58 and 60° at 0.82")
+                                  : QObject::tr("θh from 0° to 90°")));
   };
   OnChange(phiD, draw);
   OnChange(stops, draw);

@@ -119,8 +119,7 @@ protected:
 private:
   void Update();
   Curve Sample(int chart, const ShownMaterial& material) const;
-  void DrawChart(QPainter& painter, int chart, const QRectF& area) const;
-  void DrawPolar(QPainter& painter, const QRectF& area) const;
+  void DrawChart(QPainter& painter, int chart, bool polar, const QRectF& area) const;
   bool IsAllAround() const;
 
   Session* Model;

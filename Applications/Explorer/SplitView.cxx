@@ -85,14 +85,6 @@ vtkSmartPointer<vtkScalarBarActor> MakeErrorLegend()
   legend->SetNumberOfLabels(4);
   legend->SetLabelFormat("%g");
   legend->SetUnconstrainedFontSize(true);
-  legend->GetLabelTextProperty()->SetFontSize(14);
-  legend->GetTitleTextProperty()->SetFontSize(14);
-  for (vtkTextProperty* text : { legend->GetLabelTextProperty(), legend->GetTitleTextProperty() })
-  {
-    text->ItalicOff();
-    text->BoldOff();
-    text->ShadowOff();
-  }
   legend->SetOrientationToHorizontal();
   legend->SetTextPositionToPrecedeScalarBar(); // the labels below the bar, the title below them
   legend->SetPosition(0.25, 0.02);

@@ -18,6 +18,7 @@
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <type_traits>
 
 using nlohmann::ordered_json;
 
@@ -29,42 +30,11 @@ const char* const FormatName = "measured-brdf explorer state";
 // Version 1 counted exposure from what suits the environment.
 constexpr int FormatVersion = 2;
 constexpr std::uintmax_t LargestFile = 1 << 20; // bytes
-constexpr std::size_t MostFiles = 10000;
 
 //------------------------------------------------------------------------------
-// Everything in a state, by its name in files and with what is allowed:
-// reading, writing and the limits of what people set follow this one list.
-template <typename SomeState, typename Visitor>
-void Visit(SomeState& state, const Visitor& visit)
+[[noreturn]] void Fail(const std::string& name, const std::string& key, const std::string& expected)
 {
-  visit("material_files", state.MaterialFiles);
-  visit("environment_files", state.EnvironmentFiles);
-  visit("material", state.Material);
-  visit("compared", state.Compared);
-  visit("models", state.Models);
-  visit("environment", state.Environment);
-  visit("light_theta", state.Light.Theta, 0.0, 180.0);
-  visit("light_phi", state.Light.Phi, -180.0, 180.0);
-  visit("light_irradiance", state.Light.Irradiance, 0.0, LargestIrradiance);
-  visit("rotation", state.Rotation, -360.0, 360.0);
-  visit("mesh", state.Mesh);
-  visit("tolerance", state.Tolerance, 1e-3, 1.0);
-  visit("methods", state.Methods);
-  visit("lights", state.Lights, 1, MostLights);
-  visit("show", state.Show);
-  visit("split", state.Split, 0.0, 1.0);
-  visit("exposure", state.Exposure, -MostStops, MostStops);
-  visit("backdrop", state.Backdrop);
-  visit("reference_height", state.ReferenceHeight, 32, 2048);
-  visit("camera", state.Camera);
-  visit("lobe_theta_i", state.LobeThetaI, 0.0, 89.0);
-  visit("lobe_phi_i", state.LobePhiI, -360.0, 360.0);
-  visit("lobe_logarithmic", state.LobeLogarithmic);
-  visit("slice_theta_h", state.SliceThetaH, 0.0, 90.0);
-  visit("slice_theta_d", state.SliceThetaD, 0.0, 90.0);
-  visit("slice_phi_d", state.SlicePhiD, 0.0, 180.0);
-  visit("slice_logarithmic", state.SliceLogarithmic);
-  visit("slice_polar", state.SlicePolar);
+  throw tool::Error(name + ": \"" + key + "\": expected " + expected);
 }
 
 //------------------------------------------------------------------------------
@@ -73,215 +43,142 @@ std::string DescribeRange(double least, double largest)
   return " from " + tool::FormatNumber(least) + " to " + tool::FormatNumber(largest);
 }
 
-/// Puts the state's fields into JSON.
-struct Writer
+//------------------------------------------------------------------------------
+std::string ListMethods()
 {
-  ordered_json& Object;
+  std::string known;
+  for (const MethodName& name : GetMethodNames())
+  {
+    known += (known.empty() ? "" : ", ") + name.Key;
+  }
+  return known;
+}
 
-  template <typename Value, typename... Limits>
-  void operator()(const char* key, const Value& value, Limits...) const
+//------------------------------------------------------------------------------
+// Everything in a state by its place in files: numbers with the range that they are in, others with
+// what is expected and a test of that. Reading, writing and the limits of what people set follow
+// this one list.
+template <typename SomeState, typename Visitor>
+void Visit(SomeState& state, const Visitor& visit)
+{
+  const auto isText = [](const std::string& text) { return !text.empty(); };
+  const auto isAny = [](const auto&) { return true; };
+  const auto isDirection = [](const auto& v) {
+    return v != std::array<double, 3>{ 0.0, 0.0, 0.0 };
+  };
+  const auto areMethods = [](const auto& keys) { return IsMethod(keys[0]) && IsMethod(keys[1]); };
+  const auto areDifferent = [](const std::vector<std::string>& files)
   {
-    this->Object[key] = value;
-  }
-  void operator()(const char* key, Shown shown) const
-  {
-    this->Object[key] = shown == Shown::Split ? "split" : "difference";
-  }
-  void operator()(const char* key, const CameraState& camera) const
-  {
-    this->Object[key] = { { "position", camera.Position }, { "focal_point", camera.FocalPoint },
-      { "view_up", camera.ViewUp }, { "view_angle", camera.ViewAngle } };
-  }
-};
+    const std::set<std::string> different(files.begin(), files.end());
+    return files.size() <= MostCompared && different.size() == files.size() && !different.count("");
+  };
+  visit("material_files", state.MaterialFiles, "a list of texts", isAny);
+  visit("environment_files", state.EnvironmentFiles, "a list of texts", isAny);
+  visit("material", state.Material, "a text", isText);
+  visit("compared", state.Compared,
+    "at most " + std::to_string(MostCompared) + " different materials", areDifferent);
+  visit("environment", state.Environment, "a text", isText);
+  visit("light_theta", state.Light.Theta, 0.0, 180.0);
+  visit("light_phi", state.Light.Phi, -180.0, 180.0);
+  visit("light_irradiance", state.Light.Irradiance, 0.0, LargestIrradiance);
+  visit("rotation", state.Rotation, -360.0, 360.0);
+  visit("mesh", state.Mesh, "a text", isText);
+  visit("tolerance", state.Tolerance, 1e-3, 1.0);
+  visit("methods", state.Methods, "two of " + ListMethods(), areMethods);
+  visit("lights", state.Lights, 1, MostLights);
+  visit("show", state.Show, "\"split\" or \"difference\"", isAny);
+  visit("split", state.Split, 0.0, 1.0);
+  visit("exposure", state.Exposure, -MostStops, MostStops);
+  visit("backdrop", state.Backdrop, "true or false", isAny);
+  visit("reference_height", state.ReferenceHeight, 32, 2048);
+  visit("camera/position", state.Camera.Position, "three numbers", isAny);
+  visit("camera/focal_point", state.Camera.FocalPoint, "three numbers", isAny);
+  visit("camera/view_up", state.Camera.ViewUp, "three numbers, not all of them 0", isDirection);
+  visit("camera/view_angle", state.Camera.ViewAngle, 1.0, 120.0);
+  visit("lobe_theta_i", state.LobeThetaI, 0.0, 89.0);
+  visit("lobe_phi_i", state.LobePhiI, -360.0, 360.0);
+  visit("lobe_logarithmic", state.LobeLogarithmic, "true or false", isAny);
+  visit("slice_theta_h", state.SliceThetaH, 0.0, 90.0);
+  visit("slice_theta_d", state.SliceThetaD, 0.0, 90.0);
+  visit("slice_phi_d", state.SlicePhiD, 0.0, 180.0);
+  visit("slice_logarithmic", state.SliceLogarithmic, "true or false", isAny);
+  visit("slice_polar", state.SlicePolar, "true or false", isAny);
+}
 
-/**
- * Takes the state's fields out of JSON. What is absent keeps its value; what is wrong throws
- * tool::Error, which names the file, the field and what was expected.
- */
+//------------------------------------------------------------------------------
+ordered_json::json_pointer MakePointer(const std::string& key)
+{
+  return ordered_json::json_pointer("/" + key);
+}
+
+/// Takes the state's fields out of JSON. What is absent keeps its value.
 struct Reader
 {
   const ordered_json& Object;
-  std::string Name; // of the file and, of an object in it, its field
+  const std::string& Name; // of the file
 
-  [[noreturn]] void Fail(const std::string& key, const std::string& expected) const
-  {
-    throw tool::Error(this->Name + ": \"" + key + "\": expected " + expected);
-  }
-
-  // A value of another type, or that is not right, is what was not expected.
+  // What does not come back as it was given is of another type, or one of its parts is.
   template <typename Value, typename Test>
-  void Take(const std::string& key, Value& value, const std::string& expected, Test isRight) const
+  void operator()(
+    const std::string& key, Value& value, const std::string& expected, Test isRight) const
   {
-    const auto found = this->Object.find(key);
-    if (found == this->Object.end())
+    const auto place = MakePointer(key);
+    if (!this->Object.contains(place))
     {
       return;
     }
+    const ordered_json& given = this->Object[place];
     try
     {
-      value = found->template get<Value>();
+      value = given.get<Value>();
     }
     catch (const ordered_json::exception&)
     {
-      this->Fail(key, expected);
+      Fail(this->Name, key, expected);
     }
-    if (!isRight(value))
+    if (ordered_json(value) != given || !isRight(value))
     {
-      this->Fail(key, expected);
+      Fail(this->Name, key, expected);
     }
   }
-
-  // An object in it; an empty one where it is absent.
-  Reader Open(const std::string& key) const
+  template <typename Number>
+  void operator()(const std::string& key, Number& value, Number least, Number largest) const
   {
-    static const ordered_json nothing = ordered_json::object();
-    const auto found = this->Object.find(key);
-    const ordered_json& object = found == this->Object.end() ? nothing : *found;
-    if (!object.is_object())
-    {
-      this->Fail(key, "an object");
-    }
-    return { object, this->Name + ": \"" + key + "\"" };
-  }
-
-  void operator()(const std::string& key, double& value, double least, double largest) const
-  {
-    this->Take(key, value, "a number" + DescribeRange(least, largest),
-      [=](double given) { return given >= least && given <= largest; });
-  }
-  void operator()(const char* key, int& value, int least, int largest) const
-  {
-    double given = value;
-    (*this)(key, given, least, largest);
-    value = static_cast<int>(given);
-    if (given != value)
-    {
-      this->Fail(key, "a whole number");
-    }
-  }
-  void operator()(const char* key, bool& value) const
-  {
-    this->Take(key, value, "true or false", [](bool) { return true; });
-  }
-  void operator()(const char* key, std::string& value) const
-  {
-    this->Take(key, value, "a text", [](const std::string& given) { return !given.empty(); });
-  }
-  void operator()(const char* key, std::array<double, 3>& values) const
-  {
-    std::vector<double> given(values.begin(), values.end());
-    this->Take(key, given, "three numbers",
-      [](const std::vector<double>& read)
-      {
-        return read.size() == 3 &&
-               std::all_of(read.begin(), read.end(), [](double v) { return std::abs(v) <= 1e30; });
-      });
-    std::copy(given.begin(), given.end(), values.begin());
-  }
-  void operator()(const std::string& key, std::vector<std::string>& values) const
-  {
-    this->Take(key, values, "a list of texts",
-      [](const std::vector<std::string>& given) { return given.size() <= MostFiles; });
-    const std::set<std::string> different(values.begin(), values.end());
-    if (key == "compared" &&
-        (values.size() > MostCompared || different.size() != values.size() || different.count("")))
-    {
-      this->Fail(key, "at most " + std::to_string(MostCompared) + " different materials");
-    }
-  }
-  void operator()(const char* key, std::array<std::string, 2>& methods) const
-  {
-    std::vector<std::string> given(methods.begin(), methods.end());
-    std::string known;
-    for (const MethodName& name : GetMethodNames())
-    {
-      known += (known.empty() ? "" : ", ") + name.Key;
-    }
-    this->Take(key, given, "two of " + known,
-      [](const std::vector<std::string>& read)
-      { return read.size() == 2 && IsMethod(read[0]) && IsMethod(read[1]); });
-    std::copy(given.begin(), given.end(), methods.begin());
-  }
-  void operator()(const char* key, Shown& shown) const
-  {
-    std::string given = shown == Shown::Split ? "split" : "difference";
-    this->Take(key, given, "\"split\" or \"difference\"",
-      [](const std::string& read) { return read == "split" || read == "difference"; });
-    shown = given == "split" ? Shown::Split : Shown::Difference;
-  }
-  void operator()(const char* key, CameraState& camera) const
-  {
-    const Reader fields = this->Open(key);
-    fields("position", camera.Position);
-    fields("focal_point", camera.FocalPoint);
-    fields("view_up", camera.ViewUp);
-    fields("view_angle", camera.ViewAngle, 1.0, 120.0);
-    if (camera.Position == camera.FocalPoint)
-    {
-      fields.Fail("position", "another point than \"focal_point\"");
-    }
-    if (camera.ViewUp == std::array<double, 3>{ 0.0, 0.0, 0.0 })
-    {
-      fields.Fail("view_up", "a direction");
-    }
-  }
-
-  // As many numbers as a parameter has; one of them may stand alone.
-  void operator()(const char* key, ModelStates& states) const
-  {
-    const Reader models = this->Open(key);
-    for (const auto& [name, values] : models.Object.items())
-    {
-      const ParametricModel* model = FindModel("model:" + name);
-      if (!model)
-      {
-        models.Fail(name, "the name of a model, such as \"Lambert\"");
-      }
-      const Reader fields = models.Open(name);
-      for (const auto& [field, value] : values.items())
-      {
-        const auto parameter = std::find_if(model->Parameters.begin(), model->Parameters.end(),
-          [&, &wanted = field](const ModelParameter& one) { return one.Key == wanted; });
-        if (parameter == model->Parameters.end())
-        {
-          fields.Fail(field, "a parameter of this model");
-        }
-        const std::size_t count = parameter->Default.size();
-        const ordered_json numbers = { { field,
-          value.is_array() ? value : ordered_json::array({ value }) } };
-        Reader{ numbers, fields.Name }.Take(field, states[name][field],
-          (count == 1 ? std::string("a number") : std::to_string(count) + " numbers") +
-            DescribeRange(parameter->Least, parameter->Largest),
-          [&](const std::vector<double>& given)
-          {
-            return given.size() == count &&
-                   std::all_of(given.begin(), given.end(),
-                     [&](double one)
-                     { return one >= parameter->Least && one <= parameter->Largest; });
-          });
-        const double first = states[name][field][0];
-        if (!parameter->Choices.empty() && first != std::floor(first))
-        {
-          fields.Fail(field, "a whole number");
-        }
-      }
-    }
+    (*this)(key, value,
+      (std::is_integral_v<Number> ? "a whole number" : "a number") + DescribeRange(least, largest),
+      [=](Number given) { return given >= least && given <= largest; });
   }
 };
 
 /// Takes numbers that are not allowed as the nearest that are.
 struct Limiter
 {
-  template <typename Value>
-  void operator()(const char*, Value& value, Value least, Value largest) const
+  template <typename Value, typename Test>
+  void operator()(const char*, const Value&, const std::string&, Test) const
+  {
+  }
+  template <typename Number>
+  void operator()(const char*, Number& value, Number least, Number largest) const
   {
     value = value >= least ? std::min(value, largest) : least; // NaN, too
   }
-  template <typename Value>
-  void operator()(const char*, const Value&) const
-  {
-  }
 };
+
+//------------------------------------------------------------------------------
+// States of earlier versions kept the parameters of models beside their names.
+void AddParameters(std::string& name, const ordered_json& models)
+{
+  const ParametricModel* model = FindModel(name);
+  if (model && models.contains(model->Key))
+  {
+    ModelValues values = GetValues(name);
+    for (const ModelParameter& parameter : model->Parameters)
+    {
+      values[parameter.Key] = models[model->Key].value(parameter.Key, values[parameter.Key]);
+    }
+    name = NameModel(*model, values);
+  }
+}
 
 //------------------------------------------------------------------------------
 // A built-in name, or a path as it is; a relative one that is not here but
@@ -333,14 +230,10 @@ const std::vector<MethodName>& GetMethodNames()
 //------------------------------------------------------------------------------
 std::string GetMethodName(const std::string& key)
 {
-  for (const MethodName& name : GetMethodNames())
-  {
-    if (name.Key == key)
-    {
-      return name.Name;
-    }
-  }
-  return key;
+  const auto& names = GetMethodNames();
+  const auto found = std::find_if(
+    names.begin(), names.end(), [&key](const MethodName& name) { return name.Key == key; });
+  return found == names.end() ? key : found->Name;
 }
 
 //------------------------------------------------------------------------------
@@ -370,7 +263,8 @@ void Limit(State& state)
 std::string WriteState(const State& state)
 {
   ordered_json json = { { "format", FormatName }, { "version", FormatVersion } };
-  Visit(state, Writer{ json });
+  Visit(state, [&json](const std::string& key, const auto& value, const auto&...)
+    { json[MakePointer(key)] = value; });
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -391,20 +285,22 @@ State ReadState(const std::string& text, const std::string& name)
   {
     throw tool::Error(name + ": is no JSON object, as the explorer's states are" + reason);
   }
-  const Reader fields{ json, name };
   if (json.value("format", ordered_json()) != FormatName)
   {
-    fields.Fail("format", std::string("\"") + FormatName + "\"");
+    Fail(name, "format", std::string("\"") + FormatName + "\"");
   }
-  int version = 0;
-  fields("version", version, 0, 1000000);
+  const ordered_json version = json.value("version", ordered_json());
   if (version != FormatVersion && version != 1)
   {
-    fields.Fail("version", std::to_string(FormatVersion) + ", not " + std::to_string(version));
+    Fail(name, "version", std::to_string(FormatVersion) + ", not " + version.dump());
   }
   if (version == 1)
   {
     json.erase("exposure");
+  }
+  if (!json.value("camera", ordered_json::object()).is_object())
+  {
+    Fail(name, "camera", "an object");
   }
   // Of earlier versions: methods that are gone, and samples that were edited.
   for (const char* gone : { "basis", "factored", "anisotropic-table" })
@@ -420,10 +316,26 @@ State ReadState(const std::string& text, const std::string& name)
     tool::PrintNote(name + ": \"edits\" are left out: samples are edited in a material's file");
   }
   State state;
-  Visit(state, fields);
+  Visit(state, Reader{ json, name });
+  try
+  {
+    AddParameters(state.Material, json.value("models", ordered_json()));
+    for (std::string& compared : state.Compared)
+    {
+      AddParameters(compared, json.value("models", ordered_json()));
+    }
+  }
+  catch (const std::exception&)
+  {
+    Fail(name, "models", "an object of models, with a list of numbers for each parameter");
+  }
   if ((state.Lights & (state.Lights - 1)) != 0)
   {
-    fields.Fail("lights", "a power of two");
+    Fail(name, "lights", "a power of two");
+  }
+  if (state.Camera.Position == state.Camera.FocalPoint)
+  {
+    Fail(name, "camera/position", "another point than \"camera/focal_point\"");
   }
   return state;
 }

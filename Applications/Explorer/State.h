@@ -8,9 +8,10 @@
 #ifndef State_h
 #define State_h
 
+#include <nlohmann/json.hpp>
+
 #include <array>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -54,11 +55,6 @@ struct LightState
 };
 constexpr double LargestIrradiance = 1000.0;
 
-/// Parameters of a model, by their keys: one number, or red, green and blue.
-using ModelValues = std::map<std::string, std::vector<double>>;
-/// What was set of each model, by its key (ModelMaterials.h).
-using ModelStates = std::map<std::string, ModelValues>;
-
 struct CameraState
 {
   std::array<double, 3> Position = { 2.0, 1.7, 3.5 };
@@ -72,6 +68,8 @@ enum class Shown
   Split,
   Difference
 };
+NLOHMANN_JSON_SERIALIZE_ENUM(
+  Shown, { { Shown::Split, "split" }, { Shown::Difference, "difference" } })
 
 /// Of the methods that sum over lights.
 constexpr int MostLights = 4096;
@@ -86,9 +84,8 @@ struct State
 {
   std::vector<std::string> MaterialFiles; // opened, beside the built-in ones
   std::vector<std::string> EnvironmentFiles;
-  std::string Material = "gold-paint"; // a built-in name or a file
+  std::string Material = "gold-paint"; // a built-in or a model's name (Materials.h), or a file
   std::vector<std::string> Compared;   // materials in the charts beside it, at most MostCompared
-  ModelStates Models;                  // of "model:KEY" in a material's place
   std::string Environment = "hall";    // or DirectionalLightName
   LightState Light;
   double Rotation = 0.0;       // of the environment about +y, degrees in [-180, 180)

@@ -96,17 +96,6 @@ QString MakeFilter(const QString& name, const std::vector<std::string>& endings)
   return name + " (" + patterns.join(' ') + ")";
 }
 
-//------------------------------------------------------------------------------
-// Asks for a file's name; save gets it where there is one.
-void Ask(QWidget* parent, const QString& title, const QString& name, const QString& filter,
-  const std::function<void(const QString&)>& save)
-{
-  const QString path = QFileDialog::getSaveFileName(parent, title, name, filter);
-  if (!path.isEmpty())
-  {
-    save(path);
-  }
-}
 }
 
 /// All that a report is made of, so that a thread can make it: a page (.html, one
@@ -123,12 +112,6 @@ struct ReportData
 
 namespace
 {
-const char* const Style =
-  "body{font-family:sans-serif;max-width:60em;margin:2em auto;padding:0 1em;color:#222}"
-  "table{border-collapse:collapse}td,th{padding:.2em .8em;border-bottom:1px solid "
-  "#ddd;text-align:left}"
-  "td.n{text-align:right}img{max-width:100%}pre{background:#f4f4f4;padding:1em;overflow:auto}";
-
 //------------------------------------------------------------------------------
 QString Escape(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
 
@@ -143,63 +126,28 @@ QString Embed(const QImage& image)
 }
 
 //------------------------------------------------------------------------------
-QString MakePage(const ReportData& data, const ordered_json& report)
+// The pictures, and the figures as `measured-brdf info` prints its own.
+QString MakePage(const ReportData& data, ordered_json report)
 {
   const QString title = Escape(report["material"]) + " under " + Escape(report["environment"]);
   QString page = "<!DOCTYPE html><html><head><meta charset='utf-8'><title>" + title +
-                 "</title><style>" + Style + "</style></head><body><h1>" + title + "</h1>";
+                 "</title><style>body{font-family:sans-serif;max-width:60em;margin:2em auto}"
+                 "img{max-width:100%}pre{overflow:auto}</style></head><body><h1>" +
+                 title + "</h1>";
   for (const auto& [name, image] : data.Pictures)
   {
     page += "<h2>" + name.toHtmlEscaped() + "</h2><img alt='" + name.toHtmlEscaped() + "' src='" +
             Embed(image) + "'>";
   }
-  page += "<h2>Methods</h2><table><tr><th></th><th>A</th><th>B</th></tr>";
-  // A figure of both sides, or "–" where one has none.
-  using Format = std::function<std::string(double)>;
-  const auto row = [&](const std::string& name, const std::string& key, const Format& format)
-  {
-    const ordered_json::json_pointer pointer(key);
-    page += "<tr><td>" + QString::fromStdString(name) + "</td>";
-    for (const ordered_json& side : report["sides"])
-    {
-      const bool has = side.contains(pointer) && side[pointer].is_number();
-      page +=
-        "<td class='n'>" + (has ? QString::fromStdString(format(side[pointer])) : "–") + "</td>";
-    }
-    page += "</tr>";
-  };
-  page += "<tr><td>Method</td><td>" + Escape(report["sides"][0]["description"]) + "</td><td>" +
-          Escape(report["sides"][1]["description"]) + "</td></tr>";
-  row("Frame", "/frame_ms", &tool::FormatMilliseconds);
-  row("Predicted error", "/predicted_error", &tool::FormatPercent);
-  for (const tool::Metric& metric : tool::GetMetrics())
-  {
-    row(
-      metric.Label, "/errors/" + metric.Name,
-      metric.Relative ? Format(&tool::FormatPercent)
-                      : [](double value) { return QString::number(value, 'g', 3).toStdString(); });
-  }
-  page +=
-    QString("</table><p>Errors are of this view in %1 x %2 pixels, against the exact picture. "
-            "The frame is one of that size.</p>")
-      .arg(data.Size.Width)
-      .arg(data.Size.Height);
-  if (report.contains("light"))
-  {
-    page += QString("<p>One directional light: polar angle %1°, azimuth %2°, irradiance %3.</p>")
-              .arg(report["light"]["theta"].get<double>())
-              .arg(report["light"]["phi"].get<double>())
-              .arg(report["light"]["irradiance"].get<double>());
-  }
-  if (report["plan"] != "")
-  {
-    page += "<h2>Plan</h2><pre>" + Escape(report["plan"]) + "</pre>";
-  }
-  if (report.contains("info"))
-  {
-    page += "<h2>Material</h2><pre>" + Escape(tool::FormatReport(report["info"])) + "</pre>";
-  }
-  return page + "<h2>State</h2><pre>" + Escape(report["state"].dump(2)) +
+  const std::string state = report["state"].dump(2);
+  report["A"] = report["sides"][0];
+  report["B"] = report["sides"][1];
+  report.erase("sides");
+  report.erase("state");
+  return page +
+         "<h2>Figures</h2><p>Errors are of this view against the exact picture. A frame is one of "
+         "that size, in milliseconds.</p><pre>" +
+         Escape(tool::FormatReport(report)) + "</pre><h2>State</h2><pre>" + Escape(state) +
          "</pre><p>measured-brdf " MEASUREDBRDF_VERSION "</p></body></html>\n";
 }
 
@@ -377,30 +325,27 @@ void Window::MakeMenus()
   };
   add(tr("&Open…"), QKeySequence::Open, [this]() { this->OpenFiles(); });
   menu->addSeparator();
-  add(tr("&Save state…"), QKeySequence::Save,
-    [this]()
-    {
-      Ask(this, tr("Save state"), "explorer.json", tr("States (*.json)"),
-        [this](const QString& path) { this->Model->Save(path.toStdString()); });
-    });
-  add(tr("Save &picture…"), Qt::CTRL | Qt::SHIFT | Qt::Key_P,
-    [this]()
-    {
-      Ask(this, tr("Save picture"), "explorer.png", tr("Pictures (*.png)"),
-        [this](const QString& path) { this->SavePicture(path); });
-    });
-  add(tr("Save &report…"), Qt::CTRL | Qt::Key_R,
-    [this]()
-    {
-      Ask(this, tr("Save report"), "explorer.html", tr("Reports (*.html *.json)"),
-        [this](const QString& path) { this->SaveReport(path); });
-    });
-  add(tr("Save &material…"), Qt::CTRL | Qt::Key_M,
-    [this]()
-    {
-      Ask(this, tr("Save material"), "material.exr", tr("Materials (*.exr)"),
-        [this](const QString& path) { this->Model->SaveMaterial(path.toStdString()); });
-    });
+  const auto addSave = [&](const QString& text, const QKeySequence& key, const QString& name,
+                         const QString& filter, const std::function<void(const QString&)>& save)
+  {
+    add(text, key,
+      [=]()
+      {
+        const QString path = QFileDialog::getSaveFileName(this, tr("Save"), name, filter);
+        if (!path.isEmpty())
+        {
+          save(path);
+        }
+      });
+  };
+  addSave(tr("&Save state…"), QKeySequence::Save, "explorer.json", tr("States (*.json)"),
+    [this](const QString& path) { this->Model->Save(path.toStdString()); });
+  addSave(tr("Save &picture…"), Qt::CTRL | Qt::SHIFT | Qt::Key_P, "explorer.png",
+    tr("Pictures (*.png)"), [this](const QString& path) { this->SavePicture(path); });
+  addSave(tr("Save &report…"), Qt::CTRL | Qt::Key_R, "explorer.html", tr("Reports (*.html *.json)"),
+    [this](const QString& path) { this->SaveReport(path); });
+  addSave(tr("Save &material…"), Qt::CTRL | Qt::Key_M, "material.exr", tr("Materials (*.exr)"),
+    [this](const QString& path) { this->Model->SaveMaterial(path.toStdString()); });
   menu->addSeparator();
   add(tr("&Quit"), QKeySequence::Quit, [this]() { this->close(); });
 

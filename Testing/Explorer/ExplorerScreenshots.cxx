@@ -128,10 +128,7 @@ int main(int argc, char* argv[])
   Session* session = window.GetSession();
   session->SetEnvironment(DirectionalLightName);
   session->SetMethod(1, method::Reference);
-  session->SetModelValues("Distribution", "f0", { 0.9, 0.6, 0.35 });
-  session->SetModelValues("Distribution", "exponent", { 60.0 });
-  session->SetModelValues("Distribution", "albedo", { 0.06, 0.03, 0.02 });
-  session->SetMaterial("model:Distribution");
+  session->SetMaterial("model:Distribution albedo=0.06,0.03,0.02 f0=0.9,0.6,0.35 exponent=60");
   window.ShowTab("Model");
   Settle(window);
   Shoot(window, folder, "model");

@@ -25,19 +25,18 @@ assert {"bsdf", "xompt", "astm"} <= set(ENDINGS), ENDINGS
 
 seen = 0
 choosers = 0
-for name in ("MeasuredMaterials.xml", "MeasuredMaterialSources.xml"):
-    for proxy in ElementTree.parse(os.path.join(FOLDER, name)).iter():
-        for prop in proxy.findall("StringVectorProperty"):
-            chooser = prop.find("Hints/FileChooser")
-            if chooser is not None and chooser.get("file_description") == "Measured materials":
-                assert sorted(chooser.get("extensions").split()) == ENDINGS, (name, chooser.get("extensions"), ENDINGS)
-                choosers += 1
-            domain = prop.find("StringListDomain")
-            if domain is None:
-                continue
-            values = [string.get("value") for string in domain.findall("String")]
-            assert values == EXPECTED[prop.get("name")], (name, prop.get("name"), values)
-            assert prop.get("default_values") in values, prop.get("name")
-            seen += 1
+for proxy in ElementTree.parse(os.path.join(FOLDER, "MeasuredMaterials.xml")).iter():
+    for prop in proxy.findall("StringVectorProperty"):
+        chooser = prop.find("Hints/FileChooser")
+        if chooser is not None and chooser.get("file_description") == "Measured materials":
+            assert sorted(chooser.get("extensions").split()) == ENDINGS, (chooser.get("extensions"), ENDINGS)
+            choosers += 1
+        domain = prop.find("StringListDomain")
+        if domain is None:
+            continue
+        values = [string.get("value") for string in domain.findall("String")]
+        assert values == EXPECTED[prop.get("name")], (prop.get("name"), values)
+        assert prop.get("default_values") in values, prop.get("name")
+        seen += 1
 assert seen == 3, seen
 assert choosers == 2, choosers

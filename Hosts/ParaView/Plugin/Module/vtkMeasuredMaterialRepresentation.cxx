@@ -4,7 +4,6 @@
 #include "vtkMath.h"
 
 #include "MaterialFiles.h"
-#include "vtkMissingNormalsFilter.h"
 
 #include "vtkCellData.h"
 #include "vtkCommunicator.h"
@@ -23,6 +22,8 @@
 #include "vtkPVRenderView.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkPolyDataNormals.h"
 #include "vtkProcessModule.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -45,6 +46,43 @@ const char* const File = "File";
 constexpr int Weights = 3; // modes of material maps: 0 none, 1 classes, 2 values
 constexpr int Images = 4;
 using Rows = std::vector<std::pair<std::string, std::string>>; // of the panel's tables
+
+/// Gives surfaces without point normals some (vtkPolyDataNormals) and passes all others. Cell
+/// normals do not count: ParaView makes some for all flat cells.
+class MissingNormalsFilter : public vtkPolyDataAlgorithm
+{
+public:
+  static MissingNormalsFilter* New();
+  vtkTypeMacro(MissingNormalsFilter, vtkPolyDataAlgorithm);
+  vtkSetMacro(Enabled, bool);
+  vtkGetMacro(Enabled, bool);
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0); // in degrees: sharper edges stay sharp
+
+protected:
+  int RequestData(vtkInformation*, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override
+  {
+    vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+    vtkPolyData* output = vtkPolyData::GetData(outputVector);
+    const bool hasSurface = input->GetNumberOfPolys() > 0 || input->GetNumberOfStrips() > 0;
+    if (!this->Enabled || !hasSurface || input->GetPointData()->GetNormals())
+    {
+      output->ShallowCopy(input);
+      return 1;
+    }
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetInputData(input);
+    normals->SetFeatureAngle(this->FeatureAngle);
+    normals->ConsistencyOff(); // what is one surface and what is its outside is the data's to say
+    normals->Update();
+    output->ShallowCopy(normals->GetOutput());
+    return 1;
+  }
+
+  bool Enabled = true;
+  double FeatureAngle = 30.0;
+};
+vtkStandardNewMacro(MissingNormalsFilter);
 
 //------------------------------------------------------------------------------
 // Flat indices of the blocks of each selector.
@@ -103,7 +141,9 @@ void Turn(vtkEnvironment* turned, vtkEnvironment* original, double degrees, int 
 //------------------------------------------------------------------------------
 struct vtkMeasuredMaterialRepresentation::Internals
 {
-  // The properties; those of the mappers are theirs.
+  vtkNew<MissingNormalsFilter> Normals;
+
+  // The properties; those of mappers are the first mapper's.
   std::string Material = "gold-paint";
   std::string MaterialFile;
   Rows BlockNames; // selector, material
@@ -116,6 +156,7 @@ struct vtkMeasuredMaterialRepresentation::Internals
   double Rotation = 0.0;
   int UpAxis = 1;
   bool ViewLights = false;
+  bool Modulates = true;
   bool Background = true;
   int Occlusion = vtkMeasuredBRDFMapper::OCCLUSION_AUTO;
   std::string NormalArray = "None"; // of the superclass's property
@@ -349,8 +390,8 @@ vtkMeasuredMaterialRepresentation::~vtkMeasuredMaterialRepresentation() = defaul
 void vtkMeasuredMaterialRepresentation::SetupDefaults()
 {
   this->Superclass::SetupDefaults();
-  this->Normals->SetInputConnection(this->GeometryFilter->GetOutputPort());
-  this->MultiBlockMaker->SetInputConnection(this->Normals->GetOutputPort());
+  this->Impl->Normals->SetInputConnection(this->GeometryFilter->GetOutputPort());
+  this->MultiBlockMaker->SetInputConnection(this->Impl->Normals->GetOutputPort());
 }
 
 //------------------------------------------------------------------------------
@@ -388,6 +429,17 @@ measuredmaterialsRemoveAllMacro(WeightImages, ImageNames);
 #define measuredmaterialsSetMacro(Name, Type, Member) \
   void vtkMeasuredMaterialRepresentation::Set##Name(Type value) { this->Impl->Member = value; }
 
+// What is wrong is said by the first mapper, not by all of them.
+#define measuredmaterialsForwardMacro(Name, Type)                                 \
+  void vtkMeasuredMaterialRepresentation::Set##Name(Type value)                   \
+  {                                                                               \
+    static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper)->Set##Name(value); \
+  }
+
+measuredmaterialsForwardMacro(ErrorTolerance, double);
+measuredmaterialsForwardMacro(MaximumCost, double);
+measuredmaterialsForwardMacro(OcclusionBounce, bool);
+measuredmaterialsSetMacro(ModulateByScalars, bool, Modulates);
 measuredmaterialsSetMacro(MeasuredEnvironmentRotation, double, Rotation);
 measuredmaterialsSetMacro(UseViewLights, bool, ViewLights);
 measuredmaterialsSetMacro(PlanInBackground, bool, Background);
@@ -402,53 +454,6 @@ void vtkMeasuredMaterialRepresentation::ForEachMapper(const Function& function)
     function(static_cast<vtkCompositeMeasuredBRDFMapper*>(mapper),
       mapper == this->LODMapper || mapper == this->LODBackfaceMapper);
   }
-}
-
-//------------------------------------------------------------------------------
-// What is wrong is said here once, not by each mapper.
-template <typename Setter>
-void vtkMeasuredMaterialRepresentation::SetNumber(
-  const char* name, Setter set, double value, double low, double high)
-{
-  if (!(value >= low && value <= high))
-  {
-    vtkErrorMacro(<< name << ": found " << value << ", expected a number from " << low << " to "
-                  << high << "; what was set before stays.");
-    return;
-  }
-  this->ForEachMapper([&](vtkCompositeMeasuredBRDFMapper* mapper, bool) { (mapper->*set)(value); });
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::SetErrorTolerance(double tolerance)
-{
-  this->SetNumber(
-    "SetErrorTolerance", &vtkCompositeMeasuredBRDFMapper::SetErrorTolerance, tolerance, 0.001, 1.0);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::SetMaximumCost(double cost)
-{
-  this->SetNumber(
-    "SetMaximumCost", &vtkCompositeMeasuredBRDFMapper::SetMaximumCost, cost, 1.0, 1e6);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::SetModulateByScalars(bool modulate)
-{
-  this->ForEachMapper(
-    [modulate](vtkCompositeMeasuredBRDFMapper* mapper, bool)
-    {
-      mapper->SetScalarColoringMode(
-        modulate ? vtkMeasuredBRDFMapper::MODULATE : vtkMeasuredBRDFMapper::IGNORE_SCALARS);
-    });
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::SetOcclusionBounce(bool bounce)
-{
-  this->ForEachMapper(
-    [bounce](vtkCompositeMeasuredBRDFMapper* mapper, bool) { mapper->SetOcclusionBounce(bounce); });
 }
 
 //------------------------------------------------------------------------------
@@ -524,7 +529,7 @@ void vtkMeasuredMaterialRepresentation::SetOcclusionMode(int mode)
 //------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::SetGenerateMissingNormals(bool generate)
 {
-  this->Normals->SetEnabled(generate);
+  this->Impl->Normals->SetEnabled(generate);
   this->SetPointArrayToProcess(0, this->Impl->NormalArray.c_str());
 }
 
@@ -535,7 +540,7 @@ void vtkMeasuredMaterialRepresentation::SetPointArrayToProcess(int index, const 
   if (index == 0) // normals; "None", as of data that have none, would take away those that are made
   {
     this->Impl->NormalArray = array;
-    array = this->Normals->GetEnabled() && array == "None" ? "" : array;
+    array = this->Impl->Normals->GetEnabled() && array == "None" ? "" : array;
   }
   this->Superclass::SetPointArrayToProcess(index, array.c_str());
 }
@@ -543,7 +548,7 @@ void vtkMeasuredMaterialRepresentation::SetPointArrayToProcess(int index, const 
 //------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::SetMissingNormalsFeatureAngle(double degrees)
 {
-  this->Normals->SetFeatureAngle(degrees);
+  this->Impl->Normals->SetFeatureAngle(degrees);
   this->MarkModified();
 }
 
@@ -617,6 +622,7 @@ void vtkMeasuredMaterialRepresentation::UpdateMappers(
   vtkMaterialMap* map = impl.GetMap(this);
   // What stands for the surface while the camera moves is another one, whose arrays of occlusion do
   // not fit, which comes and goes, and which may lack the map's data.
+  auto* first = static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper);
   const bool canLevelRead = map && CanRead(levelOfDetail, impl.MapMode, impl.MapArray);
   this->ForEachMapper(
     [&](vtkCompositeMeasuredBRDFMapper* mapper, bool isLevel)
@@ -627,6 +633,11 @@ void vtkMeasuredMaterialRepresentation::UpdateMappers(
       mapper->SetEnvironment(environment);
       mapper->SetPlanningMode(mode);
       mapper->SetUseSceneLights(impl.ViewLights || ownLights);
+      mapper->SetErrorTolerance(first->GetErrorTolerance());
+      mapper->SetMaximumCost(first->GetMaximumCost());
+      mapper->SetOcclusionBounce(first->GetOcclusionBounce());
+      mapper->SetScalarColoringMode(
+        impl.Modulates ? vtkMeasuredBRDFMapper::MODULATE : vtkMeasuredBRDFMapper::IGNORE_SCALARS);
     });
   this->UpdateBlocks(vtkDataObjectTree::SafeDownCast(data));
 }
@@ -727,24 +738,15 @@ void vtkMeasuredMaterialRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MeasuredMaterial: " << impl.Material << "\n";
   os << indent << "MeasuredMaterialFile: " << impl.MaterialFile << "\n";
   os << indent << "MaterialMapMode: " << impl.MapMode << "\n";
-  os << indent << "MaterialMapArray: " << impl.MapArray << "\n";
   os << indent << "MeasuredEnvironment: " << impl.Environment << "\n";
   os << indent << "MeasuredEnvironmentFile: " << impl.EnvironmentFile << "\n";
   os << indent << "MeasuredEnvironmentRotation: " << impl.Rotation << "\n";
-  os << indent << "MeasuredEnvironmentUpAxis: " << impl.UpAxis << "\n";
-  os << indent << "UseViewLights: " << impl.ViewLights << "\n";
-  os << indent << "PlanInBackground: " << impl.Background << "\n";
   os << indent << "OcclusionMode: " << impl.Occlusion << "\n";
-  for (const auto& [selector, material] : impl.BlockNames)
+  for (const Rows& rows : { impl.BlockNames, impl.MapNames })
   {
-    os << indent << "BlockMaterial: " << selector << " " << material << "\n";
-  }
-  for (const auto& [value, material] : impl.MapNames)
-  {
-    os << indent << "MapMaterial: " << value << " " << material << "\n";
-  }
-  for (const std::string& path : impl.ImageNames)
-  {
-    os << indent << "WeightImage: " << path << "\n";
+    for (const auto& [place, material] : rows)
+    {
+      os << indent << "Material of " << place << ": " << material << "\n";
+    }
   }
 }

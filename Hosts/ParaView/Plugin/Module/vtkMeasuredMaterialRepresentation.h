@@ -14,14 +14,12 @@
 #define vtkMeasuredMaterialRepresentation_h
 
 #include "vtkGeometryRepresentationWithFaces.h"
-#include "vtkNew.h"                       // for Normals
 #include "vtkPVMeasuredMaterialsModule.h" // for export macro
 
 #include <memory> // for Internals
 #include <string> // for Plan
 
 class vtkDataObjectTree;
-class vtkMissingNormalsFilter;
 
 class VTKPVMEASUREDMATERIALS_EXPORT vtkMeasuredMaterialRepresentation
   : public vtkGeometryRepresentationWithFaces
@@ -121,7 +119,7 @@ public:
 
   /**
    * What the last picture was drawn by: method, predicted error, memory and why, a line for each
-   * material. Empty in a client while its server draws; vtkMeasuredPlanInformation asks the server.
+   * material. Empty in a client while its server draws: the proxy asks the server.
    */
   const char* GetPlan();
 
@@ -137,7 +135,6 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  vtkNew<vtkMissingNormalsFilter> Normals;
   std::string Plan;
 
 private:
@@ -147,8 +144,6 @@ private:
   void NamesChanged();
   template <typename Function>
   void ForEachMapper(const Function& function); // (mapper, whether it draws the level of detail)
-  template <typename Setter>
-  void SetNumber(const char* name, Setter set, double value, double low, double high);
   int FindOcclusionMode(vtkDataObject* data, bool interactive);
   void WarnOfParts();
   void UpdateMappers(vtkDataObject* data, vtkDataObject* levelOfDetail);

@@ -25,8 +25,8 @@ public:
    * A name of vtkEmbeddedMaterials, or "File" (default "gold-paint"), and the file. What cannot be
    * read gives an error and an empty output.
    */
-  void SetMaterial(const char* name);
-  void SetMaterialFile(const char* path);
+  vtkSetStdStringFromCharMacro(Material);
+  vtkSetStdStringFromCharMacro(MaterialFile);
   ///@}
 
 protected:

@@ -2,19 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMMeasuredMaterialRepresentationProxy.h"
 
-#include "vtkMeasuredPlanInformation.h"
-
-#include "vtkNew.h"
+#include "vtkClientServerStream.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVSession.h"
 #include "vtkSMPropertyHelper.h"
 
+#include <string>
+
 vtkStandardNewMacro(vtkSMMeasuredMaterialRepresentationProxy);
-
-//------------------------------------------------------------------------------
-vtkSMMeasuredMaterialRepresentationProxy::vtkSMMeasuredMaterialRepresentationProxy() = default;
-
-//------------------------------------------------------------------------------
-vtkSMMeasuredMaterialRepresentationProxy::~vtkSMMeasuredMaterialRepresentationProxy() = default;
 
 //------------------------------------------------------------------------------
 void vtkSMMeasuredMaterialRepresentationProxy::UpdatePropertyInformationInternal(
@@ -22,12 +17,25 @@ void vtkSMMeasuredMaterialRepresentationProxy::UpdatePropertyInformationInternal
 {
   this->Superclass::UpdatePropertyInformationInternal(property);
   vtkSMProperty* plan = this->GetProperty("MeasuredPlan");
-  if (plan && (!property || property == plan) && this->ObjectsCreated)
+  if (!plan || (property && property != plan) || !this->ObjectsCreated)
   {
-    vtkNew<vtkMeasuredPlanInformation> information;
-    this->GatherInformation(information);
-    vtkSMPropertyHelper(plan).Set(information->GetPlan());
+    return;
   }
+  std::string text;
+  for (const vtkTypeUInt32 place : { vtkPVSession::CLIENT, vtkPVSession::RENDER_SERVER_ROOT })
+  {
+    vtkClientServerStream stream;
+    stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "GetPlan"
+           << vtkClientServerStream::End;
+    const char* answer = nullptr;
+    if (text.empty())
+    {
+      this->ExecuteStream(stream, true, place);
+      this->GetLastResult(place).GetArgument(0, 0, &answer);
+      text = answer ? answer : "";
+    }
+  }
+  vtkSMPropertyHelper(plan).Set(text.c_str());
 }
 
 //------------------------------------------------------------------------------

@@ -4,8 +4,8 @@
  * @class   vtkSMMeasuredMaterialRepresentationProxy
  * @brief   gets the plan from the process that draws
  *
- * Information properties of representations are asked of the client. It has no plan while a server
- * draws.
+ * Information properties of representations are asked of the client. While a server draws, the plan
+ * is that of its first process.
  */
 
 #ifndef vtkSMMeasuredMaterialRepresentationProxy_h
@@ -23,8 +23,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
-  vtkSMMeasuredMaterialRepresentationProxy();
-  ~vtkSMMeasuredMaterialRepresentationProxy() override;
+  vtkSMMeasuredMaterialRepresentationProxy() = default;
+  ~vtkSMMeasuredMaterialRepresentationProxy() override = default;
 
   void UpdatePropertyInformationInternal(vtkSMProperty* property) override;
 

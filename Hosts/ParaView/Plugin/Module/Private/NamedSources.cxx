@@ -12,16 +12,6 @@ using namespace measuredmaterials;
 
 namespace
 {
-void AssignName(vtkObject* self, std::string& name, const char* value)
-{
-  const std::string text = value ? value : "";
-  if (name != text)
-  {
-    name = text;
-    self->Modified();
-  }
-}
-
 // Give the source its material. Returns whether there is one; an error event says why not.
 template <typename Source>
 bool SetNamedMaterial(Source* self, const std::string& name, const std::string& file)
@@ -37,21 +27,19 @@ bool SetNamedMaterial(Source* self, const std::string& name, const std::string& 
 }
 }
 
-#define measuredmaterialsNamedSourceMacro(Class)                                                \
-  vtkStandardNewMacro(Class);                                                                   \
-  void Class::SetMaterial(const char* name) { AssignName(this, this->Material, name); }         \
-  void Class::SetMaterialFile(const char* path) { AssignName(this, this->MaterialFile, path); } \
-  int Class::RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,    \
-    vtkInformationVector* outputVector)                                                         \
-  {                                                                                             \
-    return SetNamedMaterial(this, this->Material, this->MaterialFile) &&                        \
-           this->Superclass::RequestInformation(request, inputVector, outputVector);            \
-  }                                                                                             \
-  void Class::PrintSelf(ostream& os, vtkIndent indent)                                          \
-  {                                                                                             \
-    this->Superclass::PrintSelf(os, indent);                                                    \
-    os << indent << "Material: " << this->Material << "\n";                                     \
-    os << indent << "MaterialFile: " << this->MaterialFile << "\n";                             \
+#define measuredmaterialsNamedSourceMacro(Class)                                             \
+  vtkStandardNewMacro(Class);                                                                \
+  int Class::RequestInformation(vtkInformation* request, vtkInformationVector** inputVector, \
+    vtkInformationVector* outputVector)                                                      \
+  {                                                                                          \
+    return SetNamedMaterial(this, this->Material, this->MaterialFile) &&                     \
+           this->Superclass::RequestInformation(request, inputVector, outputVector);         \
+  }                                                                                          \
+  void Class::PrintSelf(ostream& os, vtkIndent indent)                                       \
+  {                                                                                          \
+    this->Superclass::PrintSelf(os, indent);                                                 \
+    os << indent << "Material: " << this->Material << "\n";                                  \
+    os << indent << "MaterialFile: " << this->MaterialFile << "\n";                          \
   }
 
 measuredmaterialsNamedSourceMacro(vtkPVBRDFImageSource);
