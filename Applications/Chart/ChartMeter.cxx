@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChartMeter.h"
 
-#include "LocalFrame.h"
 #include "ParetoFront.h"
 #include "Progress.h"
 #include "ReferencePicture.h"
@@ -10,7 +9,7 @@
 #include "Tool.h"
 #include "TracedSurface.h"
 
-#include "vtkBRDF.h"
+#include "vtkBRDFModels.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSetRadianceIntegrator.h"
@@ -37,7 +36,6 @@ constexpr double WarmUpBelow = 100.0;
 // takes as long by itself, the first one is the only one.
 constexpr double FrameBudget = 500.0;
 constexpr int FewestRounds = 3;
-constexpr int FingerprintPairs = 512;
 constexpr int StockFetches = 3; // of VTK's PBR: irradiance, filtered light, split sum
 
 //------------------------------------------------------------------------------
@@ -59,20 +57,6 @@ int CountFetches(vtkRadianceIntegrator* integrator)
     integrator->GetBRDF()->GetRenderable()->GetShaderInputs(material);
   }
   return inputs.CountFetches(material);
-}
-
-//------------------------------------------------------------------------------
-template <typename T>
-void Append(std::string& bytes, const std::vector<T>& values)
-{
-  bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
-}
-
-//------------------------------------------------------------------------------
-// A direction of the upper hemisphere; those of all k cover it evenly.
-glm::dvec3 MakeDirection(int k, double turn)
-{
-  return measuredbrdf::ToDirection((k + 0.5) / FingerprintPairs, turn * k);
 }
 
 //------------------------------------------------------------------------------
@@ -140,18 +124,15 @@ nlohmann::ordered_json ChartMeter::DescribeRenderer() const
 //------------------------------------------------------------------------------
 std::string ChartMeter::GetFingerprint(const Material& material, vtkEnvironment* environment) const
 {
-  std::string bytes;
-  for (int k = 0; k < FingerprintPairs; ++k)
+  std::string bytes = vtkBRDFModels::GetContentKey(material.BRDF);
+  const auto append = [&bytes](const auto& values)
   {
-    const glm::dvec3 i = MakeDirection(k, 2.4);
-    const glm::dvec3 o = MakeDirection(k * 37 % FingerprintPairs, 1.7);
-    std::vector<double> f(3);
-    material.BRDF->Evaluate(&i.x, &o.x, f.data());
-    Append(bytes, f);
-  }
-  Append(bytes, environment->GetPixels());
-  Append(bytes, this->Visible.Normals);
-  Append(bytes, this->Visible.Views);
+    bytes.append(
+      reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values.front()));
+  };
+  append(environment->GetPixels());
+  append(this->Visible.Normals);
+  append(this->Visible.Views);
   char text[17];
   std::snprintf(text, sizeof(text), "%016zx", std::hash<std::string>()(bytes));
   return text;
@@ -188,7 +169,7 @@ ChartMeter::Timed ChartMeter::Begin(const ChartSize& size, const Material& mater
 {
   Timed timed;
   auto scene = std::make_unique<tool::Scene>();
-  scene->ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_OFF, false); // as the reference
+  scene->Mapper->SetOcclusionModeToOff(); // as the reference
   this->Place(*scene);
   Method method;
   const MethodOptions options = size.MakeOptions();
@@ -215,7 +196,7 @@ ChartMeter::Timed ChartMeter::Begin(const ChartSize& size, const Material& mater
       plan ? predicted <= options.Plan.Tolerance : planner->GetMeetsTolerance();
     timed.Point["plan"] = planner->GetPlan();
   }
-  timed.Point["texture_bytes"] = scene->GetTextureBytes();
+  timed.Point["texture_bytes"] = scene->Mapper->GetTextureBytes();
   timed.Point["texture_fetches"] = CountFetches(method.Integrator);
   timed.Expected = this->FillErrors(timed.Point, *scene, reference);
   if (timed.GetRounds(FewestRounds) == 0)

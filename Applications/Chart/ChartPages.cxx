@@ -10,21 +10,17 @@
 
 #include "vtkAxis.h"
 #include "vtkChartXY.h"
-#include "vtkContext2D.h"
 #include "vtkContextActor.h"
-#include "vtkContextItem.h"
 #include "vtkContextScene.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkImageShrink3D.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkPen.h"
 #include "vtkPlotPoints.h"
 #include "vtkRect.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkStdString.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTextProperty.h"
@@ -33,7 +29,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <set>
 
@@ -157,39 +152,6 @@ std::vector<Dot> PickFront(const std::vector<Dot>& dots)
 }
 
 //------------------------------------------------------------------------------
-/// Whatever a function draws, over the chart.
-class Overlay : public vtkContextItem
-{
-public:
-  static Overlay* New();
-  vtkTypeMacro(Overlay, vtkContextItem);
-
-  bool Paint(vtkContext2D* painter) override
-  {
-    this->Draw(painter);
-    return true;
-  }
-
-  std::function<void(vtkContext2D*)> Draw;
-};
-vtkStandardNewMacro(Overlay);
-
-//------------------------------------------------------------------------------
-void DrawChartText(vtkContext2D* painter, double x, double y, const std::string& text, int size,
-  const RGB& color, bool bold = false, bool right = false)
-{
-  vtkTextProperty* property = painter->GetTextProp();
-  property->SetFontFamilyToArial();
-  property->SetFontSize(Smooth * size);
-  property->SetBold(bold);
-  property->SetColor(color[0], color[1], color[2]);
-  property->SetJustification(right ? VTK_TEXT_RIGHT : VTK_TEXT_LEFT);
-  property->SetVerticalJustificationToBottom();
-  painter->DrawString(
-    static_cast<float>(Smooth * x), static_cast<float>(Smooth * y), vtkStdString(text));
-}
-
-//------------------------------------------------------------------------------
 // Draws one page. The chart's own coordinates are pixels.
 class Painter
 {
@@ -197,12 +159,13 @@ public:
   explicit Painter(const Page& page)
     : Drawn(page)
   {
+    std::vector<double> costs, errors;
     for (const Dot& dot : page.Dots)
     {
       if (dot.IsDrawn())
       {
-        this->X.Take(dot.Cost);
-        this->Y.Take(dot.Error);
+        costs.push_back(dot.Cost);
+        errors.push_back(dot.Error);
       }
       if (!dot.IsMark())
       {
@@ -210,8 +173,8 @@ public:
         isNew ? this->Curves.push_back({ dot }) : this->Curves.back().push_back(dot);
       }
     }
-    this->X.Widen();
-    this->Y.Widen();
+    this->X = tool::LogAxis(costs);
+    this->Y = tool::LogAxis(errors);
   }
 
   void Write(const std::string& path)
@@ -223,12 +186,9 @@ public:
     this->SetUpAxis(vtkAxis::BOTTOM, this->X, PlotWidth, this->Drawn.XUnit);
     this->SetUpAxis(vtkAxis::LEFT, this->Y, PlotHeight, tool::Unit::Share);
     this->AddPlots();
-    vtkNew<Overlay> overlay;
-    overlay->Draw = [this](vtkContext2D* painter) { this->DrawTexts(painter); };
 
     vtkNew<vtkContextActor> actor;
     actor->GetScene()->AddItem(this->Chart);
-    actor->GetScene()->AddItem(overlay);
     vtkNew<vtkRenderer> renderer;
     renderer->SetBackground(1.0, 1.0, 1.0);
     renderer->AddActor(actor);
@@ -251,7 +211,15 @@ public:
     {
       throw tool::Error(path + ": the chart can't be read back: " + tool::TakeErrorText());
     }
-    tool::WritePNG(path, mean->GetOutput());
+    const auto* bytes = static_cast<const unsigned char*>(mean->GetOutput()->GetScalarPointer());
+    tool::Picture drawn(Width, Height);
+    for (int k = 0; k < Width * Height; ++k)
+    {
+      const unsigned char* rgb = bytes + 3 * k;
+      drawn.At(k % Width, k / Width) = glm::vec4(rgb[0], rgb[1], rgb[2], 255.0f) / 255.0f;
+    }
+    this->DrawTexts(drawn);
+    tool::WritePNG(path, drawn, [](double value) { return value; });
   }
 
 private:
@@ -333,26 +301,30 @@ private:
     }
   }
 
-  void DrawTexts(vtkContext2D* painter) const
+  void DrawTexts(tool::Picture& picture) const
   {
+    const auto draw = [&picture](double x, int y, const std::string& text, int size,
+                        const RGB& color, bool bold = false, bool right = false)
+    {
+      const int width = right ? tool::MeasureText(text, size, bold) : 0;
+      tool::DrawText(picture, static_cast<int>(x) - width, y, text, size, bold, color);
+    };
     const int width = Width - 60;
-    DrawChartText(painter, 30, Height - 72, tool::Fit(this->Drawn.Title, TitleFont, true, width),
-      TitleFont, Ink, true);
-    DrawChartText(
-      painter, 30, Height - 114, tool::Fit(this->Drawn.Subtitle, Font, false, width), Font, Faint);
-    DrawChartText(
-      painter, 30, Height - Top + 16, "relative L1 error, smaller is better", Font, Ink, true);
-    DrawChartText(painter, Width - Right, 24, this->Drawn.XLabel, Font, Ink, true, true);
+    draw(
+      30, Height - 72, tool::Fit(this->Drawn.Title, TitleFont, true, width), TitleFont, Ink, true);
+    draw(30, Height - 114, tool::Fit(this->Drawn.Subtitle, Font, false, width), Font, Faint);
+    draw(30, Height - Top + 16, "relative L1 error, smaller is better", Font, Ink, true);
+    draw(Width - Right, 24, this->Drawn.XLabel, Font, Ink, true, true);
     const int names = Width - Right + 30;
     int line = Height - Top - 30;
     for (const std::vector<Dot>& curve : this->Curves)
     {
       const tool::ChartMethod& method = tool::FindChartMethod(curve.front().Method);
-      DrawChartText(painter, names, line, method.Label, Font, method.Color, true);
+      draw(names, line, method.Label, Font, method.Color, true);
       line -= 40;
     }
-    DrawChartText(painter, names, line, "band: nothing is both", SmallFont, Faint);
-    DrawChartText(painter, names, line - 28, "cheaper and better", SmallFont, Faint);
+    draw(names, line, "band: nothing is both", SmallFont, Faint);
+    draw(names, line - 28, "cheaper and better", SmallFont, Faint);
 
     // Beside each mark; plans of several tolerances at one place have one text.
     std::vector<std::pair<Dot, std::string>> marks;
@@ -382,9 +354,9 @@ private:
     for (const auto& [dot, name] : marks)
     {
       const double x = Left + this->X.Find(dot.Cost) * PlotWidth;
-      const double y = Bottom + this->Y.Find(dot.Error) * PlotHeight - 0.6 * Font;
+      const int y = static_cast<int>(Bottom + this->Y.Find(dot.Error) * PlotHeight - 0.6 * Font);
       const bool left = x + 20 + tool::MeasureText(name, Font, true) > Width - Right;
-      DrawChartText(painter, x + (left ? -20 : 20), y, name, Font, Ink, true, left);
+      draw(x + (left ? -20 : 20), y, name, Font, Ink, true, left);
     }
   }
 

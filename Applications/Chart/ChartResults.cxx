@@ -19,18 +19,10 @@
 namespace
 {
 using JSON = tool::ChartJson;
+using tool::GetFigure;
 
 constexpr char ChartFormat[] = "measured-brdf chart";
-constexpr int ChartVersion = 2; // of other fingerprints than 1
-
-//------------------------------------------------------------------------------
-// What is not a number is null in JSON.
-double GetNumber(const JSON& object, const std::string& name)
-{
-  const auto found = object.find(name);
-  return found == object.end() || found->is_null() ? std::numeric_limits<double>::quiet_NaN()
-                                                   : found->get<double>();
-}
+constexpr int ChartVersion = 3; // of other fingerprints than before
 
 //------------------------------------------------------------------------------
 std::vector<tool::CostPoint> GetCosts(const JSON& pair)
@@ -38,7 +30,7 @@ std::vector<tool::CostPoint> GetCosts(const JSON& pair)
   std::vector<tool::CostPoint> costs;
   for (const JSON& point : pair.at("points"))
   {
-    costs.push_back({ tool::GetFigure(point, "frame_ms"),
+    costs.push_back({ GetFigure(point, "frame_ms"),
       tool::GetPointError(point, tool::GetMetrics().front().Name) });
   }
   return costs;
@@ -69,8 +61,8 @@ std::string MakeCSV(const JSON& results)
       const JSON& point = pair["points"][k];
       text += tool::QuoteCell(pair.at("material")) + "," + tool::QuoteCell(pair.at("environment")) +
               "," + point.at("method").get<std::string>() + "," +
-              tool::QuoteCell(point.at("size")) + MakeCell(GetNumber(point, "setup_ms")) +
-              MakeCell(GetNumber(point, "frame_ms"));
+              tool::QuoteCell(point.at("size")) + MakeCell(GetFigure(point, "setup_ms")) +
+              MakeCell(GetFigure(point, "frame_ms"));
       for (const JSON& quartile :
         point.value("frame_ms_quartiles", JSON::array({ nullptr, nullptr })))
       {
@@ -78,7 +70,7 @@ std::string MakeCSV(const JSON& results)
       }
       for (const char* name : { "frames", "texture_bytes", "texture_fetches" })
       {
-        text += MakeCell(GetNumber(point, name));
+        text += MakeCell(GetFigure(point, name));
       }
       const JSON& front = pair.at("front");
       text += std::find(front.begin(), front.end(), k) != front.end() ? ",1," : ",0,";
@@ -87,7 +79,7 @@ std::string MakeCSV(const JSON& results)
       {
         text += MakeCell(tool::GetPointError(point, metric.Name));
       }
-      text += MakeCell(GetNumber(pair, "unoccluded_error")) + "\n";
+      text += MakeCell(GetFigure(pair, "unoccluded_error")) + "\n";
     }
   }
   return text;
@@ -111,21 +103,26 @@ const ChartJson* FindPair(
 }
 
 //------------------------------------------------------------------------------
-double GetFigure(const ChartJson& point, const std::string& name) { return GetNumber(point, name); }
+double GetFigure(const ChartJson& point, const std::string& name)
+{
+  const auto found = point.find(name); // what is not a number is null in JSON
+  return found == point.end() || found->is_null() ? std::numeric_limits<double>::quiet_NaN()
+                                                  : found->get<double>();
+}
 
 //------------------------------------------------------------------------------
 double GetPointError(const ChartJson& point, const std::string& metric)
 {
-  return GetNumber(point.value("errors", ChartJson::object()), metric);
+  return GetFigure(point.value("errors", ChartJson::object()), metric);
 }
 
 //------------------------------------------------------------------------------
 void RatePair(ChartJson& pair)
 {
-  const std::vector<double> over = RatePlanner(pair);
-  pair["front"] = FindFront(GetCosts(pair));
+  const std::vector<CostPoint> costs = GetCosts(pair);
+  pair["front"] = FindFront(costs);
   pair["planner"] = ChartJson::array();
-  for (std::size_t k = 0; k < pair["points"].size(); ++k)
+  for (std::size_t k = 0; k < costs.size(); ++k)
   {
     const ChartJson& point = pair["points"][k];
     if (point["method"] == PlannerMethod && !point.contains("left_out"))
@@ -134,40 +131,25 @@ void RatePair(ChartJson& pair)
       pair["planner"].push_back({ { "point", k }, { "tolerance", std::stod(size) },
         { "in_view", size.find(InView) != std::string::npos },
         { "interacting", size.find(Interacting) != std::string::npos },
-        { "time_over_front", over[pair["planner"].size()] } });
+        { "time_over_front", costs[k].Cost / GetFrontCost(costs, costs[k].Error) } });
     }
   }
-}
-
-//------------------------------------------------------------------------------
-std::vector<double> RatePlanner(const ChartJson& pair)
-{
-  const std::vector<CostPoint> costs = GetCosts(pair);
-  std::vector<double> over;
-  for (std::size_t k = 0; k < costs.size(); ++k)
-  {
-    const ChartJson& point = pair.at("points")[k];
-    if (point.at("method") == PlannerMethod && !point.contains("left_out"))
-    {
-      over.push_back(costs[k].Cost / GetFrontCost(costs, costs[k].Error));
-    }
-  }
-  return over;
 }
 
 //------------------------------------------------------------------------------
 double GetShareWithin(const ChartJson& results)
 {
-  std::vector<double> all;
+  double within = 0.0;
+  double all = 0.0;
   for (const ChartJson& pair : results.at("pairs"))
   {
-    const std::vector<double> over = RatePlanner(pair);
-    all.insert(all.end(), over.begin(), over.end());
+    for (const ChartJson& figure : pair.at("planner"))
+    {
+      within += GetFigure(figure, "time_over_front") <= 1.0 + FrontMargin;
+      ++all;
+    }
   }
-  const auto within =
-    std::count_if(all.begin(), all.end(), [](double over) { return over <= 1.0 + FrontMargin; });
-  return all.empty() ? std::numeric_limits<double>::quiet_NaN()
-                     : static_cast<double>(within) / static_cast<double>(all.size());
+  return within / all;
 }
 
 //------------------------------------------------------------------------------
@@ -213,7 +195,8 @@ ChartJson LoadResults(
     }
     if (problem.empty())
     {
-      MakeCSV(results); // which needs all of it
+      MakeCSV(results); // they need all of it
+      GetShareWithin(results);
     }
   }
   catch (const std::exception& e) // of nlohmann: missing, or of another type

@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
-#include <vector>
 
 namespace tool
 {
@@ -31,9 +30,6 @@ double GetPointError(const ChartJson& point, const std::string& metric);
 /// Adds what follows from a pair's points: which are on the front of frame time and error, and what
 /// the planner's points take over the least time of all points that are no less accurate.
 void RatePair(ChartJson& pair);
-
-/// What the planner's points of a pair take over that least time.
-std::vector<double> RatePlanner(const ChartJson& pair);
 
 /// The share of all the planner's points within 1 + FrontMargin of the front's time; NaN of none.
 constexpr double FrontMargin = 0.2;

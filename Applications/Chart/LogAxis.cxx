@@ -37,18 +37,16 @@ std::string FormatTick(double value, Unit unit)
 }
 
 //------------------------------------------------------------------------------
-void LogAxis::Take(double value)
+LogAxis::LogAxis(const std::vector<double>& values)
 {
-  if (value > 0.0 && std::isfinite(value))
+  for (const double value : values)
   {
-    this->Least = std::min(this->Least, std::log10(value));
-    this->Largest = std::max(this->Largest, std::log10(value));
+    if (value > 0.0 && std::isfinite(value))
+    {
+      this->Least = std::min(this->Least, std::log10(value));
+      this->Largest = std::max(this->Largest, std::log10(value));
+    }
   }
-}
-
-//------------------------------------------------------------------------------
-void LogAxis::Widen()
-{
   if (!(this->Least <= this->Largest))
   {
     this->Least = this->Largest = 0.0;

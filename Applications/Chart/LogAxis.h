@@ -28,11 +28,8 @@ std::string FormatTick(double value, Unit unit);
 class LogAxis
 {
 public:
-  /// Widens the range to a value; not to one that is not positive and finite.
-  void Take(double value);
-
-  /// Air around what was taken.
-  void Widen();
+  /// Air around all values but those that are not positive and finite.
+  explicit LogAxis(const std::vector<double>& values = {});
 
   ///@{
   /// The ends, as exponents of ten.

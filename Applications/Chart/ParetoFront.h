@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace tool
@@ -31,17 +32,16 @@ struct CostPoint
 /// by rising cost; of equal points the first.
 inline std::vector<std::size_t> FindFront(const std::vector<CostPoint>& points)
 {
+  constexpr double last = std::numeric_limits<double>::infinity();
+  const auto getKey = [&](std::size_t k)
+  {
+    const CostPoint& point = points[k];
+    return point.IsFinite() ? std::make_pair(point.Cost, point.Error) : std::make_pair(last, last);
+  };
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
-    [&points](std::size_t a, std::size_t b)
-    {
-      const CostPoint &x = points[a], &y = points[b];
-      return x.IsFinite() != y.IsFinite() ? x.IsFinite()
-             : !x.IsFinite()              ? false
-             : x.Cost != y.Cost           ? x.Cost < y.Cost
-                                          : x.Error < y.Error;
-    });
+    [&](std::size_t a, std::size_t b) { return getKey(a) < getKey(b); });
   std::vector<std::size_t> front;
   for (const std::size_t k : order)
   {

@@ -73,17 +73,6 @@ std::string Join(const std::vector<std::string>& parts)
 }
 
 //------------------------------------------------------------------------------
-std::string JoinTolerances(const std::vector<double>& tolerances)
-{
-  std::vector<std::string> parts;
-  for (const double tolerance : tolerances)
-  {
-    parts.push_back(tool::FormatNumber(tolerance));
-  }
-  return Join(parts);
-}
-
-//------------------------------------------------------------------------------
 std::vector<tool::Material> LoadMaterials(const std::vector<std::string>& files)
 {
   std::vector<tool::Material> materials;
@@ -122,13 +111,6 @@ std::vector<vtkSmartPointer<vtkEnvironment>> LoadEnvironments(const std::vector<
     }
   }
   return environments;
-}
-
-//------------------------------------------------------------------------------
-std::string Describe(const tool::View& view)
-{
-  return Join({ tool::FormatNumber(view.Azimuth), tool::FormatNumber(view.Elevation),
-    tool::FormatNumber(view.Angle) });
 }
 
 //------------------------------------------------------------------------------
@@ -188,7 +170,7 @@ void PrintVerdict(
   std::size_t figures = 0;
   for (const tool::ChartJson& pair : results["pairs"])
   {
-    figures += tool::RatePlanner(pair).size();
+    figures += pair["planner"].size();
   }
   char text[200];
   std::snprintf(text, sizeof(text),
@@ -219,11 +201,12 @@ void Run(const ChartOptions& options)
   nlohmann::ordered_json machine = tool::DescribeMachine();
   machine.update(meter.DescribeRenderer());
   const tool::Size& size = options.Stage.Size;
-  const nlohmann::ordered_json settings = { { "methods", Join(methods) },
-    { "sweep", options.Sweep }, { "tolerances", JoinTolerances(options.Tolerances) },
+  const nlohmann::ordered_json settings = { { "methods", methods }, { "sweep", options.Sweep },
+    { "tolerances", options.Tolerances },
     { "mesh", options.Stage.MeshFile.empty() ? "sphere" : options.Stage.MeshFile },
     { "size", std::to_string(size.Width) + "x" + std::to_string(size.Height) },
-    { "view", Describe(options.Stage.View) },
+    { "view",
+      { options.Stage.View.Azimuth, options.Stage.View.Elevation, options.Stage.View.Angle } },
     { "reference_pixels",
       options.ReferencePixels > 0 ? std::to_string(options.ReferencePixels) : "all" },
     { "rounds", options.Rounds }, { "slowest", options.Slowest }, { "for_view", options.ForView } };
@@ -265,8 +248,8 @@ void AddChartCommand(CLI::App& app)
     ->check(notEmpty);
   command
     ->add_option("--tolerances", options->Tolerances,
-      "Tolerances whose plans are marked, with commas between them, from 0.001 to 1 (default " +
-        JoinTolerances(options->Tolerances) + ")")
+      "Tolerances whose plans are marked, with commas between them, from 0.001 to 1 (default "
+      "0.01,0.02,0.05)")
     ->delimiter(',')
     ->allow_extra_args(false)
     ->check(Between(1e-3, 1.0));

@@ -7,6 +7,7 @@
 #include "Measuring.h"
 #include "Methods.h"
 #include "Options.h"
+#include "ParetoFront.h"
 #include "Progress.h"
 #include "ReferencePicture.h"
 #include "Scenes.h"
@@ -60,19 +61,12 @@ constexpr int LargestComparedPicture = 4096;
 constexpr int TracedPixels = 4096; // by default: rays take a millisecond of a core for each
 
 /// A shading and what was found of it.
-struct Shading
+struct Shading : tool::ComparedPicture
 {
-  explicit Shading(const std::string& name)
-    : Name(name)
-  {
-  }
+  explicit Shading(const std::string& name) { this->Name = name; }
 
-  std::string Name;
   vtkNew<vtkRadianceMetrics> Metrics;
-  double Setup = 0.0;    // ms, on the clock
   double SetupCpu = 0.0; // of all threads, system calls included
-  double Frame = 0.0;
-  tool::Picture Drawn = tool::Picture(1, 1);
 
   void TimeSetUp(const std::function<void()>& run)
   {
@@ -90,16 +84,12 @@ struct Shading
   {
     this->Drawn = scene.Render(size.Width, size.Height);
     tool::Measure(this->Metrics, grid, tool::Pick(this->Drawn, grid.Surface), reference);
-  }
-
-  tool::ComparedPicture GetPicture() const
-  {
-    return { this->Name, this->Drawn, this->Metrics->GetRelativeL1(), this->Frame, this->Setup };
+    this->RelativeL1 = this->Metrics->GetRelativeL1();
   }
 
   std::string GetSummary() const
   {
-    return this->Name + ": relative L1 " + tool::FormatPercent(this->Metrics->GetRelativeL1()) +
+    return this->Name + ": relative L1 " + tool::FormatPercent(this->RelativeL1) +
            ", 95 % of the pixels within " + tool::FormatPercent(this->Metrics->GetPercentile95()) +
            ", 99 % within " + tool::FormatPercent(this->Metrics->GetPercentile99()) + ", FLIP " +
            tool::FormatNumber(std::round(1e4 * this->Metrics->GetFLIP()) / 1e4) + "; frame " +
@@ -129,7 +119,8 @@ struct Comparison
   tool::StockMaterial StockMaterial;
   std::size_t NumberOfFrames = 0;
   tool::Surface Surface;
-  tool::Occlusion Occlusion;
+  vtkSmartPointer<vtkOcclusionPredictor> Predicted; // what the mesh hides
+  tool::TracedSurface Traced;                       // with --occlusion
   std::vector<double> Reference;
 };
 
@@ -143,14 +134,14 @@ nlohmann::ordered_json MakeReport(Comparison& found)
   }
   const tool::StockMaterial& stock = found.StockMaterial;
   report.update({ { "frame_ms", found.Shaded.Frame }, { "pbr_frame_ms", found.Stock.Frame },
-    { "pbr_relative_l1", found.Stock.Metrics->GetRelativeL1() }, { "setup_ms", found.Shaded.Setup },
+    { "pbr_relative_l1", found.Stock.RelativeL1 }, { "setup_ms", found.Shaded.Setup },
     { "setup_cpu_ms", found.Shaded.SetupCpu }, { "pbr_setup_ms", found.Stock.Setup },
     { "pbr_setup_cpu_ms", found.Stock.SetupCpu }, { "pbr_flip", found.Stock.Metrics->GetFLIP() },
     { "pbr_material", { { "roughness", stock.Roughness }, { "metallic", stock.Metallic },
                         { "albedo", stock.Albedo } } },
     { "frames", found.NumberOfFrames }, { "vtk", vtkVersion::GetVTKVersion() },
     { "lights", found.Method.GetNumberOfLights() },
-    { "texture_bytes", found.Scene.GetTextureBytes() }, { "predicted_error", nullptr } });
+    { "texture_bytes", found.Scene.Mapper->GetTextureBytes() }, { "predicted_error", nullptr } });
   if (vtkRadiancePlanner* planner = found.Method.Planner)
   {
     report["predicted_error"] = planner->GetPredictedError(planner->GetChoice());
@@ -183,16 +174,13 @@ void WriteFailures(const Comparison& found, vtkBRDF* reference, nlohmann::ordere
   }
   const std::vector<tool::ViewError> views = tool::MeasureViews(found.Surface.Normals,
     found.Surface.Views, tool::Pick(found.Shaded.Drawn, found.Surface), found.Reference);
-  tool::FailureCaption caption;
-  caption.Title = found.Title;
-  caption.Method = found.Shaded.Name;
-  caption.Note =
+  std::string note =
     shaded == reference
       ? "The method takes the material's own f: its errors are those of the integral alone (right)."
       : "f as " + tool::DescribeForm(shaded) + ": relative L1 " +
           tool::FormatPercent(map->GetRelativeL1()) + ".";
-  caption.Note += " Each cell: mean |f - r| over mean r, all azimuths. Gray: below the horizon.";
-  tool::WriteFailureMap(found.Options.FailureMap, caption, map, views);
+  note += " Each cell: mean |f - r| over mean r, all azimuths. Gray: below the horizon.";
+  tool::WriteFailureMap(found.Options.FailureMap, found.Title, note, found.Shaded.Name, map, views);
 
   report["brdf_relative_l1"] = map->GetRelativeL1();
   report["brdf_log_cosine"] = vtkBRDFResampler::GetLogCosineDistance(reference, shaded);
@@ -220,19 +208,19 @@ void WriteStrip(Comparison& found)
 {
   const CompareOptions& options = found.Options;
   const tool::Size& size = options.Stage.Size;
-  const double error = found.Shaded.Metrics->GetRelativeL1();
+  const double error = found.Shaded.RelativeL1;
   const std::string name = found.Shaded.Name == "auto" ? "this module" : found.Shaded.Name;
   if (options.Occlusion)
   {
     std::vector<double> black;
     if (options.Trace.Bounces > 0)
     {
-      found.Scene.ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_ON, false);
+      found.Scene.Mapper->SetOcclusionBounce(false);
       black = tool::Pick(found.Scene.Render(size.Width, size.Height), found.Surface);
-      found.Scene.ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_ON, true);
+      found.Scene.Mapper->SetOcclusionBounce(true);
     }
     tool::WriteOcclusionStrip(options.Strip, found.Title, found.Environment, size, found.Scene,
-      found.Surface, found.Occlusion.Traced, name, error, black);
+      found.Surface, found.Traced, name, error, black);
     return;
   }
   // Times relative to PBR's, which depend less on the machine.
@@ -240,8 +228,8 @@ void WriteStrip(Comparison& found)
   std::snprintf(frame, sizeof(frame), ", %.2g times PBR's frame time",
     found.Shaded.Frame / std::max(found.Stock.Frame, 1e-6));
   tool::ComparisonStrip strip(found.Title, found.Environment, size);
-  strip.AddRendered(found.StockScene, "VTK's PBR, fitted",
-    "error " + tool::FormatPercent(found.Stock.Metrics->GetRelativeL1()));
+  strip.AddRendered(
+    found.StockScene, "VTK's PBR, fitted", "error " + tool::FormatPercent(found.Stock.RelativeL1));
   strip.AddRendered(found.Scene, name, "error " + tool::FormatPercent(error) + frame);
   strip.AddRadiance(found.Scene, found.Surface, found.Reference, "reference",
     "the integral itself, 99 % of pixels within 0.3 %");
@@ -260,10 +248,10 @@ void SetUp(Comparison& found, const tool::Material& shaded, vtkPolyData* mesh)
     stage.Place(*scene, mesh);
     scene->Open(stage.Size.Width, stage.Size.Height);
   }
-  found.Scene.ModelOcclusion( // as the reference
+  found.Scene.Mapper->SetOcclusionMode( // as the reference
     found.Options.Occlusion ? vtkMeasuredBRDFMapper::OCCLUSION_ON
-                            : vtkMeasuredBRDFMapper::OCCLUSION_OFF,
-    found.Options.Trace.Bounces > 0);
+                            : vtkMeasuredBRDFMapper::OCCLUSION_OFF);
+  found.Scene.Mapper->SetOcclusionBounce(found.Options.Trace.Bounces > 0);
   found.Shaded.TimeSetUp(
     [&]()
     {
@@ -298,8 +286,8 @@ void TimeFrames(Comparison& found)
     }
   }
   found.NumberOfFrames = frames.size();
-  found.Shaded.Frame = tool::Median(frames);
-  found.Stock.Frame = tool::Median(stockFrames);
+  found.Shaded.Frame = tool::GetQuantile(frames, 0.5);
+  found.Stock.Frame = tool::GetQuantile(stockFrames, 0.5);
 }
 
 //------------------------------------------------------------------------------
@@ -333,10 +321,15 @@ void Run(CompareOptions& options, const CLI::App* command)
 
   found.Surface =
     tool::FindSurface(mesh, options.Stage.View, tool::ViewFill, size, GetComparedPixels(options));
-  found.Occlusion = tool::FindOcclusion(mesh, material.BRDF, found.Environment, found.Scene,
-    found.Surface, size, options.Occlusion ? &options.Trace : nullptr);
+  const vtkSmartPointer<vtkTracedScene> traced = tool::MakeTracedScene(mesh);
+  found.Predicted = tool::PredictOcclusion(traced, material.BRDF, found.Environment);
+  if (options.Occlusion)
+  {
+    found.Traced = tool::TraceSurface(
+      traced, material.BRDF, found.Environment, found.Scene, found.Surface, size, options.Trace);
+  }
   const tool::ReferencePicture whole =
-    options.Occlusion ? tool::ReferencePicture{ found.Occlusion.Traced.Radiance }
+    options.Occlusion ? tool::ReferencePicture{ found.Traced.Radiance }
                       : tool::DrawReference(material.BRDF, found.Environment, found.Surface, size);
   found.Reference = whole.Radiance;
   const tool::Grid grid(found.Surface, size);
@@ -348,7 +341,7 @@ void Run(CompareOptions& options, const CLI::App* command)
   nlohmann::ordered_json report = MakeReport(found);
   report.update(
     { { "reference_pixels", found.Surface.Pixels.size() }, { "reference_within", whole.Within } });
-  report.update(tool::DescribeOcclusion(found.Occlusion, options.Trace));
+  report.update(tool::DescribeOcclusion(found.Predicted, found.Traced, options.Trace));
   report.update({ { "covered_pixels", found.Surface.NumberOfCovered }, { "width", size.Width },
     { "height", size.Height }, { "material", material.Name },
     { "environment", found.Environment->GetName() },
@@ -369,13 +362,11 @@ void Run(CompareOptions& options, const CLI::App* command)
   if (!options.Output.empty())
   {
     tool::WriteComparisonSheet(options.Output, found.Title, grid,
-      tool::Pick(found.Shaded.Drawn, found.Surface), found.Reference, found.Shaded.GetPicture(),
-      found.Stock.GetPicture());
+      tool::Pick(found.Shaded.Drawn, found.Surface), found.Reference, found.Shaded, found.Stock);
   }
   tool::PrintOut(found.Title + ", " + std::to_string(found.Surface.Pixels.size()) + " of " +
                  std::to_string(found.Surface.NumberOfCovered) + " covered pixels\n" +
-                 found.Shaded.GetSummary() + found.Stock.GetSummary() +
-                 found.Occlusion.Predicted->GetText() +
+                 found.Shaded.GetSummary() + found.Stock.GetSummary() + found.Predicted->GetText() +
                  (options.Occlusion ? "; the reference has occlusion\n"
                                     : "; method and reference are without occlusion\n") +
                  (found.Method.Planner ? "plan: " + found.Method.Planner->GetPlan() + "\n" : ""));

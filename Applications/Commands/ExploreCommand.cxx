@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Program.h"
 #include "Tool.h"
 
 #include <CLI/CLI.hpp>
@@ -8,10 +9,8 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace
@@ -20,20 +19,11 @@ namespace
 const char* const Explorer = "measured-brdf-explorer";
 
 //------------------------------------------------------------------------------
-// Beside this program; else only its name, which the PATH may know.
-std::string FindExplorer()
-{
-  std::error_code error;
-  const auto own = std::filesystem::read_symlink("/proc/self/exe", error);
-  const auto beside = own.parent_path() / Explorer;
-  return !error && std::filesystem::exists(beside, error) ? beside.string() : Explorer;
-}
-
-//------------------------------------------------------------------------------
 void Run(const std::vector<std::string>& given)
 {
 #if MEASUREDBRDF_HAS_EXPLORER
-  const std::string program = FindExplorer();
+  const std::string beside = tool::FindBeside(Explorer);
+  const std::string program = beside.empty() ? Explorer : beside; // which the PATH may know
   std::vector<std::string> words = { program };
   words.insert(words.end(), given.begin(), given.end());
   std::vector<char*> arguments;

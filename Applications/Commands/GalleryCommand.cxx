@@ -61,14 +61,14 @@ void Run(const GalleryOptions& options)
     std::min(columns, count), (count + columns - 1) / columns, options.Tile, options.Tile);
   tool::Scene scene;
   scene.SetMesh(tool::MakeBallOnFoot());
-  scene.SetView(25.0, 14.0, 1.02);
+  scene.SetView({ 25.0, 14.0 }, 1.02);
   scene.SetLight(environment, nullptr);
   tool::ProgressBar bar("rendering");
   for (int k = 0; k < count; ++k)
   {
     const tool::Material& material = materials[static_cast<std::size_t>(k)];
     material.BRDF->Prepare();
-    scene.SetMaterial(material.BRDF);
+    scene.Mapper->SetBRDF(material.BRDF);
     tool::Picture tile = scene.Render(TileSmooth * options.Tile, TileSmooth * options.Tile);
     tool::ComposeOver(tile, scene, backdrop, tool::ChooseExposure(environment));
     tool::RollOff(tile);

@@ -5,7 +5,6 @@
 #include "Inputs.h"
 #include "Methods.h"
 #include "Progress.h"
-#include "Surface.h"
 #include "Tool.h"
 
 #include <CLI/CLI.hpp>
@@ -19,7 +18,6 @@ struct PairsOptions
   std::string File;
   std::string Environment;
   std::string Pairs;
-  std::string On = "cpu";
   std::string Output;
   tool::MethodOptions Method;
 };
@@ -44,10 +42,6 @@ void RunIntegrate(PairsOptions& options, const CLI::App* command)
 {
   static const tool::PairColumns columns = { "nx", "ny", "nz", "vx", "vy", "vz" };
   options.Method.Check(command);
-  if (options.On == "gpu" && tool::IsOnCpuOnly(options.Method.Method))
-  {
-    throw tool::UsageError("--on gpu: --method " + options.Method.Method + " runs on the CPU only");
-  }
   tool::Interruptible interruptible;
   const std::vector<tool::Pair> pairs = tool::ReadPairs(options.Pairs, columns);
   const tool::Material material = tool::LoadMaterial(options.File);
@@ -60,8 +54,8 @@ void RunIntegrate(PairsOptions& options, const CLI::App* command)
     views.insert(views.end(), pair.begin() + 3, pair.end());
   }
   const auto integrator = tool::MakeIntegrator(options.Method, material, environment);
-  const auto integrate = options.On == "gpu" ? tool::DrawPairs : tool::IntegratePairs;
-  tool::WriteResults(options.Output, columns, pairs, integrate(integrator, normals, views));
+  tool::WriteResults(
+    options.Output, columns, pairs, tool::IntegratePairs(integrator, normals, views));
 }
 
 //------------------------------------------------------------------------------
@@ -109,11 +103,6 @@ void AddIntegrateCommand(CLI::App& app)
   AddProjectionOption(command);
   options->Method.Method = "reference";
   options->Method.AddTo(command, true, false);
-  command
-    ->add_option("--on", options->On,
-      "Where to compute it: cpu (default), or gpu, by the renderer's shader (not with --method "
-      "exact)")
-    ->check(CLI::IsMember({ "cpu", "gpu" }));
   command->footer("Example:\n  measured-brdf integrate gold-paint --environment sky --pairs nv.csv "
                   "--method reference");
   command->callback([options, command]() { RunIntegrate(*options, command); });

@@ -81,7 +81,7 @@ void Run(PlanCommandOptions& options, const CLI::App* command)
   {
     tool::Scene scene;
     options.Stage.Place(scene, mesh);
-    scene.SetMaterial(material.BRDF);
+    scene.Mapper->SetBRDF(material.BRDF);
     scene.Look(options.Stage.Size.Width, options.Stage.Size.Height, seen);
   }
   const vtkSmartPointer<vtkRadiancePlanner> planner =

@@ -6,6 +6,7 @@
 #include "Measuring.h"
 #include "Methods.h"
 #include "Options.h"
+#include "ParetoFront.h"
 #include "Picture.h"
 #include "Progress.h"
 #include "Scenes.h"
@@ -92,7 +93,7 @@ void WritePicture(const RenderOptions& options, const tool::OffscreenScene& scen
   const double exposure = std::exp2(options.Exposure);
   if (options.Background == "environment" || (options.Background.empty() && png))
   {
-    tool::ComposeOver(picture, scene, tool::Backdrop(environment), exposure);
+    tool::ComposeOver(picture, scene, tool::Backdrop{ environment }, exposure);
   }
   else
   {
@@ -218,10 +219,11 @@ void Run(RenderOptions& options, const CLI::App* command)
   }
   else
   {
-    scene.ModelOcclusion(GetOcclusionMode(options.Occlusion), options.Trace.Bounces > 0);
+    scene.Mapper->SetOcclusionMode(GetOcclusionMode(options.Occlusion));
+    scene.Mapper->SetOcclusionBounce(options.Trace.Bounces > 0);
     scene.Open(size.Width, size.Height);
     scene.Begin(method, environment, options.Method.Plan);
-    plan = scene.GetPlan();
+    plan = scene.Mapper->GetPlan();
     NoteUnmodeled(plan);
     if (options.Method.Plan.ForView)
     {
@@ -239,9 +241,10 @@ void Run(RenderOptions& options, const CLI::App* command)
   }
   if (!options.Report.empty())
   {
-    nlohmann::ordered_json report = { { "frame_ms", tool::Median(frames) }, { "setup_ms", setup },
-      { "texture_bytes", onCpu ? 0 : scene.GetTextureBytes() }, { "frames", frames.size() },
-      { "material", material.Name }, { "environment", environment->GetName() },
+    nlohmann::ordered_json report = { { "frame_ms", tool::GetQuantile(frames, 0.5) },
+      { "setup_ms", setup }, { "texture_bytes", onCpu ? 0 : scene.Mapper->GetTextureBytes() },
+      { "frames", frames.size() }, { "material", material.Name },
+      { "environment", environment->GetName() },
       { "renderer", onCpu ? "CPU" : scene.GetRendererName() } };
     report.update(MakeRenderReport(options, method, plan));
     tool::WriteReport(options.Report, report);

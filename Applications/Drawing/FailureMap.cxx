@@ -144,8 +144,8 @@ std::vector<ViewError> MeasureViews(const std::vector<double>& normals,
 }
 
 //------------------------------------------------------------------------------
-void WriteFailureMap(const std::string& path, const FailureCaption& caption, vtkBRDFFailureMap* map,
-  const std::vector<ViewError>& views)
+void WriteFailureMap(const std::string& path, const std::string& title, const std::string& note,
+  const std::string& method, vtkBRDFFailureMap* map, const std::vector<ViewError>& views)
 {
   const AxisTicks degrees = MakeAngleTicks({ 0, 15, 30, 45, 60, 75, 90 }, false);
   Picture first = DrawErrors(map->GetIncidentOutgoing(), degrees);
@@ -174,11 +174,11 @@ void WriteFailureMap(const std::string& path, const FailureCaption& caption, vtk
     degrees,
     { { FindShare(0.001), "0.1 %" }, { FindShare(0.01), "1 %" }, { FindShare(0.1), "10 %" },
       { FindShare(1.0), "100 %" } });
-  ContactSheet sheet(caption.Title, 3, 1, first.Width, first.Height);
-  sheet.Add(0, 0, first, "f: theta_i across, theta_o upwards", caption.Note);
+  ContactSheet sheet(title, 3, 1, first.Width, first.Height);
+  sheet.Add(0, 0, first, "f: theta_i across, theta_o upwards", note);
   sheet.Add(1, 0, second, "f: theta_h across, theta_d upwards",
     "The numbers in the first map mark the worst angles.");
-  sheet.Add(2, 0, third, "radiance over theta_o: " + caption.Method,
+  sheet.Add(2, 0, third, "radiance over theta_o: " + method,
     "Left of each pair: the 99th percentile; right: relative L1. The maps have the same colors.");
   sheet.Write(path);
 }

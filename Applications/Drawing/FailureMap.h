@@ -32,21 +32,13 @@ std::vector<ViewError> MeasureViews(const std::vector<double>& normals,
   const std::vector<double>& views, const std::vector<double>& rgb,
   const std::vector<double>& reference);
 
-/// What stands around the maps.
-struct FailureCaption
-{
-  std::string Title;
-  std::string Note; // what was compared, below the title
-  std::string Method;
-};
-
 /**
  * Both maps of f, in the first of them the places of the worst angles, and the errors of radiance
  * over theta_o, as PNG. Colors: viridis of the logarithm, 0.1 % to 100 % in every picture, so that
- * two of them compare. Throws Error.
+ * two of them compare. note: what was compared, below the title. Throws Error.
  */
-void WriteFailureMap(const std::string& path, const FailureCaption& caption, vtkBRDFFailureMap* map,
-  const std::vector<ViewError>& views);
+void WriteFailureMap(const std::string& path, const std::string& title, const std::string& note,
+  const std::string& method, vtkBRDFFailureMap* map, const std::vector<ViewError>& views);
 } // namespace tool
 
 #endif

@@ -3,21 +3,20 @@
 #include "Meshes.h"
 
 #include "Files.h"
+#include "Program.h"
 #include "Progress.h"
 #include "Tool.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
+#include "vtkCleanPolyData.h"
 #include "vtkCompositeDataGeometryFilter.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkGLTFReader.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkGeometryFilter.h"
-#include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
@@ -29,7 +28,6 @@
 #include "vtkPolyDataNormals.h"
 #include "vtkSTLReader.h"
 #include "vtkSphereSource.h"
-#include "vtkStaticPointLocator.h"
 #include "vtkStringArray.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
@@ -60,7 +58,6 @@
 #include <iomanip>
 #include <iterator>
 #include <locale>
-#include <map>
 #include <memory>
 #include <new>
 #include <set>
@@ -78,85 +75,18 @@ namespace
 constexpr double FeatureAngle = 60.0;
 
 //------------------------------------------------------------------------------
-// With smooth normals, also where points lie on each other, as on the seam of a texture.
+// With smooth normals: points that lie on each other, as on the seam of a texture, become one.
 vtkSmartPointer<vtkPolyData> AddNormals(vtkPolyData* mesh, double featureAngle)
 {
-  std::vector<vtkIdType> places(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(mesh);
-  locator->BuildLocator();
-  locator->MergePoints(0.0, places.data()); // for each point the first one at its place
-  vtkNew<vtkPolyData> welded;
-  welded->SetPoints(mesh->GetPoints());
-  vtkNew<vtkCellArray> faces;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType k = 0; k < mesh->GetNumberOfPolys(); ++k)
-  {
-    mesh->GetPolys()->GetCellAtId(k, ids);
-    for (vtkIdType n = 0; n < ids->GetNumberOfIds(); ++n)
-    {
-      ids->SetId(n, places[static_cast<std::size_t>(ids->GetId(n))]);
-    }
-    faces->InsertNextCell(ids);
-  }
-  welded->SetPolys(faces);
-  vtkNew<vtkPolyDataNormals> filter;
-  filter->SetFeatureAngle(featureAngle);
-  filter->SetInputData(welded);
-  filter->Update();
-  vtkPolyData* smooth = filter->GetOutput();
-  vtkDataArray* normals = smooth->GetPointData()->GetNormals();
-  if (!normals || smooth->GetNumberOfPolys() != mesh->GetNumberOfPolys())
-  {
-    return mesh;
-  }
-
-  // A corner has its point's data and its place's normal: a point for each pair of these.
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataType(mesh->GetPoints()->GetDataType());
-  vtkNew<vtkCellArray> polygons;
-  vtkNew<vtkFloatArray> directions;
-  directions->SetName("Normals");
-  directions->SetNumberOfComponents(3);
-  vtkPointData* data = result->GetPointData();
-  data->CopyAllocate(mesh->GetPointData(), mesh->GetNumberOfPoints());
-  std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> made;
-  vtkNew<vtkIdList> before;
-  vtkNew<vtkIdList> after;
-  for (vtkIdType k = 0; k < mesh->GetNumberOfPolys(); ++k)
-  {
-    mesh->GetPolys()->GetCellAtId(k, before);
-    smooth->GetPolys()->GetCellAtId(k, after); // may be turned around
-    for (vtkIdType n = 0; n < after->GetNumberOfIds(); ++n)
-    {
-      const vtkIdType split = after->GetId(n);
-      double place[3];
-      smooth->GetPoint(split, place);
-      vtkIdType own = before->GetId(n);
-      for (vtkIdType m = 0; m < before->GetNumberOfIds(); ++m)
-      {
-        double p[3];
-        mesh->GetPoint(before->GetId(m), p);
-        own = p[0] == place[0] && p[1] == place[1] && p[2] == place[2] ? before->GetId(m) : own;
-      }
-      const auto [it, isNew] =
-        made.emplace(std::make_pair(own, split), points->GetNumberOfPoints());
-      if (isNew)
-      {
-        points->InsertNextPoint(place);
-        directions->InsertNextTuple(normals->GetTuple(split));
-        data->CopyData(mesh->GetPointData(), own, it->second);
-      }
-      after->SetId(n, it->second);
-    }
-    polygons->InsertNextCell(after);
-  }
-  result->SetPoints(points);
-  result->SetPolys(polygons);
-  result->GetCellData()->ShallowCopy(mesh->GetCellData());
-  data->SetNormals(directions);
-  return result;
+  vtkNew<vtkCleanPolyData> welded;
+  welded->SetInputData(mesh);
+  welded->SetTolerance(0.0);
+  welded->ConvertPolysToLinesOff(); // triangles without an area stay, and are counted
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(welded->GetOutputPort());
+  normals->SetFeatureAngle(featureAngle);
+  normals->Update();
+  return normals->GetOutput();
 }
 
 //------------------------------------------------------------------------------
@@ -391,7 +321,7 @@ vtkSmartPointer<vtkPolyData> GetSurface(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
-// Normals where there are none, or bad ones. What else can't be drawn is repaired, and said.
+// Normals where there are none, or bad ones, and tangents that are finite; what was bad is said.
 vtkSmartPointer<vtkPolyData> RepairData(const std::string& path, vtkPolyData* mesh)
 {
   vtkPointData* data = mesh->GetPointData();
@@ -403,27 +333,17 @@ vtkSmartPointer<vtkPolyData> RepairData(const std::string& path, vtkPolyData* me
                 std::to_string(mesh->GetNumberOfPoints()) + " " + what);
     }
   };
-  for (vtkDataArray* array : { data->GetTCoords(), data->GetTangents() })
+  const std::vector<vtkIdType> badTangents = FindBad(data->GetTangents(), false);
+  note(badTangents.size(), "tangents are not finite; they are taken as 0");
+  for (const vtkIdType k : badTangents)
   {
-    const std::vector<vtkIdType> bad = FindBad(array, false);
-    for (const vtkIdType k : bad)
-    {
-      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-      {
-        array->SetComponent(k, c, 0.0);
-      }
-    }
-    note(
-      bad.size(), std::string(array == data->GetTangents() ? "tangents" : "texture coordinates") +
-                    " are not finite; they are taken as 0");
+    data->GetTangents()->SetTuple3(k, 0.0, 0.0, 0.0);
   }
-  const std::vector<vtkIdType> bad = FindBad(data->GetNormals(), true);
-  note(bad.size(), "normals are not finite or have no length; all are made from the polygons");
-  if (!bad.empty())
-  {
-    data->SetNormals(nullptr);
-  }
-  return data->GetNormals() ? vtkSmartPointer<vtkPolyData>(mesh) : AddNormals(mesh, FeatureAngle);
+  const std::vector<vtkIdType> badNormals = FindBad(data->GetNormals(), true);
+  note(
+    badNormals.size(), "normals are not finite or have no length; all are made from the polygons");
+  return data->GetNormals() && badNormals.empty() ? vtkSmartPointer<vtkPolyData>(mesh)
+                                                  : AddNormals(mesh, FeatureAngle);
 }
 
 //------------------------------------------------------------------------------
@@ -475,16 +395,6 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path)
 //------------------------------------------------------------------------------
 constexpr const char* NotesName = "Notes"; // the field that holds what the child had to say
 constexpr int HasError = 1;                // exit status: the answer is a message
-
-//------------------------------------------------------------------------------
-// The tool, which answers ReadMeshOption, beside this program; empty where there is none.
-std::string FindTool()
-{
-  std::error_code error;
-  const auto own = std::filesystem::read_symlink("/proc/self/exe", error);
-  const auto beside = own.parent_path() / "measured-brdf";
-  return !error && std::filesystem::exists(beside, error) ? beside.string() : "";
-}
 
 //------------------------------------------------------------------------------
 // How a program ended, as waitpid says. It begins anew: a copy of this one would have its locks,
@@ -561,7 +471,7 @@ void WriteMesh(const std::string& answer, vtkPolyData* mesh, const std::string& 
 // process whatever it does.
 vtkSmartPointer<vtkPolyData> ReadApart(const std::string& path)
 {
-  const std::string program = FindTool();
+  const std::string program = FindBeside("measured-brdf"); // which answers ReadMeshOption
   if (program.empty())
   {
     return ReadMesh(path);

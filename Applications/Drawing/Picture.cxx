@@ -150,13 +150,6 @@ void WriteEXR(const std::string& path, const Picture& picture)
 }
 
 //------------------------------------------------------------------------------
-Backdrop::Backdrop(vtkEnvironment* environment, double factor)
-  : Environment(environment)
-  , Factor(factor)
-{
-}
-
-//------------------------------------------------------------------------------
 RGB Backdrop::Look(const glm::dvec3& direction) const
 {
   RGB rgb;
@@ -181,6 +174,19 @@ Picture Backdrop::Draw(int width, int height) const
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkEnvironment> Shrink(vtkEnvironment* environment, int width, int height)
+{
+  const auto whole = vtkSmartPointer<vtkImageData>::Take(environment->NewImageData());
+  vtkNew<vtkImageResize> resize; // the mean of what falls into each texel
+  resize->SetInputData(whole);
+  resize->SetOutputDimensions(width, height, 1);
+  resize->Update();
+  auto small = vtkSmartPointer<vtkEnvironment>::New();
+  small->SetImage(resize->GetOutput());
+  return small;
+}
+
+//------------------------------------------------------------------------------
 Backdrop MakeQuietBackdrop(vtkEnvironment* environment)
 {
   constexpr int width = 64;
@@ -188,13 +194,7 @@ Backdrop MakeQuietBackdrop(vtkEnvironment* environment)
   constexpr double dim = 0.42;
   const double angle = vtkMath::RadiansFromDegrees(11.0); // where the kernel has fallen to a half
   const double sharpness = std::log(2.0) / (1.0 - std::cos(angle));
-  const auto whole = vtkSmartPointer<vtkImageData>::Take(environment->NewImageData());
-  vtkNew<vtkImageResize> resize; // the mean of what falls into each texel
-  resize->SetInputData(whole);
-  resize->SetOutputDimensions(width, height, 1);
-  resize->Update();
-  vtkNew<vtkEnvironment> coarse;
-  coarse->SetImage(resize->GetOutput());
+  const vtkSmartPointer<vtkEnvironment> coarse = Shrink(environment, width, height);
   std::vector<glm::dvec3> directions(width * height);
   std::vector<glm::dvec4> light(directions.size()); // times solid angle, which is the last one
   for (int k = 0; k < width * height; ++k)
@@ -217,7 +217,7 @@ Backdrop MakeQuietBackdrop(vtkEnvironment* environment)
                        static_cast<float>(sum.z / sum.w) });
   }
   coarse->SetPixels(width, height, std::move(blurred));
-  return Backdrop(coarse, dim);
+  return { coarse, dim };
 }
 
 namespace

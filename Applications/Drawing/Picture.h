@@ -77,24 +77,20 @@ void WriteEXR(const std::string& path, const Picture& picture);
 ///@}
 
 /// What is seen behind a mesh: an environment, darker or brighter than it is.
-class Backdrop
+struct Backdrop
 {
-public:
-  explicit Backdrop(vtkEnvironment* environment, double factor = 1.0);
+  vtkSmartPointer<vtkEnvironment> Environment;
+  double Factor = 1.0;
 
   /// Radiance in a direction of the environment's frame, interpolated between its texels.
   RGB Look(const glm::dvec3& direction) const;
 
   /// All directions as a lat-long picture.
   Picture Draw(int width, int height) const;
-
-  /// Make it darker or brighter.
-  void Scale(double factor) { this->Factor *= factor; }
-
-private:
-  vtkSmartPointer<vtkEnvironment> Environment;
-  double Factor;
 };
+
+/// The means of an environment over the texels of a smaller one.
+vtkSmartPointer<vtkEnvironment> Shrink(vtkEnvironment* environment, int width, int height);
 
 /// The environment blurred and darkened: it steps back behind the objects.
 Backdrop MakeQuietBackdrop(vtkEnvironment* environment);

@@ -14,7 +14,6 @@
 #include "vtkFloatArray.h"
 #include "vtkFramebufferPass.h"
 #include "vtkImageData.h"
-#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMath.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkNew.h"
@@ -34,14 +33,14 @@
 #include "vtkTexture.h"
 #include "vtkTextureObject.h"
 
+#include <Eigen/Core>
 #include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <sstream>
 
 namespace tool
@@ -50,6 +49,12 @@ namespace
 {
 // The mapper puts out radiance^(1/2.2), as VTK's own physically based shading does.
 constexpr double OutputGamma = 2.2;
+
+//------------------------------------------------------------------------------
+Eigen::Map<const Eigen::Array3Xd> ToArray(const std::vector<double>& rgb)
+{
+  return { rgb.data(), 3, static_cast<Eigen::Index>(rgb.size() / 3) };
+}
 }
 
 //------------------------------------------------------------------------------
@@ -81,9 +86,9 @@ OffscreenScene::~OffscreenScene() = default;
 void OffscreenScene::SetMesh(vtkPolyData* mesh) { this->StageMapper->SetInputData(mesh); }
 
 //------------------------------------------------------------------------------
-void OffscreenScene::SetView(double azimuth, double elevation, double fill, double angle)
+void OffscreenScene::SetView(const View& view, double fill)
 {
-  this->Seen = { azimuth, elevation, angle };
+  this->Seen = view;
   this->Fill = fill;
 }
 
@@ -101,10 +106,7 @@ void OffscreenScene::PlaceCamera(int width, int height)
       static_cast<double>(width) / height);
     return;
   }
-  active->SetPosition(this->Camera->GetPosition());
-  active->SetFocalPoint(this->Camera->GetFocalPoint());
-  active->SetViewUp(this->Camera->GetViewUp());
-  active->SetViewAngle(this->Camera->GetViewAngle());
+  active->DeepCopy(this->Camera);
   this->Renderer->ResetCameraClippingRange();
 }
 
@@ -214,14 +216,6 @@ void OffscreenScene::Open(int width, int height)
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 OffscreenScene::GetEye() const
-{
-  glm::dvec3 eye;
-  this->Renderer->GetActiveCamera()->GetPosition(&eye.x);
-  return eye;
-}
-
-//------------------------------------------------------------------------------
 glm::dvec3 OffscreenScene::GetRay(double x, double y, int width, int height) const
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
@@ -258,35 +252,8 @@ std::string OffscreenScene::GetCapability(const std::string& name)
 
 namespace
 {
-// Albedos that are tried for each channel.
-constexpr int NumberOfAlbedos = 200;
+constexpr int NumberOfAlbedos = 200; // that are tried for each channel
 constexpr std::size_t HalfBytes = 2;
-
-//------------------------------------------------------------------------------
-// Least sum |x - r| of a channel over albedos in [0,1], and that albedo. samples: of all channels,
-// under albedos 0, 1/2 and 1, of which radiance is a quadratic function.
-double FitAlbedo(const std::vector<double> (&samples)[3], const std::vector<double>& reference,
-  std::size_t channel, double& best)
-{
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k <= NumberOfAlbedos; ++k)
-  {
-    const double a = static_cast<double>(k) / NumberOfAlbedos;
-    double sum = 0.0;
-    for (std::size_t p = channel; p < reference.size(); p += 3)
-    {
-      sum +=
-        std::abs((1.0 - a) * (1.0 - 2.0 * a) * samples[0][p] + 4.0 * a * (1.0 - a) * samples[1][p] +
-                 a * (2.0 * a - 1.0) * samples[2][p] - reference[p]);
-    }
-    if (sum < least)
-    {
-      least = sum;
-      best = a;
-    }
-  }
-  return least;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -335,21 +302,40 @@ void StockScene::SetMaterial(const StockMaterial& material)
   vtkProperty* property = this->Actor->GetProperty();
   property->SetRoughness(material.Roughness);
   property->SetMetallic(material.Metallic);
-  const std::array<double, 3>& albedo = material.Albedo;
-  RGB color = glm::pow(RGB(albedo[0], albedo[1], albedo[2]), RGB(1.0 / this->ColorExponent));
+  RGB color = glm::pow(glm::make_vec3(material.Albedo.data()), RGB(1.0 / this->ColorExponent));
   property->SetColor(&color.x);
 }
 
 //------------------------------------------------------------------------------
-void StockScene::Sample(StockMaterial material, const Surface& surface, const Size& size,
-  std::vector<double> (&samples)[3])
+double StockScene::FitAlbedo(StockMaterial& material, const Surface& surface, const Size& size,
+  const std::vector<double>& reference)
 {
+  // Radiance is a quadratic function of the albedo: that of 0, 1/2 and 1 gives all others.
+  Eigen::Array3Xd samples[3];
   for (int k = 0; k < 3; ++k)
   {
     material.Albedo.fill(0.5 * k);
     this->SetMaterial(material);
-    samples[k] = Pick(this->Render(size.Width, size.Height), surface);
+    samples[k] = ToArray(Pick(this->Render(size.Width, size.Height), surface));
   }
+  const Eigen::Array3Xd wanted = ToArray(reference);
+  Eigen::Array3d least = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
+  for (int k = 0; k <= NumberOfAlbedos; ++k)
+  {
+    const double a = static_cast<double>(k) / NumberOfAlbedos;
+    const Eigen::Array3d sums =
+      ((1.0 - a) * (1.0 - 2.0 * a) * samples[0] + 4.0 * a * (1.0 - a) * samples[1] +
+        a * (2.0 * a - 1.0) * samples[2] - wanted)
+        .abs()
+        .rowwise()
+        .sum();
+    for (int c = 0; c < 3; ++c)
+    {
+      material.Albedo[c] = sums[c] < least[c] ? a : material.Albedo[c];
+    }
+    least = least.min(sums);
+  }
+  return least.sum();
 }
 
 //------------------------------------------------------------------------------
@@ -358,12 +344,14 @@ StockMaterial StockScene::Fit(
 {
   // Without a metallic part radiance is linear in the albedo: half of it shows half of the light,
   // or 0.22 where this VTK takes a color as the display's.
-  std::vector<double> samples[3];
   this->ColorExponent = 1.0;
-  this->Sample({}, surface, size, samples);
-  const auto sum = [&](int k)
-  { return std::accumulate(samples[k].begin(), samples[k].end(), 0.0); };
-  this->ColorExponent = (sum(1) - sum(0)) / (sum(2) - sum(0)) < 0.35 ? 2.2 : 1.0;
+  Eigen::Array3d sums;
+  for (int k = 0; k < 3; ++k)
+  {
+    this->SetMaterial({ 0.5, 0.0, { 0.5 * k, 0.5 * k, 0.5 * k } });
+    sums[k] = ToArray(Pick(this->Render(size.Width, size.Height), surface)).sum();
+  }
+  this->ColorExponent = (sums[1] - sums[0]) / (sums[2] - sums[0]) < 0.35 ? 2.2 : 1.0;
 
   StockMaterial best;
   double least = std::numeric_limits<double>::infinity();
@@ -385,12 +373,7 @@ StockMaterial StockScene::Fit(
           continue;
         }
         Interruptible::Check();
-        this->Sample(material, surface, size, samples);
-        double error = 0.0;
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-          error += FitAlbedo(samples, reference, c, material.Albedo[c]);
-        }
+        const double error = this->FitAlbedo(material, surface, size, reference);
         if (error < least)
         {
           least = error;
@@ -444,14 +427,8 @@ std::vector<double> Pick(const Picture& picture, const Surface& surface)
 
 //------------------------------------------------------------------------------
 Scene::Scene()
-  : Scene(vtkSmartPointer<vtkMeasuredBRDFMapper>::New())
-{
-}
-
-//------------------------------------------------------------------------------
-Scene::Scene(vtkMeasuredBRDFMapper* mapper)
-  : OffscreenScene(mapper)
-  , Mapper(mapper)
+  : OffscreenScene(vtkSmartPointer<vtkMeasuredBRDFMapper>::New())
+  , Mapper(vtkMeasuredBRDFMapper::SafeDownCast(this->StageMapper))
 {
   this->Mapper->AddObserver(vtkCommand::ProgressEvent, this, &Scene::OnProgress);
 }
@@ -481,46 +458,10 @@ void Scene::OnProgress(vtkObject*, unsigned long, void* share)
 }
 
 //------------------------------------------------------------------------------
-void Scene::SetMaterial(vtkBRDF* brdf) { this->Mapper->SetBRDF(brdf); }
-
-//------------------------------------------------------------------------------
 void Scene::SetLight(vtkEnvironment* environment, vtkRadianceIntegrator* integrator)
 {
-  this->Integrator = integrator;
   this->Mapper->SetEnvironment(environment);
   this->Mapper->SetIntegrator(integrator);
-}
-
-//------------------------------------------------------------------------------
-void Scene::SetLight(vtkEnvironment* environment, const LightSetOptions& lights)
-{
-  vtkNew<vtkLightSetRadianceIntegrator> loop;
-  loop->SetLightSet(MakeLightSet(environment, lights));
-  loop->SetSoftLights(lights.Soft);
-  this->SetLight(environment, loop);
-}
-
-//------------------------------------------------------------------------------
-void Scene::SetLightSet(vtkLightSet* lights)
-{
-  vtkNew<vtkLightSetRadianceIntegrator> loop;
-  loop->SetLightSet(lights);
-  this->Mapper->SetIntegrator(lights ? loop : this->Integrator.Get());
-}
-
-//------------------------------------------------------------------------------
-void Scene::ModelOcclusion(vtkMeasuredBRDFMapper::OcclusionModeType mode, bool bounce)
-{
-  this->Mapper->SetOcclusionMode(mode);
-  this->Mapper->SetOcclusionBounce(bounce);
-}
-
-//------------------------------------------------------------------------------
-void Scene::SetPlan(const PlanOptions& options)
-{
-  this->Mapper->SetErrorTolerance(options.Tolerance);
-  this->Mapper->SetMaximumCost(options.MaximumCost);
-  this->Mapper->SetPlanForView(options.ForView);
 }
 
 //------------------------------------------------------------------------------
@@ -528,9 +469,11 @@ void Scene::Begin(Method& method, vtkEnvironment* environment, const PlanOptions
 {
   if (!method.Integrator)
   {
-    this->SetPlan(options);
+    this->Mapper->SetErrorTolerance(options.Tolerance);
+    this->Mapper->SetMaximumCost(options.MaximumCost);
+    this->Mapper->SetPlanForView(options.ForView);
   }
-  this->SetMaterial(method.BRDF);
+  this->Mapper->SetBRDF(method.BRDF);
   this->SetLight(environment, method.Integrator);
   this->TimeFrame();
   if (method.Integrator)
@@ -554,23 +497,14 @@ void Scene::Look(int width, int height, VisiblePairs& seen)
 }
 
 //------------------------------------------------------------------------------
-std::string Scene::GetPlan() { return this->Mapper->GetPlan(); }
-
-//------------------------------------------------------------------------------
 void Scene::HoldPlan(const Method& method, vtkEnvironment* environment)
 {
   if (this->Mapper->GetOcclusionMode() == vtkMeasuredBRDFMapper::OCCLUSION_AUTO &&
-      this->GetPlan().find(", modeled") != std::string::npos)
+      this->Mapper->GetPlan().find(", modeled") != std::string::npos)
   {
     this->Mapper->SetOcclusionModeToOn(); // which a method that is not planned does not find
   }
   this->SetLight(environment, method.Integrator);
-}
-
-//------------------------------------------------------------------------------
-std::size_t Scene::GetTextureBytes()
-{
-  return static_cast<std::size_t>(this->Mapper->GetTextureBytes());
 }
 
 //------------------------------------------------------------------------------

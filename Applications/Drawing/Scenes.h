@@ -18,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPolyData.h"
+#include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
@@ -31,10 +32,8 @@ class vtkCamera;
 class vtkEnvironment;
 class vtkFramebufferPass;
 class vtkImageData;
-class vtkMeasuredBRDFMapper;
 class vtkRadianceIntegrator;
 class vtkRenderWindow;
-class vtkRenderer;
 
 namespace tool
 {
@@ -56,8 +55,8 @@ public:
 
   void SetMesh(vtkPolyData* mesh);
 
-  /// Look at the mesh as tool::PlaceCamera says; angles in degrees.
-  void SetView(double azimuth, double elevation, double fill, double angle = 30.0);
+  /// Look at the mesh as tool::PlaceCamera says.
+  void SetView(const View& view, double fill);
 
   /// Look as that camera (perspective) does instead; null: as SetView says. Not copied.
   void SetCamera(vtkCamera* camera);
@@ -79,8 +78,8 @@ public:
   /// World direction that pixel (x, y) of a picture of the given size looks along.
   glm::dvec3 GetRay(double x, double y, int width, int height) const;
 
-  /// Where the camera is that PlaceCamera placed.
-  glm::dvec3 GetEye() const;
+  /// The camera that PlaceCamera placed.
+  vtkCamera* GetCamera() const { return this->Renderer->GetActiveCamera(); }
 
   std::string GetRendererName();
 
@@ -145,9 +144,9 @@ public:
   std::size_t GetTextureBytes();
 
 private:
-  /// Radiance of the surface's pixels under albedos of 0, 1/2 and 1.
-  void Sample(StockMaterial material, const Surface& surface, const Size& size,
-    std::vector<double> (&samples)[3]);
+  /// Sets the material's albedo to the best one and returns what is left: the sum of |x - r|.
+  double FitAlbedo(StockMaterial& material, const Surface& surface, const Size& size,
+    const std::vector<double>& reference);
 
   double ColorExponent = 1.0; // albedo = color^this: a property's color may be the display's
 };
@@ -164,30 +163,13 @@ public:
   Scene();
   ~Scene() override;
 
-  void SetMaterial(vtkBRDF* brdf);
-
   /// The environment and what integrates it; null: what the mapper plans. Planning shows a progress
   /// bar, and Ctrl-C stops it where there is an Interruptible.
   void SetLight(vtkEnvironment* environment, vtkRadianceIntegrator* integrator);
-  void SetLight(vtkEnvironment* environment, const LightSetOptions& lights);
-
-  /// These lights instead of what SetLight has set, until null is set.
-  void SetLightSet(vtkLightSet* lights);
-
-  /// How what the mesh hides of the environment is drawn, where another way than the mapper's
-  /// default is wanted; black, or with a bounce. References have nothing hidden: what is compared
-  /// with them is drawn with OCCLUSION_OFF.
-  void ModelOcclusion(vtkMeasuredBRDFMapper::OcclusionModeType mode, bool bounce);
-
-  /// How the mapper plans.
-  void SetPlan(const PlanOptions& options);
 
   /// Draw a first frame of the size that is open. Of a planned method, its integrator and its
   /// planner are those that were drawn. Throws Error.
   void Begin(Method& method, vtkEnvironment* environment, const PlanOptions& options);
-
-  /// What the mapper says that it has planned for the last frame, and of what the mesh hides.
-  std::string GetPlan();
 
   /// Draw with the method that Begin has found, and with what the mesh hides as in that frame, also
   /// where the picture's size would be planned for anew.
@@ -196,14 +178,13 @@ public:
   /// What a picture of that size shows, as the mapper plans for it.
   void Look(int width, int height, VisiblePairs& seen);
 
-  std::size_t GetTextureBytes();
+  /// What draws the mesh. It models what the mesh hides unless it is told not to. References have
+  /// nothing hidden: what is compared with them is drawn with OCCLUSION_OFF.
+  const vtkSmartPointer<vtkMeasuredBRDFMapper> Mapper;
 
 private:
-  explicit Scene(vtkMeasuredBRDFMapper* mapper);
   void OnProgress(vtkObject*, unsigned long, void* share);
 
-  vtkSmartPointer<vtkMeasuredBRDFMapper> Mapper;
-  vtkSmartPointer<vtkRadianceIntegrator> Integrator; // of SetLight
   std::unique_ptr<ProgressBar> Bar;
 };
 

@@ -270,7 +270,7 @@ constexpr int Smooth = 2; // panels are rendered at this multiple and averaged
 ComparisonStrip::ComparisonStrip(
   const std::string& title, vtkEnvironment* environment, const Size& size, int panels)
   : PanelSize(size)
-  , Background(environment)
+  , Background{ environment }
   , Exposure(ChooseExposure(environment))
   , Sheet(title, panels, 1, size.Width, size.Height)
 {
@@ -333,7 +333,7 @@ tool::Picture ToneMap(vtkEnvironment* environment, int width, int height)
   }
   const double scale = weights > 0.0 ? 0.18 / std::exp(logarithms / weights) : 1.0;
 
-  tool::Picture picture = tool::Backdrop(environment, scale).Draw(width, height);
+  tool::Picture picture = tool::Backdrop{ environment, scale }.Draw(width, height);
   for (std::size_t k = 0; k < picture.Pixels.size(); ++k)
   {
     picture.Pixels[k] = k % 4 == 3 ? 1.0f : 1.0f - std::exp(-picture.Pixels[k]);

@@ -68,10 +68,10 @@ private:
 struct ComparedPicture
 {
   std::string Name;
-  Picture Drawn;
-  double RelativeL1;
-  double Frame; // ms
-  double Setup; // ms
+  Picture Drawn = Picture(1, 1);
+  double RelativeL1 = 0.0;
+  double Frame = 0.0; // ms
+  double Setup = 0.0; // ms, on the clock
 };
 
 /**

@@ -2,31 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surface.h"
 
-#include "Progress.h"
 #include "Scenes.h"
 #include "Tool.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
-#include "vtkFloatArray.h"
 #include "vtkLight.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
-#include "vtkMeasuredBRDFMapper.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 
 #include <glm/glm.hpp>
-#include <glm/gtc/type_ptr.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 
 namespace
 {
@@ -123,65 +112,6 @@ tool::Surface FindSurface(NormalStage& stage, const tool::Size& size, int larges
   return surface;
 }
 
-//------------------------------------------------------------------------------
-/// A square of quads that face the camera, each with one normal.
-class PairStage : public tool::OffscreenScene
-{
-public:
-  static constexpr int Side = 32;         // quads
-  static constexpr int PixelsPerQuad = 2; // so that no quad's edge meets a pixel's center
-
-  explicit PairStage(vtkMeasuredBRDFMapper* mapper)
-    : OffscreenScene(mapper)
-  {
-    this->Renderer->GetActiveCamera()->ParallelProjectionOn();
-    this->Renderer->GetActiveCamera()->SetParallelScale(1.0);
-    this->Renderer->GetActiveCamera()->SetClippingRange(1.0, 3.0);
-  }
-
-  /// Radiance of normals under one unit view; at most Side^2 of them.
-  std::vector<tool::RGB> Draw(const glm::dvec3& view, const std::vector<const double*>& normals)
-  {
-    glm::dvec3 right;
-    vtkMath::Perpendiculars(&view.x, &right.x, nullptr, 0.0);
-    const glm::dvec3 up = glm::cross(view, right);
-    const glm::dvec3 eye = 2.0 * view;
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->SetFocalPoint(0.0, 0.0, 0.0);
-    camera->SetPosition(&eye.x);
-    camera->SetViewUp(&up.x);
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkCellArray> cells;
-    vtkNew<vtkFloatArray> vectors;
-    vectors->SetNumberOfComponents(3);
-    for (int k = 0; k < static_cast<int>(normals.size()); ++k)
-    {
-      vtkIdType corners[4];
-      for (int corner = 0; corner < 4; ++corner)
-      {
-        const double x = 2.0 * (k % Side + (corner == 1 || corner == 2)) / Side - 1.0;
-        const double y = 2.0 * (k / Side + corner / 2) / Side - 1.0;
-        const glm::dvec3 point = x * right + y * up;
-        corners[corner] = points->InsertNextPoint(&point.x);
-        vectors->InsertNextTuple(normals[k]);
-      }
-      cells->InsertNextCell(4, corners);
-    }
-    vtkNew<vtkPolyData> quads;
-    quads->SetPoints(points);
-    quads->SetPolys(cells);
-    quads->GetPointData()->SetNormals(vectors);
-    this->SetMesh(quads);
-    tool::Picture picture = this->Capture(Side * PixelsPerQuad, Side * PixelsPerQuad);
-    Decode(picture);
-    std::vector<tool::RGB> radiance;
-    for (int k = 0; k < static_cast<int>(normals.size()); ++k)
-    {
-      radiance.emplace_back(picture.At(k % Side * PixelsPerQuad, k / Side * PixelsPerQuad));
-    }
-    return radiance;
-  }
-};
 }
 
 namespace tool
@@ -191,7 +121,7 @@ Surface FindSurface(vtkPolyData* mesh, const View& view, double fill, const Size
 {
   NormalStage stage;
   stage.SetMesh(mesh);
-  stage.SetView(view.Azimuth, view.Elevation, fill, view.Angle);
+  stage.SetView(view, fill);
   return FindSurface(stage, size, largest);
 }
 
@@ -204,49 +134,4 @@ Surface FindSurface(vtkPolyData* mesh, vtkCamera* camera, const Size& size, int 
   return FindSurface(stage, size, largest);
 }
 
-//------------------------------------------------------------------------------
-std::vector<double> DrawPairs(vtkRadianceIntegrator* integrator, const std::vector<double>& normals,
-  const std::vector<double>& views)
-{
-  std::map<std::array<double, 3>, std::vector<std::size_t>> groups;
-  for (std::size_t k = 0; k < normals.size(); k += 3)
-  {
-    std::array<double, 3> view = { views[k], views[k + 1], views[k + 2] };
-    if (vtkMath::Dot(&normals[k], view.data()) > 0.0)
-    {
-      vtkMath::Normalize(view.data());
-      groups[view].push_back(k);
-    }
-  }
-
-  vtkNew<vtkMeasuredBRDFMapper> mapper;
-  mapper->SetBRDF(integrator->GetBRDF());
-  mapper->SetEnvironment(integrator->GetEnvironment());
-  mapper->SetIntegrator(integrator);
-  PairStage stage(mapper);
-  ProgressBar bar("drawing");
-  std::vector<double> radiance(normals.size(), 0.0);
-  std::size_t done = 0;
-  constexpr std::size_t most = PairStage::Side * PairStage::Side;
-  for (const auto& [view, pairs] : groups)
-  {
-    for (std::size_t begin = 0; begin < pairs.size(); begin += most)
-    {
-      Interruptible::Check();
-      std::vector<const double*> part;
-      for (std::size_t k = begin; k < std::min(begin + most, pairs.size()); ++k)
-      {
-        part.push_back(&normals[pairs[k]]);
-      }
-      const std::vector<RGB> drawn = stage.Draw(glm::make_vec3(view.data()), part);
-      for (std::size_t k = 0; k < drawn.size(); ++k)
-      {
-        std::copy_n(&drawn[k].x, 3, &radiance[pairs[begin + k]]);
-      }
-      done += drawn.size();
-      bar.Update(3.0 * static_cast<double>(done) / static_cast<double>(normals.size()));
-    }
-  }
-  return radiance;
-}
 } // namespace tool

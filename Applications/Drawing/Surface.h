@@ -3,7 +3,7 @@
 /**
  * @file
  * Normals and views of a picture's pixels: what the shader integrates for, to do the same on the
- * CPU; and pairs of them the other way round, onto the GPU.
+ * CPU.
  */
 
 #ifndef Surface_h
@@ -12,7 +12,6 @@
 #include "Inputs.h"
 
 #include "vtkPolyData.h"
-#include "vtkRadianceIntegrator.h"
 
 #include <vector>
 
@@ -40,14 +39,6 @@ Surface FindSurface(
 
 /// The same for what a camera (perspective) sees.
 Surface FindSurface(vtkPolyData* mesh, vtkCamera* camera, const Size& size, int largest);
-
-/**
- * Draw (normal, view) pairs, 3 doubles each, with an integrator that has its BRDF and environment:
- * radiance, 3 doubles each, 0 where the view is below the horizon. One render for each different
- * view. Throws Error.
- */
-std::vector<double> DrawPairs(vtkRadianceIntegrator* integrator, const std::vector<double>& normals,
-  const std::vector<double>& views);
 } // namespace tool
 
 #endif

@@ -9,6 +9,7 @@
 #include "Tool.h"
 
 #include "vtkBRDF.h"
+#include "vtkCamera.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkIntArray.h"
@@ -47,7 +48,8 @@ void CastRays(vtkTracedScene* traced, const tool::OffscreenScene& camera,
     array->SetNumberOfComponents(3);
     array->SetNumberOfTuples(count);
   }
-  const glm::dvec3 eye = camera.GetEye();
+  glm::dvec3 eye;
+  camera.GetCamera()->GetPosition(&eye.x);
   std::vector<bool> met(surface.Pixels.size(), false);
   const auto missed = [&met]() { return std::find(met.begin(), met.end(), false) != met.end(); };
   for (int attempt = 0; attempt <= attempts && missed(); ++attempt)
@@ -163,34 +165,24 @@ vtkSmartPointer<vtkOcclusionPredictor> PredictOcclusion(
 }
 
 //------------------------------------------------------------------------------
-Occlusion FindOcclusion(vtkPolyData* mesh, vtkBRDF* brdf, vtkEnvironment* environment,
-  const OffscreenScene& camera, const Surface& surface, const Size& size,
-  const TraceOptions* options)
+nlohmann::ordered_json DescribeOcclusion(
+  vtkOcclusionPredictor* predicted, const TracedSurface& traced, const TraceOptions& options)
 {
-  const vtkSmartPointer<vtkTracedScene> traced = MakeTracedScene(mesh);
-  return { PredictOcclusion(traced, brdf, environment),
-    options ? TraceSurface(traced, brdf, environment, camera, surface, size, *options)
-            : TracedSurface() };
-}
-
-//------------------------------------------------------------------------------
-nlohmann::ordered_json DescribeOcclusion(const Occlusion& found, const TraceOptions& options)
-{
-  const bool traced = !found.Traced.Radiance.empty();
-  nlohmann::ordered_json report = { { "unoccluded_error", found.Predicted->GetError() },
-    { "unoccluded_uncertainty", found.Predicted->GetUncertainty() }, { "occlusion", traced } };
-  if (traced)
+  nlohmann::ordered_json report = { { "unoccluded_error", predicted->GetError() },
+    { "unoccluded_uncertainty", predicted->GetUncertainty() },
+    { "occlusion", !traced.Radiance.empty() } };
+  if (!traced.Radiance.empty())
   {
     double difference = 0.0;
     double sum = 0.0;
-    for (std::size_t k = 0; k < found.Traced.Radiance.size(); ++k)
+    for (std::size_t k = 0; k < traced.Radiance.size(); ++k)
     {
-      difference += std::abs(found.Traced.Unoccluded[k] - found.Traced.Radiance[k]);
-      sum += found.Traced.Radiance[k];
+      difference += std::abs(traced.Unoccluded[k] - traced.Radiance[k]);
+      sum += traced.Radiance[k];
     }
     report["traced_samples"] = options.Samples;
     report["traced_bounces"] = options.Bounces;
-    report["traced_noise"] = found.Traced.Noise;
+    report["traced_noise"] = traced.Noise;
     report["unoccluded_error_in_view"] = difference / std::max(sum, 1e-300);
   }
   return report;

@@ -59,20 +59,9 @@ TracedSurface TraceSurface(vtkTracedScene* traced, vtkBRDF* brdf, vtkEnvironment
   const OffscreenScene& camera, const Surface& surface, const Size& size,
   const TraceOptions& options);
 
-/// What a mesh hides: predicted and, where that was asked for, traced.
-struct Occlusion
-{
-  vtkSmartPointer<vtkOcclusionPredictor> Predicted;
-  TracedSurface Traced;
-};
-
-/// options: null, only predict. Throws Error. Needs an Interruptible.
-Occlusion FindOcclusion(vtkPolyData* mesh, vtkBRDF* brdf, vtkEnvironment* environment,
-  const OffscreenScene& camera, const Surface& surface, const Size& size,
-  const TraceOptions* options);
-
-/// For a report.
-nlohmann::ordered_json DescribeOcclusion(const Occlusion& found, const TraceOptions& options);
+/// For a report: what a mesh hides, predicted and, where a picture was traced, in that.
+nlohmann::ordered_json DescribeOcclusion(
+  vtkOcclusionPredictor* predicted, const TracedSurface& traced, const TraceOptions& options);
 
 /// A picture, .png, of the light that nothing hides, of the pixels' radiance with hidden sky black
 /// (empty: left out), of a scene of that name with that error, and of the traced reference. Throws

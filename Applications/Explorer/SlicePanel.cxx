@@ -209,12 +209,11 @@ ChartScale::ChartScale(const std::vector<ChartLine>& lines, bool logarithmic)
     }
     return;
   }
-  tool::LogAxis axis;
-  for (const double value : values)
+  for (double& value : values)
   {
-    axis.Take(peak > 0.0 ? std::max(value, this->Floor) : 0.0);
+    value = peak > 0.0 ? std::max(value, this->Floor) : 0.0;
   }
-  axis.Widen();
+  const tool::LogAxis axis(values);
   this->Least = axis.GetLeast();
   this->Largest = axis.GetLargest();
   for (const double exponent : axis.GetTicks())

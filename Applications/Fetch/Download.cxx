@@ -4,6 +4,7 @@
 
 #include "MeasuredBRDFToolVersion.h"
 #include "Progress.h"
+#include "Tool.h"
 
 #include <arpa/inet.h>
 #include <curl/curl.h>
@@ -16,8 +17,6 @@
 
 namespace
 {
-using Handle = std::unique_ptr<CURL, void (*)(CURL*)>;
-
 /// A request failed and another one may succeed: the connection was cut, or the server is busy.
 struct TransientError : tool::Error
 {
@@ -29,34 +28,32 @@ struct Exchange
 {
   CURL* Curl;
   const tool::DownloadRequest& Request;
-  bool IsRange;
   std::string& Bytes;
-  const std::function<void(double)>& Progress;
-  std::exception_ptr Thrown;
+  tool::ProgressBar Bar{ Request.Name };
+  std::exception_ptr Thrown = nullptr;
 };
 
 //------------------------------------------------------------------------------
 // Checks an answer's head before its first byte is taken, and where there is none.
-void CheckAnswer(const Exchange& exchange)
+void CheckAnswer(CURL* curl)
 {
   long status = 0;
-  curl_easy_getinfo(exchange.Curl, CURLINFO_RESPONSE_CODE, &status);
   const char* url = nullptr; // where redirects led to
-  curl_easy_getinfo(exchange.Curl, CURLINFO_EFFECTIVE_URL, &url);
+  curl_easy_getinfo(curl, CURLINFO_RESPONSE_CODE, &status);
+  curl_easy_getinfo(curl, CURLINFO_EFFECTIVE_URL, &url);
   if (status != 0 && url && !tool::IsAllowedUrl(url))
   {
     throw tool::Error(std::string("the server redirects to ") + url + ", expected https");
   }
-  const long expected = exchange.IsRange ? 206 : 200;
-  if (status != 0 && status != expected)
+  const std::string text = "the server answered with HTTP status " + std::to_string(status) +
+                           (status == 404 || status == 410 ? " (no such file)" : "") +
+                           ", expected 200";
+  if (status == 408 || status == 429 || status >= 500)
   {
-    const std::string text = "the server answered with HTTP status " + std::to_string(status) +
-                             (status == 404 || status == 410 ? " (no such file)" : "") +
-                             ", expected " + std::to_string(expected);
-    if (status == 408 || status == 429 || (status >= 500 && status != 501))
-    {
-      throw TransientError(text);
-    }
+    throw TransientError(text);
+  }
+  if (status != 0 && status != 200)
+  {
     throw tool::Error(text);
   }
 }
@@ -68,7 +65,7 @@ extern "C" std::size_t MeasuredBRDFToolBytes(char* data, std::size_t, std::size_
   auto* exchange = static_cast<Exchange*>(user);
   try
   {
-    CheckAnswer(*exchange);
+    CheckAnswer(exchange->Curl);
     if (exchange->Bytes.size() + count > exchange->Request.Limit)
     {
       throw tool::Error("the server sends more than the " +
@@ -90,7 +87,7 @@ extern "C" int MeasuredBRDFToolProgress(
 {
   if (total > 0)
   {
-    static_cast<Exchange*>(user)->Progress(static_cast<double>(now) / static_cast<double>(total));
+    static_cast<Exchange*>(user)->Bar.Update(static_cast<double>(now) / static_cast<double>(total));
   }
   return tool::Interruptible::IsInterrupted() ? 1 : 0;
 }
@@ -113,15 +110,18 @@ std::string GetPart(const std::string& url, CURLUPart part)
 }
 
 //------------------------------------------------------------------------------
-Handle MakeHandle(const tool::DownloadRequest& request)
+void Attempt(const tool::DownloadRequest& request, std::string& bytes)
 {
   static const CURLcode ready = curl_global_init(CURL_GLOBAL_DEFAULT);
-  Handle handle(ready == CURLE_OK ? curl_easy_init() : nullptr, curl_easy_cleanup);
+  const std::unique_ptr<CURL, void (*)(CURL*)> handle(
+    ready == CURLE_OK ? curl_easy_init() : nullptr, curl_easy_cleanup);
   CURL* curl = handle.get();
   if (!curl)
   {
     throw tool::Error("libcurl could not be started");
   }
+  Exchange exchange{ curl, request, bytes };
+  char details[CURL_ERROR_SIZE] = "";
   curl_easy_setopt(curl, CURLOPT_URL, request.Url.c_str());
   curl_easy_setopt(curl, CURLOPT_USERAGENT, "measured-brdf/" MEASUREDBRDF_VERSION);
   curl_easy_setopt(curl, CURLOPT_NOSIGNAL, 1L);
@@ -142,62 +142,33 @@ Handle MakeHandle(const tool::DownloadRequest& request)
   curl_easy_setopt(curl, CURLOPT_LOW_SPEED_LIMIT, 1024L);
   curl_easy_setopt(curl, CURLOPT_LOW_SPEED_TIME, static_cast<long>(request.Timeout));
   curl_easy_setopt(curl, CURLOPT_WRITEFUNCTION, MeasuredBRDFToolBytes);
-  curl_easy_setopt(curl, CURLOPT_XFERINFOFUNCTION, MeasuredBRDFToolProgress);
-  curl_easy_setopt(curl, CURLOPT_NOPROGRESS, 0L);
-  return handle;
-}
-
-//------------------------------------------------------------------------------
-void Attempt(const tool::DownloadRequest& request, std::string& bytes,
-  const std::function<void(double share)>& progress)
-{
-  const Handle handle = MakeHandle(request);
-  CURL* curl = handle.get();
-  Exchange exchange{ curl, request, !bytes.empty(), bytes, progress, nullptr };
-  char details[CURL_ERROR_SIZE] = "";
-  curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, details);
   curl_easy_setopt(curl, CURLOPT_WRITEDATA, &exchange);
+  curl_easy_setopt(curl, CURLOPT_XFERINFOFUNCTION, MeasuredBRDFToolProgress);
   curl_easy_setopt(curl, CURLOPT_XFERINFODATA, &exchange);
-  if (exchange.IsRange)
-  {
-    const std::string first = std::to_string(bytes.size());
-    curl_easy_setopt(curl, CURLOPT_RANGE, (first + "-").c_str());
-  }
+  curl_easy_setopt(curl, CURLOPT_NOPROGRESS, 0L);
+  curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, details);
   const CURLcode code = curl_easy_perform(curl);
-  if (tool::Interruptible::IsInterrupted())
-  {
-    throw tool::Error("interrupted");
-  }
+  tool::Interruptible::Check();
   if (exchange.Thrown)
   {
     std::rethrow_exception(exchange.Thrown);
   }
   if (code == CURLE_OK || code == CURLE_HTTP_RETURNED_ERROR)
   {
-    CheckAnswer(exchange);
+    CheckAnswer(curl);
   }
   const std::string text = *details ? details : curl_easy_strerror(code);
-  switch (code)
+  if (code == CURLE_OPERATION_TIMEDOUT)
   {
-    case CURLE_OK:
-      break;
-    case CURLE_OPERATION_TIMEDOUT:
-      throw TransientError("the server was too slow: expected an answer within " +
-                           std::to_string(request.Timeout) +
-                           " s and 1 KiB/s on average over that time (--timeout): " + text);
-    case CURLE_PARTIAL_FILE:
-    case CURLE_RECV_ERROR:
-    case CURLE_GOT_NOTHING:
-      throw TransientError("the connection was cut: " + text);
-    case CURLE_COULDNT_RESOLVE_PROXY:
-    case CURLE_COULDNT_RESOLVE_HOST:
-    case CURLE_COULDNT_CONNECT:
-    case CURLE_HTTP2:
-    case CURLE_HTTP2_STREAM:
-    case CURLE_SEND_ERROR:
-      throw TransientError(text);
-    default:
-      throw tool::Error(text);
+    throw TransientError("the server was too slow: expected an answer within " +
+                         std::to_string(request.Timeout) +
+                         " s and 1 KiB/s on average over that time (--timeout): " + text);
+  }
+  if (code != CURLE_OK)
+  {
+    const bool isCut =
+      code == CURLE_PARTIAL_FILE || code == CURLE_RECV_ERROR || code == CURLE_GOT_NOTHING;
+    throw TransientError((isCut ? "the connection was cut: " : "") + text);
   }
   if (bytes.size() < request.Size)
   {
@@ -216,37 +187,36 @@ void Attempt(const tool::DownloadRequest& request, std::string& bytes,
 namespace tool
 {
 //------------------------------------------------------------------------------
-void Download(const DownloadRequest& request, std::string& bytes, bool resumes,
-  const std::function<void(double share)>& progress)
+std::string Download(const DownloadRequest& request)
 {
+  std::string bytes;
+  const auto describe = [&](const Error& error)
+  { return request.Url + ", byte " + std::to_string(bytes.size()) + ": " + error.what(); };
   for (int k = 0;; ++k)
   {
     try
     {
-      Attempt(request, bytes, progress);
-      return;
+      bytes.clear();
+      Attempt(request, bytes);
+      return bytes;
     }
     catch (const TransientError& e)
     {
       if (k >= request.Retries)
       {
-        throw;
+        throw Error(describe(e) + ". Nothing was kept");
       }
-      PrintNote(request.Url + ", byte " + std::to_string(bytes.size()) + ": " + e.what() +
-                "; trying again");
+      PrintNote(describe(e) + "; trying again");
     }
-    if (!resumes)
+    catch (const Error& e)
     {
-      bytes.clear();
+      throw Error(describe(e) + ". Nothing was kept");
     }
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1 << std::min(k, 5));
     while (std::chrono::steady_clock::now() < end)
     {
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
-      if (Interruptible::IsInterrupted())
-      {
-        throw Error("interrupted");
-      }
+      Interruptible::Check();
     }
   }
 }

@@ -2,23 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Bytes from a web server, by libcurl: only https, limits of size and time, and Ctrl-C at any
- * moment. libcurl takes proxies from the environment, as the program curl does.
+ * Brings the bytes of an address into memory, by libcurl.
  */
 
 #ifndef Download_h
 #define Download_h
 
-#include "Tool.h"
-
 #include <cstdint>
-#include <functional>
 #include <string>
 
 namespace tool
 {
 struct DownloadRequest
 {
+  std::string Name; // of the progress bar
   std::string Url;
   std::uint64_t Limit = 0; // of the bytes that may come
   std::uint64_t Size = 0;  // of the bytes that must come; 0: not known
@@ -26,11 +23,8 @@ struct DownloadRequest
   int Retries = 2;         // after a cut connection or a busy server, after 1, 2, 4 ... seconds
 };
 
-/// Appends to `bytes`, the first ones of what is wanted, those that follow. resumes: whether
-/// another attempt goes on from where one stopped. `progress` gets the share that is done. Throws
-/// Error.
-void Download(const DownloadRequest& request, std::string& bytes, bool resumes,
-  const std::function<void(double share)>& progress);
+/// All bytes; each attempt begins anew. Throws Error, which names the address and the byte.
+std::string Download(const DownloadRequest& request);
 
 /// Whether files are downloaded from there: by https, or by http from this machine. Addresses with
 /// user names are refused.

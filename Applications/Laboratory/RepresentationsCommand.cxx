@@ -40,183 +40,152 @@ struct RepresentationsOptions
 };
 
 //------------------------------------------------------------------------------
-// Makes what a material can be turned into, one after the other, and writes a row for each.
-class Comparison
+// Makes what a material can be turned into, one after the other: a row of the table for each.
+struct Comparison
 {
-public:
   explicit Comparison(const RepresentationsOptions& options)
-    : Settings(options)
+    : Orders(options.Orders)
+    , Range(tool::ParseZone("--zone", options.Zone))
   {
-    const tool::Range zone = tool::ParseZone("--zone", options.Zone);
-    this->Zone[0] = zone.Begin;
-    this->Zone[1] = zone.End;
-    this->Text = "material,representation,functions,relative_l2_zone,relative_l2_hemisphere,"
-                 "negative_mass";
     std::vector<std::string> names;
     for (const std::string& file : options.Environments)
     {
       const auto environment = tool::LoadEnvironment(file);
-      std::string name = environment->GetName();
-      for (int k = 2; std::find(names.begin(), names.end(), name) != names.end(); ++k)
-      {
-        name = environment->GetName() + " " + std::to_string(k);
-      }
-      names.push_back(name);
-      this->Text += "," + tool::QuoteCell("image_" + name);
+      const auto before = std::count(names.begin(), names.end(), environment->GetName());
+      names.push_back(environment->GetName());
+      this->Header += "," + tool::QuoteCell("image_" + names.back() +
+                                            (before > 0 ? " " + std::to_string(before + 1) : ""));
       this->Lights.push_back(laboratory::Shrink(environment, MapWidth));
     }
-    this->Text += ",texture_bytes,seconds,recommended\n";
+    this->Header += ",texture_bytes,seconds,recommended\n";
   }
 
-  // Throws Error, and then adds no row.
-  void Add(const std::string& file)
+  std::string MakeRows(const tool::Material& material) const
   {
-    this->Material = tool::LoadMaterial(file);
-    this->Material.BRDF->Prepare();
-    this->References.clear();
+    const double zone[2] = { this->Range.Begin, this->Range.End };
+    material.BRDF->Prepare();
+    std::vector<laboratory::Radiance> references;
     for (vtkEnvironment* light : this->Lights)
     {
-      this->References.push_back(
-        laboratory::IntegrateReference(this->Material.BRDF, light, this->Pairs));
+      references.push_back(laboratory::IntegrateReference(material.BRDF, light, this->Pairs));
     }
-    const std::string before = this->Text;
-    try
+    std::string text;
+    const auto addFigure = [&text](double value, int digits = 4)
+    { text += "," + measuredbrdf::FixedText(value, digits); };
+    const auto add = [&](const std::string& name, bool recommended,
+                       const std::function<vtkSmartPointer<vtkBRDF>()>& make)
     {
-      this->AddRows();
-    }
-    catch (const tool::Error& error)
-    {
-      this->Text = before;
-      throw tool::Error(file + ": " + error.what());
-    }
-  }
+      const auto begin = std::chrono::steady_clock::now();
+      const vtkSmartPointer<vtkBRDF> brdf = make();
+      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+      brdf->Prepare();
+      auto* basis = vtkBasisBRDF::SafeDownCast(brdf);
+      text += tool::QuoteCell(material.Name) + "," + tool::QuoteCell(name) + "," +
+              std::to_string(basis ? basis->GetNumberOfFunctions() : 0);
+      addFigure(vtkBRDFResampler::GetZoneRelativeL2Error(
+        material.BRDF, brdf, zone, zone, NumberOfErrorPairs));
+      addFigure(vtkBRDFResampler::GetRelativeL2Error(material.BRDF, brdf, NumberOfErrorPairs));
+      addFigure(basis ? laboratory::GetNegativeMass(basis) : 0.0, 5);
+      for (std::size_t k = 0; k < this->Lights.size(); ++k)
+      {
+        addFigure(laboratory::GetRelativeL1(
+          laboratory::IntegrateReference(brdf, this->Lights[k], this->Pairs), references[k]));
+      }
+      vtkBRDFShaderInputs inputs;
+      brdf->GetShaderInputs(inputs);
+      text += "," + std::to_string(inputs.GetTextureBytes());
+      addFigure(taken.count(), 2);
+      text += recommended ? ",1\n" : ",0\n";
+    };
 
-  const std::string& GetTable() const { return this->Text; }
-
-private:
-  void AddRows()
-  {
     constexpr int advisedOrder = 6;
-    const bool isBasis = tool::Advise(this->Material.BRDF, advisedOrder, this->Zone).IsBasis;
-    for (const int order : this->Settings.Orders)
+    const bool isBasis = tool::Advise(material.BRDF, advisedOrder, zone).IsBasis;
+    for (const int order : this->Orders)
     {
       const std::string number = " " + std::to_string(order);
       vtkSmartPointer<vtkBasisBRDF> zonal;
       for (const int kind :
         { vtkBasisBRDF::ZONAL, vtkBasisBRDF::LEGENDRE_FOURIER, vtkBasisBRDF::SPHERICAL_HARMONICS })
       {
-        const auto project = [&]() -> vtkSmartPointer<vtkBRDF>
-        {
-          const auto basis = laboratory::ProjectOnto(
-            this->Material.BRDF, kind, order, this->Zone, this->Material.Name);
-          zonal = kind == vtkBasisBRDF::ZONAL ? basis : zonal;
-          return basis;
-        };
-        this->AddRow(vtkBasisBRDF::GetBasisName(kind) + number, project,
-          isBasis && kind == vtkBasisBRDF::SPHERICAL_HARMONICS && order == advisedOrder);
+        add(vtkBasisBRDF::GetBasisName(kind) + number,
+          isBasis && kind == vtkBasisBRDF::SPHERICAL_HARMONICS && order == advisedOrder,
+          [&]()
+          {
+            const auto basis =
+              laboratory::ProjectOnto(material.BRDF, kind, order, zone, material.Name);
+            zonal = kind == vtkBasisBRDF::ZONAL ? basis : zonal;
+            return basis;
+          });
       }
       // What the extrapolation's gate refuses is taken, too: the table shows why.
-      this->AddRow(
-        "zonal" + number + ", extended", [&]() { return laboratory::Extrapolate(zonal).Output; },
-        false);
+      add("zonal" + number + ", extended", false,
+        [&]() { return laboratory::Extrapolate(zonal).Output; });
     }
-    const auto fit = [this]()
-    { return laboratory::FitDistribution(this->Material.BRDF, this->Material.Name); };
-    this->AddRow("D-BRDF", fit, !isBasis);
+    add("D-BRDF", !isBasis,
+      [&]() { return laboratory::FitDistribution(material.BRDF, material.Name); });
     for (int lobes = 1; MEASUREDBRDF_WITH_CERES && lobes <= 2; ++lobes)
     {
-      const auto fitLobes = [&]() -> vtkSmartPointer<vtkBRDF>
-      {
-        vtkNew<vtkLobeBRDFFitter> fitter;
-        fitter->SetInput(this->Material.BRDF);
-        fitter->SetNumberOfLobes(lobes);
-        if (!tool::RunWithProgress(fitter.Get(), &vtkBRDFFitter::Fit, this->Material.Name))
+      add("Ashikhmin-Shirley " + std::to_string(lobes), false,
+        [&]()
         {
-          throw tool::Error(tool::TakeErrorText());
-        }
-        return fitter->GetOutput();
-      };
-      this->AddRow("Ashikhmin-Shirley " + std::to_string(lobes), fitLobes, false);
+          vtkNew<vtkLobeBRDFFitter> fitter;
+          fitter->SetInput(material.BRDF);
+          fitter->SetNumberOfLobes(lobes);
+          if (!tool::RunWithProgress(fitter.Get(), &vtkBRDFFitter::Fit, material.Name))
+          {
+            throw tool::Error(tool::TakeErrorText());
+          }
+          return vtkSmartPointer<vtkBRDF>(fitter->GetOutput());
+        });
     }
+    return text;
   }
 
-  void AddRow(const std::string& name, const std::function<vtkSmartPointer<vtkBRDF>()>& make,
-    bool recommended)
-  {
-    const auto begin = std::chrono::steady_clock::now();
-    const vtkSmartPointer<vtkBRDF> brdf = make();
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    brdf->Prepare();
-    auto* basis = vtkBasisBRDF::SafeDownCast(brdf);
-    vtkBRDF* original = this->Material.BRDF;
-    this->Text += tool::QuoteCell(this->Material.Name) + "," + tool::QuoteCell(name) + "," +
-                  std::to_string(basis ? basis->GetNumberOfFunctions() : 0);
-    this->AddFigure(vtkBRDFResampler::GetZoneRelativeL2Error(
-      original, brdf, this->Zone, this->Zone, NumberOfErrorPairs));
-    this->AddFigure(vtkBRDFResampler::GetRelativeL2Error(original, brdf, NumberOfErrorPairs));
-    this->AddFigure(basis ? laboratory::GetNegativeMass(basis) : 0.0, 5);
-    for (std::size_t k = 0; k < this->Lights.size(); ++k)
-    {
-      this->AddFigure(laboratory::GetRelativeL1(
-        laboratory::IntegrateReference(brdf, this->Lights[k], this->Pairs), this->References[k]));
-    }
-    vtkBRDFShaderInputs inputs;
-    brdf->GetShaderInputs(inputs);
-    this->Text += "," + std::to_string(inputs.GetTextureBytes());
-    this->AddFigure(taken.count(), 2);
-    this->Text += recommended ? ",1\n" : ",0\n";
-  }
-
-  void AddFigure(double value, int digits = 4)
-  {
-    this->Text += "," + measuredbrdf::FixedText(value, digits);
-  }
-
-  const RepresentationsOptions& Settings;
-  double Zone[2];
+  std::vector<int> Orders;
+  tool::Range Range;
   const laboratory::Pairs Pairs = laboratory::MakeSpherePairs(NumberOfSpherePairs);
   std::vector<laboratory::Environment> Lights;
-  tool::Material Material;
-  std::vector<laboratory::Radiance> References; // of the material, under each light
-  std::string Text;
+  std::string Header = "material,representation,functions,relative_l2_zone,"
+                       "relative_l2_hemisphere,negative_mass";
 };
 
 //------------------------------------------------------------------------------
 void RunRepresentations(const RepresentationsOptions& options)
 {
   tool::Interruptible interruptible;
-  Comparison comparison(options);
-  if (!options.Output.empty())
-  {
-    tool::CheckWritable(options.Output);
-  }
+  const Comparison comparison(options);
+  tool::CheckWritable(options.Output);
   std::vector<std::string> files = options.Files;
   for (int k = 0; options.Files.empty() && k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
   {
     files.push_back(vtkEmbeddedMaterials::GetName(k));
   }
+  std::string table = comparison.Header;
   std::size_t failures = 0;
   for (const std::string& file : files)
   {
+    std::string where; // what loading says names the file itself
     try
     {
-      comparison.Add(file);
+      const tool::Material material = tool::LoadMaterial(file);
+      where = file + ": ";
+      table += comparison.MakeRows(material);
     }
     catch (const tool::Error& error)
     {
       tool::Interruptible::Check();
       ++failures;
-      tool::PrintNote("left out: " + std::string(error.what()));
+      tool::PrintNote("left out: " + where + error.what());
       continue;
     }
     if (!options.Output.empty()) // what is done is kept
     {
-      tool::WriteWhole(options.Output, comparison.GetTable());
+      tool::WriteWhole(options.Output, table);
     }
   }
   if (options.Output.empty() && failures < files.size())
   {
-    tool::PrintOut(comparison.GetTable());
+    tool::PrintOut(table);
   }
   if (failures > 0)
   {

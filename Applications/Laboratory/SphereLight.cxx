@@ -4,6 +4,7 @@
 
 #include "LocalFrame.h"
 #include "Methods.h"
+#include "Picture.h"
 
 #include "vtkAdaptiveRadianceIntegrator.h"
 
@@ -61,32 +62,9 @@ Environment MakeEnvironment(
 Environment Shrink(vtkEnvironment* environment, int width)
 {
   const int height = std::max(width / 2, 1);
-  const int columns = environment->GetWidth() / width;
-  const int rows = environment->GetHeight() / height;
-  if (environment->GetWidth() <= width || environment->GetHeight() <= height)
-  {
-    return environment;
-  }
-  return MakeEnvironment(width, height,
-    [&](const glm::dvec3& direction)
-    {
-      double u = 0.0;
-      double v = 0.0;
-      vtkEnvironment::GetCoordinates(&direction.x, u, v);
-      const int x0 = static_cast<int>(u * width) * environment->GetWidth() / width;
-      const int y0 = static_cast<int>(v * height) * environment->GetHeight() / height;
-      glm::dvec3 sum(0.0);
-      double weight = 0.0;
-      for (int k = 0; k < columns * rows; ++k)
-      {
-        const int y = y0 + k / columns;
-        glm::dvec3 rgb;
-        environment->GetPixel(x0 + k % columns, y, &rgb.x);
-        sum += environment->GetTexelSolidAngle(y) * rgb;
-        weight += environment->GetTexelSolidAngle(y);
-      }
-      return sum / weight;
-    });
+  return environment->GetWidth() <= width || environment->GetHeight() <= height
+           ? Environment(environment)
+           : tool::Shrink(environment, width, height);
 }
 
 //------------------------------------------------------------------------------

@@ -37,8 +37,8 @@ struct Pairs
 Pairs MakeSpherePairs(int count);
 
 ///@{
-/// Environments: a function of the direction at texel centers, the means over blocks of texels
-/// (the environment itself where it is no wider).
+/// Environments: a function of the direction at texel centers, one of fewer texels
+/// (the environment itself where it has no more).
 Environment MakeEnvironment(
   int width, int height, const std::function<glm::dvec3(const glm::dvec3&)>& radiance);
 Environment Shrink(vtkEnvironment* environment, int width);

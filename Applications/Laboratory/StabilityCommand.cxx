@@ -15,7 +15,6 @@
 #include "Progress.h"
 #include "Scenes.h"
 #include "SphereLight.h"
-#include "Surface.h"
 #include "Tool.h"
 
 #include "vtkBRDFResampler.h"
@@ -31,7 +30,6 @@
 #include "vtkTabulatedBRDF.h"
 
 #include <CLI/CLI.hpp>
-#include <Eigen/Eigenvalues>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <nlohmann/json.hpp>
@@ -56,7 +54,6 @@ using Json = nlohmann::ordered_json;
 constexpr double AllAngles[2] = { 0.0, 90.0 };
 constexpr double LargestNegativeMass = 0.05; // that an extrapolation may have
 constexpr int ErrorPairs = 1 << 14;
-constexpr double Unlimited = std::numeric_limits<double>::infinity(); // shown, whatever comes out
 
 //------------------------------------------------------------------------------
 std::string Say(double value)
@@ -98,25 +95,6 @@ glm::dvec3 GetSmoothRadiance(const glm::dvec3& d)
 }
 
 //------------------------------------------------------------------------------
-// The map's pixels moved by a number of columns.
-Environment Roll(vtkEnvironment* environment, double columns)
-{
-  const tool::Backdrop map(environment);
-  const int width = environment->GetWidth();
-  return MakeEnvironment(width, environment->GetHeight(),
-    [&](const glm::dvec3& direction)
-    {
-      double u = 0.0;
-      double v = 0.0;
-      vtkEnvironment::GetCoordinates(&direction.x, u, v);
-      u -= columns / width;
-      glm::dvec3 from;
-      vtkEnvironment::GetDirection(u - std::floor(u), v, &from.x);
-      return map.Look(from);
-    });
-}
-
-//------------------------------------------------------------------------------
 // Each pair of normal and view made another one.
 Pairs Move(const Pairs& pairs, const std::function<void(glm::dvec3&, glm::dvec3&)>& move)
 {
@@ -129,14 +107,6 @@ Pairs Move(const Pairs& pairs, const std::function<void(glm::dvec3&, glm::dvec3&
     moved.Add(normal, view);
   }
   return moved;
-}
-
-//------------------------------------------------------------------------------
-// The same as Integrate, on the GPU.
-Radiance Draw(vtkRadianceIntegrator* integrator, const Pairs& pairs)
-{
-  const std::vector<double> values = tool::DrawPairs(integrator, pairs.Normals, pairs.Views);
-  return Eigen::Map<const Radiance>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
 //------------------------------------------------------------------------------
@@ -451,7 +421,7 @@ void RunGrazing(Context& context)
 }
 
 //------------------------------------------------------------------------------
-// Normals that cross the poles of the map, its seam, and the view itself, on the GPU.
+// Normals that cross the poles of the map, its seam, and the view itself.
 void RunPoles(Context& context)
 {
   const BRDF brdf = context.ChoosePlastic(30.0);
@@ -483,53 +453,8 @@ void RunPoles(Context& context)
           { "filtered", 12.0 } },
         "dots of few lights and rays of few samples, not the map" },
       [&](const Make& make)
-      { return getLargestStep(Draw(make(brdf, environment), pairs)) / step; });
+      { return getLargestStep(Integrate(make(brdf, environment), pairs)) / step; });
   }
-}
-
-//------------------------------------------------------------------------------
-// The same light with the brightest texel on the map's seam: nothing may change.
-void RunSeams(Context& context)
-{
-  const std::string figure = "difference by where the map's seam lies";
-  const BRDF brdf = context.ChoosePlastic(30.0);
-  const Environment environment = context.MakeLight("sky", 128);
-  const Pairs pairs = MakeSpherePairs(context.Pick(80, 150));
-  const int width = environment->GetWidth();
-  const std::vector<float>& pixels = environment->GetPixels();
-  const auto brightest =
-    static_cast<int>((std::max_element(pixels.begin(), pixels.end()) - pixels.begin()) / 3 % width);
-  const Environment rolled = Roll(environment, width - brightest);
-  rolled->SetRotationY(360.0 * (width - brightest) / width);
-  context.Add("reference", figure,
-    GetRelativeL1(
-      IntegrateReference(brdf, rolled, pairs), IntegrateReference(brdf, environment, pairs)),
-    { 2e-3 }, "the sun moved onto the seam and turned back");
-  context.AddEach(figure,
-    { 0.02, { { "median-cut", 0.06 }, { "importance", 0.1 }, { "thesis", 0.06 } },
-      "cuts and draws begin at the seam: other lights" },
-    [&](const Make& make)
-    {
-      return GetRelativeL1(
-        Integrate(make(brdf, rolled), pairs), Integrate(make(brdf, environment), pairs));
-    });
-}
-
-//------------------------------------------------------------------------------
-// The mean change from frame to frame over that of the reference.
-double GetFlicker(const std::function<Radiance(int)>& draw, const std::vector<Radiance>& reference)
-{
-  Radiance last = draw(0);
-  double change = 0.0;
-  double expected = 0.0;
-  for (std::size_t t = 1; t < reference.size(); ++t)
-  {
-    const Radiance now = draw(static_cast<int>(t));
-    change += (now - last).abs().sum();
-    expected += (reference[t] - reference[t - 1]).abs().sum();
-    last = now;
-  }
-  return change / expected;
 }
 
 //------------------------------------------------------------------------------
@@ -579,7 +504,7 @@ void RunMotion(Context& context)
   std::vector<Lit> scenes = { { "low sun, exponent 50", MakePlastic(50.0),
                                 MakeEnvironment(128, 64, GetLowSun) },
     { "sky, exponent 300", MakePlastic(300.0), context.MakeLight("sky", 128) } };
-  if (!context.Short) // `remade` has this scene, too
+  if (!context.Short)
   {
     scenes.push_back(
       { "sky, exponent 50", context.ChoosePlastic(50.0), context.MakeLight("sky", 128) });
@@ -595,12 +520,21 @@ void RunMotion(Context& context)
         scene.Light->SetRotationY(movement.Rotation * t);
         return Move(sphere, [&](glm::dvec3& n, glm::dvec3& v) { movement.Move(t, n, v); });
       };
-      std::vector<Radiance> reference;
-      for (int t = 0; t < context.Pick(4, 9); ++t)
+      // The mean change from frame to frame.
+      const auto getChange = [&](const std::function<Radiance(const Pairs&)>& integrate)
       {
-        const Pairs pairs = advance(t);
-        reference.push_back(IntegrateReference(scene.Material, scene.Light, pairs));
-      }
+        Radiance last = integrate(advance(0));
+        double change = 0.0;
+        for (int t = 1; t < context.Pick(4, 9); ++t)
+        {
+          const Radiance now = integrate(advance(t));
+          change += (now - last).abs().sum();
+          last = now;
+        }
+        return change;
+      };
+      const double expected = getChange(
+        [&](const Pairs& pairs) { return IntegrateReference(scene.Material, scene.Light, pairs); });
       context.AddEach("flicker ratio, " + scene.Name + ", " + movement.Name,
         { 1.1,
           { { "median-cut", 2.0 }, { "importance", 2.0 }, { "variance", 2.0 }, { "thesis", 4.0 } },
@@ -609,49 +543,12 @@ void RunMotion(Context& context)
         {
           scene.Light->SetRotationY(0.0);
           const Integrator integrator = make(scene.Material, scene.Light);
-          return GetFlicker([&](int t) { return Integrate(integrator, advance(t)); }, reference);
+          return getChange([&](const Pairs& pairs) { return Integrate(integrator, pairs); }) /
+                 expected;
         });
       scene.Light->SetRotationY(0.0);
     }
   }
-}
-
-//------------------------------------------------------------------------------
-// The map's own pixels turn, so everything is made anew for each frame.
-void RunRemade(Context& context)
-{
-  const BRDF brdf = context.ChoosePlastic(50.0);
-  const Environment environment = context.MakeLight("sky", 128);
-  const Pairs pairs = MakeSpherePairs(context.Pick(60, 250));
-  const auto roll = [&](int t) { return Roll(environment, 0.6 * t); }; // by 1.7 degrees
-  std::vector<Radiance> reference;
-  for (int t = 0; t < context.Pick(4, 9); ++t)
-  {
-    reference.push_back(IntegrateReference(brdf, roll(t), pairs));
-  }
-  context.AddEach("flicker ratio, all made anew for each turned map",
-    { 1.1, { { "median-cut", 4.0 }, { "importance", 4.0 }, { "thesis", 4.0 }, { "filtered", 2.0 } },
-      "cut anew after the map's pixels turned: shown on purpose" },
-    [&](const Make& make)
-    {
-      return GetFlicker(
-        [&](int t)
-        {
-          const Environment rolled = roll(t);
-          return Integrate(make(brdf, rolled), pairs);
-        },
-        reference);
-    });
-  const auto draw = [&](int t)
-  {
-    const Environment rolled = roll(t);
-    const auto options = UseLights("importance", 64, false, static_cast<unsigned int>(t) + 1);
-    return Integrate(MakeBy(options, brdf, rolled), pairs);
-  };
-  context.Add("importance", "flicker ratio, lights drawn anew for each frame",
-    GetFlicker(draw, reference),
-    { 1.1, { { "importance", Unlimited } },
-      "random sampling re-drawn per frame: shown on purpose" });
 }
 
 //------------------------------------------------------------------------------
@@ -729,8 +626,7 @@ void RunOddities(Context& context)
     {
       const Integrator integrator = make(oddity.Material, environment);
       const Radiance radiance = Integrate(integrator, pairs);
-      context.Add(name, "negative or not finite: " + oddity.Name,
-        countBad(radiance) + countBad(Draw(integrator, pairs)), { 0.0 });
+      context.Add(name, "negative or not finite: " + oddity.Name, countBad(radiance), { 0.0 });
       context.Add(name, "error: " + oddity.Name, GetRelativeL1(radiance, reference), oddity.Error);
     }
   }
@@ -812,71 +708,6 @@ void RunConvergence(Context& context)
   }
 }
 
-//------------------------------------------------------------------------------
-// The condition of the Gram matrix of a basis' functions over polar angles in degrees, with a
-// penalty lambda (l(l+1))^2.
-double GetCondition(int basis, int order, const double zone[2], double lambda)
-{
-  const int rows = 96;
-  const int columns = 4 * order + 4;
-  const Eigen::Index n = (order + 1) * (order + 1);
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(n, n);
-  const double near = std::cos(glm::radians(zone[0]));
-  const double far = std::cos(glm::radians(zone[1]));
-  const double weight = (near - far) / rows * glm::two_pi<double>() / columns;
-  for (int k = 0; k < rows * columns; ++k)
-  {
-    const glm::dvec3 direction =
-      measuredbrdf::ToDirection(far + (near - far) * (k / columns + 0.5) / rows,
-        glm::two_pi<double>() * (k % columns + 0.5) / columns);
-    const std::vector<double> values =
-      vtkBasisBRDF::EvaluateBasis(basis, order, zone, &direction.x);
-    const Eigen::Map<const Eigen::VectorXd> vector(values.data(), n);
-    gram += weight * vector * vector.transpose();
-  }
-  for (Eigen::Index a = 0; a < n; ++a)
-  {
-    const double l = std::floor(std::sqrt(static_cast<double>(a)));
-    gram(a, a) += lambda * l * l * (l + 1.0) * (l + 1.0);
-  }
-  const Eigen::VectorXd values =
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram, Eigen::EigenvaluesOnly).eigenvalues();
-  return values.maxCoeff() / std::max(values.minCoeff(), 1e-300);
-}
-
-//------------------------------------------------------------------------------
-// 32-bit coefficients keep three digits at a condition of 1e4.
-void RunGram(Context& context)
-{
-  struct Row
-  {
-    std::string Name;
-    int Basis;
-    bool IsZone;
-    double Penalty;
-  };
-  const std::vector<Row> rows = { { "zonal", vtkBasisBRDF::ZONAL, true, 0.0 },
-    { "Leg.xFourier", vtkBasisBRDF::LEGENDRE_FOURIER, true, 0.0 },
-    { "hemisph.", vtkBasisBRDF::HEMISPHERICAL, false, 0.0 },
-    { "harm.", vtkBasisBRDF::SPHERICAL_HARMONICS, false, 0.0 },
-    { "harm.", vtkBasisBRDF::SPHERICAL_HARMONICS, true, 0.0 },
-    { "harm.+pen.", vtkBasisBRDF::SPHERICAL_HARMONICS, false, 1e-6 },
-    { "harm.+pen.", vtkBasisBRDF::SPHERICAL_HARMONICS, true, 1e-5 } };
-  for (const int order : context.Short ? std::vector<int>{ 4 } : std::vector<int>{ 4, 6 })
-  {
-    const std::string suffix = " " + std::to_string(order);
-    for (const Row& row : rows)
-    {
-      context.Add(row.Name + suffix,
-        std::string("condition of the Gram matrix, ") +
-          (row.IsZone ? "9 to 57 degrees" : "hemisphere"),
-        GetCondition(row.Basis, order, row.IsZone ? tool::DeviceZone : AllAngles, row.Penalty),
-        { 1e4, { { "harm." + suffix, Unlimited }, { "harm.+pen." + suffix, Unlimited } },
-          "not orthogonal there; the product adds a penalty" });
-    }
-  }
-}
-
 vtkSmartPointer<vtkBRDFFitter> NewLobeFitter(int shape, int lobes)
 {
   const auto fitter = vtkSmartPointer<vtkLobeBRDFFitter>::New();
@@ -946,10 +777,8 @@ const std::vector<Case> Cases = { { "ringing", "bases", RunRinging },
   { "zenith", "bases", RunZenith }, { "sun", "range", RunSun }, { "dots", "sampling", RunDots },
   { "fireflies", "sampling", RunFireflies }, { "horizon", "sampling", RunHorizon },
   { "grazing", "geometry", RunGrazing }, { "poles", "geometry", RunPoles },
-  { "seams", "geometry", RunSeams }, { "motion", "temporal", RunMotion },
-  { "remade", "temporal", RunRemade }, { "oddities", "data", RunOddities },
-  { "convergence", "convergence", RunConvergence }, { "gram", "numeric", RunGram },
-  { "fits", "numeric", RunFits } };
+  { "motion", "temporal", RunMotion }, { "oddities", "data", RunOddities },
+  { "convergence", "convergence", RunConvergence }, { "fits", "numeric", RunFits } };
 
 struct StabilityOptions
 {

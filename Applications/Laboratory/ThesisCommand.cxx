@@ -12,7 +12,7 @@
 #include "Sheets.h"
 #include "Tool.h"
 
-#include "vtkEmbeddedMaterials.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkNew.h"
 
 #include <CLI/CLI.hpp>
@@ -131,6 +131,15 @@ tool::Picture Finish(tool::Picture tile, const tool::OffscreenScene& scene,
   return tool::Downsample(tile, Smooth);
 }
 
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkLightSetRadianceIntegrator> MakeLoop(
+  vtkEnvironment* environment, const tool::LightSetOptions& options)
+{
+  auto loop = vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
+  loop->SetLightSet(tool::MakeLightSet(environment, options));
+  return loop;
+}
+
 /// What a figure shows at one of its places.
 struct Tile
 {
@@ -187,7 +196,7 @@ public:
     }
     tool::Scene scene;
     scene.SetMesh(tool::MakeBallOnFoot());
-    scene.SetView(25.0, 14.0, 1.02);
+    scene.SetView({ 25.0, 14.0 }, 1.02);
     DrawFigure(path,
       "Thesis 3.3: materials under " + std::to_string(Lights) +
         " median-cut lights, basis pair or D-BRDF",
@@ -197,8 +206,8 @@ public:
       {
         vtkEnvironment* environment = this->Environments[static_cast<std::size_t>(row)];
         const Exhibit& exhibit = exhibits[static_cast<std::size_t>(column)];
-        scene.SetLight(environment, tool::LightSetOptions{ Lights });
-        scene.SetMaterial(exhibit.BRDF);
+        scene.SetLight(environment, MakeLoop(environment, { Lights }));
+        scene.Mapper->SetBRDF(exhibit.BRDF);
         return Tile{ Finish(this->Render(scene), scene, tool::MakeQuietBackdrop(environment),
                        tool::ChooseExposure(environment)),
           exhibit.Name, exhibit.Note };
@@ -221,14 +230,16 @@ public:
       { laboratory::FitDistribution(this->Specular.BRDF, this->Specular.Name), "D-BRDF fit", "" });
 
     vtkEnvironment* environment = this->Environments.front();
-    vtkNew<vtkLightSet> one;
+    const auto many = MakeLoop(environment, { Lights });
+    vtkNew<vtkLightSet> light;
     const double direction[3] = { 0.61, 0.61, 0.5 };
     const double irradiance[3] = { 1.0, 1.0, 1.0 };
-    one->AddLight(direction, irradiance);
+    light->AddLight(direction, irradiance);
+    vtkNew<vtkLightSetRadianceIntegrator> one;
+    one->SetLightSet(light);
     tool::Scene scene;
     scene.SetMesh(tool::MakeSphere());
-    scene.SetView(25.0, 14.0, 0.9);
-    scene.SetLight(environment, tool::LightSetOptions{ Lights });
+    scene.SetView({ 25.0, 14.0 }, 0.9);
     tool::Picture reference(1, 1);
     DrawFigure(path,
       "Thesis 2.3.4: a global basis rings on specular materials; one light above, " +
@@ -237,12 +248,12 @@ public:
       [&](int column, int row)
       {
         const Exhibit& exhibit = exhibits[static_cast<std::size_t>(column)];
-        scene.SetLightSet(row == 0 ? one.Get() : nullptr);
-        scene.SetMaterial(exhibit.BRDF);
+        scene.SetLight(environment, row == 0 ? one.Get() : many.Get());
+        scene.Mapper->SetBRDF(exhibit.BRDF);
         const tool::Picture picture = this->Render(scene);
         reference = column == 0 ? picture : reference;
         tool::Backdrop ground = tool::MakeQuietBackdrop(environment);
-        ground.Scale(row == 0 ? 0.0 : 1.0);
+        ground.Factor *= row == 0 ? 0.0 : 1.0;
         return Tile{ Finish(
                        picture, scene, ground, row == 0 ? 1.2 : tool::ChooseExposure(environment)),
           exhibit.Name,
@@ -259,8 +270,8 @@ public:
     vtkEnvironment* environment = this->Environments.front();
     tool::Scene scene;
     scene.SetMesh(tool::MakeBallOnFoot());
-    scene.SetView(25.0, 14.0, 1.02);
-    scene.SetMaterial(this->Specular.BRDF);
+    scene.SetView({ 25.0, 14.0 }, 1.02);
+    scene.Mapper->SetBRDF(this->Specular.BRDF);
     DrawFigure(path, "Thesis 3.2: median cut (above) and importance sampling (below)", 3, 2,
       3 * tile, tile,
       [&](int column, int row)
@@ -269,7 +280,7 @@ public:
           row == 0 ? "median-cut" : "importance" };
         const vtkSmartPointer<vtkLightSet> lights = tool::MakeLightSet(environment, options);
         const tool::Picture map = tool::DrawLightMap(environment, lights, row == 0, 2 * tile, tile);
-        scene.SetLight(environment, options);
+        scene.SetLight(environment, MakeLoop(environment, options));
         tool::Picture both = tool::MakePaper(3 * tile, tile);
         tool::Paste(both, map, 0, (tile - map.Height) / 2);
         tool::Paste(both,

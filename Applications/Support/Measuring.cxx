@@ -112,13 +112,6 @@ std::vector<double> IntegrateReference(
 }
 
 //------------------------------------------------------------------------------
-double Median(std::vector<double> values)
-{
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-//------------------------------------------------------------------------------
 std::string FormatPercent(double share)
 {
   char text[32];

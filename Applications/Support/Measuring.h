@@ -62,9 +62,6 @@ void Measure(vtkRadianceMetrics* metrics, const Grid& grid, const std::vector<do
 std::vector<double> IntegrateReference(
   vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface);
 
-/// The middle one of at least one value.
-double Median(std::vector<double> values);
-
 ///@{
 /// Figures for people, with 3 digits: a share in percent, a time in milliseconds.
 std::string FormatPercent(double share);

@@ -98,6 +98,6 @@ vtkSmartPointer<vtkPolyData> Stage::LoadMesh() const
 void Stage::Place(OffscreenScene& scene, vtkPolyData* mesh) const
 {
   scene.SetMesh(mesh);
-  scene.SetView(this->View.Azimuth, this->View.Elevation, ViewFill, this->View.Angle);
+  scene.SetView(this->View, ViewFill);
 }
 } // namespace tool

@@ -16,6 +16,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -139,6 +140,15 @@ nlohmann::ordered_json DescribeMachine()
   return { { "processor", processor }, { "threads", std::thread::hardware_concurrency() },
     { "system", std::string(system.sysname) + " " + system.machine },
     { "vtk", vtkVersion::GetVTKVersion() }, { "program", MEASUREDBRDF_VERSION } };
+}
+
+//------------------------------------------------------------------------------
+std::string FindBeside(const std::string& program)
+{
+  std::error_code error;
+  const auto own = std::filesystem::read_symlink("/proc/self/exe", error);
+  const auto beside = own.parent_path() / program;
+  return !error && std::filesystem::exists(beside, error) ? beside.string() : "";
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,9 @@ int RunProgram(int argc, char* argv[], const Program& program);
 /// What identifies this machine: processor, threads, system, VTK, and the version of the program.
 nlohmann::ordered_json DescribeMachine();
 
+/// The path of another program of the project that lies beside this one; "" where there is none.
+std::string FindBeside(const std::string& program);
+
 /// A command that is not in this program, nor in its help, and says why.
 void AddAbsentCommand(CLI::App& app, const std::string& name, const std::string& reason);
 } // namespace tool

@@ -16,9 +16,6 @@ import subprocess
 import sys
 import tempfile
 
-# Faults that are known and open: name of the scene -> what is wrong. A scene that passes must leave this list.
-OPEN = {}
-
 # Warnings that the documentation promises for the anisotropic material.
 DOCUMENTED = ("no float point tangents",)
 
@@ -201,12 +198,8 @@ def main(arguments):
         print("%d scenes of composites are skipped: no vtkCompositeMeasuredBRDFMapper" % len(left_out))
         names = [name for name in names if name not in left_out]
     failed = 0
-    counts = {"PASS": 0, "PROBLEMS": 0, "SKIP": 0, "OPEN": 0}
+    counts = {"PASS": 0, "PROBLEMS": 0, "SKIP": 0}
     for name, verdict, text in results_of(names):
-        if name in OPEN and verdict == "PASS":
-            verdict, text = "PROBLEMS", "passes now: take it out of OPEN"
-        elif name in OPEN and verdict == "PROBLEMS":
-            verdict, text = "OPEN", OPEN[name] + ": " + text
         counts[verdict] += 1
         if verdict != "PASS":
             print("%-8s %s: %s" % (verdict, name, text[:600]), flush=True)

@@ -152,19 +152,6 @@ class TestMaterial(unittest.TestCase):
         self.assertIn("gold-paint", repr(Material("gold-paint")))
         self.assertEqual(lambert(0.5, 0.5, 0.5).name, "vtkLambertBRDF")
 
-    def test_files_of_goniometers(self):
-        rows = "".join(f"{i},0,{o},{p},0.1,0.2,0.3\n" for i in (0, 60) for o in (0, 60) for p in (0, 180))
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "plate.astm")
-            with open(path, "w", encoding="ascii") as file:
-                file.write("VARS theta_i,phi_i,theta_s,phi_s,R,G,B\n" + rows)
-            plate = Material(path)
-        values = plate.evaluate(directions(5), directions(5))
-        np.testing.assert_allclose(values, np.broadcast_to([0.1, 0.2, 0.3], (5, 3)), rtol=1e-6)
-        again = pickle.loads(pickle.dumps(plate))
-        np.testing.assert_allclose(again.evaluate(directions(5), directions(5)), values, rtol=1e-6)
-        self.assertTrue(again.brdf.IsIsotropic())
-
     def test_errors(self):
         gold = Material("gold-paint")
         self.check(ValueError, "'gold-paint'", Material, "gold_paint")

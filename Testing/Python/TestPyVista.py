@@ -398,44 +398,48 @@ def find_all(scene, *types):
 class TestMaps(PlotterTest):
     """White light on a plane: its left half (x < 0) and its right half show what the map says."""
 
-    def show(self, material, plane=None, **keywords):
+    def setUp(self):
+        super().setUp()
+        self.plane = pv.Plane(i_resolution=2, j_resolution=2)
+        self.plane.cell_data["rock"] = [5, 9, 5, 9]
+        self.rocks = MaterialMap.classes("rock", {5: lambert(0.2, 0.4, 0.6), 9: lambert(0.5, 0.1, 0.1)})
+
+    def expect(self, mesh, material, left, right, *below):
+        """Colors left and right of the middle, above it and, where given, below."""
         plotter = new_plotter()
-        plane = pv.Plane(i_resolution=2, j_resolution=2) if plane is None else plane
-        actor = plotter.measured.add_mesh(plane, material, **keywords)
+        actor = plotter.measured.add_mesh(mesh, material)
         plotter.measured.set_environment(WHITE)
         plotter.view_xy()
         picture = plotter.screenshot(return_img=True).astype(float)
-        height, width = picture.shape[:2]
-        return picture[height // 2 + 10, width // 2 - 10], picture[height // 2 + 10, width // 2 + 10], actor
+        middle = picture.shape[0] // 2
+        for color, x, y in zip((left, right, *below), (-15, 15, 15), (-15, -15, 15)):
+            np.testing.assert_allclose(picture[middle + y, middle + x], encode(np.array(color)), atol=3)
+        return plotter, actor
 
     def test_classes(self):
-        plane = pv.Plane(i_resolution=2, j_resolution=2)
-        plane.cell_data["rock"] = [5, 9, 5, 9]
-        rocks = MaterialMap.classes("rock", {5: lambert(0.2, 0.4, 0.6), 9: lambert(0.5, 0.1, 0.1)})
-        left, right, actor = self.show(rocks, plane)
-        np.testing.assert_allclose(left, encode(np.array((0.2, 0.4, 0.6))), atol=3)
-        np.testing.assert_allclose(right, encode(np.array((0.5, 0.1, 0.1))), atol=3)
-        self.assertIs(actor.mapper.material_map, rocks)
-        self.assertIs(actor.mapper.copy().material_map, rocks)
+        for mesh in (self.plane, pv.MultiBlock([self.plane])):
+            plotter, actor = self.expect(mesh, self.rocks, (0.2, 0.4, 0.6), (0.5, 0.1, 0.1))
+        plotter, actor = self.expect(self.plane, self.rocks, (0.2, 0.4, 0.6), (0.5, 0.1, 0.1))
+        self.assertIs(actor.mapper.material_map, self.rocks)
+        self.assertIs(actor.mapper.copy().material_map, self.rocks)
+        self.assertEqual(len(plotter.measured.plans()), 1)
+        plotter.measured.set_material(actor, lambert(0.7, 0.7, 0.7))
+        self.assertIsNone(actor.mapper.material_map)
+        self.expect_pixel(plotter, (0.7, 0.7, 0.7))
 
     def test_values_and_others(self):
-        plane = pv.Plane(i_resolution=2, j_resolution=2)
-        plane.cell_data["wet"] = [0.25, np.nan, 0.25, np.nan]
+        self.plane.cell_data["wet"] = [0.25, np.nan, 0.25, np.nan]
         wetness = MaterialMap.values("wet", {0.0: lambert(0.0, 0.4, 0.8), 1.0: lambert(0.8, 0.0, 0.0)},
                                      others=lambert(0.3, 0.3, 0.3))
-        left, right, _ = self.show(wetness, plane)
-        np.testing.assert_allclose(left, encode(np.array((0.2, 0.3, 0.6))), atol=3)
-        np.testing.assert_allclose(right, encode(np.array((0.3, 0.3, 0.3))), atol=3)
+        self.expect(self.plane, wetness, (0.2, 0.3, 0.6), (0.3, 0.3, 0.3))
 
     def test_weights(self):
-        plane = pv.Plane(i_resolution=2, j_resolution=2)
-        plane.point_data["a"] = np.full(9, 3.0)
-        plane.point_data["b"] = np.full(9, 1.0)
-        plane.point_data["both"] = np.tile((3.0, 1.0), (9, 1))
+        self.plane.point_data["a"] = np.full(9, 3.0)
+        self.plane.point_data["b"] = np.full(9, 1.0)
+        self.plane.point_data["both"] = np.tile((3.0, 1.0), (9, 1))
         materials = [lambert(0.8, 0.0, 0.4), lambert(0.0, 0.4, 0.4)]
         for arrays in ("both", ["a", "b"]):
-            left, _, _ = self.show(MaterialMap.weights(arrays, materials), plane)
-            np.testing.assert_allclose(left, encode(np.array((0.6, 0.1, 0.4))), atol=3)
+            self.expect(self.plane, MaterialMap.weights(arrays, materials), *2 * [(0.6, 0.1, 0.4)])
 
     def test_images(self):
         image = np.zeros((2, 2, 2), np.uint8)
@@ -443,45 +447,18 @@ class TestMaps(PlotterTest):
         image[1] = 255  # below, both
         halves = MaterialMap.images(np.repeat(np.repeat(image, 50, 0), 50, 1),
                                     [lambert(0.8, 0.0, 0.0), lambert(0.0, 0.0, 0.8)])
-        plotter = new_plotter()
-        plotter.measured.add_mesh(pv.Plane(), halves)
-        plotter.measured.set_environment(WHITE)
-        plotter.view_xy()
-        picture = plotter.screenshot(return_img=True).astype(float)
-        middle = picture.shape[0] // 2
-        np.testing.assert_allclose(picture[middle - 15, middle - 15], encode(np.array((0.8, 0.0, 0.0))), atol=3)
-        np.testing.assert_allclose(picture[middle - 15, middle + 15], encode(np.array((0.0, 0.0, 0.8))), atol=3)
-        np.testing.assert_allclose(picture[middle + 15, middle + 15], encode(np.array((0.4, 0.0, 0.4))), atol=3)
-
-    def test_blocks_and_another_material(self):
-        plane = pv.Plane(i_resolution=2, j_resolution=2)
-        plane.cell_data["rock"] = [5, 9, 5, 9]
-        rocks = MaterialMap.classes("rock", {5: lambert(0.2, 0.4, 0.6), 9: lambert(0.5, 0.1, 0.1)})
-        left, right, actor = self.show(rocks, pv.MultiBlock([plane]))
-        np.testing.assert_allclose(left, encode(np.array((0.2, 0.4, 0.6))), atol=3)
-        np.testing.assert_allclose(right, encode(np.array((0.5, 0.1, 0.1))), atol=3)
-        plotter = new_plotter()
-        actor = plotter.measured.add_mesh(plane, rocks)
-        plotter.measured.set_environment(WHITE)
-        self.assertEqual(len(plotter.measured.plans()), 1)
-        plotter.measured.set_material(actor, lambert(0.7, 0.7, 0.7))
-        self.assertIsNone(actor.mapper.material_map)
-        plotter.view_xy()
-        np.testing.assert_allclose(center(plotter), encode(np.array((0.7, 0.7, 0.7))), atol=3)
+        self.expect(pv.Plane(), halves, (0.8, 0.0, 0.0), (0.0, 0.0, 0.8), (0.4, 0.0, 0.4))
 
     def test_errors(self):
-        with self.assertRaisesRegex(ValueError, "finite"):
-            MaterialMap.classes("rock", {float("nan"): "nickel"})
-        with self.assertRaisesRegex(ValueError, "only classes"):
-            MaterialMap.values("wet", {0.0: None})
-        with self.assertRaisesRegex(ValueError, "one for each of 2"):
-            MaterialMap.weights(["a"], ["nickel", "gold-paint"])
-        with self.assertRaisesRegex(ValueError, r"expected \(height, width, 2\)"):
-            MaterialMap.images(np.zeros((4, 4)), ["nickel", "gold-paint"])
-        with self.assertRaisesRegex(ValueError, "unsigned integers"):
-            MaterialMap.images(np.zeros((4, 4, 1), int), ["nickel"])
-        with self.assertRaisesRegex(ValueError, "nicke1"):
-            MaterialMap.classes("rock", {1: "nicke1"})
+        for text, make, *arguments in (
+            ("finite", MaterialMap.classes, "rock", {float("nan"): "nickel"}),
+            ("only classes", MaterialMap.values, "wet", {0.0: None}),
+            ("one for each of 2", MaterialMap.weights, ["a"], ["nickel", "gold-paint"]),
+            ("expected (height, width, 2)", MaterialMap.images, np.zeros((4, 4)), ["nickel", "gold-paint"]),
+            ("unsigned integers", MaterialMap.images, np.zeros((4, 4, 1), int), ["nickel"]),
+            ("nicke1", MaterialMap.classes, "rock", {1: "nicke1"}),
+        ):
+            self.expect_error(ValueError, text, make, *arguments)
 
 
 class TestOcclusion(PlotterTest):

@@ -196,15 +196,15 @@ class Stability(ToolTest):
 
     def test_report(self):
         folder = self.path("out")
-        command = ["stability", "--short", "--case", "gram", "--case", "zenith", "-o", folder]
-        self.check(run(*command), 0, "zenith", "gram", "pass", "known limits, 0 fail")
+        command = ["stability", "--short", "--case", "fireflies", "--case", "zenith", "-o", folder]
+        self.check(run(*command), 0, "zenith", "fireflies", "pass", "known limits, 0 fail")
         with open(os.path.join(folder, "stability.json"), encoding="utf-8") as file:
             report = json.load(file)
         for key in ("version", "vtk", "machine", "renderer", "seconds"):
             self.assertTrue(report[key])
         self.assertTrue(report["short"])
-        self.assertEqual({case["name"] for case in report["cases"]}, {"zenith", "gram"})
-        self.assertEqual({case["group"] for case in report["cases"]}, {"bases", "numeric"})
+        self.assertEqual({case["name"] for case in report["cases"]}, {"zenith", "fireflies"})
+        self.assertEqual({case["group"] for case in report["cases"]}, {"bases", "sampling"})
         for case in report["cases"]:
             passes = case["value"] <= case["threshold"]
             self.assertEqual(case["status"], "pass" if passes else "known limit", case)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Textures of environments for renderers, and the pictures behind the scene."""
+"""Textures of environments for renderers, the pictures behind the scene, and PyVista's default lights, which would add."""
 
 from __future__ import annotations
 
@@ -9,13 +9,15 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from vtkmodules.vtkRenderingCore import vtkSkybox, vtkTexture
+from vtkmodules.vtkImagingCore import vtkImageResize
+from vtkmodules.vtkRenderingCore import vtkLightKit, vtkRenderer, vtkSkybox, vtkTexture
 
 from ..environments import Environment
 
 BACKGROUNDS = ("map", "blurred")
 _BLUR = 5.0  # degrees, the standard deviation
-_BLURRED_SIZE = 128, 256  # texels; the graphics card interpolates between them
+_BLURRED_SIZE = 256, 128  # texels; the graphics card interpolates between them
+_ROUNDING = 0.005  # PyVista rounds the colors of lights to 8 bits
 
 
 def new_texture(environment: Environment, mipmap: bool = True) -> Any:
@@ -66,7 +68,12 @@ def new_skybox(texture: Any, right: NDArray[Any], up: NDArray[Any]) -> Any:
 
 def blur(environment: Environment) -> Environment:
     """A small version of the environment, blurred evenly over the sphere."""
-    pixels = _shrink(environment.pixels, _BLURRED_SIZE)
+    image = environment.environment.NewImageData()
+    resize = vtkImageResize()  # the mean of what falls into each texel
+    resize.SetInputData(image)
+    resize.SetOutputDimensions(*map(min, image.GetDimensions(), _BLURRED_SIZE), 1)
+    resize.Update()
+    pixels = Environment(resize.GetOutput()).pixels
     height, width = pixels.shape[:2]
     theta = (np.arange(height) + 0.5) * math.pi / height
     cosines = np.cos(np.arange(width) * 2.0 * math.pi / width)
@@ -81,13 +88,24 @@ def blur(environment: Environment) -> Environment:
     return Environment(np.maximum(np.fft.irfft(blurred, width, axis=1), 0.0))
 
 
-def _shrink(pixels: NDArray[Any], size: tuple[int, int]) -> NDArray[Any]:
-    """Means over blocks of texels; at most the size."""
-    for axis, most in enumerate(size):
-        count = pixels.shape[axis]
-        if count > most:
-            starts = (np.arange(most) * count) // most
-            sums = np.add.reduceat(pixels, starts, axis=axis, dtype=np.float64)
-            lengths = np.diff(np.append(starts, count))
-            pixels = sums / lengths.reshape((-1, 1, 1) if axis == 0 else (1, -1, 1))
-    return pixels.astype(np.float32)
+def _describe(light: Any) -> tuple[float, ...]:
+    """What tells lights apart: kind, place, intensity, color."""
+    place = (round(value, 4) for value in light.GetPosition())
+    return (light.GetLightType(), *place, light.GetIntensity(), *light.GetDiffuseColor())
+
+
+def _get_lights(renderer: Any) -> list[Any]:
+    lights = renderer.GetLights()
+    return [lights.GetItemAsObject(k) for k in range(lights.GetNumberOfItems())]
+
+
+def get_default_lights(renderer: Any) -> list[Any]:
+    """The lights of the default light kit, where the renderer has these and no other; else none."""
+    kit = vtkLightKit()
+    fresh = vtkRenderer()
+    kit.AddLightsToRenderer(fresh)
+    expected = sorted(map(_describe, _get_lights(fresh)))
+    lights = _get_lights(renderer)
+    found = sorted(map(_describe, lights))
+    is_default = len(found) == len(expected) and np.allclose(found, expected, rtol=0.0, atol=_ROUNDING)
+    return lights if is_default else []

@@ -18,9 +18,8 @@ from .. import vtkPBRPropertyFitter
 from ..environments import Environment, get_image
 from ..maps import MaterialMap
 from ..materials import Material
-from ._backgrounds import BACKGROUNDS, blur, get_axes, new_skybox, new_texture
+from ._backgrounds import BACKGROUNDS, blur, get_axes, get_default_lights, new_skybox, new_texture
 from ._hooks import add_hooks, get_measured_actors
-from ._lights import get_default_lights
 from ._mappers import MeasuredCompositeMapper, MeasuredMapper
 from ._surfaces import FEATURE_ANGLE, extend_pipeline, extract_surface, is_algorithm, resolve_materials
 
