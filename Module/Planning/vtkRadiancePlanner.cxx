@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-using measuredbrdf::PlanCandidate;
+using namespace measuredbrdf;
 
 namespace
 {
@@ -42,32 +42,30 @@ constexpr int MostAngles = 12; // of views that kernels are kept for
 constexpr int MostNodes = 64;  // but those of large tables
 
 // By the materials' content. A planner takes the parts, so that they are nobody else's meanwhile.
-measuredbrdf::SharedCache<std::string, MaterialParts>& GetKnownMaterials()
+SharedCache<std::string, MaterialParts>& GetKnownMaterials()
 {
-  static auto& known =
-    measuredbrdf::SharedCache<std::string, MaterialParts>::MakeForProcess(MostMaterials);
+  static auto& known = SharedCache<std::string, MaterialParts>::MakeForProcess(MostMaterials);
   return known;
 }
 
 // Those of a sphere: many of them see a sun or a lamp, which decide for mirror-like materials.
-measuredbrdf::PlanPairs DrawPairsOfAllViews(const measuredbrdf::PlanTask& task)
+PlanPairs DrawPairsOfAllViews(const PlanTask& task)
 {
   const auto bright = task.Environment->GetParts().GetExtractedEmitters(task.Environment,
-    measuredbrdf::ExtractedEmitters::DefaultShare, measuredbrdf::MostReferenceSuns,
-    [&task]() { return !task.IsAborted(); });
+    ExtractedEmitters::DefaultShare, MostReferenceSuns, [&task]() { return !task.IsAborted(); });
   // In the environment's frame, where they do not depend on its rotation.
   double rows[9];
   task.Environment->GetWorldToEnvironment(rows);
-  measuredbrdf::PlanPairs pairs = measuredbrdf::DrawSpherePairs(
-    SpherePairs, bright ? bright->Lights : std::vector<measuredbrdf::ExtractedEmitters::Light>());
-  measuredbrdf::Turn(rows, pairs);
+  PlanPairs pairs =
+    DrawSpherePairs(SpherePairs, bright ? bright->Lights : std::vector<ExtractedEmitters::Light>());
+  Turn(rows, pairs);
   return pairs;
 }
 } // namespace
 
 struct vtkRadiancePlanner::Internals
 {
-  measuredbrdf::PlanPairs Given; // what a camera sees, if that was said
+  PlanPairs Given; // what a camera sees, if that was said
   measuredbrdf::Plan Plan;
   vtkTimeStamp Time;
 
@@ -106,7 +104,7 @@ bool vtkRadiancePlanner::SetPairs(vtkDataArray* normals, vtkDataArray* views)
   {
     if (impl.Given.Normals)
     {
-      impl.Given = measuredbrdf::PlanPairs();
+      impl.Given = PlanPairs();
       this->Modified();
     }
     return true;
@@ -119,21 +117,18 @@ bool vtkRadiancePlanner::SetPairs(vtkDataArray* normals, vtkDataArray* views)
                   << FewestPairs << " to " << MostPairs << ".");
     return false;
   }
-  for (vtkIdType k = 0; k < count; ++k)
+  PlanPairs given = MakeEmptyPairs();
+  given.Normals->DeepCopy(normals);
+  given.Views->DeepCopy(views);
+  for (vtkIdType k = 0; k < 3 * count; ++k)
   {
-    for (int c = 0; c < 3; ++c)
+    if (!std::isfinite(given.Normals->GetValue(k)) || !std::isfinite(given.Views->GetValue(k)))
     {
-      if (!std::isfinite(normals->GetComponent(k, c)) || !std::isfinite(views->GetComponent(k, c)))
-      {
-        vtkErrorMacro("SetPairs: pair " << k << " has a value that is not finite.");
-        return false;
-      }
+      vtkErrorMacro("SetPairs: pair " << k / 3 << " has a value that is not finite.");
+      return false;
     }
   }
-  impl.Given.Normals = vtkSmartPointer<vtkDoubleArray>::New();
-  impl.Given.Normals->DeepCopy(normals);
-  impl.Given.Views = vtkSmartPointer<vtkDoubleArray>::New();
-  impl.Given.Views->DeepCopy(views);
+  impl.Given = given;
   this->Modified();
   return true;
 }
@@ -174,7 +169,7 @@ bool vtkRadiancePlanner::Update()
 bool vtkRadiancePlanner::Search()
 {
   Internals& impl = *this->Impl;
-  measuredbrdf::PlanTask task;
+  PlanTask task;
   task.BRDF = this->BRDF;
   task.Environment = this->Environment;
   task.Tolerance = this->ErrorTolerance;
@@ -196,26 +191,26 @@ bool vtkRadiancePlanner::Search()
   }
   const std::string bytes = std::to_string(this->MaximumTextureBytes) + " bytes";
   std::string givenUp;
-  std::vector<PlanCandidate> ladder = measuredbrdf::ListCandidates(task, givenUp);
+  std::vector<PlanCandidate> ladder = ListCandidates(task, givenUp);
   if (ladder.empty())
   {
     return this->Fail("nothing fits into MaximumTextureBytes, " + bytes + ", and MaximumCost, " +
-                      measuredbrdf::NumberText(this->MaximumCost) + ".");
+                      NumberText(this->MaximumCost) + ".");
   }
-  measuredbrdf::PlanComparison comparison;
+  PlanComparison comparison;
   comparison.Pairs = impl.Given.Normals ? impl.Given : DrawPairsOfAllViews(task);
   measuredbrdf::Plan plan;
   std::string problem =
     "nothing fits into MaximumTextureBytes, " + bytes + ", with the textures of the material.";
   try
   {
-    measuredbrdf::SamplePairs(task, ladder, comparison.Pairs);
-    measuredbrdf::MakeReference(task, comparison);
+    SamplePairs(task, ladder, comparison.Pairs);
+    MakeReference(task, comparison);
     comparison.ReferenceError = std::hypot(comparison.ReferenceError, FilterWeights);
-    measuredbrdf::Climb(task, comparison, std::move(ladder), plan,
+    Climb(task, comparison, std::move(ladder), plan,
       [this](double progress) { this->InvokeEvent(vtkCommand::ProgressEvent, &progress); });
   }
-  catch (const measuredbrdf::PlanFailure& failure)
+  catch (const PlanFailure& failure)
   {
     problem = failure.what();
   }
@@ -233,7 +228,7 @@ bool vtkRadiancePlanner::Search()
     GetKnownMaterials().Put(material, task.Shared);
   }
   impl.Plan = std::move(plan);
-  impl.Plan.Reason = measuredbrdf::ExplainChoice(impl.Plan, this->ErrorTolerance, givenUp);
+  impl.Plan.Reason = ExplainChoice(impl.Plan, this->ErrorTolerance, givenUp);
   return true;
 }
 
@@ -263,7 +258,7 @@ int vtkRadiancePlanner::GetChoice() { return this->Impl->Plan.Choice; }
 int vtkRadiancePlanner::GetInteractiveChoice() { return this->Impl->Plan.Interactive; }
 bool vtkRadiancePlanner::GetMeetsTolerance() { return this->Impl->Plan.Meets; }
 std::string vtkRadiancePlanner::GetReason() { return this->Impl->Plan.Reason; }
-std::string vtkRadiancePlanner::GetPlan() { return measuredbrdf::DescribePlan(this->Impl->Plan); }
+std::string vtkRadiancePlanner::GetPlan() { return DescribePlan(this->Impl->Plan); }
 
 //------------------------------------------------------------------------------
 vtkRadianceIntegrator* vtkRadiancePlanner::NewIntegrator(int index)
@@ -271,7 +266,7 @@ vtkRadianceIntegrator* vtkRadiancePlanner::NewIntegrator(int index)
   const PlanCandidate& candidate = this->Impl->GetCandidate(index);
   const vtkSmartPointer<vtkRadianceIntegrator> integrator =
     candidate.Integrator ? candidate.Integrator
-                         : measuredbrdf::MakeIntegrator(candidate, this->BRDF, this->Environment);
+                         : MakeIntegrator(candidate, this->BRDF, this->Environment);
   if (integrator)
   {
     integrator->Register(nullptr);

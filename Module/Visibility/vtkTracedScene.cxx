@@ -219,50 +219,20 @@ bool vtkTracedScene::CastRays(vtkDataArray* origins, vtkDataArray* directions, v
 bool vtkTracedScene::DrawVisiblePoints(
   vtkIdType count, const double viewDirection[3], vtkPolyData* hits, vtkDataArray* views)
 {
-  const glm::dvec3 given(viewDirection[0], viewDirection[1], viewDirection[2]);
-  const double length = glm::length(given);
-  if (!hits || !views || count < 1 || count > MostPoints || !std::isfinite(length))
+  const glm::dvec3 view(viewDirection[0], viewDirection[1], viewDirection[2]);
+  if (!hits || !views || count < 1 || count > MostPoints || !std::isfinite(glm::length(view)))
   {
     vtkErrorMacro("DrawVisiblePoints: found " << count << " points, expected 1 to " << MostPoints
                                               << ", a finite view direction, hits and views.");
     return false;
   }
-  double bounds[6];
-  this->GetBounds(bounds);
-  const vtkTracedSurfaces& scene = this->GetSurfaces();
-  const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
-  const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
-  const double radius = 0.5 * glm::length(high - low);
-  std::vector<SurfacePoint> found;
-  std::vector<glm::dvec3> towards;
-  const vtkIdType tries = radius > 0.0 ? std::max(MostTries * count, FewestTries) : 0;
-  for (vtkIdType k = 0; k < tries && static_cast<vtkIdType>(found.size()) < count; ++k)
-  {
-    const auto index = static_cast<std::uint32_t>(k + 1);
-    const double z = 1.0 - 2.0 * measuredbrdf::RadicalInverse(index, 2);
-    const double azimuth = 2.0 * measuredbrdf::Pi * measuredbrdf::RadicalInverse(index, 3);
-    const double sine = std::sqrt(std::max(1.0 - z * z, 0.0));
-    const glm::dvec3 view = length > 0.0
-                              ? given / length
-                              : glm::dvec3(sine * std::cos(azimuth), sine * std::sin(azimuth), z);
-    const measuredbrdf::Frame frame = measuredbrdf::FrameAbout(view);
-    const double r = radius * std::sqrt(measuredbrdf::RadicalInverse(index, 5));
-    const double turn = 2.0 * measuredbrdf::Pi * measuredbrdf::RadicalInverse(index, 7);
-    const glm::dvec3 origin = 0.5 * low + 0.5 * high + 2.0 * radius * view +
-                              r * (std::cos(turn) * frame[0] + std::sin(turn) * frame[1]);
-    SurfacePoint point;
-    if (scene.Cast(origin, -view, point))
-    {
-      found.push_back(point);
-      towards.push_back(view);
-    }
-  }
+  const std::vector<SurfacePoint> found = this->GetSurfaces().DrawPoints(count, view);
   FillHits(found, hits);
   views->SetNumberOfComponents(3);
-  views->SetNumberOfTuples(static_cast<vtkIdType>(towards.size()));
-  for (std::size_t k = 0; k < towards.size(); ++k)
+  views->SetNumberOfTuples(static_cast<vtkIdType>(found.size()));
+  for (std::size_t k = 0; k < found.size(); ++k)
   {
-    views->SetTuple(static_cast<vtkIdType>(k), &towards[k].x);
+    views->SetTuple(static_cast<vtkIdType>(k), &found[k].View.x);
   }
   return true;
 }
@@ -342,6 +312,42 @@ bool vtkTracedSurfaces::Cast(
   }
   point.Position += lift;
   return true;
+}
+
+//------------------------------------------------------------------------------
+std::vector<SurfacePoint> vtkTracedSurfaces::DrawPoints(
+  vtkIdType count, const glm::dvec3& viewDirection) const
+{
+  double bounds[6] = {};
+  this->Tracer->GetBounds(bounds);
+  const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
+  const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
+  const double radius = 0.5 * glm::length(high - low);
+  const double length = glm::length(viewDirection);
+  std::vector<SurfacePoint> found;
+  const vtkIdType tries = radius > 0.0 ? std::max(MostTries * count, FewestTries) : 0;
+  for (vtkIdType k = 0; k < tries && static_cast<vtkIdType>(found.size()) < count; ++k)
+  {
+    const auto index = static_cast<std::uint32_t>(k + 1);
+    const double z = 1.0 - 2.0 * measuredbrdf::RadicalInverse(index, 2);
+    const double azimuth = 2.0 * measuredbrdf::Pi * measuredbrdf::RadicalInverse(index, 3);
+    const double sine = std::sqrt(std::max(1.0 - z * z, 0.0));
+    const glm::dvec3 view = length > 0.0
+                              ? viewDirection / length
+                              : glm::dvec3(sine * std::cos(azimuth), sine * std::sin(azimuth), z);
+    const measuredbrdf::Frame frame = measuredbrdf::FrameAbout(view);
+    const double r = radius * std::sqrt(measuredbrdf::RadicalInverse(index, 5));
+    const double turn = 2.0 * measuredbrdf::Pi * measuredbrdf::RadicalInverse(index, 7);
+    const glm::dvec3 origin = 0.5 * low + 0.5 * high + 2.0 * radius * view +
+                              r * (std::cos(turn) * frame[0] + std::sin(turn) * frame[1]);
+    SurfacePoint point;
+    if (this->Cast(origin, -view, point))
+    {
+      point.View = view;
+      found.push_back(point);
+    }
+  }
+  return found;
 }
 
 //------------------------------------------------------------------------------

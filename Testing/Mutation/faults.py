@@ -1153,6 +1153,8 @@ add("Rendering.shared-created-light-shines", "RenderPassQueries.cxx", "other->Ge
 add("Rendering.hidden-sky-of-the-wrong-side", "OcclusionShader.cxx",
     "dot(normalVCVSOutput, brdfSkyNormalVSOutput) > 0.0", "dot(normalVCVSOutput, brdfSkyNormalVSOutput) < 2.0",
     "OcclusionTest.NormalsMayPointEitherWay")
+add("Rendering.outlines-without-hidden-sky", "OcclusionArrays.cxx", "return -std::sqrt(1.0 - cosine * cosine) - margin;",
+    "return 0.6 * cosine / margin;", "OcclusionTest.NormalsMayPointEitherWay")
 add("Visibility.same-side-twice", "VisibilityTask.cxx", "return side == 0 ? 1.0 : -1.0;",
     "return 1.0;", "SurfaceVisibility.TheOtherSideHasItsOwnSky")
 add("Visibility.traced-again", "vtkSurfaceVisibilityFilter.cxx",

@@ -45,6 +45,23 @@ int FindTexel(vtkEnvironment* environment, const glm::dvec3& direction)
   return next;
 }
 
+// The cells from the first one to before the last one.
+vtkSmartPointer<vtkSelection> SelectCells(vtkIdType first, vtkIdType last)
+{
+  vtkNew<vtkIdTypeArray> cells;
+  for (vtkIdType cell = first; cell < last; ++cell)
+  {
+    cells->InsertNextValue(cell);
+  }
+  vtkNew<vtkSelectionNode> node;
+  node->SetFieldType(vtkSelectionNode::CELL);
+  node->SetContentType(vtkSelectionNode::INDICES);
+  node->SetSelectionList(cells);
+  auto selection = vtkSmartPointer<vtkSelection>::New();
+  selection->AddNode(node);
+  return selection;
+}
+
 // More materials than texture units could hold at once; exact up to the cells' borders.
 TEST_F(MaterialMapping, ClassesOfCells)
 {
@@ -577,17 +594,7 @@ TEST_F(Cuts, WithHiddenSkiesAreUnseen)
 // Selected cells cover the pieces that they were cut into.
 TEST_F(Cuts, AreCoveredBySelections)
 {
-  vtkNew<vtkIdTypeArray> cells;
-  for (vtkIdType cell = 20; cell < 60; ++cell)
-  {
-    cells->InsertNextValue(cell);
-  }
-  vtkNew<vtkSelectionNode> node;
-  node->SetFieldType(vtkSelectionNode::CELL);
-  node->SetContentType(vtkSelectionNode::INDICES);
-  node->SetSelectionList(cells);
-  vtkNew<vtkSelection> selection;
-  selection->AddNode(node);
+  const auto selection = SelectCells(20, 60);
   this->Actor->GetProperty()->SetSelectionColor(1.0, 0.0, 1.0, 1.0);
   this->Mapper->SetSelection(selection);
   this->ExpectUnseen("selected cells");
@@ -802,24 +809,6 @@ TEST_F(MaterialMapping, NoneOfSeveralWeightArraysColors)
   }
 }
 
-// What is between the first image's texels is seen, too; so is where there is nothing.
-TEST_F(MaterialMapping, WeightImagesOfDifferentSizes)
-{
-  this->AddMaterials(3);
-  this->AddWeightImage(2, 1, VTK_FLOAT, [](int, int, int) { return 1.0; });
-  this->AddWeightImage(Pixels, 1, VTK_FLOAT,
-    [](int x, int, int) { return x % 2 == 1 ? 3.0 : 0.0; }); // no column of the first's
-  this->AddWeightImage(2, 1, VTK_FLOAT, [](int, int, int) { return 0.0; });
-  this->RenderAlone();
-  this->ExpectMixture(
-    [](const Place& place, int k)
-    {
-      const double second = static_cast<int>(place.U * Pixels) % 2 == 1 ? 3.0 : 0.0;
-      return k == 0 ? 1.0 / (1.0 + second) : (k == 1 ? second / (1.0 + second) : 0.0);
-    },
-    2e-3);
-}
-
 TEST_F(MaterialMapping, OnlyChangedImagesAreUploaded)
 {
   this->AddMaterials(2);
@@ -924,14 +913,7 @@ TEST_F(MaterialMapping, SelectedCellsAreHighlighted)
   this->SetCells([](vtkIdType, int) { return 0.0; });
   this->Actor->GetProperty()->SetSelectionColor(1.0, 0.0, 1.0, 1.0);
   this->Actor->GetProperty()->SetSelectionLineWidth(3.0f);
-  vtkNew<vtkIdTypeArray> cells;
-  cells->InsertNextValue(2 * (3 * Side + 4));
-  vtkNew<vtkSelectionNode> node;
-  node->SetFieldType(vtkSelectionNode::CELL);
-  node->SetContentType(vtkSelectionNode::INDICES);
-  node->SetSelectionList(cells);
-  vtkNew<vtkSelection> selection;
-  selection->AddNode(node);
+  const auto selection = SelectCells(2 * (3 * Side + 4), 2 * (3 * Side + 4) + 1);
   const FloatImage plain = this->RenderEncoded();
   const auto render = [&](bool map)
   {

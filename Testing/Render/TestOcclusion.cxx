@@ -809,6 +809,9 @@ TEST_F(OcclusionTest, ClosedSidesAreLeftOut)
   ASSERT_TRUE(arrays) << problem;
   EXPECT_FALSE(arrays->HasBack());
   EXPECT_TRUE(arrays->IsOtherClosed);
+  // Triangles and normals of a ball of 8 x 8 are up to 26 degrees apart.
+  EXPECT_LT(arrays->LeastCosine, -0.1);
+  EXPECT_GT(arrays->LeastCosine, -0.6);
 }
 
 // Bytes of anything: no pixel is negative or not finite, and nothing is warned of.

@@ -27,6 +27,7 @@ struct SurfacePoint
   glm::dvec3 Facet = glm::dvec3(0.0);
   int Surface = -1;
   vtkIdType Cell = 0;
+  glm::dvec3 View = glm::dvec3(0.0); // towards the viewer
 };
 } // namespace measuredbrdf
 
@@ -43,6 +44,10 @@ public:
   {
     return this->Cast(this->Leave(from), direction, point);
   }
+
+  /// vtkTracedScene::DrawVisiblePoints'.
+  std::vector<measuredbrdf::SurfacePoint> DrawPoints(
+    vtkIdType count, const glm::dvec3& viewDirection) const;
 
   /// Whether the scene hides the sky in this direction.
   bool IsHidden(const measuredbrdf::SurfacePoint& from, const glm::dvec3& direction) const;

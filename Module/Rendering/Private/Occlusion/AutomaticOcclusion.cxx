@@ -10,7 +10,6 @@
 #include "SurfaceBlocks.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkOcclusionPredictor.h"
 #include "vtkPointData.h"
@@ -42,29 +41,17 @@ constexpr std::size_t MostAnswers = 1024; // about a surface: views and material
 // anything from itself.
 bool HidesAnything(vtkTracedScene* scene)
 {
-  vtkNew<vtkPolyData> hits;
-  vtkNew<vtkDoubleArray> views;
-  const double around[3] = { 0.0, 0.0, 0.0 };
-  if (!scene->DrawVisiblePoints(ProbePoints, around, hits, views))
-  {
-    return false;
-  }
   const vtkTracedSurfaces& surfaces = scene->GetSurfaces();
-  vtkDataArray* normals = hits->GetPointData()->GetNormals();
-  vtkDataArray* facets = hits->GetPointData()->GetArray("FacetNormals");
   constexpr double golden = 2.399963229728653; // radians
-  for (vtkIdType k = 0; k < hits->GetNumberOfPoints(); ++k)
+  int ray = 0;
+  for (const SurfacePoint& point : surfaces.DrawPoints(ProbePoints, glm::dvec3(0.0)))
   {
-    SurfacePoint point;
-    hits->GetPoint(k, &point.Position.x);
-    normals->GetTuple(k, &point.Normal.x);
-    facets->GetTuple(k, &point.Facet.x);
     const glm::dmat3 frame = FrameAbout(point.Normal);
-    for (int s = 0; s < ProbeRays; ++s)
+    for (int s = 0; s < ProbeRays; ++s, ++ray)
     {
       const double z = std::sqrt((s + 0.5) / ProbeRays); // by cosines
       const double across = std::sqrt(1.0 - z * z);
-      const double azimuth = golden * static_cast<double>(ProbeRays * k + s);
+      const double azimuth = golden * ray;
       if (surfaces.IsHidden(
             point, frame * glm::dvec3(across * std::cos(azimuth), across * std::sin(azimuth), z)))
       {

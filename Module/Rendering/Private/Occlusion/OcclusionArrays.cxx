@@ -12,6 +12,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -144,6 +145,40 @@ bool IsClosed(vtkPolyData* surface, const std::string& suffix)
   return all;
 }
 
+// Triangles turned away from the viewer are not seen: of their points, those that no other triangle
+// has need no code. Of all polygons but a hundredth of the area.
+double FindLeastCosine(vtkPolyData* surface)
+{
+  auto* sky = vtkUnsignedCharArray::SafeDownCast(
+    surface->GetPointData()->GetAbstractArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()));
+  std::vector<std::pair<double, double>> polygons; // least cosine to its points' normals, and area
+  double left = 0.0;
+  ForEachFace(surface, Faces::Polygons,
+    [&](const vtkIdType* ids, vtkIdType count, vtkIdType)
+    {
+      const glm::dvec3 face = MakeFace(surface, ids, count).Area;
+      const double area = glm::length(face);
+      double least = area > 0.0 && std::isfinite(area) ? 1.0 : -1.0;
+      for (vtkIdType k = 0; least >= 0.0 && k < count; ++k)
+      {
+        const glm::dvec3 normal =
+          HorizonCode::UnpackNormal(sky->GetPointer(ids[k] * HorizonCode::SectorBytes));
+        least = std::min(least, std::abs(glm::dot(face, normal)) / area);
+      }
+      if (least >= 0.0)
+      {
+        polygons.emplace_back(least, area);
+        left += 0.01 * area;
+      }
+    });
+  std::sort(polygons.begin(), polygons.end());
+  const auto found = std::find_if(polygons.begin(), polygons.end(),
+    [&left](const auto& polygon) { return (left -= polygon.second) < 0.0; });
+  constexpr double margin = 0.05; // views differ within a triangle
+  const double cosine = found == polygons.end() ? 1.0 : found->first;
+  return -std::sqrt(1.0 - cosine * cosine) - margin;
+}
+
 std::string CheckKey(vtkPolyData* surface)
 {
   auto* keys = vtkStringArray::SafeDownCast(
@@ -208,6 +243,7 @@ std::shared_ptr<OcclusionArrays> OcclusionArrays::Read(
   {
     return nullptr;
   }
+  arrays->LeastCosine = FindLeastCosine(surface);
   if (withBounce && (!ReadBounce(surface, "", arrays->Front, problem) ||
                       (both && !ReadBounce(surface, "Back", arrays->Back, problem))))
   {

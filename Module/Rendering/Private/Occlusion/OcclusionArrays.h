@@ -33,6 +33,8 @@ struct OcclusionArrays
   Side Back;
   bool IsOtherClosed = false; // no back: the side that Front is not about sees nothing of the sky
 
+  double LeastCosine = -1.0; // of the view and normals of points whose code triangles may show
+
   bool HasBack() const { return this->Back.Codes[0] != nullptr; }
   bool HasBounce() const { return this->Front.Bounce != nullptr; }
 

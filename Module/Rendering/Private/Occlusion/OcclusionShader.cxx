@@ -462,7 +462,7 @@ std::string MakeViewCode()
       { "#LAST", std::to_string(OcclusionViews - 2) } });
 }
 
-// A side of a point.
+// A side of a point, outputs open where no triangle shows it.
 std::string MakeSideCode(
   const OcclusionLights& lights, const OcclusionLayout& layout, std::size_t side)
 {
@@ -476,13 +476,14 @@ std::string MakeSideCode(
           "  vec3 brdfSkyNormalVC = normalize(brdfSkyN * brdfSkyToModel);\n"
           "  float brdfSkyCosine = dot(brdfSkyNormalVC, brdfSkyO);\n";
   text += side == 0 ? "  brdfSkyNormalVSOutput = brdfSkyNormalVC;\n" : "";
+  text += "  if (brdfSkyCosine > brdfSkyLeast)\n  {\n";
   text += UnpackCode(side) + MakeViewCode();
   for (const Member& member : members)
   {
     text +=
       member.MakeLightCode() + "  if (brdfSkyMatters)\n  {\n" + member.MakeShareCode() + "  }\n";
   }
-  return text + "  }\n";
+  return text + "  }\n  }\n";
 }
 
 std::vector<Varying> GetVaryings(const OcclusionLights& lights, const OcclusionLayout& layout)
@@ -629,8 +630,9 @@ OcclusionNeeds CountOcclusionNeeds(const OcclusionLights& lights, const Occlusio
 OcclusionText MakeOcclusionText(const OcclusionLights& lights, const OcclusionLayout& layout)
 {
   OcclusionText text;
-  text.VertexDeclarations = DeclareCodes(lights, layout) + "uniform mat3 brdfSkyToModel;\n"
-                                                           "uniform float brdfSkyParallel;\n";
+  text.VertexDeclarations = DeclareCodes(lights, layout) +
+                            "uniform mat3 brdfSkyToModel;\n"
+                            "uniform float brdfSkyParallel, brdfSkyLeast;\n";
   text.VertexCode = "  vec3 brdfSkyO = brdfSkyParallel > 0.5 ? vec3(0.0, 0.0, 1.0)\n"
                     "    : normalize(-vertexVCVSOutput.xyz);\n";
   for (std::size_t side = 0; side < CountSides(layout); ++side)
@@ -701,6 +703,7 @@ void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& ligh
   glm::mat3 columns(toModel);
   program->SetUniformMatrix3x3("brdfSkyToModel", &columns[0][0]);
   program->SetUniformf("brdfSkyParallel", parallel ? 1.0f : 0.0f);
+  program->SetUniformf("brdfSkyLeast", static_cast<float>(sides.LeastCosine));
   if (!sides.Both)
   {
     program->SetUniformf("brdfSkyOther", sides.IsOtherClosed ? LargestIrradiance : 0.0f);

@@ -16,6 +16,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -85,6 +86,7 @@ struct OcclusionSides
   bool Both = false;
   bool Bounced = false;
   bool IsOtherClosed = true; // one side: whether the other one sees nothing, or all of its sky
+  double LeastCosine = 1.0;  // OcclusionArrays'
 
   /// Null: a surface that sees all of its sky.
   void Add(const OcclusionArrays* arrays)
@@ -92,6 +94,7 @@ struct OcclusionSides
     this->Both = this->Both || (arrays && arrays->HasBack());
     this->Bounced = this->Bounced || (arrays && arrays->HasBounce());
     this->IsOtherClosed = this->IsOtherClosed && arrays && arrays->IsOtherClosed;
+    this->LeastCosine = std::min(this->LeastCosine, arrays ? arrays->LeastCosine : 1.0);
   }
 };
 
