@@ -50,23 +50,18 @@ constexpr double TailStep = 3.75 * Pi / 180.0;    // half of a step of 13 view a
 constexpr double NearestTail = 12.0 * Pi / 180.0; // to the mirror direction
 constexpr double FarthestTail = 80.0 * Pi / 180.0;
 
-// A direction given by its angle from the mirror direction of the view, and its azimuth about that.
-glm::dvec3 GetTailDirection(double view, double angle, double azimuth)
-{
-  const double s = std::sin(view);
-  const double c = std::cos(view);
-  return std::sin(angle) *
-           (std::cos(azimuth) * glm::dvec3(c, 0.0, s) + glm::dvec3(0.0, std::sin(azimuth), 0.0)) +
-         std::cos(angle) * glm::dvec3(-s, 0.0, c);
-}
-
-double GetTailKernel(vtkBRDF* brdf, double view, const glm::dvec3& i)
+// f cos(theta_i) of a direction that is given by its angle from the view's mirror direction and its
+// azimuth about that; -1 below the horizon.
+double GetTailKernel(vtkBRDF* brdf, double view, double angle, double azimuth)
 {
   const glm::dvec3 o(std::sin(view), 0.0, std::cos(view));
+  const glm::dvec3 i = std::sin(angle) * (std::cos(azimuth) * glm::dvec3(o.z, 0.0, o.x) +
+                                           glm::dvec3(0.0, std::sin(azimuth), 0.0)) +
+                       std::cos(angle) * glm::dvec3(-o.x, 0.0, o.z);
   glm::dvec3 f;
   brdf->Evaluate(&i.x, &o.x, &f.x);
   const double sum = f.x + f.y + f.z;
-  return std::isfinite(sum) ? sum * i.z : 0.0;
+  return !(i.z > 0.0) ? -1.0 : std::isfinite(sum) ? sum * i.z : 0.0;
 }
 
 // How far f cos(theta_i) of an isotropic material, 12 degrees and more from the mirror direction,
@@ -87,21 +82,20 @@ double GetTailIrregularity(vtkBRDF* brdf)
       const double angle =
         std::acos(std::cos(NearestTail) + t * (std::cos(FarthestTail) - std::cos(NearestTail)));
       const double azimuth = 2.0 * Pi * GoldenRatio * (k + 1 + v * TailDirections);
-      const glm::dvec3 i = GetTailDirection(view, angle, azimuth);
+      const double kernel = GetTailKernel(brdf, view, angle, azimuth);
       double mean = 0.0;
-      bool isAbove = i.z > 0.0;
+      double least = kernel;
       for (const double side : { view - TailStep, view + TailStep })
       {
         for (const double turn : { azimuth, -azimuth })
         {
-          const glm::dvec3 neighbor = GetTailDirection(side, angle, turn);
-          isAbove = isAbove && neighbor.z > 0.0;
-          mean += isAbove ? 0.25 * GetTailKernel(brdf, side, neighbor) : 0.0;
+          const double neighbor = GetTailKernel(brdf, side, angle, turn);
+          least = std::min(least, neighbor);
+          mean += 0.25 * neighbor;
         }
       }
-      if (isAbove)
+      if (least >= 0.0) // all are above the horizon
       {
-        const double kernel = GetTailKernel(brdf, view, i);
         difference += std::abs(kernel - mean);
         total += std::max(kernel, mean);
       }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTableRadianceIntegrator.h"
 
-#include "AnisotropicTable.h"
 #include "Candidates.h"
 #include "DirectionPairs.h"
 #include "Lamps.h"

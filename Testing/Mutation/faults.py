@@ -325,11 +325,11 @@ add("Integration.anisotropic-azimuths-from-the-axis", "LobeHarmonics.cxx", "std:
     "AnisotropicTable.Converges")
 add("Integration.anisotropic-conjugate-forgotten", "LobeHarmonics.cxx", "(from % 2 != 0) != this->Lobes[lane].IsOdd", "from % 2 != 0",
     "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")
-add("Integration.anisotropic-half-turn-forgotten", "AnisotropicTable.cxx", "(again ? 1.0 / this->Periods : 0.0)", "0.0",
+add("Integration.anisotropic-half-turn-forgotten", "RadianceTable.cxx", "(again ? 1.0 / this->Periods : 0.0)", "0.0",
     "AnisotropicTable.BrushedMetalInTwelveMegabytes|AnisotropicTable.Converges")
 add("Material.anisotropic-always-half-a-turn", "HalfTurn.h", "return difference <= largest * probes;",
     "return true;", "AnisotropicTable.ClothWithANapHasOnePeriod")
-add("Integration.anisotropic-axis-in-the-plane", "AnisotropicTable.cxx", "lobe.Axis.y * out.x - lobe.Axis.x * out.y, w", "0.0, w",
+add("Integration.anisotropic-axis-in-the-plane", "RadianceTable.cxx", "lobe.Axis.y * out.x - lobe.Axis.x * out.y, w", "0.0, w",
     "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")
 add("Integration.filtered-lamps-without-cosine", "vtkFilteredRadianceIntegrator.cxx",
     "return i.z * f;", "return f;",

@@ -23,15 +23,6 @@ namespace
 constexpr float LargestValue = 1e36f;
 }
 
-void SquareMiddles::SetQuarters(std::size_t at, const TexelTree& texels, int level, int x, int y)
-{
-  float* const directions[3] = { this->Directions[0] + at, this->Directions[1] + at,
-    this->Directions[2] + at };
-  float* const irradiances[3] = { this->Irradiances[0] + at, this->Irradiances[1] + at,
-    this->Irradiances[2] + at };
-  texels.GetQuarters(level, x, y, directions, irradiances);
-}
-
 void SquareMiddles::Turn(int count, const float rows[9])
 {
   const auto some = [count](float* of) { return Eigen::Map<Eigen::ArrayXf>(of, count); };
@@ -253,49 +244,20 @@ constexpr double AloneTimes = 2.0; // lobes are as much narrower as the view is 
 constexpr float DistanceShare = 1.0f;
 }
 
-void FirstSquares::AddDraws(const ReflectionGuide& guide, const glm::dmat3& local,
-  const glm::dvec3& view, std::size_t first, std::size_t step)
-{
-  guide.Draws(view, this->Draws);
-  for (std::size_t k = first; k < this->Draws.size(); k += step)
-  {
-    const ReflectionGuide::Draw& draw = this->Draws[k];
-    this->Near.push_back({ glm::vec3(draw.Direction * local), // transposed: the environment's frame
-      static_cast<float>(AloneTimes * std::sqrt(draw.SolidAngle * view.z / Pi)) });
-  }
-}
-
-const std::vector<FirstSquares::Square>& FirstSquares::Find(const TexelTree& texels)
-{
-  int base = 0;
-  while (texels.GetWidth(base) > WidestBase)
-  {
-    ++base;
-  }
-  this->Squares.clear();
-  for (int y = 0; y < texels.GetHeight(base); ++y)
-  {
-    for (int x = 0; x < texels.GetWidth(base); ++x)
-    {
-      this->Force(texels, base, x, y, 0);
-    }
-  }
-  return this->Squares;
-}
-
 // Divides where a draw wants smaller squares about it. The draws that the larger square was divided
 // for are in Near from the first one on.
-void FirstSquares::Force(const TexelTree& texels, int level, int x, int y, std::size_t first)
+template <int Size>
+void AdaptiveSum<Size>::FindPlaces(int level, int x, int y, std::size_t first)
 {
-  if (x >= texels.GetWidth(level) || y >= texels.GetHeight(level))
+  if (x >= this->Texels->GetWidth(level) || y >= this->Texels->GetHeight(level))
   {
     return;
   }
   const std::size_t last = this->Near.size();
-  if (level > texels.GetLowestLevel())
+  if (level > this->Texels->GetLowestLevel())
   {
     double radius = 0.0;
-    const glm::vec3 middle(texels.GetMiddle(level, x, y, radius));
+    const glm::vec3 middle(this->Texels->GetMiddle(level, x, y, radius));
     const auto r = static_cast<float>(radius);
     for (std::size_t k = first; k < last; ++k)
     {
@@ -311,12 +273,12 @@ void FirstSquares::Force(const TexelTree& texels, int level, int x, int y, std::
   }
   if (this->Near.size() == last)
   {
-    this->Squares.push_back({ level, x, y });
+    this->Places.push_back({ level, x, y });
     return;
   }
   for (int k = 0; k < 4; ++k)
   {
-    this->Force(texels, level - 1, 2 * x + k % 2, 2 * y + k / 2, last);
+    this->FindPlaces(level - 1, 2 * x + k % 2, 2 * y + k / 2, last);
   }
   this->Near.resize(last);
 }
@@ -462,7 +424,13 @@ void AdaptiveSum<Size>::Make(std::size_t first, std::size_t last)
   for (std::size_t k = first; k < last; ++k)
   {
     const Square& square = this->All[k];
-    this->Steps[0].SetQuarters(4 * (k - first), *this->Texels, square.Level, square.X, square.Y);
+    SquareMiddles& step = this->Steps[0];
+    const std::size_t at = 4 * (k - first);
+    float* const directions[3] = { step.Directions[0] + at, step.Directions[1] + at,
+      step.Directions[2] + at };
+    float* const irradiances[3] = { step.Irradiances[0] + at, step.Irradiances[1] + at,
+      step.Irradiances[2] + at };
+    this->Texels->GetQuarters(square.Level, square.X, square.Y, directions, irradiances);
   }
   this->Evaluate(static_cast<int>(4 * (last - first)));
   for (std::size_t k = first; k < last; ++k)
@@ -625,19 +593,35 @@ template <int Size>
 void AdaptiveSum<Size>::Start(const ReflectionGuide& guide)
 {
   constexpr std::size_t step = Size > 1 ? 2 : 1;
-  this->First.Clear();
+  this->Near.clear();
   for (int pair = 0; pair < Size; ++pair)
   {
-    this->First.AddDraws(guide, this->Local[pair], this->Pairs[pair].View,
-      static_cast<std::size_t>(pair) % step, step);
+    const glm::dvec3& view = this->Pairs[pair].View;
+    guide.Draws(view, this->Draws);
+    for (std::size_t k = static_cast<std::size_t>(pair) % step; k < this->Draws.size(); k += step)
+    {
+      const ReflectionGuide::Draw& draw = this->Draws[k];
+      this->Near.push_back({ glm::vec3(this->Pairs[pair].Axes * draw.Direction),
+        static_cast<float>(AloneTimes * std::sqrt(draw.SolidAngle * view.z / Pi)) });
+    }
   }
-  const std::vector<FirstSquares::Square>& places = this->First.Find(*this->Texels);
+  this->Places.clear();
+  int base = 0;
+  while (this->Texels->GetWidth(base) > WidestBase)
+  {
+    ++base;
+  }
+  for (int k = 0; k < this->Texels->GetWidth(base) * this->Texels->GetHeight(base); ++k)
+  {
+    this->FindPlaces(base, k % this->Texels->GetWidth(base), k / this->Texels->GetWidth(base), 0);
+  }
+  const std::vector<Place>& places = this->Places;
   for (std::size_t first = 0; first < places.size(); first += SquareMiddles::Most)
   {
     const std::size_t count = std::min<std::size_t>(places.size() - first, SquareMiddles::Most);
     for (std::size_t k = 0; k < count; ++k)
     {
-      const FirstSquares::Square& place = places[first + k];
+      const Place& place = places[first + k];
       const TexelTree::Light light = this->Texels->Get(place.Level, place.X, place.Y);
       for (int c = 0; c < 3; ++c)
       {
@@ -648,7 +632,7 @@ void AdaptiveSum<Size>::Start(const ReflectionGuide& guide)
     this->Evaluate(static_cast<int>(count));
     for (std::size_t k = 0; k < count; ++k)
     {
-      const FirstSquares::Square& place = places[first + k];
+      const Place& place = places[first + k];
       const bool isLowest = place.Level == this->Texels->GetLowestLevel(); // counts as it is
       Square* const square = isLowest ? nullptr : &this->Add(place.Level, place.X, place.Y);
       for (int pair = 0; pair < Size; ++pair)

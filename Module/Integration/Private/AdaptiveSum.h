@@ -53,15 +53,13 @@ struct SquareMiddles
     return { this->Values[0][k], this->Values[1][k], this->Values[2][k] };
   }
 
-  /// Sets those of a square's four quarters, from number at on.
-  void SetQuarters(std::size_t at, const TexelTree& texels, int level, int x, int y);
-
   /// rows: of the matrix from the sky's frame to the local one, 3 by 3.
   void Turn(int count, const float rows[9]);
 
   /// f: of those that count, by channel; room for Most each.
   void Weigh(int count, float f[3][Most]);
 };
+
 /// Where a view is reflected to, so that sums over the environment know where to look: a few
 /// directions drawn from f cos(theta_i), and the peaks of f, which few draws and few points of a
 /// sum may both miss.
@@ -109,39 +107,6 @@ private:
   std::vector<float> PeakCells; // likewise: view, level, cell of the hemisphere's square
 };
 
-/// Small where draws of f are, and large elsewhere.
-class FirstSquares
-{
-public:
-  struct Square
-  {
-    int Level;
-    int X;
-    int Y;
-  };
-
-  /// Forgets all draws; keeps memory.
-  void Clear() { this->Near.clear(); }
-
-  /// Every step-th draw from the first one on; local: from the environment's frame.
-  void AddDraws(const ReflectionGuide& guide, const glm::dmat3& local, const glm::dvec3& view,
-    std::size_t first = 0, std::size_t step = 1);
-
-  /// They cover the sky once.
-  const std::vector<Square>& Find(const TexelTree& texels);
-
-private:
-  struct Drawn
-  {
-    glm::vec3 Direction; // in the environment's frame
-    float Radius;        // of a square that may stay whole about it
-  };
-  void Force(const TexelTree& texels, int level, int x, int y, std::size_t first);
-
-  std::vector<ReflectionGuide::Draw> Draws;
-  std::vector<Drawn> Near; // those of a square behind those of the larger one
-  std::vector<Square> Squares;
-};
 /**
  * The sky's squares are divided where the estimated error is largest, until the sum's error is
  * within the tolerance. Squares are made many at a time, so that f is evaluated for many directions
@@ -189,7 +154,18 @@ private:
       float Cosines[4];
     } Of[Size]; // the pairs
   };
+  // A square to begin with: small where draws of f are, and large elsewhere.
+  struct Place
+  {
+    int Level, X, Y;
+  };
+  struct Drawn
+  {
+    glm::vec3 Direction; // in the environment's frame
+    float Radius;        // of a square that may stay whole about it
+  };
   void Start(const ReflectionGuide& guide);
+  void FindPlaces(int level, int x, int y, std::size_t first);
   void Evaluate(int count);
   void MakeAll();
   void Make(std::size_t first, std::size_t last);
@@ -221,7 +197,9 @@ private:
   std::size_t NumberOfAll = 0;  // without that room
   std::size_t NumberOfMade = 0; // that have quarters
   std::priority_queue<std::pair<float, std::uint32_t>> Queue; // those that are not divided, by Key
-  FirstSquares First;
+  std::vector<ReflectionGuide::Draw> Draws;
+  std::vector<Drawn> Near; // those of a square behind those of the larger one
+  std::vector<Place> Places;
   SquareMiddles Steps[Size];
 };
 } // namespace measuredbrdf

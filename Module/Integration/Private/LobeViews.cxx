@@ -558,18 +558,6 @@ glm::dvec3 AnisotropicViews::GetView(double theta, double phi)
   return glm::dvec3(s * std::cos(phi), s * std::sin(phi), std::cos(theta));
 }
 
-double AnisotropicViews::GetAngle(int index) { return LobeViews::GetAngle(index, Angles); }
-
-double AnisotropicViews::GetAzimuth(int index, int count) const
-{
-  return 2.0 * Pi * index / (this->Periods * count);
-}
-
-const LobeMeans& AnisotropicViews::Get(int angle, int azimuth) const
-{
-  return this->Means[azimuth * Angles + angle];
-}
-
 AnisotropicViews::AnisotropicViews(vtkBRDF* brdf, const std::atomic<bool>& abort)
   : Periods(IsSameAfterHalfATurn(brdf) ? 2 : 1)
   , Means(static_cast<std::size_t>(Angles * Azimuths))

@@ -10,6 +10,8 @@
 #ifndef LobeViews_h
 #define LobeViews_h
 
+#include "HalfVector.h" // for Pi
+
 #include <glm/glm.hpp>
 
 #include <atomic>
@@ -156,12 +158,18 @@ public:
   /// How often f repeats itself while the sample is turned once about its normal: 1 or 2.
   int GetPeriods() const { return this->Periods; }
 
-  static double GetAngle(int index);
+  static double GetAngle(int index) { return LobeViews::GetAngle(index, Angles); }
 
   /// Of so many azimuths over the period; those of the views where none are said. In radians.
-  double GetAzimuth(int index, int count = Azimuths) const;
+  double GetAzimuth(int index, int count = Azimuths) const
+  {
+    return 2.0 * Pi * index / (this->Periods * count);
+  }
 
-  const LobeMeans& Get(int angle, int azimuth) const;
+  const LobeMeans& Get(int angle, int azimuth) const
+  {
+    return this->Means[azimuth * Angles + angle];
+  }
 
 private:
   int Periods;

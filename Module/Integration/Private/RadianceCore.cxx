@@ -301,12 +301,8 @@ bool RadianceCore::Make(const EnvironmentHarmonics& environment, const LobeViews
   this->Profile.assign(3 * size * (1 + modes.size()), 0.0f);
   const auto put = [this](std::size_t row, int view, const glm::dvec3& value)
   {
-    for (int c = 0; c < 3; ++c)
-    {
-      this
-        ->Profile[3 * (row * size + static_cast<std::size_t>(view)) + static_cast<std::size_t>(c)] =
-        static_cast<float>(value[c]);
-    }
+    const glm::vec3 rounded(value);
+    std::copy_n(&rounded.x, 3, &this->Profile[3 * (row * size + view)]);
   };
   for (int view = 0; view < size; ++view)
   {

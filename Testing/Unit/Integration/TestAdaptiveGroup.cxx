@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Four neighboring pairs that are integrated over the same squares, against each by itself.
 
+#include "ErrorCatcher.h"
 #include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
@@ -193,16 +194,11 @@ TEST(AdaptiveGroup, TellsWhatItCannotTakeAndStops)
   vtkNew<vtkAdaptiveRadianceIntegrator> integrator;
   integrator->SetBRDF(brushed);
   integrator->SetEnvironment(environment);
-  std::vector<std::string> errors;
-  vtkNew<vtkCallbackCommand> listen;
-  listen->SetClientData(&errors);
-  listen->SetCallback([](vtkObject*, unsigned long, void* to, void* text)
-    { static_cast<std::vector<std::string>*>(to)->emplace_back(static_cast<const char*>(text)); });
-  integrator->AddObserver(vtkCommand::ErrorEvent, listen);
+  ErrorCatcher errors(integrator);
   const auto expectError = [&](const std::string& part)
   {
-    ASSERT_FALSE(errors.empty());
-    EXPECT_NE(errors.back().find(part), std::string::npos) << errors.back();
+    EXPECT_EQ(errors.Take(), 1);
+    EXPECT_NE(errors.GetText().find(part), std::string::npos) << errors.GetText();
   };
   Fours fours;
   fours.AddOfSphere(60);

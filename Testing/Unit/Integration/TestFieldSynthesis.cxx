@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Maps of kernels that are convolved with an environment, against the sum over harmonics.
+// Maps of kernels that are convolved with an environment, against the sum over harmonics; the
+// splines that they store; and dark rings about lamps, which are lifted.
 
 #include "EnvironmentHarmonics.h"
 #include "FieldSynthesis.h"
@@ -14,11 +15,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <numeric>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -123,5 +126,115 @@ TEST(FieldSynthesis, IsTheSumOverHarmonics)
           << order << ": " << k << " of " << count;
       }
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+using measuredbrdf::FitLinearSpline;
+using measuredbrdf::GetLinearSplineGain;
+
+namespace
+{
+using measuredbrdf::Pi;
+
+// Mean squared error of gain cos(2 pi periods x) at so many nodes a turn, interpolated linearly.
+double GetSquaredError(int nodes, int periods, double gain)
+{
+  constexpr int Points = 64; // of an interval
+  double sum = 0.0;
+  for (int k = 0; k < nodes * Points; ++k)
+  {
+    const double t = (k % Points + 0.5) / Points;
+    const auto wave = [&](double node) { return std::cos(2.0 * Pi * periods * node / nodes); };
+    const int node = k / Points;
+    const double spline = gain * ((1.0 - t) * wave(node) + t * wave(node + 1));
+    sum += std::pow(spline - wave(node + t), 2);
+  }
+  return sum / (nodes * Points);
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(LinearSpline, GainHasTheLeastSquaredError)
+{
+  constexpr int Nodes = 48;
+  for (const int periods : { 1, 3, 6, 12, 20, 30, 37 })
+  {
+    const double gain = GetLinearSplineGain(static_cast<double>(periods) / Nodes);
+    const double error = GetSquaredError(Nodes, periods, gain);
+    EXPECT_LT(error, GetSquaredError(Nodes, periods, gain + 1e-3)) << periods;
+    EXPECT_LT(error, GetSquaredError(Nodes, periods, gain - 1e-3)) << periods;
+    EXPECT_LT(error, GetSquaredError(Nodes, periods, 1.0)) << periods;
+  }
+  // A sixth of the squared error of interpolation where the function is smooth.
+  EXPECT_NEAR(
+    GetSquaredError(Nodes, 1, GetLinearSplineGain(1.0 / Nodes)) / GetSquaredError(Nodes, 1, 1.0),
+    1.0 / 6.0, 0.01);
+  EXPECT_EQ(GetLinearSplineGain(0.0), 1.0);
+  EXPECT_EQ(GetLinearSplineGain(-0.3), GetLinearSplineGain(0.3));
+}
+
+//------------------------------------------------------------------------------
+// From values alone: the same to the second order.
+TEST(LinearSpline, FitFollowsTheGain)
+{
+  for (const double frequency : { 0.01, 0.05, 0.1 })
+  {
+    const auto wave = [&](int k)
+    { return std::polar(1.0f, static_cast<float>(2.0 * Pi * frequency * k)); };
+    const std::complex<float> fitted = FitLinearSpline(wave(-1), wave(0), wave(1));
+    EXPECT_NEAR(
+      fitted.real(), GetLinearSplineGain(frequency), 30.0 * std::pow(frequency, 4) + 1e-6);
+    EXPECT_NEAR(fitted.imag(), 0.0, 1e-6);
+  }
+}
+
+//------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
+// As node by node, whatever the width.
+TEST(RingLimiter, IsTheSameNodeByNode)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> value(-3.0f, 9.0f);
+  for (const int columns : { 4, 6, 18, 32 })
+  {
+    constexpr int rows = 7;
+    std::vector<float> map(static_cast<std::size_t>(3 * rows * columns));
+    std::generate(map.begin(), map.end(), [&]() { return value(random); });
+    // Columns go round, and beyond a pole the meridian opposite goes on.
+    const auto get = [columns](const std::vector<float>& of, int row, int column, int channel)
+    {
+      const bool isBeyond = row < 0 || row >= rows;
+      const int at = row < 0 ? -row : row >= rows ? 2 * (rows - 1) - row : row;
+      const int round = (column + columns + (isBeyond ? columns / 2 : 0)) % columns;
+      return of[static_cast<std::size_t>(3 * (at * columns + round) + channel)];
+    };
+    std::vector<float> around(map.size());
+    std::transform(
+      map.begin(), map.end(), around.begin(), [](float of) { return std::max(of, 0.0f); });
+    for (int pass = 0; pass < 8; ++pass) // blurred twice along and across, then the least
+    {
+      const std::vector<float> in = around;
+      const int down = pass % 2;
+      for (int k = 0; k < 3 * rows * columns; ++k)
+      {
+        const int row = k / 3 / columns, column = k / 3 % columns;
+        const float a = get(in, row - down, column - 1 + down, k % 3);
+        const float c = get(in, row + down, column + 1 - down, k % 3);
+        const float b = in[static_cast<std::size_t>(k)];
+        around[static_cast<std::size_t>(k)] =
+          pass < 4 ? 0.25f * (a + c) + 0.5f * b : std::min({ a, b, c });
+      }
+    }
+    std::vector<float> lifted = map;
+    measuredbrdf::LiftDarkRingsOfMap(lifted.data(), rows, static_cast<std::size_t>(columns));
+    int changed = 0;
+    for (std::size_t k = 0; k < map.size(); ++k)
+    {
+      const float expected = around[k] > 0.0f ? std::max(map[k], 0.75f * around[k]) : map[k];
+      EXPECT_FLOAT_EQ(lifted[k], expected) << columns << " columns, number " << k;
+      changed += lifted[k] != map[k] ? 1 : 0;
+    }
+    EXPECT_GT(changed, 0);
   }
 }
