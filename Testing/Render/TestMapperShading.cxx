@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shading against closed forms at values where no factor is 1: lights, scalars, grazing views,
 // tangents; and a copy that forgets nothing.
-#include "RenderFixture.h"
 #include "RandomLight.h"
+#include "RenderFixture.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBasisBRDF.h"
 #include "vtkEmbeddedMaterials.h"
