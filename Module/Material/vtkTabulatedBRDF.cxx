@@ -723,7 +723,8 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
   texture.Dimensions = { this->Dimensions[0], this->Dimensions[1], this->Dimensions[2] };
   texture.Components = this->NumberOfInvalidCells > 0 ? 4 : 3;
   texture.Repeat = { HasPeriodicAzimuth(this->Parameterization, this->AzimuthRange), false, false };
-  const Storage storage = ChooseStorage(this->Precision, this->ResamplingTolerance, this->Volume);
+  const Storage storage = ChooseStorage(
+    this->IsIsotropic() ? this->Precision : AUTOMATIC, this->ResamplingTolerance, this->Volume);
   FillTexture(texture, this->Volume, storage);
   struct Form
   {
@@ -787,7 +788,7 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& inputs)
 void vtkTabulatedBRDF::ExchangeData(vtkBRDFExchange& exchange)
 {
   const bool isIsotropic =
-    exchange.IsLoading() ? exchange.GetModelName() == "Tabulated" : this->IsIsotropic();
+    exchange.IsLoading() ? exchange.GetModelName() != "AnisotropicTabulated" : this->IsIsotropic();
   exchange.Flag(
     "cosineWeighted", this->CosineWeighted, [this](bool on) { this->SetCosineWeighted(on); });
   exchange.Number("resamplingError", this->ResamplingError,

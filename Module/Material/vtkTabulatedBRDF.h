@@ -119,7 +119,8 @@ public:
    * scaled to the table's peak, so none overflows, and keep that rounding over nine decades.
    * SHARED_EXPONENT: 9 bits for each channel and an exponent that they share, two thirds of 16-bit
    * floats' memory, where that rounding (2^-9 of the largest channel) is within a quarter of
-   * ResamplingTolerance, no cell is invalid and no value negative; else as AUTOMATIC.
+   * ResamplingTolerance, no cell is invalid and no value negative; else as AUTOMATIC. ANISOTROPIC
+   * tables are always AUTOMATIC.
    */
   virtual void SetPrecision(int precision);
   vtkGetMacro(Precision, int);

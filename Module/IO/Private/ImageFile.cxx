@@ -225,62 +225,64 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// An image of another size, whose texel (x, y) is the one that find(x, y) names: its column and
-// row, outside for black. Returns how many were found.
-template <typename Find>
-std::size_t Rearrange(DecodedImage& image, int width, int height, const Find& find)
+// Makes the picture that is to be seen: the data window's texels in a display window that is black
+// elsewhere, turned as EXIF 2.32, tag 274 (TIFF 6.0, Orientation) says, by which side of the
+// picture the stored row 0 and column 0 are.
+void Arrange(const ImageSource& source, DecodedImage& image)
 {
+  const glm::ivec2 window(image.DisplayWidth, image.DisplayHeight);
+  const bool isWhole =
+    image.Left == 0 && image.Top == 0 && window == glm::ivec2(image.Width, image.Height);
+  const int turn = image.Orientation >= 1 && image.Orientation <= 8 ? image.Orientation - 1 : 0;
+  if (isWhole && turn == 0)
+  {
+    return;
+  }
+  Require(window.x >= 1 && window.y >= 1, source.Path, ": display window: found ", window.x, " x ",
+    window.y, " pixels, expected at least 1 x 1");
+  if (!isWhole && double(window.x) * window.y > FreeTexels)
+  {
+    CheckImageSize(source.Path + ": display window", *source.Format,
+      { double(window.x), double(window.y) }, source.FileSize);
+  }
+  const bool columns = turn >= 4; // stored rows are columns of the picture
+  const bool right = turn % 4 == 1 || turn % 4 == 2;
+  const bool bottom = turn % 4 >= 2;
+  const int width = columns ? window.y : window.x;
+  const int height = columns ? window.x : window.y;
   const auto values = static_cast<std::size_t>(image.ValuesPerTexel);
+  const std::size_t stored = image.Pixels.size() / values;
+  const std::size_t shown = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   std::size_t inside = 0;
   std::vector<float> pixels;
-  pixels.reserve(values * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  pixels.reserve(values * shown);
   for (int y = 0; y < height; ++y)
   {
     for (int x = 0; x < width; ++x)
     {
-      const glm::i64vec2 from = find(x, y);
+      const int across = right ? width - 1 - x : x;
+      const int down = bottom ? height - 1 - y : y;
+      const glm::i64vec2 from =
+        (columns ? glm::i64vec2(down, across) : glm::i64vec2(across, down)) -
+        glm::i64vec2(image.Left, image.Top);
       if (from.x < 0 || from.y < 0 || from.x >= image.Width || from.y >= image.Height)
       {
         pixels.insert(pixels.end(), values, 0.0f);
         continue;
       }
-      const auto texel = image.Pixels.begin() +
-                         (from.y * image.Width + from.x) * static_cast<std::ptrdiff_t>(values);
-      pixels.insert(pixels.end(), texel, texel + static_cast<std::ptrdiff_t>(values));
+      const float* texel =
+        &image.Pixels[static_cast<std::size_t>(from.y * image.Width + from.x) * values];
+      pixels.insert(pixels.end(), texel, texel + values);
       ++inside;
     }
   }
   image.Pixels.swap(pixels);
   image.Width = width;
   image.Height = height;
-  return inside;
-}
-
-// The texels of the data window, in a display window that is black elsewhere.
-void ShowWindow(const ImageSource& source, DecodedImage& image)
-{
-  const int width = image.DisplayWidth;
-  const int height = image.DisplayHeight;
-  if (image.Left == 0 && image.Top == 0 && image.Width == width && image.Height == height)
+  if (shown > inside)
   {
-    return;
-  }
-  Require(width >= 1 && height >= 1, source.Path, ": display window: found ", width, " x ", height,
-    " pixels, expected at least 1 x 1");
-  if (double(width) * height > FreeTexels)
-  {
-    CheckImageSize(source.Path + ": display window", *source.Format,
-      { double(width), double(height) }, source.FileSize);
-  }
-  const std::size_t stored = image.Pixels.size() / static_cast<std::size_t>(image.ValuesPerTexel);
-  const std::size_t inside = Rearrange(image, width, height,
-    [&image](int x, int y) { return glm::i64vec2(x, y) - glm::i64vec2(image.Left, image.Top); });
-  const std::size_t black =
-    static_cast<std::size_t>(width) * static_cast<std::size_t>(height) - inside;
-  if (black > 0)
-  {
-    image.Notes.push_back(Concat(
-      "The data window leaves ", black, " texels of the display window free: they are black."));
+    image.Notes.push_back(Concat("The data window leaves ", shown - inside,
+      " texels of the display window free: they are black."));
   }
   if (stored > inside)
   {
@@ -289,31 +291,8 @@ void ShowWindow(const ImageSource& source, DecodedImage& image)
   }
 }
 
-// EXIF 2.32, tag 274 (TIFF 6.0, Orientation): which side of the picture the stored row 0 and column
-// 0 are.
-void Turn(DecodedImage& image)
-{
-  const int turn = image.Orientation - 1;
-  if (turn < 1 || turn > 7)
-  {
-    return;
-  }
-  const bool columns = turn >= 4; // stored rows are columns of the picture
-  const bool right = turn % 4 == 1 || turn % 4 == 2;
-  const bool bottom = turn % 4 >= 2;
-  const int width = columns ? image.Height : image.Width;
-  const int height = columns ? image.Width : image.Height;
-  Rearrange(image, width, height,
-    [=](int x, int y)
-    {
-      const int across = right ? width - 1 - x : x;
-      const int down = bottom ? height - 1 - y : y;
-      return columns ? glm::i64vec2(down, across) : glm::i64vec2(across, down);
-    });
-}
-
 //------------------------------------------------------------------------------
-// Before colors and orientation change: infinite times 0 is no number.
+// Before colors change: infinite times 0 is no number.
 void LimitValues(DecodedImage& image)
 {
   const float largest = GetLargestValue(image.Pixels);
@@ -424,13 +403,12 @@ ImageFile ReadImageFile(const std::string& path, bool alpha, const std::string& 
   CheckStoredSize(path, *source.Format, source.FileSize);
 
   DecodedImage image = source.Format->Is("hdr") ? ReadRadiancePicture(source) : DecodeImage(source);
-  ShowWindow(source, image);
   LimitValues(image);
   if (image.Chromaticities.size() == Rec709.size())
   {
     ConvertColors(path, image);
   }
-  Turn(image);
+  Arrange(source, image);
   return image;
 }
 

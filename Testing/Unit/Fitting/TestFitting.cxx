@@ -4,7 +4,6 @@
 #include "ErrorCatcher.h"
 #include "ExpectStops.h"
 #include "HalfVector.h"
-#include "NeedsLibrary.h"
 #include "TestIOHelpers.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
@@ -14,6 +13,7 @@
 #include "vtkDistributionBRDFFitter.h"
 #include "vtkLambertBRDF.h"
 #include "vtkLobeBRDFFitter.h"
+#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
@@ -32,6 +32,11 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+// At the begin of a test that fits lobes.
+#define NEEDS_CERES()           \
+  if (!MEASUREDBRDF_WITH_CERES) \
+  GTEST_SKIP() << "this build has no Ceres"
 
 namespace
 {

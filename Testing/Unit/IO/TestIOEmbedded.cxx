@@ -7,6 +7,9 @@
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
+#include "vtkEnvironmentReader.h"
+#include "vtkMeasuredBRDFConfigure.h"
+#include "vtkStringOutputWindow.h"
 #include "vtkTabulatedBRDF.h"
 
 #include <algorithm>
@@ -148,4 +151,39 @@ TEST(IOHalfFloats, RefusesWhatIsTooLarge)
   EXPECT_EQ(errors.Take(), 1);
   EXPECT_NE(writer->GetErrorMessage().find("70000"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(folder("a.exr")));
+}
+
+//------------------------------------------------------------------------------
+TEST(IOEmbedded, ATypoGetsTheNames)
+{
+  const vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();
+  vtkNew<vtkStringOutputWindow> said;
+  vtkOutputWindow::SetInstance(said);
+  EXPECT_FALSE(vtkEmbeddedMaterials::NewBRDF("gold_paint"));
+  EXPECT_FALSE(vtkEmbeddedMaterials::NewBRDF(std::string(1 << 20, '\x1b')));
+  vtkOutputWindow::SetInstance(before);
+  const std::string text = said->GetOutput();
+  EXPECT_NE(text.find("no embedded material 'gold_paint'"), std::string::npos) << text;
+  EXPECT_NE(text.find("'gold-paint', "), std::string::npos) << text;
+  EXPECT_LT(text.size(), 3000u);
+  EXPECT_EQ(text.find('\x1b'), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+// What a build without it says where it would be needed.
+TEST(IOAbsent, OpenImageIO)
+{
+  if (MEASUREDBRDF_WITH_OPENIMAGEIO)
+  {
+    GTEST_SKIP() << "this build has OpenImageIO";
+  }
+  const Folder folder;
+  vtkNew<vtkEnvironmentReader> reader;
+  ErrorCatcher errors(reader);
+  reader->SetFileName(WriteBytes(
+    folder("a.hdr"), "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x80\x80\x80\x81"));
+  EXPECT_FALSE(reader->Read());
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_NE(
+    reader->GetErrorMessage().find("a.hdr: this build has no OpenImageIO"), std::string::npos);
 }

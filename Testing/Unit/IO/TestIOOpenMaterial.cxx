@@ -4,7 +4,6 @@
 
 #include "AngleFormula.h"
 #include "HalfVector.h"
-#include "NeedsLibrary.h"
 #include "SmallOpenMaterial.h"
 #include "SpectraForTests.h"
 #include "TestIOHelpers.h"

@@ -39,24 +39,14 @@ TEST_F(MaterialMap, ClassesAreFoundByTheirValue)
   EXPECT_EQ(this->Map->GetName(1), "basalt");
   EXPECT_EQ(this->Map->GetWeight(0, 7.0), 1.0);
   EXPECT_EQ(this->Map->GetWeight(0, 6.0), 0.0);
-}
-
-TEST_F(MaterialMap, SameValueTakesThePlace)
-{
-  this->Map->AddMaterial(this->A, 1.0, "first");
-  EXPECT_EQ(this->Map->AddMaterial(this->B, 1.0, "second"), 0);
-  EXPECT_EQ(this->Map->GetNumberOfMaterials(), 1);
-  EXPECT_EQ(this->Map->GetBRDF(0), this->B);
-  EXPECT_EQ(this->Map->GetName(0), "second");
-}
-
-TEST_F(MaterialMap, MaterialsWithoutValueCountOn)
-{
-  this->Map->AddMaterial(this->A);
-  this->Map->AddMaterial(this->B, 4.5);
-  this->Map->AddMaterial(this->C, "third");
-  EXPECT_EQ(this->Map->GetValue(0), 0.0);
-  EXPECT_EQ(this->Map->GetValue(2), 5.0);
+  // The same value takes the place; without a value they count on.
+  EXPECT_EQ(this->Map->AddMaterial(this->C, 7.0, "gneiss"), 0);
+  EXPECT_EQ(this->Map->GetBRDF(0), this->C);
+  EXPECT_EQ(this->Map->AddMaterial(this->A, "last"), 3);
+  EXPECT_EQ(this->Map->GetValue(3), 8.0);
+  std::ostringstream text;
+  this->Map->Print(text);
+  EXPECT_NE(text.str().find("Material 7 \"gneiss\""), std::string::npos) << text.str();
 }
 
 TEST_F(MaterialMap, ValuesBlendLinearly)
@@ -134,17 +124,5 @@ TEST_F(MaterialMap, ParametersOfAMaterialDivideNothingAnew)
   EXPECT_GT(withImage, division);
   image->Modified();
   EXPECT_GT(this->Map->GetDivisionMTime(), withImage);
-}
-
-TEST_F(MaterialMap, PrintsItself)
-{
-  this->Map->SetModeToWeights();
-  this->Map->AddMaterial(this->A, "granite");
-  this->Map->SetWeightArrayName(0, "quartz");
-  std::ostringstream text;
-  this->Map->Print(text);
-  EXPECT_NE(text.str().find("weights"), std::string::npos);
-  EXPECT_NE(text.str().find("granite"), std::string::npos);
-  EXPECT_NE(text.str().find("quartz"), std::string::npos);
 }
 }
