@@ -7,7 +7,7 @@
 #   cmake/install-packages.sh --only PACKAGE...     these and nothing else
 set -u
 packages=(cmake ninja-build g++ libvtk9-dev python3-vtk9 libopenimageio-dev openimageio-tools libopenexr-dev
-  libglm-dev nlohmann-json3-dev libeigen3-dev libxxhash-dev libceres-dev libcli11-dev
+  libglm-dev nlohmann-json3-dev libeigen3-dev libxxhash-dev libcli11-dev
   libcurl4-openssl-dev libssl-dev libgl1-mesa-dri xvfb xauth)
 optional=()
 size=" (500 to 1100 MB download on a bare system)"

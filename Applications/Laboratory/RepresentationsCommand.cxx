@@ -14,7 +14,6 @@
 #include "vtkBRDFShaderInputs.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkLobeBRDFFitter.h"
-#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 
 #include <CLI/CLI.hpp>
@@ -123,7 +122,7 @@ private:
     const auto fit = [this]()
     { return laboratory::FitDistribution(this->Material.BRDF, this->Material.Name); };
     this->AddRow("D-BRDF", fit, !isBasis);
-    for (int lobes = 1; MEASUREDBRDF_WITH_CERES && lobes <= 2; ++lobes)
+    for (int lobes = 1; lobes <= 2; ++lobes)
     {
       const auto fitLobes = [&]() -> vtkSmartPointer<vtkBRDF>
       {

@@ -9,7 +9,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 suite=$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release 2>/dev/null || true)
 packages=(cmake ninja-build g++ libopenimageio-dev openimageio-tools libopenexr-dev libglm-dev nlohmann-json3-dev
-  libeigen3-dev libxxhash-dev libceres-dev libgl1-mesa-dri xvfb xauth xdotool imagemagick
+  libeigen3-dev libxxhash-dev libgl1-mesa-dri xvfb xauth xdotool imagemagick
   paraview paraview-dev python3-paraview mpi-default-bin mpi-default-dev python3-dev python3-numpy
   libglew-dev libgdal-dev libdouble-conversion-dev liblz4-dev libutfcpp-dev libogg-dev libtheora-dev libavcodec-dev
   libavformat-dev libavutil-dev libswscale-dev libgl2ps-dev libfreetype-dev libopengl-dev libx11-dev)

@@ -4,24 +4,23 @@
 # Builds the library without each of the optional libraries and without all of them, and runs the unit tests there; and
 # the command line tool without libcurl and without Qt, where it has to say that it has no explorer:
 #
-#   cmake/ci/options.sh [CERES|OPENEXR|OPENIMAGEIO|ALL|CURL|QT...]
+#   cmake/ci/options.sh [OPENEXR|OPENIMAGEIO|ALL|CURL|QT...]
 #
-# Without arguments all six. The trees are build-without-NAME. What a build lacks is left out of its tests, or the
+# Without arguments all five. The trees are build-without-NAME. What a build lacks is left out of its tests, or the
 # test is skipped and says why; an absent library's headers must not be needed.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 cmake/install-packages.sh --tests
 
 names=("$@")
-[ $# -gt 0 ] || names=(CERES OPENEXR OPENIMAGEIO ALL CURL QT)
+[ $# -gt 0 ] || names=(OPENEXR OPENIMAGEIO ALL CURL QT)
 for name in "${names[@]}"; do
   tool=OFF
   case $name in
-    CERES) off=("$name") tool=ON ;; # exports fit without it
     OPENEXR | OPENIMAGEIO) off=("$name") ;;
     CURL | QT) off=("$name") tool=ON ;;
-    ALL) off=(CERES OPENEXR OPENIMAGEIO) tool=ON ;;
-    *) echo "usage: cmake/ci/options.sh [CERES|OPENEXR|OPENIMAGEIO|ALL|CURL|QT...]" >&2; exit 2 ;;
+    ALL) off=(OPENEXR OPENIMAGEIO) tool=ON ;;
+    *) echo "usage: cmake/ci/options.sh [OPENEXR|OPENIMAGEIO|ALL|CURL|QT...]" >&2; exit 2 ;;
   esac
   options=()
   for library in "${off[@]}"; do

@@ -16,7 +16,6 @@
   if (!(has))                     \
   GTEST_SKIP() << "this build has no " library
 
-#define NEEDS_CERES() SKIP_UNLESS(MEASUREDBRDF_WITH_CERES, "Ceres")
 #define NEEDS_OPENEXR() SKIP_UNLESS(MEASUREDBRDF_WITH_OPENEXR, "OpenEXR")
 #define NEEDS_OPENIMAGEIO() SKIP_UNLESS(MEASUREDBRDF_WITH_OPENIMAGEIO, "OpenImageIO")
 
