@@ -13,8 +13,7 @@ if (NOT MEASUREDBRDF_XXHASH_INCLUDE)
   message(FATAL_ERROR "xxHash was not found. Install it (Debian: libxxhash-dev).")
 endif ()
 
-# Three more are optional. OFF: the module builds, and says when it is used what it lacks.
-option(MEASUREDBRDF_WITH_CERES "Fit Blinn-Phong and Ashikhmin-Shirley lobes (needs Ceres)" ON)
+# Two more are optional. OFF: the module builds, and says when it is used what it lacks.
 option(MEASUREDBRDF_WITH_OPENEXR "Read and write .exr materials (needs OpenEXR)" ON)
 option(MEASUREDBRDF_WITH_OPENIMAGEIO "Read images as environments (needs OpenImageIO)" ON)
 macro (measuredbrdf_find_optional package debian_package)
@@ -27,7 +26,6 @@ macro (measuredbrdf_find_optional package debian_package)
     endif ()
   endif ()
 endmacro ()
-measuredbrdf_find_optional(Ceres libceres-dev)
 measuredbrdf_find_optional(OpenEXR libopenexr-dev)
 measuredbrdf_find_optional(OpenImageIO "libopenimageio-dev openimageio-tools")
 
