@@ -1,5 +1,6 @@
 # The libraries that the module is made with, beside VTK.
 find_package(glm REQUIRED)
+find_package(Ceres REQUIRED)
 find_package(OpenEXR REQUIRED)
 find_package(nlohmann_json REQUIRED)
 # VTK's own build has a FindEigen3 with another target, and a target `eigen` of its own, at sight of
@@ -14,8 +15,7 @@ if (NOT MEASUREDBRDF_XXHASH_INCLUDE)
   message(FATAL_ERROR "xxHash was not found. Install it (Debian: libxxhash-dev).")
 endif ()
 
-# Two more are optional. OFF: the module builds, and says when it is used what it lacks.
-option(MEASUREDBRDF_WITH_CERES "Fit Blinn-Phong and Ashikhmin-Shirley lobes (needs Ceres)" ON)
+# One more is optional. OFF: the module builds, and says when it is used what it lacks.
 option(MEASUREDBRDF_WITH_OPENIMAGEIO "Read images as environments (needs OpenImageIO)" ON)
 macro (measuredbrdf_find_optional package debian_package)
   string(TOUPPER "MEASUREDBRDF_WITH_${package}" option)
@@ -27,7 +27,6 @@ macro (measuredbrdf_find_optional package debian_package)
     endif ()
   endif ()
 endmacro ()
-measuredbrdf_find_optional(Ceres libceres-dev)
 measuredbrdf_find_optional(OpenImageIO "libopenimageio-dev openimageio-tools")
 
 # One is optional for the command line tool.

@@ -53,65 +53,31 @@ struct Light
   bool Seen;
 };
 
-/// A fit and its errors under each light.
-struct Export
-{
-  tool::ModelFit Fit;
-  std::vector<tool::ComparedLight> Lights;
-};
-
-//------------------------------------------------------------------------------
-const tool::ExportTarget& FindTarget(const std::string& name)
-{
-  const std::vector<tool::ExportTarget>& targets = tool::GetExportTargets();
-  return *std::find_if(targets.begin(), targets.end(),
-    [&name](const tool::ExportTarget& target) { return target.Name == name; });
-}
-
-//------------------------------------------------------------------------------
-// The gray studio that vtkPBRPropertyFitter fits under.
-vtkSmartPointer<vtkEnvironment> MakeNeutral()
-{
-  constexpr int height = 128;
-  std::vector<float> pixels;
-  for (int y = 0; y < height; ++y)
-  {
-    for (int x = 0; x < 2 * height; ++x)
-    {
-      double d[3];
-      vtkEnvironment::GetDirection((x + 0.5) / (2 * height), (y + 0.5) / height, d);
-      pixels.insert(
-        pixels.end(), 3, static_cast<float>(vtkPBRPropertyFitter::GetNeutralRadiance(d)));
-    }
-  }
-  auto environment = vtkSmartPointer<vtkEnvironment>::New();
-  environment->SetPixels(2 * height, height, std::move(pixels));
-  environment->SetName("neutral studio");
-  return environment;
-}
-
 //------------------------------------------------------------------------------
 std::vector<Light> LoadLights(const ExportOptions& options)
 {
+  const auto load = [](const std::string& name)
+  {
+    auto environment = vtkSmartPointer<vtkEnvironment>::New();
+    if (name != Neutral)
+    {
+      return tool::LoadEnvironment(name);
+    }
+    vtkPBRPropertyFitter::SetToNeutralStudio(environment);
+    return environment;
+  };
   std::vector<Light> lights;
   for (const std::string& name : options.FitUnder)
   {
-    lights.push_back({ name == Neutral ? MakeNeutral() : tool::LoadEnvironment(name), true });
+    lights.push_back({ load(name), true });
   }
-  lights.push_back(
-    { options.Environment == Neutral ? MakeNeutral() : tool::LoadEnvironment(options.Environment),
-      false });
+  lights.push_back({ load(options.Environment), false });
   return lights;
 }
 
 //------------------------------------------------------------------------------
 void Check(const ExportOptions& options, const tool::ExportTarget& target)
 {
-  const std::string absence = tool::GetModelFitAbsence();
-  if (!absence.empty())
-  {
-    throw tool::Error("export: " + absence);
-  }
   const auto& endings = target.Extensions;
   if (std::find(endings.begin(), endings.end(), tool::Extension(options.Output)) == endings.end())
   {
@@ -184,66 +150,36 @@ tool::ModelFit Fit(const std::string& model, const tool::Material& material,
 }
 
 //------------------------------------------------------------------------------
-ordered_json MakeReport(const ExportOptions& options, const tool::Material& material,
-  const std::vector<Light>& lights, const std::vector<Export>& exports, int pixels)
+ordered_json MakeReport(const tool::ModelFit& fit, const std::vector<Light>& lights,
+  const std::vector<tool::ComparedLight>& compared)
 {
-  ordered_json report = { { "material", material.Name }, { "target", options.To },
-    { "pixels", pixels }, { "models", ordered_json::array() } };
-  for (const Export& made : exports)
+  ordered_json values;
+  for (const tool::ModelParameter& parameter : fit.Model->GetParameters())
   {
-    ordered_json values;
-    for (const tool::ModelParameter& parameter : made.Fit.Model->GetParameters())
-    {
-      values[parameter.Name] = tool::GetJson(made.Fit, parameter);
-    }
-    ordered_json features = ordered_json::array();
-    for (const tool::Feature feature : made.Fit.Features)
-    {
-      features.push_back(tool::GetFeatureName(feature));
-    }
-    ordered_json errors = ordered_json::array();
-    for (std::size_t k = 0; k < made.Lights.size(); ++k)
-    {
-      errors.push_back({ { "light", made.Lights[k].Name }, { "seen_by_the_fit", lights[k].Seen },
-        { "relative_l1", made.Lights[k].RelativeL1 }, { "flip", made.Lights[k].Flip } });
-    }
-    report["models"].push_back({ { "model", made.Fit.Model->GetTitle() }, { "parts", features },
-      { "values", values }, { "fit_error", made.Fit.Error },
-      { "closest_fit_error", made.Fit.ClosestError }, { "errors", errors } });
+    values[parameter.Name] = tool::GetJson(fit, parameter);
   }
-  return report;
-}
-
-//------------------------------------------------------------------------------
-std::string MakeFile(
-  const ExportOptions& options, const std::vector<Export>& exports, const std::string& name)
-{
-  const tool::ModelFit& first = exports.front().Fit;
-  if (options.To == "gltf")
+  ordered_json features = ordered_json::array();
+  for (const tool::Feature feature : fit.Features)
   {
-    return tool::MakeGltf(first, name, tool::Extension(options.Output) == ".glb");
+    features.push_back(tool::GetFeatureName(feature));
   }
-  if (options.To == "mtlx")
+  ordered_json errors = ordered_json::array();
+  for (std::size_t k = 0; k < lights.size(); ++k)
   {
-    std::vector<tool::ModelFit> fits;
-    for (const Export& made : exports)
-    {
-      fits.push_back(made.Fit);
-    }
-    return tool::MakeMaterialX(fits, name);
+    errors.push_back(
+      { { "light", lights[k].Environment->GetName() }, { "seen_by_the_fit", lights[k].Seen },
+        { "relative_l1", compared[k].RelativeL1 }, { "flip", compared[k].Flip } });
   }
-  if (options.To == "usda")
-  {
-    return tool::MakeUsd(first, name);
-  }
-  return options.To == "vtk-json" ? tool::MakeVtkJson(first, name)
-                                  : tool::MakeParaViewScript(first, name);
+  return { { "model", fit.Model->GetTitle() }, { "parts", features }, { "values", values },
+    { "fit_error", fit.Error }, { "closest_fit_error", fit.ClosestError }, { "errors", errors } };
 }
 
 //------------------------------------------------------------------------------
 void Run(const ExportOptions& options)
 {
-  const tool::ExportTarget& target = FindTarget(options.To);
+  const auto& targets = tool::GetExportTargets();
+  const tool::ExportTarget& target = *std::find_if(targets.begin(), targets.end(),
+    [&](const tool::ExportTarget& known) { return known.Name == options.To; });
   Check(options, target);
   const tool::Interruptible interruptible;
   const tool::Material material = tool::LoadMaterial(options.File);
@@ -251,47 +187,47 @@ void Run(const ExportOptions& options)
   material.BRDF->Prepare();
 
   const tool::LitSphere sphere = MakeSphere(material, lights, options.View);
-  std::vector<Export> exports;
+  std::vector<tool::ModelFit> fits;
   for (const std::string& model : target.Models)
   {
     if (options.Model.empty() || options.Model == "both" || options.Model == model)
     {
-      exports.push_back({ Fit(model, material, sphere, !options.IsClosest), {} });
+      fits.push_back(Fit(model, material, sphere, !options.IsClosest));
     }
   }
   const tool::Surface surface = tool::MakeSphereSurface(options.Size, options.View);
   const tool::Grid grid(surface, { options.Size, options.Size });
+  std::vector<std::vector<double>> references;
   for (const Light& light : lights)
   {
-    const std::vector<double> reference =
-      tool::IntegrateReference(material.BRDF, light.Environment, surface);
-    for (Export& made : exports)
-    {
-      tool::ComparedLight compared{ light.Environment->GetName(), reference,
-        tool::IntegrateReference(made.Fit.Model, light.Environment, surface), 0.0, 0.0 };
-      vtkNew<vtkRadianceMetrics> metrics;
-      tool::Measure(metrics, grid, compared.Radiance, reference);
-      compared.RelativeL1 = metrics->GetRelativeL1();
-      compared.Flip = metrics->GetFLIP();
-      made.Lights.push_back(std::move(compared));
-    }
+    references.push_back(tool::IntegrateReference(material.BRDF, light.Environment, surface));
   }
-  tool::WriteWhole(options.Output, MakeFile(options, exports, material.Name));
+  ordered_json report = { { "material", material.Name }, { "target", options.To },
+    { "pixels", surface.Pixels.size() }, { "models", ordered_json::array() } };
+  std::vector<tool::ComparedLight> rows;
+  for (const tool::ModelFit& fit : fits)
+  {
+    std::vector<tool::ComparedLight> compared;
+    for (std::size_t k = 0; k < lights.size(); ++k)
+    {
+      vtkEnvironment* environment = lights[k].Environment;
+      tool::ComparedLight row{ fit.Model->GetTitle() + ", " + environment->GetName(), references[k],
+        tool::IntegrateReference(fit.Model, environment, surface), 0.0, 0.0 };
+      vtkNew<vtkRadianceMetrics> metrics;
+      tool::Measure(metrics, grid, row.Radiance, references[k]);
+      row.RelativeL1 = metrics->GetRelativeL1();
+      row.Flip = metrics->GetFLIP();
+      compared.push_back(std::move(row));
+    }
+    report["models"].push_back(MakeReport(fit, lights, compared));
+    rows.insert(rows.end(), compared.begin(), compared.end());
+  }
+  tool::WriteWhole(
+    options.Output, target.Make(fits, material.Name, tool::Extension(options.Output) == ".glb"));
   if (!options.Sheet.empty())
   {
-    std::vector<tool::ComparedLight> rows;
-    for (const Export& made : exports)
-    {
-      for (tool::ComparedLight row : made.Lights)
-      {
-        row.Name = made.Fit.Model->GetTitle() + ", " + row.Name;
-        rows.push_back(std::move(row));
-      }
-    }
     tool::WriteLightSheet(options.Sheet, material.Name, "export", grid, rows);
   }
-  const ordered_json report =
-    MakeReport(options, material, lights, exports, static_cast<int>(surface.Pixels.size()));
   tool::WriteReport(options.Report, report);
   tool::PrintReport(report, options.Json);
 }

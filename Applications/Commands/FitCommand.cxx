@@ -4,6 +4,7 @@
 #include "Inputs.h"
 #include "JsonReport.h"
 #include "Methods.h"
+#include "NumberText.h"
 #include "Options.h"
 #include "Progress.h"
 #include "Tool.h"
@@ -11,13 +12,11 @@
 #include "vtkBRDFResampler.h"
 #include "vtkDistributionBRDFFitter.h"
 #include "vtkLobeBRDFFitter.h"
-#include "vtkMeasuredBRDFConfigure.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
-#include <cstdio>
 #include <functional>
 #include <map>
 #include <memory>
@@ -35,7 +34,6 @@ struct FitOptions
   std::string Output;
   std::string Model;
   std::string Loss = "log-cosine";
-  std::string Fresnel = "table";
   int Lobes = 1;
   int Starts = 4;
   int Samples = 0; // 0: the fitter's own
@@ -47,20 +45,24 @@ struct FitOptions
 const std::map<std::string, int> Losses = { { "log-cosine", vtkBRDFFitter::LOG_COSINE },
   { "cube-root", vtkBRDFFitter::CUBE_ROOT_COSINE }, { "squared", vtkBRDFFitter::SQUARED } };
 
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkBRDFFitter> MakeDistributionFitter(const FitOptions& options)
-{
-  auto fitter = vtkSmartPointer<vtkDistributionBRDFFitter>::New();
-  fitter->SetFresnelModel(options.Fresnel == "schlick" ? vtkDistributionBRDFFitter::SCHLICK
-                                                       : vtkDistributionBRDFFitter::MONOTONE);
-  fitter->SetNumberOfPhiSamples(options.Anisotropic ? 32 : 0);
-  return fitter;
-}
+// The models, and the options that they do not take.
+const std::map<std::string, std::vector<std::string>> Models = { { "d-brdf", { "--lobes" } },
+  { "ashikhmin-shirley", {} }, { "blinn-phong", { "--anisotropic" } },
+  { "auto", { "--lobes", "--anisotropic" } } };
 
-#if MEASUREDBRDF_WITH_CERES
+// What --model auto tries where a basis does not suit, each with its number of lobes.
+const std::pair<const char*, int> Candidates[] = { { "d-brdf", 1 }, { "ashikhmin-shirley", 1 },
+  { "ashikhmin-shirley", 2 } };
+
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkBRDFFitter> MakeLobeFitter(const FitOptions& options)
+vtkSmartPointer<vtkBRDFFitter> MakeFitter(const FitOptions& options)
 {
+  if (options.Model == "d-brdf")
+  {
+    auto fitter = vtkSmartPointer<vtkDistributionBRDFFitter>::New();
+    fitter->SetNumberOfPhiSamples(options.Anisotropic ? 32 : 0);
+    return fitter;
+  }
   auto fitter = vtkSmartPointer<vtkLobeBRDFFitter>::New();
   fitter->SetShape(options.Model == "blinn-phong" ? vtkLobeBRDFFitter::BLINN_PHONG
                                                   : vtkLobeBRDFFitter::ASHIKHMIN_SHIRLEY);
@@ -69,47 +71,16 @@ vtkSmartPointer<vtkBRDFFitter> MakeLobeFitter(const FitOptions& options)
     options.Anisotropic ? vtkLobeBRDFFitter::ANISOTROPIC : vtkLobeBRDFFitter::AS_INPUT);
   return fitter;
 }
-#endif
-
-// A model, which of the options it takes, and its fitter.
-struct Model
-{
-  bool HasLobes;
-  bool HasFresnel;
-  bool HasAnisotropy;
-  vtkSmartPointer<vtkBRDFFitter> (*MakeFitter)(const FitOptions& options);
-};
-
-const std::map<std::string, Model> Models = {
-  { "d-brdf", { false, true, true, MakeDistributionFitter } },
-#if MEASUREDBRDF_WITH_CERES
-  { "ashikhmin-shirley", { true, false, true, MakeLobeFitter } },
-  { "blinn-phong", { true, false, false, MakeLobeFitter } },
-#endif
-};
-
-// What --model auto tries where a basis does not suit, each with its number of lobes.
-const std::pair<const char*, int> Candidates[] = { { "d-brdf", 1 },
-#if MEASUREDBRDF_WITH_CERES
-  { "ashikhmin-shirley", 1 }, { "ashikhmin-shirley", 2 }
-#endif
-};
 
 //------------------------------------------------------------------------------
 void Check(const FitOptions& options, const CLI::App* command)
 {
   tool::CheckWritable(options.Output);
-  // auto takes no option of a model.
-  const auto found = Models.find(options.Model);
-  const Model model = found == Models.end() ? Model{ false, false, false, nullptr } : found->second;
-  const std::pair<const char*, bool> taken[] = { { "--lobes", model.HasLobes },
-    { "--fresnel", model.HasFresnel }, { "--anisotropic", model.HasAnisotropy } };
-  for (const auto& option : taken)
+  for (const std::string& option : Models.at(options.Model))
   {
-    if (command->count(option.first) > 0 && !option.second)
+    if (command->count(option) > 0)
     {
-      throw tool::UsageError(
-        std::string(option.first) + ": --model " + options.Model + " has no such option");
+      throw tool::UsageError(option + ": --model " + options.Model + " has no such option");
     }
   }
 }
@@ -144,7 +115,7 @@ void Report(
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkBRDFFitter> FitModel(const FitOptions& options, vtkBRDF* brdf)
 {
-  const vtkSmartPointer<vtkBRDFFitter> fitter = Models.at(options.Model).MakeFitter(options);
+  const vtkSmartPointer<vtkBRDFFitter> fitter = MakeFitter(options);
   fitter->SetInput(brdf);
   fitter->SetLoss(Losses.at(options.Loss));
   fitter->SetNumberOfStarts(options.Starts);
@@ -187,10 +158,8 @@ void RunAuto(
     tried.Model = candidate.first;
     tried.Lobes = candidate.second;
     const vtkSmartPointer<vtkBRDFFitter> fitter = FitModel(tried, material.BRDF);
-    char residual[32];
-    std::snprintf(residual, sizeof(residual), "%.4g", fitter->GetResidual());
     tool::PrintNote(fitter->GetModelName() + ", lobes " + std::to_string(candidate.second) +
-                    ": residual " + residual);
+                    ": residual " + measuredbrdf::NumberText(fitter->GetResidual(), 4));
     if (!best || fitter->GetResidual() < best->GetResidual())
     {
       best = fitter;
@@ -219,18 +188,6 @@ void RunFit(const FitOptions& options, const CLI::App* command)
   tool::WriteMaterial(fitter->GetOutput(), options.Output);
   Report(options, fitter, seconds());
 }
-
-//------------------------------------------------------------------------------
-template <typename T>
-std::vector<std::string> Names(
-  const std::map<std::string, T>& map, std::vector<std::string> names = {})
-{
-  for (const auto& entry : map)
-  {
-    names.push_back(entry.first);
-  }
-  return names;
-}
 }
 
 namespace tool
@@ -245,27 +202,19 @@ void AddFitCommand(CLI::App& app)
   command
     ->add_option("--model", options->Model,
       "d-brdf: tables of the half vector's distribution and of the Fresnel term; "
-#if MEASUREDBRDF_WITH_CERES
       "ashikhmin-shirley, blinn-phong: analytic lobes. These have a Lambert part, too. auto: a "
       "basis where it does not ring, otherwise the closest of the D-BRDF and 1 or 2 "
       "Ashikhmin-Shirley lobes. "
-#else
-      "it has a Lambert part, too. auto: a basis where it does not ring, otherwise the D-BRDF. "
-#endif
       "For programs without measured materials there is export")
     ->required()
-    ->check(CLI::IsMember(Names(Models, { "auto" })));
+    ->check(CLI::IsMember(Models));
   command->add_option("--lobes", options->Lobes, "Number of lobes of analytic models (default 1)")
     ->check(CLI::Range(1, 3));
   command
     ->add_option("--loss", options->Loss,
       "The loss is the squared difference of: ln(1 + f cos) (log-cosine, default); (f cos)^(1/3) "
       "(cube-root); or f itself (squared), which gives the least relative L2 error")
-    ->check(CLI::IsMember(Names(Losses)));
-  command
-    ->add_option("--fresnel", options->Fresnel,
-      "The D-BRDF's Fresnel term: table, which never falls towards grazing (default), or schlick")
-    ->check(CLI::IsMember({ "table", "schlick" }));
+    ->check(CLI::IsMember(Losses));
   command
     ->add_option("--starts", options->Starts, "Number of starting points to refine (default 4)")
     ->check(CLI::Range(1, 64));

@@ -7,6 +7,7 @@
 #include "Progress.h"
 #include "Tool.h"
 
+#include "vtkDataArray.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkImageData.h"
 #include "vtkMaterialMap.h"
@@ -14,6 +15,7 @@
 #include "vtkNew.h"
 #include "vtkPhotographSet.h"
 #include "vtkPhotographSetReader.h"
+#include "vtkPointData.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -50,23 +52,9 @@ const std::map<std::string, int> Transfers = { { "automatic", vtkPhotographSet::
   { "gamma", vtkPhotographSet::POWER } };
 
 //------------------------------------------------------------------------------
-void Check(const SvbrdfOptions& options, const CLI::App* command)
+void Check(const SvbrdfOptions& options)
 {
-  if (options.Tables && !options.Library.empty())
-  {
-    throw tool::UsageError("--library: --tables finds materials of its own");
-  }
-  if (!options.Tables && command->count("--smoothness") > 0)
-  {
-    throw tool::UsageError("--smoothness: has no effect without --tables");
-  }
-  if (options.Tables && command->count("--tolerance") > 0)
-  {
-    throw tool::UsageError("--tolerance: has no effect with --tables, which finds as many "
-                           "materials as --materials says");
-  }
-  if (command->count("--irradiance") > 0 &&
-      (!(options.Irradiance > 0.0) || !std::isfinite(options.Irradiance)))
+  if (!std::isfinite(options.Irradiance))
   {
     throw tool::UsageError("--irradiance: expected a finite number > 0");
   }
@@ -200,10 +188,9 @@ void WriteErrors(const SvbrdfOptions& options, vtkImageData* errors, ordered_jso
   const auto* values = static_cast<const float*>(errors->GetScalarPointer());
   const std::size_t texels = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
   std::vector<float> sorted(values, values + texels);
-  const std::size_t rank = std::min(texels - 1, texels * 99 / 100);
-  std::nth_element(
-    sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(rank), sorted.end());
-  const double white = std::max<double>(sorted[rank], 1e-6);
+  const auto rank = sorted.begin() + static_cast<std::ptrdiff_t>(texels * 99 / 100);
+  std::nth_element(sorted.begin(), rank, sorted.end());
+  const double white = std::max<double>(*rank, 1e-6);
   tool::Picture exact(size[0], size[1]), shown(size[0], size[1]);
   for (std::size_t k = 0; k < 4 * texels; ++k)
   {
@@ -223,25 +210,19 @@ constexpr double LargestCode = 65535.0;
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> MakeWeightImage(vtkMaterialMap* map, int first)
 {
-  vtkImageData* source = map->GetWeightImage(0);
-  const int* size = source->GetDimensions();
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(size[0], size[1], 1);
+  image->SetDimensions(map->GetWeightImage(0)->GetDimensions());
   image->AllocateScalars(VTK_UNSIGNED_SHORT, MaterialsPerImage);
-  auto* codes = static_cast<unsigned short*>(image->GetScalarPointer());
-  for (int y = 0; y < size[1]; ++y)
+  vtkDataArray* codes = image->GetPointData()->GetScalars();
+  codes->Fill(0.0);
+  const int end = std::min(first + MaterialsPerImage, map->GetNumberOfMaterials());
+  for (int k = first; k < end; ++k) // the fitter's images have four components
   {
-    for (int x = 0; x < size[0]; ++x)
+    vtkDataArray* weights = map->GetWeightImage(k / 4)->GetPointData()->GetScalars();
+    for (vtkIdType texel = 0; texel < codes->GetNumberOfTuples(); ++texel)
     {
-      for (int k = first; k < first + MaterialsPerImage; ++k)
-      {
-        double weight = 0.0;
-        if (k < map->GetNumberOfMaterials()) // the fitter's images have four components
-        {
-          weight = map->GetWeightImage(k / 4)->GetScalarComponentAsDouble(x, y, 0, k % 4);
-        }
-        *codes++ = static_cast<unsigned short>(std::lround(LargestCode * weight));
-      }
+      const double weight = weights->GetComponent(texel, k % 4);
+      codes->SetComponent(texel, k - first, std::round(LargestCode * weight));
     }
   }
   return image;
@@ -265,9 +246,9 @@ void WriteMaterialMap(vtkMaterialMap* map, const std::string& folder, const orde
 }
 
 //------------------------------------------------------------------------------
-void Run(const SvbrdfOptions& options, const CLI::App* command)
+void Run(const SvbrdfOptions& options)
 {
-  Check(options, command);
+  Check(options);
   tool::Interruptible interruptible;
   vtkNew<vtkMaterialMapFitter> fitter;
   fitter->SetPhotographs(ReadPhotographs(options));
@@ -316,12 +297,12 @@ void AddSvbrdfCommand(CLI::App& app)
       "tl015_pl030_tv045_pv060.jpg (light and view, polar angle and azimuth), as the Bonn and UTIA "
       "databases name them")
     ->required();
-  command
-    ->add_option("--library", options->Library,
-      "The materials to choose from (default: all built-in ones). " + GetMaterialHelp())
-    ->delimiter(',');
-  command->add_flag("--tables", options->Tables,
+  CLI::Option* library = command->add_option("--library", options->Library,
+    "The materials to choose from (default: all built-in ones). " + GetMaterialHelp());
+  library->delimiter(',');
+  CLI::Option* tables = command->add_flag("--tables", options->Tables,
     "Find the materials, too: tables over half and difference angles, instead of a library");
+  tables->excludes(library);
   command
     ->add_option("--materials", options->Materials,
       "Most materials of the map; with --tables, how many (default 4)")
@@ -330,11 +311,13 @@ void AddSvbrdfCommand(CLI::App& app)
     ->add_option("--tolerance", options->Tolerance,
       "A further material of the library must lower the sum of squared errors by this share "
       "(default 0.02)")
-    ->check(CLI::Range(0.0, 1.0));
+    ->check(CLI::Range(0.0, 1.0))
+    ->excludes(tables);
   command
     ->add_option("--smoothness", options->Smoothness,
       "How smooth tables are where photographs are few (default 0.01)")
-    ->check(CLI::Range(1e-8, 1e4));
+    ->check(CLI::Range(1e-8, 1e4))
+    ->needs(tables);
   command
     ->add_option("--sample", options->Sample,
       "Number of texels by which materials are chosen or found (default 4096)")
@@ -346,9 +329,11 @@ void AddSvbrdfCommand(CLI::App& app)
       "What pixels of the files mean: automatic (integers by sRGB's curve, floats linear), linear, "
       "srgb or gamma (2.2, or the list's); default: what the list says, or automatic")
     ->check(CLI::IsMember({ "automatic", "linear", "srgb", "gamma" }));
-  command->add_option("--irradiance", options->Irradiance,
-    "Irradiance of a surface that faces the light, at exposure 1 (default: the list's, or pi: a "
-    "white diffuse surface below the light has the value 1)");
+  command
+    ->add_option("--irradiance", options->Irradiance,
+      "Irradiance of a surface that faces the light, at exposure 1 (default: the list's, or pi: a "
+      "white diffuse surface below the light has the value 1)")
+    ->check(CLI::PositiveNumber);
   command->add_flag("--json", options->Json, "Write JSON instead of text");
   command
     ->add_option("-o,--output", options->Output,
@@ -358,6 +343,6 @@ void AddSvbrdfCommand(CLI::App& app)
     "The error of a texel is sqrt(sum of squares left / sum of squares) over its\n"
     "photographs, which count alike. 'photograph' simulates photographs.\n\n"
     "Example:\n  measured-brdf svbrdf UBO_CORDUROY256 --tables --materials 3 -o cord");
-  command->callback([options, command]() { Run(*options, command); });
+  command->callback([options]() { Run(*options); });
 }
 } // namespace tool

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 
 using nlohmann::ordered_json;
 
@@ -30,17 +31,13 @@ namespace
 // The parameters of the parts that the fit took, as a file has them.
 std::vector<ModelParameter> GetTakenParameters(const ModelFit& fit)
 {
+  std::vector<Feature> parts = fit.Features;
+  parts.push_back(Feature::Core);
   std::vector<ModelParameter> taken;
-  for (const ModelParameter& parameter : fit.Model->GetParameters())
-  {
-    const bool isTaken =
-      parameter.Part == Feature::Core ||
-      std::find(fit.Features.begin(), fit.Features.end(), parameter.Part) != fit.Features.end();
-    if (isTaken)
-    {
-      taken.push_back(parameter);
-    }
-  }
+  std::copy_if(fit.Model->GetParameters().begin(), fit.Model->GetParameters().end(),
+    std::back_inserter(taken),
+    [&](const ModelParameter& parameter)
+    { return std::find(parts.begin(), parts.end(), parameter.Part) != parts.end(); });
   return taken;
 }
 
@@ -71,95 +68,51 @@ void Append(std::string& bytes, T value)
 }
 
 //------------------------------------------------------------------------------
-/// A unit sphere as a buffer and what describes it.
-struct Ball
+// The bytes of a unit sphere, which the file's views and accessors describe.
+std::string AddBall(ordered_json& file)
 {
-  std::string Bytes;
-  ordered_json Views = ordered_json::array();
-  ordered_json Accessors = ordered_json::array();
-
-  Ball()
+  std::string positions, tangents, indices, bytes;
+  for (int k = 0; k < (Rows + 1) * (Columns + 1); ++k)
   {
-    std::string positions;
-    std::string tangents;
-    for (int row = 0; row <= Rows; ++row)
+    const double theta = Pi * (k / (Columns + 1)) / Rows;
+    const double phi = 2.0 * Pi * (k % (Columns + 1)) / Columns;
+    // Azimuth from +z to +x about +y: the tangent (n.z, 0, -n.x) leads along it.
+    for (const double value :
+      { std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi) })
     {
-      for (int column = 0; column <= Columns; ++column)
-      {
-        const double theta = Pi * row / Rows;
-        const double phi = 2.0 * Pi * column / Columns;
-        // Azimuth from +z to +x about +y: the tangent (n.z, 0, -n.x) leads along it.
-        for (const double value :
-          { std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi) })
-        {
-          Append(positions, static_cast<float>(value));
-        }
-        for (const double value : { std::cos(phi), 0.0, -std::sin(phi), 1.0 })
-        {
-          Append(tangents, static_cast<float>(value));
-        }
-      }
+      Append(positions, static_cast<float>(value));
     }
-    std::string indices;
-    for (int row = 0; row < Rows; ++row)
+    for (const double value : { std::cos(phi), 0.0, -std::sin(phi), 1.0 })
     {
-      for (int column = 0; column < Columns; ++column)
-      {
-        const int corner = row * (Columns + 1) + column;
-        const int below = corner + Columns + 1;
-        for (const int index : { corner, below, below + 1, corner, below + 1, corner + 1 })
-        {
-          Append(indices, static_cast<std::uint16_t>(index));
-        }
-      }
+      Append(tangents, static_cast<float>(value));
     }
-    constexpr int vertices = (Rows + 1) * (Columns + 1);
-    constexpr int arrayBuffer = 34962;
-    constexpr int elementBuffer = 34963;
-    constexpr int single = 5126;
-    constexpr int unsignedShort = 5123;
-    this->Add(positions, arrayBuffer, single, vertices, "VEC3");
-    this->Accessors.back()["min"] = { -1.0, -1.0, -1.0 };
-    this->Accessors.back()["max"] = { 1.0, 1.0, 1.0 };
-    this->Add(positions, arrayBuffer, single, vertices, "VEC3"); // a unit sphere's normals
-    this->Add(tangents, arrayBuffer, single, vertices, "VEC4");
-    this->Add(indices, elementBuffer, unsignedShort, 6 * Rows * Columns, "SCALAR");
   }
-
-  void Add(const std::string& data, int target, int type, int count, const char* kind)
+  for (int k = 0; k < Rows * Columns; ++k)
   {
-    this->Views.push_back({ { "buffer", 0 }, { "byteOffset", this->Bytes.size() },
+    const int corner = k / Columns * (Columns + 1) + k % Columns;
+    const int below = corner + Columns + 1;
+    for (const int index : { corner, below, below + 1, corner, below + 1, corner + 1 })
+    {
+      Append(indices, static_cast<std::uint16_t>(index));
+    }
+  }
+  const auto add =
+    [&](const std::string& data, int target, int type, std::size_t size, const char* kind)
+  {
+    file["accessors"].push_back({ { "bufferView", file["bufferViews"].size() },
+      { "componentType", type }, { "count", data.size() / size }, { "type", kind } });
+    file["bufferViews"].push_back({ { "buffer", 0 }, { "byteOffset", bytes.size() },
       { "byteLength", data.size() }, { "target", target } });
-    this->Accessors.push_back({ { "bufferView", this->Views.size() - 1 }, { "componentType", type },
-      { "count", count }, { "type", kind } });
-    this->Bytes += data; // all lengths are multiples of 4
-  }
-};
-
-//------------------------------------------------------------------------------
-ordered_json MakeGltfMaterial(const ModelFit& fit, const std::string& name, ordered_json& used)
-{
-  ordered_json material = { { "name", name } };
-  ordered_json base = fit.Model->GetColor("baseColorFactor");
-  base.push_back(1.0);
-  material["pbrMetallicRoughness"] = { { "baseColorFactor", base },
-    { "metallicFactor", fit.Model->GetNumber("metallicFactor") },
-    { "roughnessFactor", fit.Model->GetNumber("roughnessFactor") } };
-  for (const Feature feature : fit.Features)
-  {
-    const std::string extension =
-      std::string("KHR_materials_") +
-      (feature == Feature::Coat ? "clearcoat" : GetFeatureName(feature));
-    used.push_back(extension);
-    for (const ModelParameter& parameter : fit.Model->GetParameters())
-    {
-      if (parameter.Part == feature)
-      {
-        material["extensions"][extension][parameter.Name] = GetJson(fit, parameter);
-      }
-    }
-  }
-  return material;
+    bytes += data; // all lengths are multiples of 4
+  };
+  constexpr int arrayBuffer = 34962, elementBuffer = 34963, single = 5126, unsignedShort = 5123;
+  add(positions, arrayBuffer, single, 12, "VEC3");
+  file["accessors"][0]["min"] = { -1.0, -1.0, -1.0 };
+  file["accessors"][0]["max"] = { 1.0, 1.0, 1.0 };
+  add(positions, arrayBuffer, single, 12, "VEC3"); // a unit sphere's normals
+  add(tangents, arrayBuffer, single, 16, "VEC4");
+  add(indices, elementBuffer, unsignedShort, 2, "SCALAR");
+  return bytes;
 }
 
 //------------------------------------------------------------------------------
@@ -254,14 +207,21 @@ ordered_json GetPropertyValues(const ModelFit& fit)
 //------------------------------------------------------------------------------
 const std::vector<ExportTarget>& GetExportTargets()
 {
+  using Fits = const std::vector<ModelFit>&;
+  using Text = const std::string&;
   static const std::vector<ExportTarget> targets = {
     { "gltf", { ".gltf", ".glb" }, { "gltf" },
-      "glTF 2.0, metallic-roughness with the extensions that the fit needs, on a ball" },
+      "glTF 2.0, metallic-roughness with the extensions that the fit needs, on a ball",
+      [](Fits fits, Text name, bool binary) { return MakeGltf(fits[0], name, binary); } },
     { "mtlx", { ".mtlx" }, { "standard_surface", "open_pbr" },
-      "MaterialX, standard_surface and open_pbr_surface" },
-    { "usda", { ".usda" }, { "preview_surface" }, "USD, UsdPreviewSurface on a ball" },
-    { "vtk-json", { ".json" }, { "vtk_pbr" }, "JSON, the values that vtkProperty's setters take" },
-    { "paraview-state", { ".py" }, { "vtk_pbr" }, "a Python script that shows it in ParaView" }
+      "MaterialX, standard_surface and open_pbr_surface",
+      [](Fits fits, Text name, bool) { return MakeMaterialX(fits, name); } },
+    { "usda", { ".usda" }, { "preview_surface" }, "USD, UsdPreviewSurface on a ball",
+      [](Fits fits, Text name, bool) { return MakeUsd(fits[0], name); } },
+    { "vtk-json", { ".json" }, { "vtk_pbr" }, "JSON, the values that vtkProperty's setters take",
+      [](Fits fits, Text name, bool) { return MakeVtkJson(fits[0], name); } },
+    { "paraview-state", { ".py" }, { "vtk_pbr" }, "a Python script that shows it in ParaView",
+      [](Fits fits, Text name, bool) { return MakeParaViewScript(fits[0], name); } }
   };
   return targets;
 }
@@ -315,34 +275,41 @@ void RoundValues(SurfaceModel* model)
 //------------------------------------------------------------------------------
 std::string MakeGltf(const ModelFit& fit, const std::string& name, bool binary)
 {
-  const Ball ball;
-  ordered_json used = ordered_json::array();
-  const ordered_json material = MakeGltfMaterial(fit, name, used);
-  ordered_json buffer = { { "byteLength", ball.Bytes.size() } };
+  ordered_json file = ordered_json::parse(R"({
+    "asset": { "version": "2.0", "generator": "measured-brdf" },
+    "scene": 0, "scenes": [{ "nodes": [0] }], "nodes": [{ "name": "ball", "mesh": 0 }],
+    "meshes": [{ "name": "ball", "primitives": [{ "indices": 3, "material": 0,
+      "attributes": { "POSITION": 0, "NORMAL": 1, "TANGENT": 2 } }] }] })");
+  const std::string bytes = AddBall(file);
+  file["buffers"] = ordered_json::array({ { { "byteLength", bytes.size() } } });
   if (!binary)
   {
-    buffer["uri"] = "data:application/octet-stream;base64," + EncodeBase64(ball.Bytes);
+    file["buffers"][0]["uri"] = "data:application/octet-stream;base64," + EncodeBase64(bytes);
   }
-  ordered_json file = { { "asset", { { "version", "2.0" }, { "generator", "measured-brdf" } } } };
-  if (!used.empty())
+  ordered_json material = { { "name", name } };
+  ordered_json base = fit.Model->GetColor("baseColorFactor");
+  base.push_back(1.0);
+  material["pbrMetallicRoughness"] = { { "baseColorFactor", base },
+    { "metallicFactor", fit.Model->GetNumber("metallicFactor") },
+    { "roughnessFactor", fit.Model->GetNumber("roughnessFactor") } };
+  for (const Feature feature : fit.Features)
   {
-    file["extensionsUsed"] = used;
+    const std::string extension =
+      std::string("KHR_materials_") +
+      (feature == Feature::Coat ? "clearcoat" : GetFeatureName(feature));
+    file["extensionsUsed"].push_back(extension);
+    for (const ModelParameter& parameter : fit.Model->GetParameters())
+    {
+      if (parameter.Part == feature)
+      {
+        material["extensions"][extension][parameter.Name] = GetJson(fit, parameter);
+      }
+    }
   }
-  file["scene"] = 0;
-  file["scenes"] = ordered_json::array({ { { "nodes", { 0 } } } });
-  file["nodes"] = ordered_json::array({ { { "name", "ball" }, { "mesh", 0 } } });
-  const ordered_json primitive = { { "attributes",
-                                     { { "POSITION", 0 }, { "NORMAL", 1 }, { "TANGENT", 2 } } },
-    { "indices", 3 }, { "material", 0 } };
-  file["meshes"] = ordered_json::array(
-    { { { "name", "ball" }, { "primitives", ordered_json::array({ primitive }) } } });
   file["materials"] = ordered_json::array({ material });
-  file["accessors"] = ball.Accessors;
-  file["bufferViews"] = ball.Views;
-  file["buffers"] = ordered_json::array({ buffer });
   const std::string text =
     file.dump(binary ? -1 : 1, ' ', true, ordered_json::error_handler_t::replace);
-  return binary ? MakeContainer(text, ball.Bytes) : text + "\n";
+  return binary ? MakeContainer(text, bytes) : text + "\n";
 }
 
 //------------------------------------------------------------------------------

@@ -24,6 +24,8 @@ struct ExportTarget
   std::vector<std::string> Extensions; // that its files may end in
   std::vector<std::string> Models;     // that it holds, or may hold: one after the other in a file
   std::string Description;
+  /// The bytes of a file of these fits, one for each model. binary: .glb, not .gltf.
+  std::string (*Make)(const std::vector<ModelFit>& fits, const std::string& name, bool binary);
 };
 
 const std::vector<ExportTarget>& GetExportTargets();

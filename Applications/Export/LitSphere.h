@@ -17,10 +17,9 @@
 #include "Surface.h"
 #include "SurfaceModel.h"
 
+#include <Eigen/Core>
 #include <glm/glm.hpp>
 
-#include <array>
-#include <cstddef>
 #include <vector>
 
 class vtkBRDF;
@@ -36,19 +35,16 @@ public:
    * only such materials are summed, which takes a fiftieth of the time. Anisotropic ones have their
    * tangents about the up axis, as IntegratePairs has them.
    */
-  LitSphere(const std::array<double, 3>& view, bool isotropic);
+  LitSphere(const glm::dvec3& view, bool isotropic);
 
   /// Light it once more, by another environment; its rotation does not apply.
   void AddLight(vtkEnvironment* environment);
 
-  /// Radiance by light, by pixel and by channel.
-  std::vector<double> Sum(vtkBRDF* brdf) const;
+  /// A column for each light: radiance by pixel and by channel.
+  Eigen::ArrayXXd Sum(vtkBRDF* brdf) const;
 
-  int GetNumberOfLights() const { return static_cast<int>(this->Lights.size()); }
-  std::size_t GetNumberOfPixels() const { return this->Pixels.size(); }
-
-  /// A pixel's normal in the world.
-  glm::dvec3 GetNormal(std::size_t pixel) const { return this->Pixels[pixel].Frame[2]; }
+  /// The pixels' normals in the world.
+  std::vector<glm::dvec3> GetNormals() const;
 
 private:
   struct Pixel
@@ -56,31 +52,30 @@ private:
     glm::dmat3 Frame; // columns: tangent, bitangent, normal
     std::size_t View;
   };
-  struct View
+  struct LocalView
   {
-    glm::dvec3 Direction; // local
+    glm::dvec3 Direction;
     double Azimuth;
-    std::vector<Directions> Lights;    // of the nodes above the horizon, local
-    std::vector<std::ptrdiff_t> Nodes; // each one's place in Lights; -1 below the horizon
+    std::vector<Directions> Lights; // of the nodes above the horizon
+    std::vector<int> Nodes;         // each one's place in Lights; -1 below the horizon
   };
-  /// Irradiance at a pixel's nodes above the horizon, RGB.
-  using Energies = std::vector<glm::dvec3>;
+  /// Irradiance, RGB, at a pixel's nodes above the horizon.
+  using Energies = Eigen::Array3Xd;
 
-  std::size_t AddView(const glm::dvec3& direction);
-  void Collect(vtkEnvironment* environment, const Pixel& pixel, Energies& energies) const;
-  void Splat(
-    const View& view, const glm::dvec3& light, const glm::dvec3& energy, Energies& energies) const;
-  std::vector<glm::dvec3> Evaluate(vtkBRDF* brdf, const View& view) const;
+  void AddView(const glm::dvec3& direction);
+  void Splat(const LocalView& view, const glm::dvec3& light, const glm::dvec3& energy,
+    Energies& energies) const;
+  Eigen::Array3Xd Evaluate(vtkBRDF* brdf, const LocalView& view) const;
 
   bool Isotropic;
   int NumberOfAzimuths;
-  std::vector<View> Views;
+  std::vector<LocalView> Views;
   std::vector<Pixel> Pixels;
   std::vector<std::vector<Energies>> Lights; // by light, by pixel
 };
 
 /// The direction to the viewer of an azimuth and an elevation, as OffscreenScene::SetView has them.
-std::array<double, 3> GetViewDirection(const View& view);
+glm::dvec3 GetViewDirection(const View& view);
 
 /// Every pixel of a square picture of that size that a sphere covers, which touches its sides.
 Surface MakeSphereSurface(int size, const View& view);

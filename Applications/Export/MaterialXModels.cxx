@@ -255,23 +255,15 @@ Layer GetZeltnerSheen(const Directions& d, double weight, const dvec3& color, do
   return layer;
 }
 
-/// Where the numbers of a parameter begin: both models have the same ones in the same order.
-enum Place : std::size_t
+/// The values of both models, which have the same parameters in the same order.
+struct LayeredValues
 {
-  BaseColor = 0,
-  Metalness = 3,
-  Roughness = 4,
-  Specular = 5,
-  SpecularColor = 6,
-  SpecularIndex = 9,
-  Coat = 10,
-  CoatRoughness = 11,
-  CoatIndex = 12,
-  Sheen = 13,
-  SheenColor = 14,
-  SheenRoughness = 17,
-  Anisotropy = 18,
-  Rotation = 19
+  dvec3 BaseColor;
+  double Metalness, Roughness, Specular;
+  dvec3 SpecularColor;
+  double SpecularIndex, Coat, CoatRoughness, CoatIndex, Sheen;
+  dvec3 SheenColor;
+  double SheenRoughness, Anisotropy, Rotation;
 };
 
 //------------------------------------------------------------------------------
@@ -284,87 +276,69 @@ Directions TurnClockwise(const Directions& d, double turns)
 }
 
 //------------------------------------------------------------------------------
-dvec3 ShadeStandardSurface(const ModelNumbers& v, const Directions& directions)
+dvec3 ShadeStandardSurface(const double* numbers, const Directions& directions)
 {
-  const double anisotropy = v[Anisotropy];
-  const Directions d = TurnClockwise(directions, anisotropy > 0.0 ? v[Rotation] : 0.0);
-  const Widths widths = GetStandardWidths(v[Roughness], anisotropy);
-  const dvec3 base = v.Color(BaseColor);
-  const dvec3 specularColor = v.Color(SpecularColor);
-  const double specular = v[Specular];
-
-  const Layer sheen = GetContyKullaSheen(d, v[Sheen], v.Color(SheenColor), v[SheenRoughness]);
-  const Layer dielectric = GetDielectric(d, specular, specularColor, v[SpecularIndex], widths);
-  dvec3 f = Over(dielectric, Over(sheen, base / Pi));
-  const double metalness = v[Metalness];
-  if (metalness > 0.0)
-  {
-    f = glm::mix(f, GetConductor(d, base, specular * specularColor, widths), metalness);
-  }
+  const auto v = ReadValues<LayeredValues>(numbers);
+  const Directions d = TurnClockwise(directions, v.Anisotropy > 0.0 ? v.Rotation : 0.0);
+  const Widths widths = GetStandardWidths(v.Roughness, v.Anisotropy);
+  const Layer sheen = GetContyKullaSheen(d, v.Sheen, v.SheenColor, v.SheenRoughness);
+  const Layer dielectric = GetDielectric(d, v.Specular, v.SpecularColor, v.SpecularIndex, widths);
+  const dvec3 metal = GetConductor(d, v.BaseColor, v.Specular * v.SpecularColor, widths);
+  const dvec3 f = glm::mix(Over(dielectric, Over(sheen, v.BaseColor / Pi)), metal, v.Metalness);
   const Layer coat =
-    GetDielectric(d, v[Coat], dvec3(1.0), v[CoatIndex], GetStandardWidths(v[CoatRoughness], 0.0));
+    GetDielectric(d, v.Coat, dvec3(1.0), v.CoatIndex, GetStandardWidths(v.CoatRoughness, 0.0));
   return Over(coat, f);
 }
 
 //------------------------------------------------------------------------------
 // The base looks rougher through a rough coat.
-double GetCoatedRoughness(const ModelNumbers& v)
+double GetCoatedRoughness(const LayeredValues& v)
 {
-  const double own = v[Roughness];
+  const double own = v.Roughness;
   const double coated =
-    std::pow(std::min(2.0 * std::pow(v[CoatRoughness], 4) + std::pow(own, 4), 1.0), 0.25);
-  return own + (coated - own) * v[Coat];
+    std::pow(std::min(2.0 * std::pow(v.CoatRoughness, 4) + std::pow(own, 4), 1.0), 0.25);
+  return own + (coated - own) * v.Coat;
 }
 
 //------------------------------------------------------------------------------
 // The index relative to the coat's, and scaled for the reflectance that specular_weight asks for.
-double GetCoatedIndex(const ModelNumbers& v)
+double GetCoatedIndex(const LayeredValues& v)
 {
-  const double own = v[SpecularIndex];
-  const double ratio = own / v[CoatIndex];
-  const double eta = own + (std::max(ratio, 1.0 / ratio) - own) * v[Coat];
-  const double f0 = std::clamp(v[Specular] * ReflectanceOfIndex(eta), 0.0, 0.99999);
+  const double own = v.SpecularIndex;
+  const double ratio = own / v.CoatIndex;
+  const double eta = own + (std::max(ratio, 1.0 / ratio) - own) * v.Coat;
+  const double f0 = std::clamp(v.Specular * ReflectanceOfIndex(eta), 0.0, 0.99999);
   const double root = std::copysign(std::sqrt(f0), eta - 1.0);
   return (1.0 + root) / (1.0 - root);
 }
 
 //------------------------------------------------------------------------------
 // Light that the coat reflects back onto the base.
-dvec3 GetDarkening(const ModelNumbers& v)
+dvec3 GetDarkening(const LayeredValues& v)
 {
-  const double index = v[CoatIndex];
+  const double index = v.CoatIndex;
   const double back = 1.0 - (1.0 - ReflectanceOfIndex(index)) / (index * index);
-  const dvec3 base = v.Color(BaseColor);
-  const dvec3 albedo = glm::mix(base, base * v[Specular], v[Metalness]);
+  const dvec3 base = v.BaseColor;
+  const dvec3 albedo = glm::mix(base, base * v.Specular, v.Metalness);
   const dvec3 darkening = dvec3(1.0 - back) / (dvec3(1.0) - albedo * back);
-  return glm::mix(dvec3(1.0), darkening, v[Coat]);
+  return glm::mix(dvec3(1.0), darkening, v.Coat);
 }
 
 //------------------------------------------------------------------------------
-dvec3 ShadeOpenPbr(const ModelNumbers& v, const Directions& directions)
+dvec3 ShadeOpenPbr(const double* numbers, const Directions& directions)
 {
-  const double anisotropy = v[Anisotropy];
-  const Directions d = TurnClockwise(directions, anisotropy > 0.0 ? v[Rotation] : 0.0);
-  const Widths widths = GetOpenPbrWidths(GetCoatedRoughness(v), anisotropy);
-  const dvec3 base = v.Color(BaseColor);
-  const dvec3 specularColor = v.Color(SpecularColor);
-  const double weight = v[Specular];
-
+  const auto v = ReadValues<LayeredValues>(numbers);
+  const Directions d = TurnClockwise(directions, v.Anisotropy > 0.0 ? v.Rotation : 0.0);
+  const Widths widths = GetOpenPbrWidths(GetCoatedRoughness(v), v.Anisotropy);
   // The diffuse part at base_diffuse_roughness 0: Lambert.
-  dvec3 f = Over(GetDielectric(d, 1.0, specularColor, GetCoatedIndex(v), widths), base / Pi);
-  const double metalness = v[Metalness];
-  if (metalness > 0.0)
-  {
-    f = glm::mix(f, GetSchlickMetal(d, weight, base, weight * specularColor, widths), metalness);
-  }
-  const double coatWeight = v[Coat];
-  if (coatWeight > 0.0)
-  {
-    const Layer coat = GetDielectric(
-      d, coatWeight, dvec3(1.0), v[CoatIndex], GetOpenPbrWidths(v[CoatRoughness], 0.0));
-    f = Over(coat, f * glm::clamp(GetDarkening(v), 0.0, 1.0));
-  }
-  return Over(GetZeltnerSheen(d, v[Sheen], v.Color(SheenColor), v[SheenRoughness]), f);
+  const dvec3 plastic =
+    Over(GetDielectric(d, 1.0, v.SpecularColor, GetCoatedIndex(v), widths), v.BaseColor / Pi);
+  const dvec3 metal =
+    GetSchlickMetal(d, v.Specular, v.BaseColor, v.Specular * v.SpecularColor, widths);
+  dvec3 f = glm::mix(plastic, metal, v.Metalness) * glm::clamp(GetDarkening(v), 0.0, 1.0);
+  f = Over(
+    GetDielectric(d, v.Coat, dvec3(1.0), v.CoatIndex, GetOpenPbrWidths(v.CoatRoughness, 0.0)), f);
+  return Over(GetZeltnerSheen(d, v.Sheen, v.SheenColor, v.SheenRoughness), f);
 }
 }
 

@@ -11,6 +11,8 @@
 
 #include "SurfaceModel.h"
 
+#include <Eigen/Core>
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -27,9 +29,6 @@ struct ModelFit
   double ClosestError = 0.0;     // of the fit that takes every valid value
 };
 
-/// Empty, or why this build cannot fit.
-std::string GetModelFitAbsence();
-
 /**
  * The model's core parameters, then one part after the other as long as it takes away at least
  * WorthIt of the error; the part that takes away most comes first. Anisotropy is tried for
@@ -37,8 +36,7 @@ std::string GetModelFitAbsence();
  * a metal (a metallic part of 0, or of 0.3 to 1 with a roughness of at most 0.6; others up to
  * ModelParameter::MostUsual); else all that are valid. Deterministic. The BRDF must be prepared.
  * proceed: called after every iteration with the share that is done; what it throws ends the fit.
- * Throws std::runtime_error without Ceres, for a material that reflects no light, or where no start
- * can be fitted.
+ * Throws std::runtime_error for a material that reflects no light, or where no start can be fitted.
  */
 ModelFit FitModel(const std::string& model, vtkBRDF* brdf, const LitSphere& sphere, bool usual,
   const std::function<void(double)>& proceed);
@@ -49,8 +47,7 @@ constexpr double WorthIt = 0.05;
 constexpr double WorthAtLeast = 0.001;
 
 /// Mean over the lights of sum |x - r| / sum r, for sums of a sphere.
-double GetMeanError(
-  const std::vector<double>& radiance, const std::vector<double>& reference, int numberOfLights);
+double GetMeanError(const Eigen::ArrayXXd& radiance, const Eigen::ArrayXXd& reference);
 } // namespace tool
 
 #endif

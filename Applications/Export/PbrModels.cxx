@@ -18,59 +18,37 @@
 #include "Lobes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace tool
 {
 namespace
 {
-// Where the numbers of a parameter begin.
-namespace Gltf
+using glm::dvec3;
+
+struct GltfValues
 {
-enum Place : std::size_t
-{
-  BaseColor = 0,
-  Metallic = 3,
-  Roughness = 4,
-  SpecularFactor = 5,
-  SpecularColor = 6,
-  Clearcoat = 9,
-  ClearcoatRoughness = 10,
-  SheenColor = 11,
-  SheenRoughness = 14,
-  AnisotropyStrength = 15,
-  AnisotropyRotation = 16
+  dvec3 BaseColor;
+  double Metallic, Roughness, SpecularFactor;
+  dvec3 SpecularColor;
+  double Clearcoat, ClearcoatRoughness;
+  dvec3 SheenColor;
+  double SheenRoughness, AnisotropyStrength, AnisotropyRotation;
 };
-}
-namespace Preview
+
+struct PreviewValues
 {
-enum Place : std::size_t
-{
-  DiffuseColor = 0,
-  Metallic = 3,
-  Roughness = 4,
-  Index = 5,
-  Clearcoat = 6,
-  ClearcoatRoughness = 7
+  dvec3 DiffuseColor;
+  double Metallic, Roughness, Index, Clearcoat, ClearcoatRoughness;
 };
-}
-namespace VtkPbr
+
+struct VtkValues
 {
-enum Place : std::size_t
-{
-  Color = 0,
-  Metallic = 3,
-  Roughness = 4,
-  BaseIndex = 5,
-  EdgeTint = 6,
-  CoatStrength = 9,
-  CoatRoughness = 10,
-  CoatIndex = 11,
-  Anisotropy = 12,
-  Rotation = 13
+  dvec3 Color;
+  double Metallic, Roughness, BaseIndex;
+  dvec3 EdgeTint;
+  double CoatStrength, CoatRoughness, CoatIndex, Anisotropy, Rotation;
 };
-}
 
 constexpr double DielectricF0 = 0.04; // of an index of 1.5
 
@@ -132,101 +110,84 @@ double IntegrateCharlie(double ndv, double roughness)
 }
 
 //------------------------------------------------------------------------------
-/// Albedo over the view's cosine and the roughness, at the middles of a grid's cells.
-struct CharlieTable
-{
-  static constexpr int Size = 24;
-  std::array<double, Size * Size> Albedo;
-
-  CharlieTable()
-  {
-    for (int y = 0; y < Size; ++y)
-    {
-      for (int x = 0; x < Size; ++x)
-      {
-        this->Albedo[static_cast<std::size_t>(y * Size + x)] =
-          IntegrateCharlie((x + 0.5) / Size, (y + 0.5) / Size);
-      }
-    }
-  }
-
-  double Look(double ndv, double roughness) const
-  {
-    const double u = std::clamp(ndv * Size - 0.5, 0.0, Size - 1.0);
-    const double v = std::clamp(roughness * Size - 0.5, 0.0, Size - 1.0);
-    const int x = std::min(static_cast<int>(u), Size - 2);
-    const int y = std::min(static_cast<int>(v), Size - 2);
-    const double* at = &this->Albedo[static_cast<std::size_t>(y * Size + x)];
-    return Mix(Mix(at[0], at[1], u - x), Mix(at[Size], at[Size + 1], u - x), v - y);
-  }
-};
-
-//------------------------------------------------------------------------------
-// Its directional albedo, by a table that is computed once.
+// Its directional albedo, by a table over the view's cosine and the roughness that is computed
+// once, at the middles of a grid's cells.
 double GetCharlieAlbedo(double ndv, double roughness)
 {
-  static const CharlieTable table;
-  return table.Look(ndv, roughness);
+  constexpr int size = 24;
+  static const std::vector<double> table = []()
+  {
+    std::vector<double> albedos;
+    for (int k = 0; k < size * size; ++k)
+    {
+      albedos.push_back(IntegrateCharlie((k % size + 0.5) / size, (k / size + 0.5) / size));
+    }
+    return albedos;
+  }();
+  const double u = std::clamp(ndv * size - 0.5, 0.0, size - 1.0);
+  const double v = std::clamp(roughness * size - 0.5, 0.0, size - 1.0);
+  const int x = std::min(static_cast<int>(u), size - 2);
+  const int y = std::min(static_cast<int>(v), size - 2);
+  const double* at = &table[y * size + x];
+  return Mix(Mix(at[0], at[1], u - x), Mix(at[size], at[size + 1], u - x), v - y);
 }
 
 //------------------------------------------------------------------------------
 // V D of the base (appendix B.3.2; KHR_materials_anisotropy without the clamp of its sample code,
 // which would darken grazing reflection).
-double GetGltfSpecular(const ModelNumbers& v, const Directions& d, double alpha)
+double GetGltfSpecular(const GltfValues& v, const Directions& d, double alpha)
 {
-  const double strength = v[Gltf::AnisotropyStrength];
+  const double strength = v.AnisotropyStrength;
   if (strength == 0.0)
   {
     return DistributeGGX(d.Half, alpha, alpha) * ShadowSeparately(d.NdL, d.NdV, alpha * alpha);
   }
-  const double angle = v[Gltf::AnisotropyRotation];
+  const double angle = v.AnisotropyRotation;
   const Directions turned(Turn(d.Light, angle), Turn(d.View, angle));
   const double along = Mix(alpha, 1.0, strength * strength);
   return DistributeGGX(turned.Half, along, alpha) * ShadowTogether(turned, along, alpha);
 }
 
 //------------------------------------------------------------------------------
-double GetSheenScale(const ModelNumbers& v, const Directions& d)
+double GetSheenScale(const GltfValues& v, const Directions& d)
 {
-  const double most =
-    glm::max(glm::max(v[Gltf::SheenColor], v[Gltf::SheenColor + 1]), v[Gltf::SheenColor + 2]);
-  const double roughness = v[Gltf::SheenRoughness];
+  const double most = glm::max(glm::max(v.SheenColor.x, v.SheenColor.y), v.SheenColor.z);
+  const double roughness = v.SheenRoughness;
   return std::max(
     1.0 - most * std::max(GetCharlieAlbedo(d.NdV, roughness), GetCharlieAlbedo(d.NdL, roughness)),
     0.0);
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 ShadeGltf(const ModelNumbers& v, const Directions& d)
+dvec3 ShadeGltf(const double* numbers, const Directions& d)
 {
-  const glm::dvec3 base = v.Color(Gltf::BaseColor);
-  const double specular = GetGltfSpecular(v, d, Square(v[Gltf::Roughness]));
+  const auto v = ReadValues<GltfValues>(numbers);
+  const dvec3 base = v.BaseColor;
+  const double specular = GetGltfSpecular(v, d, Square(v.Roughness));
   const double s = Schlick(d.VdH);
   // dielectric_brdf of KHR_materials_specular; with neutral values that of appendix B.
-  const double weight = v[Gltf::SpecularFactor];
-  const glm::dvec3 f0 =
-    weight * glm::min(DielectricF0 * v.Color(Gltf::SpecularColor), glm::dvec3(1.0));
-  const glm::dvec3 fresnel = f0 + (glm::dvec3(weight) - f0) * s;
+  const double weight = v.SpecularFactor;
+  const dvec3 f0 = weight * glm::min(DielectricF0 * v.SpecularColor, dvec3(1.0));
+  const dvec3 fresnel = f0 + (dvec3(weight) - f0) * s;
   const double most = glm::max(glm::max(fresnel.x, fresnel.y), fresnel.z);
-  const glm::dvec3 dielectric = fresnel * specular + (1.0 - most) * base / Pi;
-  const glm::dvec3 metal = (base + (glm::dvec3(1.0) - base) * s) * specular;
-  glm::dvec3 f = glm::mix(dielectric, metal, v[Gltf::Metallic]);
+  const dvec3 dielectric = fresnel * specular + (1.0 - most) * base / Pi;
+  const dvec3 metal = (base + (dvec3(1.0) - base) * s) * specular;
+  dvec3 f = glm::mix(dielectric, metal, v.Metallic);
 
-  const glm::dvec3 sheen = v.Color(Gltf::SheenColor);
-  if (sheen != glm::dvec3(0.0))
+  const dvec3 sheen = v.SheenColor;
+  if (sheen != dvec3(0.0))
   {
-    f = f * GetSheenScale(v, d) +
-        sheen * GetCharlieSheen(d.NdL, d.NdV, d.NdH, v[Gltf::SheenRoughness]);
+    f = f * GetSheenScale(v, d) + sheen * GetCharlieSheen(d.NdL, d.NdV, d.NdH, v.SheenRoughness);
   }
-  const double coat = v[Gltf::Clearcoat];
+  const double coat = v.Clearcoat;
   if (coat > 0.0)
   {
     // fresnel_coat of appendix B takes n.v.
     const double share = coat * (DielectricF0 + (1.0 - DielectricF0) * Schlick(d.NdV));
-    const double alpha = Square(v[Gltf::ClearcoatRoughness]);
+    const double alpha = Square(v.ClearcoatRoughness);
     const double lobe =
       DistributeGGX(d.Half, alpha, alpha) * ShadowSeparately(d.NdL, d.NdV, alpha * alpha);
-    f = glm::mix(f, glm::dvec3(lobe), share);
+    f = glm::mix(f, dvec3(lobe), share);
   }
   return f;
 }
@@ -242,22 +203,23 @@ double GetPreviewLobe(const Directions& d, double roughness)
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 ShadePreviewSurface(const ModelNumbers& v, const Directions& d)
+dvec3 ShadePreviewSurface(const double* numbers, const Directions& d)
 {
-  const glm::dvec3 color = v.Color(Preview::DiffuseColor);
-  const double metallic = v[Preview::Metallic];
-  const double reflectance = ReflectanceOfIndex(v[Preview::Index]);
+  const auto v = ReadValues<PreviewValues>(numbers);
+  const dvec3 color = v.DiffuseColor;
+  const double metallic = v.Metallic;
+  const double reflectance = ReflectanceOfIndex(v.Index);
   const double s = Schlick(d.VdH);
-  const glm::dvec3 f90 = glm::mix(glm::dvec3(1.0), color, metallic);
-  const glm::dvec3 f0 = glm::mix(reflectance * f90, f90, metallic);
-  const glm::dvec3 fresnel = glm::mix(f0, f90, s);
-  const glm::dvec3 diffuse = color * ((1.0 - metallic) / Pi) * (glm::dvec3(1.0) - fresnel);
-  glm::dvec3 f = diffuse + fresnel * GetPreviewLobe(d, v[Preview::Roughness]);
-  const double coat = v[Preview::Clearcoat];
+  const dvec3 f90 = glm::mix(dvec3(1.0), color, metallic);
+  const dvec3 f0 = glm::mix(reflectance * f90, f90, metallic);
+  const dvec3 fresnel = glm::mix(f0, f90, s);
+  const dvec3 diffuse = color * ((1.0 - metallic) / Pi) * (dvec3(1.0) - fresnel);
+  dvec3 f = diffuse + fresnel * GetPreviewLobe(d, v.Roughness);
+  const double coat = v.Clearcoat;
   if (coat > 0.0)
   {
-    f += glm::dvec3(coat * (reflectance + (1.0 - reflectance) * s) *
-                    GetPreviewLobe(d, v[Preview::ClearcoatRoughness]));
+    f += dvec3(
+      coat * (reflectance + (1.0 - reflectance) * s) * GetPreviewLobe(d, v.ClearcoatRoughness));
   }
   return f;
 }
@@ -271,19 +233,15 @@ double GetPbrLobe(const Directions& d, double roughness)
 }
 
 //------------------------------------------------------------------------------
-// vtkProperty::ComputeReflectanceFromIOR.
-double GetReflectance(double to, double from) { return Square((to - from) / (to + from)); }
-
-//------------------------------------------------------------------------------
-double GetBaseLobe(const ModelNumbers& v, const Directions& d)
+double GetBaseLobe(const VtkValues& v, const Directions& d)
 {
-  const double roughness = v[VtkPbr::Roughness];
-  const double anisotropy = v[VtkPbr::Anisotropy];
+  const double roughness = v.Roughness;
+  const double anisotropy = v.Anisotropy;
   if (anisotropy == 0.0)
   {
     return GetPbrLobe(d, roughness);
   }
-  const double angle = 2.0 * Pi * v[VtkPbr::Rotation];
+  const double angle = 2.0 * Pi * v.Rotation;
   const Directions turned(Turn(d.Light, angle), Turn(d.View, angle));
   const double aspect = std::sqrt(1.0 - 0.9 * anisotropy); // Burley 2012
   const double x = std::max(roughness * roughness / aspect, 0.001);
@@ -292,31 +250,32 @@ double GetBaseLobe(const ModelNumbers& v, const Directions& d)
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 ShadeVtkPbr(const ModelNumbers& v, const Directions& d)
+dvec3 ShadeVtkPbr(const double* numbers, const Directions& d)
 {
-  const glm::dvec3 color = v.Color(VtkPbr::Color);
-  const double metallic = v[VtkPbr::Metallic];
-  const double strength = v[VtkPbr::CoatStrength];
-  const double index = v[VtkPbr::BaseIndex];
-  const double coatIndex = v[VtkPbr::CoatIndex];
+  const auto v = ReadValues<VtkValues>(numbers);
+  const dvec3 color = v.Color;
+  const double metallic = v.Metallic;
+  const double strength = v.CoatStrength;
+  const double index = v.BaseIndex;
+  const double coatIndex = v.CoatIndex;
   // vtkProperty::ComputeReflectanceOfBaseLayer.
   const double base =
-    GetReflectance(index, 1.0) * (1.0 - strength) + GetReflectance(index, coatIndex) * strength;
-  const glm::dvec3 f0 = glm::mix(glm::dvec3(base), color, metallic);
+    Mix(ReflectanceOfIndex(index), ReflectanceOfIndex(index / coatIndex), strength);
+  const dvec3 f0 = glm::mix(dvec3(base), color, metallic);
   const double grazing = std::clamp(50.0 * 0.33 * (f0.x + f0.y + f0.z), 0.0, 1.0);
-  const glm::dvec3 f90 = glm::mix(glm::dvec3(grazing), v.Color(VtkPbr::EdgeTint), metallic);
+  const dvec3 f90 = glm::mix(dvec3(grazing), v.EdgeTint, metallic);
   const double s = Schlick(d.VdH);
-  const glm::dvec3 fresnel = f0 + (f90 - f0) * s;
-  const glm::dvec3 diffuse = (1.0 - metallic) / Pi * (glm::dvec3(1.0) - fresnel) * color;
-  const glm::dvec3 specular = fresnel * GetBaseLobe(v, d);
+  const dvec3 fresnel = f0 + (f90 - f0) * s;
+  const dvec3 diffuse = (1.0 - metallic) / Pi * (dvec3(1.0) - fresnel) * color;
+  const dvec3 specular = fresnel * GetBaseLobe(v, d);
   if (strength == 0.0)
   {
     return diffuse + specular;
   }
-  const double coatF0 = GetReflectance(coatIndex, 1.0);
+  const double coatF0 = ReflectanceOfIndex(coatIndex);
   const double coat = strength * (coatF0 + (1.0 - coatF0) * s);
   return diffuse * (1.0 - coat) + specular * Square(1.0 - coat) +
-         glm::dvec3(coat * GetPbrLobe(d, v[VtkPbr::CoatRoughness]));
+         dvec3(coat * GetPbrLobe(d, v.CoatRoughness));
 }
 }
 

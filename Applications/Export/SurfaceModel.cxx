@@ -117,7 +117,7 @@ bool SurfaceModel::HasFeature(Feature feature) const
 //------------------------------------------------------------------------------
 glm::dvec3 SurfaceModel::EvaluateDirections(const Directions& directions) const
 {
-  glm::dvec3 f = this->Model->Shade({ this->Values.data() }, directions);
+  glm::dvec3 f = this->Model->Shade(this->Values.data(), directions);
   for (int c = 0; c < 3; ++c)
   {
     f[c] = std::isfinite(f[c]) ? std::max(f[c], 0.0) : 0.0;
@@ -128,8 +128,8 @@ glm::dvec3 SurfaceModel::EvaluateDirections(const Directions& directions) const
 //------------------------------------------------------------------------------
 void SurfaceModel::EvaluateAbove(const double i[3], const double o[3], double f[3])
 {
-  const glm::dvec3 value = this->Model->Shade(
-    { this->Values.data() }, Directions({ i[0], i[1], i[2] }, { o[0], o[1], o[2] }));
+  const glm::dvec3 value =
+    this->Model->Shade(this->Values.data(), Directions({ i[0], i[1], i[2] }, { o[0], o[1], o[2] }));
   std::copy_n(&value.x, 3, f);
 }
 } // namespace tool

@@ -15,8 +15,10 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <cstring>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace tool
@@ -58,17 +60,16 @@ struct Directions
   double NdL, NdV, NdH, VdH;
 };
 
-/// The numbers of a model's parameters, one after the other.
-struct ModelNumbers
+/// The numbers of a model's parameters, one after the other, as a struct of doubles and colors in
+/// that order.
+template <typename Values>
+Values ReadValues(const double* numbers)
 {
-  const double* First;
-
-  double operator[](std::size_t k) const { return this->First[k]; }
-  glm::dvec3 Color(std::size_t k) const
-  {
-    return { this->First[k], this->First[k + 1], this->First[k + 2] };
-  }
-};
+  static_assert(std::is_trivially_copyable_v<Values> && sizeof(glm::dvec3) == 3 * sizeof(double));
+  Values values;
+  std::memcpy(&values, numbers, sizeof(Values));
+  return values;
+}
 
 /// One number of a parameter.
 struct ModelNumber
@@ -85,7 +86,7 @@ struct ShadingModel
   /// Colors first take their red, then green and blue: the order of the numbers. All models begin
   /// with the core's color, metallic part and roughness.
   std::vector<ModelParameter> Parameters;
-  glm::dvec3 (*Shade)(const ModelNumbers& numbers, const Directions& directions);
+  glm::dvec3 (*Shade)(const double* numbers, const Directions& directions);
 };
 
 /**

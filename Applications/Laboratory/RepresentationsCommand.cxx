@@ -14,7 +14,6 @@
 #include "vtkBRDFShaderInputs.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkLobeBRDFFitter.h"
-#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 
 #include <CLI/CLI.hpp>
@@ -123,7 +122,7 @@ struct Comparison
     }
     add("D-BRDF", !isBasis,
       [&]() { return laboratory::FitDistribution(material.BRDF, material.Name); });
-    for (int lobes = 1; MEASUREDBRDF_WITH_CERES && lobes <= 2; ++lobes)
+    for (int lobes = 1; lobes <= 2; ++lobes)
     {
       add("Ashikhmin-Shirley " + std::to_string(lobes), false,
         [&]()

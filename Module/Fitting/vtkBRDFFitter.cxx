@@ -182,14 +182,7 @@ void vtkBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkBRDFFitter::SetInput(vtkBRDF* input)
-{
-  if (this->Input != input)
-  {
-    this->Input = input;
-    this->Modified();
-  }
-}
+void vtkBRDFFitter::SetInput(vtkBRDF* input) { measuredbrdfAssignMacro(Input, input); }
 
 //------------------------------------------------------------------------------
 vtkBRDF* vtkBRDFFitter::GetInput() { return this->Input; }
@@ -303,13 +296,13 @@ void vtkBRDFFitter::Measure(vtkBRDF* output)
   const Samples samples = DrawSamples(
     this->Input, this->Seed, this->NumberOfSamples, std::max(this->NumberOfSamples, 16384));
   double mean = 0.0, difference = 0.0, total = 0.0, cosines = 0.0;
-  double in[3] = { 0.0, 0.0, 0.0 }, out[3] = { 0.0, 0.0, 0.0 };
+  glm::dvec3 in(0.0), out(0.0);
   output->Prepare();
   for (const Sample& sample : samples)
   {
     const double projected = sample.Weight * sample.I[2];
-    double f[3];
-    output->Evaluate(sample.I, sample.O, f);
+    glm::dvec3 f;
+    output->Evaluate(sample.I, sample.O, &f.x);
     cosines += projected;
     for (int c = 0; c < 3; ++c)
     {
@@ -318,9 +311,9 @@ void vtkBRDFFitter::Measure(vtkBRDF* output)
       mean += sample.Weight * t * t / 3.0;
       difference += projected * (f[c] - sample.F[c]) * (f[c] - sample.F[c]);
       total += projected * sample.F[c] * sample.F[c];
-      in[c] += projected * sample.F[c];
-      out[c] += projected * f[c];
     }
+    in += projected * glm::make_vec3(sample.F);
+    out += projected * f;
   }
   if (!std::isfinite(mean) || !std::isfinite(difference) || !std::isfinite(total))
   {

@@ -145,35 +145,22 @@ void ProjectView(const Plan& plan, const std::array<Eigen::MatrixXd, 3>& samples
 }
 
 //------------------------------------------------------------------------------
-void vtkBasisProjector::SetInput(vtkBRDF* input)
-{
-  if (this->Input != input)
-  {
-    this->Input = input;
-    this->Modified();
-  }
-}
+void vtkBasisProjector::SetInput(vtkBRDF* input) { measuredbrdfAssignMacro(Input, input); }
 
 //------------------------------------------------------------------------------
 bool vtkBasisProjector::Project()
 {
-  if (!this->Input)
-  {
-    vtkErrorMacro("Project: no input.");
-    return false;
-  }
-  if (this->NumberOfNodes <= this->Order)
-  {
-    vtkErrorMacro("Project: " << this->NumberOfNodes << " nodes, expected more than the order, "
-                              << this->Order << ".");
-    return false;
-  }
   const int nTheta = this->NumberOfTheta;
-  const int nPhi = this->Input->IsIsotropic() ? 1 : this->NumberOfPhi;
-  const std::string sizeProblem = vtkBasisBRDF::FindSizeProblem(this->Order, nTheta, nPhi);
-  if (!sizeProblem.empty())
+  const int nPhi = !this->Input || this->Input->IsIsotropic() ? 1 : this->NumberOfPhi;
+  const std::string refusal = !this->Input ? "no input"
+                              : this->NumberOfNodes <= this->Order
+                                ? std::to_string(this->NumberOfNodes) +
+                                    " nodes, expected more than the order, " +
+                                    std::to_string(this->Order)
+                                : vtkBasisBRDF::FindSizeProblem(this->Order, nTheta, nPhi);
+  if (!refusal.empty())
   {
-    vtkErrorMacro("Project: " << sizeProblem << ".");
+    vtkErrorMacro("Project: " << refusal << ".");
     return false;
   }
   const Plan plan = MakePlan(this);

@@ -23,9 +23,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 // The model of a channel at a sample is f = Lambert + p F / (4 (cos_i + cos_o - cos_i cos_o)). p
@@ -101,10 +101,11 @@ Table MakeDistribution(const vtkBRDFFitter::Samples& samples, int thetas, int ph
     const Neighbors t = ClampedNeighbors(ThetaHToUnit(theta), thetas);
     const Neighbors p = PeriodicNeighbors(std::atan2(h.y, h.x) / (2.0 * Pi), phis);
     const auto row = static_cast<int>(k);
-    entries.emplace_back(row, p.First * thetas + t.First, (1.0 - p.Weight) * (1.0 - t.Weight));
-    entries.emplace_back(row, p.First * thetas + t.Second, (1.0 - p.Weight) * t.Weight);
-    entries.emplace_back(row, p.Second * thetas + t.First, p.Weight * (1.0 - t.Weight));
-    entries.emplace_back(row, p.Second * thetas + t.Second, p.Weight * t.Weight);
+    for (const auto& [phi, share] : { std::pair(p.First, 1.0 - p.Weight), { p.Second, p.Weight } })
+    {
+      entries.emplace_back(row, phi * thetas + t.First, share * (1.0 - t.Weight));
+      entries.emplace_back(row, phi * thetas + t.Second, share * t.Weight);
+    }
   }
   const int cells = thetas * phis;
   Sparse basis(cells + 1, cells + 1);
@@ -125,7 +126,8 @@ Table MakeDistribution(const vtkBRDFFitter::Samples& samples, int thetas, int ph
   return table;
 }
 
-Table MakeFresnel(const vtkBRDFFitter::Samples& samples, bool isSchlick)
+// F, a sum of steps, so that it never falls towards grazing.
+Table MakeFresnel(const vtkBRDFFitter::Samples& samples)
 {
   constexpr int n = NumberOfFresnel;
   std::vector<Eigen::Triplet<double>> entries;
@@ -137,18 +139,11 @@ Table MakeFresnel(const vtkBRDFFitter::Samples& samples, bool isSchlick)
     entries.emplace_back(static_cast<int>(k), d.First, 1.0 - d.Weight);
     entries.emplace_back(static_cast<int>(k), d.Second, d.Weight);
   }
-  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(n + 1, isSchlick ? 3 : n + 1);
-  if (isSchlick)
-  {
-    basis.topLeftCorner(n, 2) << Vector::Ones(n), SchlickTable(0.0);
-  }
-  else // monotone
-  {
-    basis.topLeftCorner(n, n).triangularView<Eigen::Lower>().setOnes();
-  }
-  basis(n, basis.cols() - 1) = 1.0;
+  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(n + 1, n + 1);
+  basis.topLeftCorner(n, n).triangularView<Eigen::Lower>().setOnes();
+  basis(n, n) = 1.0;
   Table table(static_cast<int>(samples.size()), entries, basis.sparseView());
-  for (int k = 0; k + 1 < n && !isSchlick; ++k)
+  for (int k = 0; k + 1 < n; ++k)
   {
     table.Ties.push_back({ k, k + 1 });
   }
@@ -175,7 +170,7 @@ public:
   std::vector<double> History; // this channel's part of the weighted mean square over RGB
 
   Channel(const Problem& problem, int index)
-    : Data(problem)
+    : Data(&problem)
     , Index(index)
   {
   }
@@ -191,7 +186,7 @@ public:
   /// Improve p, then F, each with the Lambert part.
   void Sweep()
   {
-    const Problem& data = this->Data;
+    const Problem& data = *this->Data;
     this->Improve(data.Distribution, &Channel::P, data.Fresnel.At(this->F) * data.Scale, true);
     this->Improve(data.Fresnel, &Channel::F, data.Distribution.At(this->P) * data.Scale, false);
     this->History.push_back(this->MeanSquare);
@@ -200,7 +195,7 @@ public:
 private:
   double GetMeanSquare() const
   {
-    const Problem& data = this->Data;
+    const Problem& data = *this->Data;
     const Eigen::ArrayXd f =
       this->Lambert + data.Distribution.At(this->P) * data.Fresnel.At(this->F) * data.Scale;
     double sum = 0.0;
@@ -219,7 +214,7 @@ private:
   // warm: the solution will be positive where the table is; else perhaps everywhere.
   void Improve(const Table& table, Vector Channel::*values, const Eigen::ArrayXd& factor, bool warm)
   {
-    const Problem& data = this->Data;
+    const Problem& data = *this->Data;
     const Eigen::Index cells = (this->*values).size();
     Vector now(cells + 1);
     now << this->*values, this->Lambert;
@@ -282,7 +277,7 @@ private:
     this->Lambert = from.Lambert;
   }
 
-  std::reference_wrapper<const Problem> Data;
+  const Problem* Data;
   int Index;
   double MeanSquare = 0.0; // of the tables as they are
 };
@@ -389,14 +384,12 @@ using namespace measuredbrdf;
 vtkStandardNewMacro(vtkDistributionBRDFFitter);
 
 //------------------------------------------------------------------------------
-measuredbrdfSetInRangeMacro(vtkDistributionBRDFFitter, FresnelModel, int, MONOTONE, SCHLICK);
 measuredbrdfSetInRangeMacro(vtkDistributionBRDFFitter, NumberOfPhiSamples, int, 0, 1024);
 
 //------------------------------------------------------------------------------
 void vtkDistributionBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FresnelModel: " << this->FresnelModel << "\n";
   os << indent << "NumberOfPhiSamples: " << this->NumberOfPhiSamples << "\n";
 }
 
@@ -407,9 +400,8 @@ vtkBRDFFitter::Result vtkDistributionBRDFFitter::FitTo(const std::vector<Sample>
   const int usual = this->Input->IsIsotropic() ? 1 : 32;
   const int phis = this->NumberOfPhiSamples > 0 ? this->NumberOfPhiSamples : usual;
   const int thetas = phis > 1 ? 48 : 128;
-  const bool isSchlick = this->FresnelModel == SCHLICK;
-  Problem problem = { samples, *this, MakeDistribution(samples, thetas, phis),
-    MakeFresnel(samples, isSchlick), Eigen::ArrayXd(samples.size()) };
+  Problem problem = { samples, *this, MakeDistribution(samples, thetas, phis), MakeFresnel(samples),
+    Eigen::ArrayXd(samples.size()) };
   for (std::size_t k = 0; k < samples.size(); ++k)
   {
     const double i = samples[k].I[2], o = samples[k].O[2];
@@ -432,8 +424,8 @@ vtkBRDFFitter::Result vtkDistributionBRDFFitter::FitTo(const std::vector<Sample>
         next.Lambert = GuessLambert(samples, c);
         next.P = GuessDistribution(this->Input, thetas, phis, next.Lambert, c);
         const double reflectance = StartReflectances[k];
-        next.Start(reflectance < 0.0 && !isSchlick ? GuessFresnel(this->Input, next.Lambert, c)
-                                                   : SchlickTable(std::abs(reflectance)));
+        next.Start(reflectance < 0.0 ? GuessFresnel(this->Input, next.Lambert, c)
+                                     : SchlickTable(reflectance));
         for (int sweep = 0; sweep < StartSweeps; ++sweep)
         {
           next.Sweep();
@@ -484,14 +476,11 @@ vtkBRDFFitter::Result vtkDistributionBRDFFitter::FitTo(const std::vector<Sample>
   sum->AddTerm(distribution);
 
   TextStream report;
-  const auto add = [&report](const char* before, const auto* rgb, const char* after)
-  { report << before << rgb[0] << " " << rgb[1] << " " << rgb[2] << after; };
-  add("diffuse albedo: ", albedo, "\n");
-  report << "p: " << thetas << " x " << phis << " samples";
-  add(", at the normal ", p.data(), " 1/sr\n");
-  report << "F: " << NumberOfFresnel << " samples";
-  add(", from ", fresnel.data(), "");
-  add(" to ", &fresnel[fresnel.size() - 3], " at grazing\n");
+  report << "diffuse albedo: " << albedo[0] << " " << albedo[1] << " " << albedo[2]
+         << "\np: " << thetas << " x " << phis << " samples, at the normal " << p[0] << " " << p[1]
+         << " " << p[2] << " 1/sr\nF: " << NumberOfFresnel << " samples, from " << fresnel[0] << " "
+         << fresnel[1] << " " << fresnel[2] << " to " << fresnel.end()[-3] << " "
+         << fresnel.end()[-2] << " " << fresnel.end()[-1] << " at grazing\n";
   result.BRDF = sum;
   result.Report = report.str();
   return result;

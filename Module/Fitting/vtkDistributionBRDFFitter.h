@@ -11,9 +11,9 @@
  * least squares on the linearized loss (Gauss-Newton), with the step length that lowers the
  * residual. Cells without pairs follow their neighbors.
  *
- * p has 128 samples along theta_h, or 48 where it is anisotropic; F has 32 along theta_d. The
- * output is a vtkSumBRDF of a vtkLambertBRDF and a vtkDistributionBRDF whose p is normalized (the
- * integral of p cos theta_h is 1), so that F contains the scale.
+ * p has 128 samples along theta_h, or 48 where it is anisotropic; F has 32 along theta_d, and never
+ * falls towards grazing. The output is a vtkSumBRDF of a vtkLambertBRDF and a vtkDistributionBRDF
+ * whose p is normalized (the integral of p cos theta_h is 1), so that F contains the scale.
  */
 
 #ifndef vtkDistributionBRDFFitter_h
@@ -29,20 +29,6 @@ public:
   static vtkDistributionBRDFFitter* New();
   vtkTypeMacro(vtkDistributionBRDFFitter, vtkBRDFFitter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  enum FresnelModelType
-  {
-    MONOTONE = 0, // a table that never falls towards grazing
-    SCHLICK = 1   // F0 + (1 - F0)(1 - cos theta_d)^5 times a scale, tabulated
-  };
-
-  ///@{
-  /**
-   * The form of F: MONOTONE (default) or SCHLICK.
-   */
-  virtual void SetFresnelModel(int fresnelModel);
-  vtkGetMacro(FresnelModel, int);
-  ///@}
 
   ///@{
   /**
@@ -61,7 +47,6 @@ protected:
 
   Result FitTo(const std::vector<Sample>& samples) override;
 
-  int FresnelModel = MONOTONE;
   int NumberOfPhiSamples = 0;
 
 private:

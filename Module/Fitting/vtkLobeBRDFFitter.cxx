@@ -2,10 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLobeBRDFFitter.h"
 
+#include "HalfVector.h"
+#include "LeastSquares.h"
+#include "LinearLeastSquares.h"
+#include "NumberText.h"
 #include "Setters.h"
+#include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDF.h"
-#include "vtkMeasuredBRDFConfigure.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkLambertBRDF.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkSumBRDF.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
 
 vtkStandardNewMacro(vtkLobeBRDFFitter);
 
@@ -23,26 +39,6 @@ void vtkLobeBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Anisotropy: " << this->Anisotropy << "\n";
 }
 
-#if MEASUREDBRDF_WITH_CERES
-
-#include "HalfVector.h"
-#include "LinearLeastSquares.h"
-#include "NumberText.h"
-#include "vtkAshikhminShirleyBRDF.h"
-#include "vtkBlinnPhongBRDF.h"
-#include "vtkLambertBRDF.h"
-#include "vtkNew.h"
-#include "vtkSumBRDF.h"
-
-#include <ceres/ceres.h>
-#include <glm/gtc/type_ptr.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
-#include <string>
-
 namespace measuredbrdf
 {
 namespace
@@ -51,13 +47,6 @@ constexpr double MaximumExponent = 1e6; // what the representations take
 constexpr std::size_t ScreeningSamples = 2048;
 constexpr std::size_t RefiningSamples = 4096;
 constexpr int RefiningIterations = 30;
-
-struct LobeModel
-{
-  bool IsPhong;
-  int NumberOfLobes;
-  bool Anisotropic; // only Ashikhmin-Shirley's
-};
 
 // The parameters as one vector: ln(n+1) per exponent, then per channel the Lambert albedo / pi
 // and base[, rise] per lobe. f = albedo/pi + sum over lobes of (base + rise (1 - h.o)^5)
@@ -68,18 +57,20 @@ struct LobeModel
 // sqrt((nu+1)(nv+1))/(8 pi) (n.h)^e / ((h.o) max(cos_i, cos_o)).
 struct Layout
 {
-  explicit Layout(const LobeModel& model)
-    : Model(model)
-    , ExponentsPerLobe(model.Anisotropic ? 2 : 1)
-    , CoefficientsPerLobe(model.IsPhong ? 1 : 2)
-    , Exponents(model.NumberOfLobes * this->ExponentsPerLobe)
-    , Coefficients(1 + model.NumberOfLobes * this->CoefficientsPerLobe)
+  Layout(bool isPhong, int lobes, bool isAnisotropic)
+    : IsPhong(isPhong)
+    , NumberOfLobes(lobes)
+    , ExponentsPerLobe(isAnisotropic ? 2 : 1)
+    , CoefficientsPerLobe(isPhong ? 1 : 2)
+    , Exponents(lobes * this->ExponentsPerLobe)
+    , Coefficients(1 + lobes * this->CoefficientsPerLobe)
     , Size(this->Exponents + 3 * this->Coefficients)
   {
   }
 
-  LobeModel Model;
-  int ExponentsPerLobe;
+  bool IsPhong;
+  int NumberOfLobes;
+  int ExponentsPerLobe; // 2: anisotropic, only Ashikhmin-Shirley's
   int CoefficientsPerLobe;
   int Exponents;
   int Coefficients; // of one channel
@@ -102,14 +93,14 @@ Basis Evaluate(const Layout& layout, const double* parameters, const vtkBRDFFitt
   const double s = h.x * h.x + h.y * h.y;
   const double ratio = LogCosineRatio(s);
   const double hd = glm::dot(h, o);
-  for (int lobe = 0; lobe < layout.Model.NumberOfLobes; ++lobe)
+  for (int lobe = 0; lobe < layout.NumberOfLobes; ++lobe)
   {
     const double* logs = parameters + lobe * layout.ExponentsPerLobe;
     const double u = std::exp(logs[0]); // n + 1
-    const double v = layout.Model.Anisotropic ? std::exp(logs[1]) : u;
+    const double v = layout.ExponentsPerLobe > 1 ? std::exp(logs[1]) : u;
     double* values = basis.Values + 1 + lobe * layout.CoefficientsPerLobe;
     double* slopes = basis.LogSlopes[lobe];
-    if (layout.Model.IsPhong)
+    if (layout.IsPhong)
     {
       values[0] = (u + 1.0) / (2.0 * Pi) * PowerCosine(u - 1.0, s);
       slopes[0] = u * (1.0 / (u + 1.0) + 0.5 * s * ratio);
@@ -121,7 +112,7 @@ Basis Evaluate(const Layout& layout, const double* parameters, const vtkBRDFFitt
     values[1] = values[0] * SchlickFresnel(0.0, hd);
     slopes[0] = 0.5 + 0.5 * u * h.x * h.x * ratio;
     slopes[1] = 0.5 + 0.5 * v * h.y * h.y * ratio;
-    if (!layout.Model.Anisotropic)
+    if (layout.ExponentsPerLobe == 1)
     {
       slopes[0] += slopes[1];
     }
@@ -200,9 +191,10 @@ std::vector<Start> Screen(const vtkBRDFFitter::Samples& samples, const vtkBRDFFi
   const Layout& layout, const std::function<bool(double)>& progress)
 {
   constexpr int steps = 12; // a factor of 2.8 each
-  const std::vector<double> stretches =
-    layout.Model.Anisotropic ? std::vector<double>{ 1.0, 4.0, 0.25 } : std::vector<double>{ 1.0 };
-  const int lobes = layout.Model.NumberOfLobes;
+  const std::vector<double> stretches = layout.ExponentsPerLobe > 1
+                                          ? std::vector<double>{ 1.0, 4.0, 0.25 }
+                                          : std::vector<double>{ 1.0 };
+  const int lobes = layout.NumberOfLobes;
   std::vector<Start> starts;
   for (int choice = 0; choice < static_cast<int>(std::pow(steps, lobes)); ++choice)
   {
@@ -226,7 +218,7 @@ std::vector<Start> Screen(const vtkBRDFFitter::Samples& samples, const vtkBRDFFi
       {
         const double exponent = std::pow(10.0, 5.0 * digit / (steps - 1));
         parameters.push_back(std::log1p(exponent * stretch));
-        if (layout.Model.Anisotropic)
+        if (layout.ExponentsPerLobe > 1)
         {
           parameters.push_back(std::log1p(exponent / stretch));
         }
@@ -241,122 +233,71 @@ std::vector<Start> Screen(const vtkBRDFFitter::Samples& samples, const vtkBRDFFi
   return starts;
 }
 
-// All residuals sqrt(w/3) (T(f') - T(f)): their sum of squares is the weighted mean square.
-class LobeCost : public ceres::CostFunction
+// Improves all parameters. The residuals are sqrt(w/3) (T(f') - T(f)): their sum of squares is the
+// weighted mean square.
+void Refine(const vtkBRDFFitter::Samples& samples, const vtkBRDFFitter& loss, const Layout& layout,
+  Start& start, LeastSquares& method)
 {
-public:
-  LobeCost(const vtkBRDFFitter::Samples& samples, const vtkBRDFFitter& loss, const Layout& layout)
-    : Samples(samples)
-    , Loss(loss)
-    , Shape(layout)
+  Eigen::VectorXd parameters =
+    Eigen::Map<const Eigen::VectorXd>(start.Parameters.data(), layout.Size);
+  method.Least.setZero(layout.Size);
+  method.Most.setConstant(layout.Size, std::numeric_limits<double>::max());
+  method.Most.head(layout.Exponents).setConstant(std::log1p(MaximumExponent));
+  // Calls use(row, sample, channel, first coefficient, basis, f, weight) for each residual.
+  const auto forResiduals = [&](const Eigen::VectorXd& at, const auto& use)
   {
-    this->set_num_residuals(static_cast<int>(3 * samples.size()));
-    this->mutable_parameter_block_sizes()->push_back(layout.Size);
-  }
-
-  bool Evaluate(
-    double const* const* parameters, double* residuals, double** jacobians) const override
-  {
-    const Layout& layout = this->Shape;
-    double* row = jacobians ? jacobians[0] : nullptr;
-    for (const vtkBRDFFitter::Sample& sample : this->Samples)
+    Eigen::Index row = 0;
+    for (const vtkBRDFFitter::Sample& sample : samples)
     {
-      const Basis basis = measuredbrdf::Evaluate(layout, parameters[0], sample);
+      const Basis basis = Evaluate(layout, at.data(), sample);
       const double weight = std::sqrt(sample.Weight / 3.0);
       for (int c = 0; c < 3; ++c)
       {
         const int first = layout.Exponents + c * layout.Coefficients;
-        const double* coefficients = parameters[0] + first;
-        const double f = Dot(coefficients, basis, layout.Coefficients);
-        *residuals++ = weight * (this->Loss.GetLossValue(f, sample.I[2]) -
-                                  this->Loss.GetLossValue(sample.F[c], sample.I[2]));
-        if (!row)
+        const double f = Dot(at.data() + first, basis, layout.Coefficients);
+        use(row++, sample, c, first, basis, f, weight);
+      }
+    }
+  };
+  const auto size = 3 * static_cast<Eigen::Index>(samples.size());
+  const auto getResiduals = [&](const Eigen::VectorXd& at)
+  {
+    Eigen::VectorXd residuals(size);
+    forResiduals(at,
+      [&](Eigen::Index row, const vtkBRDFFitter::Sample& sample, int c, int, const Basis&, double f,
+        double weight)
+      {
+        residuals[row] = weight * (loss.GetLossValue(f, sample.I[2]) -
+                                    loss.GetLossValue(sample.F[c], sample.I[2]));
+      });
+    return residuals;
+  };
+  const auto getJacobian = [&](const Eigen::VectorXd& at, const Eigen::VectorXd&)
+  {
+    Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(size, layout.Size);
+    forResiduals(at,
+      [&](Eigen::Index row, const vtkBRDFFitter::Sample& sample, int, int first, const Basis& basis,
+        double f, double weight)
+      {
+        const double slope = weight * loss.GetLossSlope(f, sample.I[2]);
+        for (int k = 0; k < layout.Coefficients; ++k)
         {
-          continue;
+          jacobian(row, first + k) = slope * basis.Values[k];
         }
-        std::fill_n(row, layout.Size, 0.0);
-        const double slope = weight * this->Loss.GetLossSlope(f, sample.I[2]);
-        std::transform(basis.Values, basis.Values + layout.Coefficients, row + first,
-          [slope](double value) { return slope * value; });
         for (int e = 0; e < layout.Exponents; ++e)
         {
           const int lobe = e / layout.ExponentsPerLobe;
           const int own = 1 + lobe * layout.CoefficientsPerLobe;
-          const double part = std::inner_product(coefficients + own,
-            coefficients + own + layout.CoefficientsPerLobe, basis.Values + own, 0.0);
-          row[e] = slope * part * basis.LogSlopes[lobe][e % layout.ExponentsPerLobe];
+          const double* coefficients = at.data() + first + own;
+          const double part = std::inner_product(
+            coefficients, coefficients + layout.CoefficientsPerLobe, basis.Values + own, 0.0);
+          jacobian(row, e) = slope * part * basis.LogSlopes[lobe][e % layout.ExponentsPerLobe];
         }
-        row += layout.Size;
-      }
-    }
-    return true;
-  }
-
-private:
-  const vtkBRDFFitter::Samples& Samples;
-  const vtkBRDFFitter& Loss;
-  const Layout& Shape;
-};
-
-// Keeps the history and reports progress, from one share to another.
-class Watcher : public ceres::IterationCallback
-{
-public:
-  Watcher(const std::function<bool(double)>& progress, double from, double to, int iterations)
-    : Progress(progress)
-    , From(from)
-    , To(to)
-    , Iterations(iterations)
-  {
-  }
-
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override
-  {
-    if (summary.step_is_successful || summary.iteration == 0)
-    {
-      this->History.push_back(2.0 * summary.cost); // Ceres' cost is half the sum of squares
-    }
-    const double share = std::min(double(summary.iteration) / this->Iterations, 1.0);
-    this->Stopped = !this->Progress(this->From + (this->To - this->From) * share);
-    return this->Stopped ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
-  }
-
-  std::vector<double> History;
-  bool Stopped = false;
-
-private:
-  const std::function<bool(double)>& Progress;
-  double From, To;
-  int Iterations;
-};
-
-// By Ceres' Levenberg-Marquardt within bounds.
-ceres::Solver::Summary Refine(const vtkBRDFFitter::Samples& samples, const vtkBRDFFitter& loss,
-  const Layout& layout, Start& start, Watcher& watcher, int iterations, double tolerance)
-{
-  double* parameters = start.Parameters.data();
-  ceres::Problem problem;
-  problem.AddResidualBlock(new LobeCost(samples, loss, layout), nullptr, parameters);
-  for (int k = 0; k < layout.Size; ++k)
-  {
-    problem.SetParameterLowerBound(parameters, k, 0.0);
-    if (k < layout.Exponents)
-    {
-      problem.SetParameterUpperBound(parameters, k, std::log1p(MaximumExponent));
-    }
-  }
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  options.num_threads = 1; // the same sums in the same order: the same result
-  options.max_num_iterations = iterations;
-  options.function_tolerance = tolerance;
-  options.parameter_tolerance = 1e-10;
-  options.logging_type = ceres::SILENT;
-  options.callbacks.push_back(&watcher);
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  start.MeanSquare = 2.0 * summary.final_cost;
-  return summary;
+      });
+    return jacobian;
+  };
+  start.MeanSquare = method.Minimize(getResiduals, getJacobian, parameters);
+  std::copy_n(parameters.data(), layout.Size, start.Parameters.begin());
 }
 
 // The material of the parameters, and its report.
@@ -383,7 +324,7 @@ void Unpack(
   const auto getFirst = [&](int lobe) { return getExponent(lobe * layout.ExponentsPerLobe); };
   const auto getLast = [&](int lobe)
   { return getExponent((lobe + 1) * layout.ExponentsPerLobe - 1); };
-  std::vector<int> lobes(static_cast<std::size_t>(layout.Model.NumberOfLobes));
+  std::vector<int> lobes(static_cast<std::size_t>(layout.NumberOfLobes));
   std::iota(lobes.begin(), lobes.end(), 0);
   std::stable_sort(lobes.begin(), lobes.end(),
     [&](int a, int b) { return getFirst(a) * getLast(a) < getFirst(b) * getLast(b); });
@@ -398,7 +339,7 @@ void Unpack(
   {
     const int coefficient = 1 + k * layout.CoefficientsPerLobe;
     Color base = getCoefficient(coefficient);
-    if (layout.Model.IsPhong)
+    if (layout.IsPhong)
     {
       vtkNew<vtkBlinnPhongBRDF> lobe;
       lobe->SetExponent(getFirst(k));
@@ -442,54 +383,42 @@ vtkBRDFFitter::Result vtkLobeBRDFFitter::FitTo(const std::vector<Sample>& sample
   const bool isPhong = this->Shape == BLINN_PHONG;
   const bool isBrushed = this->Anisotropy == ANISOTROPIC ||
                          (this->Anisotropy == AS_INPUT && !this->Input->IsIsotropic());
-  const Layout layout({ isPhong, this->NumberOfLobes, !isPhong && isBrushed });
+  const Layout layout(isPhong, this->NumberOfLobes, !isPhong && isBrushed);
   const vtkBRDFFitter& loss = *this;
-  const std::function<bool(double)> progress = [this](double share)
-  { return this->UpdateProgress(share); };
-  std::vector<Start> starts = Screen(TakeFirst(samples, ScreeningSamples), loss, layout, progress);
-  starts.resize(std::min<std::size_t>(starts.size(), this->NumberOfStarts));
-  const vtkBRDFFitter::Samples some = TakeFirst(samples, RefiningSamples);
-  const double step = (refined - screened) / this->NumberOfStarts;
+  bool stopped = false;
   Result result;
+  const auto refine = [&](
+                        const Samples& pairs, Start& start, int iterations, double from, double to)
+  {
+    LeastSquares method;
+    method.MostIterations = iterations;
+    method.Tolerance = this->Tolerance;
+    result.History.clear();
+    method.Proceed = [&](int iteration, double squares)
+    {
+      result.History.push_back(squares);
+      stopped = stopped || !this->UpdateProgress(from + (to - from) * iteration / iterations);
+      return !stopped;
+    };
+    Refine(pairs, loss, layout, start, method);
+    result.Converged = method.Converged;
+  };
+  std::vector<Start> starts = Screen(TakeFirst(samples, ScreeningSamples), loss, layout,
+    [this](double share) { return this->UpdateProgress(share); });
+  starts.resize(std::min<std::size_t>(starts.size(), this->NumberOfStarts));
+  const Samples some = TakeFirst(samples, RefiningSamples);
+  const double step = (refined - screened) / this->NumberOfStarts;
   Start best{ {}, std::numeric_limits<double>::infinity() };
-  for (std::size_t k = 0; k < starts.size(); ++k)
+  for (std::size_t k = 0; k < starts.size() && !stopped; ++k)
   {
     const double from = screened + step * static_cast<double>(k);
-    Watcher watcher(progress, from, from + step, RefiningIterations);
-    Refine(some, loss, layout, starts[k], watcher, RefiningIterations, this->Tolerance);
-    if (watcher.Stopped)
-    {
-      return result;
-    }
+    refine(some, starts[k], RefiningIterations, from, from + step);
     best = starts[k].MeanSquare < best.MeanSquare ? starts[k] : best;
   }
-  if (best.Parameters.empty())
+  if (!best.Parameters.empty() && !stopped)
   {
-    return result;
+    refine(samples, best, this->MaximumNumberOfIterations, refined, 1.0);
+    Unpack(layout, best.Parameters, result);
   }
-  const int most = this->MaximumNumberOfIterations;
-  Watcher watcher(progress, refined, 1.0, most);
-  const ceres::Solver::Summary solved =
-    Refine(samples, loss, layout, best, watcher, most, this->Tolerance);
-  if (!solved.IsSolutionUsable() && !watcher.Stopped)
-  {
-    result.Report = solved.message;
-    return result;
-  }
-  Unpack(layout, best.Parameters, result);
-  result.History = watcher.History;
-  result.Converged = solved.termination_type == ceres::CONVERGENCE;
   return result;
 }
-
-#else
-
-//------------------------------------------------------------------------------
-vtkBRDFFitter::Result vtkLobeBRDFFitter::FitTo(const std::vector<Sample>&)
-{
-  Result result;
-  result.Report = "this build has no Ceres (MEASUREDBRDF_WITH_CERES): Blinn-Phong and "
-                  "Ashikhmin-Shirley lobes cannot be fitted";
-  return result;
-}
-#endif

@@ -10,7 +10,7 @@
  * replaces it.
  *
  * All log-spaced combinations of exponents are tried with their best coefficients, and the best
- * NumberOfStarts are refined with Ceres (Levenberg-Marquardt within bounds, analytic derivatives).
+ * NumberOfStarts are refined (Levenberg-Marquardt within bounds, analytic derivatives).
  * The output is a vtkSumBRDF of a vtkLambertBRDF and the lobes by ascending exponent.
  */
 

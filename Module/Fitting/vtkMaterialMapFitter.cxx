@@ -4,10 +4,9 @@
 
 #include "NumberText.h"
 #include "ParallelFor.h"
+#include "PhotographFit.h"
 #include "Printable.h"
 #include "Setters.h"
-#include "TableMaterials.h"
-#include "TexelWeights.h"
 #include "vtkBRDF.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
@@ -34,8 +33,6 @@ constexpr double PureWeight = 0.9;         // a found material should have it so
 constexpr double UsualBrightness = 0.05;   // deviation from 1 that needs no word
 constexpr std::size_t MostLookalikes = 10; // that are listed
 constexpr std::size_t MostComponents = 4;  // of a weight image
-
-std::string FormatPercent(double share) { return NumberText(100.0 * share, 2) + " %"; }
 
 double GetDifference(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
 {
@@ -67,91 +64,55 @@ std::vector<std::size_t> DrawSample(std::size_t texels, int count, unsigned int 
   }
   return sample;
 }
-
-MaterialValues TakeColumns(const MaterialValues& all, const std::vector<int>& columns)
-{
-  return { all.Values(Eigen::seqN(0, all.Values.rows()), columns), all.Scales };
-}
 }
 
 //------------------------------------------------------------------------------
-// A fit while it runs, and what it found.
-struct vtkMaterialMapFitter::Results
+// A fit while it runs.
+struct vtkMaterialMapFitter::Run : Figures
 {
-  /// What is known of a material of the result.
-  struct MapMaterial
-  {
-    NamedMaterial Material;
-    double Coverage = 0.0;    // mean of its weights
-    double LargestWeight = 0; // of all texels
-    double Uncertainty = 0.0; // standard deviation of a weight, where all weights are free
-  };
-
-  vtkMaterialMapFitter* Fitter = nullptr; // while it runs
-  std::vector<MapMaterial> Materials;
-  double MeanError = 0.0;
-  double Error95 = 0.0;
-  double WorstError = 0.0;
-  std::size_t WorstTexel = 0;
-  std::size_t TexelsWithoutData = 0;
-  std::array<std::uint64_t, 4> PixelCounts{}; // of each PixelState
-  double FactorError = 0.0;                   // of the factorization, before tables; tables only
-  double SeenShare = 0.0;                     // of the tables' cells; tables only
-  int Iterations = 0;                         // tables only
-  bool Converged = false;
-  std::vector<std::string> Findings;
-
-  // While it runs:
-  int Width = 0;
-  int Height = 0;
+  vtkMaterialMapFitter* Fitter;
+  PhotographPasses Passes;
+  std::vector<NamedMaterial> Map; // the result's materials
+  MaterialValues Values;          // of these
+  MaterialValues LibraryValues;
+  std::vector<int> Chosen;    // the materials in the library
   std::vector<float> Weights; // [texel][material]; 0 where a texel has no valid photograph
   std::vector<float> Errors;  // of each texel, relative; -1 there
-  MaterialValues Values;      // of the materials
-  MaterialValues LibraryValues;
-  std::vector<int> Chosen; // the materials in the library
-  double Residual = 0.0;   // sum of squares over all texels
-  double Samples = 0.0;    // valid values of all texels
-  double Texels = 0.0;     // that have a valid photograph
-  double Cross = 0.0;      // sum over all pixels of data times model
-  double Model = 0.0;      // and of the model's squares
+  std::size_t Worst = 0;      // texel
+  double Residual = 0.0;      // sum of squares over all texels
+  double Samples = 0.0;       // valid values of all texels
+  double Texels = 0.0;        // that have a valid photograph
+  double Cross = 0.0;         // sum over all pixels of data times model
+  double Model = 0.0;         // and of the model's squares
 
-  vtkIdType Count(PixelState state) const
+  // Throws MapFitStopped and std::runtime_error.
+  explicit Run(vtkMaterialMapFitter* fitter)
+    : Fitter(fitter)
+    , Passes(fitter->Photographs,
+        [fitter](double share)
+        {
+          fitter->InvokeEvent(vtkCommand::ProgressEvent, &share);
+          return !fitter->Abort;
+        })
   {
-    return static_cast<vtkIdType>(this->PixelCounts[static_cast<std::size_t>(state)]);
-  }
-
-  // Of a material; zeros where there is none of that number.
-  MapMaterial Get(int material) const
-  {
-    const bool exists =
-      material >= 0 && static_cast<std::size_t>(material) < this->Materials.size();
-    return exists ? this->Materials[static_cast<std::size_t>(material)] : MapMaterial();
+    const bool isLibrary = fitter->Method == LIBRARY;
+    isLibrary ? this->ChooseMaterials() : this->FindTables();
+    this->SolveAll(isLibrary ? 0.5 : 0.6);
+    const auto count = [this](PixelState state)
+    { return static_cast<vtkIdType>(this->Passes.PixelCounts[static_cast<std::size_t>(state)]); };
+    this->SaturatedPixels = count(PixelState::Saturated);
+    this->BlackPixels = count(PixelState::Black);
+    this->InvalidPixels = count(PixelState::Invalid);
+    this->Summarize();
+    this->Passes.Proceed(1.0);
+    this->FindLookalikes();
+    this->FindUncertainties();
   }
 
   std::size_t GetNumberOfTexels() const
   {
-    return static_cast<std::size_t>(this->Width) * static_cast<std::size_t>(this->Height);
-  }
-
-  // Throws MapFitStopped and std::runtime_error.
-  void Run()
-  {
-    PhotographPasses passes(this->Fitter->Photographs,
-      [this](double share)
-      {
-        this->Fitter->InvokeEvent(vtkCommand::ProgressEvent, &share);
-        return !this->Fitter->Abort;
-      });
-    this->Width = passes.Width;
-    this->Height = passes.Height;
-    const bool isLibrary = this->Fitter->Method == LIBRARY;
-    isLibrary ? this->ChooseMaterials(passes) : this->FindTables(passes);
-    this->SolveAll(passes, isLibrary ? 0.5 : 0.6);
-    this->Summarize();
-    passes.Proceed(1.0);
-    this->FindLookalikes();
-    this->FindUncertainties();
-    this->PixelCounts = passes.PixelCounts;
+    return static_cast<std::size_t>(this->Passes.Width) *
+           static_cast<std::size_t>(this->Passes.Height);
   }
 
   std::vector<std::size_t> GetSample() const
@@ -161,39 +122,39 @@ struct vtkMaterialMapFitter::Results
   }
 
   // From a library to a few of its materials.
-  void ChooseMaterials(PhotographPasses& passes)
+  void ChooseMaterials()
   {
     const auto& library = this->Fitter->Library;
     this->LibraryValues = EvaluateMaterials(this->Fitter->Photographs, library, {});
     TexelSums sums(this->LibraryValues, this->GetSample());
-    passes.Run(0.0, 0.35, [&](int k, const PhotographPixels& pixels) { sums.Add(k, pixels); });
+    this->Passes.Run(
+      0.0, 0.35, [&](int k, const PhotographPixels& pixels) { sums.Add(k, pixels); });
     this->Chosen = SelectMaterials(sums, this->Fitter->MaximumNumberOfMaterials,
-      this->Fitter->Tolerance, [&](double share) { passes.Proceed(0.35 + 0.15 * share); });
+      this->Fitter->Tolerance, [&](double share) { this->Passes.Proceed(0.35 + 0.15 * share); });
     if (this->Chosen.empty())
     {
       throw std::runtime_error("no pixel is valid: all are saturated, black or not finite");
     }
     for (const int k : this->Chosen)
     {
-      this->Materials.emplace_back().Material = library[static_cast<std::size_t>(k)];
+      this->Map.push_back(library[static_cast<std::size_t>(k)]);
     }
-    this->Values = TakeColumns(this->LibraryValues, this->Chosen);
+    this->Values = { this->LibraryValues.Values(
+                       Eigen::seqN(0, this->LibraryValues.Values.rows()), this->Chosen),
+      this->LibraryValues.Scales };
     this->Converged = true;
   }
 
   // New materials from the photographs.
-  void FindTables(PhotographPasses& passes)
+  void FindTables()
   {
     const int* size = this->Fitter->TableDimensions;
     const TableOptions options = { this->Fitter->MaximumNumberOfMaterials, this->Fitter->Seed,
       this->Fitter->Smoothness, { size[0], size[1], size[2] } };
     const TableMaterials tables =
-      FindTableMaterials(this->Fitter->Photographs, options, passes, this->GetSample());
-    for (const NamedMaterial& found : tables.Materials)
-    {
-      this->Materials.emplace_back().Material = found;
-    }
-    this->FactorError = tables.FactorError;
+      FindTableMaterials(this->Fitter->Photographs, options, this->Passes, this->GetSample());
+    this->Map = tables.Materials;
+    this->FactorizationError = tables.FactorError;
     this->Iterations = tables.Iterations;
     this->Converged = tables.Converged;
     this->SeenShare = tables.SeenShare;
@@ -201,15 +162,15 @@ struct vtkMaterialMapFitter::Results
   }
 
   // Weights of all texels.
-  void SolveAll(PhotographPasses& passes, double start)
+  void SolveAll(double start)
   {
-    const std::size_t materials = this->Materials.size();
+    const std::size_t materials = this->Map.size();
     std::vector<std::size_t> numbers(this->GetNumberOfTexels());
     std::iota(numbers.begin(), numbers.end(), 0);
     this->Weights.assign(materials * numbers.size(), 0.0f);
     this->Errors.assign(numbers.size(), -1.0f);
     TexelSums sums(this->Values, std::move(numbers));
-    passes.Run(start, 0.9 + 0.1 * start,
+    this->Passes.Run(start, 0.9 + 0.1 * start,
       [&](int k, const PhotographPixels& pixels) { sums.Add(k, pixels); });
     std::vector<int> columns(materials);
     std::iota(columns.begin(), columns.end(), 0);
@@ -244,7 +205,8 @@ struct vtkMaterialMapFitter::Results
   // Errors of the texels, and what is known of each material.
   void Summarize()
   {
-    const std::size_t materials = this->Materials.size();
+    const std::size_t materials = this->Map.size();
+    this->Materials.resize(materials);
     std::vector<float> errors;
     for (std::size_t texel = 0; texel < this->Errors.size(); ++texel)
     {
@@ -257,17 +219,17 @@ struct vtkMaterialMapFitter::Results
       if (error > this->WorstError)
       {
         this->WorstError = error;
-        this->WorstTexel = texel;
+        this->Worst = texel;
       }
       for (std::size_t m = 0; m < materials; ++m)
       {
         const double weight = this->Weights[materials * texel + m];
-        MapMaterial& material = this->Materials[m];
+        MaterialFigures& material = this->Materials[m];
         material.Coverage += weight / this->Texels;
         material.LargestWeight = std::max(material.LargestWeight, weight);
       }
     }
-    this->TexelsWithoutData = this->Errors.size() - errors.size();
+    this->TexelsWithoutData = static_cast<vtkIdType>(this->Errors.size() - errors.size());
     if (errors.empty())
     {
       return;
@@ -287,41 +249,41 @@ struct vtkMaterialMapFitter::Results
     for (std::size_t m = 0; m < materials; ++m)
     {
       const double variance = variances[static_cast<Eigen::Index>(m)];
-      this->Materials[m].Uncertainty = std::isinf(variance)
-                                         ? std::numeric_limits<double>::infinity()
-                                         : std::sqrt(this->Residual / freedom * variance);
+      this->Materials[m].Uncertainty =
+        std::isinf(variance) ? variance : std::sqrt(this->Residual / freedom * variance);
     }
   }
 
   void FindLookalikes()
   {
     std::vector<std::string> pairs;
-    for (std::size_t a = 0; a < this->Materials.size(); ++a)
+    for (std::size_t a = 0; a < this->Map.size(); ++a)
     {
-      const std::string name = "'" + this->Materials[a].Material.second + "' ";
-      const auto compare = [&](const Eigen::MatrixXd& values, std::size_t column)
+      const auto add = [&](const NamedMaterial& other, const Eigen::MatrixXd& values, std::size_t b,
+                         const char* before, const char* after, const char* end)
       {
-        return GetDifference(this->Values.Values.col(static_cast<Eigen::Index>(a)),
-          values.col(static_cast<Eigen::Index>(column)));
-      };
-      for (std::size_t b = a + 1; b < this->Materials.size(); ++b)
-      {
-        const double difference = compare(this->Values.Values, b);
+        const double difference =
+          GetDifference(this->Values.Values.col(static_cast<Eigen::Index>(a)),
+            values.col(static_cast<Eigen::Index>(b)));
         if (difference < Alike)
         {
-          pairs.push_back(name + "and '" + this->Materials[b].Material.second +
-                          "' are the same in these photographs (difference " +
-                          FormatPercent(difference) + "): only the sum of their weights is known");
+          pairs.push_back("'" + this->Map[a].second + "' " + before + " '" + other.second + "'" +
+                          after + NumberText(100.0 * difference, 2) + " %" + end);
         }
+      };
+      for (std::size_t b = a + 1; b < this->Map.size(); ++b)
+      {
+        add(this->Map[b], this->Values.Values, b, "and",
+          " are the same in these photographs (difference ",
+          "): only the sum of their weights is known");
       }
       for (std::size_t b = 0; !this->Chosen.empty() && b < this->Fitter->Library.size(); ++b)
       {
-        const double difference = compare(this->LibraryValues.Values, b);
-        if (difference < Alike && std::find(this->Chosen.begin(), this->Chosen.end(),
-                                    static_cast<int>(b)) == this->Chosen.end())
+        if (std::find(this->Chosen.begin(), this->Chosen.end(), static_cast<int>(b)) ==
+            this->Chosen.end())
         {
-          pairs.push_back(name + "could as well be '" + this->Fitter->Library[b].second +
-                          "': in these photographs they differ by " + FormatPercent(difference));
+          add(this->Fitter->Library[b], this->LibraryValues.Values, b, "could as well be",
+            ": in these photographs they differ by ", "");
         }
       }
     }
@@ -336,9 +298,10 @@ struct vtkMaterialMapFitter::Results
 
   void FindUncertainties()
   {
-    for (const MapMaterial& material : this->Materials)
+    for (std::size_t m = 0; m < this->Map.size(); ++m)
     {
-      const std::string name = "'" + material.Material.second + "'";
+      const MaterialFigures& material = this->Materials[m];
+      const std::string name = "'" + this->Map[m].second + "'";
       if (std::isinf(material.Uncertainty))
       {
         this->Findings.push_back(
@@ -369,15 +332,15 @@ struct vtkMaterialMapFitter::Results
   {
     auto map = vtkSmartPointer<vtkMaterialMap>::New();
     map->SetModeToTextures();
-    const std::size_t materials = this->Materials.size();
-    for (const MapMaterial& material : this->Materials)
+    const std::size_t materials = this->Map.size();
+    for (const auto& [brdf, name] : this->Map)
     {
-      map->AddMaterial(material.Material.first, material.Material.second);
+      map->AddMaterial(brdf, name);
     }
     for (std::size_t first = 0; first < materials; first += MostComponents)
     {
       const std::size_t components = std::min(MostComponents, materials - first);
-      const auto image = NewImage(this->Width, this->Height, components);
+      const auto image = NewImage(this->Passes.Width, this->Passes.Height, components);
       auto* values = static_cast<float*>(image->GetScalarPointer());
       for (std::size_t at = first; at < this->Weights.size(); at += materials)
       {
@@ -390,10 +353,7 @@ struct vtkMaterialMapFitter::Results
 };
 
 //------------------------------------------------------------------------------
-vtkMaterialMapFitter::vtkMaterialMapFitter()
-  : Found(new Results)
-{
-}
+vtkMaterialMapFitter::vtkMaterialMapFitter() = default;
 
 //------------------------------------------------------------------------------
 vtkMaterialMapFitter::~vtkMaterialMapFitter() = default;
@@ -474,11 +434,17 @@ bool vtkMaterialMapFitter::Fit()
     return false;
   }
   this->Abort = false;
-  Results results;
-  results.Fitter = this;
   try
   {
-    results.Run();
+    Run run(this);
+    this->Output = run.MakeMap();
+    this->ErrorImage = NewImage(run.Passes.Width, run.Passes.Height, 1);
+    std::copy(run.Errors.begin(), run.Errors.end(),
+      static_cast<float*>(this->ErrorImage->GetScalarPointer()));
+    this->WorstTexel[0] = static_cast<int>(run.Worst) % run.Passes.Width;
+    this->WorstTexel[1] = static_cast<int>(run.Worst) / run.Passes.Width;
+    this->Found = run;
+    return true;
   }
   catch (const MapFitStopped&)
   {
@@ -489,66 +455,13 @@ bool vtkMaterialMapFitter::Fit()
     vtkErrorMacro("Fit: " << ToPrintable(error.what()) << ".");
     return false;
   }
-  this->Output = results.MakeMap();
-  this->ErrorImage = NewImage(results.Width, results.Height, 1);
-  std::copy(results.Errors.begin(), results.Errors.end(),
-    static_cast<float*>(this->ErrorImage->GetScalarPointer()));
-  this->WorstTexel[0] = static_cast<int>(results.WorstTexel) % results.Width;
-  this->WorstTexel[1] = static_cast<int>(results.WorstTexel) / results.Width;
-  *this->Found = std::move(results);
-  this->Found->Weights = {}; // they are in the images
-  this->Found->Errors = {};
-  this->Found->LibraryValues = {};
-  return true;
-}
-
-//------------------------------------------------------------------------------
-double vtkMaterialMapFitter::GetMeanError() { return this->Found->MeanError; }
-double vtkMaterialMapFitter::GetError95() { return this->Found->Error95; }
-double vtkMaterialMapFitter::GetWorstError() { return this->Found->WorstError; }
-double vtkMaterialMapFitter::GetFactorizationError() { return this->Found->FactorError; }
-double vtkMaterialMapFitter::GetSeenShare() { return this->Found->SeenShare; }
-int vtkMaterialMapFitter::GetNumberOfIterations() { return this->Found->Iterations; }
-bool vtkMaterialMapFitter::GetConverged() { return this->Found->Converged; }
-double vtkMaterialMapFitter::GetCoverage(int k) { return this->Found->Get(k).Coverage; }
-double vtkMaterialMapFitter::GetLargestWeight(int k) { return this->Found->Get(k).LargestWeight; }
-double vtkMaterialMapFitter::GetUncertainty(int k) { return this->Found->Get(k).Uncertainty; }
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMaterialMapFitter::GetNumberOfSaturatedPixels()
-{
-  return this->Found->Count(PixelState::Saturated);
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMaterialMapFitter::GetNumberOfBlackPixels()
-{
-  return this->Found->Count(PixelState::Black);
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMaterialMapFitter::GetNumberOfInvalidPixels()
-{
-  return this->Found->Count(PixelState::Invalid);
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMaterialMapFitter::GetNumberOfTexelsWithoutData()
-{
-  return static_cast<vtkIdType>(this->Found->TexelsWithoutData);
-}
-
-//------------------------------------------------------------------------------
-int vtkMaterialMapFitter::GetNumberOfFindings()
-{
-  return static_cast<int>(this->Found->Findings.size());
 }
 
 //------------------------------------------------------------------------------
 std::string vtkMaterialMapFitter::GetFinding(int index)
 {
   return index >= 0 && index < this->GetNumberOfFindings()
-           ? this->Found->Findings[static_cast<std::size_t>(index)]
+           ? this->Found.Findings[static_cast<std::size_t>(index)]
            : std::string();
 }
 
@@ -570,16 +483,6 @@ void vtkMaterialMapFitter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
   os << indent << "MeanError: " << this->GetMeanError() << "\n";
-  os << indent << "Error95: " << this->GetError95() << "\n";
-  os << indent << "WorstError: " << this->GetWorstError() << "\n";
   os << indent << "WorstTexel: " << this->WorstTexel[0] << " " << this->WorstTexel[1] << "\n";
-  os << indent << "NumberOfSaturatedPixels: " << this->GetNumberOfSaturatedPixels() << "\n";
-  os << indent << "NumberOfBlackPixels: " << this->GetNumberOfBlackPixels() << "\n";
-  os << indent << "NumberOfInvalidPixels: " << this->GetNumberOfInvalidPixels() << "\n";
-  os << indent << "NumberOfTexelsWithoutData: " << this->GetNumberOfTexelsWithoutData() << "\n";
-  os << indent << "FactorizationError: " << this->GetFactorizationError() << "\n";
-  os << indent << "SeenShare: " << this->GetSeenShare() << "\n";
-  os << indent << "NumberOfIterations: " << this->GetNumberOfIterations() << "\n";
-  os << indent << "Converged: " << (this->GetConverged() ? "On" : "Off") << "\n";
   os << indent << "NumberOfFindings: " << this->GetNumberOfFindings() << "\n";
 }

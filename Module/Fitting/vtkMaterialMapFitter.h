@@ -36,7 +36,6 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for members
 
-#include <memory>  // for results
 #include <string>  // for names
 #include <utility> // for materials
 #include <vector>  // for materials
@@ -173,9 +172,9 @@ public:
    * Mean, 95th percentile and largest of the texels' errors, and where that is (x, y from the lower
    * left).
    */
-  double GetMeanError();
-  double GetError95();
-  double GetWorstError();
+  double GetMeanError() { return this->Found.MeanError; }
+  double GetError95() { return this->Found.Error95; }
+  double GetWorstError() { return this->Found.WorstError; }
   vtkGetVector2Macro(WorstTexel, int);
   ///@}
 
@@ -183,10 +182,10 @@ public:
   /**
    * Pixels of all photographs that were left out, and texels without any valid one.
    */
-  vtkIdType GetNumberOfSaturatedPixels();
-  vtkIdType GetNumberOfBlackPixels();
-  vtkIdType GetNumberOfInvalidPixels();
-  vtkIdType GetNumberOfTexelsWithoutData();
+  vtkIdType GetNumberOfSaturatedPixels() { return this->Found.SaturatedPixels; }
+  vtkIdType GetNumberOfBlackPixels() { return this->Found.BlackPixels; }
+  vtkIdType GetNumberOfInvalidPixels() { return this->Found.InvalidPixels; }
+  vtkIdType GetNumberOfTexelsWithoutData() { return this->Found.TexelsWithoutData; }
   ///@}
 
   ///@{
@@ -195,9 +194,9 @@ public:
    * deviation of a weight by the residual's variance, which is infinite where the photographs do
    * not tell. 0 where there is none of that number.
    */
-  double GetCoverage(int material);
-  double GetLargestWeight(int material);
-  double GetUncertainty(int material);
+  double GetCoverage(int material) { return this->Found.GetMaterial(material).Coverage; }
+  double GetLargestWeight(int material) { return this->Found.GetMaterial(material).LargestWeight; }
+  double GetUncertainty(int material) { return this->Found.GetMaterial(material).Uncertainty; }
   ///@}
 
   ///@{
@@ -205,10 +204,10 @@ public:
    * TABLES: relative error of the factorization on the sample, before the values became tables;
    * share of the tables' cells that the photographs touch; iterations, and whether they converged.
    */
-  double GetFactorizationError();
-  double GetSeenShare();
-  int GetNumberOfIterations();
-  bool GetConverged();
+  double GetFactorizationError() { return this->Found.FactorizationError; }
+  double GetSeenShare() { return this->Found.SeenShare; }
+  int GetNumberOfIterations() { return this->Found.Iterations; }
+  bool GetConverged() { return this->Found.Converged; }
   ///@}
 
   ///@{
@@ -216,7 +215,7 @@ public:
    * What the photographs leave open, a sentence each: materials that look alike, weights that are
    * hardly determined, materials that are nowhere pure, another brightness.
    */
-  int GetNumberOfFindings();
+  int GetNumberOfFindings() { return static_cast<int>(this->Found.Findings.size()); }
   std::string GetFinding(int index);
   ///@}
 
@@ -241,9 +240,38 @@ private:
   vtkMaterialMapFitter(const vtkMaterialMapFitter&) = delete;
   void operator=(const vtkMaterialMapFitter&) = delete;
 
-  struct Results;
+  struct MaterialFigures
+  {
+    double Coverage = 0.0;
+    double LargestWeight = 0.0;
+    double Uncertainty = 0.0;
+  };
+  struct Figures
+  {
+    std::vector<MaterialFigures> Materials;
+    double MeanError = 0.0;
+    double Error95 = 0.0;
+    double WorstError = 0.0;
+    double FactorizationError = 0.0;
+    double SeenShare = 0.0;
+    int Iterations = 0;
+    bool Converged = false;
+    vtkIdType SaturatedPixels = 0;
+    vtkIdType BlackPixels = 0;
+    vtkIdType InvalidPixels = 0;
+    vtkIdType TexelsWithoutData = 0;
+    std::vector<std::string> Findings;
+
+    MaterialFigures GetMaterial(int k) const
+    {
+      const bool exists = k >= 0 && k < static_cast<int>(this->Materials.size());
+      return exists ? this->Materials[static_cast<std::size_t>(k)] : MaterialFigures();
+    }
+  };
+  struct Run; // a fit while it runs
+
   std::vector<std::pair<vtkSmartPointer<vtkBRDF>, std::string>> Library;
-  std::unique_ptr<Results> Found; // by the last Fit that succeeded
+  Figures Found; // by the last Fit that succeeded
 };
 
 #endif

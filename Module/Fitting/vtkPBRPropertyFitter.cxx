@@ -5,7 +5,9 @@
 #include "HalfVector.h" // for Pi
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
+#include "Setters.h"
 #include "vtkBRDF.h"
+#include "vtkEnvironment.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -113,6 +115,22 @@ struct Shading
     this->Coat << q * coatF0, q * (1.0 - coatF0), 0.0, 0.0;
   }
 };
+
+// The neutral light: gray radiance from a direction; +y up, the picture is seen from +z.
+double GetNeutralRadiance(const glm::dvec3& d)
+{
+  // A round lamp of that radius, its edge soft over two degrees.
+  const auto lamp = [&d](const glm::dvec3& towards, double degrees)
+  {
+    const double angle = vtkMath::RadiansFromDegrees(degrees);
+    const double edge = std::sin(angle) * vtkMath::RadiansFromDegrees(1.0);
+    return 1.0 / (1.0 + std::exp((std::cos(angle) - glm::dot(d, glm::normalize(towards))) / edge));
+  };
+  return 0.3 + 0.2 * d.y                                 // floor to ceiling
+         + 5.0 * lamp(glm::dvec3(-0.6, 0.7, 0.6), 14.0)  // key
+         + 1.0 * lamp(glm::dvec3(1.0, 0.15, 0.4), 25.0)  // fill
+         + 2.0 * lamp(glm::dvec3(0.4, 0.4, -1.0), 18.0); // rim
+}
 
 // Rings of pixels, each of the same area on the sphere's disc, and pixels of a ring.
 constexpr int NumberOfPBRViews = 12;
@@ -258,9 +276,8 @@ private:
     const glm::dmat3 frame(tangent, glm::cross(normal, tangent), normal);
     for (std::size_t k = 0; k < view.Directions.size(); ++k)
     {
-      const glm::dvec3 direction = frame * view.Directions[k];
       view.Light(pixel, static_cast<Eigen::Index>(k)) =
-        view.Weights[k] * vtkPBRPropertyFitter::GetNeutralRadiance(&direction.x);
+        view.Weights[k] * GetNeutralRadiance(frame * view.Directions[k]);
     }
   }
 
@@ -272,12 +289,11 @@ private:
     for (int tangent = 0; tangent < this->NumberOfTangents; ++tangent)
     {
       const double phi = Pi * tangent / this->NumberOfTangents;
-      const double c = std::cos(phi), s = std::sin(phi);
-      const glm::dvec3 o = ToDirection(view.Cosine, phi);
+      const glm::dvec3 x = ToDirection(0.0, phi), o = ToDirection(view.Cosine, phi);
+      const glm::dmat3 turn(x, glm::dvec3(-x.y, x.x, 0.0), glm::dvec3(0.0, 0.0, 1.0));
       for (std::size_t d = 0; d < view.Directions.size(); ++d)
       {
-        const glm::dvec3& local = view.Directions[d];
-        const glm::dvec3 i(c * local.x - s * local.y, s * local.x + c * local.y, local.z);
+        const glm::dvec3 i = turn * view.Directions[d];
         brdf->Evaluate(&i.x, &o.x, &f(static_cast<Eigen::Index>(d), 0));
       }
       this->Reference.block<NumberOfPBRAzimuths, 3>(k * NumberOfPBRAzimuths, 3 * tangent) =
@@ -384,39 +400,30 @@ constexpr int MetallicRoughness = 2, WithFresnel = 4, WithCoat = 7;
 // What values a search may take.
 struct Limits
 {
-  Parameters Least;
-  Parameters Most;
-};
+  Parameters Least, Most;
 
-Limits MakeLimits(double leastMetallic, double mostMetallic, double mostRoughness, double mostIndex)
-{
-  Limits limits;
-  limits.Least << LeastRoughness, leastMetallic, 1.0, 0.0, 0.0, LeastRoughness, 1.0;
-  limits.Most << mostRoughness, mostMetallic, mostIndex, 1.0, 1.0, 1.0, mostIndex;
-  return limits;
-}
+  Limits(double leastMetallic, double mostMetallic, double mostRoughness, double mostIndex)
+  {
+    this->Least << LeastRoughness, leastMetallic, 1.0, 0.0, 0.0, LeastRoughness, 1.0;
+    this->Most << mostRoughness, mostMetallic, mostIndex, 1.0, 1.0, 1.0, mostIndex;
+  }
+};
 
 struct Candidate
 {
   Parameters Values = Parameters::Zero();
   Eigen::Array3d Color = Eigen::Array3d::Constant(0.5);
   double Error = std::numeric_limits<double>::infinity();
-};
 
-void Keep(Candidate& best, const Candidate& other)
-{
-  if (other.Error < best.Error)
+  Candidate() = default;
+  Candidate(PBRPicture& picture, const Parameters& values)
+    : Values(values)
+    , Error(picture.FitColor(values, this->Color))
   {
-    best = other;
   }
-}
 
-Candidate Try(PBRPicture& picture, const Parameters& parameters)
-{
-  Candidate candidate{ parameters };
-  candidate.Error = picture.FitColor(parameters, candidate.Color);
-  return candidate;
-}
+  bool operator<(const Candidate& other) const { return this->Error < other.Error; }
+};
 
 // One parameter at a time, up and down, with steps halved until they are a hundredth.
 Candidate Refine(PBRPicture& picture, const Candidate& start, int extent, const Limits& limits)
@@ -438,7 +445,7 @@ Candidate Refine(PBRPicture& picture, const Candidate& start, int extent, const 
         next[axis] = std::round(100.0 * next[axis]) / 100.0;
         if (next[axis] != best.Values[axis])
         {
-          Keep(best, Try(picture, next));
+          best = std::min(best, Candidate(picture, next));
         }
       }
     }
@@ -446,56 +453,29 @@ Candidate Refine(PBRPicture& picture, const Candidate& start, int extent, const 
   return best;
 }
 
-//------------------------------------------------------------------------------
-// The best of what the few best starts lead to.
-Candidate Search(
-  PBRPicture& picture, const std::vector<Parameters>& starts, int extent, const Limits& limits)
-{
-  constexpr std::size_t refined = 3;
-  std::vector<Candidate> candidates;
-  for (Parameters start : starts)
-  {
-    start.head(extent) =
-      start.head(extent).max(limits.Least.head(extent)).min(limits.Most.head(extent));
-    candidates.push_back(Try(picture, start));
-  }
-  std::stable_sort(candidates.begin(), candidates.end(),
-    [](const Candidate& a, const Candidate& b) { return a.Error < b.Error; });
-  Candidate best;
-  for (std::size_t k = 0; k < std::min(refined, candidates.size()); ++k)
-  {
-    if (k == 0 || (candidates[k].Values != candidates[k - 1].Values).any())
-    {
-      Keep(best, Refine(picture, candidates[k], extent, limits));
-    }
-  }
-  return best;
-}
-
-//------------------------------------------------------------------------------
+// The values that a search of so many of the axes begins with. before: the best roughness of fewer.
 std::vector<Parameters> GetStarts(int extent, double before)
 {
   // Rough ones first: of equals, where nothing is specular, the first is taken.
   const std::vector<double> any = { 1.0, 0.7, 0.5, 0.35, 0.25, 0.15, 0.07 };
   const std::vector<double> few = { 1.0, 0.5, 0.3, before };
-  const std::vector<double> indices = { 1.0, 1.5, 2.2 }, coats = { 0.07, 0.2, 0.4 }, one = { 0.0 };
+  const std::vector<double> indices = { 1.0, 1.5, 2.2 }, coats = { 0.07, 0.2, 0.4 };
   std::vector<Parameters> starts;
   for (const double roughness : extent == WithCoat ? few : any)
   {
     for (const double metallic : { 0.0, 0.5, 1.0 })
     {
-      for (const double third : extent == WithFresnel ? indices : extent == WithCoat ? coats : one)
+      Parameters start;
+      start << roughness, metallic, 1.5, 1.0, 0.0, 0.0, 2.0; // VTK's defaults
+      for (std::size_t k = 0; k < (extent == MetallicRoughness ? 1 : indices.size()); ++k)
       {
-        Parameters start;
-        start << roughness, metallic, 1.5, 1.0, 0.0, 0.0, 2.0; // VTK's defaults
         if (extent == WithFresnel)
         {
-          start[BASE_IOR] = third;
-          start[EDGE_TINT] = 0.5;
+          start.segment<2>(BASE_IOR) << indices[k], 0.5;
         }
         else if (extent == WithCoat)
         {
-          start.tail(3) << 1.0, third, 1.5;
+          start.tail<3>() << 1.0, coats[k], 1.5;
         }
         starts.push_back(start);
       }
@@ -505,14 +485,37 @@ std::vector<Parameters> GetStarts(int extent, double before)
 }
 
 //------------------------------------------------------------------------------
+// The best of what the few best starts lead to.
+Candidate Search(PBRPicture& picture, double before, int extent, const Limits& limits)
+{
+  constexpr std::size_t refined = 3;
+  std::vector<Candidate> candidates;
+  for (Parameters start : GetStarts(extent, before))
+  {
+    start.head(extent) =
+      start.head(extent).max(limits.Least.head(extent)).min(limits.Most.head(extent));
+    candidates.emplace_back(picture, start);
+  }
+  std::stable_sort(candidates.begin(), candidates.end());
+  Candidate best;
+  for (std::size_t k = 0; k < refined; ++k)
+  {
+    if (k == 0 || (candidates[k].Values != candidates[k - 1].Values).any())
+    {
+      best = std::min(best, Refine(picture, candidates[k], extent, limits));
+    }
+  }
+  return best;
+}
+
+//------------------------------------------------------------------------------
 // More parameters only where they are worth it.
 Candidate SearchWithin(PBRPicture& picture, const Limits& limits)
 {
   Candidate best;
   for (const int extent : { MetallicRoughness, WithFresnel, WithCoat })
   {
-    const std::vector<Parameters> starts = GetStarts(extent, best.Values[ROUGHNESS]);
-    const Candidate next = Search(picture, starts, extent, limits);
+    const Candidate next = Search(picture, best.Values[ROUGHNESS], extent, limits);
     if (!(next.Error >= WorthIt * best.Error))
     {
       best = next;
@@ -523,31 +526,21 @@ Candidate SearchWithin(PBRPicture& picture, const Limits& limits)
 }
 
 //------------------------------------------------------------------------------
-void vtkPBRPropertyFitter::SetBRDF(vtkBRDF* brdf)
-{
-  if (this->BRDF != brdf)
-  {
-    this->BRDF = brdf;
-    this->Modified();
-  }
-}
+void vtkPBRPropertyFitter::SetBRDF(vtkBRDF* brdf) { measuredbrdfAssignMacro(BRDF, brdf); }
 
 //------------------------------------------------------------------------------
-double vtkPBRPropertyFitter::GetNeutralRadiance(const double direction[3])
+void vtkPBRPropertyFitter::SetToNeutralStudio(vtkEnvironment* environment, int rows)
 {
-  const glm::dvec3 d = glm::normalize(glm::dvec3(direction[0], direction[1], direction[2]));
-  // A round lamp of that radius, its edge soft over two degrees.
-  const auto lamp = [&d](const glm::dvec3& towards, double degrees)
+  std::vector<float> pixels;
+  for (int k = 0; k < 2 * rows * rows; ++k)
   {
-    const double cosine = std::cos(vtkMath::RadiansFromDegrees(degrees));
-    const double edge =
-      std::sin(vtkMath::RadiansFromDegrees(degrees)) * vtkMath::RadiansFromDegrees(1.0);
-    return 1.0 / (1.0 + std::exp((cosine - glm::dot(d, glm::normalize(towards))) / edge));
-  };
-  return 0.3 + 0.2 * d.y                                 // floor to ceiling
-         + 5.0 * lamp(glm::dvec3(-0.6, 0.7, 0.6), 14.0)  // key
-         + 1.0 * lamp(glm::dvec3(1.0, 0.15, 0.4), 25.0)  // fill
-         + 2.0 * lamp(glm::dvec3(0.4, 0.4, -1.0), 18.0); // rim
+    glm::dvec3 d;
+    vtkEnvironment::GetDirection(
+      (k % (2 * rows) + 0.5) / (2 * rows), (k / (2 * rows) + 0.5) / rows, &d.x);
+    pixels.insert(pixels.end(), 3, static_cast<float>(GetNeutralRadiance(d)));
+  }
+  environment->SetPixels(2 * rows, rows, std::move(pixels));
+  environment->SetName("neutral studio");
 }
 
 //------------------------------------------------------------------------------
@@ -561,15 +554,14 @@ bool vtkPBRPropertyFitter::Update()
   this->BRDF->Prepare();
   PBRPicture picture(this->BRDF);
   const double leastMetallic = 0.3;
-  Candidate best = SearchWithin(picture, MakeLimits(0.0, 0.0, 1.0, 2.0)); // a dielectric
-  const Candidate metal = SearchWithin(picture, MakeLimits(leastMetallic, 1.0, 0.6, 2.0));
+  Candidate best = SearchWithin(picture, Limits(0.0, 0.0, 1.0, 2.0)); // a dielectric
+  const Candidate metal = SearchWithin(picture, Limits(leastMetallic, 1.0, 0.6, 2.0));
   // One at the least metallic part wants to be none.
   const bool isMetal =
     metal.Values[METALLIC] > leastMetallic && metal.Error < WorthMetal * best.Error;
   best = isMetal ? metal : best;
-  Candidate closest = best;
-  Keep(closest, metal);
-  Keep(closest, SearchWithin(picture, MakeLimits(0.0, 1.0, 1.0, 3.0)));
+  const Candidate closest =
+    std::min({ best, metal, SearchWithin(picture, Limits(0.0, 1.0, 1.0, 3.0)) });
   this->ClosestError = closest.Error;
   best = this->UsualValues ? best : closest;
   std::copy_n(best.Color.data(), 3, this->BaseColor);

@@ -26,6 +26,7 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for BRDF
 
+class vtkEnvironment;
 class vtkProperty;
 
 class VTKMEASUREDBRDF_EXPORT vtkPBRPropertyFitter : public vtkObject
@@ -99,9 +100,10 @@ public:
   static double Fit(vtkBRDF* brdf, vtkProperty* property);
 
   /**
-   * The neutral light: gray radiance from a direction; +y up, the picture is seen from +z.
+   * Make the environment the neutral light, with that many rows: +y up, the picture is seen from
+   * +z.
    */
-  static double GetNeutralRadiance(const double direction[3]);
+  static void SetToNeutralStudio(vtkEnvironment* environment, int rows = 128);
 
 protected:
   vtkPBRPropertyFitter() = default;

@@ -5,15 +5,16 @@
 
     pip install materialx==1.39.3 usd-core
     Testing/Export/validate_exports.py BUILD/bin/WriteExports --pvpython pvpython -o Testing/Export/recorded.json
+    Testing/Export/validate_exports.py BUILD/bin/WriteExports
+
+The second line is the test: it compares today's files with recorded.json, which holds the hash of every file that was found right.
+It needs none of the three programs. VTK itself reads the glTF files in another test.
 
 .mtlx   MaterialX reads and validates the document; the inputs that it finds must have the case's values, within the ranges
         that the node definitions give (uimin, uimax).
 .usda   OpenUSD opens the stage; the ball's bound material must be a UsdPreviewSurface with the case's values, of the types
         that the shader's definition in OpenUSD gives.
-.py     ParaView runs the script; its sphere's representation must have the case's values (check_paraview.py).
-
-recorded.json holds the hash of every file that was found right. A test compares today's files with it. VTK itself reads
-the glTF files in that test.
+.py     ParaView runs the script; its sphere's representation must have the case's values.
 """
 
 import argparse
@@ -21,10 +22,12 @@ import datetime
 import hashlib
 import json
 import os
+import runpy
 import subprocess
 import sys
 import tempfile
 
+IN_PARAVIEW = "--in-paraview"
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
@@ -99,43 +102,74 @@ def check_usd(path, case):
     return ".".join(map(str, Usd.GetVersion()))
 
 
+def run_in_paraview(paths):
+    """What pvpython does with this file: runs exported scripts and compares what their sphere has."""
+    from paraview.simple import GetActiveSource, GetActiveView, GetDisplayProperties, GetParaViewVersion, ResetSession
+
+    with open(os.path.join(HERE, "cases.json"), encoding="ascii") as file:
+        cases = {case["name"]: case for case in json.load(file)}
+    for path in paths:
+        ResetSession()
+        runpy.run_path(path)
+        display = GetDisplayProperties(GetActiveSource(), GetActiveView())
+        assert display.Interpolation == "PBR", display.Interpolation
+        for key, wanted in cases[os.path.splitext(os.path.basename(path))[0]]["values"].items():
+            for name in ("DiffuseColor", "AmbientColor") if key == "Color" else (key,):
+                value = getattr(display, name)
+                value = list(value) if isinstance(wanted, list) else float(value)
+                assert value == wanted, (path, name, value, wanted)
+    print(f"ParaView {GetParaViewVersion().major}.{GetParaViewVersion().minor}")
+
+
 def check_paraview(program, paths):
-    command = [program, os.path.join(HERE, "check_paraview.py"), os.path.join(HERE, "cases.json"), *paths]
-    made = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
+    made = subprocess.run([program, __file__, IN_PARAVIEW, *paths], stdout=subprocess.PIPE, text=True, check=True)
     return made.stdout.split("ParaView ")[1].strip()
 
 
+def compare(files, record):
+    """Whether today's files are those that were found right."""
+    failures = 0
+    for name in sorted(set(files) | set(record["files"])):
+        if files.get(name) != record["files"].get(name):
+            failures += 1
+            print(f"{name}: not what MaterialX {record['materialx']}, USD {record['usd']} and ParaView {record['paraview']} "
+                  "have read, or not there; run validate_exports.py")
+    print(f"{len(record['files'])} files compared")
+    return 1 if failures else 0
+
+
 def main():
+    if sys.argv[1:2] == [IN_PARAVIEW]:
+        return run_in_paraview(sys.argv[2:])
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("writer", metavar="WRITER", help="the program WriteExports of the build")
-    parser.add_argument("-o", "--output", required=True, help="JSON file to write")
-    parser.add_argument("--pvpython", required=True, metavar="PROGRAM", help="ParaView's Python; it needs a display")
+    parser.add_argument("-o", "--output", help="JSON file to write; without it, files are compared with recorded.json")
+    parser.add_argument("--pvpython", default="pvpython", metavar="PROGRAM", help="ParaView's Python; it needs a display")
     arguments = parser.parse_args()
     cases_path = os.path.join(HERE, "cases.json")
     with open(cases_path, encoding="ascii") as file:
         cases = {case["name"]: case for case in json.load(file)}
-    record = {"format": "measured-brdf exports", "version": 1, "date": datetime.date.today().isoformat(), "files": {}}
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([arguments.writer, cases_path, folder], check=True)
+        files = {}
         for name in sorted(os.listdir(folder)):
-            stem, ending = os.path.splitext(name)
-            check = {".mtlx": check_materialx, ".usda": check_usd}.get(ending)
-            if not check:
-                continue
-            path = os.path.join(folder, name)
-            record[{".mtlx": "materialx", ".usda": "usd"}[ending]] = check(path, cases[stem])
-            with open(path, "rb") as file:
-                record["files"][name] = hashlib.sha256(file.read()).hexdigest()
-            print(f"{name}: valid")
-        scripts = [name for name in sorted(os.listdir(folder)) if name.endswith(".py")]
-        record["paraview"] = check_paraview(arguments.pvpython, [os.path.join(folder, name) for name in scripts])
-        for name in scripts:
-            with open(os.path.join(folder, name), "rb") as file:
-                record["files"][name] = hashlib.sha256(file.read()).hexdigest()
-            print(f"{name}: runs")
+            if name.endswith((".mtlx", ".usda", ".py")):
+                with open(os.path.join(folder, name), "rb") as file:
+                    files[name] = hashlib.sha256(file.read()).hexdigest()
+        if not arguments.output:
+            with open(os.path.join(HERE, "recorded.json"), encoding="ascii") as file:
+                return compare(files, json.load(file))
+        record = {"format": "measured-brdf exports", "version": 1, "date": datetime.date.today().isoformat(), "files": files}
+        for program, ending, check in (("materialx", ".mtlx", check_materialx), ("usd", ".usda", check_usd)):
+            for name in filter(lambda name: name.endswith(ending), files):
+                record[program] = check(os.path.join(folder, name), cases[os.path.splitext(name)[0]])
+                print(f"{name}: valid")
+        scripts = [os.path.join(folder, name) for name in files if name.endswith(".py")]
+        record["paraview"] = check_paraview(arguments.pvpython, scripts)
     with open(arguments.output, "w", encoding="ascii") as file:
         json.dump(record, file, indent=1)
         file.write("\n")
+    return 0
 
 
 if __name__ == "__main__":

@@ -509,8 +509,8 @@ add("Fitting.output-without-name", "vtkBRDFFitter.cxx", "result.BRDF->SetName(th
     "Fit.OutputIsAMaterialLikeAnyOther")
 add("Fitting.non-negative-gradient", "LinearLeastSquares.cxx", "gradient[k] < -tolerance;",
     "gradient[k] > tolerance;", "KnownFit.ComesBack")
-add("Fitting.half-the-cost", "vtkLobeBRDFFitter.cxx", "push_back(2.0 * summary.cost)",
-    "push_back(summary.cost)",
+add("Fitting.half-the-cost", "vtkLobeBRDFFitter.cxx", "push_back(squares)",
+    "push_back(0.5 * squares)",
     "Fit.FiguresAreWhatTheyAreSaidToBe")
 add("Core.never-regularized", "BasisFunctions.h",
     "std::sqrt(regularization * weight.sum() / (4.0 * Pi)) * l * (l + 1.0)", "0.0 * regularization * l",
@@ -534,11 +534,10 @@ add("Fitting.pbr-metals-are-diffuse", "vtkPBRPropertyFitter.cxx", "(1.0 - p[META
 
 add("Fitting.multiplier-is-not-removed", "LinearLeastSquares.cxx", "this->Z -= this->Multiplier * solved.col(1);", "",
     "SimplexLeastSquares.NothingNearbyIsBetter")
-add("Fitting.masked-photographs-count", "TexelWeights.cxx", "masked.end(), p) == subtract)",
-    "masked.end(), p) != subtract)", "MaterialMapFitter.LeavesOutSpoiledPixels")
-add("Fitting.saturated-pixels-count", "PhotographPasses.cxx", "most >= this->Saturation", "most > this->Saturation",
+add("Fitting.masked-photographs-count", "PhotographFit.cxx", "matrix -= rows.transpose() * rows;", "", "MaterialMapFitter.LeavesOutSpoiledPixels")
+add("Fitting.saturated-pixels-count", "PhotographFit.cxx", "most >= set->GetSaturationLevel()", "most > set->GetSaturationLevel()",
     "MaterialMapFitter.IntegersAreSharesOfTheirLargest|MaterialMapFitter.LeavesOutSpoiledPixels")
-add("Fitting.library-without-exchange-of-weights", "TexelWeights.cxx", "solution.Weights.dot(matrix * solution.Weights)",
+add("Fitting.library-without-exchange-of-weights", "PhotographFit.cxx", "solution.Weights.dot(matrix * solution.Weights)",
     "solution.Weights.dot(right)", "MaterialMapFitter.FindsTheMaterialsOfALibraryAndTheirWeights")
 add("Fitting.tables-without-refinement", "TableMaterials.cxx", "cells += smooth(target - model.array().log().matrix());",
     "", "MaterialMapFitter.FindsMaterialsAsTables")
@@ -970,27 +969,27 @@ add("Export.materialx-without-compensation", "MaterialXModels.cxx",
 add("Export.materialx-layer-lets-all-through", "MaterialXModels.cxx", "return top.Response + base * top.Throughput;",
     "return top.Response + base;", MODELS)
 add("Export.openpbr-coat-leaves-the-base-smooth", "MaterialXModels.cxx",
-    "return own + (coated - own) * v[Coat];", "return own;", MODELS)
-add("Export.openpbr-coat-does-not-darken", "MaterialXModels.cxx", "f * glm::clamp(GetDarkening(v), 0.0, 1.0)", "f",
+    "return own + (coated - own) * v.Coat;", "return own;", MODELS)
+add("Export.openpbr-coat-does-not-darken", "MaterialXModels.cxx", " * glm::clamp(GetDarkening(v), 0.0, 1.0)", "",
     MODELS)
 add("Export.preview-surface-clearcoat-index", "PbrModels.cxx",
     "coat * (reflectance + (1.0 - reflectance) * s)", "coat * (0.04 + 0.96 * s)", MODELS)
 add("Export.vtk-coat-passed-once", "PbrModels.cxx", "specular * Square(1.0 - coat)", "specular * (1.0 - coat)", MODELS)
-add("Export.light-below-the-nodes-is-lost", "LitSphere.cxx", "+= weights[k] / sum * energy;", "+= weights[k] * energy;",
+add("Export.light-below-the-nodes-is-lost", "LitSphere.cxx", "+= weights[k] / sum *", "+= weights[k] *",
     "ExportLitSphere.KeepsAllLight")
-add("Export.lit-sphere-without-cosine", "LitSphere.cxx", "light.z * solidAngle * rgb", "solidAngle * rgb",
+add("Export.lit-sphere-without-cosine", "LitSphere.cxx", "direction.z * solidAngle * rgb", "solidAngle * rgb",
     "ExportLitSphere.KeepsAllLight")
 add("Export.every-part-is-worth-it", "ModelFit.cxx",
     "worthIt = best.Error - next.Error >= std::max(WorthIt * best.Error, WorthAtLeast);", "worthIt = true;",
     "ExportFit.TakesNoPartThatIsOfNoUse|ExportFit.FindsWhatIsThere")
-add("Export.lights-count-by-brightness", "ModelFit.cxx", "const double d = (radiance[k] - this->Reference[k]) * this->Scales[k / count];",
-    "const double d = radiance[k] - this->Reference[k];", "ExportFit.EveryLightCountsTheSame")
+add("Export.lights-count-by-brightness", "ModelFit.cxx", "wanted.colwise().mean().max(1e-300);",
+    "wanted.colwise().mean().max(1e300).min(1.0);", "ExportFit.EveryLightCountsTheSame")
 add("Export.rounded-beyond-the-range", "ExportFiles.cxx",
     "values[at] = rounded <= parameter.Most ? rounded : std::floor(1e4 * values[at]) / 1e4;", "values[at] = rounded;",
     "ExportFiles.NumbersAndNames")
 add("Export.gltf-triangles-inside-out", "ExportFiles.cxx", "corner, below, below + 1, corner, below + 1, corner + 1",
     "corner, below + 1, below, corner, corner + 1, below + 1", "ExportFiles.VtkReadsGltf")
-add("Export.gltf-extension-not-declared", "ExportFiles.cxx", "    used.push_back(extension);\n", "",
+add("Export.gltf-extension-not-declared", "ExportFiles.cxx", "    file[\"extensionsUsed\"].push_back(extension);\n", "",
     "ExportFiles.GltfHasTheExtensionsThatAreUsed")
 
 add("Material.map-weights-fall-below-0", "vtkMaterialMap.cxx",

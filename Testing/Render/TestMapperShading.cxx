@@ -732,20 +732,8 @@ TEST_F(FittedProperty, IsNearerThanTheDefault)
   {
     return;
   }
-  constexpr int height = 128;
-  std::vector<float> pixels;
-  for (int y = 0; y < height; ++y)
-  {
-    for (int x = 0; x < 2 * height; ++x)
-    {
-      double d[3];
-      vtkEnvironment::GetDirection((x + 0.5) / (2 * height), (y + 0.5) / height, d);
-      pixels.insert(
-        pixels.end(), 3, static_cast<float>(vtkPBRPropertyFitter::GetNeutralRadiance(d)));
-    }
-  }
   vtkNew<vtkEnvironment> environment;
-  ASSERT_TRUE(environment->SetPixels(2 * height, height, std::move(pixels)));
+  vtkPBRPropertyFitter::SetToNeutralStudio(environment);
   const auto image = vtkSmartPointer<vtkImageData>::Take(environment->NewImageData());
   vtkNew<vtkTexture> texture;
   texture->SetInputData(image);

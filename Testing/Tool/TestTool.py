@@ -520,7 +520,6 @@ class FitErrors(ToolTest):
             (["--model", "d-brdf", "--lobes", "2"], "--lobes"),
             (["--model", "blinn-phong", "--lobes", "4"], "--lobes"),
             (["--model", "blinn-phong", "--lobes", "0"], "--lobes"),
-            (["--model", "blinn-phong", "--fresnel", "table"], "--fresnel"),
             (["--model", "blinn-phong", "--anisotropic"], "--anisotropic"),
             (["--model", "blinn-phong", "--loss", "l2"], "--loss"),
             (["--model", "blinn-phong", "--starts", "0"], "--starts"),

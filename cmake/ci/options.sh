@@ -4,7 +4,7 @@
 # Builds the library without each of the optional libraries and without all of them, and runs the unit tests there; and
 # the command line tool without libcurl and without Qt, where it has to say that it has no explorer:
 #
-#   cmake/ci/options.sh [CERES|OPENIMAGEIO|ALL|CURL|QT...]
+#   cmake/ci/options.sh [OPENIMAGEIO|ALL|CURL|QT...]
 #
 # Without arguments all five. The trees are build-without-NAME. What a build lacks is left out of its tests, or the
 # test is skipped and says why; an absent library's headers must not be needed.
@@ -13,15 +13,14 @@ cd "$(dirname "$0")/../.."
 cmake/install-packages.sh --tests
 
 names=("$@")
-[ $# -gt 0 ] || names=(CERES OPENIMAGEIO ALL CURL QT)
+[ $# -gt 0 ] || names=(OPENIMAGEIO ALL CURL QT)
 for name in "${names[@]}"; do
   tool=OFF
   case $name in
-    CERES) off=("$name") tool=ON ;; # exports fit without it
     OPENIMAGEIO) off=("$name") ;;
     CURL | QT) off=("$name") tool=ON ;;
-    ALL) off=(CERES OPENIMAGEIO) tool=ON ;;
-    *) echo "usage: cmake/ci/options.sh [CERES|OPENIMAGEIO|ALL|CURL|QT...]" >&2; exit 2 ;;
+    ALL) off=(OPENIMAGEIO) tool=ON ;;
+    *) echo "usage: cmake/ci/options.sh [OPENIMAGEIO|ALL|CURL|QT...]" >&2; exit 2 ;;
   esac
   options=()
   for library in "${off[@]}"; do

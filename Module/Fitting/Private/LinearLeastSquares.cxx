@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace measuredbrdf
 {
@@ -27,6 +28,7 @@ public:
     , HasSum(constraint == UnknownsAre::Shares)
     , X(SmallVector::Zero(g.size()))
   {
+    this->Free.reserve(MaximumNumberOfUnknowns);
     const double diagonal = std::max(H.diagonal().maxCoeff(), 0.0);
     this->RidgeValue = Ridge * diagonal + std::numeric_limits<double>::min();
     this->Tolerance = Zero * (diagonal + g.cwiseAbs().maxCoeff());
@@ -35,7 +37,7 @@ public:
       Eigen::Index corner = 0;
       (0.5 * H.diagonal() - g).minCoeff(&corner);
       this->X[corner] = 1.0;
-      this->Free[this->Count++] = static_cast<int>(corner);
+      this->Free.push_back(static_cast<int>(corner));
       this->SolveFree();
     }
   }
@@ -50,11 +52,10 @@ public:
       {
         break;
       }
-      this->Free[this->Count++] = entering;
+      this->Free.push_back(entering);
       this->SolveFree();
-      if (this->Z[this->Count - 1] <= 0.0) // rounding only: it would not improve
+      if (this->Z[this->Z.size() - 1] <= 0.0) // rounding only: it would not improve
       {
-        this->Count--;
         break;
       }
       this->Descend();
@@ -63,11 +64,6 @@ public:
   }
 
 private:
-  bool IsFree(int k) const
-  {
-    return std::find(this->Free, this->Free + this->Count, k) != this->Free + this->Count;
-  }
-
   // The unknown at 0 whose growth improves most; -1: none.
   int FindEntering() const
   {
@@ -77,7 +73,7 @@ private:
     for (int k = 0; k < this->G.size(); ++k)
     {
       const double gain = gradient[k] - this->Multiplier;
-      if (gain > most && !this->IsFree(k))
+      if (gain > most && std::find(this->Free.begin(), this->Free.end(), k) == this->Free.end())
       {
         best = k;
         most = gain;
@@ -89,18 +85,10 @@ private:
   // The best values of the free unknowns, whatever their sign.
   void SolveFree()
   {
-    SmallMatrix h(this->Count, this->Count);
-    SmallMatrix right(this->Count, 2);
-    for (int a = 0; a < this->Count; ++a)
-    {
-      for (int b = 0; b < this->Count; ++b)
-      {
-        h(a, b) = this->H(this->Free[a], this->Free[b]);
-      }
-      h(a, a) += this->RidgeValue;
-      right(a, 0) = this->G[this->Free[a]];
-      right(a, 1) = 1.0;
-    }
+    SmallMatrix h = this->H(this->Free, this->Free);
+    h.diagonal().array() += this->RidgeValue;
+    SmallMatrix right = SmallMatrix::Ones(h.rows(), 2);
+    right.col(0) = this->G(this->Free);
     const SmallMatrix solved = h.ldlt().solve(right);
     this->Z = solved.col(0);
     if (this->HasSum)
@@ -113,31 +101,27 @@ private:
   // From X towards Z, dropping the unknowns that reach 0 on the way.
   void Descend()
   {
-    while (this->Count > 0)
+    while (!this->Free.empty())
     {
+      const SmallVector x = this->X(this->Free);
       double step = 1.0;
-      int leaving = -1;
-      for (int a = 0; a < this->Count; ++a)
+      Eigen::Index leaving = -1;
+      for (Eigen::Index a = 0; a < x.size(); ++a)
       {
-        const double x = this->X[this->Free[a]];
-        if (this->Z[a] <= 0.0 && x / (x - this->Z[a]) <= step)
+        if (this->Z[a] <= 0.0 && x[a] / (x[a] - this->Z[a]) <= step)
         {
-          step = x / (x - this->Z[a]);
+          step = x[a] / (x[a] - this->Z[a]);
           leaving = a;
         }
       }
-      for (int a = 0; a < this->Count; ++a)
-      {
-        double& x = this->X[this->Free[a]];
-        x = leaving < 0 ? this->Z[a] : std::max(x + step * (this->Z[a] - x), 0.0);
-      }
       if (leaving < 0)
       {
+        this->X(this->Free) = this->Z;
         return;
       }
-      this->X[this->Free[leaving]] = 0.0;
-      std::copy(this->Free + leaving + 1, this->Free + this->Count, this->Free + leaving);
-      this->Count--;
+      this->X(this->Free) = (x + step * (this->Z - x)).cwiseMax(0.0);
+      this->X[this->Free[static_cast<std::size_t>(leaving)]] = 0.0;
+      this->Free.erase(this->Free.begin() + leaving);
       this->SolveFree();
     }
   }
@@ -146,9 +130,8 @@ private:
   const SmallVector& G;
   bool HasSum;
   SmallVector X;
-  SmallVector Z; // of the free unknowns, in their order
-  int Free[MaximumNumberOfUnknowns];
-  int Count = 0;
+  SmallVector Z;         // of the free unknowns, in their order
+  std::vector<int> Free; // the unknowns that are not held at 0
   double Multiplier = 0.0;
   double RidgeValue = 0.0;
   double Tolerance = 0.0;
@@ -193,19 +176,14 @@ SmallVector GetShareVariances(const SmallMatrix& H)
   return variances;
 }
 
-namespace
-{
-using Matrix = Eigen::SparseMatrix<double>;
-using Vector = Eigen::VectorXd;
-
-// In units where the diagonal is 1: what rounding leaves, and what keeps H from being singular.
-constexpr double SparseZero = 1e-12;
-constexpr double SparseRidge = 1e-11;
-}
-
 //------------------------------------------------------------------------------
-void SolveNonNegative(const Matrix& H, const Vector& g, Vector& x)
+void SolveNonNegative(
+  const Eigen::SparseMatrix<double>& H, const Eigen::VectorXd& g, Eigen::VectorXd& x)
 {
+  using Matrix = Eigen::SparseMatrix<double>;
+  using Vector = Eigen::VectorXd;
+  // In units where the diagonal is 1: what rounding leaves, and what keeps H from being singular.
+  constexpr double zero = 1e-12, ridge = 1e-11;
   const Eigen::Index n = g.size();
   // Unknowns can differ by ten orders of magnitude: scale the diagonal to 1.
   const Vector diagonal = H.diagonal();
@@ -213,10 +191,10 @@ void SolveNonNegative(const Matrix& H, const Vector& g, Vector& x)
   Matrix scaled = scale.asDiagonal() * H * scale.asDiagonal();
   for (Eigen::Index k = 0; k < n; ++k)
   {
-    scaled.coeffRef(k, k) = 1.0 + SparseRidge;
+    scaled.coeffRef(k, k) = 1.0 + ridge;
   }
   const Vector target = g.cwiseProduct(scale);
-  const double tolerance = SparseZero * target.cwiseAbs().maxCoeff();
+  const double tolerance = zero * target.cwiseAbs().maxCoeff();
 
   using Flags = Eigen::Array<bool, Eigen::Dynamic, 1>;
   Flags free = x.array() > 0.0;

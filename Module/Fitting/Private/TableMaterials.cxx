@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TableMaterials.h"
+#include "PhotographFit.h"
 
 #include "HalfVector.h"
 #include "Neighbors.h"
@@ -36,6 +36,8 @@ constexpr double Negligible = 1e-9;      // change of the sum of squares, as a s
 constexpr double Compactness = 1e-3;
 constexpr int Oversampling = 6;    // columns of the range finder beyond the materials
 constexpr Eigen::Index Block = 64; // rows or texels that a thread takes at once
+
+using Flags = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
 //------------------------------------------------------------------------------
 // function(first, count) for blocks of [0, n); what a block computes does not depend on threads.
@@ -106,11 +108,11 @@ std::vector<Eigen::Index> FindCorners(const Eigen::MatrixXf& data, int count, un
 
 //------------------------------------------------------------------------------
 /**
- * data, [row, texel] with three rows a photograph, as values times weights. mask is not 0 where
- * data say nothing: [texel][photograph]. Alternating constrained least squares (Lawrence et al.
- * 2006, section 4), from the texels that lie farthest apart: the successive projection algorithm
- * (Gillis and Vavasis 2014) in the affine subspace of the largest variance. Masked entries take the
- * model's values in each round.
+ * data, [row, texel] with three rows a photograph, as values times weights. Some are not valid:
+ * they say nothing. Alternating constrained least squares (Lawrence et al. 2006, section 4), from
+ * the texels that lie farthest apart: the successive projection algorithm (Gillis and Vavasis 2014)
+ * in the affine subspace of the largest variance. Entries that are not valid take the model's
+ * values in each round.
  *
  * Larger simplices around the data fit them as well, so materials are drawn together: Compactness
  * times the number of texels times the mean squared distance between materials is added to the sum
@@ -125,10 +127,9 @@ public:
   int Iterations = 0;
   bool Converged = false;
 
-  Alternation(
-    Eigen::MatrixXf& data, const std::vector<unsigned char>& mask, int materials, unsigned int seed)
+  Alternation(Eigen::MatrixXf& data, const Flags& valid, int materials, unsigned int seed)
     : Data(data)
-    , Mask(mask)
+    , Valid(valid)
     , Materials(materials)
   {
     this->Values.resize(data.rows(), materials);
@@ -201,43 +202,26 @@ private:
   // The sum of squares that is left at valid entries; the others take the model's values.
   double ImputeAndMeasure()
   {
-    const auto blocks = static_cast<std::size_t>((this->Data.cols() + Block - 1) / Block);
-    std::vector<double> left(blocks, 0.0), all(blocks, 0.0);
-    const Eigen::Index photographs = this->Data.rows() / 3;
+    Eigen::Array2Xd sums = Eigen::Array2Xd::Zero(2, (this->Data.cols() + Block - 1) / Block);
     ForBlocks(this->Data.cols(),
       [&](Eigen::Index first, Eigen::Index count)
       {
-        const auto block = static_cast<std::size_t>(first / Block);
-        const Eigen::MatrixXd model = this->Values * this->Weights.middleCols(first, count);
-        for (Eigen::Index k = 0; k < count; ++k)
-        {
-          for (Eigen::Index row = 0; row < this->Data.rows(); ++row)
-          {
-            float& value = this->Data(row, first + k);
-            const auto at = static_cast<std::size_t>((first + k) * photographs + row / 3);
-            if (this->Mask[at] != 0)
-            {
-              value = static_cast<float>(model(row, k));
-              continue;
-            }
-            const double difference = value - model(row, k);
-            left[block] += difference * difference;
-            all[block] += static_cast<double>(value) * value;
-          }
-        }
+        auto data = this->Data.middleCols(first, count).array();
+        const auto valid = this->Valid.middleCols(first, count);
+        const Eigen::ArrayXXd model =
+          (this->Values * this->Weights.middleCols(first, count)).array();
+        const Eigen::ArrayXXd left = valid.select(data.cast<double>() - model, 0.0);
+        const Eigen::ArrayXXd all = valid.select(data.cast<double>(), 0.0);
+        sums.col(first / Block) << left.square().sum(), all.square().sum();
+        const Eigen::ArrayXXf imputed = valid.select(data, model.cast<float>());
+        data = imputed;
       });
-    double sum = 0.0;
-    this->Squares = 0.0;
-    for (std::size_t k = 0; k < blocks; ++k)
-    {
-      sum += left[k];
-      this->Squares += all[k];
-    }
-    return sum;
+    this->Squares = sums.row(1).sum();
+    return sums.row(0).sum();
   }
 
-  Eigen::MatrixXf& Data; // masked entries become the model's
-  const std::vector<unsigned char>& Mask;
+  Eigen::MatrixXf& Data; // entries that are not valid become the model's
+  const Flags& Valid;
   int Materials;
   double Squares = 0.0;
   Eigen::MatrixXd Weights; // [material, texel], >= 0, sums of 1
@@ -503,39 +487,30 @@ TableMaterials FindTableMaterials(vtkPhotographSet* photographs, const TableOpti
   PhotographPasses& passes, const std::vector<std::size_t>& sample)
 {
   const auto count = static_cast<std::size_t>(photographs->GetNumberOfPhotographs());
-  Eigen::MatrixXf data(3 * count, sample.size());            // [3 photograph + channel, texel]
-  std::vector<unsigned char> mask(sample.size() * count, 0); // [texel][photograph]
+  Eigen::MatrixXf data(3 * count, sample.size()); // [3 photograph + channel, texel]
+  Flags valid(3 * count, sample.size());
   std::vector<double> means(count, -1.0);
   TableMaterials found;
   found.Scales.assign(count, NoiseFloor);
   const auto add = [&](int photograph, const PhotographPixels& pixels)
   {
-    const auto number = static_cast<std::size_t>(photograph);
-    double sum = 0.0;
-    int valid = 0;
-    for (std::size_t k = 0; k < sample.size(); ++k)
+    auto rows = data.middleRows<3>(3 * photograph);
+    auto flags = valid.middleRows<3>(3 * photograph);
+    Eigen::Index k = 0;
+    for (const std::size_t texel : sample)
     {
-      const bool isValid = pixels.States[sample[k]] == PixelState::Valid;
-      mask[k * count + number] = isValid ? 0 : 1;
-      valid += isValid ? 1 : 0;
-      const auto value = Eigen::Map<const Eigen::Vector3f>(&pixels.Values[3 * sample[k]]);
-      data.block<3, 1>(3 * photograph, static_cast<Eigen::Index>(k)) = value;
-      sum += value.cast<double>().sum();
+      flags.col(k).setConstant(pixels.States[texel] == PixelState::Valid);
+      rows.col(k++) = Eigen::Map<const Eigen::Vector3f>(&pixels.Values[3 * texel]);
     }
-    if (valid == 0)
+    if (flags.any())
     {
-      return;
-    }
-    means[number] = std::max(sum / (3.0 * valid), 0.0);
-    found.Scales[number] = means[number] + NoiseFloor;
-    // Where data say nothing, the photograph's mean is the first guess.
-    for (std::size_t k = 0; k < sample.size(); ++k)
-    {
-      if (mask[k * count + number] != 0)
-      {
-        data.block<3, 1>(3 * photograph, static_cast<Eigen::Index>(k))
-          .setConstant(static_cast<float>(means[number]));
-      }
+      // Values that are not valid are 0. The photograph's mean is the first guess for them.
+      const double mean = rows.cast<double>().sum() / static_cast<double>(flags.count());
+      means[static_cast<std::size_t>(photograph)] = std::max(mean, 0.0);
+      found.Scales[static_cast<std::size_t>(photograph)] += std::max(mean, 0.0);
+      const Eigen::Array3Xf guessed =
+        flags.select(rows.array(), static_cast<float>(std::max(mean, 0.0)));
+      rows = guessed.matrix();
     }
   };
   passes.Run(0.0, 0.3, add);
@@ -547,7 +522,7 @@ TableMaterials FindTableMaterials(vtkPhotographSet* photographs, const TableOpti
   {
     data.middleRows<3>(3 * static_cast<Eigen::Index>(k)) /= static_cast<float>(found.Scales[k]);
   }
-  Alternation factors(data, mask, options.Materials, options.Seed);
+  Alternation factors(data, valid, options.Materials, options.Seed);
   factors.Run([&](double share) { passes.Proceed(0.3 + 0.3 * share); });
   found.FactorError = factors.RelativeError;
   found.Iterations = factors.Iterations;

@@ -18,7 +18,7 @@ ALLOWED = {
     "Integration": ["Core", "Material", "Lighting", "Visibility"],
     "Visibility": ["Core"],
     "Metrics": ["Core", "Material", "Lighting"],
-    "Fitting": ["Core", "Material"],
+    "Fitting": ["Core", "Material", "Lighting"],
     "IO": ["Core", "Material", "Lighting"],
     "Planning": ["Core", "Material", "Lighting", "Visibility", "Integration"],
     "Rendering": ["Core", "Material", "Lighting", "Visibility", "Integration", "Fitting", "Planning"],

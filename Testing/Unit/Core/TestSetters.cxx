@@ -259,7 +259,6 @@ TEST(Setters, OfFitting)
   REFUSED(Fitter, NumberOfLobes, 1, 3);
   REFUSED(Fitter, Anisotropy, 0, 2);
   REFUSED(Fitter, Shape, 0, 1);
-  REFUSED(vtkDistributionBRDFFitter, FresnelModel, 0, 1);
   REFUSED(vtkDistributionBRDFFitter, NumberOfPhiSamples, 0, 1024);
   REFUSED(vtkBasisProjector, Basis, 0, 3);
   REFUSED(vtkBasisProjector, Order, 1, 20);

@@ -4,12 +4,7 @@
 // rounding. What extrapolates its result, against materials inside and outside a basis's span.
 #include "Acquisition.h"
 #include "BasisFunctions.h"
-#include "TestBasisHelpers.h"
-#include "vtkAshikhminShirleyBRDF.h"
-#include "vtkBRDFResampler.h"
-#include "vtkBasisProjector.h"
-#include "vtkBlinnPhongBRDF.h"
-#include "vtkNew.h"
+#include "TestProjections.h"
 
 #include <Eigen/Dense>
 
@@ -24,21 +19,6 @@ using laboratory::Extrapolate;
 
 namespace
 {
-vtkSmartPointer<vtkBlinnPhongBRDF> MakeColoredPhong(double exponent)
-{
-  auto phong = vtkSmartPointer<vtkBlinnPhongBRDF>::New();
-  phong->SetSpecular(0.5, 0.2, 0.1);
-  phong->SetExponent(exponent);
-  return phong;
-}
-
-vtkSmartPointer<vtkAshikhminShirleyBRDF> MakeBrushed(double u, double v)
-{
-  auto brushed = vtkSmartPointer<vtkAshikhminShirleyBRDF>::New();
-  brushed->SetExponents(u, v);
-  return brushed;
-}
-
 AcquisitionOptions MakeDevice(int order, int nTheta = 8, int nPhi = 16)
 {
   AcquisitionOptions device;
@@ -60,33 +40,12 @@ double GetDistance(vtkBasisBRDF* a, vtkBasisBRDF* b)
   }
   return std::sqrt(sum / static_cast<double>(a->GetCoefficients().size()));
 }
-
-vtkSmartPointer<vtkBasisBRDF> ProjectZonal(
-  vtkBRDF* input, int basis, int order,
-  const std::function<void(vtkBasisProjector*)>& more = [](vtkBasisProjector*) {})
-{
-  vtkNew<vtkBasisProjector> projector;
-  projector->SetInput(input);
-  projector->SetBasis(basis);
-  projector->SetOrder(order);
-  projector->SetIncidentZone(Zone);
-  projector->SetOutgoingZone(Zone);
-  more(projector);
-  EXPECT_TRUE(projector->Project());
-  return projector->GetOutput();
-}
-
-double GetZoneError(vtkBRDF* truth, vtkBRDF* other, double begin, double end)
-{
-  const double zone[2] = { begin, end };
-  return vtkBRDFResampler::GetZoneRelativeL2Error(truth, other, zone, zone, 1 << 15);
-}
 }
 
 //------------------------------------------------------------------------------
 TEST(Acquisition, IsTheInnerProduct)
 {
-  const auto phong = MakeColoredPhong(20.0);
+  const auto phong = MakePhong(20.0);
   const auto brushed = MakeBrushed(8.0, 40.0);
   for (vtkBRDF* material : { static_cast<vtkBRDF*>(phong), static_cast<vtkBRDF*>(brushed) })
   {
@@ -97,7 +56,7 @@ TEST(Acquisition, IsTheInnerProduct)
       const laboratory::Acquisition taken = Acquire(material, device);
       vtkBasisBRDF* stack = taken.Stack;
       const double end = basis == 1 ? 90.0 : 57.0;
-      const auto expected = ProjectZonal(material, basis, 6,
+      const auto expected = Project(material, basis, 6, Zone, Zone,
         [basis, end](vtkBasisProjector* projector)
         {
           projector->SetOutgoingZone(basis == 1 ? 0.0 : 9.0, end);
@@ -135,7 +94,7 @@ TEST(Acquisition, IsTheInnerProduct)
 //------------------------------------------------------------------------------
 TEST(Acquisition, SameSeedSameBits)
 {
-  const auto phong = MakeColoredPhong(10.0);
+  const auto phong = MakePhong(10.0);
   phong->SetName("name");
   phong->SetSource("somewhere");
   AcquisitionOptions device = MakeDevice(3);
@@ -154,7 +113,7 @@ TEST(Acquisition, SameSeedSameBits)
 // them: a coefficient of function k > 0 is off by Noise full_k sqrt(2 / NumberOfPhi), RMS.
 TEST(Acquisition, NoiseIsAveragedOverAzimuths)
 {
-  const auto phong = MakeColoredPhong(5.0);
+  const auto phong = MakePhong(5.0);
   double before = 0.0;
   for (const int nPhi : { 1, 4, 16, 64 })
   {
@@ -193,7 +152,7 @@ TEST(Acquisition, NoiseIsAveragedOverAzimuths)
 //------------------------------------------------------------------------------
 TEST(Acquisition, ABitHalvesTheError)
 {
-  const auto phong = MakeColoredPhong(5.0);
+  const auto phong = MakePhong(5.0);
   AcquisitionOptions device = MakeDevice(4, 24, 4);
   const auto clean = Acquire(phong, device).Stack;
   double before = 0.0;
@@ -221,8 +180,8 @@ TEST(Acquisition, ABitHalvesTheError)
 // Progress grows to 1, and what it throws ends the work.
 TEST(Acquisition, ProgressAndAbort)
 {
-  const auto phong = MakeColoredPhong(5.0);
-  const auto zonal = ProjectZonal(phong, 3, 4);
+  const auto phong = MakePhong(5.0);
+  const auto zonal = Project(phong, 3, 4);
   const std::function<void(const laboratory::Progress&)> works[] = {
     [&](const laboratory::Progress& show) { Acquire(phong, MakeDevice(2, 40), show); },
     [&](const laboratory::Progress& show) { Extrapolate(zonal, {}, show); }
@@ -275,12 +234,12 @@ TEST(Extrapolator, ProblemIsIllPosed)
 // A wide lobe: far closer to the truth than holding the zone's edge.
 TEST(Extrapolator, ExtendsSmoothMaterials)
 {
-  const auto phong = MakeColoredPhong(5.0);
+  const auto phong = MakePhong(5.0);
   for (const int basis : { 2, 3 })
   {
     for (const bool cosines : { false, true })
     {
-      const auto zonal = ProjectZonal(phong, basis, 6,
+      const auto zonal = Project(phong, basis, 6, Zone, Zone,
         [cosines](vtkBasisProjector* projector)
         {
           projector->SetIncidentCosine(cosines);
@@ -310,7 +269,7 @@ TEST(Extrapolator, RefusesWhatDoesNotFit)
 {
   for (const int basis : { 2, 3 })
   {
-    const auto zonal = ProjectZonal(MakeColoredPhong(50.0), basis, 6);
+    const auto zonal = Project(MakePhong(50.0), basis, 6);
     const laboratory::Extrapolation whole = Extrapolate(zonal);
     EXPECT_FALSE(whole.IsAccepted);
     EXPECT_GT(whole.InZoneResidual, whole.ResidualLimit);
@@ -321,7 +280,7 @@ TEST(Extrapolator, RefusesWhatDoesNotFit)
     EXPECT_TRUE(Extrapolate(zonal, lenient).IsAccepted);
   }
   // Results that are negative somewhere.
-  const auto zonal = ProjectZonal(MakeColoredPhong(50.0), 2, 8);
+  const auto zonal = Project(MakePhong(50.0), 2, 8);
   laboratory::Extrapolation whole = Extrapolate(zonal);
   EXPECT_FALSE(whole.IsAccepted);
   EXPECT_LT(whole.InZoneResidual, whole.ResidualLimit);
@@ -330,7 +289,7 @@ TEST(Extrapolator, RefusesWhatDoesNotFit)
   lenient.MaximumNegativeMass = 0.1;
   EXPECT_TRUE(Extrapolate(zonal, lenient).IsAccepted);
   // Zones of i and o that share nothing are looked at, too.
-  const auto apart = ProjectZonal(MakeColoredPhong(200.0), 2, 4,
+  const auto apart = Project(MakePhong(200.0), 2, 4, Zone, Zone,
     [](vtkBasisProjector* projector)
     {
       projector->SetIncidentZone(40.0, 70.0);
@@ -347,7 +306,7 @@ TEST(Extrapolator, RefusesWhatDoesNotFit)
 TEST(Extrapolator, AnisotropicMaterials)
 {
   const auto brushed = MakeBrushed(3.0, 12.0);
-  const auto zonal = ProjectZonal(brushed, 3, 6,
+  const auto zonal = Project(brushed, 3, 6, Zone, Zone,
     [](vtkBasisProjector* projector)
     {
       projector->SetNumberOfTheta(24);

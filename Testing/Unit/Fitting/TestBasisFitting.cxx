@@ -3,12 +3,7 @@
 // vtkBasisProjector, against materials inside and outside a basis's span.
 #include "ErrorCatcher.h"
 #include "ExpectStops.h"
-#include "TestBasisHelpers.h"
-#include "vtkAshikhminShirleyBRDF.h"
-#include "vtkBRDFResampler.h"
-#include "vtkBasisProjector.h"
-#include "vtkBlinnPhongBRDF.h"
-#include "vtkNew.h"
+#include "TestProjections.h"
 
 #include <gtest/gtest.h>
 
@@ -70,37 +65,6 @@ double GetViewError(
     });
   return std::sqrt(difference / total);
 }
-
-vtkSmartPointer<vtkBasisBRDF> Project(vtkBRDF* input, int basis, int order,
-  const double incident[2], const double outgoing[2],
-  const std::function<void(vtkBasisProjector*)>& more = {})
-{
-  vtkNew<vtkBasisProjector> projector;
-  projector->SetInput(input);
-  projector->SetBasis(basis);
-  projector->SetOrder(order);
-  projector->SetIncidentZone(incident[0], incident[1]);
-  projector->SetOutgoingZone(outgoing[0], outgoing[1]);
-  if (more)
-  {
-    more(projector);
-  }
-  EXPECT_TRUE(projector->Project());
-  return projector->GetOutput();
-}
-
-double GetError(vtkBRDF* truth, vtkBRDF* other, double begin, double end)
-{
-  const double zone[2] = { begin, end };
-  return vtkBRDFResampler::GetZoneRelativeL2Error(truth, other, zone, zone, 1 << 15);
-}
-
-vtkSmartPointer<vtkBlinnPhongBRDF> MakePhong(double exponent)
-{
-  auto phong = vtkSmartPointer<vtkBlinnPhongBRDF>::New();
-  phong->SetExponent(exponent);
-  return phong;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -160,7 +124,7 @@ TEST(Projector, ErrorFallsWithTheOrder)
           projector->SetNumberOfTheta(24);
           projector->SetNumberOfNodes(40);
         });
-      const double error = GetError(phong, brdf, 9.0, 57.0);
+      const double error = GetZoneError(phong, brdf, 9.0, 57.0);
       EXPECT_LT(error, 0.9 * before + 3e-3) << basis << " " << order;
       before = error;
     }
@@ -197,8 +161,7 @@ TEST(Projector, MethodsMinimizeTheirOwnNorm)
 //------------------------------------------------------------------------------
 TEST(Projector, AnisotropicMaterials)
 {
-  vtkNew<vtkAshikhminShirleyBRDF> brushed;
-  brushed->SetExponents(10.0, 100.0);
+  const auto brushed = MakeBrushed(10.0, 100.0);
   const auto brdf = Project(brushed, 3, 8, Zone, Zone,
     [](vtkBasisProjector* projector)
     {
@@ -207,7 +170,7 @@ TEST(Projector, AnisotropicMaterials)
       projector->SetNumberOfNodes(24);
     });
   EXPECT_EQ(brdf->GetNumberOfPhi(), 32);
-  EXPECT_LT(GetError(brushed, brdf, 9.0, 57.0), 0.2);
+  EXPECT_LT(GetZoneError(brushed, brdf, 9.0, 57.0), 0.2);
 }
 
 //------------------------------------------------------------------------------
@@ -251,9 +214,7 @@ TEST(Projector, RefusesAndKeeps)
   enormous->Function = [](const glm::dvec3&, const glm::dvec3&) { return glm::dvec3(1e200); };
   projector->SetInput(enormous);
   refuse("NaN or infinite");
-  vtkNew<vtkAshikhminShirleyBRDF> brushed;
-  brushed->SetExponents(10.0, 100.0);
-  projector->SetInput(brushed);
+  projector->SetInput(MakeBrushed(10.0, 100.0));
   projector->SetNumberOfTheta(1024);
   projector->SetNumberOfPhi(1024);
   projector->SetOrder(20);

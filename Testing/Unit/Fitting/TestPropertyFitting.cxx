@@ -4,9 +4,9 @@
 #include "ErrorCatcher.h"
 #include "HalfVector.h"
 #include "SpherePairs.h"
+#include "SurfaceModel.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
-#include "vtkBRDFShaderInputs.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkLambertBRDF.h"
 #include "vtkPBRPropertyFitter.h"
@@ -19,85 +19,24 @@ namespace
 using measuredbrdf::Pi;
 
 //------------------------------------------------------------------------------
-// What VTK's fragment shader adds for a light (vtkPBRFunctions.glsl), written out once more.
-class StockBRDF : public vtkBRDF
+// What VTK's fragment shader adds for a light, as `measured-brdf export` has it.
+vtkSmartPointer<vtkBRDF> NewStock(vtkProperty* p)
 {
-public:
-  static StockBRDF* New();
-  vtkTypeMacro(StockBRDF, vtkBRDF);
-
-  void GetShaderInputs(vtkBRDFShaderInputs&) override {}
-
-  vtkNew<vtkProperty> Property;
-
-protected:
-  static double Specular(double ndh, double ndv, double ndl, double hdl, double roughness,
-    double f0, double f90, double& f)
-  {
-    const double a = roughness * roughness;
-    const double d = (ndh * a * a - ndh) * ndh + 1.0;
-    const double ggxV = ndl * std::sqrt(a + ndv * (ndv - a * ndv));
-    const double ggxL = ndv * std::sqrt(a + ndl * (ndl - a * ndl));
-    f = f0 + (f90 - f0) * std::pow(1.0 - hdl, 5);
-    return a * a / (Pi * d * d) * 0.5 / (ggxV + ggxL) * f;
-  }
-
-  void EvaluateAbove(const double i[3], const double o[3], double rgb[3]) override
-  {
-    vtkProperty* p = this->Property;
-    const glm::dvec3 l(i[0], i[1], i[2]);
-    const glm::dvec3 h = glm::normalize(l + glm::dvec3(o[0], o[1], o[2]));
-    const double hdl = std::min(glm::dot(h, l), 1.0);
-    const double metallic = p->GetMetallic();
-    const double base = p->ComputeReflectanceOfBaseLayer();
-    const double* albedo = p->GetDiffuseColor();
-    double f0[3];
-    double sum = 0.0;
-    for (int c = 0; c < 3; ++c)
-    {
-      f0[c] = base * (1.0 - metallic) + albedo[c] * metallic;
-      sum += 16.5 * f0[c];
-    }
-    for (int c = 0; c < 3; ++c)
-    {
-      const double f90 = std::min(sum, 1.0) * (1.0 - metallic) + p->GetEdgeTint()[c] * metallic;
-      double f = 0.0;
-      double specular = Specular(h.z, o[2], i[2], hdl, p->GetRoughness(), f0[c], f90, f);
-      double diffuse = (1.0 - metallic) * (1.0 - f) * albedo[c] / Pi;
-      if (p->GetCoatStrength() > 0.0)
-      {
-        const double coatF0 = vtkProperty::ComputeReflectanceFromIOR(p->GetCoatIOR(), 1.0);
-        double fc = 0.0;
-        const double coat = Specular(h.z, o[2], i[2], hdl, p->GetCoatRoughness(), coatF0, 1.0, fc) *
-                            p->GetCoatStrength();
-        fc *= p->GetCoatStrength();
-        specular = specular * (1.0 - fc) * (1.0 - fc) + coat;
-        diffuse *= 1.0 - fc;
-      }
-      rgb[c] = diffuse + specular;
-    }
-  }
-};
-vtkStandardNewMacro(StockBRDF);
+  const double* color = p->GetDiffuseColor();
+  const double* tint = p->GetEdgeTint();
+  auto stock = tool::SurfaceModel::Make("vtk_pbr");
+  stock->SetValues(
+    { color[0], color[1], color[2], p->GetMetallic(), p->GetRoughness(), p->GetBaseIOR(), tint[0],
+      tint[1], tint[2], p->GetCoatStrength(), p->GetCoatRoughness(), p->GetCoatIOR(), 0.0, 0.0 });
+  return stock;
+}
 
 //------------------------------------------------------------------------------
 // Relative L1 of two materials' pictures of a sphere under the neutral light, texel by texel.
 double GetPictureError(vtkBRDF* model, vtkBRDF* exact)
 {
-  constexpr int height = 64;
-  std::vector<float> pixels;
-  for (int y = 0; y < height; ++y)
-  {
-    for (int x = 0; x < 2 * height; ++x)
-    {
-      double d[3];
-      vtkEnvironment::GetDirection((x + 0.5) / (2 * height), (y + 0.5) / height, d);
-      pixels.insert(
-        pixels.end(), 3, static_cast<float>(vtkPBRPropertyFitter::GetNeutralRadiance(d)));
-    }
-  }
   vtkNew<vtkEnvironment> light;
-  EXPECT_TRUE(light->SetPixels(2 * height, height, std::move(pixels)));
+  vtkPBRPropertyFitter::SetToNeutralStudio(light, 64);
   SpherePairs pairs;
   constexpr int count = 150;
   for (int k = 0; k < count; ++k)
@@ -122,7 +61,7 @@ double GetPictureError(vtkBRDF* model, vtkBRDF* exact)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPBRPropertyFitter> Fit(vtkBRDF* brdf, bool usual = true)
+vtkSmartPointer<vtkPBRPropertyFitter> FitProperty(vtkBRDF* brdf, bool usual = true)
 {
   auto fitter = vtkSmartPointer<vtkPBRPropertyFitter>::New();
   fitter->SetBRDF(brdf);
@@ -142,7 +81,7 @@ TEST(PropertyFitter, LambertAndBlack)
   for (const double share : { 1.0, 0.0 })
   {
     lambert->SetAlbedo(0.6 * share, 0.3 * share, 0.1 * share);
-    const auto fitter = Fit(lambert);
+    const auto fitter = FitProperty(lambert);
     EXPECT_NEAR(fitter->GetBaseColor()[0], 0.6 * share, 2e-3 * share);
     EXPECT_NEAR(fitter->GetBaseColor()[1], 0.3 * share, 2e-3 * share);
     EXPECT_NEAR(fitter->GetBaseColor()[2], 0.1 * share, 2e-3 * share);
@@ -161,7 +100,7 @@ TEST(PropertyFitter, Gold)
   gold->SetReflectance(1.0, 0.77, 0.34);
   gold->SetDiffuse(0.0, 0.0, 0.0);
   gold->SetExponents(200.0, 200.0);
-  const auto fitter = Fit(gold);
+  const auto fitter = FitProperty(gold);
   EXPECT_GT(fitter->GetMetallic(), 0.8);
   const double* color = fitter->GetBaseColor();
   EXPECT_GT(color[0], 1.15 * color[1]);
@@ -174,11 +113,11 @@ TEST(PropertyFitter, Gold)
 //------------------------------------------------------------------------------
 TEST(PropertyFitter, FindsVTKsOwn)
 {
-  vtkNew<StockBRDF> stock;
-  stock->Property->SetColor(0.7, 0.5, 0.2);
-  stock->Property->SetMetallic(1.0);
-  stock->Property->SetRoughness(0.35);
-  vtkSmartPointer<vtkPBRPropertyFitter> fitter = Fit(stock);
+  vtkNew<vtkProperty> stock;
+  stock->SetColor(0.7, 0.5, 0.2);
+  stock->SetMetallic(1.0);
+  stock->SetRoughness(0.35);
+  vtkSmartPointer<vtkPBRPropertyFitter> fitter = FitProperty(NewStock(stock));
   EXPECT_NEAR(fitter->GetMetallic(), 1.0, 0.02);
   EXPECT_NEAR(fitter->GetRoughness(), 0.35, 0.01);
   EXPECT_NEAR(fitter->GetBaseColor()[0], 0.7, 0.01);
@@ -186,13 +125,13 @@ TEST(PropertyFitter, FindsVTKsOwn)
   EXPECT_LT(fitter->GetRelativeError(), 2e-3);
 
   // A clear coat over metal flakes. (Over plastic it would be a glossier plastic.)
-  stock->Property->SetColor(0.5, 0.1, 0.05);
-  stock->Property->SetMetallic(0.9);
-  stock->Property->SetRoughness(0.7);
-  stock->Property->SetCoatStrength(1.0);
-  stock->Property->SetCoatRoughness(0.1);
-  stock->Property->SetCoatIOR(1.6);
-  fitter = Fit(stock, false);
+  stock->SetColor(0.5, 0.1, 0.05);
+  stock->SetMetallic(0.9);
+  stock->SetRoughness(0.7);
+  stock->SetCoatStrength(1.0);
+  stock->SetCoatRoughness(0.1);
+  stock->SetCoatIOR(1.6);
+  fitter = FitProperty(NewStock(stock), false);
   EXPECT_GT(fitter->GetCoatStrength(), 0.5);
   EXPECT_LT(fitter->GetRelativeError(), 0.02);
 }
@@ -202,23 +141,23 @@ TEST(PropertyFitter, FindsVTKsOwn)
 // clear coat's terms, too.
 TEST(PropertyFitter, ErrorIsTheSetPropertys)
 {
-  vtkNew<StockBRDF> coated;
-  coated->Property->SetColor(0.5, 0.1, 0.05);
-  coated->Property->SetRoughness(0.5);
-  coated->Property->SetMetallic(0.6);
-  coated->Property->SetCoatStrength(0.8);
-  coated->Property->SetCoatRoughness(0.3);
-  std::vector<vtkSmartPointer<vtkBRDF>> materials = { coated.Get() };
+  vtkNew<vtkProperty> coated;
+  coated->SetColor(0.5, 0.1, 0.05);
+  coated->SetRoughness(0.5);
+  coated->SetMetallic(0.6);
+  coated->SetCoatStrength(0.8);
+  coated->SetCoatRoughness(0.3);
+  std::vector<vtkSmartPointer<vtkBRDF>> materials = { NewStock(coated) };
   for (const char* name : { "pink-felt", "blue-metallic-paint" })
   {
     materials.push_back(vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name)));
   }
   for (const auto& brdf : materials)
   {
-    vtkNew<StockBRDF> stock;
-    const double plain = GetPictureError(stock, brdf);
-    const double error = vtkPBRPropertyFitter::Fit(brdf, stock->Property);
-    const double summed = GetPictureError(stock, brdf);
+    vtkNew<vtkProperty> stock;
+    const double plain = GetPictureError(NewStock(stock), brdf);
+    const double error = vtkPBRPropertyFitter::Fit(brdf, stock);
+    const double summed = GetPictureError(NewStock(stock), brdf);
     EXPECT_NEAR(error, summed, 0.1 * summed + 2e-3) << brdf->GetName();
     EXPECT_LT(error, 0.06) << brdf->GetName();
     EXPECT_LT(error, 0.1 * plain) << brdf->GetName();
@@ -235,7 +174,7 @@ TEST(PropertyFitter, UsualValues)
     const std::string kind = vtkEmbeddedMaterials::GetKind(k);
     const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
     SCOPED_TRACE(name);
-    const auto usual = Fit(brdf);
+    const auto usual = FitProperty(brdf);
     EXPECT_TRUE(usual->GetMetallic() == 0.0 || usual->GetMetallic() >= 0.3);
     EXPECT_LE(usual->GetRoughness(), usual->GetMetallic() > 0.0 ? 0.6 : 1.0);
     EXPECT_LE(std::max(usual->GetBaseIOR(), usual->GetCoatIOR()), 2.0);
@@ -245,7 +184,7 @@ TEST(PropertyFitter, UsualValues)
     }
     if (name == "pink-felt") // whose closest has a metallic part of 0.46
     {
-      EXPECT_EQ(usual->GetClosestError(), Fit(brdf, false)->GetRelativeError());
+      EXPECT_EQ(usual->GetClosestError(), FitProperty(brdf, false)->GetRelativeError());
     }
     EXPECT_GE(usual->GetRelativeError(), usual->GetClosestError());
     EXPECT_LT(usual->GetRelativeError(), usual->GetClosestError() + 0.08);

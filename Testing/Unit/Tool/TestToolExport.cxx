@@ -15,7 +15,6 @@
 #include "vtkLambertBRDF.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
-#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -39,7 +38,7 @@
 namespace
 {
 const std::string Folder = MEASUREDBRDF_EXPORT_TESTS;
-const std::array<double, 3> Front = { 0.0, 0.0, 1.0 };
+const glm::dvec3 Front(0.0, 0.0, 1.0);
 
 //------------------------------------------------------------------------------
 const ExportCase& FindCase(const std::string& name)
@@ -72,7 +71,7 @@ vtkSmartPointer<vtkEnvironment> MakeSky()
 }
 
 //------------------------------------------------------------------------------
-[[maybe_unused]] vtkSmartPointer<vtkEnvironment> MakeHall()
+vtkSmartPointer<vtkEnvironment> MakeHall()
 {
   auto hall = vtkSmartPointer<vtkEnvironment>::New();
   hall->SetToProceduralHall();
@@ -81,7 +80,7 @@ vtkSmartPointer<vtkEnvironment> MakeSky()
 
 //------------------------------------------------------------------------------
 // The exact radiance of a lit sphere's pixels, in its order.
-std::vector<double> SumExactly(
+Eigen::ArrayXXd SumExactly(
   const tool::LitSphere& sphere, vtkBRDF* brdf, vtkEnvironment* environment)
 {
   vtkNew<vtkDoubleArray> normals;
@@ -92,16 +91,14 @@ std::vector<double> SumExactly(
   {
     array->SetNumberOfComponents(3);
   }
-  for (std::size_t k = 0; k < sphere.GetNumberOfPixels(); ++k)
+  for (const glm::dvec3& n : sphere.GetNormals())
   {
-    const glm::dvec3 n = sphere.GetNormal(k);
     normals->InsertNextTuple(&n.x);
-    views->InsertNextTuple(Front.data());
+    views->InsertNextTuple(&Front.x);
     tangents->InsertNextTuple3(n.z, 0.0, -n.x);
   }
   EXPECT_TRUE(NewExactSum(brdf, environment)->Integrate(normals, views, radiance, tangents));
-  const double* values = radiance->GetPointer(0);
-  return { values, values + radiance->GetNumberOfValues() };
+  return Eigen::Map<const Eigen::ArrayXd>(radiance->GetPointer(0), radiance->GetNumberOfValues());
 }
 }
 
@@ -176,27 +173,6 @@ TEST(ExportModels, PartsOfNoWeightHaveNoEffect)
 }
 
 //------------------------------------------------------------------------------
-// A white furnace: what is reflected is no more than what comes in. The models with approximate
-// layers may exceed it a little.
-TEST(ExportModels, HardlyCreateEnergy)
-{
-  for (const ExportCase& made : ReadExportCases(Folder + "/cases.json"))
-  {
-    for (const double cosine : { 0.3, 0.7, 1.0 })
-    {
-      const double o[3] = { std::sqrt(1.0 - cosine * cosine), 0.0, cosine };
-      double albedo[3];
-      made.Fit.Model->GetDirectionalAlbedo(o, albedo);
-      for (const double value : albedo)
-      {
-        EXPECT_LT(value, 1.05) << made.Name << " at " << cosine;
-        EXPECT_GT(value, 0.01) << made.Name << " at " << cosine;
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 // Bilinear shares of the light among the nodes: some tenths of a percent of it are elsewhere.
 TEST(ExportLitSphere, IsNearTheExactSum)
 {
@@ -206,14 +182,14 @@ TEST(ExportLitSphere, IsNearTheExactSum)
   {
     vtkBRDF* BRDF;
     double Tolerance;
-  } materials[] = { { lambert, 2e-3 }, { FindCase("gltf-core").Fit.Model, 0.02 },
-    { FindCase("gltf-coat").Fit.Model, 0.02 }, { FindCase("gltf-all").Fit.Model, 0.03 } };
+  } materials[] = { { lambert, 2e-3 }, { FindCase("gltf-coat").Fit.Model, 0.02 },
+    { FindCase("gltf-all").Fit.Model, 0.03 } };
   for (const auto& material : materials)
   {
     tool::LitSphere sphere(Front, material.BRDF->IsIsotropic());
     sphere.AddLight(sky);
-    const std::vector<double> exact = SumExactly(sphere, material.BRDF, sky);
-    const double error = tool::GetMeanError(sphere.Sum(material.BRDF), exact, 1);
+    const Eigen::ArrayXXd exact = SumExactly(sphere, material.BRDF, sky);
+    const double error = tool::GetMeanError(sphere.Sum(material.BRDF), exact);
     EXPECT_LT(error, material.Tolerance);
     std::printf("lit sphere: relative L1 %.3g %%\n", 100.0 * error);
   }
@@ -230,11 +206,11 @@ TEST(ExportLitSphere, KeepsAllLight)
   {
     tool::LitSphere sphere(Front, isotropic);
     sphere.AddLight(white);
-    const std::vector<double> radiance = sphere.Sum(lambert);
-    ASSERT_EQ(radiance.size(), 3 * sphere.GetNumberOfPixels());
-    for (std::size_t k = 0; k < radiance.size(); ++k)
+    const Eigen::ArrayXXd radiance = sphere.Sum(lambert);
+    ASSERT_EQ(radiance.size(), 3 * sphere.GetNormals().size());
+    for (Eigen::Index k = 0; k < radiance.size(); ++k)
     {
-      EXPECT_NEAR(radiance[k], 0.5 * (1 << k % 3), 1e-3);
+      EXPECT_NEAR(radiance(k), 0.5 * (1 << k % 3), 1e-3);
     }
   }
 }
@@ -286,11 +262,9 @@ TEST(ExportSphere, NormalsAndViews)
   // The picture's right is the world's -z, its top +y.
   const double* last = &surface.Normals[surface.Normals.size() - 3];
   EXPECT_GT(last[1], 0.9);
-  const std::array<double, 3> above = tool::GetViewDirection({ 0.0, 90.0 });
-  EXPECT_NEAR(above[1], 1.0, 1e-12);
+  EXPECT_NEAR(tool::GetViewDirection({ 0.0, 90.0 }).y, 1.0, 1e-12);
 }
 
-#if MEASUREDBRDF_WITH_CERES
 //------------------------------------------------------------------------------
 TEST(ExportFit, FindsWhatIsThere)
 {
@@ -325,7 +299,7 @@ TEST(ExportFit, TakesNoPartThatIsOfNoUse)
     const tool::ModelFit fit = tool::FitModel(
       name, FindCase("preview-surface-core").Fit.Model, sphere, false, [](double) {});
     EXPECT_EQ(fit.Error, tool::GetMeanError(sphere.Sum(fit.Model),
-                           sphere.Sum(FindCase("preview-surface-core").Fit.Model), 1));
+                           sphere.Sum(FindCase("preview-surface-core").Fit.Model)));
     if (std::string(name) == "preview_surface")
     {
       EXPECT_TRUE(fit.Features.empty());
@@ -399,7 +373,6 @@ TEST(ExportFit, FindsTheDirectionOfGrooves)
   EXPECT_NEAR(fit.Model->GetNumber("Anisotropy"), 0.8, 0.05);
   EXPECT_LT(fit.Error, 0.01);
 }
-#endif
 
 //------------------------------------------------------------------------------
 TEST(ExportFiles, NumbersAndNames)

@@ -2,27 +2,81 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What photographs say of each texel, its convex weights, and which of many materials to mix.
+ * From photographs of a flat sample to materials and their weights. Passes over all photographs of
+ * a set, one picture in memory at a time, as linear values with what each pixel is good for; what
+ * they say of each texel, its convex weights, and which of many materials to mix; materials that
+ * are found in photographs, as tables.
  */
 
-#ifndef TexelWeights_h
-#define TexelWeights_h
+#ifndef PhotographFit_h
+#define PhotographFit_h
 
 #include "LinearLeastSquares.h"
-#include "PhotographPasses.h"
 #include "vtkBRDF.h"
 #include "vtkSmartPointer.h"
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+class vtkPhotographSet;
+
 namespace measuredbrdf
 {
+enum class PixelState : std::uint8_t
+{
+  Valid,
+  Saturated,
+  Black,
+  Invalid // not finite
+};
+
+struct PhotographPixels
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<float> Values;      // RGB, linear, row 0 at the bottom; 0 where a pixel is not valid
+  std::vector<PixelState> States; // of each pixel
+};
+
+/// The user stopped the fit.
+struct MapFitStopped
+{
+};
+
+class PhotographPasses
+{
+public:
+  /// Reads the first photograph, for the size. report: with the share done; false: stop.
+  PhotographPasses(vtkPhotographSet* set, std::function<bool(double)> report);
+
+  /// use(number, pixels) for each photograph in turn, while progress goes from one share to the
+  /// other. Throws MapFitStopped, and std::runtime_error for a photograph that cannot be used, with
+  /// its name.
+  void Run(double from, double to, const std::function<void(int, const PhotographPixels&)>& use);
+
+  /// Report progress. Throws MapFitStopped.
+  void Proceed(double share) const;
+
+  int Width = 0;
+  int Height = 0;
+  /// Pixels of each PixelState in all photographs, as the last pass found them.
+  std::array<std::uint64_t, 4> PixelCounts{};
+
+private:
+  PhotographPixels Read(int index) const;
+
+  vtkPhotographSet* Set;
+  std::function<bool(double)> Report;
+};
+
 using NamedMaterial = std::pair<vtkSmartPointer<vtkBRDF>, std::string>;
 
 /// A photograph's unit of error is what it shows on the average plus this, as a linear value (1:
@@ -103,6 +157,31 @@ WeightSolution SolveTexel(const TexelSums& sums, std::size_t k, const std::vecto
  */
 std::vector<int> SelectMaterials(
   const TexelSums& sums, int most, double tolerance, const std::function<void(double)>& proceed);
+
+/// As vtkMaterialMapFitter has them.
+struct TableOptions
+{
+  int Materials;
+  unsigned int Seed;
+  double Smoothness;
+  std::array<int, 3> Dimensions;
+};
+
+struct TableMaterials
+{
+  std::vector<NamedMaterial> Materials;
+  std::vector<double> Scales; // each photograph's unit of error: the mean of its valid pixels plus
+                              // NoiseFloor
+  double FactorError = 0.0;
+  int Iterations = 0;
+  bool Converged = false;
+  double SeenShare = 0.0; // of the tables' cells
+};
+
+/// A sample of texels is factored; each material's values in the photographs become a table.
+/// Progress goes to 0.6. Throws what passes do, and std::runtime_error.
+TableMaterials FindTableMaterials(vtkPhotographSet* photographs, const TableOptions& options,
+  PhotographPasses& passes, const std::vector<std::size_t>& sample);
 } // namespace measuredbrdf
 
 #endif
