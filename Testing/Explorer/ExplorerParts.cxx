@@ -60,7 +60,6 @@ private Q_SLOTS:
   void chartScales();
   void comparedMaterials();
   void lightsComeFromTheirAngles();
-  void lambertUnderOneLight();
   void anisotropicUnderOneLight();
   void modelsHaveTheirParameters();
   void modelsAreMaterials();
@@ -504,25 +503,6 @@ void ExplorerParts::lightsComeFromTheirAngles()
   QCOMPARE(lamp->GetIntensity(), 2.5);
   QCOMPARE(lamp->GetPosition()[0], 1.0);
   QVERIFY(!lamp->GetPositional());
-}
-
-//------------------------------------------------------------------------------
-// albedo / pi E cos: the formula by itself.
-void ExplorerParts::lambertUnderOneLight()
-{
-  vtkNew<vtkLambertBRDF> brdf;
-  brdf->SetAlbedo(0.8, 0.4, 0.2);
-  tool::Surface surface;
-  const double s = std::sqrt(0.5);
-  surface.Normals = { 0.0, 0.0, 1.0, s, 0.0, s, 0.0, 0.0, -1.0 };
-  surface.Views = { 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0 };
-  const std::vector<double> radiance = DrawDirectional(brdf, surface, { 90.0, 0.0, 3.0 });
-  const double expected[9] = { 2.4, 1.2, 0.6, 2.4 * s, 1.2 * s, 0.6 * s, 0.0, 0.0, 0.0 };
-  for (std::size_t k = 0; k < 9; ++k)
-  {
-    QVERIFY2(std::abs(radiance[k] - expected[k] / vtkMath::Pi()) < 1e-12,
-      qPrintable(QString::number(radiance[k])));
-  }
 }
 
 //------------------------------------------------------------------------------

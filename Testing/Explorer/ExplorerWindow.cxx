@@ -195,6 +195,7 @@ Window* ExplorerWindow::Show(const State& state)
   {
     qWarning("the state's files were not read");
   }
+  QTest::qWait(1); // the boxes of lists that were made anew are deleted by then
   this->Shared->GetView()->ResetCamera();
   return this->Shared.get();
 }

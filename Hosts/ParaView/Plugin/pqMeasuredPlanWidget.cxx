@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqMeasuredPlanWidget.h"
 
-#include "pqView.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 
@@ -28,9 +27,6 @@ pqMeasuredPlanWidget::pqMeasuredPlanWidget(
 }
 
 //------------------------------------------------------------------------------
-pqMeasuredPlanWidget::~pqMeasuredPlanWidget() = default;
-
-//------------------------------------------------------------------------------
 void pqMeasuredPlanWidget::watch(pqView* view)
 {
   if (this->Watched)
@@ -41,7 +37,6 @@ void pqMeasuredPlanWidget::watch(pqView* view)
   if (view)
   {
     QObject::connect(view, &pqView::endRender, this, &pqMeasuredPlanWidget::refresh);
-    QObject::connect(view, &QObject::destroyed, this, [this]() { this->Watched = nullptr; });
     this->refresh();
   }
 }

@@ -12,9 +12,11 @@
 #define pqMeasuredPlanWidget_h
 
 #include "pqPropertyWidget.h"
+#include "pqView.h"
+
+#include <QPointer>
 
 class QLabel;
-class pqView;
 
 class pqMeasuredPlanWidget : public pqPropertyWidget
 {
@@ -22,7 +24,6 @@ class pqMeasuredPlanWidget : public pqPropertyWidget
 
 public:
   pqMeasuredPlanWidget(vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent = nullptr);
-  ~pqMeasuredPlanWidget() override;
 
 private Q_SLOTS:
   void watch(pqView* view);
@@ -32,7 +33,7 @@ private:
   Q_DISABLE_COPY(pqMeasuredPlanWidget)
 
   QLabel* Label;
-  pqView* Watched = nullptr;
+  QPointer<pqView> Watched;
 };
 
 #endif

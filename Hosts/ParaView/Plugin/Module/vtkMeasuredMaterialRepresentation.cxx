@@ -179,23 +179,13 @@ struct vtkMeasuredMaterialRepresentation::Internals
   vtkMTimeType BlocksTime = 0;            // of the data whose blocks have their materials
   bool BlocksChanged = true;
 
-  std::string GetMaterialName() const
-  {
-    return this->Material == File ? this->MaterialFile : this->Material;
-  }
-
   // "" for the view's own. "Automatic" needs the stand-in at hand.
   std::string GetEnvironmentName() const
   {
-    if (this->Environment == "View")
-    {
-      return "";
-    }
-    if (this->Environment == "Automatic")
-    {
-      return "room";
-    }
-    return this->Environment == File ? this->EnvironmentFile : this->Environment;
+    return this->Environment == "View"        ? ""
+           : this->Environment == "Automatic" ? "room"
+           : this->Environment == File        ? this->EnvironmentFile
+                                              : this->Environment;
   }
 
   void Say(vtkObject* self, const std::string& error)
@@ -222,7 +212,8 @@ struct vtkMeasuredMaterialRepresentation::Internals
         materials.push_back(take(FindMaterial(row.second, controller)));
       }
     };
-    this->BRDF = take(FindMaterial(this->GetMaterialName(), controller));
+    const bool isFile = this->Material == File;
+    this->BRDF = take(FindMaterial(isFile ? this->MaterialFile : this->Material, controller));
     takeAll(this->BlockNames, this->Blocks);
     takeAll(this->MapNames, this->MapMaterials);
     this->MapImages.clear();
@@ -467,17 +458,20 @@ void vtkMeasuredMaterialRepresentation::NamesChanged()
   }
 }
 
-//------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::SetBlockMaterial(const char* selector, const char* material)
-{
-  if (ToText(selector).empty())
-  {
-    return; // a row of the panel's table that is being written
+// What is empty belongs to a row of the panel's table that is being written.
+#define measuredmaterialsAddMacro(Function, Member)                                         \
+  void vtkMeasuredMaterialRepresentation::Function(const char* place, const char* material) \
+  {                                                                                         \
+    if (!ToText(place).empty())                                                             \
+    {                                                                                       \
+      this->Impl->Member.emplace_back(place, ToText(material));                             \
+      this->NamesChanged();                                                                 \
+      this->MarkModified(); /* selectors of blocks are checked where the data are */        \
+    }                                                                                       \
   }
-  this->Impl->BlockNames.emplace_back(selector, ToText(material));
-  this->NamesChanged();
-  this->MarkModified(); // selectors are checked where the data are
-}
+
+measuredmaterialsAddMacro(SetBlockMaterial, BlockNames);
+measuredmaterialsAddMacro(SetMapMaterial, MapNames);
 
 //------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::SetMaterialMapMode(int mode)
@@ -491,16 +485,6 @@ void vtkMeasuredMaterialRepresentation::SetMaterialMapArray(const char* name)
 {
   this->Impl->MapArray = ToText(name);
   this->Impl->MapChanged = true;
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::SetMapMaterial(const char* value, const char* material)
-{
-  if (!ToText(value).empty()) // else a row of the panel's table that is being written
-  {
-    this->Impl->MapNames.emplace_back(value, ToText(material));
-    this->NamesChanged();
-  }
 }
 
 //------------------------------------------------------------------------------
