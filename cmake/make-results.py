@@ -248,7 +248,7 @@ def main():
     folder, docs, *reports = sys.argv[1:]
     with open(os.path.join(folder, "results.json"), encoding="utf-8") as file:
         results = json.load(file)
-    if results["format"] != "measured-brdf chart" or results["version"] not in (1, 2):
+    if results["format"] != "measured-brdf chart" or results["version"] not in (1, 2, 3):
         sys.exit(f"{folder}/results.json: not of the format that this script reads")
     machine, settings = results["machine"], results["settings"]
     pairs = [pair for pair in results["pairs"] if pair["planner"]]

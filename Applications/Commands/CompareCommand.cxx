@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FailureMap.h"
 #include "Files.h"
 #include "Inputs.h"
 #include "JsonReport.h"
@@ -8,6 +7,7 @@
 #include "Methods.h"
 #include "Options.h"
 #include "ParetoFront.h"
+#include "Picture.h"
 #include "Progress.h"
 #include "ReferencePicture.h"
 #include "Scenes.h"
@@ -18,6 +18,9 @@
 
 #include "vtkBRDFFailureMap.h"
 #include "vtkBRDFResampler.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkRadianceMetrics.h"
 #include "vtkVersion.h"
@@ -154,10 +157,210 @@ nlohmann::ordered_json MakeReport(Comparison& found)
 }
 
 //------------------------------------------------------------------------------
+// What the mesh hides, predicted and, where the picture was traced, in that.
+nlohmann::ordered_json DescribeOcclusion(vtkOcclusionPredictor* predicted,
+  const tool::TracedSurface& traced, const tool::TraceOptions& options)
+{
+  nlohmann::ordered_json report = { { "unoccluded_error", predicted->GetError() },
+    { "unoccluded_uncertainty", predicted->GetUncertainty() },
+    { "occlusion", !traced.Radiance.empty() } };
+  if (!traced.Radiance.empty())
+  {
+    double difference = 0.0;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < traced.Radiance.size(); ++k)
+    {
+      difference += std::abs(traced.Unoccluded[k] - traced.Radiance[k]);
+      sum += traced.Radiance[k];
+    }
+    report["traced_samples"] = options.Samples;
+    report["traced_bounces"] = options.Bounces;
+    report["traced_noise"] = traced.Noise;
+    report["unoccluded_error_in_view"] = difference / std::max(sum, 1e-300);
+  }
+  return report;
+}
+
+//------------------------------------------------------------------------------
 // What is evaluated in place of the material: the form on the GPU where the method has one.
 vtkBRDF* GetShaded(const tool::Method& method)
 {
   return method.Integrator->UsesBRDFOnGPU() ? method.BRDF->GetRenderable() : method.BRDF.Get();
+}
+
+/// Error of radiance at the views between two polar angles; shares, relative to the mean radiance
+/// there.
+struct ViewError
+{
+  double Begin; // degrees
+  double End;
+  std::size_t NumberOfPixels;
+  double RelativeL1;
+  double P99; // 99th percentile of the pixels' own relative errors
+};
+
+constexpr double ViewStep = 5.0; // degrees
+constexpr int Views = static_cast<int>(90.0 / ViewStep);
+
+// A map with its axes, in pixels.
+constexpr int MapSide = 480;
+constexpr int MapMargin = 60; // left of it and below, for the ticks
+constexpr int TickSize = 15;
+
+/// Where on an axis, as a share of it, there is which text.
+using AxisTicks = std::vector<std::pair<double, std::string>>;
+
+//------------------------------------------------------------------------------
+// A logarithm of an error as a share of the colors' range.
+double FindShare(double error)
+{
+  return (std::log10(std::max(error, 1e-12)) - tool::LowestError) /
+         (tool::HighestError - tool::LowestError);
+}
+
+//------------------------------------------------------------------------------
+// Angles on an axis where theta is at theta / 90 or, on one of square roots, at its root.
+AxisTicks MakeAngleTicks(const std::vector<int>& degrees, bool isRoot)
+{
+  AxisTicks ticks;
+  for (const int theta : degrees)
+  {
+    ticks.emplace_back(isRoot ? std::sqrt(theta / 90.0) : theta / 90.0, std::to_string(theta));
+  }
+  return ticks;
+}
+
+//------------------------------------------------------------------------------
+// The colors of errors over a square, of its places in [0, 1), gray where an error is not a number;
+// with ticks below it and left of it.
+tool::Picture DrawMap(const std::function<double(double, double)>& find, const AxisTicks& across,
+  const AxisTicks& upwards)
+{
+  constexpr int side = MapMargin + MapSide + TickSize;
+  tool::Picture tile = tool::MakePaper(side, side);
+  const auto colors = tool::MakeErrorColors();
+  for (int k = 0; k < MapSide * MapSide; ++k)
+  {
+    const int x = k % MapSide;
+    const int y = k / MapSide;
+    const double error = find((x + 0.5) / MapSide, (y + 0.5) / MapSide);
+    tool::RGB rgb(0.87); // of what is no error
+    if (!std::isnan(error))
+    {
+      colors->GetColor(tool::LowestError + (tool::HighestError - tool::LowestError) *
+                                             std::clamp(FindShare(error), 0.0, 1.0),
+        &rgb.x);
+    }
+    tile.Blend(MapMargin + x, MapMargin + y,
+      { measuredbrdf::DecodeSRGB(rgb.r), measuredbrdf::DecodeSRGB(rgb.g),
+        measuredbrdf::DecodeSRGB(rgb.b) },
+      1.0);
+  }
+  for (const auto& [share, text] : across)
+  {
+    const int width = tool::MeasureText(text, TickSize, false);
+    tool::DrawText(tile, MapMargin + static_cast<int>(share * MapSide) - width / 2,
+      MapMargin - 2 * TickSize, text, TickSize, false, tool::White);
+  }
+  for (const auto& [share, text] : upwards)
+  {
+    const int width = tool::MeasureText(text, TickSize, false);
+    tool::DrawText(tile, MapMargin - width - 6,
+      MapMargin + static_cast<int>(share * MapSide) - TickSize / 2, text, TickSize, false,
+      tool::White);
+  }
+  return tile;
+}
+
+//------------------------------------------------------------------------------
+tool::Picture DrawErrors(vtkImageData* errors, const AxisTicks& across)
+{
+  const int* size = errors->GetDimensions();
+  return DrawMap(
+    [=](double u, double v)
+    {
+      return errors->GetScalarComponentAsDouble(
+        static_cast<int>(u * size[0]), static_cast<int>(v * size[1]), 0, 0);
+    },
+    across, MakeAngleTicks({ 0, 15, 30, 45, 60, 75, 90 }, false));
+}
+
+//------------------------------------------------------------------------------
+// Of radiance and its reference (3 values a pixel), by the angle between normal and view (3 values
+// each), in equal steps; those without a pixel or light are left out.
+std::vector<ViewError> MeasureViews(const std::vector<double>& normals,
+  const std::vector<double>& views, const std::vector<double>& rgb,
+  const std::vector<double>& reference)
+{
+  std::vector<double> x[Views];
+  std::vector<double> r[Views];
+  for (std::size_t k = 0; k < normals.size(); k += 3)
+  {
+    const double cosine = std::clamp(vtkMath::Dot(&normals[k], &views[k]), 0.0, 1.0);
+    const double theta = vtkMath::DegreesFromRadians(std::acos(cosine));
+    const int step = std::min(Views - 1, static_cast<int>(theta / ViewStep));
+    x[step].insert(x[step].end(), { rgb[k], rgb[k + 1], rgb[k + 2] });
+    r[step].insert(r[step].end(), { reference[k], reference[k + 1], reference[k + 2] });
+  }
+  std::vector<ViewError> errors;
+  for (int step = 0; step < Views; ++step)
+  {
+    if (std::any_of(r[step].begin(), r[step].end(), [](double value) { return value > 0.0; }))
+    {
+      vtkNew<vtkRadianceMetrics> metrics;
+      if (!metrics->Compare(tool::MakeArray(x[step], 3), tool::MakeArray(r[step], 3)))
+      {
+        throw tool::Error("measuring the views: " + tool::TakeErrorText());
+      }
+      errors.push_back({ step * ViewStep, (step + 1) * ViewStep, x[step].size() / 3,
+        metrics->GetRelativeL1(), metrics->GetP99Relative() });
+    }
+  }
+  return errors;
+}
+
+//------------------------------------------------------------------------------
+// Both maps of f, in the first of them the places of the worst angles, and the errors of radiance
+// over theta_o, as PNG. Colors: viridis of the logarithm, 0.1 % to 100 % in every picture, so that
+// two of them compare. note: what was compared, below the title. Throws Error.
+void WriteFailureMap(const std::string& path, const std::string& title, const std::string& note,
+  const std::string& method, vtkBRDFFailureMap* map, const std::vector<ViewError>& views)
+{
+  const AxisTicks degrees = MakeAngleTicks({ 0, 15, 30, 45, 60, 75, 90 }, false);
+  tool::Picture first = DrawErrors(map->GetIncidentOutgoing(), degrees);
+  for (int k = 0; k < map->GetNumberOfWorstAngles(); ++k) // white on black: seen on any color
+  {
+    double angles[3];
+    map->GetWorstAngles(k, angles);
+    const int x = MapMargin + static_cast<int>(angles[0] / 90.0 * MapSide) - 4;
+    const int y = MapMargin + static_cast<int>(angles[1] / 90.0 * MapSide) - 6;
+    tool::Paste(first, tool::MakePaper(TickSize - 3, TickSize), x - 2, y - 2);
+    tool::DrawText(first, x, y, std::to_string(k + 1), TickSize - 1, true, tool::White);
+  }
+  const tool::Picture second =
+    DrawErrors(map->GetHalfDifference(), MakeAngleTicks({ 0, 2, 5, 10, 20, 30, 45, 60, 90 }, true));
+  const tool::Picture third = DrawMap(
+    [&views](double u, double v)
+    {
+      const auto view = std::find_if(views.begin(), views.end(),
+        [u](const ViewError& one) { return 90.0 * u >= one.Begin && 90.0 * u < one.End; });
+      const double place =
+        std::pow(10.0, tool::LowestError + (tool::HighestError - tool::LowestError) * v);
+      const bool isBar =
+        view != views.end() &&
+        place <= (90.0 * u < view->Begin + 0.5 * ViewStep ? view->P99 : view->RelativeL1);
+      return isBar ? place : std::numeric_limits<double>::quiet_NaN();
+    },
+    degrees,
+    { { FindShare(0.001), "0.1 %" }, { FindShare(0.01), "1 %" }, { FindShare(0.1), "10 %" },
+      { FindShare(1.0), "100 %" } });
+  tool::ContactSheet sheet(title, 3, 1, first.Width, first.Height);
+  sheet.Add(0, 0, first, "f: theta_i across, theta_o upwards", note);
+  sheet.Add(1, 0, second, "f: theta_h across, theta_d upwards",
+    "The numbers in the first map mark the worst angles.");
+  sheet.Add(2, 0, third, "radiance over theta_o: " + method,
+    "Left of each pair: the 99th percentile; right: relative L1. The maps have the same colors.");
+  sheet.Write(path);
 }
 
 //------------------------------------------------------------------------------
@@ -172,15 +375,15 @@ void WriteFailures(const Comparison& found, vtkBRDF* reference, nlohmann::ordere
   {
     throw tool::Error("compare: --failure-map: " + tool::TakeErrorText());
   }
-  const std::vector<tool::ViewError> views = tool::MeasureViews(found.Surface.Normals,
-    found.Surface.Views, tool::Pick(found.Shaded.Drawn, found.Surface), found.Reference);
+  const std::vector<ViewError> views = MeasureViews(found.Surface.Normals, found.Surface.Views,
+    tool::Pick(found.Shaded.Drawn, found.Surface), found.Reference);
   std::string note =
     shaded == reference
       ? "The method takes the material's own f: its errors are those of the integral alone (right)."
       : "f as " + tool::DescribeForm(shaded) + ": relative L1 " +
           tool::FormatPercent(map->GetRelativeL1()) + ".";
   note += " Each cell: mean |f - r| over mean r, all azimuths. Gray: below the horizon.";
-  tool::WriteFailureMap(found.Options.FailureMap, found.Title, note, found.Shaded.Name, map, views);
+  WriteFailureMap(found.Options.FailureMap, found.Title, note, found.Shaded.Name, map, views);
 
   report["brdf_relative_l1"] = map->GetRelativeL1();
   report["brdf_log_cosine"] = vtkBRDFResampler::GetLogCosineDistance(reference, shaded);
@@ -193,7 +396,7 @@ void WriteFailures(const Comparison& found, vtkBRDF* reference, nlohmann::ordere
       { "phi", angles[2] }, { "error", map->GetWorstError(k) } });
   }
   report["radiance_by_theta_o"] = nlohmann::ordered_json::array();
-  for (const tool::ViewError& view : views)
+  for (const ViewError& view : views)
   {
     report["radiance_by_theta_o"].push_back(
       { { "begin", view.Begin }, { "end", view.End }, { "pixels", view.NumberOfPixels },
@@ -219,8 +422,23 @@ void WriteStrip(Comparison& found)
       black = tool::Pick(found.Scene.Render(size.Width, size.Height), found.Surface);
       found.Scene.Mapper->SetOcclusionBounce(true);
     }
-    tool::WriteOcclusionStrip(options.Strip, found.Title, found.Environment, size, found.Scene,
-      found.Surface, found.Traced, name, error, black);
+    tool::ComparisonStrip strip(found.Title, found.Environment, size, black.empty() ? 3 : 4);
+    const auto add = [&](const std::vector<double>& radiance, const std::string& label)
+    {
+      vtkNew<vtkRadianceMetrics> metrics;
+      tool::Measure(metrics, tool::Grid(found.Surface, size), radiance, found.Traced.Radiance);
+      strip.AddRadiance(found.Scene, found.Surface, radiance, label,
+        "error " + tool::FormatPercent(metrics->GetRelativeL1()));
+    };
+    add(found.Traced.Unoccluded, "light that nothing hides");
+    if (!black.empty())
+    {
+      add(black, "black where the sky is hidden");
+    }
+    strip.AddRendered(found.Scene, name, "error " + tool::FormatPercent(error));
+    strip.AddRadiance(
+      found.Scene, found.Surface, found.Traced.Radiance, "traced", "the reference with occlusion");
+    strip.Write(options.Strip);
     return;
   }
   // Times relative to PBR's, which depend less on the machine.
@@ -314,7 +532,7 @@ void Run(CompareOptions& options, const CLI::App* command)
   const tool::Material material = tool::LoadMaterial(options.File);
   const tool::Material shaded = options.Fit.empty() ? material : tool::LoadMaterial(options.Fit);
   Comparison found(options);
-  found.Environment = options.Stage.LoadEnvironment();
+  found.Environment = tool::LoadEnvironment(options.Stage.EnvironmentFile);
   found.Title = material.Name + " under " + found.Environment->GetName();
   const vtkSmartPointer<vtkPolyData> mesh = options.Stage.LoadMesh();
   SetUp(found, shaded, mesh);
@@ -341,7 +559,7 @@ void Run(CompareOptions& options, const CLI::App* command)
   nlohmann::ordered_json report = MakeReport(found);
   report.update(
     { { "reference_pixels", found.Surface.Pixels.size() }, { "reference_within", whole.Within } });
-  report.update(tool::DescribeOcclusion(found.Predicted, found.Traced, options.Trace));
+  report.update(DescribeOcclusion(found.Predicted, found.Traced, options.Trace));
   report.update({ { "covered_pixels", found.Surface.NumberOfCovered }, { "width", size.Width },
     { "height", size.Height }, { "material", material.Name },
     { "environment", found.Environment->GetName() },

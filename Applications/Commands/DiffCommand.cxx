@@ -89,25 +89,6 @@ Image ReadPicture(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-// valid.png, valid_1.png, valid_2.png and so on, as far as there are files.
-void AddAlternatives(std::vector<std::string>& baselines)
-{
-  const std::filesystem::path first = baselines.front();
-  std::error_code ignored;
-  for (int k = 1;; ++k)
-  {
-    const std::filesystem::path next =
-      first.parent_path() /
-      (first.stem().string() + "_" + std::to_string(k) + first.extension().string());
-    if (!std::filesystem::exists(next, ignored))
-    {
-      return;
-    }
-    baselines.push_back(next.string());
-  }
-}
-
-//------------------------------------------------------------------------------
 PictureComparison Compare(
   const DiffOptions& options, vtkImageData* picture, vtkImageData* mask, const std::string& path)
 {
@@ -217,9 +198,17 @@ PictureComparison CompareAll(const DiffOptions& options)
   const Image picture = ReadPicture(options.Picture);
   const Image mask = options.Mask.empty() ? Image() : ReadPicture(options.Mask);
   std::vector<std::string> baselines = options.Baselines;
-  if (options.Alternatives)
+  if (options.Alternatives) // valid_1.png, valid_2.png and so on, as far as there are files
   {
-    AddAlternatives(baselines);
+    const std::filesystem::path first = baselines.front();
+    const std::string stem = (first.parent_path() / first.stem()).string() + "_";
+    const auto getNext = [&]()
+    { return stem + std::to_string(baselines.size()) + first.extension().string(); };
+    std::error_code ignored;
+    while (std::filesystem::exists(getNext(), ignored))
+    {
+      baselines.push_back(getNext());
+    }
   }
   PictureComparison best;
   for (const std::string& path : baselines)
@@ -234,7 +223,7 @@ PictureComparison CompareAll(const DiffOptions& options)
 }
 
 //------------------------------------------------------------------------------
-void CheckOptions(const DiffOptions& options)
+void Run(const DiffOptions& options)
 {
   if (options.Alternatives && options.Baselines.size() > 1)
   {
@@ -247,12 +236,6 @@ void CheckOptions(const DiffOptions& options)
     throw tool::UsageError("--threshold: found " + std::to_string(options.Thresholds.size()) +
                            ", expected none or one for each --metric");
   }
-}
-
-//------------------------------------------------------------------------------
-void Run(const DiffOptions& options)
-{
-  CheckOptions(options);
   // CTest sets the first for every test, to 0 or 1; older ones set the second.
   const bool dart = options.Dart || std::getenv("CTEST_INTERACTIVE_DEBUG_MODE") ||
                     std::getenv("DASHBOARD_TEST_FROM_CTEST");

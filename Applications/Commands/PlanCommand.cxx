@@ -74,7 +74,8 @@ void Run(PlanCommandOptions& options, const CLI::App* command)
   }
   const tool::Interruptible interruptible;
   const tool::Material material = tool::LoadMaterial(options.File);
-  const vtkSmartPointer<vtkEnvironment> environment = options.Stage.LoadEnvironment();
+  const vtkSmartPointer<vtkEnvironment> environment =
+    tool::LoadEnvironment(options.Stage.EnvironmentFile);
   const vtkSmartPointer<vtkPolyData> mesh = options.Stage.LoadMesh();
   tool::VisiblePairs seen;
   if (options.Plan.ForView)

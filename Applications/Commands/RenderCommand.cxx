@@ -115,14 +115,6 @@ void WritePicture(const RenderOptions& options, const tool::OffscreenScene& scen
 }
 
 //------------------------------------------------------------------------------
-vtkMeasuredBRDFMapper::OcclusionModeType GetOcclusionMode(const std::string& name)
-{
-  return name == "on"    ? vtkMeasuredBRDFMapper::OCCLUSION_ON
-         : name == "off" ? vtkMeasuredBRDFMapper::OCCLUSION_OFF
-                         : vtkMeasuredBRDFMapper::OCCLUSION_AUTO;
-}
-
-//------------------------------------------------------------------------------
 // A surface with too many points to be traced unasked.
 void NoteUnmodeled(const std::string& plan)
 {
@@ -189,7 +181,8 @@ void Run(RenderOptions& options, const CLI::App* command)
   const tool::Size& size = options.Stage.Size;
   const tool::Interruptible interruptible;
   const tool::Material material = tool::LoadMaterial(options.File);
-  const vtkSmartPointer<vtkEnvironment> environment = options.Stage.LoadEnvironment();
+  const vtkSmartPointer<vtkEnvironment> environment =
+    tool::LoadEnvironment(options.Stage.EnvironmentFile);
   const vtkSmartPointer<vtkPolyData> mesh = options.Stage.LoadMesh();
   const bool onCpu = tool::IsOnCpuOnly(options.Method.Method);
   if (onCpu)
@@ -219,7 +212,10 @@ void Run(RenderOptions& options, const CLI::App* command)
   }
   else
   {
-    scene.Mapper->SetOcclusionMode(GetOcclusionMode(options.Occlusion));
+    scene.Mapper->SetOcclusionMode(options.Occlusion == "on" ? vtkMeasuredBRDFMapper::OCCLUSION_ON
+                                   : options.Occlusion == "off"
+                                     ? vtkMeasuredBRDFMapper::OCCLUSION_OFF
+                                     : vtkMeasuredBRDFMapper::OCCLUSION_AUTO);
     scene.Mapper->SetOcclusionBounce(options.Trace.Bounces > 0);
     scene.Open(size.Width, size.Height);
     scene.Begin(method, environment, options.Method.Plan);

@@ -9,6 +9,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCleanPolyData.h"
 #include "vtkCompositeDataGeometryFilter.h"
 #include "vtkDataArray.h"
@@ -55,9 +56,7 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
-#include <iomanip>
 #include <iterator>
-#include <locale>
 #include <memory>
 #include <new>
 #include <set>
@@ -81,9 +80,13 @@ vtkSmartPointer<vtkPolyData> AddNormals(vtkPolyData* mesh, double featureAngle)
   vtkNew<vtkCleanPolyData> welded;
   welded->SetInputData(mesh);
   welded->SetTolerance(0.0);
-  welded->ConvertPolysToLinesOff(); // triangles without an area stay, and are counted
+  welded->Update();
+  vtkPolyData* polygons = welded->GetOutput();
+  polygons->SetLines(nullptr); // what has become of polygons without an area
+  polygons->SetVerts(nullptr);
+  polygons->GetCellData()->Initialize();
   vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputConnection(welded->GetOutputPort());
+  normals->SetInputData(polygons);
   normals->SetFeatureAngle(featureAngle);
   normals->Update();
   return normals->GetOutput();
@@ -114,31 +117,30 @@ double CountPLYBytes(const std::string& type)
 // VTK's PLY reader trusts its header: what it would make up is refused first.
 void CheckPLYHeader(const std::string& path)
 {
+  const auto fail = [&path](const std::string& what)
+  { throw Error(path + ": PLY header: " + what); };
   std::error_code ignored;
   const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+  std::string header(1 << 20, ' ');
   std::ifstream file(path, std::ios::binary);
-  std::string line;
+  file.read(header.data(), static_cast<std::streamsize>(header.size()));
+  header.resize(static_cast<std::size_t>(file.gcount()));
+  if (header.compare(0, 3, "ply") != 0)
+  {
+    fail("expected the word 'ply' first");
+  }
+  const std::size_t end = header.find("\nend_header");
+  if (end == std::string::npos)
+  {
+    fail("'end_header' is missing");
+  }
   std::string element;
   std::set<std::string> coordinates;
   bool isText = false;
   double count = 0.0;    // of the element
   double expected = 0.0; // bytes after the header, at least
-  const auto fail = [&path](const std::string& what)
-  { throw Error(path + ": PLY header: " + what); };
-  const auto next = [&]()
-  {
-    line.clear();
-    for (char c; line.size() < 4096 && file.get(c) && c != '\n';)
-    {
-      line += c == '\r' ? ' ' : c;
-    }
-    return !line.empty() || file.good();
-  };
-  if (!next() || line.compare(0, 3, "ply") != 0)
-  {
-    fail("expected the word 'ply' first");
-  }
-  while (next() && line.compare(0, 10, "end_header") != 0)
+  std::istringstream lines(header.substr(0, end));
+  for (std::string line; std::getline(lines, line);)
   {
     std::istringstream words(line);
     std::string word;
@@ -169,18 +171,11 @@ void CheckPLYHeader(const std::string& path)
       }
     }
   }
-  if (line.compare(0, 10, "end_header") != 0)
+  const std::uintmax_t left = size - std::min(header.find('\n', end + 1), header.size() - 1) - 1;
+  if (expected > static_cast<double>(left) + 1.0)
   {
-    fail("'end_header' is missing");
-  }
-  const double left = static_cast<double>(size) - static_cast<double>(file.tellg());
-  if (expected > left + 1.0)
-  {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << std::setprecision(15) << "the elements take at least " << expected
-         << " bytes, but the file ends after " << left << " of them";
-    fail(text.str());
+    fail("the elements take at least " + std::to_string(static_cast<std::uintmax_t>(expected)) +
+         " bytes, but the file ends after " + std::to_string(left) + " of them");
   }
   for (const char* name : { "x", "y", "z" })
   {

@@ -7,7 +7,7 @@
 
 #include "vtkEnvironment.h"
 #include "vtkImageData.h"
-#include "vtkImageResize.h"
+#include "vtkImageShrink3D.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
@@ -177,24 +177,26 @@ Picture Backdrop::Draw(int width, int height) const
 vtkSmartPointer<vtkEnvironment> Shrink(vtkEnvironment* environment, int width, int height)
 {
   const auto whole = vtkSmartPointer<vtkImageData>::Take(environment->NewImageData());
-  vtkNew<vtkImageResize> resize; // the mean of what falls into each texel
-  resize->SetInputData(whole);
-  resize->SetOutputDimensions(width, height, 1);
-  resize->Update();
+  vtkNew<vtkImageShrink3D> mean;
+  mean->SetInputData(whole);
+  mean->SetShrinkFactors(std::max(1, environment->GetWidth() / width),
+    std::max(1, environment->GetHeight() / height), 1);
+  mean->MeanOn();
+  mean->Update();
   auto small = vtkSmartPointer<vtkEnvironment>::New();
-  small->SetImage(resize->GetOutput());
+  small->SetImage(mean->GetOutput());
   return small;
 }
 
 //------------------------------------------------------------------------------
 Backdrop MakeQuietBackdrop(vtkEnvironment* environment)
 {
-  constexpr int width = 64;
-  constexpr int height = 32;
   constexpr double dim = 0.42;
   const double angle = vtkMath::RadiansFromDegrees(11.0); // where the kernel has fallen to a half
   const double sharpness = std::log(2.0) / (1.0 - std::cos(angle));
-  const vtkSmartPointer<vtkEnvironment> coarse = Shrink(environment, width, height);
+  const vtkSmartPointer<vtkEnvironment> coarse = Shrink(environment, 64, 32);
+  const int width = coarse->GetWidth();
+  const int height = coarse->GetHeight();
   std::vector<glm::dvec3> directions(width * height);
   std::vector<glm::dvec4> light(directions.size()); // times solid angle, which is the last one
   for (int k = 0; k < width * height; ++k)

@@ -89,7 +89,7 @@ struct Backdrop
   Picture Draw(int width, int height) const;
 };
 
-/// The means of an environment over the texels of a smaller one.
+/// The means of an environment over blocks of texels, so that there are about so many.
 vtkSmartPointer<vtkEnvironment> Shrink(vtkEnvironment* environment, int width, int height);
 
 /// The environment blurred and darkened: it steps back behind the objects.

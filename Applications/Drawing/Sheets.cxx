@@ -314,29 +314,23 @@ constexpr tool::RGB Dark = { 0.0, 0.0, 0.0 };
 // The map as a picture: its typical brightness (mean of the logarithm) becomes mid gray.
 tool::Picture ToneMap(vtkEnvironment* environment, int width, int height)
 {
+  tool::Picture picture = tool::Backdrop{ environment }.Draw(width, height);
   double logarithms = 0.0;
   double weights = 0.0;
-  for (int y = 0; y < environment->GetHeight(); ++y)
+  for (int k = 0; k < width * height; ++k)
   {
-    const double weight = environment->GetTexelSolidAngle(y);
-    for (int x = 0; x < environment->GetWidth(); ++x)
-    {
-      double rgb[3];
-      environment->GetPixel(x, y, rgb);
-      const double luminance = vtkEnvironment::GetLuminance(rgb);
-      if (luminance > 0.0)
-      {
-        logarithms += weight * std::log(luminance);
-        weights += weight;
-      }
-    }
+    const tool::RGB rgb(picture.At(k % width, k / width));
+    const double luminance = vtkEnvironment::GetLuminance(&rgb.x);
+    const double weight =
+      luminance > 0.0 ? std::sin(vtkMath::Pi() * (k / width + 0.5) / height) : 0.0;
+    logarithms += weight > 0.0 ? weight * std::log(luminance) : 0.0;
+    weights += weight;
   }
   const double scale = weights > 0.0 ? 0.18 / std::exp(logarithms / weights) : 1.0;
-
-  tool::Picture picture = tool::Backdrop{ environment, scale }.Draw(width, height);
-  for (std::size_t k = 0; k < picture.Pixels.size(); ++k)
+  for (int k = 0; k < width * height; ++k)
   {
-    picture.Pixels[k] = k % 4 == 3 ? 1.0f : 1.0f - std::exp(-picture.Pixels[k]);
+    glm::vec4& pixel = picture.At(k % width, k / width);
+    pixel = glm::vec4(1.0f - glm::exp(-static_cast<float>(scale) * glm::vec3(pixel)), 1.0f);
   }
   return picture;
 }

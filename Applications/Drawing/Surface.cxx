@@ -111,7 +111,6 @@ tool::Surface FindSurface(NormalStage& stage, const tool::Size& size, int larges
   }
   return surface;
 }
-
 }
 
 namespace tool
@@ -133,5 +132,4 @@ Surface FindSurface(vtkPolyData* mesh, vtkCamera* camera, const Size& size, int 
   stage.SetCamera(camera);
   return FindSurface(stage, size, largest);
 }
-
 } // namespace tool

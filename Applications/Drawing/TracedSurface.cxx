@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TracedSurface.h"
 
-#include "Measuring.h"
 #include "Methods.h"
 #include "Progress.h"
-#include "Sheets.h"
 #include "Tool.h"
 
 #include "vtkBRDF.h"
@@ -15,7 +13,6 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkRadianceMetrics.h"
 #include "vtkTracedRadianceIntegrator.h"
 
 #include <CLI/CLI.hpp>
@@ -77,11 +74,6 @@ void CastRays(vtkTracedScene* traced, const tool::OffscreenScene& camera,
   }
 }
 
-std::vector<double> ToVector(vtkDoubleArray* array)
-{
-  return std::vector<double>(
-    array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues());
-}
 }
 
 namespace tool
@@ -164,51 +156,4 @@ vtkSmartPointer<vtkOcclusionPredictor> PredictOcclusion(
   return predictor;
 }
 
-//------------------------------------------------------------------------------
-nlohmann::ordered_json DescribeOcclusion(
-  vtkOcclusionPredictor* predicted, const TracedSurface& traced, const TraceOptions& options)
-{
-  nlohmann::ordered_json report = { { "unoccluded_error", predicted->GetError() },
-    { "unoccluded_uncertainty", predicted->GetUncertainty() },
-    { "occlusion", !traced.Radiance.empty() } };
-  if (!traced.Radiance.empty())
-  {
-    double difference = 0.0;
-    double sum = 0.0;
-    for (std::size_t k = 0; k < traced.Radiance.size(); ++k)
-    {
-      difference += std::abs(traced.Unoccluded[k] - traced.Radiance[k]);
-      sum += traced.Radiance[k];
-    }
-    report["traced_samples"] = options.Samples;
-    report["traced_bounces"] = options.Bounces;
-    report["traced_noise"] = traced.Noise;
-    report["unoccluded_error_in_view"] = difference / std::max(sum, 1e-300);
-  }
-  return report;
-}
-
-//------------------------------------------------------------------------------
-void WriteOcclusionStrip(const std::string& path, const std::string& title,
-  vtkEnvironment* environment, const Size& size, OffscreenScene& scene, const Surface& surface,
-  const TracedSurface& traced, const std::string& name, double error,
-  const std::vector<double>& black)
-{
-  ComparisonStrip strip(title, environment, size, black.empty() ? 3 : 4);
-  const auto add = [&](const std::vector<double>& radiance, const std::string& label)
-  {
-    vtkNew<vtkRadianceMetrics> metrics;
-    Measure(metrics, Grid(surface, size), radiance, traced.Radiance);
-    strip.AddRadiance(
-      scene, surface, radiance, label, "error " + FormatPercent(metrics->GetRelativeL1()));
-  };
-  add(traced.Unoccluded, "light that nothing hides");
-  if (!black.empty())
-  {
-    add(black, "black where the sky is hidden");
-  }
-  strip.AddRendered(scene, name, "error " + FormatPercent(error));
-  strip.AddRadiance(scene, surface, traced.Radiance, "traced", "the reference with occlusion");
-  strip.Write(path);
-}
 } // namespace tool

@@ -15,9 +15,6 @@
 #include "vtkOcclusionPredictor.h"
 #include "vtkTracedScene.h"
 
-#include <nlohmann/json.hpp>
-
-#include <string>
 #include <vector>
 
 class vtkBRDF;
@@ -58,18 +55,6 @@ vtkSmartPointer<vtkTracedScene> MakeTracedScene(vtkPolyData* mesh);
 TracedSurface TraceSurface(vtkTracedScene* traced, vtkBRDF* brdf, vtkEnvironment* environment,
   const OffscreenScene& camera, const Surface& surface, const Size& size,
   const TraceOptions& options);
-
-/// For a report: what a mesh hides, predicted and, where a picture was traced, in that.
-nlohmann::ordered_json DescribeOcclusion(
-  vtkOcclusionPredictor* predicted, const TracedSurface& traced, const TraceOptions& options);
-
-/// A picture, .png, of the light that nothing hides, of the pixels' radiance with hidden sky black
-/// (empty: left out), of a scene of that name with that error, and of the traced reference. Throws
-/// Error.
-void WriteOcclusionStrip(const std::string& path, const std::string& title,
-  vtkEnvironment* environment, const Size& size, OffscreenScene& scene, const Surface& surface,
-  const TracedSurface& traced, const std::string& name, double error,
-  const std::vector<double>& black);
 
 /// The error of leaving occlusion out, as seen from everywhere. Throws Error.
 vtkSmartPointer<vtkOcclusionPredictor> PredictOcclusion(

@@ -30,28 +30,15 @@ std::string Fill(std::string text, const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-tool::FetchCollection ReadCollection(const Json& data)
-{
-  return { data.at("id"), data.at("title"), data.at("kind"), data.at("licence"),
-    data.at("licence_url"), data.at("terms"), data.value("begins_with", "") };
-}
-
-//------------------------------------------------------------------------------
 // What a file does not say itself, its collection says for all.
-tool::FetchEntry ReadEntry(const Json& all, const Json& file)
+tool::FetchEntry ReadEntry(
+  const Json& all, const Json& file, const tool::FetchCollection* collection)
 {
   const std::string name = file.is_string() ? file : file.at("name");
   const Json own = file.is_string() ? Json::object() : file;
-  tool::FetchEntry entry;
-  entry.Name = Fill(all.at("entry"), name);
-  entry.File = Fill(all.at("file"), name);
-  entry.Url = Fill(all.at("url"), name);
-  entry.Page = Fill(all.at("page"), name);
-  entry.Limit = all.at("limit");
-  entry.Size = own.value("size", all.value("size", std::uint64_t(0)));
-  entry.Sha256 = own.value("sha256", "");
-  entry.SumKind = own.value("sum", "");
-  return entry;
+  return { Fill(all.at("entry"), name), Fill(all.at("file"), name), Fill(all.at("url"), name),
+    Fill(all.at("page"), name), own.value("size", all.value("size", std::uint64_t(0))),
+    all.at("limit"), own.value("sha256", ""), own.value("sum", ""), collection };
 }
 }
 
@@ -67,11 +54,11 @@ const std::vector<FetchEntry>& GetFetchCatalog()
     const Json all = Json::parse(FetchCatalogData);
     for (const Json& data : all.at("collections"))
     {
-      collections.push_back(ReadCollection(data));
+      collections.push_back({ data.at("id"), data.at("title"), data.at("kind"), data.at("licence"),
+        data.at("licence_url"), data.at("terms"), data.value("begins_with", "") });
       for (const Json& file : data.at("files"))
       {
-        read.push_back(ReadEntry(data, file));
-        read.back().Collection = &collections.back();
+        read.push_back(ReadEntry(data, file, &collections.back()));
       }
     }
     return read;

@@ -7,10 +7,13 @@
 #include "LocalFrame.h"
 #include "ParallelFor.h"
 
+#include "vtkBRDFResampler.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <stdexcept>
 
@@ -215,6 +218,265 @@ Acquisition Acquire(vtkBRDF* sample, const AcquisitionOptions& options, const Pr
   result.Stack->SetName(sample->GetName());
   result.Stack->SetSource(
     "simulated acquisition" + (sample->GetSource().empty() ? "" : " of: " + sample->GetSource()));
+  return result;
+}
+
+namespace
+{
+using measuredbrdf::MakeLeastSquares;
+using measuredbrdf::MakeRadialMatrix;
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+constexpr int ZonalNodes = 64;
+constexpr int NumberOfViews = 64; // of the output, 0 to 90 degrees
+constexpr int LambdaSteps = 21;   // 1e-5 to 1
+
+double GetStep(int k) { return std::pow(10.0, -5.0 + 5.0 * k / (LambdaSteps - 1.0)); }
+
+// What a zone's samples are and how they count.
+struct Side
+{
+  std::vector<double> Cosines;
+  std::vector<double> Weights;
+};
+
+// Rows (l, m), l = |m| ... order, of a stack of coefficients with a row for each function.
+Eigen::MatrixXd GetRows(const RowMatrix& stack, int order, int m)
+{
+  Eigen::MatrixXd rows(order + 1 - std::abs(m), stack.cols());
+  for (int l = std::abs(m); l <= order; ++l)
+  {
+    rows.row(l - std::abs(m)) = stack.row(BasisFunctions::Index(l, m));
+  }
+  return rows;
+}
+
+// The problem over i: the input's values at nodes of its zone, from which harmonics are made. f
+// itself extends better than f times a cosine, so that a cosine in the input is divided out.
+struct IncidentProblem
+{
+  explicit IncidentProblem(vtkBasisBRDF* input, const RowMatrix& stack, int orders)
+  {
+    const double near = std::cos(ToRadians(input->GetIncidentZone()[0]));
+    const double far = std::cos(ToRadians(input->GetIncidentZone()[1]));
+    const BasisFunctions functions(input->GetBasis() == vtkBasisBRDF::LEGENDRE_FOURIER,
+      input->GetOrder(), near, input->GetBasis() == vtkBasisBRDF::SPHERICAL_HARMONICS ? -1.0 : far);
+    const measuredbrdf::Quadrature rule = measuredbrdf::GaussLegendre(ZonalNodes);
+    Eigen::VectorXd divide = Eigen::VectorXd::Ones(ZonalNodes);
+    for (int q = 0; q < ZonalNodes; ++q)
+    {
+      this->Zone.Cosines.push_back(far + 0.5 * (rule.Nodes[q] + 1.0) * (near - far));
+      divide[q] = input->GetIncidentCosine() ? 1.0 / this->Zone.Cosines.back() : 1.0;
+    }
+    this->Zone.Weights = rule.Weights;
+    for (int m = -orders; m <= orders; ++m)
+    {
+      this->Samples.push_back(divide.asDiagonal() *
+                              MakeRadialMatrix(functions, std::abs(m), this->Zone.Cosines) *
+                              GetRows(stack, input->GetOrder(), m));
+    }
+  }
+
+  int GetOrders() const { return static_cast<int>(this->Samples.size()) / 2; }
+
+  Side Zone;
+  std::vector<Eigen::MatrixXd> Samples; // of m = -orders ... orders; a column per view and channel
+};
+
+struct Score
+{
+  double Residual = 0.0; // weighted sum of squares
+  double Penalty = 0.0;
+};
+
+Score Try(const BasisFunctions& harmonics, const IncidentProblem& problem, double lambda)
+{
+  Score score;
+  const Side& zone = problem.Zone;
+  const Eigen::Map<const Eigen::VectorXd> weights(zone.Weights.data(), ZonalNodes);
+  for (int m = -problem.GetOrders(); m <= problem.GetOrders(); ++m)
+  {
+    const Eigen::MatrixXd& samples = problem.Samples[m + problem.GetOrders()];
+    const Eigen::MatrixXd solve =
+      MakeLeastSquares(harmonics, std::abs(m), zone.Cosines, zone.Weights, lambda);
+    const Eigen::MatrixXd radial = MakeRadialMatrix(harmonics, std::abs(m), zone.Cosines);
+    const Eigen::MatrixXd c = solve * samples;
+    score.Residual += (weights.asDiagonal() * (samples - radial * c).cwiseAbs2()).sum();
+    for (Eigen::Index row = 0; row < c.rows(); ++row)
+    {
+      const double l = static_cast<double>(row) + std::abs(m);
+      score.Penalty += std::pow(l * (l + 1.0), 2.0) * c.row(row).squaredNorm();
+    }
+  }
+  return score;
+}
+
+// The largest curvature of log penalty over log residual, by differences along the steps.
+double ChooseLambda(const BasisFunctions& harmonics, const IncidentProblem& problem)
+{
+  std::vector<Eigen::Vector2d> logs;
+  for (int k = 0; k < LambdaSteps; ++k)
+  {
+    const Score score = Try(harmonics, problem, GetStep(k));
+    logs.emplace_back(std::log(score.Residual + 1e-300), std::log(score.Penalty + 1e-300));
+  }
+  int best = 0;
+  double largest = -std::numeric_limits<double>::max();
+  for (int k = 1; k + 1 < LambdaSteps; ++k)
+  {
+    const Eigen::Vector2d first = 0.5 * (logs[k + 1] - logs[k - 1]);
+    const Eigen::Vector2d second = logs[k + 1] - 2.0 * logs[k] + logs[k - 1];
+    const double speed = std::max(first.norm(), 1e-12);
+    const double curvature =
+      (first.x() * second.y() - first.y() * second.x()) / (speed * speed * speed);
+    if (curvature > largest)
+    {
+      largest = curvature;
+      best = k;
+    }
+  }
+  return GetStep(best);
+}
+
+// The problem over o, per azimuthal order: samples over the zone -> values over 0 to 90 degrees.
+std::vector<Eigen::MatrixXd> MakeExtensions(
+  vtkBasisBRDF* input, const BasisFunctions& harmonics, double lambda)
+{
+  const double* zone = input->GetOutgoingZone();
+  const int nTheta = input->GetNumberOfTheta();
+  Side side;
+  Eigen::VectorXd divide = Eigen::VectorXd::Ones(nTheta);
+  for (int t = 0; t < nTheta; ++t)
+  {
+    const double theta = ToRadians(zone[0] + (zone[1] - zone[0]) * t / (nTheta - 1.0));
+    side.Cosines.push_back(std::cos(theta));
+    side.Weights.push_back(std::sin(theta) * (t == 0 || t == nTheta - 1 ? 0.5 : 1.0) + 1e-9);
+    if (input->GetOutgoingCosine())
+    {
+      divide[t] = 1.0 / std::max(side.Cosines.back(), measuredbrdf::MinimumViewCosine);
+    }
+  }
+  std::vector<double> cosines;
+  for (int t = 0; t < NumberOfViews; ++t)
+  {
+    cosines.push_back(std::cos(0.5 * Pi * t / (NumberOfViews - 1.0)));
+  }
+  std::vector<Eigen::MatrixXd> extensions;
+  for (int m = 0; m <= harmonics.GetOrder(); ++m)
+  {
+    extensions.push_back(MakeRadialMatrix(harmonics, m, cosines) *
+                         MakeLeastSquares(harmonics, m, side.Cosines, side.Weights, lambda) *
+                         divide.asDiagonal());
+  }
+  return extensions;
+}
+
+// Real Fourier series over n equidistant azimuths: rows 1, cos, sin, cos 2, sin 2, ... of an order
+// below n / 2, and at most `order`.
+Eigen::MatrixXd MakeSeries(int order, int n)
+{
+  const int last = std::min(order, (n - 1) / 2);
+  Eigen::MatrixXd series = Eigen::MatrixXd::Ones(2 * last + 1, n);
+  for (int j = 0; j < n; ++j)
+  {
+    for (int m = 1; m <= last; ++m)
+    {
+      series(2 * m - 1, j) = std::cos(2.0 * Pi * m * j / n);
+      series(2 * m, j) = std::sin(2.0 * Pi * m * j / n);
+    }
+  }
+  return series;
+}
+}
+
+//------------------------------------------------------------------------------
+Extrapolation Extrapolate(
+  vtkBasisBRDF* input, const ExtrapolationOptions& options, const Progress& show)
+{
+  if (input->GetCoefficients().empty())
+  {
+    throw std::runtime_error("extrapolation: the input has no coefficients");
+  }
+  const int order = options.Order > 0 ? options.Order : std::max(input->GetOrder(), 1);
+  const int nTheta = input->GetNumberOfTheta();
+  const int nPhi = input->GetNumberOfPhi();
+  std::string problem = vtkBasisBRDF::FindSizeProblem(order, NumberOfViews, nPhi);
+  if (!problem.empty())
+  {
+    throw std::runtime_error("extrapolation: " + problem);
+  }
+  const BasisFunctions harmonics(false, order, 1.0, -1.0);
+  const int count = harmonics.GetNumberOfFunctions();
+  using FloatRows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const RowMatrix stack = Eigen::Map<const FloatRows>(
+    input->GetCoefficients().data(), input->GetNumberOfFunctions(), 3 * nTheta * nPhi)
+                            .cast<double>();
+  const IncidentProblem incident(input, stack, std::min(order, input->GetOrder()));
+  Extrapolation result;
+  result.Lambda = ChooseLambda(harmonics, incident);
+
+  // Over i: coefficients of the harmonics for each sample of o.
+  RowMatrix half = RowMatrix::Zero(count, stack.cols());
+  for (int m = -incident.GetOrders(); m <= incident.GetOrders(); ++m)
+  {
+    const Eigen::MatrixXd c = MakeLeastSquares(harmonics, std::abs(m), incident.Zone.Cosines,
+                                incident.Zone.Weights, result.Lambda) *
+                              incident.Samples[m + incident.GetOrders()];
+    for (int l = std::abs(m); l <= order; ++l)
+    {
+      half.row(BasisFunctions::Index(l, m)) = c.row(l - std::abs(m));
+    }
+  }
+
+  // Over o: coefficient (l, m) is a function of o whose azimuthal order is the isotropic form's m,
+  // or runs through a Fourier series.
+  const std::vector<Eigen::MatrixXd> extensions = MakeExtensions(input, harmonics, result.Lambda);
+  const Eigen::MatrixXd series = MakeSeries(order, nPhi);
+  std::vector<float> coefficients(static_cast<std::size_t>(count) * NumberOfViews * 3 * nPhi);
+  for (int l = 0; l <= order; ++l)
+  {
+    for (int m = -l; m <= l; ++m)
+    {
+      const int k = BasisFunctions::Index(l, m);
+      float* output = &coefficients[static_cast<std::size_t>(k) * NumberOfViews * 3 * nPhi];
+      using Step = Eigen::Stride<Eigen::Dynamic, 3>;
+      for (int c = 0; c < 3; ++c)
+      {
+        const Eigen::Map<const RowMatrix, 0, Step> samples(
+          half.row(k).data() + c, nTheta, nPhi, Step(3 * nPhi, 3));
+        const Eigen::MatrixXd spectrum = samples * series.transpose() / nPhi;
+        Eigen::MatrixXd extended(NumberOfViews, spectrum.cols());
+        for (int column = 0; column < spectrum.cols(); ++column)
+        {
+          const int azimuthal = nPhi == 1 ? std::abs(m) : (column + 1) / 2;
+          extended.col(column) =
+            (column > 0 ? 2.0 : 1.0) * (extensions[azimuthal] * spectrum.col(column));
+        }
+        Eigen::Map<FloatRows, 0, Step>(output + c, NumberOfViews, nPhi, Step(3 * nPhi, 3)) =
+          (extended * series).cast<float>();
+      }
+    }
+    show((l + 1.0) / (order + 1.0));
+  }
+
+  result.Output = vtkSmartPointer<vtkBasisBRDF>::New();
+  const double hemisphere[2] = { 0.0, 90.0 };
+  problem = result.Output->SetCoefficients(vtkBasisBRDF::SPHERICAL_HARMONICS, order, hemisphere,
+    hemisphere, NumberOfViews, nPhi, std::move(coefficients));
+  if (!problem.empty())
+  {
+    throw std::runtime_error("extrapolation: " + problem);
+  }
+  result.Output->SetName(input->GetName());
+  result.Output->SetSource(input->GetSource());
+  result.Output->SetResamplingTolerance(input->GetResamplingTolerance());
+  result.InZoneResidual = vtkBRDFResampler::GetZoneRelativeL2Error(
+    input, result.Output, input->GetIncidentZone(), input->GetOutgoingZone(), 1 << 14);
+  const double usual = input->GetBasis() == vtkBasisBRDF::ZONAL ? 0.10 : 0.03;
+  result.ResidualLimit = options.MaximumResidual > 0.0 ? options.MaximumResidual : usual;
+  result.NegativeMass = result.Output->GetNegativeMass(hemisphere, hemisphere);
+  result.IsAccepted = result.InZoneResidual <= result.ResidualLimit &&
+                      result.NegativeMass <= options.MaximumNegativeMass;
   return result;
 }
 } // namespace laboratory

@@ -4,6 +4,7 @@
 #include "Files.h"
 #include "Inputs.h"
 #include "Laboratory.h"
+#include "Measuring.h"
 #include "Methods.h"
 #include "Options.h"
 #include "Tool.h"
@@ -53,10 +54,10 @@ void RunAcquire(const AcquireOptions& options, const CLI::App* command)
   tool::WriteMaterial(taken.Stack, options.Output);
   tool::PrintOut(options.File + " -> " + options.Output + "\n" +
                  "photographs: " + std::to_string(taken.NumberOfPhotographs) + "\n" +
-                 laboratory::FormatShare("relative L2 error inside the zone",
-                   vtkBRDFResampler::GetZoneRelativeL2Error(
-                     material.BRDF, taken.Stack, device.Zone, device.Zone, 1 << 16)) +
-                 tool::DescribeForm(taken.Stack) + "\n");
+                 "relative L2 error inside the zone: " +
+                 tool::FormatPercent(vtkBRDFResampler::GetZoneRelativeL2Error(
+                   material.BRDF, taken.Stack, device.Zone, device.Zone, 1 << 16)) +
+                 "\n" + tool::DescribeForm(taken.Stack) + "\n");
 }
 
 struct ProjectOptions
@@ -160,15 +161,17 @@ void RunProject(const ProjectOptions& options, const CLI::App* command)
   tool::WriteMaterial(output, options.Output);
   if (projects)
   {
-    text += laboratory::FormatShare("relative L2 error from " + tool::FormatNumber(zone[0]) +
-                                      " to " + tool::FormatNumber(zone[1]) + " degrees",
-      vtkBRDFResampler::GetZoneRelativeL2Error(material.BRDF, output, zone, zone, 1 << 16));
-    text += laboratory::FormatShare("relative L2 error over the hemisphere",
-      vtkBRDFResampler::GetRelativeL2Error(material.BRDF, output));
+    text += "relative L2 error from " + tool::FormatNumber(zone[0]) + " to " +
+            tool::FormatNumber(zone[1]) + " degrees: " +
+            tool::FormatPercent(vtkBRDFResampler::GetZoneRelativeL2Error(
+              material.BRDF, output, zone, zone, 1 << 16)) +
+            "\nrelative L2 error over the hemisphere: " +
+            tool::FormatPercent(vtkBRDFResampler::GetRelativeL2Error(material.BRDF, output)) + "\n";
   }
-  text +=
-    laboratory::FormatShare("negative mass before the clamp", laboratory::GetNegativeMass(output));
-  tool::PrintOut(text + tool::DescribeForm(output) + "\n");
+  tool::PrintOut(
+    text + "negative mass before the clamp: " +
+    tool::FormatPercent(output->GetNegativeMass(laboratory::AllAngles, laboratory::AllAngles)) +
+    "\n" + tool::DescribeForm(output) + "\n");
 }
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The commands of measured-brdf-lab, and what several of them make and measure.
+ * The commands of measured-brdf-lab, and what several of them make and measure: materials in other
+ * forms, and the light that a sphere of a material sends to a camera.
  */
 
 #ifndef Laboratory_h
@@ -12,12 +13,18 @@
 
 #include "vtkBRDF.h"
 #include "vtkBasisBRDF.h"
+#include "vtkEnvironment.h"
+#include "vtkRadianceIntegrator.h"
 #include "vtkSmartPointer.h"
+
+#include <Eigen/Core>
+#include <glm/glm.hpp>
 
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace CLI
 {
@@ -51,11 +58,42 @@ vtkSmartPointer<vtkBasisBRDF> ProjectOnto(
 vtkSmartPointer<vtkBRDF> FitDistribution(vtkBRDF* brdf, const std::string& name);
 ///@}
 
-/// Share of negative values before the clamp, over the whole hemisphere.
-double GetNegativeMass(vtkBasisBRDF* brdf);
+constexpr double AllAngles[2] = { 0.0, 90.0 }; // degrees
 
-/// "label: 3.21 %\n"
-std::string FormatShare(const std::string& label, double share);
+using Environment = vtkSmartPointer<vtkEnvironment>;
+
+/// Normals and views of unit length, 3 doubles each.
+struct Pairs
+{
+  void Add(const glm::dvec3& normal, const glm::dvec3& view);
+
+  std::vector<double> Normals;
+  std::vector<double> Views;
+};
+
+/// As a sphere shows them to a distant camera at azimuth 30, elevation 20 degrees.
+Pairs MakeSpherePairs(int count);
+
+///@{
+/// Environments: a function of the direction at texel centers, one of fewer texels
+/// (the environment itself where it has no more).
+Environment MakeEnvironment(
+  int width, int height, const std::function<glm::dvec3(const glm::dvec3&)>& radiance);
+Environment Shrink(vtkEnvironment* environment, int width);
+///@}
+
+/// Radiance of pairs, three channels each.
+using Radiance = Eigen::ArrayXd;
+
+///@{
+/// By an integrator on the CPU; by the reference to 0.02 %. They throw Error and need an
+/// Interruptible.
+Radiance Integrate(vtkRadianceIntegrator* integrator, const Pairs& pairs);
+Radiance IntegrateReference(vtkBRDF* brdf, vtkEnvironment* environment, const Pairs& pairs);
+///@}
+
+/// Mean |x - r| / mean r.
+double GetRelativeL1(const Radiance& x, const Radiance& reference);
 } // namespace laboratory
 
 namespace tool

@@ -7,7 +7,6 @@
 #include "Methods.h"
 #include "NumberText.h"
 #include "Progress.h"
-#include "SphereLight.h"
 #include "Tool.h"
 
 #include "vtkBRDFResampler.h"
@@ -84,7 +83,8 @@ struct Comparison
       addFigure(vtkBRDFResampler::GetZoneRelativeL2Error(
         material.BRDF, brdf, zone, zone, NumberOfErrorPairs));
       addFigure(vtkBRDFResampler::GetRelativeL2Error(material.BRDF, brdf, NumberOfErrorPairs));
-      addFigure(basis ? laboratory::GetNegativeMass(basis) : 0.0, 5);
+      addFigure(
+        basis ? basis->GetNegativeMass(laboratory::AllAngles, laboratory::AllAngles) : 0.0, 5);
       for (std::size_t k = 0; k < this->Lights.size(); ++k)
       {
         addFigure(laboratory::GetRelativeL1(

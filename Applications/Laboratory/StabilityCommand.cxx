@@ -14,7 +14,6 @@
 #include "Program.h"
 #include "Progress.h"
 #include "Scenes.h"
-#include "SphereLight.h"
 #include "Tool.h"
 
 #include "vtkBRDFResampler.h"
@@ -51,7 +50,6 @@ using BRDF = vtkSmartPointer<vtkBRDF>;
 using Integrator = vtkSmartPointer<vtkRadianceIntegrator>;
 using Json = nlohmann::ordered_json;
 
-constexpr double AllAngles[2] = { 0.0, 90.0 };
 constexpr double LargestNegativeMass = 0.05; // that an extrapolation may have
 constexpr int ErrorPairs = 1 << 14;
 
@@ -110,12 +108,11 @@ Pairs Move(const Pairs& pairs, const std::function<void(glm::dvec3&, glm::dvec3&
 }
 
 //------------------------------------------------------------------------------
-tool::MethodOptions UseLights(
-  const std::string& set, int count = 64, bool soft = false, unsigned int seed = 1)
+tool::MethodOptions UseLights(const std::string& set, int count = 64, bool soft = false)
 {
   tool::MethodOptions options;
   options.Method = "light-set";
-  options.Lights = { count, set, seed, soft };
+  options.Lights = { count, set, 1, soft };
   return options;
 }
 
@@ -640,7 +637,7 @@ struct Series
   std::vector<int> Sizes;
   double Order;
   std::string Why;
-  std::function<tool::MethodOptions(int size, unsigned int seed)> Use;
+  std::function<tool::MethodOptions(int size)> Use;
   double Exponent = 20.0; // of the plastic: where errors stay above those of the reference
 };
 
@@ -652,19 +649,18 @@ std::vector<Series> GetSeries(bool isShort)
     [&](const std::string& name, const std::string& set, double order, const std::string& why)
   {
     return Series{ name, "lights", { 16, 64, 256, 1024 }, order, why,
-      [=](int size, unsigned int seed)
-      { return UseLights(set, size, name == "soft-lights", seed); } };
+      [=](int size) { return UseLights(set, size, name == "soft-lights"); } };
   };
   return { lights("median-cut", "median-cut", 1.0, cells),
     lights("variance", "variance", 1.0, cells),
     lights("importance", "importance", 0.5, "random; strata help"),
     lights("soft-lights", "variance", 1.0, cells),
     { "filtered", "samples", { 8, 32, 128, 512 }, 0.5, "GPU Gems 3, ch. 20: at least random",
-      [](int size, unsigned int) { return UseSizes("filtered", std::to_string(size)); } },
+      [](int size) { return UseSizes("filtered", std::to_string(size)); } },
     { "table", "rows, all sizes in proportion",
       isShort ? std::vector<int>{ 9, 13, 17 } : std::vector<int>{ 9, 11, 13, 17 }, 1.0,
       "linear interpolation of smooth radiance: 2, until the 9 bits of the texels show at 0.04 %",
-      [](int size, unsigned int)
+      [](int size)
       {
         return UseSizes("table",
           std::to_string(size) + "," + std::to_string(2 * size / 3) + "," + std::to_string(size));
@@ -687,16 +683,11 @@ void RunConvergence(Context& context)
     Eigen::ArrayXd x(count);
     Eigen::ArrayXd y(count);
     std::string text;
-    const unsigned int seeds = series.Method == "importance" ? 4 : 1;
     for (Eigen::Index k = 0; k < count; ++k)
     {
       const int size = series.Sizes[static_cast<std::size_t>(k)];
-      double error = 0.0;
-      for (unsigned int seed = 1; seed <= seeds; ++seed)
-      {
-        const Integrator integrator = MakeBy(series.Use(size, seed), brdf, environment);
-        error += GetRelativeL1(Integrate(integrator, pairs), reference) / seeds;
-      }
+      const Integrator integrator = MakeBy(series.Use(size), brdf, environment);
+      const double error = GetRelativeL1(Integrate(integrator, pairs), reference);
       x[k] = std::log(size);
       y[k] = std::log(std::max(error, 1e-300));
       text += (text.empty() ? "" : ", ") + Say(100.0 * error) + " %";
@@ -708,14 +699,6 @@ void RunConvergence(Context& context)
   }
 }
 
-vtkSmartPointer<vtkBRDFFitter> NewLobeFitter(int shape, int lobes)
-{
-  const auto fitter = vtkSmartPointer<vtkLobeBRDFFitter>::New();
-  fitter->SetShape(shape);
-  fitter->SetNumberOfLobes(lobes);
-  return fitter;
-}
-
 //------------------------------------------------------------------------------
 // The share of the runs, each with other pairs, whose result is another material than the best of
 // them: what differs by more than 5 % of L2 is another optimum.
@@ -724,12 +707,18 @@ void RunFits(Context& context)
   const int runs = context.Pick(6, 100);
   const BRDF material =
     context.Material ? context.Material : BRDF::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
-  const std::vector<std::pair<std::string, vtkSmartPointer<vtkBRDFFitter>>> kinds = {
-    { "A.-S., 1 lobe", NewLobeFitter(vtkLobeBRDFFitter::ASHIKHMIN_SHIRLEY, 1) },
-    { "A.-S., 2 lobes", NewLobeFitter(vtkLobeBRDFFitter::ASHIKHMIN_SHIRLEY, 2) },
-    { "Blinn-Phong", NewLobeFitter(vtkLobeBRDFFitter::BLINN_PHONG, 1) },
-    { "D-BRDF", vtkSmartPointer<vtkDistributionBRDFFitter>::New() }
+  std::vector<std::pair<std::string, vtkSmartPointer<vtkBRDFFitter>>> kinds;
+  const auto addLobes = [&kinds](const std::string& name, int shape, int lobes)
+  {
+    const auto fitter = vtkSmartPointer<vtkLobeBRDFFitter>::New();
+    fitter->SetShape(shape);
+    fitter->SetNumberOfLobes(lobes);
+    kinds.emplace_back(name, fitter);
   };
+  addLobes("A.-S., 1 lobe", vtkLobeBRDFFitter::ASHIKHMIN_SHIRLEY, 1);
+  addLobes("A.-S., 2 lobes", vtkLobeBRDFFitter::ASHIKHMIN_SHIRLEY, 2);
+  addLobes("Blinn-Phong", vtkLobeBRDFFitter::BLINN_PHONG, 1);
+  kinds.emplace_back("D-BRDF", vtkSmartPointer<vtkDistributionBRDFFitter>::New());
   for (const auto& [name, fitter] : kinds)
   {
     std::vector<std::pair<double, BRDF>> results;

@@ -131,6 +131,17 @@ std::string GetFormatAdvice(const std::string& file)
   return ". '" + extension +
          "' is not one of the formats that are read: " + vtkBRDFFormats::GetDescriptions();
 }
+
+//------------------------------------------------------------------------------
+// Why a reader could not read a file, and how to get one that is published under that name.
+template <typename Reader>
+std::string Explain(Reader* reader, const std::string& file, const std::string& kind)
+{
+  const std::string logged = TakeErrorText();
+  const std::string said = reader->GetErrorMessage();
+  const std::string advice = GetFetchAdvice(file, kind);
+  return (!said.empty() ? said : file + ": " + logged) + (advice.empty() ? "" : "." + advice);
+}
 }
 
 std::string GetMaterialHelp()
@@ -189,11 +200,7 @@ Material LoadMaterial(const std::string& file)
   reader->SetFileName(path);
   if (!reader->Read() || !reader->GetBRDF())
   {
-    const std::string logged = TakeErrorText();
-    const std::string said = reader->GetErrorMessage();
-    const std::string advice = GetFetchAdvice(file, "material");
-    throw Error((!said.empty() ? said : file + ": " + logged) + GetFormatAdvice(path) +
-                (advice.empty() ? "" : "." + advice));
+    throw Error(Explain(reader.Get(), file, "material") + GetFormatAdvice(path));
   }
   result.BRDF = reader->GetBRDF();
   result.Transmission = reader->GetTransmission();
@@ -245,11 +252,7 @@ vtkSmartPointer<vtkEnvironment> LoadEnvironment(const std::string& file)
   reader->SetFileName(path);
   if (!reader->Read() || !reader->GetEnvironment())
   {
-    const std::string logged = TakeErrorText();
-    const std::string said = reader->GetErrorMessage();
-    const std::string advice = GetFetchAdvice(file, "environment");
-    throw Error(
-      (!said.empty() ? said : file + ": " + logged) + (advice.empty() ? "" : "." + advice));
+    throw Error(Explain(reader.Get(), file, "environment"));
   }
   PrintNote(reader->GetNotes());
   vtkSmartPointer<vtkEnvironment> environment = reader->GetEnvironment();

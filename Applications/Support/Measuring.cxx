@@ -25,22 +25,15 @@ Grid::Grid(const tool::Surface& surface, const Size& size)
 }
 
 //------------------------------------------------------------------------------
-int Grid::Find(std::size_t k) const
-{
-  const int x = this->Surface.Pixels[k] % this->ImageWidth / this->Surface.Stride;
-  const int y = this->Surface.Pixels[k] / this->ImageWidth / this->Surface.Stride;
-  return y * this->Width + x;
-}
-
-//------------------------------------------------------------------------------
 Picture Grid::Draw(const std::vector<double>& rgb) const
 {
   Picture picture(this->Width, this->Height);
   for (std::size_t k = 0; k < this->Surface.Pixels.size(); ++k)
   {
-    float* pixel = &picture.Pixels[4 * static_cast<std::size_t>(this->Find(k))];
-    std::copy_n(&rgb[3 * k], 3, pixel);
-    pixel[3] = 1.0f;
+    const int pixel = this->Surface.Pixels[k];
+    picture.At(pixel % this->ImageWidth / this->Surface.Stride,
+      pixel / this->ImageWidth / this->Surface.Stride) =
+      glm::dvec4(rgb[3 * k], rgb[3 * k + 1], rgb[3 * k + 2], 1.0);
   }
   return picture;
 }
@@ -49,25 +42,18 @@ Picture Grid::Draw(const std::vector<double>& rgb) const
 const std::vector<Metric>& GetMetrics()
 {
   using Metrics = vtkRadianceMetrics;
-  static const std::vector<Metric> metrics = { { "relative_l1", "relative L1 error", true, true,
-                                                 [](Metrics* m) { return m->GetRelativeL1(); } },
-    { "relative_rmse", "relative RMS error", true, true,
-      [](Metrics* m) { return m->GetRelativeRMSE(); } },
-    { "rel_mse", "relMSE", false, true, [](Metrics* m) { return m->GetRelMSE(); } },
-    { "median_relative", "median relative error", true, true,
-      [](Metrics* m) { return m->GetMedianRelative(); } },
-    { "p99_relative", "99th percentile of the relative error", true, true,
-      [](Metrics* m) { return m->GetP99Relative(); } },
-    { "percentile_95", "what 95 % of the pixels stay within", true, true,
-      [](Metrics* m) { return m->GetPercentile95(); } },
-    { "percentile_99", "what 99 % of the pixels stay within", true, true,
-      [](Metrics* m) { return m->GetPercentile99(); } },
-    { "smape", "SMAPE", true, true, [](Metrics* m) { return m->GetSMAPE(); } },
-    { "flip", "FLIP", false, true, [](Metrics* m) { return m->GetFLIP(); } },
-    { "hdr_flip", "HDR-FLIP", false, true, [](Metrics* m) { return m->GetHDRFLIP(); } },
-    { "ssim", "SSIM", false, false, [](Metrics* m) { return m->GetSSIM(); } },
-    { "delta_e_2000", "Delta E 2000", false, true,
-      [](Metrics* m) { return m->GetDeltaE2000(); } } };
+  static const std::vector<Metric> metrics = { { "relative_l1", "relative L1 error", true,
+                                                 &Metrics::GetRelativeL1 },
+    { "relative_rmse", "relative RMS error", true, &Metrics::GetRelativeRMSE },
+    { "rel_mse", "relMSE", false, &Metrics::GetRelMSE },
+    { "median_relative", "median relative error", true, &Metrics::GetMedianRelative },
+    { "p99_relative", "99th percentile of the relative error", true, &Metrics::GetP99Relative },
+    { "percentile_95", "what 95 % of the pixels stay within", true, &Metrics::GetPercentile95 },
+    { "percentile_99", "what 99 % of the pixels stay within", true, &Metrics::GetPercentile99 },
+    { "smape", "SMAPE", true, &Metrics::GetSMAPE }, { "flip", "FLIP", false, &Metrics::GetFLIP },
+    { "hdr_flip", "HDR-FLIP", false, &Metrics::GetHDRFLIP },
+    { "ssim", "SSIM", false, &Metrics::GetSSIM },
+    { "delta_e_2000", "Delta E 2000", false, &Metrics::GetDeltaE2000 } };
   return metrics;
 }
 

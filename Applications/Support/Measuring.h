@@ -14,6 +14,7 @@
 
 #include "vtkRadianceMetrics.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,6 @@ namespace tool
 struct Grid
 {
   Grid(const Surface& surface, const Size& size);
-
-  /// Where pixel k of the surface lies in the small picture.
-  int Find(std::size_t k) const;
 
   /// Linear RGB, 3 doubles a pixel of the surface; alpha 1 where there is one.
   Picture Draw(const std::vector<double>& rgb) const;
@@ -45,8 +43,7 @@ struct Metric
   std::string Name;
   std::string Label; // for people
   bool Relative;     // a share, shown in percent
-  bool IsError;      // smaller is better
-  double (*Get)(vtkRadianceMetrics*);
+  std::function<double(vtkRadianceMetrics*)> Get;
 };
 
 /// Those that a report holds; relative_l1, which tolerances are about, is the first.

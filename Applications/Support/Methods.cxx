@@ -394,19 +394,21 @@ vtkSmartPointer<vtkDoubleArray> MakeTangents(const std::vector<double>& normals)
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> IntegratePairs(vtkRadianceIntegrator* integrator,
-  const std::vector<double>& normals, const std::vector<double>& views)
+std::vector<double> ToVector(vtkDoubleArray* array)
 {
-  ProgressBar bar("integrating");
-  return IntegrateSomePairs(
-    integrator, normals, views, [&bar](double share) { bar.Update(share); });
+  return { array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues() };
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> IntegrateSomePairs(vtkRadianceIntegrator* integrator,
+std::vector<double> IntegratePairs(vtkRadianceIntegrator* integrator,
   const std::vector<double>& normals, const std::vector<double>& views,
   const std::function<void(double)>& show)
 {
+  if (!show)
+  {
+    ProgressBar bar("integrating");
+    return IntegratePairs(integrator, normals, views, [&bar](double share) { bar.Update(share); });
+  }
   const vtkSmartPointer<vtkDoubleArray> n = MakeArray(normals, 3);
   const vtkSmartPointer<vtkDoubleArray> v = MakeArray(views, 3);
   vtkNew<vtkDoubleArray> radiance;
@@ -419,11 +421,6 @@ std::vector<double> IntegrateSomePairs(vtkRadianceIntegrator* integrator,
   {
     throw Error("integrating: " + TakeErrorText());
   }
-  std::vector<double> rgb(normals.size());
-  for (std::size_t k = 0; k < rgb.size(); ++k)
-  {
-    rgb[k] = radiance->GetValue(static_cast<vtkIdType>(k));
-  }
-  return rgb;
+  return ToVector(radiance);
 }
 } // namespace tool

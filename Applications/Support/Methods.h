@@ -147,16 +147,15 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const std::vector<double>& values, int
 /// has none.
 vtkSmartPointer<vtkDoubleArray> MakeTangents(const std::vector<double>& normals);
 
-/// Radiance of an integrator for (normal, view) pairs, 3 doubles each, under a progress bar: 3
-/// doubles each. Anisotropic materials are turned about the up axis, as the mapper does without
-/// tangents. Throws Error. Needs an Interruptible.
-std::vector<double> IntegratePairs(vtkRadianceIntegrator* integrator,
-  const std::vector<double>& normals, const std::vector<double>& views);
+/// The values of an array.
+std::vector<double> ToVector(vtkDoubleArray* array);
 
-/// The same as a part of other work: without a bar; show gets the share done.
-std::vector<double> IntegrateSomePairs(vtkRadianceIntegrator* integrator,
+/// Radiance of an integrator for (normal, view) pairs, 3 doubles each: 3 doubles each. Anisotropic
+/// materials are turned about the up axis, as the mapper does without tangents. show gets the share
+/// done; without one there is a progress bar. Throws Error. Needs an Interruptible.
+std::vector<double> IntegratePairs(vtkRadianceIntegrator* integrator,
   const std::vector<double>& normals, const std::vector<double>& views,
-  const std::function<void(double)>& show);
+  const std::function<void(double)>& show = nullptr);
 } // namespace tool
 
 #endif

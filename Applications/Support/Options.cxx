@@ -83,12 +83,6 @@ void Stage::AddMeshTo(CLI::App* command, int largest, const std::string& meshHel
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkEnvironment> Stage::LoadEnvironment() const
-{
-  return tool::LoadEnvironment(this->EnvironmentFile);
-}
-
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> Stage::LoadMesh() const
 {
   return this->MeshFile.empty() ? MakeSphere() : tool::LoadMesh(this->MeshFile);

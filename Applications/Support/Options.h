@@ -51,11 +51,8 @@ struct Stage
   void AddMeshTo(
     CLI::App* command, int largest, const std::string& meshHelp = "Mesh to show it on");
 
-  ///@{
-  /// Throw Error.
-  vtkSmartPointer<vtkEnvironment> LoadEnvironment() const;
+  /// Throws Error.
   vtkSmartPointer<vtkPolyData> LoadMesh() const;
-  ///@}
 
   /// Show the mesh in a scene.
   void Place(OffscreenScene& scene, vtkPolyData* mesh) const;

@@ -23,7 +23,7 @@ thread_local tool::BackgroundWork* Current = nullptr;
 //------------------------------------------------------------------------------
 BackgroundWork::BackgroundWork(
   const std::atomic<bool>& stop, std::function<void(const std::string&, double)> show)
-  : ShowProgress(std::move(show))
+  : Show(std::move(show))
   , Stopped(stop)
   , Outer(Current)
 {

@@ -38,13 +38,11 @@ public:
 
   bool IsStopped() const { return this->Stopped; }
 
-  void Show(const std::string& label, double share) const { this->ShowProgress(label, share); }
-
+  const std::function<void(const std::string&, double)> Show;
   std::string Errors; // of VTK, since they were taken
   std::string Notes;  // one line each
 
 private:
-  std::function<void(const std::string&, double)> ShowProgress;
   const std::atomic<bool>& Stopped;
   BackgroundWork* Outer;
 };

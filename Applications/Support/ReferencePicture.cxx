@@ -119,7 +119,7 @@ public:
     }
     const auto [normals, views] = Gather(this->Surface, this->Sample);
     this->Integrator->SetTolerance(SampleTolerance);
-    this->Exact = IntegrateSomePairs(this->Integrator, normals, views,
+    this->Exact = IntegratePairs(this->Integrator, normals, views,
       [this](double share) { this->Bar.Update(SampleShare * share); });
 
     const auto attempt = [&](double tolerance)

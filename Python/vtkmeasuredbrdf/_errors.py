@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Error events of C++ objects as texts for Python's exceptions, and their notes as its warnings."""
+"""Error events of C++ objects as texts for Python's exceptions, their notes as its warnings, and names that are none."""
 
 from __future__ import annotations
 
+import difflib
+import os
 import re
 import warnings
-from typing import Any
+from typing import Any, NoReturn
 
 # "ERROR: In FILE, line N\nCLASS (ADDRESS): TEXT"
 _PREFIX = re.compile(r"\A\s*(ERROR: In .*?, line \d+\n)?(\w+ \((0x)?[0-9a-fA-F]+\): )?", re.DOTALL)
@@ -41,3 +43,15 @@ def warn_of_notes(path: str, reader: Any, stacklevel: int = 4) -> None:
     notes = reader.GetNotes()
     if notes:
         warnings.warn(f"{path}: " + " ".join(notes.splitlines()), stacklevel=stacklevel)
+
+
+def is_path(text: str) -> bool:
+    """Whether the text can only mean a file: it has a folder or an extension."""
+    return os.path.basename(text) != text or os.path.splitext(text)[1] != ""
+
+
+def fail_to_find(text: str, names: list[str], kind: str) -> NoReturn:
+    """The error that names the nearest names."""
+    nearest = difflib.get_close_matches(text, names, 3, 0.5) or names[:3]
+    raise ValueError(f"{text!r} is neither a file nor an {kind}; the nearest names are "
+                     + ", ".join(map(repr, nearest)))

@@ -24,8 +24,7 @@ from vtkmodules.vtkRenderingCore import vtkTexture
 
 from . import vtkEmbeddedEnvironments, vtkEnvironment, vtkEnvironmentReader
 from ._arrays import to_floats, to_numpy
-from ._errors import TakenErrors, warn_of_notes
-from ._names import fail_to_find, is_path
+from ._errors import TakenErrors, fail_to_find, is_path, warn_of_notes
 
 Source = Union[str, "os.PathLike[str]", ArrayLike, vtkImageData, vtkTexture, vtkEnvironment, "Environment"]
 

@@ -33,8 +33,7 @@ from . import (
     vtkRadiancePlanner,
 )
 from ._arrays import broadcast, expand, get_result_type, to_floats, to_numpy, to_vtk
-from ._errors import TakenErrors
-from ._names import fail_to_find, is_path
+from ._errors import TakenErrors, fail_to_find, is_path
 from .environments import Environment
 
 __all__ = ["Environment", "Material", "integrate"]

@@ -9,14 +9,14 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from vtkmodules.vtkImagingCore import vtkImageResize
+from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkRenderingCore import vtkLightKit, vtkRenderer, vtkSkybox, vtkTexture
 
 from ..environments import Environment
 
 BACKGROUNDS = ("map", "blurred")
 _BLUR = 5.0  # degrees, the standard deviation
-_BLURRED_SIZE = 256, 128  # texels; the graphics card interpolates between them
+_BLURRED_SIZE = 256, 128  # texels at most; the graphics card interpolates between them
 _ROUNDING = 0.005  # PyVista rounds the colors of lights to 8 bits
 
 
@@ -69,11 +69,12 @@ def new_skybox(texture: Any, right: NDArray[Any], up: NDArray[Any]) -> Any:
 def blur(environment: Environment) -> Environment:
     """A small version of the environment, blurred evenly over the sphere."""
     image = environment.environment.NewImageData()
-    resize = vtkImageResize()  # the mean of what falls into each texel
-    resize.SetInputData(image)
-    resize.SetOutputDimensions(*map(min, image.GetDimensions(), _BLURRED_SIZE), 1)
-    resize.Update()
-    pixels = Environment(resize.GetOutput()).pixels
+    mean = vtkImageShrink3D()
+    mean.SetInputData(image)
+    mean.SetShrinkFactors(*(-(-count // most) for count, most in zip(image.GetDimensions(), _BLURRED_SIZE)), 1)
+    mean.MeanOn()
+    mean.Update()
+    pixels = Environment(mean.GetOutput()).pixels
     height, width = pixels.shape[:2]
     theta = (np.arange(height) + 0.5) * math.pi / height
     cosines = np.cos(np.arange(width) * 2.0 * math.pi / width)

@@ -5,10 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <vector>
 
 namespace
@@ -25,32 +23,6 @@ TEST(ParetoFront, KnownPoints)
     { 10.0, 1.0 } };
   EXPECT_EQ(tool::FindFront(points), (std::vector<std::size_t>{ 1, 2, 0 }));
   EXPECT_TRUE(tool::FindFront({}).empty());
-}
-
-//------------------------------------------------------------------------------
-TEST(ParetoFront, AgreesWithItsDefinition)
-{
-  std::mt19937 random(7);
-  std::uniform_int_distribution<int> draw(0, 30);
-  std::vector<tool::CostPoint> points;
-  for (int k = 0; k < 200; ++k)
-  {
-    points.push_back({ static_cast<double>(draw(random)), static_cast<double>(draw(random)) });
-  }
-  const std::vector<std::size_t> front = tool::FindFront(points);
-  for (std::size_t k = 0; k < points.size(); ++k)
-  {
-    const bool beaten = std::any_of(points.begin(), points.end(),
-      [&](const tool::CostPoint& other)
-      {
-        return other.Cost <= points[k].Cost && other.Error <= points[k].Error &&
-               (other.Cost < points[k].Cost || other.Error < points[k].Error);
-      });
-    const bool inFront = std::any_of(front.begin(), front.end(),
-      [&](std::size_t other)
-      { return points[other].Cost == points[k].Cost && points[other].Error == points[k].Error; });
-    EXPECT_EQ(inFront, !beaten) << "point " << k;
-  }
 }
 
 //------------------------------------------------------------------------------
