@@ -572,7 +572,7 @@ TEST_F(Samples, StopAndGoOn)
 TEST_F(Samples, AskOftenWhetherToStop)
 {
   this->Window->SetOffScreenRendering(1);
-  this->Window->SetSize(400, 400);
+  this->Window->SetSize(160, 160);
   double asked[3]; // when last; the longest time from one to the next; how often
   vtkNew<vtkCallbackCommand> ask;
   ask->SetClientData(asked);
@@ -596,5 +596,5 @@ TEST_F(Samples, AskOftenWhetherToStop)
     EXPECT_FALSE(this->Mapper->GetPlanPending());
     EXPECT_GE(asked[2], rate == Hasty ? samples - 1 : 1);
   }
-  std::printf("256 samples, 400 x 400: asked after at most %.3f s\n", asked[1]);
+  std::printf("256 samples, 160 x 160: asked after at most %.3f s\n", asked[1]);
 }

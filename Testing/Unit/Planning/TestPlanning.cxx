@@ -1066,7 +1066,7 @@ TEST_F(OcclusionPredictor, FewPointsForetellMany)
       ASSERT_TRUE(predictor->Update());
       const double error = predictor->GetError();
       const double uncertainty = predictor->GetUncertainty();
-      predictor->SetNumberOfPoints(4000);
+      predictor->SetNumberOfPoints(8000);
       ASSERT_TRUE(predictor->Update());
       std::printf("%.4f +- %.4f, many points %.4f\n", error, uncertainty, predictor->GetError());
       EXPECT_LT(std::abs(std::log(error / predictor->GetError())), std::log(1.5));
