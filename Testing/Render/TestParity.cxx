@@ -26,7 +26,7 @@
 namespace
 {
 constexpr int Side = 16; // quads a side; 4 pixels each
-constexpr int NumberOfLights = 24;
+constexpr int NumberOfLights = 12;
 
 class Parity : public RenderFixture
 {
