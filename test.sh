@@ -26,11 +26,6 @@ fi
 cmake --build build
 
 step "3/3 tests"
-found=$(ctest --test-dir build -N | sed -n 's/^Total Tests: //p')
-if [ "$found" -lt "$minimum_tests" ]; then
-  echo "test.sh: only $found tests were found, at least $minimum_tests are expected" >&2
-  exit 1
-fi
 # One X server around all of ctest, and the software renderer everywhere: the same pixels on every machine.
 export LIBGL_ALWAYS_SOFTWARE=1
 # Compiling shaders takes most of its time: half of that without LLVM's optimization. Code that is made so is kept apart
@@ -46,20 +41,32 @@ if localedef -i de_DE -f UTF-8 "$PWD/build/$locale" 2>/dev/null || [ -d "build/$
 else
   echo "Not run with decimal commas: localedef made no locale $locale (Debian's package locales has it)"
 fi
-export MEASUREDBRDF_FUZZ_SECONDS=3 # each of the readers' fuzz targets
+export MEASUREDBRDF_FUZZ_SECONDS=1 # each of the readers' fuzz targets
 status=0
 xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
   ctest --test-dir build --output-on-failure --output-junit ctest.xml -j "$jobs" "$@" || status=$?
 
 count() { sed -n "s/^.*[ \t]$1=\"\([0-9]*\)\".*/\1/p" build/ctest.xml | head -n 1; }
-total=$(count tests) failed=$(count failures) skipped=$(($(count skipped) + $(count disabled)))
-if [ "$skipped" -gt 0 ]; then
+log=build/Testing/Temporary/LastTest.log
+if grep -q ': Skipped$\|^Skipped: ' "$log"; then
   printf '\nWhy tests were skipped:\n'
   # GoogleTest gives the reason in the line after "FILE:LINE: Skipped".
-  awk '/: Skipped$/ { getline; print; next } /^Skipped: / { sub("Skipped: ", ""); print }' \
-    build/Testing/Temporary/LastTest.log | sort | uniq -c
+  awk '/: Skipped$/ { getline; print; next } /^Skipped: / { sub("Skipped: ", ""); print }' "$log" | sort | uniq -c
 fi
-echo "$((total - failed - skipped)) passed, $failed failed, $skipped skipped"
+# To ctest a program of GoogleTest's is one test. Its own are counted here, as those of a program that crashed cannot be.
+read -r passed failed skipped < <(
+  awk -v total="$(count tests)" -v failed="$(count failures)" -v skipped="$(count skipped)" '
+    BEGIN { passed = total - failed - skipped }
+    /^\[  PASSED  \] [0-9]+ test/ { passed += $4 }
+    /^\[  SKIPPED \] [0-9]+ test/ { skipped += $4 }
+    /^\[  FAILED  \] [0-9]+ test/ { failed += $4 - 1; ++passed }
+    /^\[=+\] .* ran\./ { --passed }
+    END { print passed, failed, skipped }' "$log")
+echo "$passed passed, $failed failed, $skipped skipped"
+if [ $# -eq 0 ] && [ $((passed + failed + skipped)) -lt "$minimum_tests" ]; then
+  echo "test.sh: at least $minimum_tests tests are expected" >&2
+  status=1
+fi
 
 # The plugin where ParaView is already there; Hosts/ParaView/test.sh installs it.
 if [ $# -gt 0 ]; then

@@ -61,10 +61,13 @@ as_root+=(env DEBIAN_FRONTEND=noninteractive)
 cd "$(dirname "$0")/.." && mkdir -p build || exit 1
 log=build/packages.log
 : >"$log"
-install() { # PACKAGE...: all of them, or none
+try() { # PACKAGE...: all of them, or none
+  "${as_root[@]}" apt-get install -q -y --no-remove --no-install-recommends -o Dpkg::Use-Pty=0 "$@" >>"$log" 2>&1 </dev/null
+}
+install() {
   local before
   before=$(wc -l <"$log")
-  "${as_root[@]}" apt-get install -q -y --no-remove --no-install-recommends -o Dpkg::Use-Pty=0 "$@" >>"$log" 2>&1 </dev/null ||
+  try "$@" ||
     {
       say "Could not be installed: $*. What apt-get said:"
       tail -n "+$((before + 1))" "$log" | grep -E '^[WE]:|^ .* : ' | tail -n 8
@@ -82,10 +85,15 @@ for package in "${missing[@]}"; do
 done
 [ ${#unknown[@]} -eq 0 ] ||
   say "Not offered by this system's package sources: ${unknown[*]}. Going on without; add a source that has them if the build stops."
-[ ${#known[@]} -eq 0 ] || install "${known[@]}"
-# One by one and last: none of them is worth a build.
+offered=()
 for package in "${optional[@]}"; do
-  if ! is_installed "$package" && is_offered "$package"; then
+  if ! is_installed "$package" && is_offered "$package"; then offered+=("$package"); fi
+done
+# All at once where that can be done, which is sooner. Else the optional ones one by one and last: none is worth a build.
+[ ${#known[@]} -gt 0 ] && [ ${#offered[@]} -gt 0 ] && try "${known[@]}" "${offered[@]}" && exit 0
+[ ${#known[@]} -eq 0 ] || install "${known[@]}"
+for package in "${offered[@]}"; do
+  if ! is_installed "$package"; then
     say "Installing $package, which some tests use ..."
     install "$package"
   fi

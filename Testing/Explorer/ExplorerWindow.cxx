@@ -86,7 +86,7 @@ State MakeState()
   State state;
   state.Material = "pink-felt";
   state.Environment = "sky";
-  state.ReferenceHeight = 48;
+  state.ReferenceHeight = 32;
   state.Backdrop = false;
   state.Lights = 4;
   return state;

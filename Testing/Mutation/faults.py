@@ -3,7 +3,7 @@
 """The small faults that mutate.py puts into the code, one at a time.
 
 A fault changes one behavior and compiles. Its name begins with its component. The old text must occur exactly once in its file.
-The tests are a regular expression for ctest: few and fast tests that cover the place, as Suite.Name, separated by "|".
+The tests are a regular expression: few and fast tests that cover the place, as Suite.Name, separated by "|".
 A fault that changes nothing that anybody could see is marked with the reason, equivalent="...".
 """
 

@@ -26,7 +26,7 @@ from faults import COMPONENTS, FAULTS, FOLDERS
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 FEWEST = 100
 SHARE = 0.95
-LIMIT = 900  # seconds for all tests of a fault; one that makes them run longer is noticed
+LIMIT = 900  # seconds for a fault's tests in one program; one that makes them run longer is noticed
 # What lies in these folders is no source.
 SKIPPED = (".git", "__pycache__", "output", "install")
 OPTIONS = ("-DCMAKE_BUILD_TYPE=Release", "-DBUILD_TESTING=ON", "-DMEASUREDBRDF_WRAP_PYTHON=OFF",
@@ -58,13 +58,12 @@ class Tests:
                 for suite, name in re.findall(r"^TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", read(path), re.MULTILINE):
                     self.targets.setdefault(f"{suite}.{name}", set()).add(command.group(1))
 
+    def find(self, expression):
+        """The tests that a regular expression finds, with the targets of each."""
+        return {test: targets for test, targets in self.targets.items() if re.search(expression, test)}
+
     def find_targets(self, expression):
-        """The targets of all tests that a regular expression for ctest finds."""
-        found = set()
-        for test, targets in self.targets.items():
-            if re.search(expression, test):
-                found |= targets
-        return sorted(found)
+        return sorted(set().union(*self.find(expression).values()))
 
 
 def find_problems(tests):
@@ -141,21 +140,22 @@ class Copy:
         """Whether the targets could be built."""
         return self.run(["cmake", "--build", self.build, "-j", self.jobs, "--target", *targets], "build.log") == 0
 
-    def test(self, expression, targets, limit, every):
-        """The names of the failed tests, or of the first ones; ["time limit"] if they did not end."""
-        failures = os.path.join(self.build, "Testing", "Temporary", "LastTestsFailed.log")
-        pathlib.Path(failures).unlink(missing_ok=True)
-        needs_display = any(target.startswith("Render") for target in targets) and not os.environ.get("DISPLAY")
-        status = self.run([*(DISPLAY if needs_display else ()), "ctest", "--test-dir", self.build, "-R", expression,
-                           "-j", self.jobs, "--timeout", "300", "--no-tests=error", "--output-on-failure",
-                           *(() if every else ("--stop-on-failure",))], "test.log", limit)
-        if status is None:
-            return ["time limit"]
+    def test(self, tests, targets, limit, every):
+        """The names of the failed tests, or of the first one; ["time limit"] if they did not end."""
         failed = []
-        if os.path.exists(failures):
-            failed = [line.split(":", 1)[1] for line in read(failures).splitlines() if ":" in line]
-        if status != 0 and not failed:
-            sys.exit(f"ctest failed without a failed test, see {os.path.join(self.folder, 'test.log')}")
+        for target in targets:
+            needs_display = target.startswith("Render") and not os.environ.get("DISPLAY")
+            names = [name for name in tests if target in tests[name]]
+            status = self.run([*(DISPLAY if needs_display else ()), os.path.join(self.build, "bin", target), "--gtest_brief=1",
+                               "--gtest_filter=" + ":".join(f"{name}:*/{name}/*" for name in names),
+                               *(() if every else ("--gtest_fail_fast",))], "test.log", limit)
+            if status is None:
+                return ["time limit"]
+            log = pathlib.Path(self.folder, "test.log").read_text(encoding="utf-8", errors="replace")
+            found = sorted(set(re.findall(r"^\[  FAILED  \] ([\w/]+\.[\w/]+)", log, re.MULTILINE)))
+            failed += found or ([f"{target}, which ended with status {status}"] if status != 0 else [])
+            if failed and not every:
+                break
         return failed
 
 
@@ -169,7 +169,7 @@ def try_fault(copy, fault, tests, known):
         if not copy.make(targets):
             return "does not compile", []
         # A test that always fails must not be the last.
-        failed = [name for name in copy.test(fault.tests, targets, LIMIT, bool(known)) if name not in known]
+        failed = [name for name in copy.test(tests.find(fault.tests), targets, LIMIT, bool(known)) if name not in known]
         return ("noticed", failed) if failed else ("MISSED", [])
     finally:
         path.write_text(text, encoding="utf-8")
@@ -184,7 +184,7 @@ def get_failures(copy, faults, tests):
         sys.exit(f"cmake failed, see {os.path.join(copy.folder, 'configure.log')}")
     if not copy.make(targets):
         sys.exit(f"the code does not compile, see {os.path.join(copy.folder, 'build.log')}")
-    failed = copy.test(expression, targets, None, True)
+    failed = copy.test(tests.find(expression), targets, None, True)
     if failed:
         print("These fail without a fault and are left out: " + ", ".join(failed))
     return set(failed)
@@ -240,7 +240,7 @@ def main():
     parser.add_argument("--build", default=os.path.join(ROOT, "build-mutation"), metavar="DIR",
                         help="folder for the copy and its build, used again the next time; default: build-mutation")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N",
-                        help="compilers and tests at once")
+                        help="compilers at once")
     parser.add_argument("--check", action="store_true",
                         help="only check that every fault fits the code and names tests that exist")
     parser.add_argument("--list", action="store_true", help="only print the faults, their tests and their targets")

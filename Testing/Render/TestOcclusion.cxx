@@ -1494,11 +1494,11 @@ TEST_F(LimitsTest, ClippingPlanesAndEdgesTakeVaryings)
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(0.0, 0.0, -5.0);
   this->Mapper->AddClippingPlane(plane); // cuts nothing off
-  EXPECT_EQ(find(alone), alone + 24);
+  EXPECT_EQ(find(alone + 20), alone + 24);
   this->Actor->GetProperty()->EdgeVisibilityOn();
-  EXPECT_EQ(find(alone), alone + 36);
+  EXPECT_EQ(find(alone + 32), alone + 36);
   this->Mapper->RemoveAllClippingPlanes();
-  EXPECT_EQ(find(alone), alone + 12);
+  EXPECT_EQ(find(alone + 8), alone + 12);
 }
 
 // Nothing of VTK's catches what is thrown while a mapper renders.

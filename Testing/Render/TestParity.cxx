@@ -25,7 +25,7 @@
 namespace
 {
 constexpr int Side = 16; // quads a side; 4 pixels each
-constexpr int NumberOfLights = 24;
+constexpr int NumberOfLights = 12;
 
 class Parity : public RenderFixture
 {
@@ -522,7 +522,7 @@ TEST_F(Parity, SoftLights)
 
 TEST_F(Parity, SoftTables)
 {
-  for (const double concentration : { 0.003, 5.0, 100.0, 1e4 })
+  for (const double concentration : { 0.003, 100.0, 1e4 })
   {
     this->Concentration = concentration;
     for (int range : { 0, 1 })

@@ -572,7 +572,7 @@ TEST_F(Samples, StopAndGoOn)
 TEST_F(Samples, AskOftenWhetherToStop)
 {
   this->Window->SetOffScreenRendering(1);
-  this->Window->SetSize(400, 400);
+  this->Window->SetSize(160, 160);
   double asked[3]; // when last; the longest time from one to the next; how often
   vtkNew<vtkCallbackCommand> ask;
   ask->SetClientData(asked);

@@ -55,15 +55,20 @@ MAGENTA = (1.0, 0.0, 1.0)
 SMOOTH = {"expect": (), "others": 1.0}  # colors run across the surface: no palette, but nothing black
 
 
+SHARED = []  # the window that most scenes are drawn in
+
+
+def new_window(size=SIZE, multisamples=0):
+    return made(vtkRenderWindow, OffScreenRendering=1, MultiSamples=multisamples, Size=size)
+
+
 class View:
     """A window with one renderer and what the scene adds; by default a perspective view down -z."""
 
     def __init__(self, factory, lights=True, size=SIZE, multisamples=0):
         self.factory = factory
-        self.window = vtkRenderWindow()
-        self.window.SetOffScreenRendering(1)
-        self.window.SetMultiSamples(multisamples)
-        self.window.SetSize(*size)
+        self.own_window = None if size == SIZE and multisamples == 0 else new_window(size, multisamples)
+        self.renderers = []
         self.actors = []
         self.mappers = []
         self.keep = []  # what Python must not let go
@@ -80,6 +85,23 @@ class View:
         self.has_furnace = True  # whether the scene means something without lights
         self.dark = False  # whether black pixels are right
 
+    @property
+    def window(self):
+        """A window of the scene's own, for scenes that look at it; the others share one, whose shaders are compiled."""
+        if self.own_window is None:
+            self.own_window = new_window()
+            for renderer in self.renderers:
+                self.own_window.AddRenderer(renderer)
+        return self.own_window
+
+    def share_window(self):
+        self.own_window = SHARED[0] if SHARED else new_window()
+        SHARED[:] = [self.own_window]
+        while self.own_window.GetRenderers().GetNumberOfItems():
+            self.own_window.RemoveRenderer(self.own_window.GetRenderers().GetFirstRenderer())
+        for renderer in self.renderers:
+            self.own_window.AddRenderer(renderer)
+
     def add_renderer(self, viewport=(0.0, 0.0, 1.0, 1.0), lights=True):
         renderer = vtkRenderer()
         renderer.SetViewport(*viewport)
@@ -94,7 +116,9 @@ class View:
         camera.SetPosition(0.4, 0.3, 3.0)
         camera.SetClippingRange(1.0, 6.0)
         self.factory.light(renderer)
-        self.window.AddRenderer(renderer)
+        self.renderers.append(renderer)
+        if self.own_window:
+            self.own_window.AddRenderer(renderer)
         return renderer
 
     def add(self, source=None, renderer=None, mapper=None, **properties):
@@ -112,6 +136,9 @@ class View:
 
     def draw(self):
         """Colors, and depth where the window has it, as bytes."""
+        special = self.grab or self.extra or any(renderer.GetPass() for renderer in self.renderers)
+        if self.own_window is None and not special:
+            self.share_window()
         self.window.Render()
         if self.grab:
             return self.grab(self)

@@ -143,7 +143,7 @@ TEST(AdaptiveGroup, SharesSquaresAndTakesAnything)
   vtkNew<vtkAshikhminShirleyBRDF> gloss;
   gloss->SetExponents(300.0, 300.0);
   Fours fours;
-  fours.AddOfSphere(6);
+  fours.AddOfSphere(2);
   vtkNew<vtkAdaptiveRadianceIntegrator> integrator;
   integrator->SetBRDF(gloss);
   integrator->SetEnvironment(environment);

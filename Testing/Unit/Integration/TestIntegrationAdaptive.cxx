@@ -219,7 +219,7 @@ TEST(AdaptiveIntegrator, ConvergesWithItsTolerance)
 TEST(AdaptiveIntegrator, KeepsItsToleranceAtEachPair)
 {
   SpherePairs pairs;
-  pairs.AddRandom(10);
+  pairs.AddRandom(4);
   for (const bool hall : { false, true })
   {
     vtkNew<vtkEnvironment> environment;

@@ -132,14 +132,14 @@ glm::dvec3 AtAngle(double degrees)
 //------------------------------------------------------------------------------
 TEST(RetroReflection, AlbedoCountsIt)
 {
-  std::vector<vtkSmartPointer<vtkBRDF>> materials = { NewRetro(300.0), NewRetro(2000.0),
-    NewRetro(50000.0), Tabulate(NewRetro(2000.0)) };
+  std::vector<vtkSmartPointer<vtkBRDF>> materials = { NewRetro(300.0), NewRetro(50000.0),
+    Tabulate(NewRetro(2000.0)) };
   for (const auto& brdf : materials)
   {
     vtkNew<vtkBRDFAnalysis> analysis;
     analysis->SetBRDF(brdf);
     ASSERT_TRUE(analysis->Update());
-    for (const double degrees : { 0.0, 20.0, 45.0, 70.0 })
+    for (const double degrees : { 0.0, 45.0, 70.0 })
     {
       const glm::dvec3 o = AtAngle(degrees);
       const glm::dvec3 expected = GetAlbedo(brdf, o);
@@ -207,7 +207,7 @@ TEST(RetroReflection, PlansCountIt)
   }
   ASSERT_TRUE(environment->SetPixels(environment->GetWidth(), environment->GetHeight(), rgb));
   SpherePairs pairs;
-  pairs.AddRandom(24, 3);
+  pairs.AddRandom(12, 3);
   std::vector<vtkSmartPointer<vtkBRDF>> materials = { NewRetro(500.0), Tabulate(NewRetro(500.0)) };
   for (const auto& brdf : materials)
   {

@@ -76,18 +76,18 @@ std::complex<double> SumPoints(vtkEnvironment* environment, int points, int chan
 TEST(EnvironmentHarmonics, AreIntegralsOfTheInterpolatedSky)
 {
   for (const std::array<int, 2>& size :
-    { std::array<int, 2>{ 128, 64 }, std::array<int, 2>{ 131, 67 }, std::array<int, 2>{ 5, 3 } })
+    { std::array<int, 2>{ 128, 64 }, std::array<int, 2>{ 5, 3 } })
   {
     const auto environment = NewNoise(size[0], size[1]);
-    for (const int degree : { 9, 32, 64, 150 })
+    for (const auto& [l, m] :
+      { std::pair(9, 4), { 32, 5 }, { 64, 0 }, { 64, 60 }, { 150, 0 }, { 150, 149 } })
     {
-      const EnvironmentHarmonics harmonics(environment, degree);
-      for (const auto& [l, m] : { std::pair(0, 0), { 1, 1 }, { 9, 4 }, { 32, 5 }, { 64, 0 },
-             { 64, 60 }, { 150, 0 }, { 150, 149 } })
+      const auto expected = SumPoints(environment->GetSubdivided(), 8, 1, l, m);
+      for (const int degree : { 9, 32, 64, 150 })
       {
         if (l <= degree && l >= degree / 4)
         {
-          const auto expected = SumPoints(environment->GetSubdivided(), 8, 1, l, m);
+          const EnvironmentHarmonics harmonics(environment, degree);
           EXPECT_LT(std::abs(harmonics.Get(1, l, m) - expected), 1e-3)
             << size[0] << " wide, degree " << degree << ", l " << l << ", m " << m << ": "
             << expected;

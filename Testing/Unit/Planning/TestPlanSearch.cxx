@@ -428,19 +428,17 @@ TEST(PlanReference, KnowsItsErrorUnderCoats)
     const auto environment = NewEmbeddedMap(name);
     ASSERT_TRUE(environment);
     const auto white = SumWhite(environment, pairs);
-    for (const double exponent : { 2000.0, 20000.0, 200000.0 })
+    for (const auto& [share, exponent] :
+      { std::pair(0.3, 2000.0), { 0.1, 20000.0 }, { 0.02, 200000.0 }, { 0.3, 200000.0 } })
     {
-      for (const double share : { 0.02, 0.1, 0.3 })
-      {
-        const bool fresnel = share == 0.1;
-        const CoatedBase material(0.9 - share, share, exponent, fresnel);
-        double stated = 0.0;
-        const auto reference = Refer(material.Sum, environment, pairs, stated);
-        char what[80];
-        std::snprintf(what, sizeof(what), "%s, %g of exponent %g", name, share, exponent);
-        ExpectAsStated(
-          what, reference, stated, SumDensely(material, environment, pairs, white), 2e-3);
-      }
+      const bool fresnel = share == 0.1;
+      const CoatedBase material(0.9 - share, share, exponent, fresnel);
+      double stated = 0.0;
+      const auto reference = Refer(material.Sum, environment, pairs, stated);
+      char what[80];
+      std::snprintf(what, sizeof(what), "%s, %g of exponent %g", name, share, exponent);
+      ExpectAsStated(
+        what, reference, stated, SumDensely(material, environment, pairs, white), 2e-3);
     }
   }
   // A brushed one: streaks across small lamps take more draws.
