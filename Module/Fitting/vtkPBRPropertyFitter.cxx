@@ -531,6 +531,12 @@ void vtkPBRPropertyFitter::SetBRDF(vtkBRDF* brdf) { measuredbrdfAssignMacro(BRDF
 //------------------------------------------------------------------------------
 void vtkPBRPropertyFitter::SetToNeutralStudio(vtkEnvironment* environment, int rows)
 {
+  if (!environment || rows < 1 || rows > 1024)
+  {
+    vtkGenericWarningMacro(
+      "SetToNeutralStudio: expected an environment and 1 to 1024 rows, got " << rows << ".");
+    return;
+  }
   std::vector<float> pixels;
   for (int k = 0; k < 2 * rows * rows; ++k)
   {

@@ -100,8 +100,8 @@ public:
   static double Fit(vtkBRDF* brdf, vtkProperty* property);
 
   /**
-   * Make the environment the neutral light, with that many rows: +y up, the picture is seen from
-   * +z.
+   * Make the environment the neutral light, with 1 to 1024 rows: +y up, the picture is seen
+   * from +z. Else a warning, and nothing changes.
    */
   static void SetToNeutralStudio(vtkEnvironment* environment, int rows = 128);
 
