@@ -214,6 +214,7 @@ void vtkMaterialLegendActor::UpdateLayout(vtkViewport* viewport)
   }
   impl.LayoutOf = from;
   impl.LayoutTime = time;
+  this->ReleaseGraphicsResources(window);
   impl.Actors.clear();
   if (!this->Environment && !impl.Sky)
   {

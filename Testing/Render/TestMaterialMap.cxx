@@ -809,6 +809,24 @@ TEST_F(MaterialMapping, NoneOfSeveralWeightArraysColors)
   }
 }
 
+// What is between the first image's texels is seen, too; so is where there is nothing.
+TEST_F(MaterialMapping, WeightImagesOfDifferentSizes)
+{
+  this->AddMaterials(3);
+  this->AddWeightImage(2, 1, VTK_FLOAT, [](int, int, int) { return 1.0; });
+  this->AddWeightImage(Pixels, 1, VTK_FLOAT,
+    [](int x, int, int) { return x % 2 == 1 ? 3.0 : 0.0; }); // no column of the first's
+  this->AddWeightImage(2, 1, VTK_FLOAT, [](int, int, int) { return 0.0; });
+  this->RenderAlone();
+  this->ExpectMixture(
+    [](const Place& place, int k)
+    {
+      const double second = static_cast<int>(place.U * Pixels) % 2 == 1 ? 3.0 : 0.0;
+      return k == 0 ? 1.0 / (1.0 + second) : (k == 1 ? second / (1.0 + second) : 0.0);
+    },
+    2e-3);
+}
+
 TEST_F(MaterialMapping, OnlyChangedImagesAreUploaded)
 {
   this->AddMaterials(2);

@@ -82,6 +82,13 @@ glm::dvec2 GetPoint(std::uint32_t k)
   return glm::dvec2((k + 0.5) / NumberOfDraws, RadicalInverse(k, 2));
 }
 
+glm::dvec3 GetView(int view)
+{
+  const double rest = 1.0 - (view + 0.5) / NumberOfViews;
+  const double theta = 0.5 * Pi * (1.0 - rest * rest);
+  return glm::dvec3(std::sin(theta), 0.0, std::cos(theta));
+}
+
 // Peaks lie over a square that the hemisphere fills by area.
 constexpr int PeakSize = 64;
 constexpr int PeakLevels = 6; // 64, 32, ..., 2
@@ -110,9 +117,7 @@ ReflectionGuide::ReflectionGuide(vtkBRDF* brdf)
   measuredbrdf::ParallelForEach(NumberOfViews,
     [&](int view)
     {
-      const double rest = 1.0 - (view + 0.5) / NumberOfViews;
-      const double theta = 0.5 * Pi * (1.0 - rest * rest);
-      const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
+      const glm::dvec3 o = GetView(view);
       const LobeSampler sampler(brdf, o);
       for (std::uint32_t k = 0; k < NumberOfDraws && !sampler.IsBlack(); ++k)
       {
@@ -220,13 +225,19 @@ void ReflectionGuide::Draws(const glm::dvec3& o, std::vector<Draw>& draws) const
     return;
   }
   const double rest = std::sqrt(std::max(1.0 - std::acos(std::min(o.z, 1.0)) / (0.5 * Pi), 0.0));
-  const int view = static_cast<int>(NumberOfViews * (1.0 - rest));
+  const int view = std::clamp(static_cast<int>(NumberOfViews * (1.0 - rest)), 0, NumberOfViews - 1);
   const double s = std::hypot(o.x, o.y);
   const glm::dvec2 azimuth = s > 0.0 ? glm::dvec2(o) / s : glm::dvec2(1.0, 0.0);
-  for (const Draw& draw : this->Views[std::clamp(view, 0, NumberOfViews - 1)])
+  const glm::dvec3 from = GetView(view);
+  const glm::dvec2 turn(s * from.x + o.z * from.z, s * from.z - o.z * from.x); // to the view
+  for (const Draw& draw : this->Views[view])
   {
-    const glm::dvec3& h = draw.Direction; // turned about the normal, to the view's azimuth
-    const glm::dvec3 i = ReflectAbout(
+    glm::dvec3 h = draw.Direction;
+    if (ReflectAbout(from, h).x > 0.0) // light that is sent back goes with the view
+    {
+      h = glm::dvec3(turn.x * h.x + turn.y * h.z, h.y, turn.x * h.z - turn.y * h.x);
+    }
+    const glm::dvec3 i = ReflectAbout( // turned about the normal, to the view's azimuth
       o, { azimuth.x * h.x - azimuth.y * h.y, azimuth.y * h.x + azimuth.x * h.y, h.z });
     if (i.z > 0.0)
     {

@@ -102,7 +102,7 @@ private:
 
   vtkSmartPointer<vtkBRDF> BRDF;
   // Half vectors of an isotropic BRDF's draws, by the view, whose azimuth is 0: nearly the same for
-  // all views about it.
+  // all views about it, or turned with them where light is sent back.
   std::vector<std::vector<Draw>> Views;
   std::vector<float> PeakCells; // likewise: view, level, cell of the hemisphere's square
 };

@@ -222,7 +222,7 @@ inline double GetTaper(int l, int degree, int rows)
   return l <= from ? 1.0 : 0.5 + 0.5 * std::cos(Pi * (l - from) / (degree + 1.0 - from));
 }
 
-/// What a blur leaves of degree l; smoothing: vtkTableRadianceIntegrator::SetSmoothingDegree.
+/// What a blur leaves of degree l; smoothing: the degree about which it ends; 0: no blur.
 inline double GetSmoothed(int l, double smoothing)
 {
   return smoothing > 0.0 ? std::exp(-0.5 * l * (l + 1.0) / (smoothing * smoothing)) : 1.0;
@@ -267,6 +267,7 @@ void MakeProfile(
 
 /// An octahedral map of irradiance.
 std::shared_ptr<const ScaledTexels> MakeIrradiance(const EnvironmentHarmonics& environment);
+
 /**
  * The table for anisotropic materials, which has no tiles:
  *

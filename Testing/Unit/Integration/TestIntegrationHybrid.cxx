@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Suns as lights, the rest by a table, with maps of its sharp part: each part alone, and the sum
+// against the reference; and for which materials lamps count near the lobe only.
 
 #include "AnisotropicWarp.h"
 #include "ErrorCatcher.h"

@@ -7,6 +7,7 @@
 #include "MaterialPrecomputation.h"
 #include "PlanSearch.h"
 #include "SpherePairs.h"
+#include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFAnalysis.h"
 #include "vtkBRDFShaderInputs.h"
@@ -192,6 +193,29 @@ TEST(RetroReflection, FilteredSamplesDrawIt)
       EXPECT_NEAR(radiance, expected.x, 0.03 * expected.x);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// Where its views are no tabulated ones.
+TEST(RetroReflection, ReferenceFindsNarrowLobes)
+{
+  vtkNew<vtkEnvironment> environment;
+  environment->SetToProceduralSky();
+  vtkNew<vtkAdaptiveRadianceIntegrator> reference;
+  reference->SetBRDF(NewRetro(50000.0));
+  reference->SetEnvironment(environment);
+  SpherePairs pairs;
+  pairs.AddRandom(300, 3);
+  reference->SetTolerance(1e-4);
+  const std::vector<glm::dvec3> expected = pairs.Integrate(reference.Get());
+  reference->SetTolerance(0.01);
+  const std::vector<glm::dvec3> found = pairs.Integrate(reference.Get());
+  double worst = 0.0;
+  for (std::size_t k = 0; k < found.size(); ++k)
+  {
+    worst = std::max(worst, std::abs(found[k].x / expected[k].x - 1.0));
+  }
+  EXPECT_LT(worst, 0.01);
 }
 
 //------------------------------------------------------------------------------

@@ -105,8 +105,11 @@ TEST_F(Views, EachViewportKeepsItsOwnLight)
   EXPECT_TRUE(this->Update(this->GetRequest(this->Two, other)));
   ASSERT_TRUE(this->Drawn);
   EXPECT_EQ(this->Drawn->GetEnvironment()->GetPixels(), other->GetPixels());
+  this->BRDF->Door->TakePasses();
   EXPECT_FALSE(this->Update(this->GetRequest(this->One, this->Sky)));
   EXPECT_FALSE(this->Update(this->GetRequest(this->Two, other)));
+  EXPECT_FALSE(this->Plans.IsPending());
+  EXPECT_EQ(this->BRDF->Door->TakePasses(), 0);
 
   // Old plans stand in for new ones in their own views only.
   this->BRDF->Door->Close();
