@@ -30,7 +30,7 @@ LIMIT = 900  # seconds for a fault's tests in one program; one that makes them r
 # What lies in these folders is no source.
 SKIPPED = (".git", "__pycache__", "output", "install")
 OPTIONS = ("-DCMAKE_BUILD_TYPE=Release", "-DBUILD_TESTING=ON", "-DMEASUREDBRDF_WRAP_PYTHON=OFF",
-           "-DMEASUREDBRDF_BUILD_TOOL=OFF", "-DMEASUREDBRDF_WARNINGS_AS_ERRORS=OFF",
+           "-DMEASUREDBRDF_WITH_QT=OFF", "-DMEASUREDBRDF_WARNINGS_AS_ERRORS=OFF",
            "-DMEASUREDBRDF_COMPILE_IN_GROUPS=OFF")
 DISPLAY = ("xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset")
 
