@@ -315,14 +315,14 @@ public:
                                                                   : 0;
     for (const Element& data : FindAll(this->Layer, "WavelengthData"))
     {
+      const std::string wavelength = GetText(data, "Wavelength");
       for (const Element& block : FindAll(data, "WavelengthDataBlock"))
       {
         const Element values = block.select_node(".//ScatteringData").node();
         const Element place = values ? values : block;
-        this->Blocks.push_back(
-          { GetText(data, "Wavelength"), GetText(block, "WavelengthDataDirection"),
-            GetText(block, "ColumnAngleBasis"), GetText(block, "RowAngleBasis"), values,
-            this->Start + static_cast<std::uint64_t>(place.offset_debug()) - 1 });
+        this->Blocks.push_back({ wavelength, GetText(block, "WavelengthDataDirection"),
+          GetText(block, "ColumnAngleBasis"), GetText(block, "RowAngleBasis"), values,
+          this->Start + static_cast<std::uint64_t>(place.offset_debug()) - 1 });
       }
     }
   }
