@@ -1,7 +1,5 @@
 # The libraries that the module is made with, beside VTK.
 find_package(glm REQUIRED)
-find_package(Ceres REQUIRED)
-find_package(OpenEXR REQUIRED)
 find_package(nlohmann_json REQUIRED)
 # VTK's own build has a FindEigen3 with another target, and a target `eigen` of its own, at sight of
 # which Eigen's configuration defines nothing.
@@ -9,6 +7,8 @@ find_package(Eigen3 CONFIG REQUIRED)
 if (NOT TARGET Eigen3::Eigen)
   include("${Eigen3_DIR}/Eigen3Targets.cmake")
 endif ()
+find_package(Ceres REQUIRED) # which looks for Eigen, too
+find_package(OpenEXR REQUIRED)
 find_path(MEASUREDBRDF_XXHASH_INCLUDE xxhash.h) # which is all that is needed of it
 mark_as_advanced(MEASUREDBRDF_XXHASH_INCLUDE)
 if (NOT MEASUREDBRDF_XXHASH_INCLUDE)

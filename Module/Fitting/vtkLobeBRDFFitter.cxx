@@ -418,7 +418,10 @@ vtkBRDFFitter::Result vtkLobeBRDFFitter::FitTo(const std::vector<Sample>& sample
   if (!best.Parameters.empty() && !stopped)
   {
     refine(samples, best, this->MaximumNumberOfIterations, refined, 1.0);
-    Unpack(layout, best.Parameters, result);
+    if (std::isfinite(best.MeanSquare))
+    {
+      Unpack(layout, best.Parameters, result);
+    }
   }
   return result;
 }

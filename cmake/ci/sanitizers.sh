@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 cmake/install-packages.sh --tests
 
-# The build runs the test programs, too, to list their tests; graphics drivers and VTK leak at exit.
+# Graphics drivers and VTK leak at exit.
 export ASAN_OPTIONS=detect_leaks=0
 mkdir -p build-asan
 if ! cmake --preset asan >build-asan/configure.log 2>&1; then

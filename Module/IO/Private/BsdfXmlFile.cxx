@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -100,15 +101,33 @@ std::size_t FindXmlStart(std::string_view text)
   return isXml ? 0 : start;
 }
 
-// Finds elements that are nested too deeply: a search in each of them would take for ever.
-struct DepthCheck : pugi::xml_tree_walker
+// Finds elements that are nested too deeply, for a search in each of them would take for ever, and
+// ampersands in texts that begin no entity, which pugixml takes.
+struct Check : pugi::xml_tree_walker
 {
-  bool for_each(Element& element) override
+  bool for_each(Element& node) override
   {
-    this->Deepest = element;
-    return this->depth() < DeepestElement;
+    this->Place = node.offset_debug();
+    std::string_view text = node.type() == pugi::node_pcdata ? this->Xml.substr(this->Place) : "";
+    text = text.substr(0, text.find('<'));
+    for (auto at = text.find('&'); at < text.size(); at = text.find('&', at + 1))
+    {
+      if (std::none_of(std::begin(Entities), std::end(Entities),
+            [&](const std::string_view name) { return text.substr(at + 1, name.size()) == name; }))
+      {
+        this->Place += static_cast<std::ptrdiff_t>(at);
+        this->Problem = "no well-formed XML: expected '&amp;' for an ampersand";
+        return false;
+      }
+    }
+    this->Problem = this->depth() < DeepestElement ? "" : "elements are nested too deeply";
+    return this->Problem.empty();
   }
-  Element Deepest;
+
+  static constexpr std::string_view Entities[] = { "amp;", "lt;", "gt;", "quot;", "apos;", "#" };
+  std::string_view Xml;
+  std::ptrdiff_t Place = 0;
+  std::string Problem;
 };
 
 // Throws FileError where it is no well-formed XML, has a document type of its own, or is not a
@@ -145,8 +164,12 @@ void ParseBsdfXml(const ByteReader& reader, std::size_t start, pugi::xml_documen
   require(std::string_view(root.name()) == "WindowElement",
     std::max<std::ptrdiff_t>(root.offset_debug() - 1, 0),
     "the root is " + Quote(root.name()) + ", expected 'WindowElement'");
-  DepthCheck check;
-  require(document.traverse(check), check.Deepest.offset_debug(), "elements are nested too deeply");
+  require(!root.next_sibling(), std::max<std::ptrdiff_t>(root.next_sibling().offset_debug() - 1, 0),
+    "no well-formed XML: found a second root");
+  Check check;
+  check.Xml = bytes.substr(start);
+  const bool isGood = document.traverse(check); // before its place is asked for
+  require(isGood, check.Place, check.Problem);
 }
 
 //------------------------------------------------------------------------------
@@ -292,14 +315,14 @@ public:
                                                                   : 0;
     for (const Element& data : FindAll(this->Layer, "WavelengthData"))
     {
+      const std::string wavelength = GetText(data, "Wavelength");
       for (const Element& block : FindAll(data, "WavelengthDataBlock"))
       {
         const Element values = block.select_node(".//ScatteringData").node();
         const Element place = values ? values : block;
-        this->Blocks.push_back(
-          { GetText(data, "Wavelength"), GetText(block, "WavelengthDataDirection"),
-            GetText(block, "ColumnAngleBasis"), GetText(block, "RowAngleBasis"), values,
-            this->Start + static_cast<std::uint64_t>(place.offset_debug()) - 1 });
+        this->Blocks.push_back({ wavelength, GetText(block, "WavelengthDataDirection"),
+          GetText(block, "ColumnAngleBasis"), GetText(block, "RowAngleBasis"), values,
+          this->Start + static_cast<std::uint64_t>(place.offset_debug()) - 1 });
       }
     }
   }

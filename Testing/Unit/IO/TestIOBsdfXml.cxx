@@ -201,6 +201,9 @@ TEST(IOBsdfXml, RefusesBadFiles)
     { { change("<Optical>", "<Optical"), { "well-formed" } },
       { change("<Optical>", "<Optical>\n <Name>Smith < Sons</Name>"),
         { "line 4, column 15", "well-formed", "' Sons</Name>" } },
+      { change("<Optical>", "<Optical>\n <Name>Smith & Sons</Name>"),
+        { "line 4, column 14", "well-formed", "'& Sons</Name>", "&amp;" } },
+      { good + "<a/>", { "well-formed", "second root", "'<a/>" } },
       { change("0.110000,", "0,11, "), { "more than the 25" } }, // others have points
       { change("0.110000", "0.11x"), { "Reflection Back", "value 1", "0.11x", "a number" } },
       { change("0.110000", "nan"), { "value 1", "nan" } },
@@ -242,8 +245,8 @@ TEST(IOBsdfXml, RefusesBadFiles)
     tower += "<a>";
     closed += "</a>";
   }
-  ExpectBytesRefused(
-    folder, Replace(good, "<Optical>", "<Optical>" + tower + closed), { BsdfXmlFormat, "deeply" });
+  ExpectBytesRefused(folder, Replace(good, "<Optical>", "<Optical>" + tower + closed),
+    { BsdfXmlFormat, "deeply", "line 3, " });
 }
 
 //------------------------------------------------------------------------------

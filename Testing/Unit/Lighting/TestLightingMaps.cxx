@@ -76,7 +76,7 @@ std::complex<double> SumPoints(vtkEnvironment* environment, int points, int chan
 TEST(EnvironmentHarmonics, AreIntegralsOfTheInterpolatedSky)
 {
   for (const std::array<int, 2>& size :
-    { std::array<int, 2>{ 128, 64 }, std::array<int, 2>{ 5, 3 } })
+    { std::array<int, 2>{ 131, 66 }, std::array<int, 2>{ 5, 3 } }) // a large prime; cut up
   {
     const auto environment = NewNoise(size[0], size[1]);
     for (const auto& [l, m] :
