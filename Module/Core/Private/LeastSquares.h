@@ -28,8 +28,8 @@ struct LeastSquares
   bool Converged = false;
 
   /// From a start within the bounds to a minimum. getResiduals(x) gives a vector, getJacobian(x, r)
-  /// the matrix of its derivatives where it is r. Returns the sum of squares. What the functions
-  /// throw is thrown here.
+  /// the matrix of its derivatives where it is r. Returns the sum of squares; infinity, and x as it
+  /// was, where values are not finite. What the functions throw is thrown here.
   template <typename GetResiduals, typename GetJacobian>
   double Minimize(
     const GetResiduals& getResiduals, const GetJacobian& getJacobian, Eigen::VectorXd& x)
@@ -61,7 +61,9 @@ struct LeastSquares
       std::rethrow_exception(thrown);
     }
     this->Converged = summary.termination_type == ceres::CONVERGENCE;
-    return 2.0 * summary.final_cost; // Ceres' cost is half the sum of squares
+    return summary.termination_type == ceres::FAILURE
+             ? std::numeric_limits<double>::infinity()
+             : 2.0 * summary.final_cost; // Ceres' cost is half the sum of squares
   }
 
 private:
