@@ -531,6 +531,11 @@ void vtkPBRPropertyFitter::SetBRDF(vtkBRDF* brdf) { measuredbrdfAssignMacro(BRDF
 //------------------------------------------------------------------------------
 void vtkPBRPropertyFitter::SetToNeutralStudio(vtkEnvironment* environment, int rows)
 {
+  if (!environment)
+  {
+    return;
+  }
+  rows = std::clamp(rows, 1, 2048);
   std::vector<float> pixels;
   for (int k = 0; k < 2 * rows * rows; ++k)
   {

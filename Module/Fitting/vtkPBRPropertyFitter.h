@@ -100,8 +100,8 @@ public:
   static double Fit(vtkBRDF* brdf, vtkProperty* property);
 
   /**
-   * Make the environment the neutral light, with that many rows: +y up, the picture is seen from
-   * +z.
+   * Make the environment the neutral light, with that many rows, 1 to 2048: +y up, the picture is
+   * seen from +z.
    */
   static void SetToNeutralStudio(vtkEnvironment* environment, int rows = 128);
 
