@@ -74,7 +74,8 @@ namespace
 constexpr double FeatureAngle = 60.0;
 
 //------------------------------------------------------------------------------
-// With smooth normals: points that lie on each other, as on the seam of a texture, become one.
+// With smooth normals: points that lie on each other, as on the seam of a texture, become one. That
+// spoils texture coordinates, by which this program draws nothing.
 vtkSmartPointer<vtkPolyData> AddNormals(vtkPolyData* mesh, double featureAngle)
 {
   vtkNew<vtkCleanPolyData> welded;

@@ -243,13 +243,24 @@ void Refine(const vtkBRDFFitter::Samples& samples, const vtkBRDFFitter& loss, co
   method.Least.setZero(layout.Size);
   method.Most.setConstant(layout.Size, std::numeric_limits<double>::max());
   method.Most.head(layout.Exponents).setConstant(std::log1p(MaximumExponent));
-  // Calls use(row, sample, channel, first coefficient, basis, f, weight) for each residual.
+  // Calls use(row, sample, channel, first coefficient, basis, f, weight) for each residual. The
+  // bases are kept: they take the most time, and values and derivatives are asked for in turns.
+  std::vector<Basis> bases(samples.size());
+  Eigen::VectorXd known =
+    Eigen::VectorXd::Constant(layout.Size, std::numeric_limits<double>::quiet_NaN());
   const auto forResiduals = [&](const Eigen::VectorXd& at, const auto& use)
   {
-    Eigen::Index row = 0;
-    for (const vtkBRDFFitter::Sample& sample : samples)
+    if (known != at)
     {
-      const Basis basis = Evaluate(layout, at.data(), sample);
+      std::transform(samples.begin(), samples.end(), bases.begin(),
+        [&](const vtkBRDFFitter::Sample& sample) { return Evaluate(layout, at.data(), sample); });
+      known = at;
+    }
+    Eigen::Index row = 0;
+    for (std::size_t k = 0; k < samples.size(); ++k)
+    {
+      const vtkBRDFFitter::Sample& sample = samples[k];
+      const Basis& basis = bases[k];
       const double weight = std::sqrt(sample.Weight / 3.0);
       for (int c = 0; c < 3; ++c)
       {
@@ -274,7 +285,8 @@ void Refine(const vtkBRDFFitter::Samples& samples, const vtkBRDFFitter& loss, co
   };
   const auto getJacobian = [&](const Eigen::VectorXd& at, const Eigen::VectorXd&)
   {
-    Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(size, layout.Size);
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Rows jacobian = Rows::Zero(size, layout.Size);
     forResiduals(at,
       [&](Eigen::Index row, const vtkBRDFFitter::Sample& sample, int, int first, const Basis& basis,
         double f, double weight)

@@ -8,7 +8,7 @@
  * RGL tensor files, NVIDIA MBSDF, OpenEXR materials, BSDF XML, OpenMATERIAL 3D, ASTM E1392,
  * published fits, UTIA, MERL binary. A file is of the
  * first format that can read it. Registering takes effect at once, in every reader and writer; any
- * thread may call these methods. A build without OpenEXR has no format of OpenEXR materials.
+ * thread may call these methods.
  */
 
 #ifndef vtkBRDFFormats_h

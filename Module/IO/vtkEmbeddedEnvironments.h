@@ -5,7 +5,7 @@
  * @brief   environments that need no download: a real room and two computed ones
  *
  * "room": a photographed hotel room, 512 x 256 (Poly Haven, CC0 1.0; NOTICE says where it is from
- * and what was done to it). "sky", "hall": procedural. A build without OpenEXR has no "room".
+ * and what was done to it). "sky", "hall": procedural.
  */
 
 #ifndef vtkEmbeddedEnvironments_h

@@ -10,7 +10,7 @@
  * Durand and Matusik 2005 ("Experimental Analysis of BRDF Models", supplemental material) and Low,
  * Kronander, Ynnerman and Unger 2012 ("BRDF Models for Accurate and Efficient Rendering of Glossy
  * Surfaces"). Ngan's were fitted to MERL data without its color scale, so their RGB is multiplied
- * by 1.00, 1.15, 1.66 here. A build without OpenEXR has no car paint.
+ * by 1.00, 1.15, 1.66 here.
  */
 
 #ifndef vtkEmbeddedMaterials_h

@@ -3,7 +3,6 @@
 """The lists in the ParaView plugin's panels are the module's: built-in materials and environments, endings of files."""
 import os
 import re
-import sys
 import xml.etree.ElementTree as ElementTree
 
 from vtkmeasuredbrdf import vtkBRDFFormats, vtkEmbeddedEnvironments, vtkEmbeddedMaterials
@@ -16,9 +15,6 @@ EXPECTED = {
     "MeasuredMaterial": ["File", *MATERIALS],
     "MeasuredEnvironment": ["Automatic", "View", "File", *ENVIRONMENTS],
 }
-if "room" not in ENVIRONMENTS:
-    print("Skipped: a build without OpenEXR has fewer built-in materials and environments than the plugin")
-    sys.exit(125)
 
 ENDINGS = sorted(re.findall(r"\.(\w+)", vtkBRDFFormats.GetExtensions()))
 assert {"bsdf", "xompt", "astm"} <= set(ENDINGS), ENDINGS

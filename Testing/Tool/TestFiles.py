@@ -36,11 +36,10 @@ class Outputs(unittest.TestCase):
     def run_tool(self, command, out, **options):
         arguments = [out if word == "OUT" else word for word in command]
         result = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=300, **options)
-        for missing in ("needs an X server", "no OpenEXR"):
-            if missing in result.stderr:
-                for left in os.listdir(self.folder):
-                    os.remove(os.path.join(self.folder, left))
-                self.skipTest("skipped: " + result.stderr)
+        if "needs an X server" in result.stderr:
+            for left in os.listdir(self.folder):
+                os.remove(os.path.join(self.folder, left))
+            self.skipTest("skipped: " + result.stderr)
         return result
 
     def make_old(self, name):
