@@ -59,8 +59,9 @@ read -r passed failed skipped < <(
     BEGIN { passed = total - failed - skipped }
     /^\[  PASSED  \] [0-9]+ test/ { passed += $4 }
     /^\[  SKIPPED \] [0-9]+ test/ { skipped += $4 }
-    /^\[  FAILED  \] [0-9]+ test/ { failed += $4 - 1; ++passed }
-    /^\[=+\] .* ran\./ { --passed }
+    /^[0-9]+\/[0-9]+ Testing: / { bad = 0 }
+    /^\[  FAILED  \] / { ++bad }
+    /^\[=+\] .* ran\./ { if (bad) failed += bad - 1; else --passed }
     END { print passed, failed, skipped }' "$log")
 echo "$passed passed, $failed failed, $skipped skipped"
 if [ $# -eq 0 ] && [ $((passed + failed + skipped)) -lt "$minimum_tests" ]; then

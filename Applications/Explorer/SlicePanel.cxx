@@ -357,7 +357,7 @@ void SliceView::DrawChart(QPainter& painter, int chart, bool polar, const QRectF
       QPolygonF points;
       for (std::size_t k = 0; k < one.Values.size(); ++k)
       {
-        points << place(one.Degrees[k], scale.Find(one.Values[k]));
+        points << place(one.Degrees[k], std::max(0.0, scale.Find(one.Values[k])));
       }
       painter.setPen(MakePen(one.Color, 2.0, isDashed));
       painter.drawPolyline(points);

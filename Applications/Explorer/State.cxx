@@ -63,8 +63,10 @@ void Visit(SomeState& state, const Visitor& visit)
 {
   const auto isText = [](const std::string& text) { return !text.empty(); };
   const auto isAny = [](const auto&) { return true; };
-  const auto isDirection = [](const auto& v) {
-    return v != std::array<double, 3>{ 0.0, 0.0, 0.0 };
+  const auto isPoint = [](const auto& v)
+  { return std::all_of(v.begin(), v.end(), [](double x) { return std::abs(x) <= 1e30; }); };
+  const auto isDirection = [=](const auto& v) {
+    return isPoint(v) && v != std::array<double, 3>{ 0.0, 0.0, 0.0 };
   };
   const auto areMethods = [](const auto& keys) { return IsMethod(keys[0]) && IsMethod(keys[1]); };
   const auto areDifferent = [](const std::vector<std::string>& files)
@@ -91,8 +93,8 @@ void Visit(SomeState& state, const Visitor& visit)
   visit("exposure", state.Exposure, -MostStops, MostStops);
   visit("backdrop", state.Backdrop, "true or false", isAny);
   visit("reference_height", state.ReferenceHeight, 32, 2048);
-  visit("camera/position", state.Camera.Position, "three numbers", isAny);
-  visit("camera/focal_point", state.Camera.FocalPoint, "three numbers", isAny);
+  visit("camera/position", state.Camera.Position, "three numbers up to 1e30", isPoint);
+  visit("camera/focal_point", state.Camera.FocalPoint, "three numbers up to 1e30", isPoint);
   visit("camera/view_up", state.Camera.ViewUp, "three numbers, not all of them 0", isDirection);
   visit("camera/view_angle", state.Camera.ViewAngle, 1.0, 120.0);
   visit("lobe_theta_i", state.LobeThetaI, 0.0, 89.0);
@@ -172,9 +174,14 @@ void AddParameters(std::string& name, const ordered_json& models)
   if (model && models.contains(model->Key))
   {
     ModelValues values = GetValues(name);
-    for (const ModelParameter& parameter : model->Parameters)
+    const ordered_json& given = models[model->Key];
+    for (auto& [key, numbers] : values)
     {
-      values[parameter.Key] = models[model->Key].value(parameter.Key, values[parameter.Key]);
+      // The index, 1.5 unless it was set, counted where Schlick's Fresnel term was not chosen.
+      const bool isIndex = key == "index_of_refraction";
+      numbers = isIndex && given.value("fresnel", ModelValues::mapped_type{ 0.0 }).at(0) == 0.0
+                  ? numbers
+                  : given.value(key, isIndex ? ModelValues::mapped_type{ 1.5 } : numbers);
     }
     name = NameModel(*model, values);
   }

@@ -140,8 +140,8 @@ QString MakePage(const ReportData& data, ordered_json report)
             Embed(image) + "'>";
   }
   const std::string state = report["state"].dump(2);
-  report["A"] = report["sides"][0];
-  report["B"] = report["sides"][1];
+  report["A"] = ordered_json(report["sides"][0]);
+  report["B"] = ordered_json(report["sides"][1]);
   report.erase("sides");
   report.erase("state");
   return page +

@@ -184,7 +184,7 @@ void vtkLightSetRadianceIntegrator::IntegratePair(
   glm::dvec3 sum(0.0);
   const auto addFound = [&]()
   {
-    if (this->InLanes)
+    if (this->InLanes && found > 0)
     {
       this->Prepared->Lanes.Evaluate(found, above.data(), view, values.data());
     }
