@@ -243,8 +243,14 @@ Eigen::ArrayXXd LitSphere::Sum(vtkBRDF* brdf) const
   {
     for (std::size_t p = 0; p < this->Pixels.size(); ++p)
     {
-      radiance.col(light).segment<3>(3 * static_cast<Eigen::Index>(p)) =
-        (values[this->Pixels[p].View] * this->Lights[light][p]).rowwise().sum();
+      const Eigen::Array3Xd& f = values[this->Pixels[p].View];
+      const Energies& energies = this->Lights[light][p];
+      Eigen::Array3d sum = Eigen::Array3d::Zero();
+      for (Eigen::Index k = 0; k < f.cols(); ++k) // faster than rowwise().sum()
+      {
+        sum += f.col(k) * energies.col(k);
+      }
+      radiance.col(light).segment<3>(3 * static_cast<Eigen::Index>(p)) = sum;
     }
   }
   return radiance;

@@ -75,9 +75,11 @@ private:
       std::exception_ptr& thrown)
       : Residuals(residuals)
       , Jacobian(jacobian)
+      , X(start)
+      , Values(residuals(start))
       , Thrown(thrown)
     {
-      this->set_num_residuals(static_cast<int>(residuals(start).size()));
+      this->set_num_residuals(static_cast<int>(this->Values.size()));
       this->mutable_parameter_block_sizes()->push_back(static_cast<int>(start.size()));
     }
 
@@ -88,12 +90,16 @@ private:
       {
         const int size = this->parameter_block_sizes()[0];
         const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], size);
-        const Eigen::VectorXd values = this->Residuals(x);
-        Eigen::Map<Eigen::VectorXd>(residuals, values.size()) = values;
+        if (x != this->X) // Ceres asks for a step's residuals, and once more with the derivatives
+        {
+          this->Values = this->Residuals(x);
+          this->X = x;
+        }
+        Eigen::Map<Eigen::VectorXd>(residuals, this->Values.size()) = this->Values;
         if (jacobians && jacobians[0])
         {
           Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-            jacobians[0], values.size(), size) = this->Jacobian(x, values);
+            jacobians[0], this->Values.size(), size) = this->Jacobian(x, this->Values);
         }
         return true;
       }
@@ -107,6 +113,7 @@ private:
   private:
     const GetResiduals& Residuals;
     const GetJacobian& Jacobian;
+    mutable Eigen::VectorXd X, Values; // the last ones
     std::exception_ptr& Thrown;
   };
 
