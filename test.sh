@@ -3,7 +3,7 @@
 # the installed package with its examples. Further arguments go to ctest, e.g. ./test.sh -L unit.
 set -euo pipefail
 cd "$(dirname "$0")"
-minimum_tests=700 # tests that vanish must not go unnoticed
+minimum_tests=900 # tests that vanish must not go unnoticed
 jobs=$(nproc)
 
 step() { printf '\n== %s\n' "$*"; }

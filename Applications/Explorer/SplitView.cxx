@@ -85,6 +85,12 @@ vtkSmartPointer<vtkScalarBarActor> MakeErrorLegend()
   legend->SetNumberOfLabels(4);
   legend->SetLabelFormat("%g");
   legend->SetUnconstrainedFontSize(true);
+  for (vtkTextProperty* text : { legend->GetLabelTextProperty(), legend->GetTitleTextProperty() })
+  {
+    text->SetFontSize(14);
+    text->ItalicOff();
+    text->BoldOff();
+  }
   legend->SetOrientationToHorizontal();
   legend->SetTextPositionToPrecedeScalarBar(); // the labels below the bar, the title below them
   legend->SetPosition(0.25, 0.02);
