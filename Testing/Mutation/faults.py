@@ -671,7 +671,8 @@ add("Rendering.texture-of-bytes-is-linear", "TextureEnvironment.cxx",
 add("Rendering.stand-in-of-few-rows", "SharedIntegrators.cxx",
     "{ 65, 8, 8 }", "{ 33, 8, 8 }", "Background.StandInsForMirrorLikeMaterialsUnderPanels")
 add("Rendering.stand-in-is-the-material", "SharedIntegrators.cxx",
-    "vtkSmartPointer<vtkBRDF>::Take(this->Material->NewQuickRenderable());", "this->Material->GetRenderable();",
+    "vtkSmartPointer<vtkBRDF>::Take(this->Material->NewQuickRenderable());",
+    "vtkSmartPointer<vtkBRDF>(this->Material->GetRenderable());",
     "Background.ACoarseFormForShadersUntilThePlan")
 add("Rendering.stand-in-form-for-nobody", "SharedIntegrators.cxx", "made->Material = material;",
     "made->Material = material;\n  made->GetRenderable();", "StandIns.NoFormWhereNoLightNeedsIt")
@@ -917,7 +918,8 @@ add("Material.btdf-light-on-the-other-side", "vtkBTDF.cxx", "const int side = i[
 add("Material.btdf-other-side-not-exchanged", "vtkBTDF.cxx", "Values{ other, true }", "Values{ other, false }",
     "Transmission.SumsMatricesExactly|IOTransmission.UsesReciprocityForTheMissingSide")
 add("Material.btdf-sum-not-through-the-surface", "vtkAngleBasisBRDF.cxx", "(overView ? Pi : 0.0)", "(overView ? 0.0 : 0.0)",
-    "Transmission.SumsMatricesExactly|IOTransmission.TransmittanceIsTheMatrixSum")
+    "Transmission.SumsMatricesExactly|IOTransmission.TransmittanceIsTheMatrixSum",
+    equivalent="a turn maps the patches of a ring on one another: only rounding at the borders of odd counts could tell")
 add("Material.btdf-patches-alike", "vtkAngleBasisBRDF.cxx", "std::pow(std::sin(outer), 2.0) - std::pow(std::sin(inner), 2.0)", "std::sin(outer) - std::sin(inner)",
     "IOTransmission.TransmittanceIsTheMatrixSum")
 add("IO.bsdf-xml-sides-of-transmission", "BsdfXmlFile.cxx", "&lit == &side ? vtkBTDF::FRONT : vtkBTDF::BACK",
