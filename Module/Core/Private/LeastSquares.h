@@ -27,9 +27,9 @@ struct LeastSquares
   std::function<bool(int, double)> Proceed;
   bool Converged = false;
 
-  /// From a start within the bounds to a minimum. getResiduals(x) gives a vector, getJacobian(x, r)
-  /// the matrix of its derivatives where it is r. Returns the sum of squares, infinity where Ceres
-  /// failed. What the functions throw is thrown here.
+  /// Moves x from a start within the bounds to a minimum. getResiduals(x) gives the residuals r,
+  /// getJacobian(x, r) the matrix of their derivatives. Returns the sum of squares, or infinity
+  /// where Ceres failed. Exceptions of the two functions are thrown again here.
   template <typename GetResiduals, typename GetJacobian>
   double Minimize(
     const GetResiduals& getResiduals, const GetJacobian& getJacobian, Eigen::VectorXd& x)
