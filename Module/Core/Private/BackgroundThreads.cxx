@@ -3,7 +3,6 @@
 #include "BackgroundThreads.h"
 
 #include "ParallelFor.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <chrono>
@@ -64,7 +63,7 @@ struct BackgroundThreads
   {
     if (!this->IsRegistered)
     {
-      vtkSMPTools::GetEstimatedNumberOfThreads();
+      GetNumberOfThreads();
       this->IsRegistered = std::atexit([]() { Get().End(); }) == 0;
       this->Process = GetProcess();
     }

@@ -10,16 +10,13 @@
 #define ParallelFor_h
 
 #include "vtkObject.h"
-#include "vtkSMPTools.h"
 #include "vtkType.h"
 
 #include <atomic>
 #include <cstddef>
 #include <exception>
 #include <functional>
-#include <mutex>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -41,49 +38,31 @@ public:
   }
 };
 
-/// vtkSMPTools::For of parts of grain elements (0: as VTK has them). What a part throws is thrown
-/// here once all parts have ended, the first of several; parts that have not begun are left out.
-/// VTK's own threads would end the process.
-template <typename Part>
-void ParallelFor(vtkIdType first, vtkIdType last, vtkIdType grain, const Part& part)
-{
-  std::mutex mutex;
-  std::exception_ptr thrown;
-  std::atomic<bool> failed{ false };
-  const std::function<bool()>& isStopped = StoppableLoops::Get();
-  vtkSMPTools::For(first, last, grain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      if (failed)
-      {
-        return;
-      }
-      try
-      {
-        if (isStopped && isStopped())
-        {
-          throw std::runtime_error("aborted");
-        }
-        part(begin, end);
-      }
-      catch (...)
-      {
-        const std::lock_guard<std::mutex> lock(mutex);
-        thrown = thrown ? thrown : std::current_exception();
-        failed = true;
-      }
-    });
-  if (thrown)
-  {
-    std::rethrow_exception(thrown);
-  }
-}
+/// As many as run at once in a loop.
+int GetNumberOfThreads();
 
-template <typename Part>
-void ParallelFor(vtkIdType first, vtkIdType last, const Part& part)
+/// A part of a loop, from the first element to before the last.
+using LoopPart = std::function<void(vtkIdType, vtkIdType)>;
+
+/**
+ * vtkSMPTools::For of parts of grain elements (0: as VTK has them). What a part throws is thrown
+ * here once all parts have ended, the first of several; parts that have not begun are left out.
+ * VTK's own threads would end the process.
+ *
+ * VTK's wheels for Python are built to run loops on one thread. With such a VTK, loops run on
+ * threads of this module's own, unless the environment's VTK_SMP_BACKEND_IN_USE is set.
+ */
+void ParallelFor(vtkIdType first, vtkIdType last, vtkIdType grain, const LoopPart& part);
+
+inline void ParallelFor(vtkIdType first, vtkIdType last, const LoopPart& part)
 {
   ParallelFor(first, last, 0, part);
 }
+
+/// vtkSMPTools::For on so many threads of this module's own, the calling one among them. What a
+/// part throws ends the process.
+void RunOnThreads(
+  int threads, vtkIdType first, vtkIdType last, vtkIdType grain, const LoopPart& part);
 
 /// Calls use(k) for each k < count; not for those that are left once abort holds. A thread takes
 /// `grain` of them at a time (0: as VTK has them).

@@ -6,7 +6,6 @@
 #include "ParallelFor.h"
 #include "SurfacePoints.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 
@@ -205,8 +204,7 @@ bool TraceVisibility(const SurfaceTracer& tracer, const std::vector<vtkPolyData*
   // Returns whether it was not stopped. visit runs on several threads.
   const auto forEach = [&](vtkIdType count, const auto& visit)
   {
-    const vtkIdType chunk =
-      RaysPerReport * vtkSMPTools::GetEstimatedNumberOfThreads() / settings.NumberOfRays;
+    const vtkIdType chunk = RaysPerReport * GetNumberOfThreads() / settings.NumberOfRays;
     bool goesOn = true;
     for (vtkIdType first = 0; first < count && goesOn; first += chunk)
     {

@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Components of Module/ use the components that docs/architecture.md allows them, units form no circles, public headers show no
-private type, and no two headers share a name: tests see several folders of them, where the first one found wins.
+private type, and no two headers share a name: tests see several folders of them, where the first one found wins. CMake's files
+ask VTK how it names the module's targets: 9.7 changed that.
 
 usage: TestComponents.py REPOSITORY
 """
@@ -84,9 +85,25 @@ def find_missing_for_fuzzing(repository):
             for component in components for used in ALLOWED[component] if used not in components]
 
 
+def find_guessed_targets(repository):
+    """Problems: a target that VTK names, by the name that it has in some versions of VTK."""
+    guessed = re.compile(r"(TARGET_\w+:|target_propert(y\(\s*\w+|ies\()\s*|target_\w+\(|add_dependencies\(|--target |DEPENDS )\s*"
+                         r"(Py)?(vtk)?MeasuredBRDF(Python)?[\s,>)]")
+    problems = []
+    for folder, folders, names in os.walk(repository):
+        folders[:] = [name for name in folders if not name.startswith((".", "build"))]
+        for name in names:
+            if name == "CMakeLists.txt" or name.endswith(".cmake"):
+                with open(os.path.join(folder, name), encoding="utf-8") as file:
+                    problems += [f"{folder}/{name}: {found[0].strip()}: ask for the target (ALIASED_TARGET of VTK::MeasuredBRDF)"
+                                 for found in guessed.finditer(file.read())]
+    return problems
+
+
 def main(repository):
     files = find_files(os.path.join(repository, "Module"))
     problems, uses = find_same_headers(repository) + find_missing_for_fuzzing(repository), {}
+    problems += find_guessed_targets(repository)
     for name, (component, path, private) in files.items():
         with open(path, encoding="utf-8") as file:
             text = file.read()

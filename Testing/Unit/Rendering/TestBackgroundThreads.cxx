@@ -6,6 +6,7 @@
 #include "BackgroundThreads.h"
 #include "GatedBRDF.h"
 #include "MapperPlans.h"
+#include "ParallelFor.h"
 #include "RecentlyUsed.h"
 #include "SharedIntegrators.h"
 #include "SpherePairs.h"
@@ -218,6 +219,41 @@ TEST(RecentlyUsed, KeepsWhatWasUsedLast)
   EXPECT_EQ(values.begin()->first, 4);
   values.Clear();
   EXPECT_FALSE(values.Find(4));
+}
+
+// Loops beside a VTK that is built for one thread: all elements, each once, on several threads. A
+// loop within a loop stays on its thread.
+TEST(OwnThreads, RunEachElementOnce)
+{
+  for (const vtkIdType grain : { 0, 1, 7, 1000 })
+  {
+    std::vector<std::atomic<int>> visits(100);
+    std::mutex mutex;
+    std::set<std::thread::id> threads;
+    measuredbrdf::RunOnThreads(3, 20, 120, grain,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        measuredbrdf::RunOnThreads(3, begin, end, 1,
+          [&, outer = std::this_thread::get_id()](vtkIdType first, vtkIdType last)
+          {
+            EXPECT_EQ(std::this_thread::get_id(), outer);
+            for (; first < last; ++first)
+            {
+              ++visits[static_cast<std::size_t>(first - 20)];
+            }
+          });
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        const std::lock_guard<std::mutex> lock(mutex);
+        threads.insert(std::this_thread::get_id());
+      });
+    for (const std::atomic<int>& count : visits)
+    {
+      EXPECT_EQ(count, 1) << "grain " << grain;
+    }
+    EXPECT_EQ(threads.size() > 1, grain < 1000);
+    EXPECT_LE(threads.size(), 3u);
+  }
+  measuredbrdf::RunOnThreads(3, 5, 5, 0, [](vtkIdType, vtkIdType) { ADD_FAILURE(); });
 }
 
 TEST(BackgroundThreads, WhatIsThrownEndsTheWorkOnly)
