@@ -47,7 +47,7 @@ add("Core.half-vector-spread-factor", "HalfVector.h", "return spread / (4.0 *", 
     "SoftLights.AreTheMeanOverTheLight|SoftTables.AgreeWithTheClosedForm")
 add("Core.whole-file-forgets-permissions", "WholeFile.cxx", "old.permissions() & fs::perms(0777)", "fs::perms(0777)",
     "WholeFile.IsNewOrReplacesTheOldOne")
-add("Core.own-threads-nest", "ParallelFor.cxx", "while (!isInLoop &&", "while (", "OwnThreads.RunEachElementOnce")
+add("Core.own-threads-nest", "ParallelFor.cxx", "!isInLoop && static_cast", "static_cast", "OwnThreads.RunEachElementOnce")
 add("Core.own-threads-skip", "ParallelFor.cxx", "part(begin, std::min(begin + step, last));", "part(begin, std::min(begin + step, last - 1));",
     "OwnThreads.RunEachElementOnce")
 add("Core.schlick-fourth-power", "HalfVector.h", "f0 + (1.0 - f0) * m2 * m2 * m;",
