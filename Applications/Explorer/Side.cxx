@@ -12,6 +12,9 @@
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPBRLUTTexture.h"
+#include "vtkPBRPrefilterTexture.h"
 #include "vtkPBRPropertyFitter.h"
 #include "vtkProperty.h"
 #include "vtkRadiancePlanner.h"
@@ -383,6 +386,12 @@ tool::Picture Side::Capture(vtkCamera* camera, const tool::Size& size, double& f
     renderer->SetEnvironmentTexture(this->Light ? texture.Get() : nullptr);
     renderer->SetEnvironmentRight(this->Renderer->GetEnvironmentRight());
     renderer->SetEnvironmentUp(this->Renderer->GetEnvironmentUp());
+    // With the view's samples.
+    auto* view = vtkOpenGLRenderer::SafeDownCast(this->Renderer);
+    auto* captured = vtkOpenGLRenderer::SafeDownCast(renderer);
+    captured->GetEnvMapLookupTable()->SetLUTSamples(view->GetEnvMapLookupTable()->GetLUTSamples());
+    captured->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(
+      view->GetEnvMapPrefiltered()->GetPrefilterMaxSamples());
   }
   this->Scene->SetCamera(camera);
   tool::Picture picture = this->Scene->Render(size.Width, size.Height);

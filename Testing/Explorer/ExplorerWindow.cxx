@@ -19,6 +19,9 @@
 #include "vtkMath.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkMeasuredBRDFMapper.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPBRLUTTexture.h"
+#include "vtkPBRPrefilterTexture.h"
 #include "vtkPolyData.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkRenderer.h"
@@ -136,7 +139,7 @@ class ExplorerWindow : public QObject
   Q_OBJECT
 
 private Q_SLOTS:
-  void initTestCase() { this->Shared = MakeWindow(MakeState()); }
+  void initTestCase();
   void cleanupTestCase() { this->Shared.reset(); }
   void allTabsFit();
   void settlesWithinTheTolerance();
@@ -175,6 +178,20 @@ private:
   std::unique_ptr<Window> Shared;
   QTemporaryDir Folder;
 };
+
+//------------------------------------------------------------------------------
+void ExplorerWindow::initTestCase()
+{
+  this->Shared = MakeWindow(MakeState());
+  for (const int k : { 0, 1 })
+  {
+    // VTK's 1024 samples take long on a software renderer.
+    auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Shared->GetSide(k)->GetRenderer());
+    QVERIFY(renderer);
+    renderer->GetEnvMapLookupTable()->SetLUTSamples(64);
+    renderer->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(64);
+  }
+}
 
 //------------------------------------------------------------------------------
 Window* ExplorerWindow::Show(const State& state)

@@ -110,7 +110,8 @@ protected:
     }
     this->Sheet = NewSheet();
     this->Environment->SetToProceduralSky();
-    this->Table->SetNumberOfRows(17);
+    this->Table->SetSizes({ 9, 4, 4 }); // no picture here is compared with a finer one
+    this->Table->SetNumberOfNodes(16);
     this->Mapper->SetInputData(this->Sheet);
     this->Mapper->SetEnvironment(this->Environment);
     this->Mapper->SetIntegrator(this->Table); // the same for a material alone and in a mixture

@@ -4,6 +4,7 @@
 // tangents; and a copy that forgets nothing.
 #include "RandomLight.h"
 #include "RenderFixture.h"
+#include "SpherePairs.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBasisBRDF.h"
 #include "vtkEmbeddedMaterials.h"
@@ -13,6 +14,7 @@
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPBRIrradianceTexture.h"
+#include "vtkPBRLUTTexture.h"
 #include "vtkPBRPrefilterTexture.h"
 #include "vtkPBRPropertyFitter.h"
 #include "vtkPolyDataTangents.h"
@@ -473,8 +475,8 @@ protected:
     // A hollow, which hides itself.
     vtkNew<vtkSphereSource> bowl;
     bowl->SetRadius(0.95);
-    bowl->SetThetaResolution(32);
-    bowl->SetPhiResolution(24);
+    bowl->SetThetaResolution(16);
+    bowl->SetPhiResolution(12);
     bowl->SetEndPhi(110.0);
     this->Visibility->SetInputConnection(bowl->GetOutputPort());
     this->Visibility->BothSidesOn();
@@ -482,6 +484,7 @@ protected:
     this->Visibility->Update();
     this->Surface = vtkPolyData::SafeDownCast(this->Visibility->GetOutputDataObject(0));
     this->Hall->SetToProceduralHall();
+    ShrinkEnvironment(this->Hall, 64, 32); // planned sooner
     this->Mapper->SetInputData(this->Surface);
     this->Mapper->SetOcclusionModeToOff();
     this->Actor->SetMapper(this->Mapper);
@@ -609,6 +612,7 @@ TEST_F(TextureEncoding, IsAsVtkTakesIt)
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer);
   ASSERT_TRUE(renderer);
   this->Renderer->UseImageBasedLightingOn();
+  renderer->GetEnvMapLookupTable()->SetLUTSamples(64);
   renderer->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(64); // the light is uniform
   renderer->GetEnvMapIrradiance()->SetIrradianceSize(8);
   renderer->GetEnvMapIrradiance()->SetIrradianceStep(0.1f);
@@ -743,6 +747,7 @@ TEST_F(FittedProperty, IsNearerThanTheDefault)
   // The light is smooth; VTK's 1024 samples take long on a software renderer.
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer);
   ASSERT_TRUE(renderer);
+  renderer->GetEnvMapLookupTable()->SetLUTSamples(128);
   renderer->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(128);
 
   vtkNew<vtkSphereSource> sphere;

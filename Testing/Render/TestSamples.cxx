@@ -18,6 +18,7 @@
 #include "vtkWindowToImageFilter.h"
 
 #include <chrono>
+#include <thread>
 
 namespace
 {
@@ -356,6 +357,7 @@ TEST_F(Samples, ShowTheSameOnPartsWithPlans)
     this->Actor->SetMapper(mapper);
     do
     {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20)); // which the plan's threads have
       this->Shown = this->RenderEncoded();
     } while (mapper->GetPlanPending());
     return this->Shown;
