@@ -144,6 +144,7 @@ bool vtkLightSetRadianceIntegrator::Begin()
     this->SoftLights ? this->BRDF->GetRenderable() : this->BRDF.Get();
   shaded->Prepare();
   this->Prepared.reset(new Internals{ lights, shaded, measuredbrdf::LightLanes(shaded), {} });
+  this->Prepared->Lights.reserve(static_cast<std::size_t>(lights->GetNumberOfLights()));
   for (int k = 0; k < lights->GetNumberOfLights(); ++k)
   {
     Internals::Light light{ {}, {}, this->SoftLights ? GetSpread(lights, k) : 0.0 };

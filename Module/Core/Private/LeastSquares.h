@@ -52,6 +52,8 @@ struct LeastSquares
     options.max_num_iterations = this->MostIterations;
     options.function_tolerance = this->Tolerance;
     options.parameter_tolerance = 1e-10;
+    // Bounds make Ceres search along each step; a cubic would take the derivatives at every trial.
+    options.line_search_interpolation_type = ceres::QUADRATIC;
     options.logging_type = ceres::SILENT;
     options.callbacks.push_back(&watcher);
     ceres::Solver::Summary summary;

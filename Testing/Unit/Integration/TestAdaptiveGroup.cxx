@@ -163,8 +163,10 @@ TEST(AdaptiveGroup, SharesSquaresAndTakesAnything)
   table->SetVolume(
     vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, dimensions, volume);
   integrator->SetBRDF(table);
-  ASSERT_TRUE(integrator->IntegrateNeighbors(fours.Normals, fours.Views, radiance));
-  ASSERT_TRUE(integrator->Integrate(fours.Normals, fours.Views, each));
+  Fours one;
+  one.AddOfSphere(1);
+  ASSERT_TRUE(integrator->IntegrateNeighbors(one.Normals, one.Views, radiance));
+  ASSERT_TRUE(integrator->Integrate(one.Normals, one.Views, each));
   for (vtkIdType k = 0; k < radiance->GetNumberOfValues(); ++k)
   {
     EXPECT_GE(radiance->GetValue(k), 0.0); // a number

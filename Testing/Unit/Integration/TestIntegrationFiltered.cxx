@@ -85,10 +85,12 @@ TEST_P(FilteredReference, Converges)
   GetParam() ? environment->SetToProceduralHall() : environment->SetToProceduralSky();
   const auto broad = NewLobe(20.0), narrow = NewLobe(500.0);
   const auto coat = NewCoating(50.0);
+  const auto sum = NewExactSum(nullptr, environment);
   for (vtkBRDF* brdf :
     { static_cast<vtkBRDF*>(broad), static_cast<vtkBRDF*>(narrow), static_cast<vtkBRDF*>(coat) })
   {
-    const auto reference = pairs.IntegrateExactly(brdf, environment);
+    sum->SetBRDF(brdf);
+    const auto reference = pairs.Integrate(sum);
     double first = 0.0;
     for (const auto& [count, limit] :
       { std::pair(8, 1.0), { 32, 0.12 }, { 128, 0.035 }, { 512, 0.015 } })
@@ -120,10 +122,12 @@ TEST(FilteredIntegrator, RealSun)
   ASSERT_TRUE(reader->Read());
   vtkEnvironment* environment = reader->GetEnvironment();
   const SpherePairs pairs = DrawPairs(25);
+  const auto sum = NewExactSum(nullptr, environment);
   for (const double exponent : { 20.0, 200.0 })
   {
     const auto brdf = NewLobe(exponent);
-    const auto reference = pairs.IntegrateExactly(brdf, environment);
+    sum->SetBRDF(brdf);
+    const auto reference = pairs.Integrate(sum);
     const auto filtered = NewFiltered(brdf, environment, 64);
     const double error = GetRelativeError(pairs.Integrate(filtered), reference);
     EXPECT_GT(filtered->GetNumberOfExtractedLights(), 0);

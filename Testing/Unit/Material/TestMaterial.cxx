@@ -168,23 +168,6 @@ std::vector<std::pair<std::string, vtkSmartPointer<vtkBRDF>>> MakeAll()
   all.emplace_back("sum", sum);
   return all;
 }
-
-/// Integral over the upper hemisphere by a midpoint rule in (cos theta, phi).
-double Integrate(const std::function<double(const glm::dvec3&)>& g, int n = 400)
-{
-  double sum = 0.0;
-  for (int a = 0; a < n; ++a)
-  {
-    for (int b = 0; b < 2 * n; ++b)
-    {
-      const double z = (a + 0.5) / n;
-      const double s = std::sqrt(1.0 - z * z);
-      const double phi = Pi * (b + 0.5) / n;
-      sum += g({ s * std::cos(phi), s * std::sin(phi), z });
-    }
-  }
-  return sum * Pi / (static_cast<double>(n) * n);
-}
 }
 
 // Sampling: the pdf's integral is the share of draws above the horizon, draws follow it
@@ -221,10 +204,8 @@ TEST(Sampling, FollowsItsPdf)
         const int column = std::min(static_cast<int>(phi * columns), columns - 1);
         observed[row * columns + column] += 1.0;
       }
-      const double mass = Integrate([&](const glm::dvec3& i) { return brdf->Pdf(&i.x, &o.x); });
-      EXPECT_NEAR(mass, static_cast<double>(above) / count, 5e-3) << name << " at " << theta;
-
-      const int fine = 12; // midpoint steps per bin side
+      const int fine = 24; // midpoint steps per bin side
+      double mass = 0.0;
       for (int row = 0; row < rows * fine; ++row)
       {
         for (int column = 0; column < columns * fine; ++column)
@@ -233,10 +214,12 @@ TEST(Sampling, FollowsItsPdf)
           const double s = std::sqrt(1.0 - z * z);
           const double phi = 2.0 * Pi * ((column + 0.5) / (columns * fine) - 0.5);
           const glm::dvec3 i(s * std::cos(phi), s * std::sin(phi), z);
-          expected[row / fine * columns + column / fine] +=
-            count * brdf->Pdf(&i.x, &o.x) * 2.0 * Pi / (rows * columns * fine * fine);
+          const double share = brdf->Pdf(&i.x, &o.x) * 2.0 * Pi / (rows * columns * fine * fine);
+          expected[row / fine * columns + column / fine] += count * share;
+          mass += share;
         }
       }
+      EXPECT_NEAR(mass, static_cast<double>(above) / count, 5e-3) << name << " at " << theta;
       double chi2 = 0.0;
       int bins = 0;
       for (std::size_t k = 0; k < observed.size(); ++k)
@@ -717,7 +700,7 @@ TEST(Resampler, StatesTheTruthOnRealFiles)
     std::mt19937 random(17);
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
     double difference = 0.0, total = 0.0;
-    for (int k = 0; k < 300000; ++k)
+    for (int k = 0; k < 50000; ++k)
     {
       const double z = 0.02 + 0.98 * uniform(random);
       const glm::dvec3 o = FromAngles(std::acos(z), 2.0 * Pi * uniform(random));

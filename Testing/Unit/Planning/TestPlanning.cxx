@@ -94,7 +94,9 @@ TEST_P(PlannerPromise, IsKept)
     const auto environment = NewSmallEnvironment(hall);
     SpherePairs pairs; // many: one highlight is a third of a gloss's error over 1000 of them
     pairs.AddRandom(3000, 11);
-    const auto reference = pairs.IntegrateExactly(brdf, environment);
+    const auto exact = NewExactSum(brdf, environment);
+    exact->SetInLanes(true); // single precision is enough
+    const auto reference = pairs.Integrate(exact);
     double lastCost = 0.0;
     for (const double tolerance : { 0.05, 0.02 })
     {
@@ -135,6 +137,19 @@ TEST(Planner, ClimbsToEachRung)
     vtkIdType MaximumBytes;
     const char* Choice; // how it begins
   };
+  vtkNew<vtkEnvironment> environments[2]; // without and with a sun
+  for (const bool sun : { false, true })
+  {
+    std::vector<float> pixels(3 * 256 * 128);
+    for (std::size_t k = 0; k < pixels.size(); ++k)
+    {
+      const std::size_t x = k / 3 % 256;
+      const std::size_t y = k / 3 / 256;
+      const bool isPanel = x >= 100 && x < 140 && y >= 70 && y < 95;
+      pixels[k] = sun && x == 60 && y == 100 ? 2e4f : isPanel ? 8.0f : 0.2f;
+    }
+    environments[sun]->SetPixels(256, 128, pixels);
+  }
   constexpr vtkIdType enough = 24 << 20;
   constexpr vtkIdType little = 3500000; // for no table of 49 rows
   for (const Case& rung : { Case{ false, 30.0, 0.02, enough, "table, 17 rows" },
@@ -145,21 +160,11 @@ TEST(Planner, ClimbsToEachRung)
          Case{ true, 1000.0, 0.02, enough, "hybrid, 65 rows" },
          Case{ true, 3000.0, 0.0155, enough, "hybrid, 81 rows" },
          Case{ true, 10000.0, 0.044, enough, "hybrid, 320 rows" },
-         Case{ false, 10000.0, 0.05, little, "filtered, 16 samples" },
          Case{ false, 10000.0, 0.02, little, "filtered, 64 samples" },
          Case{ false, 10000.0, 0.012, little, "filtered, 256 samples" } })
   {
-    std::vector<float> pixels(3 * 256 * 128, 0.2f);
-    for (std::size_t k = 0; k < pixels.size(); ++k)
-    {
-      const std::size_t x = k / 3 % 256;
-      const std::size_t y = k / 3 / 256;
-      const bool isPanel = x >= 100 && x < 140 && y >= 70 && y < 95;
-      pixels[k] = rung.Sun && x == 60 && y == 100 ? 2e4f : isPanel ? 8.0f : 0.2f;
-    }
-    vtkNew<vtkEnvironment> environment;
-    environment->SetPixels(256, 128, pixels);
-    const auto planner = NewPlanner(NewPhong(rung.Exponent), environment, rung.Tolerance);
+    const auto planner =
+      NewPlanner(NewPhong(rung.Exponent), environments[rung.Sun], rung.Tolerance);
     planner->SetMaximumTextureBytes(rung.MaximumBytes);
     ASSERT_TRUE(planner->Update());
     EXPECT_EQ(planner->GetPlan().rfind(rung.Choice, 0), 0u) << planner->GetPlan();
@@ -1036,23 +1041,20 @@ TEST_F(OcclusionPredictor, FewPointsForetellMany)
   gloss->SetExponent(50.0);
   vtkNew<vtkEnvironment> hall;
   hall->SetToProceduralHall();
-  for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(this->White), static_cast<vtkBRDF*>(gloss) })
+  for (const bool isGloss : { false, true })
   {
-    for (vtkEnvironment* environment : { this->Sky.Get(), hall.Get() })
-    {
-      vtkNew<vtkOcclusionPredictor> predictor;
-      predictor->SetScene(this->Scene);
-      predictor->SetBRDF(brdf);
-      predictor->SetEnvironment(environment);
-      ASSERT_TRUE(predictor->Update());
-      const double error = predictor->GetError();
-      const double uncertainty = predictor->GetUncertainty();
-      predictor->SetNumberOfPoints(8000);
-      ASSERT_TRUE(predictor->Update());
-      EXPECT_LT(std::abs(std::log(error / predictor->GetError())), std::log(1.5));
-      EXPECT_LT(std::abs(error - predictor->GetError()), 2.0 * uncertainty);
-      EXPECT_LT(predictor->GetUncertainty(), uncertainty);
-    }
+    vtkNew<vtkOcclusionPredictor> predictor;
+    predictor->SetScene(this->Scene);
+    predictor->SetBRDF(isGloss ? static_cast<vtkBRDF*>(gloss) : this->White);
+    predictor->SetEnvironment(isGloss ? hall : this->Sky);
+    ASSERT_TRUE(predictor->Update());
+    const double error = predictor->GetError();
+    const double uncertainty = predictor->GetUncertainty();
+    predictor->SetNumberOfPoints(8000);
+    ASSERT_TRUE(predictor->Update());
+    EXPECT_LT(std::abs(std::log(error / predictor->GetError())), std::log(1.5));
+    EXPECT_LT(std::abs(error - predictor->GetError()), 2.0 * uncertainty);
+    EXPECT_LT(predictor->GetUncertainty(), uncertainty);
   }
 }
 
