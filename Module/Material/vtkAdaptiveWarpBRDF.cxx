@@ -233,8 +233,8 @@ void PackedWarp::Evaluate(
       const Float8 upper = LoadMixed<Float8>(at, next * colorSlice, s.Weight[k]);
       const Float8 lower = LoadMixed<Float8>(at + colorWidth, next * colorSlice, s.Weight[k]);
       const Float8 mixed = upper + s.Row.Fraction[k] * (lower - upper);
-      const Float4 left = __builtin_shufflevector(mixed, mixed, 0, 1, 2, 3);
-      const Float4 right = __builtin_shufflevector(mixed, mixed, 4, 5, 6, 7);
+      const Float4 left = Shuffle<Float4, 0, 1, 2, 3>(mixed, mixed);
+      const Float4 right = Shuffle<Float4, 4, 5, 6, 7>(mixed, mixed);
       colors[k] = left + s.Column.Fraction[k] * (right - left);
     }
     Floats ofColors[4];

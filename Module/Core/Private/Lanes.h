@@ -68,6 +68,18 @@ MEASUREDBRDF_INLINE Floats SquareRoot(Floats x)
   return root;
 }
 
+/// The numbers that have these places in both vectors, one after the other.
+template <typename Result, int... places, typename Vector>
+MEASUREDBRDF_INLINE Result Shuffle(Vector a, Vector b)
+{
+#if __has_builtin(__builtin_shufflevector)
+  return __builtin_shufflevector(a, b, places...);
+#else // GCC 10 and 11
+  constexpr int count = static_cast<int>(sizeof(Vector) / sizeof(a[0]));
+  return Result{ (places < count ? a[places % count] : b[places % count])... };
+#endif
+}
+
 /// Rows become columns: of four numbers for each lane, one after the other, the vectors of the
 /// first, the second, the third and the fourth.
 MEASUREDBRDF_INLINE void Transpose(const Float4 (&rows)[LaneCount], Floats (&columns)[4])
@@ -76,19 +88,19 @@ MEASUREDBRDF_INLINE void Transpose(const Float4 (&rows)[LaneCount], Floats (&col
   for (int k = 0; k < LaneCount / 4; ++k)
   {
     const Float4* const r = rows + 4 * k;
-    const Float4 low[2] = { __builtin_shufflevector(r[0], r[1], 0, 4, 1, 5),
-      __builtin_shufflevector(r[2], r[3], 0, 4, 1, 5) };
-    const Float4 high[2] = { __builtin_shufflevector(r[0], r[1], 2, 6, 3, 7),
-      __builtin_shufflevector(r[2], r[3], 2, 6, 3, 7) };
-    parts[k][0] = __builtin_shufflevector(low[0], low[1], 0, 1, 4, 5);
-    parts[k][1] = __builtin_shufflevector(low[0], low[1], 2, 3, 6, 7);
-    parts[k][2] = __builtin_shufflevector(high[0], high[1], 0, 1, 4, 5);
-    parts[k][3] = __builtin_shufflevector(high[0], high[1], 2, 3, 6, 7);
+    const Float4 low[2] = { Shuffle<Float4, 0, 4, 1, 5>(r[0], r[1]),
+      Shuffle<Float4, 0, 4, 1, 5>(r[2], r[3]) };
+    const Float4 high[2] = { Shuffle<Float4, 2, 6, 3, 7>(r[0], r[1]),
+      Shuffle<Float4, 2, 6, 3, 7>(r[2], r[3]) };
+    parts[k][0] = Shuffle<Float4, 0, 1, 4, 5>(low[0], low[1]);
+    parts[k][1] = Shuffle<Float4, 2, 3, 6, 7>(low[0], low[1]);
+    parts[k][2] = Shuffle<Float4, 0, 1, 4, 5>(high[0], high[1]);
+    parts[k][3] = Shuffle<Float4, 2, 3, 6, 7>(high[0], high[1]);
   }
   for (int c = 0; c < 4; ++c)
   {
 #ifdef __x86_64__
-    columns[c] = __builtin_shufflevector(parts[0][c], parts[1][c], 0, 1, 2, 3, 4, 5, 6, 7);
+    columns[c] = Shuffle<Floats, 0, 1, 2, 3, 4, 5, 6, 7>(parts[0][c], parts[1][c]);
 #else
     columns[c] = parts[0][c];
 #endif

@@ -12,6 +12,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <locale>
 #include <sstream>
 #include <string>
@@ -20,22 +21,62 @@
 
 namespace measuredbrdf
 {
+/// Text out of pieces.
+class TextStream : public std::ostringstream
+{
+public:
+  TextStream() { this->imbue(std::locale::classic()); }
+};
+
+#ifdef __cpp_lib_to_chars
+inline std::string WriteNumber(double value, std::chars_format format, int digits)
+{
+  char text[400]; // the largest double has 309 digits before the point
+  const auto end = std::to_chars(text, text + sizeof(text), value, format, digits);
+  return end.ec == std::errc() ? std::string(text, end.ptr) : "?";
+}
+
+/// Reads the number that the text begins with. Returns how many characters it has, 0 if it is none.
+inline std::size_t ReadNumber(std::string_view text, double& number)
+{
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  return read.ec == std::errc() ? static_cast<std::size_t>(read.ptr - text.data()) : 0;
+}
+#else // GCC 10, with which the wheel for PyPI is built, has these for integers only.
+inline std::string WriteNumber(double value, std::chars_format format, int digits)
+{
+  TextStream text;
+  text.precision(digits);
+  text.setf(format == std::chars_format::fixed ? std::ios::fixed : std::ios::fmtflags(),
+    std::ios::floatfield);
+  text << value;
+  return text.str().size() < 400 ? text.str() : "?";
+}
+
+inline std::size_t ReadNumber(std::string_view text, double& number)
+{
+  thread_local std::istringstream stream; // a new one for each number takes five times as long
+  stream.imbue(std::locale::classic());
+  stream.clear();
+  stream.str(std::string(text));
+  if (text.empty() || text.front() == '+' || !(stream >> std::noskipws >> number))
+  {
+    return 0;
+  }
+  return stream.eof() ? text.size() : static_cast<std::size_t>(stream.tellg());
+}
+#endif
+
 /// As printf's %.*g of the C locale.
 inline std::string NumberText(double value, int digits = 6)
 {
-  char text[48];
-  const auto end =
-    std::to_chars(text, text + sizeof(text), value, std::chars_format::general, digits);
-  return end.ec == std::errc() ? std::string(text, end.ptr) : "?";
+  return WriteNumber(value, std::chars_format::general, digits);
 }
 
 /// As printf's %.*f of the C locale.
 inline std::string FixedText(double value, int decimals)
 {
-  char text[400]; // the largest double has 309 digits before the point
-  const auto end =
-    std::to_chars(text, text + sizeof(text), value, std::chars_format::fixed, decimals);
-  return end.ec == std::errc() ? std::string(text, end.ptr) : "?";
+  return WriteNumber(value, std::chars_format::fixed, decimals);
 }
 
 /// The whole text as a finite number; false for any other.
@@ -45,17 +86,8 @@ inline bool ParseNumber(std::string_view text, double& number)
   {
     text.remove_prefix(1);
   }
-  const char* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, number);
-  return read.ec == std::errc() && read.ptr == end && std::isfinite(number);
+  return !text.empty() && ReadNumber(text, number) == text.size() && std::isfinite(number);
 }
-
-/// Text out of pieces.
-class TextStream : public std::ostringstream
-{
-public:
-  TextStream() { this->imbue(std::locale::classic()); }
-};
 } // namespace measuredbrdf
 
 #endif

@@ -14,6 +14,7 @@
  */
 
 #include "MaterialFormat.h"
+#include "NumberText.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkLambertBRDF.h"
@@ -24,13 +25,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 namespace measuredbrdf
@@ -281,14 +280,12 @@ private:
       this->Accept('+');
       this->SkipSpace();
       double value = 0.0;
-      // Not strtod: its decimal sign follows the locale.
-      const char* begin = this->Text.data();
-      const auto result = std::from_chars(begin, begin + this->Text.size(), value);
-      if (result.ec != std::errc() || !std::isfinite(value))
+      const std::size_t length = ReadNumber(this->Text, value);
+      if (length == 0 || !std::isfinite(value))
       {
         this->Expected("a finite number for attribute " + Quote(attribute));
       }
-      this->Text.remove_prefix(static_cast<std::size_t>(result.ptr - begin));
+      this->Text.remove_prefix(length);
       values.push_back(value);
     } while (isList && this->Accept(','));
     if (isList)

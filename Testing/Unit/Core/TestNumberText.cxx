@@ -31,7 +31,11 @@ void ExpectPoints()
   EXPECT_EQ(number, 150.0);
   EXPECT_TRUE(ParseNumber("-.25", number));
   EXPECT_EQ(number, -0.25);
-  for (const char* bad : { "", "+", "1,5", "1.5 ", "+-1", "nan", "inf", "1e999", "0.5x" })
+  EXPECT_EQ(ReadNumber("2.5e1,3", number), 5u);
+  EXPECT_EQ(number, 25.0);
+  EXPECT_EQ(ReadNumber("0.5", number), 3u);
+  EXPECT_EQ(ReadNumber("+1", number), 0u);
+  for (const char* bad : { "", "+", "1,5", "1.5 ", "+-1", "++1", " 1", "nan", "inf", "1e999", "0.5x" })
   {
     EXPECT_FALSE(ParseNumber(bad, number)) << bad;
   }
