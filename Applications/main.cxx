@@ -15,9 +15,9 @@ void AddCommands(CLI::App& app)
 #if MEASUREDBRDF_WITH_CURL
   tool::AddFetchCommand(app);
 #else
-  tool::AddAbsentCommand(
-    app, "fetch", "this build has no libcurl (MEASUREDBRDF_WITH_CURL), so it downloads nothing; "
-                  "python3 -m vtkmeasuredbrdf fetch does");
+  tool::AddAbsentCommand(app, "fetch",
+    "this build has no libcurl (MEASUREDBRDF_WITH_CURL), so it downloads nothing; "
+    "python3 -m vtkmeasuredbrdf fetch does");
 #endif
   tool::AddInfoCommand(app);
   tool::AddEvaluateCommand(app);

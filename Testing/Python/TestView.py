@@ -39,7 +39,7 @@ async def main():
     page = view.app("missing.bsdf", environment="hall", mesh="sphere", tolerance=0.1)
     await page.ui.ready
     found = await change(page)
-    assert found["problems"] == ["missing.bsdf: no such file"], found["problems"]
+    assert len(found["problems"]) == 1 and "missing.bsdf" in found["problems"][0], found["problems"]
     first = await change(page, material="gold-paint")
     picture = decode(first["picture"])
     assert picture[330, 440].max() > 60 and picture.std() > 20, picture[330, 440]
