@@ -15,8 +15,9 @@ void AddCommands(CLI::App& app)
 #if MEASUREDBRDF_WITH_CURL
   tool::AddFetchCommand(app);
 #else
-  tool::AddAbsentCommand(
-    app, "fetch", "this build has no libcurl (MEASUREDBRDF_WITH_CURL), so it downloads nothing");
+  tool::AddAbsentCommand(app, "fetch",
+    "this build has no libcurl (MEASUREDBRDF_WITH_CURL), so it downloads nothing; "
+    "python3 -m vtkmeasuredbrdf fetch does");
 #endif
   tool::AddInfoCommand(app);
   tool::AddEvaluateCommand(app);
@@ -33,6 +34,8 @@ void AddCommands(CLI::App& app)
   tool::AddSvbrdfCommand(app);
   tool::AddFitCommand(app);
   tool::AddExportCommand(app);
+  tool::AddAbsentCommand(app, "view",
+    "this command is in the Python package: python3 -m vtkmeasuredbrdf view [FILE...]");
   for (const std::string name :
     { "acquire", "photograph", "project", "representations", "stability", "thesis" })
   {

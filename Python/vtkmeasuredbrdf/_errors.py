@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 import re
 import warnings
@@ -50,8 +49,9 @@ def is_path(text: str) -> bool:
     return os.path.basename(text) != text or os.path.splitext(text)[1] != ""
 
 
-def fail_to_find(text: str, names: list[str], kind: str) -> NoReturn:
+def fail_to_find(text: str, names: list[str], fault: str) -> NoReturn:
     """The error that names the nearest names."""
+    import difflib
+
     nearest = difflib.get_close_matches(text, names, 3, 0.5) or names[:3]
-    raise ValueError(f"{text!r} is neither a file nor an {kind}; the nearest names are "
-                     + ", ".join(map(repr, nearest)))
+    raise ValueError(f"{text!r} is {fault}; the nearest names are " + ", ".join(map(repr, nearest)))

@@ -24,7 +24,8 @@ from vtkmodules.vtkRenderingCore import vtkTexture
 
 from . import vtkEmbeddedEnvironments, vtkEnvironment, vtkEnvironmentReader
 from ._arrays import to_floats, to_numpy
-from ._errors import TakenErrors, fail_to_find, is_path, warn_of_notes
+from ._errors import TakenErrors, is_path, warn_of_notes
+from ._fetch import find_fetched
 
 Source = Union[str, "os.PathLike[str]", ArrayLike, vtkImageData, vtkTexture, vtkEnvironment, "Environment"]
 
@@ -35,7 +36,8 @@ class Environment:
     Parameters
     ----------
     source
-        * the name of an embedded environment (`Environment.names()`),
+        * the name of an embedded environment (`Environment.names()`), or of a published one that `vtkmeasuredbrdf.fetch`
+          has downloaded,
         * an image file: lat-long, angular map, mirror ball or cube map, in any format that `vtkEnvironmentReader` reads. What
           its header says holds. A warning tells what was chosen or lost,
         * an array of shape (height, width, 3), (height, width) or (height, width, 4): a lat-long image, top row
@@ -91,7 +93,7 @@ class Environment:
             self._embedded = source
             return
         if not os.path.exists(source) and "%s" not in source and not is_path(source):
-            fail_to_find(source, self.names(), "embedded environment")
+            source = find_fetched(source, "environment", self.names())
         reader = vtkEnvironmentReader()
         reader.SetFileName(source)
         reader.SetLayer(layer)

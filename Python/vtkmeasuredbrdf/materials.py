@@ -33,7 +33,8 @@ from . import (
     vtkRadiancePlanner,
 )
 from ._arrays import broadcast, expand, get_result_type, to_floats, to_numpy, to_vtk
-from ._errors import TakenErrors, fail_to_find, is_path
+from ._errors import TakenErrors, is_path
+from ._fetch import find_fetched
 from .environments import Environment
 
 __all__ = ["Environment", "Material", "integrate"]
@@ -47,7 +48,8 @@ class Material:
     Parameters
     ----------
     source
-        * the name of an embedded material (`Material.names()`),
+        * the name of an embedded material (`Material.names()`), or of a published one that `vtkmeasuredbrdf.fetch` has
+          downloaded,
         * a file: MERL `.binary`, RGL `.bsdf`, NVIDIA `.mbsdf`, BSDF `.xml`, UTIA `.bin`,
           OpenMATERIAL 3D `.xompt`, ASTM `.astm`, published fits (`file#name` picks one), or this
           project's `.exr`,
@@ -83,7 +85,7 @@ class Material:
             return
         exists = os.path.exists(source) or os.path.exists(source.rpartition("#")[0])
         if not exists and not is_path(source):
-            fail_to_find(source, self.names(), "embedded material")
+            source, exists = find_fetched(source, "material", self.names()), True
         reader = vtkBRDFReader()
         reader.SetFileName(source)
         with TakenErrors(reader):
