@@ -38,7 +38,7 @@ void AddTexels(
     {
       std::uint16_t word = *bytes;
       std::memcpy(&word, bytes, bits == 16 ? 2 : 0);
-      value = float(word) / (bits == 8 ? 255.0f : 65535.0f);
+      value = float(word) * (bits == 8 ? 1.0f / 255.0f : 1.0f / 65535.0f); // as OpenImageIO does
       std::memcpy(&value, bytes, bits == 32 ? 4 : 0);
       bytes += bits / 8;
     }
