@@ -15,8 +15,8 @@ if (NOT MEASUREDBRDF_XXHASH_INCLUDE)
   message(FATAL_ERROR "xxHash was not found. Install it (Debian: libxxhash-dev).")
 endif ()
 
-# One more is optional. OFF: the module builds, and says when it is used what it lacks.
-option(MEASUREDBRDF_WITH_OPENIMAGEIO "Read images as environments (needs OpenImageIO)" ON)
+# One more is optional. OFF: images are read by libraries of VTK's, which say what they cannot read.
+option(MEASUREDBRDF_WITH_OPENIMAGEIO "Read images of more formats by OpenImageIO" ON)
 macro (measuredbrdf_find_optional package debian_package)
   string(TOUPPER "MEASUREDBRDF_WITH_${package}" option)
   if (${option})
@@ -28,6 +28,12 @@ macro (measuredbrdf_find_optional package debian_package)
   endif ()
 endmacro ()
 measuredbrdf_find_optional(OpenImageIO "libopenimageio-dev openimageio-tools")
+if (NOT MEASUREDBRDF_WITH_OPENIMAGEIO OR BUILD_TESTING) # tests read the same files both ways
+  if (NOT _vtk_build_module)
+    find_package(VTK REQUIRED COMPONENTS IOImage png tiff)
+  endif ()
+  find_package(OpenImageIO QUIET) # tests write images with it
+endif ()
 
 # One is optional for the command line tool.
 if (MEASUREDBRDF_BUILD_TOOL)
@@ -42,7 +48,7 @@ if (MEASUREDBRDF_BUILD_TOOL)
   endif ()
 endif ()
 
-if (MEASUREDBRDF_WITH_OPENIMAGEIO)
+if (TARGET OpenImageIO::OpenImageIO)
   # Debian 13's OpenImageIO names OpenCV's include folder, which its packages do not bring.
   get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
   foreach (folder IN LISTS oiio_includes)

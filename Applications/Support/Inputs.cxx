@@ -154,11 +154,14 @@ std::string GetMaterialHelp()
 
 const char* const EnvironmentHelp =
   "Light from all around: "
-#if MEASUREDBRDF_WITH_OPENIMAGEIO
   "a lat-long image, cube cross or other probe (--projection) in a file of OpenEXR, Radiance HDR, "
-  "PNG, JPEG, TIFF, BMP, PNM or PFM; six cube faces, named with %s for px, nx, py, ny, pz, nz; "
-  "or "
+  "PNG, JPEG"
+#if MEASUREDBRDF_WITH_OPENIMAGEIO
+  ", TIFF, BMP, PNM or PFM; "
+#else
+  " or TIFF; "
 #endif
+  "six cube faces, named with %s for px, nx, py, ny, pz, nz; or "
   "'room' (photographed), 'sky' or 'hall' (computed), which are built in";
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The formats of materials, each a target.
 #include "FuzzTarget.h"
+#include "ImageFile.h"
 
 #include "vtkLambertBRDF.h"
 #include "vtkMeasuredBRDFConfigure.h"
@@ -55,6 +56,25 @@ int FuzzExrHeader(const std::uint8_t* data, std::size_t size)
   try
   {
     measuredbrdf::CheckExrHeader(measuredbrdf::FileBytes::View("file", bytes), "OpenEXR image");
+  }
+  catch (const measuredbrdf::FileError&)
+  {
+  }
+  return 0;
+}
+
+// Of any format.
+int FuzzImage(const std::uint8_t* data, std::size_t size)
+{
+  static const fuzz::ScratchFolder folder;
+  const fuzz::Silence silence;
+  try
+  {
+    const measuredbrdf::ImageFile image =
+      measuredbrdf::ReadImageFile(folder.Write("image", fuzz::ToView(data, size)), size % 2 == 0);
+    fuzz::Require(image.Width >= 1 && image.Height >= 1 &&
+                  image.Pixels.size() == std::size_t(image.Width) * std::size_t(image.Height) *
+                                           std::size_t(image.ValuesPerTexel));
   }
   catch (const measuredbrdf::FileError&)
   {

@@ -10,6 +10,15 @@
 #include "SmallFiles.h"
 #include "SmallOpenMaterial.h"
 #include "vtkBRDFModels.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkJPEGWriter.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkPointData.h"
+#include "vtkTIFFWriter.h"
+
+#include <utility>
 
 namespace fuzz
 {
@@ -83,6 +92,38 @@ Seeds MakeEnvironments()
          "FORMAT=32-bit_rle_xyze\n\n+X 2 -Y 4\n", "PRIMARIES=.7 .3 .2 .8 .1 .04 .32 .34\n" })
   {
     seeds.push_back(Bytes("\0\2") + sizes[0] + lines + texels);
+  }
+  return seeds;
+}
+
+//------------------------------------------------------------------------------
+Seeds MakeImages()
+{
+  const std::string texels = Bytes("\x80\x40\x20\x81\xff\xff\xff\xff\0\0\0\0\2\2\2\2");
+  Seeds seeds = { "#?RADIANCE\n\n-Y 1 +X 4\n" + texels,
+    "#?RADIANCE\n\n-Y 1 +X 9\n" + Bytes("\2\2\0\x09\x89\1\x88\2\1\3\x89\4\x89\x80") };
+  for (const std::string& file : MakeExrMaterials())
+  {
+    seeds.push_back(file);
+  }
+  const ScratchFolder folder;
+  for (const auto& [type, channels] : { std::pair<int, int>{ VTK_UNSIGNED_CHAR, 1 },
+         { VTK_UNSIGNED_CHAR, 3 }, { VTK_UNSIGNED_SHORT, 4 }, { VTK_FLOAT, 3 } })
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(5, 3, 1);
+    image->AllocateScalars(type, channels);
+    image->GetPointData()->GetScalars()->Fill(0.5);
+    const vtkSmartPointer<vtkImageWriter> writers[] = { vtkSmartPointer<vtkTIFFWriter>::New(),
+      vtkSmartPointer<vtkPNGWriter>::New(), vtkSmartPointer<vtkJPEGWriter>::New() };
+    const int count = type == VTK_FLOAT ? 1 : type == VTK_UNSIGNED_SHORT ? 2 : 3;
+    for (int k = 0; k < count; ++k)
+    {
+      writers[k]->SetInputData(image);
+      writers[k]->SetFileName(folder("image").c_str());
+      writers[k]->Write();
+      seeds.emplace_back(measuredbrdf::FileBytes(folder("image")).GetView());
+    }
   }
   return seeds;
 }
@@ -186,6 +227,10 @@ Seeds MakeSeeds(const std::string& target)
       seeds.push_back(representation + Bytes("\6\2\0\0\1\0\0\0\0\0\0\xf0\x3f"));
     }
     return seeds;
+  }
+  if (target == "Image")
+  {
+    return MakeImages();
   }
   if (target == "Environment")
   {

@@ -5,8 +5,6 @@
 
 #include "FuzzSeeds.h"
 
-#include "vtkMeasuredBRDFConfigure.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,6 +24,7 @@ Target FuzzEnvironment;
 Target FuzzExrHeader;
 Target FuzzExrMaterial;
 Target FuzzFit;
+Target FuzzImage;
 Target FuzzMaterialData;
 Target FuzzMbsdf;
 Target FuzzMerl;
@@ -163,11 +162,9 @@ INSTANTIATE_TEST_SUITE_P(All, FuzzTargets,
 #ifdef MEASUREDBRDF_FUZZ_TOOL
     Case{ "DirectionsCsv", FuzzDirectionsCsv },
 #endif
-#if MEASUREDBRDF_WITH_OPENIMAGEIO
-    Case{ "Environment", FuzzEnvironment },
-#endif
-    Case{ "ExrHeader", FuzzExrHeader }, Case{ "ExrMaterial", FuzzExrMaterial },
-    Case{ "Astm", FuzzAstm }, Case{ "BsdfXml", FuzzBsdfXml }, Case{ "Fit", FuzzFit },
+    Case{ "Environment", FuzzEnvironment }, Case{ "ExrHeader", FuzzExrHeader },
+    Case{ "ExrMaterial", FuzzExrMaterial }, Case{ "Astm", FuzzAstm },
+    Case{ "BsdfXml", FuzzBsdfXml }, Case{ "Fit", FuzzFit }, Case{ "Image", FuzzImage },
     Case{ "MaterialData", FuzzMaterialData }, Case{ "Mbsdf", FuzzMbsdf }, Case{ "Merl", FuzzMerl },
     Case{ "OpenMaterial", FuzzOpenMaterial }, Case{ "PhotographList", FuzzPhotographList },
     Case{ "Tensor", FuzzTensor }, Case{ "Utia", FuzzUtia }),

@@ -590,7 +590,7 @@ add("IO.image-floats-are-encoded", "ImageDecoder.cxx", "image.IsInteger && !Says
     "IOEnvironment.DecodesEveryFormat")
 add("IO.image-upside-down", "vtkEnvironmentReader.cxx", "for (int y = 0; y < image.Height / 2; ++y)",
     "for (int y = 0; y < image.Height / 4; ++y)", "IOEnvironment.PutsTheTopRowLast")
-add("IO.image-exposure-multiplies", "ImageFile.cxx", "Scale(1.0 / header.Exposure)", "Scale(header.Exposure)",
+add("IO.image-exposure-multiplies", "ImageFile.cxx", "Scale(1.0 / picture.Exposure)", "Scale(picture.Exposure)",
     "IOImageHeaders.RadianceIsDividedByAllExposures")
 add("IO.image-orders-of-columns", "ImageFile.cxx", "turn % 4 == 1 || turn % 4 == 2", "turn % 4 == 1 || turn % 4 == 3",
     "IOImageHeaders.RadianceHasEightOrders|IOImageHeaders.OrientationTurns")
@@ -599,8 +599,19 @@ add("IO.image-white-is-not-adapted", "ImageFile.cxx",
 add("IO.image-tile-of-any-channels", "ImageFormats.cxx",
     "return std::ceil(std::max(channels, 1.0) / 4.0);", "return channels > 0.0 ? 1.0 : 1.0;",
     "IOImageHeaders.MemoryFollowsChannelsAndTiles")
-add("IO.image-layer-without-a-name-last", "ImageDecoder.cxx", "layer.ChannelPrefix.empty() ? 1 : 2",
+add("IO.image-layer-without-a-name-last", "ExrImageFile.cxx", "layer.ChannelPrefix.empty() ? 1 : 2",
     "layer.ChannelPrefix.empty() ? 2 : 1", "IOImageHeaders.LayersAreChosenByName")
+add("IO.image-deep-layers", "ExrImageFile.cxx", "!IsDeep(header) && it", "it",
+    "IOImageHeaders.DeepAndSubsampledAreRefused")
+add("IO.image-rgbe-run", "ImageFile.cxx", "bytes[isRun ? 0 : k]", "bytes[0]", "IOImageHeaders.RadianceHasRuns")
+add("IO.image-exif-at-the-segment", "ImageFormats.cxx", "PeekOrientation(file, at + 10)",
+    "PeekOrientation(file, at + 4)", "IOImageHeaders.OrientationTurnsJpeg")
+add("IO.image-vtk-png-is-encoded", "VTKImageDecoder.cxx", "!saysGamma || std::lround(100.0 / gamma) != 100",
+    "!saysGamma || saysGamma", "IOEnvironment.IntegersMayBeLinear")
+add("IO.image-vtk-png-passes", "VTKImageDecoder.cxx", "row * (k % height)", "0 * (k % height)",
+    "IOPicture.ExpandsPalettesOfInterlacedFiles")
+add("IO.image-vtk-tiff-tiles", "VTKImageDecoder.cxx", "texel * (width * k + x)", "texel * (width * k)",
+    "IOPicture.ReadsTiledTiff")
 add("IO.offset-beyond-the-end", "FileBytes.cxx", "offset > size || count > size - offset",
     "count > size - offset", "IOTensor.RefusesBadFields|IOTensor.RefusesBadFiles|IOTensor.NamesTheFieldAndItsByte")
 add("IO.padding-of-any-length", "FileBytes.cxx", "this->GetRemaining() <= most &&", "",

@@ -22,6 +22,7 @@ targets="
   ExrHeader        2048
   ExrMaterial      8192
   Fit              2048
+  Image            4096
   MaterialData      512
   Mbsdf            4096
   Merl             4096

@@ -88,14 +88,13 @@ bool SpanColors(const Chromaticities& c)
 }
 
 //------------------------------------------------------------------------------
-// The header of a picture of Radiance's (.hdr, .pic), which OpenImageIO drops or reads otherwise on
-// every version: all of exposure, color correction, primaries, XYZ, and the order of the scanlines.
-class RadianceHeader
+// A picture of Radiance's (.hdr, .pic): its header, then scanline by scanline.
+class RadiancePicture
 {
 public:
   // Of a file that begins with "#?". Throws FileError.
-  explicit RadianceHeader(const FileBytes& file)
-    : Reader(file, "image header")
+  explicit RadiancePicture(const FileBytes& file)
+    : Reader(file, "image")
   {
     bool isXyz = false;
     for (std::string_view line = this->TakeLine(); !line.empty(); line = this->TakeLine())
@@ -139,12 +138,38 @@ public:
   glm::dvec3 Exposure = glm::dvec3(1.0);
   Chromaticities Primaries; // empty: the header does not say them
 
-  // The pixels behind a header that says nothing but the size, for OpenImageIO.
-  std::string MakePlainFile() const
+  // The next scanline, four bytes a texel. Radiance's picture file format: since 1991, channels lie
+  // one after the other, in runs. The texels' runs of before are not known here.
+  void TakeScanline(std::vector<unsigned char>& line)
   {
-    return Concat("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y ", this->NumberOfScanlines, " +X ",
-      this->ScanlineLength, "\n",
-      this->Reader.GetFile().GetView().substr(this->Reader.GetOffset()));
+    const std::size_t length = line.size() / 4;
+    const auto take = [this](std::size_t count)
+    { return reinterpret_cast<const unsigned char*>(this->Reader.Take(count, "scanline")); };
+    const unsigned char* texel = take(4);
+    if (length < 8 || length > 0x7fff || texel[0] != 2 || texel[1] != 2 || texel[2] > 0x7f)
+    {
+      take(line.size() - 4); // which lies behind it
+      std::copy_n(texel, line.size(), line.begin());
+      return;
+    }
+    this->Reader.Require(std::size_t(texel[2] << 8 | texel[3]) == length, "scanline", "found ",
+      texel[2] << 8 | texel[3], " texels, expected ", length);
+    for (std::size_t channel = 0; channel < 4; ++channel)
+    {
+      for (std::size_t x = 0; x < length;)
+      {
+        const std::size_t code = *take(1);
+        const bool isRun = code > 128;
+        const std::size_t count = isRun ? code - 128 : code;
+        this->Reader.Require(count >= 1 && count <= length - x, "scanline", "found a run of ",
+          count, " texels where ", length - x, " are left");
+        const unsigned char* bytes = take(isRun ? 1 : count);
+        for (std::size_t k = 0; k < count; ++k, ++x)
+        {
+          line[4 * x + channel] = bytes[isRun ? 0 : k];
+        }
+      }
+    }
   }
 
 private:
@@ -346,22 +371,31 @@ void ConvertColors(const std::string& path, DecodedImage& image)
 }
 
 //------------------------------------------------------------------------------
-DecodedImage ReadRadiancePicture(ImageSource& source)
+// Ward 1991, "Real pixels" (Graphics Gems II): a mantissa for each channel, and their exponent.
+DecodedImage ReadRadiancePicture(const ImageSource& source)
 {
   const FileBytes file(source.Path);
-  const RadianceHeader header(file);
+  RadiancePicture picture(file);
   CheckImageSize(source.Path, *source.Format,
-    { double(header.ScanlineLength), double(header.NumberOfScanlines), 3 }, source.FileSize);
-  const std::string bytes = header.MakePlainFile();
-  source.Bytes = bytes;
-  DecodedImage image = DecodeImage(source);
-  source.Bytes = {};
-  image.Orientation = header.Orientation;
-  if (header.Exposure != glm::dvec3(1.0))
+    { double(picture.ScanlineLength), double(picture.NumberOfScanlines), 3 }, source.FileSize);
+  DecodedImage image(source, picture.ScanlineLength, picture.NumberOfScanlines, false, false);
+  image.Orientation = picture.Orientation;
+  image.Chromaticities = picture.Primaries;
+  std::vector<unsigned char> line(4 * static_cast<std::size_t>(image.Width));
+  for (int y = 0; y < image.Height; ++y)
   {
-    Transform(Scale(1.0 / header.Exposure), image);
+    picture.TakeScanline(line);
+    for (std::size_t k = 0; k < line.size(); k += 4)
+    {
+      const float scale = line[k + 3] == 0 ? 0.0f : std::ldexp(1.0f, line[k + 3] - 136);
+      const float texel[3] = { scale * line[k], scale * line[k + 1], scale * line[k + 2] };
+      image.AddTexel(texel);
+    }
   }
-  image.Chromaticities = header.Primaries;
+  if (picture.Exposure != glm::dvec3(1.0))
+  {
+    Transform(Scale(1.0 / picture.Exposure), image);
+  }
   return image;
 }
 
@@ -396,13 +430,14 @@ ImageFile ReadImageFile(const std::string& path, bool alpha, const std::string& 
   source.Format = &RecognizeImage(path);
   source.Alpha = alpha;
   source.Layer = layer;
-  if (source.Format->Is("openexr"))
-  {
-    CheckExrHeader(FileBytes(path), "OpenEXR image");
-  }
-  CheckStoredSize(path, *source.Format, source.FileSize);
+  Require(layer.empty() || source.Format->Is("openexr"), path, ": layer: found none, expected ",
+    Quote(layer));
+  const int orientation = CheckStoredSize(path, *source.Format, source.FileSize);
 
-  DecodedImage image = source.Format->Is("hdr") ? ReadRadiancePicture(source) : DecodeImage(source);
+  DecodedImage image = source.Format->Is("openexr") ? DecodeExrImage(source)
+                       : source.Format->Is("hdr")   ? ReadRadiancePicture(source)
+                                                    : DecodeImage(source);
+  image.Orientation = source.Format->Is("jpeg") ? orientation : image.Orientation;
   LimitValues(image);
   if (image.Chromaticities.size() == Rec709.size())
   {

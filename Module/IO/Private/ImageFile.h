@@ -7,9 +7,11 @@
  * 1. ImageFormats.cxx finds the format by the file's content, never by its name, and checks the
  *    size before anything of that size is allocated. OpenImageIO knows some 30 formats more, for
  *    films and scanners, whose readers would meet files of any origin.
- * 2. ImageDecoder.cxx reads the pixels as they are stored, by OpenImageIO. That brings many
+ * 2. The pixels are read as they are stored: of OpenEXR by ExrImageFile.cxx, of Radiance HDR by
+ *    ImageFile.cxx. Of the other formats by OpenImageIO, in ImageDecoder.cxx. That brings many
  *    libraries along: on Debian some 200. A program that reads no image should not load them, so a
- *    shared build makes a plugin of it, which ImagePlugin.cxx loads when the first image is read.
+ *    shared build makes a plugin of it, which ImagePlugin.cxx loads when the first such image is
+ *    read. A build without OpenImageIO has VTKImageDecoder.cxx instead, for PNG, JPEG and TIFF.
  * 3. ImageFile.cxx makes them what the header says that is to be seen: turned, cut to the display
  *    window, divided by the exposure, in Rec. 709.
  */
@@ -101,6 +103,7 @@ struct ImageSize
   double Channels = 1;
   double TileWidth = 0; // 0: no tiles
   double TileHeight = 0;
+  int Orientation = 1; // as EXIF numbers it
 };
 
 /// Images are read in blocks of about this many texels of up to four channels.
@@ -114,7 +117,8 @@ void CheckImageSize(const std::string& path, const ImageFormat& format, const Im
   std::uintmax_t fileSize);
 
 /// The same for the formats whose readers allocate the whole image as they open it: JPEG and BMP.
-void CheckStoredSize(const std::string& path, const ImageFormat& format, std::uintmax_t fileSize);
+/// Returns the orientation of JPEG, else 1.
+int CheckStoredSize(const std::string& path, const ImageFormat& format, std::uintmax_t fileSize);
 
 //------------------------------------------------------------------------------
 // Pixels as they are stored.
@@ -125,14 +129,39 @@ struct ImageSource
   std::string Path;
   std::uintmax_t FileSize = 0;
   const ImageFormat* Format = nullptr;
-  std::string_view Bytes; // in place of the file's; empty: the file's
   bool Alpha = false;
   std::string Layer;
 };
 
-/// An image as it is stored, and what OpenImageIO tells of its header.
+/// An image as it is stored, and what its header says.
 struct DecodedImage : ImageFile
 {
+  DecodedImage() = default;
+
+  /// Without texels: storage for them is reserved, not touched.
+  DecodedImage(const ImageSource& source, int width, int height, bool isGray, bool hasAlpha)
+  {
+    this->Width = this->DisplayWidth = width;
+    this->Height = this->DisplayHeight = height;
+    this->IsGray = isGray;
+    this->ValuesPerTexel = source.Alpha ? 4 : 3;
+    this->HasAlpha = source.Alpha && hasAlpha;
+    this->Pixels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                         static_cast<std::size_t>(this->ValuesPerTexel));
+  }
+
+  /// Channels of the next texel: gray, or red, green and blue; then alpha, if the image has it.
+  void AddTexel(const float* channels)
+  {
+    const int colors = this->IsGray ? 1 : 3;
+    for (int k = 0; k < this->ValuesPerTexel; ++k)
+    {
+      this->Pixels.push_back(k < 3            ? channels[this->IsGray ? 0 : k]
+                             : this->HasAlpha ? channels[colors]
+                                              : 0.0f);
+    }
+  }
+
   int Left = 0; // the first texel's place in the display window; may be outside
   int Top = 0;
   int DisplayWidth = 0;
@@ -141,8 +170,14 @@ struct DecodedImage : ImageFile
   std::vector<double> Chromaticities; // empty, or 8: ImageFile.cxx
 };
 
-/// Throws FileError.
+constexpr const char SeveralImagesNote[] =
+  "The file holds several images: the first one was taken.";
+
+///@{
+/// Throws FileError. DecodeImage: of all formats but OpenEXR and Radiance HDR.
+DecodedImage DecodeExrImage(const ImageSource& source);
 DecodedImage DecodeImage(const ImageSource& source);
+///@}
 
 /// What the plugin exports: the same; returns false, with the error, in place of throwing.
 using DecodeImageInPlugin = bool(

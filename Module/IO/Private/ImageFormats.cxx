@@ -87,7 +87,25 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// ITU-T T.81, B.2.2: the frame header's Y and X; 0 where there is none.
+// EXIF 2.32, 4.5: a TIFF header and directory, which has the tag 274; 1 where it has not.
+int PeekOrientation(Peek& file, std::uint64_t header)
+{
+  const bool bigEndian = file.Get(header, 1, true) == 'M';
+  const std::uint64_t directory = header + file.Get(header + 4, 4, bigEndian);
+  const std::uint64_t count = file.Get(directory, 2, bigEndian);
+  for (std::uint64_t k = 0; k < count; ++k)
+  {
+    const std::uint64_t entry = directory + 2 + 12 * k;
+    if (file.Get(entry, 2, bigEndian) == 274)
+    {
+      return static_cast<int>(file.Get(entry + 8, 2, bigEndian));
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+// ITU-T T.81, B.2.2: the frame header's Y and X; 0 where there is none. EXIF lies before it.
 ImageSize PeekJpeg(Peek& file, std::uintmax_t fileSize)
 {
   ImageSize size;
@@ -105,6 +123,10 @@ ImageSize PeekJpeg(Peek& file, std::uintmax_t fileSize)
       size.Height = double(file.Get(at + 5, 2, true));
       size.Width = double(file.Get(at + 7, 2, true));
       return size;
+    }
+    if (marker == 0xe1 && file.Get(at + 4, 6, true) == 0x457869660000) // "Exif"
+    {
+      size.Orientation = PeekOrientation(file, at + 10);
     }
     at += 2 + std::max<std::uint64_t>(file.Get(at + 2, 2, true), 2);
   }
@@ -173,16 +195,15 @@ void CheckImageSize(const std::string& path, const ImageFormat& format, const Im
 }
 
 //------------------------------------------------------------------------------
-void CheckStoredSize(const std::string& path, const ImageFormat& format, std::uintmax_t fileSize)
+int CheckStoredSize(const std::string& path, const ImageFormat& format, std::uintmax_t fileSize)
 {
   Peek file(path);
-  if (format.Is(Jpeg.Reader))
+  ImageSize size;
+  if (format.Is(Jpeg.Reader) || format.Is(Bitmap.Reader))
   {
-    CheckImageSize(path, format, PeekJpeg(file, fileSize), fileSize);
+    size = format.Is(Jpeg.Reader) ? PeekJpeg(file, fileSize) : PeekBitmap(file);
+    CheckImageSize(path, format, size, fileSize);
   }
-  else if (format.Is(Bitmap.Reader))
-  {
-    CheckImageSize(path, format, PeekBitmap(file), fileSize);
-  }
+  return size.Orientation;
 }
 } // namespace measuredbrdf

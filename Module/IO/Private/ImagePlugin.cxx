@@ -3,20 +3,16 @@
 #include "ImageFile.h"
 
 #include "FileBytes.h"
-#include "vtkMeasuredBRDFConfigure.h"
 
-#if MEASUREDBRDF_WITH_OPENIMAGEIO
 #include <vtksys/DynamicLoader.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #if !defined(_WIN32)
 #include <dlfcn.h>
 #endif
-#endif
 
 namespace measuredbrdf
 {
-#if MEASUREDBRDF_WITH_OPENIMAGEIO
 namespace
 {
 struct Plugin
@@ -62,12 +58,10 @@ Plugin LoadPlugin()
   return plugin;
 }
 }
-#endif
 
 //------------------------------------------------------------------------------
 DecodedImage DecodeImage(const ImageSource& source)
 {
-#if MEASUREDBRDF_WITH_OPENIMAGEIO
   static const Plugin plugin = LoadPlugin(); // it stays loaded
   if (!plugin.Read)
   {
@@ -80,9 +74,5 @@ DecodedImage DecodeImage(const ImageSource& source)
     throw FileError(error);
   }
   return image;
-#else
-  throw FileError(source.Path,
-    ": this build has no OpenImageIO (MEASUREDBRDF_WITH_OPENIMAGEIO): image files cannot be read");
-#endif
 }
 } // namespace measuredbrdf

@@ -7,8 +7,6 @@
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
-#include "vtkEnvironmentReader.h"
-#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkStringOutputWindow.h"
 #include "vtkTabulatedBRDF.h"
 
@@ -167,23 +165,4 @@ TEST(IOEmbedded, ATypoGetsTheNames)
   EXPECT_NE(text.find("'gold-paint', "), std::string::npos) << text;
   EXPECT_LT(text.size(), 3000u);
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
-}
-
-//------------------------------------------------------------------------------
-// What a build without it says where it would be needed.
-TEST(IOAbsent, OpenImageIO)
-{
-  if (MEASUREDBRDF_WITH_OPENIMAGEIO)
-  {
-    GTEST_SKIP() << "this build has OpenImageIO";
-  }
-  const Folder folder;
-  vtkNew<vtkEnvironmentReader> reader;
-  ErrorCatcher errors(reader);
-  reader->SetFileName(WriteBytes(
-    folder("a.hdr"), "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x80\x80\x80\x81"));
-  EXPECT_FALSE(reader->Read());
-  EXPECT_EQ(errors.Take(), 1);
-  EXPECT_NE(
-    reader->GetErrorMessage().find("a.hdr: this build has no OpenImageIO"), std::string::npos);
 }

@@ -3,6 +3,9 @@
 // What an image's header says: each file says in its own way how its pixels are to be read.
 #include "TestImages.h"
 
+#include <ImfRgbaFile.h>
+#include <OpenImageIO/deepdata.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -70,6 +73,26 @@ TEST(IOImageHeaders, RadianceIsDividedByAllExposures)
 }
 
 //------------------------------------------------------------------------------
+TEST(IOImageHeaders, RadianceHasRuns)
+{
+  const Folder folder;
+  const std::vector<double> expected = { 8, 1, 3, 8, 2, 3, 8, 2, 3, 8, 2, 3, 8, 2, 3, 8, 2, 3, 8, 2,
+    3, 8, 2, 3, 8, 2, 3 };
+  const std::string head = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 9\n";
+  const std::string channels =
+    std::string("\2\2\0\x09", 4) + "\x89\x08" + "\1\1\x88\2" + "\2\3\3\x87\3" + "\x89\x88";
+  WriteBytes(folder("a.hdr"), head + channels);
+  EXPECT_EQ(ReadTopFirst(folder("a.hdr")).Values, expected);
+  for (const std::string& bad : { Replace(channels, "\x89\x08", "\x8a\x08"),
+         Replace(channels, "\x89\x08", std::string("\0\x08", 2)),
+         Replace(channels, std::string("\0\x09", 2), std::string("\0\x0a", 2)),
+         channels.substr(0, channels.size() - 1) })
+  {
+    ExpectImageBytesRefused(folder, head + bad, { "scanline at byte " });
+  }
+}
+
+//------------------------------------------------------------------------------
 // All eight resolution lines of Radiance's format, of a picture of 3 x 2.
 TEST(IOImageHeaders, RadianceHasEightOrders)
 {
@@ -106,7 +129,7 @@ TEST(IOImageHeaders, RadianceHasEightOrders)
 
 //------------------------------------------------------------------------------
 // EXIF's and TIFF's tag 274, which OpenEXR files may have, too. A picture of 3 x 2 as each stores
-// it.
+// it; of blocks of 16 x 16 in JPEG, which changes values a little.
 TEST(IOImageHeaders, OrientationTurns)
 {
   const Folder folder;
@@ -134,6 +157,26 @@ TEST(IOImageHeaders, OrientationTurns)
       ExpectValues(found, ToDoubles(CountTexels(6)), 1e-6);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOImageHeaders, OrientationTurnsJpeg)
+{
+  const Folder folder;
+  Spec spec(32, 16, 3, OIIO::TypeDesc::UINT8);
+  spec.attribute("Orientation", 6); // row 0 is the right side, column 0 the top
+  std::vector<float> values;
+  for (int k = 0; k < 32 * 16; ++k)
+  {
+    values.insert(values.end(), 3, k % 32 < 16 ? 0.0f : 1.0f);
+  }
+  WriteImage(folder("a.jpg"), spec, values);
+  const FoundImage found = ReadTopFirst(folder("a.jpg"));
+  EXPECT_EQ(found.Width, 16);
+  EXPECT_EQ(found.Height, 32);
+  EXPECT_LT(found.Values.front(), 0.01);
+  EXPECT_LT(found.Values[3 * 15], 0.01);
+  EXPECT_GT(found.Values.back(), 0.99);
 }
 
 //------------------------------------------------------------------------------
@@ -276,6 +319,31 @@ TEST(IOImageHeaders, LayersAreChosenByName)
   {
     EXPECT_EQ(ReadTopFirst(folder("parts.exr"), name).Values, (std::vector<double>{ 1, 2, 3 }));
   }
+}
+
+//------------------------------------------------------------------------------
+// Channels that leave texels out are refused, and so are deep samples.
+TEST(IOImageHeaders, DeepAndSubsampledAreRefused)
+{
+  const Folder folder;
+  Spec spec(2, 1, 3, OIIO::TypeDesc::FLOAT);
+  spec.deep = true;
+  OIIO::DeepData samples;
+  samples.init(spec);
+  samples.set_samples(0, 2);
+  auto out = OIIO::ImageOutput::create(folder("deep.exr"));
+  ASSERT_TRUE(out->open(folder("deep.exr"), spec)) << out->geterror();
+  ASSERT_TRUE(out->write_deep_scanlines(0, 1, 0, samples)) << out->geterror();
+  out->close();
+  ExpectImageRefused(folder, folder("deep.exr"), { "found deep samples" });
+
+  {
+    const std::vector<Imf::Rgba> pixels(16);
+    Imf::RgbaOutputFile file(folder("chroma.exr").c_str(), 4, 4, Imf::WRITE_YC);
+    file.setFrameBuffer(pixels.data(), 1, 4);
+    file.writePixels(4);
+  }
+  ExpectImageRefused(folder, folder("chroma.exr"), { "'BY'", "2. by 2. texel" });
 }
 
 //------------------------------------------------------------------------------

@@ -22,6 +22,13 @@
 
 namespace testio
 {
+/// Whether the program has the decoder of builds without OpenImageIO.
+#ifdef MEASUREDBRDF_TEST_IMAGES_BY_VTK
+constexpr bool ReadsByVTK = true;
+#else
+constexpr bool ReadsByVTK = false;
+#endif
+
 /// Pixels as files have them: top row first.
 inline void WriteImage(
   const std::string& path, const OIIO::ImageSpec& spec, const std::vector<float>& pixels)
