@@ -35,7 +35,8 @@ void ExpectPoints()
   EXPECT_EQ(number, 25.0);
   EXPECT_EQ(ReadNumber("0.5", number), 3u);
   EXPECT_EQ(ReadNumber("+1", number), 0u);
-  for (const char* bad : { "", "+", "1,5", "1.5 ", "+-1", "++1", " 1", "nan", "inf", "1e999", "0.5x" })
+  for (const char* bad :
+    { "", "+", "1,5", "1.5 ", "+-1", "++1", " 1", "nan", "inf", "1e999", "0.5x" })
   {
     EXPECT_FALSE(ParseNumber(bad, number)) << bad;
   }
