@@ -10,7 +10,7 @@
 #
 # VTK's wheel has libraries only. Its headers, CMake files and wrapping tools are Debian sid's, laid beside links to the wheel's libraries
 # in $WORK/sdk; VTK_DIR=FOLDER names another SDK, e.g. Kitware's (https://vtk.org/files/wheel-sdks). Everything is compiled by GCC 10 for
-# Debian 11's C library, so that the wheels are manylinux_2_31. OpenEXR and Ceres are linked in. What is downloaded and built lies in
+# Debian 11's C library, so that the wheels are manylinux_2_31. OpenEXR, libpng, libtiff and Ceres are linked in. What is downloaded and built lies in
 # WORK (default: build-pypi), and later runs use it again.
 set -euo pipefail
 shopt -s nullglob
@@ -130,9 +130,9 @@ if [ -z "${VTK_DIR:-}" ] && [ ! -e "$sdk/laid" ]; then
   sed -i -E '/_cmake_import_check_/d # not all libraries are in the wheel
     s#lib/x86_64-linux-gnu/(libvtk[A-Za-z0-9]+)(3\.[0-9]+)?-[0-9.]+\.so\.[0-9.]+#lib/vtkmodules/\1.so#' "$cmake_files"/VTK*-targets-none.cmake
   sed -i 's/^foreach(_target .*/foreach(_target)/' "$cmake_files"/VTK*-targets.cmake # nor are all that these ask for here
-  # What Debian's VTK takes from other packages the wheel's has inside.
-  perl -pi -e 's/(\\\$<\w+:)?\b(?!VTK|Threads|Python3)\w+::\w+>?;?//g if /INTERFACE_LINK_LIBRARIES/' "$cmake_files/VTK-targets.cmake"
-  echo 'find_package(Threads REQUIRED)' >"$cmake_files/VTK-vtk-module-find-packages.cmake"
+  # What Debian's VTK takes from other packages the wheel's has inside. PNG and TIFF files this project reads itself.
+  perl -pi -e 's/(\\\$<\w+:)?\b(?!VTK|Threads|Python3|PNG|TIFF)\w+::\w+>?;?//g if /INTERFACE_LINK_LIBRARIES/' "$cmake_files/VTK-targets.cmake"
+  printf 'find_package(%s REQUIRED)\n' Threads PNG TIFF >"$cmake_files/VTK-vtk-module-find-packages.cmake"
   sed -i -E 's/(_HAS_VISKORES|_HAS_VTKm|_WRAP_JAVA)" "ON"/\1" "OFF"/' "$cmake_files/vtk-config.cmake"
   # The one generated header in which a class is laid out otherwise: Debian's VTK has TBB.
   sed -i -E 's/(VTK_SMP_|")TBB("|$)/\1Sequential\2/; s/_TBB 1/_TBB 0/; s/(DEFAULT_IMPLEMENTATION_SEQUENTIAL) 0/\1 1/' \
@@ -160,6 +160,8 @@ for python in "${pythons[@]}"; do
   export LDFLAGS="-Wl,--exclude-libs,ALL -Wl,--gc-sections -Wl,--as-needed"
   link_in imath -DPYTHON=OFF
   link_in openexr -DOPENEXR_BUILD_TOOLS=OFF -DOPENEXR_INSTALL_EXAMPLES=OFF
+  link_in libpng1.6 -DPNG_SHARED=OFF -DPNG_TESTS=OFF
+  link_in tiff -Dcxx=OFF -Dtiff-{tools,tests,contrib,docs}=OFF -D{jpeg,zstd,lzma,webp,jbig,lerc,libdeflate}=OFF
   link_in ceres-solver -DMINIGLOG=ON -DGFLAGS=OFF -DSUITESPARSE=OFF -DLAPACK=OFF -DCXSPARSE=OFF -DCUDA=OFF -DSCHUR_SPECIALIZATIONS=OFF \
     -DBUILD_EXAMPLES=OFF -DBUILD_BENCHMARKS=OFF
 
